@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "detent/number/integer.hpp"
+
+namespace detent {
+
+template <class I>
+struct Division {
+  I quotient;
+  I remainder;
+};
+
+namespace detail {
+
+/// Long division of non-negative integers in base 2^32.
+///
+/// source: Knuth, The Art of Computer Programming 2, 4.3.1, algorithm D
+template <int Words>
+constexpr Division<Wide<Words>> divide_long(const Wide<Words>& numerator,
+                                            const Wide<Words>& denominator) noexcept {
+  constexpr int digits = 2 * Words;
+  using Digits = std::array<std::uint32_t, digits + 1>;
+  const auto at = [](auto& array, int i) -> auto& { return array[static_cast<std::size_t>(i)]; };
+  const auto split = [&at](const Wide<Words>& x) {
+    Digits result{};
+    for (int i = 0; i < digits; ++i) {
+      at(result, i) = static_cast<std::uint32_t>(x.word(i / 2) >> (32 * (i % 2)));
+    }
+    return result;
+  };
+  const auto join = [&at](const Digits& x) {
+    std::array<std::uint64_t, Words> words{};
+    for (int i = 0; i < digits; ++i) {
+      at(words, i / 2) |= std::uint64_t{at(x, i)} << (32 * (i % 2));
+    }
+    return Wide<Words>::from_words(words);
+  };
+
+  const int length = (bit_length(denominator) + 31) / 32;
+  const int scale = 32 * length - bit_length(denominator);  // makes the leading digit >= 2^31
+  const Digits v = split(denominator << scale);
+  Digits u = split(numerator << scale);
+  // The numerator is non-negative, so its top bit is 0; what a scale shifts out comes back here.
+  if (scale > 0) at(u, digits) = static_cast<std::uint32_t>(numerator.word(Words - 1) >> (64 - scale));
+
+  Digits q{};
+  for (int j = digits - length; j >= 0; --j) {
+    const std::uint64_t leading = (std::uint64_t{at(u, j + length)} << 32) | at(u, j + length - 1);
+    const std::uint64_t divisor = at(v, length - 1);
+    std::uint64_t digit = leading / divisor;
+    std::uint64_t rest = leading % divisor;
+    const std::uint64_t second = length > 1 ? at(v, length - 2) : 0;
+    const std::uint64_t third = length > 1 ? at(u, j + length - 2) : 0;
+    while ((digit >> 32) != 0 || digit * second > ((rest << 32) | third)) {
+      --digit;
+      rest += divisor;
+      if ((rest >> 32) != 0) break;
+    }
+    std::uint64_t carry = 0;
+    std::uint64_t borrow = 0;
+    for (int i = 0; i < length; ++i) {
+      carry += digit * at(v, i);
+      const std::uint64_t difference =
+          std::uint64_t{at(u, i + j)} - static_cast<std::uint32_t>(carry) - borrow;
+      at(u, i + j) = static_cast<std::uint32_t>(difference);
+      borrow = difference >> 63;
+      carry >>= 32;
+    }
+    const std::uint64_t difference = std::uint64_t{at(u, j + length)} - carry - borrow;
+    at(u, j + length) = static_cast<std::uint32_t>(difference);
+    if ((difference >> 63) != 0) {  // the digit was one too large
+      --digit;
+      std::uint64_t sum = 0;
+      for (int i = 0; i < length; ++i) {
+        sum += std::uint64_t{at(u, i + j)} + at(v, i);
+        at(u, i + j) = static_cast<std::uint32_t>(sum);
+        sum >>= 32;
+      }
+      at(u, j + length) += static_cast<std::uint32_t>(sum);
+    }
+    at(q, j) = static_cast<std::uint32_t>(digit);
+  }
+  return {join(q), join(u) >> scale};
+}
+
+}  // namespace detail
+
+/// floor(numerator / denominator) and what is left; `denominator` > 0.
+template <class I>
+[[nodiscard]] constexpr Division<I> divide_floor(const I& numerator, const I& denominator) noexcept {
+  I quotient, remainder;
+  if constexpr (detail::is_wide<I>) {
+    const bool negative = numerator.is_negative();
+    const I magnitude = negative ? -numerator : numerator;
+    if (bit_length(magnitude) <= 63 && bit_length(denominator) <= 63) {
+      quotient = I(magnitude.word(0) / denominator.word(0));
+      remainder = I(magnitude.word(0) % denominator.word(0));
+    } else {
+      const auto division = detail::divide_long(magnitude, denominator);
+      quotient = division.quotient;
+      remainder = division.remainder;
+    }
+    if (negative) {
+      quotient = -quotient;
+      remainder = -remainder;
+    }
+  } else {
+    quotient = static_cast<I>(numerator / denominator);
+    remainder = static_cast<I>(numerator % denominator);
+  }
+  if (sign_of(remainder) < 0) {
+    quotient = static_cast<I>(quotient - I(1));
+    remainder = static_cast<I>(remainder + denominator);
+  }
+  return {quotient, remainder};
+}
+
+}  // namespace detent

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <compare>
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include "detent/number/assert.hpp"
+#include "detent/number/integer.hpp"
+
+namespace detent {
+
+template <int Bits, int Frac>
+class Fixed;
+
+/// Whether `T` is a `Fixed<Bits, Frac>`.
+template <class T>
+inline constexpr bool is_fixed = false;
+template <int Bits, int Frac>
+inline constexpr bool is_fixed<Fixed<Bits, Frac>> = true;
+
+namespace detail {
+
+/// 15, 31, 63, 127 and 255 bits fill their integer: there, +2^Bits has no pattern.
+constexpr bool fills_container(int bits) noexcept {
+  return bits == 15 || bits == 31 || bits == 63 || bits == 127 || bits == 255;
+}
+
+/// The budget for an arithmetic result of magnitude up to and including 2^bits.
+constexpr int result_bits(int bits) noexcept { return fills_container(bits) ? bits + 1 : bits; }
+
+template <std::integral I>
+inline constexpr int integral_bits = static_cast<int>(sizeof(I) * 8) - (std::is_signed_v<I> ? 1 : 0);
+
+}  // namespace detail
+
+/// The number raw * 2^-Frac, where the type carries a bound on its magnitude: |raw| <= 2^Bits.
+///
+/// Sums, differences and products are exact: their type has the bits that they need, and what
+/// would need more than `widest_bits` does not compile. Numbers lose bits only in functions whose
+/// name says so (rounding.hpp) and in `+=`, `-=`, `*=`, whose left side names the destination.
+///
+/// domain: values from outside (text, integers, doubles, raw bits) end up in [lowest(), max()],
+///         the range of a two's complement integer of Bits + 1 bits; +2^Bits occurs only as the
+///         result of arithmetic, such as -lowest(), and never where Bits fills its integer type
+template <int Bits, int Frac>
+class Fixed {
+ public:
+  using raw_type = IntegerFor<Bits>;
+  static constexpr int bits = Bits;
+  static constexpr int frac = Frac;
+
+  constexpr Fixed() noexcept = default;
+
+  /// The integer `value`, clamped to [lowest(), max()].
+  template <std::integral I>
+  explicit constexpr Fixed(I value) noexcept;
+
+  /// The same number in a type that holds every number of the old one.
+  template <int B, int F>
+    requires(F <= Frac && (B + Frac - F < Bits ||
+                           (B + Frac - F == Bits && (!detail::fills_container(Bits) ||
+                                                     detail::fills_container(B)))))
+  constexpr Fixed(const Fixed<B, F>& other) noexcept
+      : raw_(shift_left(integer_cast<raw_type>(other.raw()), Frac - F)) {}
+
+  /// The number with these raw bits, clamped to [lowest(), max()].
+  [[nodiscard]] static constexpr Fixed from_raw(raw_type raw) noexcept {
+    if constexpr (!detail::fills_container(Bits)) {
+      if (raw > max().raw_) return max();
+      if (raw < lowest().raw_) return lowest();
+    }
+    return Fixed(raw, RawTag{});
+  }
+
+  /// The number with these raw bits, which the caller knows to be within the budget.
+  [[nodiscard]] static constexpr Fixed assume_raw(raw_type raw) noexcept {
+    DETENT_ASSERT(detail::fills_container(Bits) ||
+                  (raw >= lowest().raw_ && integer_cast<raw_type>(raw - raw_type(1)) <= max().raw_));
+    return Fixed(raw, RawTag{});
+  }
+
+  /// The exact decimal `text` rounded to nearest, ties to even; nothing when it is malformed or
+  /// out of range.
+  [[nodiscard]] static constexpr std::optional<Fixed> parse(std::string_view text) noexcept;
+
+  /// `value` rounded to nearest, ties to even, and clamped; 0 for a NaN. For tools and tests.
+  [[nodiscard]] static constexpr Fixed from_double(double value) noexcept
+    requires(Bits <= 63);
+
+  /// The nearest double; exact up to 53 significant bits. For tools and tests.
+  [[nodiscard]] explicit constexpr operator double() const noexcept;
+
+  [[nodiscard]] constexpr raw_type raw() const noexcept { return raw_; }
+
+  [[nodiscard]] static constexpr Fixed max() noexcept {
+    return Fixed(wrapping_subtract<raw_type>(shift_left(raw_type(1), Bits), raw_type(1)), RawTag{});
+  }
+  [[nodiscard]] static constexpr Fixed lowest() noexcept {
+    return Fixed(wrapping_subtract<raw_type>(raw_type(0), shift_left(raw_type(1), Bits)), RawTag{});
+  }
+
+  /// Rounds the exact result to nearest, ties to even; asserts that it is in range, else clamps.
+  template <class T>
+  constexpr Fixed& operator+=(const T& other) noexcept;
+  template <class T>
+  constexpr Fixed& operator-=(const T& other) noexcept;
+  template <class T>
+  constexpr Fixed& operator*=(const T& other) noexcept;
+
+ private:
+  struct RawTag {};
+  constexpr Fixed(raw_type raw, RawTag) noexcept : raw_(raw) {}
+
+  raw_type raw_ = raw_type(0);
+};
+
+/// 32-bit coordinates in 1/65536: the world is 65,536 units wide.
+using q16_16 = Fixed<31, 16>;
+/// The same grid for maps 16,384 units wide: most intermediate results fit 64 bits.
+using q14_16 = Fixed<29, 16>;
+/// A world 16,777,216 units wide in steps of 1/256.
+using q24_8 = Fixed<31, 8>;
+/// 16-bit coordinates in 1/256: a world 256 units wide.
+using q8_8 = Fixed<15, 8>;
+
+namespace detail {
+
+template <int B, int F>
+constexpr const Fixed<B, F>& as_fixed(const Fixed<B, F>& x) noexcept {
+  return x;
+}
+template <std::integral I>
+constexpr auto as_fixed(I x) noexcept {
+  using Whole = Fixed<integral_bits<I>, 0>;
+  return Whole::assume_raw(integer_cast<typename Whole::raw_type>(x));
+}
+
+template <class A, class B>
+concept FixedOperands = (is_fixed<A> && is_fixed<B>) || (is_fixed<A> && std::integral<B>);
+
+template <class A, class B>
+inline constexpr int common_frac = std::max(A::frac, B::frac);
+/// The bits of an operand once it is shifted to `Frac` fractional bits.
+template <class A, int Frac>
+inline constexpr int aligned_bits = A::bits + Frac - A::frac;
+template <class A, class B>
+inline constexpr int sum_bits = result_bits(std::max(aligned_bits<A, common_frac<A, B>>,
+                                                     aligned_bits<B, common_frac<A, B>>) +
+                                            1);
+
+template <class Raw, int Frac, class A>
+constexpr Raw aligned_raw(const A& a) noexcept {
+  return shift_left(integer_cast<Raw>(a.raw()), Frac - A::frac);
+}
+
+}  // namespace detail
+
+template <int B1, int F1, int B2, int F2>
+[[nodiscard]] constexpr auto operator+(const Fixed<B1, F1>& a, const Fixed<B2, F2>& b) noexcept {
+  constexpr int frac = std::max(F1, F2);
+  using Sum = Fixed<detail::sum_bits<Fixed<B1, F1>, Fixed<B2, F2>>, frac>;
+  using Raw = typename Sum::raw_type;
+  return Sum::assume_raw(wrapping_add<Raw>(detail::aligned_raw<Raw, frac>(a),
+                                           detail::aligned_raw<Raw, frac>(b)));
+}
+
+template <int B1, int F1, int B2, int F2>
+[[nodiscard]] constexpr auto operator-(const Fixed<B1, F1>& a, const Fixed<B2, F2>& b) noexcept {
+  constexpr int frac = std::max(F1, F2);
+  using Difference = Fixed<detail::sum_bits<Fixed<B1, F1>, Fixed<B2, F2>>, frac>;
+  using Raw = typename Difference::raw_type;
+  return Difference::assume_raw(wrapping_subtract<Raw>(detail::aligned_raw<Raw, frac>(a),
+                                                       detail::aligned_raw<Raw, frac>(b)));
+}
+
+template <int B1, int F1, int B2, int F2>
+[[nodiscard]] constexpr auto operator*(const Fixed<B1, F1>& a, const Fixed<B2, F2>& b) noexcept {
+  using Product = Fixed<detail::result_bits(B1 + B2), F1 + F2>;
+  using Raw = typename Product::raw_type;
+  return Product::assume_raw(wrapping_multiply<Raw>(a.raw(), b.raw()));
+}
+
+template <int B, int F>
+[[nodiscard]] constexpr auto operator-(const Fixed<B, F>& x) noexcept {
+  using Negative = Fixed<detail::result_bits(B), F>;
+  using Raw = typename Negative::raw_type;
+  return Negative::assume_raw(wrapping_subtract<Raw>(Raw(0), x.raw()));
+}
+
+template <int B, int F>
+[[nodiscard]] constexpr auto abs(const Fixed<B, F>& x) noexcept {
+  using Magnitude = Fixed<detail::result_bits(B), F>;
+  return sign_of(x.raw()) < 0 ? Magnitude(-x) : Magnitude(x);
+}
+
+/// Which of two numbers of any types is greater, exactly.
+template <class A, class B>
+  requires detail::FixedOperands<A, B>
+[[nodiscard]] constexpr std::strong_ordering operator<=>(const A& left, const B& right) noexcept {
+  const auto& a = detail::as_fixed(left);
+  const auto& b = detail::as_fixed(right);
+  using FixedA = std::remove_cvref_t<decltype(a)>;
+  using FixedB = std::remove_cvref_t<decltype(b)>;
+  using Common = IntegerFor<std::max(FixedA::bits, FixedB::bits)>;
+  constexpr int shift = FixedA::frac - FixedB::frac;
+  if constexpr (shift == 0) {
+    return integer_cast<Common>(a.raw()) <=> integer_cast<Common>(b.raw());
+  } else {
+    constexpr int frac = detail::common_frac<FixedA, FixedB>;
+    constexpr int width = detail::result_bits(
+        std::max(detail::aligned_bits<FixedA, frac>, detail::aligned_bits<FixedB, frac>));
+    if constexpr (width <= 62 || width <= value_bits<Common>) {
+      using Raw = IntegerFor<width>;
+      return detail::aligned_raw<Raw, frac>(a) <=> detail::aligned_raw<Raw, frac>(b);
+    } else if constexpr (shift < 0) {
+      // a * 2^k < b exactly when a < floor(b / 2^k), or they are equal and b has a remainder.
+      const auto whole = integer_cast<Common>(shift_right_floor(b.raw(), -shift));
+      const auto order = integer_cast<Common>(a.raw()) <=> whole;
+      if (order != 0 || low_bits_are_zero(b.raw(), -shift)) return order;
+      return std::strong_ordering::less;
+    } else {
+      return 0 <=> (b <=> a);
+    }
+  }
+}
+
+template <class A, class B>
+  requires detail::FixedOperands<A, B>
+[[nodiscard]] constexpr bool operator==(const A& a, const B& b) noexcept {
+  return (a <=> b) == 0;
+}
+
+template <int Bits, int Frac>
+template <std::integral I>
+constexpr Fixed<Bits, Frac>::Fixed(I value) noexcept {
+  const auto whole = detail::as_fixed(value);
+  if (whole > max()) {
+    raw_ = max().raw_;
+  } else if (whole < lowest()) {
+    raw_ = lowest().raw_;
+  } else if constexpr (Frac >= 0) {
+    raw_ = shift_left(integer_cast<raw_type>(value), Frac);
+  } else {
+    raw_ = integer_cast<raw_type>(shift_right_floor(whole.raw(), -Frac));
+  }
+}
+
+template <int Bits, int Frac>
+constexpr Fixed<Bits, Frac> Fixed<Bits, Frac>::from_double(double value) noexcept
+  requires(Bits <= 63)
+{
+  const auto pattern = std::bit_cast<std::uint64_t>(value);
+  const bool negative = (pattern >> 63) != 0;
+  const int exponent = static_cast<int>((pattern >> 52) & 0x7ff);
+  std::uint64_t mantissa = pattern & ((std::uint64_t{1} << 52) - 1);
+  if (exponent == 0x7ff && mantissa != 0) return Fixed();
+  if (exponent != 0) mantissa |= std::uint64_t{1} << 52;
+  // |value| = mantissa * 2^(max(exponent, 1) - 1075); `shift` takes it to the raw grid.
+  const int shift = std::max(exponent, 1) - 1075 + Frac;
+  if (shift >= 0) {
+    if (mantissa != 0 && static_cast<int>(std::bit_width(mantissa)) + shift > Bits) {
+      return negative ? lowest() : max();
+    }
+    mantissa <<= mantissa == 0 ? 0 : shift;
+  } else if (shift < -54) {
+    mantissa = 0;
+  } else {
+    const std::uint64_t half = std::uint64_t{1} << (-shift - 1);
+    mantissa = (mantissa + half - 1 + ((mantissa >> -shift) & 1)) >> -shift;
+  }
+  if (mantissa > static_cast<std::uint64_t>(max().raw_)) return negative ? lowest() : max();
+  const auto magnitude = static_cast<std::int64_t>(mantissa);
+  return Fixed(static_cast<raw_type>(negative ? -magnitude : magnitude), RawTag{});
+}
+
+template <int Bits, int Frac>
+constexpr Fixed<Bits, Frac>::operator double() const noexcept {
+  // 62 leading bits and a sticky bit below them decide the rounding.
+  const int excess = std::max(bit_length(raw_) - 62, 0);
+  auto leading = integer_cast<std::int64_t>(shift_right_floor(raw_, excess));
+  if (!low_bits_are_zero(raw_, excess)) leading |= 1;
+  const auto power_of_two = [](int k) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + k) << 52);
+  };
+  return static_cast<double>(leading) * power_of_two(excess - Frac);
+}
+
+}  // namespace detent
+
+template <int Bits, int Frac>
+struct std::hash<detent::Fixed<Bits, Frac>> {
+  [[nodiscard]] std::size_t operator()(const detent::Fixed<Bits, Frac>& x) const noexcept
+    requires(Bits <= 63)
+  {
+    return std::hash<typename detent::Fixed<Bits, Frac>::raw_type>()(x.raw());
+  }
+};

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The counterparts of rounding.hpp for float and double: the operation itself, as the language
+// and the platform round it. They let one source run in every scalar, and promise nothing.
+
+#include <cmath>
+#include <concepts>
+
+namespace detent {
+
+template <class T, std::floating_point F>
+[[nodiscard]] constexpr T floor_to(F x) noexcept {
+  return static_cast<T>(x);
+}
+template <class T, std::floating_point F>
+[[nodiscard]] constexpr T nearest_to(F x) noexcept {
+  return static_cast<T>(x);
+}
+template <class T, std::floating_point F>
+[[nodiscard]] constexpr T saturate_to(F x) noexcept {
+  return static_cast<T>(x);
+}
+template <int Bits, std::floating_point F>
+[[nodiscard]] constexpr F narrow(F x) noexcept {
+  return x;
+}
+template <int Bits, std::floating_point F>
+[[nodiscard]] constexpr F narrow_product(F a, F b) noexcept {
+  return a * b;
+}
+template <int Bits, std::floating_point F>
+[[nodiscard]] constexpr F narrow_difference(F a, F b) noexcept {
+  return a - b;
+}
+template <class T, std::floating_point F>
+[[nodiscard]] constexpr T quotient_floor(F n, F d) noexcept {
+  return static_cast<T>(n / d);
+}
+template <class T, std::floating_point F>
+[[nodiscard]] constexpr T quotient_nearest(F n, F d) noexcept {
+  return static_cast<T>(n / d);
+}
+template <class T, std::floating_point F>
+[[nodiscard]] constexpr T sqrt_floor(F x) noexcept {
+  return static_cast<T>(std::sqrt(x));
+}
+template <std::floating_point F>
+[[nodiscard]] constexpr F abs(F x) noexcept {
+  return x < 0 ? -x : x;
+}
+
+}  // namespace detent

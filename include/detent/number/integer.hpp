@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <type_traits>
+
+#include "detent/number/wide.hpp"
+
+namespace detent {
+
+/// The widest integer that a result may need; what needs more does not compile.
+inline constexpr int widest_bits = 319;
+
+namespace detail {
+
+template <int Bits>
+constexpr auto container_for() noexcept {
+  static_assert(Bits >= 1 && Bits <= widest_bits,
+                "detent: this result does not fit the widest integer (320 bits): narrow<Bits>() an "
+                "operand whose range you can prove, or round one with nearest_to<T>()");
+  if constexpr (Bits <= 15) {
+    return std::int16_t{};
+  } else if constexpr (Bits <= 31) {
+    return std::int32_t{};
+  } else if constexpr (Bits <= 63) {
+    return std::int64_t{};
+  } else if constexpr (Bits <= 127) {
+    return Int128{};
+  } else if constexpr (Bits <= 255) {
+    return Wide<4>{};
+  } else {
+    return Wide<5>{};
+  }
+}
+
+template <class I>
+inline constexpr bool is_wide = false;
+template <int Words>
+inline constexpr bool is_wide<Wide<Words>> = true;
+
+template <class I>
+inline constexpr int words_of = 1;
+template <int Words>
+inline constexpr int words_of<Wide<Words>> = Words;
+#if DETENT_NATIVE_INT128
+template <>
+inline constexpr int words_of<Int128> = 2;
+#endif
+
+}  // namespace detail
+
+/// The smallest signed integer that holds every |x| < 2^Bits.
+template <int Bits>
+using IntegerFor = decltype(detail::container_for<Bits>());
+
+/// How many value bits a signed integer of this type has (31 for std::int32_t).
+template <class I>
+inline constexpr int value_bits = static_cast<int>(sizeof(I) * 8 - 1);
+
+/// `x` in another integer type: sign-extended, or its low bits.
+template <class To, class From>
+[[nodiscard]] constexpr To integer_cast(const From& x) noexcept {
+  if constexpr (std::is_same_v<To, From>) {
+    return x;
+  } else {
+    return static_cast<To>(x);
+  }
+}
+
+namespace detail {
+
+/// The unsigned type in which a built-in signed integer wraps without undefined behaviour.
+template <class I>
+struct unsigned_of {
+  using type = std::make_unsigned_t<std::common_type_t<I, std::int32_t>>;
+};
+#if DETENT_NATIVE_INT128
+template <>
+struct unsigned_of<Int128> {
+  using type = UInt128;
+};
+#endif
+template <class I>
+using unsigned_of_t = typename unsigned_of<I>::type;
+
+}  // namespace detail
+
+/// a + b, a - b and a * b in the integer type `To`, modulo its size: right whenever the exact
+/// result fits. The operands may be of any integer types.
+template <class To, class A, class B>
+[[nodiscard]] constexpr To wrapping_add(const A& a, const B& b) noexcept {
+  if constexpr (detail::is_wide<To>) {
+    return integer_cast<To>(a) + integer_cast<To>(b);
+  } else {
+    using U = detail::unsigned_of_t<To>;
+    return static_cast<To>(static_cast<U>(integer_cast<To>(a)) +
+                           static_cast<U>(integer_cast<To>(b)));
+  }
+}
+
+template <class To, class A, class B>
+[[nodiscard]] constexpr To wrapping_subtract(const A& a, const B& b) noexcept {
+  if constexpr (detail::is_wide<To>) {
+    return integer_cast<To>(a) - integer_cast<To>(b);
+  } else {
+    using U = detail::unsigned_of_t<To>;
+    return static_cast<To>(static_cast<U>(integer_cast<To>(a)) -
+                           static_cast<U>(integer_cast<To>(b)));
+  }
+}
+
+template <class To, class A, class B>
+[[nodiscard]] constexpr To wrapping_multiply(const A& a, const B& b) noexcept {
+  if constexpr (detail::is_wide<To>) {
+    // Operands keep their own widths: the shorter they are, the fewer word products.
+    constexpr int a_words = detail::words_of<A>, b_words = detail::words_of<B>;
+    if constexpr (a_words == 1 && b_words == 1) {
+      const std::int64_t x = integer_cast<std::int64_t>(a), y = integer_cast<std::int64_t>(b);
+      const auto [low, high] =
+          multiply_words(static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(y));
+      const std::uint64_t signed_high = high - (x < 0 ? static_cast<std::uint64_t>(y) : 0) -
+                                        (y < 0 ? static_cast<std::uint64_t>(x) : 0);
+      return integer_cast<To>(Wide<2>::from_words({low, signed_high}));
+    } else {
+      return multiply<detail::words_of<To>>(integer_cast<Wide<(a_words < 2 ? 2 : a_words)>>(a),
+                                   integer_cast<Wide<(b_words < 2 ? 2 : b_words)>>(b));
+    }
+  } else {
+    using U = detail::unsigned_of_t<To>;
+    return static_cast<To>(static_cast<U>(integer_cast<To>(a)) *
+                           static_cast<U>(integer_cast<To>(b)));
+  }
+}
+
+/// x * 2^count modulo the size of `I`; `count` in [0, width of I).
+template <class I>
+[[nodiscard]] constexpr I shift_left(const I& x, int count) noexcept {
+  if constexpr (detail::is_wide<I>) {
+    return x << count;
+  } else {
+    return static_cast<I>(static_cast<detail::unsigned_of_t<I>>(x) << count);
+  }
+}
+
+/// floor(x / 2^count) for any count >= 0.
+template <class I>
+[[nodiscard]] constexpr I shift_right_floor(const I& x, int count) noexcept {
+  constexpr int last = value_bits<I>;
+  return static_cast<I>(x >> (count < last ? count : last));
+}
+
+/// Whether the low `count` bits of x are all zero; any count >= 0.
+template <class I>
+[[nodiscard]] constexpr bool low_bits_are_zero(const I& x, int count) noexcept {
+  if (count == 0) return true;
+  if (count > value_bits<I>) return x == I(0);
+  return shift_left(x, value_bits<I> + 1 - count) == I(0);
+}
+
+/// -1, 0 or 1.
+template <class I>
+[[nodiscard]] constexpr int sign_of(const I& x) noexcept {
+  if constexpr (detail::is_wide<I>) {
+    return x.is_negative() ? -1 : (x == I(0) ? 0 : 1);
+  } else {
+    return (x > 0) - (x < 0);
+  }
+}
+
+/// How many bits |x| needs: 0 for 0, otherwise floor(log2 |x|) + 1.
+template <class I>
+[[nodiscard]] constexpr int bit_length(const I& x) noexcept {
+  if constexpr (detail::words_of<I> == 1) {
+    const auto bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(x));
+    return static_cast<int>(std::bit_width(x < 0 ? 0 - bits : bits));
+  } else {
+    constexpr int words = detail::words_of<I>;
+    const Wide<words> wide = integer_cast<Wide<words>>(x);
+    const Wide<words> magnitude = wide.is_negative() ? -wide : wide;
+    for (int i = words - 1; i >= 0; --i) {
+      if (magnitude.word(i) != 0) {
+        return 64 * i + static_cast<int>(std::bit_width(magnitude.word(i)));
+      }
+    }
+    return 0;
+  }
+}
+
+}  // namespace detent

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "detent/number/wide.hpp"
+
+namespace detent {
+
+namespace detail {
+
+/// Chords of the square root: entry i - 64 holds, for x in [i/256, (i+1)/256), the value at the
+/// left end (20 bits, Q20) above the rise to the right end (12 bits, Q20).
+inline constexpr auto root_chords = [] {
+  // floor(sqrt(i * 2^32)) = floor(2^20 * sqrt(i / 256)), digit by digit: compile time only.
+  const auto left_end = [](std::uint32_t i) {
+    std::uint32_t root = 0;
+    for (std::uint32_t bit = std::uint32_t{1} << 20; bit != 0; bit >>= 1) {
+      const std::uint64_t next = root | bit;
+      if (next * next <= std::uint64_t{i} << 32) root |= bit;
+    }
+    return root;
+  };
+  std::array<std::uint32_t, 192> chords{};
+  for (std::uint32_t i = 64; i < 256; ++i) {
+    chords[i - 64] = (left_end(i) << 12) | (left_end(i + 1) - left_end(i));
+  }
+  return chords;
+}();
+
+}  // namespace detail
+
+/// floor(sqrt(n)), exactly: a chord of the root and one Newton (Heron) step.
+///
+/// A chord lies below the root by at most 2^-17 of it, and quantising adds 2^-19. One Heron step
+/// from relative error e gives r * (1 + e^2 / (2 (1 + e))): never below r = sqrt(a), and above it by
+/// less than 2^32 * 2^-33 / 2 = 1/4. Floors inside nest, so the step is floor(r) or floor(r) + 1,
+/// which one comparison settles. The final shift is floor(sqrt(n * 4^k)) / 2^k, rounded down.
+[[nodiscard]] constexpr std::uint32_t square_root_floor(std::uint64_t n) noexcept {
+  if (n == 0) return 0;
+  const int shift = std::countl_zero(n) & ~1;
+  const std::uint64_t a = n << shift;  // in [2^62, 2^64)
+  const std::uint32_t chord = detail::root_chords[(a >> 56) - 64];
+  const std::uint64_t along = (a >> 40) & 0xffff;
+  const std::uint64_t guess = (chord >> 12) + (((chord & 0xfff) * along) >> 16);  // Q20
+  std::uint64_t root = (guess << 11) + static_cast<std::uint64_t>((a >> 13) / static_cast<std::uint32_t>(guess));
+  root -= root >> 32;  // 2^32 itself is one too many
+  root >>= shift / 2;
+  root -= root * root > n ? 1u : 0u;
+  return static_cast<std::uint32_t>(root);
+}
+
+/// floor(sqrt(high * 2^64 + low)), exactly.
+///
+/// source: Zimmermann, Karatsuba Square Root, INRIA RR-3805 (1999), one step: the remainder of the
+/// leading root divided by it gives the trailing half, at most 1 too large
+[[nodiscard]] constexpr std::uint64_t square_root_floor(std::uint64_t high,
+                                                        std::uint64_t low) noexcept {
+  if (high == 0) return square_root_floor(low);
+  const int shift = std::countl_zero(high) & ~1;
+  if (shift != 0) {
+    high = (high << shift) | (low >> (64 - shift));
+    low <<= shift;
+  }
+  const std::uint64_t leading = square_root_floor(high);  // at least 2^31
+  const std::uint64_t rest = high - leading * leading;    // at most 2^33 - 2
+  const std::uint64_t trailing =
+      std::min<std::uint64_t>(((rest << 31) | (low >> 33)) / leading, 0xffffffff);
+  std::uint64_t root = (leading << 32) | trailing;
+  const auto [square_low, square_high] = multiply_words(root, root);
+  root -= square_high > high || (square_high == high && square_low > low) ? 1u : 0u;
+  return root >> (shift / 2);
+}
+
+}  // namespace detent

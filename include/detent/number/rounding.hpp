@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "detent/number/divide.hpp"
+#include "detent/number/root.hpp"
+#include "detent/number/scalar.hpp"
+
+namespace detent {
+
+namespace detail {
+
+/// `raw` as a T, clamped to [T::lowest(), T::max()].
+template <class T, class I>
+constexpr T clamp_raw(const I& raw) noexcept {
+  if constexpr (value_bits<I> > T::bits) {
+    if (raw > integer_cast<I>(T::max().raw())) return T::max();
+    if (raw < integer_cast<I>(T::lowest().raw())) return T::lowest();
+  }
+  return T::assume_raw(integer_cast<typename T::raw_type>(raw));
+}
+
+/// floor(numerator / denominator) and the remainder, on the grid of T; `denominator` is not 0.
+///
+/// The integers are those of value(n) / value(d) * 2^T::frac with the shift on whichever side
+/// keeps them whole, and the denominator made positive.
+template <class T, class N, class D>
+struct GridQuotient {
+  static constexpr int shift = T::frac - N::frac + D::frac;
+  static constexpr int numerator_bits = result_bits(N::bits + std::max(shift, 0));
+  static constexpr int denominator_bits = result_bits(D::bits + std::max(-shift, 0));
+  using Integer = IntegerFor<std::max({numerator_bits, denominator_bits, 31})>;
+
+  static constexpr Division<Integer> divide(const N& n, const D& d, Integer& divisor) noexcept {
+    auto numerator = shift_left(integer_cast<Integer>(n.raw()), std::max(shift, 0));
+    divisor = shift_left(integer_cast<Integer>(d.raw()), std::max(-shift, 0));
+    if (sign_of(divisor) < 0) {
+      numerator = static_cast<Integer>(-numerator);
+      divisor = static_cast<Integer>(-divisor);
+    }
+    return divide_floor(numerator, divisor);
+  }
+};
+
+template <class T, class N>
+constexpr T quotient_by_zero(const N& n) noexcept {
+  const int sign = sign_of(n.raw());
+  return sign > 0 ? T::max() : (sign < 0 ? T::lowest() : T());
+}
+
+}  // namespace detail
+
+/// `x` rounded down to the grid of `T`, clamped to [T::lowest(), T::max()].
+template <class T, int B, int F>
+[[nodiscard]] constexpr T floor_to(const Fixed<B, F>& x) noexcept {
+  constexpr int shift = F - T::frac;
+  if constexpr (shift >= 0) {
+    return detail::clamp_raw<T>(shift_right_floor(x.raw(), shift));
+  } else {
+    using Raw = IntegerFor<detail::result_bits(B - shift)>;
+    return detail::clamp_raw<T>(shift_left(integer_cast<Raw>(x.raw()), -shift));
+  }
+}
+
+/// `x` rounded to the nearest point of the grid of `T`, ties to even, clamped to
+/// [T::lowest(), T::max()].
+template <class T, int B, int F>
+[[nodiscard]] constexpr T nearest_to(const Fixed<B, F>& x) noexcept {
+  constexpr int shift = F - T::frac;
+  if constexpr (shift <= 0) {
+    return floor_to<T>(x);
+  } else {
+    using Raw = IntegerFor<std::max(B, shift) + 1>;
+    const Raw raw = integer_cast<Raw>(x.raw());
+    const Raw below_half = wrapping_subtract<Raw>(shift_left(Raw(1), shift - 1), Raw(1));
+    const bool odd = !low_bits_are_zero(shift_right_floor(raw, shift), 1);
+    const Raw raised = wrapping_add<Raw>(wrapping_add<Raw>(raw, below_half), Raw(odd ? 1 : 0));
+    return detail::clamp_raw<T>(shift_right_floor(raised, shift));
+  }
+}
+
+/// `nearest_to` where the result is expected to leave the range of `T` and to stop at its end.
+template <class T, int B, int F>
+[[nodiscard]] constexpr T saturate_to(const Fixed<B, F>& x) noexcept {
+  return nearest_to<T>(x);
+}
+
+/// `x` in fewer bits: the caller has a proof that |x| <= 2^(Bits - F). Asserted in debug builds.
+template <int Bits, int B, int F>
+[[nodiscard]] constexpr Fixed<Bits, F> narrow(const Fixed<B, F>& x) noexcept {
+  using Raw = typename Fixed<Bits, F>::raw_type;
+  DETENT_ASSERT(Bits >= B || bit_length(x.raw()) <= Bits ||
+                (!detail::fills_container(Bits) && bit_length(x.raw()) == Bits + 1 &&
+                 low_bits_are_zero(x.raw(), Bits)));
+  return Fixed<Bits, F>::assume_raw(integer_cast<Raw>(x.raw()));
+}
+
+/// a * b, a - b: `narrow` without the detour through the integer that the unproved result needs.
+template <int Bits, int B1, int F1, int B2, int F2>
+[[nodiscard]] constexpr Fixed<Bits, F1 + F2> narrow_product(const Fixed<B1, F1>& a,
+                                                            const Fixed<B2, F2>& b) noexcept {
+  using Raw = typename Fixed<Bits, F1 + F2>::raw_type;
+  DETENT_ASSERT(a * b == narrow<Bits>(a * b));
+  return Fixed<Bits, F1 + F2>::assume_raw(wrapping_multiply<Raw>(a.raw(), b.raw()));
+}
+
+template <int Bits, int B1, int F1, int B2, int F2>
+[[nodiscard]] constexpr auto narrow_difference(const Fixed<B1, F1>& a,
+                                               const Fixed<B2, F2>& b) noexcept {
+  using Difference = Fixed<Bits, std::max(F1, F2)>;
+  using Raw = typename Difference::raw_type;
+  DETENT_ASSERT(a - b == narrow<Bits>(a - b));
+  return Difference::assume_raw(wrapping_subtract<Raw>(
+      detail::aligned_raw<Raw, Difference::frac>(a), detail::aligned_raw<Raw, Difference::frac>(b)));
+}
+
+/// n / d rounded down to the grid of `T` and clamped; for d = 0 the end of the range on the side
+/// of n, or 0 for 0 / 0.
+template <class T, int BN, int FN, int BD, int FD>
+[[nodiscard]] constexpr T quotient_floor(const Fixed<BN, FN>& n, const Fixed<BD, FD>& d) noexcept {
+  if (sign_of(d.raw()) == 0) return detail::quotient_by_zero<T>(n);
+  using Grid = detail::GridQuotient<T, Fixed<BN, FN>, Fixed<BD, FD>>;
+  typename Grid::Integer divisor;
+  return detail::clamp_raw<T>(Grid::divide(n, d, divisor).quotient);
+}
+
+/// n / d rounded to the nearest point of the grid of `T`, ties to even, and clamped; d = 0 as for
+/// `quotient_floor`.
+template <class T, int BN, int FN, int BD, int FD>
+[[nodiscard]] constexpr T quotient_nearest(const Fixed<BN, FN>& n,
+                                           const Fixed<BD, FD>& d) noexcept {
+  if (sign_of(d.raw()) == 0) return detail::quotient_by_zero<T>(n);
+  using Grid = detail::GridQuotient<T, Fixed<BN, FN>, Fixed<BD, FD>>;
+  using Integer = typename Grid::Integer;
+  Integer divisor;
+  auto [quotient, remainder] = Grid::divide(n, d, divisor);
+  const auto to_next = wrapping_subtract<Integer>(divisor, remainder);
+  const bool odd = !low_bits_are_zero(quotient, 1);
+  if (remainder > to_next || (remainder == to_next && odd)) {
+    quotient = wrapping_add<Integer>(quotient, Integer(1));
+  }
+  return detail::clamp_raw<T>(quotient);
+}
+
+/// The square root of `x`, rounded down to the grid of `T` and clamped; 0 for a negative `x`.
+template <class T, int B, int F>
+[[nodiscard]] constexpr T sqrt_floor(const Fixed<B, F>& x) noexcept {
+  if (sign_of(x.raw()) <= 0) return T();
+  // sqrt(raw * 2^-F) * 2^frac = sqrt(raw * 2^shift); a negative shift may drop bits first, since
+  // floor(sqrt(floor(y))) = floor(sqrt(y)).
+  constexpr int shift = 2 * T::frac - F;
+  constexpr int width = std::max(B + shift, 1);
+  static_assert(width <= 128, "detent: sqrt_floor takes at most 128 bits on the grid of its result");
+  if constexpr (width <= 64) {
+    const auto raw = shift < 0 ? shift_right_floor(x.raw(), -shift) : x.raw();
+    const auto n = static_cast<std::uint64_t>(integer_cast<std::int64_t>(raw));
+    const std::uint64_t root = square_root_floor(shift > 0 ? n << shift : n);
+    return detail::clamp_raw<T>(static_cast<std::int64_t>(root));
+  } else {
+    const Wide<4> raw = integer_cast<Wide<4>>(x.raw());
+    const Wide<4> n = shift < 0 ? raw >> -shift : raw << std::max(shift, 0);
+    const std::uint64_t root = square_root_floor(n.word(1), n.word(0));
+    return detail::clamp_raw<T>(Wide<2>(root));
+  }
+}
+
+namespace detail {
+
+template <class T, int B, int F>
+constexpr T assign_nearest(const Fixed<B, F>& x) noexcept {
+  DETENT_ASSERT(T::lowest() <= x && x <= T::max());
+  return nearest_to<T>(x);
+}
+
+}  // namespace detail
+
+template <int Bits, int Frac>
+template <class T>
+constexpr Fixed<Bits, Frac>& Fixed<Bits, Frac>::operator+=(const T& other) noexcept {
+  return *this = detail::assign_nearest<Fixed>(*this + detail::as_fixed(other));
+}
+template <int Bits, int Frac>
+template <class T>
+constexpr Fixed<Bits, Frac>& Fixed<Bits, Frac>::operator-=(const T& other) noexcept {
+  return *this = detail::assign_nearest<Fixed>(*this - detail::as_fixed(other));
+}
+template <int Bits, int Frac>
+template <class T>
+constexpr Fixed<Bits, Frac>& Fixed<Bits, Frac>::operator*=(const T& other) noexcept {
+  return *this = detail::assign_nearest<Fixed>(*this * detail::as_fixed(other));
+}
+
+}  // namespace detent

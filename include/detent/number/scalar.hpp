@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <concepts>
+
+#include "detent/number/fixed.hpp"
+
+namespace detent {
+
+/// A number that formulas compute with: a `Fixed` of any width, `float` or `double`.
+template <class T>
+concept Number = is_fixed<T> || std::same_as<T, float> || std::same_as<T, double>;
+
+/// A number that coordinates are stored in.
+///
+/// A `Fixed` of at most 31 bits: then every query has an integer wide enough for its exact answer.
+/// 31 bits also bound what a player's world needs; `q14_16` or `q8_8` buy speed with range.
+/// `float` and `double` run through the same formulas, without the promise, for comparison.
+template <class T>
+concept Scalar = Number<T> && (!is_fixed<T> || requires { requires T::bits <= 31; });
+
+/// How many bits the magnitude of a number of this type may need; 0 for `float` and `double`,
+/// whose budgets nobody counts.
+template <Number T>
+inline constexpr int bits_of = 0;
+template <int Bits, int Frac>
+inline constexpr int bits_of<Fixed<Bits, Frac>> = Bits;
+
+namespace detail {
+
+template <Scalar S>
+struct direction_component_of {
+  using type = S;
+};
+template <int Bits, int Frac>
+struct direction_component_of<Fixed<Bits, Frac>> {
+  static constexpr int width = value_bits<IntegerFor<Bits>>;
+  using type = Fixed<width, width - 1>;
+};
+
+}  // namespace detail
+
+/// What a component of a unit vector is stored in, as large as a scalar: Q2.30 beside 32-bit
+/// coordinates and Q2.14 beside 16-bit ones; `float` and `double` as they are.
+template <Scalar S>
+using direction_component = typename detail::direction_component_of<S>::type;
+
+}  // namespace detent

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <bit>
+#include <compare>
+#include <concepts>
+#include <cstdint>
+#include <type_traits>
+
+// Define DETENT_PORTABLE_INT128 to 1 to use our own 128-bit integer where the compiler has one too.
+// It changes speed, never a result.
+#ifndef DETENT_PORTABLE_INT128
+#define DETENT_PORTABLE_INT128 0
+#endif
+#if defined(__SIZEOF_INT128__) && !DETENT_PORTABLE_INT128
+#define DETENT_NATIVE_INT128 1
+#else
+#define DETENT_NATIVE_INT128 0
+#endif
+
+namespace detent {
+
+template <int Words>
+class Wide;
+
+#if DETENT_NATIVE_INT128
+__extension__ typedef __int128 Int128;
+__extension__ typedef unsigned __int128 UInt128;
+#else
+using Int128 = Wide<2>;
+#endif
+
+/// The two halves of a 128-bit product.
+struct WordProduct {
+  std::uint64_t low;
+  std::uint64_t high;
+};
+
+/// The exact product of two 64-bit words, from 32-bit halves.
+[[nodiscard]] constexpr WordProduct multiply_words_portable(std::uint64_t a,
+                                                            std::uint64_t b) noexcept {
+  const std::uint64_t a0 = static_cast<std::uint32_t>(a), a1 = a >> 32;
+  const std::uint64_t b0 = static_cast<std::uint32_t>(b), b1 = b >> 32;
+  const std::uint64_t low = a0 * b0;
+  const std::uint64_t middle = a1 * b0 + (low >> 32);  // at most (2^32 - 1) * 2^32
+  const std::uint64_t cross = a0 * b1 + static_cast<std::uint32_t>(middle);
+  return {(cross << 32) | static_cast<std::uint32_t>(low),
+          a1 * b1 + (middle >> 32) + (cross >> 32)};
+}
+
+/// The exact product of two 64-bit words.
+[[nodiscard]] constexpr WordProduct multiply_words(std::uint64_t a, std::uint64_t b) noexcept {
+#if DETENT_NATIVE_INT128
+  const UInt128 product = static_cast<UInt128>(a) * b;
+  return {static_cast<std::uint64_t>(product), static_cast<std::uint64_t>(product >> 64)};
+#else
+  return multiply_words_portable(a, b);
+#endif
+}
+
+/// The product of integers of any widths modulo 2^(64 * Result): exact when Result is A + B.
+template <int Result, int A, int B>
+[[nodiscard]] constexpr Wide<Result> multiply(const Wide<A>& a, const Wide<B>& b) noexcept;
+
+/// A signed integer of `Words` 64-bit words in two's complement; arithmetic is modulo
+/// 2^(64 * Words), as it is for built-in unsigned integers.
+///
+/// Bit budgets are kept by `Fixed`; this class only computes. Words run from low to high.
+template <int Words>
+class Wide {
+  static_assert(Words >= 2, "one word is std::int64_t");
+
+ public:
+  constexpr Wide() noexcept = default;
+
+  /// Sign-extends (or, from an unsigned type, zero-extends) a built-in integer.
+  template <std::integral I>
+  constexpr Wide(I value) noexcept {
+    words_[0] = static_cast<std::uint64_t>(value);
+    if constexpr (sizeof(I) > sizeof(std::uint64_t)) {
+      words_[1] = static_cast<std::uint64_t>(value >> 64);
+      fill_from(2, value < 0);
+    } else {
+      fill_from(1, std::is_signed_v<I> && value < 0);
+    }
+  }
+#if DETENT_NATIVE_INT128
+  constexpr Wide(Int128 value) noexcept {
+    words_[0] = static_cast<std::uint64_t>(value);
+    words_[1] = static_cast<std::uint64_t>(value >> 64);
+    fill_from(2, value < 0);
+  }
+#endif
+
+  /// Sign-extends a narrower integer; keeps the low words of a wider one.
+  template <int Other>
+    requires(Other != Words)
+  constexpr explicit Wide(const Wide<Other>& other) noexcept {
+    for (int i = 0; i < Words && i < Other; ++i) words_[index(i)] = other.word(i);
+    fill_from(Other, other.is_negative());
+  }
+
+  [[nodiscard]] static constexpr Wide from_words(
+      const std::array<std::uint64_t, Words>& words) noexcept {
+    Wide result;
+    result.words_ = words;
+    return result;
+  }
+
+  /// Word `i`, counted from the low end.
+  [[nodiscard]] constexpr std::uint64_t word(int i) const noexcept { return words_[index(i)]; }
+  [[nodiscard]] constexpr bool is_negative() const noexcept { return (words_.back() >> 63) != 0; }
+
+  /// The low bits, as a conversion between built-in integers keeps them.
+  template <std::integral I>
+  [[nodiscard]] explicit constexpr operator I() const noexcept {
+    if constexpr (sizeof(I) > sizeof(std::uint64_t)) {
+      return static_cast<I>(words_[0]) | static_cast<I>(static_cast<I>(words_[1]) << 64);
+    } else {
+      return static_cast<I>(words_[0]);
+    }
+  }
+#if DETENT_NATIVE_INT128
+  [[nodiscard]] explicit constexpr operator Int128() const noexcept {
+    return static_cast<Int128>((static_cast<UInt128>(words_[1]) << 64) | words_[0]);
+  }
+#endif
+
+  [[nodiscard]] friend constexpr Wide operator+(const Wide& a, const Wide& b) noexcept {
+    Wide sum;
+    std::uint64_t carry = 0;
+    for (int i = 0; i < Words; ++i) {
+      const std::uint64_t partial = a.word(i) + carry;
+      carry = partial < carry ? 1u : 0u;
+      sum.words_[index(i)] = partial + b.word(i);
+      carry += sum.word(i) < partial ? 1u : 0u;
+    }
+    return sum;
+  }
+
+  [[nodiscard]] friend constexpr Wide operator-(const Wide& a, const Wide& b) noexcept {
+    Wide difference;
+    std::uint64_t borrow = 0;
+    for (int i = 0; i < Words; ++i) {
+      const std::uint64_t partial = a.word(i) - borrow;
+      borrow = partial > a.word(i) ? 1u : 0u;
+      difference.words_[index(i)] = partial - b.word(i);
+      borrow += difference.word(i) > partial ? 1u : 0u;
+    }
+    return difference;
+  }
+
+  [[nodiscard]] friend constexpr Wide operator-(const Wide& a) noexcept { return Wide() - a; }
+
+  [[nodiscard]] friend constexpr Wide operator*(const Wide& a, const Wide& b) noexcept {
+    return multiply<Words>(a, b);
+  }
+
+  /// `count` in [0, 64 * Words).
+  [[nodiscard]] friend constexpr Wide operator<<(const Wide& a, int count) noexcept {
+    const int jump = count / 64, bits = count % 64;
+    Wide shifted;
+    for (int i = Words - 1; i >= jump; --i) {
+      std::uint64_t word = a.word(i - jump) << bits;
+      if (bits != 0 && i > jump) word |= a.word(i - jump - 1) >> (64 - bits);
+      shifted.words_[index(i)] = word;
+    }
+    return shifted;
+  }
+
+  /// Rounds toward minus infinity. `count` in [0, 64 * Words).
+  [[nodiscard]] friend constexpr Wide operator>>(const Wide& a, int count) noexcept {
+    const int jump = count / 64, bits = count % 64;
+    const std::uint64_t sign = a.is_negative() ? ~std::uint64_t{0} : 0;
+    Wide shifted;
+    for (int i = 0; i < Words; ++i) {
+      const std::uint64_t low = i + jump < Words ? a.word(i + jump) : sign;
+      const std::uint64_t high = i + jump + 1 < Words ? a.word(i + jump + 1) : sign;
+      shifted.words_[index(i)] = bits == 0 ? low : (low >> bits) | (high << (64 - bits));
+    }
+    return shifted;
+  }
+
+  [[nodiscard]] friend constexpr bool operator==(const Wide& a, const Wide& b) noexcept = default;
+
+  [[nodiscard]] friend constexpr std::strong_ordering operator<=>(const Wide& a,
+                                                                  const Wide& b) noexcept {
+    constexpr int top = Words - 1;
+    if (a.word(top) != b.word(top)) {
+      return static_cast<std::int64_t>(a.word(top)) <=> static_cast<std::int64_t>(b.word(top));
+    }
+    for (int i = top - 1; i >= 0; --i) {
+      if (a.word(i) != b.word(i)) return a.word(i) <=> b.word(i);
+    }
+    return std::strong_ordering::equal;
+  }
+
+ private:
+  static constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
+
+  constexpr void fill_from(int first, bool negative) noexcept {
+    for (int i = first; i < Words; ++i) words_[index(i)] = negative ? ~std::uint64_t{0} : 0;
+  }
+
+  std::array<std::uint64_t, Words> words_{};
+};
+
+// Schoolbook product of the unsigned patterns u(a) and u(b). A negative a stands for
+// u(a) - 2^(64 A), so a * b = u(a) * u(b) - [b < 0] * u(a) * 2^(64 B) - [a < 0] * b * 2^(64 A).
+template <int Result, int A, int B>
+constexpr Wide<Result> multiply(const Wide<A>& a, const Wide<B>& b) noexcept {
+  std::array<std::uint64_t, Result> sum{};
+  const auto at = [&sum](int i) -> std::uint64_t& { return sum[static_cast<std::size_t>(i)]; };
+  for (int i = 0; i < A && i < Result; ++i) {
+    std::uint64_t carry = 0;
+    for (int j = 0; j < B && i + j < Result; ++j) {
+      auto [low, high] = multiply_words(a.word(i), b.word(j));
+      low += carry;
+      high += low < carry ? 1u : 0u;
+      at(i + j) += low;
+      carry = high + (at(i + j) < low ? 1u : 0u);
+    }
+    if (i + B < Result) at(i + B) = carry;
+  }
+  const auto subtract_above = [&](int first, auto word) {
+    std::uint64_t borrow = 0;
+    for (int i = first; i < Result; ++i) {
+      const std::uint64_t before = at(i), partial = before - borrow, subtrahend = word(i - first);
+      borrow = (partial > before ? 1u : 0u) + (partial < subtrahend ? 1u : 0u);
+      at(i) = partial - subtrahend;
+    }
+  };
+  const std::uint64_t b_sign = b.is_negative() ? ~std::uint64_t{0} : 0;
+  if (a.is_negative()) subtract_above(A, [&](int i) { return i < B ? b.word(i) : b_sign; });
+  if (b.is_negative()) {
+    subtract_above(B, [&](int i) { return i < A ? a.word(i) : std::uint64_t{0}; });
+  }
+  return Wide<Result>::from_words(sum);
+}
+
+}  // namespace detent
