@@ -30,6 +30,10 @@ template <int Bits, std::floating_point F>
   return a * b;
 }
 template <int Bits, std::floating_point F>
+[[nodiscard]] constexpr F narrow_sum(F a, F b) noexcept {
+  return a + b;
+}
+template <int Bits, std::floating_point F>
 [[nodiscard]] constexpr F narrow_difference(F a, F b) noexcept {
   return a - b;
 }

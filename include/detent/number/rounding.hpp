@@ -97,13 +97,22 @@ template <int Bits, int B, int F>
   return Fixed<Bits, F>::assume_raw(integer_cast<Raw>(x.raw()));
 }
 
-/// a * b, a - b: `narrow` without the detour through the integer that the unproved result needs.
+/// a * b, a + b, a - b: `narrow` without the detour through the integer that the unproved result needs.
 template <int Bits, int B1, int F1, int B2, int F2>
 [[nodiscard]] constexpr Fixed<Bits, F1 + F2> narrow_product(const Fixed<B1, F1>& a,
                                                             const Fixed<B2, F2>& b) noexcept {
   using Raw = typename Fixed<Bits, F1 + F2>::raw_type;
   DETENT_ASSERT(a * b == narrow<Bits>(a * b));
   return Fixed<Bits, F1 + F2>::assume_raw(wrapping_multiply<Raw>(a.raw(), b.raw()));
+}
+
+template <int Bits, int B1, int F1, int B2, int F2>
+[[nodiscard]] constexpr auto narrow_sum(const Fixed<B1, F1>& a, const Fixed<B2, F2>& b) noexcept {
+  using Sum = Fixed<Bits, std::max(F1, F2)>;
+  using Raw = typename Sum::raw_type;
+  DETENT_ASSERT(a + b == narrow<Bits>(a + b));
+  return Sum::assume_raw(wrapping_add<Raw>(detail::aligned_raw<Raw, Sum::frac>(a),
+                                           detail::aligned_raw<Raw, Sum::frac>(b)));
 }
 
 template <int Bits, int B1, int F1, int B2, int F2>

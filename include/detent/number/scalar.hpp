@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <limits>
 
 #include "detent/number/fixed.hpp"
 
@@ -25,6 +26,23 @@ template <Number T>
 inline constexpr int bits_of = 0;
 template <int Bits, int Frac>
 inline constexpr int bits_of<Fixed<Bits, Frac>> = Bits;
+
+/// The greatest value of a scalar.
+template <Scalar S>
+inline constexpr S largest = std::numeric_limits<S>::max();
+template <int Bits, int Frac>
+inline constexpr Fixed<Bits, Frac> largest<Fixed<Bits, Frac>> = Fixed<Bits, Frac>::max();
+
+/// The integer in which a scalar, or a component of a direction, is stored; `float` and `double`
+/// are their own.
+template <Number T>
+struct raw_of {
+  using type = T;
+};
+template <int Bits, int Frac>
+struct raw_of<Fixed<Bits, Frac>> {
+  using type = typename Fixed<Bits, Frac>::raw_type;
+};
 
 namespace detail {
 

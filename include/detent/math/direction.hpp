@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "detent/math/vec.hpp"
+
+namespace detent {
+
+/// A unit vector, made only by normalising or from raw bits that prove to be one.
+///
+/// Components are Q2.30 beside 32-bit scalars (Q2.14 beside 16-bit ones): no component exceeds 1
+/// and the length is 1 within 2^-29 (2^-13). Queries take the direction exactly as stored.
+template <Scalar S, int N>
+class Direction {
+ public:
+  using Component = direction_component<S>;
+  using Raw = typename raw_of<Component>::type;
+
+  /// The positive x axis.
+  constexpr Direction() noexcept { components_.x = Component(1); }
+
+  /// The positive axis `i`.
+  [[nodiscard]] static constexpr Direction along(int i) noexcept {
+    Direction result;
+    result.components_.x = Component(0);
+    result.components_[i] = Component(1);
+    return result;
+  }
+
+  /// The direction with these raw components, or nothing when they are not those of a unit vector
+  /// (a length off by more than 2^-29, or 2^-13 for 16-bit components; a component beyond 1).
+  [[nodiscard]] static constexpr std::optional<Direction> from_raw(
+      const std::array<Raw, N>& raw) noexcept {
+    const auto components = make_vec<N>([&](int i) {
+      const Raw component = raw[static_cast<std::size_t>(i)];
+      if constexpr (is_fixed<Component>) {
+        return Component::from_raw(component);
+      } else {
+        return component;
+      }
+    });
+    if (!is_unit(to_array(components))) return std::nullopt;
+    return Direction(components);
+  }
+
+  /// The direction with these components, which the caller knows to be those of a unit vector.
+  [[nodiscard]] static constexpr Direction assume_unit(const Vec<Component, N>& components) noexcept {
+    DETENT_ASSERT(!is_fixed<Component> || is_unit(to_array(components)));
+    return Direction(components);
+  }
+
+  [[nodiscard]] constexpr Component operator[](int i) const noexcept { return components_[i]; }
+
+  /// The components as a vector.
+  [[nodiscard]] constexpr const Vec<Component, N>& vec() const noexcept { return components_; }
+
+  [[nodiscard]] constexpr Direction operator-() const noexcept {
+    return Direction(make_vec<N>([this](int i) { return narrow<bits_of<Component>>(-components_[i]); }));
+  }
+
+  [[nodiscard]] friend constexpr bool operator==(const Direction&,
+                                                 const Direction&) noexcept = default;
+
+ private:
+  explicit constexpr Direction(const Vec<Component, N>& components) noexcept
+      : components_(components) {}
+
+  static constexpr std::array<Component, N> to_array(const Vec<Component, N>& v) noexcept {
+    std::array<Component, N> array;
+    for (int i = 0; i < N; ++i) array[static_cast<std::size_t>(i)] = v[i];
+    return array;
+  }
+
+  Vec<Component, N> components_;
+};
+
+/// The direction of a vector of any number type, or nothing for the zero vector.
+///
+/// domain: every vector, however short or long
+/// exact:  each component is the exact one rounded to nearest, ties to even
+///         (tests/math/direction.test.cpp)
+template <Scalar S, Number T, int N>
+[[nodiscard]] constexpr std::optional<Direction<S, N>> direction_of(const Vec<T, N>& v) noexcept {
+  std::array<T, N> array;
+  for (int i = 0; i < N; ++i) array[static_cast<std::size_t>(i)] = v[i];
+  const auto unit = unit_vector<direction_component<S>>(array);
+  if (!unit) return std::nullopt;
+  return Direction<S, N>::assume_unit(
+      make_vec<N>([&](int i) { return (*unit)[static_cast<std::size_t>(i)]; }));
+}
+
+/// `direction_of` for a vector of scalars, whose direction goes with the same scalar.
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<Direction<S, N>> normalize(const Vec<S, N>& v) noexcept {
+  return direction_of<S>(v);
+}
+
+namespace detail {
+
+/// The bits of |v| |d| for a vector with components of type T and a direction of scalar S:
+/// sqrt(3) 2^B (1 + 2^-13) < 2^(B + 1).
+template <Scalar S, Number T>
+inline constexpr int along_bits = bits_of<T> + bits_of<direction_component<S>>;
+
+/// The bits of the dot product of two directions: at most (1 + 2^-13)^2 < 2.
+template <Scalar S>
+inline constexpr int cosine_bits = 2 * bits_of<direction_component<S>> - 1;
+
+}  // namespace detail
+
+/// Products with a direction: Cauchy-Schwarz bounds them by the length of the other factor.
+template <Scalar S, Number T, int N>
+[[nodiscard]] constexpr auto dot(const Vec<T, N>& v, const Direction<S, N>& d) noexcept {
+  return narrow_dot<detail::along_bits<S, T>>(v, d.vec());
+}
+template <Scalar S, Number T, int N>
+[[nodiscard]] constexpr auto dot(const Direction<S, N>& d, const Vec<T, N>& v) noexcept {
+  return dot(v, d);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto dot(const Direction<S, N>& a, const Direction<S, N>& b) noexcept {
+  return narrow_dot<detail::cosine_bits<S>>(a.vec(), b.vec());
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto squared_length(const Direction<S, N>& d) noexcept {
+  return dot(d, d);
+}
+template <Scalar S, Number T, int N>
+[[nodiscard]] constexpr auto cross(const Direction<S, N>& d, const Vec<T, N>& v) noexcept {
+  return narrow_cross<detail::along_bits<S, T>>(d.vec(), v);
+}
+
+}  // namespace detent

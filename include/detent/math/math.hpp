@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The math layer: vectors, directions, rotations.
+
+#include "detent/math/direction.hpp"
+#include "detent/math/rotation.hpp"
+#include "detent/math/vec.hpp"

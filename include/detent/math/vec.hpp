@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "detent/number/unit.hpp"
+
+namespace detent {
+
+/// A vector or point of two or three components.
+///
+/// Coordinates are `Scalar`s; what formulas make of them is any `Number`: sums, differences and
+/// products have the component type that holds them exactly.
+template <Number T, int N>
+struct Vec;
+
+template <Number T>
+struct Vec<T, 2> {
+  T x{}, y{};
+
+  [[nodiscard]] constexpr T& operator[](int i) noexcept { return i == 0 ? x : y; }
+  [[nodiscard]] constexpr const T& operator[](int i) const noexcept { return i == 0 ? x : y; }
+  [[nodiscard]] friend constexpr bool operator==(const Vec&, const Vec&) noexcept = default;
+};
+
+template <Number T>
+struct Vec<T, 3> {
+  T x{}, y{}, z{};
+
+  [[nodiscard]] constexpr T& operator[](int i) noexcept { return i == 0 ? x : i == 1 ? y : z; }
+  [[nodiscard]] constexpr const T& operator[](int i) const noexcept {
+    return i == 0 ? x : i == 1 ? y : z;
+  }
+  [[nodiscard]] friend constexpr bool operator==(const Vec&, const Vec&) noexcept = default;
+};
+
+template <class T>
+Vec(T, T) -> Vec<T, 2>;
+template <class T>
+Vec(T, T, T) -> Vec<T, 3>;
+
+/// The vector whose component i is f(i).
+template <int N, class F>
+[[nodiscard]] constexpr auto make_vec(const F& f) noexcept {
+  using T = decltype(f(0));
+  if constexpr (N == 2) {
+    return Vec<T, 2>{f(0), f(1)};
+  } else {
+    return Vec<T, 3>{f(0), f(1), f(2)};
+  }
+}
+
+template <Number A, Number B, int N>
+[[nodiscard]] constexpr auto operator+(const Vec<A, N>& a, const Vec<B, N>& b) noexcept {
+  return make_vec<N>([&](int i) { return a[i] + b[i]; });
+}
+template <Number A, Number B, int N>
+[[nodiscard]] constexpr auto operator-(const Vec<A, N>& a, const Vec<B, N>& b) noexcept {
+  return make_vec<N>([&](int i) { return a[i] - b[i]; });
+}
+template <Number T, int N>
+[[nodiscard]] constexpr auto operator-(const Vec<T, N>& v) noexcept {
+  return make_vec<N>([&](int i) { return -v[i]; });
+}
+template <Number A, Number B, int N>
+[[nodiscard]] constexpr auto operator*(const Vec<A, N>& v, const B& factor) noexcept {
+  return make_vec<N>([&](int i) { return v[i] * factor; });
+}
+template <Number A, Number B, int N>
+[[nodiscard]] constexpr auto operator*(const A& factor, const Vec<B, N>& v) noexcept {
+  return v * factor;
+}
+
+/// Each component rounds to nearest and clamps, as for numbers.
+template <Number A, Number B, int N>
+constexpr Vec<A, N>& operator+=(Vec<A, N>& a, const Vec<B, N>& b) noexcept {
+  for (int i = 0; i < N; ++i) a[i] += b[i];
+  return a;
+}
+template <Number A, Number B, int N>
+constexpr Vec<A, N>& operator-=(Vec<A, N>& a, const Vec<B, N>& b) noexcept {
+  for (int i = 0; i < N; ++i) a[i] -= b[i];
+  return a;
+}
+template <Number A, Number B, int N>
+constexpr Vec<A, N>& operator*=(Vec<A, N>& v, const B& factor) noexcept {
+  for (int i = 0; i < N; ++i) v[i] *= factor;
+  return v;
+}
+
+/// `v` with each component rounded to nearest, ties to even, and clamped.
+template <Number S, Number T, int N>
+[[nodiscard]] constexpr Vec<S, N> nearest_to(const Vec<T, N>& v) noexcept {
+  return make_vec<N>([&](int i) { return nearest_to<S>(v[i]); });
+}
+
+/// `v` where each component is known to fit: see `narrow` for numbers.
+template <int Bits, Number T, int N>
+[[nodiscard]] constexpr auto narrow(const Vec<T, N>& v) noexcept {
+  return make_vec<N>([&](int i) { return narrow<Bits>(v[i]); });
+}
+
+template <Number A, Number B, int N>
+[[nodiscard]] constexpr auto dot(const Vec<A, N>& a, const Vec<B, N>& b) noexcept {
+  if constexpr (N == 2) {
+    return a.x * b.x + a.y * b.y;
+  } else {
+    // Three terms need two bits more than one, in whichever order they are added.
+    constexpr int bits = detail::result_bits(bits_of<A> + bits_of<B> + 2);
+    return narrow<bits>(a.x * b.x + a.y * b.y + a.z * b.z);
+  }
+}
+
+/// The dot product where the caller has a proof that |a| |b| fits `Bits`; then so does every
+/// partial sum, and the whole is computed in an integer of that size.
+template <int Bits, Number A, Number B, int N>
+[[nodiscard]] constexpr auto narrow_dot(const Vec<A, N>& a, const Vec<B, N>& b) noexcept {
+  const auto sum = narrow_sum<Bits>(narrow_product<Bits>(a.x, b.x), narrow_product<Bits>(a.y, b.y));
+  if constexpr (N == 2) {
+    return sum;
+  } else {
+    return narrow_sum<Bits>(sum, narrow_product<Bits>(a.z, b.z));
+  }
+}
+
+template <Number A, Number B>
+[[nodiscard]] constexpr auto cross(const Vec<A, 3>& a, const Vec<B, 3>& b) noexcept {
+  return Vec{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// The z component of the cross product: positive when `b` lies counter-clockwise of `a`.
+template <Number A, Number B>
+[[nodiscard]] constexpr auto cross(const Vec<A, 2>& a, const Vec<B, 2>& b) noexcept {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// The cross product where the caller has a proof that |a| |b| fits `Bits`.
+template <int Bits, Number A, Number B>
+[[nodiscard]] constexpr auto narrow_cross(const Vec<A, 2>& a, const Vec<B, 2>& b) noexcept {
+  return narrow_difference<Bits>(narrow_product<Bits>(a.x, b.y), narrow_product<Bits>(a.y, b.x));
+}
+template <int Bits, Number A, Number B>
+[[nodiscard]] constexpr auto narrow_cross(const Vec<A, 3>& a, const Vec<B, 3>& b) noexcept {
+  return make_vec<3>([&](int i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    return narrow_cross<Bits>(Vec{a[j], a[k]}, Vec{b[j], b[k]});
+  });
+}
+
+template <Number T, int N>
+[[nodiscard]] constexpr auto squared_length(const Vec<T, N>& v) noexcept {
+  return dot(v, v);
+}
+
+/// The length of `v`, rounded down and clamped to the range of its component type.
+template <Scalar S, int N>
+[[nodiscard]] constexpr S length(const Vec<S, N>& v) noexcept {
+  return sqrt_floor<S>(squared_length(v));
+}
+
+}  // namespace detent

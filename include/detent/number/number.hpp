@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The number layer: exact fixed point, rounding by name, angles, text and digests.
+
+#include "detent/number/angle.hpp"
+#include "detent/number/assert.hpp"
+#include "detent/number/digest.hpp"
+#include "detent/number/divide.hpp"
+#include "detent/number/fixed.hpp"
+#include "detent/number/integer.hpp"
+#include "detent/number/root.hpp"
+#include "detent/number/rounding.hpp"
+#include "detent/number/scalar.hpp"
+#include "detent/number/text.hpp"
+#include "detent/number/unit.hpp"
+#include "detent/number/wide.hpp"
+#if __STDC_HOSTED__
+#include "detent/number/floating.hpp"
+#endif

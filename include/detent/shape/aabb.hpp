@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/math/vec.hpp"
+
+namespace detent {
+
+/// The points between two corners on every axis; a rectangle in 2D.
+///
+/// Equal corners on an axis make it flat; min > max on any axis makes it the empty set.
+template <Scalar S, int N>
+struct Aabb {
+  Vec<S, N> min;
+  Vec<S, N> max;
+
+  [[nodiscard]] friend constexpr bool operator==(const Aabb&, const Aabb&) noexcept = default;
+};
+
+template <Scalar S, int N>
+Aabb(Vec<S, N>, Vec<S, N>) -> Aabb<S, N>;
+
+/// Whether the box holds no point: its corners are the wrong way round on some axis.
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool is_empty(const Aabb<S, N>& box) noexcept {
+  for (int i = 0; i < N; ++i) {
+    if (box.min[i] > box.max[i]) return true;
+  }
+  return false;
+}
+
+}  // namespace detent

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/math/rotation.hpp"
+
+namespace detent {
+
+/// A box turned by `rotation` about its center; an oriented rectangle in 2D.
+///
+/// `rotation.axis(i)` is the box's local axis i in the world. Rays read the box as slabs,
+/// {x : |dot(axis(i), x - center)| <= half_extents[i] for all i}, with the axes exactly as stored.
+/// A half extent of 0 makes it flat; a negative one makes it the empty set.
+template <Scalar S, int N>
+struct Obb {
+  Vec<S, N> center;
+  Vec<S, N> half_extents;
+  Rotation<S, N> rotation;
+
+  [[nodiscard]] friend constexpr bool operator==(const Obb&, const Obb&) noexcept = default;
+};
+
+template <Scalar S, int N>
+Obb(Vec<S, N>, Vec<S, N>, Rotation<S, N>) -> Obb<S, N>;
+
+}  // namespace detent

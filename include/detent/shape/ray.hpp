@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/math/direction.hpp"
+
+namespace detent {
+
+/// The points origin + t * direction with 0 <= t <= max_distance, the direction taken exactly as
+/// stored; a negative `max_distance` leaves none.
+template <Scalar S, int N>
+struct Ray {
+  Vec<S, N> origin;
+  Direction<S, N> direction;
+  S max_distance = largest<S>;
+
+  [[nodiscard]] friend constexpr bool operator==(const Ray&, const Ray&) noexcept = default;
+};
+
+template <Scalar S, int N>
+Ray(Vec<S, N>, Direction<S, N>, S) -> Ray<S, N>;
+template <Scalar S, int N>
+Ray(Vec<S, N>, Direction<S, N>) -> Ray<S, N>;
+
+/// The point `distance` along `ray`: each coordinate rounded to nearest, ties to even, and clamped
+/// to the range of the scalar.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> point_at(const Ray<S, N>& ray, const S& distance) noexcept {
+  return nearest_to<S>(ray.origin + distance * ray.direction.vec());
+}
+
+}  // namespace detent

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The shape layer: what exists.
+
+#include "detent/shape/aabb.hpp"
+#include "detent/shape/obb.hpp"
+#include "detent/shape/plane.hpp"
+#include "detent/shape/ray.hpp"
+#include "detent/shape/segment.hpp"
+#include "detent/shape/sphere.hpp"
+#include "detent/shape/triangle.hpp"

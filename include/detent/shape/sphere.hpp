@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/math/vec.hpp"
+
+namespace detent {
+
+/// The points within `radius` of `center`; a circle's disc in 2D.
+///
+/// A radius of 0 is one point; a negative radius is the empty set.
+template <Scalar S, int N>
+struct Sphere {
+  Vec<S, N> center;
+  S radius{};
+
+  [[nodiscard]] friend constexpr bool operator==(const Sphere&, const Sphere&) noexcept = default;
+};
+
+template <Scalar S, int N>
+Sphere(Vec<S, N>, S) -> Sphere<S, N>;
+
+}  // namespace detent
