@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+#define DETENT_INSTANTIATION template
+#include "detent/instantiations.hpp"

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// Uses everything that a fixed-point build needs. fixed_path.sh compiles it without floating-point
+// registers, library, exceptions or type information.
+
+#include "detent/detent.hpp"
+
+namespace detent {
+
+template <Scalar S, int N>
+struct Answers {
+  std::optional<S> distance;
+  std::optional<RayHit<S, N>> hit;
+  std::optional<Interval<S>> interval;
+};
+
+template <Scalar S, int N, class Shape>
+void cast(const Ray<S, N>& ray, const Shape& shape, Answers<S, N>& answers) noexcept {
+  answers = {raycast(ray, shape), raycast_hit(ray, shape), raycast_interval(ray, shape)};
+}
+
+template <Scalar S, int N>
+void cast_at_all(const Ray<S, N>& ray, const Sphere<S, N>& sphere, const Aabb<S, N>& aabb,
+                 const Obb<S, N>& obb, const Plane<S, N>& plane, const Triangle<S, N>& triangle,
+                 Answers<S, N>* answers) noexcept {
+  cast(ray, sphere, answers[0]);
+  cast(ray, aabb, answers[1]);
+  cast(ray, obb, answers[2]);
+  cast(ray, plane, answers[3]);
+  cast(ray, triangle, answers[4]);
+}
+
+template <Scalar S>
+void turn(Angle<S> angle, const Direction<S, 3>& axis, S x, S y, S z, S w, Rotation<S, 2>& flat,
+          Rotation<S, 3>* rotations, S* numbers) noexcept {
+  flat = Rotation<S, 2>::from_angle(angle);
+  rotations[0] = Rotation<S, 3>::from_axis_angle(axis, angle);
+  rotations[1] = Rotation<S, 3>::from_quaternion(x, y, z, w).value_or(Rotation<S, 3>());
+  rotations[2] = Rotation<S, 3>::from_euler(angle, -angle, angle + angle);
+  rotations[3] = Rotation<S, 3>::from_axes({axis, -axis, axis});
+  numbers[0] = sin(angle);
+  numbers[1] = cos(angle);
+  numbers[2] = atan2(y, x).degrees();
+  numbers[3] = Angle<S>::from_radians(x).radians();
+}
+
+#define DETENT_USE(S)                                                                    \
+  template void cast_at_all(const Ray<S, 2>&, const Sphere<S, 2>&, const Aabb<S, 2>&,    \
+                            const Obb<S, 2>&, const Plane<S, 2>&, const Triangle<S, 2>&, \
+                            Answers<S, 2>*) noexcept;                                    \
+  template void cast_at_all(const Ray<S, 3>&, const Sphere<S, 3>&, const Aabb<S, 3>&,    \
+                            const Obb<S, 3>&, const Plane<S, 3>&, const Triangle<S, 3>&, \
+                            Answers<S, 3>*) noexcept;                                    \
+  template void turn(Angle<S>, const Direction<S, 3>&, S, S, S, S, Rotation<S, 2>&,      \
+                     Rotation<S, 3>*, S*) noexcept;                                      \
+  template std::optional<Direction<S, 2>> normalize(const Vec<S, 2>&) noexcept;          \
+  template std::optional<Direction<S, 3>> normalize(const Vec<S, 3>&) noexcept
+
+DETENT_USE(q16_16);
+DETENT_USE(q14_16);
+DETENT_USE(q24_8);
+DETENT_USE(q8_8);
+
+}  // namespace detent

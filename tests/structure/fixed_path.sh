@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# usage: fixed_path.sh COMPILER [FLAG...]
+# The fixed-point path compiles for a bare machine, and what it leaves to the linker is at most
+# integer helpers and the memory functions that compilers assume: no soft float, no heap, no throw.
+set -euo pipefail
+
+if ! command -v "$1" >/dev/null; then
+  echo "skipped: $1 is not installed"
+  exit 77
+fi
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+"$@" -std=c++20 -Wall -Wextra -Wconversion -Wshadow -Werror -O2 -ffreestanding -fno-exceptions \
+  -fno-rtti -Iinclude -c tests/structure/fixed_path.cpp -o "$work/fixed_path.o"
+
+symbols=$(nm --undefined-only --format=just-symbols "$work/fixed_path.o")
+unexpected=$(grep -vxE 'mem(cpy|move|set|cmp)|__(mul|div|mod|udiv|umod|ashl|ashr|lshr|clz|ctz)(si|di|ti)[234]|_GLOBAL_OFFSET_TABLE_' <<<"$symbols" || true)
+if [[ -n $unexpected ]]; then
+  echo "the fixed-point path needs more than a bare machine has:"
+  c++filt <<<"$unexpected"
+  exit 1
+fi
+echo "needs from the linker: ${symbols:-nothing}"
