@@ -5,10 +5,13 @@ set -euo pipefail
 
 for formatter in clang-format-14 clang-format; do
   if [[ $("$formatter" --version 2>/dev/null || true) == *"version 14."* ]]; then
-    find . -path ./build -prune -o \( -name '*.hpp' -o -name '*.cpp' \) -print0 |
-      xargs -0 "$formatter" --dry-run -Werror
-    echo "every source is formatted"
-    exit 0
+    if find . -path ./build -prune -o \( -name '*.hpp' -o -name '*.cpp' \) -print0 |
+        xargs -0 "$formatter" --dry-run -Werror --ferror-limit=1; then
+      echo "every source is formatted"
+      exit 0
+    fi
+    echo "./dev format puts this right"
+    exit 1
   fi
 done
 
