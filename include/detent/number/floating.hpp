@@ -37,6 +37,14 @@ template <int Bits, std::floating_point F>
 [[nodiscard]] constexpr F narrow_difference(F a, F b) noexcept {
   return a - b;
 }
+template <int Bits, std::floating_point F>
+[[nodiscard]] constexpr F scale_up(F x, int) noexcept {
+  return x;
+}
+template <std::floating_point F>
+[[nodiscard]] constexpr int headroom(F) noexcept {
+  return 0;
+}
 template <class T, std::floating_point F>
 [[nodiscard]] constexpr T quotient_floor(F n, F d) noexcept {
   return static_cast<T>(n / d);

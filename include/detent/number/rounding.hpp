@@ -7,6 +7,9 @@
 #include "detent/number/divide.hpp"
 #include "detent/number/root.hpp"
 #include "detent/number/scalar.hpp"
+#if __STDC_HOSTED__
+#include "detent/number/floating.hpp"
+#endif
 
 namespace detent {
 
@@ -123,6 +126,21 @@ template <int Bits, int B1, int F1, int B2, int F2>
   DETENT_ASSERT(a - b == narrow<Bits>(a - b));
   return Difference::assume_raw(wrapping_subtract<Raw>(
       detail::aligned_raw<Raw, Difference::frac>(a), detail::aligned_raw<Raw, Difference::frac>(b)));
+}
+
+/// x * 2^count in `Bits`: the caller has a proof that it fits. `float` and `double` need no room
+/// and stay as they are.
+template <int Bits, int B, int F>
+[[nodiscard]] constexpr Fixed<Bits, F> scale_up(const Fixed<B, F>& x, int count) noexcept {
+  using Raw = typename Fixed<Bits, F>::raw_type;
+  DETENT_ASSERT(sign_of(x.raw()) == 0 || bit_length(x.raw()) + count <= Bits + 1);
+  return Fixed<Bits, F>::assume_raw(shift_left(integer_cast<Raw>(x.raw()), count));
+}
+
+/// How often x > 0 can be doubled within its budget.
+template <int B, int F>
+[[nodiscard]] constexpr int headroom(const Fixed<B, F>& x) noexcept {
+  return B - bit_length(x.raw());
 }
 
 /// n / d rounded down to the grid of `T` and clamped; for d = 0 the end of the range on the side

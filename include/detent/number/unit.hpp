@@ -5,13 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "detent/number/rounding.hpp"
-
-#if __STDC_HOSTED__
-#include "detent/number/floating.hpp"
-#endif
 
 namespace detent {
 

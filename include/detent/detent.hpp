@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Everything, in the order of the layers: each may use those above it.
+
+#include "detent/number/number.hpp"
+
+#include "detent/math/math.hpp"
+
+#include "detent/shape/shape.hpp"
+
+#include "detent/query/query.hpp"

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "detent/number/rounding.hpp"
+
+namespace detent {
+
+/// Where the line of a ray meets a sphere: the roots of a t^2 + 2 b t + c = 0 with a > 0.
+///
+/// The caller has a proof that |a c| fits twice the bits of b (for a ray, Cauchy-Schwarz: b is a
+/// dot product of vectors whose squared lengths bound a and c).
+template <Number A, Number B, Number C>
+class Quadratic {
+ public:
+  static constexpr int product_bits = 2 * bits_of<B>;
+
+  constexpr Quadratic(const A& a, const B& b, const C& c) noexcept
+      : a_(a), b_(b), c_(c), square_(b * b), product_(narrow_product<product_bits>(a, c)) {}
+
+  /// Whether a t^2 + 2 b t + c is 0 anywhere.
+  [[nodiscard]] constexpr bool has_roots() const noexcept { return square_ >= product_; }
+
+  /// b^2 - a c, which is not negative where there are roots.
+  [[nodiscard]] constexpr auto discriminant() const noexcept {
+    return narrow_difference<product_bits>(square_, product_);
+  }
+
+  /// The lesser root rounded down, or nothing when the exact root is greater than `limit`; wants
+  /// b < 0 < c, so that both roots are positive.
+  ///
+  /// With s = floor(sqrt(D)) on the grid of b, (-b - s) / a exceeds the root by less than one step
+  /// of T, so its floor is the root's or one more. It stays below the other root, (-b + sqrt(D)) / a,
+  /// where the polynomial is negative beyond the root: its sign there decides.
+  template <Scalar T>
+  [[nodiscard]] constexpr std::optional<T> first_root(const T& limit) const noexcept {
+    T t = quotient_floor<T>(-b_ - root(), a_);
+    if constexpr (is_fixed<T>) {
+      if (sign_at(t) < 0) t = previous(t);
+      if (t >= limit && !(t == limit && sign_at(t) == 0)) return std::nullopt;
+    } else if (t > limit) {
+      return std::nullopt;
+    }
+    return t;
+  }
+
+  /// The greater root rounded down, or `limit` when it is greater than that; wants roots of which
+  /// the lesser is at most `limit` and the greater is not negative.
+  template <Scalar T>
+  [[nodiscard]] constexpr T last_root(const T& limit) const noexcept {
+    if (sign_at(limit) <= 0) return limit;
+    T t = quotient_floor<T>(root() - b_, a_);
+    if constexpr (is_fixed<T>) {
+      const T after = next(t);
+      if (sign_at(after) <= 0) t = after;
+    }
+    return t;
+  }
+
+ private:
+  [[nodiscard]] constexpr auto root() const noexcept { return sqrt_floor<B>(discriminant()); }
+
+  /// The sign of the polynomial at t.
+  template <Scalar T>
+  [[nodiscard]] constexpr int sign_at(const T& t) const noexcept {
+    const auto rising = (a_ * t + b_ + b_) * t;
+    const auto level = -c_;
+    return (rising > level) - (rising < level);
+  }
+
+  template <class T>
+  static constexpr T previous(const T& t) noexcept {
+    return T::assume_raw(static_cast<typename T::raw_type>(t.raw() - 1));
+  }
+  template <class T>
+  static constexpr T next(const T& t) noexcept {
+    return T::assume_raw(static_cast<typename T::raw_type>(t.raw() + 1));
+  }
+
+  using Square = decltype(std::declval<B>() * std::declval<B>());
+  using Product = decltype(narrow_product<product_bits>(std::declval<A>(), std::declval<C>()));
+
+  A a_;
+  B b_;
+  C c_;
+  Square square_;
+  Product product_;
+};
+
+}  // namespace detent

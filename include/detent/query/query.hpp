@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The query layer: yes or no, and where.
+
+#include "detent/query/raycast.hpp"

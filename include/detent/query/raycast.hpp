@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Rays against every shape:
+//   raycast(ray, shape)          -> std::optional<S>             distance
+//   raycast_hit(ray, shape)      -> std::optional<RayHit<S, N>>  distance, point, normal
+//   raycast_interval(ray, shape) -> std::optional<Interval<S>>   enter, exit
+
+#include "detent/query/raycast/aabb.hpp"
+#include "detent/query/raycast/hit.hpp"
+#include "detent/query/raycast/obb.hpp"
+#include "detent/query/raycast/plane.hpp"
+#include "detent/query/raycast/sphere.hpp"
+#include "detent/query/raycast/triangle.hpp"

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "detent/query/raycast/hit.hpp"
+
+namespace detent::detail {
+
+/// The part of a ray that slabs leave of it, as two exact fractions compared by cross-multiplying.
+///
+/// `Numerator` holds a distance to a slab's face, `Denominator` the ray's speed across the slab,
+/// and `ProductBits` bounds one of them times the other.
+///
+/// source: the slab method of Kay and Kajiya, Ray Tracing Complex Scenes (1986)
+template <Scalar S, Number Numerator, Number Denominator, int ProductBits>
+class RayClip {
+ public:
+  static constexpr int no_slab = -1;
+
+  explicit constexpr RayClip(const S& limit) noexcept
+      : enter_{Numerator(0), Denominator(1)}, exit_{Numerator(limit), Denominator(1)} {}
+
+  /// Keeps the distances t with low <= speed * t <= high.
+  constexpr void keep(int slab, const Numerator& low, const Numerator& high,
+                      const Denominator& speed) noexcept {
+    if (speed > 0) {
+      raise_enter(slab, {low, speed});
+      lower_exit({high, speed});
+    } else if (speed < 0) {
+      const auto forward = narrow<bits_of<Denominator>>(-speed);
+      raise_enter(slab, {narrow<bits_of<Numerator>>(-high), forward});
+      lower_exit({narrow<bits_of<Numerator>>(-low), forward});
+    } else if (low > 0 || high < 0) {
+      exit_ = {Numerator(-1), Denominator(1)};
+    }
+  }
+
+  [[nodiscard]] constexpr bool is_empty() const noexcept { return less(exit_, enter_); }
+
+  /// The slab entered last, the first named of several; `no_slab` where the ray starts inside all.
+  [[nodiscard]] constexpr int entered() const noexcept { return entered_; }
+
+  [[nodiscard]] constexpr std::optional<S> first_distance() const noexcept {
+    if (is_empty()) return std::nullopt;
+    return floor(enter_);
+  }
+
+  [[nodiscard]] constexpr std::optional<Interval<S>> interval() const noexcept {
+    if (is_empty()) return std::nullopt;
+    return Interval<S>{floor(enter_), floor(exit_)};
+  }
+
+ private:
+  using Distance = Fraction<Numerator, Denominator>;
+
+  static constexpr bool less(const Distance& a, const Distance& b) noexcept {
+    return narrow_product<ProductBits>(a.numerator, b.denominator) <
+           narrow_product<ProductBits>(b.numerator, a.denominator);
+  }
+  static constexpr S floor(const Distance& x) noexcept {
+    return quotient_floor<S>(x.numerator, x.denominator);
+  }
+
+  constexpr void raise_enter(int slab, const Distance& candidate) noexcept {
+    if (candidate.numerator <= 0 || !less(enter_, candidate)) return;
+    enter_ = candidate;
+    entered_ = slab;
+  }
+  constexpr void lower_exit(const Distance& candidate) noexcept {
+    if (less(candidate, exit_)) exit_ = candidate;
+  }
+
+  Distance enter_;
+  Distance exit_;
+  int entered_ = no_slab;
+};
+
+}  // namespace detent::detail
