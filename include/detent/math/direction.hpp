@@ -46,7 +46,8 @@ class Direction {
   }
 
   /// The direction with these components, which the caller knows to be those of a unit vector.
-  [[nodiscard]] static constexpr Direction assume_unit(const Vec<Component, N>& components) noexcept {
+  [[nodiscard]] static constexpr Direction assume_unit(
+      const Vec<Component, N>& components) noexcept {
     DETENT_ASSERT(!is_fixed<Component> || is_unit(to_array(components)));
     return Direction(components);
   }
@@ -57,7 +58,8 @@ class Direction {
   [[nodiscard]] constexpr const Vec<Component, N>& vec() const noexcept { return components_; }
 
   [[nodiscard]] constexpr Direction operator-() const noexcept {
-    return Direction(make_vec<N>([this](int i) { return narrow<bits_of<Component>>(-components_[i]); }));
+    return Direction(
+        make_vec<N>([this](int i) { return narrow<bits_of<Component>>(-components_[i]); }));
   }
 
   [[nodiscard]] friend constexpr bool operator==(const Direction&,
@@ -75,6 +77,11 @@ class Direction {
 
   Vec<Component, N> components_;
 };
+
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const Direction<S, N>& direction) noexcept {
+  digest.add(direction.vec());
+}
 
 /// The direction of a vector of any number type, or nothing for the zero vector.
 ///

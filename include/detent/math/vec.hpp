@@ -39,6 +39,12 @@ Vec(T, T) -> Vec<T, 2>;
 template <class T>
 Vec(T, T, T) -> Vec<T, 3>;
 
+/// The canonical bytes of a digest: the components in order.
+template <class D, Number T, int N>
+constexpr void append(D& digest, const Vec<T, N>& v) noexcept {
+  for (int i = 0; i < N; ++i) digest.add(v[i]);
+}
+
 /// The vector whose component i is f(i).
 template <int N, class F>
 [[nodiscard]] constexpr auto make_vec(const F& f) noexcept {

@@ -46,7 +46,8 @@ constexpr Division<Wide<Words>> divide_long(const Wide<Words>& numerator,
   const Digits v = split(denominator << scale);
   Digits u = split(numerator << scale);
   // The numerator is non-negative, so its top bit is 0; what a scale shifts out comes back here.
-  if (scale > 0) at(u, digits) = static_cast<std::uint32_t>(numerator.word(Words - 1) >> (64 - scale));
+  if (scale > 0)
+    at(u, digits) = static_cast<std::uint32_t>(numerator.word(Words - 1) >> (64 - scale));
 
   Digits q{};
   for (int j = digits - length; j >= 0; --j) {
@@ -92,7 +93,8 @@ constexpr Division<Wide<Words>> divide_long(const Wide<Words>& numerator,
 
 /// floor(numerator / denominator) and what is left; `denominator` > 0.
 template <class I>
-[[nodiscard]] constexpr Division<I> divide_floor(const I& numerator, const I& denominator) noexcept {
+[[nodiscard]] constexpr Division<I> divide_floor(const I& numerator,
+                                                 const I& denominator) noexcept {
   I quotient, remainder;
   if constexpr (detail::is_wide<I>) {
     const bool negative = numerator.is_negative();

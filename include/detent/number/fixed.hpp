@@ -35,7 +35,8 @@ constexpr bool fills_container(int bits) noexcept {
 constexpr int result_bits(int bits) noexcept { return fills_container(bits) ? bits + 1 : bits; }
 
 template <std::integral I>
-inline constexpr int integral_bits = static_cast<int>(sizeof(I) * 8) - (std::is_signed_v<I> ? 1 : 0);
+inline constexpr int integral_bits = static_cast<int>(sizeof(I) * 8) -
+                                     (std::is_signed_v<I> ? 1 : 0);
 
 }  // namespace detail
 
@@ -63,10 +64,11 @@ class Fixed {
 
   /// The same number in a type that holds every number of the old one.
   template <int B, int F>
-    requires(F <= Frac && (B + Frac - F < Bits ||
-                           (B + Frac - F == Bits && (!detail::fills_container(Bits) ||
-                                                     detail::fills_container(B)))))
-  constexpr Fixed(const Fixed<B, F>& other) noexcept
+  requires(F <= Frac &&
+           (B + Frac - F < Bits ||
+            (B + Frac - F == Bits &&
+             (!detail::fills_container(Bits) ||
+              detail::fills_container(B))))) constexpr Fixed(const Fixed<B, F>& other) noexcept
       : raw_(shift_left(integer_cast<raw_type>(other.raw()), Frac - F)) {}
 
   /// The number with these raw bits, clamped to [lowest(), max()].
@@ -80,8 +82,9 @@ class Fixed {
 
   /// The number with these raw bits, which the caller knows to be within the budget.
   [[nodiscard]] static constexpr Fixed assume_raw(raw_type raw) noexcept {
-    DETENT_ASSERT(detail::fills_container(Bits) ||
-                  (raw >= lowest().raw_ && integer_cast<raw_type>(raw - raw_type(1)) <= max().raw_));
+    DETENT_ASSERT(
+        detail::fills_container(Bits) ||
+        (raw >= lowest().raw_ && integer_cast<raw_type>(raw - raw_type(1)) <= max().raw_));
     return Fixed(raw, RawTag{});
   }
 
@@ -90,8 +93,7 @@ class Fixed {
   [[nodiscard]] static constexpr std::optional<Fixed> parse(std::string_view text) noexcept;
 
   /// `value` rounded to nearest, ties to even, and clamped; 0 for a NaN. For tools and tests.
-  [[nodiscard]] static constexpr Fixed from_double(double value) noexcept
-    requires(Bits <= 63);
+  [[nodiscard]] static constexpr Fixed from_double(double value) noexcept requires(Bits <= 63);
 
   /// The nearest double; exact up to 53 significant bits. For tools and tests.
   [[nodiscard]] explicit constexpr operator double() const noexcept;
@@ -166,8 +168,8 @@ template <int B1, int F1, int B2, int F2>
   constexpr int frac = std::max(F1, F2);
   using Sum = Fixed<detail::sum_bits<Fixed<B1, F1>, Fixed<B2, F2>>, frac>;
   using Raw = typename Sum::raw_type;
-  return Sum::assume_raw(wrapping_add<Raw>(detail::aligned_raw<Raw, frac>(a),
-                                           detail::aligned_raw<Raw, frac>(b)));
+  return Sum::assume_raw(
+      wrapping_add<Raw>(detail::aligned_raw<Raw, frac>(a), detail::aligned_raw<Raw, frac>(b)));
 }
 
 template <int B1, int F1, int B2, int F2>
@@ -175,8 +177,8 @@ template <int B1, int F1, int B2, int F2>
   constexpr int frac = std::max(F1, F2);
   using Difference = Fixed<detail::sum_bits<Fixed<B1, F1>, Fixed<B2, F2>>, frac>;
   using Raw = typename Difference::raw_type;
-  return Difference::assume_raw(wrapping_subtract<Raw>(detail::aligned_raw<Raw, frac>(a),
-                                                       detail::aligned_raw<Raw, frac>(b)));
+  return Difference::assume_raw(
+      wrapping_subtract<Raw>(detail::aligned_raw<Raw, frac>(a), detail::aligned_raw<Raw, frac>(b)));
 }
 
 template <int B1, int F1, int B2, int F2>
@@ -201,7 +203,7 @@ template <int B, int F>
 
 /// Which of two numbers of any types is greater, exactly.
 template <class A, class B>
-  requires detail::FixedOperands<A, B>
+requires detail::FixedOperands<A, B>
 [[nodiscard]] constexpr std::strong_ordering operator<=>(const A& left, const B& right) noexcept {
   const auto& a = detail::as_fixed(left);
   const auto& b = detail::as_fixed(right);
@@ -231,10 +233,8 @@ template <class A, class B>
 }
 
 template <class A, class B>
-  requires detail::FixedOperands<A, B>
-[[nodiscard]] constexpr bool operator==(const A& a, const B& b) noexcept {
-  return (a <=> b) == 0;
-}
+requires detail::FixedOperands<A, B>
+[[nodiscard]] constexpr bool operator==(const A& a, const B& b) noexcept { return (a <=> b) == 0; }
 
 template <int Bits, int Frac>
 template <std::integral I>
@@ -253,8 +253,7 @@ constexpr Fixed<Bits, Frac>::Fixed(I value) noexcept {
 
 template <int Bits, int Frac>
 constexpr Fixed<Bits, Frac> Fixed<Bits, Frac>::from_double(double value) noexcept
-  requires(Bits <= 63)
-{
+    requires(Bits <= 63) {
   const auto pattern = std::bit_cast<std::uint64_t>(value);
   const bool negative = (pattern >> 63) != 0;
   const int exponent = static_cast<int>((pattern >> 52) & 0x7ff);
@@ -296,8 +295,7 @@ constexpr Fixed<Bits, Frac>::operator double() const noexcept {
 template <int Bits, int Frac>
 struct std::hash<detent::Fixed<Bits, Frac>> {
   [[nodiscard]] std::size_t operator()(const detent::Fixed<Bits, Frac>& x) const noexcept
-    requires(Bits <= 63)
-  {
+      requires(Bits <= 63) {
     return std::hash<typename detent::Fixed<Bits, Frac>::raw_type>()(x.raw());
   }
 };

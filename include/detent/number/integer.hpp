@@ -124,7 +124,7 @@ template <class To, class A, class B>
       return integer_cast<To>(Wide<2>::from_words({low, signed_high}));
     } else {
       return multiply<detail::words_of<To>>(integer_cast<Wide<(a_words < 2 ? 2 : a_words)>>(a),
-                                   integer_cast<Wide<(b_words < 2 ? 2 : b_words)>>(b));
+                                            integer_cast<Wide<(b_words < 2 ? 2 : b_words)>>(b));
     }
   } else {
     using U = detail::unsigned_of_t<To>;

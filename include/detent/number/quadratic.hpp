@@ -32,8 +32,8 @@ class Quadratic {
   /// b < 0 < c, so that both roots are positive.
   ///
   /// With s = floor(sqrt(D)) on the grid of b, (-b - s) / a exceeds the root by less than one step
-  /// of T, so its floor is the root's or one more. It stays below the other root, (-b + sqrt(D)) / a,
-  /// where the polynomial is negative beyond the root: its sign there decides.
+  /// of T, so its floor is the root's or one more. It stays below the other root, (-b + sqrt(D)) /
+  /// a, where the polynomial is negative beyond the root: its sign there decides.
   template <Scalar T>
   [[nodiscard]] constexpr std::optional<T> first_root(const T& limit) const noexcept {
     T t = quotient_floor<T>(-b_ - root(), a_);

@@ -36,9 +36,9 @@ inline constexpr auto root_chords = [] {
 /// floor(sqrt(n)), exactly: a chord of the root and one Newton (Heron) step.
 ///
 /// A chord lies below the root by at most 2^-17 of it, and quantising adds 2^-19. One Heron step
-/// from relative error e gives r * (1 + e^2 / (2 (1 + e))): never below r = sqrt(a), and above it by
-/// less than 2^32 * 2^-33 / 2 = 1/4. Floors inside nest, so the step is floor(r) or floor(r) + 1,
-/// which one comparison settles. The final shift is floor(sqrt(n * 4^k)) / 2^k, rounded down.
+/// from relative error e gives r * (1 + e^2 / (2 (1 + e))): never below r = sqrt(a), and above it
+/// by less than 2^32 * 2^-33 / 2 = 1/4. Floors inside nest, so the step is floor(r) or floor(r) +
+/// 1, which one comparison settles. The final shift is floor(sqrt(n * 4^k)) / 2^k, rounded down.
 [[nodiscard]] constexpr std::uint32_t square_root_floor(std::uint64_t n) noexcept {
   if (n == 0) return 0;
   const int shift = std::countl_zero(n) & ~1;
@@ -46,7 +46,8 @@ inline constexpr auto root_chords = [] {
   const std::uint32_t chord = detail::root_chords[(a >> 56) - 64];
   const std::uint64_t along = (a >> 40) & 0xffff;
   const std::uint64_t guess = (chord >> 12) + (((chord & 0xfff) * along) >> 16);  // Q20
-  std::uint64_t root = (guess << 11) + static_cast<std::uint64_t>((a >> 13) / static_cast<std::uint32_t>(guess));
+  std::uint64_t root =
+      (guess << 11) + static_cast<std::uint64_t>((a >> 13) / static_cast<std::uint32_t>(guess));
   root -= root >> 32;  // 2^32 itself is one too many
   root >>= shift / 2;
   root -= root * root > n ? 1u : 0u;

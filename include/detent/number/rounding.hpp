@@ -18,7 +18,7 @@ namespace detail {
 /// `raw` as a T, clamped to [T::lowest(), T::max()].
 template <class T, class I>
 constexpr T clamp_raw(const I& raw) noexcept {
-  if constexpr (value_bits<I> > T::bits) {
+  if constexpr (value_bits < I >> T::bits) {
     if (raw > integer_cast<I>(T::max().raw())) return T::max();
     if (raw < integer_cast<I>(T::lowest().raw())) return T::lowest();
   }
@@ -100,7 +100,8 @@ template <int Bits, int B, int F>
   return Fixed<Bits, F>::assume_raw(integer_cast<Raw>(x.raw()));
 }
 
-/// a * b, a + b, a - b: `narrow` without the detour through the integer that the unproved result needs.
+/// a * b, a + b, a - b: `narrow` without the detour through the integer that the unproved result
+/// needs.
 template <int Bits, int B1, int F1, int B2, int F2>
 [[nodiscard]] constexpr Fixed<Bits, F1 + F2> narrow_product(const Fixed<B1, F1>& a,
                                                             const Fixed<B2, F2>& b) noexcept {
@@ -124,8 +125,9 @@ template <int Bits, int B1, int F1, int B2, int F2>
   using Difference = Fixed<Bits, std::max(F1, F2)>;
   using Raw = typename Difference::raw_type;
   DETENT_ASSERT(a - b == narrow<Bits>(a - b));
-  return Difference::assume_raw(wrapping_subtract<Raw>(
-      detail::aligned_raw<Raw, Difference::frac>(a), detail::aligned_raw<Raw, Difference::frac>(b)));
+  return Difference::assume_raw(
+      wrapping_subtract<Raw>(detail::aligned_raw<Raw, Difference::frac>(a),
+                             detail::aligned_raw<Raw, Difference::frac>(b)));
 }
 
 /// x * 2^count in `Bits`: the caller has a proof that it fits. `float` and `double` need no room
@@ -179,7 +181,8 @@ template <class T, int B, int F>
   // floor(sqrt(floor(y))) = floor(sqrt(y)).
   constexpr int shift = 2 * T::frac - F;
   constexpr int width = std::max(B + shift, 1);
-  static_assert(width <= 128, "detent: sqrt_floor takes at most 128 bits on the grid of its result");
+  static_assert(width <= 128,
+                "detent: sqrt_floor takes at most 128 bits on the grid of its result");
   if constexpr (width <= 64) {
     const auto raw = shift < 0 ? shift_right_floor(x.raw(), -shift) : x.raw();
     const auto n = static_cast<std::uint64_t>(integer_cast<std::int64_t>(raw));

@@ -18,7 +18,7 @@ concept Number = is_fixed<T> || std::same_as<T, float> || std::same_as<T, double
 /// 31 bits also bound what a player's world needs; `q14_16` or `q8_8` buy speed with range.
 /// `float` and `double` run through the same formulas, without the promise, for comparison.
 template <class T>
-concept Scalar = Number<T> && (!is_fixed<T> || requires { requires T::bits <= 31; });
+concept Scalar = Number<T> &&(!is_fixed<T> || requires { requires T::bits <= 31; });
 
 /// How many bits the magnitude of a number of this type may need; 0 for `float` and `double`,
 /// whose budgets nobody counts.

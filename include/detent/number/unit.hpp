@@ -62,9 +62,8 @@ template <class Component, int B, int F, std::size_t N>
   for (std::size_t i = 0; i < N; ++i) {
     const auto raw = integer_cast<Magnitude>(v[i].raw());
     magnitude[i] = sign_of(raw) < 0 ? static_cast<Magnitude>(-raw) : raw;
-    scaled[i] = static_cast<std::uint64_t>(
-        integer_cast<std::int64_t>(scale >= 0 ? shift_left(magnitude[i], scale)
-                                              : shift_right_floor(magnitude[i], -scale)));
+    scaled[i] = static_cast<std::uint64_t>(integer_cast<std::int64_t>(
+        scale >= 0 ? shift_left(magnitude[i], scale) : shift_right_floor(magnitude[i], -scale)));
     const auto square = multiply_words(scaled[i], scaled[i]);
     squared = squared + Wide<2>::from_words({square.low, square.high});
   }
@@ -82,7 +81,8 @@ template <class Component, int B, int F, std::size_t N>
     if (fraction > half + margin) {
       ++result;
     } else if (fraction >= half - margin) {
-      using Exact = IntegerFor<detail::result_bits(2 * std::max(detail::result_bits(B), 31) + 2 * frac + 5)>;
+      using Exact =
+          IntegerFor<detail::result_bits(2 * std::max(detail::result_bits(B), 31) + 2 * frac + 5)>;
       Exact length_squared(0);
       for (const auto& m : magnitude) {
         length_squared = wrapping_add<Exact>(length_squared, wrapping_multiply<Exact>(m, m));
@@ -95,8 +95,8 @@ template <class Component, int B, int F, std::size_t N>
       if (left > right || (left == right && (result & 1) != 0)) ++result;
     }
     const auto value = static_cast<std::int64_t>(result);
-    unit[i] = Component::assume_raw(static_cast<typename Component::raw_type>(
-        sign_of(v[i].raw()) < 0 ? -value : value));
+    unit[i] = Component::assume_raw(
+        static_cast<typename Component::raw_type>(sign_of(v[i].raw()) < 0 ? -value : value));
   }
   return unit;
 }

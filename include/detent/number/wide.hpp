@@ -95,8 +95,7 @@ class Wide {
 
   /// Sign-extends a narrower integer; keeps the low words of a wider one.
   template <int Other>
-    requires(Other != Words)
-  constexpr explicit Wide(const Wide<Other>& other) noexcept {
+  requires(Other != Words) constexpr explicit Wide(const Wide<Other>& other) noexcept {
     for (int i = 0; i < Words && i < Other; ++i) words_[index(i)] = other.word(i);
     fill_from(Other, other.is_negative());
   }

@@ -16,6 +16,12 @@ struct Aabb {
   [[nodiscard]] friend constexpr bool operator==(const Aabb&, const Aabb&) noexcept = default;
 };
 
+/// The canonical bytes of a digest: the fields in order.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const Aabb<S, N>& box) noexcept {
+  digest.add(box.min, box.max);
+}
+
 template <Scalar S, int N>
 Aabb(Vec<S, N>, Vec<S, N>) -> Aabb<S, N>;
 

@@ -19,6 +19,12 @@ struct Obb {
   [[nodiscard]] friend constexpr bool operator==(const Obb&, const Obb&) noexcept = default;
 };
 
+/// The canonical bytes of a digest: the fields in order.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const Obb<S, N>& box) noexcept {
+  digest.add(box.center, box.half_extents, box.rotation);
+}
+
 template <Scalar S, int N>
 Obb(Vec<S, N>, Vec<S, N>, Rotation<S, N>) -> Obb<S, N>;
 

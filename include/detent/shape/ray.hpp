@@ -16,6 +16,12 @@ struct Ray {
   [[nodiscard]] friend constexpr bool operator==(const Ray&, const Ray&) noexcept = default;
 };
 
+/// The canonical bytes of a digest: the fields in order.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const Ray<S, N>& ray) noexcept {
+  digest.add(ray.origin, ray.direction, ray.max_distance);
+}
+
 template <Scalar S, int N>
 Ray(Vec<S, N>, Direction<S, N>, S) -> Ray<S, N>;
 template <Scalar S, int N>

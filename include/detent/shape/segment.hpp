@@ -14,6 +14,12 @@ struct Segment {
   [[nodiscard]] friend constexpr bool operator==(const Segment&, const Segment&) noexcept = default;
 };
 
+/// The canonical bytes of a digest: the fields in order.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const Segment<S, N>& segment) noexcept {
+  digest.add(segment.start, segment.end);
+}
+
 template <Scalar S, int N>
 Segment(Vec<S, N>, Vec<S, N>) -> Segment<S, N>;
 

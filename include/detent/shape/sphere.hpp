@@ -16,6 +16,12 @@ struct Sphere {
   [[nodiscard]] friend constexpr bool operator==(const Sphere&, const Sphere&) noexcept = default;
 };
 
+/// The canonical bytes of a digest: the fields in order.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const Sphere<S, N>& sphere) noexcept {
+  digest.add(sphere.center, sphere.radius);
+}
+
 template <Scalar S, int N>
 Sphere(Vec<S, N>, S) -> Sphere<S, N>;
 

@@ -18,6 +18,12 @@ struct Triangle {
                                                  const Triangle&) noexcept = default;
 };
 
+/// The canonical bytes of a digest: the fields in order.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const Triangle<S, N>& triangle) noexcept {
+  digest.add(triangle.a, triangle.b, triangle.c);
+}
+
 template <Scalar S, int N>
 Triangle(Vec<S, N>, Vec<S, N>, Vec<S, N>) -> Triangle<S, N>;
 

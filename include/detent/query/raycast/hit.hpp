@@ -11,8 +11,8 @@ namespace detent {
 /// Where a ray first touches a shape.
 ///
 /// `distance` is the exact one rounded down, so `point` lies on the surface or before it, but for
-/// the rounding of its coordinates. `normal` is that of the exact point and faces the ray; where the
-/// ray starts inside a solid it is the opposite of the direction.
+/// the rounding of its coordinates. `normal` is that of the exact point and faces the ray; where
+/// the ray starts inside a solid it is the opposite of the direction.
 template <Scalar S, int N>
 struct RayHit {
   S distance{};
@@ -33,6 +33,17 @@ struct Interval {
   [[nodiscard]] friend constexpr bool operator==(const Interval&,
                                                  const Interval&) noexcept = default;
 };
+
+/// The canonical bytes of a digest: the fields in order.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const RayHit<S, N>& hit) noexcept {
+  digest.add(hit.distance, hit.point, hit.normal);
+}
+
+template <class D, Scalar S>
+constexpr void append(D& digest, const Interval<S>& interval) noexcept {
+  digest.add(interval.enter, interval.exit);
+}
 
 /// Which sides of a surface rays hit: both, or only the one that its normal points away from.
 enum class Facing { both, front };

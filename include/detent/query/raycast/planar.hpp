@@ -62,8 +62,7 @@ struct PlanarLine {
   /// origin + t direction = p + s (q - p), crossed with q - p.
   [[nodiscard]] constexpr Distance crossing(const Vec<S, 2>& p, const Vec<S, 2>& q) const noexcept {
     const auto edge = q - p;
-    return make_fraction(Area(cross(p - origin, edge)),
-                         narrow_cross<side_bits>(direction, edge));
+    return make_fraction(Area(cross(p - origin, edge)), narrow_cross<side_bits>(direction, edge));
   }
 
   /// The distance of a point known to be on the line.
@@ -108,8 +107,8 @@ struct TriangleSpan {
 /// edges that it crosses toward the inside and leaves through the others. Where it meets a corner
 /// two edges say so, and they name the same point.
 template <Scalar S>
-[[nodiscard]] constexpr std::optional<TriangleSpan<S>> span(const PlanarLine<S>& line,
-                                                            const Triangle<S, 2>& triangle) noexcept {
+[[nodiscard]] constexpr std::optional<TriangleSpan<S>> span(
+    const PlanarLine<S>& line, const Triangle<S, 2>& triangle) noexcept {
   const std::array<const Vec<S, 2>*, 3> corners{&triangle.a, &triangle.b, &triangle.c};
   const std::array sides{line.side(triangle.a), line.side(triangle.b), line.side(triangle.c)};
   const bool counter_clockwise = cross(triangle.b - triangle.a, triangle.c - triangle.a) > 0;

@@ -40,7 +40,7 @@ struct RaySphere {
   [[nodiscard]] constexpr Direction<S, N> normal(const S& radius) const noexcept {
     using Component = direction_component<S>;
     constexpr int radius_bits = bits_of<S>;
-    constexpr int root_bits = radius_bits + bits_of<Component>;    // |d| r
+    constexpr int root_bits = radius_bits + bits_of<Component>;       // |d| r
     constexpr int closest_bits = radius_bits + bits_of<decltype(a)>;  // |d|^2 r
     const int k = headroom(radius);
     const auto discriminant = quadratic().discriminant();
@@ -77,8 +77,8 @@ template <Scalar S, int N>
                                                  const Sphere<S, N>& sphere) noexcept {
   if (sphere.radius < 0 || ray.max_distance < 0) return std::nullopt;
   const detail::RaySphere<S, N> meeting(ray, sphere);
-  if (meeting.c <= 0) return S(0);             // starts inside
-  if (meeting.b >= 0) return std::nullopt;     // moves away
+  if (meeting.c <= 0) return S(0);          // starts inside
+  if (meeting.b >= 0) return std::nullopt;  // moves away
   const auto quadratic = meeting.quadratic();
   if (!quadratic.has_roots()) return std::nullopt;
   return quadratic.first_root(ray.max_distance);

@@ -34,8 +34,7 @@ struct RayTriangle {
   using Edge = decltype(Vec<S, 3>() - Vec<S, 3>());
   using Moment = decltype(cross(Direction<S, 3>(), Edge()));
   // |x| |y| |direction| < 3 2^(2B) (1 + 2^-13) for edges x and y whose components have B bits.
-  static constexpr int volume_bits =
-      bits_of<decltype(Edge::x)> + bits_of<decltype(Moment::x)> + 1;
+  static constexpr int volume_bits = bits_of<decltype(Edge::x)> + bits_of<decltype(Moment::x)> + 1;
   Edge edge_b, edge_c, from_a;
   Moment p;
   decltype(narrow_dot<volume_bits>(Edge(), Moment())) det;
@@ -65,8 +64,7 @@ template <Scalar S>
 /// The part of the line of `ray` in a triangle that it is parallel to or that has collapsed.
 template <Scalar S>
 [[nodiscard]] constexpr std::optional<PlanarSpan<S>> edge_on_span(
-    const Ray<S, 3>& ray, const Triangle<S, 3>& triangle,
-    const RayTriangle<S>& meeting) noexcept {
+    const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, const RayTriangle<S>& meeting) noexcept {
   const auto normal = meeting.normal();
   if (is_zero(normal)) return span(ray, collapsed(triangle));
   if (dot(normal, meeting.from_a) != 0) return std::nullopt;
@@ -131,8 +129,7 @@ template <Scalar S>
 ///         (tests/oracle/ray_triangle.test.cpp)
 template <Scalar S>
 [[nodiscard]] constexpr std::optional<RayHit<S, 3>> raycast_hit(
-    const Ray<S, 3>& ray, const Triangle<S, 3>& triangle,
-    Facing facing = Facing::both) noexcept {
+    const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Facing facing = Facing::both) noexcept {
   const auto distance = raycast(ray, triangle, facing);
   if (!distance) return std::nullopt;
   const detail::RayTriangle<S> meeting(ray, triangle);
@@ -144,8 +141,7 @@ template <Scalar S>
 /// Distances at which `ray` enters and leaves `triangle`: equal, but for a ray in its plane.
 template <Scalar S>
 [[nodiscard]] constexpr std::optional<Interval<S>> raycast_interval(
-    const Ray<S, 3>& ray, const Triangle<S, 3>& triangle,
-    Facing facing = Facing::both) noexcept {
+    const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Facing facing = Facing::both) noexcept {
   const detail::RayTriangle<S> meeting(ray, triangle);
   if (meeting.det == 0 && facing == Facing::both) {
     const auto inside = detail::edge_on_span(ray, triangle, meeting);
