@@ -188,9 +188,9 @@ template <Scalar S>
   const auto edge = inside->entry_edge == 0   ? triangle.b - triangle.a
                     : inside->entry_edge == 1 ? triangle.c - triangle.b
                                               : triangle.a - triangle.c;
-  // The normal of an edge that the ray crosses is the perpendicular that faces it.
+  // Of the two perpendiculars the one that faces the ray: (y, -x) . d is the cross product.
+  const bool along = cross(ray.direction, edge) > 0;
   const auto normal = direction_of<S>(Vec{edge.y, narrow<bits_of<decltype(edge.x)>>(-edge.x)});
-  const bool along = dot(ray.direction, *normal) > 0;
   return detail::hit_at(ray, *distance, along ? -*normal : *normal);
 }
 
