@@ -10,3 +10,4 @@
 #include "detent/shape/shape.hpp"
 
 #include "detent/query/query.hpp"
+#include "detent/version.hpp"
