@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <type_traits>
+
+#include "detent/detent.hpp"
+
+namespace detent::cli {
+
+/// The largest width + height of an image: the camera counts half pixels in 15 bits.
+inline constexpr int largest_image = 1 << 14;
+
+/// A pinhole camera, whose rays are computed in its scalar's own arithmetic: sums and products are
+/// exact for a `Fixed`, and the direction of the result is rounded once.
+template <Scalar S>
+class Camera {
+ public:
+  /// `half_view` is the angle between the middle and the upper edge of the image.
+  Camera(const Vec<S, 3>& position, const Direction<S, 3>& forward, const Direction<S, 3>& right,
+         const Angle<S>& half_view)
+      : position_(position),
+        ahead_(forward.vec() * cos<Component>(half_view)),
+        right_(right.vec() * sin<Component>(half_view)),
+        up_(upward(forward, right).vec() * sin<Component>(half_view)) {}
+
+  /// The ray through the middle of a pixel, counted from the top left.
+  [[nodiscard]] Ray<S, 3> ray(int x, int y, int width, int height) const {
+    // In half pixels, doubled as often as 14 bits allow: the direction stays the same.
+    const int shift = 14 - std::bit_width(static_cast<unsigned>(width + height));
+    const auto half_pixels = [&](int count) { return Whole(count << shift); };
+    const auto toward = ahead_ * half_pixels(height) + right_ * half_pixels(2 * x + 1 - width) +
+                        up_ * half_pixels(height - 1 - 2 * y);
+    return {position_, direction_of<S>(toward).value_or(Direction<S, 3>())};
+  }
+
+ private:
+  using Component = direction_component<S>;
+  using Whole = std::conditional_t<is_fixed<S>, Fixed<15, 0>, S>;
+  using Scaled = Vec<decltype(Component() * Component()), 3>;
+
+  static Direction<S, 3> upward(const Direction<S, 3>& forward, const Direction<S, 3>& right) {
+    return direction_of<S>(cross(right.vec(), forward.vec())).value_or(forward);
+  }
+
+  Vec<S, 3> position_;
+  Scaled ahead_;
+  Scaled right_;
+  Scaled up_;
+};
+
+}  // namespace detent::cli

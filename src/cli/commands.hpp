@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tracer.hpp"
+
+namespace detent::cli {
+
+/// Two scalars to run side by side.
+struct Pair {
+  std::string first;
+  std::string second;
+};
+
+struct CastOptions {
+  std::string scene;
+  std::string scalar = "q16_16";
+  std::optional<Pair> compare;
+  std::string out;  // empty for standard output
+};
+
+struct RenderOptions {
+  std::string input;  // a scene, or a model when its name ends in .obj
+  std::string out;
+  std::string scalar = "q16_16";
+  std::optional<Pair> compare;
+  Size size{640, 360};
+  Move offset;
+  std::optional<double> scale;  // of a model
+  int threads = 0;
+};
+
+struct DemoOptions {
+  std::string directory = "build/demo";
+  Size size{480, 300};
+  int threads = 0;
+};
+
+/// Each does what its subcommand says (docs/tool.md) and throws InputError when it cannot.
+void cast(const CastOptions& options);
+void render(const RenderOptions& options);
+void demo(const DemoOptions& options);
+
+/// Writes to standard output and makes sure that it arrived.
+void print(const std::string& text);
+
+/// "0x0123456789abcdef"
+[[nodiscard]] std::string hexadecimal(std::uint64_t value);
+
+/// `value` with this many decimals, for tables.
+[[nodiscard]] std::string rounded(double value, int decimals);
+
+}  // namespace detent::cli

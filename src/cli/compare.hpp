@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "image.hpp"
+#include "tracer.hpp"
+
+namespace detent::cli {
+
+/// Where two scalars part over the same rays.
+struct Difference {
+  std::size_t hit_or_miss = 0;  // one hits, the other does not
+  std::size_t shape = 0;        // both hit, but not the same shape
+  std::size_t distance = 0;     // the same shape, farther apart than `visible_distance`
+  double largest_distance = 0;  // between hits of the same shape
+  std::size_t largest_ray = 0;
+
+  [[nodiscard]] std::size_t disagreements() const { return hit_or_miss + shape; }
+};
+
+inline constexpr double visible_distance = 1.0 / 64;
+
+[[nodiscard]] Difference compare(const Tracer& a, const Tracer& b);
+
+/// A dark copy of `picture` with the pixels marked on which the answers differ: bright where it is
+/// hit or miss or which shape, dimmer where it is a distance by more than `visible_distance`.
+[[nodiscard]] Image difference_picture(const Image& picture, const Tracer& a, const Tracer& b);
+
+/// A row of pictures of one size, each below its caption.
+struct Panel {
+  Image image;
+  std::string caption;
+};
+[[nodiscard]] Image panel_row(const std::vector<Panel>& panels);
+
+/// Rows of one width, one below the other.
+[[nodiscard]] Image stacked(const std::vector<Image>& rows);
+
+}  // namespace detent::cli

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "commands.hpp"
+#include "compare.hpp"
+#include "embedded.hpp"
+#include "file.hpp"
+#include "scene_reader.hpp"
+
+namespace detent::cli {
+namespace {
+
+constexpr const char* far_away = "28000";
+
+/// One place and one scalar: a picture, and a line of the table.
+struct Run {
+  std::string place;
+  std::unique_ptr<Tracer> tracer;
+  Image picture{0, 0};
+  std::size_t wrong = 0;
+};
+
+std::string row(const std::array<std::string, 7>& cells) {
+  static constexpr std::array<std::size_t, 7> widths{9, 9, 10, 10, 10, 10, 21};
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::string space(widths[i] - std::min(widths[i], cells[i].size()), ' ');
+    line += i < 2 ? cells[i] + space : space + cells[i];
+  }
+  return line + '\n';
+}
+
+void make_directory(const std::string& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error || !std::filesystem::is_directory(directory)) {
+    throw InputError(directory, {}, "cannot be made a directory; choose another with --out");
+  }
+}
+
+}  // namespace
+
+void demo(const DemoOptions& options) {
+  make_directory(options.directory);
+  const std::string path = (std::filesystem::path(options.directory) / "demo.png").string();
+  OutputFile file(path);
+  const Scene scene = parse_scene("arena.json", std::string(arena_json));
+  const Decimal distance = Decimal::parse(far_away).value();
+
+  std::vector<Run> runs;
+  for (const bool is_far : {false, true}) {
+    const Move move = is_far ? Move{{distance, distance, distance}} : Move{};
+    for (const char* const scalar : {"q16_16", "float"}) {
+      Run run{is_far ? "far" : "near", make_tracer(scalar, scene, move)};
+      const std::string what = ' ' + run.place + ' ' + scalar;
+      run.tracer->aim_camera(options.size);
+      run.tracer->cast({options.threads, "casting" + what});
+      run.picture = run.tracer->picture({options.threads, "shading" + what});
+      const auto wrong = run.tracer->judge({options.threads, "checking" + what});
+      run.wrong = static_cast<std::size_t>(std::count(wrong.begin(), wrong.end(), true));
+      runs.push_back(std::move(run));
+    }
+  }
+  const auto times = time_per_ray({runs[0].tracer.get(), runs[1].tracer.get(),
+                                   runs[2].tracer.get(), runs[3].tracer.get()});
+
+  std::vector<Image> rows;
+  std::string text = row({"place", "scalar", "rays", "hits", "wrong", "ns/ray", "digest"});
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Tracer& tracer = *runs[i].tracer;
+    const auto found = tracer.found();
+    const auto hits = std::count_if(found.begin(), found.end(), [](auto& f) { return f.has_value(); });
+    text += row({runs[i].place, std::string(tracer.scalar()), std::to_string(tracer.ray_count()),
+                 std::to_string(hits), std::to_string(runs[i].wrong), rounded(times[i], 0),
+                 hexadecimal(tracer.digest())});
+  }
+  for (std::size_t i = 0; i < runs.size(); i += 2) {
+    const Run& exact = runs[i];
+    const Run& rough = runs[i + 1];
+    const std::string place = i == 0 ? "near the origin" : std::string("moved by ") + far_away;
+    const Difference difference = compare(*exact.tracer, *rough.tracer);
+    rows.push_back(panel_row(
+        {{exact.picture, "q16_16, " + place},
+         {rough.picture, "float, " + place},
+         {difference_picture(exact.picture, *exact.tracer, *rough.tracer),
+          "red: shape differs at " + std::to_string(difference.disagreements()) + " pixels"}}));
+  }
+  file.write(stacked(rows).png());
+  file.commit();
+
+  text += "\nplace:  near the origin, or with every coordinate moved by " + std::string(far_away) +
+          "\nwrong:  answers that exact arithmetic on the same inputs contradicts (every ray checked)"
+          "\npicture: " + path + '\n';
+  print(text);
+}
+
+}  // namespace detent::cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace detent::cli {
+
+/// A position in a text file, from 1; line 0 means that the file as a whole is meant.
+struct Place {
+  int line = 0;
+  int column = 0;
+};
+
+/// What was wrong with the input or the command, and what the user can do about it.
+///
+/// The text is a complete line: "FILE:LINE:COLUMN: what is wrong; remedy". Everything that can go
+/// wrong for a reason outside the program ends here, and `main` prints it and exits with 2.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+
+  InputError(std::string_view file, Place place, std::string_view what);
+};
+
+/// `text` on one line and free of control characters, so that no input can forge a second line.
+[[nodiscard]] std::string one_line(std::string_view text);
+
+}  // namespace detent::cli

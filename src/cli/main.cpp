@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "commands.hpp"
+#include "error.hpp"
+#include "numbers.hpp"
+
+namespace detent::cli {
+namespace {
+
+constexpr int bad_input = 2;
+
+std::string all_scalars() {
+  std::string text;
+  for (const std::string_view name : scalar_names) {
+    text.append(text.empty() ? "" : ", ").append(name);
+  }
+  return text;
+}
+
+std::string checked_scalar(const std::string& flag, const std::string& name) {
+  for (const std::string_view known : scalar_names) {
+    if (name == known) return name;
+  }
+  throw InputError(flag + ": there is no scalar \"" + name + "\"; choose from " + all_scalars());
+}
+
+/// "A,B", or "B" beside the scalar that --scalar names.
+Pair parse_pair(const std::string& text, const std::string& scalar) {
+  const auto comma = text.find(',');
+  if (comma == std::string::npos) return {scalar, checked_scalar("--compare", text)};
+  return {checked_scalar("--compare", text.substr(0, comma)),
+          checked_scalar("--compare", text.substr(comma + 1))};
+}
+
+Size parse_size(const std::string& text) {
+  Size size{};
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
+    const auto height = std::from_chars(width.ptr + 1, end, size.height);
+    const bool valid = height.ec == std::errc() && height.ptr == end && size.width > 0 &&
+                       size.height > 0 && size.width < largest_image &&
+                       size.height < largest_image - size.width;
+    if (valid) return size;
+  }
+  throw InputError("--size: \"" + text + "\" is not WIDTHxHEIGHT with a sum below " +
+                   std::to_string(largest_image) + "; write, for example, 640x360");
+}
+
+Move parse_move(const std::string& text) {
+  Move move;
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t comma = i < 2 ? text.find(',', start) : text.size();
+    const auto value = comma == std::string::npos
+                           ? std::nullopt
+                           : Decimal::parse(std::string_view(text).substr(start, comma - start));
+    if (!value) {
+      throw InputError("--offset: \"" + text + "\" is not three numbers; write, for example, " +
+                       "28000,0,-28000");
+    }
+    move.by[i] = *value;
+    start = comma + 1;
+  }
+  return move;
+}
+
+/// The command line, as text until all of it has been read.
+struct Arguments {
+  CastOptions cast;
+  RenderOptions render;
+  DemoOptions demo;
+  std::string compare;
+  std::string size = "640x360";
+  std::string offset = "0,0,0";
+  double scale = 0;
+};
+
+void add_cast(CLI::App& app, Arguments& arguments) {
+  CLI::App* const command = app.add_subcommand("cast", "Answer the rays of a scene");
+  command->add_option("scene", arguments.cast.scene, "A scene in JSON")->required();
+  command->add_option("--scalar", arguments.cast.scalar, all_scalars())->capture_default_str();
+  command->add_option("--compare", arguments.compare,
+                      "Report on two scalars, A,B or B beside --scalar, instead of the answers");
+  command->add_option("-o,--out", arguments.cast.out, "Write to this file, not to standard output");
+  command->final_callback([&] {
+    CastOptions& options = arguments.cast;
+    options.scalar = checked_scalar("--scalar", options.scalar);
+    if (!arguments.compare.empty()) {
+      options.compare = parse_pair(arguments.compare, options.scalar);
+    }
+    cast(options);
+  });
+}
+
+void add_render(CLI::App& app, Arguments& arguments) {
+  CLI::App* const command = app.add_subcommand("render", "Draw a scene or an OBJ model");
+  command->add_option("input", arguments.render.input, "A scene in JSON or a model in OBJ")
+      ->required();
+  command->add_option("-o,--out", arguments.render.out, "The PNG file to write")->required();
+  command->add_option("--size", arguments.size, "In pixels")->capture_default_str();
+  command->add_option("--scalar", arguments.render.scalar, all_scalars())->capture_default_str();
+  CLI::Option* const compare =
+      command
+          ->add_option("--compare", arguments.compare,
+                       "Draw two scalars, A,B or B beside --scalar (float if none is named), and "
+                       "where they differ")
+          ->expected(0, 1)
+          ->default_str("float");
+  command->add_option("--offset", arguments.offset, "Move the scene and its camera by X,Y,Z")
+      ->capture_default_str();
+  CLI::Option* const scale = command->add_option(
+      "--scale", arguments.scale, "Scale of an OBJ model (without: its longest side is 20 units)");
+  command->add_option("--threads", arguments.render.threads, "0 for all of the machine's")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1024));
+  command->final_callback([&arguments, compare, scale] {
+    RenderOptions& options = arguments.render;
+    options.scalar = checked_scalar("--scalar", options.scalar);
+    if (compare->count() > 0) {
+      options.compare =
+          parse_pair(arguments.compare.empty() ? "float" : arguments.compare, options.scalar);
+    }
+    options.size = parse_size(arguments.size);
+    options.offset = parse_move(arguments.offset);
+    if (scale->count() > 0) {
+      if (!(arguments.scale > 0 && arguments.scale < 1e9)) {
+        throw InputError("--scale: must be more than 0 and less than 1e9; 1 keeps the model's size");
+      }
+      options.scale = arguments.scale;
+    }
+    render(options);
+  });
+}
+
+void add_demo(CLI::App& app, Arguments& arguments) {
+  CLI::App* const command =
+      app.add_subcommand("demo", "Draw the arena near and far from the origin, and count errors");
+  command->add_option("-o,--out", arguments.demo.directory, "The directory to write demo.png to")
+      ->capture_default_str();
+  command->add_option("--threads", arguments.demo.threads, "0 for all of the machine's")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1024));
+  command->final_callback([&] { demo(arguments.demo); });
+}
+
+int run(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("detent: correctly rounded ray casts in fixed point", "detent");
+  app.set_version_flag("--version", DETENT_TOOL_VERSION);
+  app.require_subcommand(1);
+  add_cast(app, arguments);
+  add_render(app, arguments);
+  add_demo(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);  // --help, --version
+  } catch (const CLI::ParseError& error) {
+    throw InputError(std::string(error.what()) + "; detent --help lists what there is");
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace detent::cli
+
+int main(int argc, char** argv) {
+  try {
+    return detent::cli::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "detent: %s\n", detent::cli::one_line(error.what()).c_str());
+    return detent::cli::bad_input;
+  }
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <concepts>
+#include <string>
+#include <string_view>
+
+#include "detent/detent.hpp"
+
+// What the tool asks of a scalar beyond arithmetic: a name, a range, text. Here, and only here, it
+// tells the scalars apart.
+
+namespace detent::cli {
+
+inline constexpr std::array<std::string_view, 6> scalar_names{"q16_16", "q14_16", "q24_8",
+                                                              "q8_8",   "float",  "double"};
+
+template <Scalar S>
+inline constexpr std::string_view scalar_name;
+template <>
+inline constexpr std::string_view scalar_name<q16_16> = scalar_names[0];
+template <>
+inline constexpr std::string_view scalar_name<q14_16> = scalar_names[1];
+template <>
+inline constexpr std::string_view scalar_name<q24_8> = scalar_names[2];
+template <>
+inline constexpr std::string_view scalar_name<q8_8> = scalar_names[3];
+template <>
+inline constexpr std::string_view scalar_name<float> = scalar_names[4];
+template <>
+inline constexpr std::string_view scalar_name<double> = scalar_names[5];
+
+/// The exact decimal of a `Fixed`; of a float the shortest decimal that reads back as it.
+template <Number T>
+[[nodiscard]] std::string text_of(const T& value) {
+  if constexpr (is_fixed<T>) {
+    return to_string(value);
+  } else {
+    if (!std::isfinite(value)) return "null";  // JSON has no word for it
+    std::array<char, 32> buffer{};
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), result.ptr};
+  }
+}
+
+/// "-32768 to 32767.9999847412109375"
+template <Scalar S>
+[[nodiscard]] std::string range_of() {
+  if constexpr (is_fixed<S>) {
+    return to_string(S::lowest()) + " to " + to_string(S::max());
+  } else {
+    return text_of(-largest<S>) + " to " + text_of(largest<S>);
+  }
+}
+
+/// 1/256, the smallest step that every scalar of the tool can make.
+template <Scalar S>
+[[nodiscard]] constexpr S common_step() {
+  if constexpr (is_fixed<S>) {
+    return nearest_to<S>(Fixed<8, 8>::from_raw(1));
+  } else {
+    return S(1) / S(256);
+  }
+}
+
+}  // namespace detent::cli

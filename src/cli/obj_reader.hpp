@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scene.hpp"
+
+namespace detent::cli {
+
+/// The triangles of a Wavefront OBJ file, its box centred at the origin and scaled by `scale`, or
+/// without one so that its longest side becomes 20 units; throws InputError.
+[[nodiscard]] MeshModel read_obj(const std::string& file, std::optional<double> scale);
+
+}  // namespace detent::cli

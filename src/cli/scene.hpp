@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "decimal.hpp"
+#include "error.hpp"
+
+namespace detent::cli {
+
+/// A number as the file says it, and where: it becomes a scalar only in world.hpp.
+struct Literal {
+  Decimal value;
+  Place place;
+};
+
+using Point = std::array<Literal, 3>;
+
+struct Colour {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+
+  friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+/// Turn about `axis`, or about world x, then y, then z; angles in degrees.
+struct AxisAngle {
+  Point axis;
+  Literal angle;
+};
+struct EulerAngles {
+  Point angles;
+};
+using Turn = std::variant<std::monostate, AxisAngle, EulerAngles>;
+
+struct SphereModel {
+  Point center;
+  Literal radius;
+};
+struct AabbModel {
+  Point min;
+  Point max;
+};
+struct ObbModel {
+  Point center;
+  Point half_extents;
+  Turn rotation;
+};
+struct PlaneModel {
+  Point normal;
+  Literal offset;
+};
+struct TriangleModel {
+  Point a;
+  Point b;
+  Point c;
+};
+
+/// Vertices are relative to the middle of the model's bounding box, already scaled.
+struct MeshModel {
+  Point position;
+  std::vector<std::array<double, 3>> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+struct ShapeModel {
+  std::optional<std::string> id;
+  Colour colour;
+  Place place;
+  std::variant<SphereModel, AabbModel, ObbModel, PlaneModel, TriangleModel, MeshModel> form;
+};
+
+struct RayModel {
+  std::optional<std::string> id;
+  Place place;
+  Point origin;
+  Point direction;
+  std::optional<Literal> max_distance;
+};
+
+struct CameraModel {
+  Place place;
+  Point position;
+  Point target;
+  Point up;
+  Literal field_of_view;  // vertical, in degrees
+};
+
+struct Scene {
+  std::string file;
+  std::optional<CameraModel> camera;
+  Point light;  // from the scene towards the light
+  std::vector<ShapeModel> shapes;
+  std::vector<RayModel> rays;
+};
+
+/// The point with these decimals.
+[[nodiscard]] Point point_of(const char* x, const char* y, const char* z);
+
+/// The name under which answers mention a shape or a ray: its id, or its number from 0.
+[[nodiscard]] std::string name_of(const std::optional<std::string>& id, std::size_t index);
+
+/// A colour for a shape that does not name one.
+[[nodiscard]] Colour default_colour(std::size_t index);
+
+}  // namespace detent::cli

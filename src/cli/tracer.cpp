@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "tracer.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "oracle_world.hpp"
+#include "shade.hpp"
+
+namespace detent::cli {
+namespace {
+
+template <class T>
+std::string json_array(const Vec<T, 3>& v) {
+  return '[' + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ']';
+}
+
+/// A string id in quotes, a number from 0 without.
+std::string json_name(const std::optional<std::string>& id, std::size_t index) {
+  return id ? nlohmann::json(*id).dump() : std::to_string(index);
+}
+
+template <Scalar S>
+class ScalarTracer final : public Tracer {
+ public:
+  ScalarTracer(const Scene& scene, const Move& move)
+      : scene_(scene),
+        move_(move),
+        world_(WorldBuilder<S>(scene, move_).world()),
+        rays_(WorldBuilder<S>(scene, move_).rays()) {}
+
+  std::string_view scalar() const override { return scalar_name<S>; }
+  std::size_t ray_count() const override { return rays_.size(); }
+
+  void aim_camera(Size size) override {
+    size_ = size;
+    const Camera<S> camera = WorldBuilder<S>(scene_, move_).camera();
+    rays_.clear();
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        rays_.push_back(camera.ray(x, y, size.width, size.height));
+      }
+    }
+  }
+
+  void cast(const Workers& workers) override {
+    answers_.assign(rays_.size(), std::nullopt);
+    for_each_ray(workers, [&](std::size_t i) { answers_[i] = nearest(world_, rays_[i]); });
+  }
+
+  std::vector<std::optional<Found>> found() const override {
+    std::vector<std::optional<Found>> all;
+    all.reserve(answers_.size());
+    for (const auto& answer : answers_) {
+      all.push_back(answer ? std::optional(Found{answer->shape,
+                                                 static_cast<double>(answer->hit.distance)})
+                           : std::nullopt);
+    }
+    return all;
+  }
+
+  std::uint64_t digest() const override {
+    Digest digest;
+    for (const auto& answer : answers_) {
+      digest.add(answer.has_value());
+      if (!answer) continue;
+      const auto& [distance, point, normal] = answer->hit;
+      digest.add(static_cast<std::uint32_t>(answer->shape), distance, point.x, point.y, point.z,
+                 normal[0], normal[1], normal[2]);
+    }
+    return digest.value();
+  }
+
+  std::string json_lines() const override {
+    std::string lines;
+    for (std::size_t i = 0; i < answers_.size(); ++i) {
+      lines += "{\"ray\": " + json_name(scene_.rays[i].id, i) + ", \"hit\": ";
+      if (const auto& answer = answers_[i]) {
+        const auto& [distance, point, normal] = answer->hit;
+        lines += json_name(scene_.shapes[answer->shape].id, answer->shape) +
+                 ", \"distance\": " + text_of(distance) + ", \"point\": " + json_array(point) +
+                 ", \"normal\": " + json_array(normal.vec()) + "}\n";
+      } else {
+        lines += "null}\n";
+      }
+    }
+    return lines;
+  }
+
+  Image picture(const Workers& workers) const override {
+    Image image(size_.width, size_.height);
+    const Shader<S> shader(world_, scene_.shapes, WorldBuilder<S>(scene_, move_).light());
+    for_each_ray(workers, [&](std::size_t i) {
+      const auto width = static_cast<std::size_t>(size_.width);
+      image.at(static_cast<int>(i % width), static_cast<int>(i / width)) =
+          answers_[i] ? shader.surface(*answers_[i]) : shader.sky(rays_[i]);
+    });
+    return image;
+  }
+
+  std::vector<bool> judge(const Workers& workers) const override {
+    const oracle::Scene exact = oracle::exact(world_);
+    std::vector<char> wrong(rays_.size());  // not bool: threads write to neighbours
+    for_each_ray(workers, [&](std::size_t i) {
+      wrong[i] = is_wrong(answers_[i], oracle::meetings(exact, oracle::exact(rays_[i]))) ? 1 : 0;
+    });
+    return {wrong.begin(), wrong.end()};
+  }
+
+  void repeat(std::size_t stride) const override {
+    std::size_t hits = 0;
+    for (std::size_t i = 0; i < rays_.size(); i += stride) {
+      hits += nearest(world_, rays_[i]) ? 1 : 0;
+    }
+    static std::atomic<std::size_t> sink;  // so that the answers are needed
+    sink = hits;
+  }
+
+ private:
+  static bool is_wrong(const std::optional<Answer<S>>& answer,
+                       const std::vector<oracle::Meeting>& meetings) {
+    if (!answer || meetings.empty()) return answer.has_value() != !meetings.empty();
+    const oracle::Meeting* chosen = nullptr;
+    const oracle::Meeting* nearest = &meetings.front();
+    for (const oracle::Meeting& meeting : meetings) {
+      if (meeting.shape == answer->shape) chosen = &meeting;
+      if (meeting.distance < nearest->distance) nearest = &meeting;
+    }
+    constexpr auto tolerance = std::int64_t{1} << (oracle::distance_frac - 16);
+    return !chosen || chosen->distance - nearest->distance > tolerance;
+  }
+
+  /// In runs that are long enough for a thread to be worth it.
+  template <class Work>
+  void for_each_ray(const Workers& workers, const Work& work) const {
+    constexpr std::size_t run = 256;
+    const auto runs = static_cast<int>((rays_.size() + run - 1) / run);
+    for_each_index(workers, runs, [&](int index) {
+      const std::size_t begin = static_cast<std::size_t>(index) * run;
+      for (std::size_t i = begin; i < std::min(begin + run, rays_.size()); ++i) work(i);
+    });
+  }
+
+  const Scene& scene_;
+  Move move_;
+  World<S> world_;
+  std::vector<Ray<S, 3>> rays_;
+  std::vector<std::optional<Answer<S>>> answers_;
+  Size size_{};
+};
+
+template <Scalar S>
+std::unique_ptr<Tracer> make(const Scene& scene, const Move& move) {
+  return std::make_unique<ScalarTracer<S>>(scene, move);
+}
+
+}  // namespace
+
+std::unique_ptr<Tracer> make_tracer(std::string_view scalar, const Scene& scene,
+                                    const Move& move) {
+  using Maker = std::unique_ptr<Tracer> (*)(const Scene&, const Move&);
+  static constexpr std::array<Maker, scalar_names.size()> makers{
+      make<q16_16>, make<q14_16>, make<q24_8>, make<q8_8>, make<float>, make<double>};
+  const auto at = std::find(scalar_names.begin(), scalar_names.end(), scalar);
+  if (at == scalar_names.end()) throw std::invalid_argument("no scalar of this name");
+  return makers[static_cast<std::size_t>(at - scalar_names.begin())](scene, move);
+}
+
+std::vector<double> time_per_ray(const std::vector<const Tracer*>& tracers) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::size_t batches = 15;
+  constexpr std::size_t most_rays = 4096;  // in a batch
+  constexpr auto shortest = std::chrono::milliseconds(2);
+
+  struct Lane {
+    std::size_t stride;
+    double rays;
+    int repeats = 1;
+    std::vector<double> nanoseconds{};
+  };
+  const auto seconds_of = [](const Tracer& tracer, const Lane& lane) {
+    const auto start = Clock::now();
+    for (int i = 0; i < lane.repeats; ++i) tracer.repeat(lane.stride);
+    return Clock::now() - start;
+  };
+
+  std::vector<Lane> lanes;
+  for (const Tracer* const tracer : tracers) {
+    const std::size_t count = std::max<std::size_t>(tracer->ray_count(), 1);
+    const std::size_t stride = (count + most_rays - 1) / most_rays;
+    Lane lane{stride, static_cast<double>((count + stride - 1) / stride)};
+    while (seconds_of(*tracer, lane) < shortest && lane.repeats < (1 << 20)) lane.repeats *= 2;
+    lanes.push_back(std::move(lane));
+  }
+  for (std::size_t batch = 0; batch < batches; ++batch) {
+    for (std::size_t i = 0; i < lanes.size(); ++i) {
+      const std::chrono::duration<double, std::nano> time = seconds_of(*tracers[i], lanes[i]);
+      lanes[i].nanoseconds.push_back(time.count() / (lanes[i].rays * lanes[i].repeats));
+    }
+  }
+  std::vector<double> medians;
+  for (Lane& lane : lanes) {
+    const auto middle = lane.nanoseconds.begin() + batches / 2;
+    std::nth_element(lane.nanoseconds.begin(), middle, lane.nanoseconds.end());
+    medians.push_back(*middle);
+  }
+  return medians;
+}
+
+}  // namespace detent::cli

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "image.hpp"
+#include "scene.hpp"
+#include "workers.hpp"
+#include "world_builder.hpp"
+
+namespace detent::cli {
+
+/// An answer as far as scalars can be compared: which shape, and how far. Every scalar's distance
+/// is a double exactly.
+struct Found {
+  std::size_t shape;
+  double distance;
+};
+
+struct Size {
+  int width;
+  int height;
+};
+
+/// A scene in one scalar, with its rays and their answers.
+///
+/// Behind this interface is one template for all scalars (tracer.cpp); the commands that use it
+/// need not know which.
+class Tracer {
+ public:
+  virtual ~Tracer() = default;
+
+  [[nodiscard]] virtual std::string_view scalar() const = 0;
+  [[nodiscard]] virtual std::size_t ray_count() const = 0;
+
+  /// Replaces the rays of the scene by those of its camera, row by row.
+  virtual void aim_camera(Size size) = 0;
+
+  /// Answers every ray. The functions below report on these answers.
+  virtual void cast(const Workers& workers) = 0;
+
+  [[nodiscard]] virtual std::vector<std::optional<Found>> found() const = 0;
+  [[nodiscard]] virtual std::uint64_t digest() const = 0;
+
+  /// A line of JSON for each ray.
+  [[nodiscard]] virtual std::string json_lines() const = 0;
+
+  /// The picture that the rays of the camera make.
+  [[nodiscard]] virtual Image picture(const Workers& workers) const = 0;
+
+  /// For each ray whether its answer is wrong by exact arithmetic on the same inputs: a hit that
+  /// is none, a missed one, or a shape that lies more than 1/65536 behind the nearest.
+  [[nodiscard]] virtual std::vector<bool> judge(const Workers& workers) const = 0;
+
+  /// Answers every `stride`-th ray once more, for the clock.
+  virtual void repeat(std::size_t stride) const = 0;
+};
+
+/// Throws InputError when a number of the scene does not fit the scalar.
+[[nodiscard]] std::unique_ptr<Tracer> make_tracer(std::string_view scalar, const Scene& scene,
+                                                  const Move& move = {});
+
+/// Nanoseconds per ray for each tracer: medians over batches that take turns, so that whatever
+/// else the machine does meets all of them.
+[[nodiscard]] std::vector<double> time_per_ray(const std::vector<const Tracer*>& tracers);
+
+}  // namespace detent::cli

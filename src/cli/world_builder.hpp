@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "camera.hpp"
+#include "numbers.hpp"
+#include "scene.hpp"
+#include "world.hpp"
+
+namespace detent::cli {
+
+/// How far a scene is moved before its numbers become scalars; exact decimals, 0 to stay.
+struct Move {
+  std::array<Decimal, 3> by;
+
+  [[nodiscard]] bool is_zero() const {
+    return by[0].is_zero() && by[1].is_zero() && by[2].is_zero();
+  }
+};
+
+/// Turns the numbers of a scene into a scalar's, each rounded once; throws InputError where one is
+/// out of the scalar's range.
+template <Scalar S>
+class WorldBuilder {
+ public:
+  WorldBuilder(const Scene& scene, const Move& move) : scene_(scene), move_(move) {}
+
+  [[nodiscard]] World<S> world() const {
+    World<S> world;
+    world.shapes.reserve(scene_.shapes.size());
+    for (const ShapeModel& model : scene_.shapes) {
+      std::visit([&](const auto& form) { world.shapes.emplace_back(shape(form, model)); },
+                 model.form);
+    }
+    return world;
+  }
+
+  [[nodiscard]] std::vector<Ray<S, 3>> rays() const {
+    std::vector<Ray<S, 3>> rays;
+    rays.reserve(scene_.rays.size());
+    for (const RayModel& model : scene_.rays) {
+      Ray<S, 3> ray{position(model.origin, "origin"), direction(model.direction)};
+      if (model.max_distance) ray.max_distance = length(*model.max_distance, "max_distance");
+      rays.push_back(ray);
+    }
+    return rays;
+  }
+
+  [[nodiscard]] Camera<S> camera() const {
+    if (!scene_.camera) {
+      fail({}, "the scene has no \"camera\"; add one with a position and a target");
+    }
+    const CameraModel& model = *scene_.camera;
+    // The view is taken from the decimals, before the positions are rounded.
+    Point view;
+    for (std::size_t i = 0; i < 3; ++i) {
+      view[i].value = model.target[i].value - model.position[i].value;
+    }
+    const auto forward = detent::direction_of<S>(vector(view));
+    if (!forward) fail(model.place, "position and target are the same point; move one of them");
+    const auto right = detent::direction_of<S>(cross(forward->vec(), vector(model.up)));
+    if (!right) fail(model.place, "the camera looks along its up vector; choose another up");
+    const Decimal degrees = model.field_of_view.value;
+    const Decimal half = (degrees + degrees + degrees + degrees + degrees).scaled(-1);
+    return Camera<S>(position(model.position, "position"), *forward, *right,
+                     angle({half, model.field_of_view.place}, "field_of_view"));
+  }
+
+  [[nodiscard]] Direction<S, 3> light() const { return direction(scene_.light); }
+
+ private:
+  /// Vectors of which only the direction counts are read in this type, scaled by a power of ten so
+  /// that it has room for at least 17 of their digits.
+  using Component = std::conditional_t<is_fixed<S>, Fixed<62, 31>, S>;
+  /// A full turn of degrees is out of range for the smallest scalar.
+  using Degrees = std::conditional_t<is_fixed<S>, q16_16, S>;
+
+  [[noreturn]] void fail(Place place, const std::string& what) const {
+    throw InputError(scene_.file, place, what);
+  }
+
+  template <Scalar T = S>
+  T scalar(const Decimal& value, Place place, const std::string& name) const {
+    if (const auto result = value.to<T>()) return *result;
+    std::string text = value.text();
+    if (text.size() > 24) text = text.substr(0, 24) + "...";
+    fail(place, name + " = " + text + (move_.is_zero() ? "" : " (after the move)") +
+                    " is out of range for " + std::string(scalar_name<T>) + " (" + range_of<T>() +
+                    "); use a smaller number or a wider scalar");
+  }
+
+  S length(const Literal& number, const std::string& name) const {
+    return scalar(number.value, number.place, name);
+  }
+
+  Vec<S, 3> lengths(const Point& point, const std::string& name) const {
+    return {length(point[0], name), length(point[1], name), length(point[2], name)};
+  }
+
+  Vec<S, 3> position(const Point& point, const std::string& name) const {
+    const auto moved = [&](std::size_t i) {
+      return scalar(point[i].value + move_.by[i], point[i].place, name);
+    };
+    return {moved(0), moved(1), moved(2)};
+  }
+
+  static Vec<Component, 3> vector(const Point& point) {
+    constexpr int whole_digits = 9;  // 10^9 < 2^31
+    int magnitude = -3 * Decimal::max_length;
+    for (const Literal& number : point) {
+      if (!number.value.is_zero()) magnitude = std::max(magnitude, number.value.magnitude());
+    }
+    const auto component = [&](std::size_t i) {
+      return point[i].value.scaled(whole_digits - magnitude).template to<Component>().value();
+    };
+    return {component(0), component(1), component(2)};
+  }
+
+  /// Of a vector that the reader has found not to be zero.
+  static Direction<S, 3> direction(const Point& point) {
+    return detent::direction_of<S>(vector(point)).value();
+  }
+
+  Angle<S> angle(const Literal& degrees, const std::string& name) const {
+    const auto value = scalar<Degrees>(degrees.value, degrees.place, name);
+    return Angle<S>::from_raw(Angle<Degrees>::from_degrees(value).raw());
+  }
+
+  Rotation<S, 3> rotation(const Turn& turn) const {
+    if (const auto* const axis_angle = std::get_if<AxisAngle>(&turn)) {
+      return Rotation<S, 3>::from_axis_angle(direction(axis_angle->axis),
+                                             angle(axis_angle->angle, "angle"));
+    }
+    if (const auto* const euler = std::get_if<EulerAngles>(&turn)) {
+      return Rotation<S, 3>::from_euler(angle(euler->angles[0], "euler"),
+                                        angle(euler->angles[1], "euler"),
+                                        angle(euler->angles[2], "euler"));
+    }
+    return {};
+  }
+
+  Sphere<S, 3> shape(const SphereModel& model, const ShapeModel&) const {
+    return {position(model.center, "center"), length(model.radius, "radius")};
+  }
+
+  Aabb<S, 3> shape(const AabbModel& model, const ShapeModel&) const {
+    return {position(model.min, "min"), position(model.max, "max")};
+  }
+
+  Obb<S, 3> shape(const ObbModel& model, const ShapeModel&) const {
+    return {position(model.center, "center"), lengths(model.half_extents, "half_extents"),
+            rotation(model.rotation)};
+  }
+
+  Plane<S, 3> shape(const PlaneModel& model, const ShapeModel&) const {
+    const Direction<S, 3> normal = direction(model.normal);
+    const S offset = length(model.offset, "offset");
+    if (move_.is_zero()) return {normal, offset};
+    const Point origin = point_of("0", "0", "0");
+    const auto moved = offset + dot(normal, position(origin, "the move"));
+    if (moved > largest<S> || moved < -largest<S>) {
+      fail(model.offset.place, "offset of the moved plane is out of range for " +
+                                   std::string(scalar_name<S>) + " (" + range_of<S>() +
+                                   "); move it less far or use a wider scalar");
+    }
+    return {normal, nearest_to<S>(moved)};
+  }
+
+  Triangle<S, 3> shape(const TriangleModel& model, const ShapeModel&) const {
+    return {position(model.a, "a"), position(model.b, "b"), position(model.c, "c")};
+  }
+
+  Mesh<S> shape(const MeshModel& model, const ShapeModel& owner) const {
+    std::array<double, 3> middle{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      middle[i] = (model.position[i].value + move_.by[i]).to<double>().value_or(1e300);
+    }
+    const auto limit = static_cast<double>(largest<S>);
+    const auto coordinate = [&](double relative, std::size_t i) {
+      const double value = middle[i] + relative;
+      if (!(value <= limit && value >= -limit)) {
+        fail(owner.place, "the mesh reaches out of the range of " + std::string(scalar_name<S>) +
+                              " (" + range_of<S>() + "); scale or place it differently");
+      }
+      if constexpr (is_fixed<S>) {
+        return S::from_double(value);
+      } else {
+        return static_cast<S>(value);
+      }
+    };
+    std::vector<Vec<S, 3>> vertices;
+    vertices.reserve(model.vertices.size());
+    for (const auto& v : model.vertices) {
+      vertices.push_back({coordinate(v[0], 0), coordinate(v[1], 1), coordinate(v[2], 2)});
+    }
+    std::vector<Triangle<S, 3>> triangles;
+    triangles.reserve(model.triangles.size());
+    for (const auto& [a, b, c] : model.triangles) {
+      triangles.push_back({vertices[a], vertices[b], vertices[c]});
+    }
+    return Mesh<S>(std::move(triangles));
+  }
+
+  const Scene& scene_;
+  const Move& move_;
+};
+
+}  // namespace detent::cli
