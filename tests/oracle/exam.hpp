@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "detent/query/raycast.hpp"
+#include "oracle/draw.hpp"
+#include "oracle/ray_box.hpp"
+#include "oracle/ray_plane.hpp"
+#include "oracle/ray_sphere.hpp"
+#include "oracle/ray_triangle.hpp"
+#include "support/catch.hpp"
+
+namespace detent::oracle {
+
+/// A scalar and a dimension, so that test names show both.
+template <Scalar S, int N>
+struct Space {
+  using scalar = S;
+  static constexpr int dimension = N;
+};
+
+template <Scalar S, int N>
+std::string text(const Vec<S, N>& v) {
+  Raw<N> components{};
+  for (int i = 0; i < N; ++i) components[static_cast<std::size_t>(i)] = v[i].raw();
+  return text(components);
+}
+template <Scalar S, int N>
+std::string text(const Ray<S, N>& ray) {
+  return "ray " + text(ray.origin) + " direction " + text(raw(ray.direction)) + " max_distance " +
+         raw(ray.max_distance).str();
+}
+template <Scalar S, int N>
+std::string text(const Sphere<S, N>& sphere) {
+  return "sphere " + text(sphere.center) + " radius " + raw(sphere.radius).str();
+}
+template <Scalar S, int N>
+std::string text(const Aabb<S, N>& box) {
+  return "aabb " + text(box.min) + " " + text(box.max);
+}
+template <Scalar S, int N>
+std::string text(const Obb<S, N>& box) {
+  auto out = "obb " + text(box.center) + " half_extents " + text(box.half_extents) + " axes";
+  for (int i = 0; i < N; ++i) out += " " + text(raw(box.rotation.axis(i)));
+  return out;
+}
+template <Scalar S, int N>
+std::string text(const Plane<S, N>& plane) {
+  return "plane " + text(raw(plane.normal)) + " offset " + raw(plane.offset).str();
+}
+template <Scalar S, int N>
+std::string text(const Triangle<S, N>& triangle) {
+  return "triangle " + text(triangle.a) + " " + text(triangle.b) + " " + text(triangle.c);
+}
+
+/// The library's answers to the three questions.
+template <Scalar S, int N, class Shape>
+Given<N> ask(const Ray<S, N>& ray, const Shape& shape) {
+  Given<N> given;
+  if (const auto distance = detent::raycast(ray, shape)) given.distance = distance->raw();
+  if (const auto hit = detent::raycast_hit(ray, shape)) {
+    given.hit = typename Given<N>::Hit{hit->distance.raw(), {}, raw(hit->normal)};
+    for (int i = 0; i < N; ++i) {
+      given.hit->point[static_cast<std::size_t>(i)] = hit->point[i].raw();
+    }
+  }
+  if (const auto interval = detent::raycast_interval(ray, shape)) {
+    given.interval.emplace(interval->enter.raw(), interval->exit.raw());
+  }
+  return given;
+}
+
+/// Puts random questions to the library and to the oracle, and keeps the first few disagreements.
+template <Scalar S, int N>
+class Exam {
+ public:
+  explicit Exam(std::uint64_t seed) : draw(seed) {}
+
+  Draw<S, N> draw;
+
+  /// `count` cases that `generate` draws as a pair of ray and shape, most followed by the same case
+  /// with the ray cut at the hit. Of the cases as drawn, at least `low` and at most `high` percent
+  /// must hit.
+  template <class Generate>
+  void family(const char* name, long count, int low, int high, Generate generate) {
+    test::HitRate rate;
+    for (long i = 0; i < count; ++i) {
+      auto [ray, shape] = generate();
+      const auto expected = expected_raycast(ray, shape);
+      rate.count(expected.hit.has_value());
+      compare(name, ray, shape, expected);
+      if (!expected.hit || draw.random.coin()) continue;
+      const auto& hit = *expected.hit;
+      const auto end = draw.random.coin() ? hit.enter : hit.exit;
+      ray.max_distance = Draw<S, N>::scalar(end + draw.random.between(-1, 1));
+      compare(name, ray, shape, expected_raycast(ray, shape));
+    }
+    INFO(draw.random << ", " << name << ": " << rate);
+    CHECK(rate.percent() >= low);
+    CHECK(rate.percent() <= high);
+    summary_ << "  " << name << ": " << rate << "\n";
+  }
+
+  /// Every disagreement so far, none being the hope; and proof that enough was asked.
+  void finish(long least) {
+    INFO(draw.random << "\n" << summary_.str() << first_mistakes_.str());
+    CHECK(asked_ >= least);
+    CHECK(wrong_ == 0);
+  }
+
+ private:
+  template <class Shape>
+  void compare(const char* name, const Ray<S, N>& ray, const Shape& shape,
+               const Expected<N>& expected) {
+    ++asked_;
+    const auto found = mistakes(expected, ask(ray, shape));
+    if (found.empty() || ++wrong_ > 5) return;
+    first_mistakes_ << name << ": " << text(ray) << "; " << text(shape) << "\n" << found;
+  }
+
+  long asked_ = 0;
+  long wrong_ = 0;
+  std::ostringstream summary_;
+  std::ostringstream first_mistakes_;
+};
+
+/// How many cases an ordinary run asks: a million where most games live, fewer elsewhere.
+template <class Space>
+inline constexpr long cases = 200'000;
+template <>
+inline constexpr long cases<Space<q16_16, 3>> = 1'000'000;
+
+/// The seeds of a run on demand: twenty rounds, which DETENT_ORACLE_SEED turns into other ones.
+inline std::array<std::uint64_t, 20> demanded_seeds() {
+  const char* text = std::getenv("DETENT_ORACLE_SEED");
+  test::Random random(text == nullptr ? 0x5eed : std::strtoull(text, nullptr, 0));
+  std::array<std::uint64_t, 20> seeds{};
+  for (auto& seed : seeds) seed = random.next();
+  return seeds;
+}
+
+}  // namespace detent::oracle

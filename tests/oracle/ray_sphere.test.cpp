@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "oracle/exam.hpp"
+
+namespace detent::oracle {
+namespace {
+
+template <Scalar S, int N>
+void examine(std::uint64_t seed, long count) {
+  Exam<S, N> exam(seed);
+  auto& draw = exam.draw;
+  auto& random = draw.random;
+  using D = Draw<S, N>;
+  const auto question = [](const Raw<N>& origin, const Direction<S, N>& direction, S max_distance,
+                           const Raw<N>& center, std::int64_t radius) {
+    return std::pair{Ray<S, N>{D::vec(origin), direction, max_distance},
+                     Sphere<S, N>{D::vec(center), D::scalar(radius)}};
+  };
+
+  exam.family("random", count * 30 / 100, 30, 70, [&] {
+    const auto scale = draw.scale();
+    const auto origin = draw.point(scale);
+    const auto center = draw.point(scale);
+    const auto radius = random.between(0, scale / 2);
+    const auto spread = N == 2 ? 2 * radius : radius + radius / 4;
+    const auto direction = draw.towards(origin, draw.near(center, spread));
+    return question(origin, direction, draw.reach(scale), center, radius);
+  });
+
+  // The radius is the distance between centre and line, to the raw unit.
+  exam.family("grazing", count * 20 / 100, 30, 70, [&] {
+    const auto scale = draw.scale();
+    const auto origin = draw.point(scale);
+    const auto center = draw.point(scale);
+    const auto direction =
+        draw.towards(origin, draw.near(center, random.one_in(8) ? 4 : random.between(0, scale)));
+    double square = 0;
+    double along = 0;
+    for (std::size_t i = 0; i < D::size; ++i) {
+      const auto apart = static_cast<double>(center[i] - origin[i]);
+      const auto d =
+          static_cast<double>(direction[static_cast<int>(i)].raw()) / static_cast<double>(D::one);
+      square += apart * apart;
+      along += apart * d;
+    }
+    const double distance = std::sqrt(std::max(0.0, square - along * along));
+    const auto radius = std::llround(distance) + random.between(-1, 1);
+    return question(origin, direction, draw.reach(scale), center, radius);
+  });
+
+  // A tangent of integers: origin, direction and the radius to the point of contact lie along the
+  // axes of an exact frame. Then one unit more and one less.
+  exam.family("tangent", count * 15 / 100, 30, 90, [&] {
+    const auto& frame = draw.frame();
+    const auto steps = std::max<std::int64_t>(
+        1, (D::limit / 4) / frame.norm >> random.below(static_cast<unsigned>(S::bits)));
+    const auto origin = draw.point(D::limit / 4);
+    const auto along = random.between(-steps / 8, steps);
+    const auto aside = random.between(0, steps);
+    const auto center = D::plus(D::plus(origin, frame.axes[0], along), frame.axes[1], aside);
+    const auto radius = aside * frame.norm + (random.coin() ? 0 : random.between(-1, 1));
+    return question(origin, D::stretched(frame.axes[0], frame.norm), draw.reach(steps), center,
+                    radius);
+  });
+
+  // On the surface exactly (or one unit off), or inside, looking anywhere.
+  exam.family("inside", count * 12 / 100, 50, 100, [&] {
+    const auto& frame = draw.frame();
+    const auto steps = std::max<std::int64_t>(
+        1, (D::limit / 4) / frame.norm >> random.below(static_cast<unsigned>(S::bits)));
+    const auto center = draw.point(D::limit / 4);
+    const auto aside = random.between(0, steps);
+    const auto origin = D::plus(center, frame.axes[0], aside);
+    const auto radius = aside * frame.norm + random.between(-1, random.coin() ? 1 : steps);
+    const auto direction = random.coin()
+                               ? draw.any_direction()
+                               : D::stretched(frame.axes[random.below(D::size)], frame.norm);
+    return question(origin, direction, draw.reach(steps), center, radius);
+  });
+
+  // Points, and spheres that are empty.
+  exam.family("degenerate", count * 6 / 100, 20, 80, [&] {
+    const auto& frame = draw.frame();
+    const auto steps = std::max<std::int64_t>(
+        1, (D::limit / 2) / frame.norm >> random.below(static_cast<unsigned>(S::bits)));
+    const auto origin = draw.point(D::limit / 2);
+    auto center = D::plus(origin, frame.axes[0], random.between(-steps / 8, steps));
+    if (random.one_in(4)) center = draw.near(center, 1);
+    const auto radius = random.one_in(4) ? -random.between(0, steps) : 0;
+    return question(origin, D::stretched(frame.axes[0], frame.norm), draw.reach(steps), center,
+                    radius);
+  });
+
+  // A few raw units of everything, where coincidences are the rule.
+  exam.family("tiny", count * 6 / 100, 10, 90, [&] {
+    const auto& frame = draw.frame();
+    const auto origin = draw.point(4);
+    const auto center = draw.point(4);
+    const auto direction = random.one_in(3) ? D::stretched(frame.axes[0], frame.norm)
+                                            : draw.towards(origin, draw.near(center, 3));
+    return question(origin, direction, draw.reach(4), center, random.between(-1, 4));
+  });
+
+  exam.family("extreme", count * 8 / 100, 5, 95, [&] {
+    const auto origin = draw.extreme_point();
+    const auto center = draw.extreme_point();
+    const auto radius = random.one_in(8) ? draw.extreme() : std::abs(draw.extreme());
+    const auto direction = random.one_in(3)   ? draw.axis_direction()
+                           : random.one_in(3) ? draw.any_direction()
+                                              : draw.towards(origin, center);
+    return question(origin, direction, random.one_in(3) ? D::scalar(draw.extreme()) : S::max(),
+                    center, radius);
+  });
+
+  exam.finish(count);
+}
+
+TEMPLATE_TEST_CASE("ray against sphere: every answer is the exact one", "[oracle]",
+                   (Space<q16_16, 3>), (Space<q16_16, 2>), (Space<q14_16, 3>), (Space<q14_16, 2>),
+                   (Space<q24_8, 3>), (Space<q24_8, 2>), (Space<q8_8, 3>), (Space<q8_8, 2>)) {
+  examine<typename TestType::scalar, TestType::dimension>(0x5be7e, cases<TestType>);
+}
+
+TEMPLATE_TEST_CASE("ray against sphere: many more answers are exact", "[oracle][.demand]",
+                   (Space<q16_16, 3>), (Space<q16_16, 2>), (Space<q14_16, 3>), (Space<q14_16, 2>),
+                   (Space<q24_8, 3>), (Space<q24_8, 2>), (Space<q8_8, 3>), (Space<q8_8, 2>)) {
+  for (const auto seed : demanded_seeds()) {
+    examine<typename TestType::scalar, TestType::dimension>(seed, 1'000'000);
+  }
+}
+
+}  // namespace
+}  // namespace detent::oracle

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "oracle/exam.hpp"
+
+namespace detent::oracle {
+namespace {
+
+template <Scalar S, int N>
+void examine(std::uint64_t seed, long count) {
+  Exam<S, N> exam(seed);
+  auto& draw = exam.draw;
+  auto& random = draw.random;
+  using D = Draw<S, N>;
+  using Corners = std::array<Raw<N>, 3>;
+  const auto question = [&](const Raw<N>& origin, const Direction<S, N>& direction, S max_distance,
+                            const Corners& corners) {
+    const auto first = random.below(3);
+    const bool other_way = random.coin();
+    const auto corner = [&](std::size_t i) {
+      return D::vec(corners[(first + (other_way ? 3 - i : i)) % 3]);
+    };
+    return std::pair{Ray<S, N>{D::vec(origin), direction, max_distance},
+                     Triangle<S, N>{corner(0), corner(1), corner(2)}};
+  };
+  // a + u (b - a) + v (c - a) on the grid, u and v in 1/1024.
+  const auto at = [](const Corners& t, std::int64_t u, std::int64_t v) {
+    Raw<N> result = t[0];
+    for (std::size_t i = 0; i < D::size; ++i) {
+      result[i] += (u * (t[1][i] - t[0][i]) + v * (t[2][i] - t[0][i])) / 1024;
+    }
+    return result;
+  };
+
+  exam.family("random", count * 30 / 100, 30, 70, [&] {
+    const auto scale = draw.scale();
+    const Corners t{draw.point(scale), draw.point(scale), draw.point(scale)};
+    const auto origin = draw.point(scale);
+    constexpr int low = N == 2 ? -1536 : -128;
+    constexpr int high = N == 2 ? 1536 : 896;
+    const auto target = at(t, random.between(low, high), random.between(low, high));
+    return question(origin, draw.towards(origin, target), draw.reach(scale), t);
+  });
+
+  // At a corner or at a point of an edge, which the grid lets it miss by a raw unit or so.
+  exam.family("grazing", count * 20 / 100, 25, 80, [&] {
+    const auto scale = draw.scale();
+    const Corners t{draw.point(scale), draw.point(scale), draw.point(scale)};
+    const auto direction = random.one_in(3) ? draw.axis_direction() : draw.any_direction();
+    const auto target =
+        draw.near(at(t, random.coin() ? random.between(0, 1024) : 0, 0), random.coin() ? 1 : 0);
+    const auto origin = D::moved(target, direction, -random.between(-scale / 4, 2 * scale));
+    return question(origin, direction, draw.reach(scale), t);
+  });
+
+  // Exactly through a corner, or through a point that divides an edge into whole numbers.
+  exam.family("tangent", count * 15 / 100, 30, 95, [&] {
+    const auto& frame = draw.frame();
+    const auto scale = std::min(draw.scale(), D::limit / 4);
+    const auto steps = scale / frame.norm + 1;
+    const auto target = draw.point(scale);
+    const auto edge = draw.point(std::max<std::int64_t>(1, scale / 64));
+    const Corners t{D::plus(target, edge, random.between(0, 32)),
+                    D::plus(target, edge, -random.between(0, 32)), draw.point(scale)};
+    const auto axis = random.one_in(3) ? draw.unit() : frame.axes[0];
+    const auto norm = axis == frame.axes[0] ? frame.norm : 1;
+    auto origin = D::plus(target, axis, -random.between(-steps / 4, norm == 1 ? scale : steps));
+    if (random.one_in(4)) origin[random.below(D::size)] += random.between(-1, 1);
+    return question(origin, D::stretched(axis, norm), draw.reach(scale), t);
+  });
+
+  // Ray and triangle in one plane exactly, or a corner or the ray's start a raw unit out of it. In
+  // 2D that is another way to draw rays along edges.
+  exam.family("coplanar", count * 12 / 100, 15, 90, [&] {
+    const auto& frame = draw.frame();
+    const auto steps = std::max<std::int64_t>(
+        2, (D::limit / 8) / frame.norm >> random.below(static_cast<unsigned>(S::bits)));
+    const auto base = draw.point(D::limit / 4);
+    const auto in_plane = [&](std::int64_t reach) {
+      return D::plus(D::plus(base, frame.axes[0], random.between(-reach, reach)), frame.axes[1],
+                     random.between(-reach, reach));
+    };
+    Corners t{in_plane(steps), in_plane(steps), in_plane(steps)};
+    auto origin = random.coin() ? in_plane(steps)
+                                : D::plus(t[0], frame.axes[0], random.between(-steps, steps));
+    if (random.one_in(4)) t[1] = D::plus(t[0], frame.axes[0], random.between(-steps, steps));
+    if (random.one_in(8)) origin = draw.near(origin, 1);
+    if (random.one_in(8)) t[2] = draw.near(t[2], 1);
+    const auto direction = D::stretched(frame.axes[0], frame.norm);
+    return question(origin, random.one_in(8) ? draw.disturbed(direction) : direction,
+                    draw.reach(steps), t);
+  });
+
+  // A segment or a point, met exactly, crossed or followed, or missed by a raw unit.
+  exam.family("collapsed", count * 12 / 100, 15, 90, [&] {
+    const auto& frame = draw.frame();
+    const auto steps = std::max<std::int64_t>(
+        2, (D::limit / 8) / frame.norm >> random.below(static_cast<unsigned>(S::bits)));
+    const auto target = draw.point(D::limit / 4);
+    Raw<N> edge = frame.axes[random.below(D::size)];
+    if (random.coin()) edge = draw.point(frame.norm);
+    if (random.one_in(8)) edge = Raw<N>{};
+    Corners t{target, target, target};
+    for (auto& corner : t) corner = D::plus(corner, edge, random.between(-steps, steps));
+    if (random.one_in(8)) t[2] = draw.near(t[2], 1);
+    auto origin = D::plus(target, frame.axes[0], -random.between(-steps / 4, steps));
+    if (random.one_in(8)) origin = draw.near(origin, 1);
+    return question(origin, D::stretched(frame.axes[0], frame.norm), draw.reach(steps), t);
+  });
+
+  // Nearly along an edge, at angles to it and to the triangle's plane that go down to the last bit.
+  exam.family("shallow", count * 6 / 100, 10, 90, [&] {
+    const auto scale = draw.scale();
+    const Corners t{draw.point(scale), draw.point(scale), draw.point(scale)};
+    const auto angle = scale >> random.below(static_cast<unsigned>(S::bits));
+    const auto direction = draw.disturbed(draw.towards(t[0], draw.near(t[1], angle)));
+    const auto v = random.coin() ? 0 : random.between(0, 64);
+    const auto target = draw.near(at(t, random.between(0, 1024 - v), v), random.coin() ? 1 : 0);
+    const auto origin = D::moved(target, direction, -random.between(-scale / 4, 2 * scale));
+    return question(origin, direction, draw.reach(scale), t);
+  });
+
+  exam.family("inside", count * 6 / 100, 20, 100, [&] {
+    const auto scale = draw.scale();
+    const Corners t{draw.point(scale), draw.point(scale), draw.point(scale)};
+    const auto u = random.one_in(3) ? 0 : random.between(0, 1024);
+    const auto origin = draw.near(at(t, u, random.one_in(3) ? 0 : random.between(0, 1024 - u)),
+                                  random.one_in(4) ? 1 : 0);
+    const auto direction = random.coin() ? draw.any_direction() : draw.towards(origin, t[0]);
+    return question(origin, direction, draw.reach(scale), t);
+  });
+
+  exam.family("tiny", count * 8 / 100, 10, 90, [&] {
+    const auto& frame = draw.frame();
+    const Corners t{draw.point(4), draw.point(4), draw.point(4)};
+    const auto origin = draw.point(6);
+    const auto direction = random.one_in(3)   ? D::stretched(frame.axes[0], frame.norm)
+                           : random.one_in(3) ? draw.axis_direction()
+                                              : draw.towards(origin, t[random.below(3)]);
+    return question(origin, direction, draw.reach(4), t);
+  });
+
+  exam.family("extreme", count * 8 / 100, 5, 95, [&] {
+    const auto origin = draw.extreme_point();
+    const Corners t{draw.extreme_point(), draw.extreme_point(), draw.extreme_point()};
+    const auto direction = random.one_in(3) ? draw.axis_direction()
+                           : random.one_in(3)
+                               ? draw.any_direction()
+                               : draw.towards(origin, at(t, random.between(0, 1024), 0));
+    return question(origin, direction, random.one_in(3) ? D::scalar(draw.extreme()) : S::max(), t);
+  });
+
+  exam.finish(count);
+}
+
+TEMPLATE_TEST_CASE("ray against triangle: every answer is the exact one", "[oracle]",
+                   (Space<q16_16, 3>), (Space<q16_16, 2>), (Space<q14_16, 3>), (Space<q14_16, 2>),
+                   (Space<q24_8, 3>), (Space<q24_8, 2>), (Space<q8_8, 3>), (Space<q8_8, 2>)) {
+  examine<typename TestType::scalar, TestType::dimension>(0x7419, cases<TestType>);
+}
+
+TEMPLATE_TEST_CASE("ray against triangle: many more answers are exact", "[oracle][.demand]",
+                   (Space<q16_16, 3>), (Space<q16_16, 2>), (Space<q14_16, 3>), (Space<q14_16, 2>),
+                   (Space<q24_8, 3>), (Space<q24_8, 2>), (Space<q8_8, 3>), (Space<q8_8, 2>)) {
+  for (const auto seed : demanded_seeds()) {
+    examine<typename TestType::scalar, TestType::dimension>(seed, 1'000'000);
+  }
+}
+
+}  // namespace
+}  // namespace detent::oracle
