@@ -75,6 +75,59 @@ inline BigInteger wrapped(const BigInteger& x, int bits) {
   return residue >= modulus / 2 ? BigInteger(residue - modulus) : residue;
 }
 
+/// The integer type's pattern for x, which fits.
+template <class I>
+I integer_from(const BigInteger& x) {
+  BigInteger rest = x < 0 ? BigInteger(x + power_of_two(384)) : x;
+  std::array<std::uint64_t, 6> words;
+  for (auto& word : words) {
+    word = static_cast<std::uint64_t>(rest & ~std::uint64_t{0});
+    rest >>= 64;
+  }
+  if constexpr (sizeof(I) <= 8) {
+    return static_cast<I>(words[0]);
+  } else {
+    return static_cast<I>(Wide<6>::from_words(words));
+  }
+}
+
+/// The number with this raw integer, held to what |raw| <= 2^Bits and its container allow.
+template <class F>
+F fixed_from(BigInteger raw) {
+  const BigInteger low = -power_of_two(F::bits);
+  const BigInteger high =
+      detail::fills_container(F::bits) ? power_of_two(F::bits) - 1 : power_of_two(F::bits);
+  if (raw < low) raw = low;
+  if (raw > high) raw = high;
+  return F::assume_raw(integer_from<typename F::raw_type>(raw));
+}
+
+/// x in units of the grid of T.
+template <class T>
+BigRational on_grid(const BigRational& x) {
+  if constexpr (T::frac >= 0) {
+    return x * power_of_two(T::frac);
+  } else {
+    return x / power_of_two(-T::frac);
+  }
+}
+
+/// Whether T can hold this number.
+template <class T>
+bool fits(const BigRational& x) {
+  const BigRational raw = on_grid<T>(x);
+  return denominator(raw) == 1 && numerator(raw) >= big(T::lowest().raw()) &&
+         numerator(raw) <= big(T::max().raw());
+}
+
+/// The raw integer of x on the grid of T, rounded as told and clamped to its range.
+template <class T>
+BigInteger clamped(const BigInteger& raw) {
+  if (raw > big(T::max().raw())) return big(T::max().raw());
+  if (raw < big(T::lowest().raw())) return big(T::lowest().raw());
+  return raw;
+}
+
 /// A pattern whose magnitude has any bit length alike, often an extreme or beside a power of two.
 template <int Words>
 Wide<Words> random_wide(Random& random) {
@@ -121,10 +174,18 @@ I random_integer(Random& random) {
   }
 }
 
-/// Any value of a Fixed type, ends of its range and neighbours of powers of two often.
+/// Any value of a Fixed type, ends of its range and neighbours of powers of two often; +2^Bits too,
+/// which only arithmetic gives.
 template <class F>
 F random_fixed(Random& random) {
-  return F::from_raw(random_integer<typename F::raw_type>(random));
+  if constexpr (!detail::fills_container(F::bits)) {
+    if (random.one_in(20)) return fixed_from<F>(power_of_two(F::bits));
+  }
+  const F x = F::from_raw(random_integer<typename F::raw_type>(random));
+  // Budgets well below their container would nearly always be clamped: scale those down.
+  constexpr int spare = value_bits<typename F::raw_type> - F::bits;
+  if (spare == 0 || random.one_in(8)) return x;
+  return F::from_raw(shift_right_floor(random_integer<typename F::raw_type>(random), spare));
 }
 
 }  // namespace detent::test
