@@ -1,31 +1,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// For programs that link `detent::detent`: its copies of the raycasts, compiled once for the
+// predefined scalars, serve instead of new ones in every source file. It changes no result.
+
+#include <optional>
+
 #include "detent/query/raycast.hpp"
 
-/// Include this after linking `detent::detent` to let the library's copy of the raycasts serve
-/// instead of compiling them again in every source file. No result depends on it.
-
-// `extern template` in a user's source; src/instantiations.cpp leaves `extern` out.
+// src/instantiations.cpp includes this header too, without the `extern`.
 #ifndef DETENT_INSTANTIATION
 #define DETENT_INSTANTIATION extern template
 #endif
 
-#define DETENT_INSTANTIATE_SHAPE(S, N, Shape)                                                   \
-  DETENT_INSTANTIATION std::optional<S> raycast(const Ray<S, N>&, const Shape<S, N>&) noexcept; \
-  DETENT_INSTANTIATION std::optional<RayHit<S, N>> raycast_hit(const Ray<S, N>&,                \
-                                                               const Shape<S, N>&) noexcept;    \
-  DETENT_INSTANTIATION std::optional<Interval<S>> raycast_interval(const Ray<S, N>&,            \
-                                                                   const Shape<S, N>&) noexcept;
+#define DETENT_INSTANTIATE_SHAPE(S, N, Shape, ...)                               \
+  DETENT_INSTANTIATION std::optional<S> raycast(                                 \
+      const Ray<S, N>&, const Shape<S, N>& __VA_OPT__(, ) __VA_ARGS__) noexcept; \
+  DETENT_INSTANTIATION std::optional<RayHit<S, N>> raycast_hit(                  \
+      const Ray<S, N>&, const Shape<S, N>& __VA_OPT__(, ) __VA_ARGS__) noexcept; \
+  DETENT_INSTANTIATION std::optional<Interval<S>> raycast_interval(              \
+      const Ray<S, N>&, const Shape<S, N>& __VA_OPT__(, ) __VA_ARGS__) noexcept;
 #define DETENT_INSTANTIATE_DIMENSION(S, N) \
   DETENT_INSTANTIATE_SHAPE(S, N, Sphere)   \
   DETENT_INSTANTIATE_SHAPE(S, N, Aabb)     \
   DETENT_INSTANTIATE_SHAPE(S, N, Obb)      \
-  DETENT_INSTANTIATE_SHAPE(S, N, Plane)    \
-  DETENT_INSTANTIATE_SHAPE(S, N, Triangle)
-#define DETENT_INSTANTIATE_SCALAR(S) \
-  DETENT_INSTANTIATE_DIMENSION(S, 2) \
-  DETENT_INSTANTIATE_DIMENSION(S, 3)
+  DETENT_INSTANTIATE_SHAPE(S, N, Plane, Facing)
+#define DETENT_INSTANTIATE_SCALAR(S)       \
+  DETENT_INSTANTIATE_DIMENSION(S, 2)       \
+  DETENT_INSTANTIATE_DIMENSION(S, 3)       \
+  DETENT_INSTANTIATE_SHAPE(S, 2, Triangle) \
+  DETENT_INSTANTIATE_SHAPE(S, 3, Triangle, Facing)
 
 namespace detent {
 

@@ -12,8 +12,10 @@
 #include "platforms/corpus.hpp"
 
 int main() {
-  detent::platforms::digest_corpus(1000, [](const detent::platforms::Line& line) {
-    std::printf("%-10s %-7s %d  %4" PRIu32 " / %4" PRIu32 "  %016" PRIx64 "\n", line.subject,
-                line.scalar, line.dimension, line.hits, line.total, line.digest);
-  });
+  const auto everything =
+      detent::platforms::digest_corpus(2000, [](const detent::platforms::Line& line) {
+        std::printf("%-8s %-6s %dD %4" PRIu32 " of %4" PRIu32 " hit  %016" PRIx64 "\n",
+                    line.subject, line.scalar, line.dimension, line.hits, line.total, line.digest);
+      });
+  std::printf("everything %016" PRIx64 "\n", everything);
 }
