@@ -239,14 +239,15 @@ requires detail::FixedOperands<A, B>
 template <int Bits, int Frac>
 template <std::integral I>
 constexpr Fixed<Bits, Frac>::Fixed(I value) noexcept {
+  // Where Frac exceeds Bits, 0 is the only integer in range.
   const auto whole = detail::as_fixed(value);
   if (whole > max()) {
     raw_ = max().raw_;
   } else if (whole < lowest()) {
     raw_ = lowest().raw_;
-  } else if constexpr (Frac >= 0) {
+  } else if constexpr (Frac >= 0 && Frac <= Bits) {
     raw_ = shift_left(integer_cast<raw_type>(value), Frac);
-  } else {
+  } else if constexpr (Frac < 0) {
     raw_ = integer_cast<raw_type>(shift_right_floor(whole.raw(), -Frac));
   }
 }
