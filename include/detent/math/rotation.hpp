@@ -128,6 +128,12 @@ class Rotation {
   std::array<Axis, N> axes_;
 };
 
+/// The canonical bytes of a digest: the axes in order.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const Rotation<S, N>& rotation) noexcept {
+  for (int i = 0; i < N; ++i) digest.add(rotation.axis(i));
+}
+
 /// The vector `v` of the local frame in the world.
 ///
 /// exact: the sum of v[i] * axis(i), each component rounded to nearest, ties to even, and clamped

@@ -55,9 +55,9 @@ inline constexpr std::array<std::uint64_t, 33> arc_tangents = {
 
 /// The sine of a phase, in units of 2^-62.
 ///
-/// exact: error below 1.1 units; sine_q62(-phase) = -sine_q62(phase); 0 and +-1 at the quarter
-/// turns
-///        (tests/number/angle_exhaustive.cpp)
+/// result: odd in the phase; 0 and +-1 at the quarter turns
+/// exact:  off by less than 2 units, by less than 1.1 at binary angles
+///         (tests/number/angle_exhaustive.cpp)
 [[nodiscard]] constexpr std::int64_t sine_q62(std::uint64_t phase) noexcept {
   constexpr std::uint64_t quarter = std::uint64_t{1} << 62;
   const bool negative = phase > 2 * quarter;
