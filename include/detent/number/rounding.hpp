@@ -25,6 +25,16 @@ constexpr T clamp_raw(const I& raw) noexcept {
   return T::assume_raw(integer_cast<typename T::raw_type>(raw));
 }
 
+/// Whether a `Fixed` of `Bits` bits can hold `raw`: |raw| <= 2^Bits, and its integer has a pattern
+/// for it.
+template <int Bits, class I>
+constexpr bool is_within(const I& raw) noexcept {
+  const int length = bit_length(raw);
+  if (length <= Bits) return true;
+  return length == Bits + 1 && low_bits_are_zero(raw, Bits) &&
+         (sign_of(raw) < 0 || !fills_container(Bits));
+}
+
 /// floor(numerator / denominator) and the remainder, on the grid of T; `denominator` is not 0.
 ///
 /// The integers are those of value(n) / value(d) * 2^T::frac with the shift on whichever side
@@ -94,9 +104,7 @@ template <class T, int B, int F>
 template <int Bits, int B, int F>
 [[nodiscard]] constexpr Fixed<Bits, F> narrow(const Fixed<B, F>& x) noexcept {
   using Raw = typename Fixed<Bits, F>::raw_type;
-  DETENT_ASSERT(Bits >= B || bit_length(x.raw()) <= Bits ||
-                (!detail::fills_container(Bits) && bit_length(x.raw()) == Bits + 1 &&
-                 low_bits_are_zero(x.raw(), Bits)));
+  DETENT_ASSERT(detail::is_within<Bits>(x.raw()));
   return Fixed<Bits, F>::assume_raw(integer_cast<Raw>(x.raw()));
 }
 
