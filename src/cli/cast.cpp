@@ -59,7 +59,8 @@ void cast(const CastOptions& options) {
   if (!options.out.empty()) file.emplace(options.out);
   const Scene scene = read_scene(options.scene);
   if (scene.rays.empty()) {
-    throw InputError(options.scene, {}, "the scene has no \"rays\"; add some, or use detent render");
+    throw InputError(options.scene, {},
+                     "the scene has no \"rays\"; add some, or use detent render");
   }
   const auto run = [&](const std::string& scalar) {
     auto tracer = make_tracer(scalar, scene);
@@ -84,9 +85,9 @@ void cast(const CastOptions& options) {
 void print(const std::string& text) {
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    throw InputError("standard output", {},
-                     std::string("cannot be written: ") + std::strerror(errno) +
-                         "; name a file with --out");
+    throw InputError(
+        "standard output", {},
+        std::string("cannot be written: ") + std::strerror(errno) + "; name a file with --out");
   }
 }
 

@@ -21,6 +21,9 @@ struct CastOptions {
   std::string out;  // empty for standard output
 };
 
+/// How far above a surface its shadow rays start: 64 steps of q16_16.
+inline constexpr const char* default_bias = "0.0009765625";
+
 struct RenderOptions {
   std::string input;  // a scene, or a model when its name ends in .obj
   std::string out;
@@ -28,6 +31,7 @@ struct RenderOptions {
   std::optional<Pair> compare;
   Size size{640, 360};
   Move offset;
+  Decimal bias;
   std::optional<double> scale;  // of a model
   int threads = 0;
 };

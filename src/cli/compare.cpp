@@ -31,10 +31,17 @@ Difference compare(const Tracer& a, const Tracer& b) {
   Difference result;
   for (std::size_t i = 0; i < found_a.size(); ++i) {
     switch (kind_of(found_a[i], found_b[i])) {
-      case Kind::same: break;
-      case Kind::hit_or_miss: ++result.hit_or_miss; break;
-      case Kind::shape: ++result.shape; break;
-      case Kind::distance: ++result.distance; break;
+      case Kind::same:
+        break;
+      case Kind::hit_or_miss:
+        ++result.hit_or_miss;
+        break;
+      case Kind::shape:
+        ++result.shape;
+        break;
+      case Kind::distance:
+        ++result.distance;
+        break;
     }
     if (!found_a[i] || !found_b[i] || found_a[i]->shape != found_b[i]->shape) continue;
     const double difference = std::abs(found_a[i]->distance - found_b[i]->distance);
@@ -60,8 +67,11 @@ Image difference_picture(const Image& picture, const Tracer& a, const Tracer& b)
           pixel = {dark, dark, dark};
           break;
         }
-        case Kind::distance: pixel = quiet; break;
-        default: pixel = loud;
+        case Kind::distance:
+          pixel = quiet;
+          break;
+        default:
+          pixel = loud;
       }
     }
   }

@@ -43,8 +43,7 @@ class Decimal {
     const std::string plain = text();
     if constexpr (std::floating_point<S>) {
       S value{};
-      const auto [stop, error] =
-          std::from_chars(plain.data(), plain.data() + plain.size(), value);
+      const auto [stop, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
       if (error == std::errc()) return value;
       // Too small to be told from 0 is 0; too large is an error.
       return magnitude() <= 0 ? std::optional<S>(S(0)) : std::nullopt;

@@ -18,12 +18,12 @@ constexpr const char* far_away = "28000";
 struct Run {
   std::string place;
   std::unique_ptr<Tracer> tracer;
-  Image picture{0, 0};
-  std::size_t wrong = 0;
+  Image picture;
+  Verdict verdict;
 };
 
-std::string row(const std::array<std::string, 7>& cells) {
-  static constexpr std::array<std::size_t, 7> widths{9, 9, 10, 10, 10, 10, 21};
+std::string row(const std::array<std::string, 8>& cells) {
+  static constexpr std::array<std::size_t, 8> widths{6, 8, 9, 9, 8, 8, 8, 20};
   std::string line;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const std::string space(widths[i] - std::min(widths[i], cells[i].size()), ' ');
@@ -49,31 +49,34 @@ void demo(const DemoOptions& options) {
   const Scene scene = parse_scene("arena.json", std::string(arena_json));
   const Decimal distance = Decimal::parse(far_away).value();
 
+  const Decimal bias = Decimal::parse(default_bias).value();
+
   std::vector<Run> runs;
   for (const bool is_far : {false, true}) {
     const Move move = is_far ? Move{{distance, distance, distance}} : Move{};
     for (const char* const scalar : {"q16_16", "float"}) {
-      Run run{is_far ? "far" : "near", make_tracer(scalar, scene, move)};
+      Run run{is_far ? "far" : "near", make_tracer(scalar, scene, move), Image(0, 0), {}};
       const std::string what = ' ' + run.place + ' ' + scalar;
       run.tracer->aim_camera(options.size);
       run.tracer->cast({options.threads, "casting" + what});
-      run.picture = run.tracer->picture({options.threads, "shading" + what});
-      const auto wrong = run.tracer->judge({options.threads, "checking" + what});
-      run.wrong = static_cast<std::size_t>(std::count(wrong.begin(), wrong.end(), true));
+      run.picture = run.tracer->picture(bias, {options.threads, "shading" + what});
+      run.verdict = run.tracer->judge({options.threads, "checking" + what});
       runs.push_back(std::move(run));
     }
   }
-  const auto times = time_per_ray({runs[0].tracer.get(), runs[1].tracer.get(),
-                                   runs[2].tracer.get(), runs[3].tracer.get()});
+  const auto times = time_per_ray(
+      {runs[0].tracer.get(), runs[1].tracer.get(), runs[2].tracer.get(), runs[3].tracer.get()});
 
   std::vector<Image> rows;
-  std::string text = row({"place", "scalar", "rays", "hits", "wrong", "ns/ray", "digest"});
+  std::string text = row({"place", "scalar", "rays", "hits", "wrong", "off", "ns/ray", "digest"});
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Tracer& tracer = *runs[i].tracer;
     const auto found = tracer.found();
-    const auto hits = std::count_if(found.begin(), found.end(), [](auto& f) { return f.has_value(); });
+    const auto hits =
+        std::count_if(found.begin(), found.end(), [](auto& f) { return f.has_value(); });
     text += row({runs[i].place, std::string(tracer.scalar()), std::to_string(tracer.ray_count()),
-                 std::to_string(hits), std::to_string(runs[i].wrong), rounded(times[i], 0),
+                 std::to_string(hits), std::to_string(runs[i].verdict.wrong),
+                 std::to_string(runs[i].verdict.off), rounded(times[i], 0),
                  hexadecimal(tracer.digest())});
   }
   for (std::size_t i = 0; i < runs.size(); i += 2) {
@@ -90,9 +93,13 @@ void demo(const DemoOptions& options) {
   file.write(stacked(rows).png());
   file.commit();
 
-  text += "\nplace:  near the origin, or with every coordinate moved by " + std::string(far_away) +
-          "\nwrong:  answers that exact arithmetic on the same inputs contradicts (every ray checked)"
-          "\npicture: " + path + '\n';
+  text +=
+      "\nEvery ray was checked in exact arithmetic on the inputs of its scalar:"
+      "\n  wrong  hit instead of miss, miss instead of hit, or not the nearest shape"
+      "\n  off    the right shape, its distance off by more than 1/65536"
+      "\nfar: every coordinate moved by " +
+      std::string(far_away) + "; shadow rays start 1/1024 above a surface" + "\npicture: " + path +
+      '\n';
   print(text);
 }
 

@@ -40,7 +40,8 @@ std::string read_file(const std::string& path) {
   }
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InputError(path, {}, "cannot be opened: " + last_error() + "; check its rights");
+  if (!stream)
+    throw InputError(path, {}, "cannot be opened: " + last_error() + "; check its rights");
 
   std::string content;
   std::array<char, 1 << 16> buffer{};

@@ -96,9 +96,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
   bool binary(nlohmann::json::binary_t&) override { return false; }  // not in JSON text
 
-  bool start_object(std::size_t) override {
-    return add(JsonNode::Kind::object, {}, consumed_ - 1);
-  }
+  bool start_object(std::size_t) override { return add(JsonNode::Kind::object, {}, consumed_ - 1); }
   bool start_array(std::size_t) override { return add(JsonNode::Kind::array, {}, consumed_ - 1); }
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
@@ -219,12 +217,18 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
 const char* name_of(JsonNode::Kind kind) {
   switch (kind) {
-    case JsonNode::Kind::null: return "null";
-    case JsonNode::Kind::boolean: return "true or false";
-    case JsonNode::Kind::number: return "a number";
-    case JsonNode::Kind::string: return "a string";
-    case JsonNode::Kind::array: return "an array";
-    case JsonNode::Kind::object: return "an object";
+    case JsonNode::Kind::null:
+      return "null";
+    case JsonNode::Kind::boolean:
+      return "true or false";
+    case JsonNode::Kind::number:
+      return "a number";
+    case JsonNode::Kind::string:
+      return "a string";
+    case JsonNode::Kind::array:
+      return "an array";
+    case JsonNode::Kind::object:
+      return "an object";
   }
   return "";
 }

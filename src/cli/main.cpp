@@ -69,6 +69,12 @@ Move parse_move(const std::string& text) {
   return move;
 }
 
+Decimal parse_bias(const std::string& text) {
+  const auto bias = Decimal::parse(text);
+  if (bias && !bias->is_negative()) return *bias;
+  throw InputError("--bias: \"" + text + "\" is not a number from 0; write, for example, 0.001");
+}
+
 /// The command line, as text until all of it has been read.
 struct Arguments {
   CastOptions cast;
@@ -77,6 +83,7 @@ struct Arguments {
   std::string compare;
   std::string size = "640x360";
   std::string offset = "0,0,0";
+  std::string bias = default_bias;
   double scale = 0;
 };
 
@@ -113,6 +120,8 @@ void add_render(CLI::App& app, Arguments& arguments) {
           ->default_str("float");
   command->add_option("--offset", arguments.offset, "Move the scene and its camera by X,Y,Z")
       ->capture_default_str();
+  command->add_option("--bias", arguments.bias, "How far above a surface its shadow rays start")
+      ->capture_default_str();
   CLI::Option* const scale = command->add_option(
       "--scale", arguments.scale, "Scale of an OBJ model (without: its longest side is 20 units)");
   command->add_option("--threads", arguments.render.threads, "0 for all of the machine's")
@@ -127,9 +136,11 @@ void add_render(CLI::App& app, Arguments& arguments) {
     }
     options.size = parse_size(arguments.size);
     options.offset = parse_move(arguments.offset);
+    options.bias = parse_bias(arguments.bias);
     if (scale->count() > 0) {
       if (!(arguments.scale > 0 && arguments.scale < 1e9)) {
-        throw InputError("--scale: must be more than 0 and less than 1e9; 1 keeps the model's size");
+        throw InputError(
+            "--scale: must be more than 0 and less than 1e9; 1 keeps the model's size");
       }
       options.scale = arguments.scale;
     }

@@ -56,14 +56,4 @@ template <Scalar S>
   }
 }
 
-/// 1/256, the smallest step that every scalar of the tool can make.
-template <Scalar S>
-[[nodiscard]] constexpr S common_step() {
-  if constexpr (is_fixed<S>) {
-    return nearest_to<S>(Fixed<8, 8>::from_raw(1));
-  } else {
-    return S(1) / S(256);
-  }
-}
-
 }  // namespace detent::cli

@@ -25,8 +25,9 @@ void append_faces(const std::string& file, const tinyobj::mesh_t& source, MeshMo
     for (std::size_t k = 0; k < 3; ++k) {
       const int index = source.indices[i + k].vertex_index;
       if (index < 0 || static_cast<std::size_t>(index) >= mesh.vertices.size()) {
-        throw InputError(file, {}, "face " + std::to_string(mesh.triangles.size() + 1) +
-                                       " names a vertex that is not there; export the model again");
+        throw InputError(file, {},
+                         "face " + std::to_string(mesh.triangles.size() + 1) +
+                             " names a vertex that is not there; export the model again");
       }
       triangle[k] = static_cast<std::uint32_t>(index);
     }
@@ -60,8 +61,9 @@ MeshModel read_obj(const std::string& file, std::optional<double> scale) {
   std::string warning;
   std::string error;
   if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream)) {
-    throw InputError(file, {}, "not a readable OBJ model: " + first_line(error) +
-                                   "; export it again as Wavefront OBJ");
+    throw InputError(
+        file, {},
+        "not a readable OBJ model: " + first_line(error) + "; export it again as Wavefront OBJ");
   }
 
   MeshModel mesh;
@@ -70,8 +72,9 @@ MeshModel read_obj(const std::string& file, std::optional<double> scale) {
         {attributes.vertices[i], attributes.vertices[i + 1], attributes.vertices[i + 2]});
     for (const double coordinate : mesh.vertices.back()) {
       if (!std::isfinite(coordinate)) {
-        throw InputError(file, {}, "vertex " + std::to_string(mesh.vertices.size()) +
-                                       " is not finite; export the model again");
+        throw InputError(file, {},
+                         "vertex " + std::to_string(mesh.vertices.size()) +
+                             " is not finite; export the model again");
       }
     }
   }

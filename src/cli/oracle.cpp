@@ -159,8 +159,9 @@ MaybeTime first_time(const Ray& ray, const Triangle& triangle) {
   if (height.sign() != 0) return std::nullopt;
   if (!is_zero(normal) && inside(triangle, normal, ray.origin)) return Time(0, 1);
   MaybeTime first;
-  for (const auto& [p, q] : {std::pair(&triangle.a, &triangle.b), std::pair(&triangle.b, &triangle.c),
-                             std::pair(&triangle.c, &triangle.a)}) {
+  for (const auto& [p, q] :
+       {std::pair(&triangle.a, &triangle.b), std::pair(&triangle.b, &triangle.c),
+        std::pair(&triangle.c, &triangle.a)}) {
     const MaybeTime t = meet_segment(ray, *p, *q);
     if (t && (!first || *t < *first)) first = t;
   }
@@ -168,7 +169,8 @@ MaybeTime first_time(const Ray& ray, const Triangle& triangle) {
 }
 
 /// a t^2 + 2 b t + c = 0: whether the smaller root is at least `steps` * 2^-distance_frac.
-bool root_at_least(const Exact& a, const Exact& b, const Exact& discriminant, const Integer& steps) {
+bool root_at_least(const Exact& a, const Exact& b, const Exact& discriminant,
+                   const Integer& steps) {
   const Exact margin = -b - a * Exact(steps, -distance_frac);
   return margin.sign() >= 0 && discriminant <= margin * margin;
 }
@@ -189,8 +191,8 @@ std::optional<Integer> hit_sphere(const Ray& ray, const Sphere& sphere) {
 
   // An estimate from an integer root with 64 bits to spare, then settled by the exact test.
   const int exponent = discriminant.exponent() - (discriminant.exponent() & 1);
-  const Integer radicand = discriminant.mantissa() << static_cast<unsigned>(
-                               128 + discriminant.exponent() - exponent);
+  const Integer radicand = discriminant.mantissa()
+                           << static_cast<unsigned>(128 + discriminant.exponent() - exponent);
   const Exact root(Integer(boost::multiprecision::sqrt(radicand)), exponent / 2 - 64);
   Integer steps = Time(-b - root, a).floor();
   while (!root_at_least(a, b, discriminant, steps)) --steps;
@@ -214,9 +216,7 @@ Exact Exact::of(double value) {
   return {Integer(static_cast<std::int64_t>(std::ldexp(fraction, 53))), exponent - 53};
 }
 
-double Exact::approximate() const {
-  return std::ldexp(mantissa_.convert_to<double>(), exponent_);
-}
+double Exact::approximate() const { return std::ldexp(mantissa_.convert_to<double>(), exponent_); }
 
 Exact operator+(const Exact& a, const Exact& b) {
   if (a.exponent_ < b.exponent_) return b + a;
@@ -228,6 +228,8 @@ Exact operator*(const Exact& a, const Exact& b) {
   return {Integer(a.mantissa_ * b.mantissa_), a.exponent_ + b.exponent_};
 }
 Exact operator-(const Exact& a) { return {Integer(-a.mantissa_), a.exponent_}; }
+
+Integer steps_of(const Exact& distance) { return Time(distance, 1).floor(); }
 
 std::optional<Integer> first_hit(const Ray& ray, const Shape& shape) {
   if (ray.max_distance.sign() < 0) return std::nullopt;
@@ -262,7 +264,8 @@ World::Ball World::ball_around(const Shape& shape) {
 
   Ball ball;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (const auto& point : points) ball.center[i] += point[i] / static_cast<double>(points.size());
+    for (const auto& point : points)
+      ball.center[i] += point[i] / static_cast<double>(points.size());
   }
   double reach = 0;
   for (const auto& point : points) {
@@ -271,8 +274,8 @@ World::Ball World::ball_around(const Shape& shape) {
   }
   radius += std::sqrt(reach) + 0.0625;
   constexpr double trusted = 1 << 20;  // beyond it doubles may be off by more than the margin
-  const double largest = std::max({std::abs(ball.center[0]), std::abs(ball.center[1]),
-                                   std::abs(ball.center[2]), radius});
+  const double largest = std::max(
+      {std::abs(ball.center[0]), std::abs(ball.center[1]), std::abs(ball.center[2]), radius});
   if (largest < trusted) ball.squared_radius = radius * radius;
   return ball;
 }

@@ -83,6 +83,9 @@ struct Ray {
 /// Distances are given in whole steps of 2^-48, rounded down.
 inline constexpr int distance_frac = 48;
 
+/// A distance in those steps.
+[[nodiscard]] Integer steps_of(const Exact& distance);
+
 /// The smallest t in [0, max_distance] at which origin + t * direction lies in the shape, rounded
 /// down; nothing when there is none.
 [[nodiscard]] std::optional<Integer> first_hit(const Ray& ray, const Shape& shape);

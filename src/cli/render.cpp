@@ -32,7 +32,10 @@ Scene scene_around(MeshModel mesh, const std::string& file) {
   };
   Scene scene;
   scene.file = file;
-  scene.camera = CameraModel{{}, at(1.1, 0.9, 2.6), at(0, -0.1, 0), point_of("0", "1", "0"),
+  scene.camera = CameraModel{{},
+                             at(1.1, 0.9, 2.6),
+                             at(0, -0.1, 0),
+                             point_of("0", "1", "0"),
                              {Decimal::parse("50").value(), {}}};
   scene.light = point_of("1", "2", "1.5");
   mesh.position = point_of("0", "0", "0");
@@ -68,7 +71,7 @@ void render(const RenderOptions& options) {
   };
   const auto draw = [&](Tracer& tracer) {
     tracer.cast(working(options, "casting", tracer.scalar()));
-    return tracer.picture(working(options, "shading", tracer.scalar()));
+    return tracer.picture(options.bias, working(options, "shading", tracer.scalar()));
   };
   if (options.compare) {
     // Both are made before either is drawn, so that a number out of range is found at once.
@@ -81,8 +84,7 @@ void render(const RenderOptions& options) {
                                    {picture_b, options.compare->second},
                                    {difference_picture(picture_a, *a, *b),
                                     "red: shape differs at " +
-                                        std::to_string(difference.disagreements()) +
-                                        " pixels"}})})
+                                        std::to_string(difference.disagreements()) + " pixels"}})})
                    .png());
   } else {
     const auto tracer = trace(options.scalar);

@@ -148,8 +148,11 @@ class SceneReader {
     const std::string owner = "the camera";
     expect(node, Kind::object, owner);
     allow_keys(node, owner, {"position", "target", "up", "field_of_view"});
-    CameraModel camera{node.place, point(node, "position", owner), point(node, "target", owner),
-                       point_of("0", "1", "0"), {Decimal::parse("60").value(), node.place}};
+    CameraModel camera{node.place,
+                       point(node, "position", owner),
+                       point(node, "target", owner),
+                       point_of("0", "1", "0"),
+                       {Decimal::parse("60").value(), node.place}};
     if (const JsonNode* const up = find(node, "up")) camera.up = direction(*up, "up");
     if (const JsonNode* const angle = find(node, "field_of_view")) {
       camera.field_of_view = number(*angle, "field_of_view");
@@ -188,8 +191,8 @@ class SceneReader {
       shape.form = PlaneModel{direction(node, "normal", owner), number(node, "offset", owner)};
     } else if (type.text == "triangle") {
       allow_keys(node, owner, {"type", "id", "color", "a", "b", "c"});
-      shape.form = TriangleModel{point(node, "a", owner), point(node, "b", owner),
-                                 point(node, "c", owner)};
+      shape.form =
+          TriangleModel{point(node, "a", owner), point(node, "b", owner), point(node, "c", owner)};
     } else if (type.text == "mesh") {
       allow_keys(node, owner, {"type", "id", "color", "file", "scale", "position"});
       shape.form = mesh(node, owner);
@@ -245,8 +248,8 @@ class SceneReader {
     const std::string owner = "ray " + std::to_string(scene_.rays.size());
     expect(node, Kind::object, owner);
     allow_keys(node, owner, {"id", "origin", "direction", "max_distance"});
-    RayModel ray{{}, node.place, point(node, "origin", owner), direction(node, "direction", owner),
-                 {}};
+    RayModel ray{
+        {}, node.place, point(node, "origin", owner), direction(node, "direction", owner), {}};
     if (const JsonNode* const id = find(node, "id")) {
       expect(*id, Kind::string, "id");
       ray.id = id->text;

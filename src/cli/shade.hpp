@@ -18,8 +18,10 @@ namespace detent::cli {
 template <Scalar S>
 class Shader {
  public:
-  Shader(const World<S>& world, const std::vector<ShapeModel>& models, const Direction<S, 3>& light)
-      : world_(world), models_(models), light_(light) {}
+  /// Shadow rays start `bias` above the surface.
+  Shader(const World<S>& world, const std::vector<ShapeModel>& models, const Direction<S, 3>& light,
+         S bias)
+      : world_(world), models_(models), light_(light), bias_(bias) {}
 
   [[nodiscard]] Colour sky(const Ray<S, 3>& ray) const {
     const double height = std::clamp(static_cast<double>(ray.direction[1]), 0.0, 1.0);
@@ -35,9 +37,8 @@ class Shader {
   }
 
  private:
-  /// From the hit point, moved off the surface by 1/256, towards the light.
   Ray<S, 3> shadow_ray(const RayHit<S, 3>& hit) const {
-    return {nearest_to<S>(hit.point + hit.normal.vec() * common_step<S>()), light_};
+    return {nearest_to<S>(hit.point + hit.normal.vec() * bias_), light_};
   }
 
   Colour base_colour(const Answer<S>& answer) const {
@@ -75,6 +76,7 @@ class Shader {
   const World<S>& world_;
   const std::vector<ShapeModel>& models_;
   Direction<S, 3> light_;
+  S bias_;
 };
 
 }  // namespace detent::cli

@@ -2,7 +2,6 @@
 #include "tracer.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -55,9 +54,9 @@ class ScalarTracer final : public Tracer {
     std::vector<std::optional<Found>> all;
     all.reserve(answers_.size());
     for (const auto& answer : answers_) {
-      all.push_back(answer ? std::optional(Found{answer->shape,
-                                                 static_cast<double>(answer->hit.distance)})
-                           : std::nullopt);
+      all.push_back(
+          answer ? std::optional(Found{answer->shape, static_cast<double>(answer->hit.distance)})
+                 : std::nullopt);
     }
     return all;
   }
@@ -90,9 +89,10 @@ class ScalarTracer final : public Tracer {
     return lines;
   }
 
-  Image picture(const Workers& workers) const override {
+  Image picture(const Decimal& bias, const Workers& workers) const override {
     Image image(size_.width, size_.height);
-    const Shader<S> shader(world_, scene_.shapes, WorldBuilder<S>(scene_, move_).light());
+    const Shader<S> shader(world_, scene_.shapes, WorldBuilder<S>(scene_, move_).light(),
+                           shadow_bias(bias));
     for_each_ray(workers, [&](std::size_t i) {
       const auto width = static_cast<std::size_t>(size_.width);
       image.at(static_cast<int>(i % width), static_cast<int>(i / width)) =
@@ -101,13 +101,16 @@ class ScalarTracer final : public Tracer {
     return image;
   }
 
-  std::vector<bool> judge(const Workers& workers) const override {
+  Verdict judge(const Workers& workers) const override {
     const oracle::Scene exact = oracle::exact(world_);
-    std::vector<char> wrong(rays_.size());  // not bool: threads write to neighbours
+    std::vector<Fault> faults(rays_.size());
     for_each_ray(workers, [&](std::size_t i) {
-      wrong[i] = is_wrong(answers_[i], oracle::meetings(exact, oracle::exact(rays_[i]))) ? 1 : 0;
+      faults[i] = fault_of(answers_[i], oracle::meetings(exact, oracle::exact(rays_[i])));
     });
-    return {wrong.begin(), wrong.end()};
+    const auto count = [&](Fault fault) {
+      return static_cast<std::size_t>(std::count(faults.begin(), faults.end(), fault));
+    };
+    return {count(Fault::wrong), count(Fault::off)};
   }
 
   void repeat(std::size_t stride) const override {
@@ -115,22 +118,38 @@ class ScalarTracer final : public Tracer {
     for (std::size_t i = 0; i < rays_.size(); i += stride) {
       hits += nearest(world_, rays_[i]) ? 1 : 0;
     }
-    static std::atomic<std::size_t> sink;  // so that the answers are needed
-    sink = hits;
+    volatile std::size_t sink = hits;  // so that the answers are needed
+    (void)sink;
   }
 
  private:
-  static bool is_wrong(const std::optional<Answer<S>>& answer,
-                       const std::vector<oracle::Meeting>& meetings) {
-    if (!answer || meetings.empty()) return answer.has_value() != !meetings.empty();
+  enum class Fault : char { none, wrong, off };
+
+  static Fault fault_of(const std::optional<Answer<S>>& answer,
+                        const std::vector<oracle::Meeting>& meetings) {
+    if (!answer || meetings.empty()) {
+      return answer.has_value() != meetings.empty() ? Fault::none : Fault::wrong;
+    }
     const oracle::Meeting* chosen = nullptr;
     const oracle::Meeting* nearest = &meetings.front();
     for (const oracle::Meeting& meeting : meetings) {
       if (meeting.shape == answer->shape) chosen = &meeting;
       if (meeting.distance < nearest->distance) nearest = &meeting;
     }
-    constexpr auto tolerance = std::int64_t{1} << (oracle::distance_frac - 16);
-    return !chosen || chosen->distance - nearest->distance > tolerance;
+    const auto tolerance = oracle::Integer(1) << (oracle::distance_frac - 16);
+    if (!chosen || chosen->distance - nearest->distance > tolerance) return Fault::wrong;
+    const auto distance = oracle::steps_of(oracle::exact(answer->hit.distance));
+    return abs(distance - chosen->distance) > tolerance ? Fault::off : Fault::none;
+  }
+
+  S shadow_bias(const Decimal& bias) const {
+    const auto value = bias.to<S>();
+    if (!value) throw InputError("--bias: out of range for this scalar; use a smaller number");
+    if constexpr (is_fixed<S>) {
+      return std::max(*value, S::from_raw(1));
+    } else {
+      return *value;
+    }
   }
 
   /// In runs that are long enough for a thread to be worth it.
@@ -159,8 +178,7 @@ std::unique_ptr<Tracer> make(const Scene& scene, const Move& move) {
 
 }  // namespace
 
-std::unique_ptr<Tracer> make_tracer(std::string_view scalar, const Scene& scene,
-                                    const Move& move) {
+std::unique_ptr<Tracer> make_tracer(std::string_view scalar, const Scene& scene, const Move& move) {
   using Maker = std::unique_ptr<Tracer> (*)(const Scene&, const Move&);
   static constexpr std::array<Maker, scalar_names.size()> makers{
       make<q16_16>, make<q14_16>, make<q24_8>, make<q8_8>, make<float>, make<double>};

@@ -22,6 +22,12 @@ struct Found {
   double distance;
 };
 
+/// How many answers exact arithmetic contradicts, by more than 1/65536.
+struct Verdict {
+  std::size_t wrong = 0;  // a hit that is none, a missed one, or a shape behind the nearest
+  std::size_t off = 0;    // the right shape at another distance
+};
+
 struct Size {
   int width;
   int height;
@@ -50,12 +56,12 @@ class Tracer {
   /// A line of JSON for each ray.
   [[nodiscard]] virtual std::string json_lines() const = 0;
 
-  /// The picture that the rays of the camera make.
-  [[nodiscard]] virtual Image picture(const Workers& workers) const = 0;
+  /// The picture that the rays of the camera make; shadow rays start `bias` above the surface, or
+  /// one step of the scalar where that is more.
+  [[nodiscard]] virtual Image picture(const Decimal& bias, const Workers& workers) const = 0;
 
-  /// For each ray whether its answer is wrong by exact arithmetic on the same inputs: a hit that
-  /// is none, a missed one, or a shape that lies more than 1/65536 behind the nearest.
-  [[nodiscard]] virtual std::vector<bool> judge(const Workers& workers) const = 0;
+  /// Holds every answer against exact arithmetic on the same inputs.
+  [[nodiscard]] virtual Verdict judge(const Workers& workers) const = 0;
 
   /// Answers every `stride`-th ray once more, for the clock.
   virtual void repeat(std::size_t stride) const = 0;

@@ -13,8 +13,8 @@ namespace detent::cli {
 /// The shapes of a scene in one scalar, in the order of the file.
 template <Scalar S>
 struct World {
-  using Shape = std::variant<Sphere<S, 3>, Aabb<S, 3>, Obb<S, 3>, Plane<S, 3>, Triangle<S, 3>,
-                             Mesh<S>>;
+  using Shape =
+      std::variant<Sphere<S, 3>, Aabb<S, 3>, Obb<S, 3>, Plane<S, 3>, Triangle<S, 3>, Mesh<S>>;
   std::vector<Shape> shapes;
 };
 
