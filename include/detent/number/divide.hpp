@@ -86,7 +86,10 @@ constexpr Division<Wide<Words>> divide_long(const Wide<Words>& numerator,
     }
     at(q, j) = static_cast<std::uint32_t>(digit);
   }
-  return {join(q), join(u) >> scale};
+  for (int i = 0; scale > 0 && i < digits; ++i) {
+    at(u, i) = (at(u, i) >> scale) | (at(u, i + 1) << (32 - scale));
+  }
+  return {join(q), join(u)};
 }
 
 }  // namespace detail

@@ -188,10 +188,8 @@ template <class T, int B, int F>
   // sqrt(raw * 2^-F) * 2^frac = sqrt(raw * 2^shift); a negative shift may drop bits first, since
   // floor(sqrt(floor(y))) = floor(sqrt(y)).
   constexpr int shift = 2 * T::frac - F;
-  constexpr int width = std::max(B + shift, 1);
-  static_assert(width <= 128,
-                "detent: sqrt_floor takes at most 128 bits on the grid of its result");
-  if constexpr (width <= 64) {
+  static_assert(B + shift <= 128, "detent: sqrt_floor takes at most 128 bits on its result's grid");
+  if constexpr (B + shift <= 63) {  // a raw of +2^B needs one bit more
     const auto raw = shift < 0 ? shift_right_floor(x.raw(), -shift) : x.raw();
     const auto n = static_cast<std::uint64_t>(integer_cast<std::int64_t>(raw));
     const std::uint64_t root = square_root_floor(shift > 0 ? n << shift : n);
@@ -199,8 +197,8 @@ template <class T, int B, int F>
   } else {
     const Wide<4> raw = integer_cast<Wide<4>>(x.raw());
     const Wide<4> n = shift < 0 ? raw >> -shift : raw << std::max(shift, 0);
-    const std::uint64_t root = square_root_floor(n.word(1), n.word(0));
-    return detail::clamp_raw<T>(Wide<2>(root));
+    if (n.word(2) != 0) return detail::clamp_raw<T>(Wide<2>::from_words({0, 1}));  // n = 2^128
+    return detail::clamp_raw<T>(Wide<2>(square_root_floor(n.word(1), n.word(0))));
   }
 }
 
