@@ -164,4 +164,16 @@ template <Scalar S, int N>
   return sqrt_floor<S>(squared_length(v));
 }
 
+/// The square of the distance between two points, exactly.
+template <Number A, Number B, int N>
+[[nodiscard]] constexpr auto squared_distance(const Vec<A, N>& a, const Vec<B, N>& b) noexcept {
+  return squared_length(a - b);
+}
+
+/// The distance between two points, rounded down and clamped to the range of the scalar.
+template <Scalar S, int N>
+[[nodiscard]] constexpr S distance(const Vec<S, N>& a, const Vec<S, N>& b) noexcept {
+  return sqrt_floor<S>(squared_distance(a, b));
+}
+
 }  // namespace detent

@@ -26,6 +26,44 @@ template <Number N, Number D>
   return {numerator, denominator};
 }
 
+/// Whether the value of a fraction is at most `x`, exactly.
+template <Number N, Number D, Number T>
+[[nodiscard]] constexpr bool operator<=(const Fraction<N, D>& fraction, const T& x) noexcept {
+  return fraction.numerator <= x * fraction.denominator;
+}
+
+/// The square root of a non-negative fraction, rounded down to the grid of `T` and clamped.
+///
+/// Rounding the quotient down to the grid of the squares first loses nothing: floor(sqrt(floor(y)))
+/// is floor(sqrt(y)).
+template <Number T, Number N, Number D>
+[[nodiscard]] constexpr T sqrt_floor(const Fraction<N, D>& x) noexcept {
+  if constexpr (!is_fixed<T>) {
+    return sqrt_floor<T>(x.numerator / x.denominator);
+  } else {
+    using Square = Fixed<2 * T::bits + 1, 2 * T::frac>;  // one bit more than T can hold: it clamps
+    return sqrt_floor<T>(quotient_floor<Square>(x.numerator, x.denominator));
+  }
+}
+
+/// The square root of a non-negative fraction that is known to fit `T`, rounded to odd: as it is
+/// where the grid of `T` has it, else the odd one of its two neighbours there.
+///
+/// An odd last bit says that more follows. So rounding a sum with it to nearest on a grid at least
+/// two bits coarser decides as the exact sum would, ties included.
+///
+/// source: Boldo and Melquiond, Emulation of a FMA and Correctly Rounded Sums (2008)
+template <Number T, Number N, Number D>
+[[nodiscard]] constexpr T sqrt_odd(const Fraction<N, D>& x) noexcept {
+  const T root = sqrt_floor<T>(x);
+  if constexpr (is_fixed<T>) {
+    if (root * root * x.denominator != x.numerator) {
+      return T::assume_raw(static_cast<typename T::raw_type>(root.raw() | 1));
+    }
+  }
+  return root;
+}
+
 /// The value of a non-negative fraction rounded down to the grid of `T`, or nothing when the exact
 /// value is greater than `limit`.
 template <Number T, Number N, Number D>

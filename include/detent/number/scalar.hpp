@@ -27,8 +27,8 @@ inline constexpr int bits_of = 0;
 template <int Bits, int Frac>
 inline constexpr int bits_of<Fixed<Bits, Frac>> = Bits;
 
-/// The greatest value of a scalar.
-template <Scalar S>
+/// The greatest value of a number's type.
+template <Number S>
 inline constexpr S largest = std::numeric_limits<S>::max();
 template <int Bits, int Frac>
 inline constexpr Fixed<Bits, Frac> largest<Fixed<Bits, Frac>> = Fixed<Bits, Frac>::max();
@@ -56,11 +56,25 @@ struct direction_component_of<Fixed<Bits, Frac>> {
   using type = Fixed<width, width - 1>;
 };
 
+template <Scalar S, int Count>
+struct finer_of {
+  using type = S;
+};
+template <int Bits, int Frac, int Count>
+struct finer_of<Fixed<Bits, Frac>, Count> {
+  using type = Fixed<Bits + Count, Frac + Count>;
+};
+
 }  // namespace detail
 
 /// What a component of a unit vector is stored in, as large as a scalar: Q2.30 beside 32-bit
 /// coordinates and Q2.14 beside 16-bit ones; `float` and `double` as they are.
 template <Scalar S>
 using direction_component = typename detail::direction_component_of<S>::type;
+
+/// The scalar with `Count` more bits after the point and the same range; `float` and `double` have
+/// no finer grid.
+template <Scalar S, int Count>
+using finer = typename detail::finer_of<S, Count>::type;
 
 }  // namespace detent

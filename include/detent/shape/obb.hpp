@@ -28,4 +28,13 @@ constexpr void append(D& digest, const Obb<S, N>& box) noexcept {
 template <Scalar S, int N>
 Obb(Vec<S, N>, Vec<S, N>, Rotation<S, N>) -> Obb<S, N>;
 
+/// Whether the box holds no point: some half extent is negative.
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool is_empty(const Obb<S, N>& box) noexcept {
+  for (int i = 0; i < N; ++i) {
+    if (box.half_extents[i] < 0) return true;
+  }
+  return false;
+}
+
 }  // namespace detent

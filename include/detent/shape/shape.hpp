@@ -4,6 +4,7 @@
 // The shape layer: what exists.
 
 #include "detent/shape/aabb.hpp"
+#include "detent/shape/capsule.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/plane.hpp"
 #include "detent/shape/ray.hpp"
