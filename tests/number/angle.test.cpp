@@ -251,18 +251,17 @@ Real least_distance_to_integers(const Real& x) {
 
 }  // namespace
 
+// A product n x is halfway between two integers when 2n x is an odd one; so the least distance of
+// the multiples up to 2n from integers, halved, is more than the product with the constant may be
+// off.
 TEST_CASE("angle: constants have the bits that their roundings need") {
-  // A product n x is halfway between two integers when 2n x is an odd one; so the least distance of
-  // the multiples up to 2n from integers, halved, is more than the constant may be off.
+  const Real off = abs(real(detail::two_pi) - 2 * pi());
+  const Real inverse_off = abs(real(detail::turns_per_radian) - 1 / (2 * pi()));
   for (int frac = 0; frac <= 31; ++frac) {
-    const Real to_radians = ldexp(2 * pi(), frac - 32);
-    const Real off = abs(real(detail::two_pi) - 2 * pi());
+    CAPTURE(frac);
+    const Real to_radians = ldexp(2 * pi(), frac - 32),
+               to_binary = ldexp(1 / (2 * pi()), 32 - frac);
     CHECK(ldexp(off, frac - 32 + 31) < least_distance_to_integers(to_radians) / 2);
-
-    const Real to_binary = ldexp(1 / (2 * pi()), 32 - frac);
-    const Real constant =
-        frac < 8 ? real(detail::fine_turns_per_radian) : real(detail::turns_per_radian);
-    const Real inverse_off = abs(constant - 1 / (2 * pi()));
     CHECK(ldexp(inverse_off, 32 - frac + 31) < least_distance_to_integers(to_binary) / 2);
   }
 }

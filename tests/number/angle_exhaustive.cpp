@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The sweeps behind the claims of angle.hpp: every binary angle, and for the arc tangent every ray
-// on which its rounding turns. Two minutes on two cores.
+// on which its rounding turns. Four minutes on two cores.
 
 #include <algorithm>
 #include <atomic>

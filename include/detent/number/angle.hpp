@@ -37,15 +37,12 @@ struct Precise<Fixed<Bits, Frac>> {
   using QuaternionPart = Fixed<46, 45>;
 };
 
-/// 2 pi and 1 / 2 pi with as many bits as keep products with a scalar in 128 bits, and enough to
-/// round every product rightly (tests/number/angle.test.cpp: "constants").
+/// 2 pi and 1 / 2 pi with as many bits as keep products with a scalar in 128 bits. They round every
+/// such product rightly (tests/number/angle.test.cpp: "constants").
 inline constexpr auto two_pi = Fixed<94, 91>::assume_raw(
     integer_cast<Int128>(Wide<2>::from_words({0x885a308d313198a3u, 0x3243f6a8u})));
 inline constexpr auto turns_per_radian = Fixed<95, 97>::assume_raw(
     integer_cast<Int128>(Wide<2>::from_words({0x27220a94fe13abe9u, 0x517cc1b7u})));
-/// Where a scalar has fewer than 8 fractional bits, radians reach too many turns for those.
-inline constexpr auto fine_turns_per_radian = Fixed<126, 128>::assume_raw(
-    integer_cast<Int128>(Wide<2>::from_words({0x7f09d5f47d4d3770u, 0x28be60db9391054au})));
 
 }  // namespace detail
 
@@ -84,11 +81,7 @@ class Angle<Fixed<Bits, Frac>> {
 
   /// exact: rounded to nearest
   [[nodiscard]] static constexpr Angle from_radians(S radians) noexcept {
-    if constexpr (Frac < 8) {
-      return from_turns(nearest_to<Turns>(radians * detail::fine_turns_per_radian));
-    } else {
-      return from_turns(nearest_to<Turns>(radians * detail::turns_per_radian));
-    }
+    return from_turns(nearest_to<Turns>(radians * detail::turns_per_radian));
   }
 
   [[nodiscard]] constexpr raw_type raw() const noexcept { return raw_; }
