@@ -341,7 +341,7 @@ TEMPLATE_TEST_CASE("angle: reads the same for every scalar", "", q16_16, q14_16,
   angle -= Any::turn(1, 3);
   CHECK(close(angle.degrees(), -30));
   CHECK(Any() == Any::from_raw(0));
-  const auto [sine, cosine] = half_sine_cosine(Any::turn(1, 3));
+  const auto [sine, cosine] = sine_cosine(Any::turn(1, 3));
   CHECK(close(sine, 0.8660254));
-  CHECK(close(cosine, 0.5));
+  CHECK(close(cosine, -0.5));
 }

@@ -50,28 +50,50 @@ class Rotation {
                                                                          S w) noexcept
       requires(N == 3) {
     if (x == 0 && y == 0 && z == 0 && w == 0) return std::nullopt;
-    return from_parts(Vec<S, 3>{x, y, z}, w);
+    // q p q* / |q|^2 for the axes p: no numerator exceeds the denominator.
+    const Vec<S, 3> v{x, y, z};
+    const auto norm = (x * x + y * y) + (z * z + w * w);
+    std::array<Column, 3> columns;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      const auto ii = (w * w + v[i] * v[i]) - (v[j] * v[j] + v[k] * v[k]);
+      const auto ij = v[i] * v[j] + w * v[k];
+      const auto ik = v[i] * v[k] - w * v[j];
+      Column& column = columns[static_cast<std::size_t>(i)];
+      column[i] = quotient_nearest<Component>(ii, norm);
+      column[j] = quotient_nearest<Component>(ij + ij, norm);
+      column[k] = quotient_nearest<Component>(ik + ik, norm);
+    }
+    return from_columns(columns);
   }
 
   /// The turn by `angle` about `axis`, counter-clockwise when the axis points at the viewer.
   ///
-  /// exact: the rotation about the line through `axis` as stored; components off by less than
-  ///        0.5001 of their units                                 (tests/math/rotation.test.cpp)
+  /// exact:  the rotation about the line through `axis` as stored; components off by less than
+  ///         0.5 + 2^-27 of their units                            (tests/math/rotation.test.cpp)
+  /// source: Rodrigues' formula
   [[nodiscard]] static constexpr Rotation from_axis_angle(const Axis& axis, Angle<S> angle) noexcept
       requires(N == 3) {
-    // axis * sin(angle / 2) + |axis| * cos(angle / 2), the four parts off by half of 2^-45 each.
-    // That moves the unit quaternion by 2^-45 and what it turns by twice as much: 2^-14 units of
-    // 2^-30.
-    using Part = typename detail::Precise<S>::QuaternionPart;
-    const auto [sine, cosine] = half_sine_cosine(angle);
-    const auto length = sqrt_floor<typename detail::Precise<S>::Length>(squared_length(axis));
-    return from_parts(nearest_to<Part>(axis.vec() * sine), nearest_to<Part>(length * cosine));
+    // cos I + p a a^T + q [a], where p = (1 - cos) / |a|^2 and q = sin / |a| for |a| is nearly 1.
+    const auto [sine, cosine] = sine_cosine(angle);
+    const auto squared = squared_length(axis);
+    const auto p = quotient_nearest<Ratio>(Ratio(1) - cosine, squared);
+    const auto q = quotient_nearest<Ratio>(sine, sqrt_floor<Ratio>(squared));
+    std::array<Column, 3> columns;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      Column& column = columns[static_cast<std::size_t>(i)];
+      column[i] = nearest_to<Component>(cosine + p * (axis[i] * axis[i]));
+      column[j] = nearest_to<Component>(p * (axis[i] * axis[j]) + q * axis[k]);
+      column[k] = nearest_to<Component>(p * (axis[i] * axis[k]) - q * axis[j]);
+    }
+    return from_columns(columns);
   }
 
   /// The turn by `x` about the world's x axis, then by `y` about its y axis, then by `z` about its
   /// z axis.
   ///
-  /// exact: components off by less than 0.5001 of their units      (tests/math/rotation.test.cpp)
+  /// exact: components off by less than 0.5 + 2^-27 of their units (tests/math/rotation.test.cpp)
   [[nodiscard]] static constexpr Rotation from_euler(Angle<S> x, Angle<S> y, Angle<S> z) noexcept
       requires(N == 3) {
     const auto [sx, cx] = sine_cosine(x);
@@ -94,6 +116,7 @@ class Rotation {
 
  private:
   using Sine = typename detail::Precise<S>::Sine;
+  using Ratio = typename detail::Precise<S>::Ratio;
   using Column = Vec<Component, N>;
 
   static constexpr Rotation from_columns(const std::array<Column, N>& columns) noexcept {
@@ -105,24 +128,6 @@ class Rotation {
   template <class X, class Y, class Z>
   static constexpr Column rounded(const X& x, const Y& y, const Z& z) noexcept {
     return {nearest_to<Component>(x), nearest_to<Component>(y), nearest_to<Component>(z)};
-  }
-
-  /// q p q* / |q|^2 for the unit vectors p. No numerator exceeds the denominator, |q|^2.
-  template <Number T>
-  static constexpr Rotation from_parts(const Vec<T, 3>& v, const T& w) noexcept {
-    const auto norm = (v.x * v.x + v.y * v.y) + (v.z * v.z + w * w);
-    std::array<Column, 3> columns;
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      const auto ij = v[i] * v[j] + w * v[k];
-      const auto ik = v[i] * v[k] - w * v[j];
-      const auto ii = (w * w + v[i] * v[i]) - (v[j] * v[j] + v[k] * v[k]);
-      Column& column = columns[static_cast<std::size_t>(i)];
-      column[i] = quotient_nearest<Component>(ii, norm);
-      column[j] = quotient_nearest<Component>(ij + ij, norm);
-      column[k] = quotient_nearest<Component>(ik + ik, norm);
-    }
-    return from_columns(columns);
   }
 
   std::array<Axis, N> axes_;
@@ -151,9 +156,9 @@ template <Scalar S, int N>
 
 /// The vector `v` of the world in the local frame.
 ///
-/// exact: dot(axis(i), v), rounded to nearest, ties to even, and clamped; the inverse of `rotate`
-/// as
-///        far as the axes are orthonormal                         (tests/math/rotation.test.cpp)
+/// result: the inverse of `rotate` as far as the axes are orthonormal
+/// exact:  dot(axis(i), v), rounded to nearest, ties to even, and clamped
+///         (tests/math/rotation.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> inverse_rotate(const Rotation<S, N>& rotation,
                                                  const Vec<S, N>& v) noexcept {

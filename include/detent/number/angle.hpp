@@ -23,18 +23,17 @@ class Angle;
 
 namespace detail {
 
-/// Products of sines and of roots are rounded from these; `float` and `double` stay themselves.
+/// What formulas round from at their end: sines, and their quotients up to 4, with so many bits
+/// that products with two components of a direction fit 128.
 template <Scalar S>
 struct Precise {
   using Sine = S;
-  using Length = S;
-  using QuaternionPart = S;
+  using Ratio = S;
 };
 template <int Bits, int Frac>
 struct Precise<Fixed<Bits, Frac>> {
   using Sine = Fixed<62, 62>;
-  using Length = Fixed<61, 60>;
-  using QuaternionPart = Fixed<46, 45>;
+  using Ratio = Fixed<62, 60>;
 };
 
 /// 2 pi and 1 / 2 pi with as many bits as keep products with a scalar in 128 bits. They round every
@@ -201,11 +200,6 @@ struct SineCosine {
   T cosine;
 };
 
-constexpr SineCosine<Fixed<62, 62>> sine_cosine(std::uint64_t phase) noexcept {
-  using Sine = Fixed<62, 62>;
-  return {Sine::assume_raw(sine_q62(phase)), Sine::assume_raw(cosine_q62(phase))};
-}
-
 }  // namespace detail
 
 /// The sine of an angle, as the scalar of the angle or as the type asked for: `sin<T>(angle)`.
@@ -243,13 +237,10 @@ template <int B, int F>
 /// than 2^-61.
 template <int B, int F>
 [[nodiscard]] constexpr auto sine_cosine(Angle<Fixed<B, F>> angle) noexcept {
-  return detail::sine_cosine(detail::phase_of(angle));
-}
-
-/// `sine_cosine` of half the angle, which is taken in [0, 1) turn.
-template <int B, int F>
-[[nodiscard]] constexpr auto half_sine_cosine(Angle<Fixed<B, F>> angle) noexcept {
-  return detail::sine_cosine(detail::phase_of(angle) / 2);
+  using Sine = Fixed<62, 62>;
+  const std::uint64_t phase = detail::phase_of(angle);
+  return detail::SineCosine<Sine>{Sine::assume_raw(sine_q62(phase)),
+                                  Sine::assume_raw(cosine_q62(phase))};
 }
 
 #if __STDC_HOSTED__
@@ -268,10 +259,6 @@ template <std::floating_point F>
 template <std::floating_point F>
 [[nodiscard]] constexpr detail::SineCosine<F> sine_cosine(Angle<F> angle) noexcept {
   return {sin(angle), cos(angle)};
-}
-template <std::floating_point F>
-[[nodiscard]] constexpr detail::SineCosine<F> half_sine_cosine(Angle<F> angle) noexcept {
-  return {std::sin(angle.raw() / 2), std::cos(angle.raw() / 2)};
 }
 #endif
 
