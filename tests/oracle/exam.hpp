@@ -14,16 +14,12 @@
 #include "oracle/ray_plane.hpp"
 #include "oracle/ray_sphere.hpp"
 #include "oracle/ray_triangle.hpp"
+#include "oracle/space.hpp"
 #include "support/catch.hpp"
 
 namespace detent::oracle {
 
-/// A scalar and a dimension, so that test names show both.
-template <Scalar S, int N>
-struct Space {
-  using scalar = S;
-  static constexpr int dimension = N;
-};
+using test::Space;
 
 template <Scalar S, int N>
 std::string text(const Vec<S, N>& v) {

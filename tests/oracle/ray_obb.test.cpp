@@ -148,8 +148,7 @@ TEMPLATE_TEST_CASE("ray against OBB: every answer is the exact one", "[oracle]",
 }
 
 TEMPLATE_TEST_CASE("ray against OBB: many more answers are exact", "[oracle][.demand]",
-                   (Space<q16_16, 3>), (Space<q16_16, 2>), (Space<q14_16, 3>), (Space<q14_16, 2>),
-                   (Space<q24_8, 3>), (Space<q24_8, 2>), (Space<q8_8, 3>), (Space<q8_8, 2>)) {
+                   DETENT_FIXED_SPACES) {
   for (const auto seed : demanded_seeds()) {
     examine<typename TestType::scalar, TestType::dimension>(seed, 1'000'000);
   }

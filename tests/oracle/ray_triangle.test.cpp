@@ -152,14 +152,12 @@ void examine(std::uint64_t seed, long count) {
 }
 
 TEMPLATE_TEST_CASE("ray against triangle: every answer is the exact one", "[oracle]",
-                   (Space<q16_16, 3>), (Space<q16_16, 2>), (Space<q14_16, 3>), (Space<q14_16, 2>),
-                   (Space<q24_8, 3>), (Space<q24_8, 2>), (Space<q8_8, 3>), (Space<q8_8, 2>)) {
+                   DETENT_FIXED_SPACES) {
   examine<typename TestType::scalar, TestType::dimension>(0x7419, cases<TestType>);
 }
 
 TEMPLATE_TEST_CASE("ray against triangle: many more answers are exact", "[oracle][.demand]",
-                   (Space<q16_16, 3>), (Space<q16_16, 2>), (Space<q14_16, 3>), (Space<q14_16, 2>),
-                   (Space<q24_8, 3>), (Space<q24_8, 2>), (Space<q8_8, 3>), (Space<q8_8, 2>)) {
+                   DETENT_FIXED_SPACES) {
   for (const auto seed : demanded_seeds()) {
     examine<typename TestType::scalar, TestType::dimension>(seed, 1'000'000);
   }

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "oracle/point_exam.hpp"
+
+namespace detent::oracle {
+namespace {
+
+template <Scalar S, int N>
+void examine(std::uint64_t seed, long count) {
+  PointExam<S, N> exam(seed);
+  auto& draw = exam.draw;
+  auto& random = draw.random;
+  using D = Draw<S, N>;
+  const auto question = [](const Raw<N>& min, const Raw<N>& max, const Raw<N>& point) {
+    return std::pair{Aabb<S, N>{D::vec(min), D::vec(max)}, D::vec(point)};
+  };
+  // A box about `center`, with sides up to twice `reach` that may be flat or, rarely, inverted.
+  const auto around = [&](const Raw<N>& center, std::int64_t reach, const Raw<N>& point) {
+    auto min = center, max = center;
+    for (std::size_t i = 0; i < D::size; ++i) {
+      const auto half = random.one_in(50) ? -1 : random.between(0, reach);
+      min[i] -= half;
+      max[i] += half;
+    }
+    return question(min, max, point);
+  };
+
+  exam.family("random", count * 5 / 10, 30, 70, [&] {
+    const auto scale = draw.scale();
+    const auto center = draw.point(scale);
+    return around(center, scale, draw.near(center, N == 2 ? scale / 2 : scale * 2 / 5));
+  });
+  exam.family("tiny", count * 3 / 10, 20, 80, [&] {
+    const auto center = draw.point(4);
+    return around(center, 3, draw.near(center, 2));
+  });
+  exam.family("extreme", count * 2 / 10, 1, 70, [&] {
+    auto min = draw.extreme_point(), max = draw.extreme_point();
+    for (std::size_t i = 0; i < D::size; ++i) {
+      if (max[i] < min[i] && !random.one_in(20)) std::swap(min[i], max[i]);
+    }
+    return question(min, max, draw.extreme_point());
+  });
+
+  exam.finish();
+}
+
+TEMPLATE_TEST_CASE("point and AABB: every answer is the exact one", "[oracle]",
+                   DETENT_FIXED_SPACES) {
+  examine<typename TestType::scalar, TestType::dimension>(0xf201c, point_cases);
+}
+
+TEMPLATE_TEST_CASE("point and AABB: many more answers are exact", "[oracle][.demand]",
+                   DETENT_FIXED_SPACES) {
+  for (const auto seed : point_seeds()) {
+    examine<typename TestType::scalar, TestType::dimension>(seed, 10 * point_cases);
+  }
+}
+
+}  // namespace
+}  // namespace detent::oracle

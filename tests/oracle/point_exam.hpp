@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+
+#include "detent/query/closest_point.hpp"
+#include "detent/query/contains.hpp"
+#include "detent/query/distance.hpp"
+#include "detent/query/on.hpp"
+#include "oracle/answer.hpp"
+#include "oracle/draw.hpp"
+#include "oracle/point.hpp"
+#include "oracle/space.hpp"
+#include "support/catch.hpp"
+
+namespace detent::oracle {
+
+/// The raw bits of a number of any width.
+template <class I>
+Integer whole(const I& raw) {
+  if constexpr (sizeof(I) <= sizeof(std::int64_t)) {
+    return static_cast<std::int64_t>(raw);
+  } else {
+    constexpr int words = static_cast<int>(sizeof(I) / sizeof(std::uint64_t));
+    const Wide<words> wide(raw);
+    const Wide<words> magnitude = wide.is_negative() ? -wide : wide;
+    Integer result = 0;
+    for (int i = words - 1; i >= 0; --i) result = (result << 64) + magnitude.word(i);
+    return wide.is_negative() ? Integer(-result) : result;
+  }
+}
+
+/// `x`, the square of a length of scalar S, in squares of raw units.
+template <Scalar S, int B, int F>
+Moment in_raw_units(const Fixed<B, F>& x) {
+  return {whole(x.raw()), Integer(1) << static_cast<unsigned>(F - 2 * S::frac)};
+}
+template <Scalar S, class Over, class Under>
+Moment in_raw_units(const Fraction<Over, Under>& x) {
+  constexpr int shift = Over::frac - Under::frac - 2 * S::frac;
+  static_assert(shift >= 0);
+  return {whole(x.numerator.raw()), whole(x.denominator.raw()) << static_cast<unsigned>(shift)};
+}
+
+/// `over / under` to the nearest integer, a tie to the even one.
+inline Integer nearest_quotient(const Integer& over, const Integer& under) {
+  const Integer down = floor_quotient(over, under);
+  const Integer twice_rest = 2 * (over - down * under);
+  const bool odd = (down % 2) != 0;
+  return twice_rest > under || (twice_rest == under && odd) ? Integer(down + 1) : down;
+}
+
+/// The sign of x - y sqrt(square).
+inline int sign_of_difference(const Integer& x, const Integer& y, const Integer& square) {
+  const int x_sign = x.sign(), y_sign = square.is_zero() ? 0 : y.sign();
+  if (x_sign != y_sign) return x_sign < y_sign ? -1 : 1;
+  const Integer excess = x * x - y * y * square;
+  return x_sign < 0 ? -excess.sign() : excess.sign();
+}
+
+/// Whether `given` is core + radius * v / |v| on one axis, rounded to nearest, for the vector v of
+/// which this is component `along`. With a slack, half a unit of error may grow by 2^-slack.
+template <int N>
+bool is_rounded(const Integer& given, const Place<N>& core, std::size_t axis, const Integer& radius,
+                const Vector<N>& v, int slack) {
+  const Integer square = dot(v, v);
+  const Integer grain = slack == 0 ? Integer(1) : Integer(1) << static_cast<unsigned>(slack - 1);
+  const Integer half = core.under * (slack == 0 ? grain : Integer(grain + 1));
+  const Integer twice = 2 * (given * core.under - core.over[axis]) * grain;
+  const Integer step = 2 * radius * v[axis] * core.under * grain;
+  // twice - half <= step / |v| <= twice + half
+  const int below = sign_of_difference(step, twice - half, square);
+  const int above = sign_of_difference(step, twice + half, square);
+  if (slack == 0 && (below == 0 || above == 0)) return given % 2 == 0;
+  return below >= 0 && above <= 0;
+}
+
+template <Scalar S, int N>
+std::string describe(const Vec<S, N>& v) {
+  Raw<N> components{};
+  for (int i = 0; i < N; ++i) components[static_cast<std::size_t>(i)] = v[i].raw();
+  return text(components);
+}
+template <Scalar S, int N>
+std::string describe(const Sphere<S, N>& s) {
+  return "sphere " + describe(s.center) + " radius " + raw(s.radius).str();
+}
+template <Scalar S, int N>
+std::string describe(const Aabb<S, N>& box) {
+  return "aabb " + describe(box.min) + " " + describe(box.max);
+}
+template <Scalar S, int N>
+std::string describe(const Obb<S, N>& box) {
+  auto out = "obb " + describe(box.center) + " half extents " + describe(box.half_extents);
+  for (int i = 0; i < N; ++i) out += " " + text(raw(box.rotation.axis(i)));
+  return out;
+}
+template <Scalar S, int N>
+std::string describe(const Plane<S, N>& plane) {
+  return "plane " + text(raw(plane.normal)) + " offset " + raw(plane.offset).str();
+}
+template <Scalar S, int N>
+std::string describe(const Segment<S, N>& s) {
+  return "segment " + describe(s.start) + " " + describe(s.end);
+}
+template <Scalar S, int N>
+std::string describe(const Ray<S, N>& ray) {
+  return "ray " + describe(ray.origin) + " direction " + text(raw(ray.direction)) +
+         " max_distance " + raw(ray.max_distance).str();
+}
+template <Scalar S, int N>
+std::string describe(const Triangle<S, N>& t) {
+  return "triangle " + describe(t.a) + " " + describe(t.b) + " " + describe(t.c);
+}
+template <Scalar S, int N>
+std::string describe(const Capsule<S, N>& c) {
+  return "capsule " + describe(c.a) + " " + describe(c.b) + " radius " + raw(c.radius).str();
+}
+
+/// By how much closest_point may miss half a unit, as 2^-slack, or 0 when it may not.
+template <class Shape>
+inline constexpr int slack_of = 0;
+template <Scalar S, int N>
+inline constexpr int slack_of<Capsule<S, N>> = 15;
+
+/// Puts points and shapes to the library and to the oracle, and keeps the first few disagreements.
+template <Scalar S, int N>
+class PointExam {
+ public:
+  explicit PointExam(std::uint64_t seed) : draw(seed) {}
+
+  Draw<S, N> draw;
+
+  /// `count` cases that `generate` draws as a pair of shape and point; of these, at least `low` and
+  /// at most `high` percent must be inside or on the shape.
+  template <class Generate>
+  void family(const char* name, long count, int low, int high, Generate generate) {
+    test::HitRate rate;
+    for (long i = 0; i < count; ++i) {
+      const auto [shape, point] = generate();
+      const auto truth = nearest(shape, point);
+      rate.count(truth && within(*truth, 0));
+      ++asked_;
+      const auto found = mistakes(shape, point, truth);
+      if (found.empty() || ++wrong_ > 5) continue;
+      first_mistakes_ << name << ": " << describe(shape) << "; point " << describe(point) << "\n"
+                      << found;
+    }
+    INFO(draw.random << ", " << name << ": " << rate);
+    CHECK(rate.percent() >= low);
+    CHECK(rate.percent() <= high);
+  }
+
+  void finish() {
+    INFO(draw.random << ", " << asked_ << " cases\n" << first_mistakes_.str());
+    CHECK(wrong_ == 0);
+  }
+
+ private:
+  static bool within(const Nearest<N>& truth, const Integer& tolerance) {
+    const Integer reach = truth.radius + tolerance;
+    return truth.core.squared.over <= reach * reach * truth.core.squared.under;
+  }
+
+  template <class Shape>
+  std::string mistakes(const Shape& shape, const Vec<S, N>& point,
+                       const std::optional<Nearest<N>>& truth) {
+    std::ostringstream out;
+    const bool inside = truth && within(*truth, 0);
+    if (contains(shape, point) != inside) out << "  contains: expected " << inside << "\n";
+    if constexpr (requires { on(shape, point); }) {
+      if (on(shape, point) != inside) out << "  on: expected " << inside << "\n";
+    }
+
+    const S given = distance(shape, point);
+    if (!is_distance(raw(given), truth)) out << "  distance: got " << given.raw() << "\n";
+    const auto near = static_cast<std::int64_t>(given.raw()) + draw.random.between(-1, 1);
+    for (const S tolerance : {Draw<S, N>::scalar(near), Draw<S, N>::scalar(draw.extreme())}) {
+      const bool expected = truth && tolerance >= 0 && within(*truth, raw(tolerance));
+      if (on(shape, point, tolerance) != expected) {
+        out << "  on with tolerance " << tolerance.raw() << ": expected " << expected << "\n";
+      }
+    }
+    if constexpr (requires { squared_distance(shape, point); }) {
+      const auto squared = squared_distance(shape, point);
+      if (truth && !(in_raw_units<S>(squared) == truth->core.squared)) {
+        out << "  squared_distance: expected " << truth->core.squared.over << " / "
+            << truth->core.squared.under << "\n";
+      }
+      const Integer limit = whole(S::max().raw());
+      if (!truth && !(Moment{limit * limit, 1} < in_raw_units<S>(squared))) {
+        out << "  squared_distance: an empty shape is near\n";
+      }
+    }
+
+    const auto closest = closest_point(shape, point);
+    if (!is_closest<slack_of<Shape>>(closest, point, truth, inside)) {
+      out << "  closest_point: got " << describe(closest) << "\n";
+    }
+    return out.str();
+  }
+
+  /// Whether given = floor(max(0, sqrt(squared) - radius)), clamped.
+  static bool is_distance(const Integer& given, const std::optional<Nearest<N>>& truth) {
+    const Integer limit = whole(S::max().raw());
+    if (!truth) return given == limit;
+    if (given < 0) return false;
+    const Integer reach = truth->radius + given;
+    const auto& [over, under] = truth->core.squared;
+    if (given > 0 && over < reach * reach * under) return false;
+    return given == limit || over < (reach + 1) * (reach + 1) * under;
+  }
+
+  template <int Slack>
+  static bool is_closest(const Vec<S, N>& given, const Vec<S, N>& point,
+                         const std::optional<Nearest<N>>& truth, bool inside) {
+    if (!truth || (inside && truth->keeps_inside)) return given == point;
+    const auto closest = raw(given), p = raw(point);
+    const auto& core = truth->core;
+    const Integer low = whole(S::lowest().raw()), high = whole(S::max().raw());
+    Vector<N> v;
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] = p[i] * core.under - core.over[i];
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      const int slack = core.under == 1 ? 0 : Slack;
+      if (slack != 0 || !truth->radius.is_zero()) {
+        if (!is_rounded<N>(closest[i], core, i, truth->radius, v, slack)) return false;
+      } else {
+        const Integer exact = nearest_quotient(core.over[i], core.under);
+        if (closest[i] != std::clamp(exact, low, high)) return false;
+      }
+    }
+    return true;
+  }
+
+  long asked_ = 0;
+  long wrong_ = 0;
+  std::ostringstream first_mistakes_;
+};
+
+/// How many cases an ordinary run asks in each space.
+inline constexpr long point_cases = 50'000;
+
+/// The seeds of a run on demand, which DETENT_ORACLE_SEED turns into other ones.
+inline std::array<std::uint64_t, 20> point_seeds() {
+  const char* text = std::getenv("DETENT_ORACLE_SEED");
+  test::Random random(text == nullptr ? 0x5eed : std::strtoull(text, nullptr, 0));
+  std::array<std::uint64_t, 20> seeds{};
+  for (auto& seed : seeds) seed = random.next();
+  return seeds;
+}
+
+}  // namespace detent::oracle

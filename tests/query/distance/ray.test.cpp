@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/distance/ray.hpp"
+
+#include "query/raycast/helpers.hpp"
+
+namespace detent::test {
+namespace {
+
+TEMPLATE_TEST_CASE("distance, ray: to the line, the origin or the end", "[distance]",
+                   DETENT_EVERY_SPACE) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  Ray<S, N> ray{at<S, N>(1, 1), toward<S, N>(1), num<S>(8)};
+  CHECK(distance(ray, at<S, N>(3, 5)) == num<S>(4));
+  CHECK(distance(ray, at<S, N>(-2, 5)) == num<S>(5));
+  CHECK(distance(ray, at<S, N>(12, -3)) == num<S>(5));
+  CHECK(distance(ray, at<S, N>(4, 1)) == num<S>(0));
+  ray.max_distance = num<S>(-1);
+  CHECK(distance(ray, ray.origin) == largest<S>);
+}
+
+TEMPLATE_TEST_CASE("distance, ray: exact for a direction as stored, and clamped", "[distance]",
+                   DETENT_FIXED_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const Ray<S, N> ray{Vec<S, N>(), three_four_fifths<S, N>(), S::max()};
+  CHECK(distance(ray, at<S, N>(30 - 8, 40 + 6)) == S(10));
+  CHECK(distance(ray, at<S, N>(30, 40)) == S(0));
+  const auto low = filled<S, N>(S::lowest()), high = filled<S, N>(S::max());
+  CHECK(distance(Ray<S, N>{low, toward<S, N>(-1)}, high) == S::max());
+  CHECK(distance(Ray<S, N>{low, toward<S, N>(1)}, high) == S::max());
+}
+
+}  // namespace
+}  // namespace detent::test

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "detent/number/text.hpp"
+#include "detent/query/raycast.hpp"
+#include "oracle/space.hpp"
+#include "support/catch.hpp"
+
+namespace detent::test {
+
+/// `value`, which S can represent.
+template <Scalar S>
+constexpr S num(double value) {
+  if constexpr (is_fixed<S>) {
+    return S::from_double(value);
+  } else {
+    return static_cast<S>(value);
+  }
+}
+
+/// The point (x, y, z), or (x, y) in the plane.
+template <Scalar S, int N>
+constexpr Vec<S, N> at(double x, double y = 0, double z = 0) {
+  if constexpr (N == 2) {
+    return {num<S>(x), num<S>(y)};
+  } else {
+    return {num<S>(x), num<S>(y), num<S>(z)};
+  }
+}
+
+/// The direction of (x, y, z), or of (x, y) in the plane.
+template <Scalar S, int N>
+constexpr Direction<S, N> toward(double x, double y = 0, double z = 0) {
+  return *normalize(at<S, N>(x, y, z));
+}
+
+/// The vector with this component everywhere.
+template <Scalar S, int N>
+constexpr Vec<S, N> filled(S value) {
+  Vec<S, N> result;
+  for (int i = 0; i < N; ++i) result[i] = value;
+  return result;
+}
+
+/// The smallest step of a fixed scalar, in which the exact boundaries are told apart.
+template <Scalar S>
+requires is_fixed<S>
+constexpr S moved(S value, int steps) {
+  return S::from_raw(static_cast<typename S::raw_type>(value.raw() + steps));
+}
+
+/// (3, 4) / 5 without a rounding error in the angle: parallel to it exactly, 2^-30 too long.
+template <Scalar S, int N>
+constexpr Direction<S, N> three_four_fifths() {
+  constexpr auto fifth = ((std::int64_t{1} << direction_component<S>::frac) + 1) / 5;
+  static_assert(fifth * 5 == (std::int64_t{1} << direction_component<S>::frac) + 1);
+  using Raw = typename direction_component<S>::raw_type;
+  std::array<Raw, static_cast<std::size_t>(N)> raw{};
+  raw[0] = static_cast<Raw>(3 * fifth);
+  raw[1] = static_cast<Raw>(4 * fifth);
+  return *Direction<S, N>::from_raw(raw);
+}
+
+/// The distance, once the three questions agree on whether and where the ray enters.
+template <Scalar S, int N, class Shape>
+std::optional<S> distance(const Ray<S, N>& ray, const Shape& shape) {
+  const auto distance = raycast(ray, shape);
+  const auto hit = raycast_hit(ray, shape);
+  const auto interval = raycast_interval(ray, shape);
+  CHECK(hit.has_value() == distance.has_value());
+  CHECK(interval.has_value() == distance.has_value());
+  if (distance && hit && interval) {
+    CHECK(hit->distance == *distance);
+    CHECK(interval->enter == *distance);
+    CHECK(interval->exit >= *distance);
+    CHECK(interval->exit <= ray.max_distance);
+    CHECK(hit->point == point_at(ray, *distance));
+  }
+  return distance;
+}
+
+template <Scalar S, int N, class Shape>
+bool misses(const Ray<S, N>& ray, const Shape& shape) {
+  return !distance(ray, shape).has_value();
+}
+
+// The world turned so that every axis becomes the next one, or seen in a mirror across axis 0. No
+// answer may depend on the names of the axes, or on which way they point.
+
+template <Number T, int N>
+constexpr Vec<T, N> turned(const Vec<T, N>& v) {
+  return make_vec<N>([&](int i) { return v[(i + 1) % N]; });
+}
+template <Number T, int N>
+constexpr Vec<T, N> mirrored(Vec<T, N> v) {
+  v.x = narrow<bits_of<T>>(-v.x);
+  return v;
+}
+
+template <Scalar S, int N>
+constexpr Direction<S, N> turned(const Direction<S, N>& d) {
+  return Direction<S, N>::assume_unit(turned(d.vec()));
+}
+template <Scalar S, int N>
+constexpr Direction<S, N> mirrored(const Direction<S, N>& d) {
+  return Direction<S, N>::assume_unit(mirrored(d.vec()));
+}
+
+/// The same change made to every point and direction of a ray or shape.
+template <Scalar S, int N, class F>
+constexpr Ray<S, N> changed(const Ray<S, N>& ray, const F& f) {
+  return {f(ray.origin), f(ray.direction), ray.max_distance};
+}
+template <Scalar S, int N, class F>
+constexpr Sphere<S, N> changed(const Sphere<S, N>& sphere, const F& f) {
+  return {f(sphere.center), sphere.radius};
+}
+template <Scalar S, int N, class F>
+constexpr Aabb<S, N> changed(const Aabb<S, N>& box, const F& f) {
+  auto low = f(box.min);
+  auto high = f(box.max);
+  for (int i = 0; i < N; ++i) {
+    if (low[i] > high[i]) std::swap(low[i], high[i]);
+  }
+  return {low, high};
+}
+template <Scalar S, int N, class F>
+constexpr Obb<S, N> changed(const Obb<S, N>& box, const F& f) {
+  std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
+  for (int i = 0; i < N; ++i) axes[static_cast<std::size_t>(i)] = f(box.rotation.axis(i));
+  return {f(box.center), box.half_extents, Rotation<S, N>::from_axes(axes)};
+}
+template <Scalar S, int N, class F>
+constexpr Plane<S, N> changed(const Plane<S, N>& plane, const F& f) {
+  return {f(plane.normal), plane.offset};
+}
+template <Scalar S, int N, class F>
+constexpr Triangle<S, N> changed(const Triangle<S, N>& triangle, const F& f) {
+  return {f(triangle.a), f(triangle.b), f(triangle.c)};
+}
+
+/// `value` in [-reach, reach] on every axis around `center`, for halves of the domain.
+template <Scalar S, int N>
+Vec<S, N> random_near(Random& random, const Vec<S, N>& center, std::int64_t reach) {
+  return make_vec<N>([&](int i) {
+    const auto raw = std::int64_t{center[i].raw()} + random.between(-reach, reach);
+    const auto limit = std::int64_t{S::max().raw()};
+    return S::from_raw(static_cast<typename S::raw_type>(std::clamp(raw, -limit, limit)));
+  });
+}
+/// A point of half the domain, so that it can be mirrored, at any scale.
+template <Scalar S, int N>
+Vec<S, N> random_point(Random& random) {
+  const auto reach = std::int64_t{1} << random.between(4, S::bits - 1);
+  return random_near(random, Vec<S, N>(), reach);
+}
+/// From one point to another; x when they are the same.
+template <Scalar S, int N>
+Direction<S, N> aimed(const Vec<S, N>& from, const Vec<S, N>& to) {
+  return direction_of<S>(to - from).value_or(Direction<S, N>());
+}
+
+/// Distances, intervals and, where `exact_normals`, normals do not change with the frame.
+template <Scalar S, int N, class Shape>
+void check_symmetry(const Ray<S, N>& ray, const Shape& shape, bool exact_normals) {
+  const auto turn = [](const auto& x) { return turned(x); };
+  const auto mirror = [](const auto& x) { return mirrored(x); };
+  const auto check = [&](const auto& change) {
+    const auto other_ray = changed(ray, change);
+    const auto other_shape = changed(shape, change);
+    CHECK(raycast(other_ray, other_shape) == raycast(ray, shape));
+    CHECK(raycast_interval(other_ray, other_shape) == raycast_interval(ray, shape));
+    const auto hit = raycast_hit(ray, shape);
+    const auto other_hit = raycast_hit(other_ray, other_shape);
+    REQUIRE(other_hit.has_value() == hit.has_value());
+    if (hit && exact_normals) CHECK(other_hit->normal == change(hit->normal));
+  };
+  check(turn);
+  check(mirror);
+}
+
+}  // namespace detent::test
