@@ -3,4 +3,5 @@
 
 // The query layer: yes or no, and where.
 
+#include "detent/query/contains.hpp"
 #include "detent/query/raycast.hpp"

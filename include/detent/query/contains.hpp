@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Points in every shape, a closed set:
+//   contains(shape, point) -> bool
+
+#include "detent/query/contains/aabb.hpp"
+#include "detent/query/contains/capsule.hpp"
+#include "detent/query/contains/obb.hpp"
+#include "detent/query/contains/plane.hpp"
+#include "detent/query/contains/ray.hpp"
+#include "detent/query/contains/segment.hpp"
+#include "detent/query/contains/sphere.hpp"
+#include "detent/query/contains/triangle.hpp"

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/distance/segment.hpp"
+#include "detent/shape/capsule.hpp"
+
+namespace detent {
+
+/// Whether `point` is in `capsule`, its surface included.
+///
+/// domain: every input; a negative radius is an empty capsule and contains nothing
+/// exact:  yes or no exact                                   (tests/oracle/point_capsule.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool contains(const Capsule<S, N>& capsule,
+                                      const Vec<S, N>& point) noexcept {
+  return capsule.radius >= 0 &&
+         squared_distance(Segment{capsule.a, capsule.b}, point) <= capsule.radius * capsule.radius;
+}
+
+}  // namespace detent

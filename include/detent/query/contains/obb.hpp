@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/shape/obb.hpp"
+
+namespace detent {
+
+/// Whether `point` is in `box`, its surface included.
+///
+/// The box is {x : |dot(axis(i), x - center)| <= half_extents[i]} with its axes exactly as stored.
+///
+/// domain: every input; a box with a negative half extent is empty and contains nothing
+/// exact:  yes or no exact                                       (tests/oracle/point_obb.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool contains(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {
+  const auto from_center = point - box.center;
+  for (int i = 0; i < N; ++i) {
+    const auto along = dot(box.rotation.axis(i), from_center);
+    if (along < -box.half_extents[i] || along > box.half_extents[i]) return false;
+  }
+  return true;
+}
+
+}  // namespace detent

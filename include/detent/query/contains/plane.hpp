@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/shape/plane.hpp"
+
+namespace detent {
+
+/// Whether `point` is one of the points of `plane`: dot(normal, point) = offset, the normal exactly
+/// as stored.
+///
+/// domain: every input
+/// exact:  yes or no exact                                     (tests/oracle/point_plane.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool contains(const Plane<S, N>& plane, const Vec<S, N>& point) noexcept {
+  return dot(plane.normal, point) == plane.offset;
+}
+
+}  // namespace detent
