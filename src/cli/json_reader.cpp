@@ -130,15 +130,24 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     }
     std::string reason(what);
     std::replace(reason.begin(), reason.end(), ';', ',');
-    // The lexer stops on the character that it cannot use, or on the end of the file.
-    const std::size_t last = consumed_ == content_.size() ? consumed_ : consumed_ - 1;
-    fail(places_.at(last), "malformed JSON: " + reason + "; correct the text here");
+    fail(places_.at(error_start(what)), "malformed JSON: " + reason + "; correct the text here");
     return false;
   }
 
  private:
   [[noreturn]] void fail(Place place, const std::string& what) const {
     throw InputError(file_, place, what);
+  }
+
+  /// Where the token begins that does not belong, or the character that no token can have.
+  std::size_t error_start(std::string_view what) const {
+    if (what.starts_with("unexpected end of input")) return consumed_;
+    if (what.starts_with("unexpected number literal")) return number_start();
+    if (what.starts_with("unexpected string literal")) return string_start();
+    std::size_t length = 1;
+    if (what.starts_with("unexpected true") || what.starts_with("unexpected null")) length = 4;
+    if (what.starts_with("unexpected false")) length = 5;
+    return consumed_ - std::min(consumed_, length);
   }
 
   std::size_t number_end() const {
@@ -234,6 +243,11 @@ const char* name_of(JsonNode::Kind kind) {
 }
 
 JsonNode read_json(std::string_view file, std::string_view content) {
+  // The parser would take a zero byte for the end of the text.
+  if (const auto zero = content.find('\0'); zero != std::string_view::npos) {
+    throw InputError(file, PlaceCounter(content).at(zero),
+                     "malformed JSON: a zero byte; save the file as UTF-8 text");
+  }
   TreeBuilder builder(file, content);
   const char* const begin = content.data();
   nlohmann::json::sax_parse(TrackedIterator(begin, builder.consumed()),

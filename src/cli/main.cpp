@@ -12,6 +12,7 @@ namespace detent::cli {
 namespace {
 
 constexpr int bad_input = 2;
+constexpr int most_pixels = 1 << 24;  // each takes about 80 bytes while it is drawn
 
 std::string all_scalars() {
   std::string text;
@@ -44,10 +45,12 @@ Size parse_size(const std::string& text) {
     const auto height = std::from_chars(width.ptr + 1, end, size.height);
     const bool valid = height.ec == std::errc() && height.ptr == end && size.width > 0 &&
                        size.height > 0 && size.width < largest_image &&
-                       size.height < largest_image - size.width;
+                       size.height < largest_image - size.width &&
+                       size.width * size.height <= most_pixels;
     if (valid) return size;
   }
-  throw InputError("--size: \"" + text + "\" is not WIDTHxHEIGHT with a sum below " +
+  throw InputError("--size: \"" + text + "\" is not WIDTHxHEIGHT with at most " +
+                   std::to_string(most_pixels) + " pixels and a sum below " +
                    std::to_string(largest_image) + "; write, for example, 640x360");
 }
 

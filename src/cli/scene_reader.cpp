@@ -239,7 +239,9 @@ class SceneReader {
       const auto [stop, error] = std::from_chars(begin + 1, end, value, 16);
       valid = error == std::errc() && stop == end;
     }
-    if (!valid) fail(node, "color " + in_quotes(node.text) + " is not of the form \"#rrggbb\"");
+    if (!valid)
+      fail(node,
+           "color " + in_quotes(node.text) + " is not a color; write, for example, \"#c96f4a\"");
     return {static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>((value >> 8) & 0xff),
             static_cast<std::uint8_t>(value & 0xff)};
   }

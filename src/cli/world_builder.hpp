@@ -88,9 +88,8 @@ class WorldBuilder {
     if (const auto result = value.to<T>()) return *result;
     std::string text = value.text();
     if (text.size() > 24) text = text.substr(0, 24) + "...";
-    fail(place, name + " = " + text + (move_.is_zero() ? "" : " (after the move)") +
-                    " is out of range for " + std::string(scalar_name<T>) + " (" + range_of<T>() +
-                    "); use a smaller number or a wider scalar");
+    fail(place, name + " = " + text + " is out of range for " + std::string(scalar_name<T>) + " (" +
+                    range_of<T>() + "); use a smaller number or a wider scalar");
   }
 
   S length(const Literal& number, const std::string& name) const {
@@ -102,8 +101,9 @@ class WorldBuilder {
   }
 
   Vec<S, 3> position(const Point& point, const std::string& name) const {
+    const std::string what = move_.is_zero() ? name : name + " after the move";
     const auto moved = [&](std::size_t i) {
-      return scalar(point[i].value + move_.by[i], point[i].place, name);
+      return scalar(point[i].value + move_.by[i], point[i].place, what);
     };
     return {moved(0), moved(1), moved(2)};
   }
@@ -160,8 +160,10 @@ class WorldBuilder {
     const Direction<S, 3> normal = direction(model.normal);
     const S offset = length(model.offset, "offset");
     if (move_.is_zero()) return {normal, offset};
-    const Point origin = point_of("0", "0", "0");
-    const auto moved = offset + dot(normal, position(origin, "the move"));
+    const auto by = [&](std::size_t i) {
+      return scalar(move_.by[i], model.offset.place, "the move");
+    };
+    const auto moved = offset + dot(normal, Vec<S, 3>{by(0), by(1), by(2)});
     if (moved > largest<S> || moved < -largest<S>) {
       fail(model.offset.place, "offset of the moved plane is out of range for " +
                                    std::string(scalar_name<S>) + " (" + range_of<S>() +

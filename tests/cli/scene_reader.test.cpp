@@ -86,8 +86,8 @@ TEST_CASE("scene: a bad shape is refused") {
   CHECK(shape_error("{\"type\": \"plane\", \"normal\": [0,0,0], \"offset\": 0}") ==
         "2:29: normal is the zero vector; give it a direction");
   CHECK(shape_error("{\"type\": \"sphere\", \"color\": \"red\"}") ==
-        "2:29: color \"red\" is not of the form \"#rrggbb\"");
-  CHECK(shape_error("{\"type\": \"sphere\", \"color\": \"#+12345\"}").find("#rrggbb") !=
+        "2:29: color \"red\" is not a color; write, for example, \"#c96f4a\"");
+  CHECK(shape_error("{\"type\": \"sphere\", \"color\": \"#+12345\"}").find("is not a color") !=
         std::string::npos);
   CHECK(shape_error("{\"type\": \"aabb\", \"id\": 4}") == "2:24: id is a number; write a string");
   CHECK(shape_error("{\"type\": \"obb\", \"center\": [0,0,0], \"half_extents\": [1,1,1],\n"

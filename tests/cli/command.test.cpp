@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "support/catch.hpp"
+
+// The built program, run as a user runs it.
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A directory of its own, which disappears with the test.
+class Workshop {
+ public:
+  Workshop()
+      : path_(fs::temp_directory_path() / ("detent-" + std::to_string(std::random_device()()))) {
+    fs::create_directories(path_ / "work");
+  }
+  ~Workshop() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+
+  void write(const std::string& name, const std::string& content) const {
+    std::ofstream(path_ / "work" / name, std::ios::binary) << content;
+  }
+
+  [[nodiscard]] fs::path path(const std::string& name = "") const { return path_ / "work" / name; }
+
+  struct Result {
+    int code;
+    std::string out;
+    std::string err;
+  };
+
+  /// Runs `detent ARGUMENTS` inside the directory.
+  [[nodiscard]] Result run(const std::string& arguments) const {
+    const fs::path out = path_ / "out";
+    const fs::path err = path_ / "err";
+    const std::string command = "cd '" + (path_ / "work").string() + "' && '" DETENT_TOOL "' " +
+                                arguments + " >'" + out.string() + "' 2>'" + err.string() + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
+  }
+
+  [[nodiscard]] std::size_t file_count() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_ / "work"), {}));
+  }
+
+ private:
+  fs::path path_;
+};
+
+/// Exit code 2, exactly one line on standard error that starts so, nothing on standard output.
+bool refuses(const Workshop::Result& result, const std::string& start) {
+  return result.code == 2 && result.out.empty() && result.err.starts_with("detent: " + start) &&
+         result.err.find("; ") != std::string::npos &&
+         std::count(result.err.begin(), result.err.end(), '\n') == 1 && result.err.back() == '\n';
+}
+
+const std::string ball_scene =
+    "{\"shapes\": [{\"type\": \"sphere\", \"id\": \"ball\", \"center\": [0, 0, 10], \"radius\": "
+    "2}],\n"
+    " \"rays\": [{\"id\": \"hit\", \"origin\": [0.5, 0, 0], \"direction\": [0, 0, 1]},\n"
+    "            {\"origin\": [0, 5e0, 0], \"direction\": [0, 0, 1]}]}";
+
+const std::string seen_scene =
+    "{\"camera\": {\"position\": [0, 2, 8], \"target\": [0, 1, 0]}, \"shapes\": [\n"
+    " {\"type\": \"plane\", \"normal\": [0, 1, 0], \"offset\": 0},\n"
+    " {\"type\": \"sphere\", \"center\": [0, 1, 0], \"radius\": 1}]}";
+
+}  // namespace
+
+TEST_CASE("detent cast: one line of JSON for each ray, and a summary") {
+  const Workshop shop;
+  shop.write("ball.json", ball_scene);
+  const auto result = shop.run("cast ball.json");
+  CHECK(result.code == 0);
+  CHECK(result.err.empty());
+  CHECK(result.out.starts_with(
+      "{\"ray\": \"hit\", \"hit\": \"ball\", \"distance\": 8.063507080078125,"));
+  INFO(result.out);
+  CHECK(result.out.find(
+            "\n{\"ray\": 1, \"hit\": null}\n{\"rays\": 2, \"hits\": 1, \"digest\": \"0x") !=
+        std::string::npos);
+
+  CHECK(shop.run("cast ball.json --out answers").code == 0);
+  CHECK(content_of(shop.path("answers")) == result.out);
+  CHECK(shop.file_count() == 2);
+}
+
+TEST_CASE("detent cast: the example gives the answers of its page") {
+  const Workshop shop;
+  const auto result = shop.run("cast " DETENT_SCENES "/rays.json");
+  CHECK(result.code == 0);
+  INFO(result.out);
+  CHECK(result.out.ends_with("{\"rays\": 11, \"hits\": 8, \"digest\": \"0x71393449c9b2b876\"}\n"));
+}
+
+TEST_CASE("detent cast: of equally near shapes the first in the file is hit") {
+  const Workshop shop;
+  shop.write("tie.json",
+             "{\"shapes\": ["
+             "{\"type\": \"plane\", \"id\": \"far\", \"normal\": [0, 0, 1], \"offset\": 9},"
+             "{\"type\": \"plane\", \"id\": \"b\", \"normal\": [0, 0, 1], \"offset\": 5},"
+             "{\"type\": \"plane\", \"id\": \"a\", \"normal\": [0, 0, 1], \"offset\": 5}],"
+             "\"rays\": [{\"origin\": [0, 0, 0], \"direction\": [0, 0, 3]}]}");
+  CHECK(shop.run("cast tie.json").out.starts_with("{\"ray\": 0, \"hit\": \"b\", \"distance\": 5,"));
+}
+
+TEST_CASE("detent cast: every scalar answers, and two are compared") {
+  const Workshop shop;
+  shop.write("ball.json", ball_scene);
+  for (const char* const scalar : {"q16_16", "q14_16", "q24_8", "q8_8", "float", "double"}) {
+    const auto result = shop.run(std::string("cast ball.json --scalar ") + scalar);
+    CHECK(result.code == 0);
+    CHECK(result.out.find("\"hits\": 1") != std::string::npos);
+  }
+  const auto table = shop.run("cast ball.json --scalar q8_8 --compare double");
+  CHECK(table.code == 0);
+  CHECK(table.out.find("disagreements: 0") != std::string::npos);
+  CHECK(table.out.find("(ray hit)") != std::string::npos);
+  const auto far = shop.run("cast " DETENT_SCENES "/rays.json --compare q16_16,float");
+  CHECK(far.out.find("disagreements: 1 (1 hit or miss, 0 which shape)") != std::string::npos);
+}
+
+TEST_CASE("detent render: draws the same picture with any number of threads") {
+  const Workshop shop;
+  shop.write("seen.json", seen_scene);
+  CHECK(shop.run("render seen.json -o one.png --size 61x40 --threads 1").code == 0);
+  CHECK(shop.run("render seen.json -o many.png --size 61x40 --threads 7").code == 0);
+  const std::string picture = content_of(shop.path("one.png"));
+  CHECK(picture.starts_with("\x89PNG"));
+  CHECK(picture == content_of(shop.path("many.png")));
+  CHECK(shop.run("render seen.json -o both.png --size 61x40 --compare q8_8,float").code == 0);
+  CHECK(shop.run("render seen.json -o far.png --size 61x40 --offset 28000,-28000.5,1e2").code == 0);
+  CHECK(shop.file_count() == 5);
+}
+
+TEST_CASE("detent render: a model can be drawn alone and in a scene") {
+  const Workshop shop;
+  shop.write("tent.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 1/1 2/2 4/4\n");
+  CHECK(shop.run("render tent.obj -o a.png --size 32x20").code == 0);
+  CHECK(shop.run("render tent.obj -o b.png --size 32x20 --scale 3").code == 0);
+  shop.write(
+      "scene.json",
+      "{\"shapes\": [{\"type\": \"mesh\", \"id\": \"tent\", \"file\": \"tent.obj\", \"scale\": 2,"
+      " \"position\": [0, 0, 5]}],"
+      "\"rays\": [{\"origin\": [-0.5, -0.5, 0], \"direction\": [0, 0, 1]}]}");
+  const auto result = shop.run("cast scene.json");
+  INFO(result.out << result.err);
+  CHECK(result.out.starts_with("{\"ray\": 0, \"hit\": \"tent\", \"distance\": 4,"));
+}
+
+TEST_CASE("detent: help and version go to standard output") {
+  const Workshop shop;
+  for (const char* const arguments : {"--help", "--version", "cast --help", "render --help"}) {
+    const auto result = shop.run(arguments);
+    CHECK(result.code == 0);
+    CHECK_FALSE(result.out.empty());
+    CHECK(result.err.empty());
+  }
+}
+
+TEST_CASE("detent: a bad command line is one line and writes nothing") {
+  const Workshop shop;
+  shop.write("seen.json", seen_scene);
+  shop.write("ball.json", ball_scene);
+  for (const char* const arguments : {"",
+                                      "fly",
+                                      "cast",
+                                      "cast ball.json extra",
+                                      "cast ball.json --scalar q1_1",
+                                      "cast ball.json --compare float,half",
+                                      "cast ball.json --compare ,",
+                                      "cast ball.json --fast",
+                                      "render seen.json",
+                                      "render seen.json -o x.png --size 0x10",
+                                      "render seen.json -o x.png --size 10",
+                                      "render seen.json -o x.png --size 99999999999x1",
+                                      "render seen.json -o x.png --size 16000x16000",
+                                      "render seen.json -o x.png --offset 1,2",
+                                      "render seen.json -o x.png --offset 1,2,3,4",
+                                      "render seen.json -o x.png --offset a,b,c",
+                                      "render seen.json -o x.png --scale 2",
+                                      "render seen.json -o x.png --bias -1",
+                                      "render seen.json -o x.png --threads x",
+                                      "render seen.json -o x.png --threads -1",
+                                      "render seen.json -o ''",
+                                      "cast ball.json --out ''x/y"}) {
+    INFO(arguments);
+    const auto result = shop.run(arguments);
+    INFO(result.out << result.err);
+    CHECK(refuses(result, ""));
+    CHECK(shop.file_count() == 2);
+  }
+}
+
+TEST_CASE("detent: files that are not there, or not files, are named") {
+  const Workshop shop;
+  shop.write("ball.json", ball_scene);
+  shop.write("seen.json", seen_scene);
+  fs::create_directory(shop.path("folder"));
+  fs::create_directory(shop.path("folder.obj"));
+  CHECK(refuses(shop.run("cast no.json"), "no.json: no such file"));
+  CHECK(refuses(shop.run("cast folder"), "folder: is a directory"));
+  CHECK(refuses(shop.run("render no.obj -o x.png"), "no.obj: no such file"));
+  CHECK(refuses(shop.run("render folder.obj -o x.png"), "folder.obj: is a directory"));
+  CHECK(refuses(shop.run("cast ball.json --out folder"), "folder: is a directory"));
+  CHECK(refuses(shop.run("cast ball.json --out no/where"), "no/where: cannot be written"));
+  CHECK(refuses(shop.run("render seen.json -o no/where.png"), "no/where.png: cannot be written"));
+  CHECK(refuses(shop.run("demo --out ball.json"), "ball.json: "));
+  CHECK(shop.file_count() == 4);
+  if (fs::exists("/dev/full")) {
+    CHECK(refuses(shop.run("cast ball.json --out /dev/full"), "/dev/full: cannot be written"));
+  }
+  if (geteuid() != 0) {
+    fs::permissions(shop.path("ball.json"), fs::perms::none);
+    CHECK(refuses(shop.run("cast ball.json"), "ball.json: cannot be opened"));
+  }
+}
+
+TEST_CASE("detent: a file is replaced only by a whole one") {
+  const Workshop shop;
+  shop.write("ball.json", ball_scene);
+  shop.write("answers", "precious");
+  shop.write("bad.json", "{");
+  CHECK(refuses(shop.run("cast bad.json --out answers"), "bad.json:1:2: malformed JSON"));
+  CHECK(content_of(shop.path("answers")) == "precious");
+  CHECK(shop.run("cast ball.json --out answers").code == 0);
+  CHECK(content_of(shop.path("answers")).starts_with("{\"ray\""));
+  fs::create_symlink("answers", shop.path("link"));
+  CHECK(shop.run("cast ball.json --scalar float --out link").code == 0);
+  CHECK(fs::is_symlink(shop.path("link")));
+}
+
+TEST_CASE("detent: bad scenes are refused with file, line and column") {
+  const Workshop shop;
+  const auto refused = [&](const std::string& content, const std::string& start,
+                           const std::string& arguments = "cast s.json") {
+    shop.write("s.json", content);
+    const auto result = shop.run(arguments);
+    INFO(result.out << result.err);
+    CHECK(refuses(result, start));
+    CHECK(shop.file_count() == 1);
+  };
+  const auto with_sphere = [](const std::string& center, const std::string& radius) {
+    return "{\"shapes\": [{\"type\": \"sphere\", \"center\": " + center +
+           ",\n  \"radius\": " + radius +
+           "}],\n \"rays\": [{\"origin\": [0, 0, 0], \"direction\": [0, 0, 1]}]}";
+  };
+  refused("", "s.json:1:1: malformed JSON");
+  refused("\xef\xbb\xbf", "s.json:1:1: malformed JSON");
+  refused(with_sphere("[0, 0, 0]", "1").substr(0, 60), "s.json:2:8: malformed JSON");
+  refused(std::string("\0\0", 2), "s.json:1:1: malformed JSON: a zero byte");
+  refused(ball_scene + '\0' + "{", "s.json:3:62: malformed JSON: a zero byte");
+  refused(std::string(1'000'000, '['), "s.json:1:65: nested deeper");
+  refused("{\"shapes\": [], \"shapes\": []}", "s.json:1:16: key \"shapes\" appears twice");
+  refused("{\"shapes\": []}", "s.json: the scene has no \"rays\"");
+  refused("{\"shapes\": [], \"sun\\u000a\": 1}", "s.json:1:16: unknown key \"sun \" in the scene");
+  refused(with_sphere("[0, 0]", "1"), "s.json:1:42: center has 2 numbers");
+  refused(with_sphere("[0, 0, 1e5]", "1"),
+          "s.json:1:49: center = 100000 is out of range for q16_16");
+  refused(with_sphere("[0, 0, 1e999]", "1"), "s.json:1:49: number too large");
+  refused(with_sphere("[0, 0, " + std::string(5000, '9') + "]", "1"),
+          "s.json:1:49: number too large");
+  refused(with_sphere("[0, 0, 0." + std::string(5000, '9') + "]", "1"),
+          "s.json:1:49: center is longer than 1000 digits");
+  refused(with_sphere("[0, 0, 10]", "32768"), "s.json:2:13: radius = 32768 is out of range");
+  refused(with_sphere("[0, 0, 200]", "1"), "s.json:1:49: center = 200 is out of range for q8_8",
+          "cast s.json --scalar q8_8");
+  refused(with_sphere("[0, 0, 1e39]", "1"), "s.json:1:49: center = 1000",
+          "cast s.json --scalar float");
+  refused(with_sphere("[0, 0, 0]", "1"), "s.json: the scene has no \"camera\"",
+          "render s.json -o x.png");
+  refused(seen_scene, "s.json:2:51: the move = 32768 is out of range",
+          "render s.json -o x.png --offset 32768,0,0");
+  refused(seen_scene, "s.json:1:29: position after the move = 32768 is out of range",
+          "render s.json -o x.png --offset 0,32766,0");
+  refused("{\"camera\": {\"position\": [1, 1, 1], \"target\": [1.0, 1, 1]}, \"shapes\": []}",
+          "s.json:1:12: position and target are the same", "render s.json -o x.png");
+  refused("{\"camera\": {\"position\": [1, 1, 1], \"target\": [1, 7, 1]}, \"shapes\": []}",
+          "s.json:1:12: the camera looks along its up", "render s.json -o x.png");
+  refused("{\"shapes\": [{\"type\": \"mesh\", \"file\": \"no.obj\"}]}", "no.obj: no such file");
+}
+
+TEST_CASE("detent: a byte order mark and other unusual but valid text are read") {
+  const Workshop shop;
+  shop.write("bom.json", "\xef\xbb\xbf" + ball_scene);
+  CHECK(shop.run("cast bom.json").code == 0);
+  std::string windows = ball_scene;
+  for (std::size_t at = 0; (at = windows.find('\n', at)) != std::string::npos; at += 2) {
+    windows.replace(at, 1, "\r\n");
+  }
+  shop.write("windows.json", windows);
+  CHECK(shop.run("cast windows.json").out == shop.run("cast bom.json").out);
+}
+
+TEST_CASE("detent: models that cannot be used are refused") {
+  const Workshop shop;
+  const auto refused = [&](const std::string& content, const std::string& what) {
+    shop.write("m.obj", content);
+    const auto result = shop.run("render m.obj -o x.png --size 8x8");
+    INFO(result.out << result.err);
+    CHECK(refuses(result, "m.obj: "));
+    CHECK(result.err.find(what) != std::string::npos);
+    CHECK(shop.file_count() == 1);
+  };
+  refused("", "has no triangles");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\n", "has no triangles");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1e400 0\nf 1 2 3\n", "");
+  refused(std::string("\x7f"
+                      "ELF\x02\x01\0\0\0",
+                      9),
+          "has no triangles");
+}
