@@ -28,9 +28,10 @@ bool is_root(std::uint64_t root, std::uint64_t n) {
   return root <= 0xffffffff && square <= n && n - square <= 2 * root;
 }
 
-bool is_root(std::uint64_t root, const BigInteger& n) {
-  const BigInteger square = BigInteger(root) * root;
-  return square <= n && n - square <= 2 * BigInteger(root);
+bool is_root(std::uint64_t root, const Wide<2>& n) {
+  const BigInteger square = BigInteger(root) * root, next = square + root + root + 1;
+  const BigInteger value = big(Wide<3>::from_words({n.word(0), n.word(1), 0}));
+  return square <= value && value < next;
 }
 
 // Millions of assertions would take longer than the roots: this one speaks up on a fault only.
@@ -41,7 +42,7 @@ class Examiner {
     ++count_;
   }
   void check(std::uint64_t high, std::uint64_t low) {
-    if (!is_root(square_root_floor(high, low), (BigInteger(high) << 64) + low)) {
+    if (!is_root(square_root_floor(high, low), Wide<2>::from_words({low, high}))) {
       FAIL("n = " << high << " * 2^64 + " << low);
     }
     ++count_;
