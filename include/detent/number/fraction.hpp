@@ -16,6 +16,9 @@ struct Fraction {
   D denominator;
 };
 
+template <Number N, Number D>
+Fraction(N, D) -> Fraction<N, D>;
+
 /// numerator / denominator for a denominator of either sign but 0.
 template <Number N, Number D>
 [[nodiscard]] constexpr Fraction<N, D> make_fraction(const N& numerator,
@@ -30,6 +33,43 @@ template <Number N, Number D>
 template <Number N, Number D, Number T>
 [[nodiscard]] constexpr bool operator<=(const Fraction<N, D>& fraction, const T& x) noexcept {
   return fraction.numerator <= x * fraction.denominator;
+}
+
+namespace detail {
+
+/// A fraction's raw numbers divided: value * 2^(D::frac - N::frac) in whole and remaining parts.
+template <class N, class D>
+constexpr auto divide_raw(const Fraction<N, D>& x) noexcept {
+  using Integer = IntegerFor<std::max(N::bits, D::bits)>;
+  return divide_floor(integer_cast<Integer>(x.numerator.raw()),
+                      integer_cast<Integer>(x.denominator.raw()));
+}
+
+}  // namespace detail
+
+/// Whether one fraction is less than another, exactly.
+///
+/// The whole parts decide, or else what remains of each over its denominator: so no product is
+/// wider than the two denominators together, however wide the numerators are.
+template <Number N1, Number D1, Number N2, Number D2>
+[[nodiscard]] constexpr bool operator<(const Fraction<N1, D1>& a,
+                                       const Fraction<N2, D2>& b) noexcept {
+  if constexpr (!is_fixed<N1>) {
+    return a.numerator * b.denominator < b.numerator * a.denominator;
+  } else {
+    static_assert(N1::frac - D1::frac == N2::frac - D2::frac);
+    const auto left = detail::divide_raw(a);
+    const auto right = detail::divide_raw(b);
+    using Whole = IntegerFor<std::max({N1::bits, D1::bits, N2::bits, D2::bits})>;
+    const auto whole_left = integer_cast<Whole>(left.quotient);
+    const auto whole_right = integer_cast<Whole>(right.quotient);
+    if (whole_left != whole_right) return whole_left < whole_right;
+    using Product = IntegerFor<detail::result_bits(D1::bits + D2::bits)>;
+    const auto rest = [](const auto& remainder, const auto& denominator) {
+      return wrapping_multiply<Product>(integer_cast<Product>(remainder), denominator.raw());
+    };
+    return rest(left.remainder, b.denominator) < rest(right.remainder, a.denominator);
+  }
 }
 
 /// The square root of a non-negative fraction, rounded down to the grid of `T` and clamped.

@@ -192,7 +192,7 @@ template <class T, int B, int F>
   if constexpr (B + shift <= 63) {  // a raw of +2^B needs one bit more
     const auto raw = shift < 0 ? shift_right_floor(x.raw(), -shift) : x.raw();
     const auto n = static_cast<std::uint64_t>(integer_cast<std::int64_t>(raw));
-    const std::uint64_t root = square_root_floor(shift > 0 ? n << shift : n);
+    const std::uint64_t root = square_root_floor(n << std::max(shift, 0));
     return detail::clamp_raw<T>(static_cast<std::int64_t>(root));
   } else {
     const Wide<4> raw = integer_cast<Wide<4>>(x.raw());

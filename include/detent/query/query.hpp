@@ -3,5 +3,6 @@
 
 // The query layer: yes or no, and where.
 
+#include "detent/query/closest_point.hpp"
 #include "detent/query/contains.hpp"
 #include "detent/query/raycast.hpp"

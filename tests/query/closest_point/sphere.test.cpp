@@ -21,11 +21,9 @@ TEMPLATE_TEST_CASE(
   CHECK(closest_point(Sphere<S, N>{sphere.center, num<S>(-1)}, at<S, N>(7, 8)) == at<S, N>(7, 8));
 }
 
-TEMPLATE_TEST_CASE("closest point, sphere: rounded once, ties to even", "[closest_point]",
-                   DETENT_FIXED_SPACES) {
+TEMPLATE_TEST_CASE("closest point, sphere: rounded once", "[closest_point]", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  // (3, 4) / 5 of the radius on each axis: 25 steps give 15 and 20, 2.5 times as many steps do not.
   const auto raw = [](int x, int y) {
     Vec<S, N> v;
     v.x = moved(S(0), x);
@@ -35,13 +33,10 @@ TEMPLATE_TEST_CASE("closest point, sphere: rounded once, ties to even", "[closes
   const Sphere<S, N> sphere{Vec<S, N>(), moved(S(0), 25)};
   CHECK(closest_point(sphere, raw(300, 400)) == raw(15, 20));
   CHECK(closest_point(sphere, raw(-300, 400)) == raw(-15, 20));
-  // 12.5 * (0.8, 0.6) = (10, 7.5) where the grid has no radius of 12.5; 25 * (0.28, 0.96) = (7,
-  // 24).
   CHECK(closest_point(sphere, raw(7 * 16, -24 * 16)) == raw(7, -24));
-  // 5 * (0.3, ...) never ties; a radius of 5 toward (24, 7): 4.8 and 1.4.
+  // (4.8, 1.4) and (3.2, 2.4): no tie can occur, as a primitive Pythagorean triple ends in an odd
+  // number.
   CHECK(closest_point(Sphere<S, N>{raw(0, 0), moved(S(0), 5)}, raw(24, 7)) == raw(5, 1));
-  // Halves: 5 / 2 along both axes of (4, 3) times 5 / 2 is (4 * 2.5 / 2.5 ...): radius 4 to (100,
-  // 75) gives 3.2 and 2.4.
   CHECK(closest_point(Sphere<S, N>{raw(0, 0), moved(S(0), 4)}, raw(100, 75)) == raw(3, 2));
   const auto far = filled<S, N>(S::max());
   const Sphere<S, N> all{filled<S, N>(S::lowest()), S::max()};

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/shape/aabb.hpp"
+
+namespace detent {
+
+/// The point of `box` that is closest to `point`, which is `point` itself inside.
+///
+/// units:  world units
+/// domain: every input; an empty box has no point and gives `point`
+/// exact:  always                                               (tests/oracle/point_aabb.test.cpp)
+/// source: Ericson, Real-Time Collision Detection, 5.1.3
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> closest_point(const Aabb<S, N>& box,
+                                                const Vec<S, N>& point) noexcept {
+  if (is_empty(box)) return point;
+  return make_vec<N>([&](int i) { return std::clamp(point[i], box.min[i], box.max[i]); });
+}
+
+}  // namespace detent

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/closest_point/line.hpp"
+#include "detent/shape/plane.hpp"
+
+namespace detent {
+
+namespace detail {
+
+/// dot(normal, point) - offset: positive on the side that the normal points to, and the distance to
+/// the plane times the length of the normal.
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto height_above(const Plane<S, N>& plane,
+                                          const Vec<S, N>& point) noexcept {
+  // sqrt(3) 2^B (1 + 2^-13) + 2^B < 2^(B + 2), in units where a direction's component 1 is 2^0.
+  constexpr int bits = bits_of<S> + bits_of<direction_component<S>> + 1;
+  return narrow_difference<bits>(dot(plane.normal, point), plane.offset);
+}
+
+}  // namespace detail
+
+/// The point of `plane` that is closest to `point`: point - n (dot(n, point) - offset) / dot(n, n),
+/// the normal n exactly as stored.
+///
+/// units:  world units
+/// domain: every input; a coordinate outside the range of the scalar is clamped to it
+/// exact:  each coordinate is the exact one rounded to nearest, ties to even
+///         (tests/oracle/point_plane.test.cpp)
+/// source: Ericson, Real-Time Collision Detection, 5.1.1
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> closest_point(const Plane<S, N>& plane,
+                                                const Vec<S, N>& point) noexcept {
+  return detail::point_on_line(point, plane.normal.vec(), -detail::height_above(plane, point),
+                               squared_length(plane.normal));
+}
+
+}  // namespace detent
