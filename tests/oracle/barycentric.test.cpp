@@ -29,10 +29,10 @@ std::string mistakes(const Triangle<S, N>& triangle, const Vec<S, N>& point) {
   using Component = direction_component<S>;
   const auto rounded = nearest_to<Component>(*given);
   const Integer low = whole(Component::lowest().raw()), high = whole(Component::max().raw());
+  const Integer one = Integer(1) << static_cast<unsigned>(Component::frac);
   const std::array<Integer, 3> weights{of_a, of_b, of_c};
   for (int i = 0; i < 3; ++i) {
-    const Integer exact = nearest_quotient(
-        weights[static_cast<std::size_t>(i)] << static_cast<unsigned>(Component::frac), total);
+    const Integer exact = nearest_quotient(weights[static_cast<std::size_t>(i)] * one, total);
     if (whole(rounded[i].raw()) != std::clamp(exact, low, high)) return "  wrongly rounded\n";
   }
   return "";

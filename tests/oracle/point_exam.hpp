@@ -63,21 +63,19 @@ inline int sign_of_difference(const Integer& x, const Integer& y, const Integer&
   return x_sign < 0 ? -excess.sign() : excess.sign();
 }
 
-/// Whether `given` is core + radius * v / |v| on one axis, rounded to nearest, for the vector v of
-/// which this is component `along`. With a slack, half a unit of error may grow by 2^-slack.
+/// Whether `given` is core + radius * v / |v| on one axis, rounded to nearest, ties to even, for
+/// the vector v that leads on from the core.
 template <int N>
 bool is_rounded(const Integer& given, const Place<N>& core, std::size_t axis, const Integer& radius,
-                const Vector<N>& v, int slack) {
+                const Vector<N>& v) {
   const Integer square = dot(v, v);
-  const Integer grain = slack == 0 ? Integer(1) : Integer(1) << static_cast<unsigned>(slack - 1);
-  const Integer half = core.under * (slack == 0 ? grain : Integer(grain + 1));
-  const Integer twice = 2 * (given * core.under - core.over[axis]) * grain;
-  const Integer step = 2 * radius * v[axis] * core.under * grain;
-  // twice - half <= step / |v| <= twice + half
-  const int below = sign_of_difference(step, twice - half, square);
-  const int above = sign_of_difference(step, twice + half, square);
-  if (slack == 0 && (below == 0 || above == 0)) return given % 2 == 0;
-  return below >= 0 && above <= 0;
+  const Integer twice = 2 * (given * core.under - core.over[axis]);
+  const Integer step = 2 * radius * v[axis] * core.under;
+  // twice - under <= step / |v| <= twice + under
+  const int below = sign_of_difference(step, twice - core.under, square);
+  const int above = sign_of_difference(step, twice + core.under, square);
+  if (below == 0 || above == 0) return given % 2 == 0;
+  return below > 0 && above < 0;
 }
 
 template <Scalar S, int N>
@@ -121,12 +119,6 @@ template <Scalar S, int N>
 std::string describe(const Capsule<S, N>& c) {
   return "capsule " + describe(c.a) + " " + describe(c.b) + " radius " + raw(c.radius).str();
 }
-
-/// By how much closest_point may miss half a unit, as 2^-slack, or 0 when it may not.
-template <class Shape>
-inline constexpr int slack_of = 0;
-template <Scalar S, int N>
-inline constexpr int slack_of<Capsule<S, N>> = 15;
 
 /// Puts points and shapes to the library and to the oracle, and keeps the first few disagreements.
 template <Scalar S, int N>
@@ -199,7 +191,7 @@ class PointExam {
     }
 
     const auto closest = closest_point(shape, point);
-    if (!is_closest<slack_of<Shape>>(closest, point, truth, inside)) {
+    if (!is_closest(closest, point, truth, inside)) {
       out << "  closest_point: got " << describe(closest) << "\n";
     }
     return out.str();
@@ -216,7 +208,6 @@ class PointExam {
     return given == limit || over < (reach + 1) * (reach + 1) * under;
   }
 
-  template <int Slack>
   static bool is_closest(const Vec<S, N>& given, const Vec<S, N>& point,
                          const std::optional<Nearest<N>>& truth, bool inside) {
     if (!truth || (inside && truth->keeps_inside)) return given == point;
@@ -226,9 +217,8 @@ class PointExam {
     Vector<N> v;
     for (std::size_t i = 0; i < v.size(); ++i) v[i] = p[i] * core.under - core.over[i];
     for (std::size_t i = 0; i < v.size(); ++i) {
-      const int slack = core.under == 1 ? 0 : Slack;
-      if (slack != 0 || !truth->radius.is_zero()) {
-        if (!is_rounded<N>(closest[i], core, i, truth->radius, v, slack)) return false;
+      if (!truth->radius.is_zero()) {
+        if (!is_rounded<N>(closest[i], core, i, truth->radius, v)) return false;
       } else {
         const Integer exact = nearest_quotient(core.over[i], core.under);
         if (closest[i] != std::clamp(exact, low, high)) return false;

@@ -3,6 +3,9 @@
 
 // The query layer: yes or no, and where.
 
+#include "detent/query/barycentric.hpp"
 #include "detent/query/closest_point.hpp"
 #include "detent/query/contains.hpp"
+#include "detent/query/distance.hpp"
+#include "detent/query/on.hpp"
 #include "detent/query/raycast.hpp"

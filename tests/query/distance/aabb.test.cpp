@@ -27,7 +27,8 @@ TEMPLATE_TEST_CASE("distance, aabb: exact squares, clamped roots", "[distance]",
   constexpr int N = TestType::dimension;
   const auto low = filled<S, N>(S::lowest()), high = filled<S, N>(S::max());
   const auto side = high.x - low.x;
-  CHECK(squared_distance(Aabb<S, N>{low, low}, high) == side * side * N);
+  CHECK(squared_distance(Aabb<S, N>{low, low}, high) ==
+        squared_length(make_vec<N>([&](int) { return side; })));
   CHECK(distance(Aabb<S, N>{low, low}, high) == S::max());
 }
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Points and every shape; for two points see math/vec.hpp:
+//   distance(shape, point)         -> S                   rounded down, 0 inside
+//   squared_distance(shape, point) -> Fixed or Fraction   exact; where it is a polynomial or a
+//                                                         quotient: not for sphere and capsule
+
+#include "detent/query/distance/aabb.hpp"
+#include "detent/query/distance/capsule.hpp"
+#include "detent/query/distance/obb.hpp"
+#include "detent/query/distance/plane.hpp"
+#include "detent/query/distance/ray.hpp"
+#include "detent/query/distance/segment.hpp"
+#include "detent/query/distance/sphere.hpp"
+#include "detent/query/distance/triangle.hpp"

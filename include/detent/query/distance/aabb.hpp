@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/closest_point/aabb.hpp"
+
+namespace detent {
+
+/// The square of the distance from `point` to `box`, 0 inside.
+///
+/// domain: every input; the greatest number of its type for an empty box
+/// exact:  always                                               (tests/oracle/point_aabb.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto squared_distance(const Aabb<S, N>& box,
+                                              const Vec<S, N>& point) noexcept {
+  using Squared = decltype(squared_distance(point, point));
+  if (is_empty(box)) return largest<Squared>;
+  return squared_distance(point, closest_point(box, point));
+}
+
+/// The distance from `point` to `box`, 0 inside.
+///
+/// units:  world units
+/// domain: every input; a distance beyond the greatest scalar, or to an empty box, is that
+/// exact:  rounded down, error in [0, 1) ULP                    (tests/oracle/point_aabb.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr S distance(const Aabb<S, N>& box, const Vec<S, N>& point) noexcept {
+  if (is_empty(box)) return largest<S>;
+  return sqrt_floor<S>(squared_distance(box, point));
+}
+
+}  // namespace detent

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/closest_point/obb.hpp"
+
+namespace detent {
+
+/// The square of the distance from `point` to `box`, 0 inside, measured in the frame of the box:
+/// the sum of the squares by which |dot(axis(i), point - center)| exceeds half_extents[i].
+///
+/// That is the distance in the world as far as the axes are orthonormal.
+///
+/// domain: every input; the greatest number of its type for an empty box
+/// exact:  always                                                (tests/oracle/point_obb.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto squared_distance(const Obb<S, N>& box,
+                                              const Vec<S, N>& point) noexcept {
+  const auto from_center = point - box.center;
+  using Along = decltype(dot(box.rotation.axis(0), from_center));
+  using Squared = decltype(squared_length(Vec<Along, N>()));
+  if (is_empty(box)) return largest<Squared>;
+  return squared_length(make_vec<N>([&](int i) {
+    const auto along = dot(box.rotation.axis(i), from_center);
+    // What is left of |along| on taking 0 <= half_extents[i] <= |along| from it fits where it does.
+    return narrow_difference<bits_of<Along>>(along, detail::clamp_to(along, box.half_extents[i]));
+  }));
+}
+
+/// The distance from `point` to `box`, 0 inside, measured in the frame of the box.
+///
+/// units:  world units
+/// domain: every input; a distance beyond the greatest scalar, or to an empty box, is that
+/// exact:  rounded down, error in [0, 1) ULP                     (tests/oracle/point_obb.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr S distance(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {
+  if (is_empty(box)) return largest<S>;
+  return sqrt_floor<S>(squared_distance(box, point));
+}
+
+}  // namespace detent

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/number/fraction.hpp"
+#include "detent/query/closest_point/plane.hpp"
+
+namespace detent {
+
+/// The square of the distance from `point` to `plane`: (dot(n, point) - offset)^2 / dot(n, n), the
+/// normal n exactly as stored.
+///
+/// domain: every input
+/// exact:  the fraction is the exact value                     (tests/oracle/point_plane.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto squared_distance(const Plane<S, N>& plane,
+                                              const Vec<S, N>& point) noexcept {
+  const auto height = detail::height_above(plane, point);
+  return Fraction{height * height, squared_length(plane.normal)};
+}
+
+/// The distance from `point` to `plane`, on either side of it.
+///
+/// units:  world units
+/// domain: every input; a distance beyond the greatest scalar is that
+/// exact:  rounded down, error in [0, 1) ULP                   (tests/oracle/point_plane.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr S distance(const Plane<S, N>& plane, const Vec<S, N>& point) noexcept {
+  return sqrt_floor<S>(squared_distance(plane, point));
+}
+
+}  // namespace detent

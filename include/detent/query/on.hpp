@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Points on shapes:
+//   on(shape, point)            -> bool   exactly on a plane, segment, ray or triangle
+//   on(shape, point, tolerance) -> bool   within `tolerance` of any shape
+
+#include "detent/query/contains.hpp"
+#include "detent/query/distance.hpp"
+
+namespace detent {
+
+/// Whether `point` is exactly on a shape that is thin, or in a 2D triangle: `contains` by the name
+/// that one looks for.
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool on(const Plane<S, N>& plane, const Vec<S, N>& point) noexcept {
+  return contains(plane, point);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool on(const Segment<S, N>& segment, const Vec<S, N>& point) noexcept {
+  return contains(segment, point);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool on(const Ray<S, N>& ray, const Vec<S, N>& point) noexcept {
+  return contains(ray, point);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool on(const Triangle<S, N>& triangle, const Vec<S, N>& point) noexcept {
+  return contains(triangle, point);
+}
+
+/// Whether the distance from `point` to `shape` is at most `tolerance`; an `Obb` measures it in its
+/// frame.
+///
+/// units:  world units
+/// domain: every input; nothing is within a negative tolerance, nor near an empty shape
+/// exact:  yes or no exact           (tests/oracle/point_*.test.cpp, the file named by the shape)
+template <class Shape, Scalar S, int N>
+[[nodiscard]] constexpr bool on(const Shape& shape, const Vec<S, N>& point,
+                                const S& tolerance) noexcept {
+  return tolerance >= 0 && squared_distance(shape, point) <= tolerance * tolerance;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool on(const Sphere<S, N>& sphere, const Vec<S, N>& point,
+                                const S& tolerance) noexcept {
+  if (sphere.radius < 0 || tolerance < 0) return false;
+  const auto reach = sphere.radius + tolerance;
+  return squared_distance(point, sphere.center) <= reach * reach;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool on(const Capsule<S, N>& capsule, const Vec<S, N>& point,
+                                const S& tolerance) noexcept {
+  if (capsule.radius < 0 || tolerance < 0) return false;
+  const auto reach = capsule.radius + tolerance;
+  return squared_distance(Segment{capsule.a, capsule.b}, point) <= reach * reach;
+}
+
+}  // namespace detent
