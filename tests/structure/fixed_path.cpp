@@ -30,6 +30,39 @@ void cast_at_all(const Ray<S, N>& ray, const Sphere<S, N>& sphere, const Aabb<S,
   cast(ray, triangle, answers[4]);
 }
 
+template <Scalar S, int N>
+struct Measures {
+  bool is_inside;
+  bool is_near;
+  Vec<S, N> closest;
+  S distance;
+};
+
+template <Scalar S, int N, class Shape>
+Measures<S, N> measure(const Shape& shape, const Vec<S, N>& point) noexcept {
+  return {contains(shape, point), on(shape, point, point.x), closest_point(shape, point),
+          distance(shape, point)};
+}
+
+template <Scalar S, int N>
+void measure_all(const Vec<S, N>& point, const Sphere<S, N>& sphere, const Aabb<S, N>& aabb,
+                 const Obb<S, N>& obb, const Plane<S, N>& plane, const Triangle<S, N>& triangle,
+                 const Capsule<S, N>& capsule, const Segment<S, N>& segment, const Ray<S, N>& ray,
+                 Measures<S, N>* measures, Vec<direction_component<S>, 3>& weights) noexcept {
+  measures[0] = measure(sphere, point);
+  measures[1] = measure(aabb, point);
+  measures[2] = measure(obb, point);
+  measures[3] = measure(plane, point);
+  measures[4] = measure(triangle, point);
+  measures[5] = measure(capsule, point);
+  measures[6] = measure(segment, point);
+  measures[7] = measure(ray, point);
+  measures[8].distance = distance(point, segment.start);
+  if (const auto exact = barycentric(triangle, point)) {
+    weights = nearest_to<direction_component<S>>(*exact);
+  }
+}
+
 template <Scalar S>
 void turn(Angle<S> angle, const Direction<S, 3>& axis, S x, S y, S z, S w, Rotation<S, 2>& flat,
           Rotation<S, 3>* rotations, S* numbers) noexcept {
@@ -44,6 +77,11 @@ void turn(Angle<S> angle, const Direction<S, 3>& axis, S x, S y, S z, S w, Rotat
   numbers[3] = Angle<S>::from_radians(x).radians();
 }
 
+#define DETENT_MEASURE(S, N)                                                              \
+  template void measure_all(const Vec<S, N>&, const Sphere<S, N>&, const Aabb<S, N>&,     \
+                            const Obb<S, N>&, const Plane<S, N>&, const Triangle<S, N>&,  \
+                            const Capsule<S, N>&, const Segment<S, N>&, const Ray<S, N>&, \
+                            Measures<S, N>*, Vec<direction_component<S>, 3>&) noexcept
 #define DETENT_USE(S)                                                                    \
   template void cast_at_all(const Ray<S, 2>&, const Sphere<S, 2>&, const Aabb<S, 2>&,    \
                             const Obb<S, 2>&, const Plane<S, 2>&, const Triangle<S, 2>&, \
@@ -57,8 +95,16 @@ void turn(Angle<S> angle, const Direction<S, 3>& axis, S x, S y, S z, S w, Rotat
   template std::optional<Direction<S, 3>> normalize(const Vec<S, 3>&) noexcept
 
 DETENT_USE(q16_16);
+DETENT_MEASURE(q16_16, 2);
+DETENT_MEASURE(q16_16, 3);
 DETENT_USE(q14_16);
+DETENT_MEASURE(q14_16, 2);
+DETENT_MEASURE(q14_16, 3);
 DETENT_USE(q24_8);
+DETENT_MEASURE(q24_8, 2);
+DETENT_MEASURE(q24_8, 3);
 DETENT_USE(q8_8);
+DETENT_MEASURE(q8_8, 2);
+DETENT_MEASURE(q8_8, 3);
 
 }  // namespace detent
