@@ -26,9 +26,9 @@ constexpr std::uint64_t alternating_series(const std::array<std::uint64_t, Terms
 }
 
 /// sin(pi z / 2) / z as a series in z^2 on [0, 1], E = 63: the equioscillating fit, off by 2^-71.8,
-/// its coefficients rounded from the last to the first, the rest fitted anew each time. c[1] is
-/// then 2 larger, which moves the one Q2.30 sine that rounded wrongly
-/// (tests/number/angle_exhaustive.cpp).
+/// its coefficients rounded from the last to the first, the rest fitted anew each time. c[1] is 2
+/// larger than that: it centres what the steps drop, and a quarter turn comes out as exactly 1.
+/// With c[0] 1 smaller a sine would fall onto a tie of Q2.30 (tests/number/angle_exhaustive.cpp).
 inline constexpr std::array<std::uint64_t, 10> sine_series = {
     0xc90fdaa22168c235u, 0xa55de7312df295f0u, 0x28cd78ceeb55c27fu, 0x04cb4b3398af4ac0u,
     0x00541e0d21faa6deu, 0x0003c60e9fb6bdd5u, 0x00001e8f43330821u, 0x000000b7d69994abu,
