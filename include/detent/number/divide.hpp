@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -102,9 +103,15 @@ template <class I>
   if constexpr (detail::is_wide<I>) {
     const bool negative = numerator.is_negative();
     const I magnitude = negative ? -numerator : numerator;
-    if (bit_length(magnitude) <= 63 && bit_length(denominator) <= 63) {
+    const int length = std::max(bit_length(magnitude), bit_length(denominator));
+    if (length <= 63) {
       quotient = I(magnitude.word(0) / denominator.word(0));
       remainder = I(magnitude.word(0) % denominator.word(0));
+    } else if (detail::words_of<I> > 2 && length <= 127) {
+      const auto division =
+          divide_floor(integer_cast<Int128>(magnitude), integer_cast<Int128>(denominator));
+      quotient = integer_cast<I>(division.quotient);
+      remainder = integer_cast<I>(division.remainder);
     } else {
       const auto division = detail::divide_long(magnitude, denominator);
       quotient = division.quotient;
