@@ -22,9 +22,9 @@ template <Number T, Scalar S>
 ///
 /// In that frame the coordinates of a point are dot(axis(i), point - center), with the axes exactly
 /// as stored; they are clamped to the half extents, and the result is the center plus the sum of
-/// clamped coordinate i times axis(i). Orthonormal axes make it the closest point of the world;
-/// those of a rotation are off by 2^-29, so it is closest within 2^-27 of the distance to the
-/// center.
+/// clamped coordinate i times axis(i). With orthonormal axes that is the closest point of the
+/// world; those of a rotation are orthonormal within 2^-29 (2^-13 in 16 bits), and it is closest as
+/// nearly.
 ///
 /// units:  world units
 /// domain: every input; an empty box has no point and gives `point`
