@@ -87,6 +87,7 @@ static_assert(text_is(q16_16::max(), "32767.9999847412109375") &&
 static_assert(text_is(raw(655360), "10") && text_is(raw(655360 + 6554), "10.100006103515625"));
 static_assert(text_is(q8_8::lowest(), "-128") && text_is(q8_8::max(), "127.99609375"));
 static_assert(text_is(Fixed<14, 14>(-1), "-1") && text_is(Fixed<31, 0>::max(), "2147483647"));
+static_assert(text_is(-q14_16::lowest(), "8192"), "a result beyond max() is written too");
 static_assert(text_is(Fixed<15, 30>::from_raw(-1), "-0.000000000931322574615478515625"));
 
 // The bound on the length is met: its two parts are those of the number closest to lowest().
@@ -200,7 +201,9 @@ TEMPLATE_TEST_CASE("text: what is written is exact, shortest, and read back", "[
   Random random(0x7e88);
   INFO(random);
   for (int i = 0; i < 20'000; ++i) {
-    const F x = i == 0 ? F::lowest() : i == 1 ? F::max() : random_fixed<F>(random);
+    const F x = i == 0   ? F::lowest()
+                : i == 1 ? F::max()
+                         : F::from_raw(random_fixed<F>(random).raw());
     const std::string text = to_string(x);
     INFO(text);
     REQUIRE(text.size() <= max_text_length<F>);

@@ -141,7 +141,7 @@ constexpr std::optional<Decimal> scan_decimal(std::string_view text) noexcept {
   std::size_t first = begin;
   while (first < end && (text[first] == '0' || text[first] == '.')) ++first;
   if (first == end) return decimal;
-  decimal.digits = text.substr(first, end - first);
+  decimal.digits = {text.data() + first, end - first};  // substr brings in what throws
   decimal.point = exponent + static_cast<std::int64_t>(whole_end) -
                   static_cast<std::int64_t>(first) + (first > whole_end ? 1 : 0);
   return decimal;
@@ -223,7 +223,7 @@ inline constexpr std::size_t max_text_length<Fixed<Bits, Frac>> =
 /// Returns the end of the text, or nullptr, writing nothing, when it does not fit.
 ///
 /// result: no exponent, no trailing zeros; at most `max_text_length<Fixed<Bits, Frac>>` characters;
-///         `parse` gives `x` back
+///         `parse` gives every `x` up to max() back
 template <int Bits, int Frac>
 requires(Frac >= 0) constexpr char* to_chars(char* first, char* last,
                                              const Fixed<Bits, Frac>& x) noexcept {
