@@ -38,13 +38,15 @@ template <std::floating_point T, std::size_t N>
 
 /// The unit vector along `v`, or nothing for the zero vector.
 ///
-/// exact:  each component is the exact one rounded to nearest, ties to even
-///         (tests/math/direction.test.cpp)
+/// exact:  each component is the exact one rounded to nearest    (tests/math/direction.test.cpp)
 ///
 /// With every |v_i| scaled by the same power of two to t_i, the longest 62 bits long, and
 /// n = floor(|t|): scaling down drops less than 1 from each t_i, so x = 2^F |v_i| / |v| and
 /// 2^F t_i / n differ by less than 2^F * 4 / 2^61. Only when the fraction of the latter is that
 /// close to one half is the exact test made: x > q + 1/2 when v_i^2 2^(2F + 2) > (2q + 1)^2 |v|^2.
+/// They are never equal: without a common factor, integers whose squares sum to the square of an
+/// even number do not exist for N <= 3 (modulo 4), so |v| is odd or irrational, and 2^(F + 1) v_i
+/// is not an odd multiple of it.
 template <class Component, int B, int F, std::size_t N>
 [[nodiscard]] constexpr std::optional<std::array<Component, N>> unit_vector(
     const std::array<Fixed<B, F>, N>& v) noexcept {
@@ -92,7 +94,7 @@ template <class Component, int B, int F, std::size_t N>
           shift_left(wrapping_multiply<Exact>(magnitude[i], magnitude[i]), 2 * frac + 2);
       const Exact right =
           wrapping_multiply<Exact>(wrapping_multiply<Exact>(odd, odd), length_squared);
-      if (left > right || (left == right && (result & 1) != 0)) ++result;
+      if (left > right) ++result;
     }
     const auto value = static_cast<std::int64_t>(result);
     unit[i] = Component::assume_raw(

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "detent/math/direction.hpp"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "number/big_integer.hpp"
+#include "support/catch.hpp"
+
+using namespace detent;
+using namespace detent::test;
+
+namespace {
+
+using D = Direction<q16_16, 3>;
+using V = Vec<q16_16, 3>;
+constexpr std::int32_t one = std::int32_t{1} << 30;
+
+static_assert(sizeof(D) == 12 && sizeof(Direction<q8_8, 2>) == 4);
+static_assert(!normalize(V{}));
+static_assert(normalize(V{q16_16(7), q16_16(), q16_16()}) == D::along(0));
+static_assert(normalize(V{q16_16::from_raw(1), q16_16(), q16_16()}) == D::along(0));
+static_assert(normalize(V{q16_16(), q16_16::lowest(), q16_16()}) == -D::along(1));
+static_assert(normalize(V{q16_16(3), q16_16(), q16_16(-4)})->vec().z.raw() == -858993459);
+
+static_assert(D::from_raw({one, 0, 0}) == D::along(0));
+static_assert(D::from_raw({-one, 0, 0}) == -D::along(0));
+static_assert(!D::from_raw({one + 1, 0, 0}), "no component exceeds 1");
+static_assert(D::from_raw({one - 2, 0, 0}), "shorter by 2^-29");
+static_assert(!D::from_raw({one - 3, 0, 0}));
+static_assert(!D::from_raw({0, 0, 0}));
+static_assert(!D::from_raw({std::numeric_limits<std::int32_t>::min(), 0, 0}));
+static_assert(Direction<q8_8, 2>::from_raw({16384, 0}));
+static_assert(!Direction<q8_8, 2>::from_raw({16384, 257}), "longer by more than 2^-13");
+static_assert(Direction<q8_8, 2>::from_raw({16384, 256}));
+static_assert(!Direction<q8_8, 2>::from_raw({16381, 0}));
+
+// Cauchy-Schwarz keeps products with a direction in fewer bits than their parts would need.
+using Offset = Vec<Fixed<32, 16>, 3>;
+static_assert(std::is_same_v<decltype(dot(Offset(), D())), Fixed<63, 46>>);
+static_assert(std::is_same_v<decltype(dot(D(), D())), Fixed<61, 60>>);
+static_assert(std::is_same_v<decltype(cross(D(), Offset()).x), Fixed<63, 46>>);
+
+/// Whether `component` is 2^frac * coordinate / sqrt(squared) rounded to nearest; there are no
+/// ties.
+bool is_nearest(const BigInteger& component, const BigInteger& coordinate,
+                const BigInteger& squared, int frac) {
+  if (component * coordinate < 0) return false;
+  const BigInteger doubled = 2 * abs(component);
+  const BigInteger exact = 4 * coordinate * coordinate * power_of_two(2 * frac);
+  return (doubled == 0 || exact > (doubled - 1) * (doubled - 1) * squared) &&
+         exact < (doubled + 1) * (doubled + 1) * squared;
+}
+
+template <Scalar S, int N, class T>
+bool is_rounded(const Vec<T, N>& v) {
+  const auto direction = direction_of<S>(v);
+  BigInteger squared = 0;
+  for (int i = 0; i < N; ++i) squared += big_raw(v[i]) * big_raw(v[i]);
+  if (!direction) return squared == 0;
+  for (int i = 0; i < N; ++i) {
+    if (!is_nearest(big_raw((*direction)[i]), big_raw(v[i]), squared,
+                    direction_component<S>::frac)) {
+      return false;
+    }
+  }
+  // What a query may rely on: the invariant that raw bits are checked for.
+  using Raw = typename Direction<S, N>::Raw;
+  std::array<Raw, N> raw;
+  for (int i = 0; i < N; ++i) raw[static_cast<std::size_t>(i)] = (*direction)[i].raw();
+  return Direction<S, N>::from_raw(raw) == direction;
+}
+
+TEMPLATE_TEST_CASE("normalize: every component is the exact one rounded to nearest", "", q16_16,
+                   q14_16, q24_8, q8_8) {
+  Random random(20261121);
+  int wrong = 0;
+  for (int i = 0; i < 60'000; ++i) {
+    const auto draw = [&] {
+      return TestType::from_raw(
+          static_cast<typename TestType::raw_type>(random.edgy(TestType::bits)));
+    };
+    if (!is_rounded<TestType>(Vec<TestType, 2>{draw(), draw()})) ++wrong;
+    if (!is_rounded<TestType>(Vec<TestType, 3>{draw(), draw(), draw()})) ++wrong;
+  }
+  INFO("seed " << random.seed());
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("direction_of: cross products of the longest edges are rounded to nearest") {
+  Random random(20261122);
+  int wrong = 0;
+  for (int i = 0; i < 60'000; ++i) {
+    const auto draw = [&] { return Fixed<32, 16>::from_raw(random.edgy(32)); };
+    const auto normal = cross(Offset{draw(), draw(), draw()}, Offset{draw(), draw(), draw()});
+    if (!is_rounded<q16_16>(normal)) ++wrong;
+  }
+  INFO("seed " << random.seed());
+  CHECK(wrong == 0);
+}
+
+TEMPLATE_TEST_CASE("normalize: float and double give the textbook quotient", "", float, double) {
+  const auto d = normalize(Vec<TestType, 3>{3, 0, -4});
+  REQUIRE(d);
+  CHECK((*d)[0] == TestType(3) / TestType(5));
+  CHECK((*d)[2] == TestType(-4) / TestType(5));
+  CHECK(!normalize(Vec<TestType, 3>{}));
+}
+
+}  // namespace
