@@ -168,7 +168,7 @@ TEMPLATE_TEST_CASE("Fixed: sums, differences and products are exact", "[number]"
   using B = typename TestType::Second;
   Random random(0xf18ed);
   INFO(random);
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < 50'000; ++i) {
     const A a = random_fixed<A>(random);
     const B b = random_fixed<B>(random);
     // Both in units of the finer grid, where the oracle needs no fractions.
@@ -199,7 +199,7 @@ TEMPLATE_TEST_CASE("Fixed: comparisons between types are exact", "[number]", DET
   Random random(0xf18ee);
   INFO(random);
   HitRate near;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < 50'000; ++i) {
     const A a = random_fixed<A>(random);
     const BigRational x = rational(a);
     // Half of the time the closest B, or one beside it.
