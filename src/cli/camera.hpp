@@ -27,7 +27,7 @@ class Camera {
   /// The ray through the middle of a pixel, counted from the top left.
   [[nodiscard]] Ray<S, 3> ray(int x, int y, int width, int height) const {
     // In half pixels, doubled as often as 14 bits allow: the direction stays the same.
-    const int shift = 14 - std::bit_width(static_cast<unsigned>(width + height));
+    const int shift = 14 - static_cast<int>(std::bit_width(static_cast<unsigned>(width + height)));
     const auto half_pixels = [&](int count) { return Whole(count << shift); };
     const auto toward = ahead_ * half_pixels(height) + right_ * half_pixels(2 * x + 1 - width) +
                         up_ * half_pixels(height - 1 - 2 * y);

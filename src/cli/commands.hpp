@@ -29,7 +29,7 @@ struct RenderOptions {
   std::string out;
   std::string scalar = "q16_16";
   std::optional<Pair> compare;
-  Size size{640, 360};
+  Size size{};
   Move offset;
   Decimal bias;
   std::optional<double> scale;  // of a model
@@ -38,7 +38,7 @@ struct RenderOptions {
 
 struct DemoOptions {
   std::string directory = "build/demo";
-  Size size{480, 300};
+  Size size{};
   int threads = 0;
 };
 

@@ -78,6 +78,11 @@ Image difference_picture(const Image& picture, const Tracer& a, const Tracer& b)
   return result;
 }
 
+std::string difference_caption(const Difference& difference) {
+  const std::size_t count = difference.disagreements();
+  return "red: shape differs at " + std::to_string(count) + (count == 1 ? " pixel" : " pixels");
+}
+
 Image panel_row(const std::vector<Panel>& panels) {
   int width = gap;
   for (const Panel& panel : panels) width += panel.image.width() + gap;

@@ -28,6 +28,9 @@ inline constexpr double visible_distance = 1.0 / 64;
 /// hit or miss or which shape, dimmer where it is a distance by more than `visible_distance`.
 [[nodiscard]] Image difference_picture(const Image& picture, const Tracer& a, const Tracer& b);
 
+/// What stands above that picture: "red: shape differs at 12 pixels".
+[[nodiscard]] std::string difference_caption(const Difference& difference);
+
 /// A row of pictures of one size, each below its caption.
 struct Panel {
   Image image;

@@ -84,11 +84,10 @@ void demo(const DemoOptions& options) {
     const Run& rough = runs[i + 1];
     const std::string place = i == 0 ? "near the origin" : std::string("moved by ") + far_away;
     const Difference difference = compare(*exact.tracer, *rough.tracer);
-    rows.push_back(panel_row(
-        {{exact.picture, "q16_16, " + place},
-         {rough.picture, "float, " + place},
-         {difference_picture(exact.picture, *exact.tracer, *rough.tracer),
-          "red: shape differs at " + std::to_string(difference.disagreements()) + " pixels"}}));
+    rows.push_back(panel_row({{exact.picture, "q16_16, " + place},
+                              {rough.picture, "float, " + place},
+                              {difference_picture(exact.picture, *exact.tracer, *rough.tracer),
+                               difference_caption(difference)}}));
   }
   file.write(stacked(rows).png());
   file.commit();

@@ -85,6 +85,7 @@ struct Arguments {
   DemoOptions demo;
   std::string compare;
   std::string size = "640x360";
+  std::string demo_size = "480x300";
   std::string offset = "0,0,0";
   std::string bias = default_bias;
   double scale = 0;
@@ -156,10 +157,15 @@ void add_demo(CLI::App& app, Arguments& arguments) {
       app.add_subcommand("demo", "Draw the arena near and far from the origin, and count errors");
   command->add_option("-o,--out", arguments.demo.directory, "The directory to write demo.png to")
       ->capture_default_str();
+  command->add_option("--size", arguments.demo_size, "Of each picture, in pixels")
+      ->capture_default_str();
   command->add_option("--threads", arguments.demo.threads, "0 for all of the machine's")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
-  command->final_callback([&] { demo(arguments.demo); });
+  command->final_callback([&] {
+    arguments.demo.size = parse_size(arguments.demo_size);
+    demo(arguments.demo);
+  });
 }
 
 int run(int argc, char** argv) {

@@ -83,8 +83,7 @@ void render(const RenderOptions& options) {
     file.write(stacked({panel_row({{picture_a, options.compare->first},
                                    {picture_b, options.compare->second},
                                    {difference_picture(picture_a, *a, *b),
-                                    "red: shape differs at " +
-                                        std::to_string(difference.disagreements()) + " pixels"}})})
+                                    difference_caption(difference)}})})
                    .png());
   } else {
     const auto tracer = trace(options.scalar);

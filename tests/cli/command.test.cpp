@@ -112,6 +112,20 @@ TEST_CASE("detent cast: the example gives the answers of its page") {
   CHECK(result.out.ends_with("{\"rays\": 11, \"hits\": 8, \"digest\": \"0x71393449c9b2b876\"}\n"));
 }
 
+TEST_CASE("detent cast: the page on the tool shows what the tool prints") {
+  const std::string page = content_of(DETENT_DOCS "/tool.md");
+  const auto between = [&](const std::string& begin, const std::string& end) {
+    const auto start = page.find(begin) + begin.size();
+    return page.substr(start, page.find(end, start) - start);
+  };
+  const Workshop shop;
+  shop.write("crate.json", between("```json\n", "```"));
+  std::istringstream shown(between("$ detent cast crate.json\n", "\n\n"));
+  std::string expected;
+  for (std::string line; std::getline(shown, line);) expected += line.substr(4) + '\n';
+  CHECK(shop.run("cast crate.json").out == expected);
+}
+
 TEST_CASE("detent cast: of equally near shapes the first in the file is hit") {
   const Workshop shop;
   shop.write("tie.json",
@@ -165,6 +179,33 @@ TEST_CASE("detent render: a model can be drawn alone and in a scene") {
   const auto result = shop.run("cast scene.json");
   INFO(result.out << result.err);
   CHECK(result.out.starts_with("{\"ray\": 0, \"hit\": \"tent\", \"distance\": 4,"));
+}
+
+TEST_CASE("detent demo: q16_16 is right about every ray, near and far, and float is not") {
+  const Workshop shop;
+  const auto result = shop.run("demo --size 96x60 --out pictures");
+  INFO(result.out << result.err);
+  REQUIRE(result.code == 0);
+  CHECK(content_of(shop.path("pictures/demo.png")).starts_with("\x89PNG"));
+  CHECK(result.out.find("picture: pictures/demo.png\n") != std::string::npos);
+
+  std::istringstream table(result.out);
+  std::string line;
+  std::getline(table, line);
+  for (const std::string place : {"near", "far"}) {
+    std::string name, scalar, digest;
+    int rays = 0, hits = 0, wrong = 0, off = 0, time = 0;
+    table >> name >> scalar >> rays >> hits >> wrong >> off >> time >> digest;
+    CHECK(name == place);
+    CHECK(scalar == "q16_16");
+    CHECK(rays == 96 * 60);
+    CHECK(wrong == 0);
+    CHECK(off == 0);
+    CHECK(digest == (place == "near" ? "0xbb70c39c8de1e496" : "0x263088e24c3564ee"));
+    table >> name >> scalar >> rays >> hits >> wrong >> off >> time >> digest;
+    CHECK(scalar == "float");
+    CHECK(wrong + off > (place == "near" ? 0 : 1000));
+  }
 }
 
 TEST_CASE("detent: help and version go to standard output") {
