@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "error.hpp"
 #include "numbers.hpp"
+#include "verify.hpp"
 
 namespace detent::cli {
 namespace {
@@ -83,6 +84,8 @@ struct Arguments {
   CastOptions cast;
   RenderOptions render;
   DemoOptions demo;
+  VerifyOptions verify;
+  bool all_golden = true;
   std::string compare;
   std::string size = "640x360";
   std::string demo_size = "480x300";
@@ -168,6 +171,26 @@ void add_demo(CLI::App& app, Arguments& arguments) {
   });
 }
 
+void add_verify(CLI::App& app, Arguments& arguments) {
+  VerifyOptions& options = arguments.verify;
+  CLI::App* const command = app.add_subcommand(
+      "verify", "Answer a fixed corpus of queries and compare with the golden digests");
+  command->add_flag("--small", options.small, "The corpus for microcontrollers");
+  command->add_option("--only", options.only, "Only queries whose name begins so");
+  command->add_flag("--exact", options.exact, "Check every answer by exact arithmetic as well");
+  command->add_flag("--json", options.json, "Print the report in JSON");
+  command->add_option("--dump", options.dump, "Write the answers to this file, byte for byte");
+  command->add_option("--threads", options.threads, "0 for all of the machine's")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1024));
+  CLI::Option* const golden =
+      command->add_flag("--golden", options.golden, "Print src/verify/golden.hpp anew");
+  CLI::Option* const results =
+      command->add_flag("--results", options.results, "Print the lines of tests/verify/results.txt");
+  golden->excludes(results);
+  command->final_callback([&] { arguments.all_golden = verify(options); });
+}
+
 int run(int argc, char** argv) {
   Arguments arguments;
   CLI::App app("detent: correctly rounded ray casts in fixed point", "detent");
@@ -176,6 +199,7 @@ int run(int argc, char** argv) {
   add_cast(app, arguments);
   add_render(app, arguments);
   add_demo(app, arguments);
+  add_verify(app, arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
@@ -183,7 +207,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw InputError(std::string(error.what()) + "; detent --help lists what there is");
   }
-  return 0;
+  return arguments.all_golden ? 0 : 1;
 }
 
 }  // namespace

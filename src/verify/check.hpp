@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "detent/version.hpp"
+#include "verify/corpus.hpp"
+#include "verify/golden.hpp"
+
+namespace detent::verify {
+
+static_assert(golden::results_version == results_version,
+              "detent: the golden values are those of another version of the results; see "
+              "docs/verify.md");
+static_assert(golden::full.size() == count_cells(),
+              "detent: the corpus has other rows than the golden values; see docs/verify.md");
+
+/// A row of the report.
+struct RowResult {
+  std::string_view name;
+  std::uint64_t digest;
+  bool is_golden;
+  std::string_view scalar;  // the first of its cells that differs
+  int dimension;
+};
+
+/// What all rows have in common.
+struct TotalResult {
+  std::uint64_t digest;
+  bool is_golden;
+};
+
+/// Asks `size` questions in every cell, calls `report(RowResult)` for every row, and compares with
+/// the golden digests of that size.
+template <class Report>
+[[nodiscard]] constexpr TotalResult check(std::uint32_t size,
+                                          const std::array<std::uint64_t, count_cells()>& expected,
+                                          Report report) {
+  Digest all;
+  bool is_golden = true;
+  std::size_t first = 0;
+  visit_groups([&]<class Group>(Group) {
+    constexpr auto rows = rows_of<Group>(), spaces = spaces_of<Group>();
+    std::array<Digest, rows> digests;
+    std::array<RowResult, rows> results;
+    for (std::size_t row = 0; row < rows; ++row) results[row] = {Group::names[row], 0, true, "", 0};
+    std::size_t index = 0;
+    visit_spaces<Group>([&]<class S, int N>(Space<S, N>) {
+      const auto cells = digests_of<Group, S, N>(size);
+      for (std::size_t row = 0; row < rows; ++row) {
+        digests[row].add(cells[row]);
+        if (cells[row] == expected[cell_index(first, spaces, row, index)]) continue;
+        if (results[row].is_golden) results[row] = {Group::names[row], 0, false, scalar_name<S>, N};
+      }
+      ++index;
+    });
+    for (std::size_t row = 0; row < rows; ++row) {
+      results[row].digest = digests[row].value();
+      all.add(results[row].digest);
+      is_golden = is_golden && results[row].is_golden;
+      report(results[row]);
+    }
+    first += rows * spaces;
+  });
+  return {all.value(), is_golden};
+}
+
+}  // namespace detent::verify

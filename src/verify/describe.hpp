@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "verify/questions.hpp"
+
+// Cases and answers in words, for people: every number as its raw bits and as the decimal that it
+// is exactly.
+
+namespace detent::verify {
+
+/// The fields of a case: names and values.
+using Fields = std::vector<std::pair<std::string, std::string>>;
+
+template <int Bits, int Frac>
+std::string words(const Fixed<Bits, Frac>& x) {
+  return std::to_string(x.raw()) + " (" + to_string(x) + ")";
+}
+template <Scalar S>
+std::string words(Angle<S> angle) {
+  return std::to_string(angle.raw()) + " (" +
+         to_string(Fixed<32, 32>::from_raw(static_cast<std::int64_t>(angle.raw()))) + " turns)";
+}
+inline std::string words(std::uint32_t bits) { return std::to_string(bits); }
+template <Number T, int N>
+std::string words(const Vec<T, N>& v) {
+  std::string raw, decimal;
+  for (int i = 0; i < N; ++i) {
+    raw += (i == 0 ? "" : ", ") + std::to_string(v[i].raw());
+    decimal += (i == 0 ? "" : ", ") + to_string(v[i]);
+  }
+  return "{" + raw + "} (" + decimal + ")";
+}
+template <Scalar S, int N>
+std::string words(const Direction<S, N>& direction) {
+  return words(direction.vec());
+}
+template <Scalar S, int N>
+std::string words(const RayHit<S, N>& hit) {
+  return "distance " + words(hit.distance) + ", point " + words(hit.point) + ", normal " +
+         words(hit.normal);
+}
+template <Scalar S>
+std::string words(const Interval<S>& interval) {
+  return words(interval.enter) + " to " + words(interval.exit);
+}
+template <class T, std::size_t Size>
+std::string words(const std::array<T, Size>& values) {
+  std::string text;
+  for (const T& value : values) text += (text.empty() ? "" : ", ") + words(value);
+  return text;
+}
+inline std::string words(const Text& text) { return '"' + std::string(text.view()) + '"'; }
+template <class T>
+std::string words(const std::optional<T>& value) {
+  return value ? words(*value) : "nothing";
+}
+
+template <Scalar S, int N>
+void add_fields(Fields& fields, const Sphere<S, N>& s) {
+  fields.emplace_back("sphere center", words(s.center));
+  fields.emplace_back("sphere radius", words(s.radius));
+}
+template <Scalar S, int N>
+void add_fields(Fields& fields, const Aabb<S, N>& s) {
+  fields.emplace_back("aabb min", words(s.min));
+  fields.emplace_back("aabb max", words(s.max));
+}
+template <Scalar S, int N>
+void add_fields(Fields& fields, const Rotation<S, N>& rotation) {
+  for (int i = 0; i < N; ++i) {
+    fields.emplace_back("axis " + std::to_string(i), words(rotation.axis(i)));
+  }
+}
+template <Scalar S, int N>
+void add_fields(Fields& fields, const Obb<S, N>& s) {
+  fields.emplace_back("obb center", words(s.center));
+  fields.emplace_back("obb half_extents", words(s.half_extents));
+  add_fields(fields, s.rotation);
+}
+template <Scalar S, int N>
+void add_fields(Fields& fields, const Plane<S, N>& s) {
+  fields.emplace_back("plane normal", words(s.normal));
+  fields.emplace_back("plane offset", words(s.offset));
+}
+template <Scalar S, int N>
+void add_fields(Fields& fields, const Triangle<S, N>& s) {
+  fields.emplace_back("triangle a", words(s.a));
+  fields.emplace_back("triangle b", words(s.b));
+  fields.emplace_back("triangle c", words(s.c));
+}
+
+template <Scalar S, int N, class Shape>
+Fields fields_of(const RayCase<S, N, Shape>& c) {
+  Fields fields{{"ray origin", words(c.ray.origin)},
+                {"ray direction", words(c.ray.direction)},
+                {"ray max_distance", words(c.ray.max_distance)}};
+  add_fields(fields, c.shape);
+  if (c.facing == Facing::front) fields.emplace_back("facing", "front");
+  return fields;
+}
+template <Scalar S, int N>
+Fields fields_of(const VectorCase<S, N>& c) {
+  return {{"vector", words(c.vector)}};
+}
+template <Scalar S, int N>
+Fields fields_of(const AngleCase<S, N>& c) {
+  return {{"angle", words(c.angle)}, {"number", words(c.number)}};
+}
+template <Scalar S, int N>
+Fields fields_of(const PointCase<S, N>& c) {
+  return {{"y", words(c.y)}, {"x", words(c.x)}};
+}
+template <Scalar S, int N>
+Fields fields_of(const TurnCase<S, N>& c) {
+  return {{"axis", words(c.axis)}, {"angle", words(c.angle)}};
+}
+template <Scalar S, int N>
+Fields fields_of(const QuaternionCase<S, N>& c) {
+  return {{"x", words(c.x)}, {"y", words(c.y)}, {"z", words(c.z)}, {"w", words(c.w)}};
+}
+template <Scalar S, int N>
+Fields fields_of(const EulerCase<S, N>& c) {
+  return {{"x", words(c.x)}, {"y", words(c.y)}, {"z", words(c.z)}};
+}
+template <Scalar S, int N>
+Fields fields_of(const RotateCase<S, N>& c) {
+  Fields fields;
+  add_fields(fields, c.rotation);
+  fields.emplace_back("vector", words(c.vector));
+  return fields;
+}
+template <Scalar S, int N>
+Fields fields_of(const RootCase<S, N>& c) {
+  return {{"a", words(c.a)},
+          {"b", words(c.b)},
+          {"added to a b", words(c.beside_square)},
+          {"added to (a b)^2", words(c.beside_fourth_power)}};
+}
+template <Scalar S, int N>
+Fields fields_of(const QuotientCase<S, N>& c) {
+  return {{"a", words(c.a)}, {"b", words(c.b)}, {"c", words(c.c)}, {"d", words(c.d)}};
+}
+template <Scalar S, int N>
+Fields fields_of(const TextCase<S, N>& c) {
+  return {{"text", words(c.text)}, {"number", words(c.number)}};
+}
+
+}  // namespace detent::verify

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// The contrast to main_bare.cpp: the same questions, those of q16_16 converted to float, put to the
+// same templates in float arithmetic. There are no golden values: the digests are this platform's
+// own. Its text takes no part, since the library has none for floats.
+//
+//     g++ -std=c++20 -O2 -Iinclude -Isrc src/verify/main_float.cpp -o floats && ./floats
+
+#include <cstdio>
+
+#include "verify/corpus.hpp"
+#include "verify/float_cases.hpp"
+#include "verify/sink.hpp"
+
+namespace {
+
+using namespace detent;
+using namespace detent::verify;
+
+#ifdef DETENT_VERIFY_SMALL
+constexpr auto size = small_size;
+#else
+constexpr auto size = full_size;
+#endif
+
+void put_line(void (*put)(const char*), std::string_view name, std::uint64_t digest) {
+  char line[64];
+  std::snprintf(line, sizeof line, "%.*s %08lx%08lx\n", static_cast<int>(name.size()), name.data(),
+                static_cast<unsigned long>(digest >> 32),
+                static_cast<unsigned long>(digest & 0xffffffffu));
+  put(line);
+}
+
+template <class Group, int N, std::size_t Rows>
+void add_cells(std::array<Digest, Rows>& digests) {
+  std::array<Sink<IntoDigest>, Rows> sinks;
+  visit_cases<Group, q16_16, N>(
+      size, [&](const auto& c) { answer_all<Group>(in_float<float>(c), sinks); });
+  for (std::size_t row = 0; row < Rows; ++row) {
+    digests[row].add(sinks[row].taken().digest.value());
+  }
+}
+
+}  // namespace
+
+extern "C" int detent_verify(void (*put)(const char*)) {
+  Digest all;
+  visit_groups([&]<class Group>(Group) {
+    if constexpr (!std::is_same_v<Group, Texts>) {
+      std::array<Digest, rows_of<Group>()> digests;
+      if constexpr (Group::template asks<1>) add_cells<Group, 1>(digests);
+      if constexpr (Group::template asks<2>) add_cells<Group, 2>(digests);
+      if constexpr (Group::template asks<3>) add_cells<Group, 3>(digests);
+      for (std::size_t row = 0; row < digests.size(); ++row) {
+        put_line(put, Group::names[row], digests[row].value());
+        all.add(digests[row].value());
+      }
+    }
+  });
+  put_line(put, "all", all.value());
+  return 0;
+}
+
+#ifndef DETENT_VERIFY_NO_MAIN
+int main() {
+  return detent_verify([](const char* text) { std::fputs(text, stdout); });
+}
+#endif
