@@ -142,8 +142,18 @@ class Draw {
   }
   Direction<S, N> axis_direction() { return stretched(unit(), 1); }
 
+  /// With a component that is a power of two, so that points fall halfway between grid points.
+  Direction<S, N> halving_direction() {
+    const auto first = random.below(size);
+    const auto second = (first + 1 + random.below(size - 1)) % size;
+    std::array<double, size> v{};
+    v[first] = std::ldexp(random.coin() ? 1 : -1, -static_cast<int>(random.between(1, 5)));
+    v[second] = std::sqrt(1 - v[first] * v[first]);
+    return along(v);
+  }
   /// Uniform enough, and with small or zero components often enough.
   Direction<S, N> any_direction() {
+    if (random.one_in(16)) return halving_direction();
     std::array<double, size> v{};
     bool zero = true;
     while (zero) {

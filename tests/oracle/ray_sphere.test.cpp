@@ -16,7 +16,7 @@ void examine(std::uint64_t seed, long count) {
                      Sphere<S, N>{D::vec(center), D::scalar(radius)}};
   };
 
-  exam.family("random", count * 30 / 100, 30, 70, [&] {
+  exam.family("random", count * 25 / 100, 30, 70, [&] {
     const auto scale = draw.scale();
     const auto origin = draw.point(scale);
     const auto center = draw.point(scale);
@@ -75,6 +75,39 @@ void examine(std::uint64_t seed, long count) {
                                ? draw.any_direction()
                                : D::stretched(frame.axes[random.below(D::size)], frame.norm);
     return question(origin, direction, draw.reach(steps), center, radius);
+  });
+
+  // Roots that only just differ from an integer, or are one: with the radius n + 1 and the centre
+  // off an axis-parallel ray by the root of 2 n - delta, the half chord squared is n^2 + 1 + delta.
+  // Or the direction itself, added once to the origin, is a point of the surface.
+  exam.family("roots", count * 5 / 100, 35, 100, [&] {
+    const auto sign = random.coin() ? 1 : -1;
+    if (random.coin()) {
+      const auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(D::limit)));
+      const auto axis = random.below(D::size);
+      Raw<N> aside{};
+      std::int64_t square = 0;
+      for (std::size_t i = 0; i < D::size; ++i) {
+        if (i == axis) continue;
+        aside[i] = random.between(root / 4, root);
+        square += aside[i] * aside[i];
+      }
+      const auto n = (square + random.between(-2, 2)) / 2;
+      Raw<N> ahead{};
+      ahead[axis] = sign * random.between(n / 2, D::limit);
+      const auto origin = draw.point(D::limit / 4);
+      Raw<N> forward{};
+      forward[axis] = sign;
+      return question(origin, D::stretched(forward, 1), draw.reach(n),
+                      D::plus(D::plus(origin, aside), ahead), n + 1);
+    }
+    const auto& frame = draw.frame();
+    const auto direction = D::stretched(frame.axes[0], frame.norm);
+    const auto origin = draw.point(D::limit / 4);
+    const auto steps = random.between(1, D::limit / 8 / frame.norm);
+    const auto surface = D::plus(origin, raw(direction));
+    return question(origin, direction, draw.reach(D::limit),
+                    D::plus(surface, frame.axes[0], sign * steps), steps * frame.norm);
   });
 
   // Points, and spheres that are empty.

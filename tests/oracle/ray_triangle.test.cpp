@@ -151,6 +151,67 @@ void examine(std::uint64_t seed, long count) {
   exam.finish(count);
 }
 
+/// An integer vector one component of which, once normalised, is all but halfway between two
+/// grid points: its slope is a convergent of the continued fraction of the exact slope.
+Raw<2> near_tie(test::Random& random, int frac, std::int64_t limit) {
+  // cosine = c / 2^(frac + 1) for an odd c, slope = sqrt(4^(frac + 1) - c^2) / c.
+  const Integer c = 2 * random.between(1, (std::int64_t{1} << frac) - 1) + 1;
+  const Integer squared = (Integer(1) << static_cast<unsigned>(2 * frac + 2)) - c * c;
+  constexpr unsigned digits = 150;
+  Integer over = sqrt(Integer(squared << (2 * digits)));
+  Integer under = c << digits;
+  Raw<2> last{1, 0};
+  Raw<2> next{0, 1};
+  while (under != 0) {
+    const Integer whole = over / under;
+    if (whole > limit) break;
+    const auto times = static_cast<std::int64_t>(whole);
+    const Raw<2> after{last[0] + times * next[0], last[1] + times * next[1]};
+    if (after[0] > limit || after[1] > limit) break;
+    last = next;
+    next = after;
+    over -= whole * under;
+    std::swap(over, under);
+  }
+  return {next[1], next[0]};
+}
+
+TEMPLATE_TEST_CASE("ray against triangle: normals halfway between two are rounded rightly",
+                   "[oracle]", q16_16, q14_16, q24_8, q8_8) {
+  using S = TestType;
+  using Plane = Draw<S, 2>;
+  using World = Draw<S, 3>;
+  Exam<S, 2> exam(0x71e5);
+  Exam<S, 3> exam_3d(0x71e53);
+  constexpr int frac = direction_component<S>::frac;
+  constexpr auto limit = std::int64_t{1} << (S::bits - 1);
+  const auto half = [](const Raw<2>& v) { return Raw<2>{v[0] / 2, v[1] / 2}; };
+  const auto turned = [](const Raw<2>& v) { return Raw<2>{-v[1], v[0]}; };
+
+  exam.family("flat", 5'000, 99, 100, [&] {
+    const auto edge = near_tie(exam.draw.random, frac, limit);
+    const auto from = negated(half(edge));
+    const auto behind = half(turned(edge));
+    const auto direction = exam.draw.towards({0, 0}, behind);
+    return std::pair{
+        Ray<S, 2>{Plane::vec(negated(behind)), direction, S::max()},
+        Triangle<S, 2>{Plane::vec(from), Plane::vec(Plane::plus(from, edge)), Plane::vec(behind)}};
+  });
+  exam_3d.family("upright", 5'000, 99, 100, [&] {
+    const auto edge = near_tie(exam_3d.draw.random, frac, limit);
+    const auto from = negated(half(edge));
+    const auto to = Plane::plus(from, edge);
+    const auto before = half(turned(edge));
+    return std::pair{
+        Ray<S, 3>{World::vec({before[0], before[1], 1}),
+                  exam_3d.draw.towards({0, 0, 0}, {-before[0], -before[1], 0}), S::max()},
+        Triangle<S, 3>{World::vec({from[0], from[1], 0}), World::vec({to[0], to[1], 0}),
+                       World::vec({from[0], from[1], 100})}};
+  });
+  exam.finish(5'000);
+  exam_3d.finish(5'000);
+}
+
 TEMPLATE_TEST_CASE("ray against triangle: every answer is the exact one", "[oracle]",
                    DETENT_FIXED_SPACES) {
   examine<typename TestType::scalar, TestType::dimension>(0x7419, cases<TestType>);
