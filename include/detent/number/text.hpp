@@ -164,7 +164,7 @@ constexpr bool round_decimal(Decimal decimal, std::span<std::uint32_t> result) n
   for (std::uint32_t& limb : billionths) {
     for (int i = 0; i < 9; ++i) limb = limb * 10 + (zeros-- > 0 ? 0 : decimal.next());
   }
-  bool inexact = zeros > 0;  // then d1 itself is still to come
+  bool inexact = false;
   while (!inexact && !decimal.digits.empty()) inexact = decimal.next() != 0;
 
   const auto take_bits = [&billionths](int count) {
