@@ -213,6 +213,10 @@ class Scene : public Numbers<S> {
     auto radius = extent();
     auto target = center_;
     for (int i = 0; i < N; ++i) target[i] += part(radius, 20);
+    if (random.one_in(8)) {  // a pole, where the ray may end
+      target = center_;
+      target[static_cast<int>(random.below(N))] += random.coin() ? radius : -radius;
+    }
     auto ray = ray_through(target);
     if (!extreme_ && random.one_in(4)) {
       // A tangent, or one beside it: the radius stands at a right angle on the ray.
@@ -277,9 +281,9 @@ class Scene : public Numbers<S> {
     }
     const auto normal = random.coin() ? Base::along(Base::template frame<N>(), 0)
                                       : Base::template any_direction<N>();
-    std::int64_t offset = 0;
-    for (int i = 0; i < N; ++i) offset += normal[i] * (center_[i] / 4) / (one / 4);
-    if (extreme_) offset = random.edgy(Base::bits);
+    std::int64_t height = one / 2;  // at most |normal| |center| < 2^62
+    for (int i = 0; i < N; ++i) height += normal[i] * center_[i];
+    const auto offset = extreme_ ? random.edgy(Base::bits) : height >> direction_component<S>::frac;
     const auto ray = ray_through(center_);
     return {ray, {Base::direction(normal), Base::scalar(offset)}, facing};
   }
@@ -389,8 +393,7 @@ class Scene : public Numbers<S> {
       default: {
         const auto origin = somewhere();
         const auto path = target - origin;
-        return {Base::vec(origin), Base::direction(unit(path, one)),
-                end(static_cast<std::int64_t>(longest(path)))};
+        return {Base::vec(origin), Base::direction(unit(path, one)), end(length(path))};
       }
     }
   }
@@ -403,10 +406,11 @@ class Scene : public Numbers<S> {
     switch (random.below(16)) {
       case 0:
       case 1:
-        return Base::scalar(expected + random.between(-2, 2));
       case 2:
-        return Base::scalar(random.between(0, 4 * reach_));
+        return Base::scalar(expected + random.between(-1, 1));
       case 3:
+        return Base::scalar(random.between(0, 4 * reach_));
+      case 4:
         return Base::scalar(random.coin() ? random.between(-1, 1) : random.edgy(Base::bits));
       default:
         return largest<S>;

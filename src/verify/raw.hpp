@@ -74,6 +74,13 @@ constexpr std::uint64_t squared(const Raw<N>& v) noexcept {
   return sum;
 }
 
+/// The length of `v`, rounded down; that of its longest component where it is beyond 2^31.
+template <int N>
+constexpr std::int64_t length(const Raw<N>& v) noexcept {
+  const auto size = longest(v);
+  return static_cast<std::int64_t>(size < std::uint64_t{1} << 31 ? root(squared(v)) : size);
+}
+
 /// The unit vector along `v` in steps of 1/one, its length off by less than two of them; the x axis
 /// for the zero vector.
 template <int N>
@@ -81,10 +88,10 @@ constexpr Raw<N> unit(const Raw<N>& v, std::int64_t one) noexcept {
   Raw<N> result;
   result[0] = one;
   const auto level = levelled(v);
-  const auto length = root(squared(level));
-  if (length == 0) return result;
+  const auto size = root(squared(level));
+  if (size == 0) return result;
   for (int i = 0; i < N; ++i) {
-    const auto twice = (2 * magnitude(level[i]) * static_cast<std::uint64_t>(one) / length + 1) / 2;
+    const auto twice = (2 * magnitude(level[i]) * static_cast<std::uint64_t>(one) / size + 1) / 2;
     const auto component = static_cast<std::int64_t>(twice) > one  // the root was rounded down
                                ? one
                                : static_cast<std::int64_t>(twice);
