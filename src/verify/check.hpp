@@ -43,7 +43,7 @@ template <class Report>
     constexpr auto rows = rows_of<Group>(), spaces = spaces_of<Group>();
     std::array<Digest, rows> digests;
     std::array<RowResult, rows> results;
-    for (std::size_t row = 0; row < rows; ++row) results[row] = {Group::names[row], 0, true, "", 0};
+    for (std::size_t row = 0; row < rows; ++row) results[row] = {Group::names[row], 0, true, {}, 0};
     std::size_t index = 0;
     visit_spaces<Group>([&]<class S, int N>(Space<S, N>) {
       const auto cells = digests_of<Group, S, N>(size);
