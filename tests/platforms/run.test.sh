@@ -1,0 +1,142 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# What `run` says of platforms that are right, wrong, silent, endless, broken or absent.
+set -euo pipefail
+source=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+
+# A project of its own, with a program whose answers its flags decide.
+project=$(mktemp -d)
+trap 'rm -rf "$project"' EXIT
+cd "$project"
+unset DETENT_PLATFORMS_WORK
+mkdir -p tests/platforms src/verify include
+sed 's/^build_limit=.*/build_limit=60 run_limit=2/' "$source/run" >tests/platforms/run
+chmod +x tests/platforms/run
+
+cat >tests/platforms/expected.cpp <<'END'
+#include <cstdio>
+int main(int, char** argv) {
+  std::puts("first 0000000000000001 ok");
+  std::puts("second 0000000000000002 ok");
+  std::printf("all 000000000000000%c ok\n", argv[1][0] == 's' ? '4' : '3');
+}
+END
+cat >src/verify/main_bare.cpp <<'END'
+#include <cstdio>
+#include <cstdlib>
+#ifndef STATUS
+#define STATUS 0
+#endif
+#ifdef DETENT_VERIFY_SMALL
+#define LAST "4"
+#else
+#define LAST "3"
+#endif
+#if defined(ADMITTED)
+#define SECOND "9 DIFFERENT (q8_8 3D)"
+#elif defined(DENIED)
+#define SECOND "9 ok"
+#else
+#define SECOND "2 ok"
+#endif
+int main() {
+#ifdef ENDLESS
+  for (volatile int i = 0;; i = 1) {
+  }
+#endif
+#ifndef SILENT
+  std::puts("first line of the emulator");
+  std::puts("first 0000000000000001 ok\r");
+#ifdef HALF
+  std::exit(STATUS);
+#endif
+  std::puts("second 000000000000000" SECOND);
+  std::puts("all 000000000000000" LAST " ok");
+#endif
+  return STATUS;
+}
+END
+cat >src/verify/main_float.cpp <<'END'
+#include <cstdio>
+#ifndef DRIFT
+#define DRIFT "2"
+#endif
+int main() {
+  std::puts("first 0000000000000001");
+  std::puts("second 000000000000000" DRIFT);
+  std::puts("all 000000000000000" DRIFT);
+}
+END
+echo 'static_assert(sizeof(int) >= LEAST);' >src/verify/constant.cpp
+
+cat >tests/platforms/targets <<'END'
+right    | | c++ | -O0         |     | full  | good
+small    | | c++ | -DDRIFT="7" | env | small | good
+constant | | c++ | -DLEAST=2   | -   | -     | good
+admitted | | c++ | -DADMITTED -DSTATUS=1 | | full |
+denied   | | c++ | -DDENIED    |     | full  |
+silent   | | c++ | -DSILENT    |     | full  |
+half     | | c++ | -DHALF -DSTATUS=3 |     | full  |
+unhappy  | | c++ | -DSTATUS=4  |     | full  |
+endless  | | c++ | -DENDLESS   |     | full  |
+broken   | | c++ | -no-such-flag |   | full  |
+refused  | | c++ | -DLEAST=9   | -   | -     |
+absent   | | no-such-compiler | |    | full  |
+lost     | no-such-package | c++ | | | full  |
+END
+
+failures=0
+complain() {
+  echo "$*"
+  failures=$((failures + 1))
+}
+
+# run STATUS ARGUMENT...; what it prints is for `says`.
+run() {
+  local status=0
+  tests/platforms/run "${@:2}" >printed 2>&1 || status=$?
+  cat printed
+  [[ $status -eq $1 ]] || complain "run ${*:2}: the status is $status, not $1"
+}
+says() { grep -qE "$1" printed || complain "run does not say: $1"; }
+
+run 0 --no-install good
+says '^right .* equal$'
+says '^small .* equal$'
+says '^constant .* compiles$'
+says ': 2 equal, 0 different, 0 did not run, 0 not installed, 1 compiled only;'
+says 'float: 2 builds, 2 different digests; they part at second \(right against small\)\.'
+
+run 1 --no-install
+says '^admitted .* DIFFERENT at second \(q8_8 3D\)$'
+says '^denied .* DIFFERENT at second$'
+says '^silent .* did not run: status 0 before first$'
+says '^half .* did not run: status 3 before second$'
+says '^unhappy .* did not run: status 4 at the end$'
+says '^endless .* did not run: over 2 s at first$'
+says '^broken .* does not compile: .*/broken/program.log$'
+says '^refused .* does not compile: .*/refused/program.o.log$'
+says '^absent .* not installed: no-such-compiler$'
+if command -v dpkg-query >/dev/null; then says '^lost .* not installed: no-such-package$'; fi
+says ': 2 equal, 2 different, 6 did not run, 2 not installed, 1 compiled only;'
+
+run 0 --markdown --no-install right
+# shellcheck disable=SC2016  # the backquotes are Markdown's
+says '^\| right \| (gcc|clang) [0-9.]+ \| `-O0` \| (32|64) \| (little|big) \|.* equal \| [0-9.]+ \|$'
+
+run 0 --test right
+run 1 --test denied
+says '^second 0000000000000009 ok$'
+run 77 --test absent
+says '^skipped, not installed: no-such-compiler$'
+
+run 0 --list good
+[[ $(cat printed) == $'right\nsmall\nconstant' ]] || complain "run --list lists something else"
+run 0 --packages
+[[ $(cat printed) == no-such-package ]] || complain "run --packages prints something else"
+run 2 right nowhere
+says "^platforms: no platform 'nowhere'; there are: .* right small constant"
+run 2 --loud
+says "^platforms: unknown option '--loud'"
+
+[[ $failures -eq 0 ]]
