@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# usage: command.sh DETENT
+# `detent verify` as a user runs it: what it prints, writes and returns.
+set -euo pipefail
+
+detent=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+fail() {
+  echo "$*"
+  exit 1
+}
+
+# Runs `detent verify ARGUMENT...`; leaves out, err and the exit status.
+run() {
+  status=0
+  "$detent" verify "$@" >"$work/out" 2>"$work/err" || status=$?
+}
+
+run
+[[ $status -eq 0 ]] || fail "exit $status: $(cat "$work/out" "$work/err")"
+grep -qE '^all +[0-9]+  [0-9a-f]{16}  ok$' "$work/out" || fail "no total: $(cat "$work/out")"
+! grep -q DIFFERENT "$work/out" || fail "exit 0 in spite of a difference"
+cp "$work/out" "$work/table"
+
+run --threads 1
+cmp "$work/out" "$work/table" || fail "the number of threads shows"
+
+run --small
+[[ $status -eq 0 ]] || fail "--small: exit $status"
+! cmp -s "$work/out" "$work/table" || fail "--small prints what the full corpus does"
+
+run --only raycast/sphere
+[[ $status -eq 0 ]] || fail "--only: exit $status"
+grep -E '^raycast/sphere ' "$work/out" >"$work/row"
+grep -qxF "$(cat "$work/row")" "$work/table" || fail "--only changes a digest"
+! grep -qE '^(all|raycast/aabb) ' "$work/out" || fail "--only prints other rows"
+
+run --only raycast --json
+[[ $(grep -c '"query": "raycast' "$work/out") -eq 15 ]] || fail "a prefix selects every row it begins"
+
+run --only raycast/ball
+[[ $status -eq 2 && ! -s $work/out && $(wc -l <"$work/err") -eq 1 ]] || fail "a wrong name: $status"
+grep -q 'raycast/sphere, .*to_chars' "$work/err" || fail "the error does not list the queries"
+
+run --json
+grep -q '"ok": true' "$work/out" || fail "no verdict in the JSON"
+! grep -q '"ok": false' "$work/out" || fail "a difference in the JSON"
+
+mkdir "$work/dumps"
+run --dump "$work/dumps/a" --threads 1
+run --dump "$work/dumps/b" --threads 3
+cmp "$work/dumps/a" "$work/dumps/b" || fail "two dumps differ"
+[[ $(head -c 8 "$work/dumps/a") == "detent 1" ]] || fail "the dump has another beginning"
+[[ $(find "$work/dumps" -type f | wc -l) -eq 2 ]] || fail "a temporary file is left"
+run --dump "$work/no/such/place"
+[[ $status -eq 2 && $(wc -l <"$work/err") -eq 1 ]] || fail "an impossible dump: $status"
+
+# What the documents show is what the command prints.
+while read -r line; do
+  grep -qxF -- "$line" "$work/table" || fail "a document says: $line"
+done < <(sed -nE 's/^ *([a-z_/]+ +[0-9]+  [0-9a-f]{16}  ok)$/\1/p' README.md docs/verify.md)
+
+run --golden
+cmp "$work/out" src/verify/golden.hpp || fail "src/verify/golden.hpp is not what --golden prints"
+
+echo "$(grep '^all ' "$work/table")"

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include <xxhash.h>
+
+#include <set>
+#include <string>
+#include <utility>
+
+#include "detent/version.hpp"
+#include "support/catch.hpp"
+#include "verify/check.hpp"
+#include "verify/sheets.hpp"
+
+using namespace detent;
+using namespace detent::verify;
+
+namespace {
+
+/// A sink that counts in place of the digest.
+struct Yes {
+  test::HitRate rate;
+
+  template <class T>
+  void add(const std::optional<T>& answer) {
+    rate.count(answer.has_value());
+  }
+  template <class T>
+  void add(const T&) {}
+};
+
+std::string name_of(const Sheet& sheet, std::size_t row) {
+  return std::string(sheet.rows[row]) + " " + std::string(sheet.scalar) + " " +
+         std::to_string(sheet.dimension) + "D";
+}
+
+/// Exact arithmetic about the first `size` answers of every cell.
+void confirm(std::uint32_t size) {
+  for (std::size_t i = 0; i < sheets().size(); ++i) {
+    for (std::size_t row = 0; row < sheets()[i].rows.size(); ++row) {
+      const auto wrong = first_wrong(i, row, size);
+      INFO(name_of(sheets()[i], row)
+           << ": question " << (wrong ? wrong->index : 0) << ", expected "
+           << (wrong ? wrong->expected : "") << ", got " << (wrong ? wrong->got : ""));
+      CHECK_FALSE(wrong);
+    }
+  }
+}
+
+/// How often the corpus asks what random questions would not.
+struct Occasions {
+  std::uint32_t starts_inside = 0, touches = 0, ends_at_hit = 0, along_axis = 0;
+  std::uint32_t at_ends_of_range = 0;
+};
+
+template <class Group>
+Occasions occasions() {
+  Occasions seen;
+  constexpr auto unit = q16_16::from_raw(1);
+  visit_cases<Group, q16_16, 3>(full_size, [&](const auto& c) {
+    const auto hit = raycast_interval(c.ray, c.shape);
+    int zeros = 0;
+    for (int i = 0; i < 3; ++i) zeros += c.ray.direction[i] == 0 ? 1 : 0;
+    seen.along_axis += zeros == 2 ? 1u : 0u;
+    seen.at_ends_of_range += c.ray.origin.x == largest<q16_16> ? 1u : 0u;
+    if (!hit) return;
+    seen.starts_inside += hit->enter == 0 ? 1u : 0u;
+    seen.touches += hit->enter == hit->exit && hit->enter > 0 ? 1u : 0u;
+    seen.ends_at_hit += hit->enter > 0 && c.ray.max_distance - hit->enter <= unit ? 1u : 0u;
+  });
+  return seen;
+}
+
+}  // namespace
+
+TEST_CASE("corpus: it has two million questions, and a share of them for microcontrollers") {
+  CHECK(count_cells() * full_size >= 2'000'000);
+  CHECK(count_cells() * small_size >= 10'000);
+  CHECK(count_cells() * small_size <= 20'000);
+}
+
+TEST_CASE("corpus: between 30 and 70 percent of the rays hit, for every query and size") {
+  visit_groups([]<class Group>(Group) {
+    if constexpr (std::is_base_of_v<RayGroup, Group>) {
+      for (const auto size : {full_size, small_size}) {
+        std::array<Yes, rows_of<Group>()> seen;
+        visit_spaces<Group>([&]<class S, int N>(Space<S, N>) {
+          visit_cases<Group, S, N>(size, [&](const auto& c) { answer_all<Group>(c, seen); });
+        });
+        for (std::size_t row = 0; row < seen.size(); ++row) {
+          INFO(std::string(Group::names[row]) << ": " << seen[row].rate);
+          CHECK(seen[row].rate.is_balanced());
+        }
+      }
+    }
+  });
+}
+
+TEST_CASE("corpus: every shape is touched, started in, run along and met at a ray's end") {
+  const auto check = [](const char* name, const Occasions& seen) {
+    INFO(name << ": inside " << seen.starts_inside << ", touches " << seen.touches << ", ends "
+              << seen.ends_at_hit << ", axes " << seen.along_axis << ", range "
+              << seen.at_ends_of_range);
+    CHECK(seen.starts_inside >= full_size / 50);
+    CHECK(seen.touches >= full_size / 100);
+    CHECK(seen.ends_at_hit >= full_size / 500);
+    CHECK(seen.along_axis >= full_size / 20);
+    CHECK(seen.at_ends_of_range > 0);
+  };
+  check("sphere", occasions<Spheres>());
+  check("aabb", occasions<Aabbs>());
+  check("obb", occasions<Obbs>());
+  check("plane", occasions<Planes>());
+  check("triangle", occasions<Triangles>());
+}
+
+TEST_CASE("corpus: exact arithmetic confirms the first answers of every cell") { confirm(150); }
+
+TEST_CASE("corpus: exact arithmetic confirms every answer", "[.demand]") { confirm(full_size); }
+
+TEST_CASE("corpus: no two sheets ask the same") {
+  std::set<std::uint64_t> digests;
+  for (std::size_t i = 0; i < sheets().size(); ++i) digests.insert(digest_of_questions(i, 10));
+  CHECK(digests.size() == sheets().size());
+}
+
+TEST_CASE("corpus: the digest of a cell is XXH64 of the bytes that a dump holds") {
+  for (std::size_t i = 0; i < sheets().size(); ++i) {
+    const auto kept = answer(i, 100, true), digested = answer(i, 100, false);
+    for (std::size_t row = 0; row < kept.size(); ++row) {
+      INFO(name_of(sheets()[i], row));
+      CHECK(kept[row].digest == digested[row].digest);
+      CHECK(kept[row].digest == XXH64(kept[row].bytes.data(), kept[row].bytes.size(), 0));
+    }
+  }
+}
+
+TEST_CASE("corpus: a smaller one is the beginning of a larger one") {
+  for (std::size_t i = 0; i < sheets().size(); ++i) {
+    const auto small = answer(i, small_size, true), large = answer(i, 2 * small_size, true);
+    for (std::size_t row = 0; row < small.size(); ++row) {
+      INFO(name_of(sheets()[i], row));
+      CHECK(large[row].bytes.starts_with(small[row].bytes));
+    }
+  }
+}
+
+TEST_CASE("corpus: both sizes give their golden digests") {
+  const auto ignore = [](const RowResult&) {};
+  CHECK(check(small_size, golden::small, ignore).is_golden);
+  CHECK(check(full_size, golden::full, ignore).is_golden);
+}
+
+TEST_CASE("corpus: a single wrong golden value is a difference, and its cell is named") {
+  auto expected = golden::small;
+  expected[1] ^= 1;
+  int different = 0;
+  const auto total = check(small_size, expected, [&](const RowResult& row) {
+    if (row.is_golden) return;
+    ++different;
+    CHECK(row.name == "raycast/sphere");
+    CHECK(row.scalar == "q16_16");
+    CHECK(row.dimension == 3);
+  });
+  CHECK_FALSE(total.is_golden);
+  CHECK(different == 1);
+}

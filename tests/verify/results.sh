@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# usage: results.sh DETENT
+# One version of the results gives one answer to a question, for ever. results.txt says which
+# version answered what to which questions, as digests; lines are added and never changed. So who
+# changes an answer has to raise results_version, and to say so in the changelog.
+set -euo pipefail
+
+table=tests/verify/results.txt
+bad=0
+
+complain() {
+  echo "$*"
+  bad=1
+}
+
+while read -r version query questions answers; do
+  known=$(awk -v v="$version" -v q="$query" -v a="$questions" \
+    '$1 == v && $2 == q && $3 == a { print $4 }' "$table")
+  if [[ -z $known ]]; then
+    complain "$table lacks this line: $version $query $questions $answers"
+  elif [[ $known != "$answers" ]]; then
+    complain "$query: results_version $version answered $known so far, and now $answers;" \
+      "raise results_version in include/detent/version.hpp (see docs/verify.md)"
+  fi
+done < <("$1" verify --results)
+
+version=$(sed -nE 's/.*results_version = ([0-9]+);.*/\1/p' include/detent/version.hpp)
+newest=$(awk '!/^#/ { print $1 }' "$table" | sort -n | tail -n 1)
+[[ $newest == "$version" ]] ||
+  complain "$table ends with version $newest, and the library answers version $version"
+grep -qE "\*RES\*.*results_version $version\b" CHANGELOG.md ||
+  complain "CHANGELOG.md has no line with *RES* and \"results_version $version\""
+
+if git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
+  while read -r commit; do
+    while read -r line; do
+      grep -qxF -- "$line" "$table" || complain "$table had this line in $commit: $line"
+    done < <(git show "$commit:$table" 2>/dev/null | grep -v '^#')
+  done < <(git log --format=%h -- "$table")
+fi
+
+if [[ $bad -eq 0 ]]; then echo "version $version answers as it always did"; fi
+exit "$bad"
