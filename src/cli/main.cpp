@@ -185,8 +185,8 @@ void add_verify(CLI::App& app, Arguments& arguments) {
       ->check(CLI::Range(0, 1024));
   CLI::Option* const golden =
       command->add_flag("--golden", options.golden, "Print src/verify/golden.hpp anew");
-  CLI::Option* const results =
-      command->add_flag("--results", options.results, "Print the lines of tests/verify/results.txt");
+  CLI::Option* const results = command->add_flag("--results", options.results,
+                                                 "Print the lines of tests/verify/results.txt");
   golden->excludes(results);
   command->final_callback([&] { arguments.all_golden = verify(options); });
 }
