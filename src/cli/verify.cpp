@@ -55,7 +55,7 @@ struct Row {
   }
   [[nodiscard]] std::uint64_t golden() const {
     Digest digest;
-    for (const Cell& cell : cells) digest.add(cell.golden);
+    for (const Cell& cell : cells) digest.add(cell.golden.value_or(0));
     return digest.value();
   }
   [[nodiscard]] bool is_golden() const {

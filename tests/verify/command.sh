@@ -48,6 +48,8 @@ grep -q 'raycast/sphere, .*to_chars' "$work/err" || fail "the error does not lis
 run --json
 grep -q '"ok": true' "$work/out" || fail "no verdict in the JSON"
 ! grep -q '"ok": false' "$work/out" || fail "a difference in the JSON"
+cmp <(sed -nE 's/ *"digest": //p' "$work/out") <(sed -nE 's/ *"golden": //p' "$work/out") ||
+  fail "the JSON has other golden digests than its verdict"
 
 mkdir "$work/dumps"
 run --dump "$work/dumps/a" --threads 1
