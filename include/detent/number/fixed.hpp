@@ -158,7 +158,12 @@ inline constexpr int sum_bits = result_bits(std::max(aligned_bits<A, common_frac
 
 template <class Raw, int Frac, class A>
 constexpr Raw aligned_raw(const A& a) noexcept {
-  return shift_left(integer_cast<Raw>(a.raw()), Frac - A::frac);
+  constexpr int shift = Frac - A::frac;
+  if constexpr (shift > value_bits<Raw>) {
+    return Raw(0);  // modulo the size of Raw
+  } else {
+    return shift_left(integer_cast<Raw>(a.raw()), shift);
+  }
 }
 
 }  // namespace detail
