@@ -6,3 +6,4 @@
 #include "detent/math/direction.hpp"
 #include "detent/math/rotation.hpp"
 #include "detent/math/vec.hpp"
+#include "detent/math/width.hpp"

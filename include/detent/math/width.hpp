@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/math/vec.hpp"
+
+namespace detent {
+
+/// Whether |x| <= 2^(Bits - F), so that `narrow<Bits>(x)` is x; `float` and `double` always fit.
+template <int Bits, Number T>
+[[nodiscard]] constexpr bool fits([[maybe_unused]] const T& x) noexcept {
+  if constexpr (bits_of<T> <= Bits) {
+    return true;
+  } else {
+    return detail::is_within<Bits>(x.raw());
+  }
+}
+template <int Bits, Number T, int N>
+[[nodiscard]] constexpr bool fits(const Vec<T, N>& v) noexcept {
+  for (int i = 0; i < N; ++i) {
+    if (!fits<Bits>(v[i])) return false;
+  }
+  return true;
+}
+
+namespace detail {
+
+template <int Bits, Number T>
+[[nodiscard]] constexpr auto at_most(const T& x) noexcept {
+  if constexpr (bits_of<T> <= Bits) {
+    return x;
+  } else {
+    return narrow<Bits>(x);
+  }
+}
+template <int Bits, Number T, int N>
+[[nodiscard]] constexpr auto at_most(const Vec<T, N>& v) noexcept {
+  return make_vec<N>([&](int i) { return at_most<Bits>(v[i]); });
+}
+
+}  // namespace detail
+
+/// f(x...), computed in narrower integers where all of x, numbers or vectors, fit `Bits`.
+///
+/// A formula that needs 256 bits for the whole domain needs 128 for operands of ordinary size. What
+/// `f` decides is exact in either, so the path taken never shows but in the time.
+template <int Bits, class F, class... Operands>
+[[nodiscard]] constexpr auto by_width(const F& f, const Operands&... x) noexcept {
+  if ((fits<Bits>(x) && ...)) return f(detail::at_most<Bits>(x)...);
+  return f(x...);
+}
+
+}  // namespace detent
