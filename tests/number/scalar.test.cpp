@@ -30,6 +30,8 @@ static_assert(std::same_as<direction_component<double>, double>);
 static_assert(direction_component<q16_16>(1) == 1 && direction_component<q16_16>(-1) == -1);
 static_assert(direction_component<q8_8>(1) == 1 && direction_component<q8_8>(1).raw() == 1 << 14);
 
+static_assert(square(q16_16::lowest()) == 1 << 30 && square(-1.5f) == 2.25f);
+
 }  // namespace
 
 TEST_CASE("scalar: the concepts hold at compile time", "[number]") { SUCCEED(); }

@@ -27,6 +27,12 @@ inline constexpr int bits_of = 0;
 template <int Bits, int Frac>
 inline constexpr int bits_of<Fixed<Bits, Frac>> = Bits;
 
+/// x * x, exactly.
+template <Number T>
+[[nodiscard]] constexpr auto square(const T& x) noexcept {
+  return x * x;
+}
+
 /// The greatest value of a number's type.
 template <Number S>
 inline constexpr S largest = std::numeric_limits<S>::max();

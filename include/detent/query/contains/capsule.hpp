@@ -14,7 +14,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool contains(const Capsule<S, N>& capsule,
                                       const Vec<S, N>& point) noexcept {
   return capsule.radius >= 0 &&
-         squared_distance(Segment{capsule.a, capsule.b}, point) <= capsule.radius * capsule.radius;
+         squared_distance(Segment{capsule.a, capsule.b}, point) <= square(capsule.radius);
 }
 
 }  // namespace detent

@@ -12,7 +12,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool contains(const Sphere<S, N>& sphere, const Vec<S, N>& point) noexcept {
   return sphere.radius >= 0 &&
-         squared_distance(point, sphere.center) <= sphere.radius * sphere.radius;
+         squared_distance(point, sphere.center) <= square(sphere.radius);
 }
 
 }  // namespace detent

@@ -24,7 +24,7 @@ struct RaySphere {
   // |m|^2 - r^2 is at most |m|^2, and r^2 is smaller than the most that |m|^2 can be.
   template <class Squared>
   static constexpr auto inside_distance(const Squared& squared, const S& radius) noexcept {
-    return narrow_difference<bits_of<Squared>>(squared, radius * radius);
+    return narrow_difference<bits_of<Squared>>(squared, square(radius));
   }
 
   /// a >= 0 and c <= |m|^2, so a c <= |d|^2 |m|^2, which fits where the square of b does.
