@@ -7,5 +7,6 @@
 #include "detent/query/closest_point.hpp"
 #include "detent/query/contains.hpp"
 #include "detent/query/distance.hpp"
+#include "detent/query/intersects.hpp"
 #include "detent/query/on.hpp"
 #include "detent/query/raycast.hpp"

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Segments against every shape, both closed sets:
+//   intersects(segment, shape) -> bool
+
+#include "detent/query/intersects/segment.hpp"
+#include "detent/query/intersects/triangle.hpp"
