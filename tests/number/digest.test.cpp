@@ -46,6 +46,8 @@ constexpr std::uint64_t digest_of_text(std::string_view text, std::uint64_t seed
 
 // Published values of XXH64; the rest is compared with the reference implementation below.
 static_assert(Digest().value() == 0xef46db3751d8e999u);
+static_assert(std::array<Digest, 2>{}[1].value() == Digest().value());
+static_assert(!std::is_convertible_v<std::uint64_t, Digest>);
 static_assert(digest_of_text("a") == 0xd24ec4f1a98c6e5bu);
 static_assert(digest_of_text("abc") == 0x44bc2cf5ad770999u);
 

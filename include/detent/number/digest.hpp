@@ -23,7 +23,8 @@ namespace detent {
 /// source: Yann Collet, xxHash fast digest algorithm, XXH64                  (tests/number/digest)
 class Digest {
  public:
-  explicit constexpr Digest(std::uint64_t seed = 0) noexcept
+  constexpr Digest() noexcept : Digest(0) {}
+  explicit constexpr Digest(std::uint64_t seed) noexcept
       : seed_(seed), lanes_{seed + p1 + p2, seed + p2, seed, seed - p1} {}
 
   /// Appends each value in turn; what a type contributes is said by its `append(digest, value)`.
