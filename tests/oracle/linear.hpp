@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "detent/shape/shape.hpp"
+#include "oracle/exact.hpp"
+
+namespace detent::oracle {
+
+/// The convex hull of the points over[k] / under, in raw units; without points it is empty.
+template <int N>
+struct Hull {
+  std::vector<Vector<N>> over;
+  Integer under = 1;
+};
+
+/// Whether the equations sum of x[j] * column j = right[i] have a solution without a negative x.
+///
+/// The simplex method, first phase: the sum of what the equations still lack is made as small as it
+/// can be, by Bland's rule, which ends. Row i of the tableau says what one basic variable is, and
+/// the last row what is lacking. All numbers are over the last pivot, so they stay integers: minors
+/// of the matrix.
+///
+/// source: Bland, New Finite Pivoting Rules for the Simplex Method (1977); Edmonds, Systems of
+///         Distinct Representatives and Linear Algebra (1967)
+class Simplex {
+ public:
+  Simplex(std::size_t equations, std::size_t unknowns)
+      : rows_(equations), columns_(unknowns), table_(equations + 1), basis_(equations) {
+    for (auto& row : table_) row.assign(unknowns + 1, Integer(0));
+  }
+
+  Integer& at(std::size_t row, std::size_t column) { return table_[row][column]; }
+  Integer& right(std::size_t row) { return table_[row][columns_]; }
+
+  bool is_feasible() {
+    auto& lack = table_[rows_];
+    for (std::size_t i = 0; i < rows_; ++i) {
+      basis_[i] = columns_ + i;  // what this equation lacks: no column, since it never comes back
+      for (std::size_t j = 0; j <= columns_; ++j) {
+        if (right(i) < 0 && j < columns_) table_[i][j] = -table_[i][j];
+      }
+      if (right(i) < 0) right(i) = -right(i);
+      for (std::size_t j = 0; j <= columns_; ++j) lack[j] += table_[i][j];
+    }
+    while (!lack[columns_].is_zero()) {
+      std::size_t enters = 0;
+      while (enters < columns_ && lack[enters].sign() <= 0) ++enters;
+      if (enters == columns_) return false;
+      pivot(leaving(enters), enters);
+    }
+    return true;
+  }
+
+ private:
+  /// The row that allows the least of `column`; of several, the one of the first variable. There is
+  /// one, since the lack would fall without end.
+  std::size_t leaving(std::size_t column) const {
+    std::size_t best = rows_;
+    for (std::size_t i = 0; i < rows_; ++i) {
+      if (table_[i][column].sign() <= 0) continue;
+      if (best == rows_) {
+        best = i;
+        continue;
+      }
+      const Integer here = table_[i][columns_] * table_[best][column];
+      const Integer there = table_[best][columns_] * table_[i][column];
+      if (here < there || (here == there && basis_[i] < basis_[best])) best = i;
+    }
+    return best;
+  }
+
+  void pivot(std::size_t row, std::size_t column) {
+    const Integer by = table_[row][column];
+    for (std::size_t i = 0; i <= rows_; ++i) {
+      if (i == row) continue;
+      const Integer times = table_[i][column];
+      for (std::size_t j = 0; j <= columns_; ++j) {
+        table_[i][j] = (table_[i][j] * by - times * table_[row][j]) / last_pivot_;
+      }
+    }
+    last_pivot_ = by;
+    basis_[row] = column;
+  }
+
+  std::size_t rows_, columns_;
+  std::vector<std::vector<Integer>> table_;
+  std::vector<std::size_t> basis_;
+  Integer last_pivot_ = 1;
+};
+
+/// Whether two hulls share a point: weights of the points of one and of the other, none negative
+/// and of sum 1 each, that give the same point.
+template <int N>
+bool meet(const Hull<N>& a, const Hull<N>& b) {
+  if (a.over.empty() || b.over.empty()) return false;
+  constexpr auto size = static_cast<std::size_t>(N);
+  const Integer under = boost::multiprecision::lcm(a.under, b.under);
+  const Integer scale_a = under / a.under, scale_b = under / b.under;
+  Simplex simplex(size + 2, a.over.size() + b.over.size());
+  std::size_t column = 0;
+  for (const auto& point : a.over) {
+    for (std::size_t i = 0; i < size; ++i) simplex.at(i, column) = point[i] * scale_a;
+    simplex.at(size, column++) = 1;
+  }
+  for (const auto& point : b.over) {
+    for (std::size_t i = 0; i < size; ++i) simplex.at(i, column) = -point[i] * scale_b;
+    simplex.at(size + 1, column++) = 1;
+  }
+  simplex.right(size) = simplex.right(size + 1) = 1;
+  return simplex.is_feasible();
+}
+
+template <Scalar S, int N>
+Hull<N> hull_of(const Segment<S, N>& segment) {
+  return {{raw(segment.start), raw(segment.end)}};
+}
+template <Scalar S, int N>
+Hull<N> hull_of(const Triangle<S, N>& triangle) {
+  return {{raw(triangle.a), raw(triangle.b), raw(triangle.c)}};
+}
+
+/// The corners center +- edge[0] +- edge[1] ... over `under`.
+template <int N>
+Hull<N> corners(const Vector<N>& center, const std::array<Vector<N>, N>& edges,
+                const Integer& under) {
+  Hull<N> hull{{}, under};
+  for (unsigned signs = 0; signs < 1u << N; ++signs) {
+    auto corner = center;
+    for (unsigned j = 0; j < unsigned{N}; ++j) {
+      for (std::size_t i = 0; i < corner.size(); ++i) {
+        if ((signs >> j & 1) != 0) {
+          corner[i] += edges[j][i];
+        } else {
+          corner[i] -= edges[j][i];
+        }
+      }
+    }
+    hull.over.push_back(corner);
+  }
+  return hull;
+}
+
+template <Scalar S, int N>
+Hull<N> hull_of(const Aabb<S, N>& box) {
+  const auto low = raw(box.min), high = raw(box.max);
+  Vector<N> center;
+  std::array<Vector<N>, N> edges;
+  for (std::size_t i = 0; i < center.size(); ++i) {
+    if (high[i] < low[i]) return {};
+    center[i] = low[i] + high[i];
+    edges[i][i] = high[i] - low[i];
+  }
+  return corners<N>(center, edges, 2);
+}
+
+/// The box as its edges span it.
+template <Scalar S, int N>
+Hull<N> hull_of(const Obb<S, N>& box) {
+  const Integer one = Integer(1) << static_cast<unsigned>(direction_component<S>::frac);
+  const auto half = raw(box.half_extents);
+  auto center = raw(box.center);
+  std::array<Vector<N>, N> edges;
+  for (std::size_t j = 0; j < center.size(); ++j) {
+    if (half[j] < 0) return {};
+    center[j] *= one;
+    edges[j] = widen(raw(box.rotation.axis(static_cast<int>(j))));
+    for (auto& component : edges[j]) component *= half[j];
+  }
+  return corners<N>(center, edges, one);
+}
+
+}  // namespace detent::oracle
