@@ -1,59 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <sstream>
-#include <string>
 #include <utility>
 
 #include "detent/query/raycast.hpp"
+#include "oracle/describe.hpp"
 #include "oracle/draw.hpp"
 #include "oracle/ray_box.hpp"
 #include "oracle/ray_plane.hpp"
 #include "oracle/ray_sphere.hpp"
 #include "oracle/ray_triangle.hpp"
+#include "oracle/seeds.hpp"
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
 
 namespace detent::oracle {
 
 using test::Space;
-
-template <Scalar S, int N>
-std::string text(const Vec<S, N>& v) {
-  Raw<N> components{};
-  for (int i = 0; i < N; ++i) components[static_cast<std::size_t>(i)] = v[i].raw();
-  return text(components);
-}
-template <Scalar S, int N>
-std::string text(const Ray<S, N>& ray) {
-  return "ray " + text(ray.origin) + " direction " + text(raw(ray.direction)) + " max_distance " +
-         raw(ray.max_distance).str();
-}
-template <Scalar S, int N>
-std::string text(const Sphere<S, N>& sphere) {
-  return "sphere " + text(sphere.center) + " radius " + raw(sphere.radius).str();
-}
-template <Scalar S, int N>
-std::string text(const Aabb<S, N>& box) {
-  return "aabb " + text(box.min) + " " + text(box.max);
-}
-template <Scalar S, int N>
-std::string text(const Obb<S, N>& box) {
-  auto out = "obb " + text(box.center) + " half_extents " + text(box.half_extents) + " axes";
-  for (int i = 0; i < N; ++i) out += " " + text(raw(box.rotation.axis(i)));
-  return out;
-}
-template <Scalar S, int N>
-std::string text(const Plane<S, N>& plane) {
-  return "plane " + text(raw(plane.normal)) + " offset " + raw(plane.offset).str();
-}
-template <Scalar S, int N>
-std::string text(const Triangle<S, N>& triangle) {
-  return "triangle " + text(triangle.a) + " " + text(triangle.b) + " " + text(triangle.c);
-}
 
 /// The library's answers to the three questions.
 template <Scalar S, int N, class Shape>
@@ -117,7 +82,7 @@ class Exam {
     ++asked_;
     const auto found = mistakes(expected, ask(ray, shape));
     if (found.empty() || ++wrong_ > 5) return;
-    first_mistakes_ << name << ": " << text(ray) << "; " << text(shape) << "\n" << found;
+    first_mistakes_ << name << ": " << describe(ray) << "; " << describe(shape) << "\n" << found;
   }
 
   long asked_ = 0;
@@ -131,14 +96,5 @@ template <class Space>
 inline constexpr long cases = 200'000;
 template <>
 inline constexpr long cases<Space<q16_16, 3>> = 1'000'000;
-
-/// The seeds of a run on demand: twenty rounds, which DETENT_ORACLE_SEED turns into other ones.
-inline std::array<std::uint64_t, 20> demanded_seeds() {
-  const char* text = std::getenv("DETENT_ORACLE_SEED");
-  test::Random random(text == nullptr ? 0x5eed : std::strtoull(text, nullptr, 0));
-  std::array<std::uint64_t, 20> seeds{};
-  for (auto& seed : seeds) seed = random.next();
-  return seeds;
-}
 
 }  // namespace detent::oracle

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <sstream>
 #include <string>
 
@@ -12,9 +10,10 @@
 #include "detent/query/contains.hpp"
 #include "detent/query/distance.hpp"
 #include "detent/query/on.hpp"
-#include "oracle/answer.hpp"
+#include "oracle/describe.hpp"
 #include "oracle/draw.hpp"
 #include "oracle/point.hpp"
+#include "oracle/seeds.hpp"
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
 
@@ -76,48 +75,6 @@ bool is_rounded(const Integer& given, const Place<N>& core, std::size_t axis, co
   const int above = sign_of_difference(step, twice + core.under, square);
   if (below == 0 || above == 0) return given % 2 == 0;
   return below > 0 && above < 0;
-}
-
-template <Scalar S, int N>
-std::string describe(const Vec<S, N>& v) {
-  Raw<N> components{};
-  for (int i = 0; i < N; ++i) components[static_cast<std::size_t>(i)] = v[i].raw();
-  return text(components);
-}
-template <Scalar S, int N>
-std::string describe(const Sphere<S, N>& s) {
-  return "sphere " + describe(s.center) + " radius " + raw(s.radius).str();
-}
-template <Scalar S, int N>
-std::string describe(const Aabb<S, N>& box) {
-  return "aabb " + describe(box.min) + " " + describe(box.max);
-}
-template <Scalar S, int N>
-std::string describe(const Obb<S, N>& box) {
-  auto out = "obb " + describe(box.center) + " half extents " + describe(box.half_extents);
-  for (int i = 0; i < N; ++i) out += " " + text(raw(box.rotation.axis(i)));
-  return out;
-}
-template <Scalar S, int N>
-std::string describe(const Plane<S, N>& plane) {
-  return "plane " + text(raw(plane.normal)) + " offset " + raw(plane.offset).str();
-}
-template <Scalar S, int N>
-std::string describe(const Segment<S, N>& s) {
-  return "segment " + describe(s.start) + " " + describe(s.end);
-}
-template <Scalar S, int N>
-std::string describe(const Ray<S, N>& ray) {
-  return "ray " + describe(ray.origin) + " direction " + text(raw(ray.direction)) +
-         " max_distance " + raw(ray.max_distance).str();
-}
-template <Scalar S, int N>
-std::string describe(const Triangle<S, N>& t) {
-  return "triangle " + describe(t.a) + " " + describe(t.b) + " " + describe(t.c);
-}
-template <Scalar S, int N>
-std::string describe(const Capsule<S, N>& c) {
-  return "capsule " + describe(c.a) + " " + describe(c.b) + " radius " + raw(c.radius).str();
 }
 
 /// Puts points and shapes to the library and to the oracle, and keeps the first few disagreements.
@@ -234,14 +191,5 @@ class PointExam {
 
 /// How many cases an ordinary run asks in each space.
 inline constexpr long point_cases = 50'000;
-
-/// The seeds of a run on demand, which DETENT_ORACLE_SEED turns into other ones.
-inline std::array<std::uint64_t, 20> point_seeds() {
-  const char* text = std::getenv("DETENT_ORACLE_SEED");
-  test::Random random(text == nullptr ? 0x5eed : std::strtoull(text, nullptr, 0));
-  std::array<std::uint64_t, 20> seeds{};
-  for (auto& seed : seeds) seed = random.next();
-  return seeds;
-}
 
 }  // namespace detent::oracle

@@ -58,7 +58,7 @@ TEMPLATE_TEST_CASE("point and plane: every answer is the exact one", "[oracle]",
 
 TEMPLATE_TEST_CASE("point and plane: many more answers are exact", "[oracle][.demand]",
                    DETENT_FIXED_SPACES) {
-  for (const auto seed : point_seeds()) {
+  for (const auto seed : demanded_seeds()) {
     examine<typename TestType::scalar, TestType::dimension>(seed, 2 * point_cases);
   }
 }
