@@ -4,5 +4,6 @@
 // Segments against every shape, both closed sets:
 //   intersects(segment, shape) -> bool
 
+#include "detent/query/intersects/compound.hpp"
 #include "detent/query/intersects/segment.hpp"
 #include "detent/query/intersects/triangle.hpp"

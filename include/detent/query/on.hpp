@@ -38,21 +38,26 @@ template <Scalar S, int N>
 template <class Shape, Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Shape& shape, const Vec<S, N>& point,
                                 const S& tolerance) noexcept {
-  return tolerance >= 0 && squared_distance(shape, point) <= tolerance * tolerance;
+  return tolerance >= 0 && squared_distance(shape, point) <= square(tolerance);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Sphere<S, N>& sphere, const Vec<S, N>& point,
                                 const S& tolerance) noexcept {
   if (sphere.radius < 0 || tolerance < 0) return false;
   const auto reach = sphere.radius + tolerance;
-  return squared_distance(point, sphere.center) <= reach * reach;
+  return squared_distance(point, sphere.center) <= square(reach);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Capsule<S, N>& capsule, const Vec<S, N>& point,
                                 const S& tolerance) noexcept {
   if (capsule.radius < 0 || tolerance < 0) return false;
   const auto reach = capsule.radius + tolerance;
-  return squared_distance(Segment{capsule.a, capsule.b}, point) <= reach * reach;
+  return squared_distance(Segment{capsule.a, capsule.b}, point) <= square(reach);
+}
+template <class... Shapes, Scalar S, int N>
+[[nodiscard]] constexpr bool on(const Compound<Shapes...>& compound, const Vec<S, N>& point,
+                                const S& tolerance) noexcept {
+  return any_part(compound, [&](const auto& part) { return on(part, point, tolerance); });
 }
 
 }  // namespace detent

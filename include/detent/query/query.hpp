@@ -9,4 +9,5 @@
 #include "detent/query/distance.hpp"
 #include "detent/query/intersects.hpp"
 #include "detent/query/on.hpp"
+#include "detent/query/overlaps.hpp"
 #include "detent/query/raycast.hpp"

@@ -7,6 +7,7 @@
 //   raycast_interval(ray, shape) -> std::optional<Interval<S>>   enter, exit
 
 #include "detent/query/raycast/aabb.hpp"
+#include "detent/query/raycast/compound.hpp"
 #include "detent/query/raycast/hit.hpp"
 #include "detent/query/raycast/obb.hpp"
 #include "detent/query/raycast/plane.hpp"

@@ -5,6 +5,7 @@
 
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/capsule.hpp"
+#include "detent/shape/compound.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/plane.hpp"
 #include "detent/shape/ray.hpp"

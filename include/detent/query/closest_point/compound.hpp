@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/math/vec.hpp"
+#include "detent/shape/compound.hpp"
+
+namespace detent {
+
+/// The closest point of that part of `compound` which is nearest to `point`, which is `point` itself
+/// inside. Include the headers of its parts' own queries, `distance` among them, too.
+///
+/// units:  world units
+/// domain: every input; no parts have no point and give `point`
+/// result: of parts whose `distance`s are equal, be it by rounding or clamping, the first counts
+/// exact:  the part is the nearest within 1 ULP of the scalar; each coordinate is rounded as that part's
+///         `closest_point` says                          (tests/query/compound.test.cpp)
+template <class... Shapes, Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> closest_point(const Compound<Shapes...>& compound,
+                                                const Vec<S, N>& point) noexcept {
+  S least = largest<S>;
+  Vec<S, N> closest = point;
+  bool is_first = true;
+  for_each_part(compound, [&](const auto& part) {
+    const S to_part = distance(part, point);
+    if (!is_first && to_part >= least) return;
+    is_first = false;
+    least = to_part;
+    closest = closest_point(part, point);
+  });
+  return closest;
+}
+
+}  // namespace detent
