@@ -22,6 +22,15 @@ using Whole = Fixed<31, 0>;
 static_assert(floor_to<Whole>(1.75_q16_16) == 1 && floor_to<Whole>(-1.25_q16_16) == -2);
 static_assert(floor_to<q8_8>(q16_16::from_raw(-1)) == q8_8::from_raw(-1));
 static_assert(floor_to<q16_16>(1.5_q8_8) == 1.5_q16_16, "a finer grid changes nothing");
+// Up, also below zero.
+static_assert(ceil_to<Whole>(1.25_q16_16) == 2 && ceil_to<Whole>(-1.75_q16_16) == -1);
+static_assert(ceil_to<Whole>(3_q16_16) == 3 && ceil_to<q16_16>(-1.5_q8_8) == q16_16(-1.5_q8_8));
+static_assert(ceil_to<q8_8>(-q8_8::lowest()) == q8_8::max());
+static_assert(ceil_to<q8_8>(-q16_16::max()) == q8_8::lowest());
+static_assert(ceil_to<q16_16>(q16_16::lowest() - 1_q16_16) == q16_16::lowest());
+// Halved, on a finer grid.
+static_assert(half(3_q8_8) == 1.5_q8_8 &&
+              half(q8_8::from_raw(-1)) + half(q8_8::from_raw(-1)) == q8_8::from_raw(-1));
 // To nearest, ties to even.
 static_assert(nearest_to<Whole>(1.5_q16_16) == 2 && nearest_to<Whole>(2.5_q16_16) == 2);
 static_assert(nearest_to<Whole>(-1.5_q16_16) == -2 && nearest_to<Whole>(-2.5_q16_16) == -2);
@@ -62,6 +71,10 @@ static_assert(quotient_floor<q16_16>(q16_16::lowest(), -1_q16_16) == q16_16::max
 static_assert(sqrt_floor<q16_16>(2_q16_16).raw() == 92681 && sqrt_floor<q16_16>(9_q16_16) == 3);
 static_assert(sqrt_floor<q16_16>(-1_q16_16) == 0 && sqrt_floor<q16_16>(0_q16_16) == 0);
 static_assert(sqrt_floor<q8_8>(q16_16::max() * q16_16::max()) == q8_8::max());
+static_assert(sqrt_ceil<q16_16>(2_q16_16).raw() == 92682 && sqrt_ceil<q16_16>(9_q16_16) == 3);
+static_assert(sqrt_ceil<q16_16>(-1_q16_16) == 0 && sqrt_ceil<q16_16>(0_q16_16) == 0);
+static_assert(sqrt_ceil<Whole>(q16_16::from_raw(1)) == 1);
+static_assert(sqrt_ceil<q8_8>(q16_16::max() * q16_16::max()) == q8_8::max());
 
 template <class A, class B>
 struct Two {
@@ -109,7 +122,7 @@ A random_beside(Random& random) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("rounding: down, to nearest, and stopping at the ends", "[number]",
+TEMPLATE_TEST_CASE("rounding: down, up, to nearest, and stopping at the ends", "[number]",
                    (Two<q16_16, Whole>), (Two<q16_16, q8_8>), (Two<q8_8, q16_16>),
                    (Two<q16_16, q24_8>), (Two<q24_8, q16_16>), (Two<q16_16, q14_16>),
                    (Two<Fixed<32, 16>, q16_16>), (Two<Fixed<62, 32>, q16_16>),
@@ -128,7 +141,9 @@ TEMPLATE_TEST_CASE("rounding: down, to nearest, and stopping at the ends", "[num
     const A x = random_beside<A, T>(random);
     const Ratio exact(big_raw(x), 1, T::frac - A::frac);
     const BigInteger floor = exact.floor(), nearest = exact.nearest();
+    const BigInteger ceil = -Ratio(-big_raw(x), 1, T::frac - A::frac).floor();
     const bool right = big_raw(floor_to<T>(x)) == clamped<T>(floor) &&
+                       big_raw(ceil_to<T>(x)) == clamped<T>(ceil) &&
                        big_raw(nearest_to<T>(x)) == clamped<T>(nearest) &&
                        big_raw(saturate_to<T>(x)) == clamped<T>(nearest);
     if (!right) FAIL("raw " << big_raw(x));
@@ -260,7 +275,7 @@ TEMPLATE_TEST_CASE(
   CHECK(zero > 50);
 }
 
-TEMPLATE_TEST_CASE("rounding: square roots are the exact ones rounded down", "[number]",
+TEMPLATE_TEST_CASE("rounding: square roots are the exact ones rounded down and up", "[number]",
                    (Two<q8_8, q8_8>), (Two<q16_16, q16_16>), (Two<q24_8, q16_16>),
                    (Two<Fixed<31, 0>, q16_16>), (Two<Fixed<32, 0>, Fixed<40, 16>>),
                    (Two<Fixed<20, 10>, Fixed<31, 24>>), (Two<Fixed<62, 32>, Fixed<32, 16>>),
@@ -295,6 +310,9 @@ TEMPLATE_TEST_CASE("rounding: square roots are the exact ones rounded down", "[n
     const bool stops = square.numerator < above * square.denominator;
     const bool at_end = result == big_raw(T::max());
     if (!reaches || !(stops || at_end)) FAIL("raw " << big_raw(x) << ", root " << result);
+    const bool is_exact = result * result * square.denominator == square.numerator;
+    const BigInteger up = is_exact || at_end ? result : BigInteger(result + 1);
+    if (big_raw(sqrt_ceil<T>(x)) != up) FAIL("raw " << big_raw(x) << ", root up");
     inside += stops ? 1 : 0;
   }
   CHECK(inside > 5'000);
@@ -305,6 +323,7 @@ TEMPLATE_TEST_CASE("rounding: for floating point the names are the plain operati
   using F = TestType;
   const F x = F(2.75), y = F(-0.5);
   CHECK(floor_to<F>(x) == x);
+  CHECK(ceil_to<F>(x) == x);
   CHECK(nearest_to<F>(x) == x);
   CHECK(saturate_to<F>(x) == x);
   CHECK(narrow<3>(x) == x);
@@ -316,5 +335,7 @@ TEMPLATE_TEST_CASE("rounding: for floating point the names are the plain operati
   CHECK(quotient_floor<F>(x, y) == x / y);
   CHECK(quotient_nearest<F>(x, y) == x / y);
   CHECK(sqrt_floor<F>(F(6.25)) == F(2.5));
+  CHECK(sqrt_ceil<F>(F(6.25)) == F(2.5));
+  CHECK(half(x) == F(1.375));
   CHECK(abs(y) == F(0.5));
 }

@@ -14,6 +14,10 @@ template <class T, std::floating_point F>
   return static_cast<T>(x);
 }
 template <class T, std::floating_point F>
+[[nodiscard]] constexpr T ceil_to(F x) noexcept {
+  return static_cast<T>(x);
+}
+template <class T, std::floating_point F>
 [[nodiscard]] constexpr T nearest_to(F x) noexcept {
   return static_cast<T>(x);
 }
@@ -56,6 +60,14 @@ template <class T, std::floating_point F>
 template <class T, std::floating_point F>
 [[nodiscard]] constexpr T sqrt_floor(F x) noexcept {
   return static_cast<T>(std::sqrt(x));
+}
+template <class T, std::floating_point F>
+[[nodiscard]] constexpr T sqrt_ceil(F x) noexcept {
+  return static_cast<T>(std::sqrt(x));
+}
+template <std::floating_point F>
+[[nodiscard]] constexpr F half(F x) noexcept {
+  return x / 2;
 }
 template <std::floating_point F>
 [[nodiscard]] constexpr F abs(F x) noexcept {

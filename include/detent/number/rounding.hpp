@@ -77,6 +77,14 @@ template <class T, int B, int F>
   }
 }
 
+/// `x` rounded up to the grid of `T`, clamped to [T::lowest(), T::max()].
+template <class T, int B, int F>
+[[nodiscard]] constexpr T ceil_to(const Fixed<B, F>& x) noexcept {
+  // One bit more, because -T::lowest() is greater than T::max().
+  using Wider = Fixed<detail::result_bits(T::bits + 1), T::frac>;
+  return floor_to<T>(-floor_to<Wider>(-x));
+}
+
 /// `x` rounded to the nearest point of the grid of `T`, ties to even, clamped to
 /// [T::lowest(), T::max()].
 template <class T, int B, int F>
@@ -136,6 +144,12 @@ template <int Bits, int B1, int F1, int B2, int F2>
   return Difference::assume_raw(
       wrapping_subtract<Raw>(detail::aligned_raw<Raw, Difference::frac>(a),
                              detail::aligned_raw<Raw, Difference::frac>(b)));
+}
+
+/// x / 2, exactly.
+template <int B, int F>
+[[nodiscard]] constexpr Fixed<B, F + 1> half(const Fixed<B, F>& x) noexcept {
+  return Fixed<B, F + 1>::assume_raw(x.raw());
 }
 
 /// x * 2^count in `Bits`: the caller has a proof that it fits. `float` and `double` need no room
@@ -200,6 +214,15 @@ template <class T, int B, int F>
     if (n.word(2) != 0) return detail::clamp_raw<T>(Wide<2>::from_words({0, 1}));  // n = 2^128
     return detail::clamp_raw<T>(Wide<2>(square_root_floor(n.word(1), n.word(0))));
   }
+}
+
+/// The square root of `x`, rounded up to the grid of `T` and clamped; 0 for a negative `x`.
+template <class T, int B, int F>
+[[nodiscard]] constexpr T sqrt_ceil(const Fixed<B, F>& x) noexcept {
+  using Raw = typename T::raw_type;
+  const T root = sqrt_floor<T>(x);
+  if (root == T::max() || square(root) >= x) return root;
+  return T::assume_raw(wrapping_add<Raw>(root.raw(), Raw(1)));
 }
 
 namespace detail {
