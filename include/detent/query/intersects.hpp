@@ -4,6 +4,9 @@
 // Segments against every shape, both closed sets:
 //   intersects(segment, shape) -> bool
 
+#include "detent/query/intersects/aabb.hpp"
 #include "detent/query/intersects/compound.hpp"
+#include "detent/query/intersects/obb.hpp"
+#include "detent/query/intersects/plane.hpp"
 #include "detent/query/intersects/segment.hpp"
 #include "detent/query/intersects/triangle.hpp"

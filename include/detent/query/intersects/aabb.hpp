@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <type_traits>
+
+#include "detent/query/intersects/box.hpp"
+#include "detent/shape/aabb.hpp"
+#include "detent/shape/segment.hpp"
+
+namespace detent {
+
+/// Whether `segment` has a point in `box`, which is solid, its surface included.
+///
+/// domain: every input; a box with min > max on some axis is empty; equal ends make a point
+/// exact:  yes or no exact                                    (tests/oracle/segment_aabb.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool intersects(const Segment<S, N>& segment,
+                                        const Aabb<S, N>& box) noexcept {
+  if (is_empty(box)) return false;
+  // Twice as large, the scene has the center of the box on the grid. What it makes of the domain is
+  // 2^(B + 2) wide, and twice the area of a triangle in a square is at most the square's.
+  const auto center = box.min + box.max;
+  const auto start = segment.start + segment.start - center;
+  const auto end = segment.end + segment.end - center;
+  constexpr int product_bits = 2 * bits_of<S> + 4;
+  using Doubled = std::remove_cvref_t<decltype(start.x)>;
+  const auto extents = make_vec<N>([&](int i) { return Doubled(box.max[i] - box.min[i]); });
+  return detail::segment_meets_box<product_bits>(start, end, extents);
+}
+
+}  // namespace detent

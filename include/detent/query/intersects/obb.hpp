@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <type_traits>
+
+#include "detent/query/intersects/box.hpp"
+#include "detent/shape/obb.hpp"
+#include "detent/shape/segment.hpp"
+
+namespace detent {
+
+/// Whether `segment` has a point in `box`, which is solid, its surface included.
+///
+/// The box is {x : |dot(axis(i), x - center)| <= half_extents[i]} with its axes exactly as stored.
+///
+/// domain: every input; a box with a negative half extent is empty; equal ends make a point
+/// exact:  yes or no exact                                     (tests/oracle/segment_obb.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool intersects(const Segment<S, N>& segment,
+                                        const Obb<S, N>& box) noexcept {
+  if (is_empty(box)) return false;
+  const auto seen_from_box = [&](const Vec<S, N>& point) {
+    const auto from_center = point - box.center;
+    return make_vec<N>([&](int i) { return dot(box.rotation.axis(i), from_center); });
+  };
+  const auto start = seen_from_box(segment.start), end = seen_from_box(segment.end);
+  using Along = std::remove_cvref_t<decltype(start.x)>;
+  const auto half_extents = make_vec<N>([&](int i) { return Along(box.half_extents[i]); });
+  // Two products of coordinates in that frame.
+  return detail::segment_meets_box<2 * bits_of<Along> + 1>(start, end, half_extents);
+}
+
+}  // namespace detent
