@@ -100,6 +100,29 @@ TEST_CASE("direction_of: cross products of the longest edges are rounded to near
   CHECK(wrong == 0);
 }
 
+TEMPLATE_TEST_CASE("unit_vector: four components have no ties either", "", q16_16, q8_8) {
+  using Component = direction_component<TestType>;
+  Random random(20261124);
+  int wrong = 0;
+  for (int i = 0; i < 60'000; ++i) {
+    // Small ones and ones of equal parts: only there could a length be a multiple of 4.
+    std::array<Fixed<64, 32>, 4> v;
+    const int bits = random.coin() ? 3 : 62;
+    for (auto& c : v) c = Fixed<64, 32>::from_raw(random.edgy(bits));
+    const auto unit = unit_vector<Component>(v);
+    BigInteger squared = 0;
+    for (const auto& c : v) squared += big_raw(c) * big_raw(c);
+    if (unit.has_value() != (squared != 0)) ++wrong;
+    if (!unit) continue;
+    if (!is_unit(*unit)) ++wrong;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!is_nearest(big_raw((*unit)[k]), big_raw(v[k]), squared, Component::frac)) ++wrong;
+    }
+  }
+  INFO("seed " << random.seed());
+  CHECK(wrong == 0);
+}
+
 TEMPLATE_TEST_CASE("normalize: float and double give the textbook quotient", "", float, double) {
   const auto d = normalize(Vec<TestType, 3>{3, 0, -4});
   REQUIRE(d);

@@ -79,11 +79,22 @@ inline constexpr std::array<std::uint64_t, 33> arc_tangents = {
 
 namespace detail {
 
+/// atan(i / 32) + atan(t), or - atan(t), as a phase; i <= 32 and `t64` is 64 t in Q63, at most 1.
+///
+/// Errors in units of 2^-64 turn: table and sum 1, products and fit 0.2.
+constexpr std::uint64_t arc_phase(std::uint64_t i, std::uint64_t t64, bool backward) noexcept {
+  const auto square = multiply_words(t64, t64);
+  const std::uint64_t w = (square.high << 1) | (square.low >> 63);
+  const std::uint64_t factor = alternating_series(arc_tangent_series, w);
+  const std::uint64_t correction = (multiply_words(t64, factor).high + 64) >> 7;
+  const std::uint64_t nearest = arc_tangents[static_cast<std::size_t>(i)];
+  return backward ? nearest - correction : nearest + correction;
+}
+
 /// The phase of the vector (a, b), 0 <= b <= a <= 2^31, 0 < a: at most an eighth of a turn.
 ///
 /// With the nearest i / 32 to b / a, atan(b / a) = atan(i / 32) + atan(t), t = (32 b - i a) / (32 a
-/// + i b), |t| <= 1/64. Errors in units of 2^-64 turn: t 1.3, table and sum 1, products and fit
-/// 0.2.
+/// + i b), |t| <= 1/64. The error of t adds 1.3 units of 2^-64 turn to those of `arc_phase`.
 constexpr std::uint64_t octant_phase(std::uint64_t b, std::uint64_t a) noexcept {
   const std::uint64_t i = (64 * b + a) / (2 * a);
   const std::uint64_t ahead = 32 * b, behind = i * a;
@@ -95,12 +106,7 @@ constexpr std::uint64_t octant_phase(std::uint64_t b, std::uint64_t a) noexcept 
   const bool exact = trailing * d == rest << 27;
   const std::uint64_t t =
       (((leading << 27) | trailing) << 9) | (exact ? 0u : 256u);  // 64 n / d, Q63
-  const auto square = multiply_words(t, t);
-  const std::uint64_t w = (square.high << 1) | (square.low >> 63);
-  const std::uint64_t factor = alternating_series(arc_tangent_series, w);
-  const std::uint64_t correction = (multiply_words(t, factor).high + 64) >> 7;
-  const std::uint64_t nearest = arc_tangents[static_cast<std::size_t>(i)];
-  return ahead < behind ? nearest - correction : nearest + correction;
+  return arc_phase(i, t, ahead < behind);
 }
 
 using Fine = Fixed<126, 124>;

@@ -23,7 +23,7 @@ template <int B, int F, std::size_t N>
   Fixed<2 * F + 4, 2 * F> squared;
   for (const auto& c : v) {
     if (c > 1 || c < -1) return false;
-    squared = narrow<2 * F + 4>(squared + c * c);  // at most N <= 3
+    squared = narrow<2 * F + 4>(squared + c * c);  // at most N <= 4
   }
   return squared >= shortest * shortest && squared <= longest * longest;
 }
@@ -41,15 +41,16 @@ template <std::floating_point T, std::size_t N>
 /// exact:  each component is the exact one rounded to nearest    (tests/math/direction.test.cpp)
 ///
 /// With every |v_i| scaled by the same power of two to t_i, the longest 62 bits long, and
-/// n = floor(|t|): scaling down drops less than 1 from each t_i, so x = 2^F |v_i| / |v| and
-/// 2^F t_i / n differ by less than 2^F * 4 / 2^61. Only when the fraction of the latter is that
-/// close to one half is the exact test made: x > q + 1/2 when v_i^2 2^(2F + 2) > (2q + 1)^2 |v|^2.
-/// They are never equal: without a common factor, integers whose squares sum to the square of an
-/// even number do not exist for N <= 3 (modulo 4), so |v| is odd or irrational, and 2^(F + 1) v_i
-/// is not an odd multiple of it.
+/// n = floor(|t|): scaling down drops less than 1 from each t_i and less than 2 from |t|, so
+/// x = 2^F |v_i| / |v| and 2^F t_i / n differ by less than 2^F * 4 / 2^61. Only when the fraction
+/// of the latter is that close to one half is the exact test made: x > q + 1/2 when
+/// v_i^2 2^(2F + 2) > (2q + 1)^2 |v|^2. They are never equal: without a common factor of the v_i,
+/// 2^(F + 1) would divide |v|; but where the squares of up to four integers sum to a multiple of 8,
+/// all of them are even (modulo 8).
 template <class Component, int B, int F, std::size_t N>
 [[nodiscard]] constexpr std::optional<std::array<Component, N>> unit_vector(
     const std::array<Fixed<B, F>, N>& v) noexcept {
+  static_assert(N <= 4 && Component::frac >= 1, "detent: ties are ruled out by the proof above");
   constexpr int frac = Component::frac;
   constexpr int guard = 61 - frac;  // so that a quotient has at most 62 bits
   int length = 0;
