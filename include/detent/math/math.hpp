@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The math layer: vectors, directions, rotations.
+// The math layer: vectors, directions, rotations, matrices, motions.
 
+#include "detent/math/angle_between.hpp"
 #include "detent/math/direction.hpp"
+#include "detent/math/project.hpp"
 #include "detent/math/rotation.hpp"
 #include "detent/math/vec.hpp"
 #include "detent/math/width.hpp"

@@ -7,7 +7,8 @@
 
 namespace detent {
 
-/// A vector or point of two or three components.
+/// A vector or point of two or three components; of four for quaternions and for points that a
+/// matrix of a projection takes.
 ///
 /// Coordinates are `Scalar`s; what formulas make of them is any `Number`: sums, differences and
 /// products have the component type that holds them exactly.
@@ -34,10 +35,25 @@ struct Vec<T, 3> {
   [[nodiscard]] friend constexpr bool operator==(const Vec&, const Vec&) noexcept = default;
 };
 
+template <Number T>
+struct Vec<T, 4> {
+  T x{}, y{}, z{}, w{};
+
+  [[nodiscard]] constexpr T& operator[](int i) noexcept {
+    return i == 0 ? x : i == 1 ? y : i == 2 ? z : w;
+  }
+  [[nodiscard]] constexpr const T& operator[](int i) const noexcept {
+    return i == 0 ? x : i == 1 ? y : i == 2 ? z : w;
+  }
+  [[nodiscard]] friend constexpr bool operator==(const Vec&, const Vec&) noexcept = default;
+};
+
 template <class T>
 Vec(T, T) -> Vec<T, 2>;
 template <class T>
 Vec(T, T, T) -> Vec<T, 3>;
+template <class T>
+Vec(T, T, T, T) -> Vec<T, 4>;
 
 /// The canonical bytes of a digest: the components in order.
 template <class D, Number T, int N>
@@ -51,8 +67,10 @@ template <int N, class F>
   using T = decltype(f(0));
   if constexpr (N == 2) {
     return Vec<T, 2>{f(0), f(1)};
-  } else {
+  } else if constexpr (N == 3) {
     return Vec<T, 3>{f(0), f(1), f(2)};
+  } else {
+    return Vec<T, 4>{f(0), f(1), f(2), f(3)};
   }
 }
 
@@ -111,9 +129,14 @@ template <Number A, Number B, int N>
   if constexpr (N == 2) {
     return a.x * b.x + a.y * b.y;
   } else {
-    // Three terms need two bits more than one, in whichever order they are added.
+    // Three or four terms need two bits more than one, in whichever order they are added.
     constexpr int bits = detail::result_bits(bits_of<A> + bits_of<B> + 2);
-    return narrow<bits>(a.x * b.x + a.y * b.y + a.z * b.z);
+    const auto sum = a.x * b.x + a.y * b.y + a.z * b.z;
+    if constexpr (N == 3) {
+      return narrow<bits>(sum);
+    } else {
+      return narrow<bits>(sum + a.w * b.w);
+    }
   }
 }
 
@@ -125,7 +148,12 @@ template <int Bits, Number A, Number B, int N>
   if constexpr (N == 2) {
     return sum;
   } else {
-    return narrow_sum<Bits>(sum, narrow_product<Bits>(a.z, b.z));
+    const auto three = narrow_sum<Bits>(sum, narrow_product<Bits>(a.z, b.z));
+    if constexpr (N == 3) {
+      return three;
+    } else {
+      return narrow_sum<Bits>(three, narrow_product<Bits>(a.w, b.w));
+    }
   }
 }
 
