@@ -39,6 +39,12 @@ inline constexpr S largest = std::numeric_limits<S>::max();
 template <int Bits, int Frac>
 inline constexpr Fixed<Bits, Frac> largest<Fixed<Bits, Frac>> = Fixed<Bits, Frac>::max();
 
+/// The least value of a number's type.
+template <Number S>
+inline constexpr S lowest = std::numeric_limits<S>::lowest();
+template <int Bits, int Frac>
+inline constexpr Fixed<Bits, Frac> lowest<Fixed<Bits, Frac>> = Fixed<Bits, Frac>::lowest();
+
 /// The integer in which a scalar, or a component of a direction, is stored; `float` and `double`
 /// are their own.
 template <Number T>

@@ -4,8 +4,11 @@
 // The shape layer: what exists.
 
 #include "detent/shape/aabb.hpp"
+#include "detent/shape/bounding_box.hpp"
+#include "detent/shape/bounding_sphere.hpp"
 #include "detent/shape/capsule.hpp"
 #include "detent/shape/compound.hpp"
+#include "detent/shape/measure.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/plane.hpp"
 #include "detent/shape/ray.hpp"

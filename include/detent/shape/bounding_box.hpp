@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "detent/shape/aabb.hpp"
+#include "detent/shape/capsule.hpp"
+#include "detent/shape/compound.hpp"
+#include "detent/shape/obb.hpp"
+#include "detent/shape/segment.hpp"
+#include "detent/shape/sphere.hpp"
+#include "detent/shape/triangle.hpp"
+
+// The smallest box of the grid around points or a shape:
+//   bounding_box(shape) -> Aabb<S, N>
+//
+// What reaches beyond the range of the scalar is cut off at its ends, where no point can lie. An
+// empty shape has an empty box.
+
+namespace detent {
+
+namespace detail {
+
+/// The empty box that adds nothing to another.
+template <class Box>
+inline constexpr Box no_box;
+template <Scalar S, int N>
+inline constexpr Aabb<S, N> no_box<Aabb<S, N>> = {make_vec<N>([](int) { return largest<S>; }),
+                                                  make_vec<N>([](int) { return lowest<S>; })};
+
+}  // namespace detail
+
+/// The smallest box around points, empty for none.
+///
+/// exact: always                                           (tests/shape/bounding.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr Aabb<S, N> bounding_box(std::span<const Vec<S, N>> points) noexcept {
+  auto box = detail::no_box<Aabb<S, N>>;
+  for (const auto& point : points) {
+    for (int i = 0; i < N; ++i) {
+      box.min[i] = std::min(box.min[i], point[i]);
+      box.max[i] = std::max(box.max[i], point[i]);
+    }
+  }
+  return box;
+}
+
+/// The smallest box around two boxes.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Aabb<S, N> bounding_box(const Aabb<S, N>& a, const Aabb<S, N>& b) noexcept {
+  if (is_empty(a)) return b;
+  if (is_empty(b)) return a;
+  return {make_vec<N>([&](int i) { return std::min(a.min[i], b.min[i]); }),
+          make_vec<N>([&](int i) { return std::max(a.max[i], b.max[i]); })};
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Aabb<S, N> bounding_box(const Aabb<S, N>& box) noexcept {
+  return is_empty(box) ? detail::no_box<Aabb<S, N>> : box;
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Aabb<S, N> bounding_box(const Segment<S, N>& segment) noexcept {
+  return bounding_box<S, N>(std::array{segment.start, segment.end});
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Aabb<S, N> bounding_box(const Triangle<S, N>& triangle) noexcept {
+  return bounding_box<S, N>(std::array{triangle.a, triangle.b, triangle.c});
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Aabb<S, N> bounding_box(const Capsule<S, N>& capsule) noexcept {
+  if (capsule.radius < 0) return detail::no_box<Aabb<S, N>>;
+  const auto axis = bounding_box(Segment{capsule.a, capsule.b});
+  return {make_vec<N>([&](int i) { return floor_to<S>(axis.min[i] - capsule.radius); }),
+          make_vec<N>([&](int i) { return ceil_to<S>(axis.max[i] + capsule.radius); })};
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Aabb<S, N> bounding_box(const Sphere<S, N>& sphere) noexcept {
+  return bounding_box(Capsule{sphere.center, sphere.center, sphere.radius});
+}
+
+/// The smallest box of the grid around the edges of an `Obb`: the points
+/// center + sum s_i * half_extents[i] * axis(i) with |s_i| <= 1, its axes exactly as stored.
+///
+/// exact: rounded outward                                  (tests/shape/bounding.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr Aabb<S, N> bounding_box(const Obb<S, N>& box) noexcept {
+  if (is_empty(box)) return detail::no_box<Aabb<S, N>>;
+  const auto reach = make_vec<N>([&](int j) {
+    return dot(box.half_extents, make_vec<N>([&](int i) { return abs(box.rotation.axis(i)[j]); }));
+  });
+  return {make_vec<N>([&](int j) { return floor_to<S>(box.center[j] - reach[j]); }),
+          make_vec<N>([&](int j) { return ceil_to<S>(box.center[j] + reach[j]); })};
+}
+
+/// The smallest box around all parts of a compound.
+template <class Shape, class... Shapes>
+[[nodiscard]] constexpr auto bounding_box(const Compound<Shape, Shapes...>& compound) noexcept {
+  auto box = detail::no_box<decltype(bounding_box(Shape()))>;
+  for_each_part(compound, [&](const auto& part) { box = bounding_box(box, bounding_box(part)); });
+  return box;
+}
+
+}  // namespace detent

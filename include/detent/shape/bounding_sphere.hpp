@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "detent/shape/bounding_box.hpp"
+
+// A sphere around points or a shape:
+//   bounding_sphere(shape) -> Sphere<S, N>
+//
+// Its center is the middle of the bounding box, or the shape's own; its radius is the least of the
+// grid that reaches everything from there. Around points it is at most sqrt(N) times as large as
+// the smallest sphere, whose diameter no side of the bounding box exceeds. Radii end at the greatest
+// scalar: only a sphere that would need a longer one leaves points out. An empty shape has an empty
+// sphere.
+
+namespace detent {
+
+namespace detail {
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> middle(const Aabb<S, N>& box) noexcept {
+  return make_vec<N>([&](int i) { return nearest_to<S>(half(box.min[i] + box.max[i])); });
+}
+
+template <class Sphere>
+inline constexpr Sphere no_sphere;
+template <Scalar S, int N>
+inline constexpr Sphere<S, N> no_sphere<Sphere<S, N>> = {{}, S(-1)};
+
+}  // namespace detail
+
+/// A sphere around points, empty for none.
+///
+/// exact: the center rounded to nearest, then the radius rounded up
+///        (tests/shape/bounding.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr Sphere<S, N> bounding_sphere(std::span<const Vec<S, N>> points) noexcept {
+  if (points.empty()) return detail::no_sphere<Sphere<S, N>>;
+  const auto center = detail::middle(bounding_box(points));
+  auto farthest = squared_distance(points.front(), center);
+  for (const auto& point : points) {
+    farthest = std::max(farthest, squared_distance(point, center));
+  }
+  return {center, sqrt_ceil<S>(farthest)};
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Sphere<S, N> bounding_sphere(const Segment<S, N>& segment) noexcept {
+  return bounding_sphere<S, N>(std::array{segment.start, segment.end});
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Sphere<S, N> bounding_sphere(const Triangle<S, N>& triangle) noexcept {
+  return bounding_sphere<S, N>(std::array{triangle.a, triangle.b, triangle.c});
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Sphere<S, N> bounding_sphere(const Sphere<S, N>& sphere) noexcept {
+  return sphere;
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Sphere<S, N> bounding_sphere(const Capsule<S, N>& capsule) noexcept {
+  if (capsule.radius < 0) return detail::no_sphere<Sphere<S, N>>;
+  const auto axis = bounding_sphere(Segment{capsule.a, capsule.b});
+  return {axis.center, floor_to<S>(axis.radius + capsule.radius)};
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Sphere<S, N> bounding_sphere(const Aabb<S, N>& box) noexcept {
+  if (is_empty(box)) return detail::no_sphere<Sphere<S, N>>;
+  const auto center = detail::middle(box);
+  // The corner that is farthest on every axis at once.
+  return {center, sqrt_ceil<S>(squared_length(make_vec<N>([&](int i) {
+            return std::max(box.max[i] - center[i], center[i] - box.min[i]);
+          })))};
+}
+
+/// A sphere around the edges of an `Obb`, its axes exactly as stored, about its center.
+///
+/// exact: the radius rounded up                            (tests/shape/bounding.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr Sphere<S, N> bounding_sphere(const Obb<S, N>& box) noexcept {
+  if (is_empty(box)) return detail::no_sphere<Sphere<S, N>>;
+  // A corner is less than N h (1 + 2^-13) < 2^(2 + bits) from the center on the grid of h, and so
+  // is every partial sum.
+  constexpr int corner_bits = bits_of<S> + bits_of<direction_component<S>> + 1;
+  const auto corner = [&](int signs) {
+    return make_vec<N>([&](int j) {
+      const auto row = make_vec<N>([&](int i) {
+        const auto along = box.rotation.axis(i)[j];
+        return (signs >> i & 1) != 0 ? narrow<bits_of<direction_component<S>>>(-along) : along;
+      });
+      return narrow_dot<corner_bits>(row, box.half_extents);
+    });
+  };
+  auto farthest = squared_length(corner(0));
+  for (int signs = 1; signs < 1 << (N - 1); ++signs) {  // the others lie opposite
+    farthest = std::max(farthest, squared_length(corner(signs)));
+  }
+  return {box.center, sqrt_ceil<S>(farthest)};
+}
+
+/// A sphere around all parts of a compound: that of the spheres around the parts.
+template <class Shape, class... Shapes>
+[[nodiscard]] constexpr auto bounding_sphere(const Compound<Shape, Shapes...>& compound) noexcept {
+  using Result = decltype(bounding_sphere(Shape()));
+  const auto box = bounding_box(compound);
+  if (is_empty(box)) return detail::no_sphere<Result>;
+  Result whole{detail::middle(box), {}};
+  for_each_part(compound, [&](const auto& part) {
+    const auto around = bounding_sphere(part);
+    if (around.radius < 0) return;
+    using S = decltype(around.radius);
+    const auto to_center = sqrt_ceil<S>(squared_distance(around.center, whole.center));
+    whole.radius = std::max(whole.radius, floor_to<S>(to_center + around.radius));
+  });
+  return whole;
+}
+
+}  // namespace detent

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/shape/aabb.hpp"
+#include "detent/shape/obb.hpp"
+#include "detent/shape/triangle.hpp"
+
+// The size of shapes:
+//   area(shape)    of triangles, and of boxes in 2D
+//   volume(shape)  of boxes in 3D
+//
+// Each is as wide as it needs; `nearest_to<S>` brings it to a scalar. An empty shape measures 0.
+
+namespace detent {
+
+namespace detail {
+
+/// A number on the grid of a scalar for the area of any triangle: half of |e| |f|, with edges of at
+/// most sqrt(3) 2^(Bits + 1) raw units.
+template <Scalar S>
+struct area_of {
+  using type = S;
+};
+template <int Bits, int Frac>
+struct area_of<Fixed<Bits, Frac>> {
+  using type = Fixed<result_bits(2 * Bits + 3 - Frac), Frac>;
+};
+
+template <Number T>
+[[nodiscard]] constexpr auto product(const Vec<T, 2>& v) noexcept {
+  return v.x * v.y;
+}
+template <Number T>
+[[nodiscard]] constexpr auto product(const Vec<T, 3>& v) noexcept {
+  return v.x * v.y * v.z;
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto size(const Aabb<S, N>& box) noexcept {
+  const auto sides = box.max - box.min;
+  return product(is_empty(box) ? decltype(sides)() : sides);
+}
+
+/// The sides of a box are the double of its half extents; its axes count as orthonormal.
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto size(const Obb<S, N>& box) noexcept {
+  const auto sides = box.half_extents + box.half_extents;
+  return product(is_empty(box) ? decltype(sides)() : sides);
+}
+
+}  // namespace detail
+
+/// The area of a triangle, always positive.
+///
+/// exact: always                                           (tests/shape/measure.test.cpp)
+template <Scalar S>
+[[nodiscard]] constexpr auto area(const Triangle<S, 2>& triangle) noexcept {
+  return half(abs(cross(triangle.b - triangle.a, triangle.c - triangle.a)));
+}
+
+/// The area of a triangle in space.
+///
+/// exact: rounded down to the grid of the scalar           (tests/shape/measure.test.cpp)
+template <Scalar S>
+[[nodiscard]] constexpr auto area(const Triangle<S, 3>& triangle) noexcept {
+  const auto normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+  return sqrt_floor<typename detail::area_of<S>::type>(half(half(squared_length(normal))));
+}
+
+template <Scalar S>
+[[nodiscard]] constexpr auto area(const Aabb<S, 2>& box) noexcept {
+  return detail::size(box);
+}
+template <Scalar S>
+[[nodiscard]] constexpr auto area(const Obb<S, 2>& box) noexcept {
+  return detail::size(box);
+}
+template <Scalar S>
+[[nodiscard]] constexpr auto volume(const Aabb<S, 3>& box) noexcept {
+  return detail::size(box);
+}
+template <Scalar S>
+[[nodiscard]] constexpr auto volume(const Obb<S, 3>& box) noexcept {
+  return detail::size(box);
+}
+
+}  // namespace detent
