@@ -14,7 +14,7 @@ namespace {
 
 using V2 = Vec<q16_16, 2>;
 using V3 = Vec<q16_16, 3>;
-constexpr q16_16 lowest = q16_16::lowest();
+constexpr q16_16 least = q16_16::lowest();
 
 static_assert(std::is_aggregate_v<V3> && sizeof(V3) == 12 && sizeof(Vec<q8_8, 2>) == 4);
 static_assert(V3{}.z == 0);
@@ -23,17 +23,17 @@ static_assert(std::is_same_v<decltype((V3() - V3()).x), Fixed<32, 16>>);
 static_assert(std::is_same_v<decltype(dot(V3(), V3())), Fixed<64, 32>>);
 static_assert(std::is_same_v<decltype(dot(V3() - V3(), V3() - V3())), Fixed<66, 32>>);
 
-static_assert(V3{lowest, lowest, lowest} - V3{q16_16::max(), q16_16(), lowest} ==
-              Vec<Fixed<32, 16>, 3>{lowest - q16_16::max(), lowest - q16_16(), lowest - lowest});
-static_assert(squared_length(V3{lowest, lowest, lowest}) == 3 * (std::int64_t{1} << 30));
-static_assert(squared_length(V2{lowest, lowest}) == std::int64_t{1} << 31);
-static_assert(cross(V2{lowest, q16_16(1)}, V2{q16_16(-1), lowest}) == (1 << 30) + 1);
+static_assert(V3{least, least, least} - V3{q16_16::max(), q16_16(), least} ==
+              Vec<Fixed<32, 16>, 3>{least - q16_16::max(), least - q16_16(), least - least});
+static_assert(squared_length(V3{least, least, least}) == 3 * (std::int64_t{1} << 30));
+static_assert(squared_length(V2{least, least}) == std::int64_t{1} << 31);
+static_assert(cross(V2{least, q16_16(1)}, V2{q16_16(-1), least}) == (1 << 30) + 1);
 static_assert(cross(V3{q16_16(1), q16_16(), q16_16()}, V3{q16_16(), q16_16(1), q16_16()}).z == 1);
-static_assert(-V2{lowest, q16_16(1)} == Vec<Fixed<32, 16>, 2>{-lowest, -q16_16(1)});
+static_assert(-V2{least, q16_16(1)} == Vec<Fixed<32, 16>, 2>{-least, -q16_16(1)});
 static_assert(V2{q16_16(3), q16_16(-4)} * q16_16(2) == q16_16(2) * V2{q16_16(3), q16_16(-4)});
 static_assert(length(V2{q16_16(3), q16_16(-4)}) == 5);
 static_assert(length(V2{q16_16(1), q16_16(1)}).raw() == 92681, "rounded down");
-static_assert(length(V3{lowest, lowest, lowest}) == q16_16::max(), "clamped");
+static_assert(length(V3{least, least, least}) == q16_16::max(), "clamped");
 
 static_assert([] {
   V2 v{q16_16(1), q16_16(2)};

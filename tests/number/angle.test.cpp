@@ -20,7 +20,7 @@ namespace {
 using q2_30 = Fixed<31, 30>;
 using A = Angle<q16_16>;
 
-constexpr std::int32_t lowest = std::numeric_limits<std::int32_t>::min();
+constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
 constexpr std::int32_t greatest = std::numeric_limits<std::int32_t>::max();
 constexpr std::uint32_t half_turn = 0x80000000u;
 
@@ -31,9 +31,9 @@ static_assert(A::turn(3, 4) + A::turn(1, 2) == A::turn(1, 4) && -A::turn(1, 2) =
 
 // A third of a turn is no binary angle: the nearest one.
 static_assert(A::turn(1, 3).raw() == 0x55555555u && A::turn(-1, 3).raw() == 0xaaaaaaabu);
-static_assert(A::turn(2, -3) == A::turn(1, 3) && A::turn(lowest, -1) == A());
-static_assert(A::turn(lowest, greatest) == A::turn(-1, greatest));
-static_assert(A::turn(greatest, lowest).raw() == 2, "-(1 - 2^-31) turn");
+static_assert(A::turn(2, -3) == A::turn(1, 3) && A::turn(least, -1) == A());
+static_assert(A::turn(least, greatest) == A::turn(-1, greatest));
+static_assert(A::turn(greatest, least).raw() == 2, "-(1 - 2^-31) turn");
 
 static_assert(A::from_degrees(q16_16(90)) == A::turn(1, 4));
 static_assert(A::from_degrees(q16_16(-180)) == A::turn(1, 2));
@@ -163,7 +163,7 @@ TEST_CASE("arc tangent: correctly rounded for vectors short and long, steep and 
     const std::uint32_t angle = binary_angle(y, x);
     if (angle != exact_binary_angle(y, x)) ++wrong;
     // The diagonal of INT_MIN included: -2^31 has no positive counterpart.
-    if (y != lowest && binary_angle(-y, x) != 0 - angle) ++wrong;
+    if (y != least && binary_angle(-y, x) != 0 - angle) ++wrong;
     const auto along = static_cast<std::uint64_t>(std::abs(std::int64_t{x}));
     const auto up = static_cast<std::uint64_t>(std::abs(std::int64_t{y}));
     const std::uint64_t a = std::max(along, up), b = std::min(along, up);
@@ -220,12 +220,12 @@ TEST_CASE("arc tangent: exact along the axes and the diagonals") {
     CHECK(binary_angle(-r, 0) == 0xc0000000u);
     CHECK(binary_angle(-r, r) == 0xe0000000u);
   }
-  CHECK(binary_angle(0, lowest) == half_turn);
-  CHECK(binary_angle(lowest, 0) == 0xc0000000u);
-  CHECK(binary_angle(lowest, lowest) == 0xa0000000u);
+  CHECK(binary_angle(0, least) == half_turn);
+  CHECK(binary_angle(least, 0) == 0xc0000000u);
+  CHECK(binary_angle(least, least) == 0xa0000000u);
   // So flat that the nearest binary angle is the axis.
-  CHECK(binary_angle(-1, lowest) == half_turn);
-  CHECK(binary_angle(1, lowest) == half_turn);
+  CHECK(binary_angle(-1, least) == half_turn);
+  CHECK(binary_angle(1, least) == half_turn);
 }
 
 namespace {
@@ -289,7 +289,7 @@ TEMPLATE_TEST_CASE("angle: converts to and from degrees and radians rounded to n
 
     const auto raw = random_integer<std::int32_t>(random);  // -2^31 is the half turn
     const Binary angle = Binary::from_raw(static_cast<std::uint32_t>(raw));
-    const BigRational turns(raw == lowest ? -BigInteger(raw) : BigInteger(raw), power_of_two(32));
+    const BigRational turns(raw == least ? -BigInteger(raw) : BigInteger(raw), power_of_two(32));
     const BigInteger degrees = nearest_of(on_grid<S>(turns * 360));
     if (big_raw(angle.degrees()) != clamped<S>(degrees)) ++wrong;
     const auto radians =
