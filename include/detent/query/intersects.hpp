@@ -5,8 +5,10 @@
 //   intersects(segment, shape) -> bool
 
 #include "detent/query/intersects/aabb.hpp"
+#include "detent/query/intersects/capsule.hpp"
 #include "detent/query/intersects/compound.hpp"
 #include "detent/query/intersects/obb.hpp"
 #include "detent/query/intersects/plane.hpp"
 #include "detent/query/intersects/segment.hpp"
+#include "detent/query/intersects/sphere.hpp"
 #include "detent/query/intersects/triangle.hpp"

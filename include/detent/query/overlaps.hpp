@@ -4,4 +4,15 @@
 // Two shapes, both closed sets, in either order:
 //   overlaps(a, b) -> bool
 
+#include "detent/query/overlaps/aabb_capsule.hpp"
+#include "detent/query/overlaps/capsule_capsule.hpp"
 #include "detent/query/overlaps/compound.hpp"
+#include "detent/query/overlaps/obb_capsule.hpp"
+#include "detent/query/overlaps/plane_capsule.hpp"
+#include "detent/query/overlaps/sphere_aabb.hpp"
+#include "detent/query/overlaps/sphere_capsule.hpp"
+#include "detent/query/overlaps/sphere_obb.hpp"
+#include "detent/query/overlaps/sphere_plane.hpp"
+#include "detent/query/overlaps/sphere_sphere.hpp"
+#include "detent/query/overlaps/sphere_triangle.hpp"
+#include "detent/query/overlaps/triangle_capsule.hpp"

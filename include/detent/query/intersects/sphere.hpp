@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/overlaps/near_segment.hpp"
+#include "detent/shape/sphere.hpp"
+
+namespace detent {
+
+/// Whether `segment` and `sphere` have a point in common.
+///
+/// domain: every input; a negative radius is an empty sphere and meets nothing
+/// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool intersects(const Segment<S, N>& segment,
+                                        const Sphere<S, N>& sphere) noexcept {
+  return sphere.radius >= 0 && detail::is_near(segment, sphere.center, sphere.radius);
+}
+
+}  // namespace detent

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/overlaps/near_slabs.hpp"
+#include "detent/shape/capsule.hpp"
+#include "detent/shape/obb.hpp"
+
+namespace detent {
+
+/// Whether `box` and `capsule` have a point in common.
+///
+/// The box is its slabs, {x : |dot(axis(i), x - center)| <= half_extents[i]}, with the axes exactly
+/// as stored, and the capsule's radius is measured in their frame: see `squared_distance`.
+///
+/// domain: every input; an empty box or capsule overlaps nothing
+/// exact:  yes or no exact; touching counts                 (tests/oracle/capsule_boxes.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Obb<S, N>& box, const Capsule<S, N>& capsule) noexcept {
+  const auto& [a, b, radius] = capsule;
+  if (is_empty(box) || radius < 0) return false;
+  const auto& half = box.half_extents;
+  const auto in_frame = [&](const auto& v) {
+    return make_vec<N>([&](int i) { return dot(box.rotation.axis(i), v); });
+  };
+  const auto center = in_frame(box.center - a);
+  return by_width<62>([](const auto&... x) { return detail::is_near_slabs(x...); }, center - half,
+                      center + half, in_frame(b - a), radius);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Capsule<S, N>& capsule, const Obb<S, N>& box) noexcept {
+  return overlaps(box, capsule);
+}
+
+}  // namespace detent

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/on.hpp"
+
+namespace detent {
+
+/// Whether `plane` and `capsule` have a point in common: the ends lie on two sides, or one of them
+/// is within the radius.
+///
+/// domain: every input; a negative radius is an empty capsule and overlaps nothing
+/// exact:  yes or no exact; touching counts                 (tests/oracle/capsule_pairs.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Plane<S, N>& plane,
+                                      const Capsule<S, N>& capsule) noexcept {
+  if (capsule.radius < 0) return false;
+  const auto a = detail::height_above(plane, capsule.a), b = detail::height_above(plane, capsule.b);
+  if ((a < 0 && b > 0) || (a > 0 && b < 0)) return true;
+  return on(plane, capsule.a, capsule.radius) || on(plane, capsule.b, capsule.radius);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Capsule<S, N>& capsule,
+                                      const Plane<S, N>& plane) noexcept {
+  return overlaps(plane, capsule);
+}
+
+}  // namespace detent

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/on.hpp"
+
+namespace detent {
+
+/// Whether `sphere` and `box` have a point in common.
+///
+/// The box reaches the sphere where its point closest to the center does.
+///
+/// domain: every input; an empty sphere or box overlaps nothing
+/// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere, const Aabb<S, N>& box) noexcept {
+  return on(box, sphere.center, sphere.radius);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Aabb<S, N>& box, const Sphere<S, N>& sphere) noexcept {
+  return overlaps(sphere, box);
+}
+
+}  // namespace detent

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/overlaps/near_segment.hpp"
+#include "detent/shape/capsule.hpp"
+#include "detent/shape/sphere.hpp"
+
+namespace detent {
+
+/// Whether `sphere` and `capsule` have a point in common.
+///
+/// domain: every input; a negative radius makes either empty, and that overlaps nothing
+/// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere,
+                                      const Capsule<S, N>& capsule) noexcept {
+  return sphere.radius >= 0 && capsule.radius >= 0 &&
+         detail::is_near(Segment{capsule.a, capsule.b}, sphere.center,
+                         sphere.radius + capsule.radius);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Capsule<S, N>& capsule,
+                                      const Sphere<S, N>& sphere) noexcept {
+  return overlaps(sphere, capsule);
+}
+
+}  // namespace detent

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/on.hpp"
+
+namespace detent {
+
+/// Whether `sphere` and `box` have a point in common.
+///
+/// The box is its slabs, {x : |dot(axis(i), x - center)| <= half_extents[i]}, with the axes exactly
+/// as stored, and the sphere's radius is measured in their frame: see `squared_distance`.
+///
+/// domain: every input; an empty sphere or box overlaps nothing
+/// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere, const Obb<S, N>& box) noexcept {
+  return on(box, sphere.center, sphere.radius);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Obb<S, N>& box, const Sphere<S, N>& sphere) noexcept {
+  return overlaps(sphere, box);
+}
+
+}  // namespace detent

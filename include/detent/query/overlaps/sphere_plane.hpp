@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/on.hpp"
+
+namespace detent {
+
+/// Whether `sphere` and `plane` have a point in common.
+///
+/// The normal's length is taken exactly as stored: (dot(n, center) - offset)^2 <= radius^2 n^2.
+///
+/// domain: every input; a negative radius is an empty sphere and overlaps nothing
+/// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere,
+                                      const Plane<S, N>& plane) noexcept {
+  return on(plane, sphere.center, sphere.radius);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Plane<S, N>& plane,
+                                      const Sphere<S, N>& sphere) noexcept {
+  return overlaps(sphere, plane);
+}
+
+}  // namespace detent

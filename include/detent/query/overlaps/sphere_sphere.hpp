@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/on.hpp"
+
+namespace detent {
+
+/// Whether two spheres have a point in common.
+///
+/// domain: every input; a negative radius is an empty sphere and overlaps nothing
+/// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& a, const Sphere<S, N>& b) noexcept {
+  return on(a, b.center, b.radius);
+}
+
+}  // namespace detent

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/overlaps/near_triangle.hpp"
+#include "detent/shape/sphere.hpp"
+
+namespace detent {
+
+/// Whether `sphere` and `triangle` have a point in common.
+///
+/// domain: every input; a negative radius is an empty sphere and overlaps nothing; a collapsed
+///         triangle is the segment or point that its corners span
+/// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere,
+                                      const Triangle<S, N>& triangle) noexcept {
+  return sphere.radius >= 0 && detail::is_near(triangle, sphere.center, sphere.radius);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Triangle<S, N>& triangle,
+                                      const Sphere<S, N>& sphere) noexcept {
+  return overlaps(sphere, triangle);
+}
+
+}  // namespace detent

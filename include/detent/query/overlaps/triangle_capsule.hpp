@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/intersects/triangle.hpp"
+#include "detent/query/overlaps/near_triangle.hpp"
+#include "detent/shape/capsule.hpp"
+
+namespace detent {
+
+/// Whether `triangle` and `capsule` have a point in common: the capsule's segment crosses the
+/// triangle, or comes within the radius of an edge, or an end of it within the radius of the face.
+///
+/// domain: every input; a negative radius is an empty capsule and overlaps nothing; a collapsed
+///         triangle is the segment or point that its corners span
+/// exact:  yes or no exact; touching counts                 (tests/oracle/capsule_pairs.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Triangle<S, N>& triangle,
+                                      const Capsule<S, N>& capsule) noexcept {
+  const auto& [a, b, c] = triangle;
+  const auto& radius = capsule.radius;
+  if (radius < 0) return false;
+  const Segment axis{capsule.a, capsule.b};
+  return intersects(axis, triangle) || detail::is_near_face(triangle, axis.start, radius) ||
+         detail::is_near_face(triangle, axis.end, radius) ||
+         detail::is_near(Segment{a, b}, axis, radius) ||
+         detail::is_near(Segment{b, c}, axis, radius) ||
+         detail::is_near(Segment{c, a}, axis, radius);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Capsule<S, N>& capsule,
+                                      const Triangle<S, N>& triangle) noexcept {
+  return overlaps(triangle, capsule);
+}
+
+}  // namespace detent

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/overlaps/aabb_capsule.hpp"
+#include "detent/query/overlaps/obb_capsule.hpp"
+#include "oracle/near_segment.hpp"
+#include "oracle/pair_exam.hpp"
+
+namespace detent::oracle {
+namespace {
+
+constexpr auto meet = [](const auto& box, const auto& capsule) {
+  return capsule.radius >= 0 &&
+         near_segment(box, Segment{capsule.a, capsule.b}, raw(capsule.radius));
+};
+
+template <Scalar S, int N>
+void examine(std::uint64_t seed, long count) {
+  examine_pair<Aabb<S, N>, Capsule<S, N>>(seed, count, meet);
+  examine_pair<Obb<S, N>, Capsule<S, N>>(seed, count, meet);
+}
+
+TEMPLATE_TEST_CASE("capsules and boxes: every answer is the exact one", "[oracle]",
+                   DETENT_FIXED_SPACES) {
+  examine<typename TestType::scalar, TestType::dimension>(0xca9b0, pair_cases / 4);
+}
+
+TEMPLATE_TEST_CASE("capsules and boxes: many more answers are exact", "[oracle][.demand]",
+                   DETENT_FIXED_SPACES) {
+  for (const auto seed : demanded_seeds()) {
+    examine<typename TestType::scalar, TestType::dimension>(seed, pair_cases / 2);
+  }
+}
+
+}  // namespace
+}  // namespace detent::oracle
