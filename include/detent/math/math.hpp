@@ -5,6 +5,8 @@
 
 #include "detent/math/angle_between.hpp"
 #include "detent/math/direction.hpp"
+#include "detent/math/inverse.hpp"
+#include "detent/math/mat.hpp"
 #include "detent/math/project.hpp"
 #include "detent/math/rotation.hpp"
 #include "detent/math/vec.hpp"
