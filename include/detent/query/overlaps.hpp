@@ -5,9 +5,12 @@
 //   overlaps(a, b) -> bool
 
 #include "detent/query/overlaps/aabb_capsule.hpp"
+#include "detent/query/overlaps/aabb_hull.hpp"
 #include "detent/query/overlaps/capsule_capsule.hpp"
 #include "detent/query/overlaps/compound.hpp"
+#include "detent/query/overlaps/hull_hull.hpp"
 #include "detent/query/overlaps/obb_capsule.hpp"
+#include "detent/query/overlaps/obb_hull.hpp"
 #include "detent/query/overlaps/plane_capsule.hpp"
 #include "detent/query/overlaps/sphere_aabb.hpp"
 #include "detent/query/overlaps/sphere_capsule.hpp"
@@ -16,3 +19,4 @@
 #include "detent/query/overlaps/sphere_sphere.hpp"
 #include "detent/query/overlaps/sphere_triangle.hpp"
 #include "detent/query/overlaps/triangle_capsule.hpp"
+#include "detent/query/overlaps/triangle_hull.hpp"

@@ -8,6 +8,7 @@
 #include "detent/shape/bounding_sphere.hpp"
 #include "detent/shape/capsule.hpp"
 #include "detent/shape/compound.hpp"
+#include "detent/shape/hull.hpp"
 #include "detent/shape/measure.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/plane.hpp"

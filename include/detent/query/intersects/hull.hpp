@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/overlaps/hull_hull.hpp"
+#include "detent/shape/segment.hpp"
+
+namespace detent {
+
+/// Whether `segment` and `hull` have a point in common.
+///
+/// domain: every input; equal ends make the segment one point; an empty hull meets nothing
+/// exact:  yes or no exact; touching counts                    (tests/oracle/hull_pairs.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool intersects(const Segment<S, N>& segment,
+                                        const ConvexHull<S, N>& hull) noexcept {
+  const std::array ends{segment.start, segment.end};
+  return overlaps(ConvexHull{ends}, hull);
+}
+
+}  // namespace detent

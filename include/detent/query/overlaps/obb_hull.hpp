@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/distance/gjk.hpp"
+
+namespace detent {
+
+/// Whether `box` and `hull` have a point in common.
+///
+/// The box is what its edges span, {center + sum s_i half_extents[i] axis(i) : |s_i| <= 1}, with the
+/// axes exactly as stored.
+///
+/// domain: every input; an empty box or hull overlaps nothing
+/// exact:  yes or no exact; touching counts                         (tests/oracle/obb_hull.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Obb<S, N>& box, const ConvexHull<S, N>& hull) noexcept {
+  if (is_empty(box) || is_empty(hull)) return false;
+  return detail::bodies_overlap(detail::ObbBody(box), detail::HullBody(hull));
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const ConvexHull<S, N>& hull, const Obb<S, N>& box) noexcept {
+  return overlaps(box, hull);
+}
+
+}  // namespace detent

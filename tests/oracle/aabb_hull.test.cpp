@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/overlaps/aabb_hull.hpp"
+// What draws and describes hulls comes before the exam, which looks it up.
+#include "oracle/hull.hpp"
+//
+#include "oracle/pair_exam.hpp"
+
+namespace detent::oracle {
+namespace {
+
+template <Scalar S, int N>
+void examine(std::uint64_t seed, long count) {
+  using Hull = ConvexHull<S, N>;
+  const auto truth = [](const auto& a, const auto& b) { return meet(hull_of(a), hull_of(b)); };
+  examine_pair<Aabb<S, N>, Hull>(seed, count, truth, Aim{N == 2 ? 90 : 70, 30, 70});
+}
+
+TEMPLATE_TEST_CASE("AABB and hull: overlapping is decided exactly", "[oracle]",
+                   DETENT_FIXED_SPACES) {
+  examine<typename TestType::scalar, TestType::dimension>(0x4112, pair_cases / 10);
+}
+
+TEMPLATE_TEST_CASE("AABB and hull: many more decisions are exact", "[oracle][.demand]",
+                   DETENT_FIXED_SPACES) {
+  for (const auto seed : demanded_seeds()) {
+    examine<typename TestType::scalar, TestType::dimension>(seed, pair_cases / 10);
+  }
+}
+
+}  // namespace
+}  // namespace detent::oracle

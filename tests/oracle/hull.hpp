@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "detent/shape/hull.hpp"
+#include "oracle/describe.hpp"
+#include "oracle/draw_shape.hpp"
+#include "oracle/linear.hpp"
+#include "oracle/point.hpp"
+
+/// Convex hulls for the oracles: to be included before what asks about shapes of any kind.
+namespace detent::oracle {
+
+inline constexpr std::size_t most_corners = 8;
+
+/// Room for the points of a hull, until four more hulls have been drawn.
+template <Scalar S, int N>
+std::span<Vec<S, N>> room_for_hull(std::size_t count) {
+  static std::array<std::array<Vec<S, N>, 3 * most_corners>, 4> rooms;
+  static std::size_t next = 0;
+  return std::span(rooms[next++ % rooms.size()]).first(count);
+}
+
+/// One to eight points, some of them twice; now and then none where shapes degenerate.
+template <Scalar S, int N>
+void draw_shape(Artist<S, N>& artist, ConvexHull<S, N>& hull) {
+  auto& random = artist.random;
+  const auto corners = artist.template corners<most_corners>();
+  auto count = static_cast<std::size_t>(random.between(1, most_corners));
+  if (artist.is(Kind::general) && count < N + 1) count = N + 1;
+  if (artist.is(Kind::degenerate) && random.one_in(12)) count = 0;
+  const auto points = room_for_hull<S, N>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    points[i] = random.one_in(12) ? corners[random.below(count)] : corners[i];
+  }
+  hull = {points};
+}
+
+template <Scalar S, int N>
+std::string describe(const ConvexHull<S, N>& hull) {
+  std::string out = "hull";
+  for (const auto& point : hull.points) out += " " + describe(point);
+  return out;
+}
+
+template <Scalar S, int N>
+Hull<N> hull_of(const ConvexHull<S, N>& hull) {
+  Hull<N> result;
+  for (const auto& point : hull.points) result.over.push_back(raw(point));
+  return result;
+}
+template <Scalar S, int N>
+Hull<N> hull_of(const Vec<S, N>& point) {
+  return {{raw(point)}};
+}
+
+/// The point of a hull closest to p, which is not in it: on a line or a triangle of its points.
+template <int N>
+Place<N> nearest_outside(const std::vector<Vector<N>>& points, const Vector<N>& p) {
+  std::vector<Place<N>> candidates;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    candidates.push_back(place_at<N>(p, points[i]));
+    for (std::size_t j = 0; j < i; ++j) {
+      add_foot<N>(candidates, p, points[i], difference(points[j], points[i]), {1, 1});
+      for (std::size_t k = 0; N == 3 && k < j; ++k) {
+        add_face<N>(candidates, p, points[i], points[j], points[k]);
+      }
+    }
+  }
+  return least<N>(candidates);
+}
+
+template <Scalar S, int N>
+std::optional<Nearest<N>> nearest(const ConvexHull<S, N>& hull, const Vec<S, N>& point) {
+  if (hull.points.empty()) return {};
+  if (meet(hull_of(hull), hull_of(point))) return Nearest<N>{{raw(point), 1, {}}, 0, true};
+  return Nearest<N>{nearest_outside<N>(hull_of(hull).over, raw(point)), 0, true};
+}
+
+}  // namespace detent::oracle

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/intersects/hull.hpp"
+#include "detent/query/overlaps/hull_hull.hpp"
+#include "detent/query/overlaps/triangle_hull.hpp"
+// What draws and describes hulls comes before the exam, which looks it up.
+#include "oracle/hull.hpp"
+//
+#include "oracle/pair_exam.hpp"
+
+namespace detent::oracle {
+namespace {
+
+/// Many points near the surface of a ball, so that the way to the closest ones is long.
+template <Scalar S, int N>
+ConvexHull<S, N> round_hull(Draw<S, N>& draw, const Raw<N>& center, std::int64_t radius) {
+  const auto points = room_for_hull<S, N>(3 * most_corners);
+  for (auto& point : points) {
+    point = Draw<S, N>::vec(Draw<S, N>::moved(center, draw.any_direction(), radius));
+  }
+  return {points};
+}
+
+template <Scalar S, int N>
+void examine(std::uint64_t seed, long count) {
+  using Hull = ConvexHull<S, N>;
+  const auto truth = [](const auto& a, const auto& b) { return meet(hull_of(a), hull_of(b)); };
+  examine_pair<Hull, Hull>(seed, count, truth, Aim{N == 2 ? 80 : 60, 30, 70}, [&](auto& exam) {
+    exam.family("round", count / 10, 20, 80, [&] {
+      const auto radius = std::max<std::int64_t>(exam.draw.scale() / 4, 2);
+      const auto center = exam.draw.point(radius);
+      return std::pair{
+          round_hull(exam.draw, center, radius),
+          round_hull(exam.draw, exam.draw.near(center, radius * (N == 2 ? 9 : 7) / 4), radius)};
+    });
+  });
+  examine_pair<Triangle<S, N>, Hull>(seed + 1, count, truth, Aim{N == 2 ? 65 : 30, 30, 70});
+  examine_pair<Segment<S, N>, Hull>(seed + 2, count, truth, Aim{N == 2 ? 55 : 1, N == 2 ? 30 : 15, 70});
+}
+
+TEMPLATE_TEST_CASE("hull and hull, triangle, segment: overlapping is decided exactly", "[oracle]",
+                   DETENT_FIXED_SPACES) {
+  examine<typename TestType::scalar, TestType::dimension>(0x4111, pair_cases / 10);
+}
+
+TEMPLATE_TEST_CASE("hull and hull, triangle, segment: many more decisions are exact",
+                   "[oracle][.demand]", DETENT_FIXED_SPACES) {
+  for (const auto seed : demanded_seeds()) {
+    examine<typename TestType::scalar, TestType::dimension>(seed, pair_cases / 10);
+  }
+}
+
+}  // namespace
+}  // namespace detent::oracle
