@@ -54,6 +54,18 @@ template <Scalar S, int N>
   const auto reach = capsule.radius + tolerance;
   return squared_distance(Segment{capsule.a, capsule.b}, point) <= square(reach);
 }
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool on(const Obb<S, N>& box, const Vec<S, N>& point,
+                                const S& tolerance) noexcept {
+  if (is_empty(box) || tolerance < 0) return false;
+  const auto excess = detail::excess(box, point);
+  for (int i = 0; i < N; ++i) {
+    if (excess[i] > tolerance || excess[i] < -tolerance) return false;
+  }
+  // No longer than a tolerance on the grid of products with a direction.
+  constexpr int bits = bits_of<S> + bits_of<direction_component<S>>;
+  return squared_length(narrow<bits>(excess)) <= square(tolerance);
+}
 template <class... Shapes, Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Compound<Shapes...>& compound, const Vec<S, N>& point,
                                 const S& tolerance) noexcept {

@@ -5,6 +5,23 @@
 
 namespace detent {
 
+namespace detail {
+
+/// By how much dot(axis(i), point - center) exceeds half_extents[i] on each axis, with its sign;
+/// of a box that is not empty.
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto excess(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {
+  const auto from_center = point - box.center;
+  using Along = decltype(dot(box.rotation.axis(0), from_center));
+  return make_vec<N>([&](int i) {
+    const Along along = dot(box.rotation.axis(i), from_center);
+    // What is left of |along| on taking 0 <= half_extents[i] <= |along| from it fits where it does.
+    return narrow_difference<bits_of<Along>>(along, clamp_to(along, box.half_extents[i]));
+  });
+}
+
+}  // namespace detail
+
 /// The square of the distance from `point` to `box`, 0 inside, measured in the frame of the box:
 /// the sum of the squares by which |dot(axis(i), point - center)| exceeds half_extents[i].
 ///
@@ -15,15 +32,8 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto squared_distance(const Obb<S, N>& box,
                                               const Vec<S, N>& point) noexcept {
-  const auto from_center = point - box.center;
-  using Along = decltype(dot(box.rotation.axis(0), from_center));
-  using Squared = decltype(squared_length(Vec<Along, N>()));
-  if (is_empty(box)) return largest<Squared>;
-  return squared_length(make_vec<N>([&](int i) {
-    const auto along = dot(box.rotation.axis(i), from_center);
-    // What is left of |along| on taking 0 <= half_extents[i] <= |along| from it fits where it does.
-    return narrow_difference<bits_of<Along>>(along, detail::clamp_to(along, box.half_extents[i]));
-  }));
+  using Squared = decltype(squared_length(detail::excess(box, point)));
+  return is_empty(box) ? largest<Squared> : squared_length(detail::excess(box, point));
 }
 
 /// The distance from `point` to `box`, 0 inside, measured in the frame of the box.
