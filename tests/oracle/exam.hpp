@@ -5,7 +5,7 @@
 #include <sstream>
 #include <utility>
 
-#include "detent/query/raycast.hpp"
+#include "oracle/ask.hpp"
 #include "oracle/describe.hpp"
 #include "oracle/draw.hpp"
 #include "oracle/ray_box.hpp"
@@ -19,23 +19,6 @@
 namespace detent::oracle {
 
 using test::Space;
-
-/// The library's answers to the three questions.
-template <Scalar S, int N, class Shape>
-Given<N> ask(const Ray<S, N>& ray, const Shape& shape) {
-  Given<N> given;
-  if (const auto distance = detent::raycast(ray, shape)) given.distance = distance->raw();
-  if (const auto hit = detent::raycast_hit(ray, shape)) {
-    given.hit = typename Given<N>::Hit{hit->distance.raw(), {}, raw(hit->normal)};
-    for (int i = 0; i < N; ++i) {
-      given.hit->point[static_cast<std::size_t>(i)] = hit->point[i].raw();
-    }
-  }
-  if (const auto interval = detent::raycast_interval(ray, shape)) {
-    given.interval.emplace(interval->enter.raw(), interval->exit.raw());
-  }
-  return given;
-}
 
 /// Puts random questions to the library and to the oracle, and keeps the first few disagreements.
 template <Scalar S, int N>
