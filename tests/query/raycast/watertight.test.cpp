@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <map>
+#include <vector>
+
 #include "oracle/draw.hpp"
 #include "query/raycast/helpers.hpp"
 
@@ -162,6 +167,89 @@ TEMPLATE_TEST_CASE("ray against triangles: a shared edge or corner is hit by all
     }
   }
   CHECK(missed == 0);
+}
+
+/// A closed mesh: an octahedron, each face cut in four, and its corners shaken. Corners are
+/// multiples of 64 raw units from the center, so that edges have grid points on them.
+struct ClosedMesh {
+  std::vector<Raw<3>> corners;
+  std::vector<std::array<std::size_t, 3>> faces;
+};
+
+template <Scalar S>
+ClosedMesh closed_mesh(Draw<S>& draw) {
+  const auto scale = draw.random.between(1, std::int64_t{1} << (S::bits - 10));
+  ClosedMesh mesh;
+  std::map<Raw<3>, std::size_t> index;  // of a corner of the regular mesh
+  const auto corner = [&](const Raw<3>& regular) {
+    const auto [found, is_new] = index.try_emplace(regular, mesh.corners.size());
+    if (is_new) {
+      Raw<3> shaken = regular;
+      for (auto& component : shaken) {
+        component = 64 * (4 * scale * component + draw.random.between(-scale, scale));
+      }
+      mesh.corners.push_back(shaken);
+    }
+    return found->second;
+  };
+  for (unsigned octant = 0; octant < 8; ++octant) {
+    const auto sign = [&](unsigned axis) { return (octant >> axis & 1u) != 0 ? 1 : -1; };
+    const std::array<std::size_t, 3> outer{corner({2 * sign(0), 0, 0}), corner({0, 2 * sign(1), 0}),
+                                           corner({0, 0, 2 * sign(2)})};
+    const std::array<std::size_t, 3> inner{corner({0, sign(1), sign(2)}),
+                                           corner({sign(0), 0, sign(2)}),
+                                           corner({sign(0), sign(1), 0})};
+    mesh.faces.push_back(inner);
+    mesh.faces.push_back({outer[0], inner[1], inner[2]});
+    mesh.faces.push_back({inner[0], outer[1], inner[2]});
+    mesh.faces.push_back({inner[0], inner[1], outer[2]});
+  }
+  return mesh;
+}
+
+/// Casts `count` rays that lead exactly through corners and points of edges of closed meshes, from
+/// inside and outside; how many reach their target without a hit.
+template <Scalar S>
+long lost_rays(std::uint64_t seed, long count) {
+  Draw<S> draw(seed);
+  auto& random = draw.random;
+  long lost = 0;
+  for (long asked = 0; asked < count;) {
+    const auto mesh = closed_mesh(draw);
+    std::vector<Triangle<S, 3>> triangles;
+    for (const auto& [i, j, k] : mesh.faces) {
+      triangles.push_back(triangle<S>(mesh.corners[i], mesh.corners[j], mesh.corners[k]));
+    }
+    for (int n = 0; n < 1'000; ++n, ++asked) {
+      const auto& face = mesh.faces[random.below(mesh.faces.size())];
+      const auto side = random.below(3);
+      const auto& a = mesh.corners[face[side]];
+      const auto& b = mesh.corners[face[(side + 1) % 3]];
+      const auto part = random.coin() ? 0 : random.between(1, 63);
+      Raw<3> target = a;
+      for (std::size_t i = 0; i < 3; ++i) target[i] += (b[i] - a[i]) / 64 * part;
+      const auto& frame = draw.frame();
+      const auto steps = random.between(1, (std::int64_t{1} << (S::bits - 2)) / frame.norm);
+      const auto origin = Draw<S>::plus(target, frame.axes[0], -steps);
+      // As stored, a direction is at most 2^-29 (2^-13) too short to get there.
+      const Ray<S, 3> ray{Draw<S>::vec(origin), Draw<S>::stretched(frame.axes[0], frame.norm),
+                          Draw<S>::scalar(steps * frame.norm + steps * frame.norm / 4096 + 4)};
+      const bool is_hit = std::any_of(triangles.begin(), triangles.end(),
+                                      [&](const auto& t) { return raycast(ray, t).has_value(); });
+      lost += is_hit ? 0 : 1;
+    }
+  }
+  return lost;
+}
+
+TEMPLATE_TEST_CASE("ray against a closed mesh: aimed at edges and corners, none is lost",
+                   "[raycast]", q16_16, q14_16, q24_8, q8_8) {
+  CHECK(lost_rays<TestType>(0xc105ed, 20'000) == 0);
+}
+
+TEMPLATE_TEST_CASE("ray against a closed mesh: of ten million, none is lost", "[raycast][.demand]",
+                   q16_16, q14_16, q24_8, q8_8) {
+  CHECK(lost_rays<TestType>(0xc105ed + 1, 2'500'000) == 0);
 }
 
 }  // namespace
