@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/intersects.hpp"
+#include "detent/query/overlaps.hpp"
+#include "query/raycast/helpers.hpp"
+
+namespace detent::test {
+
+template <Scalar S, int N, class F>
+constexpr Capsule<S, N> changed(const Capsule<S, N>& capsule, const F& f) {
+  return {f(capsule.a), f(capsule.b), capsule.radius};
+}
+template <Scalar S, int N, class F>
+constexpr Segment<S, N> changed(const Segment<S, N>& segment, const F& f) {
+  return {f(segment.start), f(segment.end)};
+}
+
+/// Whether two shapes overlap, once the answer is the same in the other order and in a world whose
+/// axes have changed their names.
+template <class A, class B>
+bool meet(const A& a, const B& b) {
+  const auto turn = [](const auto& v) { return turned(v); };
+  const bool answer = overlaps(a, b);
+  CHECK(overlaps(b, a) == answer);
+  CHECK(overlaps(changed(a, turn), changed(b, turn)) == answer);
+  return answer;
+}
+/// The same for a segment and a shape.
+template <Scalar S, int N, class Shape>
+bool meet(const Segment<S, N>& segment, const Shape& shape) {
+  const auto turn = [](const auto& v) { return turned(v); };
+  const bool answer = intersects(segment, shape);
+  CHECK(intersects(Segment{segment.end, segment.start}, shape) == answer);
+  CHECK(intersects(changed(segment, turn), changed(shape, turn)) == answer);
+  return answer;
+}
+
+/// Axis 0 is exactly along (3, 4), and a little too long; the others are as they were.
+template <Scalar S, int N>
+Rotation<S, N> three_four_fifths_frame() {
+  std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
+  for (int i = 0; i < N; ++i) axes[static_cast<std::size_t>(i)] = Direction<S, N>::along(i);
+  axes[0] = three_four_fifths<S, N>();
+  return Rotation<S, N>::from_axes(axes);
+}
+
+}  // namespace detent::test
