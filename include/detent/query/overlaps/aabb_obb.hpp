@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/overlaps/box.hpp"
+#include "detent/query/overlaps/separation.hpp"
+#include "detent/shape/aabb.hpp"
+#include "detent/shape/obb.hpp"
+
+namespace detent {
+
+/// Whether two boxes have a point in common, their surfaces included.
+///
+/// The oriented box is the one that its edges span: center + sum of s[i] half_extents[i] axis(i)
+/// with |s[i]| <= 1.
+///
+/// domain: every input; min > max on some axis, or a negative half extent, is empty and overlaps
+///         nothing
+/// exact:  yes or no exact                                        (tests/oracle/aabb_obb.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Aabb<S, N>& a, const Obb<S, N>& b) noexcept {
+  if (is_empty(a) || is_empty(b)) return false;
+  // Twice as large, the scene has both centers on the grid.
+  const auto half_a = a.max - a.min;
+  const auto half_b = b.half_extents + b.half_extents;
+  const auto apart = b.center + b.center - (a.min + a.max);
+  if constexpr (N == 2) {
+    return !detail::are_apart(std::array{apart}, detail::edges_along(Rotation<S, N>(), half_a),
+                              detail::edges_along(b.rotation, half_b));
+  } else {
+    return detail::boxes_overlap(detail::WorldFrame(), half_a, detail::EdgeFrame<S>(b.rotation),
+                                 half_b, apart);
+  }
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Obb<S, N>& b, const Aabb<S, N>& a) noexcept {
+  return overlaps(a, b);
+}
+
+}  // namespace detent

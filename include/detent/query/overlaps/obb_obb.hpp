@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/overlaps/box.hpp"
+#include "detent/query/overlaps/separation.hpp"
+#include "detent/shape/obb.hpp"
+
+namespace detent {
+
+/// Whether two boxes have a point in common, their surfaces included.
+///
+/// The boxes are those that their edges span: center + sum of s[i] half_extents[i] axis(i) with
+/// |s[i]| <= 1.
+///
+/// domain: every input; a box with a negative half extent is empty and overlaps nothing
+/// exact:  yes or no exact                                         (tests/oracle/obb_obb.test.cpp)
+/// source: Ericson, Real-Time Collision Detection, 4.4.1
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Obb<S, N>& a, const Obb<S, N>& b) noexcept {
+  if (is_empty(a) || is_empty(b)) return false;
+  const auto apart = b.center - a.center;
+  if constexpr (N == 3) {
+    const detail::EdgeFrame<S> frame_a(a.rotation), frame_b(b.rotation);
+    if (!frame_a.is_flat() || !frame_b.is_flat()) {
+      return detail::boxes_overlap(frame_a, a.half_extents, frame_b, b.half_extents, apart);
+    }
+  }
+  // Axes of any directions may all be in one plane. With the world's own they span the space.
+  return !detail::are_apart(std::array{apart}, detail::edges_along(Rotation<S, N>(), Vec<S, N>()),
+                            detail::edges_along(a.rotation, a.half_extents),
+                            detail::edges_along(b.rotation, b.half_extents));
+}
+
+}  // namespace detent

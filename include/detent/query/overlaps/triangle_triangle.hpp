@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/intersects/triangle.hpp"
+
+namespace detent {
+
+namespace detail {
+
+/// Whether some edge line of `a`, a 2D triangle with this doubled area, has `a` and `b` on
+/// different sides.
+template <Scalar S, Number Area>
+[[nodiscard]] constexpr bool edge_separates(const Triangle<S, 2>& a, const Area& area,
+                                            const Triangle<S, 2>& b) noexcept {
+  const auto is_beyond = [&](const Vec<S, 2>& p, const Vec<S, 2>& q) {
+    const auto outside = [&](const Vec<S, 2>& corner) {
+      const auto side = cross(q - p, corner - p);
+      return area > 0 ? side < 0 : side > 0;
+    };
+    return outside(b.a) && outside(b.b) && outside(b.c);
+  };
+  return is_beyond(a.a, a.b) || is_beyond(a.b, a.c) || is_beyond(a.c, a.a);
+}
+
+/// Whether `b` is on one side of the plane of `a`, without touching it. A collapsed triangle has no
+/// plane, and separates nothing.
+template <Scalar S>
+[[nodiscard]] constexpr bool plane_separates(const Triangle<S, 3>& a,
+                                             const Triangle<S, 3>& b) noexcept {
+  const auto normal = cross(a.b - a.a, a.c - a.a);
+  return same_side(dot(normal, b.a - a.a), dot(normal, b.b - a.a), dot(normal, b.c - a.a));
+}
+
+/// Whether an edge of `a` has a point in `b`.
+template <Scalar S>
+[[nodiscard]] constexpr bool edge_meets(const Triangle<S, 3>& a, const Triangle<S, 3>& b) noexcept {
+  return intersects(Segment{a.a, a.b}, b) || intersects(Segment{a.b, a.c}, b) ||
+         intersects(Segment{a.c, a.a}, b);
+}
+
+}  // namespace detail
+
+/// Whether two 2D triangles, which are solid, have a point in common, their edges included.
+///
+/// domain: every input; a collapsed triangle is the segment or point that its corners span
+/// exact:  yes or no exact                               (tests/oracle/triangle_triangle.test.cpp)
+template <Scalar S>
+[[nodiscard]] constexpr bool overlaps(const Triangle<S, 2>& a, const Triangle<S, 2>& b) noexcept {
+  const auto area_a = cross(a.b - a.a, a.c - a.a), area_b = cross(b.b - b.a, b.c - b.a);
+  if (area_a == 0) return intersects(detail::collapsed(a), b);
+  if (area_b == 0) return intersects(detail::collapsed(b), a);
+  return !detail::edge_separates(a, area_a, b) && !detail::edge_separates(b, area_b, a);
+}
+
+/// Whether two 3D triangles, which are surfaces, have a point in common, their edges included.
+///
+/// What they have in common is convex, and ends at an edge of one or of the other.
+///
+/// domain: every input; a collapsed triangle is the segment or point that its corners span
+/// exact:  yes or no exact, in one plane too             (tests/oracle/triangle_triangle.test.cpp)
+/// source: Ericson, Real-Time Collision Detection, 5.2.10
+template <Scalar S>
+[[nodiscard]] constexpr bool overlaps(const Triangle<S, 3>& a, const Triangle<S, 3>& b) noexcept {
+  if (detail::plane_separates(a, b) || detail::plane_separates(b, a)) return false;
+  return detail::edge_meets(a, b) || detail::edge_meets(b, a);
+}
+
+}  // namespace detent
