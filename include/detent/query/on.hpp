@@ -2,7 +2,7 @@
 #pragma once
 
 // Points on shapes:
-//   on(shape, point)            -> bool   exactly on a plane, segment, ray or triangle
+//   on(shape, point)            -> bool   exactly on a plane, segment, ray, triangle or hull
 //   on(shape, point, tolerance) -> bool   within `tolerance` of any shape
 
 #include "detent/query/contains.hpp"
@@ -10,8 +10,8 @@
 
 namespace detent {
 
-/// Whether `point` is exactly on a shape that is thin, or in a 2D triangle: `contains` by the name
-/// that one looks for.
+/// Whether `point` is exactly on a shape that is thin, or in a 2D triangle or a hull: `contains` by
+/// the name that one looks for.
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Plane<S, N>& plane, const Vec<S, N>& point) noexcept {
   return contains(plane, point);
@@ -27,6 +27,10 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Triangle<S, N>& triangle, const Vec<S, N>& point) noexcept {
   return contains(triangle, point);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool on(const ConvexHull<S, N>& hull, const Vec<S, N>& point) noexcept {
+  return contains(hull, point);
 }
 
 /// Whether the distance from `point` to `shape` is at most `tolerance`; an `Obb` measures it in its

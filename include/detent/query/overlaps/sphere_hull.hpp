@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/distance/hull.hpp"
+#include "detent/shape/sphere.hpp"
+
+namespace detent {
+
+/// Whether `sphere` and `hull` have a point in common.
+///
+/// domain: every input; an empty sphere or hull overlaps nothing
+/// exact:  yes or no exact; touching counts              (tests/oracle/hull_round_pairs.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere,
+                                      const ConvexHull<S, N>& hull) noexcept {
+  if (sphere.radius < 0 || is_empty(hull)) return false;
+  return squared_distance(hull, sphere.center) <= sphere.radius * sphere.radius;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const ConvexHull<S, N>& hull,
+                                      const Sphere<S, N>& sphere) noexcept {
+  return overlaps(sphere, hull);
+}
+
+}  // namespace detent
