@@ -69,12 +69,6 @@ class Direction {
   explicit constexpr Direction(const Vec<Component, N>& components) noexcept
       : components_(components) {}
 
-  static constexpr std::array<Component, N> to_array(const Vec<Component, N>& v) noexcept {
-    std::array<Component, N> array;
-    for (int i = 0; i < N; ++i) array[static_cast<std::size_t>(i)] = v[i];
-    return array;
-  }
-
   Vec<Component, N> components_;
 };
 
@@ -89,12 +83,9 @@ constexpr void append(D& digest, const Direction<S, N>& direction) noexcept {
 /// exact:  each component is the exact one rounded to nearest    (tests/math/direction.test.cpp)
 template <Scalar S, Number T, int N>
 [[nodiscard]] constexpr std::optional<Direction<S, N>> direction_of(const Vec<T, N>& v) noexcept {
-  std::array<T, N> array;
-  for (int i = 0; i < N; ++i) array[static_cast<std::size_t>(i)] = v[i];
-  const auto unit = unit_vector<direction_component<S>>(array);
+  const auto unit = unit_vector<direction_component<S>>(to_array(v));
   if (!unit) return std::nullopt;
-  return Direction<S, N>::assume_unit(
-      make_vec<N>([&](int i) { return (*unit)[static_cast<std::size_t>(i)]; }));
+  return Direction<S, N>::assume_unit(from_array(*unit));
 }
 
 /// `direction_of` for a vector of scalars, whose direction goes with the same scalar.

@@ -8,6 +8,8 @@
 #include "detent/math/inverse.hpp"
 #include "detent/math/mat.hpp"
 #include "detent/math/project.hpp"
+#include "detent/math/quat.hpp"
 #include "detent/math/rotation.hpp"
+#include "detent/math/slerp.hpp"
 #include "detent/math/vec.hpp"
 #include "detent/math/width.hpp"

@@ -10,6 +10,32 @@
 
 namespace detent {
 
+namespace detail {
+
+/// |q|^2 times the matrix of the quaternion q = (x, y, z, w), column by column: q p q* for the axes
+/// p. The caller has a proof that |q|^2, which no component exceeds, fits `Bits`.
+template <int Bits, Number T>
+[[nodiscard]] constexpr auto quaternion_columns(const Vec<T, 4>& q) noexcept {
+  const auto product = [&](int i, int j) { return narrow_product<Bits>(q[i], q[j]); };
+  const auto sum = [](const auto& a, const auto& b) { return narrow_sum<Bits>(a, b); };
+  const auto difference = [](const auto& a, const auto& b) {
+    return narrow_difference<Bits>(a, b);
+  };
+  std::array<Vec<decltype(product(0, 0)), 3>, 3> columns{};
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const auto ij = sum(product(i, j), product(3, k)),
+               ik = difference(product(i, k), product(3, j));
+    auto& column = columns[static_cast<std::size_t>(i)];
+    column[i] = difference(sum(product(3, 3), product(i, i)), sum(product(j, j), product(k, k)));
+    column[j] = sum(ij, ij);
+    column[k] = sum(ik, ik);
+  }
+  return columns;
+}
+
+}  // namespace detail
+
 /// A rotation from a local frame into the world, stored as the local axes seen from the world.
 ///
 /// Every way to make one rounds each component of each axis to nearest, so the axes are orthonormal
@@ -49,20 +75,21 @@ class Rotation {
   [[nodiscard]] static constexpr std::optional<Rotation> from_quaternion(S x, S y, S z,
                                                                          S w) noexcept
       requires(N == 3) {
-    if (x == 0 && y == 0 && z == 0 && w == 0) return std::nullopt;
-    // q p q* / |q|^2 for the axes p: no numerator exceeds the denominator.
-    const Vec<S, 3> v{x, y, z};
-    const auto norm = (x * x + y * y) + (z * z + w * w);
+    constexpr int bits = detail::result_bits(2 * bits_of<S> + 2);
+    return from_quaternion<bits>(Vec<S, 4>{x, y, z, w});
+  }
+
+  /// `from_quaternion` for components of any number type whose squared length fits `Bits`.
+  template <int Bits, Number T>
+  [[nodiscard]] static constexpr std::optional<Rotation> from_quaternion(
+      const Vec<T, 4>& q) noexcept requires(N == 3) {
+    const auto norm = narrow_dot<Bits>(q, q);
+    if (norm == 0) return std::nullopt;
     std::array<Column, 3> columns;
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      const auto ii = (w * w + v[i] * v[i]) - (v[j] * v[j] + v[k] * v[k]);
-      const auto ij = v[i] * v[j] + w * v[k];
-      const auto ik = v[i] * v[k] - w * v[j];
-      Column& column = columns[static_cast<std::size_t>(i)];
-      column[i] = quotient_nearest<Component>(ii, norm);
-      column[j] = quotient_nearest<Component>(ij + ij, norm);
-      column[k] = quotient_nearest<Component>(ik + ik, norm);
+    const auto exact = detail::quaternion_columns<Bits>(q);
+    for (std::size_t i = 0; i < 3; ++i) {
+      columns[i] =
+          make_vec<3>([&](int j) { return quotient_nearest<Component>(exact[i][j], norm); });
     }
     return from_columns(columns);
   }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include "detent/number/unit.hpp"
 
@@ -72,6 +74,19 @@ template <int N, class F>
   } else {
     return Vec<T, 4>{f(0), f(1), f(2), f(3)};
   }
+}
+
+/// The components, and the vector of such.
+template <Number T, int N>
+[[nodiscard]] constexpr auto to_array(const Vec<T, N>& v) noexcept {
+  std::array<T, static_cast<std::size_t>(N)> components;
+  for (int i = 0; i < N; ++i) components[static_cast<std::size_t>(i)] = v[i];
+  return components;
+}
+template <Number T, std::size_t Size>
+[[nodiscard]] constexpr auto from_array(const std::array<T, Size>& components) noexcept {
+  return make_vec<static_cast<int>(Size)>(
+      [&](int i) { return components[static_cast<std::size_t>(i)]; });
 }
 
 template <Number A, Number B, int N>
