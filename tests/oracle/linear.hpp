@@ -113,6 +113,20 @@ bool meet(const Hull<N>& a, const Hull<N>& b) {
   return simplex.is_feasible();
 }
 
+/// Whether a plane meets a hull: not all points are on one side of it.
+template <Scalar S, int N>
+bool meet(const Plane<S, N>& plane, const Hull<N>& hull) {
+  const Integer one = Integer(1) << static_cast<unsigned>(direction_component<S>::frac);
+  const auto normal = widen(raw(plane.normal));
+  bool is_above = false, is_below = false;
+  for (const auto& point : hull.over) {
+    const Integer height = dot(normal, point) - raw(plane.offset) * one * hull.under;
+    is_above = is_above || height >= 0;
+    is_below = is_below || height <= 0;
+  }
+  return is_above && is_below;
+}
+
 template <Scalar S, int N>
 Hull<N> hull_of(const Segment<S, N>& segment) {
   return {{raw(segment.start), raw(segment.end)}};

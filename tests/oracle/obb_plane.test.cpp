@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/overlaps/obb_plane.hpp"
+
+#include "oracle/linear.hpp"
+#include "oracle/pair_exam.hpp"
+
+namespace detent::oracle {
+namespace {
+
+template <Scalar S, int N>
+void examine(std::uint64_t seed, long count) {
+  const auto truth = [](const auto& box, const auto& plane) { return meet(plane, hull_of(box)); };
+  examine_pair<Obb<S, N>, Plane<S, N>>(seed, count, truth, Aim{});
+}
+
+TEMPLATE_TEST_CASE("OBB and plane: every answer is the exact one", "[oracle]",
+                   DETENT_FIXED_SPACES) {
+  examine<typename TestType::scalar, TestType::dimension>(0x0bb91a, pair_cases);
+}
+
+TEMPLATE_TEST_CASE("OBB and plane: many more answers are exact", "[oracle][.demand]",
+                   DETENT_FIXED_SPACES) {
+  for (const auto seed : demanded_seeds()) {
+    examine<typename TestType::scalar, TestType::dimension>(seed, pair_cases);
+  }
+}
+
+}  // namespace
+}  // namespace detent::oracle

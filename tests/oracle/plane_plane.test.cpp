@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/overlaps/plane_plane.hpp"
+
+#include "oracle/linear.hpp"
+#include "oracle/pair_exam.hpp"
+
+namespace detent::oracle {
+namespace {
+
+/// Two equations for a point, whose coordinates are differences of two that are not negative.
+template <Scalar S, int N>
+bool have_common_point(const Plane<S, N>& a, const Plane<S, N>& b) {
+  Simplex simplex(2, 2 * static_cast<std::size_t>(N));
+  std::size_t row = 0;
+  for (const auto& plane : {a, b}) {
+    const auto normal = widen(raw(plane.normal));
+    const Integer one = Integer(1) << static_cast<unsigned>(direction_component<S>::frac);
+    for (std::size_t i = 0; i < normal.size(); ++i) {
+      simplex.at(row, 2 * i) = normal[i];
+      simplex.at(row, 2 * i + 1) = -normal[i];
+    }
+    simplex.right(row++) = raw(plane.offset) * one;
+  }
+  return simplex.is_feasible();
+}
+
+template <Scalar S, int N>
+void examine(std::uint64_t seed, long count) {
+  const auto truth = [](const auto& a, const auto& b) { return have_common_point(a, b); };
+  PairExam<S, N, decltype(truth)> exam(seed, truth);
+  auto& draw = exam.draw;
+  auto& random = draw.random;
+  using D = Draw<S, N>;
+  exam.family("random", count * 2 / 10, 90, 100, [&] {
+    return std::pair{Plane<S, N>{draw.any_direction(), D::scalar(draw.extreme())},
+                     Plane<S, N>{draw.any_direction(), D::scalar(draw.extreme())}};
+  });
+  exam.family("parallel", count * 4 / 10, 30, 70, [&] {
+    const auto normal = random.coin() ? draw.any_direction() : draw.axis_direction();
+    const auto scale = draw.scale();
+    const auto offset = random.one_in(4) ? 0 : random.between(-scale, scale);
+    const auto other = offset + (random.coin() ? random.between(-1, 1) : 0);
+    if (random.coin()) {
+      return std::pair{Plane<S, N>{normal, D::scalar(offset)},
+                       Plane<S, N>{normal, D::scalar(other)}};
+    }
+    return std::pair{Plane<S, N>{normal, D::scalar(offset)},
+                     Plane<S, N>{-normal, D::scalar(-other)}};
+  });
+  // Normals on one axis whose lengths differ: the same plane where the offsets do as much.
+  exam.family("proportional", count * 2 / 10, 10, 90, [&] {
+    const auto axis = draw.unit();
+    const auto times = random.between(0, D::limit / D::one);
+    const auto plane = [&] {
+      const auto length = D::one - random.between(0, 1);
+      auto normal = axis;
+      for (auto& component : normal) component *= length;
+      const auto nudge = random.one_in(6) ? random.between(-1, 1) : 0;
+      return Plane<S, N>{D::direction(normal), D::scalar(times * length + nudge)};
+    };
+    return std::pair{plane(), plane()};
+  });
+  exam.family("nearly parallel", count * 2 / 10, 30, 99, [&] {
+    const auto normal = draw.any_direction();
+    return std::pair{Plane<S, N>{draw.disturbed(normal), D::scalar(draw.extreme())},
+                     Plane<S, N>{draw.disturbed(normal), D::scalar(draw.extreme())}};
+  });
+  exam.finish();
+}
+
+TEMPLATE_TEST_CASE("plane and plane: every answer is the exact one", "[oracle]",
+                   DETENT_FIXED_SPACES) {
+  examine<typename TestType::scalar, TestType::dimension>(0x91a91a, pair_cases);
+}
+
+TEMPLATE_TEST_CASE("plane and plane: many more answers are exact", "[oracle][.demand]",
+                   DETENT_FIXED_SPACES) {
+  for (const auto seed : demanded_seeds()) {
+    examine<typename TestType::scalar, TestType::dimension>(seed, pair_cases);
+  }
+}
+
+}  // namespace
+}  // namespace detent::oracle
