@@ -10,7 +10,37 @@ namespace {
 template <Scalar S, int N>
 void examine(std::uint64_t seed, long count) {
   const auto truth = [](const auto& a, const auto& b) { return meet(hull_of(a), hull_of(b)); };
-  examine_pair<Obb<S, N>, Obb<S, N>>(seed, count, truth, Aim{});
+  // Frames whose axes repeat one another, so that even those of both together may not span space.
+  const auto more = [count](auto& exam) {
+    auto& draw = exam.draw;
+    auto& random = draw.random;
+    using D = Draw<S, N>;
+    exam.family("flat", count * 2 / 10, 10, 70, [&] {
+      auto setting = draw_setting(draw, Kind::lattice, 0);
+      const auto kinds = random.between(1, N);
+      const auto box = [&] {
+        std::array<Direction<S, N>, D::size> axes;
+        for (auto& axis : axes) {
+          const auto kind = static_cast<std::size_t>(random.between(0, kinds - 1));
+          axis = D::stretched(setting.frame.axes[kind], setting.frame.norm);
+          if (random.coin()) axis = -axis;
+        }
+        auto result = draw_shape<Obb<S, N>>(draw, setting);
+        auto center = setting.center;
+        for (std::size_t i = 0; i < D::size; ++i) {
+          const auto steps =
+              random.one_in(3) || static_cast<std::int64_t>(i) < kinds ? random.between(-2, 2) : 0;
+          center = D::plus(center, setting.frame.axes[i], setting.stride * steps);
+        }
+        result.center = D::vec(random.one_in(6) ? draw.near(center, 1) : center);
+        result.rotation = Rotation<S, N>::from_axes(axes);
+        return result;
+      };
+      const auto a = box(), b = box();
+      return std::pair{a, b};
+    });
+  };
+  examine_pair<Obb<S, N>, Obb<S, N>>(seed, count, truth, Aim{}, more);
 }
 
 TEMPLATE_TEST_CASE("OBB and OBB: every answer is the exact one", "[oracle]", DETENT_FIXED_SPACES) {
