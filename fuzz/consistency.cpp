@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+//
+// What the queries say about one shape agrees: the closest point and the point of a hit are on it
+// within their rounding, and a point asks the same as the sphere, capsule, segment, triangle or box
+// that has collapsed to it.
+//
+// Tolerances, in raw units. Rounding to the grid moves a point by at most sqrt(3)/2 < 1. A hit's
+// distance is rounded down by less than 1 along a direction of length < 1 + 2^-13 on top of that,
+// so its point is off by less than 2. A box is measured in its frame, where the three coordinates
+// of a step of length e along its axes are each at most (1 + 2^-13) e: less than 2 e together.
+
+#include "decode.hpp"
+#include "detent/query/closest_point.hpp"
+#include "detent/query/contains.hpp"
+#include "detent/query/distance.hpp"
+#include "detent/query/intersects.hpp"
+#include "detent/query/on.hpp"
+#include "detent/query/overlaps.hpp"
+#include "detent/query/raycast.hpp"
+#include "oracle/describe.hpp"
+#include "spaces.hpp"
+
+namespace detent::fuzz {
+namespace {
+
+template <Scalar S, int N>
+bool is_at_an_end(const Vec<S, N>& p) {
+  for (int i = 0; i < N; ++i) {
+    if (p[i] == S::lowest() || p[i] == S::max()) return true;
+  }
+  return false;
+}
+
+template <class Shape>
+inline constexpr bool is_obb = false;
+template <Scalar S, int N>
+inline constexpr bool is_obb<Obb<S, N>> = true;
+
+/// Whether a shape reads a box as slabs.
+template <class Shape>
+inline constexpr bool is_round = requires(Shape shape) {
+  shape.radius;
+};
+
+template <Scalar S>
+S raw_units(int count) {
+  return S::from_raw(static_cast<typename S::raw_type>(count));
+}
+
+template <class Shape, Scalar S, int N>
+void check(Source& source) {
+  Decoder<S, N> decoder(source);
+  const auto shape = decoder.template shape<Shape>();
+  const auto ray = decoder.template shape<Ray<S, N>>();
+  const auto point = decoder.point();
+  const auto because = [&](const char* query) {
+    return [&, query] {
+      return std::string(query) + ": " + oracle::describe(shape) + "; " + oracle::describe(ray) +
+             "; point " + oracle::describe(point);
+    };
+  };
+
+  const bool inside = contains(shape, point);
+  const S apart = distance(shape, point);
+  require(!inside || apart == 0, because("a point inside is at distance 0"));
+  require(apart != 0 || on(shape, point, raw_units<S>(1)), because("distance 0 is near"));
+  require(inside == on(shape, point, S(0)), because("on without tolerance is inside"));
+  if (apart < S::max()) {
+    require(on(shape, point, S::from_raw(static_cast<typename S::raw_type>(apart.raw() + 1))),
+            because("on within the distance"));
+  }
+  if (apart > 0) {
+    require(!on(shape, point, S::from_raw(static_cast<typename S::raw_type>(apart.raw() - 1))),
+            because("not on within less than the distance"));
+  }
+
+  // An empty shape gives the point itself. The foot on skewed axes need not be in the box.
+  const auto closest = closest_point(shape, point);
+  if (inside && !is_at_an_end(point) && closest != point) {
+    // A surface's point may be stored beside the shape: only solids keep it.
+    require(on(shape, closest, raw_units<S>(1)), because("closest to itself"));
+  }
+  if (!is_obb<Shape> && apart < S::max() && !is_at_an_end(closest)) {
+    require(on(shape, closest, raw_units<S>(1)), because("the closest point is on the shape"));
+  }
+
+  const bool sphere = overlaps(Sphere<S, N>{point, S(0)}, shape);
+  require(sphere == inside, because("a sphere of radius 0"));
+  require(overlaps(shape, Capsule<S, N>{point, point, S(0)}) == inside,
+          because("a capsule of radius 0"));
+  require(intersects(Segment<S, N>{point, point}, shape) == inside,
+          because("a segment of a point"));
+  if constexpr (!is_obb<Shape>) {
+    require(overlaps(Triangle<S, N>{point, point, point}, shape) == inside,
+            because("a triangle of a point"));
+    require(overlaps(Aabb<S, N>{point, point}, shape) == inside, because("a box of a point"));
+    // As slabs, a box without size is a point only where its axes are independent.
+    const auto turn = is_round<Shape> ? Rotation<S, N>() : decoder.rotation();
+    require(overlaps(Obb<S, N>{point, {}, turn}, shape) == inside,
+            because("an oriented box of a point"));
+  }
+  if (apart < S::max() && apart > 0) {
+    const S below = S::from_raw(static_cast<typename S::raw_type>(apart.raw() - 1));
+    const S above = S::from_raw(static_cast<typename S::raw_type>(apart.raw() + 1));
+    require(!overlaps(Sphere<S, N>{point, below}, shape), because("a sphere short of the shape"));
+    require(overlaps(Sphere<S, N>{point, above}, shape), because("a sphere that reaches it"));
+  }
+
+  if constexpr (requires { raycast(ray, shape); }) {
+    const auto t = raycast(ray, shape);
+    const auto hit = raycast_hit(ray, shape);
+    const auto interval = raycast_interval(ray, shape);
+    require(hit.has_value() == t.has_value(), because("hit and distance"));
+    require(interval.has_value() == t.has_value(), because("interval and distance"));
+    if (ray.max_distance >= 0 && contains(shape, ray.origin)) {
+      require(t == S(0), because("a ray that starts inside"));
+    }
+    if (!t) return;
+    require(*t >= 0 && *t <= ray.max_distance, because("within reach"));
+    require(hit->distance == *t && interval->enter == *t, because("one distance"));
+    require(interval->exit >= *t && interval->exit <= ray.max_distance, because("exit"));
+    require(hit->point == point_at(ray, *t), because("the point is the ray's"));
+    if (!is_at_an_end(hit->point)) {
+      require(on(shape, hit->point, raw_units<S>(is_obb<Shape> ? 4 : 2)),
+              because("the hit is on the shape"));
+    }
+  }
+}
+
+}  // namespace
+
+void property(Bytes input) {
+  Source source(input);
+  in_a_space(source, [&]<Scalar S, int N>(Space<S, N>) {
+    switch (source.below(6)) {
+      case 0:
+        return check<Sphere<S, N>, S, N>(source);
+      case 1:
+        return check<Aabb<S, N>, S, N>(source);
+      case 2:
+        return check<Obb<S, N>, S, N>(source);
+      case 3:
+        return check<Plane<S, N>, S, N>(source);
+      case 4:
+        return check<Triangle<S, N>, S, N>(source);
+      default:
+        return check<Capsule<S, N>, S, N>(source);
+    }
+  });
+}
+
+}  // namespace detent::fuzz

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+//
+// A shape that grows keeps what it contained, hit or overlapped; no distance to it grows, neither
+// from a point nor along a ray; and a ray that reaches further hits the same at the same distance.
+
+#include "decode.hpp"
+#include "detent/query/contains.hpp"
+#include "detent/query/distance.hpp"
+#include "detent/query/intersects.hpp"
+#include "detent/query/overlaps.hpp"
+#include "detent/query/raycast.hpp"
+#include "oracle/describe.hpp"
+#include "spaces.hpp"
+
+namespace detent::fuzz {
+namespace {
+
+/// `length` made longer by a number of raw units, as far as its type goes.
+template <Scalar S>
+S longer(S length, Source& source) {
+  const std::int64_t more = source.below(2) == 0 ? source.byte() : source.bits(S::bits);
+  return oracle::Draw<S, 2>::scalar(length.raw() + std::abs(more));
+}
+
+template <Scalar S, int N>
+Sphere<S, N> grown(const Sphere<S, N>& s, Source& source) {
+  return {s.center, longer(s.radius, source)};
+}
+template <Scalar S, int N>
+Capsule<S, N> grown(const Capsule<S, N>& c, Source& source) {
+  return {c.a, c.b, longer(c.radius, source)};
+}
+template <Scalar S, int N>
+Aabb<S, N> grown(const Aabb<S, N>& box, Source& source) {
+  auto result = box;
+  for (int i = 0; i < N; ++i) result.max[i] = longer(box.max[i], source);
+  return result;
+}
+template <Scalar S, int N>
+Obb<S, N> grown(const Obb<S, N>& box, Source& source) {
+  auto result = box;
+  for (int i = 0; i < N; ++i) result.half_extents[i] = longer(box.half_extents[i], source);
+  return result;
+}
+
+template <class Shape, Scalar S, int N>
+void check(Source& source) {
+  Decoder<S, N> decoder(source);
+  const auto shape = decoder.template shape<Shape>();
+  const auto ray = decoder.template shape<Ray<S, N>>();
+  const auto segment = decoder.template shape<Segment<S, N>>();
+  const auto sphere = decoder.template shape<Sphere<S, N>>();
+  const auto triangle = decoder.template shape<Triangle<S, N>>();
+  const auto point = decoder.point();
+  const auto larger = grown(shape, source);
+  const auto because = [&](const char* query) {
+    return [&, query] {
+      return std::string(query) + ": " + oracle::describe(shape) + " grown to " +
+             oracle::describe(larger) + "; " + oracle::describe(ray) + "; " +
+             oracle::describe(segment) + "; " + oracle::describe(sphere) + "; " +
+             oracle::describe(triangle) + "; point " + oracle::describe(point);
+    };
+  };
+
+  require(contains(larger, point) || !contains(shape, point), because("contains"));
+  require(distance(larger, point) <= distance(shape, point), because("distance"));
+  require(intersects(segment, larger) || !intersects(segment, shape), because("intersects"));
+  require(overlaps(larger, sphere) || !overlaps(shape, sphere), because("overlaps a sphere"));
+  require(overlaps(larger, triangle) || !overlaps(shape, triangle), because("overlaps a triangle"));
+  require(overlaps(grown(sphere, source), shape) || !overlaps(sphere, shape),
+          because("overlaps a grown sphere"));
+  if constexpr (requires { raycast(ray, shape); }) {
+    if (const auto hit = raycast_interval(ray, shape)) {
+      const auto larger_hit = raycast_interval(ray, larger);
+      require(larger_hit.has_value(), because("raycast"));
+      require(larger_hit->enter <= hit->enter, because("raycast distance"));
+      require(larger_hit->exit >= hit->exit, because("raycast exit"));
+      auto further = ray;
+      further.max_distance = longer(ray.max_distance, source);
+      const auto further_hit = raycast_interval(further, shape);
+      require(further_hit.has_value(), because("further raycast"));
+      require(further_hit->enter == hit->enter, because("further raycast distance"));
+      require(further_hit->exit >= hit->exit, because("further raycast exit"));
+    }
+  }
+}
+
+}  // namespace
+
+void property(Bytes input) {
+  Source source(input);
+  in_a_space(source, [&]<Scalar S, int N>(Space<S, N>) {
+    switch (source.below(4)) {
+      case 0:
+        return check<Sphere<S, N>, S, N>(source);
+      case 1:
+        return check<Aabb<S, N>, S, N>(source);
+      case 2:
+        return check<Obb<S, N>, S, N>(source);
+      default:
+        return check<Capsule<S, N>, S, N>(source);
+    }
+  });
+}
+
+}  // namespace detent::fuzz

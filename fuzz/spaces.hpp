@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "oracle/space.hpp"
+#include "source.hpp"
+
+namespace detent::fuzz {
+
+using test::Space;
+
+/// Calls `ask(Space<S, N>())` for a fixed scalar and a dimension that a byte chooses: from all of
+/// them with the fuzzing engine, else from the widest and the narrowest, which compile quickly.
+template <class Ask>
+void in_a_space(Source& source, const Ask& ask) {
+  const auto choice = source.below(8);
+#if DETENT_FUZZ_EVERY_SPACE
+  switch (choice) {
+    case 2:
+      return ask(Space<q16_16, 2>());
+    case 3:
+      return ask(Space<q8_8, 3>());
+    case 4:
+      return ask(Space<q14_16, 3>());
+    case 5:
+      return ask(Space<q14_16, 2>());
+    case 6:
+      return ask(Space<q24_8, 3>());
+    case 7:
+      return ask(Space<q24_8, 2>());
+    default:
+      break;
+  }
+#endif
+  return choice % 2 == 0 ? ask(Space<q16_16, 3>()) : ask(Space<q8_8, 2>());
+}
+
+}  // namespace detent::fuzz
