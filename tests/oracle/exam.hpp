@@ -63,7 +63,11 @@ class Exam {
   void compare(const char* name, const Ray<S, N>& ray, const Shape& shape,
                const Expected<N>& expected) {
     ++asked_;
-    const auto found = mistakes(expected, ask(ray, shape));
+    auto found = mistakes(expected, ask(ray, shape));
+    if constexpr (requires { detent::raycast(ray, shape, Facing::front); }) {
+      const auto front = meets_front(ray, shape) ? expected : Expected<N>{};
+      found += mistakes(front, ask(ray, shape, Facing::front));
+    }
     if (found.empty() || ++wrong_ > 5) return;
     first_mistakes_ << name << ": " << describe(ray) << "; " << describe(shape) << "\n" << found;
   }

@@ -21,4 +21,10 @@ Expected<N> expected_raycast(const Ray<S, N>& ray, const Plane<S, N>& plane) {
              stored<N>(speed > 0 ? negated(normal) : normal));
 }
 
+/// Whether the ray leads against the normal: what Facing::front asks for.
+template <Scalar S, int N>
+bool meets_front(const Ray<S, N>& ray, const Plane<S, N>& plane) {
+  return dot(widen(raw(plane.normal)), widen(raw(ray.direction))) < 0;
+}
+
 }  // namespace detent::oracle

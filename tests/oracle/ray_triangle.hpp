@@ -152,4 +152,18 @@ Expected<3> expected_raycast(const Ray<S, 3>& ray, const Triangle<S, 3>& triangl
   return hit(line, floor(t), floor(t), normalized(facing, line));
 }
 
+/// Whether the ray leads against the normal: what Facing::front asks for. By Cramer's rule, so that
+/// it is not the cross product's word again.
+template <Scalar S>
+bool meets_front(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle) {
+  const auto a = raw(triangle.a), d = widen(raw(ray.direction));
+  const auto u = difference(raw(triangle.b), a), v = difference(raw(triangle.c), a);
+  Integer determinant = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    determinant += u[i] * v[j] * d[k] - u[i] * v[k] * d[j];
+  }
+  return determinant < 0;
+}
+
 }  // namespace detent::oracle
