@@ -4,6 +4,7 @@
 // The math layer: vectors, directions, rotations, matrices, motions.
 
 #include "detent/math/angle_between.hpp"
+#include "detent/math/decompose.hpp"
 #include "detent/math/direction.hpp"
 #include "detent/math/inverse.hpp"
 #include "detent/math/mat.hpp"
@@ -11,5 +12,6 @@
 #include "detent/math/quat.hpp"
 #include "detent/math/rotation.hpp"
 #include "detent/math/slerp.hpp"
+#include "detent/math/transform.hpp"
 #include "detent/math/vec.hpp"
 #include "detent/math/width.hpp"

@@ -192,4 +192,44 @@ template <Scalar S, int N>
   return make_vec<N>([&](int i) { return nearest_to<S>(dot(rotation.axis(i), v)); });
 }
 
+/// The direction `d` of the local frame in the world; `d` itself where axes that are not those of a
+/// rotation leave nothing of it.
+///
+/// exact: the direction of the exact sum, each component rounded to nearest
+///        (tests/math/transform.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr Direction<S, N> rotate(const Rotation<S, N>& rotation,
+                                               const Direction<S, N>& d) noexcept {
+  constexpr int bits = detail::cosine_bits<S> + 1;  // at most sqrt(3) (1 + 2^-13)^2
+  return direction_of<S>(make_vec<N>([&](int j) {
+           const auto row = make_vec<N>([&](int i) { return rotation.axis(i)[j]; });
+           return narrow_dot<bits>(row, d.vec());
+         }))
+      .value_or(d);
+}
+
+/// The rotation that turns by `inner` and then by `outer`.
+///
+/// exact: each axis is that of `inner`, rotated and rounded once     (tests/math/transform.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr Rotation<S, N> compose(const Rotation<S, N>& outer,
+                                               const Rotation<S, N>& inner) noexcept {
+  std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
+  for (int i = 0; i < N; ++i) axes[static_cast<std::size_t>(i)] = rotate(outer, inner.axis(i));
+  return Rotation<S, N>::from_axes(axes);
+}
+
+/// The rotation back: the world's axes in the local frame, as far as the axes are orthonormal.
+///
+/// exact: each row of the matrix normalised, rounded to nearest      (tests/math/transform.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr Rotation<S, N> inverse(const Rotation<S, N>& rotation) noexcept {
+  std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
+  for (int j = 0; j < N; ++j) {
+    const auto row = make_vec<N>([&](int i) { return rotation.axis(i)[j]; });
+    axes[static_cast<std::size_t>(j)] = direction_of<S>(row).value_or(Direction<S, N>::along(j));
+  }
+  return Rotation<S, N>::from_axes(axes);
+}
+
 }  // namespace detent
