@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <optional>
+#include <span>
 
 #include "oracle/answer.hpp"
 
@@ -30,8 +29,7 @@ struct Span {
 /// The times in [0, max] inside all the half-spaces. The ends of that interval are ends of the ray
 /// or crossings, so each of these is tried, and whether the point is inside is asked of the
 /// definition: no interval is ever intersected.
-template <std::size_t Count>
-std::optional<Span> span(const std::array<HalfSpace, Count>& spaces, const Integer& max) {
+inline std::optional<Span> span(std::span<const HalfSpace> spaces, const Integer& max) {
   if (max < 0) return {};
   std::optional<Span> found;
   const auto consider = [&](const Moment& t) {
@@ -54,8 +52,7 @@ std::optional<Span> span(const std::array<HalfSpace, Count>& spaces, const Integ
   return found;
 }
 
-template <std::size_t Count>
-bool inside_at_start(const std::array<HalfSpace, Count>& spaces) {
+inline bool inside_at_start(std::span<const HalfSpace> spaces) {
   for (const auto& space : spaces) {
     if (space.start > 0) return false;
   }

@@ -34,7 +34,8 @@ void examine(std::uint64_t seed, long count) {
     });
   });
   examine_pair<Triangle<S, N>, Hull>(seed + 1, count, truth, Aim{N == 2 ? 65 : 30, 30, 70});
-  examine_pair<Segment<S, N>, Hull>(seed + 2, count, truth, Aim{N == 2 ? 55 : 1, N == 2 ? 30 : 15, 70});
+  examine_pair<Segment<S, N>, Hull>(seed + 2, count, truth,
+                                    Aim{N == 2 ? 55 : 1, N == 2 ? 30 : 15, 70});
 }
 
 TEMPLATE_TEST_CASE("hull and hull, triangle, segment: overlapping is decided exactly", "[oracle]",

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "detent/query/raycast/stab.hpp"
+#include "detent/shape/hull.hpp"
+
+namespace detent {
+
+namespace detail {
+
+/// The first distance of a ray in a hull, rounded down, and whether it is 0 since the ray starts
+/// there.
+template <Scalar S>
+struct HullEntry {
+  S distance;
+  bool starts_inside;
+};
+
+/// Where a ray enters the hull whose points `stab` was given; it is left at the simplex that the ray
+/// enters through, unless the ray starts inside.
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<HullEntry<S>> entry(Stab<S, N>& stab,
+                                                          const S& limit) noexcept {
+  if (limit < 0 || !stab.meets()) return std::nullopt;
+  stab.go_to_first();
+  const auto enter = stab.distance();
+  if (enter.numerator > 0) {
+    const auto distance = floor_within(enter, limit);
+    if (!distance) return std::nullopt;
+    return HullEntry<S>{*distance, false};
+  }
+  stab.go_to_last();
+  if (stab.distance().numerator < 0) return std::nullopt;
+  return HullEntry<S>{S(0), true};
+}
+
+}  // namespace detail
+
+/// Distance along `ray` at which it first touches `hull`, or nothing.
+///
+/// units:  lengths in world units; direction is unit length
+/// domain: every input; a flat hull is the polygon, segment or point that its points span, one
+///         without points is empty and never hit
+/// result: 0 when the ray starts inside or on the hull; a hit past max_distance is a miss
+/// exact:  hit or miss exact; distance rounded down, error in [0, 1) ULP
+///         (tests/oracle/ray_hull.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<S> raycast(const Ray<S, N>& ray,
+                                                 const ConvexHull<S, N>& hull) noexcept {
+  if (is_empty(hull)) return std::nullopt;
+  detail::Stab<S, N> stab(ray, hull.points);
+  const auto entry = detail::entry(stab, ray.max_distance);
+  if (!entry) return std::nullopt;
+  return entry->distance;
+}
+
+/// Distance, point and normal where `ray` first touches `hull`, or nothing.
+///
+/// result: the normal is that of the face hit, on the side of the ray; on an edge or corner that of
+///         one of the faces there which the ray could enter through, chosen by the order of the
+///         points alone; the opposite of the direction where the ray starts inside or on the hull,
+///         lies in the plane of a flat hull, or meets one that is a segment or a point
+/// exact:  each component of the normal is the exact one rounded to nearest
+///         (tests/oracle/ray_hull.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<RayHit<S, N>> raycast_hit(
+    const Ray<S, N>& ray, const ConvexHull<S, N>& hull) noexcept {
+  if (is_empty(hull)) return std::nullopt;
+  detail::Stab<S, N> stab(ray, hull.points);
+  const auto entry = detail::entry(stab, ray.max_distance);
+  if (!entry) return std::nullopt;
+  if (entry->starts_inside || !stab.is_face()) {
+    return detail::hit_at(ray, entry->distance, -ray.direction);
+  }
+  const auto along = direction_of<S>(stab.normal());
+  return detail::hit_at(ray, entry->distance, -along.value_or(ray.direction));
+}
+
+/// Distances at which `ray` enters and leaves `hull`, or nothing.
+///
+/// exact:  both rounded down, error in [0, 1) ULP             (tests/oracle/ray_hull.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<Interval<S>> raycast_interval(
+    const Ray<S, N>& ray, const ConvexHull<S, N>& hull) noexcept {
+  if (is_empty(hull)) return std::nullopt;
+  detail::Stab<S, N> stab(ray, hull.points);
+  const auto entry = detail::entry(stab, ray.max_distance);
+  if (!entry) return std::nullopt;
+  stab.go_to_last();
+  const auto exit = floor_within(stab.distance(), ray.max_distance);
+  return Interval<S>{entry->distance, exit.value_or(ray.max_distance)};
+}
+
+}  // namespace detent

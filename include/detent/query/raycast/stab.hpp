@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include "detent/query/raycast/planar.hpp"
+
+namespace detent::detail {
+
+/// The search for N points of a hull whose simplex (a triangle, in 2D a segment) a ray's line
+/// stabs, and for such a simplex that it stabs first or last.
+///
+/// It is a linear program: weights of the points, none negative and of sum 1, make a point of the
+/// line at the least distance. A basis is N columns: points and, at first, directions beside the
+/// line that make up for what the points miss. A point before the plane of the basis enters, and
+/// the column leaves whose weight is the first to fall to 0, so the line stabs the new basis too.
+///
+/// Where w leads from the ray's origin to a point, the weights of a, b, c are the volumes
+/// d . (w_b x w_c), d . (w_c x w_a), d . (w_a x w_b) over their sum; how fast they fall are sums of
+/// such volumes, and which of a and b is first is the sign of the one of the third and the entering
+/// point, on which side of their edge the line passes. A step that moves nothing is followed by
+/// steps that take the first point and the first column that will do, until one moves: so no basis
+/// returns, and the search ends.
+///
+/// source: Dantzig's simplex method; Bland, New Finite Pivoting Rules for the Simplex Method (1977)
+template <Scalar S, int N>
+class Stab {
+ public:
+  using Points = std::span<const Vec<S, N>>;
+  using Offset = decltype(Vec<S, N>() - Vec<S, N>());
+
+  /// `points` are not none.
+  constexpr Stab(const Ray<S, N>& ray, const Points& points) noexcept
+      : origin_(ray.origin), direction_(ray.direction), points_(points) {
+    at(0) = column(0);
+    // From the first point towards the line, along each axis but the line's longest.
+    const auto& offset = at(0).offset;
+    const int k = longest_axis(direction_.vec());
+    for (int i = 1; i < N; ++i) {
+      const int j = (k + i) % N;
+      const auto place = offset[j] * direction_[k];
+      const auto place_of_line = offset[k] * direction_[j];
+      const bool is_beyond = direction_[k] > 0 ? place > place_of_line : place < place_of_line;
+      at(i) = {Offset(), no_point};
+      at(i).offset[j] = decltype(offset.x)(is_beyond ? -1 : 1);
+    }
+    orient();
+  }
+
+  /// Whether the line meets the hull; from then on the basis has points alone, but for directions
+  /// in which the hull has no extent beside the line.
+  [[nodiscard]] constexpr bool meets() noexcept {
+    descend([this] { return lack(); });
+    const auto weight = weights();
+    for (int i = 0; i < N; ++i) {
+      if (!is_point(i) && weight[index(i)] > 0) return false;
+    }
+    while (replace_direction()) {
+    }
+    return true;
+  }
+
+  /// Goes to a simplex that the line stabs as early, or as late, as any.
+  constexpr void go_to_first() noexcept {
+    descend([this] { return normal(); });
+  }
+  constexpr void go_to_last() noexcept {
+    descend([this] { return negated(normal()); });
+  }
+
+  /// The distance along the ray, of either sign, at which its line stabs the simplex.
+  [[nodiscard]] constexpr auto distance() const noexcept {
+    const auto along = normal();
+    return Fraction{dot(along, at(point()).offset), dot(along, direction_)};
+  }
+
+  /// Whether the simplex is part of a face.
+  [[nodiscard]] constexpr bool is_face() const noexcept {
+    for (int i = 0; i < N; ++i) {
+      if (!is_point(i)) return false;
+    }
+    return true;
+  }
+
+  /// A vector at right angles to the basis, along the ray.
+  [[nodiscard]] constexpr auto normal() const noexcept {
+    const int i = point();
+    if constexpr (N == 2) {
+      const auto e = edge(1 - i);
+      const Vec across{negated(e.y), e.x};
+      return i == 0 ? across : negated(across);
+    } else {
+      return cross(edge((i + 1) % 3), edge((i + 2) % 3));
+    }
+  }
+
+ private:
+  using Index = std::ptrdiff_t;
+  static constexpr Index no_point = -1;
+
+  /// A point, as seen from the ray's origin, or a direction beside the line.
+  struct Column {
+    Offset offset;
+    Index index = no_point;
+  };
+
+  static constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
+  [[nodiscard]] constexpr Column& at(int i) noexcept { return basis_[index(i)]; }
+  [[nodiscard]] constexpr const Column& at(int i) const noexcept { return basis_[index(i)]; }
+  [[nodiscard]] constexpr const Vec<S, N>& point_at(Index i) const noexcept {
+    return points_[static_cast<std::size_t>(i)];
+  }
+  [[nodiscard]] constexpr Column column(Index i) const noexcept {
+    return {point_at(i) - origin_, i};
+  }
+  [[nodiscard]] constexpr bool is_point(int i) const noexcept { return at(i).index != no_point; }
+
+  /// The first column that is a point; there is one, since the weights of points have the sum 1.
+  [[nodiscard]] constexpr int point() const noexcept {
+    int i = 0;
+    while (!is_point(i)) ++i;
+    return i;
+  }
+
+  /// From the first point of the basis to column i, or along it when it is a direction.
+  [[nodiscard]] constexpr Offset edge(int i) const noexcept {
+    if (!is_point(i)) return at(i).offset;
+    return point_at(at(i).index) - point_at(at(point()).index);
+  }
+
+  template <Number T>
+  static constexpr T negated(const T& x) noexcept {
+    return narrow<bits_of<T>>(-x);
+  }
+  template <Number T>
+  static constexpr Vec<T, N> negated(const Vec<T, N>& v) noexcept {
+    return make_vec<N>([&](int i) { return negated(v[i]); });
+  }
+
+  /// d . (v x w), in 2D d x v: on which side the line passes the edge from v to w, or the point v.
+  [[nodiscard]] constexpr auto side(const Offset& v) const noexcept requires(N == 2) {
+    return cross(direction_, v);
+  }
+  [[nodiscard]] constexpr auto side(const Offset& v, const Offset& w) const noexcept
+      requires(N == 3) {
+    const auto moment = cross(direction_, v);
+    // |d| |v| |w| < 3 2^(2B) (1 + 2^-13) for vectors whose components have B bits.
+    constexpr int bits = bits_of<decltype(moment.x)> + bits_of<decltype(w.x)> + 1;
+    return narrow_dot<bits>(w, moment);
+  }
+
+  /// The weights of the columns, times one positive number.
+  [[nodiscard]] constexpr auto weights() const noexcept {
+    if constexpr (N == 2) {
+      return std::array{negated(side(at(1).offset)), side(at(0).offset)};
+    } else {
+      return std::array{side(at(1).offset, at(2).offset), side(at(2).offset, at(0).offset),
+                        side(at(0).offset, at(1).offset)};
+    }
+  }
+
+  /// Makes the number that the weights are multiplied by, normal . direction, positive.
+  constexpr void orient() noexcept {
+    if (dot(normal(), direction_) < 0) std::swap(at(N - 2), at(N - 1));
+  }
+
+  /// A vector g for a column i that is a direction: as p moves by v, how much of it makes up for p
+  /// falls by g . v, times that positive number.
+  [[nodiscard]] constexpr auto gradient(int i) const noexcept {
+    const int first = point();
+    if constexpr (N == 2) {
+      const Vec across{direction_[1], negated(direction_[0])};
+      return first == 0 ? across : negated(across);
+    } else {
+      const int other = 3 - first - i;
+      const auto across = cross(direction_, edge(other));
+      return other == (first + 1) % 3 ? across : negated(across);
+    }
+  }
+
+  /// The vector along which points make up for more of the directions of the basis, negated.
+  [[nodiscard]] constexpr auto lack() const noexcept {
+    using Sum = decltype(gradient(0) + gradient(0));
+    constexpr int bits = bits_of<decltype(Sum::x)>;
+    Sum sum;
+    for (int i = 0; i < N; ++i) {
+      if (!is_point(i)) sum = narrow<bits>(sum - gradient(i));  // at most two of them
+    }
+    return sum;
+  }
+
+  /// Lets points enter that lead against the vector that `gradient_of` gives for the basis, until
+  /// none does.
+  template <class GradientOf>
+  constexpr void descend(const GradientOf& gradient_of) noexcept {
+    bool moved = true;
+    for (int left = patience; is_fixed<S> || left > 0; left -= is_fixed<S> ? 0 : 1) {
+      const Index entering = least(gradient_of(), !moved);
+      if (entering == no_point) return;
+      moved = enter(entering);
+    }
+  }
+
+  /// The point that leads furthest against v, or the `first` that does; none when none does.
+  template <Number V>
+  [[nodiscard]] constexpr Index least(const Vec<V, N>& v, bool first) const noexcept {
+    const auto& from = point_at(at(point()).index);
+    Index best = no_point;
+    auto depth = dot(v, Offset());
+    for (Index i = 0; i < static_cast<Index>(points_.size()); ++i) {
+      const auto here = dot(v, point_at(i) - from);
+      if (here < depth) {
+        best = i;
+        depth = here;
+        if (first) return best;
+      }
+    }
+    return best;
+  }
+
+  /// Takes a point into the basis; whether that changed where the line stabs it.
+  constexpr bool enter(Index entering) noexcept {
+    const auto added = column(entering);
+    const auto weight = weights();
+    using Weight = typename decltype(weight)::value_type;
+    std::array<Weight, static_cast<std::size_t>(N)> sides{};
+    for (int i = 0; i < N; ++i) {
+      if constexpr (N == 2) {
+        sides[index(i)] = i == 0 ? negated(side(added.offset)) : side(added.offset);
+      } else {
+        sides[index(i)] = side(added.offset, at(i).offset);
+      }
+    }
+    // How fast weight i falls as that of the new point grows, and which weight is 0 first.
+    const auto fall = [&](int i) {
+      const auto part = [&](int other, int of) {
+        return is_point(other) ? sides[index(of)] : Weight(0);
+      };
+      if constexpr (N == 2) {
+        return weight[index(i)] - part(1 - i, i);
+      } else {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        return weight[index(i)] + part(k, j) - part(j, k);
+      }
+    };
+    const auto is_before = [&](int i, int j) {
+      const auto& third = sides[index(N == 2 ? i : 3 - i - j)];
+      if (third == 0) return at(i).index < at(j).index;
+      return (N == 2 || j == (i + 1) % 3) == (third < 0);
+    };
+    int leaving = -1;
+    for (int i = 0; i < N; ++i) {
+      if (fall(i) > 0 && (leaving < 0 || is_before(i, leaving))) leaving = i;
+    }
+    if (leaving < 0) return false;  // rounded: the falls of points have the sum 1
+    at(leaving) = added;
+    return weight[index(leaving)] > 0;
+  }
+
+  /// Puts a point in the place of a direction of weight 0 that some point needs.
+  constexpr bool replace_direction() noexcept {
+    for (int i = 0; i < N; ++i) {
+      if (is_point(i)) continue;
+      const auto across = gradient(i);
+      const auto& from = point_at(at(point()).index);
+      for (Index p = 0; p < static_cast<Index>(points_.size()); ++p) {
+        if (dot(across, point_at(p) - from) == 0) continue;
+        at(i) = column(p);
+        orient();
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// How many steps `float` and `double` may take, which round and need not end.
+  static constexpr int patience = 100;
+
+  Vec<S, N> origin_;
+  Direction<S, N> direction_;
+  Points points_;
+  std::array<Column, static_cast<std::size_t>(N)> basis_{};
+};
+
+}  // namespace detent::detail

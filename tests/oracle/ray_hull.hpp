@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "detent/shape/hull.hpp"
+#include "oracle/half_spaces.hpp"
+#include "oracle/ray_triangle.hpp"
+
+/// Rays against convex hulls: to be included before what asks about rays and shapes of any kind.
+namespace detent::oracle {
+
+/// {x : normal . (x - point) <= 0}, and whether its boundary holds a face.
+template <int N>
+struct Facet {
+  Vector<N> normal;
+  Vector<N> point;
+  bool is_face;
+};
+
+/// A normal that is any of several.
+template <int N>
+struct OneOfNormals final : Normal<N> {
+  std::vector<NormalPointer<N>> choices;
+
+  [[nodiscard]] bool allows(const Raw<N>& given) const override {
+    return std::any_of(choices.begin(), choices.end(),
+                       [&](const auto& choice) { return choice->allows(given); });
+  }
+  [[nodiscard]] std::string text() const override {
+    std::string out = "one of:";
+    for (const auto& choice : choices) out += " " + choice->text() + ";";
+    return out;
+  }
+};
+
+template <int N>
+Vector<N> opposite(Vector<N> v) {
+  for (auto& component : v) component = -component;
+  return v;
+}
+
+/// Every half-space through `corner` at right angles to `normal` that holds all points, or both.
+template <int N>
+void add_supporting(std::vector<Facet<N>>& facets, const std::vector<Vector<N>>& points,
+                    const Vector<N>& normal, const Vector<N>& corner, bool is_face) {
+  if (is_zero(normal)) return;
+  bool some_above = false, some_below = false;
+  for (const auto& point : points) {
+    const Integer height = dot(normal, difference(point, corner));
+    some_above = some_above || height > 0;
+    some_below = some_below || height < 0;
+  }
+  if (!some_above) facets.push_back({normal, corner, is_face});
+  if (!some_below) facets.push_back({opposite<N>(normal), corner, is_face});
+}
+
+/// The half-spaces whose intersection is the hull of `points`: those that touch it along any of
+/// their lines and planes, and for points of one plane (in 2D, line) those within it. None for
+/// points of one line (in 2D, for equal ones).
+inline std::vector<Facet<2>> facets_of(const std::vector<Vector<2>>& points) {
+  std::vector<Facet<2>> facets;
+  for (const auto& p : points) {
+    for (const auto& q : points) {
+      const auto e = difference(q, p);
+      if (is_zero(e)) continue;
+      const bool is_flat = std::all_of(points.begin(), points.end(), [&](const auto& point) {
+        return cross(e, difference(point, p)).is_zero();
+      });
+      add_supporting<2>(facets, points, {-e[1], e[0]}, p, true);
+      if (is_flat) add_supporting<2>(facets, points, e, q, false);
+    }
+  }
+  return facets;
+}
+inline std::vector<Facet<3>> facets_of(const std::vector<Vector<3>>& points) {
+  std::vector<Facet<3>> facets;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t k = 0; k < j; ++k) {
+        const auto& p = points[i];
+        const auto normal = cross(difference(points[j], p), difference(points[k], p));
+        if (is_zero(normal)) continue;
+        const bool is_flat = std::all_of(points.begin(), points.end(), [&](const auto& point) {
+          return dot(normal, difference(point, p)).is_zero();
+        });
+        add_supporting<3>(facets, points, normal, p, true);
+        if (!is_flat) continue;
+        for (const auto& a : points) {
+          for (const auto& b : points) {
+            add_supporting<3>(facets, points, cross(normal, difference(b, a)), a, false);
+          }
+        }
+        return facets;
+      }
+    }
+  }
+  return facets;
+}
+
+/// Points of one line, which may be one point, are the segment between two of them.
+template <int N>
+Expected<N> raycast_line_of_points(const Line<N>& line, const std::vector<Vector<N>>& points) {
+  Vector<N> first = points[0], last = points[0];
+  for (const auto& p : points) {
+    first = std::min(first, p);
+    last = std::max(last, p);
+  }
+  const auto inside = on_segment<N>(line, first, last);
+  if (!inside) return {};
+  return hit<N>(line, floor(inside->enter), floor(inside->exit), against(line));
+}
+
+template <Scalar S, int N>
+Expected<N> expected_raycast(const Ray<S, N>& ray, const ConvexHull<S, N>& hull) {
+  const auto line = oracle::line(ray);
+  std::vector<Vector<N>> points;
+  for (const auto& point : hull.points) points.push_back(raw(point));
+  if (line.max < 0 || points.empty()) return {};
+  const auto facets = facets_of(points);
+  if (facets.empty()) return raycast_line_of_points<N>(line, points);
+
+  std::vector<HalfSpace> spaces;
+  for (const auto& facet : facets) {
+    spaces.push_back({dot(facet.normal, difference(line.origin, facet.point)) * line.one,
+                      dot(facet.normal, line.direction)});
+  }
+  const auto inside = span(spaces, line.max);
+  if (!inside) return {};
+  const auto entered = std::make_shared<OneOfNormals<N>>();
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    if (!facets[i].is_face || !spaces[i].entered_at(inside->enter)) continue;
+    entered->choices.push_back(normalized<N>(facets[i].normal, line));
+  }
+  NormalPointer<N> normal = entered;
+  if (inside_at_start(spaces) || entered->choices.empty()) normal = against(line);
+  return hit<N>(line, floor(inside->enter), floor(inside->exit), normal);
+}
+
+}  // namespace detent::oracle

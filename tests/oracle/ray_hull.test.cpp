@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/raycast/hull.hpp"
+// What draws, describes and solves hulls comes before the exam, which looks it up.
+#include "oracle/hull.hpp"
+#include "oracle/ray_hull.hpp"
+//
+#include "oracle/exam.hpp"
+
+namespace detent::oracle {
+namespace {
+
+template <Scalar S, int N>
+void examine(std::uint64_t seed, long count) {
+  Exam<S, N> exam(seed);
+  auto& draw = exam.draw;
+  auto& random = draw.random;
+  using D = Draw<S, N>;
+  // A point of the hull's lines, planes or inside, and somewhat beyond, on the grid.
+  const auto among = [&](const ConvexHull<S, N>& hull, int corners) {
+    const auto size = hull.points.size();
+    if (size == 0) return Raw<N>{};
+    const auto raw_of = [&](std::size_t i) {
+      Raw<N> result{};
+      for (int k = 0; k < N; ++k) {
+        result[static_cast<std::size_t>(k)] = hull.points[i % size][k].raw();
+      }
+      return result;
+    };
+    const auto first = random.below(size);
+    auto place = raw_of(first);
+    for (int c = 1; c < corners; ++c) {
+      const auto next = raw_of(first + static_cast<std::size_t>(c));
+      const auto part = random.between(-4, 20);
+      for (std::size_t k = 0; k < D::size; ++k) place[k] += (next[k] - place[k]) * part / 16;
+    }
+    return place;
+  };
+  const auto family = [&](const char* name, Kind kind, int percent, int low, int high) {
+    exam.family(name, count * percent / 100, low, high, [&] {
+      const auto setting = draw_setting(draw, kind, 1);
+      Artist<S, N> artist(draw, setting);
+      ConvexHull<S, N> hull;
+      draw_shape(artist, hull);
+      const auto& frame = setting.frame;
+      if (kind == Kind::lattice || kind == Kind::degenerate) {
+        // Through corners, through points of edges, along edges and faces, or beside them, exactly.
+        const bool is_turned = !random.one_in(4);
+        const auto axis = is_turned ? frame.axes[random.below(D::size)] : draw.unit();
+        const auto direction = D::stretched(axis, is_turned ? frame.norm : 1);
+        const auto target = random.coin() ? artist.point() : among(hull, random.coin() ? 1 : 2);
+        const auto steps = std::max<std::int64_t>(setting.stride * (is_turned ? 1 : frame.norm), 1);
+        const auto back = steps * random.between(-1, 5);
+        return std::pair{
+            Ray<S, N>{D::vec(D::plus(target, axis, -back)),
+                      random.one_in(12) ? draw.disturbed(direction) : direction, draw.reach(steps)},
+            hull};
+      }
+      const auto target = among(hull, static_cast<int>(random.between(1, 4)));
+      if (kind == Kind::extreme) {
+        const auto origin = draw.extreme_point();
+        const auto direction = random.coin() ? draw.any_direction() : draw.towards(origin, target);
+        return std::pair{Ray<S, N>{D::vec(origin), direction, D::scalar(draw.extreme())}, hull};
+      }
+      const auto size = kind == Kind::tiny ? 4 : setting.size;
+      auto direction = random.one_in(4) ? draw.axis_direction() : draw.any_direction();
+      auto origin = D::moved(target, direction, -random.between(-size / 4, 4 * size));
+      if (random.one_in(4)) {
+        origin = draw.near(target, size);
+        direction = draw.towards(origin, target);
+      }
+      return std::pair{Ray<S, N>{D::vec(origin), direction, draw.reach(4 * size)}, hull};
+    });
+  };
+  family("random", Kind::general, 40, 30, 80);
+  family("lattice", Kind::lattice, 25, 10, 90);
+  family("tiny", Kind::tiny, 10, 10, 90);
+  family("extreme", Kind::extreme, 15, 1, 80);
+  family("degenerate", Kind::degenerate, 10, 5, 90);
+  exam.finish(count);
+}
+
+TEMPLATE_TEST_CASE("ray against hull: every answer is the exact one", "[oracle]",
+                   DETENT_FIXED_SPACES) {
+  examine<typename TestType::scalar, TestType::dimension>(0x4116, 6'000);
+}
+
+TEMPLATE_TEST_CASE("ray against hull: many more answers are exact", "[oracle][.demand]",
+                   DETENT_FIXED_SPACES) {
+  for (const auto seed : demanded_seeds()) {
+    examine<typename TestType::scalar, TestType::dimension>(seed, 6'000);
+  }
+}
+
+}  // namespace
+}  // namespace detent::oracle
