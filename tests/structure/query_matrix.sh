@@ -1,0 +1,127 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# usage: query_matrix.sh COMPILER [--write] FILE
+#
+# The tables of FILE between its two "query matrix" comments: which queries there are, each linked
+# to its header, and the widest number that it computes with. That is read off the code itself: a
+# call in q16_16 and 3D is compiled without optimisation, and the symbols of the object name every
+# Fixed<Bits, ...> that a function takes or returns. Without --write, fails if FILE says otherwise.
+set -euo pipefail
+
+compiler=$1
+mode=check
+if [[ $2 == --write ]]; then
+  mode=write
+  shift
+fi
+file=$2
+command -v nm >/dev/null || { echo 'skipped: there is no nm'; exit 77; }
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+shapes=(Sphere Aabb Obb Plane Triangle Capsule ConvexHull)
+declare -A stem=([Sphere]=sphere [Aabb]=aabb [Obb]=obb [Plane]=plane [Triangle]=triangle
+                 [Capsule]=capsule [ConvexHull]=hull [Segment]=segment [Ray]=ray)
+
+# A cell is a program with one call; its name is the header's path with dots.
+cell() { # header first-argument-type second-argument-type calls...
+  local header=$1 first=$2 second=$3
+  shift 3
+  [[ -f include/detent/query/$header.hpp ]] || return 0
+  {
+    echo "#include \"detent/query/$header.hpp\""
+    echo 'using S = detent::q16_16;'
+    local call
+    for call in "$@"; do
+      echo "auto answer_$call(const detent::$first& a, const detent::$second& b) {"
+      echo "  return detent::$call(a, b);"
+      echo '}'
+    done
+  } >"$work/${header//\//.}.cpp"
+}
+
+for shape in "${shapes[@]}" Segment Ray; do
+  name=${stem[$shape]}
+  cell "contains/$name" "$shape<S, 3>" 'Vec<S, 3>' contains
+  cell "closest_point/$name" "$shape<S, 3>" 'Vec<S, 3>' closest_point
+  cell "distance/$name" "$shape<S, 3>" 'Vec<S, 3>' distance
+  cell "raycast/$name" 'Ray<S, 3>' "$shape<S, 3>" raycast raycast_hit raycast_interval
+  cell "intersects/$name" 'Segment<S, 3>' "$shape<S, 3>" intersects
+done
+for ((i = 0; i < ${#shapes[@]}; ++i)); do
+  for ((j = i; j < ${#shapes[@]}; ++j)); do
+    a=${shapes[i]} b=${shapes[j]}
+    cell "overlaps/${stem[$a]}_${stem[$b]}" "$a<S, 3>" "$b<S, 3>" overlaps
+  done
+done
+
+export compiler
+(cd "$work" && printf '%s\0' ./*.cpp) | xargs -0 -n 1 -P "$(nproc)" \
+  bash -c '"$compiler" -std=c++20 -O0 -Iinclude -c "$0/$1" -o "$0/${1%.cpp}.o"' "$work"
+
+widest() {
+  nm -C "$1" | grep -oE 'Fixed<[0-9]+' | grep -oE '[0-9]+' | sort -n | tail -n 1
+}
+
+link() { # header
+  local object=$work/${1//\//.}.o
+  if [[ -f $object ]]; then
+    echo "[$(widest "$object")](include/detent/query/$1.hpp)"
+  else
+    echo '–'
+  fi
+}
+
+matrix() {
+  local operations=(contains closest_point distance raycast intersects) operation shape i j
+  local line='| |' rule='|---|'
+  for operation in "${operations[@]}"; do
+    line+=" [\`$operation\`](include/detent/query/$operation.hpp) |"
+    rule+='---|'
+  done
+  echo "$line"
+  echo "$rule"
+  for shape in "${shapes[@]}" Segment Ray; do
+    line="| [\`$shape\`](include/detent/shape/${stem[$shape]}.hpp) |"
+    for operation in "${operations[@]}"; do
+      line+=" $(link "$operation/${stem[$shape]}") |"
+    done
+    echo "$line"
+  done
+  echo
+  line='| [`overlaps`](include/detent/query/overlaps.hpp) |'
+  rule='|---|'
+  for shape in "${shapes[@]}"; do
+    line+=" \`$shape\` |"
+    rule+='---|'
+  done
+  echo "$line"
+  echo "$rule"
+  for ((i = 0; i < ${#shapes[@]}; ++i)); do
+    line="| \`${shapes[i]}\` |"
+    for ((j = 0; j < ${#shapes[@]}; ++j)); do
+      if ((j < i)); then
+        line+=' |'
+      else
+        line+=" $(link "overlaps/${stem[${shapes[i]}]}_${stem[${shapes[j]}]}") |"
+      fi
+    done
+    echo "$line"
+  done
+}
+
+matrix >"$work/matrix"
+awk -v matrix="$work/matrix" '
+  /^<!-- query matrix/     { print; while ((getline line <matrix) > 0) print line; skip = 1 }
+  /^<!-- end of the query/ { skip = 0 }
+  !skip                    { print }
+' "$file" >"$work/expected"
+grep -q '^<!-- query matrix' "$file" || { echo "$file has no query matrix"; exit 1; }
+
+if [[ $mode == write ]]; then
+  cp "$work/expected" "$file"
+elif ! diff -u "$file" "$work/expected"; then
+  echo "$file: the query matrix is out of date; tests/structure/query_matrix.sh $compiler --write $file"
+  exit 1
+fi
