@@ -35,7 +35,8 @@ void append_faces(const std::string& file, const tinyobj::mesh_t& source, MeshMo
   }
 }
 
-void centre_and_scale(MeshModel& mesh, std::optional<double> scale) {
+/// Halves are taken before sums and differences, which may be beyond the range of a double.
+void centre_and_scale(const std::string& file, MeshModel& mesh, std::optional<double> scale) {
   std::array<double, 3> low = mesh.vertices.front();
   std::array<double, 3> high = low;
   for (const auto& vertex : mesh.vertices) {
@@ -44,17 +45,26 @@ void centre_and_scale(MeshModel& mesh, std::optional<double> scale) {
       high[i] = std::max(high[i], vertex[i]);
     }
   }
-  const double longest = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-  const double factor = scale.value_or(longest > 0 ? default_size / longest : 1);
+  double longest_half = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    longest_half = std::max(longest_half, high[i] / 2 - low[i] / 2);
+  }
+  const double factor = scale.value_or(longest_half > 0 ? default_size / 2 / longest_half : 1);
   for (auto& vertex : mesh.vertices) {
-    for (std::size_t i = 0; i < 3; ++i) vertex[i] = (vertex[i] - (low[i] + high[i]) / 2) * factor;
+    for (std::size_t i = 0; i < 3; ++i) {
+      vertex[i] = (vertex[i] - (low[i] / 2 + high[i] / 2)) * factor;
+      if (!std::isfinite(vertex[i])) {
+        throw InputError(file, {}, "cannot be scaled to its size; export the model in other units");
+      }
+    }
   }
 }
 
 }  // namespace
 
-MeshModel read_obj(const std::string& file, std::optional<double> scale) {
-  std::istringstream stream(read_file(file));
+MeshModel parse_obj(const std::string& file, const std::string& content,
+                    std::optional<double> scale) {
+  std::istringstream stream(content);
   tinyobj::attrib_t attributes;
   std::vector<tinyobj::shape_t> shapes;
   std::vector<tinyobj::material_t> materials;
@@ -82,8 +92,12 @@ MeshModel read_obj(const std::string& file, std::optional<double> scale) {
   if (mesh.triangles.empty()) {
     throw InputError(file, {}, "has no triangles; name a Wavefront OBJ model with faces");
   }
-  centre_and_scale(mesh, scale);
+  centre_and_scale(file, mesh, scale);
   return mesh;
+}
+
+MeshModel read_obj(const std::string& file, std::optional<double> scale) {
+  return parse_obj(file, read_file(file), scale);
 }
 
 }  // namespace detent::cli

@@ -12,4 +12,8 @@ namespace detent::cli {
 /// without one so that its longest side becomes 20 units; throws InputError.
 [[nodiscard]] MeshModel read_obj(const std::string& file, std::optional<double> scale);
 
+/// The triangles of the OBJ model in `content`; `file` is what messages call it.
+[[nodiscard]] MeshModel parse_obj(const std::string& file, const std::string& content,
+                                  std::optional<double> scale);
+
 }  // namespace detent::cli
