@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// Whatever bytes an OBJ model holds, reading it gives a mesh whose triangles name vertices that are
+// there, finite and no further than 10 units from the origin, or one line that says what is wrong.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "obj_reader.hpp"
+#include "property.hpp"
+
+namespace detent::fuzz {
+
+void property(Bytes input) {
+  cli::MeshModel mesh;
+  try {
+    mesh = cli::parse_obj("f", std::string(input.begin(), input.end()), std::nullopt);
+  } catch (const cli::InputError& error) {
+    const std::string what = error.what();
+    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
+    return require(what.starts_with("f:") && std::none_of(what.begin(), what.end(), is_control),
+                   [&] { return "not one line: " + what; });
+  }
+  require(!mesh.triangles.empty(), [] { return std::string("no triangles"); });
+  for (const auto& triangle : mesh.triangles) {
+    for (const auto vertex : triangle) {
+      require(vertex < mesh.vertices.size(), [] { return std::string("no such vertex"); });
+    }
+  }
+  for (const auto& vertex : mesh.vertices) {
+    for (const double coordinate : vertex) {
+      require(std::isfinite(coordinate) && std::abs(coordinate) <= 10 * (1 + 0x1p-50),
+              [&] { return "a coordinate of " + std::to_string(coordinate); });
+    }
+  }
+}
+
+}  // namespace detent::fuzz
