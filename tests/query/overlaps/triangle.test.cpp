@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "query/overlaps/helpers.hpp"
+
+namespace detent::test {
+namespace {
+
+static_assert(overlaps(Triangle<q16_16, 3>{}, Triangle<q16_16, 3>{}));
+static_assert(overlaps(Triangle<q16_16, 2>{}, Aabb<q16_16, 2>{}));
+
+template <Scalar S, int N>
+const Triangle<S, N> wedge{at<S, N>(0, 0), at<S, N>(8, 0), at<S, N>(0, 8)};
+
+TEMPLATE_TEST_CASE("overlaps, aabb and triangle: corner, edge, face, inside, collapsed, empty",
+                   "[overlaps]", DETENT_EVERY_SPACE) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  using Box = Aabb<S, N>;
+  const auto& triangle = wedge<S, N>;
+  CHECK(meet(Box{at<S, N>(1, 1), at<S, N>(2, 2)}, triangle));
+  CHECK(meet(Box{at<S, N>(8, 0), at<S, N>(9, 9)}, triangle));
+  CHECK_FALSE(meet(Box{at<S, N>(8.5, 0), at<S, N>(9, 9)}, triangle));
+  CHECK(meet(Box{at<S, N>(4, 4), at<S, N>(9, 9)}, triangle));
+  CHECK_FALSE(meet(Box{at<S, N>(4, 4.5), at<S, N>(9, 9)}, triangle));
+  CHECK(meet(Box{at<S, N>(-50, -50, -50), at<S, N>(50, 50, 50)}, triangle));
+  CHECK(meet(Box{at<S, N>(1, 1, 0), at<S, N>(2, 2, 5)}, triangle));
+  CHECK(meet(Box{at<S, N>(1, 1, 0.5), at<S, N>(2, 2, 5)}, triangle) == (N == 2));
+  CHECK(meet(Box{at<S, N>(2, 2), at<S, N>(2, 2)}, triangle));
+  CHECK_FALSE(overlaps(Box{at<S, N>(2, 1), at<S, N>(1, 2)}, triangle));
+  // On one line, and one point.
+  const Triangle<S, N> line{at<S, N>(0, 0), at<S, N>(8, 8), at<S, N>(4, 4)};
+  CHECK(meet(Box{at<S, N>(2, -1), at<S, N>(9, 2)}, line));
+  CHECK_FALSE(meet(Box{at<S, N>(2.5, -1), at<S, N>(9, 2)}, line));
+  CHECK(meet(Box{at<S, N>(2, -1), at<S, N>(9, 2)}, Triangle<S, N>{line.a, line.a, line.b}));
+  const Triangle<S, N> point{line.c, line.c, line.c};
+  CHECK(meet(Box{at<S, N>(4, 4), at<S, N>(5, 5)}, point));
+  CHECK_FALSE(meet(Box{at<S, N>(4.5, 4), at<S, N>(5, 5)}, point));
+}
+
+TEMPLATE_TEST_CASE("overlaps, obb and triangle: corner, edge, face, inside, collapsed, empty",
+                   "[overlaps]", DETENT_EVERY_SPACE) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  using Box = Obb<S, N>;
+  const auto& triangle = wedge<S, N>;
+  const auto unit = filled<S, N>(num<S>(1));
+  CHECK(meet(Box{at<S, N>(2, 2), unit, {}}, triangle));
+  CHECK(meet(Box{at<S, N>(9, 1), unit, {}}, triangle));
+  CHECK_FALSE(meet(Box{at<S, N>(9.5, 1), unit, {}}, triangle));
+  CHECK(meet(Box{at<S, N>(5, 5), unit, {}}, triangle));
+  CHECK_FALSE(meet(Box{at<S, N>(5, 5.5), unit, {}}, triangle));
+  CHECK(meet(Box{{}, filled<S, N>(num<S>(50)), {}}, triangle));
+  CHECK(meet(Box{at<S, N>(2, 2, 1.5), unit, {}}, triangle) == (N == 2));
+  CHECK(meet(Box{at<S, N>(2, 2), {}, {}}, triangle));
+  CHECK_FALSE(meet(Box{at<S, N>(2, 2), at<S, N>(-1, 1, 1), {}}, triangle));
+  auto axes = std::array<Direction<S, N>, static_cast<std::size_t>(N)>{};
+  const Box line{at<S, N>(9, 0), at<S, N>(0.5, 0.5), Rotation<S, N>::from_axes(axes)};
+  CHECK(meet(line, triangle));
+  CHECK_FALSE(meet(Box{at<S, N>(9.5, 0), line.half_extents, line.rotation}, triangle));
+  CHECK_FALSE(meet(Box{at<S, N>(8.5, 1), line.half_extents, line.rotation}, triangle));
+  const Triangle<S, N> behind{at<S, N>(10.5, 0), at<S, N>(12, 0), at<S, N>(11, 0)};
+  CHECK_FALSE(meet(line, behind));
+  CHECK(meet(line, Triangle<S, N>{at<S, N>(10, 0), behind.b, behind.c}));
+  axes[0] = toward<S, N>(1, 1);
+  axes[1] = toward<S, N>(-1, 1);
+  if constexpr (N == 3) axes[2] = Direction<S, N>::along(2);
+  CHECK(meet(Box{at<S, N>(5.25, 4), unit, Rotation<S, N>::from_axes(axes)}, triangle));
+  CHECK_FALSE(meet(Box{at<S, N>(5.5, 4), unit, Rotation<S, N>::from_axes(axes)}, triangle));
+}
+
+TEMPLATE_TEST_CASE("overlaps, triangles: edge, corner, inside, pierced, collapsed", "[overlaps]",
+                   DETENT_EVERY_SPACE) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  using Corners = Triangle<S, N>;
+  const auto& triangle = wedge<S, N>;
+  CHECK(meet(triangle, triangle));
+  CHECK(meet(triangle, Corners{at<S, N>(1, 1), at<S, N>(3, 1), at<S, N>(1, 3)}));
+  CHECK(meet(triangle, Corners{at<S, N>(4, 4), at<S, N>(9, 4), at<S, N>(9, 9)}));
+  CHECK_FALSE(meet(triangle, Corners{at<S, N>(4.5, 4), at<S, N>(9, 4), at<S, N>(9, 9)}));
+  CHECK(meet(triangle, Corners{at<S, N>(8, 0), at<S, N>(9, -9), at<S, N>(9, 9)}));
+  CHECK(meet(triangle, Corners{at<S, N>(3, -9), at<S, N>(4, -9), at<S, N>(3, 20)}));
+  CHECK(meet(triangle, Corners{at<S, N>(2, 2, -1), at<S, N>(2, 2, 9), at<S, N>(30, 30, 9)}));
+  CHECK(meet(triangle, Corners{at<S, N>(2, 2, 1), at<S, N>(2, 2, 9), at<S, N>(30, 30, 9)}) ==
+        (N == 2));
+  CHECK(meet(triangle, Corners{at<S, N>(2, 2), at<S, N>(3, 3), at<S, N>(30, 30)}));
+  CHECK_FALSE(meet(triangle, Corners{at<S, N>(5, 5), at<S, N>(6, 6), at<S, N>(30, 30)}));
+  const auto inside = at<S, N>(1, 2), outside = at<S, N>(5, 4);
+  CHECK(meet(triangle, Corners{inside, inside, inside}));
+  CHECK_FALSE(meet(triangle, Corners{outside, outside, outside}));
+  CHECK(meet(Corners{inside, inside, inside}, Corners{inside, inside, inside}));
+  CHECK_FALSE(meet(Corners{inside, inside, inside}, Corners{outside, outside, outside}));
+  // Small and far from each other, where products of edges round to nothing.
+  const double s = 1.0 / 256;
+  const auto small = [s](double x, double z) {
+    return Corners{at<S, N>(x, 0, z), at<S, N>(x + s, 0, z), at<S, N>(x, s, z)};
+  };
+  CHECK_FALSE(meet(small(0, 0), small(5, 0)));
+  CHECK(meet(small(0, 0), small(0, 5)) == (N == 2));
+}
+
+TEMPLATE_TEST_CASE("overlaps, triangle: one raw unit decides, at the ends of the domain too",
+                   "[overlaps]", DETENT_FIXED_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const auto low = filled<S, N>(S::lowest()), high = filled<S, N>(S::max());
+  auto side = low;
+  side.x = S::max();
+  const Triangle<S, N> half{low, side, high};
+  auto point = Vec<S, N>();
+  point.x = moved(S(0), -1);
+  for (const auto& p : {Vec<S, N>(), point}) {
+    const bool inside = p == Vec<S, N>();
+    CHECK(meet(Aabb<S, N>{p, p}, half) == inside);
+    CHECK(meet(Obb<S, N>{p, {}, {}}, half) == inside);
+    CHECK(meet(half, Triangle<S, N>{p, p, p}) == inside);
+  }
+  CHECK(meet(Aabb<S, N>{low, high}, half));
+  CHECK(meet(Obb<S, N>{{}, high, {}}, half));
+  CHECK(meet(Obb<S, N>{high, high, {}}, Triangle<S, N>{low, low, Vec<S, N>()}));
+  CHECK_FALSE(meet(Obb<S, N>{high, high, {}}, Triangle<S, N>{low, low, filled<S, N>(point.x)}));
+}
+
+}  // namespace
+}  // namespace detent::test
