@@ -9,6 +9,7 @@
 #include "detent/math/inverse.hpp"
 #include "detent/math/mat.hpp"
 #include "detent/math/project.hpp"
+#include "detent/math/projection.hpp"
 #include "detent/math/quat.hpp"
 #include "detent/math/rotation.hpp"
 #include "detent/math/slerp.hpp"
