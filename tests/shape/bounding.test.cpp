@@ -18,6 +18,8 @@ TEMPLATE_TEST_CASE("bounding_box: what anyone can see", "[bounding]", DETENT_EVE
   const std::array points{at<S, N>(3, -1), at<S, N>(-2, 4), at<S, N>(0, 0)};
   CHECK(bounding_box<S, N>(points) == Aabb{at<S, N>(-2, -1), at<S, N>(3, 4)});
   CHECK(bounding_box(Triangle{points[0], points[1], points[2]}) == bounding_box<S, N>(points));
+  CHECK(bounding_box(ConvexHull{points}) == bounding_box<S, N>(points));
+  CHECK(bounding_sphere(ConvexHull{points}) == bounding_sphere<S, N>(points));
   CHECK(bounding_box(Segment{points[0], points[2]}) == Aabb{at<S, N>(0, -1), at<S, N>(3, 0)});
   const auto two = filled<S, N>(num<S>(2));
   CHECK(bounding_box(Sphere{Vec<S, N>(), num<S>(2)}) == Aabb{nearest_to<S>(-two), two});

@@ -8,6 +8,7 @@
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/capsule.hpp"
 #include "detent/shape/compound.hpp"
+#include "detent/shape/hull.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/segment.hpp"
 #include "detent/shape/sphere.hpp"
@@ -59,6 +60,11 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr Aabb<S, N> bounding_box(const Aabb<S, N>& box) noexcept {
   return is_empty(box) ? detail::no_box<Aabb<S, N>> : box;
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Aabb<S, N> bounding_box(const ConvexHull<S, N>& hull) noexcept {
+  return bounding_box(hull.points);
 }
 
 template <Scalar S, int N>

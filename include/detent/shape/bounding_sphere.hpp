@@ -48,6 +48,11 @@ template <Scalar S, int N>
 }
 
 template <Scalar S, int N>
+[[nodiscard]] constexpr Sphere<S, N> bounding_sphere(const ConvexHull<S, N>& hull) noexcept {
+  return bounding_sphere(hull.points);
+}
+
+template <Scalar S, int N>
 [[nodiscard]] constexpr Sphere<S, N> bounding_sphere(const Segment<S, N>& segment) noexcept {
   return bounding_sphere<S, N>(std::array{segment.start, segment.end});
 }
