@@ -7,6 +7,7 @@
 #include "detent/query/closest_point.hpp"
 #include "detent/query/contains.hpp"
 #include "detent/query/distance.hpp"
+#include "detent/query/intersection.hpp"
 #include "detent/query/intersects.hpp"
 #include "detent/query/on.hpp"
 #include "detent/query/overlaps.hpp"
