@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "bench/question.hpp"
+
+namespace detent::bench {
+
+/// How far the answers of a scalar are from the exact ones to the same questions, as q16_16 gives
+/// them. What the scalar cannot hold of a question (directions in float and q8_8) counts too.
+struct Accuracy {
+  std::size_t asked = 0;
+  std::size_t wrong = 0;        // hit instead of miss, or the reverse
+  double error = 0;             // the largest of a distance or coordinate, in units
+  std::size_t close_asked = 0;  // about shapes one step of 1/256 from touching or parting
+  std::size_t close_wrong = 0;
+};
+
+namespace detail {
+
+template <Scalar S>
+double value_of(const S& x) {
+  return static_cast<double>(x);
+}
+
+/// The numbers of an answer that are lengths.
+template <class Visit>
+void visit_lengths(bool, const Visit&) {}
+template <Scalar S, class Visit>
+void visit_lengths(const S& distance, const Visit& visit) {
+  visit(value_of(distance));
+}
+template <Scalar S, class Visit>
+void visit_lengths(const Vec<S, 3>& point, const Visit& visit) {
+  for (int i = 0; i < 3; ++i) visit(value_of(point[i]));
+}
+template <Scalar S, class Visit>
+void visit_lengths(const RayHit<S, 3>& hit, const Visit& visit) {
+  visit(value_of(hit.distance));
+}
+template <Scalar S, class Visit>
+void visit_lengths(const Interval<S>& interval, const Visit& visit) {
+  visit(value_of(interval.enter));
+  visit(value_of(interval.exit));
+}
+template <class T, class Visit>
+void visit_lengths(const std::optional<T>& answer, const Visit& visit) {
+  if (answer) visit_lengths(*answer, visit);
+}
+
+template <class Answer>
+std::vector<double> lengths_of(const Answer& answer) {
+  std::vector<double> lengths;
+  visit_lengths(answer, [&](double x) { lengths.push_back(x); });
+  return lengths;
+}
+
+template <class S, class Q>
+bool is_wrong(const Q& query, const typename Q::template Question<double>& drawn) {
+  using Answer =
+      decltype(query.template operator()<S>(std::declval<typename Q::template Question<S>>()));
+  if constexpr (requires(const Answer& answer) { is_hit(answer); } && !Scalar<Answer>) {
+    const auto question = std::pair{as<S>(drawn.first), as<S>(drawn.second)};
+    const auto exact = std::pair{as<q16_16>(drawn.first), as<q16_16>(drawn.second)};
+    return hits<S>(query, question) != hits<q16_16>(query, exact);
+  } else {
+    return false;  // distances and points are not decisions
+  }
+}
+
+/// Moves the second shape of a question that is a hit until it is none, and visits the last hit and
+/// the first miss: they are a step apart.
+template <class Q, class Visit>
+void visit_close_calls(const Q& query, const typename Q::template Question<double>& hit, int axis,
+                       const Visit& visit) {
+  const auto moved = [&](int steps) {
+    auto question = hit;
+    Vec<double, 3> offset;
+    offset[axis] = steps * Artist::step;
+    move(question.second, offset);
+    return question;
+  };
+  const auto is_hit_at = [&](int steps) {
+    const auto question = moved(steps);
+    return hits<q16_16>(query, std::pair{as<q16_16>(question.first), as<q16_16>(question.second)});
+  };
+  if (!is_hit_at(0)) return;
+  int low = 0, high = 1;
+  while (is_hit_at(high)) {
+    low = high;
+    high *= 2;
+    if (high > 256 * 256) return;
+  }
+  while (high - low > 1) {
+    const int middle = (low + high) / 2;
+    (is_hit_at(middle) ? low : high) = middle;
+  }
+  visit(moved(low));
+  visit(moved(high));
+}
+
+}  // namespace detail
+
+template <class S, class Q>
+Accuracy accuracy_of(const Q& query,
+                     const std::vector<typename Q::template Question<double>>& drawn) {
+  Accuracy result;
+  int axis = 0;
+  for (const auto& question : drawn) {
+    const auto exact = query.template operator()<q16_16>(
+        std::pair{as<q16_16>(question.first), as<q16_16>(question.second)});
+    const auto answer =
+        query.template operator()<S>(std::pair{as<S>(question.first), as<S>(question.second)});
+    ++result.asked;
+    result.wrong += detail::is_wrong<S>(query, question) ? 1u : 0u;
+    const auto truth = detail::lengths_of(exact), given = detail::lengths_of(answer);
+    if (truth.size() == given.size()) {
+      for (std::size_t i = 0; i < truth.size(); ++i) {
+        result.error = std::max(result.error, std::abs(given[i] - truth[i]));
+      }
+    }
+    using Exact = std::remove_cvref_t<decltype(exact)>;
+    if constexpr (requires { is_hit(exact); } && !Scalar<Exact>) {
+      if (++axis % 8 != 0) continue;  // enough of them
+      detail::visit_close_calls(query, question, axis / 8 % 3, [&](const auto& close) {
+        ++result.close_asked;
+        result.close_wrong += detail::is_wrong<S>(query, close) ? 1u : 0u;
+      });
+    }
+  }
+  return result;
+}
+
+}  // namespace detent::bench

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace detent::bench {
+
+/// How many of a query's questions are hits, in every fixed scalar: a benchmark that got another
+/// number would be fast by being wrong.
+struct Golden {
+  std::string_view query;
+  std::size_t ordinary;
+  std::size_t small;
+};
+
+inline constexpr Golden golden_hits[] = {
+    {"raycast/sphere", 2026, 2019},
+    {"raycast/aabb", 2101, 1969},
+    {"raycast/obb", 2077, 2089},
+    {"raycast/plane", 2064, 2072},
+    {"raycast/triangle", 2034, 2024},
+    {"raycast_hit/sphere", 2026, 2019},
+    {"raycast_hit/aabb", 2101, 1969},
+    {"raycast_hit/obb", 2077, 2089},
+    {"raycast_hit/plane", 2064, 2072},
+    {"raycast_hit/triangle", 2034, 2024},
+    {"raycast_interval/sphere", 2026, 2019},
+    {"raycast_interval/aabb", 2101, 1969},
+    {"raycast_interval/obb", 2077, 2089},
+    {"contains/sphere", 2006, 2043},
+    {"contains/aabb", 2089, 2013},
+    {"contains/obb", 2058, 2079},
+    {"contains/plane", 0, 0},
+    {"contains/triangle", 0, 0},
+    {"contains/capsule", 1927, 2030},
+    {"contains/segment", 0, 0},
+    {"contains/ray", 0, 0},
+    {"closest_point/sphere", 2094, 2034},
+    {"closest_point/aabb", 2038, 2013},
+    {"closest_point/obb", 2029, 2034},
+    {"closest_point/plane", 4096, 4086},
+    {"closest_point/triangle", 4096, 4094},
+    {"closest_point/capsule", 2027, 2041},
+    {"closest_point/segment", 4096, 4096},
+    {"closest_point/ray", 4096, 4096},
+    {"distance/point", 4096, 4096},
+    {"distance/sphere", 2094, 2033},
+    {"distance/aabb", 2038, 2013},
+    {"distance/obb", 2029, 2030},
+    {"distance/plane", 4096, 4080},
+    {"distance/triangle", 4096, 4093},
+    {"distance/capsule", 2027, 2041},
+    {"distance/segment", 4096, 4096},
+    {"distance/ray", 4096, 4096},
+    {"overlaps/sphere_sphere", 2056, 2012},
+    {"overlaps/sphere_aabb", 2141, 2055},
+    {"overlaps/sphere_obb", 2075, 2045},
+    {"overlaps/sphere_plane", 2028, 2069},
+    {"overlaps/sphere_triangle", 1983, 2031},
+    {"overlaps/sphere_capsule", 1992, 2011},
+    {"overlaps/aabb_capsule", 2034, 1997},
+    {"overlaps/obb_capsule", 2046, 2090},
+    {"overlaps/plane_capsule", 2044, 2075},
+    {"overlaps/triangle_capsule", 2029, 1977},
+    {"overlaps/capsule_capsule", 2043, 2011},
+    {"intersects/sphere", 2051, 2071},
+    {"intersects/aabb", 2060, 2057},
+    {"intersects/obb", 2020, 2038},
+    {"intersects/plane", 2041, 2047},
+    {"intersects/triangle", 1928, 1970},
+    {"intersects/capsule", 2064, 2082},
+    {"intersects/segment", 0, 0},
+};
+
+/// The golden numbers of a query, or null for one that has none yet.
+constexpr const Golden* golden_for(std::string_view query) {
+  for (const auto& golden : golden_hits) {
+    if (golden.query == query) return &golden;
+  }
+  return nullptr;
+}
+
+}  // namespace detent::bench

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Runs float and fixed interleaved in one process and prints what exactness costs. Options that it
+// does not know are Google Benchmark's: --benchmark_filter=raycast --benchmark_repetitions=5
+
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "bench/results.hpp"
+
+namespace detent::bench {
+
+namespace {
+
+constexpr std::string_view usage =
+    R"(usage: detent-bench [--json FILE] [--plot FILE] [--seed N] [BENCHMARK OPTION...]
+
+  --json FILE   writes every time, ratio and accuracy
+  --plot FILE   writes speed against accuracy as SVG
+  --seed N      asks other questions; golden hit counts exist for the default only
+
+Useful of Google Benchmark: --benchmark_filter=REGEX, --benchmark_repetitions=N
+)";
+
+/// Keeps the times and prints nothing but progress.
+class Collector : public benchmark::BenchmarkReporter {
+ public:
+  explicit Collector(Results& results) : results_(results) {}
+
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const auto& run : runs) {
+      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+      const std::string& key = run.run_name.function_name;
+      const auto questions = static_cast<double>(run.iterations) * question_count;
+      results_.times[key].add(run.cpu_accumulated_time * 1e9 / questions);
+    }
+  }
+
+ private:
+  Results& results_;
+};
+
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  }
+  return "unknown processor";
+}
+
+Results::Machine this_machine() {
+  std::array<char, 32> date{};
+  const std::time_t now = std::time(nullptr);
+  std::strftime(date.data(), date.size(), "%Y-%m-%d", std::gmtime(&now));
+#if defined(__clang__)
+  const std::string compiler = "clang " __clang_version__;
+#else
+  const std::string compiler = "gcc " __VERSION__;
+#endif
+  return {processor_name(), compiler + " " DETENT_BENCH_FLAGS, date.data()};
+}
+
+/// Whether every exact scalar hit as often as it has to; says so where not.
+bool hits_are_right(const std::vector<Record>& records) {
+  bool all_right = true;
+  for (const auto& record : records) {
+    if (!record.is_exact || record.hits == record.expected) continue;
+    std::fprintf(stderr, "%s in %s: %zu hits instead of %zu\n", record.query.c_str(),
+                 record.scalar.c_str(), record.hits, record.expected);
+    all_right = false;
+  }
+  return all_right;
+}
+
+template <class Write>
+void write_file(const std::string& path, const Write& write) {
+  if (path.empty()) return;
+  std::FILE* const file = std::fopen(path.c_str(), "w");
+  if (file == nullptr) {
+    std::fprintf(stderr, "cannot write %s\n", path.c_str());
+    std::exit(1);
+  }
+  write(file);
+  std::fclose(file);
+}
+
+int run(int count, char** arguments) {
+  std::string json, plot;
+  std::uint64_t seed = default_seed;
+  std::vector<std::string> rest{"detent-bench", "--benchmark_enable_random_interleaving=true",
+                                "--benchmark_repetitions=9", "--benchmark_min_time=0.004"};
+  for (int i = 1; i < count; ++i) {
+    const std::string argument = arguments[i];
+    if (argument == "--help" || argument == "-h") {
+      std::fputs(usage.data(), stdout);
+      return 0;
+    }
+    const auto value = [&] {
+      if (i + 1 == count) {
+        std::fprintf(stderr, "%s wants a value\n", argument.c_str());
+        std::exit(2);
+      }
+      return std::string(arguments[++i]);
+    };
+    if (argument == "--json") {
+      json = value();
+    } else if (argument == "--plot") {
+      plot = value();
+    } else if (argument == "--seed") {
+      seed = std::strtoull(value().c_str(), nullptr, 10);
+    } else {
+      rest.push_back(argument);
+    }
+  }
+  std::vector<char*> pointers;
+  for (auto& option : rest) pointers.push_back(option.data());
+  int rest_count = static_cast<int>(pointers.size());
+  benchmark::Initialize(&rest_count, pointers.data());
+  if (benchmark::ReportUnrecognizedArguments(rest_count, pointers.data())) return 2;
+
+  Suite suite(seed);
+  add_raycasts(suite);
+  add_contains(suite);
+  add_closest_points(suite);
+  add_distances(suite);
+  add_overlaps(suite);
+  add_intersects(suite);
+  add_baselines(suite);
+  add_engines(suite);
+  if (!hits_are_right(suite.records())) return 1;
+
+  Results results;
+  results.machine = this_machine();
+  results.seed = seed;
+  results.records = suite.records();
+  Collector collector(results);
+  benchmark::RunSpecifiedBenchmarks(&collector);
+
+  write_tables(stdout, results);
+  write_file(json, [&](std::FILE* file) { write_json(file, results); });
+  write_file(plot, [&](std::FILE* file) { write_plot(file, results); });
+  return 0;
+}
+
+}  // namespace
+
+}  // namespace detent::bench
+
+int main(int count, char** arguments) { return detent::bench::run(count, arguments); }

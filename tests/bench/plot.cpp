@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+
+#include "bench/results.hpp"
+
+namespace detent::bench {
+
+namespace {
+
+struct Series {
+  const char* scalar;
+  const char* color;
+};
+constexpr std::array<Series, 6> series{{{"float", "#888888"},
+                                        {"double", "#222222"},
+                                        {"q16_16", "#d62728"},
+                                        {"q14_16", "#ff7f0e"},
+                                        {"q24_8", "#2ca02c"},
+                                        {"q8_8", "#1f77b4"}}};
+
+/// A logarithmic scale on the page.
+struct Axis {
+  double from, to;    // values
+  double start, end;  // on the page
+  [[nodiscard]] double at(double x) const {
+    const double part = std::log(x / from) / std::log(to / from);
+    return start + std::clamp(part, 0.0, 1.0) * (end - start);
+  }
+};
+
+class Panel {
+ public:
+  Panel(std::FILE* out, double left, const char* title, const char* label, Axis y)
+      : out_(out), x_{0.25, 8, left + 70, left + 430}, y_(y) {
+    text(left + 250, 30, "middle", title);
+    text(left + 250, 455, "middle", "time as a multiple of float");
+    std::fprintf(
+        out_, "<text transform='translate(%.0f 235) rotate(-90)' text-anchor='middle'>%s</text>\n",
+        left + 14, label);
+    for (const double x : {0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 8.0}) {
+      line(x_.at(x), y_.start, x_.at(x), y_.end, x == 1 ? "#888888" : "#dddddd");
+      std::array<char, 16> mark{};
+      std::snprintf(mark.data(), mark.size(), "%g", x);
+      text(x_.at(x), y_.start + 18, "middle", mark.data());
+    }
+  }
+  void mark(double y, const char* name) {
+    line(x_.start, y_.at(y), x_.end, y_.at(y), "#dddddd");
+    text(x_.start - 6, y_.at(y) + 4, "end", name);
+  }
+  /// Points of one place are set apart by `nudge`, so that each shows.
+  void point(double x, double y, double nudge, const char* color, const std::string& name) {
+    std::fprintf(out_,
+                 "<circle cx='%.1f' cy='%.1f' r='3.5' fill='%s' fill-opacity='0.75'><title>%s: "
+                 "%.2f x float, %.2g</title></circle>\n",
+                 x_.at(x), y_.at(y) + nudge, color, name.c_str(), x, y);
+  }
+
+ private:
+  void line(double x1, double y1, double x2, double y2, const char* color) {
+    std::fprintf(out_, "<path d='M%.1f %.1fL%.1f %.1f' stroke='%s'/>\n", x1, y1, x2, y2, color);
+  }
+  void text(double x, double y, const char* anchor, const char* words) {
+    std::fprintf(out_, "<text x='%.1f' y='%.1f' text-anchor='%s'>%s</text>\n", x, y, anchor, words);
+  }
+
+  std::FILE* out_;
+  Axis x_;
+  Axis y_;
+};
+
+}  // namespace
+
+void write_plot(std::FILE* out, const Results& results) {
+  std::fprintf(out,
+               "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 920 500' "
+               "font-family='sans-serif' font-size='12'>\n"
+               "<rect width='920' height='500' fill='white'/>\n");
+  Panel decisions(out, 0, "Hit or miss, a step of 1/256 from touching", "wrong answers",
+                  {0.0005, 1, 410, 50});
+  decisions.mark(0.0005, "none");
+  decisions.mark(0.001, "0.1 %");
+  decisions.mark(0.01, "1 %");
+  decisions.mark(0.1, "10 %");
+  decisions.mark(1, "100 %");
+  Panel lengths(out, 460, "Distances and closest points", "largest error, in units",
+                {1e-6, 1, 410, 50});
+  for (const auto& [value, name] : {std::pair{1e-6, "1e-6"},
+                                    {1e-5, "1e-5"},
+                                    {1e-4, "1e-4"},
+                                    {1e-3, "1e-3"},
+                                    {1e-2, "0.01"},
+                                    {0.1, "0.1"},
+                                    {1.0, "1"}}) {
+    lengths.mark(value, name);
+  }
+
+  double legend = 190;
+  for (const auto& [scalar, color] : series) {
+    std::fprintf(out,
+                 "<circle cx='%.0f' cy='482' r='5' fill='%s'/><text x='%.0f' y='486'>%s</text>\n",
+                 legend, color, legend + 10, scalar);
+    legend += 100;
+    for (const auto& record : results.records) {
+      if (record.scalar != scalar) continue;
+      const Times* const time = results.find(record.query, scalar, Manner::shuffled);
+      const Times* const base = results.find(record.query, "float", Manner::shuffled);
+      if (time == nullptr || base == nullptr || record.query.rfind("number", 0) == 0) continue;
+      const double ratio = time->median() / base->median();
+      const std::string name = record.query + ' ' + scalar;
+      const auto& accuracy = record.accuracy;
+      if (accuracy.close_asked != 0) {
+        const double wrong =
+            static_cast<double>(accuracy.close_wrong) / static_cast<double>(accuracy.close_asked);
+        const double nudge = wrong > 0
+                                 ? 0
+                                 : -5 * static_cast<double>(&record - results.records.data()) /
+                                       static_cast<double>(results.records.size());
+        decisions.point(ratio, std::max(wrong, 0.0005), nudge, color, name);
+      }
+      if (accuracy.error > 0) lengths.point(ratio, accuracy.error, 0, color, name);
+    }
+  }
+  std::fprintf(out, "</svg>\n");
+}
+
+}  // namespace detent::bench

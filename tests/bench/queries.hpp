@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bench/question.hpp"
+
+namespace detent::bench {
+
+// What is measured: a new query is a line here and one in golden.hpp.
+
+template <Scalar S, int N>
+using Point = Vec<S, N>;
+
+inline constexpr auto ask_raycast = [](const auto& ray, const auto& shape) {
+  return raycast(ray, shape);
+};
+inline constexpr auto ask_raycast_hit = [](const auto& ray, const auto& shape) {
+  return raycast_hit(ray, shape);
+};
+inline constexpr auto ask_raycast_interval = [](const auto& ray, const auto& shape) {
+  return raycast_interval(ray, shape);
+};
+inline constexpr auto ask_contains = [](const auto& shape, const auto& point) {
+  return contains(shape, point);
+};
+inline constexpr auto ask_closest_point = [](const auto& shape, const auto& point) {
+  return closest_point(shape, point);
+};
+inline constexpr auto ask_distance = [](const auto& shape, const auto& point) {
+  return distance(shape, point);
+};
+inline constexpr auto ask_overlaps = [](const auto& a, const auto& b) { return overlaps(a, b); };
+inline constexpr auto ask_intersects = [](const auto& segment, const auto& shape) {
+  return intersects(segment, shape);
+};
+
+template <class Visit>
+void visit_raycasts(const Visit& visit) {
+  visit(query<Ray, Sphere>("raycast/sphere", ask_raycast));
+  visit(query<Ray, Aabb>("raycast/aabb", ask_raycast));
+  visit(query<Ray, Obb>("raycast/obb", ask_raycast));
+  visit(query<Ray, Plane>("raycast/plane", ask_raycast));
+  visit(query<Ray, Triangle>("raycast/triangle", ask_raycast));
+  visit(query<Ray, Sphere>("raycast_hit/sphere", ask_raycast_hit));
+  visit(query<Ray, Aabb>("raycast_hit/aabb", ask_raycast_hit));
+  visit(query<Ray, Obb>("raycast_hit/obb", ask_raycast_hit));
+  visit(query<Ray, Plane>("raycast_hit/plane", ask_raycast_hit));
+  visit(query<Ray, Triangle>("raycast_hit/triangle", ask_raycast_hit));
+  visit(query<Ray, Sphere>("raycast_interval/sphere", ask_raycast_interval));
+  visit(query<Ray, Aabb>("raycast_interval/aabb", ask_raycast_interval));
+  visit(query<Ray, Obb>("raycast_interval/obb", ask_raycast_interval));
+}
+
+template <class Visit>
+void visit_contains(const Visit& visit) {
+  visit(query<Sphere, Point>("contains/sphere", ask_contains));
+  visit(query<Aabb, Point>("contains/aabb", ask_contains));
+  visit(query<Obb, Point>("contains/obb", ask_contains));
+  visit(query<Plane, Point>("contains/plane", ask_contains));
+  visit(query<Triangle, Point>("contains/triangle", ask_contains));
+  visit(query<Capsule, Point>("contains/capsule", ask_contains));
+  visit(query<Segment, Point>("contains/segment", ask_contains));
+  visit(query<Ray, Point>("contains/ray", ask_contains));
+}
+
+template <class Visit>
+void visit_closest_points(const Visit& visit) {
+  visit(query<Sphere, Point>("closest_point/sphere", ask_closest_point));
+  visit(query<Aabb, Point>("closest_point/aabb", ask_closest_point));
+  visit(query<Obb, Point>("closest_point/obb", ask_closest_point));
+  visit(query<Plane, Point>("closest_point/plane", ask_closest_point));
+  visit(query<Triangle, Point>("closest_point/triangle", ask_closest_point));
+  visit(query<Capsule, Point>("closest_point/capsule", ask_closest_point));
+  visit(query<Segment, Point>("closest_point/segment", ask_closest_point));
+  visit(query<Ray, Point>("closest_point/ray", ask_closest_point));
+}
+
+template <class Visit>
+void visit_distances(const Visit& visit) {
+  visit(query<Point, Point>("distance/point", ask_distance));
+  visit(query<Sphere, Point>("distance/sphere", ask_distance));
+  visit(query<Aabb, Point>("distance/aabb", ask_distance));
+  visit(query<Obb, Point>("distance/obb", ask_distance));
+  visit(query<Plane, Point>("distance/plane", ask_distance));
+  visit(query<Triangle, Point>("distance/triangle", ask_distance));
+  visit(query<Capsule, Point>("distance/capsule", ask_distance));
+  visit(query<Segment, Point>("distance/segment", ask_distance));
+  visit(query<Ray, Point>("distance/ray", ask_distance));
+}
+
+template <class Visit>
+void visit_overlaps(const Visit& visit) {
+  visit(query<Sphere, Sphere>("overlaps/sphere_sphere", ask_overlaps));
+  visit(query<Sphere, Aabb>("overlaps/sphere_aabb", ask_overlaps));
+  visit(query<Sphere, Obb>("overlaps/sphere_obb", ask_overlaps));
+  visit(query<Sphere, Plane>("overlaps/sphere_plane", ask_overlaps));
+  visit(query<Sphere, Triangle>("overlaps/sphere_triangle", ask_overlaps));
+  visit(query<Sphere, Capsule>("overlaps/sphere_capsule", ask_overlaps));
+  visit(query<Aabb, Capsule>("overlaps/aabb_capsule", ask_overlaps));
+  visit(query<Obb, Capsule>("overlaps/obb_capsule", ask_overlaps));
+  visit(query<Plane, Capsule>("overlaps/plane_capsule", ask_overlaps));
+  visit(query<Triangle, Capsule>("overlaps/triangle_capsule", ask_overlaps));
+  visit(query<Capsule, Capsule>("overlaps/capsule_capsule", ask_overlaps));
+}
+
+template <class Visit>
+void visit_intersects(const Visit& visit) {
+  visit(query<Segment, Sphere>("intersects/sphere", ask_intersects));
+  visit(query<Segment, Aabb>("intersects/aabb", ask_intersects));
+  visit(query<Segment, Obb>("intersects/obb", ask_intersects));
+  visit(query<Segment, Plane>("intersects/plane", ask_intersects));
+  visit(query<Segment, Triangle>("intersects/triangle", ask_intersects));
+  visit(query<Segment, Capsule>("intersects/capsule", ask_intersects));
+  visit(query<Segment, Segment>("intersects/segment", ask_intersects));
+}
+
+}  // namespace detent::bench

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bench/draw.hpp"
+
+namespace detent::bench {
+
+inline constexpr std::uint64_t default_seed = 20260101;
+inline constexpr std::size_t question_count = 4096;
+
+/// A query with its name and the types of its two shapes, as templates on the scalar.
+template <template <class, int> class A, template <class, int> class B, class Ask>
+struct Query {
+  std::string_view name;
+  Ask ask;
+
+  template <class S>
+  using First = A<S, 3>;
+  template <class S>
+  using Second = B<S, 3>;
+  template <class S>
+  using Question = std::pair<First<S>, Second<S>>;
+
+  template <class S>
+  auto operator()(const Question<S>& question) const {
+    return ask(question.first, question.second);
+  }
+};
+
+template <template <class, int> class A, template <class, int> class B, class Ask>
+constexpr Query<A, B, Ask> query(std::string_view name, const Ask& ask) {
+  return {name, ask};
+}
+
+inline bool is_hit(bool answer) { return answer; }
+template <class T>
+bool is_hit(const std::optional<T>& answer) {
+  return answer.has_value();
+}
+/// Distances and closest points have no misses: they count where there is a way to go.
+template <Scalar S>
+bool is_hit(const S& distance) {
+  return distance > 0;
+}
+
+/// Whether the answer to `question` is a hit.
+template <class S, class Q>
+bool hits(const Q& query, const typename Q::template Question<S>& question) {
+  const auto answer = query.template operator()<S>(question);
+  if constexpr (std::is_same_v<std::remove_cvref_t<decltype(answer)>, Vec<S, 3>>) {
+    return answer != question.second;
+  } else {
+    return is_hit(answer);
+  }
+}
+
+/// The questions for `query`, in double: about half of them hits, as double answers, where shapes
+/// without volume do not make hits improbable.
+template <class Q>
+std::vector<typename Q::template Question<double>> draw_questions(const Q& query,
+                                                                  std::uint64_t seed, Scale scale) {
+  constexpr int patience = 64;
+  Artist artist(seed, scale);
+  std::vector<typename Q::template Question<double>> questions(question_count);
+  for (auto& question : questions) {
+    const bool wanted = artist.coin();
+    for (int i = 0; i < patience; ++i) {
+      artist.next_scene();
+      artist.draw(question.first);
+      artist.draw(question.second);
+      if (hits<double>(query, question) == wanted) break;
+    }
+  }
+  return questions;
+}
+
+template <class S, class Q>
+auto as_questions(const Q&, const std::vector<typename Q::template Question<double>>& drawn) {
+  std::vector<typename Q::template Question<S>> questions;
+  questions.reserve(drawn.size());
+  for (const auto& [a, b] : drawn) questions.emplace_back(as<S>(a), as<S>(b));
+  return questions;
+}
+
+/// q8_8 has room for small scenes only.
+template <class S>
+inline constexpr Scale scale_for = bits_of<S> == 15 ? small : ordinary;
+
+template <class S, class Q>
+std::size_t count_hits(const Q& query,
+                       const std::vector<typename Q::template Question<S>>& questions) {
+  std::size_t count = 0;
+  for (const auto& question : questions) count += hits<S>(query, question) ? 1u : 0u;
+  return count;
+}
+
+}  // namespace detent::bench

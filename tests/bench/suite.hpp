@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench/accuracy.hpp"
+#include "bench/golden.hpp"
+#include "bench/queries.hpp"
+
+namespace detent::bench {
+
+template <class S>
+inline const std::string scalar_name = "float";
+template <>
+inline const std::string scalar_name<double> = "double";
+template <>
+inline const std::string scalar_name<q16_16> = "q16_16";
+template <>
+inline const std::string scalar_name<q14_16> = "q14_16";
+template <>
+inline const std::string scalar_name<q24_8> = "q24_8";
+template <>
+inline const std::string scalar_name<q8_8> = "q8_8";
+
+/// How a benchmark asks its questions.
+enum class Manner {
+  shuffled,  // independent questions, hits and misses mixed in an order that changes every pass
+  sorted,    // independent questions, hits first, so that the processor predicts every branch
+  chained,   // shuffled, and where each question is found depends on the answer before it
+};
+inline constexpr Manner manners[] = {Manner::shuffled, Manner::sorted, Manner::chained};
+inline std::string name_of(Manner manner) {
+  return manner == Manner::shuffled ? "shuffled" : manner == Manner::sorted ? "sorted" : "chained";
+}
+
+inline std::string benchmark_name(const std::string& query, const std::string& scalar,
+                                  Manner manner) {
+  return query + '|' + scalar + '|' + name_of(manner);
+}
+
+/// What a suite knows of one query in one scalar besides its time.
+struct Record {
+  std::string query;
+  std::string scalar;
+  std::size_t hits;
+  std::size_t expected;  // hits of the exact answers
+  bool is_exact;         // has to give the expected number
+  Accuracy accuracy;
+};
+
+/// The low bits of an answer: what a chain of questions waits for.
+template <class Answer>
+std::uint32_t bits_of_answer(const Answer& answer) {
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &answer, std::min(sizeof bits, sizeof answer));
+  return bits;
+}
+
+/// Zero, which no compiler knows.
+inline volatile std::uint32_t always_zero = 0;
+
+/// Times `ask(questions[i])` for all of them in the manner given.
+template <class Question, class Ask>
+void measure(benchmark::State& state, const std::vector<Question>& questions, const Ask& ask,
+             Manner manner) {
+  static_assert((question_count & (question_count - 1)) == 0);
+  constexpr std::uint32_t mask = question_count - 1;
+  const std::uint32_t zero = always_zero;
+  // An odd stride visits every question once. A new one each pass keeps the processor from learning
+  // the answers by heart.
+  std::uint32_t stride = 1, at = 0;
+  for (auto _ : state) {
+    if (manner != Manner::sorted) stride = (stride * 1664525 + 1013904223) | 1;
+    if (manner == Manner::chained) {
+      for (std::uint32_t i = 0; i < question_count; ++i) {
+        const auto answer = ask(questions[at & mask]);
+        at += stride + (bits_of_answer(answer) & zero);
+      }
+    } else {
+      for (std::uint32_t i = 0; i < question_count; ++i, at += stride) {
+        auto answer = ask(questions[at & mask]);
+        benchmark::DoNotOptimize(answer);
+      }
+    }
+  }
+  benchmark::DoNotOptimize(at);
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) *
+                          static_cast<std::int64_t>(question_count));
+}
+
+/// The benchmarks of a run, and what is known of them.
+class Suite {
+ public:
+  explicit Suite(std::uint64_t seed) : seed_(seed) {}
+
+  [[nodiscard]] std::uint64_t seed() const { return seed_; }
+  [[nodiscard]] const std::vector<Record>& records() const { return records_; }
+
+  /// Registers `query` in every scalar.
+  template <class Q>
+  void operator()(const Q& query) {
+    const auto ordinary_questions = draw_questions(query, seed_, ordinary);
+    const auto small_questions = draw_questions(query, seed_, small);
+    const Golden* golden = seed_ == default_seed ? golden_for(query.name) : nullptr;
+    const auto add_scalar = [&]<class S>(S) {
+      constexpr bool is_small = scale_for<S>.reach == small.reach;
+      const auto& drawn = is_small ? small_questions : ordinary_questions;
+      auto questions = as_questions<S>(query, drawn);
+      const auto hit_count = count_hits<S>(query, questions);
+      const auto exact = as_questions<q16_16>(query, drawn);
+      const auto expected = golden == nullptr ? count_hits<q16_16>(query, exact)
+                            : is_small        ? golden->small
+                                              : golden->ordinary;
+      records_.push_back({std::string(query.name), scalar_name<S>, hit_count, expected, is_fixed<S>,
+                          accuracy_of<S>(query, drawn)});
+      add(
+          std::string(query.name), scalar_name<S>, std::move(questions),
+          [query](const auto& question) { return query.template operator()<S>(question); },
+          [query](const auto& question) { return hits<S>(query, question); });
+    };
+    add_scalar(float());
+    add_scalar(double());
+    add_scalar(q16_16());
+    add_scalar(q14_16());
+    add_scalar(q24_8());
+    add_scalar(q8_8());
+  }
+
+  /// Registers a function of our own or of others under the name of a query and a scalar.
+  void add_record(const Record& record) { records_.push_back(record); }
+  template <class Question, class Ask, class IsHit>
+  void add(const std::string& query, const std::string& scalar, std::vector<Question> questions,
+           const Ask& ask, const IsHit& is_hit) {
+    auto sorted = std::make_shared<std::vector<Question>>(questions);
+    std::stable_partition(sorted->begin(), sorted->end(), is_hit);
+    const auto shuffled = std::make_shared<std::vector<Question>>(std::move(questions));
+    for (const Manner manner : manners) {
+      const auto chosen = manner == Manner::sorted ? sorted : shuffled;
+      benchmark::RegisterBenchmark(
+          benchmark_name(query, scalar, manner).c_str(),
+          [chosen, ask, manner](benchmark::State& state) { measure(state, *chosen, ask, manner); });
+    }
+  }
+
+ private:
+  std::uint64_t seed_;
+  std::vector<Record> records_;
+};
+
+// Each in a source file of its own, because the compiler needs some time for every query.
+void add_raycasts(Suite& suite);
+void add_contains(Suite& suite);
+void add_closest_points(Suite& suite);
+void add_distances(Suite& suite);
+void add_overlaps(Suite& suite);
+void add_intersects(Suite& suite);
+void add_baselines(Suite& suite);
+void add_engines(Suite& suite);
+
+}  // namespace detent::bench

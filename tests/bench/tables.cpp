@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <set>
+
+#include "bench/results.hpp"
+
+namespace detent::bench {
+
+namespace {
+
+constexpr std::array<const char*, 6> own_scalars{"float",  "double", "q16_16",
+                                                 "q14_16", "q24_8",  "q8_8"};
+
+bool is_own(const std::string& scalar) {
+  return std::find(own_scalars.begin(), own_scalars.end(), scalar) != own_scalars.end();
+}
+
+std::vector<std::string> queries_of(const Results& results) {
+  std::vector<std::string> queries;
+  for (const auto& record : results.records) {
+    if (queries.empty() || std::find(queries.begin(), queries.end(), record.query) == queries.end())
+      queries.push_back(record.query);
+  }
+  return queries;
+}
+
+const Record* find_record(const Results& results, const std::string& query,
+                          const std::string& scalar) {
+  for (const auto& record : results.records) {
+    if (record.query == query && record.scalar == scalar) return &record;
+  }
+  return nullptr;
+}
+
+void write_ratios(std::FILE* out, const Results& results, Manner manner) {
+  std::fprintf(out,
+               "| query | float, ns | double | q16_16 | q14_16 | q24_8 | q8_8 |\n"
+               "|---|---:|---:|---:|---:|---:|---:|\n");
+  for (const auto& query : queries_of(results)) {
+    const Times* const base = results.find(query, "float", manner);
+    if (base == nullptr || results.find(query, "q8_8", manner) == nullptr) continue;
+    std::fprintf(out, "| %-25s | %5.1f |", query.c_str(), base->median());
+    for (const std::string scalar : own_scalars) {
+      if (scalar == "float") continue;
+      const Times* const time = results.find(query, scalar, manner);
+      if (time == nullptr) {
+        std::fprintf(out, " |");
+        continue;
+      }
+      const auto ratio = results.ratio(*time, *base);
+      std::fprintf(out, " %.2f ± %.2f |", ratio.median, ratio.spread);
+    }
+    std::fprintf(out, "\n");
+  }
+}
+
+/// A count of wrong answers: `0` for none, else of how many.
+std::string share(std::size_t wrong, std::size_t asked) {
+  if (asked == 0) return "";
+  if (wrong == 0) return "0";
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g %%",
+                100.0 * static_cast<double>(wrong) / static_cast<double>(asked));
+  return text.data();
+}
+
+std::string length(double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1e", x);
+  return text.data();
+}
+
+void write_accuracy(std::FILE* out, const Results& results) {
+  std::fprintf(out,
+               "| query | float wrong | when close | float error | double error | q16_16 wrong | "
+               "when close | q24_8 error | q8_8 wrong | q8_8 error |\n"
+               "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+  for (const auto& query : queries_of(results)) {
+    const Record* const records[] = {
+        find_record(results, query, "float"), find_record(results, query, "double"),
+        find_record(results, query, "q16_16"), find_record(results, query, "q24_8"),
+        find_record(results, query, "q8_8")};
+    if (records[4] == nullptr) continue;
+    const auto& [single, twice, exact, coarse, tiny] = records;
+    const auto& a = single->accuracy;
+    const bool decides = a.close_asked != 0;
+    const auto wrong = [&](const Record& record) {
+      return decides ? share(record.accuracy.wrong, record.accuracy.asked) : std::string();
+    };
+    const auto close = [&](const Record& record) {
+      return share(record.accuracy.close_wrong, record.accuracy.close_asked);
+    };
+    const auto error = [&](const Record& record) {
+      return single->accuracy.error == 0 ? std::string() : length(record.accuracy.error);
+    };
+    std::fprintf(out, "| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", query.c_str(),
+                 wrong(*single).c_str(), close(*single).c_str(), error(*single).c_str(),
+                 error(*twice).c_str(), wrong(*exact).c_str(), close(*exact).c_str(),
+                 error(*coarse).c_str(), wrong(*tiny).c_str(), error(*tiny).c_str());
+  }
+}
+
+void write_baselines(std::FILE* out, const Results& results) {
+  std::fprintf(out,
+               "| question | answered by | ns | multiple of float | wrong | error |\n"
+               "|---|---|---:|---:|---:|---:|\n");
+  for (const auto& query : queries_of(results)) {
+    const bool has_baseline = std::any_of(
+        results.records.begin(), results.records.end(),
+        [&](const Record& record) { return record.query == query && !is_own(record.scalar); });
+    const Times* const base = results.find(query, "float", Manner::shuffled);
+    if (!has_baseline || base == nullptr) continue;
+    for (const auto& record : results.records) {
+      if (record.query != query) continue;
+      if (is_own(record.scalar) && record.scalar != "float" && record.scalar != "q16_16") continue;
+      const Times* const time = results.find(query, record.scalar, Manner::shuffled);
+      if (time == nullptr) continue;
+      const auto ratio = results.ratio(*time, *base);
+      std::fprintf(out, "| %s | %s | %.1f | %.2f ± %.2f | %s | %s |\n", query.c_str(),
+                   record.scalar.c_str(), time->median(), ratio.median, ratio.spread,
+                   share(record.accuracy.wrong, record.accuracy.asked).c_str(),
+                   length(record.accuracy.error).c_str());
+    }
+  }
+}
+
+}  // namespace
+
+void write_tables(std::FILE* out, const Results& results) {
+  std::fprintf(out, "%s; %s; %s; seed %llu\n", results.machine.processor.c_str(),
+               results.machine.compiler.c_str(), results.machine.date.c_str(),
+               static_cast<unsigned long long>(results.seed));
+  for (const Manner manner : manners) {
+    std::fprintf(out, "\nMultiples of float, %s\n\n", name_of(manner).c_str());
+    write_ratios(out, results, manner);
+  }
+  std::fprintf(out, "\nAccuracy\n\n");
+  write_accuracy(out, results);
+  std::fprintf(out, "\nBaselines\n\n");
+  write_baselines(out, results);
+}
+
+void write_json(std::FILE* out, const Results& results) {
+  std::fprintf(out,
+               "{\"processor\": \"%s\", \"compiler\": \"%s\", \"date\": \"%s\", \"seed\": %llu, "
+               "\"questions\": %zu,\n \"results\": [",
+               results.machine.processor.c_str(), results.machine.compiler.c_str(),
+               results.machine.date.c_str(), static_cast<unsigned long long>(results.seed),
+               question_count);
+  const char* separator = "\n";
+  for (const auto& record : results.records) {
+    std::fprintf(out,
+                 "%s  {\"query\": \"%s\", \"scalar\": \"%s\", \"hits\": %zu, \"exact_hits\": %zu, "
+                 "\"asked\": %zu, \"wrong\": %zu, \"close_asked\": %zu, \"close_wrong\": %zu, "
+                 "\"error\": %.6g",
+                 separator, record.query.c_str(), record.scalar.c_str(), record.hits,
+                 record.expected, record.accuracy.asked, record.accuracy.wrong,
+                 record.accuracy.close_asked, record.accuracy.close_wrong, record.accuracy.error);
+    separator = ",\n";
+    for (const Manner manner : manners) {
+      const Times* const time = results.find(record.query, record.scalar, manner);
+      if (time == nullptr) continue;
+      std::fprintf(out, ", \"%s\": {\"ns\": [%.4g, %.4g, %.4g]", name_of(manner).c_str(),
+                   time->low(), time->median(), time->high());
+      if (const Times* const base = results.find(record.query, "float", manner)) {
+        const auto ratio = results.ratio(*time, *base);
+        std::fprintf(out, ", \"ratio\": %.4g, \"spread\": %.2g", ratio.median, ratio.spread);
+      }
+      std::fprintf(out, "}");
+    }
+    std::fprintf(out, "}");
+  }
+  std::fprintf(out, "\n]}\n");
+}
+
+}  // namespace detent::bench
