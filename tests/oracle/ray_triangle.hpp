@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "detent/shape/segment.hpp"
 #include "detent/shape/triangle.hpp"
 #include "oracle/half_spaces.hpp"
 
@@ -88,6 +89,15 @@ Expected<N> raycast_collapsed(const Line<N>& line, const std::array<Vector<N>, 3
     longest = i;
   }
   const auto inside = on_segment<N>(line, corners[longest], corners[(longest + 1) % 3]);
+  if (!inside) return {};
+  return hit<N>(line, floor(inside->enter), floor(inside->exit), against(line));
+}
+
+template <Scalar S, int N>
+Expected<N> expected_raycast(const Ray<S, N>& ray, const Segment<S, N>& segment) {
+  const auto line = oracle::line(ray);
+  if (line.max < 0) return {};
+  const auto inside = on_segment<N>(line, raw(segment.start), raw(segment.end));
   if (!inside) return {};
   return hit<N>(line, floor(inside->enter), floor(inside->exit), against(line));
 }

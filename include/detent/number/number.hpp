@@ -10,6 +10,7 @@
 #include "detent/number/divide.hpp"
 #include "detent/number/fixed.hpp"
 #include "detent/number/integer.hpp"
+#include "detent/number/long_quadratic.hpp"
 #include "detent/number/root.hpp"
 #include "detent/number/rounding.hpp"
 #include "detent/number/scalar.hpp"

@@ -7,10 +7,12 @@
 //   raycast_interval(ray, shape) -> std::optional<Interval<S>>   enter, exit
 
 #include "detent/query/raycast/aabb.hpp"
+#include "detent/query/raycast/capsule.hpp"
 #include "detent/query/raycast/compound.hpp"
 #include "detent/query/raycast/hit.hpp"
 #include "detent/query/raycast/hull.hpp"
 #include "detent/query/raycast/obb.hpp"
 #include "detent/query/raycast/plane.hpp"
+#include "detent/query/raycast/segment.hpp"
 #include "detent/query/raycast/sphere.hpp"
 #include "detent/query/raycast/triangle.hpp"
