@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cstdlib>
+
 #include "query/overlaps/helpers.hpp"
 
 namespace detent::test {
@@ -118,6 +120,34 @@ TEMPLATE_TEST_CASE("overlaps, triangle: one raw unit decides, at the ends of the
   CHECK(meet(Obb<S, N>{{}, high, {}}, half));
   CHECK(meet(Obb<S, N>{high, high, {}}, Triangle<S, N>{low, low, Vec<S, N>()}));
   CHECK_FALSE(meet(Obb<S, N>{high, high, {}}, Triangle<S, N>{low, low, filled<S, N>(point.x)}));
+}
+
+/// Random bits of every length, up to all that the type has.
+template <Number T>
+T random_number(Random& random) {
+  using Raw = typename T::raw_type;
+  const int above = static_cast<int>(random.below(static_cast<std::uint64_t>(T::bits - 61)));
+  return T::from_raw(shift_left(integer_cast<Raw>(random.wide(62)), above));
+}
+
+TEST_CASE("overlaps, obb and triangle: narrow integers answer as wide ones", "[overlaps]") {
+  using Half = Fixed<31, 16>;
+  Random random(0x0bb7);
+  HitRate rate;
+  for (int i = 0; i < 4000; ++i) {
+    const auto half = make_vec<3>(
+        [&](int) { return Half::from_raw(static_cast<std::int32_t>(std::abs(random.wide(31)))); });
+    const auto height = random_number<Fixed<94, 48>>(random);
+    const auto along = make_vec<3>([&](int) { return random_number<Fixed<94, 62>>(random); });
+    const Fixed<99, 48> wide_height(height);
+    const auto wide_along = make_vec<3>([&](int k) { return Fixed<97, 62>(along[k]); });
+    const bool answer = detail::is_beyond(height, along, half);
+    INFO(random << ", case " << i);
+    CHECK(detail::is_beyond(wide_height, wide_along, half) == answer);
+    rate.count(answer);
+  }
+  INFO(rate);
+  CHECK(rate.is_balanced());
 }
 
 }  // namespace
