@@ -77,11 +77,53 @@ void turn(Angle<S> angle, const Direction<S, 3>& axis, S x, S y, S z, S w, Rotat
   numbers[3] = Angle<S>::from_radians(x).radians();
 }
 
+template <Scalar S>
+struct Motions {
+  Quat<S> turns[6];
+  Transform<S, 3> frames[4];
+  Mat<S, 4, 4> matrices[4];
+  Vec<S, 3> vectors[8];
+  Angle<S> angles[2];
+};
+
+template <Scalar S>
+void move(const Vec<S, 3>& u, const Vec<S, 3>& v, Angle<S> angle, S t, const Quat<S>& p,
+          const Transform<S, 3>& frame, Motions<S>& motions) noexcept {
+  auto& [turns, frames, matrices, vectors, angles] = motions;
+  const auto q = Quat<S>::normalize(u.x, u.y, u.z, t).value_or(p);
+  turns[0] = Quat<S>::from_euler(angle, -angle, angle + angle);
+  turns[1] = Quat<S>::from_axis_angle(frame.rotation.axis(0), angle);
+  turns[2] = Quat<S>::from_rotation(frame.rotation);
+  turns[3] = compose(p, q);
+  turns[4] = nlerp(p, q, t);
+  turns[5] = slerp(p, q, t);
+  frames[0] = compose(frame, inverse(frame).value_or(frame));
+  frames[1].rotation = orthogonalize(to_rotation(q)).value_or(frame.rotation);
+  frames[2] = decompose(matrices[3]).value_or(frame);
+  frames[3] = look_at(u, v, frame.translation).value_or(frame);
+  matrices[0] = nearest_to<S>(to_mat(frame) * view_matrix(frame));
+  matrices[1] = inverse(matrices[3]).value_or(matrices[3]);
+  matrices[2] = perspective(angle, u.x, u.y, u.z).value_or(identity<S, 4>());
+  vectors[0] = project_point(matrices[2], u).value_or(v);
+  vectors[1] = transform_point(frame, u);
+  vectors[2] = inverse_transform_point(frame, u);
+  vectors[3] = rotate(q, u);
+  vectors[4] = project(u, v);
+  vectors[5] = reject(u, v);
+  vectors[6] = reflect(u, frame.rotation.axis(1));
+  vectors[7] = lerp(u, v, t);
+  angles[0] = angle_between(u, v);
+  angles[1] = angle_of(q);
+}
+
 #define DETENT_MEASURE(S, N)                                                              \
   template void measure_all(const Vec<S, N>&, const Sphere<S, N>&, const Aabb<S, N>&,     \
                             const Obb<S, N>&, const Plane<S, N>&, const Triangle<S, N>&,  \
                             const Capsule<S, N>&, const Segment<S, N>&, const Ray<S, N>&, \
                             Measures<S, N>*, Vec<direction_component<S>, 3>&) noexcept
+#define DETENT_MOVE(S)                                                                \
+  template void move(const Vec<S, 3>&, const Vec<S, 3>&, Angle<S>, S, const Quat<S>&, \
+                     const Transform<S, 3>&, Motions<S>&) noexcept
 #define DETENT_USE(S)                                                                    \
   template void cast_at_all(const Ray<S, 2>&, const Sphere<S, 2>&, const Aabb<S, 2>&,    \
                             const Obb<S, 2>&, const Plane<S, 2>&, const Triangle<S, 2>&, \
@@ -95,6 +137,7 @@ void turn(Angle<S> angle, const Direction<S, 3>& axis, S x, S y, S z, S w, Rotat
   template std::optional<Direction<S, 3>> normalize(const Vec<S, 3>&) noexcept
 
 DETENT_USE(q16_16);
+DETENT_MOVE(q16_16);
 DETENT_MEASURE(q16_16, 2);
 DETENT_MEASURE(q16_16, 3);
 DETENT_USE(q14_16);
@@ -104,6 +147,7 @@ DETENT_USE(q24_8);
 DETENT_MEASURE(q24_8, 2);
 DETENT_MEASURE(q24_8, 3);
 DETENT_USE(q8_8);
+DETENT_MOVE(q8_8);
 DETENT_MEASURE(q8_8, 2);
 DETENT_MEASURE(q8_8, 3);
 

@@ -29,22 +29,15 @@ template <int Bits, Number A, Number B, int N>
 
 /// The angle between two vectors, in [0, 1/2] turn.
 ///
-/// domain: every pair of vectors of one component type of at most 78 bits
-/// result: 0 where one of them is the zero vector
+/// domain: every pair of vectors; 0 where one of them is the zero vector
 /// exact:  off by less than 0.5 + 2^-28 units of 2^-32 turn; a multiple of an eighth of a turn is
-///         exact                                            (tests/math/angle_between.test.cpp)
+///         exact                                              (tests/math/angle_between.test.cpp)
 /// source: atan2(|u x v|, dot(u, v)): no division, and no arc cosine that is blind near 0
-template <Scalar S, Number T, int N>
-[[nodiscard]] constexpr Angle<S> angle_between_of(const Vec<T, N>& u, const Vec<T, N>& v) noexcept {
-  // |u|^2 |v|^2 <= (4 * 2^2B)^2
-  constexpr int bits = detail::result_bits(4 * bits_of<T> + 4);
-  return angle_of_arc<S>(detail::squared_area<bits>(u, v), dot(u, v));
-}
-
-/// `angle_between_of` for vectors of scalars, whose angle goes with the same scalar.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Angle<S> angle_between(const Vec<S, N>& u, const Vec<S, N>& v) noexcept {
-  return angle_between_of<S>(u, v);
+  // |u|^2 |v|^2 <= (3 * 2^2B)^2
+  constexpr int bits = detail::result_bits(4 * bits_of<S> + 4);
+  return angle_of_arc<S>(detail::squared_area<bits>(u, v), dot(u, v));
 }
 
 /// The angle between two directions as stored: as exact as that between vectors.

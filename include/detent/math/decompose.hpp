@@ -95,21 +95,22 @@ template <Scalar S, int N>
 /// result: a matrix of scalars has been rounded, so each component may be up to 4 units away from
 ///         that of the motion that is found, and no farther; a mirror in space has a negative scale
 /// exact:  the axes are the Gram-Schmidt frame of the columns, the scale is the one that fits best
-///         with these axes, each rounded once                              (tests/math/decompose.test.cpp)
-template <Scalar S, int M>
-requires(M == 3 || M == 4) [[nodiscard]] constexpr std::optional<Transform<S, M - 1>> decompose(
-    const Mat<S, M, M>& m) noexcept {
-  constexpr int N = M - 1;
-  for (int j = 0; j < M; ++j) {
-    if (m(N, j) != (j == N ? 1 : 0)) return std::nullopt;
+///         with these axes, each rounded once                     (tests/math/decompose.test.cpp)
+template <Scalar S, int Size>
+requires(Size == 3 || Size == 4)
+    [[nodiscard]] constexpr std::optional<Transform<S, Size - 1>> decompose(
+        const Mat<S, Size, Size>& m) noexcept {
+  constexpr int dimension = Size - 1;
+  for (int j = 0; j < Size; ++j) {
+    if (m(dimension, j) != (j == dimension ? 1 : 0)) return std::nullopt;
   }
-  const auto volume = minor_of(m, N, N);
-  if (N == 2 && volume < 0) return std::nullopt;
+  const auto volume = minor_of(m, dimension, dimension);
+  if (dimension == 2 && volume < 0) return std::nullopt;
   using T = decltype(-S());
-  std::array<Vec<T, N>, static_cast<std::size_t>(N)> columns{};
-  for (int i = 0; i < N; ++i) {
+  std::array<Vec<T, dimension>, static_cast<std::size_t>(dimension)> columns{};
+  for (int i = 0; i < dimension; ++i) {
     columns[static_cast<std::size_t>(i)] =
-        make_vec<N>([&](int j) { return volume < 0 ? -m(j, i) : T(m(j, i)); });
+        make_vec<dimension>([&](int j) { return volume < 0 ? -m(j, i) : T(m(j, i)); });
   }
   const auto frame = detail::orthogonal_frame<S>(columns);
   if (!frame) return std::nullopt;
@@ -118,18 +119,18 @@ requires(M == 3 || M == 4) [[nodiscard]] constexpr std::optional<Transform<S, M 
   const auto fit = [&](int i) { return dot(frame->axis(i), columns[static_cast<std::size_t>(i)]); };
   const auto size = [&](int i) { return squared_length(frame->axis(i)); };
   const T length = [&] {
-    if constexpr (N == 2) {
+    if constexpr (dimension == 2) {
       return quotient_nearest<T>(fit(0) + fit(1), size(0) + size(1));
     } else {
       return quotient_nearest<T>(fit(0) + fit(1) + fit(2), size(0) + size(1) + size(2));
     }
   }();
-  const auto origin = make_vec<N>([&](int i) { return m(i, N); });
+  const auto origin = make_vec<dimension>([&](int i) { return m(i, dimension); });
   const S scale = volume < 0 ? nearest_to<S>(-length) : nearest_to<S>(length);
-  const Transform<S, N> found{origin, *frame, scale};
+  const Transform<S, dimension> found{origin, *frame, scale};
   const auto exact = to_mat(found);
-  for (int i = 0; i < N; ++i) {
-    for (int j = 0; j < N; ++j) {
+  for (int i = 0; i < dimension; ++i) {
+    for (int j = 0; j < dimension; ++j) {
       if (!detail::is_near(m(i, j), exact(i, j), scale)) return std::nullopt;
     }
   }

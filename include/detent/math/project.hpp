@@ -40,7 +40,8 @@ template <int Bits, Scalar S, Number A, Number D, Number T, int N>
 /// The part of `v` along `onto`: dot(v, onto) / |onto|^2 * onto.
 ///
 /// domain: every vector; the zero vector for a zero `onto`
-/// exact:  each component rounded to nearest, ties to even, and clamped (tests/math/project.test.cpp)
+/// exact:  each component rounded to nearest, ties to even, and clamped
+///         (tests/math/project.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> project(const Vec<S, N>& v, const Vec<S, N>& onto) noexcept {
   if (onto == Vec<S, N>{}) return {};
@@ -57,7 +58,8 @@ template <Scalar S, int N>
 /// The part of `v` across `onto`: what `project` leaves of it.
 ///
 /// domain: every vector; `v` itself for a zero `onto`
-/// exact:  each component rounded to nearest, ties to even, and clamped (tests/math/project.test.cpp)
+/// exact:  each component rounded to nearest, ties to even, and clamped
+///         (tests/math/project.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> reject(const Vec<S, N>& v, const Vec<S, N>& onto) noexcept {
   if (onto == Vec<S, N>{}) return v;
@@ -97,7 +99,8 @@ template <Scalar S>
 /// The point that divides the way from `a` to `b` as t : 1 - t.
 ///
 /// domain: every t; beyond [0, 1] the line goes on
-/// exact:  each component rounded to nearest, ties to even, and clamped (tests/math/project.test.cpp)
+/// exact:  each component rounded to nearest, ties to even, and clamped
+///         (tests/math/project.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> lerp(const Vec<S, N>& a, const Vec<S, N>& b, S t) noexcept {
   return nearest_to<S>(a + (b - a) * t);

@@ -91,8 +91,8 @@ template <class To = void, Scalar S>
   return m;
 }
 
-/// The point that a matrix takes `p` to: m * (p, 1), divided by its last component, or nothing where
-/// that is 0. It is negative for what a camera with perspective has behind it.
+/// The point that a matrix takes `p` to: m * (p, 1), divided by its last component, or nothing
+/// where that is 0. It is negative for what a camera with perspective has behind it.
 ///
 /// exact: each coordinate is the exact quotient rounded to nearest, ties to even, and clamped
 ///        (tests/math/projection.test.cpp)

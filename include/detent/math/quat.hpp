@@ -93,9 +93,9 @@ class Quat {
   /// is not 0 is positive.
   ///
   /// domain: every frame; a shearing or mirroring one gives some rotation, too
-  /// exact:  the longest row of 4 q q^T as the axes have it, normalised with correct rounding; where
-  ///         the axes are those of a rotation, correctly rounded, components are off by less than
-  ///         1.5 of their units                                        (tests/math/quat.test.cpp)
+  /// exact:  the longest row of 4 q q^T as the axes have it, normalised with correct rounding;
+  ///         where the axes are those of a rotation, correctly rounded, components are off by less
+  ///         than 1.5 of their units                                   (tests/math/quat.test.cpp)
   /// source: Shepperd, Quaternion from Rotation Matrix (1978)
   [[nodiscard]] static constexpr Quat from_rotation(const Rotation<S, 3>& rotation) noexcept {
     const auto m = [&](int row, int column) { return rotation.axis(column)[row]; };

@@ -210,7 +210,7 @@ template <Scalar S, int N>
 
 /// The rotation that turns by `inner` and then by `outer`.
 ///
-/// exact: each axis is that of `inner`, rotated and rounded once     (tests/math/transform.test.cpp)
+/// exact: each axis is that of `inner`, rotated and rounded once    (tests/math/transform.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr Rotation<S, N> compose(const Rotation<S, N>& outer,
                                                const Rotation<S, N>& inner) noexcept {
@@ -221,7 +221,7 @@ template <Scalar S, int N>
 
 /// The rotation back: the world's axes in the local frame, as far as the axes are orthonormal.
 ///
-/// exact: each row of the matrix normalised, rounded to nearest      (tests/math/transform.test.cpp)
+/// exact: each row of the matrix normalised, rounded to nearest     (tests/math/transform.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr Rotation<S, N> inverse(const Rotation<S, N>& rotation) noexcept {
   std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;

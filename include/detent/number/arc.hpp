@@ -16,8 +16,8 @@ namespace detail {
 
 /// The phase of the vector (a, b), 0 <= b <= a and 2^62 <= a < 2^63: at most an eighth of a turn.
 ///
-/// As `octant_phase`, from the quotient b / a in Q62, which is off by less than two of its units: 1.3
-/// units of 2^-64 turn.
+/// As `octant_phase`, from the quotient b / a in Q62, which is off by less than two of its units:
+/// 1.3 units of 2^-64 turn.
 constexpr std::uint64_t long_octant_phase(std::uint64_t b, std::uint64_t a) noexcept {
   const auto quotient = [](std::uint64_t numerator, int shift, std::uint64_t denominator) {
     const Int128 shifted = shift_left(integer_cast<Int128>(Wide<2>(numerator)), shift);
