@@ -7,15 +7,6 @@
 
 namespace detent::test {
 
-template <Scalar S, int N, class F>
-constexpr Capsule<S, N> changed(const Capsule<S, N>& capsule, const F& f) {
-  return {f(capsule.a), f(capsule.b), capsule.radius};
-}
-template <Scalar S, int N, class F>
-constexpr Segment<S, N> changed(const Segment<S, N>& segment, const F& f) {
-  return {f(segment.start), f(segment.end)};
-}
-
 /// Whether two shapes overlap, once the answer is the same in the other order and in a world whose
 /// axes have changed their names.
 template <class A, class B>

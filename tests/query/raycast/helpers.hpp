@@ -122,6 +122,14 @@ constexpr Sphere<S, N> changed(const Sphere<S, N>& sphere, const F& f) {
   return {f(sphere.center), sphere.radius};
 }
 template <Scalar S, int N, class F>
+constexpr Capsule<S, N> changed(const Capsule<S, N>& capsule, const F& f) {
+  return {f(capsule.a), f(capsule.b), capsule.radius};
+}
+template <Scalar S, int N, class F>
+constexpr Segment<S, N> changed(const Segment<S, N>& segment, const F& f) {
+  return {f(segment.start), f(segment.end)};
+}
+template <Scalar S, int N, class F>
 constexpr Aabb<S, N> changed(const Aabb<S, N>& box, const F& f) {
   auto low = f(box.min);
   auto high = f(box.max);

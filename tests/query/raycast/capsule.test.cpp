@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/raycast/capsule.hpp"
+
+#include "query/raycast/helpers.hpp"
+
+namespace detent::test {
+namespace {
+
+constexpr Ray<q16_16, 3> along_x{{}, toward<q16_16, 3>(1), q16_16(100)};
+constexpr Capsule<q16_16, 3> across{at<q16_16, 3>(10, -9), at<q16_16, 3>(10, 9), q16_16(3)};
+
+static_assert(raycast(along_x, across) == q16_16(7));
+static_assert(raycast_hit(along_x, across)->normal == toward<q16_16, 3>(-1));
+static_assert(raycast_interval(along_x, across) == Interval<q16_16>{q16_16(7), q16_16(13)});
+static_assert(noexcept(raycast(along_x, across)));
+
+TEMPLATE_TEST_CASE("ray against capsule: it hits, misses and touches as drawn", "[raycast]",
+                   DETENT_EVERY_SPACE) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const Ray<S, N> ray{{}, toward<S, N>(1), num<S>(100)};
+  // Standing at x, from y - 4 to y + 4.
+  const auto standing = [](double x, double y, double radius) {
+    return Capsule<S, N>{at<S, N>(x, y - 4), at<S, N>(x, y + 4), num<S>(radius)};
+  };
+  // Lying at y, from x to x + 10.
+  const auto lying = [](double x, double y, double radius) {
+    return Capsule<S, N>{at<S, N>(x, y), at<S, N>(x + 10, y), num<S>(radius)};
+  };
+  auto cut = ray;
+
+  SECTION("hit on the side") {
+    CHECK(distance(ray, standing(10, 0, 3)) == num<S>(7));
+    const auto hit = raycast_hit(ray, standing(10, 0, 3)).value();
+    CHECK(hit.point == at<S, N>(7));
+    CHECK(hit.normal == toward<S, N>(-1));
+    CHECK(raycast_interval(ray, standing(10, 0, 3)) == Interval<S>{num<S>(7), num<S>(13)});
+    // Away from the ray's plane by (3, 4) / 5 of the radius.
+    const Capsule<S, N> aside{at<S, N>(10, -20, 4), at<S, N>(10, 20, 4), num<S>(5)};
+    CHECK(distance(ray, aside) == num<S>(N == 2 ? 5 : 7));
+  }
+  SECTION("hit at an end") {
+    CHECK(distance(ray, standing(10, 8, 5)) == num<S>(7));
+    CHECK(distance(ray, standing(10, -8, 5)) == num<S>(7));
+    CHECK(raycast_interval(ray, standing(10, 8, 5)) == Interval<S>{num<S>(7), num<S>(13)});
+    CHECK(distance(ray, lying(10, 0, 3)) == num<S>(7));
+    CHECK(raycast_hit(ray, lying(10, 0, 3))->normal == toward<S, N>(-1));
+    CHECK(raycast_interval(ray, lying(10, 0, 3)) == Interval<S>{num<S>(7), num<S>(23)});
+  }
+  SECTION("miss") {
+    CHECK(misses(ray, standing(-10, 0, 3)));
+    CHECK(misses(ray, standing(10, 8, 3)));
+    CHECK(misses(ray, lying(10, 4, 3)));
+    CHECK(misses(ray, lying(-20, 0, 3)));
+    cut.max_distance = num<S>(6.5);
+    CHECK(misses(cut, standing(10, 0, 3)));
+  }
+  SECTION("touch") {
+    CHECK(distance(ray, standing(10, 7, 3)) == num<S>(10));
+    CHECK(raycast_interval(ray, standing(10, 7, 3)) == Interval<S>{num<S>(10), num<S>(10)});
+    CHECK(raycast_hit(ray, standing(10, 7, 3))->normal == toward<S, N>(0, -1));
+    cut.max_distance = num<S>(7);
+    CHECK(raycast_interval(cut, standing(10, 0, 3)) == Interval<S>{num<S>(7), num<S>(7)});
+  }
+  SECTION("inside start") {
+    CHECK(raycast_interval(ray, standing(1, 0, 3)) == Interval<S>{num<S>(0), num<S>(4)});
+    CHECK(raycast_hit(ray, standing(1, 0, 3))->normal == toward<S, N>(-1));
+    CHECK(raycast_interval(ray, lying(-2, 1, 3))->enter == num<S>(0));
+    // It ends before it comes near the sphere that it would leave.
+    cut.max_distance = num<S>(2);
+    CHECK(raycast_interval(cut, lying(-2, 0, 3)) == Interval<S>{num<S>(0), num<S>(2)});
+    cut.max_distance = num<S>(-1);
+    CHECK(misses(cut, standing(1, 0, 3)));
+  }
+  SECTION("parallel to the axis") {
+    CHECK(raycast_interval(ray, lying(10, 3, 5)) == Interval<S>{num<S>(6), num<S>(24)});
+    // Along its surface: from where the sphere about one end touches it to the other.
+    CHECK(raycast_interval(ray, lying(10, 3, 3)) == Interval<S>{num<S>(10), num<S>(20)});
+    CHECK(raycast_hit(ray, lying(10, 3, 3))->normal == toward<S, N>(0, -1));
+    CHECK(raycast_interval(ray, lying(-5, 3, 3)) == Interval<S>{num<S>(0), num<S>(5)});
+  }
+  SECTION("degenerate: a sphere, a segment, a point") {
+    const auto center = at<S, N>(10, 4);
+    const Capsule<S, N> sphere{center, center, num<S>(5)};
+    CHECK(raycast_interval(ray, sphere) == Interval<S>{num<S>(7), num<S>(13)});
+    CHECK(raycast_hit(ray, sphere) == raycast_hit(ray, Sphere<S, N>{center, num<S>(5)}));
+    CHECK(distance(ray, standing(10, 0, 0)) == num<S>(10));
+    CHECK(raycast_hit(ray, standing(10, 0, 0))->normal == toward<S, N>(-1));
+    CHECK(misses(ray, standing(10, 5, 0)));
+    CHECK(raycast_interval(ray, lying(10, 0, 0)) == Interval<S>{num<S>(10), num<S>(20)});
+    CHECK(distance(ray, Capsule<S, N>{at<S, N>(5), at<S, N>(5), num<S>(0)}) == num<S>(5));
+  }
+  SECTION("empty") {
+    CHECK(misses(ray, standing(10, 0, -3)));
+    CHECK(misses(ray, standing(0, 0, -3)));
+  }
+}
+
+TEMPLATE_TEST_CASE("ray against capsule: one raw unit decides, at the ends of the domain too",
+                   "[raycast]", DETENT_FIXED_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const auto low = S::lowest(), high = S::max();
+  const Ray<S, N> ray{{}, toward<S, N>(1), num<S>(100)};
+  const auto radius = num<S>(3), less = moved(radius, -1);
+  CHECK(misses(ray, Capsule<S, N>{at<S, N>(10, 3), at<S, N>(20, 3), less}));
+  CHECK(misses(ray, Capsule<S, N>{at<S, N>(10, 3), at<S, N>(10, 9), less}));
+  CHECK(distance(ray, Capsule<S, N>{at<S, N>(10, -9), at<S, N>(10, 9), less}) ==
+        moved(num<S>(7), 1));
+
+  // From 0 by 2 (3, 4) to the side, whose axis is across; the direction is too long by 2^-30.
+  const Ray<S, N> slanted{{}, three_four_fifths<S, N>(), num<S>(100)};
+  const Capsule<S, N> wall{at<S, N>(9 - 8, 12 + 6), at<S, N>(9 + 8, 12 - 6), num<S>(5)};
+  CHECK(distance(slanted, wall) == moved(num<S>(10), -1));
+
+  // The diagonal of the world, and a ray from one corner of its lowest side to the next.
+  auto corner = filled<S, N>(low);
+  corner.x = high;
+  const Capsule<S, N> diagonal{filled<S, N>(low), filled<S, N>(high), S(0)};
+  const Ray<S, N> edge{corner, Direction<S, N>::along(1)};
+  CHECK_FALSE(raycast(edge, diagonal).has_value());
+  const Capsule<S, N> beam{diagonal.a, diagonal.b, high};
+  CHECK(raycast(edge, beam).has_value() == (N == 2));  // in space they are 0.7 sides apart
+  CHECK(raycast(Ray<S, N>{diagonal.a, Direction<S, N>::along(0)}, beam) == S(0));
+  const Capsule<S, N> far_side{filled<S, N>(high), filled<S, N>(high), S(0)};
+  auto start = filled<S, N>(high);
+  start.x = S(0);
+  CHECK(raycast(Ray<S, N>{start, Direction<S, N>::along(0)}, far_side) == high);
+}
+
+TEMPLATE_TEST_CASE("ray against capsule: no answer depends on the frame or the order of the ends",
+                   "[raycast]", DETENT_FIXED_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  Random random(0xca95);
+  INFO(random);
+  for (int i = 0; i < 100; ++i) {
+    const auto a = random_point<S, N>(random), b = random_point<S, N>(random);
+    const auto origin = random_point<S, N>(random);
+    const auto radius = S::from_raw(static_cast<typename S::raw_type>(
+        random.below(std::uint64_t{1} << random.between(0, S::bits - 2))));
+    const Ray<S, N> ray{origin, aimed(origin, random.coin() ? a : b)};
+    const Capsule<S, N> capsule{a, b, radius}, reversed{b, a, radius};
+    check_symmetry(ray, capsule, true);
+    CHECK(raycast_hit(ray, reversed) == raycast_hit(ray, capsule));
+    CHECK(raycast_interval(ray, reversed) == raycast_interval(ray, capsule));
+  }
+}
+
+}  // namespace
+}  // namespace detent::test
