@@ -24,25 +24,25 @@ struct RowResult {
   int dimension;
 };
 
-/// What all rows have in common.
+/// All rows of a part together.
 struct TotalResult {
   std::uint64_t digest;
   bool is_golden;
 };
 
-/// Asks `size` questions in every cell, calls `report(RowResult)` for every row, and compares with
-/// the golden digests of that size.
-template <class Report>
+/// Asks `size` questions in every cell of a part, calls `report(RowResult)` for every row, and
+/// compares with the golden digests of that size.
+template <class Part = Corpus, class Report>
 [[nodiscard]] constexpr TotalResult check(std::uint32_t size,
                                           const std::array<std::uint64_t, count_cells()>& expected,
                                           Report report) {
   Digest all;
   bool is_golden = true;
-  std::size_t first = 0;
-  visit_groups([&]<class Group>(Group) {
+  std::size_t first = first_cell<Part>();
+  visit_groups<Part>([&]<class Group>(Group) {
     constexpr auto rows = rows_of<Group>(), spaces = spaces_of<Group>();
-    std::array<Digest, rows> digests;
-    std::array<RowResult, rows> results;
+    std::array<Digest, rows> digests{};
+    std::array<RowResult, rows> results{};
     for (std::size_t row = 0; row < rows; ++row) results[row] = {Group::names[row], 0, true, {}, 0};
     std::size_t index = 0;
     visit_spaces<Group>([&]<class S, int N>(Space<S, N>) {

@@ -11,7 +11,7 @@
 namespace detent::verify {
 
 template <class Group>
-consteval std::size_t first_cell() {
+consteval std::size_t first_cell_of() {
   std::size_t cell = 0;
   bool found = false;
   visit_groups([&]<class Other>(Other) {
@@ -36,8 +36,8 @@ template <class Group, Scalar S, int N>
 consteval bool is_golden() {
   const auto digests = digests_of<Group, S, N>(constant_size);
   for (std::size_t row = 0; row < digests.size(); ++row) {
-    const auto cell =
-        cell_index(first_cell<Group>(), spaces_of<Group>(), row, space_index<Group, Space<S, N>>());
+    const auto cell = cell_index(first_cell_of<Group>(), spaces_of<Group>(), row,
+                                 space_index<Group, Space<S, N>>());
     if (digests[row] != golden::constant[cell]) return false;
   }
   return true;
@@ -54,6 +54,6 @@ void check_all(List<All...>) {
   (check_at_compile_time<All>(), ...);
 }
 
-template void check_all(decltype(Groups{}));
+template void check_all(Corpus::Groups);
 
 }  // namespace detent::verify

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "detent/number/digest.hpp"
@@ -34,8 +35,66 @@ inline constexpr std::uint32_t constant_size = 3;
 template <class... Items>
 struct List {};
 
-using Groups = List<Spheres, Aabbs, Obbs, Planes, Triangles, Normals, Angles, Bearings, FlatTurns,
-                    AxisTurns, Quaternions, Eulers, Rotations, Roots, Quotients, Texts>;
+/// A part of the corpus, for who cannot take all of it at once: a compiler, or a chip's flash.
+struct SolidRays {
+  static constexpr std::string_view name = "SolidRays";
+  using Groups = List<Spheres, Aabbs, Obbs>;
+};
+struct FlatRays {
+  static constexpr std::string_view name = "FlatRays";
+  using Groups = List<Planes, Triangles>;
+};
+struct RoundPoints {
+  static constexpr std::string_view name = "RoundPoints";
+  using Groups = List<SpherePoints, CapsulePoints>;
+};
+struct BoxPoints {
+  static constexpr std::string_view name = "BoxPoints";
+  using Groups = List<AabbPoints, ObbPoints>;
+};
+struct FlatPoints {
+  static constexpr std::string_view name = "FlatPoints";
+  using Groups = List<PlanePoints, TrianglePoints>;
+};
+struct LinePoints {
+  static constexpr std::string_view name = "LinePoints";
+  using Groups = List<SegmentPoints, RayPoints>;
+};
+struct Turns {
+  static constexpr std::string_view name = "Turns";
+  using Groups =
+      List<Normals, Angles, Bearings, FlatTurns, AxisTurns, Quaternions, Eulers, Rotations>;
+};
+struct Arithmetic {
+  static constexpr std::string_view name = "Arithmetic";
+  using Groups = List<Roots, Quotients, Texts>;
+};
+
+using Parts =
+    List<SolidRays, FlatRays, RoundPoints, BoxPoints, FlatPoints, LinePoints, Turns, Arithmetic>;
+
+namespace detail {
+
+template <class... Items>
+constexpr auto joined(List<Items...> list) {
+  return list;
+}
+template <class... Left, class... Right, class... Rest>
+constexpr auto joined(List<Left...>, List<Right...>, Rest... rest) {
+  return joined(List<Left..., Right...>{}, rest...);
+}
+template <class... Items>
+constexpr auto groups_of(List<Items...>) {
+  return joined(typename Items::Groups{}...);
+}
+
+}  // namespace detail
+
+/// All parts as one.
+struct Corpus {
+  static constexpr std::string_view name = "all";
+  using Groups = decltype(detail::groups_of(Parts{}));
+};
 
 /// The scalar and the dimension of a cell.
 template <Scalar S, int N>
@@ -71,10 +130,16 @@ constexpr void visit(List<Items...>, Visit&& visit) {
 
 }  // namespace detail
 
-/// Calls `visit(Group{})` for every group, in the order of the report.
+/// Calls `visit(Part{})` for every part, in the order of the report.
 template <class Visit>
+constexpr void visit_parts(Visit&& visit) {
+  detail::visit(Parts{}, visit);
+}
+
+/// Calls `visit(Group{})` for every group of a part, in the order of the report.
+template <class Part = Corpus, class Visit>
 constexpr void visit_groups(Visit&& visit) {
-  detail::visit(Groups{}, visit);
+  detail::visit(typename Part::Groups{}, visit);
 }
 
 /// Calls `visit(Space<S, N>{})` for every space in which a group asks, in the order of the digests.
@@ -96,16 +161,35 @@ template <class Group>
   visit_spaces<Group>([&](auto) { ++count; });
   return count;
 }
+template <class Part = Corpus>
 [[nodiscard]] constexpr std::size_t count_rows() noexcept {
   std::size_t count = 0;
-  visit_groups([&](auto group) { count += rows_of<decltype(group)>(); });
+  visit_groups<Part>([&](auto group) { count += rows_of<decltype(group)>(); });
   return count;
 }
+template <class Part = Corpus>
 [[nodiscard]] constexpr std::size_t count_cells() noexcept {
   std::size_t count = 0;
-  visit_groups(
+  visit_groups<Part>(
       [&](auto group) { count += rows_of<decltype(group)>() * spaces_of<decltype(group)>(); });
   return count;
+}
+template <class Part = Corpus>
+[[nodiscard]] constexpr std::size_t count_sheets() noexcept {
+  std::size_t count = 0;
+  visit_groups<Part>([&](auto group) { count += spaces_of<decltype(group)>(); });
+  return count;
+}
+/// The place of a part's first cell among the golden values.
+template <class Part>
+[[nodiscard]] constexpr std::size_t first_cell() noexcept {
+  std::size_t before = 0;
+  bool found = std::is_same_v<Part, Corpus>;
+  visit_parts([&](auto part) {
+    found = found || std::is_same_v<Part, decltype(part)>;
+    if (!found) before += count_cells<decltype(part)>();
+  });
+  return before;
 }
 
 /// Every cell has its own beginning.
@@ -122,30 +206,45 @@ template <class Group, Scalar S, int N>
   return hash;
 }
 
+// Called in several places and compiled once; and a small stack wants the variables of one at a time.
+#if defined(__GNUC__)
+#define DETENT_VERIFY_NOINLINE [[gnu::noinline]]
+#else
+#define DETENT_VERIFY_NOINLINE
+#endif
+
+/// The next case of a group.
+template <class Group, Scalar S, int N>
+DETENT_VERIFY_NOINLINE constexpr auto draw(Random& random) noexcept {
+  return Group::template draw<S, N>(random);
+}
+
+/// What the library says to row `Row` of a group.
+template <class Group, int Row, class Case>
+DETENT_VERIFY_NOINLINE constexpr auto answer(const Case& c) noexcept {
+  return Group::template answer<Row>(c);
+}
+
 /// Calls `ask(c)` for the first `size` cases of a group in one space.
 template <class Group, Scalar S, int N, class Ask>
 constexpr void visit_cases(std::uint32_t size, Ask&& ask) {
-  Scene<S, N> scene(seed_of<Group, S, N>());
-  for (std::uint32_t i = 0; i < size; ++i) ask(Group::template draw<S, N>(scene));
+  Random random(seed_of<Group, S, N>());
+  for (std::uint32_t i = 0; i < size; ++i) ask(draw<Group, S, N>(random));
 }
 
 /// Adds the answers of every row of a group to the row's sink, a `Digest` or what looks like one.
 template <class Group, class Case, class Sinks>
 constexpr void answer_all(const Case& c, Sinks& sinks) {
   [&]<std::size_t... Row>(std::index_sequence<Row...>) {
-    (sinks[Row].add(Group::template answer<static_cast<int>(Row)>(c)), ...);
+    (sinks[Row].add(answer<Group, static_cast<int>(Row)>(c)), ...);
   }
   (std::make_index_sequence<rows_of<Group>()>{});
 }
 
 /// The digests of a group's cells in one space, one for each row.
 template <class Group, Scalar S, int N>
-#if defined(__GNUC__)
-[[gnu::noinline]]  // a small stack wants one cell's variables at a time
-#endif
-constexpr auto
-digests_of(std::uint32_t size) noexcept {
-  std::array<Digest, rows_of<Group>()> running;
+DETENT_VERIFY_NOINLINE constexpr auto digests_of(std::uint32_t size) noexcept {
+  std::array<Digest, rows_of<Group>()> running{};
   visit_cases<Group, S, N>(size, [&](const auto& c) { answer_all<Group>(c, running); });
   std::array<std::uint64_t, rows_of<Group>()> digests{};
   for (std::size_t row = 0; row < digests.size(); ++row) digests[row] = running[row].value();

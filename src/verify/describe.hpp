@@ -25,6 +25,7 @@ std::string words(Angle<S> angle) {
          to_string(Fixed<32, 32>::from_raw(static_cast<std::int64_t>(angle.raw()))) + " turns)";
 }
 inline std::string words(std::uint32_t bits) { return std::to_string(bits); }
+inline std::string words(bool answer) { return answer ? "yes" : "no"; }
 template <Number T, int N>
 std::string words(const Vec<T, N>& v) {
   std::string raw, decimal;
@@ -92,14 +93,38 @@ void add_fields(Fields& fields, const Triangle<S, N>& s) {
   fields.emplace_back("triangle b", words(s.b));
   fields.emplace_back("triangle c", words(s.c));
 }
+template <Scalar S, int N>
+void add_fields(Fields& fields, const Capsule<S, N>& s) {
+  fields.emplace_back("capsule a", words(s.a));
+  fields.emplace_back("capsule b", words(s.b));
+  fields.emplace_back("capsule radius", words(s.radius));
+}
+template <Scalar S, int N>
+void add_fields(Fields& fields, const Segment<S, N>& s) {
+  fields.emplace_back("segment start", words(s.start));
+  fields.emplace_back("segment end", words(s.end));
+}
+template <Scalar S, int N>
+void add_fields(Fields& fields, const Ray<S, N>& ray) {
+  fields.emplace_back("ray origin", words(ray.origin));
+  fields.emplace_back("ray direction", words(ray.direction));
+  fields.emplace_back("ray max_distance", words(ray.max_distance));
+}
 
 template <Scalar S, int N, class Shape>
 Fields fields_of(const RayCase<S, N, Shape>& c) {
-  Fields fields{{"ray origin", words(c.ray.origin)},
-                {"ray direction", words(c.ray.direction)},
-                {"ray max_distance", words(c.ray.max_distance)}};
+  Fields fields;
+  add_fields(fields, c.ray);
   add_fields(fields, c.shape);
   if (c.facing == Facing::front) fields.emplace_back("facing", "front");
+  return fields;
+}
+template <Scalar S, int N, class Shape>
+Fields fields_of(const PointCase<S, N, Shape>& c) {
+  Fields fields;
+  add_fields(fields, c.shape);
+  fields.emplace_back("point", words(c.point));
+  fields.emplace_back("tolerance", words(c.tolerance));
   return fields;
 }
 template <Scalar S, int N>
@@ -111,7 +136,7 @@ Fields fields_of(const AngleCase<S, N>& c) {
   return {{"angle", words(c.angle)}, {"number", words(c.number)}};
 }
 template <Scalar S, int N>
-Fields fields_of(const PointCase<S, N>& c) {
+Fields fields_of(const BearingCase<S, N>& c) {
   return {{"y", words(c.y)}, {"x", words(c.x)}};
 }
 template <Scalar S, int N>

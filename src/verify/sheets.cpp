@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "verify/sheets.hpp"
 
-#include "verify/sink.hpp"
-#include "verify/visit_sheet.hpp"
+#include "verify/corpus.hpp"
+#include "verify/part.hpp"
 
 namespace detent::verify {
 namespace {
-
-/// Keeps the bytes beside their digest.
-struct IntoBytes {
-  Digest digest{};
-  std::string bytes;
-
-  void operator()(std::uint64_t word, int count) {
-    digest.add_low_bytes(word, count);
-    for (int i = 0; i < count; ++i) bytes += static_cast<char>((word >> (8 * i)) & 0xff);
-  }
-};
 
 std::vector<Sheet> make_sheets() {
   std::vector<Sheet> sheets;
@@ -38,6 +27,17 @@ std::vector<Sheet> make_sheets() {
   return sheets;
 }
 
+/// Calls `visit(PartSheets<Part>{}, index)` for the part that has this sheet.
+template <class Visit>
+void visit_part(std::size_t sheet, Visit&& visit) {
+  std::size_t first = 0;
+  visit_parts([&]<class Part>(Part) {
+    constexpr auto count = count_sheets<Part>();
+    if (sheet >= first && sheet < first + count) visit(PartSheets<Part>{}, sheet - first);
+    first += count;
+  });
+}
+
 }  // namespace
 
 const std::vector<Sheet>& sheets() {
@@ -47,26 +47,23 @@ const std::vector<Sheet>& sheets() {
 
 std::vector<Answers> answer(std::size_t sheet, std::uint32_t size, bool keep_bytes) {
   std::vector<Answers> answers;
-  visit_sheet(sheet, [&]<class Group, class S, int N>(Group, Space<S, N>) {
-    if (!keep_bytes) {
-      for (const auto digest : digests_of<Group, S, N>(size)) answers.push_back({digest, {}});
-      return;
-    }
-    std::array<Sink<IntoBytes>, rows_of<Group>()> sinks;
-    visit_cases<Group, S, N>(size, [&](const auto& c) { answer_all<Group>(c, sinks); });
-    for (const auto& sink : sinks) {
-      answers.push_back({sink.taken().digest.value(), sink.taken().bytes});
-    }
-  });
+  visit_part(sheet,
+             [&](auto part, std::size_t index) { answers = part.answer(index, size, keep_bytes); });
   return answers;
 }
 
 std::uint64_t digest_of_questions(std::size_t sheet, std::uint32_t size) {
-  Digest digest;
-  visit_sheet(sheet, [&]<class Group, class S, int N>(Group, Space<S, N>) {
-    visit_cases<Group, S, N>(size, [&](const auto& c) { digest.add(c); });
-  });
-  return digest.value();
+  std::uint64_t digest = 0;
+  visit_part(sheet,
+             [&](auto part, std::size_t index) { digest = part.digest_of_questions(index, size); });
+  return digest;
+}
+
+std::optional<Finding> first_wrong(std::size_t sheet, std::size_t row, std::uint32_t size) {
+  std::optional<Finding> finding;
+  visit_part(sheet,
+             [&](auto part, std::size_t index) { finding = part.first_wrong(index, row, size); });
+  return finding;
 }
 
 }  // namespace detent::verify

@@ -16,9 +16,13 @@ chmod +x tests/platforms/run
 cat >tests/platforms/expected.cpp <<'END'
 #include <cstdio>
 int main(int, char** argv) {
+  const char size = argv[1][0];
+  if (size == 'n') return std::puts("Near\nFar") < 0;
   std::puts("first 0000000000000001 ok");
+  if (size == 'p') std::puts("Near 0000000000000005 ok");
   std::puts("second 0000000000000002 ok");
-  std::printf("all 000000000000000%c ok\n", argv[1][0] == 's' ? '4' : '3');
+  if (size == 'p') return std::puts("Far 0000000000000006 ok") < 0;
+  std::printf("all 000000000000000%c ok\n", size == 's' ? '4' : '3');
 }
 END
 cat >src/verify/main_bare.cpp <<'END'
@@ -32,6 +36,9 @@ cat >src/verify/main_bare.cpp <<'END'
 #else
 #define LAST "3"
 #endif
+#define Near 1
+#define Far 2
+#define Corpus 3
 #if defined(ADMITTED)
 #define SECOND "9 DIFFERENT (q8_8 3D)"
 #elif defined(DENIED)
@@ -46,12 +53,22 @@ int main() {
 #endif
 #ifndef SILENT
   std::puts("first line of the emulator");
+#if DETENT_VERIFY_PART != Far
   std::puts("first 0000000000000001 ok\r");
+#endif
 #ifdef HALF
   std::exit(STATUS);
 #endif
+#if DETENT_VERIFY_PART == Near
+  std::puts("Near 0000000000000005 ok");
+#else
   std::puts("second 000000000000000" SECOND);
+#endif
+#if DETENT_VERIFY_PART == Far
+  std::puts("Far 0000000000000006 ok");
+#elif DETENT_VERIFY_PART == Corpus
   std::puts("all 000000000000000" LAST " ok");
+#endif
 #endif
   return STATUS;
 }
@@ -72,10 +89,12 @@ echo 'static_assert(sizeof(int) >= LEAST);' >src/verify/constant.cpp
 cat >tests/platforms/targets <<'END'
 right    | | c++ | -O0         |     | full  | good
 small    | | c++ | -DDRIFT="7" | env | small | good
+parts    | | c++ | -O0         |     | parts | good
 constant | | c++ | -DLEAST=2   | -   | -     | good
 admitted | | c++ | -DADMITTED -DSTATUS=1 | | full |
 denied   | | c++ | -DDENIED    |     | full  |
 silent   | | c++ | -DSILENT    |     | full  |
+oddpart  | | c++ | -DADMITTED -DSTATUS=1 | | parts |
 half     | | c++ | -DHALF -DSTATUS=3 |     | full  |
 unhappy  | | c++ | -DSTATUS=4  |     | full  |
 endless  | | c++ | -DENDLESS   |     | full  |
@@ -103,14 +122,16 @@ says() { grep -qE "$1" printed || complain "run does not say: $1"; }
 run 0 --no-install good
 says '^right .* equal$'
 says '^small .* equal$'
+says '^parts .* equal$'
 says '^constant .* compiles$'
-says ': 2 equal, 0 different, 0 did not run, 0 not installed, 1 compiled only;'
-says 'float: 2 builds, 2 different digests; they part at second \(right against small\)\.'
+says ': 3 equal, 0 different, 0 did not run, 0 not installed, 1 compiled only;'
+says 'float: 3 builds, 2 different digests; they part at second \(right against small\)\.'
 
 run 1 --no-install
 says '^admitted .* DIFFERENT at second \(q8_8 3D\)$'
 says '^denied .* DIFFERENT at second$'
 says '^silent .* did not run: status 0 before first$'
+says '^oddpart .* did not run: status 1 before second$'
 says '^half .* did not run: status 3 before second$'
 says '^unhappy .* did not run: status 4 at the end$'
 says '^endless .* did not run: over 2 s at first$'
@@ -118,7 +139,7 @@ says '^broken .* does not compile: .*/broken/program.log$'
 says '^refused .* does not compile: .*/refused/program.o.log$'
 says '^absent .* not installed: no-such-compiler$'
 if command -v dpkg-query >/dev/null; then says '^lost .* not installed: no-such-package$'; fi
-says ': 2 equal, 2 different, 6 did not run, 2 not installed, 1 compiled only;'
+says ': 3 equal, 2 different, 7 did not run, 2 not installed, 1 compiled only;'
 
 run 0 --markdown --no-install right
 # shellcheck disable=SC2016  # the backquotes are Markdown's
@@ -131,11 +152,11 @@ run 77 --test absent
 says '^skipped, not installed: no-such-compiler$'
 
 run 0 --list good
-[[ $(cat printed) == $'right\nsmall\nconstant' ]] || complain "run --list lists something else"
+[[ $(cat printed) == $'right\nsmall\nparts\nconstant' ]] || complain "run --list lists something else"
 run 0 --packages
 [[ $(cat printed) == no-such-package ]] || complain "run --packages prints something else"
 run 2 right nowhere
-says "^platforms: no platform 'nowhere'; there are: .* right small constant"
+says "^platforms: no platform 'nowhere'; there are: .* right small parts constant"
 run 2 --loud
 says "^platforms: unknown option '--loud'"
 

@@ -3,7 +3,9 @@
 
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "detent/version.hpp"
 #include "support/catch.hpp"
@@ -23,6 +25,7 @@ struct Yes {
   void add(const std::optional<T>& answer) {
     rate.count(answer.has_value());
   }
+  void add(bool answer) { rate.count(answer); }
   template <class T>
   void add(const T&) {}
 };
@@ -69,23 +72,74 @@ Occasions occasions() {
   return seen;
 }
 
-}  // namespace
-
-TEST_CASE("corpus: it has two million questions, and a share of them for microcontrollers") {
-  CHECK(count_cells() * full_size >= 2'000'000);
-  CHECK(count_cells() * small_size >= 10'000);
-  CHECK(count_cells() * small_size <= 20'000);
+/// Rows whose answers are yes and no, or something and nothing, and ought to be in balance.
+bool asks_yes_or_no(std::string_view row) {
+  for (const std::string_view query : {"raycast", "contains/", "on/", "overlaps/", "intersects/"}) {
+    if (row.starts_with(query)) return true;
+  }
+  return false;
 }
 
-TEST_CASE("corpus: between 30 and 70 percent of the rays hit, for every query and size") {
+/// How often a point is exactly where a distance begins to count.
+struct Verges {
+  std::uint32_t at_tolerance = 0, at_surface = 0, at_ends_of_range = 0, empty = 0;
+};
+
+template <class Group>
+Verges verges() {
+  Verges seen;
+  constexpr auto unit = q16_16::from_raw(1);
+  visit_cases<Group, q16_16, 3>(full_size, [&](const auto& c) {
+    const auto away = distance(c.shape, c.point);
+    if (away == largest<q16_16>) ++seen.empty;
+    if (c.point.x == largest<q16_16>) ++seen.at_ends_of_range;
+    if (away > 0 && c.tolerance == away && on(c.shape, c.point, away)) ++seen.at_tolerance;
+    if (away > 0 || !contains(c.shape, c.point)) return;
+    auto beside = c.point;
+    for (int i = 0; i < 3; ++i) {
+      for (const auto step : {unit, q16_16::from_raw(-1)}) {
+        beside[i] = nearest_to<q16_16>(c.point[i] + step);
+        if (contains(c.shape, beside)) continue;
+        ++seen.at_surface;
+        return;
+      }
+      beside[i] = c.point[i];
+    }
+  });
+  return seen;
+}
+
+}  // namespace
+
+TEST_CASE("corpus: it has millions of questions, and a share of them for microcontrollers") {
+  CHECK(count_cells() * full_size >= 6'000'000);
+  CHECK(count_cells() * small_size >= 30'000);
+  CHECK(count_cells() * small_size <= 60'000);
+}
+
+TEST_CASE("corpus: its parts are all of it, one after the other") {
+  std::size_t cells = 0, rows = 0, sheet_count = 0;
+  visit_parts([&]<class Part>(Part) {
+    CHECK(first_cell<Part>() == cells);
+    cells += count_cells<Part>();
+    rows += count_rows<Part>();
+    sheet_count += count_sheets<Part>();
+  });
+  CHECK(cells == count_cells());
+  CHECK(rows == count_rows());
+  CHECK(sheet_count == sheets().size());
+}
+
+TEST_CASE("corpus: between 30 and 70 percent of the answers are yes, for every query and size") {
   visit_groups([]<class Group>(Group) {
-    if constexpr (std::is_base_of_v<RayGroup, Group>) {
+    if constexpr (Group::template asks<2>) {
       for (const auto size : {full_size, small_size}) {
         std::array<Yes, rows_of<Group>()> seen;
         visit_spaces<Group>([&]<class S, int N>(Space<S, N>) {
           visit_cases<Group, S, N>(size, [&](const auto& c) { answer_all<Group>(c, seen); });
         });
         for (std::size_t row = 0; row < seen.size(); ++row) {
+          if (!asks_yes_or_no(Group::names[row])) continue;
           INFO(std::string(Group::names[row]) << ": " << seen[row].rate);
           CHECK(seen[row].rate.is_balanced());
         }
@@ -110,6 +164,25 @@ TEST_CASE("corpus: every shape is touched, started in, run along and met at a ra
   check("obb", occasions<Obbs>());
   check("plane", occasions<Planes>());
   check("triangle", occasions<Triangles>());
+}
+
+TEST_CASE(
+    "corpus: points are on every surface, exactly as far off as asked, and at the world's ends") {
+  const auto check = [](const char* name, const Verges& seen) {
+    INFO(name << ": at a surface " << seen.at_surface << ", at the tolerance " << seen.at_tolerance
+              << ", empty " << seen.empty << ", range " << seen.at_ends_of_range);
+    CHECK(seen.at_surface >= full_size / 10);
+    CHECK(seen.at_tolerance >= full_size / 200);
+    CHECK(seen.at_ends_of_range > 0);
+  };
+  check("sphere", verges<SpherePoints>());
+  check("aabb", verges<AabbPoints>());
+  check("obb", verges<ObbPoints>());
+  check("plane", verges<PlanePoints>());
+  check("triangle", verges<TrianglePoints>());
+  check("capsule", verges<CapsulePoints>());
+  check("segment", verges<SegmentPoints>());
+  check("ray", verges<RayPoints>());
 }
 
 TEST_CASE("corpus: exact arithmetic confirms the first answers of every cell") { confirm(150); }
@@ -147,6 +220,18 @@ TEST_CASE("corpus: both sizes give their golden digests") {
   const auto ignore = [](const RowResult&) {};
   CHECK(check(small_size, golden::small, ignore).is_golden);
   CHECK(check(full_size, golden::full, ignore).is_golden);
+}
+
+TEST_CASE("corpus: the parts give the golden digests of their rows") {
+  std::vector<std::uint64_t> all, by_parts;
+  CHECK(check(small_size, golden::small, [&](const RowResult& row) {
+          all.push_back(row.digest);
+        }).is_golden);
+  visit_parts([&]<class Part>(Part) {
+    const auto keep = [&](const RowResult& row) { by_parts.push_back(row.digest); };
+    CHECK(check<Part>(small_size, golden::small, keep).is_golden);
+  });
+  CHECK(by_parts == all);
 }
 
 TEST_CASE("corpus: a single wrong golden value is a difference, and its cell is named") {

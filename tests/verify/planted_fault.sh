@@ -29,12 +29,13 @@ plant() {
 plant include/detent/query/raycast/sphere.hpp \
   's/return Interval<S>\{\*enter, (.*)\};/const S exit = \1; return Interval<S>{*enter, S::from_raw(static_cast<typename S::raw_type>(exit.raw() % 64 == 21 ? exit.raw() ^ 1 : exit.raw()))};/'
 # The other shapes would only cost time.
-plant src/verify/corpus.hpp 's/^using Groups = List<Spheres, .*/using Groups = List<Spheres>;/'
-sed -i '/^using Groups/,/^$/{/^using Groups/!{/^$/!d}}' "$work/src/verify/corpus.hpp"
+plant src/verify/corpus.hpp 's/^using Parts = List<SolidRays,.*/using Parts = List<SolidRays>;/'
+sed -i '/^using Parts/,/^$/{/^using Parts/!{/^$/!d}}' "$work/src/verify/corpus.hpp"
+plant src/verify/corpus.hpp 's/List<Spheres, .*>;/List<Spheres>;/'
 
 "$@" -std=c++20 -O1 -I"$work/include" -I"$work/src" -Isrc/cli -Itests -Itests/verify \
   tests/verify/planted_fault.cpp src/cli/verify.cpp "$work/src/verify/sheets.cpp" \
-  "$work/src/verify/judge.cpp" "$library" -pthread -o "$work/faulty"
+  "$work/src/verify/parts/solid_rays.cpp" "$library" -pthread -o "$work/faulty"
 
 status=0
 "$work/faulty" >"$work/printed" || status=$?

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include "detent/shape/shape.hpp"
+#include "verify/draw/stage.hpp"
+
+namespace detent::verify {
+
+/// Shapes about one spot of a stage.
+///
+/// Each stands on one side of a plane through the spot, whose normal is an axis of an exact frame,
+/// and its point next to that plane is the spot itself, a whole number of steps before or behind
+/// it, or a unit beside: so two shapes on either side touch exactly, and a point at the spot is on
+/// a surface, as often as not. Some stand anywhere instead, and some are made of extreme numbers.
+template <Scalar S, int N>
+class ShapeScene : public Stage<S, N> {
+  using Base = Stage<S, N>;
+  using Base::center_;
+  using Base::corner;
+  using Base::extent;
+  using Base::extreme_;
+  using Base::part;
+  using Base::reach_;
+
+ public:
+  using Base::random;
+  using typename Base::Point;
+
+  explicit constexpr ShapeScene(Random& source) noexcept : Base(source) {
+    Base::begin();
+    frame_ = Base::template frame<N>();
+    far_ = reach_ / frame_.norm;
+    // A plane with this normal has points on the grid if it goes through the origin.
+    if (!extreme_ && !random.one_in(4) && frame_.norm > 1) center_ = across(far_);
+  }
+
+  [[nodiscard]] constexpr Vec<S, N> spot() const noexcept { return Base::vec(center_); }
+
+  /// How far away the last shape may be, or not quite, or anything.
+  constexpr S tolerance() noexcept {
+    switch (random.below(8)) {
+      case 0:
+        return Base::any();
+      case 1:
+        return Base::scalar(random.between(-2, 2));
+      case 2:
+        return Base::scalar(random.between(0, reach_));
+      default:
+        return Base::scalar(gap_ + random.between(-1, 1));
+    }
+  }
+
+  /// The next shape stands on the other side.
+  constexpr void turn() noexcept { side_ = -side_; }
+
+  constexpr Sphere<S, N> sphere() noexcept {
+    if (extreme_) return {Base::vec(any_point()), Base::scalar(extent())};
+    if (random.one_in(4)) {
+      const auto size = extent();
+      auto center = center_;
+      for (int i = 0; i < N; ++i) center[i] += part(size, 18);
+      return {Base::vec(center), Base::scalar(size)};
+    }
+    const auto next = anchor(3);
+    const auto steps = random.between(0, far_);
+    return {Base::vec(next + inward() * steps), radius(steps)};
+  }
+
+  constexpr Aabb<S, N> aabb() noexcept {
+    const bool loose = random.one_in(4);
+    const auto next = loose ? center_ : anchor(3);
+    Point min, max;
+    for (int i = 0; i < N; ++i) {
+      const auto size = extent();
+      const auto to_side = loose ? 0 : inward()[i];
+      const auto margin = loose ? size / 4 : 0;
+      const auto before = to_side > 0   ? 0
+                          : to_side < 0 ? size
+                                        : random.between(-margin, size + margin);
+      min[i] = next[i] - before;
+      max[i] = min[i] + size;
+    }
+    if (extreme_ && random.coin()) max = any_point();
+    return {Base::vec(min), Base::vec(max)};
+  }
+
+  constexpr Obb<S, N> obb() noexcept {
+    Point half;
+    if (extreme_ || random.one_in(4)) {
+      const auto axes = Base::template axes<N>();
+      auto center = center_;
+      for (int k = 0; k < N; ++k) {
+        half[k] = extent();
+        const auto steps = part(half[k], 18);
+        for (int i = 0; i < N; ++i) center[i] += axes.axes[k][i] * steps / Base::one;
+      }
+      return {Base::vec(center), Base::vec(half), Base::rotation(axes)};
+    }
+    auto center = anchor(3);
+    for (int k = 0; k < N; ++k) {
+      const auto steps = random.between(0, far_);
+      center += k == 0 ? inward() * steps : frame_.axes[k] * random.between(-steps, steps);
+      half[k] = radius_of(steps);
+    }
+    return {Base::vec(center), Base::vec(half), Base::rotation(Base::stretched(frame_))};
+  }
+
+  constexpr Plane<S, N> plane() noexcept {
+    const bool loose = extreme_ || random.one_in(8);
+    const auto normal = loose ? Base::template any_direction<N>() : Base::along(frame_, 0) * side_;
+    const auto next = anchor(5);
+    // |next| has components below 1.5 * 2^31, so this is at most |normal| |next| < 2^63.
+    std::int64_t height = Base::one / 2;
+    for (int i = 0; i < N; ++i) height += normal[i] * next[i];
+    const auto offset = extreme_ ? random.edgy(Base::bits) : height >> direction_component<S>::frac;
+    return {Base::direction(normal), Base::scalar(offset)};
+  }
+
+  constexpr Triangle<S, N> triangle() noexcept {
+    const bool loose = random.one_in(8);
+    auto corners = extreme_ || loose ? anywhere() : standing();
+    if (random.one_in(16)) {
+      const auto edge = corners[1] - corners[0];
+      corners[2] = corners[0] + edge * random.between(-1, 2);
+    }
+    const auto first = random.below(3), second = (first + 1 + random.below(2)) % 3;
+    return {Base::vec(corners[first]), Base::vec(corners[second]),
+            Base::vec(corners[3 - first - second])};
+  }
+
+  constexpr Capsule<S, N> capsule() noexcept {
+    const auto [a, b] = ends(3);
+    const auto steps = extreme_ || random.one_in(8) ? 0 : random.between(0, far_);
+    const auto back = inward() * steps;
+    return {Base::vec(a + back), Base::vec(b + back),
+            extreme_ ? Base::scalar(extent()) : radius(steps)};
+  }
+
+  constexpr Segment<S, N> segment() noexcept {
+    const auto [a, b] = ends(5);
+    return {Base::vec(a), Base::vec(b)};
+  }
+
+  constexpr Ray<S, N> ray() noexcept {
+    if (extreme_ || random.one_in(8)) {
+      const auto origin = extreme_ ? any_point() : center_ + corner(reach_);
+      return {Base::vec(origin), Base::direction(Base::template any_direction<N>()), Base::any()};
+    }
+    const auto next = anchor(5);
+    const int axis = random.coin() ? 1 : 0;
+    const auto sign = axis == 0 ? side_ : random.sign();
+    const auto steps = axis == 0 && random.coin() ? 0 : random.between(0, far_);
+    return {Base::vec(next - frame_.axes[axis] * (sign * steps)),
+            Base::direction(Base::along(frame_, axis) * sign), end(steps * frame_.norm)};
+  }
+
+ private:
+  constexpr Point any_point() noexcept { return Base::template any_point<N>(); }
+  /// From the plane through the spot to the side where the shape stands.
+  [[nodiscard]] constexpr Point inward() const noexcept { return frame_.axes[0] * side_; }
+  /// A step along that plane.
+  constexpr Point across(std::int64_t far) noexcept {
+    Point step;
+    for (int k = 1; k < N; ++k) step += frame_.axes[k] * random.between(-far, far);
+    return step;
+  }
+  /// A step along that plane and inward.
+  constexpr Point slanted(std::int64_t far) noexcept {
+    const auto step = across(far);
+    return step + inward() * random.between(0, far);
+  }
+
+  /// Where the shape begins: `at_spot` times in eight at the spot itself.
+  constexpr Point anchor(std::uint64_t at_spot) noexcept {
+    const auto pick = random.below(8);
+    gap_ = 0;
+    if (pick < at_spot) return center_;
+    if (pick == 7) return center_ + corner(1);
+    if (pick % 2 == 0) return center_ - inward() * random.between(0, far_ / 2);
+    const auto steps = random.between(0, far_);
+    gap_ = steps * frame_.norm;
+    return center_ + inward() * steps;
+  }
+
+  /// Mostly `steps` of the frame, or a unit off, or none, or negative.
+  constexpr std::int64_t radius_of(std::int64_t steps) noexcept {
+    if (random.one_in(64)) return random.between(-2, 0);
+    const auto beside = random.one_in(16) ? random.between(-1, 1) : 0;
+    return steps * frame_.norm + beside;
+  }
+  constexpr S radius(std::int64_t steps) noexcept { return Base::scalar(radius_of(steps)); }
+
+  /// The ends of a segment: away from the anchor, on both sides of it along the plane, or through
+  /// it in any direction.
+  constexpr std::array<Point, 2> ends(std::uint64_t at_spot) noexcept {
+    if (extreme_) {
+      const auto a = random.coin() ? center_ : any_point();
+      return {a, any_point()};
+    }
+    if (random.one_in(8)) {
+      const auto a = center_ + corner(reach_);
+      return {a, center_ + corner(reach_)};
+    }
+    const auto next = anchor(at_spot);
+    std::array<Point, 2> result{next, next};
+    switch (random.below(4)) {
+      case 0:
+        result[1] += inward() * random.between(0, far_);
+        break;
+      case 1:
+        result[1] += slanted(far_);
+        break;
+      default: {
+        const auto step = random.coin() ? across(far_ / 4) : slanted(far_ / 4);
+        const auto before = random.between(0, 3), after = random.between(0, 3);
+        result = {next - step * before, next + step * after};
+      }
+    }
+    if (random.coin()) return {result[1], result[0]};
+    return result;
+  }
+
+  constexpr std::array<Point, 3> anywhere() noexcept {
+    std::array<Point, 3> corners;
+    for (auto& point : corners) {
+      point = !extreme_ ? center_ + corner(reach_) : random.one_in(4) ? center_ : any_point();
+    }
+    return corners;
+  }
+  /// A triangle with the anchor at a corner, on an edge, or inside.
+  constexpr std::array<Point, 3> standing() noexcept {
+    const auto next = anchor(N == 2 ? 3 : 5);
+    switch (random.below(3)) {
+      case 0: {
+        const auto b = next + slanted(far_), c = next + slanted(far_);
+        return {next, b, c};
+      }
+      case 1: {
+        const auto step = across(far_ / 4);
+        const auto before = random.between(0, 3), after = random.between(0, 3);
+        return {next - step * before, next + step * after, next + slanted(far_)};
+      }
+      default: {
+        const auto u = N == 2 ? slanted(far_ / 8) : across(far_ / 8);
+        const auto v = N == 2 ? slanted(far_ / 8) : across(far_ / 8);
+        const auto s = random.between(0, 4), t = random.between(0, 4);
+        const auto first = next - u * s - v * t;
+        return {first, first + u * 8, first + v * 8};
+      }
+    }
+  }
+
+  /// Where a ray ends whose anchor is at `distance`: mostly never.
+  constexpr S end(std::int64_t distance) noexcept {
+    switch (random.below(8)) {
+      case 0:
+      case 1:
+        return Base::scalar(distance + random.between(-1, 1));
+      case 2:
+        return Base::scalar(random.between(-1, reach_));
+      default:
+        return largest<S>;
+    }
+  }
+
+  Frame<N> frame_{};
+  std::int64_t far_ = 0;  // how many steps of the frame make the reach
+  std::int64_t side_ = 1;
+  std::int64_t gap_ = 0;  // from the spot to the shape, where that is known
+};
+
+}  // namespace detent::verify

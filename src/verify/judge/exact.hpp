@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <optional>
+#include <string>
+
+#include "oracle/exact.hpp"
+#include "oracle/rounding.hpp"
+#include "verify/converted.hpp"
+#include "verify/describe.hpp"
+
+namespace detent::verify::judge {
+
+using oracle::Integer;
+using Real = boost::multiprecision::cpp_bin_float_100;
+
+struct Wrong {
+  std::string expected;
+  std::string got;
+};
+
+// Results that the contract leaves a margin are off by so little more than half a unit that only
+// what lies next to a tie has two right answers.
+
+/// Beyond half a unit, for rotations and for normals of spheres (in thousandths).
+inline const Real rotation_margin("0.5001");
+inline constexpr int normal_margin = 501;
+
+template <class T>
+std::optional<Wrong> compare(const T& expected, const T& got) {
+  if (expected == got) return std::nullopt;
+  return Wrong{words(expected), words(got)};
+}
+
+/// An integer as a T, clamped.
+template <class T>
+T clamped(const Integer& raw) {
+  const Integer low = static_cast<std::int64_t>(T::lowest().raw());
+  const Integer high = static_cast<std::int64_t>(T::max().raw());
+  const auto inside = static_cast<std::int64_t>(raw < low ? low : raw > high ? high : raw);
+  return T::from_raw(static_cast<typename T::raw_type>(inside));
+}
+
+/// What has a scalar of 32 bits as what has a q16_16 of the same raw bits: the oracles of shapes
+/// count in raw units, so they need not be compiled for every scalar.
+template <Scalar S, class T>
+auto in_raw_units(const T& x) {
+  if constexpr (S::bits > 16) {
+    return converted<q16_16>(x);
+  } else {
+    return x;
+  }
+}
+/// Raw units as a vector of scalars, clamped.
+template <Number T, std::size_t N>
+Vec<T, static_cast<int>(N)> clamped(const std::array<Integer, N>& raw) {
+  return make_vec<static_cast<int>(N)>(
+      [&](int i) { return clamped<T>(raw[static_cast<std::size_t>(i)]); });
+}
+
+inline Integer scaled(const Integer& x, int bits) {
+  return x * (Integer(1) << static_cast<unsigned>(bits));
+}
+
+/// over / under to the nearest integer, ties to even, for a denominator of either sign.
+inline Integer nearest_quotient(const Integer& over, const Integer& under) {
+  const auto t = oracle::Moment::fraction(over, under);
+  return oracle::nearest_quotient(t.over, t.under);
+}
+
+/// The nearest integer to a number that is no tie.
+inline Integer nearest(const Real& x) {
+  return static_cast<Integer>(floor(x + Real(0.5)).convert_to<boost::multiprecision::cpp_int>());
+}
+inline Real steps(int frac) { return ldexp(Real(1), frac); }
+template <int Bits, int Frac>
+Real real(const Fixed<Bits, Frac>& x) {
+  return Real(static_cast<std::int64_t>(x.raw())) / steps(Frac);
+}
+inline const Real& two_pi() {
+  static const Real value = 8 * atan(Real(1));
+  return value;
+}
+template <Scalar S>
+Real radians(Angle<S> angle) {
+  return Real(angle.raw()) / steps(32) * two_pi();
+}
+/// In (-2^31, 2^31], in units of 2^-32 turn.
+template <Scalar S>
+std::int64_t signed_units(Angle<S> angle) {
+  const auto raw = static_cast<std::int64_t>(angle.raw());
+  return raw > std::int64_t{1} << 31 ? raw - (std::int64_t{1} << 32) : raw;
+}
+inline std::uint32_t wrapped(const Integer& units) {
+  const Integer turn = Integer(1) << 32;
+  const Integer whole = oracle::floor_quotient(units, turn);
+  return static_cast<std::uint32_t>(Integer(units - whole * turn));
+}
+
+template <Scalar S, int N>
+oracle::Raw<N> raw_of(const Vec<S, N>& v) {
+  oracle::Raw<N> raw{};
+  for (int i = 0; i < N; ++i) {
+    raw[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(v[i].raw());
+  }
+  return raw;
+}
+
+}  // namespace detent::verify::judge

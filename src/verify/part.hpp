@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include "verify/sheets.hpp"
+
+namespace detent::verify {
+
+/// What can be done with the sheets of a part, which are counted from 0. Each part is compiled in a
+/// file of its own, in parts/.
+template <class Part>
+struct PartSheets {
+  static std::vector<Answers> answer(std::size_t sheet, std::uint32_t size, bool keep_bytes);
+  static std::uint64_t digest_of_questions(std::size_t sheet, std::uint32_t size);
+  static std::optional<Finding> first_wrong(std::size_t sheet, std::size_t row, std::uint32_t size);
+};
+
+}  // namespace detent::verify

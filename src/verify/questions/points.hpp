@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "detent/query/barycentric.hpp"
+#include "detent/query/closest_point.hpp"
+#include "detent/query/contains.hpp"
+#include "detent/query/distance.hpp"
+#include "detent/query/on.hpp"
+#include "verify/questions/kinds.hpp"
+
+namespace detent::verify {
+
+/// A point and a shape, and how near is near enough.
+template <Scalar S, int N, class ShapeType>
+struct PointCase {
+  using Shape = ShapeType;
+  Shape shape;
+  Vec<S, N> point;
+  S tolerance{};
+};
+template <class D, Scalar S, int N, class Shape>
+constexpr void append(D& digest, const PointCase<S, N, Shape>& c) noexcept {
+  digest.add(c.shape, c.point, c.tolerance);
+}
+
+/// The square of a length as the digest takes it: rounded down to the grid of the squares of a
+/// scalar and clamped to their range, so that it says nothing of how a fraction is represented.
+template <Number S>
+struct square_of {
+  using type = S;
+};
+template <int Bits, int Frac>
+struct square_of<Fixed<Bits, Frac>> {
+  using type = Fixed<2 * Bits + 1, 2 * Frac>;
+};
+template <Scalar S, Number T>
+[[nodiscard]] constexpr auto rounded_square(const T& x) noexcept {
+  return floor_to<typename square_of<S>::type>(x);
+}
+template <Scalar S, Number Over, Number Under>
+[[nodiscard]] constexpr auto rounded_square(const Fraction<Over, Under>& x) noexcept {
+  return quotient_floor<typename square_of<S>::type>(x.numerator, x.denominator);
+}
+
+/// A group's rows are the first of these, as many as there are for its kind of shape.
+enum PointRow {
+  contains_row,
+  on_row,
+  closest_point_row,
+  distance_row,
+  squared_distance_row,
+  barycentric_row
+};
+
+template <class Kind, std::size_t Rows>
+struct Points {
+  static constexpr std::array<RowName, 6> all_names{
+      RowName("contains/", Kind::name),         RowName("on/", Kind::name),
+      RowName("closest_point/", Kind::name),    RowName("distance/", Kind::name),
+      RowName("squared_distance/", Kind::name), RowName("barycentric/", Kind::name)};
+  static constexpr auto names = [] {
+    std::array<std::string_view, Rows> views;
+    for (std::size_t row = 0; row < Rows; ++row) views[row] = all_names[row].view();
+    return views;
+  }();
+
+  template <int N>
+  static constexpr bool asks = N >= 2;
+
+  template <Scalar S, int N>
+  static constexpr auto draw(Random& random) noexcept {
+    ShapeScene<S, N> scene(random);
+    const auto shape = Kind::draw(scene);
+    using Shape = std::remove_const_t<decltype(shape)>;
+    return PointCase<S, N, Shape>{shape, scene.spot(), scene.tolerance()};
+  }
+
+  template <int Row, Scalar S, int N, class Shape>
+  [[nodiscard]] static constexpr auto answer(const PointCase<S, N, Shape>& c) noexcept {
+    if constexpr (Row == contains_row) {
+      return contains(c.shape, c.point);
+    } else if constexpr (Row == on_row) {
+      return on(c.shape, c.point, c.tolerance);
+    } else if constexpr (Row == closest_point_row) {
+      return closest_point(c.shape, c.point);
+    } else if constexpr (Row == distance_row) {
+      return distance(c.shape, c.point);
+    } else if constexpr (Row == squared_distance_row) {
+      return rounded_square<S>(squared_distance(c.shape, c.point));
+    } else {
+      using Weights = std::optional<Vec<direction_component<S>, 3>>;
+      const auto weights = barycentric(c.shape, c.point);
+      return weights ? Weights(nearest_to<direction_component<S>>(*weights)) : Weights();
+    }
+  }
+};
+
+using SpherePoints = Points<SphereKind, 4>;
+using AabbPoints = Points<AabbKind, 5>;
+using ObbPoints = Points<ObbKind, 5>;
+using PlanePoints = Points<PlaneKind, 5>;
+using TrianglePoints = Points<TriangleKind, 6>;
+using CapsulePoints = Points<CapsuleKind, 4>;
+using SegmentPoints = Points<SegmentKind, 5>;
+using RayPoints = Points<RayKind, 5>;
+
+}  // namespace detent::verify

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "detent/query/raycast.hpp"
+#include "verify/draw/rays.hpp"
+
+namespace detent::verify {
+
+template <class D, Scalar S, int N, class Shape>
+constexpr void append(D& digest, const RayCase<S, N, Shape>& c) noexcept {
+  digest.add(c.ray, c.shape, c.facing == Facing::front);
+}
+/// A box has no facing, and the digests of its questions have never had one.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const RayCase<S, N, Obb<S, N>>& c) noexcept {
+  digest.add(c.ray, c.shape);
+}
+
+/// raycast, raycast_hit and raycast_interval against one kind of shape.
+template <int Row, class Case>
+[[nodiscard]] constexpr auto cast(const Case& c) noexcept {
+  constexpr bool has_sides = requires { raycast(c.ray, c.shape, c.facing); };
+  if constexpr (Row == 0) {
+    if constexpr (has_sides)
+      return raycast(c.ray, c.shape, c.facing);
+    else
+      return raycast(c.ray, c.shape);
+  } else if constexpr (Row == 1) {
+    if constexpr (has_sides)
+      return raycast_hit(c.ray, c.shape, c.facing);
+    else
+      return raycast_hit(c.ray, c.shape);
+  } else {
+    if constexpr (has_sides)
+      return raycast_interval(c.ray, c.shape, c.facing);
+    else
+      return raycast_interval(c.ray, c.shape);
+  }
+}
+
+struct RayGroup {
+  template <int N>
+  static constexpr bool asks = N >= 2;
+  template <int Row, class Case>
+  [[nodiscard]] static constexpr auto answer(const Case& c) noexcept {
+    return cast<Row>(c);
+  }
+};
+
+struct Spheres : RayGroup {
+  static constexpr std::array<std::string_view, 3> names{"raycast/sphere", "raycast_hit/sphere",
+                                                         "raycast_interval/sphere"};
+  template <Scalar S, int N>
+  static constexpr auto draw(Random& random) noexcept {
+    return RayScene<S, N>(random).sphere();
+  }
+};
+struct Aabbs : RayGroup {
+  static constexpr std::array<std::string_view, 3> names{"raycast/aabb", "raycast_hit/aabb",
+                                                         "raycast_interval/aabb"};
+  template <Scalar S, int N>
+  static constexpr auto draw(Random& random) noexcept {
+    return RayScene<S, N>(random).aabb();
+  }
+};
+struct Obbs : RayGroup {
+  static constexpr std::array<std::string_view, 3> names{"raycast/obb", "raycast_hit/obb",
+                                                         "raycast_interval/obb"};
+  template <Scalar S, int N>
+  static constexpr auto draw(Random& random) noexcept {
+    return RayScene<S, N>(random).obb();
+  }
+};
+struct Planes : RayGroup {
+  static constexpr std::array<std::string_view, 3> names{"raycast/plane", "raycast_hit/plane",
+                                                         "raycast_interval/plane"};
+  template <Scalar S, int N>
+  static constexpr auto draw(Random& random) noexcept {
+    return RayScene<S, N>(random).plane();
+  }
+};
+struct Triangles : RayGroup {
+  static constexpr std::array<std::string_view, 3> names{"raycast/triangle", "raycast_hit/triangle",
+                                                         "raycast_interval/triangle"};
+  template <Scalar S, int N>
+  static constexpr auto draw(Random& random) noexcept {
+    return RayScene<S, N>(random).triangle();
+  }
+};
+
+}  // namespace detent::verify
