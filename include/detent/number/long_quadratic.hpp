@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <concepts>
 #include <optional>
 
 #include "detent/number/rounding.hpp"
@@ -34,12 +34,10 @@ template <int B, int F>
       Root::assume_raw(shift_left(integer_cast<Raw>(root), std::max(excess, 0) / 2)),
       std::max(-excess, 0) / 2};
 }
-#if __STDC_HOSTED__
 template <std::floating_point T>
 [[nodiscard]] constexpr auto leading_root(T x) noexcept {
-  return LeadingRoot<T>{std::sqrt(x), 0};
+  return LeadingRoot<T>{sqrt_floor<T>(x), 0};
 }
-#endif
 
 /// The roots of a t^2 + 2 b t + c = 0 with a > 0, for numbers beyond what `Quadratic` takes, where
 /// the caller has a formula of its own for d = b^2 - a c >= 0.
