@@ -127,6 +127,24 @@ bool meet(const Plane<S, N>& plane, const Hull<N>& hull) {
   return is_above && is_below;
 }
 
+/// Whether two planes meet: two equations for a point, whose coordinates are differences of two that
+/// are not negative.
+template <Scalar S, int N>
+bool meet(const Plane<S, N>& a, const Plane<S, N>& b) {
+  Simplex simplex(2, 2 * static_cast<std::size_t>(N));
+  std::size_t row = 0;
+  for (const auto& plane : {a, b}) {
+    const auto normal = widen(raw(plane.normal));
+    const Integer one = Integer(1) << static_cast<unsigned>(direction_component<S>::frac);
+    for (std::size_t i = 0; i < normal.size(); ++i) {
+      simplex.at(row, 2 * i) = normal[i];
+      simplex.at(row, 2 * i + 1) = -normal[i];
+    }
+    simplex.right(row++) = raw(plane.offset) * one;
+  }
+  return simplex.is_feasible();
+}
+
 template <Scalar S, int N>
 Hull<N> hull_of(const Segment<S, N>& segment) {
   return {{raw(segment.start), raw(segment.end)}};

@@ -7,26 +7,9 @@
 namespace detent::oracle {
 namespace {
 
-/// Two equations for a point, whose coordinates are differences of two that are not negative.
-template <Scalar S, int N>
-bool have_common_point(const Plane<S, N>& a, const Plane<S, N>& b) {
-  Simplex simplex(2, 2 * static_cast<std::size_t>(N));
-  std::size_t row = 0;
-  for (const auto& plane : {a, b}) {
-    const auto normal = widen(raw(plane.normal));
-    const Integer one = Integer(1) << static_cast<unsigned>(direction_component<S>::frac);
-    for (std::size_t i = 0; i < normal.size(); ++i) {
-      simplex.at(row, 2 * i) = normal[i];
-      simplex.at(row, 2 * i + 1) = -normal[i];
-    }
-    simplex.right(row++) = raw(plane.offset) * one;
-  }
-  return simplex.is_feasible();
-}
-
 template <Scalar S, int N>
 void examine(std::uint64_t seed, long count) {
-  const auto truth = [](const auto& a, const auto& b) { return have_common_point(a, b); };
+  const auto truth = [](const auto& a, const auto& b) { return meet(a, b); };
   PairExam<S, N, decltype(truth)> exam(seed, truth);
   auto& draw = exam.draw;
   auto& random = draw.random;
