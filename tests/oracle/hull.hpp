@@ -42,6 +42,18 @@ void draw_shape(Artist<S, N>& artist, ConvexHull<S, N>& hull) {
   hull = {points};
 }
 
+/// `count` points near the surface of a ball, most of them corners, so that the way to the answer is
+/// long.
+template <Scalar S, int N>
+ConvexHull<S, N> round_hull(Draw<S, N>& draw, const Raw<N>& center, std::int64_t radius,
+                            std::size_t count) {
+  const auto points = room_for_hull<S, N>(count);
+  for (auto& point : points) {
+    point = Draw<S, N>::vec(Draw<S, N>::moved(center, draw.any_direction(), radius));
+  }
+  return {points};
+}
+
 template <Scalar S, int N>
 std::string describe(const ConvexHull<S, N>& hull) {
   std::string out = "hull";

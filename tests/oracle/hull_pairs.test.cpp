@@ -10,16 +10,6 @@
 namespace detent::oracle {
 namespace {
 
-/// Many points near the surface of a ball, so that the way to the closest ones is long.
-template <Scalar S, int N>
-ConvexHull<S, N> round_hull(Draw<S, N>& draw, const Raw<N>& center, std::int64_t radius) {
-  const auto points = room_for_hull<S, N>(3 * most_corners);
-  for (auto& point : points) {
-    point = Draw<S, N>::vec(Draw<S, N>::moved(center, draw.any_direction(), radius));
-  }
-  return {points};
-}
-
 template <Scalar S, int N>
 void examine(std::uint64_t seed, long count) {
   using Hull = ConvexHull<S, N>;
@@ -29,8 +19,8 @@ void examine(std::uint64_t seed, long count) {
       const auto radius = std::max<std::int64_t>(exam.draw.scale() / 4, 2);
       const auto center = exam.draw.point(radius);
       return std::pair{
-          round_hull(exam.draw, center, radius),
-          round_hull(exam.draw, exam.draw.near(center, radius * (N == 2 ? 9 : 7) / 4), radius)};
+          round_hull(exam.draw, center, radius, 24),
+          round_hull(exam.draw, exam.draw.near(center, radius * (N == 2 ? 9 : 7) / 4), radius, 24)};
     });
   });
   examine_pair<Triangle<S, N>, Hull>(seed + 1, count, truth, Aim{N == 2 ? 65 : 30, 30, 70});

@@ -76,6 +76,14 @@ void examine(std::uint64_t seed, long count) {
   family("tiny", Kind::tiny, 10, 10, 90);
   family("extreme", Kind::extreme, 15, 1, 80);
   family("degenerate", Kind::degenerate, 10, 5, 90);
+  exam.family("round", count / 60, 30, 80, [&] {
+    const auto radius = std::max<std::int64_t>(draw.scale() / 4, 2);
+    const auto center = draw.point(radius);
+    const auto origin = draw.near(center, 3 * radius);
+    const auto direction = draw.towards(origin, draw.near(center, N == 2 ? 2 * radius : radius));
+    return std::pair{Ray<S, N>{D::vec(origin), direction, D::scalar(D::limit)},
+                     round_hull(draw, center, radius, 12)};
+  });
   exam.finish(count);
 }
 

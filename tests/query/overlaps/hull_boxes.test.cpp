@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "query/overlaps/hulls.hpp"
+
+namespace detent::test {
+namespace {
+
+TEMPLATE_TEST_CASE("overlaps, box and hull: hit, miss, touch, flat, empty", "[overlaps]",
+                   DETENT_EVERY_SPACE) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const auto point = [](double x, double y) { return at<S, N>(x, y); };
+  const auto solid = diamond<S, N>();
+  CHECK(meets(Aabb<S, N>{point(2, 2), point(9, 9)}, solid));
+  CHECK_FALSE(meets(Aabb<S, N>{point(2, 2.5), point(9, 9)}, solid));
+  CHECK(meets(Aabb<S, N>{point(-9, 0), point(9, 0)}, solid));
+
+  CHECK(meets(Obb<S, N>{point(5, 5), at<S, N>(3, 3, 3), {}}, solid));
+  CHECK_FALSE(meets(Obb<S, N>{point(5, 5), at<S, N>(3, 2.5, 3), {}}, solid));
+
+  const Points<S, N, 3> line{at<S, N>(-2), at<S, N>(3), at<S, N>(0)};
+  CHECK(meets(Aabb<S, N>{at<S, N>(0), at<S, N>(1)}, line));
+  CHECK_FALSE(meets(Aabb<S, N>{at<S, N>(0, 1), at<S, N>(1, 1)}, line));
+  CHECK(meets(Obb<S, N>{at<S, N>(4), at<S, N>(1, 2), {}}, line));
+  CHECK_FALSE(meets(Obb<S, N>{at<S, N>(4.5), at<S, N>(1, 2), {}}, line));
+
+  const ConvexHull<S, N> none;
+  CHECK_FALSE(overlaps(Aabb<S, N>{}, none));
+  CHECK_FALSE(overlaps(Obb<S, N>{}, none));
+  CHECK_FALSE(overlaps(Aabb<S, N>{at<S, N>(1), at<S, N>(0)}, ConvexHull<S, N>{solid}));
+  CHECK_FALSE(meets(Obb<S, N>{{}, at<S, N>(1, -1, 1), {}}, solid));
+}
+
+TEMPLATE_TEST_CASE("overlaps, box and hull: one raw unit decides, at the ends of the domain too",
+                   "[overlaps]", DETENT_FIXED_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const auto low = filled<S, N>(S::lowest()), high = filled<S, N>(S::max());
+  auto side = low;
+  side.x = S::max();
+  const Points<S, N, 3> half{low, side, high};
+  auto on = Vec<S, N>(), beside = on;
+  beside.x = moved(S(0), -1);
+  CHECK(meets(Aabb<S, N>{on, on}, half));
+  CHECK_FALSE(meets(Aabb<S, N>{beside, beside}, half));
+  CHECK(meets(Obb<S, N>{on, {}, {}}, half));
+  CHECK_FALSE(meets(Obb<S, N>{beside, {}, {}}, half));
+  CHECK(meets(Obb<S, N>{low, high, {}}, half));
+  // A segment through (3, 4) read as a box, and a corner on it and beside it.
+  const Obb<S, N> line{{}, at<S, N>(10), three_four_fifths_frame<S, N>()};
+  auto corner = at<S, N>(3, 4);
+  CHECK(meets(line, Points<S, N, 2>{corner, at<S, N>(9, 4)}));
+  corner.x = moved(corner.x, 1);
+  CHECK_FALSE(meets(line, Points<S, N, 2>{corner, at<S, N>(9, 4)}));
+}
+
+}  // namespace
+}  // namespace detent::test
