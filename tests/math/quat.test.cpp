@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "detent/number/digest.hpp"
+#include "math/frames.hpp"
 #include "math/quaternions.hpp"
 
 using namespace detent;
@@ -156,6 +157,12 @@ TEMPLATE_TEST_CASE("quat: vectors and axes turn with one rounding", "", q16_16, 
       }
     }
     if (inverse_rotate(q, v3) != rotate(conjugate(q), v3)) ++wrong;
+    const auto d = axis_of(random_quat<S>(random)).value_or(Direction<S, 3>::along(2));
+    const auto r = four<BigInteger>(q);
+    const auto way = product(product(r, {big_raw(d[0]), big_raw(d[1]), big_raw(d[2]), 0}),
+                             {-r[0], -r[1], -r[2], r[3]});
+    if (!is_direction_of(rotate(q, d), {way[0], way[1], way[2]})) ++wrong;
+    if (inverse_rotate(q, d) != rotate(conjugate(q), d)) ++wrong;
   }
   INFO(random);
   CHECK(wrong == 0);

@@ -104,19 +104,24 @@ TEMPLATE_TEST_CASE("transform: frames and directions are correctly rounded direc
     const auto outer = random_frame<Sc, N>(random), inner = random_frame<Sc, N>(random);
     const auto product = compose(outer, inner), back = inverse(outer);
     for (int i = 0; i < N; ++i) {
-      std::array<BigInteger, N> column, row;
+      std::array<BigInteger, N> column, row, local;
       for (int j = 0; j < N; ++j) {
         auto& sum = column[static_cast<std::size_t>(j)];
-        for (int l = 0; l < N; ++l) sum += big_raw(outer.axis(l)[j]) * big_raw(inner.axis(i)[l]);
+        auto& dual = local[static_cast<std::size_t>(j)];
+        for (int l = 0; l < N; ++l) {
+          sum += big_raw(outer.axis(l)[j]) * big_raw(inner.axis(i)[l]);
+          dual += big_raw(outer.axis(j)[l]) * big_raw(inner.axis(i)[l]);
+        }
         row[static_cast<std::size_t>(j)] = big_raw(outer.axis(j)[i]);
       }
       if (!is_direction_of(product.axis(i), column)) ++wrong;
       if (!is_direction_of(back.axis(i), row)) ++wrong;
+      if (!is_direction_of(inverse_rotate(outer, inner.axis(i)), local)) ++wrong;
     }
     const Transform<Sc, N> t{{}, outer, random_fixed<Sc>(random)};
     const auto d = inner.axis(0), along = t.scale < 0 ? -d : d;
     if (transform_direction(t, d) != rotate(outer, along)) ++wrong;
-    if (inverse_transform_direction(t, d) != rotate(back, along)) ++wrong;
+    if (inverse_transform_direction(t, d) != inverse_rotate(outer, along)) ++wrong;
   }
   INFO(random);
   CHECK(wrong == 0);

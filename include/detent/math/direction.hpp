@@ -2,11 +2,30 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 
 #include "detent/math/vec.hpp"
 
 namespace detent {
+
+namespace detail {
+
+/// The components with these raw numbers; `float` and `double` are their own.
+template <Number T, class Raw, std::size_t Size>
+[[nodiscard]] constexpr std::array<T, Size> from_raw(const std::array<Raw, Size>& raw) noexcept {
+  std::array<T, Size> components;
+  for (std::size_t i = 0; i < Size; ++i) {
+    if constexpr (is_fixed<T>) {
+      components[i] = T::from_raw(raw[i]);
+    } else {
+      components[i] = raw[i];
+    }
+  }
+  return components;
+}
+
+}  // namespace detail
 
 /// A unit vector, made only by normalising or from raw bits that prove to be one.
 ///
@@ -33,16 +52,9 @@ class Direction {
   /// (a length off by more than 2^-29, or 2^-13 for 16-bit components; a component beyond 1).
   [[nodiscard]] static constexpr std::optional<Direction> from_raw(
       const std::array<Raw, N>& raw) noexcept {
-    const auto components = make_vec<N>([&](int i) {
-      const Raw component = raw[static_cast<std::size_t>(i)];
-      if constexpr (is_fixed<Component>) {
-        return Component::from_raw(component);
-      } else {
-        return component;
-      }
-    });
-    if (!is_unit(to_array(components))) return std::nullopt;
-    return Direction(components);
+    const auto components = detail::from_raw<Component>(raw);
+    if (!is_unit(components)) return std::nullopt;
+    return Direction(from_array(components));
   }
 
   /// The direction with these components, which the caller knows to be those of a unit vector.

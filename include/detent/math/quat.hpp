@@ -28,16 +28,9 @@ class Quat {
   /// unit quaternion.
   [[nodiscard]] static constexpr std::optional<Quat> from_raw(
       const std::array<Raw, 4>& raw) noexcept {
-    const auto components = make_vec<4>([&](int i) {
-      const Raw component = raw[static_cast<std::size_t>(i)];
-      if constexpr (is_fixed<Component>) {
-        return Component::from_raw(component);
-      } else {
-        return component;
-      }
-    });
-    if (!is_unit(to_array(components))) return std::nullopt;
-    return Quat(components);
+    const auto components = detail::from_raw<Component>(raw);
+    if (!is_unit(components)) return std::nullopt;
+    return Quat(from_array(components));
   }
 
   /// The quaternion with the components x, y, z, w, which the caller knows to be those of a unit
@@ -210,9 +203,29 @@ template <Scalar S>
   });
 }
 
-/// The vector `v` of the world in the local frame; as exact as `rotate`.
+/// The direction `d` of the local frame in the world.
+///
+/// exact: each component that of the rotated direction, normalised, rounded to nearest
+///        (tests/math/quat.test.cpp)
+template <Scalar S>
+[[nodiscard]] constexpr Direction<S, 3> rotate(const Quat<S>& q,
+                                               const Direction<S, 3>& d) noexcept {
+  const auto columns = detail::quaternion_columns<detail::cosine_bits<S>>(q.vec());
+  constexpr int bits = detail::cosine_bits<S> + bits_of<direction_component<S>>;  // |q|^2 |d|
+  return direction_of<S>(make_vec<3>([&](int j) {
+           return narrow_dot<bits>(Vec{columns[0][j], columns[1][j], columns[2][j]}, d.vec());
+         }))
+      .value_or(d);
+}
+
+/// The vector or direction `v` of the world in the local frame; as exact as `rotate`.
 template <Scalar S>
 [[nodiscard]] constexpr Vec<S, 3> inverse_rotate(const Quat<S>& q, const Vec<S, 3>& v) noexcept {
+  return rotate(conjugate(q), v);
+}
+template <Scalar S>
+[[nodiscard]] constexpr Direction<S, 3> inverse_rotate(const Quat<S>& q,
+                                                       const Direction<S, 3>& v) noexcept {
   return rotate(conjugate(q), v);
 }
 

@@ -208,6 +208,13 @@ template <Scalar S, int N>
       .value_or(d);
 }
 
+/// The direction `d` of the world in the local frame; as exact as `rotate`.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Direction<S, N> inverse_rotate(const Rotation<S, N>& rotation,
+                                                       const Direction<S, N>& d) noexcept {
+  return direction_of<S>(make_vec<N>([&](int i) { return dot(rotation.axis(i), d); })).value_or(d);
+}
+
 /// The rotation that turns by `inner` and then by `outer`.
 ///
 /// exact: each axis is that of `inner`, rotated and rounded once    (tests/math/transform.test.cpp)

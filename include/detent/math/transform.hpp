@@ -107,7 +107,7 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr Direction<S, N> inverse_transform_direction(
     const Transform<S, N>& transform, const Direction<S, N>& d) noexcept {
-  return rotate(inverse(transform.rotation), transform.scale < 0 ? -d : d);
+  return inverse_rotate(transform.rotation, transform.scale < 0 ? -d : d);
 }
 
 /// The motion that moves as `inner` and then as `outer`: a child's in the frame of its parent.
