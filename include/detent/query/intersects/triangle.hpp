@@ -14,6 +14,32 @@ template <Number T>
   return (a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0);
 }
 
+enum class Crossing { none, in_plane, point };
+
+/// How a segment meets a 3D triangle whose first corner is the origin and whose others are `b` and
+/// `c`: in no point, in one, or perhaps in more since it lies in the triangle's plane. A collapsed
+/// triangle has every segment in its plane.
+///
+/// The heights n . x of its ends over the plane, for n = b x c, tell whether the segment crosses
+/// it. Volumes over the segment are the barycentric weights of the crossing times `whole`.
+///
+/// source: Moeller and Trumbore, Fast, Minimum Storage Ray-Triangle Intersection (1997)
+template <Number T>
+[[nodiscard]] constexpr Crossing crossing(const Vec<T, 3>& b, const Vec<T, 3>& c,
+                                          const Vec<T, 3>& start, const Vec<T, 3>& end) noexcept {
+  const auto normal = cross(b, c);
+  const auto at_start = dot(normal, start), at_end = dot(normal, end);
+  if (same_side(at_start, at_end)) return Crossing::none;
+  if (at_start == 0 && at_end == 0) return Crossing::in_plane;
+  const auto moment = cross(end, start);
+  const auto whole = at_start - at_end;
+  const auto of_b = -dot(c, moment), of_c = dot(b, moment);
+  const auto of_a = whole - of_b - of_c;
+  const bool inside =
+      whole > 0 ? of_a >= 0 && of_b >= 0 && of_c >= 0 : of_a <= 0 && of_b <= 0 && of_c <= 0;
+  return inside ? Crossing::point : Crossing::none;
+}
+
 }  // namespace detail
 
 /// Whether `segment` has a point in the 2D `triangle`, a solid, its edges included.
@@ -45,36 +71,30 @@ template <Scalar S>
 
 /// Whether `segment` has a point in the 3D `triangle`, a surface, its edges included.
 ///
-/// With n = (b - a) x (c - a), its heights n . (x - a) over the plane tell whether the segment
-/// crosses it, and volumes over the segment in which point of the triangle.
-///
 /// domain: every input; a collapsed triangle is the segment or point that its corners span
 /// exact:  yes or no exact, for a segment in the plane of the triangle too
 ///         (tests/oracle/segment_triangle.test.cpp)
-/// source: Moeller and Trumbore, Fast, Minimum Storage Ray-Triangle Intersection (1997)
 template <Scalar S>
 [[nodiscard]] constexpr bool intersects(const Segment<S, 3>& segment,
                                         const Triangle<S, 3>& triangle) noexcept {
   const auto& [start, end] = segment;
   const auto& [a, b, c] = triangle;
-  const auto edge_b = b - a, edge_c = c - a, from_a = start - a;
-  const auto normal = cross(edge_b, edge_c);
-  const auto at_start = dot(normal, from_a), at_end = dot(normal, end - a);
-  if (detail::same_side(at_start, at_end)) return false;
-  if (at_start == 0 && at_end == 0) {
-    if (detail::is_zero(normal)) return intersects(segment, detail::collapsed(triangle));
-    // In the plane of the triangle, what the axis most along its normal hides decides nothing.
-    const int axis = detail::longest_axis(normal);
-    return intersects(
-        Segment{detail::without(start, axis), detail::without(end, axis)},
-        Triangle{detail::without(a, axis), detail::without(b, axis), detail::without(c, axis)});
+  const auto edge_b = b - a, edge_c = c - a;
+  switch (detail::crossing(edge_b, edge_c, start - a, end - a)) {
+    case detail::Crossing::none:
+      return false;
+    case detail::Crossing::point:
+      return true;
+    case detail::Crossing::in_plane:
+      break;
   }
-  // `whole` times the barycentric weights of b and c at the crossing, and what they leave to a.
-  const auto moment = cross(end - start, from_a);
-  const auto whole = at_start - at_end;
-  const auto of_b = -dot(edge_c, moment), of_c = dot(edge_b, moment);
-  const auto of_a = whole - of_b - of_c;
-  return whole > 0 ? of_a >= 0 && of_b >= 0 && of_c >= 0 : of_a <= 0 && of_b <= 0 && of_c <= 0;
+  const auto normal = cross(edge_b, edge_c);
+  if (detail::is_zero(normal)) return intersects(segment, detail::collapsed(triangle));
+  // In the plane of the triangle, what the axis most along its normal hides decides nothing.
+  const int axis = detail::longest_axis(normal);
+  return intersects(
+      Segment{detail::without(start, axis), detail::without(end, axis)},
+      Triangle{detail::without(a, axis), detail::without(b, axis), detail::without(c, axis)});
 }
 
 }  // namespace detent

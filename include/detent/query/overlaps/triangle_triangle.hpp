@@ -22,20 +22,22 @@ template <Scalar S, Number Area>
   return is_beyond(a.a, a.b) || is_beyond(a.b, a.c) || is_beyond(a.c, a.a);
 }
 
-/// Whether `b` is on one side of the plane of `a`, without touching it. A collapsed triangle has no
-/// plane, and separates nothing.
+/// The heights of the corners of `b` over the plane of `a`, times its doubled area; a collapsed
+/// triangle has no plane and gives zeros.
 template <Scalar S>
-[[nodiscard]] constexpr bool plane_separates(const Triangle<S, 3>& a,
-                                             const Triangle<S, 3>& b) noexcept {
+[[nodiscard]] constexpr auto heights(const Triangle<S, 3>& a, const Triangle<S, 3>& b) noexcept {
   const auto normal = cross(a.b - a.a, a.c - a.a);
-  return same_side(dot(normal, b.a - a.a), dot(normal, b.b - a.a), dot(normal, b.c - a.a));
+  return Vec{dot(normal, b.a - a.a), dot(normal, b.b - a.a), dot(normal, b.c - a.a)};
 }
 
-/// Whether an edge of `a` has a point in `b`.
-template <Scalar S>
-[[nodiscard]] constexpr bool edge_meets(const Triangle<S, 3>& a, const Triangle<S, 3>& b) noexcept {
-  return intersects(Segment{a.a, a.b}, b) || intersects(Segment{a.b, a.c}, b) ||
-         intersects(Segment{a.c, a.a}, b);
+/// Whether an edge of `a`, whose corners are at these heights over the plane of `b`, has a point in
+/// `b`.
+template <Scalar S, Number T>
+[[nodiscard]] constexpr bool edge_meets(const Triangle<S, 3>& a, const Vec<T, 3>& over_b,
+                                        const Triangle<S, 3>& b) noexcept {
+  return (!same_side(over_b.x, over_b.y) && intersects(Segment{a.a, a.b}, b)) ||
+         (!same_side(over_b.y, over_b.z) && intersects(Segment{a.b, a.c}, b)) ||
+         (!same_side(over_b.z, over_b.x) && intersects(Segment{a.c, a.a}, b));
 }
 
 }  // namespace detail
@@ -61,8 +63,11 @@ template <Scalar S>
 /// source: Ericson, Real-Time Collision Detection, 5.2.10
 template <Scalar S>
 [[nodiscard]] constexpr bool overlaps(const Triangle<S, 3>& a, const Triangle<S, 3>& b) noexcept {
-  if (detail::plane_separates(a, b) || detail::plane_separates(b, a)) return false;
-  return detail::edge_meets(a, b) || detail::edge_meets(b, a);
+  const auto b_over_a = detail::heights(a, b);
+  if (detail::same_side(b_over_a.x, b_over_a.y, b_over_a.z)) return false;
+  const auto a_over_b = detail::heights(b, a);
+  if (detail::same_side(a_over_b.x, a_over_b.y, a_over_b.z)) return false;
+  return detail::edge_meets(a, a_over_b, b) || detail::edge_meets(b, b_over_a, a);
 }
 
 }  // namespace detent
