@@ -16,10 +16,9 @@ template <int Bits, Number T>
 }
 template <int Bits, Number T, int N>
 [[nodiscard]] constexpr bool fits(const Vec<T, N>& v) noexcept {
-  for (int i = 0; i < N; ++i) {
-    if (!fits<Bits>(v[i])) return false;
-  }
-  return true;
+  bool all = true;  // without a branch for each component
+  for (int i = 0; i < N; ++i) all = fits<Bits>(v[i]) && all;
+  return all;
 }
 
 namespace detail {

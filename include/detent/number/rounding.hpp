@@ -29,6 +29,11 @@ constexpr T clamp_raw(const I& raw) noexcept {
 /// for it.
 template <int Bits, class I>
 constexpr bool is_within(const I& raw) noexcept {
+  if constexpr (Bits <= 62 && value_bits<I> <= 63) {  // one addition and one comparison
+    constexpr auto limit = std::uint64_t{1} << Bits;
+    constexpr auto highest = 2 * limit - (fills_container(Bits) ? 1 : 0);
+    return static_cast<std::uint64_t>(std::int64_t{raw}) + limit <= highest;
+  }
   const int length = bit_length(raw);
   if (length <= Bits) return true;
   return length == Bits + 1 && low_bits_are_zero(raw, Bits) &&
