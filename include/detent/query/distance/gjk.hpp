@@ -21,11 +21,9 @@ namespace detent::detail {
 ///
 /// source: Gilbert, Johnson, Keerthi, A Fast Procedure for Computing the Distance Between Complex
 ///         Objects in Three-Dimensional Space (1988); Ericson, Real-Time Collision Detection, 9.5
-template <Number T, class A, class B>
+template <Number T, class A, class B, int N = A::dimension>
 class Gjk {
  public:
-  static constexpr int N = A::dimension;
-
   constexpr Gjk(const A& a, const B& b) noexcept : a_(a), b_(b) {
     feature_.add(narrow<bits_of<T>>(a.some() - b.some()));
   }
