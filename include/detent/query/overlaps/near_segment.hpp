@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
 #include "detent/math/width.hpp"
 #include "detent/query/distance/segment.hpp"
 #include "detent/query/intersects/segment.hpp"
@@ -46,6 +50,26 @@ template <Number T, Number M, Number R>
   return square(dot(n, m)) <= square(reach) * squared_length(n);
 }
 
+/// Whether on some axis the corners of two shapes are farther apart than `reach`; then so are the
+/// shapes. Most are, so this is asked before anything that needs long integers.
+template <Scalar S, int N, std::size_t A, std::size_t B, Number R>
+[[nodiscard]] constexpr bool are_apart(const std::array<Vec<S, N>, A>& a,
+                                       const std::array<Vec<S, N>, B>& b, const R& reach) noexcept {
+  for (int i = 0; i < N; ++i) {
+    S a_low = a[0][i], a_high = a_low, b_low = b[0][i], b_high = b_low;
+    for (const auto& corner : a) {
+      a_low = std::min(a_low, corner[i]);
+      a_high = std::max(a_high, corner[i]);
+    }
+    for (const auto& corner : b) {
+      b_low = std::min(b_low, corner[i]);
+      b_high = std::max(b_high, corner[i]);
+    }
+    if (b_low - a_high > reach || a_low - b_high > reach) return true;
+  }
+  return false;
+}
+
 /// Whether `point` is within `reach` >= 0 of `segment`.
 template <Scalar S, int N, Number R>
 [[nodiscard]] constexpr bool is_near(const Segment<S, N>& segment, const Vec<S, N>& point,
@@ -59,6 +83,7 @@ template <Scalar S, int N, Number R>
 template <Scalar S, int N, Number R>
 [[nodiscard]] constexpr bool is_near(const Segment<S, N>& a, const Segment<S, N>& b,
                                      const R& reach) noexcept {
+  if (are_apart(std::array{a.start, a.end}, std::array{b.start, b.end}, reach)) return false;
   if (is_near(a, b.start, reach) || is_near(a, b.end, reach)) return true;
   if (is_near(b, a.start, reach) || is_near(b, a.end, reach)) return true;
   if constexpr (N == 2) {

@@ -18,28 +18,43 @@ template <Number T, Number P>
          dot(n, cross(c - b, p - b)) >= 0;
 }
 
-/// Whether `point` is within `reach` >= 0 of the face of a triangle and straight above it; in 2D,
-/// on the face.
-template <Scalar S, Number R>
-[[nodiscard]] constexpr bool is_near_face(const Triangle<S, 2>& triangle, const Vec<S, 2>& point,
-                                          const R&) noexcept {
+/// Whether `point` is straight above or below the face of `triangle`, where no edge is closer; in
+/// 2D, whether it is in the triangle.
+template <Scalar S>
+[[nodiscard]] constexpr bool is_over_face(const Triangle<S, 2>& triangle,
+                                          const Vec<S, 2>& point) noexcept {
   return contains(triangle, point);
+}
+template <Scalar S>
+[[nodiscard]] constexpr bool is_over_face(const Triangle<S, 3>& triangle,
+                                          const Vec<S, 3>& point) noexcept {
+  const auto& [a, b, c] = triangle;
+  return by_width<29>([](const auto&... x) { return is_over_face(x...); }, b - a, c - a, point - a);
+}
+
+/// Whether `point`, which is over the face of `triangle`, is within `reach` >= 0 of it.
+template <Scalar S, Number R>
+[[nodiscard]] constexpr bool is_near_face(const Triangle<S, 2>&, const Vec<S, 2>&,
+                                          const R&) noexcept {
+  return true;
 }
 template <Scalar S, Number R>
 [[nodiscard]] constexpr bool is_near_face(const Triangle<S, 3>& triangle, const Vec<S, 3>& point,
                                           const R& reach) noexcept {
-  const auto b = triangle.b - triangle.a, c = triangle.c - triangle.a, p = point - triangle.a;
-  return by_width<29>([](const auto&... x) { return is_over_face(x...); }, b, c, p) &&
-         by_width<20>([](const auto&... x) { return is_near_level(x...); }, b, c, p, reach);
+  const auto& [a, b, c] = triangle;
+  return by_width<20>([](const auto&... x) { return is_near_level(x...); }, b - a, c - a, point - a,
+                      reach);
 }
 
-/// Whether `point` is within `reach` >= 0 of `triangle`: of an edge or of the face.
+/// Whether `point` is within `reach` >= 0 of `triangle`: of the face, or of an edge beside it.
 template <Scalar S, int N, Number R>
 [[nodiscard]] constexpr bool is_near(const Triangle<S, N>& triangle, const Vec<S, N>& point,
                                      const R& reach) noexcept {
   const auto& [a, b, c] = triangle;
-  return is_near_face(triangle, point, reach) || is_near(Segment{a, b}, point, reach) ||
-         is_near(Segment{b, c}, point, reach) || is_near(Segment{c, a}, point, reach);
+  if (are_apart(std::array{a, b, c}, std::array{point}, reach)) return false;
+  if (is_over_face(triangle, point)) return is_near_face(triangle, point, reach);
+  return is_near(Segment{a, b}, point, reach) || is_near(Segment{b, c}, point, reach) ||
+         is_near(Segment{c, a}, point, reach);
 }
 
 }  // namespace detent::detail

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "detent/math/width.hpp"
 #include "detent/number/long_quadratic.hpp"
 #include "detent/query/contains/capsule.hpp"
 #include "detent/query/raycast/sphere.hpp"
@@ -38,8 +39,10 @@ class RayCapsule {
   /// Where the ray, which starts outside the capsule, may enter it. At an end, the sphere there
   /// tells whether it does.
   [[nodiscard]] constexpr CapsulePart entered() const noexcept {
-    if (c() <= 0) return dot(m_, e_) < 0 ? CapsulePart::first_end : CapsulePart::last_end;
-    if (b() >= 0 || reach() < 0) return CapsulePart::none;
+    if (is_far()) return CapsulePart::none;
+    if (starts_in_cylinder())
+      return dot(m_, e_) < 0 ? CapsulePart::first_end : CapsulePart::last_end;
+    if (!approaches_axis() || reach() < 0) return CapsulePart::none;
     const auto first = plane_through(ends_.start), last = plane_through(ends_.end);
     if (first.after_closest > 0 || first.outside < 0) return CapsulePart::first_end;
     if (last.after_closest < 0 && last.outside > 0) return CapsulePart::last_end;
@@ -113,6 +116,32 @@ class RayCapsule {
   [[nodiscard]] constexpr auto c() const noexcept {
     const auto moment = cross(m_, e_);
     return narrow_square<bits_of<decltype(ee_ * ee_)>>(moment) - square(capsule_.radius) * ee_;
+  }
+
+  /// c <= 0.
+  [[nodiscard]] constexpr bool starts_in_cylinder() const noexcept {
+    return by_width<30>(
+        [](const auto& m, const auto& e, const auto& radius) {
+          const auto ee = squared_length(e);
+          return narrow_square<bits_of<decltype(ee * ee)>>(cross(m, e)) <= square(radius) * ee;
+        },
+        m_, e_, capsule_.radius);
+  }
+  /// b < 0, as (d . m) e^2 - (d . e) (m . e) by Lagrange's identity.
+  [[nodiscard]] constexpr bool approaches_axis() const noexcept {
+    return by_width<62>([](const auto& dm, const auto& ee, const auto& de,
+                           const auto& me) { return dm * ee < de * me; },
+                        dot(m_, ray_.direction), ee_, de_, dot(m_, e_));
+  }
+
+  /// Whether |m . k| > r (|kx| + |ky| + |kz|), so that it is also greater than r |k|: in integers
+  /// half as long as those of `reach`, the answer for most lines that miss.
+  [[nodiscard]] constexpr bool is_far() const noexcept {
+    if constexpr (N == 2) {
+      return false;
+    } else {
+      return abs(det_) > (abs(k_.x) + abs(k_.y) + abs(k_.z)) * capsule_.radius;
+    }
   }
 
   /// (b^2 - a c) / e^2 = r^2 a - (m . k)^2 by Lagrange's identity: negative where the line misses
