@@ -10,8 +10,8 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "property.hpp"
@@ -30,7 +30,9 @@ std::vector<Input> read_corpus(const std::string& folder) {
   std::vector<Input> corpus;
   for (const auto& file : files) {
     std::ifstream stream(file, std::ios::binary);
-    corpus.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+    Input input;
+    for (char c = 0; stream.get(c);) input.push_back(static_cast<std::uint8_t>(c));
+    corpus.push_back(std::move(input));
   }
   return corpus;
 }
