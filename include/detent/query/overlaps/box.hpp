@@ -80,7 +80,8 @@ class EdgeFrame {
 /// Whether two boxes overlap that `apart` leads from one center to the other; not both are flat.
 ///
 /// The triple product of two edges of one with an edge of the other serves its face and four pairs
-/// of edges, so there are 18 for the 15 directions.
+/// of edges, so there are 18 for the 15 directions. For 32-bit scalars their sums take 126 bits, as
+/// the types count them.
 ///
 /// source: Gottschalk, Lin, Manocha, OBBTree: A Hierarchical Structure for Rapid Interference
 ///         Detection (1996)
