@@ -50,7 +50,11 @@ class Gjk {
  private:
   /// With `until_apart`, ends as soon as a plane between the bodies is known.
   constexpr void search(bool until_apart) noexcept {
-    const auto advances = [&](const auto& v) { return advance(v, until_apart); };
+    // A direction that is not as long as it may be is multiplied in the next narrower integers.
+    constexpr int bits = (bits_of < T >> 33 ? 253 : 125) - bits_of<T>;
+    const auto advances = [&](const auto& v) {
+      return by_width<bits>([&](const auto& u) { return advance(u, until_apart); }, v);
+    };
     for (int left = patience; is_fixed<T> || left > 0; left -= is_fixed<T> ? 0 : 1) {
       if (!with_direction(feature_, advances)) return;
       feature_ = nearest_feature(feature_);
