@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "detent/number/rounding.hpp"
+#include "detent/number/near_one.hpp"
 
 namespace detent {
 
@@ -29,21 +29,30 @@ class Quadratic {
   }
 
   /// The lesser root rounded down, or nothing when the exact root is greater than `limit`; wants
-  /// b < 0 < c, so that both roots are positive.
+  /// b < 0 < c, so that both roots are positive, and -b within the range of b.
   ///
-  /// With s = floor(sqrt(D)) on the grid of b, (-b - s) / a exceeds the root by less than one step
-  /// of T, so its floor is the root's or one more. It stays below the other root, (-b + sqrt(D)) /
-  /// a, where the polynomial is negative beyond the root: its sign there decides.
+  /// With the leading bits of sqrt(D) as s, (-b - s) / a exceeds the root by a known amount. Mostly
+  /// that is less than what remains when it is rounded down to the grid of T, so that the root
+  /// rounds down to the same.
+  ///
+  /// Else let s = floor(sqrt(D)) on the grid of b: the quotient rounds down to the root's or to one
+  /// more, for it exceeds the root by less than one step of T. It stays below the other root, (-b +
+  /// sqrt(D)) / a, where the polynomial is negative beyond the root: its sign there decides.
   template <Scalar T>
   [[nodiscard]] constexpr std::optional<T> first_root(const T& limit) const noexcept {
-    T t = quotient_floor<T>(-b_ - root(), a_);
     if constexpr (is_fixed<T>) {
-      if (sign_at(t) < 0) t = previous(t);
+      const auto [root, unknown_bits] = sqrt_rough<B>(discriminant());
+      auto [t, is_close] = divide_near_one<T>(first_numerator(root), a_, unknown_bits);
+      if (is_close) [[unlikely]] {
+        t = close_root<T>();
+      }
       if (t >= limit && !(t == limit && sign_at(t) == 0)) return std::nullopt;
-    } else if (t > limit) {
-      return std::nullopt;
+      return t;
+    } else {
+      const T t = first_numerator(root()) / a_;
+      if (t > limit) return std::nullopt;
+      return t;
     }
-    return t;
   }
 
   /// The greater root rounded down, or `limit` when it is greater than that; wants roots of which
@@ -61,6 +70,17 @@ class Quadratic {
 
  private:
   [[nodiscard]] constexpr auto root() const noexcept { return sqrt_floor<B>(discriminant()); }
+
+  /// -b - s, where 0 <= s <= -b because the product a c is positive.
+  [[nodiscard]] constexpr auto first_numerator(const B& root) const noexcept {
+    return narrow<bits_of<B>>(narrow<bits_of<B>>(-b_) - root);
+  }
+
+  template <Scalar T>
+  [[nodiscard]] constexpr T close_root() const noexcept {
+    const T t = quotient_floor<T>(first_numerator(root()), a_);
+    return sign_at(t) < 0 ? previous(t) : t;
+  }
 
   /// The sign of the polynomial at t.
   template <Scalar T>

@@ -31,27 +31,51 @@ inline constexpr auto root_chords = [] {
   return chords;
 }();
 
-}  // namespace detail
-
-/// floor(sqrt(n)), exactly: a chord of the root and one Newton (Heron) step.
+/// floor(sqrt(a)) or one more, up to 2^32 - 1, for a >= 2^62: a chord of the root and one Newton
+/// (Heron) step.
 ///
 /// A chord lies below the root by at most 2^-17 of it, and quantising adds 2^-19. One Heron step
 /// from relative error e gives r * (1 + e^2 / (2 (1 + e))): never below r = sqrt(a), and above it
 /// by less than 2^32 * 2^-33 / 2 = 1/4. Floors inside nest, so the step is floor(r) or floor(r) +
-/// 1, which one comparison settles. The final shift is floor(sqrt(n * 4^k)) / 2^k, rounded down.
+/// 1.
+constexpr std::uint64_t root_or_next(std::uint64_t a) noexcept {
+  const std::uint32_t chord = root_chords[(a >> 56) - 64];
+  const std::uint64_t along = (a >> 40) & 0xffff;
+  const std::uint64_t guess = (chord >> 12) + (((chord & 0xfff) * along) >> 16);  // Q20
+  const std::uint64_t root =
+      (guess << 11) + static_cast<std::uint64_t>((a >> 13) / static_cast<std::uint32_t>(guess));
+  return root - (root >> 32);  // 2^32 itself is one too many
+}
+
+/// `root`, or one less where its square exceeds n.
+constexpr std::uint64_t at_most_root(std::uint64_t root, std::uint64_t n) noexcept {
+  return root - (root * root > n ? 1u : 0u);
+}
+
+}  // namespace detail
+
+/// floor(sqrt(n)), exactly: floor(sqrt(n * 4^k)) / 2^k, rounded down.
 [[nodiscard]] constexpr std::uint32_t square_root_floor(std::uint64_t n) noexcept {
   if (n == 0) return 0;
   const int shift = std::countl_zero(n) & ~1;
-  const std::uint64_t a = n << shift;  // in [2^62, 2^64)
-  const std::uint32_t chord = detail::root_chords[(a >> 56) - 64];
-  const std::uint64_t along = (a >> 40) & 0xffff;
-  const std::uint64_t guess = (chord >> 12) + (((chord & 0xfff) * along) >> 16);  // Q20
-  std::uint64_t root =
-      (guess << 11) + static_cast<std::uint64_t>((a >> 13) / static_cast<std::uint32_t>(guess));
-  root -= root >> 32;  // 2^32 itself is one too many
-  root >>= shift / 2;
-  root -= root * root > n ? 1u : 0u;
-  return static_cast<std::uint32_t>(root);
+  const std::uint64_t root = detail::root_or_next(n << shift) >> (shift / 2);
+  return static_cast<std::uint32_t>(detail::at_most_root(root, n));
+}
+
+/// A number in [root, root + 2^unknown_bits).
+struct RoughRoot {
+  std::uint64_t root;
+  int unknown_bits;
+};
+
+/// The leading 32 bits of sqrt(high * 2^64 + low), or all of a shorter one.
+[[nodiscard]] constexpr RoughRoot square_root_rough(std::uint64_t high,
+                                                    std::uint64_t low) noexcept {
+  if (high == 0) return {square_root_floor(low), 0};
+  const int shift = std::countl_zero(high) & ~1;
+  if (shift != 0) high = (high << shift) | (low >> (64 - shift));
+  const int unknown_bits = 32 - shift / 2;
+  return {detail::at_most_root(detail::root_or_next(high), high) << unknown_bits, unknown_bits};
 }
 
 /// floor(sqrt(high * 2^64 + low)), exactly.
@@ -66,8 +90,9 @@ inline constexpr auto root_chords = [] {
     high = (high << shift) | (low >> (64 - shift));
     low <<= shift;
   }
-  const std::uint64_t leading = square_root_floor(high);  // at least 2^31
-  const std::uint64_t rest = high - leading * leading;    // at most 2^33 - 2
+  // At least 2^31.
+  const std::uint64_t leading = detail::at_most_root(detail::root_or_next(high), high);
+  const std::uint64_t rest = high - leading * leading;  // at most 2^33 - 2
   const std::uint64_t trailing =
       std::min<std::uint64_t>(((rest << 31) | (low >> 33)) / leading, 0xffffffff);
   std::uint64_t root = (leading << 32) | trailing;

@@ -213,11 +213,36 @@ template <class T, int B, int F>
     const auto n = static_cast<std::uint64_t>(integer_cast<std::int64_t>(raw));
     const std::uint64_t root = square_root_floor(n << std::max(shift, 0));
     return detail::clamp_raw<T>(static_cast<std::int64_t>(root));
+  } else if constexpr (B + std::max(shift, 0) <= 126) {
+    const auto raw = integer_cast<Int128>(x.raw());
+    const Wide<2> n(shift < 0 ? shift_right_floor(raw, -shift) : shift_left(raw, shift));
+    return detail::clamp_raw<T>(Wide<2>(square_root_floor(n.word(1), n.word(0))));
   } else {
     const Wide<4> raw = integer_cast<Wide<4>>(x.raw());
     const Wide<4> n = shift < 0 ? raw >> -shift : raw << std::max(shift, 0);
     if (n.word(2) != 0) return detail::clamp_raw<T>(Wide<2>::from_words({0, 1}));  // n = 2^128
     return detail::clamp_raw<T>(Wide<2>(square_root_floor(n.word(1), n.word(0))));
+  }
+}
+
+/// A square root in [root, root + 2^unknown_bits) steps of T.
+template <class T>
+struct RoughSqrt {
+  T root;
+  int unknown_bits;
+};
+
+/// The leading bits of the square root of x >= 0, which is known to fit `T`: at least 31 of them,
+/// or all where the root is shorter.
+template <class T, int B, int F>
+[[nodiscard]] constexpr RoughSqrt<T> sqrt_rough(const Fixed<B, F>& x) noexcept {
+  static_assert(F == 2 * T::frac);
+  if constexpr (B <= 63) {
+    return {sqrt_floor<T>(x), 0};
+  } else {
+    const Wide<2> n(integer_cast<Int128>(x.raw()));
+    const auto [root, unknown_bits] = square_root_rough(n.word(1), n.word(0));
+    return {T::assume_raw(static_cast<typename T::raw_type>(root)), unknown_bits};
   }
 }
 

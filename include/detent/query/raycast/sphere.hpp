@@ -76,10 +76,12 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<S> raycast(const Ray<S, N>& ray,
                                                  const Sphere<S, N>& sphere) noexcept {
   if (sphere.radius < 0 || ray.max_distance < 0) return std::nullopt;
-  const detail::RaySphere<S, N> meeting(ray, sphere);
-  if (meeting.c <= 0) return S(0);          // starts inside
-  if (meeting.b >= 0) return std::nullopt;  // moves away
-  const auto quadratic = meeting.quadratic();
+  const auto m = ray.origin - sphere.center;
+  const auto c = detail::RaySphere<S, N>::inside_distance(squared_length(m), sphere.radius);
+  if (c <= 0) return S(0);  // starts inside
+  const auto b = dot(m, ray.direction);
+  if (b >= 0) return std::nullopt;  // moves away
+  const Quadratic quadratic(squared_length(ray.direction), b, c);
   if (!quadratic.has_roots()) return std::nullopt;
   return quadratic.first_root(ray.max_distance);
 }
