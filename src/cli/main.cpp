@@ -4,6 +4,7 @@
 #include <exception>
 #include <string>
 
+#include "accuracy.hpp"
 #include "commands.hpp"
 #include "error.hpp"
 #include "numbers.hpp"
@@ -85,7 +86,8 @@ struct Arguments {
   RenderOptions render;
   DemoOptions demo;
   VerifyOptions verify;
-  bool all_golden = true;
+  AccuracyOptions accuracy;
+  bool is_right = true;
   std::string compare;
   std::string size = "640x360";
   std::string demo_size = "480x300";
@@ -188,7 +190,23 @@ void add_verify(CLI::App& app, Arguments& arguments) {
   CLI::Option* const results = command->add_flag("--results", options.results,
                                                  "Print the lines of tests/verify/results.txt");
   golden->excludes(results);
-  command->final_callback([&] { arguments.all_golden = verify(options); });
+  command->final_callback([&] { arguments.is_right = verify(options); });
+}
+
+void add_accuracy(CLI::App& app, Arguments& arguments) {
+  AccuracyOptions& options = arguments.accuracy;
+  CLI::App* const command = app.add_subcommand(
+      "accuracy",
+      "Count wrong answers and measure errors of every scalar along a ladder of scales");
+  command->add_option("--markdown", options.markdown, "Write the tables to this file");
+  command->add_option("--json", options.json, "Write every number to this file");
+  command->add_option("--svg", options.svg, "Draw the results to this file");
+  command->add_option("--only", options.only, "Only queries whose name begins so");
+  command->add_option("--count", options.count, "Questions at every rung")
+      ->capture_default_str()
+      ->check(CLI::Range(100, 1000000));
+  command->add_option("--seed", options.seed, "Of the random questions")->capture_default_str();
+  command->final_callback([&] { arguments.is_right = measure_accuracy(options); });
 }
 
 int run(int argc, char** argv) {
@@ -200,6 +218,7 @@ int run(int argc, char** argv) {
   add_render(app, arguments);
   add_demo(app, arguments);
   add_verify(app, arguments);
+  add_accuracy(app, arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
@@ -207,7 +226,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw InputError(std::string(error.what()) + "; detent --help lists what there is");
   }
-  return arguments.all_golden ? 0 : 1;
+  return arguments.is_right ? 0 : 1;
 }
 
 }  // namespace

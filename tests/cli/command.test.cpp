@@ -372,3 +372,32 @@ TEST_CASE("detent: models that cannot be used are refused") {
                       9),
           "has no triangles");
 }
+
+TEST_CASE("detent accuracy: tables, numbers and a plot, or the tables on standard output") {
+  const Workshop shop;
+  const std::string plane = "accuracy --only raycast/plane --count 100";
+  const auto result = shop.run(plane + " --markdown t.md --json t.json --svg t.svg");
+  CHECK(result.code == 0);
+  CHECK(result.out.empty());
+  CHECK(result.err == "accuracy 1/1 raycast/plane\n");
+  const auto tables = content_of(shop.path("t.md"));
+  CHECK(tables.find("\n### raycast/plane, angle\n") != std::string::npos);
+  CHECK(tables.find("\n| parallel | 0 ") != std::string::npos);
+  CHECK(content_of(shop.path("t.json")).find("\"seed\": 1,") != std::string::npos);
+  const auto plot = content_of(shop.path("t.svg"));
+  CHECK(plot.starts_with("<svg "));
+  CHECK(plot.ends_with("</svg>\n"));
+  CHECK(plot.find(">plane</text>") != std::string::npos);
+
+  const auto printed = shop.run(plane).out;
+  CHECK(printed.substr(printed.find("## Raycasts")) == tables.substr(tables.find("## Raycasts")));
+  CHECK(shop.run(plane + " --seed 2").out.find(", seed 2, ") != std::string::npos);
+}
+
+TEST_CASE("detent accuracy: what it cannot do is refused") {
+  const Workshop shop;
+  CHECK(refuses(shop.run("accuracy --only raycast/torus"), "--only: "));
+  CHECK(refuses(shop.run("accuracy --count 0"), "--count: "));
+  CHECK(refuses(shop.run("accuracy --json no/such/place.json"), "no/such/place.json: "));
+  CHECK(shop.file_count() == 0);
+}

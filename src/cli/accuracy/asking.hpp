@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "accuracy/first_hit.hpp"
+#include "accuracy/meet.hpp"
+#include "accuracy/stage.hpp"
+#include "accuracy/survey.hpp"
+#include "numbers.hpp"
+
+namespace detent::cli::accuracy {
+
+/// The distance between a scalar's numbers near `x`.
+template <Scalar S>
+double spacing_near(double x) {
+  if constexpr (is_fixed<S>) {
+    return std::ldexp(1, -S::frac);
+  } else {
+    return std::ldexp(1, std::ilogb(x) - (std::is_same_v<S, float> ? 23 : 52));
+  }
+}
+
+/// Whether a rung is within the world of a scalar, and its shapes are not below the scalar's grid.
+template <Scalar S>
+bool fits(const Rung& rung) {
+  return world_of<S>(rung.frac) >= std::min(rung.reach(), std::ldexp(1, 31 - rung.frac) - 1);
+}
+template <Scalar S>
+bool resolves(const Rung& rung) {
+  const double spacing = spacing_near<S>(rung.reach());
+  if (rung.angle > 0) {
+    if (is_fixed<S> && rung.angle < std::ldexp(1, -numbers<S>.direction_bits)) return false;
+    if (rung.angle * rung.length < spacing / 256) return false;
+  }
+  return rung.size >= spacing;
+}
+
+/// Counts answers.
+template <Scalar S>
+class Tally {
+ public:
+  Tally(Inputs inputs, std::string scalar) {
+    cell_.inputs = inputs;
+    cell_.scalar = std::move(scalar);
+  }
+
+  /// A distance, or nothing for a miss.
+  void count(const Distance& right, const std::optional<S>& answer) {
+    if constexpr (!is_fixed<S>) {
+      if (answer && !std::isfinite(*answer)) {
+        count(right.has_value(), !right.has_value());
+        return;
+      }
+    }
+    count(right.has_value(), answer.has_value());
+    if (!right || !answer) return;
+    const auto given = static_cast<double>(*answer);
+    const Exact error = Exact::of(given) - Exact(*right, -oracle::distance_frac);
+    errors_.push_back(std::ldexp(std::abs(error.approximate()), 16));
+    if constexpr (is_fixed<S>) {
+      if (cell_.inputs == Inputs::asked) return;
+      const Steps rounded_down = *right >> static_cast<unsigned>(oracle::distance_frac - S::frac);
+      if (rounded_down != static_cast<std::int64_t>(answer->raw())) ++cell_.off;
+    }
+  }
+  void count(bool right, bool answer) {
+    ++cell_.questions;
+    if (right) ++cell_.hits;
+    if (right != answer) ++cell_.wrong;
+  }
+
+  Cell cell() {
+    if (errors_.empty()) return cell_;
+    const auto middle = errors_.begin() + static_cast<std::ptrdiff_t>(errors_.size() / 2);
+    std::nth_element(errors_.begin(), middle, errors_.end());
+    cell_.median = *middle;
+    cell_.largest = *std::max_element(middle, errors_.end());
+    return cell_;
+  }
+
+ private:
+  Cell cell_;
+  std::vector<double> errors_;
+};
+
+/// The greatest coordinate or length of a question, in steps of its grid.
+template <class Kind>
+double most_of(const typename Kind::Question& question) {
+  std::int64_t most = 0;
+  Kind::change(Extent{most}, question);
+  return static_cast<double>(most);
+}
+
+template <class Kind>
+using Questions = std::vector<std::pair<typename Kind::Question, typename Kind::Truth>>;
+
+/// Questions of one rung, of numbers that a scalar has, and their exact answers.
+template <class Kind>
+Questions<Kind> questions(const Numbers& numbers, const Rung& rung, long count,
+                          std::uint64_t seed) {
+  constexpr int patience = 400;
+  constexpr double last = 2147483392;  // the greatest float below 2^31
+  test::Random random(seed);
+  Questions<Kind> all;
+  const double limit = std::min(std::ldexp(numbers.world(rung.frac), rung.frac), last);
+  for (long i = 0; i < count; ++i) {
+    const bool wants_hit = i % 2 == 0;
+    for (int tries = 0;; ++tries) {
+      auto question = Kind::draw(random, numbers, rung);
+      if (most_of<Kind>(question) > limit && tries < patience) continue;
+      question = Kind::change(Snapped{numbers, rung.frac}, question);
+      auto truth = Kind::truth(question, rung.frac);
+      if (Kind::is_hit(truth) != wants_hit && tries < patience) continue;
+      all.emplace_back(std::move(question), std::move(truth));
+      break;
+    }
+  }
+  return all;
+}
+
+template <class Kind, Scalar S>
+Cell answered(const Questions<Kind>& all, const Rung& rung, Inputs inputs) {
+  Tally<S> tally(inputs, std::string(scalar_name<S>));
+  for (const auto& [question, truth] : all) {
+    if (most_of<Kind>(question) > std::ldexp(world_of<S>(rung.frac), rung.frac)) continue;
+    tally.count(truth, Kind::answer(Kind::change(Rounded<S>{rung.frac}, question)));
+  }
+  return tally.cell();
+}
+
+/// The rung as a scalar can be asked it: the world of q8_8 is too small for its angles.
+template <Scalar S>
+Rung rung_for(Rung rung) {
+  if (rung.ladder == Ladder::angle && !fits<S>(rung)) {
+    rung.size = 14;
+    rung.length = 60;
+  }
+  return rung;
+}
+
+/// Adds the scalars that have a grid of their own; `asked` are questions for all.
+template <class Kind, Scalar S>
+void add_cells(std::vector<Cell>& cells, const Questions<Kind>& asked, const Rung& given,
+               long count, std::uint64_t seed) {
+  const Rung rung = rung_for<S>(given);
+  if (fits<S>(rung) && resolves<S>(rung)) {
+    const auto own = questions<Kind>(numbers<S>, rung, count, seed);
+    cells.push_back(answered<Kind, S>(own, rung, Inputs::own));
+    Kind::template add_baseline<S>(cells, own, rung, Inputs::own);
+  }
+  if (fits<S>(given)) {
+    cells.push_back(answered<Kind, S>(asked, given, Inputs::asked));
+    Kind::template add_baseline<S>(cells, asked, given, Inputs::asked);
+  }
+}
+
+template <class Kind>
+std::vector<Cell> ask_all(const Rung& rung, long count, std::uint64_t seed) {
+  std::vector<Cell> cells;
+  if (rung.frac == q16_16::frac) {
+    const auto all = questions<Kind>(numbers<q16_16>, rung, count, seed);
+    cells.push_back(answered<Kind, q16_16>(all, rung, Inputs::own));
+    if (fits<q14_16>(rung)) cells.push_back(answered<Kind, q14_16>(all, rung, Inputs::own));
+    cells.push_back(answered<Kind, double>(all, rung, Inputs::own));
+    add_cells<Kind, q24_8>(cells, all, rung, count, seed);
+    add_cells<Kind, q8_8>(cells, all, rung, count, seed);
+    add_cells<Kind, float>(cells, all, rung, count, seed);
+  } else {
+    const auto all = questions<Kind>(numbers<q24_8>, rung, count, seed);
+    cells.push_back(answered<Kind, q24_8>(all, rung, Inputs::own));
+    cells.push_back(answered<Kind, double>(all, rung, Inputs::own));
+    add_cells<Kind, float>(cells, all, rung, count, seed);
+  }
+  return cells;
+}
+
+/// A sphere has no axis that makes an angle with anything.
+template <class Shape>
+inline constexpr bool has_axes = !std::is_same_v<Shape, Sphere<Carrier, 3>>;
+template <class Shape>
+inline constexpr bool is_aligned = std::is_same_v<Shape, Aabb<Carrier, 3>>;
+
+/// Whether a shape has no extent along the second axis of its stage.
+template <class Shape>
+inline constexpr bool is_thin = form<Shape> != Form::solid;
+template <Scalar S>
+inline constexpr bool is_thin<Segment<S, 3>> = true;
+
+struct NoBaseline {
+  template <class S, class All>
+  static void add(std::vector<Cell>&, const All&, const Rung&, Inputs) {}
+};
+
+template <class Shape, Scalar S>
+struct RayQuestion {
+  Ray<S, 3> ray;
+  typename Shape::template In<S> shape;
+};
+
+template <class Shape, class Baseline = NoBaseline>
+struct Raycast {
+  using Question = RayQuestion<Shape, Carrier>;
+  using Truth = Distance;
+
+  template <class F, class S>
+  static auto change(const F& f, const RayQuestion<Shape, S>& q) {
+    return RayQuestion<Shape, decltype(f(S()))>{changed(f, q.ray), changed(f, q.shape)};
+  }
+  static Question draw(test::Random& random, const Numbers& numbers, const Rung& rung) {
+    using Drawn = decltype(Question::shape);
+    Stage stage(random, numbers, rung, is_aligned<Drawn>);
+    Question question;
+    question.ray = draw_ray(stage, rung, form<Drawn>);
+    accuracy::draw(stage, question.shape);
+    return question;
+  }
+  static Truth truth(const Question& q, int frac) { return first_hit(q.ray, q.shape, frac); }
+  static bool is_hit(const Truth& truth) { return truth.has_value(); }
+  template <class S>
+  static std::optional<S> answer(const RayQuestion<Shape, S>& q) {
+    return raycast(q.ray, as_shape(q.shape));
+  }
+  template <class S, class All>
+  static void add_baseline(std::vector<Cell>& cells, const All& all, const Rung& rung,
+                           Inputs inputs) {
+    Baseline::template add<S>(cells, all, rung, inputs);
+  }
+};
+
+template <class A, class B, Scalar S>
+struct PairQuestion {
+  typename A::template In<S> a;
+  typename B::template In<S> b;
+};
+
+template <class A, class B>
+struct Overlap {
+  using Question = PairQuestion<A, B, Carrier>;
+  using Truth = bool;
+  using DrawnA = decltype(Question::a);
+  using DrawnB = decltype(Question::b);
+
+  static constexpr bool has_angle =
+      has_axes<DrawnA> && has_axes<DrawnB> && !(is_aligned<DrawnA> && is_aligned<DrawnB>);
+
+  template <class F, class S>
+  static auto change(const F& f, const PairQuestion<A, B, S>& q) {
+    return PairQuestion<A, B, decltype(f(S()))>{changed(f, q.a), changed(f, q.b)};
+  }
+  static Question draw(test::Random& random, const Numbers& numbers, const Rung& rung) {
+    Stage stage(random, numbers, rung, is_aligned<DrawnA> || is_aligned<DrawnB>);
+    Question question;
+    // The lattice has a plane through the world's origin, for its offset to be exact.
+    const double far = stage.on_lattice() || random.coin() ? 1.34 : 4;
+    constexpr bool are_thin = is_thin<DrawnA> && is_thin<DrawnB>;
+    const double apart = rung.angle > 0 && are_thin ? far * rung.angle : far;
+    const auto moved = stage.local({far, apart, far});
+    accuracy::draw(stage, question.a);
+    stage.center = stage.at(moved);
+    rung.angle < 0 ? stage.turn() : stage.tilt(rung.angle);
+    accuracy::draw(stage, question.b);
+    return question;
+  }
+  static Truth truth(const Question& q, int) { return meet(q.a, q.b); }
+  static bool is_hit(Truth truth) { return truth; }
+  template <class S>
+  static bool answer(const PairQuestion<A, B, S>& q) {
+    if constexpr (std::is_same_v<A, kind::Segment>) {
+      return intersects(q.a, as_shape(q.b));
+    } else {
+      return overlaps(as_shape(q.a), as_shape(q.b));
+    }
+  }
+  template <class S, class All>
+  static void add_baseline(std::vector<Cell>&, const All&, const Rung&, Inputs) {}
+};
+
+}  // namespace detent::cli::accuracy

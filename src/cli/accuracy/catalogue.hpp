@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "accuracy/survey.hpp"
+
+namespace detent::cli::accuracy {
+
+// One function for each source file, since every query is compiled for six scalars.
+void add_raycasts(std::vector<Query>& queries);
+void add_sphere_overlaps(std::vector<Query>& queries);
+void add_box_overlaps(std::vector<Query>& queries);
+void add_flat_overlaps(std::vector<Query>& queries);
+void add_capsule_overlaps(std::vector<Query>& queries);
+void add_hull_overlaps(std::vector<Query>& queries);
+void add_segments(std::vector<Query>& queries);
+
+}  // namespace detent::cli::accuracy

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "accuracy/asking.hpp"
+
+namespace detent::cli::accuracy {
+
+template <class Kind>
+Query pair_query(std::string kind, std::string name, int cost) {
+  return {std::move(kind), std::move(name), cost,
+          [](const Rung& rung) {
+            return rung.ladder != Ladder::distance && (rung.angle <= 0 || Kind::has_angle);
+          },
+          ask_all<Kind>};
+}
+
+/// `cost` is how many times fewer questions are asked because the exact answer takes long.
+template <class Kind>
+Query overlap_query(std::string name, int cost) {
+  return pair_query<Kind>("overlaps", std::move(name), cost);
+}
+template <class Kind>
+Query segment_query(std::string name, int cost) {
+  return pair_query<Kind>("intersects", std::move(name), cost);
+}
+
+}  // namespace detent::cli::accuracy

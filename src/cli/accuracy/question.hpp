@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <stdexcept>
+#include <type_traits>
+
+#include "detent/detent.hpp"
+#include "detent/shape/hull.hpp"
+
+// Every question of a comparison is carried in raw numbers of one type, in steps of 2^-frac, with
+// directions in Q2.30. Whatever a float makes of such a number is such a number again: below 2^24
+// steps it is itself, and beyond them the spacing of floats is a whole number of steps. So the
+// oracles, which read the raw numbers of a `Fixed`, judge the inputs of every scalar.
+
+namespace detent::cli::accuracy {
+
+using Carrier = q16_16;
+using CarriedDirection = Direction<Carrier, 3>;
+using Place = std::array<double, 3>;
+
+inline constexpr int direction_frac = direction_component<Carrier>::frac;
+
+/// Points that span a hull.
+template <Scalar S, int N>
+struct Points {
+  std::array<Vec<S, N>, 6> points;
+};
+
+/// The shapes, each in any scalar.
+namespace kind {
+
+struct Sphere {
+  template <Scalar S>
+  using In = detent::Sphere<S, 3>;
+};
+struct Aabb {
+  template <Scalar S>
+  using In = detent::Aabb<S, 3>;
+};
+struct Obb {
+  template <Scalar S>
+  using In = detent::Obb<S, 3>;
+};
+struct Plane {
+  template <Scalar S>
+  using In = detent::Plane<S, 3>;
+};
+struct Triangle {
+  template <Scalar S>
+  using In = detent::Triangle<S, 3>;
+};
+struct Capsule {
+  template <Scalar S>
+  using In = detent::Capsule<S, 3>;
+};
+struct Hull {
+  template <Scalar S>
+  using In = Points<S, 3>;
+};
+struct Segment {
+  template <Scalar S>
+  using In = detent::Segment<S, 3>;
+};
+
+}  // namespace kind
+
+/// What a query is asked about; a hull looks at the points.
+template <class Shape>
+const Shape& as_shape(const Shape& shape) {
+  return shape;
+}
+template <Scalar S, int N>
+ConvexHull<S, N> as_shape(const Points<S, N>& hull) {
+  return ConvexHull<S, N>{hull.points};
+}
+
+/// Components that need not make a unit vector of Q2.30: those of a float are off by 2^-24.
+inline CarriedDirection unchecked(const std::array<std::int32_t, 3>& raw) {
+  return std::bit_cast<CarriedDirection>(raw);
+}
+
+/// From the carrier to the nearest number of the scalar `S`.
+template <Scalar S>
+struct Rounded {
+  int frac;
+
+  S operator()(Carrier x) const {
+    if constexpr (is_fixed<S>) {
+      const double raw = std::nearbyint(std::ldexp(x.raw(), S::frac - frac));
+      const auto limit = static_cast<double>(S::max().raw());
+      return S::from_raw(static_cast<typename S::raw_type>(std::clamp(raw, -limit - 1, limit)));
+    } else {
+      return static_cast<S>(std::ldexp(static_cast<double>(x.raw()), -frac));
+    }
+  }
+  Direction<S, 3> operator()(const CarriedDirection& direction) const {
+    using Component = direction_component<S>;
+    return Direction<S, 3>::assume_unit(make_vec<3>([&](int i) {
+      const double component = std::ldexp(direction[i].raw(), -direction_frac);
+      if constexpr (is_fixed<S>) {
+        return Component::from_double(component);
+      } else {
+        return static_cast<S>(component);
+      }
+    }));
+  }
+};
+
+/// From a scalar back to the carrier, where nothing is lost.
+struct Carried {
+  int frac;
+
+  template <Scalar S>
+  Carrier operator()(const S& x) const {
+    return Carrier::from_raw(steps(static_cast<double>(x), frac));
+  }
+  template <Scalar S>
+  CarriedDirection operator()(const Direction<S, 3>& direction) const {
+    std::array<std::int32_t, 3> raw{};
+    for (int i = 0; i < 3; ++i) {
+      raw[static_cast<std::size_t>(i)] = steps(static_cast<double>(direction[i]), direction_frac);
+    }
+    return unchecked(raw);
+  }
+
+ private:
+  static std::int32_t steps(double x, int frac) {
+    const double raw = std::ldexp(x, frac);
+    if (raw != std::floor(raw) || std::abs(raw) >= 2147483648.0) {
+      throw std::logic_error("a number of the accuracy ladder does not fit its grid");
+    }
+    return static_cast<std::int32_t>(raw);
+  }
+};
+
+/// The greatest coordinate or length of what it is applied to.
+struct Extent {
+  std::int64_t& most;
+
+  Carrier operator()(Carrier x) const {
+    most = std::max<std::int64_t>(most, std::abs(static_cast<std::int64_t>(x.raw())));
+    return x;
+  }
+  CarriedDirection operator()(const CarriedDirection& direction) const { return direction; }
+};
+
+// `f` applied to every number and direction of a shape.
+
+template <class F, Scalar S>
+auto changed(const F& f, const Vec<S, 3>& v) {
+  return Vec{f(v.x), f(v.y), f(v.z)};
+}
+template <class F, Scalar S>
+auto changed(const F& f, const Sphere<S, 3>& sphere) {
+  return Sphere{changed(f, sphere.center), f(sphere.radius)};
+}
+template <class F, Scalar S>
+auto changed(const F& f, const Aabb<S, 3>& box) {
+  return Aabb{changed(f, box.min), changed(f, box.max)};
+}
+template <class F, Scalar S>
+auto changed(const F& f, const Obb<S, 3>& box) {
+  using T = decltype(f(S()));
+  return Obb{changed(f, box.center), changed(f, box.half_extents),
+             Rotation<T, 3>::from_axes(
+                 {f(box.rotation.axis(0)), f(box.rotation.axis(1)), f(box.rotation.axis(2))})};
+}
+template <class F, Scalar S>
+auto changed(const F& f, const Plane<S, 3>& plane) {
+  return Plane{f(plane.normal), f(plane.offset)};
+}
+template <class F, Scalar S>
+auto changed(const F& f, const Triangle<S, 3>& t) {
+  return Triangle<decltype(f(S())), 3>{changed(f, t.a), changed(f, t.b), changed(f, t.c)};
+}
+template <class F, Scalar S>
+auto changed(const F& f, const Capsule<S, 3>& capsule) {
+  return Capsule{changed(f, capsule.a), changed(f, capsule.b), f(capsule.radius)};
+}
+template <class F, Scalar S>
+auto changed(const F& f, const Points<S, 3>& hull) {
+  Points<decltype(f(S())), 3> result;
+  std::transform(hull.points.begin(), hull.points.end(), result.points.begin(),
+                 [&](const auto& point) { return changed(f, point); });
+  return result;
+}
+template <class F, Scalar S>
+auto changed(const F& f, const Segment<S, 3>& segment) {
+  return Segment{changed(f, segment.start), changed(f, segment.end)};
+}
+template <class F, Scalar S>
+auto changed(const F& f, const Ray<S, 3>& ray) {
+  return Ray{changed(f, ray.origin), f(ray.direction), f(ray.max_distance)};
+}
+
+/// The greatest whole coordinate that a scalar has, or that questions for a float go to.
+template <Scalar S>
+double world_of(int frac) {
+  if constexpr (is_fixed<S>) {
+    return static_cast<double>(S::max());
+  } else {
+    return std::ldexp(1, 31 - frac);
+  }
+}
+
+/// What numbers a scalar has, for code that need not be compiled for each.
+struct Numbers {
+  int direction_bits;  // after the point; of a float those below 1
+  double (*world)(int frac);
+  Carrier (*nearest)(Carrier, int frac);
+  CarriedDirection (*nearest_direction)(const CarriedDirection&);
+};
+
+template <Scalar S>
+inline constexpr Numbers numbers{
+    []() -> int {
+      if constexpr (is_fixed<S>) {
+        return direction_component<S>::frac;
+      } else {
+        return std::is_same_v<S, float> ? 24 : direction_frac;
+      }
+    }(),
+    &world_of<S>, [](Carrier x, int frac) { return Carried{frac}(Rounded<S>{frac}(x)); },
+    [](const CarriedDirection& d) { return Carried{0}(Rounded<S>{0}(d)); }};
+
+/// The nearest that a scalar has to a number or direction, in the carrier.
+struct Snapped {
+  const Numbers& numbers;
+  int frac;
+
+  Carrier operator()(Carrier x) const { return numbers.nearest(x, frac); }
+  CarriedDirection operator()(const CarriedDirection& d) const {
+    return numbers.nearest_direction(d);
+  }
+};
+
+}  // namespace detent::cli::accuracy

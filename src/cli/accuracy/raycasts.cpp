@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "accuracy/asking.hpp"
+#include "accuracy/catalogue.hpp"
+#include "detent/query/raycast.hpp"
+#include "detent/query/raycast/capsule.hpp"
+#include "detent/query/raycast/hull.hpp"
+
+namespace detent::cli::accuracy {
+namespace {
+
+/// The formula of most textbooks, in float: from the squared distance of the center and the
+/// square of how far ahead it is to the squared distance from the ray. It takes the direction's
+/// length for 1.
+///
+/// source: Akenine-Moeller et al., Real-Time Rendering, 22.6.2
+struct Textbook {
+  static std::optional<float> raycast(const Ray<float, 3>& ray, const Sphere<float, 3>& sphere) {
+    const auto l = sphere.center - ray.origin;
+    const float ahead = detent::dot(l, ray.direction.vec());
+    const float squared = detent::dot(l, l), radius_squared = sphere.radius * sphere.radius;
+    if (squared <= radius_squared) return 0.0f;
+    if (ahead < 0) return std::nullopt;
+    const float beside = squared - ahead * ahead;
+    if (beside > radius_squared) return std::nullopt;
+    const float distance = ahead - std::sqrt(radius_squared - beside);
+    if (distance > ray.max_distance) return std::nullopt;
+    return distance;
+  }
+
+  template <Scalar S, class All>
+  static void add(std::vector<Cell>& cells, const All& all, const Rung& rung, Inputs inputs) {
+    if constexpr (std::is_same_v<S, float>) {
+      Tally<float> tally(inputs, "textbook float");
+      for (const auto& [question, truth] : all) {
+        const Rounded<float> round{rung.frac};
+        tally.count(truth, raycast(changed(round, question.ray), changed(round, question.shape)));
+      }
+      cells.push_back(tally.cell());
+    }
+  }
+};
+
+template <class Kind>
+Query query(std::string name, int cost, bool has_angles = true) {
+  return {"raycast", std::move(name), cost,
+          [has_angles](const Rung& rung) { return rung.angle <= 0 || has_angles; }, ask_all<Kind>};
+}
+
+}  // namespace
+
+void add_raycasts(std::vector<Query>& queries) {
+  queries.push_back(query<Raycast<kind::Sphere, Textbook>>("raycast/sphere", 1, false));
+  queries.push_back(query<Raycast<kind::Aabb>>("raycast/aabb", 1));
+  queries.push_back(query<Raycast<kind::Obb>>("raycast/obb", 1));
+  queries.push_back(query<Raycast<kind::Plane>>("raycast/plane", 1));
+  queries.push_back(query<Raycast<kind::Triangle>>("raycast/triangle", 1));
+  queries.push_back(query<Raycast<kind::Capsule>>("raycast/capsule", 4));
+  queries.push_back(query<Raycast<kind::Hull>>("raycast/hull", 8));
+}
+
+}  // namespace detent::cli::accuracy

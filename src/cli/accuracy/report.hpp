@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "accuracy/survey.hpp"
+
+namespace detent::cli::accuracy {
+
+struct Report {
+  std::vector<Result> results;  // query by query, from rung to rung
+  long count = 0;
+  std::uint64_t seed = 0;
+};
+
+/// The cell of a scalar, or nothing where the rung is none for it.
+[[nodiscard]] const Cell* find(const Result& result, std::string_view scalar, Inputs inputs);
+
+/// The results of one query on one ladder.
+[[nodiscard]] std::vector<const Result*> column(const Report& report, const Query& query,
+                                                Ladder ladder);
+
+/// "2026-11-21, g++ 12.2.0, seed 1, 2000 questions"
+[[nodiscard]] std::string circumstances(const Report& report);
+
+[[nodiscard]] std::string markdown(const Report& report);
+[[nodiscard]] std::string json(const Report& report);
+[[nodiscard]] std::string plot(const Report& report);
+
+}  // namespace detent::cli::accuracy

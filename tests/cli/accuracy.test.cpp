@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+#include <stdexcept>
+
+#include "accuracy/report.hpp"
+#include "support/catch.hpp"
+
+namespace detent::cli::accuracy {
+namespace {
+
+constexpr std::uint64_t seed = 0xacc;
+
+double share_of_wrong(const Cell* cell) {
+  REQUIRE(cell != nullptr);
+  return static_cast<double>(cell->wrong) / static_cast<double>(cell->questions);
+}
+
+const Query& query_named(const std::string& name) {
+  for (const Query& query : queries()) {
+    if (query.name == name) return query;
+  }
+  throw std::runtime_error("no query " + name);
+}
+
+const Rung& rung_named(Ladder ladder, const std::string& name) {
+  for (const Rung& rung : rungs()) {
+    if (rung.ladder == ladder && rung.name == name) return rung;
+  }
+  throw std::runtime_error("no rung " + name);
+}
+
+}  // namespace
+
+TEST_CASE("accuracy: fixed-point answers are exact on every rung of every query") {
+  std::map<std::string, long> questions;
+  std::map<std::string, double> largest;
+  for (const Query& query : queries()) {
+    for (const Rung& rung : rungs()) {
+      if (!query.applies(rung)) continue;
+      const Result result = survey(query, rung, 40, seed);  // throws outside 30 to 70 % hits
+      for (const Cell& cell : result.cells) {
+        if (cell.inputs == Inputs::asked || cell.scalar[0] != 'q') continue;
+        INFO(query.name << ", " << name_of(rung.ladder) << " " << rung.name << ", " << cell.scalar);
+        CHECK(cell.wrong == 0);
+        CHECK(cell.off == 0);
+        questions[cell.scalar] += cell.questions;
+        largest[cell.scalar] = std::max(largest[cell.scalar], cell.largest);
+      }
+    }
+  }
+  // Errors are in units of 2^-16: below one of the scalar's own steps, and nearly that large.
+  for (const auto& [scalar, step] :
+       std::map<std::string, double>{{"q16_16", 1}, {"q14_16", 1}, {"q24_8", 256}, {"q8_8", 256}}) {
+    INFO(scalar);
+    CHECK(questions[scalar] > 5000);
+    CHECK(largest[scalar] < step);
+    CHECK(largest[scalar] > 0.9 * step);
+  }
+}
+
+TEST_CASE("accuracy: float far away is as wrong as a coin, the exact answer for its own numbers") {
+  const Query& query = query_named("raycast/sphere");
+  const auto wrong_at = [&](const std::string& distance, const char* scalar, Inputs inputs) {
+    const auto result = survey(query, rung_named(Ladder::distance, distance), 1000, seed);
+    return share_of_wrong(find(result, scalar, inputs));
+  };
+  for (const auto inputs : {Inputs::own, Inputs::asked}) {
+    for (const auto* const scalar : {"float", "textbook float"}) {
+      INFO(scalar);
+      CHECK(wrong_at("16", scalar, inputs) == 0);
+      CHECK(wrong_at("1000", scalar, inputs) > 0.005);
+      CHECK(wrong_at("30000", scalar, inputs) > 0.4);
+      CHECK(wrong_at("30000", scalar, inputs) < 0.6);
+    }
+  }
+  CHECK(wrong_at("30000", "double", Inputs::own) == 0);
+}
+
+TEST_CASE("accuracy: what a scalar cannot represent counts only for questions as asked") {
+  const auto result =
+      survey(query_named("raycast/sphere"), rung_named(Ladder::size, "2^-16"), 200, seed);
+  CHECK(find(result, "q24_8", Inputs::own) == nullptr);
+  CHECK(share_of_wrong(find(result, "q24_8", Inputs::asked)) == 0.5);
+  CHECK(share_of_wrong(find(result, "q16_16", Inputs::own)) == 0);
+}
+
+TEST_CASE("accuracy: the same seed asks the same questions, another one others") {
+  const Query& query = query_named("raycast/triangle");
+  const Rung& rung = rung_named(Ladder::place, "1000");
+  const auto error = [&](std::uint64_t of) {
+    return find(survey(query, rung, 100, of), "float", Inputs::own)->largest;
+  };
+  CHECK(error(1) == error(1));
+  CHECK(error(1) != error(2));
+}
+
+TEST_CASE("accuracy: a rung whose hit rate is outside 30 to 70 % is an error") {
+  Query query = query_named("raycast/sphere");
+  long hits = 0;
+  query.ask = [&](const Rung&, long count, std::uint64_t) {
+    Cell cell;
+    cell.questions = count;
+    cell.hits = hits;
+    return std::vector{cell};
+  };
+  const Rung& rung = rungs().front();
+  for (const long good : {30L, 50L, 70L}) {
+    hits = good;
+    CHECK_NOTHROW(survey(query, rung, 100, seed));
+  }
+  for (const long bad : {0L, 29L, 71L, 100L}) {
+    hits = bad;
+    CHECK_THROWS_AS(survey(query, rung, 100, seed), std::runtime_error);
+  }
+}
+
+}  // namespace detent::cli::accuracy
