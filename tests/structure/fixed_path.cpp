@@ -63,6 +63,27 @@ void measure_all(const Vec<S, N>& point, const Sphere<S, N>& sphere, const Aabb<
   }
 }
 
+template <class Shape, class... Shapes>
+int count_overlaps(const Shape& shape, const Shapes&... shapes) noexcept {
+  return (overlaps(shape, shapes) + ...);
+}
+
+template <Scalar S, int N>
+int meet_all(const Sphere<S, N>& sphere, const Aabb<S, N>& aabb, const Obb<S, N>& obb,
+             const Plane<S, N>& plane, const Triangle<S, N>& triangle, const Capsule<S, N>& capsule,
+             const Segment<S, N>& segment, const Ray<S, N>& ray, Answers<S, N>* answers) noexcept {
+  cast(ray, capsule, answers[0]);
+  cast(ray, segment, answers[1]);
+  return count_overlaps(sphere, sphere, aabb, obb, plane, triangle, capsule) +
+         count_overlaps(aabb, aabb, obb, plane, triangle, capsule) +
+         count_overlaps(obb, obb, plane, triangle, capsule) +
+         count_overlaps(plane, plane, triangle, capsule) +
+         count_overlaps(triangle, triangle, capsule) + count_overlaps(capsule, capsule) +
+         intersects(segment, sphere) + intersects(segment, aabb) + intersects(segment, obb) +
+         intersects(segment, plane) + intersects(segment, triangle) + intersects(segment, capsule) +
+         intersects(segment, segment);
+}
+
 template <Scalar S>
 void turn(Angle<S> angle, const Direction<S, 3>& axis, S x, S y, S z, S w, Rotation<S, 2>& flat,
           Rotation<S, 3>* rotations, S* numbers) noexcept {
@@ -121,6 +142,10 @@ void move(const Vec<S, 3>& u, const Vec<S, 3>& v, Angle<S> angle, S t, const Qua
                             const Obb<S, N>&, const Plane<S, N>&, const Triangle<S, N>&,  \
                             const Capsule<S, N>&, const Segment<S, N>&, const Ray<S, N>&, \
                             Measures<S, N>*, Vec<direction_component<S>, 3>&) noexcept
+#define DETENT_MEET(S, N)                                                                \
+  template int meet_all(const Sphere<S, N>&, const Aabb<S, N>&, const Obb<S, N>&,        \
+                        const Plane<S, N>&, const Triangle<S, N>&, const Capsule<S, N>&, \
+                        const Segment<S, N>&, const Ray<S, N>&, Answers<S, N>*) noexcept
 #define DETENT_MOVE(S)                                                                \
   template void move(const Vec<S, 3>&, const Vec<S, 3>&, Angle<S>, S, const Quat<S>&, \
                      const Transform<S, 3>&, Motions<S>&) noexcept
@@ -140,6 +165,7 @@ DETENT_USE(q16_16);
 DETENT_MOVE(q16_16);
 DETENT_MEASURE(q16_16, 2);
 DETENT_MEASURE(q16_16, 3);
+DETENT_MEET(q16_16, 3);
 DETENT_USE(q14_16);
 DETENT_MEASURE(q14_16, 2);
 DETENT_MEASURE(q14_16, 3);
@@ -150,5 +176,6 @@ DETENT_USE(q8_8);
 DETENT_MOVE(q8_8);
 DETENT_MEASURE(q8_8, 2);
 DETENT_MEASURE(q8_8, 3);
+DETENT_MEET(q8_8, 2);
 
 }  // namespace detent
