@@ -40,5 +40,48 @@ TEMPLATE_TEST_CASE("distance, triangle: clamped at the ends of the domain", "[di
   CHECK(distance(Triangle<S, N>{low, side, high}, across) == S::max());
 }
 
+template <class Narrow, int N>
+void compare_widths(std::uint64_t seed) {
+  using Wide = Fixed<33, 16>;
+  Random random(seed);
+  INFO(random);
+  HitRate faces;
+  for (int i = 0; i < 4000; ++i) {
+    const int bits = 2 + i % (Narrow::bits - 2);
+    const auto vec = [&] {
+      return make_vec<N>([&](int) {
+        return Narrow::from_raw(static_cast<typename Narrow::raw_type>(random.wide(bits)));
+      });
+    };
+    const auto wide = [](const Vec<Narrow, N>& v) {
+      return make_vec<N>([&](int j) { return Wide(v[j]); });
+    };
+    const auto b = vec(), c = vec(), p = vec();
+    const auto bp = wide(p) - wide(b), cp = wide(p) - wide(c);
+    if (!fits<Narrow::bits>(bp) || !fits<Narrow::bits>(cp)) continue;
+    const auto part =
+        detail::nearest_part(b, c, p, narrow<Narrow::bits>(bp), narrow<Narrow::bits>(cp));
+    CHECK(part == detail::nearest_part(wide(b), wide(c), wide(p), narrow<33>(bp), narrow<33>(cp)));
+    faces.count(part == detail::TrianglePart::face);
+    const auto distance_of = [](const auto& squared) { return sqrt_floor<q16_16>(squared); };
+    CHECK(distance_of(detail::squared_distance_from_edge(b, p)) ==
+          distance_of(detail::squared_distance_from_edge(wide(b), wide(p))));
+    if constexpr (N == 3 && Narrow::bits == 20) {
+      if (detail::are_parallel(b, c)) continue;
+      CHECK(distance_of(detail::squared_distance_from_face(b, c, p)) ==
+            distance_of(detail::squared_distance_from_face(wide(b), wide(c), wide(p))));
+    }
+  }
+  INFO(faces);
+  CHECK(faces.percent() >= 5);
+}
+
+TEST_CASE("distance, triangle: an answer in narrow integers is the same in wide ones",
+          "[distance]") {
+  compare_widths<Fixed<30, 16>, 2>(0xd157);
+  compare_widths<Fixed<30, 16>, 3>(0xd158);
+  compare_widths<Fixed<20, 16>, 3>(0xd159);
+}
+
 }  // namespace
 }  // namespace detent::test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/math/width.hpp"
 #include "detent/query/contains/parallel.hpp"
 #include "detent/shape/triangle.hpp"
 
@@ -14,37 +15,57 @@ struct NearestFeature {
   Segment<S, N> edge;
 };
 
-/// Which part of `triangle` holds its point closest to `point`; of a collapsed triangle, the
-/// segment that it is. In 2D the point is over the face when it is inside.
+/// The corners, edges and face of a triangle of corners a, b, c.
+enum class TrianglePart { a, b, c, ab, ac, bc, face };
+
+/// Which part of a triangle that has an area is closest to a point, for the vectors between them.
 ///
 /// Products of the dot products tell on which side of an edge the point lies: by Lagrange's
 /// identity d1 d4 - d3 d2 = (ab x ac) . (ap x bp), and so on.
 ///
 /// source: Ericson, Real-Time Collision Detection, 5.1.5
+template <Number T, int N>
+[[nodiscard]] constexpr TrianglePart nearest_part(const Vec<T, N>& ab, const Vec<T, N>& ac,
+                                                  const Vec<T, N>& ap, const Vec<T, N>& bp,
+                                                  const Vec<T, N>& cp) noexcept {
+  const auto d1 = dot(ab, ap), d2 = dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0) return TrianglePart::a;
+  const auto d3 = dot(ab, bp), d4 = dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3) return TrianglePart::b;
+  if (d1 >= 0 && d3 <= 0 && d1 * d4 <= d3 * d2) return TrianglePart::ab;
+  const auto d5 = dot(ab, cp), d6 = dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6) return TrianglePart::c;
+  if (d2 >= 0 && d6 <= 0 && d5 * d2 <= d1 * d6) return TrianglePart::ac;
+  if (d4 >= d3 && d5 >= d6 && d3 * d6 <= d5 * d4) return TrianglePart::bc;
+  return TrianglePart::face;
+}
+
+/// Which part of `triangle` holds its point closest to `point`; of a collapsed triangle, the
+/// segment that it is. In 2D the point is over the face when it is inside.
 template <Scalar S, int N>
 [[nodiscard]] constexpr NearestFeature<S, N> nearest_feature(const Triangle<S, N>& triangle,
                                                              const Vec<S, N>& point) noexcept {
   using Edge = Segment<S, N>;
-  const auto& a = triangle.a;
-  const auto& b = triangle.b;
-  const auto& c = triangle.c;
+  const auto& [a, b, c] = triangle;
   const auto ab = b - a, ac = c - a;
   if (are_parallel(ab, ac)) return {false, collapsed(triangle)};
-
-  const auto ap = point - a;
-  const auto d1 = dot(ab, ap), d2 = dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return {false, Edge{a, a}};
-
-  const auto bp = point - b;
-  const auto d3 = dot(ab, bp), d4 = dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return {false, Edge{b, b}};
-  if (d1 >= 0 && d3 <= 0 && d1 * d4 <= d3 * d2) return {false, Edge{a, b}};
-
-  const auto cp = point - c;
-  const auto d5 = dot(ab, cp), d6 = dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return {false, Edge{c, c}};
-  if (d2 >= 0 && d6 <= 0 && d5 * d2 <= d1 * d6) return {false, Edge{a, c}};
-  if (d4 >= d3 && d5 >= d6 && d3 * d6 <= d5 * d4) return {false, Edge{b, c}};
+  switch (by_width<30>([](const auto&... v) { return nearest_part(v...); }, ab, ac, point - a,
+                       point - b, point - c)) {
+    case TrianglePart::a:
+      return {false, Edge{a, a}};
+    case TrianglePart::b:
+      return {false, Edge{b, b}};
+    case TrianglePart::c:
+      return {false, Edge{c, c}};
+    case TrianglePart::ab:
+      return {false, Edge{a, b}};
+    case TrianglePart::ac:
+      return {false, Edge{a, c}};
+    case TrianglePart::bc:
+      return {false, Edge{b, c}};
+    case TrianglePart::face:
+      break;
+  }
   return {true, Edge{}};
 }
 

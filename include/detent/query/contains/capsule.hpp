@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/distance/segment.hpp"
+#include "detent/query/overlaps/near_segment.hpp"
 #include "detent/shape/capsule.hpp"
 
 namespace detent {
@@ -14,7 +14,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool contains(const Capsule<S, N>& capsule,
                                       const Vec<S, N>& point) noexcept {
   return capsule.radius >= 0 &&
-         squared_distance(Segment{capsule.a, capsule.b}, point) <= square(capsule.radius);
+         detail::is_near(Segment{capsule.a, capsule.b}, point, capsule.radius);
 }
 
 }  // namespace detent

@@ -11,8 +11,7 @@ namespace detent {
 /// exact:  yes or no exact                                    (tests/oracle/point_sphere.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool contains(const Sphere<S, N>& sphere, const Vec<S, N>& point) noexcept {
-  return sphere.radius >= 0 &&
-         squared_distance(point, sphere.center) <= square(sphere.radius);
+  return sphere.radius >= 0 && squared_distance(point, sphere.center) <= square(sphere.radius);
 }
 
 }  // namespace detent

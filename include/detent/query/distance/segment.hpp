@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/math/width.hpp"
 #include "detent/number/fraction.hpp"
 #include "detent/shape/segment.hpp"
 
@@ -18,6 +19,20 @@ template <int Bits, Number T, int N>
   return narrow_dot<Bits>(x, x);
 }
 
+/// The square of the distance of the point at `w` from the segment from 0 to `e`.
+template <Number T, int N>
+[[nodiscard]] constexpr auto squared_distance_from_edge(const Vec<T, N>& e,
+                                                        const Vec<T, N>& w) noexcept {
+  const auto along = dot(w, e);
+  const auto whole = squared_length(e);
+  using Under = decltype(squared_length(e));
+  using Over = decltype(whole * whole);  // |w x e|^2 <= |w|^2 |e|^2
+  using Result = Fraction<Over, Under>;
+  if (along <= 0) return Result{Over(squared_length(w)), Under(1)};
+  if (along >= whole) return Result{Over(squared_length(w - e)), Under(1)};
+  return Result{narrow_square<bits_of<Over>>(cross(w, e)), whole};
+}
+
 }  // namespace detail
 
 /// The square of the distance from `point` to `segment`: |w x e|^2 / |e|^2 beside it, where w leads
@@ -29,16 +44,7 @@ template <int Bits, Number T, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto squared_distance(const Segment<S, N>& segment,
                                               const Vec<S, N>& point) noexcept {
-  const auto edge = segment.end - segment.start;
-  const auto from_start = point - segment.start;
-  const auto along = dot(from_start, edge);
-  const auto whole = squared_length(edge);
-  using Under = decltype(squared_length(edge));
-  using Over = decltype(whole * whole);  // |w x e|^2 <= |w|^2 |e|^2
-  using Result = Fraction<Over, Under>;
-  if (along <= 0) return Result{Over(squared_length(from_start)), Under(1)};
-  if (along >= whole) return Result{Over(squared_distance(point, segment.end)), Under(1)};
-  return Result{detail::narrow_square<bits_of<Over>>(cross(from_start, edge)), whole};
+  return detail::squared_distance_from_edge(segment.end - segment.start, point - segment.start);
 }
 
 /// The distance from `point` to `segment`.
@@ -48,7 +54,9 @@ template <Scalar S, int N>
 /// exact:  rounded down, error in [0, 1) ULP                 (tests/oracle/point_segment.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Segment<S, N>& segment, const Vec<S, N>& point) noexcept {
-  return sqrt_floor<S>(squared_distance(segment, point));
+  return by_width<30>(
+      [](const auto&... x) { return sqrt_floor<S>(detail::squared_distance_from_edge(x...)); },
+      segment.end - segment.start, point - segment.start);
 }
 
 }  // namespace detent

@@ -6,6 +6,19 @@
 
 namespace detent {
 
+namespace detail {
+
+/// The square of the distance of the point at `w` from the plane through 0 along two vectors:
+/// (n . w)^2 / n^2 for their cross product n.
+template <Number T>
+[[nodiscard]] constexpr auto squared_distance_from_face(const Vec<T, 3>& b, const Vec<T, 3>& c,
+                                                        const Vec<T, 3>& w) noexcept {
+  const auto normal = cross(b, c);
+  return Fraction{square(dot(normal, w)), squared_length(normal)};
+}
+
+}  // namespace detail
+
 /// The square of the distance from `point` to `triangle`: 0 in a 2D one, which is solid, and
 /// (n . w)^2 / n^2 above the face of a 3D one, with n = (b - a) x (c - a) and w from a to the
 /// point.
@@ -21,14 +34,13 @@ template <Scalar S, int N>
     if (nearest.is_face) return ToEdge{{}, decltype(ToEdge::denominator)(1)};
     return squared_distance(nearest.edge, point);
   } else {
-    const auto normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
-    const auto height = dot(normal, point - triangle.a);
-    using Over = decltype(height * height);
-    using Under = decltype(squared_length(normal));
-    using Result = Fraction<Over, Under>;
-    if (nearest.is_face) return Result{height * height, squared_length(normal)};
+    const auto to_face = detail::squared_distance_from_face(
+        triangle.b - triangle.a, triangle.c - triangle.a, point - triangle.a);
+    using Result = decltype(to_face);
+    if (nearest.is_face) return to_face;
     const ToEdge to_edge = squared_distance(nearest.edge, point);
-    return Result{Over(to_edge.numerator), Under(to_edge.denominator)};
+    return Result{decltype(to_face.numerator)(to_edge.numerator),
+                  decltype(to_face.denominator)(to_edge.denominator)};
   }
 }
 
@@ -40,7 +52,15 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Triangle<S, N>& triangle,
                                    const Vec<S, N>& point) noexcept {
-  return sqrt_floor<S>(squared_distance(triangle, point));
+  const auto nearest = detail::nearest_feature(triangle, point);
+  if (!nearest.is_face) return distance(nearest.edge, point);
+  if constexpr (N == 2) {
+    return S(0);
+  } else {
+    return by_width<20>(
+        [](const auto&... x) { return sqrt_floor<S>(detail::squared_distance_from_face(x...)); },
+        triangle.b - triangle.a, triangle.c - triangle.a, point - triangle.a);
+  }
 }
 
 }  // namespace detent
