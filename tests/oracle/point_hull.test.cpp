@@ -33,7 +33,7 @@ void examine(std::uint64_t seed, long count) {
       return std::pair{hull, point};
     });
   };
-  family("random", Kind::general, 40, N == 2 ? 30 : 20, 75);
+  family("random", Kind::general, 40, N == 2 ? 25 : 15, 75);
   family("lattice", Kind::lattice, 25, 10, 90);
   family("tiny", Kind::tiny, 10, 10, 90);
   family("extreme", Kind::extreme, 15, 1, 80);
