@@ -56,10 +56,11 @@ class Quadratic {
   }
 
   /// The greater root rounded down, or `limit` when it is greater than that; wants roots of which
-  /// the lesser is at most `limit` and the greater is not negative.
+  /// the greater is not negative.
   template <Scalar T>
   [[nodiscard]] constexpr T last_root(const T& limit) const noexcept {
-    if (sign_at(limit) <= 0) return limit;
+    const bool is_falling = a_ * limit + b_ < 0;  // where the greater root, or both, are beyond
+    if (is_falling || sign_at(limit) <= 0) return limit;
     T t = quotient_floor<T>(root() - b_, a_);
     if constexpr (is_fixed<T>) {
       const T after = next(t);

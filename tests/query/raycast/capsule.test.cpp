@@ -14,6 +14,12 @@ static_assert(raycast_hit(along_x, across)->normal == toward<q16_16, 3>(-1));
 static_assert(raycast_interval(along_x, across) == Interval<q16_16>{q16_16(7), q16_16(13)});
 static_assert(noexcept(raycast(along_x, across)));
 
+// The end through which the ray leaves lies beyond every distance: no step after the last number.
+constexpr auto greatest = q16_16::max();
+constexpr Ray<q16_16, 3> across_the_world{at<q16_16, 3>(-32768), toward<q16_16, 3>(1), greatest};
+constexpr Capsule<q16_16, 3> as_long{at<q16_16, 3>(-32758), {greatest, {}, {}}, q16_16(3)};
+static_assert(raycast_interval(across_the_world, as_long) == Interval<q16_16>{q16_16(7), greatest});
+
 TEMPLATE_TEST_CASE("ray against capsule: it hits, misses and touches as drawn", "[raycast]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
