@@ -110,6 +110,9 @@ void check_native(Source& source) {
   require_that(native(a >> count) == shift_right_floor(x, count), "native a >> count");
   require_that((a <=> b) == (x <=> y), "native a <=> b");
   require_that(bit_length(a) == bit_length(x) && sign_of(a) == sign_of(x), "native bit_length");
+  const auto s = static_cast<std::int64_t>(a.word(0)), t = static_cast<std::int64_t>(b.word(0));
+  require_that(native(wrapping_multiply<Wide<2>>(s, t)) == static_cast<Int128>(s) * t,
+               "native product of words");
   const auto [low, high] = multiply_words_portable(a.word(0), b.word(0));
   const auto product = static_cast<UInt128>(a.word(0)) * b.word(0);
   require_that(low == static_cast<std::uint64_t>(product) &&
