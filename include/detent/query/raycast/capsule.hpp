@@ -17,6 +17,15 @@ namespace detail {
 /// Which part of a capsule's surface a line passes.
 enum class CapsulePart { none, first_end, side, last_end };
 
+/// Whether the point at `m` is in the cylinder about the line through 0 along `e`:
+/// |m x e|^2 <= radius^2 e^2; everywhere for e = 0.
+template <Number M, Number E, Number R, int N>
+[[nodiscard]] constexpr bool is_in_cylinder(const Vec<M, N>& m, const Vec<E, N>& e,
+                                            const R& radius) noexcept {
+  using Product = decltype(squared_length(m) * squared_length(e));
+  return narrow_square<bits_of<Product>>(cross(m, e)) <= square(radius) * squared_length(e);
+}
+
 /// The line of a ray against a capsule: the spheres about its ends, and between the planes through
 /// the ends the cylinder |(m + t d) x e|^2 = r^2 e^2, where e leads from the end that the ray
 /// faces to the other and m from there to the ray's origin. All of the capsule is in the cylinder.
@@ -120,12 +129,8 @@ class RayCapsule {
 
   /// c <= 0.
   [[nodiscard]] constexpr bool starts_in_cylinder() const noexcept {
-    return by_width<30>(
-        [](const auto& m, const auto& e, const auto& radius) {
-          const auto ee = squared_length(e);
-          return narrow_square<bits_of<decltype(ee * ee)>>(cross(m, e)) <= square(radius) * ee;
-        },
-        m_, e_, capsule_.radius);
+    return by_width<30>([](const auto&... x) { return is_in_cylinder(x...); }, m_, e_,
+                        capsule_.radius);
   }
   /// b < 0, as (d . m) e^2 - (d . e) (m . e) by Lagrange's identity.
   [[nodiscard]] constexpr bool approaches_axis() const noexcept {
