@@ -44,6 +44,10 @@ struct FlatRays {
   static constexpr std::string_view name = "FlatRays";
   using Groups = List<Planes, Triangles>;
 };
+struct RoundRays {
+  static constexpr std::string_view name = "RoundRays";
+  using Groups = List<RaysAgainst<CapsuleKind>, RaysAgainst<SegmentKind>>;
+};
 struct RoundPoints {
   static constexpr std::string_view name = "RoundPoints";
   using Groups = List<SpherePoints, CapsulePoints>;
@@ -60,6 +64,35 @@ struct LinePoints {
   static constexpr std::string_view name = "LinePoints";
   using Groups = List<SegmentPoints, RayPoints>;
 };
+struct SphereOverlaps {
+  static constexpr std::string_view name = "SphereOverlaps";
+  using Groups = List<Overlaps<SphereKind, SphereKind>, Overlaps<SphereKind, AabbKind>,
+                      Overlaps<SphereKind, ObbKind>, Overlaps<SphereKind, PlaneKind>,
+                      Overlaps<SphereKind, TriangleKind>, Overlaps<SphereKind, CapsuleKind>>;
+};
+struct AabbOverlaps {
+  static constexpr std::string_view name = "AabbOverlaps";
+  using Groups =
+      List<Overlaps<AabbKind, AabbKind>, Overlaps<AabbKind, ObbKind>, Overlaps<AabbKind, PlaneKind>,
+           Overlaps<AabbKind, TriangleKind>, Overlaps<AabbKind, CapsuleKind>>;
+};
+struct ObbOverlaps {
+  static constexpr std::string_view name = "ObbOverlaps";
+  using Groups = List<Overlaps<ObbKind, ObbKind>, Overlaps<ObbKind, PlaneKind>,
+                      Overlaps<ObbKind, TriangleKind>, Overlaps<ObbKind, CapsuleKind>>;
+};
+struct FlatOverlaps {
+  static constexpr std::string_view name = "FlatOverlaps";
+  using Groups = List<Overlaps<PlaneKind, PlaneKind>, Overlaps<PlaneKind, TriangleKind>,
+                      Overlaps<PlaneKind, CapsuleKind>, Overlaps<TriangleKind, TriangleKind>,
+                      Overlaps<TriangleKind, CapsuleKind>, Overlaps<CapsuleKind, CapsuleKind>>;
+};
+struct Intersections {
+  static constexpr std::string_view name = "Intersections";
+  using Groups =
+      List<Intersects<SphereKind>, Intersects<AabbKind>, Intersects<ObbKind>, Intersects<PlaneKind>,
+           Intersects<TriangleKind>, Intersects<CapsuleKind>, Intersects<SegmentKind>>;
+};
 struct Turns {
   static constexpr std::string_view name = "Turns";
   using Groups =
@@ -71,7 +104,8 @@ struct Arithmetic {
 };
 
 using Parts =
-    List<SolidRays, FlatRays, RoundPoints, BoxPoints, FlatPoints, LinePoints, Turns, Arithmetic>;
+    List<SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints, FlatPoints, LinePoints,
+         SphereOverlaps, AabbOverlaps, ObbOverlaps, FlatOverlaps, Intersections, Turns, Arithmetic>;
 
 namespace detail {
 

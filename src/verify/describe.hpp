@@ -127,6 +127,18 @@ Fields fields_of(const PointCase<S, N, Shape>& c) {
   fields.emplace_back("tolerance", words(c.tolerance));
   return fields;
 }
+/// Of two shapes of one kind, the fields of the other say so.
+template <Scalar S, int N, class First, class Second>
+Fields fields_of(const PairCase<S, N, First, Second>& c) {
+  Fields fields, second;
+  add_fields(fields, c.a);
+  add_fields(second, c.b);
+  const bool is_same = fields.front().first == second.front().first;
+  for (auto& [name, value] : second) {
+    fields.emplace_back((is_same ? "other " : "") + name, std::move(value));
+  }
+  return fields;
+}
 template <Scalar S, int N>
 Fields fields_of(const VectorCase<S, N>& c) {
   return {{"vector", words(c.vector)}};

@@ -30,6 +30,12 @@ auto in_float(const PointCase<S, N, Shape>& c) {
   using FloatShape = std::remove_const_t<decltype(shape)>;
   return PointCase<F, N, FloatShape>{shape, converted<F>(c.point), converted<F>(c.tolerance)};
 }
+template <class F, Scalar S, int N, class First, class Second>
+auto in_float(const PairCase<S, N, First, Second>& c) {
+  const auto a = converted<F>(c.a);
+  const auto b = converted<F>(c.b);
+  return PairCase<F, N, std::remove_const_t<decltype(a)>, std::remove_const_t<decltype(b)>>{a, b};
+}
 template <class F, Scalar S, int N>
 VectorCase<F, N> in_float(const VectorCase<S, N>& c) {
   return {converted<F>(c.vector)};

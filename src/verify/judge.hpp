@@ -5,6 +5,7 @@
 /// and a hundred digits. Wherever a digest differs, this names the question that went wrong.
 
 #include "verify/judge/numbers.hpp"
+#include "verify/judge/pairs.hpp"
 #include "verify/judge/points.hpp"
 #include "verify/judge/rays.hpp"
 #include "verify/judge/rotations.hpp"

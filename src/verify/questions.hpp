@@ -10,6 +10,7 @@
 // and for every case type there is `append`, since the questions have a digest too.
 
 #include "verify/questions/numbers.hpp"
+#include "verify/questions/pairs.hpp"
 #include "verify/questions/points.hpp"
 #include "verify/questions/rays.hpp"
 #include "verify/questions/rotations.hpp"

@@ -143,6 +143,7 @@ class ShapeScene : public Stage<S, N> {
     return {Base::vec(a), Base::vec(b)};
   }
 
+  /// Along the plane or into its side, ending or beginning somewhere near the spot.
   constexpr Ray<S, N> ray() noexcept {
     if (extreme_ || random.one_in(8)) {
       const auto origin = extreme_ ? any_point() : center_ + corner(reach_);
@@ -153,6 +154,21 @@ class ShapeScene : public Stage<S, N> {
     const auto sign = axis == 0 ? side_ : random.sign();
     const auto steps = axis == 0 && random.coin() ? 0 : random.between(0, far_);
     return {Base::vec(next - frame_.axes[axis] * (sign * steps)),
+            Base::direction(Base::along(frame_, axis) * sign), end(steps * frame_.norm)};
+  }
+
+  /// Through the spot or beside it along an axis of the frame, or towards it from anywhere.
+  constexpr Ray<S, N> aimed_ray() noexcept {
+    if (random.one_in(4)) {
+      const auto origin = extreme_ ? any_point() : center_ + corner(3 * reach_);
+      const auto path = center_ - origin;
+      return {Base::vec(origin), Base::direction(unit(path, Base::one)), end(length(path))};
+    }
+    const auto target = random.one_in(8) ? center_ + corner(1) : center_;
+    const int axis = static_cast<int>(random.below(N));
+    const auto sign = random.sign();
+    const auto steps = random.between(-far_ / 8, far_);
+    return {Base::vec(target - frame_.axes[axis] * (sign * steps)),
             Base::direction(Base::along(frame_, axis) * sign), end(steps * frame_.norm)};
   }
 

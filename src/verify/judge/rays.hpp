@@ -5,6 +5,7 @@
 #include <string>
 
 #include "oracle/ray_box.hpp"
+#include "oracle/ray_capsule.hpp"
 #include "oracle/ray_plane.hpp"
 #include "oracle/ray_sphere.hpp"
 #include "oracle/ray_triangle.hpp"

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <string_view>
+#include <type_traits>
 
 #include "detent/query/raycast.hpp"
 #include "verify/draw/rays.hpp"
+#include "verify/questions/kinds.hpp"
 
 namespace detent::verify {
 
@@ -88,6 +90,21 @@ struct Triangles : RayGroup {
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     return RayScene<S, N>(random).triangle();
+  }
+};
+
+template <class Kind>
+struct RaysAgainst : RayGroup {
+  static constexpr std::array<RowName, 3> all_names{RowName("raycast/", Kind::name),
+                                                    RowName("raycast_hit/", Kind::name),
+                                                    RowName("raycast_interval/", Kind::name)};
+  static constexpr std::array<std::string_view, 3> names{all_names[0].view(), all_names[1].view(),
+                                                         all_names[2].view()};
+  template <Scalar S, int N>
+  static constexpr auto draw(Random& random) noexcept {
+    ShapeScene<S, N> scene(random);
+    const auto shape = Kind::draw(scene);
+    return RayCase<S, N, std::remove_const_t<decltype(shape)>>{scene.aimed_ray(), shape};
   }
 };
 
