@@ -9,7 +9,7 @@ namespace detent {
 /// Whether `segment` and `sphere` have a point in common.
 ///
 /// domain: every input; a negative radius is an empty sphere and meets nothing
-/// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)
+/// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_edges.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool intersects(const Segment<S, N>& segment,
                                         const Sphere<S, N>& sphere) noexcept {

@@ -10,7 +10,7 @@ namespace detent {
 /// Whether `sphere` and `capsule` have a point in common.
 ///
 /// domain: every input; a negative radius makes either empty, and that overlaps nothing
-/// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)
+/// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_edges.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere,
                                       const Capsule<S, N>& capsule) noexcept {

@@ -10,7 +10,7 @@ namespace detent {
 ///
 /// domain: every input; a negative radius is an empty sphere and overlaps nothing; a collapsed
 ///         triangle is the segment or point that its corners span
-/// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)
+/// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_edges.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere,
                                       const Triangle<S, N>& triangle) noexcept {
