@@ -116,7 +116,8 @@ struct Slabs {
   Integer one;
 };
 
-/// Whether the place at the time over / under, if that is in [0, 1], is within `reach` of the slabs.
+/// Whether the place at the time over / under, if that is in [0, 1], is within `reach` of the
+/// slabs.
 template <int N>
 bool near_at(const Slabs<N>& slabs, const Integer& over, const Integer& under,
              const Integer& reach) {
