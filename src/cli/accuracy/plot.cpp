@@ -92,7 +92,7 @@ class Svg {
   std::string body_;
 };
 
-constexpr double panel_width = 205, panel_height = 74, label_width = 68, left = 62, top = 104;
+constexpr double panel_width = 205, panel_height = 74, label_width = 84, left = 62, top = 104;
 constexpr double column_width = panel_width + label_width + 12;
 constexpr double row_height = 2 * panel_height + 44;
 
