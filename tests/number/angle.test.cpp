@@ -98,7 +98,7 @@ TEST_CASE("sine and cosine: correctly rounded to 8, 16 and 30 fractional bits") 
   const auto check = [&](std::uint32_t angle) {
     const auto [sine, cosine] = table(angle % (1u << 30));
     const A a = A::from_raw(angle);
-    const auto right = [&]<class T>(T) {
+    const auto right = [&, sine = sine, cosine = cosine]<class T>(T) {
       std::int64_t s = rounded(sine, T::frac), c = rounded(cosine, T::frac);
       for (std::uint32_t quarter = angle >> 30; quarter > 0; --quarter) {
         const std::int64_t old = s;
