@@ -61,7 +61,7 @@ std::string_view description_of(Ladder ladder) {
       "how far rays that start at the world's origin are from shapes of size 1",
       "the coordinates on every axis of shapes of size 1; rays come from 10 units away",
       "the angle in radians between an axis of one shape and of the other, or the ray; size 1000, "
-      "rays from 4000 units away"};
+      "rays from 4000 units away (q8_8: 14 and 60)"};
   return texts[static_cast<std::size_t>(ladder)];
 }
 

@@ -2,6 +2,7 @@
 #include "accuracy/report.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <nlohmann/json.hpp>
@@ -9,9 +10,11 @@
 namespace detent::cli::accuracy {
 namespace {
 
-/// With three digits, and a plain 0.
+/// Cut after three digits, so that what is below 1 looks so, and a plain 0.
 std::string brief(double value) {
   if (value == 0) return "0";
+  const double last_digit = std::pow(10, std::floor(std::log10(value)) - 2);
+  value = std::floor(value / last_digit + 1e-6) * last_digit;
   std::array<char, 32> buffer{};
   const char* const format = value >= 1e5 || value < 1e-3 ? "%.1e" : value >= 100 ? "%.0f" : "%.3g";
   std::snprintf(buffer.data(), buffer.size(), format, value);
@@ -33,14 +36,21 @@ struct Who {
   Inputs inputs;
 };
 
-/// Float against the fixed scalar with the finest grid of the rung.
-std::string verdict(const Result& result) {
+enum class Verdict { as_good, less_exact, wrong, none };
+
+/// Float on its own numbers against the fixed scalar with the finest grid of the rung.
+Verdict verdict(const Result& result) {
   const Cell* const own = find(result, "float", Inputs::own);
-  if (own == nullptr) return "has no such numbers";
-  if (own->wrong > 0) return "wrong";
+  if (own == nullptr) return Verdict::none;
+  if (own->wrong > 0) return Verdict::wrong;
   const bool is_fine = find(result, "q16_16", Inputs::own) != nullptr;
-  if (own->largest < (is_fine ? 1 : 256)) return "**as good**";
-  return "right, less exact";
+  return own->largest < (is_fine ? 1 : 256) ? Verdict::as_good : Verdict::less_exact;
+}
+
+std::string text_of(Verdict verdict) {
+  static constexpr std::array<const char*, 4> texts{"**as good**", "right, less exact", "wrong",
+                                                    "has no such numbers"};
+  return texts[static_cast<std::size_t>(verdict)];
 }
 
 std::string row_of(const std::vector<std::string>& cells) {
@@ -86,6 +96,30 @@ std::string totals(const Report& report) {
   return text;
 }
 
+/// On how many rungs float is as good, right but less exact, and wrong.
+std::string float_table(const Report& report) {
+  std::vector<std::string> heads{"query"};
+  for (const Ladder ladder : ladders) heads.emplace_back(name_of(ladder));
+  std::string text = row_of(heads) + ruler(heads.size());
+  for (const Query& query : queries()) {
+    std::vector<std::string> cells{query.name};
+    bool is_asked = false;
+    for (const Ladder ladder : ladders) {
+      std::array<int, 4> counts{};
+      for (const Result* const result : column(report, query, ladder)) {
+        ++counts[static_cast<std::size_t>(verdict(*result))];
+        is_asked = true;
+      }
+      const bool has_any = counts[0] + counts[1] + counts[2] > 0;
+      cells.push_back(has_any ? std::to_string(counts[0]) + " / " + std::to_string(counts[1]) +
+                                    " / " + std::to_string(counts[2])
+                              : " ");
+    }
+    if (is_asked) text += row_of(cells);
+  }
+  return text;
+}
+
 std::string raycast_table(const Report& report, const Query& query, Ladder ladder) {
   const auto results = column(report, query, ladder);
   if (results.empty()) return {};
@@ -105,7 +139,7 @@ std::string raycast_table(const Report& report, const Query& query, Ladder ladde
   for (const Result* const result : results) {
     std::vector<std::string> cells{result->rung->name};
     for (const Who& who : columns) cells.push_back(text_of(find(*result, who.scalar, who.inputs)));
-    cells.push_back(verdict(*result));
+    cells.push_back(text_of(verdict(*result)));
     text += row_of(cells);
   }
   return text + "\n";
@@ -172,7 +206,10 @@ std::string circumstances(const Report& report) {
 
 std::string markdown(const Report& report) {
   std::string text = "## All together\n\nMeasured " + circumstances(report) + ".\n\n" +
-                     totals(report) + "\n## The ladders\n\n";
+                     totals(report) +
+                     "\nOn how many rungs float is as good as the fixed scalars / right but less "
+                     "exact / wrong, on its own numbers:\n\n" +
+                     float_table(report) + "\n## The ladders\n\n";
   for (const Ladder ladder : ladders) {
     text += "- " + std::string(name_of(ladder)) + ": " + std::string(description_of(ladder)) + "\n";
   }
