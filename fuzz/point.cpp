@@ -76,6 +76,11 @@ void check(Decoder<S, N>& decoder) {
               (tolerance >= 0 && is_within<N>(truth, oracle::raw(tolerance))),
           because("on"));
   require(is_distance<S, N>(distance(shape, point), truth), because("distance"));
+  if constexpr (requires { squared_distance(shape, point); }) {
+    const bool is_far = !(squared_distance(shape, point) <= square(S::max()));
+    const bool is_near = is_within<N>(truth, oracle::raw(S::max()));
+    require(is_far != is_near, because("squared_distance"));
+  }
   require(is_closest<S, N>(closest_point(shape, point), point, truth), because("closest_point"));
 }
 

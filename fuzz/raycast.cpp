@@ -6,6 +6,7 @@
 #include "oracle/ask.hpp"
 #include "oracle/describe.hpp"
 #include "oracle/ray_box.hpp"
+#include "oracle/ray_capsule.hpp"
 #include "oracle/ray_plane.hpp"
 #include "oracle/ray_sphere.hpp"
 #include "oracle/ray_triangle.hpp"
@@ -28,7 +29,7 @@ void check(Decoder<S, N>& decoder) {
 void property(Bytes input) {
   Source source(input);
   in_a_space(source, [&]<Scalar S, int N>(Space<S, N>) {
-    const auto shape = source.below(5);
+    const auto shape = source.below(6);
     Decoder<S, N> decoder(source);
     switch (shape) {
       case 0:

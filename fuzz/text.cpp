@@ -109,8 +109,9 @@ template <class T>
 void check(Source& source) {
   using Raw = typename T::raw_type;
   if (source.below(4) == 0) {
-    check_round_trip(T::from_raw(static_cast<Raw>(source.bits(T::bits))));
-    return;
+    const auto end = source.below(8);
+    const auto raw = static_cast<Raw>(source.bits(T::bits));
+    return check_round_trip(end == 0 ? T::lowest() : end == 1 ? T::max() : T::from_raw(raw));
   }
   // Mostly what a number may be made of; the rest as it is.
   constexpr std::string_view likely = "0123456789012345678905550000.eE+-";
