@@ -76,3 +76,24 @@ TEMPLATE_TEST_CASE("divide: quotients are the exact ones rounded down", "[number
   }
   CHECK(large > 10'000);
 }
+
+TEST_CASE("short_quotient: agrees with the long division for quotients below 2^32") {
+  Random random(20260602);
+  INFO(random);
+  for (int i = 0; i < 20000; ++i) {
+    const auto bits = static_cast<int>(random.below(63));
+    const std::int64_t low = random.wide(62), high = std::abs(random.wide(bits)) >> 31;
+    const auto denominator = static_cast<Int128>(
+        Wide<2>::from_words({static_cast<std::uint64_t>(low) >> random.below(60),
+                             i % 2 == 0 ? static_cast<std::uint64_t>(high) : 0}));
+    if (denominator == Int128(0)) continue;
+    const auto quotient = static_cast<std::int64_t>(random.next() >> (32 + random.below(32)));
+    const auto product = wrapping_multiply<Int128>(denominator, quotient);
+    const auto last = wrapping_subtract<Int128>(wrapping_add<Int128>(product, denominator), 1);
+    CHECK(short_quotient(product, denominator) == quotient);
+    CHECK(short_quotient(last, denominator) == quotient);
+    if (bit_length(denominator) <= 63) {
+      CHECK(short_quotient(product, integer_cast<std::int64_t>(denominator)) == quotient);
+    }
+  }
+}

@@ -132,4 +132,34 @@ template <class I>
   return {quotient, remainder};
 }
 
+/// floor(numerator / denominator) for numerator >= 0, denominator > 0 and a quotient below 2^32;
+/// the denominator's type may be narrower.
+///
+/// With n and d as leading bits, 32 of the denominator's, q = floor(n / (d + 1)) is at most 4 too
+/// small. It is right where n - q d leaves room for the bits that were dropped.
+template <class N, class D>
+[[nodiscard]] constexpr std::int64_t short_quotient(const N& numerator,
+                                                    const D& denominator) noexcept {
+  if constexpr (value_bits<N> <= 63) {
+    return integer_cast<std::int64_t>(numerator) / integer_cast<std::int64_t>(denominator);
+  } else if constexpr (value_bits < N >> 127) {
+    return integer_cast<std::int64_t>(
+        divide_floor(numerator, integer_cast<N>(denominator)).quotient);
+  } else {
+    const auto leading = [](const auto& x, int dropped) {
+      return integer_cast<std::uint64_t>(shift_right_floor(x, dropped));
+    };
+    const int dropped = std::max(positive_bit_length(denominator) - 32, 0);
+    const std::uint64_t n = leading(numerator, dropped), d = leading(denominator, dropped);
+    if (dropped == 0) return static_cast<std::int64_t>(n / d);
+    auto quotient = static_cast<std::int64_t>(n / (d + 1));
+    if (n % (d + 1) + static_cast<std::uint64_t>(quotient) < d) return quotient;
+    auto rest = wrapping_subtract<N>(numerator, wrapping_multiply<N>(denominator, quotient));
+    for (; rest >= integer_cast<N>(denominator); rest = wrapping_subtract<N>(rest, denominator)) {
+      ++quotient;
+    }
+    return quotient;
+  }
+}
+
 }  // namespace detent

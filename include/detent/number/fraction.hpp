@@ -104,6 +104,22 @@ template <Number T, Number N, Number D>
   return root;
 }
 
+/// The value of a fraction that is known to be in [0, T::max()], rounded down to the grid of `T`.
+template <Number T, Number N, Number D>
+[[nodiscard]] constexpr T narrow_floor(const Fraction<N, D>& x) noexcept {
+  if constexpr (!is_fixed<T>) {
+    return x.numerator / x.denominator;
+  } else {
+    constexpr int shift = T::frac - N::frac + D::frac;
+    static_assert(shift >= 0 && T::bits <= 31);
+    // numerator * 2^shift <= T::max() * denominator on the grid of T, so it fits the same bits.
+    using Integer = IntegerFor<std::max(T::bits + D::bits, 31)>;
+    const auto numerator = shift_left(integer_cast<Integer>(x.numerator.raw()), shift);
+    return T::assume_raw(
+        static_cast<typename T::raw_type>(short_quotient(numerator, x.denominator.raw())));
+  }
+}
+
 /// The value of a non-negative fraction rounded down to the grid of `T`, or nothing when the exact
 /// value is greater than `limit`.
 template <Number T, Number N, Number D>
@@ -117,14 +133,7 @@ template <Number T, Number N, Number D>
     // |limit| * denominator needs T::bits + D::bits bits: for 127 of them -2^127 still fits.
     constexpr int bits = T::bits + D::bits;
     if (x.numerator > narrow_product<bits>(limit, x.denominator)) return std::nullopt;
-    constexpr int shift = T::frac - N::frac + D::frac;
-    static_assert(shift >= 0);
-    // numerator * 2^shift <= limit * denominator on the grid of T, so it fits the same bits.
-    using Integer = IntegerFor<std::max(bits, 31)>;
-    const auto numerator = shift_left(integer_cast<Integer>(x.numerator.raw()), shift);
-    const auto denominator = integer_cast<Integer>(x.denominator.raw());
-    return T::assume_raw(
-        integer_cast<typename T::raw_type>(divide_floor(numerator, denominator).quotient));
+    return narrow_floor<T>(x);
   }
 }
 

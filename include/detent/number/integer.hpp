@@ -187,4 +187,18 @@ template <class I>
   }
 }
 
+/// `bit_length` of x > 0.
+template <class I>
+[[nodiscard]] constexpr int positive_bit_length(const I& x) noexcept {
+  if constexpr (detail::words_of<I> == 1) {
+    return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(x)));
+  } else if constexpr (detail::words_of<I> == 2) {
+    const Wide<2> wide(x);
+    const bool is_long = wide.word(1) != 0;
+    return (is_long ? 64 : 0) + static_cast<int>(std::bit_width(wide.word(is_long ? 1 : 0)));
+  } else {
+    return bit_length(x);
+  }
+}
+
 }  // namespace detent

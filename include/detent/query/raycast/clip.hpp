@@ -41,14 +41,15 @@ class RayClip {
   /// The slab entered last, the first named of several; `no_slab` where the ray starts inside all.
   [[nodiscard]] constexpr int entered() const noexcept { return entered_; }
 
+  // Where something is left, 0 <= enter <= exit <= limit.
   [[nodiscard]] constexpr std::optional<S> first_distance() const noexcept {
     if (is_empty()) return std::nullopt;
-    return floor(enter_);
+    return narrow_floor<S>(enter_);
   }
 
   [[nodiscard]] constexpr std::optional<Interval<S>> interval() const noexcept {
     if (is_empty()) return std::nullopt;
-    return Interval<S>{floor(enter_), floor(exit_)};
+    return Interval<S>{narrow_floor<S>(enter_), narrow_floor<S>(exit_)};
   }
 
  private:
@@ -57,9 +58,6 @@ class RayClip {
   static constexpr bool less(const Distance& a, const Distance& b) noexcept {
     return narrow_product<ProductBits>(a.numerator, b.denominator) <
            narrow_product<ProductBits>(b.numerator, a.denominator);
-  }
-  static constexpr S floor(const Distance& x) noexcept {
-    return quotient_floor<S>(x.numerator, x.denominator);
   }
 
   constexpr void raise_enter(int slab, const Distance& candidate) noexcept {

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "detent/math/width.hpp"
 #include "detent/query/raycast/clip.hpp"
 #include "detent/shape/obb.hpp"
 
@@ -10,19 +11,23 @@ namespace detent {
 
 namespace detail {
 
-template <Scalar S, int N>
-[[nodiscard]] constexpr auto clip(const Ray<S, N>& ray, const Obb<S, N>& box) noexcept {
-  const auto to_center = box.center - ray.origin;
-  using Gap = decltype(dot(to_center, ray.direction) - box.half_extents.x);
-  using Speed = decltype(dot(ray.direction, ray.direction));
-  RayClip<S, Gap, Speed, bits_of<Gap> + bits_of<Speed>> clip(ray.max_distance);
-  for (int i = 0; i < N; ++i) {
-    const auto& axis = box.rotation.axis(i);
-    const auto middle = dot(to_center, axis);
-    clip.keep(i, middle - box.half_extents[i], middle + box.half_extents[i],
-              dot(ray.direction, axis));
-  }
-  return clip;
+/// What `use` makes of the clip of a ray against a box's slabs. The distances to the slabs fit 64
+/// bits where box and ray are at most 2^30 steps apart.
+template <Scalar S, int N, class Use>
+[[nodiscard]] constexpr auto with_clip(const Ray<S, N>& ray, const Obb<S, N>& box,
+                                       const Use& use) noexcept {
+  const auto clip_slabs = [&](const auto& to_center, const auto& half_extents) {
+    using Gap = decltype(dot(to_center, ray.direction) - half_extents.x);
+    using Speed = decltype(dot(ray.direction, ray.direction));
+    RayClip<S, Gap, Speed, bits_of<Gap> + bits_of<Speed>> clip(ray.max_distance);
+    for (int i = 0; i < N; ++i) {
+      const auto& axis = box.rotation.axis(i);
+      const auto middle = dot(to_center, axis);
+      clip.keep(i, middle - half_extents[i], middle + half_extents[i], dot(ray.direction, axis));
+    }
+    return use(clip);
+  };
+  return by_width<30>(clip_slabs, box.center - ray.origin, box.half_extents);
 }
 
 }  // namespace detail
@@ -39,7 +44,7 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<S> raycast(const Ray<S, N>& ray,
                                                  const Obb<S, N>& box) noexcept {
-  return detail::clip(ray, box).first_distance();
+  return detail::with_clip(ray, box, [](const auto& clip) { return clip.first_distance(); });
 }
 
 /// Distance, point and normal where `ray` first touches `box`, or nothing.
@@ -49,21 +54,23 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<RayHit<S, N>> raycast_hit(const Ray<S, N>& ray,
                                                                 const Obb<S, N>& box) noexcept {
-  const auto clip = detail::clip(ray, box);
-  const auto distance = clip.first_distance();
-  if (!distance) return std::nullopt;
-  const int axis = clip.entered();
-  if (axis == clip.no_slab) return detail::hit_at(ray, *distance, -ray.direction);
-  const auto outward = box.rotation.axis(axis);
-  const bool along = dot(ray.direction, outward) > 0;
-  return detail::hit_at(ray, *distance, along ? -outward : outward);
+  using Result = std::optional<RayHit<S, N>>;
+  return detail::with_clip(ray, box, [&](const auto& clip) {
+    const auto distance = clip.first_distance();
+    if (!distance) return Result();
+    const int axis = clip.entered();
+    if (axis == clip.no_slab) return Result(detail::hit_at(ray, *distance, -ray.direction));
+    const auto outward = box.rotation.axis(axis);
+    const bool along = dot(ray.direction, outward) > 0;
+    return Result(detail::hit_at(ray, *distance, along ? -outward : outward));
+  });
 }
 
 /// Distances at which `ray` enters and leaves `box`, or nothing.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<Interval<S>> raycast_interval(const Ray<S, N>& ray,
                                                                     const Obb<S, N>& box) noexcept {
-  return detail::clip(ray, box).interval();
+  return detail::with_clip(ray, box, [](const auto& clip) { return clip.interval(); });
 }
 
 }  // namespace detent

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "detent/number/near_one.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "support/catch.hpp"
+
+using namespace detent;
+using namespace detent::test;
+
+namespace {
+
+using Numerator = Fixed<63, 46>;
+using Denominator = Fixed<61, 60>;
+constexpr std::int64_t one = std::int64_t{1} << 60;
+
+// `quotient_floor` knows no fast way.
+void check(std::int64_t n, std::int64_t d, int unknown_bits) {
+  const auto numerator = Numerator::from_raw(n);
+  const auto denominator = Denominator::from_raw(d);
+  const auto [quotient, is_close] = divide_near_one<q16_16>(numerator, denominator, unknown_bits);
+  const auto least = std::max<std::int64_t>(n - (std::int64_t{1} << unknown_bits), 0);
+  CHECK(quotient == quotient_floor<q16_16>(numerator, denominator));
+  if (!is_close) CHECK(quotient_floor<q16_16>(Numerator::from_raw(least), denominator) == quotient);
+}
+
+}  // namespace
+
+TEST_CASE("divide_near_one: the quotient is right however near 1 the denominator is") {
+  Random random(20260601);
+  INFO(random);
+  for (int i = 0; i < 20000; ++i) {
+    const std::int64_t n = std::abs(random.edgy(62));
+    const std::int64_t e = random.coin() ? random.wide(33) : random.wide(59);
+    check(n, one + e, static_cast<int>(random.below(33)));
+    // A multiple of the denominator on the grid of the result, and its neighbours.
+    const std::int64_t multiple = random.between(0, (std::int64_t{1} << 31) - 1) << 30;
+    for (const int k : {-1, 0, 1}) check(std::max<std::int64_t>(multiple + k, 0), one, i % 33);
+  }
+}
