@@ -10,8 +10,9 @@
 
 namespace detent::bench {
 
-/// How far the answers of a scalar are from the exact ones to the same questions, as q16_16 gives
-/// them. What the scalar cannot hold of a question (directions in float and q8_8) counts too.
+/// How far the answers of a scalar are from the exact ones to the same questions. Decisions are
+/// compared with those of q16_16, lengths with those in double where they are within a step of
+/// q16_16's. What the scalar cannot hold of a question (directions in float and q8_8) counts too.
 struct Accuracy {
   std::size_t asked = 0;
   std::size_t wrong = 0;        // hit instead of miss, or the reverse
@@ -57,6 +58,13 @@ std::vector<double> lengths_of(const Answer& answer) {
   std::vector<double> lengths;
   visit_lengths(answer, [&](double x) { lengths.push_back(x); });
   return lengths;
+}
+
+/// The rounded lengths with the digits that double knows beyond them.
+inline void refine(std::vector<double>& rounded, const std::vector<double>& finer) {
+  for (std::size_t i = 0; i < rounded.size() && rounded.size() == finer.size(); ++i) {
+    if (std::abs(finer[i] - rounded[i]) * 65536 <= 1) rounded[i] = finer[i];
+  }
 }
 
 template <class S, class Q>
@@ -117,7 +125,9 @@ Accuracy accuracy_of(const Q& query,
         query.template operator()<S>(std::pair{as<S>(question.first), as<S>(question.second)});
     ++result.asked;
     result.wrong += detail::is_wrong<S>(query, question) ? 1u : 0u;
-    const auto truth = detail::lengths_of(exact), given = detail::lengths_of(answer);
+    auto truth = detail::lengths_of(exact);
+    detail::refine(truth, detail::lengths_of(query.template operator()<double>(question)));
+    const auto given = detail::lengths_of(answer);
     if (truth.size() == given.size()) {
       for (std::size_t i = 0; i < truth.size(); ++i) {
         result.error = std::max(result.error, std::abs(given[i] - truth[i]));

@@ -78,8 +78,8 @@ void write_plot(std::FILE* out, const Results& results) {
                "font-family='sans-serif' font-size='12'>\n"
                "<rect width='920' height='500' fill='white'/>\n");
   Panel decisions(out, 0, "Hit or miss, a step of 1/256 from touching", "wrong answers",
-                  {0.0005, 1, 410, 50});
-  decisions.mark(0.0005, "none");
+                  {0.0004, 1, 410, 50});
+  decisions.mark(0.0004, "none");
   decisions.mark(0.001, "0.1 %");
   decisions.mark(0.01, "1 %");
   decisions.mark(0.1, "10 %");
@@ -97,7 +97,8 @@ void write_plot(std::FILE* out, const Results& results) {
   }
 
   double legend = 190;
-  for (const auto& [scalar, color] : series) {
+  for (const auto& scalar_series : series) {
+    const auto& [scalar, color] = scalar_series;
     std::fprintf(out,
                  "<circle cx='%.0f' cy='482' r='5' fill='%s'/><text x='%.0f' y='486'>%s</text>\n",
                  legend, color, legend + 10, scalar);
@@ -113,11 +114,10 @@ void write_plot(std::FILE* out, const Results& results) {
       if (accuracy.close_asked != 0) {
         const double wrong =
             static_cast<double>(accuracy.close_wrong) / static_cast<double>(accuracy.close_asked);
-        const double nudge = wrong > 0
-                                 ? 0
-                                 : -5 * static_cast<double>(&record - results.records.data()) /
-                                       static_cast<double>(results.records.size());
-        decisions.point(ratio, std::max(wrong, 0.0005), nudge, color, name);
+        // Scalars without wrong answers get a line each.
+        const double nudge =
+            wrong > 0 ? 0 : 7 * static_cast<double>(&scalar_series - series.data()) - 40;
+        decisions.point(ratio, std::max(wrong, 0.0004), nudge, color, name);
       }
       if (accuracy.error > 0) lengths.point(ratio, accuracy.error, 0, color, name);
     }
