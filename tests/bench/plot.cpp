@@ -32,13 +32,13 @@ struct Axis {
 class Panel {
  public:
   Panel(std::FILE* out, double left, const char* title, const char* label, Axis y)
-      : out_(out), x_{0.25, 8, left + 70, left + 430}, y_(y) {
+      : out_(out), x_{0.5, 32, left + 70, left + 430}, y_(y) {
     text(left + 250, 30, "middle", title);
     text(left + 250, 455, "middle", "time as a multiple of float");
     std::fprintf(
         out_, "<text transform='translate(%.0f 235) rotate(-90)' text-anchor='middle'>%s</text>\n",
         left + 14, label);
-    for (const double x : {0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 8.0}) {
+    for (const double x : {0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 8.0, 16.0, 32.0}) {
       line(x_.at(x), y_.start, x_.at(x), y_.end, x == 1 ? "#888888" : "#dddddd");
       std::array<char, 16> mark{};
       std::snprintf(mark.data(), mark.size(), "%g", x);
