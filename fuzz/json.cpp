@@ -75,7 +75,7 @@ bool returns(const Read& read) {
 }  // namespace
 
 void property(Bytes input) {
-  const std::string content(input.begin(), input.end());
+  const std::string content(reinterpret_cast<const char*>(input.data()), input.size());
   const bool is_json = returns([&] { Tree(content).check(cli::read_json("f/f", content)); });
   // A scene may name any file for a mesh; here only one that is not there.
   if (content.find('/') != std::string::npos || content.find("\\u") != std::string::npos) return;

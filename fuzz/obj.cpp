@@ -13,9 +13,10 @@
 namespace detent::fuzz {
 
 void property(Bytes input) {
+  const std::string content(reinterpret_cast<const char*>(input.data()), input.size());
   cli::MeshModel mesh;
   try {
-    mesh = cli::parse_obj("f", std::string(input.begin(), input.end()), std::nullopt);
+    mesh = cli::parse_obj("f", content, std::nullopt);
   } catch (const cli::InputError& error) {
     const std::string what = error.what();
     return require(what.starts_with("f:"), [&] { return "names no file: " + what; });
