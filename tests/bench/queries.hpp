@@ -40,6 +40,7 @@ void visit_raycasts(const Visit& visit) {
   visit(query<Ray, Obb>("raycast/obb", ask_raycast));
   visit(query<Ray, Plane>("raycast/plane", ask_raycast));
   visit(query<Ray, Triangle>("raycast/triangle", ask_raycast));
+  visit(query<Ray, Capsule>("raycast/capsule", ask_raycast));
   visit(query<Ray, Sphere>("raycast_hit/sphere", ask_raycast_hit));
   visit(query<Ray, Aabb>("raycast_hit/aabb", ask_raycast_hit));
   visit(query<Ray, Obb>("raycast_hit/obb", ask_raycast_hit));
@@ -95,9 +96,19 @@ void visit_overlaps(const Visit& visit) {
   visit(query<Sphere, Plane>("overlaps/sphere_plane", ask_overlaps));
   visit(query<Sphere, Triangle>("overlaps/sphere_triangle", ask_overlaps));
   visit(query<Sphere, Capsule>("overlaps/sphere_capsule", ask_overlaps));
+  visit(query<Aabb, Aabb>("overlaps/aabb_aabb", ask_overlaps));
+  visit(query<Aabb, Obb>("overlaps/aabb_obb", ask_overlaps));
+  visit(query<Aabb, Plane>("overlaps/aabb_plane", ask_overlaps));
+  visit(query<Aabb, Triangle>("overlaps/aabb_triangle", ask_overlaps));
   visit(query<Aabb, Capsule>("overlaps/aabb_capsule", ask_overlaps));
+  visit(query<Obb, Obb>("overlaps/obb_obb", ask_overlaps));
+  visit(query<Obb, Plane>("overlaps/obb_plane", ask_overlaps));
+  visit(query<Obb, Triangle>("overlaps/obb_triangle", ask_overlaps));
   visit(query<Obb, Capsule>("overlaps/obb_capsule", ask_overlaps));
+  visit(query<Plane, Plane>("overlaps/plane_plane", ask_overlaps));
+  visit(query<Plane, Triangle>("overlaps/plane_triangle", ask_overlaps));
   visit(query<Plane, Capsule>("overlaps/plane_capsule", ask_overlaps));
+  visit(query<Triangle, Triangle>("overlaps/triangle_triangle", ask_overlaps));
   visit(query<Triangle, Capsule>("overlaps/triangle_capsule", ask_overlaps));
   visit(query<Capsule, Capsule>("overlaps/capsule_capsule", ask_overlaps));
 }
