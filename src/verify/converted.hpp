@@ -5,6 +5,7 @@
 
 #include "detent/math/rotation.hpp"
 #include "detent/shape/shape.hpp"
+#include "verify/draw/shapes.hpp"
 
 namespace detent::verify {
 
@@ -64,6 +65,15 @@ Capsule<T, N> converted(const Capsule<S, N>& s) {
 template <Scalar T, Scalar S, int N>
 Segment<T, N> converted(const Segment<S, N>& s) {
   return {converted<T>(s.start), converted<T>(s.end)};
+}
+template <Scalar T, Scalar S, int N>
+HullPoints<T, N> converted(const HullPoints<S, N>& hull) {
+  HullPoints<T, N> result;
+  result.count = hull.count;
+  for (std::size_t i = 0; i < hull.points.size(); ++i) {
+    result.points[i] = converted<T>(hull.points[i]);
+  }
+  return result;
 }
 
 }  // namespace detent::verify

@@ -93,6 +93,20 @@ struct Intersections {
       List<Intersects<SphereKind>, Intersects<AabbKind>, Intersects<ObbKind>, Intersects<PlaneKind>,
            Intersects<TriangleKind>, Intersects<CapsuleKind>, Intersects<SegmentKind>>;
 };
+struct Hulls {
+  static constexpr std::string_view name = "Hulls";
+  using Groups = List<RaysAgainst<HullKind>, HullPointQueries>;
+};
+struct HullOverlaps {
+  static constexpr std::string_view name = "HullOverlaps";
+  using Groups = List<Overlaps<SphereKind, HullKind>, Overlaps<AabbKind, HullKind>,
+                      Overlaps<ObbKind, HullKind>, Overlaps<PlaneKind, HullKind>>;
+};
+struct HullMeetings {
+  static constexpr std::string_view name = "HullMeetings";
+  using Groups = List<Overlaps<TriangleKind, HullKind>, Overlaps<CapsuleKind, HullKind>,
+                      Overlaps<HullKind, HullKind>, Intersects<HullKind>>;
+};
 struct Turns {
   static constexpr std::string_view name = "Turns";
   using Groups =
@@ -103,9 +117,9 @@ struct Arithmetic {
   using Groups = List<Roots, Quotients, Texts>;
 };
 
-using Parts =
-    List<SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints, FlatPoints, LinePoints,
-         SphereOverlaps, AabbOverlaps, ObbOverlaps, FlatOverlaps, Intersections, Turns, Arithmetic>;
+using Parts = List<SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints, FlatPoints, LinePoints,
+                   SphereOverlaps, AabbOverlaps, ObbOverlaps, FlatOverlaps, Intersections, Hulls,
+                   HullOverlaps, HullMeetings, Turns, Arithmetic>;
 
 namespace detail {
 

@@ -111,6 +111,15 @@ void add_fields(Fields& fields, const Ray<S, N>& ray) {
   fields.emplace_back("ray max_distance", words(ray.max_distance));
 }
 
+template <Scalar S, int N>
+void add_fields(Fields& fields, const HullPoints<S, N>& hull) {
+  fields.emplace_back("hull points", std::to_string(hull.count));
+  for (int i = 0; i < hull.count; ++i) {
+    fields.emplace_back("hull point " + std::to_string(i),
+                        words(hull.points[static_cast<std::size_t>(i)]));
+  }
+}
+
 template <Scalar S, int N, class Shape>
 Fields fields_of(const RayCase<S, N, Shape>& c) {
   Fields fields;

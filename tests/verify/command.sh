@@ -39,7 +39,7 @@ grep -qxF "$(cat "$work/row")" "$work/table" || fail "--only changes a digest"
 ! grep -qE '^(all|raycast/aabb) ' "$work/out" || fail "--only prints other rows"
 
 run --only raycast --json
-[[ $(grep -c '"query": "raycast' "$work/out") -eq 21 ]] || fail "a prefix selects every row it begins"
+[[ $(grep -c '"query": "raycast' "$work/out") -eq 24 ]] || fail "a prefix selects every row it begins"
 
 run --only raycast/ball
 [[ $status -eq 2 && ! -s $work/out && $(wc -l <"$work/err") -eq 1 ]] || fail "a wrong name: $status"

@@ -2,11 +2,36 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "detent/shape/shape.hpp"
 #include "verify/draw/stage.hpp"
 
 namespace detent::verify {
+
+/// The points of a convex hull, which is only a view of them: at most eight.
+template <Scalar S, int N>
+struct HullPoints {
+  std::array<Vec<S, N>, 8> points{};
+  std::uint8_t count = 0;
+};
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const HullPoints<S, N>& hull) noexcept {
+  digest.add(hull.count);
+  for (int i = 0; i < hull.count; ++i) digest.add(hull.points[static_cast<std::size_t>(i)]);
+}
+
+/// What is drawn as the library takes it.
+template <class Shape>
+[[nodiscard]] constexpr const Shape& as_shape(const Shape& shape) noexcept {
+  return shape;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr ConvexHull<S, N> as_shape(const HullPoints<S, N>& hull) noexcept {
+  return {std::span(hull.points).first(hull.count)};
+}
 
 /// Shapes about one spot of a stage.
 ///
@@ -143,6 +168,26 @@ class ShapeScene : public Stage<S, N> {
     return {Base::vec(a), Base::vec(b)};
   }
 
+  /// One to eight points, now and then none, of which some are the same or in the hull of others.
+  constexpr HullPoints<S, N> hull() noexcept {
+    HullPoints<S, N> result;
+    const auto count = random.one_in(64) ? 0 : random.between(1, 8);
+    const bool loose = random.one_in(4);
+    const auto next = anchor(3);
+    const auto corners = loose ? anywhere() : standing_at(next);
+    for (std::int64_t i = 0; i < count; ++i) {
+      const auto more = extreme_ ? any_point()
+                        : loose  ? center_ + corner(reach_)
+                                 : next + slanted(far_);
+      const auto index = static_cast<std::size_t>(i);
+      result.points[index] = Base::vec(i < 3              ? corners[index]
+                                       : random.one_in(8) ? corners[0]
+                                                          : more);
+    }
+    result.count = static_cast<std::uint8_t>(count);
+    return result;
+  }
+
   /// Along the plane or into its side, ending or beginning somewhere near the spot.
   constexpr Ray<S, N> ray() noexcept {
     if (extreme_ || random.one_in(8)) {
@@ -246,8 +291,8 @@ class ShapeScene : public Stage<S, N> {
     return corners;
   }
   /// A triangle with the anchor at a corner, on an edge, or inside.
-  constexpr std::array<Point, 3> standing() noexcept {
-    const auto next = anchor(N == 2 ? 3 : 5);
+  constexpr std::array<Point, 3> standing() noexcept { return standing_at(anchor(N == 2 ? 3 : 5)); }
+  constexpr std::array<Point, 3> standing_at(const Point& next) noexcept {
     switch (random.below(3)) {
       case 0: {
         const auto b = next + slanted(far_), c = next + slanted(far_);

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "oracle/hull_round.hpp"
 #include "oracle/linear.hpp"
 #include "oracle/near_segment.hpp"
 #include "oracle/segment_box.hpp"
@@ -29,6 +30,10 @@ concept Stick = requires(T shape) {
   shape.start;
 };
 template <class T>
+concept Cloud = requires(T shape) {
+  shape.points;
+};
+template <class T>
 concept Box = requires(T shape) {
   shape.half_extents;
 }
@@ -38,7 +43,9 @@ concept Box = requires(T shape) {
 /// against segments are slabs, and otherwise the hulls of their corners.
 template <class First, class Second>
 bool do_meet(const First& a, const Second& b) {
-  if constexpr (Ball<First>) {
+  if constexpr (Cloud<Second> && (Ball<First> || Pill<First> || Flat<First>)) {
+    return oracle::meet(a, b);
+  } else if constexpr (Ball<First>) {
     const auto near = oracle::nearest(b, a.center);
     if (a.radius < 0 || !near) return false;
     const Integer reach = oracle::raw(a.radius) + near->radius;
@@ -66,7 +73,9 @@ bool do_meet(const First& a, const Second& b) {
 
 template <int Row, Scalar S, int N, class First, class Second>
 std::optional<Wrong> judge(const PairCase<S, N, First, Second>& c, bool got) {
-  return compare(do_meet(in_raw_units<S>(c.a), in_raw_units<S>(c.b)), got);
+  const auto a = in_raw_units<S>(c.a);
+  const auto b = in_raw_units<S>(c.b);
+  return compare(do_meet(as_shape(a), as_shape(b)), got);
 }
 
 }  // namespace detent::verify::judge

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "oracle/hull.hpp"
 #include "oracle/point.hpp"
 #include "oracle/rounding.hpp"
 #include "verify/judge/exact.hpp"
@@ -66,13 +67,14 @@ std::optional<oracle::Vector<3>> weights(const Triangle<S, N>& triangle, const V
 
 template <int Row, Scalar S, int N, class Shape, class Answer>
 std::optional<Wrong> judge(const PointCase<S, N, Shape>& c, const Answer& got) {
+  const auto shape = in_raw_units<S>(c.shape);
+  const auto point = in_raw_units<S>(c.point);
   if constexpr (Row == barycentric_row) {
     using Component = direction_component<S>;
-    const auto expected =
-        weights(in_raw_units<S>(c.shape), in_raw_units<S>(c.point), Component::frac);
+    const auto expected = weights(shape, point, Component::frac);
     return compare(expected ? Answer(clamped<Component>(*expected)) : Answer(), got);
   } else {
-    const auto truth = oracle::nearest(in_raw_units<S>(c.shape), in_raw_units<S>(c.point));
+    const auto truth = oracle::nearest(as_shape(shape), point);
     if constexpr (Row == contains_row) {
       return compare(is_within(truth, 0), got);
     } else if constexpr (Row == on_row) {

@@ -6,6 +6,7 @@
 
 #include "oracle/ray_box.hpp"
 #include "oracle/ray_capsule.hpp"
+#include "oracle/ray_hull.hpp"
 #include "oracle/ray_plane.hpp"
 #include "oracle/ray_sphere.hpp"
 #include "oracle/ray_triangle.hpp"
@@ -65,7 +66,8 @@ std::string normal_words(const oracle::Normal<N>& normal, const oracle::Raw<N>& 
 
 template <int Row, Scalar S, int N, class Shape, class Answer>
 std::optional<Wrong> judge(const RayCase<S, N, Shape>& c, const Answer& got) {
-  const auto expected = oracle::expected_raycast(in_raw_units<S>(c.ray), in_raw_units<S>(c.shape));
+  const auto shape = in_raw_units<S>(c.shape);
+  const auto expected = oracle::expected_raycast(in_raw_units<S>(c.ray), as_shape(shape));
   if (!expected.hit || is_hidden(c)) return compare(Answer(), got);
   const auto& hit = *expected.hit;
   const S enter = clamped<S>(hit.enter);

@@ -68,6 +68,14 @@ struct RayKind {
   }
 };
 
+struct HullKind {
+  static constexpr std::string_view name = "hull";
+  template <Scalar S, int N>
+  static constexpr auto draw(ShapeScene<S, N>& scene) noexcept {
+    return scene.hull();
+  }
+};
+
 /// The names of rows, put together while the program is compiled: a few words each.
 class RowName {
  public:

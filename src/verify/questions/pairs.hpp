@@ -43,7 +43,7 @@ struct Overlaps : PairDraw<First, Second> {
 
   template <int Row, class Case>
   [[nodiscard]] static constexpr bool answer(const Case& c) noexcept {
-    return overlaps(c.a, c.b);
+    return overlaps(as_shape(c.a), as_shape(c.b));
   }
 };
 
@@ -54,7 +54,7 @@ struct Intersects : PairDraw<SegmentKind, Kind> {
 
   template <int Row, class Case>
   [[nodiscard]] static constexpr bool answer(const Case& c) noexcept {
-    return intersects(c.a, c.b);
+    return intersects(c.a, as_shape(c.b));
   }
 };
 

@@ -79,19 +79,20 @@ struct Points {
 
   template <int Row, Scalar S, int N, class Shape>
   [[nodiscard]] static constexpr auto answer(const PointCase<S, N, Shape>& c) noexcept {
+    const auto& shape = as_shape(c.shape);
     if constexpr (Row == contains_row) {
-      return contains(c.shape, c.point);
+      return contains(shape, c.point);
     } else if constexpr (Row == on_row) {
-      return on(c.shape, c.point, c.tolerance);
+      return on(shape, c.point, c.tolerance);
     } else if constexpr (Row == closest_point_row) {
-      return closest_point(c.shape, c.point);
+      return closest_point(shape, c.point);
     } else if constexpr (Row == distance_row) {
-      return distance(c.shape, c.point);
+      return distance(shape, c.point);
     } else if constexpr (Row == squared_distance_row) {
-      return rounded_square<S>(squared_distance(c.shape, c.point));
+      return rounded_square<S>(squared_distance(shape, c.point));
     } else {
       using Weights = std::optional<Vec<direction_component<S>, 3>>;
-      const auto weights = barycentric(c.shape, c.point);
+      const auto weights = barycentric(shape, c.point);
       return weights ? Weights(nearest_to<direction_component<S>>(*weights)) : Weights();
     }
   }
@@ -105,5 +106,6 @@ using TrianglePoints = Points<TriangleKind, 6>;
 using CapsulePoints = Points<CapsuleKind, 4>;
 using SegmentPoints = Points<SegmentKind, 5>;
 using RayPoints = Points<RayKind, 5>;
+using HullPointQueries = Points<HullKind, 5>;
 
 }  // namespace detent::verify

@@ -24,22 +24,23 @@ constexpr void append(D& digest, const RayCase<S, N, Obb<S, N>>& c) noexcept {
 /// raycast, raycast_hit and raycast_interval against one kind of shape.
 template <int Row, class Case>
 [[nodiscard]] constexpr auto cast(const Case& c) noexcept {
-  constexpr bool has_sides = requires { raycast(c.ray, c.shape, c.facing); };
+  const auto& shape = as_shape(c.shape);
+  constexpr bool has_sides = requires { raycast(c.ray, shape, c.facing); };
   if constexpr (Row == 0) {
     if constexpr (has_sides)
-      return raycast(c.ray, c.shape, c.facing);
+      return raycast(c.ray, shape, c.facing);
     else
-      return raycast(c.ray, c.shape);
+      return raycast(c.ray, shape);
   } else if constexpr (Row == 1) {
     if constexpr (has_sides)
-      return raycast_hit(c.ray, c.shape, c.facing);
+      return raycast_hit(c.ray, shape, c.facing);
     else
-      return raycast_hit(c.ray, c.shape);
+      return raycast_hit(c.ray, shape);
   } else {
     if constexpr (has_sides)
-      return raycast_interval(c.ray, c.shape, c.facing);
+      return raycast_interval(c.ray, shape, c.facing);
     else
-      return raycast_interval(c.ray, c.shape);
+      return raycast_interval(c.ray, shape);
   }
 }
 
