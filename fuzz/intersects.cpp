@@ -59,24 +59,11 @@ void check(Decoder<S, N>& decoder) {
 void property(Bytes input) {
   Source source(input);
   in_a_space(source, [&]<Scalar S, int N>(Space<S, N>) {
-    const auto shape = source.below(7);
-    Decoder<S, N> decoder(source);
-    switch (shape) {
-      case 0:
-        return check<Sphere<S, N>>(decoder);
-      case 1:
-        return check<Aabb<S, N>>(decoder);
-      case 2:
-        return check<Obb<S, N>>(decoder);
-      case 3:
-        return check<Plane<S, N>>(decoder);
-      case 4:
-        return check<Triangle<S, N>>(decoder);
-      case 5:
-        return check<Capsule<S, N>>(decoder);
-      default:
-        return check<Segment<S, N>>(decoder);
-    }
+    with_one_of<Sphere<S, N>, Aabb<S, N>, Obb<S, N>, Plane<S, N>, Triangle<S, N>, Capsule<S, N>,
+                Segment<S, N>>(source, [&]<class Shape>(std::type_identity<Shape>) {
+      Decoder<S, N> decoder(source);
+      check<Shape>(decoder);
+    });
   });
 }
 

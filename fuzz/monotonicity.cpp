@@ -90,16 +90,8 @@ void check(Source& source) {
 void property(Bytes input) {
   Source source(input);
   in_a_space(source, [&]<Scalar S, int N>(Space<S, N>) {
-    switch (source.below(4)) {
-      case 0:
-        return check<Sphere<S, N>, S, N>(source);
-      case 1:
-        return check<Aabb<S, N>, S, N>(source);
-      case 2:
-        return check<Obb<S, N>, S, N>(source);
-      default:
-        return check<Capsule<S, N>, S, N>(source);
-    }
+    with_one_of<Sphere<S, N>, Aabb<S, N>, Obb<S, N>, Capsule<S, N>>(
+        source, [&]<class Shape>(std::type_identity<Shape>) { check<Shape, S, N>(source); });
   });
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <type_traits>
+
 #include "oracle/space.hpp"
 #include "source.hpp"
 
@@ -32,6 +35,14 @@ void in_a_space(Source& source, const Ask& ask) {
   }
 #endif
   return choice % 2 == 0 ? ask(Space<q16_16, 3>()) : ask(Space<q8_8, 2>());
+}
+
+/// Calls `check(std::type_identity<Shape>())` for one of the shapes, which a byte chooses.
+template <class... Shapes, class Check>
+void with_one_of(Source& source, const Check& check) {
+  const auto choice = source.below(sizeof...(Shapes));
+  std::size_t i = 0;
+  ((i++ == choice ? check(std::type_identity<Shapes>()) : void()), ...);
 }
 
 }  // namespace detent::fuzz
