@@ -88,7 +88,9 @@ TEMPLATE_TEST_CASE("quat: an axis and an angle are within 0.5 + 2^-27 units, and
   CHECK(wrong == 0);
   CHECK(worst < 0.5 + 1.0 / (1 << 27));
   CHECK(worst > 0.49);
-  CHECK(worst_angle < 3.15);
+  // In units of 2^-32 turn, which are pi steps of 2^-31.
+  CHECK(worst_angle / 3.14159265358979324 < 0.5 + 1.0 / (1 << 28));
+  CHECK(worst_angle / 3.14159265358979324 > 0.49);
 }
 
 TEMPLATE_TEST_CASE("quat: Euler angles turn about world x, then y, then z, within 0.5 + 2^-27", "",

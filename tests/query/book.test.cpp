@@ -4,6 +4,7 @@
 // float represents every input. Those to rays are in raycast/book.test.cpp.
 
 #include <array>
+#include <cmath>
 
 #include "detent/query/intersection.hpp"
 #include "detent/query/query.hpp"
@@ -88,6 +89,23 @@ TEMPLATE_TEST_CASE("book: three planes meet in the point that they name", "[book
     return Plane{Direction<S, 3>::along(axis), num<S>(offset)};
   };
   CHECK(intersection(plane(0, 1), plane(1, 2), plane(2, 3)) == v<S>(1, 2, 3));
+}
+
+// Not half a unit whatever the distance.
+TEMPLATE_TEST_CASE("book: unit spheres overlap by what the distance lacks of two", "[book]", q16_16,
+                   q14_16, float, double) {
+  using S = TestType;
+  const Sphere<S, 3> unit{Vec<S, 3>(), num<S>(1)};
+  const auto depth = [&](double apart) {
+    const Sphere<S, 3> other{v<S>(0, apart), num<S>(1)};
+    CHECK(overlaps(unit, other));
+    const auto lacking = unit.radius + other.radius - distance(unit.center, other.center);
+    return static_cast<double>(lacking);
+  };
+  const auto is_near = [](double x, double y) { return std::abs(x - y) < 1.0 / 65536; };
+  CHECK(is_near(depth(1.999), 0.001));
+  CHECK(depth(1.5) == 0.5);
+  CHECK(is_near(depth(0.1), 1.9));
 }
 
 }  // namespace
