@@ -131,6 +131,21 @@ Integer raw(S value) {
   return static_cast<std::int64_t>(value.raw());
 }
 
+/// The raw bits of a number of any width.
+template <class I>
+Integer whole(const I& raw) {
+  if constexpr (sizeof(I) <= sizeof(std::int64_t)) {
+    return static_cast<std::int64_t>(raw);
+  } else {
+    constexpr int words = static_cast<int>(sizeof(I) / sizeof(std::uint64_t));
+    const Wide<words> wide(raw);
+    const Wide<words> magnitude = wide.is_negative() ? -wide : wide;
+    Integer result = 0;
+    for (int i = words - 1; i >= 0; --i) result = (result << 64) + magnitude.word(i);
+    return wide.is_negative() ? Integer(-result) : result;
+  }
+}
+
 /// A ray in raw units: the point at time t is `origin + t * direction / one`, 0 <= t <= max.
 template <int N>
 struct Line {

@@ -56,5 +56,43 @@ TEMPLATE_TEST_CASE("area: of any triangle in space, rounded down", "[measure][or
   }
 }
 
+/// Whether `given` steps of 2^-frac are the nearest to raw * numerator pi / denominator, where raw
+/// counts steps of 2^-(frac + shift): pi lies between two fractions of 2^-160.
+bool is_nearest_to_pi(const oracle::Integer& given, const oracle::Integer& raw, int numerator,
+                      int denominator, int shift) {
+  const oracle::Integer below("0x3243f6a8885a308d313198a2e03707344a4093822");
+  const oracle::Integer scale = oracle::Integer(denominator) << static_cast<unsigned>(160 + shift);
+  const oracle::Integer low = 2 * raw * numerator * below;
+  const oracle::Integer high = 2 * raw * numerator * (below + 1);
+  return (2 * given - 1) * scale <= high && low <= (2 * given + 1) * scale;
+}
+
+TEMPLATE_TEST_CASE("area, volume: of discs and balls, to nearest", "[measure][oracle]", q16_16,
+                   q14_16, q24_8, q8_8) {
+  using S = TestType;
+  using oracle::Integer;
+  oracle::Draw<S, 3> draw(0xd15c);
+  INFO(draw.random);
+  for (int i = 0; i < 10'000; ++i) {
+    const auto raw = draw.random.coin() ? std::abs(draw.extreme()) : draw.random.between(0, 4096);
+    const S radius = draw.scalar(raw);
+    const Integer r = oracle::raw(radius);
+    const auto flat = area(Sphere<S, 2>{{}, radius});
+    const auto full = volume(Sphere<S, 3>{{}, radius});
+    INFO("radius " << r);
+    CHECK(is_nearest_to_pi(oracle::whole(flat.raw()), r * r, 1, 1, S::frac));
+    CHECK(is_nearest_to_pi(oracle::whole(full.raw()), r * r * r, 4, 3, 2 * S::frac));
+  }
+  CHECK(area(Sphere<S, 2>{{}, S(-1)}) == 0);
+  CHECK(volume(Sphere<S, 3>{{}, S(-1)}) == 0);
+}
+
+TEMPLATE_TEST_CASE("area, volume: of discs and balls in floating point", "[measure]", float,
+                   double) {
+  using S = TestType;
+  CHECK(area(Sphere<S, 2>{{}, 2}) == Approx(12.566370614));
+  CHECK(volume(Sphere<S, 3>{{}, 3}) == Approx(113.097335529));
+}
+
 }  // namespace
 }  // namespace detent::test

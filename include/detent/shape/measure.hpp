@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/number/pi.hpp"
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/obb.hpp"
+#include "detent/shape/sphere.hpp"
 #include "detent/shape/triangle.hpp"
 
 // The size of shapes:
-//   area(shape)    of triangles, and of boxes in 2D
-//   volume(shape)  of boxes in 3D
+//   area(shape)    of triangles, and of boxes and discs in 2D
+//   volume(shape)  of boxes and balls in 3D
 //
 // Each is as wide as it needs; `nearest_to<S>` brings it to a scalar. An empty shape measures 0.
 
@@ -24,6 +26,18 @@ struct area_of {
 template <int Bits, int Frac>
 struct area_of<Fixed<Bits, Frac>> {
   using type = Fixed<result_bits(2 * Bits + 3 - Frac), Frac>;
+};
+
+/// A number on the grid of a scalar for r^2 pi, and one for r^3 4 pi / 3, which is below 2^3 r^3.
+template <Scalar S>
+struct round_size_of {
+  using area = S;
+  using volume = S;
+};
+template <int Bits, int Frac>
+struct round_size_of<Fixed<Bits, Frac>> {
+  using area = Fixed<result_bits(2 * Bits + 2 - Frac), Frac>;
+  using volume = Fixed<result_bits(3 * Bits + 3 - 2 * Frac), Frac>;
 };
 
 template <Number T>
@@ -82,6 +96,25 @@ template <Scalar S>
 template <Scalar S>
 [[nodiscard]] constexpr auto volume(const Obb<S, 3>& box) noexcept {
   return detail::size(box);
+}
+
+/// The area of a disc, 0 of an empty one.
+///
+/// exact: within 0.5 + 2^-31 ULP                             (tests/shape/measure.test.cpp)
+template <Scalar S>
+[[nodiscard]] constexpr auto area(const Sphere<S, 2>& disc) noexcept {
+  const S radius = disc.radius < 0 ? S(0) : disc.radius;
+  return nearest_to<typename detail::round_size_of<S>::area>(times_pi(square(radius)));
+}
+
+/// The volume of a ball, 0 of an empty one.
+///
+/// exact: within 0.5 + 2^-31 ULP                             (tests/shape/measure.test.cpp)
+template <Scalar S>
+[[nodiscard]] constexpr auto volume(const Sphere<S, 3>& ball) noexcept {
+  const S radius = ball.radius < 0 ? S(0) : ball.radius;
+  return nearest_to<typename detail::round_size_of<S>::volume>(
+      times_four_thirds_pi(square(radius) * radius));
 }
 
 }  // namespace detent
