@@ -63,7 +63,7 @@ int count_wrong(const Mat<T, N, N>& m) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("inverse: the exact one rounded to nearest even; determinant, adjugate exact",
+TEMPLATE_TEST_CASE("inverse: the exact one rounded to nearest even, determinant and adjugate exact",
                    "", q16_16, q14_16, q24_8, q8_8) {
   using T = TestType;
   Random random(71);

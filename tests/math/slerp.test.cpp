@@ -81,7 +81,7 @@ TEMPLATE_TEST_CASE("nlerp and slerp: correctly rounded, and within 0.5 + 2^-26 u
   CHECK(worst > 0.49);
 }
 
-TEMPLATE_TEST_CASE("slerp: the speed is constant; float and double read the same", "", q16_16,
+TEMPLATE_TEST_CASE("slerp: the speed is constant, and float and double read the same", "", q16_16,
                    q14_16, q24_8, q8_8, float, double) {
   using S = TestType;
   const auto axis = Direction<S, 3>::along(1);

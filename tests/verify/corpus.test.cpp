@@ -92,7 +92,9 @@ Verges verges() {
   visit_cases<Group, q16_16, 3>(full_size, [&](const auto& c) {
     const auto away = distance(c.shape, c.point);
     if (away == largest<q16_16>) ++seen.empty;
-    if (c.point.x == largest<q16_16>) ++seen.at_ends_of_range;
+    for (int i = 0; i < 3; ++i) {
+      if (c.point[i] == largest<q16_16> || c.point[i] == lowest<q16_16>) ++seen.at_ends_of_range;
+    }
     if (away > 0 && c.tolerance == away && on(c.shape, c.point, away)) ++seen.at_tolerance;
     if (away > 0 || !contains(c.shape, c.point)) return;
     auto beside = c.point;
