@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: constant.sh COMPILER ARGUMENT...
-# The compiler itself gives the golden answers, within its ordinary limits.
+# The compiler itself gives the golden answers.
 set -euo pipefail
 
 if ! command -v "$1" >/dev/null; then
