@@ -251,11 +251,14 @@ class Stab {
       if (third == 0) return at(i).index < at(j).index;
       return (N == 2 || j == (i + 1) % 3) == (third < 0);
     };
-    int leaving = -1;
+    int leaving = 0;
+    bool leaves = false;
     for (int i = 0; i < N; ++i) {
-      if (fall(i) > 0 && (leaving < 0 || is_before(i, leaving))) leaving = i;
+      if (!(fall(i) > 0) || (leaves && !is_before(i, leaving))) continue;
+      leaving = i;
+      leaves = true;
     }
-    if (leaving < 0) return false;  // rounded: the falls of points have the sum 1
+    if (!leaves) return false;  // rounded: the falls of points have the sum 1
     at(leaving) = added;
     return weight[index(leaving)] > 0;
   }
