@@ -175,7 +175,7 @@ class Stab {
       const Vec across{direction_[1], negated(direction_[0])};
       return first == 0 ? across : negated(across);
     } else {
-      const int other = 3 - first - i;
+      const int other = (first + 1) % 3 == i ? (first + 2) % 3 : (first + 1) % 3;
       const auto across = cross(direction_, edge(other));
       return other == (first + 1) % 3 ? across : negated(across);
     }
