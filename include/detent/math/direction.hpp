@@ -70,8 +70,7 @@ class Direction {
   [[nodiscard]] constexpr const Vec<Component, N>& vec() const noexcept { return components_; }
 
   [[nodiscard]] constexpr Direction operator-() const noexcept {
-    return Direction(
-        make_vec<N>([this](int i) { return narrow<bits_of<Component>>(-components_[i]); }));
+    return Direction(narrow_negative(components_));
   }
 
   [[nodiscard]] friend constexpr bool operator==(const Direction&,

@@ -125,9 +125,7 @@ class Quat {
   [[nodiscard]] constexpr const Vec<Component, 4>& vec() const noexcept { return xyzw_; }
 
   /// The same rotation, with the other sign.
-  [[nodiscard]] constexpr Quat operator-() const noexcept {
-    return Quat(narrow<bits_of<Component>>(-xyzw_));
-  }
+  [[nodiscard]] constexpr Quat operator-() const noexcept { return Quat(narrow_negative(xyzw_)); }
 
   [[nodiscard]] friend constexpr bool operator==(const Quat&, const Quat&) noexcept = default;
 

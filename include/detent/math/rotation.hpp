@@ -64,7 +64,7 @@ class Rotation {
   /// exact: each component rounded to nearest                      (tests/math/rotation.test.cpp)
   [[nodiscard]] static constexpr Rotation from_angle(Angle<S> angle) noexcept requires(N == 2) {
     const auto c = cos<Component>(angle), s = sin<Component>(angle);
-    return from_columns({Column{c, s}, Column{narrow<bits_of<Component>>(-s), c}});
+    return from_columns({Column{c, s}, Column{narrow_negative(s), c}});
   }
 
   /// The rotation of the quaternion w + x i + y j + z k of any length, or nothing for 0.

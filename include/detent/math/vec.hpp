@@ -139,6 +139,12 @@ template <int Bits, Number T, int N>
   return make_vec<N>([&](int i) { return narrow<Bits>(v[i]); });
 }
 
+/// -v in the type of v: see `narrow_negative` for numbers.
+template <Number T, int N>
+[[nodiscard]] constexpr Vec<T, N> narrow_negative(const Vec<T, N>& v) noexcept {
+  return make_vec<N>([&](int i) { return narrow_negative(v[i]); });
+}
+
 template <Number A, Number B, int N>
 [[nodiscard]] constexpr auto dot(const Vec<A, N>& a, const Vec<B, N>& b) noexcept {
   if constexpr (N == 2) {

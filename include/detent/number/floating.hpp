@@ -29,6 +29,10 @@ template <int Bits, std::floating_point F>
 [[nodiscard]] constexpr F narrow(F x) noexcept {
   return x;
 }
+template <std::floating_point F>
+[[nodiscard]] constexpr F narrow_negative(F x) noexcept {
+  return -x;
+}
 template <int Bits, std::floating_point F>
 [[nodiscard]] constexpr F narrow_product(F a, F b) noexcept {
   return a * b;

@@ -24,7 +24,7 @@ template <Number N, Number D>
 [[nodiscard]] constexpr Fraction<N, D> make_fraction(const N& numerator,
                                                      const D& denominator) noexcept {
   if (denominator < 0) {
-    return {narrow<bits_of<N>>(-numerator), narrow<bits_of<D>>(-denominator)};
+    return {narrow_negative(numerator), narrow_negative(denominator)};
   }
   return {numerator, denominator};
 }

@@ -74,7 +74,7 @@ class Quadratic {
 
   /// -b - s, where 0 <= s <= -b because the product a c is positive.
   [[nodiscard]] constexpr auto first_numerator(const B& root) const noexcept {
-    return narrow<bits_of<B>>(narrow<bits_of<B>>(-b_) - root);
+    return narrow<bits_of<B>>(narrow_negative(b_) - root);
   }
 
   template <Scalar T>

@@ -151,6 +151,13 @@ template <int Bits, int B1, int F1, int B2, int F2>
                              detail::aligned_raw<Raw, Difference::frac>(b)));
 }
 
+/// -x in the type of x: the caller has a proof that it fits, as it always does but for the lowest
+/// number of an integer that is full.
+template <int B, int F>
+[[nodiscard]] constexpr Fixed<B, F> narrow_negative(const Fixed<B, F>& x) noexcept {
+  return narrow<B>(-x);
+}
+
 /// x / 2, exactly.
 template <int B, int F>
 [[nodiscard]] constexpr Fixed<B, F + 1> half(const Fixed<B, F>& x) noexcept {

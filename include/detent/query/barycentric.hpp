@@ -45,12 +45,11 @@ template <Scalar S>
   using Result = std::optional<Barycentric<Weight>>;
   if (total == 0) return Result();
   auto a = cross(to_b, to_c), b = cross(to_c, to_a), c = cross(to_a, to_b);
-  const auto negate = [](Weight& x) { x = narrow<bits_of<Weight>>(-x); };
   if (total < 0) {
-    negate(a);
-    negate(b);
-    negate(c);
-    negate(total);
+    a = narrow_negative(a);
+    b = narrow_negative(b);
+    c = narrow_negative(c);
+    total = narrow_negative(total);
   }
   return Result({a, b, c, total});
 }

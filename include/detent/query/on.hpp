@@ -54,9 +54,8 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Capsule<S, N>& capsule, const Vec<S, N>& point,
                                 const S& tolerance) noexcept {
-  if (capsule.radius < 0 || tolerance < 0) return false;
-  const auto reach = capsule.radius + tolerance;
-  return squared_distance(Segment{capsule.a, capsule.b}, point) <= square(reach);
+  return capsule.radius >= 0 && tolerance >= 0 &&
+         detail::is_near(Segment{capsule.a, capsule.b}, point, capsule.radius + tolerance);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Obb<S, N>& box, const Vec<S, N>& point,

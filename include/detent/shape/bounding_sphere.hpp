@@ -97,7 +97,7 @@ template <Scalar S, int N>
     return make_vec<N>([&](int j) {
       const auto row = make_vec<N>([&](int i) {
         const auto along = box.rotation.axis(i)[j];
-        return (signs >> i & 1) != 0 ? narrow<bits_of<direction_component<S>>>(-along) : along;
+        return (signs >> i & 1) != 0 ? narrow_negative(along) : along;
       });
       return narrow_dot<corner_bits>(row, box.half_extents);
     });

@@ -55,7 +55,7 @@ template <Scalar S, int N>
   return product(is_empty(box) ? decltype(sides)() : sides);
 }
 
-/// The sides of a box are the double of its half extents; its axes count as orthonormal.
+/// The sides of a box are twice its half extents; its axes count as orthonormal.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto size(const Obb<S, N>& box) noexcept {
   const auto sides = box.half_extents + box.half_extents;

@@ -116,7 +116,7 @@ template <Number T, int N>
 template <Number T>
 [[nodiscard]] constexpr auto facet_normal(const Simplex<T, 2>& simplex) noexcept {
   const auto edge = simplex[1] - simplex[0];
-  return Vec{edge.y, narrow<bits_of<decltype(edge.x)>>(-edge.x)};
+  return Vec{edge.y, narrow_negative(edge.x)};
 }
 template <Number T>
 [[nodiscard]] constexpr auto facet_normal(const Simplex<T, 3>& simplex) noexcept {
@@ -139,7 +139,7 @@ constexpr auto with_direction(const Simplex<T, N>& feature, const F& f) noexcept
   const auto height = dot(normal, corner);
   for (int i = 0; i < N; ++i) {
     if (height == 0) normal[i] = decltype(normal.x)(0);
-    if (height < 0) normal[i] = narrow<bits_of<decltype(normal.x)>>(-normal[i]);
+    if (height < 0) normal[i] = narrow_negative(normal[i]);
   }
   return f(normal);
 }

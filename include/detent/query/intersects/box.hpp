@@ -21,7 +21,7 @@ template <int ProductBits, Number T, int N>
   const auto& h = half_extents;
   for (int i = 0; i < N; ++i) {
     if (std::min(p[i], q[i]) > h[i]) return false;
-    if (std::max(p[i], q[i]) < narrow<bits_of<T>>(-h[i])) return false;
+    if (std::max(p[i], q[i]) < narrow_negative(h[i])) return false;
   }
   const auto length = make_vec<N>(
       [&](int i) { return narrow<bits_of<T>>(abs(narrow_difference<bits_of<T>>(q[i], p[i]))); });

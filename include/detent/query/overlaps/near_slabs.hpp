@@ -43,9 +43,6 @@ template <Number T, Number D, Number R, int N>
   const auto is_falling_at = [&](const T& over, const D& under) {
     return dot(d, excess(over * d, under * low, under * high)) < 0;
   };
-  const auto negative = [](const auto& x) {
-    return narrow<bits_of<std::remove_cvref_t<decltype(x)>>>(-x);
-  };
   Vec<T, N> g;
   Vec<D, N> speed;
   for (int i = 0; i < N; ++i) {
@@ -54,12 +51,13 @@ template <Number T, Number D, Number R, int N>
     const auto& leave = rises ? high[i] : low[i];
     const auto is_past = [&](const T& bound) {
       if (d[i] == 0) return bound < 0;
-      return rises ? is_falling_at(bound, d[i]) : is_falling_at(negative(bound), negative(d[i]));
+      return rises ? is_falling_at(bound, d[i])
+                   : is_falling_at(narrow_negative(bound), narrow_negative(d[i]));
     };
     if (!is_past(enter)) {
-      g[i] = negative(enter);
+      g[i] = narrow_negative(enter);
     } else if (is_past(leave)) {
-      g[i] = negative(leave);
+      g[i] = narrow_negative(leave);
     } else {
       continue;
     }

@@ -49,7 +49,7 @@ class ObbBody {
     return make_vec<N>([&](int j) {
       const auto reach = make_vec<N>([&](int i) {
         const auto& half = box_.half_extents[i];
-        return is_added(i, j) ? narrow<bits_of<S>>(half) : narrow<bits_of<S>>(-half);
+        return is_added(i, j) ? narrow<bits_of<S>>(half) : narrow_negative(half);
       });
       const auto row = make_vec<N>([&](int i) { return box_.rotation.axis(i)[j]; });
       return narrow_sum<bits>(box_.center[j], narrow_dot<bits>(row, reach));

@@ -63,7 +63,7 @@ struct Separation {
   template <Number T, std::size_t Count>
   constexpr bool is_across_any(const std::array<Vec<T, N>, Count>& vectors) const noexcept {
     for (const auto& v : vectors) {
-      if (is_along(Vec{narrow<bits_of<T>>(-v.y), v.x})) return true;
+      if (is_along(Vec{narrow_negative(v.y), v.x})) return true;
     }
     return false;
   }

@@ -83,7 +83,7 @@ class RayCapsule {
   [[nodiscard]] constexpr Direction<S, N> normal() const noexcept {
     using Component = direction_component<S>;
     if constexpr (N == 2) {
-      const auto side = Vec{narrow<bits_of<Length>>(-e_.y), e_.x};
+      const auto side = Vec{narrow_negative(e_.y), e_.x};
       const auto normal = *direction_of<S>(side);
       return dot(side, ray_.direction) > 0 ? -normal : normal;
     } else {

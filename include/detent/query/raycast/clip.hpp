@@ -28,9 +28,9 @@ class RayClip {
       raise_enter(slab, {low, speed});
       lower_exit({high, speed});
     } else if (speed < 0) {
-      const auto forward = narrow<bits_of<Denominator>>(-speed);
-      raise_enter(slab, {narrow<bits_of<Numerator>>(-high), forward});
-      lower_exit({narrow<bits_of<Numerator>>(-low), forward});
+      const auto forward = narrow_negative(speed);
+      raise_enter(slab, {narrow_negative(high), forward});
+      lower_exit({narrow_negative(low), forward});
     } else if (low > 0 || high < 0) {
       exit_ = {Numerator(-1), Denominator(1)};
     }

@@ -68,7 +68,7 @@ class Stab {
     descend([this] { return normal(); });
   }
   constexpr void go_to_last() noexcept {
-    descend([this] { return negated(normal()); });
+    descend([this] { return narrow_negative(normal()); });
   }
 
   /// The distance along the ray, of either sign, at which its line stabs the simplex.
@@ -90,8 +90,8 @@ class Stab {
     const int i = point();
     if constexpr (N == 2) {
       const auto e = edge(1 - i);
-      const Vec across{negated(e.y), e.x};
-      return i == 0 ? across : negated(across);
+      const Vec across{narrow_negative(e.y), e.x};
+      return i == 0 ? across : narrow_negative(across);
     } else {
       return cross(edge((i + 1) % 3), edge((i + 2) % 3));
     }
@@ -131,15 +131,6 @@ class Stab {
     return point_at(at(i).index) - point_at(at(point()).index);
   }
 
-  template <Number T>
-  static constexpr T negated(const T& x) noexcept {
-    return narrow<bits_of<T>>(-x);
-  }
-  template <Number T>
-  static constexpr Vec<T, N> negated(const Vec<T, N>& v) noexcept {
-    return make_vec<N>([&](int i) { return negated(v[i]); });
-  }
-
   /// d . (v x w), in 2D d x v: on which side the line passes the edge from v to w, or the point v.
   [[nodiscard]] constexpr auto side(const Offset& v) const noexcept requires(N == 2) {
     return cross(direction_, v);
@@ -155,7 +146,7 @@ class Stab {
   /// The weights of the columns, times one positive number.
   [[nodiscard]] constexpr auto weights() const noexcept {
     if constexpr (N == 2) {
-      return std::array{negated(side(at(1).offset)), side(at(0).offset)};
+      return std::array{narrow_negative(side(at(1).offset)), side(at(0).offset)};
     } else {
       return std::array{side(at(1).offset, at(2).offset), side(at(2).offset, at(0).offset),
                         side(at(0).offset, at(1).offset)};
@@ -172,12 +163,12 @@ class Stab {
   [[nodiscard]] constexpr auto gradient(int i) const noexcept {
     const int first = point();
     if constexpr (N == 2) {
-      const Vec across{direction_[1], negated(direction_[0])};
-      return first == 0 ? across : negated(across);
+      const Vec across{direction_[1], narrow_negative(direction_[0])};
+      return first == 0 ? across : narrow_negative(across);
     } else {
       const int other = (first + 1) % 3 == i ? (first + 2) % 3 : (first + 1) % 3;
       const auto across = cross(direction_, edge(other));
-      return other == (first + 1) % 3 ? across : negated(across);
+      return other == (first + 1) % 3 ? across : narrow_negative(across);
     }
   }
 
@@ -229,7 +220,7 @@ class Stab {
     std::array<Weight, static_cast<std::size_t>(N)> sides{};
     for (int i = 0; i < N; ++i) {
       if constexpr (N == 2) {
-        sides[index(i)] = i == 0 ? negated(side(added.offset)) : side(added.offset);
+        sides[index(i)] = i == 0 ? narrow_negative(side(added.offset)) : side(added.offset);
       } else {
         sides[index(i)] = side(added.offset, at(i).offset);
       }

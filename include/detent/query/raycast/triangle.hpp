@@ -50,9 +50,7 @@ template <Scalar S>
   using Distance = Fraction<decltype(meeting.height()), decltype(RayTriangle<S>::det)>;
   using Result = std::optional<Distance>;
   const bool flip = meeting.det < 0;
-  const auto oriented = [flip](const auto& x) {
-    return flip ? narrow<bits_of<std::remove_cvref_t<decltype(x)>>>(-x) : x;
-  };
+  const auto oriented = [flip](const auto& x) { return flip ? narrow_negative(x) : x; };
   const auto det = oriented(meeting.det);
   const auto u = oriented(meeting.u());
   if (u < 0 || u > det) return Result();
@@ -190,7 +188,7 @@ template <Scalar S>
                                               : triangle.a - triangle.c;
   // Of the two perpendiculars the one that faces the ray: (y, -x) . d is the cross product.
   const bool along = cross(ray.direction, edge) > 0;
-  const auto normal = direction_of<S>(Vec{edge.y, narrow<bits_of<decltype(edge.x)>>(-edge.x)});
+  const auto normal = direction_of<S>(Vec{edge.y, narrow_negative(edge.x)});
   return detail::hit_at(ray, *distance, along ? -*normal : *normal);
 }
 
