@@ -100,6 +100,25 @@ TEST_CASE("direction_of: cross products of the longest edges are rounded to near
   CHECK(wrong == 0);
 }
 
+TEST_CASE("unit_vector: what settles the close calls agrees with the rest") {
+  Random random(20261125);
+  int wrong = 0;
+  for (int i = 0; i < 2'000; ++i) {
+    std::array<Fixed<63, 32>, 3> v;
+    for (auto& c : v) c = Fixed<63, 32>::from_raw(random.edgy(62));
+    const auto unit = unit_vector<Fixed<31, 30>>(v);
+    if (!unit) continue;
+    std::array<Int128, 3> magnitudes;
+    for (std::size_t k = 0; k < 3; ++k) magnitudes[k] = integer_cast<Int128>(abs(v[k]).raw());
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto rounded = static_cast<std::uint64_t>(std::int64_t{abs((*unit)[k]).raw()});
+      if (detail::is_above_half<63, 30>(magnitudes, k, rounded)) ++wrong;
+      if (rounded > 0 && !detail::is_above_half<63, 30>(magnitudes, k, rounded - 1)) ++wrong;
+    }
+  }
+  CHECK(wrong == 0);
+}
+
 TEMPLATE_TEST_CASE("unit_vector: four components have no ties either", "", q16_16, q8_8) {
   using Component = direction_component<TestType>;
   Random random(20261124);

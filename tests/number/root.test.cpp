@@ -133,3 +133,21 @@ TEST_CASE("root: 128-bit roots are right beside squares", "[number]") {
   }
   CHECK(exam.count() >= 1'000'000);
 }
+
+TEST_CASE("root: the reciprocal of a root is off by less than 2^-44 of it", "[number]") {
+  Random random(20261131);
+  const auto is_close = [](std::uint64_t a) {
+    // 2^188 / a (1 - 2^-43) < r^2 < 2^188 / a (1 + 2^-43), of which the ends are within the bound.
+    const BigInteger r = detail::reciprocal_root(a), squared = r * r * a;
+    return abs(squared - power_of_two(188)) < power_of_two(188 - 43);
+  };
+  int wrong = 0;
+  for (std::uint64_t chord = 64; chord < 256; ++chord) {  // each end, and between
+    const std::uint64_t first = chord << 56, last = first + ((std::uint64_t{1} << 56) - 1);
+    for (int i = 0; i < 300; ++i) {
+      if (!is_close(first + (random.next() >> 8))) ++wrong;
+    }
+    if (!is_close(first) || !is_close(last)) ++wrong;
+  }
+  CHECK(wrong == 0);
+}

@@ -31,20 +31,39 @@ inline constexpr auto root_chords = [] {
   return chords;
 }();
 
+/// sqrt(a) / 2^12 for a >= 2^62, along a chord: at least 2^19, and below 2^20.
+///
+/// A chord lies below the root by at most 2^-17 of it, and quantising adds 2^-19.
+constexpr std::uint32_t root_guess(std::uint64_t a) noexcept {
+  const std::uint32_t chord = root_chords[(a >> 56) - 64];
+  const std::uint64_t along = (a >> 40) & 0xffff;
+  return (chord >> 12) + static_cast<std::uint32_t>(((chord & 0xfff) * along) >> 16);  // Q20
+}
+
 /// floor(sqrt(a)) or one more, up to 2^32 - 1, for a >= 2^62: a chord of the root and one Newton
 /// (Heron) step.
 ///
-/// A chord lies below the root by at most 2^-17 of it, and quantising adds 2^-19. One Heron step
-/// from relative error e gives r * (1 + e^2 / (2 (1 + e))): never below r = sqrt(a), and above it
-/// by less than 2^32 * 2^-33 / 2 = 1/4. Floors inside nest, so the step is floor(r) or floor(r) +
-/// 1.
+/// One Heron step from relative error e gives r * (1 + e^2 / (2 (1 + e))): never below r = sqrt(a),
+/// and above it by less than 2^32 * 2^-33 / 2 = 1/4. Floors inside nest, so the step is floor(r) or
+/// floor(r) + 1.
 constexpr std::uint64_t root_or_next(std::uint64_t a) noexcept {
-  const std::uint32_t chord = root_chords[(a >> 56) - 64];
-  const std::uint64_t along = (a >> 40) & 0xffff;
-  const std::uint64_t guess = (chord >> 12) + (((chord & 0xfff) * along) >> 16);  // Q20
-  const std::uint64_t root =
-      (guess << 11) + static_cast<std::uint64_t>((a >> 13) / static_cast<std::uint32_t>(guess));
+  const std::uint32_t guess = root_guess(a);
+  const std::uint64_t root = (std::uint64_t{guess} << 11) + (a >> 13) / guess;
   return root - (root >> 32);  // 2^32 itself is one too many
+}
+
+/// 2^94 / sqrt(a) for a >= 2^62, off by less than 2^-44 of itself: the reciprocal of a chord, and
+/// three terms of the series that makes up for what it lacks.
+///
+/// For y = 2^51 / guess, d = 1 - a y^2 / 2^126 is below 2^-15.5, so that the next term of
+/// 2^63 / sqrt(a) = y (1 - d)^(-1/2) = y (1 + d / 2 + 3 d^2 / 8 + ...) is below 2^-48. With d in
+/// steps of 2^-46, floors lose less than three of these.
+constexpr std::uint64_t reciprocal_root(std::uint64_t a) noexcept {
+  const std::uint64_t y = ((std::uint64_t{1} << 51) - 1) / root_guess(a);  // below 2^32
+  const std::uint64_t high = multiply_words(a, y * y).high;                // about 2^62
+  const std::int64_t d = (std::int64_t{1} << 46) - static_cast<std::int64_t>(high >> 16);
+  const std::int64_t series = (d >> 1) + ((3 * d * d) >> 49);
+  return (y << 31) + static_cast<std::uint64_t>((static_cast<std::int64_t>(y) * series) >> 15);
 }
 
 /// `root`, or one less where its square exceeds n.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -36,68 +37,73 @@ template <std::floating_point T, std::size_t N>
   return squared >= 1 - tolerance && squared <= 1 + tolerance;
 }
 
+namespace detail {
+
+/// Whether 2^Frac m[i] / |m| exceeds q + 1/2: whether m[i]^2 2^(2 Frac + 2) > (2q + 1)^2 |m|^2.
+///
+/// They are never equal: without a common factor of the m, 2^(Frac + 1) would divide |m|; but where
+/// the squares of up to four integers sum to a multiple of 8, all of them are even (modulo 8).
+template <int Bits, int Frac, class Magnitude, std::size_t N>
+[[nodiscard]] constexpr bool is_above_half(const std::array<Magnitude, N>& m, std::size_t i,
+                                           std::uint64_t q) noexcept {
+  static_assert(N <= 4 && Frac >= 1, "detent: ties are ruled out by the proof above");
+  using Exact = IntegerFor<result_bits(2 * std::max(result_bits(Bits), 31) + 2 * Frac + 5)>;
+  Exact squared(0);
+  for (const auto& c : m) squared = wrapping_add<Exact>(squared, wrapping_multiply<Exact>(c, c));
+  const auto odd = static_cast<std::int64_t>(2 * q + 1);
+  return shift_left(wrapping_multiply<Exact>(m[i], m[i]), 2 * Frac + 2) >
+         wrapping_multiply<Exact>(wrapping_multiply<Exact>(odd, odd), squared);
+}
+
+}  // namespace detail
+
 /// The unit vector along `v`, or nothing for the zero vector.
 ///
 /// exact:  each component is the exact one rounded to nearest    (tests/math/direction.test.cpp)
 ///
-/// With every |v_i| scaled by the same power of two to t_i, the longest 62 bits long, and
-/// n = floor(|t|): scaling down drops less than 1 from each t_i and less than 2 from |t|, so
-/// x = 2^F |v_i| / |v| and 2^F t_i / n differ by less than 2^F * 4 / 2^61. Only when the fraction
-/// of the latter is that close to one half is the exact test made: x > q + 1/2 when
-/// v_i^2 2^(2F + 2) > (2q + 1)^2 |v|^2. They are never equal: without a common factor of the v_i,
-/// 2^(F + 1) would divide |v|; but where the squares of up to four integers sum to a multiple of 8,
-/// all of them are even (modulo 8).
+/// With every |v_i| scaled by the same power of two to t_i, the longest 62 bits long, the high words
+/// of the squares lack less than 2^-54 of |t|^2, and what scaling down drops is less than 2^-59 of
+/// |t|. So |v_i| / |v|, on a grid of 2^-62, is off by less than 2^18 + 2^9: the error of
+/// `reciprocal_root`, and these. Only when its fraction is that close to one half is it compared
+/// exactly.
 template <class Component, int B, int F, std::size_t N>
 [[nodiscard]] constexpr std::optional<std::array<Component, N>> unit_vector(
     const std::array<Fixed<B, F>, N>& v) noexcept {
-  static_assert(N <= 4 && Component::frac >= 1, "detent: ties are ruled out by the proof above");
-  constexpr int frac = Component::frac;
-  constexpr int guard = 61 - frac;  // so that a quotient has at most 62 bits
-  int length = 0;
-  for (const auto& c : v) length = std::max(length, bit_length(c.raw()));
-  if (length == 0) return std::nullopt;
-
   using Magnitude = IntegerFor<std::max(detail::result_bits(B), 62)>;
-  const int scale = 62 - length;
   std::array<Magnitude, N> magnitude;
-  std::array<std::uint64_t, N> scaled;
-  Wide<2> squared;
+  Magnitude longest(0);
   for (std::size_t i = 0; i < N; ++i) {
     const auto raw = integer_cast<Magnitude>(v[i].raw());
     magnitude[i] = sign_of(raw) < 0 ? static_cast<Magnitude>(-raw) : raw;
+    longest = std::max(longest, magnitude[i]);
+  }
+  if (longest == Magnitude(0)) return std::nullopt;
+  const int length = positive_bit_length(longest);
+
+  const int scale = 62 - length;
+  std::array<std::uint64_t, N> scaled;
+  std::uint64_t squared = 0;  // at least 2^58
+  for (std::size_t i = 0; i < N; ++i) {
     scaled[i] = static_cast<std::uint64_t>(integer_cast<std::int64_t>(
         scale >= 0 ? shift_left(magnitude[i], scale) : shift_right_floor(magnitude[i], -scale)));
-    const auto square = multiply_words(scaled[i], scaled[i]);
-    squared = squared + Wide<2>::from_words({square.low, square.high});
+    squared += multiply_words(scaled[i], scaled[i]).high;
   }
-  const std::uint64_t norm = square_root_floor(squared.word(1), squared.word(0));
+  const int shift = std::countl_zero(squared) & ~1;
+  const std::uint64_t reciprocal = detail::reciprocal_root(squared << shift);
 
+  constexpr int guard = 62 - Component::frac;
+  constexpr std::uint64_t half = std::uint64_t{1} << (guard - 1);
+  constexpr std::uint64_t margin = std::uint64_t{1} << 19;
   std::array<Component, N> unit;
   for (std::size_t i = 0; i < N; ++i) {
-    const auto numerator = shift_left(integer_cast<Int128>(Wide<2>(scaled[i])), frac + guard);
-    const auto quotient = static_cast<std::uint64_t>(integer_cast<std::int64_t>(
-        divide_floor(numerator, integer_cast<Int128>(Wide<2>(norm))).quotient));
-    std::uint64_t result = quotient >> guard;
-    constexpr std::uint64_t half = std::uint64_t{1} << (guard - 1);
-    const std::uint64_t fraction = quotient & (2 * half - 1);
-    constexpr std::uint64_t margin = 8;  // the 4 of the bound above, and one for the floor
-    if (fraction > half + margin) {
-      ++result;
-    } else if (fraction >= half - margin) {
-      using Exact =
-          IntegerFor<detail::result_bits(2 * std::max(detail::result_bits(B), 31) + 2 * frac + 5)>;
-      Exact length_squared(0);
-      for (const auto& m : magnitude) {
-        length_squared = wrapping_add<Exact>(length_squared, wrapping_multiply<Exact>(m, m));
-      }
-      const auto odd = static_cast<std::int64_t>(2 * result + 1);
-      const Exact left =
-          shift_left(wrapping_multiply<Exact>(magnitude[i], magnitude[i]), 2 * frac + 2);
-      const Exact right =
-          wrapping_multiply<Exact>(wrapping_multiply<Exact>(odd, odd), length_squared);
-      if (left > right) ++result;
+    const std::uint64_t quotient = multiply_words(scaled[i], reciprocal).high << (shift / 2);
+    std::uint64_t rounded = (quotient + half) >> guard;
+    const std::uint64_t next = (quotient + half + margin) >> guard;
+    if (next != (quotient + half - margin) >> guard) [[unlikely]] {
+      const bool is_above = detail::is_above_half<B, Component::frac>(magnitude, i, next - 1);
+      rounded = is_above ? next : next - 1;
     }
-    const auto value = static_cast<std::int64_t>(result);
+    const auto value = static_cast<std::int64_t>(rounded);
     unit[i] = Component::assume_raw(
         static_cast<typename Component::raw_type>(sign_of(v[i].raw()) < 0 ? -value : value));
   }
