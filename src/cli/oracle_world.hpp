@@ -65,15 +65,14 @@ template <Scalar S>
     scene.owners.push_back(owner);
   };
   for (std::size_t i = 0; i < world.shapes.size(); ++i) {
-    std::visit(
-        [&]<class Form>(const Form& form) {
-          if constexpr (std::same_as<Form, Mesh<S>>) {
-            for (const auto& triangle : form.triangles()) add(triangle, i);
-          } else {
-            add(form, i);
-          }
-        },
-        world.shapes[i]);
+    const auto add_all = [&](const auto& form) {
+      if constexpr (std::same_as<std::remove_cvref_t<decltype(form)>, Mesh<S>>) {
+        for (const auto& triangle : form.triangles()) add(triangle, i);
+      } else {
+        add(form, i);
+      }
+    };
+    std::visit(add_all, world.shapes[i]);
   }
   return scene;
 }

@@ -68,7 +68,7 @@ class Shader {
   static Colour blend(Colour from, Colour to, double factor) {
     const double share = factor > 0 ? std::min(factor, 1.0) : 0;  // and 0 for a NaN
     const auto mixed = [&](std::uint8_t a, std::uint8_t b) {
-      return static_cast<std::uint8_t>(a + (b - a) * share + 0.5);
+      return static_cast<std::uint8_t>(std::lround(a + (b - a) * share));
     };
     return {mixed(from.red, to.red), mixed(from.green, to.green), mixed(from.blue, to.blue)};
   }

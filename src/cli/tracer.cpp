@@ -215,7 +215,8 @@ std::vector<double> time_per_ray(const std::vector<const Tracer*>& tracers) {
   for (const Tracer* const tracer : tracers) {
     const std::size_t count = std::max<std::size_t>(tracer->ray_count(), 1);
     const std::size_t stride = (count + most_rays - 1) / most_rays;
-    Lane lane{stride, static_cast<double>((count + stride - 1) / stride)};
+    const std::size_t rays = (count + stride - 1) / stride;
+    Lane lane{stride, static_cast<double>(rays)};
     while (time_of(*tracer, lane) < shortest && lane.repeats < (1 << 20)) lane.repeats *= 2;
     lanes.push_back(std::move(lane));
   }

@@ -87,7 +87,7 @@ class WorldBuilder {
   T scalar(const Decimal& value, Place place, const std::string& name) const {
     if (const auto result = value.to<T>()) return *result;
     std::string text = value.text();
-    if (text.size() > 24) text = text.substr(0, 24) + "...";
+    if (text.size() > 24) text.replace(24, std::string::npos, "...");
     fail(place, name + " = " + text + " is out of range for " + std::string(scalar_name<T>) + " (" +
                     range_of<T>() + "); use a smaller number or a wider scalar");
   }

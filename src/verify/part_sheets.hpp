@@ -45,6 +45,7 @@ std::vector<Answers> answers_of(std::uint32_t size, bool keep_bytes) {
   for (auto& sink : sinks) sink = Sink(IntoBytes{keep_bytes, {}, {}});
   visit_cases<Group, S, N>(size, [&](const auto& c) { answer_all<Group>(c, sinks); });
   std::vector<Answers> answers;
+  answers.reserve(sinks.size());
   for (const auto& sink : sinks) {
     answers.push_back({sink.taken().digest.value(), sink.taken().bytes});
   }

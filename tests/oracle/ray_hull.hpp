@@ -126,6 +126,7 @@ Expected<N> expected_raycast(const Ray<S, N>& ray, const ConvexHull<S, N>& hull)
   if (facets.empty()) return raycast_line_of_points<N>(line, points);
 
   std::vector<HalfSpace> spaces;
+  spaces.reserve(facets.size());
   for (const auto& facet : facets) {
     spaces.push_back({dot(facet.normal, difference(line.origin, facet.point)) * line.one,
                       dot(facet.normal, line.direction)});

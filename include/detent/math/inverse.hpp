@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <type_traits>
 
 #include "detent/math/mat.hpp"
 #include "detent/math/width.hpp"
@@ -126,8 +127,8 @@ template <Scalar S, int N>
   } else {
     // The determinant of 30-bit components needs 124 bits; of 31-bit ones, 128.
     return by_width<30>(
-        []<Number T>(const Vec<T, 4>& a, const Vec<T, 4>& b, const Vec<T, 4>& c,
-                     const Vec<T, 4>& d) {
+        [](const auto& a, const auto& b, const auto& c, const auto& d) {
+          using T = std::remove_cvref_t<decltype(a.x)>;
           return detail::inverse_of<S>(Mat<T, 4, 4>{{a, b, c, d}});
         },
         m.row(0), m.row(1), m.row(2), m.row(3));

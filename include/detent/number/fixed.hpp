@@ -232,6 +232,7 @@ requires detail::FixedOperands<A, B>
       if (order != 0 || low_bits_are_zero(b.raw(), -shift)) return order;
       return std::strong_ordering::less;
     } else {
+      // cppcheck-suppress compareBoolExpressionWithInt  // it takes the order for a bool
       return 0 <=> (b <=> a);
     }
   }

@@ -267,6 +267,7 @@ requires(Frac >= 0) [[nodiscard]] std::string to_string(const Fixed<Bits, Frac>&
 template <class Traits, int Bits, int Frac>
 requires(Frac >= 0) std::basic_ostream<char, Traits>
 &operator<<(std::basic_ostream<char, Traits>& out, const Fixed<Bits, Frac>& x) {
+  // cppcheck-suppress stlcstrStream  // a string has other traits than the stream may have
   return out << to_string(x).c_str();
 }
 #endif

@@ -55,8 +55,9 @@ auto in_raw_units(const T& x) {
 /// Raw units as a vector of scalars, clamped.
 template <Number T, std::size_t N>
 Vec<T, static_cast<int>(N)> clamped(const std::array<Integer, N>& raw) {
-  return make_vec<static_cast<int>(N)>(
-      [&](int i) { return clamped<T>(raw[static_cast<std::size_t>(i)]); });
+  Vec<T, static_cast<int>(N)> result;
+  for (std::size_t i = 0; i < N; ++i) result[static_cast<int>(i)] = clamped<T>(raw[i]);
+  return result;
 }
 
 inline Integer scaled(const Integer& x, int bits) {

@@ -34,10 +34,15 @@ concept Cloud = requires(T shape) {
   shape.points;
 };
 template <class T>
-concept Box = requires(T shape) {
+concept Turned = requires(T shape) {
   shape.half_extents;
-}
-|| requires(T shape) { shape.min; };
+};
+template <class T>
+concept Upright = requires(T shape) {
+  shape.min;
+};
+template <class T>
+concept Box = Turned<T> || Upright<T>;
 
 /// Whether two shapes share a point. Round ones are a distance from a core; boxes against them and
 /// against segments are slabs, and otherwise the hulls of their corners.

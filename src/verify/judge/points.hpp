@@ -24,7 +24,7 @@ Integer nearest_on_surface(const oracle::Nearest<N>& truth, const oracle::Vector
                            std::size_t i) {
   const auto& core = truth.core;
   const Real beyond = Real(truth.radius) * Real(v[i]) / sqrt(Real(oracle::dot(v, v)));
-  const Integer about = nearest(Real(core.over[i]) / Real(core.under) + beyond);
+  Integer about = nearest(Real(core.over[i]) / Real(core.under) + beyond);
   for (const Integer& x : {Integer(about - 1), Integer(about + 1)}) {
     if (oracle::is_rounded<N>(x, core, i, truth.radius, v)) return x;
   }

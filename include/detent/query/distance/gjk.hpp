@@ -55,7 +55,8 @@ class Gjk {
     const auto advances = [&](const auto& v) {
       return by_width<bits>([&](const auto& u) { return advance(u, until_apart); }, v);
     };
-    for (int left = patience; is_fixed<T> || left > 0; left -= is_fixed<T> ? 0 : 1) {
+    constexpr int effort = is_fixed<T> ? 0 : 1;
+    for (int left = patience; left > 0; left -= effort) {
       if (!with_direction(feature_, advances)) return;
       feature_ = nearest_feature(feature_);
       if (feature_.count > N) {

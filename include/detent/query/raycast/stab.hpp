@@ -187,8 +187,9 @@ class Stab {
   /// none does.
   template <class GradientOf>
   constexpr void descend(const GradientOf& gradient_of) noexcept {
+    constexpr int effort = is_fixed<S> ? 0 : 1;
     bool moved = true;
-    for (int left = patience; is_fixed<S> || left > 0; left -= is_fixed<S> ? 0 : 1) {
+    for (int left = patience; left > 0; left -= effort) {
       const Index entering = least(gradient_of(), !moved);
       if (entering == no_point) return;
       moved = enter(entering);
