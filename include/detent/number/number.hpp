@@ -12,6 +12,7 @@
 #include "detent/number/integer.hpp"
 #include "detent/number/long_quadratic.hpp"
 #include "detent/number/near_one.hpp"
+#include "detent/number/products.hpp"
 #include "detent/number/root.hpp"
 #include "detent/number/rounding.hpp"
 #include "detent/number/scalar.hpp"

@@ -62,17 +62,21 @@ TEST_CASE("overlaps: an answer in narrow integers is the same in wide ones", "[o
   };
   compare<Fixed<30, 16>, Fixed<32, 16>, 2, 2>(edge);
   compare<Fixed<30, 16>, Fixed<32, 16>, 3, 2>(edge);
-  compare<Fixed<30, 16>, Fixed<32, 16>, 3, 3>(
-      [](const auto& d, const auto& e, const auto& m, const auto&) {
-        return detail::are_closest_between_ends(d, e, m);
+  compare<Fixed<29, 16>, Fixed<32, 16>, 3, 3>(
+      [](const auto& d, const auto& e, const auto& m, const auto& reach) {
+        return detail::are_near(d, e, m, reach);
       });
-  compare<Fixed<20, 16>, Fixed<32, 16>, 3, 3>(
+  compare<Fixed<29, 16>, Fixed<32, 16>, 3, 3>(
       [](const auto& d, const auto& e, const auto& m, const auto& reach) {
         return detail::is_near_level(d, e, m, reach);
       });
   compare<Fixed<29, 16>, Fixed<32, 16>, 3, 3>(
-      [](const auto& b, const auto& c, const auto& p, const auto&) {
-        return detail::is_over_face(b, c, p);
+      [](const auto& b, const auto& c, const auto& p, const auto& reach) {
+        return detail::is_near_corners(b, c, p, reach);
+      });
+  compare<Fixed<29, 16>, Fixed<32, 16>, 3, 3>(
+      [](const auto& b, const auto& c, const auto& p, const auto& reach) {
+        return detail::is_near_face(b, c, p, reach);
       });
   const auto cylinder = [](const auto& m, const auto& e, const auto& radius) {
     return detail::is_in_cylinder(m, e, radius);

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-
 #include "detent/math/width.hpp"
+#include "detent/number/products.hpp"
 #include "detent/query/distance/segment.hpp"
 #include "detent/query/intersects/segment.hpp"
 
@@ -26,48 +23,71 @@ template <Number T, Number W, Number R, int N>
   return narrow_square<bits_of<Product>>(cross(w, e)) <= square(reach) * whole;
 }
 
-/// Whether two lines are closest to each other between the ends of both segments, which lead along
-/// `d` from 0 and along `e` from `m`; not asked of parallel ones.
-///
-/// source: Ericson, Real-Time Collision Detection, 5.1.9
-template <Number T, Number M>
-[[nodiscard]] constexpr bool are_closest_between_ends(const Vec<T, 3>& d, const Vec<T, 3>& e,
-                                                      const Vec<M, 3>& m) noexcept {
-  const auto dd = squared_length(d), ee = squared_length(e), de = dot(d, e);
-  const auto md = dot(m, d), me = dot(m, e);
-  const auto whole = dd * ee - de * de;  // |d x e|^2
-  // s d - m - t e is perpendicular to both.
-  const auto s = md * ee - me * de, t = md * de - me * dd;
-  return whole > 0 && s >= 0 && s <= whole && t >= 0 && t <= whole;
-}
-
 /// Whether a plane or line through 0 along two vectors of normal n has the point at `m` within
 /// `reach` >= 0: (n . m)^2 <= reach^2 n^2.
 template <Number T, Number M, Number R>
 [[nodiscard]] constexpr bool is_near_level(const Vec<T, 3>& d, const Vec<T, 3>& e,
                                            const Vec<M, 3>& m, const R& reach) noexcept {
   const auto n = cross(d, e);
-  return square(dot(n, m)) <= square(reach) * squared_length(n);
+  const auto volume = abs(dot(n, m));
+  return compare_products(volume, volume, square(reach), squared_length(n)) <= 0;
 }
 
-/// Whether on some axis the corners of two shapes are farther apart than `reach`; then so are the
-/// shapes. Most are, so this is asked before anything that needs long integers.
-template <Scalar S, int N, std::size_t A, std::size_t B, Number R>
-[[nodiscard]] constexpr bool are_apart(const std::array<Vec<S, N>, A>& a,
-                                       const std::array<Vec<S, N>, B>& b, const R& reach) noexcept {
-  for (int i = 0; i < N; ++i) {
-    S a_low = a[0][i], a_high = a_low, b_low = b[0][i], b_high = b_low;
-    for (const auto& corner : a) {
-      a_low = std::min(a_low, corner[i]);
-      a_high = std::max(a_high, corner[i]);
-    }
-    for (const auto& corner : b) {
-      b_low = std::min(b_low, corner[i]);
-      b_high = std::max(b_high, corner[i]);
-    }
-    if (b_low - a_high > reach || a_low - b_high > reach) return true;
+/// Whether two segments, which lead along `d` from 0 and along `e` from `m`, have points within
+/// `reach` >= 0 of each other.
+///
+/// The points s d and m + t e where their lines are closest, if they are between the ends. Else, as
+/// for the least of any convex quadratic function over a square, an end that one of them is beyond;
+/// of parallel segments, any.
+///
+/// source: Ericson, Real-Time Collision Detection, 5.1.9
+template <Number T, Number R>
+[[nodiscard]] constexpr bool are_near(const Vec<T, 3>& d, const Vec<T, 3>& e, const Vec<T, 3>& m,
+                                      const R& reach) noexcept {
+  const auto dd = squared_length(d), ee = squared_length(e), de = dot(d, e);
+  const auto md = dot(m, d), me = dot(m, e);
+  const auto whole = dd * ee - de * de;  // |d x e|^2
+  // s d - m - t e is perpendicular to both; these are s and t times the whole.
+  const auto s = md * ee - me * de, t = md * de - me * dd;
+  if (whole > 0 && s >= 0 && s <= whole && t >= 0 && t <= whole) {
+    return is_near_level(d, e, m, reach);
   }
-  return false;
+  const bool any = !(whole > 0);
+  return ((any || t < 0) && is_near_edge(d, m, reach)) ||
+         ((any || t > whole) && is_near_edge(d, m + e, reach)) ||
+         ((any || s < 0) && is_near_edge(e, -m, reach)) ||
+         ((any || s > whole) && is_near_edge(e, d - m, reach));
+}
+
+/// The least and the greatest coordinates of some corners.
+template <Scalar S, int N>
+struct Bounds {
+  template <class... Corners>
+  explicit constexpr Bounds(const Vec<S, N>& first, const Corners&... others) noexcept
+      : low(first), high(first) {
+    (include(others), ...);
+  }
+
+  Vec<S, N> low, high;
+
+ private:
+  constexpr void include(const Vec<S, N>& corner) noexcept {
+    low = make_vec<N>([&](int i) { return corner[i] < low[i] ? corner[i] : low[i]; });
+    high = make_vec<N>([&](int i) { return corner[i] > high[i] ? corner[i] : high[i]; });
+  }
+};
+
+/// Whether on some axis two shapes are farther apart than `reach`; then so are they. Most shapes
+/// are, so this is asked before anything that needs long integers, and without a branch for each.
+template <Scalar S, int N, Number R>
+[[nodiscard]] constexpr bool are_apart(const Bounds<S, N>& a, const Bounds<S, N>& b,
+                                       const R& reach) noexcept {
+  bool any = false;
+  for (int i = 0; i < N; ++i) {
+    any = b.low[i] - a.high[i] > reach || any;
+    any = a.low[i] - b.high[i] > reach || any;
+  }
+  return any;
 }
 
 /// Whether `point` is within `reach` >= 0 of `segment`.
@@ -83,15 +103,13 @@ template <Scalar S, int N, Number R>
 template <Scalar S, int N, Number R>
 [[nodiscard]] constexpr bool is_near(const Segment<S, N>& a, const Segment<S, N>& b,
                                      const R& reach) noexcept {
-  if (are_apart(std::array{a.start, a.end}, std::array{b.start, b.end}, reach)) return false;
-  if (is_near(a, b.start, reach) || is_near(a, b.end, reach)) return true;
-  if (is_near(b, a.start, reach) || is_near(b, a.end, reach)) return true;
+  if (are_apart(Bounds(a.start, a.end), Bounds(b.start, b.end), reach)) return false;
   if constexpr (N == 2) {
-    return intersects(a, b);
+    return is_near(a, b.start, reach) || is_near(a, b.end, reach) || is_near(b, a.start, reach) ||
+           is_near(b, a.end, reach) || intersects(a, b);
   } else {
-    const auto d = a.end - a.start, e = b.end - b.start, m = b.start - a.start;
-    return by_width<30>([](const auto&... x) { return are_closest_between_ends(x...); }, d, e, m) &&
-           by_width<20>([](const auto&... x) { return is_near_level(x...); }, d, e, m, reach);
+    return by_width<29>([](const auto&... x) { return are_near(x...); }, a.end - a.start,
+                        b.end - b.start, b.start - a.start, reach);
   }
 }
 

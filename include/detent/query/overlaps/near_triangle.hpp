@@ -6,55 +6,84 @@
 
 namespace detent::detail {
 
-/// Whether the point at `p` is straight above or below the triangle of 0, `b` and `c`, as seen
-/// along its normal; not asked of a collapsed one.
+/// The place of the point at `p` over a triangle of 0, `b` and `c`, as seen along its normal n =
+/// b x c: barycentric weights of the corners times n^2, which is 0 for a collapsed one.
 ///
-/// source: Ericson, Real-Time Collision Detection, 5.4.2
+/// n . (b x p), n . (p x c) and n^2 by Lagrange's identity.
+///
+/// source: Ericson, Real-Time Collision Detection, 5.1.5
 template <Number T, Number P>
-[[nodiscard]] constexpr bool is_over_face(const Vec<T, 3>& b, const Vec<T, 3>& c,
-                                          const Vec<P, 3>& p) noexcept {
-  const auto n = cross(b, c);
-  return !is_zero(n) && dot(n, cross(b, p)) >= 0 && dot(n, cross(p, c)) >= 0 &&
-         dot(n, cross(c - b, p - b)) >= 0;
+struct PlaceOverFace {
+  constexpr PlaceOverFace(const Vec<T, 3>& b, const Vec<T, 3>& c, const Vec<P, 3>& p) noexcept {
+    const auto bb = squared_length(b), cc = squared_length(c), bc = dot(b, c);
+    const auto bp = dot(b, p), cp = dot(c, p);
+    of_b = cc * bp - bc * cp;
+    of_c = bb * cp - bc * bp;
+    const auto whole = bb * cc - bc * bc;
+    of_a = whole - of_b - of_c;
+    is_flat = !(whole > 0);
+  }
+
+  /// Whether it is straight above or below, where no edge is closer.
+  [[nodiscard]] constexpr bool is_over() const noexcept {
+    return !is_flat && of_a >= 0 && of_b >= 0 && of_c >= 0;
+  }
+
+  using Product = decltype(dot(Vec<T, 3>(), Vec<P, 3>()) * dot(Vec<T, 3>(), Vec<T, 3>()));
+  using Weight = decltype(Product() - Product());
+  decltype(Weight() - Weight() - Weight()) of_a;
+  Weight of_b, of_c;
+  bool is_flat;
+};
+
+/// Whether the point at `p` is within `reach` >= 0 of the triangle of 0, `b` and `c`: of its face,
+/// or of an edge on whose other side it is.
+template <Number T, Number R>
+[[nodiscard]] constexpr bool is_near_corners(const Vec<T, 3>& b, const Vec<T, 3>& c,
+                                             const Vec<T, 3>& p, const R& reach) noexcept {
+  const PlaceOverFace place(b, c, p);
+  if (place.is_over()) return is_near_level(b, c, p, reach);
+  const auto is_beyond = [&](const auto& weight) { return place.is_flat || weight < 0; };
+  return (is_beyond(place.of_c) && is_near_edge(b, p, reach)) ||
+         (is_beyond(place.of_b) && is_near_edge(c, p, reach)) ||
+         (is_beyond(place.of_a) && is_near_edge(c - b, p - b, reach));
 }
 
-/// Whether `point` is straight above or below the face of `triangle`, where no edge is closer; in
-/// 2D, whether it is in the triangle.
-template <Scalar S>
-[[nodiscard]] constexpr bool is_over_face(const Triangle<S, 2>& triangle,
-                                          const Vec<S, 2>& point) noexcept {
-  return contains(triangle, point);
-}
-template <Scalar S>
-[[nodiscard]] constexpr bool is_over_face(const Triangle<S, 3>& triangle,
-                                          const Vec<S, 3>& point) noexcept {
-  const auto& [a, b, c] = triangle;
-  return by_width<29>([](const auto&... x) { return is_over_face(x...); }, b - a, c - a, point - a);
+/// Whether the point at `p` is straight above or below the triangle and within `reach` of it.
+template <Number T, Number R>
+[[nodiscard]] constexpr bool is_near_face(const Vec<T, 3>& b, const Vec<T, 3>& c,
+                                          const Vec<T, 3>& p, const R& reach) noexcept {
+  return PlaceOverFace(b, c, p).is_over() && is_near_level(b, c, p, reach);
 }
 
-/// Whether `point`, which is over the face of `triangle`, is within `reach` >= 0 of it.
+/// Whether `point` is straight above or below the face of `triangle`, where no edge is closer, and
+/// within `reach` >= 0 of it; in 2D, whether it is in the triangle.
 template <Scalar S, Number R>
-[[nodiscard]] constexpr bool is_near_face(const Triangle<S, 2>&, const Vec<S, 2>&,
+[[nodiscard]] constexpr bool is_near_face(const Triangle<S, 2>& triangle, const Vec<S, 2>& point,
                                           const R&) noexcept {
-  return true;
+  return contains(triangle, point);
 }
 template <Scalar S, Number R>
 [[nodiscard]] constexpr bool is_near_face(const Triangle<S, 3>& triangle, const Vec<S, 3>& point,
                                           const R& reach) noexcept {
   const auto& [a, b, c] = triangle;
-  return by_width<20>([](const auto&... x) { return is_near_level(x...); }, b - a, c - a, point - a,
+  return by_width<29>([](const auto&... x) { return is_near_face(x...); }, b - a, c - a, point - a,
                       reach);
 }
 
-/// Whether `point` is within `reach` >= 0 of `triangle`: of the face, or of an edge beside it.
+/// Whether `point` is within `reach` >= 0 of `triangle`.
 template <Scalar S, int N, Number R>
 [[nodiscard]] constexpr bool is_near(const Triangle<S, N>& triangle, const Vec<S, N>& point,
                                      const R& reach) noexcept {
   const auto& [a, b, c] = triangle;
-  if (are_apart(std::array{a, b, c}, std::array{point}, reach)) return false;
-  if (is_over_face(triangle, point)) return is_near_face(triangle, point, reach);
-  return is_near(Segment{a, b}, point, reach) || is_near(Segment{b, c}, point, reach) ||
-         is_near(Segment{c, a}, point, reach);
+  if (are_apart(Bounds(a, b, c), Bounds(point), reach)) return false;
+  if constexpr (N == 2) {
+    return contains(triangle, point) || is_near(Segment{a, b}, point, reach) ||
+           is_near(Segment{b, c}, point, reach) || is_near(Segment{c, a}, point, reach);
+  } else {
+    return by_width<29>([](const auto&... x) { return is_near_corners(x...); }, b - a, c - a,
+                        point - a, reach);
+  }
 }
 
 }  // namespace detent::detail

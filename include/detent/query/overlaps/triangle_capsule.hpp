@@ -20,13 +20,11 @@ template <Scalar S, int N>
   const auto& radius = capsule.radius;
   if (radius < 0) return false;
   const Segment axis{capsule.a, capsule.b};
-  if (detail::are_apart(std::array{a, b, c}, std::array{axis.start, axis.end}, radius)) {
+  if (detail::are_apart(detail::Bounds(a, b, c), detail::Bounds(axis.start, axis.end), radius)) {
     return false;
   }
-  const auto is_face_near = [&](const Vec<S, N>& end) {
-    return detail::is_over_face(triangle, end) && detail::is_near_face(triangle, end, radius);
-  };
-  return intersects(axis, triangle) || is_face_near(axis.start) || is_face_near(axis.end) ||
+  return intersects(axis, triangle) || detail::is_near_face(triangle, axis.start, radius) ||
+         detail::is_near_face(triangle, axis.end, radius) ||
          detail::is_near(Segment{a, b}, axis, radius) ||
          detail::is_near(Segment{b, c}, axis, radius) ||
          detail::is_near(Segment{c, a}, axis, radius);
