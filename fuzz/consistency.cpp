@@ -8,6 +8,12 @@
 // distance is rounded down by less than 1 along a direction of length < 1 + 2^-13 on top of that,
 // so its point is off by less than 2. A box is measured in its frame, where the three coordinates
 // of a step of length e along its axes are each at most (1 + 2^-13) e: less than 2 e together.
+//
+// So 8 raw units along the normal, rounding among them, lead out of every convex shape; and where
+// a ball of radius r about c is in the shape, 8 / r of the way to c leads into it, since the balls
+// about the points on the way have radii of up to 8 there.
+
+#include <algorithm>
 
 #include "decode.hpp"
 #include "detent/query/closest_point.hpp"
@@ -45,6 +51,50 @@ inline constexpr bool is_round = requires(Shape shape) {
 template <Scalar S>
 S raw_units(int count) {
   return S::from_raw(static_cast<typename S::raw_type>(count));
+}
+
+/// A ball that is in a solid.
+template <Scalar S, int N>
+Sphere<S, N> ball_in(const Sphere<S, N>& sphere) {
+  return sphere;
+}
+template <Scalar S, int N>
+Sphere<S, N> ball_in(const Capsule<S, N>& capsule) {
+  return {capsule.a, capsule.radius};
+}
+template <Scalar S, int N>
+Sphere<S, N> ball_in(const Obb<S, N>& box) {
+  S least = box.half_extents[0];
+  for (int i = 1; i < N; ++i) least = std::min(least, box.half_extents[i]);
+  return {box.center, least};
+}
+template <Scalar S, int N>
+Sphere<S, N> ball_in(const Aabb<S, N>& box) {
+  Obb<S, N> same;
+  for (int i = 0; i < N; ++i) {
+    const std::int64_t low = box.min[i].raw(), high = box.max[i].raw();
+    same.center[i] = oracle::Draw<S, N>::scalar((low + high) / 2);
+    same.half_extents[i] = oracle::Draw<S, N>::scalar((high - low) / 2 - 1);
+  }
+  return ball_in(same);
+}
+
+/// Beside the point of a hit, 8 raw units out of the shape; and into it, nearer to the ball.
+template <Scalar S, int N>
+Vec<S, N> nudged_out(const RayHit<S, N>& hit) {
+  using D = oracle::Draw<S, N>;
+  oracle::Raw<N> raw{};
+  for (int i = 0; i < N; ++i) raw[static_cast<std::size_t>(i)] = hit.point[i].raw();
+  return D::vec(D::moved(raw, hit.normal, 8));
+}
+template <Scalar S, int N>
+Vec<S, N> nudged_in(const RayHit<S, N>& hit, const Sphere<S, N>& ball) {
+  oracle::Raw<N> raw{};
+  for (int i = 0; i < N; ++i) {
+    const std::int64_t from = hit.point[i].raw(), to = ball.center[i].raw();
+    raw[static_cast<std::size_t>(i)] = from + (to - from) * 8 / ball.radius.raw();
+  }
+  return oracle::Draw<S, N>::vec(raw);
 }
 
 template <class Shape, Scalar S, int N>
@@ -123,6 +173,15 @@ void check(Source& source) {
     if (!is_at_an_end(hit->point)) {
       require(on(shape, hit->point, raw_units<S>(is_obb<Shape> ? 4 : 2)),
               because("the hit is on the shape"));
+      const auto out = nudged_out(*hit);
+      if (*t > 0 && !is_at_an_end(out)) {
+        require(!contains(shape, out), because("nudged out is not contained"));
+      }
+      if constexpr (requires { ball_in(shape); }) {
+        if (const auto ball = ball_in(shape); ball.radius >= raw_units<S>(16)) {
+          require(contains(shape, nudged_in(*hit, ball)), because("nudged in is contained"));
+        }
+      }
     }
   }
 }

@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <deque>
 #include <vector>
 
+#include "detent/shape/hull.hpp"
 #include "detent/shape/shape.hpp"
 #include "oracle/draw.hpp"
 #include "source.hpp"
@@ -121,6 +123,23 @@ class Decoder {
   void read(Triangle<S, N>& triangle) { triangle = {point(), point(), point()}; }
   void read(Segment<S, N>& segment) { segment = {point(), point()}; }
   void read(Capsule<S, N>& capsule) { capsule = {point(), point(), reach()}; }
+  /// Up to seven points, or the corners of a box, which have faces of four. The decoder keeps them.
+  void read(ConvexHull<S, N>& hull) {
+    auto& points = hulls_.emplace_back();
+    const auto count = source_.below(9);
+    if (count < 8) {
+      for (std::size_t i = 0; i < count; ++i) points.push_back(point());
+    } else {
+      const auto from = point(), to = point();
+      for (unsigned corner = 0; corner < 1u << N; ++corner) {
+        points.push_back(from);
+        for (int i = 0; i < N; ++i) {
+          if ((corner >> i & 1) != 0) points.back()[i] = to[i];
+        }
+      }
+    }
+    hull = {points};
+  }
   /// Mostly long.
   void read(Ray<S, N>& ray) {
     const auto origin = point();
@@ -277,6 +296,7 @@ class Decoder {
   Raw center_{};
   std::vector<Raw> points_;
   std::vector<Direction<S, N>> directions_;
+  std::deque<std::vector<Vec<S, N>>> hulls_;
 };
 
 }  // namespace detent::fuzz

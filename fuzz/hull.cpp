@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Points and rays against convex hulls: contains, on, distance, closest_point and the raycasts give
+// the exact answer, rounded as their docstrings say.
+
+#include "decode.hpp"
+// What describes and solves hulls comes before what looks it up.
+#include "oracle/hull.hpp"
+#include "oracle/ray_hull.hpp"
+//
+#include "detent/query/closest_point/hull.hpp"
+#include "detent/query/contains/hull.hpp"
+#include "detent/query/distance/hull.hpp"
+#include "detent/query/on.hpp"
+#include "detent/query/raycast/hull.hpp"
+#include "oracle/ask.hpp"
+#include "point_truth.hpp"
+#include "spaces.hpp"
+
+namespace detent::fuzz {
+namespace {
+
+template <Scalar S, int N>
+void check(Decoder<S, N>& decoder) {
+  const auto hull = decoder.template shape<ConvexHull<S, N>>();
+  check_point(hull, decoder.point(), decoder.reach());
+  const auto ray = decoder.template shape<Ray<S, N>>();
+  const auto found = mistakes(oracle::expected_raycast(ray, hull), oracle::ask(ray, hull));
+  require(found.empty(),
+          [&] { return oracle::describe(ray) + "; " + oracle::describe(hull) + "\n" + found; });
+}
+
+}  // namespace
+
+void property(Bytes input) {
+  Source source(input);
+  in_a_space(source, [&]<Scalar S, int N>(Space<S, N>) {
+    Decoder<S, N> decoder(source);
+    check(decoder);
+  });
+}
+
+}  // namespace detent::fuzz
