@@ -14,6 +14,7 @@
 #include "detent/number/near_one.hpp"
 #include "detent/number/products.hpp"
 #include "detent/number/root.hpp"
+#include "detent/number/root_ratio.hpp"
 #include "detent/number/rounding.hpp"
 #include "detent/number/scalar.hpp"
 #include "detent/number/text.hpp"

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "detent/number/quadratic.hpp"
+#include "detent/number/root_ratio.hpp"
 #include "detent/query/raycast/hit.hpp"
 #include "detent/shape/sphere.hpp"
 
@@ -34,23 +35,15 @@ struct RaySphere {
   /// sphere, for a radius > 0 and a line that meets it.
   ///
   /// It is (m + t d) / r for t = (-b - sqrt(D)) / a, hence (w - sqrt(D) d) / (a r) for
-  /// w = a m - b d, and |w| <= a r. Magnifying the scene by 2^k keeps the direction and makes r as
-  /// long as its type allows, so that the root's error below 1 is below 2^-28 steps of the result
-  /// (2^-12 in 16 bits) however small the sphere is.
+  /// w = a m - b d, and |w| <= a r.
   [[nodiscard]] constexpr Direction<S, N> normal(const S& radius) const noexcept {
-    using Component = direction_component<S>;
-    constexpr int radius_bits = bits_of<S>;
-    constexpr int root_bits = radius_bits + bits_of<Component>;       // |d| r
-    constexpr int closest_bits = radius_bits + bits_of<decltype(a)>;  // |d|^2 r
-    const int k = headroom(radius);
+    constexpr int closest_bits = bits_of<S> + bits_of<decltype(a)>;  // |d|^2 r
     const auto discriminant = quadratic().discriminant();
-    using Root = decltype(narrow<root_bits>(b));
-    const auto root = sqrt_floor<Root>(scale_up<2 * root_bits>(discriminant, 2 * k));
-    const auto length = a * scale_up<radius_bits>(radius, k);
+    const auto ratio = root_ratio<direction_component<S>>(discriminant, a * radius);
     return Direction<S, N>::assume_unit(make_vec<N>([&](int i) {
-      const auto along = direction[i];
-      const auto closest = scale_up<closest_bits>(a * m[i] - b * along, k);
-      return quotient_nearest<Component>(closest - root * along, length);
+      const auto closest = narrow<closest_bits>(a * m[i] - b * direction[i]);
+      const auto component = ratio.nearest(closest, direction[i]);
+      return component ? *component : settled(closest, direction[i], discriminant, radius);
     }));
   }
 
@@ -60,6 +53,24 @@ struct RaySphere {
   decltype(squared_length(Direction<S, N>())) a;
   decltype(dot(Offset(), Direction<S, N>())) b;
   decltype(inside_distance(squared_length(Offset()), S())) c;
+
+ private:
+  /// A component of the normal that is close to a tie. Magnifying the scene by 2^k keeps the
+  /// direction and makes r as long as its type allows, so that the root's error below 1 is below
+  /// 2^-28 steps of the result (2^-12 in 16 bits) however small the sphere is.
+  template <Number Closest, Number Discriminant>
+  [[nodiscard]] constexpr auto settled(const Closest& closest, const direction_component<S>& along,
+                                       const Discriminant& discriminant,
+                                       const S& radius) const noexcept {
+    using Component = direction_component<S>;
+    constexpr int root_bits = bits_of<S> + bits_of<Component>;  // |d| r
+    const int k = headroom(radius);
+    using Root = decltype(narrow<root_bits>(b));
+    const auto root = sqrt_floor<Root>(scale_up<2 * root_bits>(discriminant, 2 * k));
+    const auto length = a * scale_up<bits_of<S>>(radius, k);
+    return quotient_nearest<Component>(scale_up<bits_of<Closest>>(closest, k) - root * along,
+                                       length);
+  }
 };
 
 }  // namespace detail

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <cstdint>
+#include <optional>
+
+#include "detent/number/products.hpp"
+
+namespace detent {
+
+namespace detail {
+
+/// 2^125 / word for a word >= 2^63, off by less than 2^-57 of itself: the reciprocal of its upper
+/// half, and a step of Newton's.
+[[nodiscard]] constexpr std::uint64_t reciprocal_of(std::uint64_t word) noexcept {
+  const std::uint64_t y = ((std::uint64_t{1} << 63) - 1) / (word >> 32);  // off by 2^-30 of it
+  const std::uint64_t high = multiply_words(word, y << 31).high;          // about 2^62
+  const std::int64_t rest = (std::int64_t{1} << 60) - static_cast<std::int64_t>(high >> 2);
+  return (y << 30) + static_cast<std::uint64_t>((static_cast<std::int64_t>(y) * rest) >> 30);
+}
+
+/// floor(x / 2^exponent), which fits.
+template <class I>
+[[nodiscard]] constexpr std::int64_t scaled_word(const I& x, int exponent) noexcept {
+  if (exponent <= 0) return shift_left(integer_cast<std::int64_t>(x), -exponent);
+  return integer_cast<std::int64_t>(shift_right_floor(x, exponent));
+}
+
+}  // namespace detail
+
+/// (x - sqrt(d) y) / length for several x and y, but only nearly, by two divisions in all: the
+/// components of a unit vector from a center to where a line meets a sphere.
+///
+/// All are in units of which the length has 2^60 or more. |x|, sqrt(d) and the quotient are at most
+/// the length and 2^-28 of it, and |y| is at most 1.
+template <class T, class D, class Length>
+class RootRatio;
+
+template <class T, int BD, int FD, int BL, int FL>
+class RootRatio<T, Fixed<BD, FD>, Fixed<BL, FL>> {
+ public:
+  constexpr RootRatio(const Fixed<BD, FD>& d, const Fixed<BL, FL>& length) noexcept {
+    static_assert(FD % 2 == 0 && FD / 2 + T::frac == FL);
+    const auto leading = detail::leading_word(length.raw());
+    exponent_ = leading.exponent + 3;
+    reciprocal_ = detail::reciprocal_of(leading.word);
+    if (d == 0) return;
+    // d = word * 4^k, of which the top bit or the one below it is set.
+    auto [word, exponent] = detail::leading_word(d.raw());
+    word >>= exponent & 1;
+    const int k = (exponent + 1) >> 1;
+    const auto root = multiply_words(word, detail::reciprocal_root(word)).high;  // sqrt(word) 2^30
+    root_ = static_cast<std::int64_t>(root >> std::min(30 - T::frac - k + exponent_, 63));
+  }
+
+  /// The quotient rounded to nearest; nothing where it is so close to a tie that an error of 2^-42,
+  /// or of one step of T squared, would tell.
+  template <int BX>
+  [[nodiscard]] constexpr std::optional<T> nearest(const Fixed<BX, FL>& x,
+                                                   const T& y) const noexcept {
+    constexpr int guard = 58 - T::frac;
+    constexpr std::uint64_t half = std::uint64_t{1} << (guard - 1);
+    constexpr std::uint64_t margin = std::uint64_t{1} << (59 - std::min(42, 2 * T::frac));
+    const auto away = shift_right_floor(
+        wrapping_multiply<Int128>(root_, static_cast<std::int64_t>(y.raw())), T::frac);
+    const std::int64_t over =
+        detail::scaled_word(x.raw(), exponent_) - integer_cast<std::int64_t>(away);
+    const auto word = static_cast<std::uint64_t>(over < 0 ? -over : over);
+    const std::uint64_t quotient = multiply_words(word, reciprocal_).high + half;  // times 2^58
+    const auto rounded = static_cast<std::int64_t>((quotient + margin) >> guard);
+    if (rounded != static_cast<std::int64_t>((quotient - margin) >> guard)) [[unlikely]] {
+      return std::nullopt;
+    }
+    return T::assume_raw(static_cast<typename T::raw_type>(over < 0 ? -rounded : rounded));
+  }
+
+ private:
+  int exponent_;              // of the unit
+  std::uint64_t reciprocal_;  // of the length
+  std::int64_t root_ = 0;     // sqrt(d)
+};
+
+template <class T, std::floating_point D, class Length>
+class RootRatio<T, D, Length> {
+ public:
+  constexpr RootRatio(D d, Length length) noexcept : root_(sqrt_floor<D>(d)), length_(length) {}
+  [[nodiscard]] constexpr std::optional<T> nearest(T x, T y) const noexcept {
+    return (x - root_ * y) / length_;
+  }
+
+ private:
+  D root_;
+  Length length_;
+};
+
+template <class T, Number D, Number Length>
+[[nodiscard]] constexpr auto root_ratio(const D& d, const Length& length) noexcept {
+  return RootRatio<T, D, Length>(d, length);
+}
+
+}  // namespace detent
