@@ -10,4 +10,7 @@
 #include "detent/shape/shape.hpp"
 
 #include "detent/query/query.hpp"
+
+#include "detent/scene/mesh.hpp"
+
 #include "detent/version.hpp"

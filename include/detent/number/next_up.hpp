@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/number/scalar.hpp"
+
+namespace detent {
+
+/// The next greater number of the type, or x where it is the greatest; `float` and `double` stay as
+/// they are.
+template <Number T>
+[[nodiscard]] constexpr T next_up(const T& x) noexcept {
+  if constexpr (!is_fixed<T>) {
+    return x;
+  } else {
+    using Raw = typename T::raw_type;
+    return x < T::max() ? T::assume_raw(wrapping_add<Raw>(x.raw(), Raw(1))) : x;
+  }
+}
+
+}  // namespace detent

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "detent/number/plane_grid.hpp"
+
+namespace detent {
+
+/// The distances at which a ray crosses planes that lie across one axis, rounded outward: the part
+/// of the ray that is really between two planes is never left out, and a little more may be let in.
+/// For culling, where the shapes themselves decide in the end.
+///
+/// Every plane is in [least, greatest], and no distance past `longest` matters.
+///                                                        (tests/number/slab_times.test.cpp)
+template <Scalar S>
+class SlabTimes;
+
+/// One product of 64-bit integers for each plane, so that compilers vectorise a loop over planes.
+///
+/// With d the component of the direction and i = floor(2^16 / |d|) / 2^16, a distance x / |d| is in
+/// [x i, x i + x / 2^16): `margin`. Components shorter than 2^-14 would make i too large; they are
+/// lengthened to that, which moves no point of the ray by more than `drift` = longest / 2^14.
+/// A distance is less than 2^32 2^30 and what is added to it less than 2^49; planes of a grid are
+/// no more than one step of 2^25 beyond the range of S.
+template <int Bits, int Frac>
+class SlabTimes<Fixed<Bits, Frac>> {
+  using S = Fixed<Bits, Frac>;
+  using Component = direction_component<S>;
+
+ public:
+  /// A distance on a grid 2^16 times as fine as that of S.
+  using Time = std::int64_t;
+  using Reach = Fixed<63, Frac>;
+
+  [[nodiscard]] static constexpr Time time(const S& distance) noexcept {
+    return Time{distance.raw()} * (Time{1} << inverse_frac);
+  }
+
+  /// An upper bound of how far the planes are from `origin`.
+  [[nodiscard]] static constexpr Reach reach(const S& origin, const S& least,
+                                             const S& greatest) noexcept {
+    return std::max(Reach(abs(least - origin)), Reach(abs(greatest - origin)));
+  }
+
+  /// The distance within which a ray has left a box whose sides are `reach` away, in sum, and
+  /// which is not past `limit`: a direction is longer than 1 - 2^-12.
+  [[nodiscard]] static constexpr S longest(const Reach& reach, const S& limit) noexcept {
+    const auto raw = reach.raw();
+    return std::min(limit, detail::clamp_raw<S>(raw + (raw >> 8) + 1));
+  }
+
+  constexpr SlabTimes(const S& origin, const Component& direction, const S& least,
+                      const S& greatest, const S& longest) noexcept {
+    constexpr std::int64_t shortest = std::int64_t{1} << std::max(Component::frac - 14, 0);
+    const std::int64_t speed = direction.raw();
+    const std::int64_t size = speed < 0 ? -speed : speed;
+    const std::int64_t inverse =
+        (std::int64_t{1} << (Component::frac + inverse_frac)) / std::max(size, shortest);
+    const std::int64_t drift =
+        size < shortest ? (std::max<std::int64_t>(longest.raw(), 0) >> 14) + 1 : 0;
+    const std::int64_t margin = reach(origin, least, greatest).raw() + drift;
+    factor_ = speed < 0 ? -inverse : inverse;
+    enter_ = origin.raw() * factor_ + margin;
+    leave_ = origin.raw() * factor_ - margin - drift * inverse;
+  }
+
+  /// Cuts spans of the ray down to what may lie between two planes of `grid` each: `enter` grows
+  /// to a lower bound of the distance to the plane in `near`, `leave` shrinks to an upper bound of
+  /// that to the plane in `far`.
+  template <std::size_t Width>
+  constexpr void clip(const PlaneGrid<S>& grid, const std::array<std::uint8_t, Width>& near,
+                      const std::array<std::uint8_t, Width>& far, std::array<Time, Width>& enter,
+                      std::array<Time, Width>& leave) const noexcept {
+    const Time first = grid.origin() * factor_, step = grid.step() * factor_;
+    const Time first_in = first - enter_, first_out = first - leave_;
+    for (std::size_t i = 0; i < Width; ++i) {
+      const Time in = first_in + near[i] * step;
+      const Time out = first_out + far[i] * step;
+      enter[i] = in > enter[i] ? in : enter[i];
+      leave[i] = out < leave[i] ? out : leave[i];
+    }
+  }
+
+ private:
+  static constexpr int inverse_frac = 16;
+  std::int64_t factor_ = 0;
+  Time enter_ = 0, leave_ = 0;
+};
+
+#if __STDC_HOSTED__
+template <Scalar F>
+requires std::floating_point<F>
+class SlabTimes<F> {
+ public:
+  using Time = F;
+  using Reach = F;
+
+  [[nodiscard]] static constexpr F time(F distance) noexcept { return distance; }
+  [[nodiscard]] static constexpr F reach(F origin, F least, F greatest) noexcept {
+    return std::max(abs(least - origin), abs(greatest - origin));
+  }
+  [[nodiscard]] static constexpr F longest(F reach, F limit) noexcept {
+    return std::min(limit, reach * 2);
+  }
+
+  constexpr SlabTimes(F origin, F direction, F least, F greatest, F longest) noexcept
+      : origin_(origin) {
+    constexpr F shortest = F(1) / (1 << 14), error = F(1) / (1 << 20);
+    const F size = std::max(abs(direction), shortest);
+    const F drift = abs(direction) < shortest ? longest * shortest : 0;
+    const F margin = (reach(origin, least, greatest) + drift) / size * error;
+    factor_ = direction < 0 ? -1 / size : 1 / size;
+    enter_ = margin;
+    leave_ = -margin - drift / size;
+  }
+
+  template <std::size_t Width>
+  constexpr void clip(const PlaneGrid<F>& grid, const std::array<std::uint8_t, Width>& near,
+                      const std::array<std::uint8_t, Width>& far, std::array<F, Width>& enter,
+                      std::array<F, Width>& leave) const noexcept {
+    const F first = (grid.origin() - origin_) * factor_, step = grid.step() * factor_;
+    const F first_in = first - enter_, first_out = first - leave_;
+    for (std::size_t i = 0; i < Width; ++i) {
+      const F in = first_in + near[i] * step;
+      const F out = first_out + far[i] * step;
+      enter[i] = in > enter[i] ? in : enter[i];
+      leave[i] = out < leave[i] ? out : leave[i];
+    }
+  }
+
+ private:
+  F origin_, factor_, enter_, leave_;
+};
+#endif
+
+}  // namespace detent

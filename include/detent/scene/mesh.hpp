@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Meshes of triangles with a tree over them, without a heap:
+//   build_mesh(triangles, nodes)            -> std::optional<Mesh<S>>     in the caller's storage
+//   raycast_nearest(ray, mesh)              -> std::optional<MeshHit<S>>  distance, index
+//   raycast_any(ray, mesh)                  -> bool
+//   raycast_all(ray, mesh, hits)            -> how many, sorted by (distance, index)
+//   raycast(ray, mesh), raycast_hit(ray, mesh)   as for other shapes
+// `scene/mesh/owned.hpp` has a mesh that keeps its own storage in std::vector.
+
+#include "detent/scene/mesh/mesh.hpp"
+#include "detent/scene/mesh/raycast.hpp"

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <compare>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "detent/number/next_up.hpp"
+#include "detent/query/raycast/triangle.hpp"
+#include "detent/scene/mesh/mesh.hpp"
+#include "detent/scene/static_tree/along.hpp"
+#include "detent/scene/static_tree/keep_first.hpp"
+
+namespace detent {
+
+/// Where a ray meets a triangle of a mesh: ordered by distance, then by the triangle's index.
+template <Scalar S>
+struct MeshHit {
+  S distance{};
+  std::uint32_t index = 0;
+
+  [[nodiscard]] friend constexpr bool operator==(const MeshHit&, const MeshHit&) noexcept = default;
+  [[nodiscard]] friend constexpr bool operator<(const MeshHit& a, const MeshHit& b) noexcept {
+    return a.distance != b.distance ? a.distance < b.distance : a.index < b.index;
+  }
+};
+
+/// The canonical bytes of a digest: the fields in order.
+template <class D, Scalar S>
+constexpr void append(D& digest, const MeshHit<S>& hit) noexcept {
+  digest.add(hit.distance, hit.index);
+}
+
+namespace detail {
+
+/// The first hit of a ray on a mesh, and the triangle that it is on.
+template <Scalar S>
+struct MeshFound {
+  MeshHit<S> hit;
+  const MeshTriangle<S>* part = nullptr;
+};
+
+template <Scalar S>
+[[nodiscard]] constexpr MeshFound<S> first_on_mesh(const Ray<S, 3>& ray,
+                                                   const Mesh<S>& mesh) noexcept {
+  MeshFound<S> best;
+  auto shorter = ray;
+  visit_along(mesh.tree, mesh.triangles, ray, [&](auto leaf) {
+    for (const auto& part : leaf) {
+      const auto distance = raycast(shorter, part.triangle);
+      if (!distance) continue;
+      const MeshHit<S> hit{*distance, part.index};
+      if (best.part != nullptr && !(hit < best.hit)) continue;
+      best = {hit, &part};
+      // Hits that round down to the same distance compete by their index.
+      shorter.max_distance = std::min(shorter.max_distance, next_up(hit.distance));
+    }
+    return shorter.max_distance;
+  });
+  return best;
+}
+
+}  // namespace detail
+
+/// The first triangle of `mesh` that `ray` touches and the distance, or nothing.
+///
+/// units:  lengths in world units
+/// domain: every input; rays and triangles as for `raycast(ray, triangle)`
+/// result: of triangles whose distances round down to the same number, that of the least index
+/// exact:  hit or miss exact; distance rounded down, error in [0, 1) ULP
+///         (tests/scene/mesh.test.cpp)
+template <Scalar S>
+[[nodiscard]] constexpr std::optional<MeshHit<S>> raycast_nearest(const Ray<S, 3>& ray,
+                                                                  const Mesh<S>& mesh) noexcept {
+  const auto found = detail::first_on_mesh(ray, mesh);
+  if (found.part == nullptr) return std::nullopt;
+  return found.hit;
+}
+
+/// Whether `ray` touches any triangle of `mesh`; which one it stops at is not said.
+///
+/// exact:  yes or no exact                               (tests/scene/mesh.test.cpp)
+template <Scalar S>
+[[nodiscard]] constexpr bool raycast_any(const Ray<S, 3>& ray, const Mesh<S>& mesh) noexcept {
+  bool any = false;
+  visit_along(mesh.tree, mesh.triangles, ray, [&](auto leaf) {
+    for (const auto& part : leaf) {
+      if (!raycast(ray, part.triangle)) continue;
+      any = true;
+      return S(-1);
+    }
+    return ray.max_distance;
+  });
+  return any;
+}
+
+/// How many triangles of `mesh` the ray touches; writes the first of them, as many as `out` holds,
+/// sorted by distance, then by index.
+///
+/// exact:  as for `raycast_nearest`                      (tests/scene/mesh.test.cpp)
+template <Scalar S>
+[[nodiscard]] constexpr std::size_t raycast_all(const Ray<S, 3>& ray, const Mesh<S>& mesh,
+                                                std::span<MeshHit<S>> out) noexcept {
+  std::size_t count = 0;
+  visit_along(mesh.tree, mesh.triangles, ray, [&](auto leaf) {
+    for (const auto& part : leaf) {
+      const auto distance = raycast(ray, part.triangle);
+      if (!distance) continue;
+      detail::keep_first(out, count++, MeshHit<S>{*distance, part.index});
+    }
+    return ray.max_distance;
+  });
+  std::sort(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(std::min(count, out.size())));
+  return count;
+}
+
+/// Distance along `ray` at which it first touches `mesh`, or nothing: see `raycast_nearest`.
+template <Scalar S>
+[[nodiscard]] constexpr std::optional<S> raycast(const Ray<S, 3>& ray,
+                                                 const Mesh<S>& mesh) noexcept {
+  const auto found = detail::first_on_mesh(ray, mesh);
+  if (found.part == nullptr) return std::nullopt;
+  return found.hit.distance;
+}
+
+/// Distance, point and normal where `ray` first touches `mesh`, or nothing: those of the triangle
+/// of `raycast_nearest`.
+template <Scalar S>
+[[nodiscard]] constexpr std::optional<RayHit<S, 3>> raycast_hit(const Ray<S, 3>& ray,
+                                                                const Mesh<S>& mesh) noexcept {
+  const auto found = detail::first_on_mesh(ray, mesh);
+  if (found.part == nullptr) return std::nullopt;
+  return raycast_hit(ray, found.part->triangle);
+}
+
+}  // namespace detent
