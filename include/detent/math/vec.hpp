@@ -152,11 +152,10 @@ template <Number A, Number B, int N>
   } else {
     // Three or four terms need two bits more than one, in whichever order they are added.
     constexpr int bits = detail::result_bits(bits_of<A> + bits_of<B> + 2);
-    const auto sum = a.x * b.x + a.y * b.y + a.z * b.z;
     if constexpr (N == 3) {
-      return narrow<bits>(sum);
+      return narrow<bits>(a.x * b.x + a.y * b.y + a.z * b.z);
     } else {
-      return narrow<bits>(sum + a.w * b.w);
+      return narrow<bits>(a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w);
     }
   }
 }
@@ -165,11 +164,12 @@ template <Number A, Number B, int N>
 /// partial sum, and the whole is computed in an integer of that size.
 template <int Bits, Number A, Number B, int N>
 [[nodiscard]] constexpr auto narrow_dot(const Vec<A, N>& a, const Vec<B, N>& b) noexcept {
-  const auto sum = narrow_sum<Bits>(narrow_product<Bits>(a.x, b.x), narrow_product<Bits>(a.y, b.y));
+  // Not const, for GCC 12 keeps const objects of several words in memory.
+  auto sum = narrow_sum<Bits>(narrow_product<Bits>(a.x, b.x), narrow_product<Bits>(a.y, b.y));
   if constexpr (N == 2) {
     return sum;
   } else {
-    const auto three = narrow_sum<Bits>(sum, narrow_product<Bits>(a.z, b.z));
+    auto three = narrow_sum<Bits>(sum, narrow_product<Bits>(a.z, b.z));
     if constexpr (N == 3) {
       return three;
     } else {

@@ -152,8 +152,14 @@ template <class N, class D>
     const int dropped = std::max(positive_bit_length(denominator) - 32, 0);
     const std::uint64_t n = leading(numerator, dropped), d = leading(denominator, dropped);
     if (dropped == 0) return static_cast<std::int64_t>(n / d);
-    auto quotient = static_cast<std::int64_t>(n / (d + 1));
-    if (n % (d + 1) + static_cast<std::uint64_t>(quotient) < d) return quotient;
+    std::uint64_t first = n >> 32, left = n & 0xffffffff;  // divided by 2^32
+    if (d != 0xffffffff) {
+      const auto division = divide_halves(n, static_cast<std::uint32_t>(d + 1));
+      first = division.quotient;
+      left = division.remainder;
+    }
+    auto quotient = static_cast<std::int64_t>(first);
+    if (left + first < d) return quotient;
     auto rest = wrapping_subtract<N>(numerator, wrapping_multiply<N>(denominator, quotient));
     for (; rest >= integer_cast<N>(denominator); rest = wrapping_subtract<N>(rest, denominator)) {
       ++quotient;

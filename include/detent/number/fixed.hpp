@@ -169,7 +169,8 @@ constexpr Raw aligned_raw(const A& a) noexcept {
 }  // namespace detail
 
 template <int B1, int F1, int B2, int F2>
-[[nodiscard]] constexpr auto operator+(const Fixed<B1, F1>& a, const Fixed<B2, F2>& b) noexcept {
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto operator+(const Fixed<B1, F1>& a,
+                                                                const Fixed<B2, F2>& b) noexcept {
   constexpr int frac = std::max(F1, F2);
   using Sum = Fixed<detail::sum_bits<Fixed<B1, F1>, Fixed<B2, F2>>, frac>;
   using Raw = typename Sum::raw_type;
@@ -178,7 +179,8 @@ template <int B1, int F1, int B2, int F2>
 }
 
 template <int B1, int F1, int B2, int F2>
-[[nodiscard]] constexpr auto operator-(const Fixed<B1, F1>& a, const Fixed<B2, F2>& b) noexcept {
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto operator-(const Fixed<B1, F1>& a,
+                                                                const Fixed<B2, F2>& b) noexcept {
   constexpr int frac = std::max(F1, F2);
   using Difference = Fixed<detail::sum_bits<Fixed<B1, F1>, Fixed<B2, F2>>, frac>;
   using Raw = typename Difference::raw_type;
@@ -187,14 +189,15 @@ template <int B1, int F1, int B2, int F2>
 }
 
 template <int B1, int F1, int B2, int F2>
-[[nodiscard]] constexpr auto operator*(const Fixed<B1, F1>& a, const Fixed<B2, F2>& b) noexcept {
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto operator*(const Fixed<B1, F1>& a,
+                                                                const Fixed<B2, F2>& b) noexcept {
   using Product = Fixed<detail::result_bits(B1 + B2), F1 + F2>;
   using Raw = typename Product::raw_type;
   return Product::assume_raw(wrapping_multiply<Raw>(a.raw(), b.raw()));
 }
 
 template <int B, int F>
-[[nodiscard]] constexpr auto operator-(const Fixed<B, F>& x) noexcept {
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto operator-(const Fixed<B, F>& x) noexcept {
   using Negative = Fixed<detail::result_bits(B), F>;
   using Raw = typename Negative::raw_type;
   return Negative::assume_raw(wrapping_subtract<Raw>(Raw(0), x.raw()));
@@ -209,7 +212,8 @@ template <int B, int F>
 /// Which of two numbers of any types is greater, exactly.
 template <class A, class B>
 requires detail::FixedOperands<A, B>
-[[nodiscard]] constexpr std::strong_ordering operator<=>(const A& left, const B& right) noexcept {
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr std::strong_ordering operator<=>(
+    const A& left, const B& right) noexcept {
   const auto& a = detail::as_fixed(left);
   const auto& b = detail::as_fixed(right);
   using FixedA = std::remove_cvref_t<decltype(a)>;
@@ -240,7 +244,9 @@ requires detail::FixedOperands<A, B>
 
 template <class A, class B>
 requires detail::FixedOperands<A, B>
-[[nodiscard]] constexpr bool operator==(const A& a, const B& b) noexcept { return (a <=> b) == 0; }
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr bool operator==(const A& a, const B& b) noexcept {
+  return (a <=> b) == 0;
+}
 
 template <int Bits, int Frac>
 template <std::integral I>

@@ -60,7 +60,7 @@ inline constexpr int value_bits = static_cast<int>(sizeof(I) * 8 - 1);
 
 /// `x` in another integer type: sign-extended, or its low bits.
 template <class To, class From>
-[[nodiscard]] constexpr To integer_cast(const From& x) noexcept {
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr To integer_cast(const From& x) noexcept {
   if constexpr (std::is_same_v<To, From>) {
     return x;
   } else {
@@ -89,7 +89,7 @@ using unsigned_of_t = typename unsigned_of<I>::type;
 /// a + b, a - b and a * b in the integer type `To`, modulo its size: right whenever the exact
 /// result fits. The operands may be of any integer types.
 template <class To, class A, class B>
-[[nodiscard]] constexpr To wrapping_add(const A& a, const B& b) noexcept {
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr To wrapping_add(const A& a, const B& b) noexcept {
   if constexpr (detail::is_wide<To>) {
     return integer_cast<To>(a) + integer_cast<To>(b);
   } else {
@@ -100,7 +100,8 @@ template <class To, class A, class B>
 }
 
 template <class To, class A, class B>
-[[nodiscard]] constexpr To wrapping_subtract(const A& a, const B& b) noexcept {
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr To wrapping_subtract(const A& a,
+                                                                      const B& b) noexcept {
   if constexpr (detail::is_wide<To>) {
     return integer_cast<To>(a) - integer_cast<To>(b);
   } else {
@@ -111,11 +112,19 @@ template <class To, class A, class B>
 }
 
 template <class To, class A, class B>
-[[nodiscard]] constexpr To wrapping_multiply(const A& a, const B& b) noexcept {
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr To wrapping_multiply(const A& a,
+                                                                      const B& b) noexcept {
   if constexpr (detail::is_wide<To>) {
     // Operands keep their own widths: the shorter they are, the fewer word products.
     constexpr int a_words = detail::words_of<A>, b_words = detail::words_of<B>;
-    if constexpr (a_words == 1 && b_words == 1) {
+    if constexpr (DETENT_SHORT_WORDS && a_words == 1 && b_words == 1) {
+      const auto [low, high] = multiply_signed_halves(a, b);
+      return integer_cast<To>(Wide<2>::from_words({low, high}));
+    } else if constexpr (DETENT_SHORT_WORDS && sizeof(A) <= 4) {
+      return multiply_by_half<detail::words_of<To>>(b, std::int32_t{a});
+    } else if constexpr (DETENT_SHORT_WORDS && sizeof(B) <= 4) {
+      return multiply_by_half<detail::words_of<To>>(a, std::int32_t{b});
+    } else if constexpr (a_words == 1 && b_words == 1) {
       const std::int64_t x = integer_cast<std::int64_t>(a), y = integer_cast<std::int64_t>(b);
       const auto [low, high] =
           multiply_words(static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(y));
@@ -126,6 +135,8 @@ template <class To, class A, class B>
       return multiply<detail::words_of<To>>(integer_cast<Wide<(a_words < 2 ? 2 : a_words)>>(a),
                                             integer_cast<Wide<(b_words < 2 ? 2 : b_words)>>(b));
     }
+  } else if constexpr (has_short_products && sizeof(To) == 8) {
+    return static_cast<To>(multiply_low_halves(a, b));
   } else {
     using U = detail::unsigned_of_t<To>;
     return static_cast<To>(static_cast<U>(integer_cast<To>(a)) *
@@ -160,7 +171,7 @@ template <class I>
 
 /// -1, 0 or 1.
 template <class I>
-[[nodiscard]] constexpr int sign_of(const I& x) noexcept {
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr int sign_of(const I& x) noexcept {
   if constexpr (detail::is_wide<I>) {
     return x.is_negative() ? -1 : (x == I(0) ? 0 : 1);
   } else {

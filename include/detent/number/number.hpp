@@ -21,6 +21,7 @@
 #include "detent/number/rounding.hpp"
 #include "detent/number/scalar.hpp"
 #include "detent/number/slab_times.hpp"
+#include "detent/number/short_words.hpp"
 #include "detent/number/text.hpp"
 #include "detent/number/unit.hpp"
 #include "detent/number/wide.hpp"

@@ -48,7 +48,8 @@ constexpr std::uint32_t root_guess(std::uint64_t a) noexcept {
 /// floor(r) + 1.
 constexpr std::uint64_t root_or_next(std::uint64_t a) noexcept {
   const std::uint32_t guess = root_guess(a);
-  const std::uint64_t root = (std::uint64_t{guess} << 11) + (a >> 13) / guess;
+  const std::uint64_t quotient = divide_halves((a >> 13) << 12, guess << 12).quotient;
+  const std::uint64_t root = (std::uint64_t{guess} << 11) + quotient;
   return root - (root >> 32);  // 2^32 itself is one too many
 }
 

@@ -115,7 +115,8 @@ template <class T, int B, int F>
 
 /// `x` in fewer bits: the caller has a proof that |x| <= 2^(Bits - F). Asserted in debug builds.
 template <int Bits, int B, int F>
-[[nodiscard]] constexpr Fixed<Bits, F> narrow(const Fixed<B, F>& x) noexcept {
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr Fixed<Bits, F> narrow(
+    const Fixed<B, F>& x) noexcept {
   using Raw = typename Fixed<Bits, F>::raw_type;
   DETENT_ASSERT(detail::is_within<Bits>(x.raw()));
   return Fixed<Bits, F>::assume_raw(integer_cast<Raw>(x.raw()));
@@ -124,15 +125,16 @@ template <int Bits, int B, int F>
 /// a * b, a + b, a - b: `narrow` without the detour through the integer that the unproved result
 /// needs.
 template <int Bits, int B1, int F1, int B2, int F2>
-[[nodiscard]] constexpr Fixed<Bits, F1 + F2> narrow_product(const Fixed<B1, F1>& a,
-                                                            const Fixed<B2, F2>& b) noexcept {
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr Fixed<Bits, F1 + F2> narrow_product(
+    const Fixed<B1, F1>& a, const Fixed<B2, F2>& b) noexcept {
   using Raw = typename Fixed<Bits, F1 + F2>::raw_type;
   DETENT_ASSERT(a * b == narrow<Bits>(a * b));
   return Fixed<Bits, F1 + F2>::assume_raw(wrapping_multiply<Raw>(a.raw(), b.raw()));
 }
 
 template <int Bits, int B1, int F1, int B2, int F2>
-[[nodiscard]] constexpr auto narrow_sum(const Fixed<B1, F1>& a, const Fixed<B2, F2>& b) noexcept {
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto narrow_sum(const Fixed<B1, F1>& a,
+                                                                 const Fixed<B2, F2>& b) noexcept {
   using Sum = Fixed<Bits, std::max(F1, F2)>;
   using Raw = typename Sum::raw_type;
   DETENT_ASSERT(a + b == narrow<Bits>(a + b));
@@ -141,8 +143,8 @@ template <int Bits, int B1, int F1, int B2, int F2>
 }
 
 template <int Bits, int B1, int F1, int B2, int F2>
-[[nodiscard]] constexpr auto narrow_difference(const Fixed<B1, F1>& a,
-                                               const Fixed<B2, F2>& b) noexcept {
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto narrow_difference(
+    const Fixed<B1, F1>& a, const Fixed<B2, F2>& b) noexcept {
   using Difference = Fixed<Bits, std::max(F1, F2)>;
   using Raw = typename Difference::raw_type;
   DETENT_ASSERT(a - b == narrow<Bits>(a - b));
@@ -154,7 +156,8 @@ template <int Bits, int B1, int F1, int B2, int F2>
 /// -x in the type of x: the caller has a proof that it fits, as it always does but for the lowest
 /// number of an integer that is full.
 template <int B, int F>
-[[nodiscard]] constexpr Fixed<B, F> narrow_negative(const Fixed<B, F>& x) noexcept {
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr Fixed<B, F> narrow_negative(
+    const Fixed<B, F>& x) noexcept {
   return narrow<B>(-x);
 }
 

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "detent/number/short_words.hpp"
+
 // Define DETENT_PORTABLE_INT128 to 1 to use our own 128-bit integer where the compiler has one too.
 // It changes speed, never a result.
 #ifndef DETENT_PORTABLE_INT128
@@ -31,12 +33,6 @@ __extension__ typedef unsigned __int128 UInt128;
 using Int128 = Wide<2>;
 #endif
 
-/// The two halves of a 128-bit product.
-struct WordProduct {
-  std::uint64_t low;
-  std::uint64_t high;
-};
-
 /// The exact product of two 64-bit words, from 32-bit halves.
 [[nodiscard]] constexpr WordProduct multiply_words_portable(std::uint64_t a,
                                                             std::uint64_t b) noexcept {
@@ -55,7 +51,17 @@ struct WordProduct {
   const UInt128 product = static_cast<UInt128>(a) * b;
   return {static_cast<std::uint64_t>(product), static_cast<std::uint64_t>(product >> 64)};
 #else
-  return multiply_words_portable(a, b);
+  if constexpr (has_short_products) {
+    const auto a0 = static_cast<std::uint32_t>(a), a1 = static_cast<std::uint32_t>(a >> 32);
+    const auto b0 = static_cast<std::uint32_t>(b), b1 = static_cast<std::uint32_t>(b >> 32);
+    const std::uint64_t low = multiply_halves(a0, b0);
+    const std::uint64_t middle = multiply_halves(a1, b0) + (low >> 32);
+    const std::uint64_t cross = multiply_halves(a0, b1) + static_cast<std::uint32_t>(middle);
+    return {(cross << 32) | static_cast<std::uint32_t>(low),
+            multiply_halves(a1, b1) + (middle >> 32) + (cross >> 32)};
+  } else {
+    return multiply_words_portable(a, b);
+  }
 #endif
 }
 
@@ -81,6 +87,8 @@ class Wide {
     if constexpr (sizeof(I) > sizeof(std::uint64_t)) {
       words_[1] = static_cast<std::uint64_t>(value >> 64);
       fill_from(2, value < 0);
+    } else if constexpr (Words == 2 && std::is_signed_v<I>) {
+      words_[1] = static_cast<std::uint64_t>(static_cast<std::int64_t>(value) >> 63);
     } else {
       fill_from(1, std::is_signed_v<I> && value < 0);
     }
@@ -126,7 +134,12 @@ class Wide {
   }
 #endif
 
-  [[nodiscard]] friend constexpr Wide operator+(const Wide& a, const Wide& b) noexcept {
+  [[nodiscard]] DETENT_INLINE_WHEN_SHORT friend constexpr Wide operator+(const Wide& a,
+                                                                         const Wide& b) noexcept {
+    if constexpr (Words == 2) {  // as the loop does, but straight enough to stay in registers
+      const std::uint64_t low = a.word(0) + b.word(0);
+      return from_words({low, a.word(1) + b.word(1) + (low < b.word(0) ? 1u : 0u)});
+    }
     Wide sum;
     std::uint64_t carry = 0;
     for (int i = 0; i < Words; ++i) {
@@ -138,7 +151,12 @@ class Wide {
     return sum;
   }
 
-  [[nodiscard]] friend constexpr Wide operator-(const Wide& a, const Wide& b) noexcept {
+  [[nodiscard]] DETENT_INLINE_WHEN_SHORT friend constexpr Wide operator-(const Wide& a,
+                                                                         const Wide& b) noexcept {
+    if constexpr (Words == 2) {
+      const std::uint64_t borrow = a.word(0) < b.word(0) ? 1u : 0u;
+      return from_words({a.word(0) - b.word(0), a.word(1) - b.word(1) - borrow});
+    }
     Wide difference;
     std::uint64_t borrow = 0;
     for (int i = 0; i < Words; ++i) {
@@ -150,7 +168,9 @@ class Wide {
     return difference;
   }
 
-  [[nodiscard]] friend constexpr Wide operator-(const Wide& a) noexcept { return Wide() - a; }
+  [[nodiscard]] DETENT_INLINE_WHEN_SHORT friend constexpr Wide operator-(const Wide& a) noexcept {
+    return Wide() - a;
+  }
 
   [[nodiscard]] friend constexpr Wide operator*(const Wide& a, const Wide& b) noexcept {
     return multiply<Words>(a, b);
@@ -186,6 +206,9 @@ class Wide {
   [[nodiscard]] friend constexpr std::strong_ordering operator<=>(const Wide& a,
                                                                   const Wide& b) noexcept {
     constexpr int top = Words - 1;
+    if constexpr (Words == 2) {
+      if (a.word(1) == b.word(1)) return a.word(0) <=> b.word(0);
+    }
     if (a.word(top) != b.word(top)) {
       return static_cast<std::int64_t>(a.word(top)) <=> static_cast<std::int64_t>(b.word(top));
     }
@@ -205,10 +228,74 @@ class Wide {
   std::array<std::uint64_t, Words> words_{};
 };
 
+/// a * b modulo 2^(64 * Result), from 32-bit halves of a.
+template <int Result, int A>
+[[nodiscard]] constexpr Wide<Result> multiply_by_half(const Wide<A>& a, std::int32_t b) noexcept {
+  std::array<std::uint64_t, Result> words{};
+  std::uint64_t sum = 0;
+  const auto next_half = [&](std::uint64_t half) {
+    if (!has_short_products || half != 0)
+      sum += multiply_halves(static_cast<std::uint32_t>(half), b);
+    const auto low = static_cast<std::uint32_t>(sum);
+    sum = signed_high_half(sum);
+    return std::uint64_t{low};
+  };
+  const std::uint64_t above = a.is_negative() ? ~std::uint64_t{0} : 0;
+  for (int i = 0; i < Result; ++i) {
+    const std::uint64_t word = i < A ? a.word(i) : above;
+    const std::uint64_t low = next_half(word & 0xffffffff);
+    words[static_cast<std::size_t>(i)] = (next_half(word >> 32) << 32) | low;
+  }
+  return Wide<Result>::from_words(words);
+}
+
+/// a * b modulo 2^(64 * Result), from 32-bit halves of the magnitudes: the shorter these are, the
+/// fewer products.
+template <int Result, int A, int B>
+[[nodiscard]] constexpr Wide<Result> multiply_by_halves(const Wide<A>& a,
+                                                        const Wide<B>& b) noexcept {
+  const auto at = [](auto& array, int i) -> auto& { return array[static_cast<std::size_t>(i)]; };
+  const auto split = [&at]<int Words>(const Wide<Words>& x) {
+    const Wide<Words> magnitude = x.is_negative() ? -x : x;
+    std::array<std::uint32_t, 2 * Words> halves{};
+    for (int i = 0; i < 2 * Words; ++i) {
+      at(halves, i) = static_cast<std::uint32_t>(magnitude.word(i / 2) >> (32 * (i % 2)));
+    }
+    return halves;
+  };
+  const auto x = split(a);
+  const auto y = split(b);
+  int length = 2 * B;
+  while (length > 0 && at(y, length - 1) == 0) --length;
+
+  std::array<std::uint32_t, 2 * Result> sum{};
+  for (int i = 0; i < 2 * A && i < 2 * Result; ++i) {
+    if (at(x, i) == 0) continue;
+    std::uint64_t carry = 0;
+    int k = i;
+    for (int j = 0; j < length && k < 2 * Result; ++j, ++k) {
+      carry += multiply_halves(at(x, i), at(y, j));  // at most (2^32 - 1)^2 + 2 (2^32 - 1)
+      carry += at(sum, k);
+      at(sum, k) = static_cast<std::uint32_t>(carry);
+      carry >>= 32;
+    }
+    if (k < 2 * Result) at(sum, k) = static_cast<std::uint32_t>(carry);
+  }
+  std::array<std::uint64_t, Result> words{};
+  for (int i = 0; i < Result; ++i) {
+    at(words, i) = (std::uint64_t{at(sum, 2 * i + 1)} << 32) | at(sum, 2 * i);
+  }
+  const auto product = Wide<Result>::from_words(words);
+  return a.is_negative() != b.is_negative() ? -product : product;
+}
+
 // Schoolbook product of the unsigned patterns u(a) and u(b). A negative a stands for
 // u(a) - 2^(64 A), so a * b = u(a) * u(b) - [b < 0] * u(a) * 2^(64 B) - [a < 0] * b * 2^(64 A).
 template <int Result, int A, int B>
 constexpr Wide<Result> multiply(const Wide<A>& a, const Wide<B>& b) noexcept {
+#if DETENT_SHORT_WORDS
+  return multiply_by_halves<Result>(a, b);
+#else
   std::array<std::uint64_t, Result> sum{};
   const auto at = [&sum](int i) -> std::uint64_t& { return sum[static_cast<std::size_t>(i)]; };
   for (int i = 0; i < A && i < Result; ++i) {
@@ -236,6 +323,7 @@ constexpr Wide<Result> multiply(const Wide<A>& a, const Wide<B>& b) noexcept {
     subtract_above(B, [&](int i) { return i < A ? a.word(i) : std::uint64_t{0}; });
   }
   return Wide<Result>::from_words(sum);
+#endif
 }
 
 }  // namespace detent

@@ -59,9 +59,11 @@ template <Scalar S, int N>
                                                  Facing facing = Facing::both) noexcept {
   const detail::RayPlane<S, N> meeting(ray, plane);
   if (detail::is_hidden(meeting, facing)) return std::nullopt;
-  const auto span = meeting.span(ray.max_distance);
-  if (!span) return std::nullopt;
-  return detail::first_distance(*span, ray.max_distance);
+  if (ray.max_distance < 0) return std::nullopt;
+  if (meeting.gap == 0) return S(0);
+  const bool is_ahead = meeting.gap < 0 ? meeting.speed < 0 : meeting.speed > 0;
+  if (!is_ahead) return std::nullopt;
+  return floor_within(make_fraction(meeting.gap, meeting.speed), ray.max_distance);
 }
 
 /// Distance, point and normal where `ray` first touches `plane`, or nothing.

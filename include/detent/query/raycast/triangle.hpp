@@ -51,10 +51,11 @@ template <Scalar S>
   using Result = std::optional<Distance>;
   const bool flip = meeting.det < 0;
   const auto oriented = [flip](const auto& x) { return flip ? narrow_negative(x) : x; };
-  const auto det = oriented(meeting.det);
-  const auto u = oriented(meeting.u());
+  // Not const, for GCC 12 keeps const objects of several words in memory.
+  auto det = oriented(meeting.det);
+  auto u = oriented(meeting.u());
   if (u < 0 || u > det) return Result();
-  const auto v = oriented(meeting.v(direction));
+  auto v = oriented(meeting.v(direction));
   if (v < 0 || u + v > det) return Result();
   return Result({oriented(meeting.height()), det});
 }
@@ -114,7 +115,7 @@ template <Scalar S>
     if (!inside) return std::nullopt;
     return detail::first_distance(*inside, ray.max_distance);
   }
-  const auto distance = detail::crossing(meeting, ray.direction);
+  auto distance = detail::crossing(meeting, ray.direction);
   if (!distance || distance->numerator < 0) return std::nullopt;
   return floor_within(*distance, ray.max_distance);
 }
