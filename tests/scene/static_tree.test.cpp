@@ -64,7 +64,7 @@ TEMPLATE_TEST_CASE("static tree: every item is in one leaf, within the boxes abo
     Inspection<S> inspection{mesh};
     CHECK(inspection.look(0, 0) == mesh.tree.bounds);
     CHECK(inspection.boxes_hold);
-    CHECK(inspection.depth <= StaticTree<S, 3>::max_depth);
+    CHECK(inspection.depth <= static_tree_depth);
     CHECK(
         std::all_of(inspection.seen.begin(), inspection.seen.end(), [](int n) { return n == 1; }));
     CHECK(std::all_of(inspection.visited.begin(), inspection.visited.end(),
@@ -86,7 +86,7 @@ TEST_CASE("static tree: uneven splits stop before the tree is too deep", "[mesh]
   const auto mesh = owned.view();
   Inspection<q16_16> inspection{mesh};
   inspection.look(0, 0);
-  CHECK(inspection.depth <= StaticTree<q16_16, 3>::max_depth);
+  CHECK(inspection.depth <= static_tree_depth);
   CHECK(inspection.boxes_hold);
 }
 

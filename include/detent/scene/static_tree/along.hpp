@@ -10,6 +10,7 @@
 #include "detent/number/slab_times.hpp"
 #include "detent/scene/static_tree/node.hpp"
 #include "detent/scene/static_tree/prefetch.hpp"
+#include "detent/scene/static_tree/stack.hpp"
 #include "detent/shape/ray.hpp"
 
 namespace detent {
@@ -84,38 +85,6 @@ class StaticRay {
   std::array<std::size_t, N> near_side_{};
 };
 
-/// The nodes and leaves that are still to be visited, the nearest on top.
-///
-/// What a node at depth d leaves here are at most seven siblings for each level above and its own
-/// eight children: 7 d + 8, and d < max_depth.
-template <Scalar S, int N>
-class StaticStack {
- public:
-  using Time = typename StaticRay<S, N>::Time;
-  struct Entry {
-    Time enter;
-    std::uint32_t first;
-    std::uint32_t count;
-  };
-
-  [[nodiscard]] constexpr bool empty() const noexcept { return used_ == 0; }
-  [[nodiscard]] constexpr Entry pop() noexcept { return entries_[--used_]; }
-
-  /// Puts an entry on top, or below those put there since `base` that are nearer.
-  constexpr void insert(std::size_t base, const Entry& entry) noexcept {
-    std::size_t place = used_++;
-    for (; place > base && entries_[place - 1].enter < entry.enter; --place) {
-      entries_[place] = entries_[place - 1];
-    }
-    entries_[place] = entry;
-  }
-  [[nodiscard]] constexpr std::size_t size() const noexcept { return used_; }
-
- private:
-  std::array<Entry, 7 * (StaticTree<S, N>::max_depth - 1) + 8> entries_;  // set when used
-  std::size_t used_ = 0;
-};
-
 }  // namespace detail
 
 /// Visits the items whose boxes `ray` may meet, about the nearest first: calls visit(part) for parts
@@ -128,7 +97,7 @@ constexpr void visit_along(const StaticTree<S, N>& tree, std::span<const Item> i
                            const Ray<S, N>& ray, const Visit& visit) noexcept {
   if (tree.nodes.empty() || ray.max_distance < 0) return;
   const detail::StaticRay<S, N> prepared(ray, tree.bounds);
-  detail::StaticStack<S, N> stack;
+  detail::StaticStack<typename SlabTimes<S>::Time> stack;
   auto limit = SlabTimes<S>::time(ray.max_distance);
   stack.insert(0, {{}, 0, 0});
   while (!stack.empty()) {

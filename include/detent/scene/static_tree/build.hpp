@@ -84,10 +84,10 @@ class StaticBuilder {
     }
   }
 
-  /// leaf_size * 8^(max_depth - depth): what even splits divide into leaves by then.
+  /// leaf_size * 8^(static_tree_depth - depth): what even splits divide into leaves by then.
   [[nodiscard]] static constexpr std::uint64_t capacity(int depth) noexcept {
     return std::uint64_t{StaticTree<S, N>::leaf_size}
-           << std::min(3 * (StaticTree<S, N>::max_depth - depth), 48);
+           << std::min(3 * (static_tree_depth - depth), 48);
   }
 
   using Children = std::array<Range, Node::width>;

@@ -73,12 +73,13 @@ constexpr void append(D& digest, const StaticNode<S, N>& node) noexcept {
   digest.add(node.children);
 }
 
+/// How many nodes lie on the longest way from the root of a static tree down.
+inline constexpr int static_tree_depth = 20;
+
 /// A static tree of boxes over a list of items: a view of nodes that the caller keeps, the root
 /// first; no nodes for no items.
 template <Scalar S, int N>
 struct StaticTree {
-  /// How many nodes lie on the longest way from the root down.
-  static constexpr int max_depth = 20;
   /// Of how many items a child consists at most.
   static constexpr std::uint32_t leaf_size = 4;
 

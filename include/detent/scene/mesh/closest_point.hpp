@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "detent/query/closest_point/triangle.hpp"
+#include "detent/query/distance/triangle.hpp"
+#include "detent/scene/mesh/mesh.hpp"
+#include "detent/scene/static_tree/around.hpp"
+
+namespace detent {
+
+/// The triangle of a mesh that is nearest to a point, and how far it is.
+template <Scalar S>
+struct MeshNearest {
+  S distance{};
+  std::uint32_t index = 0;
+  /// Its point that is nearest.
+  Vec<S, 3> point;
+
+  [[nodiscard]] friend constexpr bool operator==(const MeshNearest&,
+                                                 const MeshNearest&) noexcept = default;
+};
+
+/// The canonical bytes of a digest: the fields in order.
+template <class D, Scalar S>
+constexpr void append(D& digest, const MeshNearest<S>& nearest) noexcept {
+  digest.add(nearest.distance, nearest.index, nearest.point);
+}
+
+/// The triangle of `mesh` nearest to `point`, nothing where there are no triangles.
+///
+/// units:  world units
+/// domain: every input
+/// result: of triangles whose `distance`s are equal, be it by rounding or clamping, that of the
+///         least index
+/// exact:  the triangle is the nearest within 1 ULP; `distance` and `point` are those that
+///         `distance` and `closest_point` of the triangle say
+///                                                       (tests/scene/mesh_overlaps.test.cpp)
+template <Scalar S>
+[[nodiscard]] constexpr std::optional<MeshNearest<S>> nearest_triangle(
+    const Mesh<S>& mesh, const Vec<S, 3>& point) noexcept {
+  const MeshTriangle<S>* best = nullptr;
+  S least = largest<S>;
+  visit_around(mesh.tree, mesh.triangles, point, [&](auto leaf) {
+    for (const auto& part : leaf) {
+      const S to_part = distance(part.triangle, point);
+      const bool nearer =
+          best == nullptr || to_part < least || (to_part == least && part.index < best->index);
+      if (!nearer) continue;
+      best = &part;
+      least = to_part;
+    }
+    return least;
+  });
+  if (best == nullptr) return std::nullopt;
+  return MeshNearest<S>{least, best->index, closest_point(best->triangle, point)};
+}
+
+/// The closest point of the triangle of `mesh` nearest to `point`; `point` itself for no triangles.
+template <Scalar S>
+[[nodiscard]] constexpr Vec<S, 3> closest_point(const Mesh<S>& mesh,
+                                                const Vec<S, 3>& point) noexcept {
+  const auto nearest = nearest_triangle(mesh, point);
+  return nearest ? nearest->point : point;
+}
+
+/// The distance from `point` to `mesh`, rounded down and clamped to the range of the scalar; its
+/// greatest number for no triangles.
+template <Scalar S>
+[[nodiscard]] constexpr S distance(const Mesh<S>& mesh, const Vec<S, 3>& point) noexcept {
+  const auto nearest = nearest_triangle(mesh, point);
+  return nearest ? nearest->distance : largest<S>;
+}
+
+}  // namespace detent

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include "detent/query/distance/aabb.hpp"
+#include "detent/scene/static_tree/stack.hpp"
+
+namespace detent {
+
+/// Visits the items whose boxes may be as near to `point` as anything that matters, the nearest
+/// first: calls visit(part) for parts of the list that the tree is over. It returns the `distance`
+/// beyond which nothing matters any more, at most as far as before.
+///
+/// Every item whose box is no farther than that is visited; others may be.
+template <Scalar S, int N, class Item, class Visit>
+constexpr void visit_around(const StaticTree<S, N>& tree, std::span<const Item> items,
+                            const Vec<S, N>& point, const Visit& visit) noexcept {
+  if (tree.nodes.empty()) return;
+  detail::StaticStack<S> stack;
+  S limit = largest<S>;
+  stack.insert(0, {S(0), 0, 0});
+  while (!stack.empty()) {
+    const auto [near, first, count] = stack.pop();
+    if (near > limit) continue;
+    if (count != 0) {
+      limit = visit(items.subspan(first, count));
+      continue;
+    }
+    const auto& node = tree.nodes[first];
+    const std::size_t base = stack.size();
+    for (std::size_t k = 0; k < node.children; ++k) {
+      // Rounding down and clamping keep order, so a box is never farther than what is in it.
+      const S to_box = distance(node.box(k), point);
+      if (to_box <= limit) stack.insert(base, {to_box, node.first[k], node.count[k]});
+    }
+  }
+}
+
+}  // namespace detent
