@@ -13,4 +13,6 @@
 
 #include "detent/scene/mesh.hpp"
 
+
+#include "detent/scene/snapshot.hpp"
 #include "detent/version.hpp"

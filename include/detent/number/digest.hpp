@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "detent/number/fixed.hpp"
+#include "detent/number/words.hpp"
 
 namespace detent {
 
@@ -46,6 +47,14 @@ class Digest {
   }
 
   constexpr void add_bytes(std::span<const std::byte> bytes) noexcept {
+    if (length_ % 32 == 0) {
+      // Whole stripes at once.
+      for (; bytes.size() >= 32; bytes = bytes.subspan(32), length_ += 32) {
+        for (std::size_t i = 0; i < 4; ++i) {
+          lanes_[i] = mixed(lanes_[i], detail::load_word<std::uint64_t>(bytes.data() + 8 * i));
+        }
+      }
+    }
     for (const std::byte byte : bytes) add_low_bytes(std::to_integer<std::uint64_t>(byte), 1);
   }
 

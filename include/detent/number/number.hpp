@@ -7,6 +7,7 @@
 #include "detent/number/arc.hpp"
 #include "detent/number/assert.hpp"
 #include "detent/number/bins.hpp"
+#include "detent/number/culling.hpp"
 #include "detent/number/digest.hpp"
 #include "detent/number/divide.hpp"
 #include "detent/number/fixed.hpp"
@@ -25,6 +26,7 @@
 #include "detent/number/text.hpp"
 #include "detent/number/unit.hpp"
 #include "detent/number/wide.hpp"
+#include "detent/number/words.hpp"
 #if __STDC_HOSTED__
 #include "detent/number/floating.hpp"
 #endif

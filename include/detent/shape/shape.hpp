@@ -10,6 +10,7 @@
 #include "detent/shape/compound.hpp"
 #include "detent/shape/hull.hpp"
 #include "detent/shape/measure.hpp"
+#include "detent/shape/moved.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/plane.hpp"
 #include "detent/shape/ray.hpp"

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "detent/number/scalar.hpp"
+
+// Numbers as little-endian bytes of their own width: the bytes that a digest takes, to be stored
+// and read.
+
+namespace detent::detail {
+
+template <class T>
+struct word_of {};
+template <class T>
+requires(std::integral<T> || std::is_enum_v<T>) struct word_of<T> {
+  using type = std::make_unsigned_t<T>;
+};
+template <int Bits, int Frac>
+struct word_of<Fixed<Bits, Frac>> {
+  using type = std::make_unsigned_t<typename Fixed<Bits, Frac>::raw_type>;
+};
+template <>
+struct word_of<float> {
+  using type = std::uint32_t;
+};
+template <>
+struct word_of<double> {
+  using type = std::uint64_t;
+};
+
+/// The bits of a number.
+template <class T>
+using Word = typename word_of<T>::type;
+
+template <class T>
+[[nodiscard]] constexpr Word<T> to_word(const T& value) noexcept {
+  if constexpr (is_fixed<T>) {
+    return static_cast<Word<T>>(value.raw());
+  } else {
+    return std::bit_cast<Word<T>>(value);
+  }
+}
+
+/// The number with these bits. A `Fixed` that is smaller than its integer clamps bits that no
+/// number has.
+template <class T>
+[[nodiscard]] constexpr T from_word(Word<T> word) noexcept {
+  if constexpr (is_fixed<T>) {
+    return T::from_raw(static_cast<typename T::raw_type>(word));
+  } else {
+    return std::bit_cast<T>(word);
+  }
+}
+
+template <std::unsigned_integral W>
+constexpr void store_word(std::byte* to, W word) noexcept {
+  for (std::size_t i = 0; i < sizeof(W); ++i) to[i] = static_cast<std::byte>(word >> (8 * i));
+}
+
+template <std::unsigned_integral W>
+[[nodiscard]] constexpr W load_word(const std::byte* from) noexcept {
+  std::uint64_t word = 0;
+  for (std::size_t i = 0; i < sizeof(W); ++i) {
+    word |= std::to_integer<std::uint64_t>(from[i]) << (8 * i);
+  }
+  return static_cast<W>(word);
+}
+
+}  // namespace detent::detail

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "detent/number/culling.hpp"
+#include "detent/shape/bounding_box.hpp"
+#include "detent/shape/plane.hpp"
+
+// Boxes of the broad phase, on the grid of number/culling.hpp: whatever a query finds in common to
+// two shapes, their boxes have a point in common.
+//
+// That takes more than a box around each set, for beside an `Obb` round shapes measure distances in
+// the frame of the box. Let |dot(axis(i), axis(j))| be at most e = 2^-10 off 0, and off 1 for
+// i = j. Then A, with the axes as rows, changes lengths by a factor within sqrt(1 +- 3 e), and its
+// inverse is A^T (A A^T)^-1, where the last factor is 1 within 3 e / (1 - 3 e) < 4 e = 2^-8 (in the
+// sum of the absolute values of a row). So slabs are within the edges of half extents that are
+// 2^-8 of the greatest longer, and what is within r of them in the frame is within r (1 + 2^-8).
+// Boxes with other axes are taken to be everywhere.  (tests/scene/history.test.cpp, skewed boxes)
+
+namespace detent::detail {
+
+/// A box of the grid; empty when low > high.
+template <Scalar S, int N>
+struct CullingBox {
+  using Coordinate = typename Culling<S>::Coordinate;
+  std::array<Coordinate, static_cast<std::size_t>(N)> low;
+  std::array<Coordinate, static_cast<std::size_t>(N)> high;
+
+  [[nodiscard]] friend constexpr bool operator==(const CullingBox&,
+                                                 const CullingBox&) noexcept = default;
+  [[nodiscard]] constexpr bool is_empty() const noexcept { return low[0] > high[0]; }
+};
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr CullingBox<S, N> culling_box_of(const Aabb<S, N>& box) noexcept {
+  CullingBox<S, N> result;
+  const bool none = is_empty(box);
+  for (int i = 0; i < N; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    result.low[at] = none ? Culling<S>::far : Culling<S>::below(box.min[i]);
+    result.high[at] = none ? -Culling<S>::far : Culling<S>::above(box.max[i]);
+  }
+  return result;
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr CullingBox<S, N> everywhere() noexcept {
+  CullingBox<S, N> result;
+  result.low.fill(-Culling<S>::far);
+  result.high.fill(Culling<S>::far);
+  return result;
+}
+
+/// `length` and 2^-8 of it, rounded up and clamped.
+template <Scalar S>
+[[nodiscard]] constexpr S with_slack(const S& length) noexcept {
+  if constexpr (is_fixed<S>) {
+    return ceil_to<S>(length + Fixed<S::bits, S::frac + 8>::assume_raw(length.raw()));
+  } else {
+    return length + length / 256;
+  }
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr CullingBox<S, N> culling_box(const Vec<S, N>& point) noexcept {
+  return culling_box_of(Aabb<S, N>{point, point});
+}
+template <class Shape>
+[[nodiscard]] constexpr auto culling_box(const Shape& shape) noexcept {
+  return culling_box_of(bounding_box(shape));
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr CullingBox<S, N> culling_box(const Sphere<S, N>& sphere) noexcept {
+  return culling_box_of(bounding_box(Sphere<S, N>{sphere.center, with_slack(sphere.radius)}));
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr CullingBox<S, N> culling_box(const Capsule<S, N>& capsule) noexcept {
+  return culling_box_of(
+      bounding_box(Capsule<S, N>{capsule.a, capsule.b, with_slack(capsule.radius)}));
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr CullingBox<S, N> culling_box(const Plane<S, N>&) noexcept {
+  return everywhere<S, N>();
+}
+
+/// Whether the axes are perpendicular and of length 1 within 2^-10.
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool is_nearly_orthonormal(const Rotation<S, N>& rotation) noexcept {
+  for (int i = 0; i < N; ++i) {
+    for (int j = 0; j < i; ++j) {
+      // Directions are of length 1 within 2^-13.
+      const auto cosine = dot(rotation.axis(i), rotation.axis(j));
+      if constexpr (is_fixed<S>) {
+        if (abs(cosine) > Fixed<1, 10>::from_raw(1)) return false;
+      } else {
+        if (1024 * abs(cosine) > 1) return false;
+      }
+    }
+  }
+  return true;
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr CullingBox<S, N> culling_box(const Obb<S, N>& box) noexcept {
+  if (is_empty(box)) return culling_box_of(no_box<Aabb<S, N>>);
+  if (!is_nearly_orthonormal(box.rotation)) return everywhere<S, N>();
+  S greatest = box.half_extents[0];
+  for (int i = 1; i < N; ++i) greatest = std::max(greatest, box.half_extents[i]);
+  const auto slack = with_slack(greatest) - greatest;
+  return culling_box_of(bounding_box(Obb<S, N>{
+      box.center, make_vec<N>([&](int i) { return saturate_to<S>(box.half_extents[i] + slack); }),
+      box.rotation}));
+}
+
+}  // namespace detent::detail

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "detent/number/assert.hpp"
+#if __STDC_HOSTED__
+#include <vector>
+#endif
+
+namespace detent {
+
+namespace detail {
+
+/// A list with room for `Capacity` elements inside itself.
+template <class T, std::size_t Capacity>
+class FixedList {
+ public:
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
+  [[nodiscard]] constexpr T& operator[](std::size_t i) noexcept { return elements_[i]; }
+  [[nodiscard]] constexpr const T& operator[](std::size_t i) const noexcept { return elements_[i]; }
+  [[nodiscard]] constexpr T& back() noexcept { return elements_[size_ - 1]; }
+
+  constexpr void push_back(const T& value) noexcept {
+    DETENT_ASSERT(size_ < Capacity);
+    elements_[size_++] = value;
+  }
+  constexpr void pop_back() noexcept { --size_; }
+  /// New elements are as T() makes them.
+  constexpr void resize(std::size_t size) noexcept {
+    for (; size_ < size; ++size_) elements_[size_] = T();
+    size_ = size;
+  }
+  constexpr void reserve(std::size_t /*size*/) noexcept {}
+
+ private:
+  std::array<T, Capacity> elements_{};
+  std::size_t size_ = 0;
+};
+
+/// Without room: nothing asks it for an element.
+template <class T>
+class FixedList<T, 0> {
+ public:
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return 0; }
+  [[nodiscard]] constexpr T& operator[](std::size_t) const noexcept { return *none(); }
+  [[nodiscard]] constexpr T& back() const noexcept { return *none(); }
+  constexpr void push_back(const T&) const noexcept { DETENT_ASSERT(size() != 0); }
+  constexpr void pop_back() const noexcept {}
+  constexpr void resize(std::size_t) const noexcept {}
+  constexpr void reserve(std::size_t) const noexcept {}
+
+ private:
+  static constexpr T* none() noexcept { return nullptr; }
+};
+
+}  // namespace detail
+
+#if __STDC_HOSTED__
+/// A scene that takes memory as it grows.
+struct Growing {
+  static constexpr bool is_growing = true;
+  /// So many objects, and frames, fit, whatever a snapshot asks for.
+  static constexpr std::size_t capacity = std::size_t{1} << 20;
+  static constexpr std::size_t frame_capacity = capacity;
+  template <class T, std::size_t>
+  using List = std::vector<T>;
+};
+#endif
+
+/// A scene that holds its memory inside itself and never asks for more.
+template <std::size_t Capacity, std::size_t FrameCapacity = 0>
+struct Bounded {
+  static constexpr std::size_t capacity = Capacity;
+  static constexpr std::size_t frame_capacity = FrameCapacity;
+  template <class T, std::size_t Count>
+  using List = detail::FixedList<T, Count>;
+};
+
+}  // namespace detent

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+#include <variant>
+
+namespace detent::detail {
+
+/// The place of `T` in a list of types; their number when it is not there.
+template <class T, class... Ts>
+inline constexpr std::size_t place_in = [] {
+  std::size_t place = 0;
+  static_cast<void>(((std::is_same_v<T, Ts> ? false : (++place, true)) && ...));
+  return place;
+}();
+
+template <class T, class... Ts>
+concept Among = place_in<T, Ts...> < sizeof...(Ts);
+
+/// A shape of one of several types. Of a single type it is that shape: no tag, no branch.
+template <class... Shapes>
+class OneOf {
+ public:
+  constexpr OneOf() noexcept = default;
+  template <Among<Shapes...> Shape>
+  explicit constexpr OneOf(const Shape& shape) noexcept : shape_(shape) {}
+
+  /// The place of the shape's type in the list.
+  [[nodiscard]] constexpr std::size_t kind() const noexcept { return shape_.index(); }
+
+  /// The shape, or nullptr when it has another type.
+  template <class Shape>
+  [[nodiscard]] constexpr const Shape* get() const noexcept {
+    return std::get_if<Shape>(&shape_);
+  }
+
+  /// f(shape) with the shape's own type.
+  template <class F>
+  constexpr decltype(auto) visit(F&& f) const noexcept {
+    return visit_from<0>(f);
+  }
+
+  [[nodiscard]] friend constexpr bool operator==(const OneOf&, const OneOf&) noexcept = default;
+
+ private:
+  template <std::size_t I, class F>
+  constexpr decltype(auto) visit_from(F& f) const noexcept {
+    if constexpr (I + 1 == sizeof...(Shapes)) {
+      return f(*std::get_if<I>(&shape_));
+    } else {
+      if (shape_.index() == I) return f(*std::get_if<I>(&shape_));
+      return visit_from<I + 1>(f);
+    }
+  }
+
+  std::variant<Shapes...> shape_;
+};
+
+template <class Only>
+class OneOf<Only> {
+ public:
+  constexpr OneOf() noexcept = default;
+  explicit constexpr OneOf(const Only& shape) noexcept : shape_(shape) {}
+
+  [[nodiscard]] static constexpr std::size_t kind() noexcept { return 0; }
+  template <class Shape>
+  [[nodiscard]] constexpr const Shape* get() const noexcept {
+    return &shape_;
+  }
+  template <class F>
+  constexpr decltype(auto) visit(F&& f) const noexcept {
+    return f(shape_);
+  }
+  [[nodiscard]] friend constexpr bool operator==(const OneOf&, const OneOf&) noexcept = default;
+
+ private:
+  Only shape_{};
+};
+
+}  // namespace detent::detail

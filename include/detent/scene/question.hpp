@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/contains.hpp"
+#include "detent/query/distance.hpp"
+#include "detent/query/intersects.hpp"
+#include "detent/query/overlaps.hpp"
+#include "detent/query/raycast.hpp"
+
+// What a scene is asked for beside rays: a point, segment, sphere, box or capsule meets an object
+// where it has a point in common with it. Distances are those from one point of the question.
+
+namespace detent::detail {
+
+template <class Shape, Scalar S, int N>
+[[nodiscard]] constexpr bool meets(const Vec<S, N>& point, const Shape& shape) noexcept {
+  return contains(shape, point);
+}
+template <class Shape, Scalar S, int N>
+[[nodiscard]] constexpr bool meets(const Segment<S, N>& segment, const Shape& shape) noexcept {
+  return intersects(segment, shape);
+}
+template <class Question, class Shape>
+[[nodiscard]] constexpr bool meets(const Question& question, const Shape& shape) noexcept {
+  return overlaps(question, shape);
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> reference(const Vec<S, N>& point) noexcept {
+  return point;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> reference(const Segment<S, N>& segment) noexcept {
+  return segment.start;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> reference(const Sphere<S, N>& sphere) noexcept {
+  return sphere.center;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> reference(const Aabb<S, N>& box) noexcept {
+  return make_vec<N>([&](int i) { return nearest_to<S>(half(box.min[i] + box.max[i])); });
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> reference(const Obb<S, N>& box) noexcept {
+  return box.center;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> reference(const Capsule<S, N>& capsule) noexcept {
+  return capsule.a;
+}
+
+}  // namespace detent::detail

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "detent/shape/aabb.hpp"
+#include "detent/shape/capsule.hpp"
+#include "detent/shape/obb.hpp"
+#include "detent/shape/plane.hpp"
+#include "detent/shape/sphere.hpp"
+#include "detent/shape/triangle.hpp"
+
+namespace detent::detail {
+
+/// The number of a type of shape in snapshots and digests of scenes, which never changes.
+template <class Shape>
+inline constexpr std::uint8_t shape_tag = 0;
+template <Scalar S, int N>
+inline constexpr std::uint8_t shape_tag<Sphere<S, N>> = 1;
+template <Scalar S, int N>
+inline constexpr std::uint8_t shape_tag<Aabb<S, N>> = 2;
+template <Scalar S, int N>
+inline constexpr std::uint8_t shape_tag<Obb<S, N>> = 3;
+template <Scalar S, int N>
+inline constexpr std::uint8_t shape_tag<Plane<S, N>> = 4;
+template <Scalar S, int N>
+inline constexpr std::uint8_t shape_tag<Triangle<S, N>> = 5;
+template <Scalar S, int N>
+inline constexpr std::uint8_t shape_tag<Capsule<S, N>> = 6;
+
+}  // namespace detent::detail

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "detent/scene/header.hpp"
+#include "detent/scene/scene.hpp"
+
+// A scene as bytes, and back:
+//   snapshot(scene)              -> std::vector<std::byte>
+//   snapshot(scene, room)        -> how many bytes, written when `room` holds them
+//   restore(scene, bytes)        -> Restored: yes, or the reason for leaving the scene as it was
+//   digest(scene)                -> 64 bits of all objects and frames
+//   digest_of(scene, id)         -> 64 bits of one object
+//
+// Version 1, all little-endian: a header of 48 bytes (header.hpp); each frame, by index, as index,
+// generation, index of its parent or 2^32 - 1 (4 bytes each) and transform; each moving object, by
+// index, as index, generation, layers (4 bytes each), user word (8), index of its frame or
+// 2^32 - 1 (4), type of shape (1) and the numbers of the shape in their order, a moving sphere
+// being 41 bytes in Q16.16; the XXH64 of all that. Equal scenes have equal bytes. Fixed objects are
+// represented by the sum of their digests: a scene restores only what was taken beside the same
+// ones. Copies of a scene, with `=`, hold everything and are faster still.
+//
+// The digest of a scene leaves the next generation out: it depends on what has been there before.
+
+namespace detent {
+
+namespace detail {
+
+template <Scalar S, int N, class... Shapes>
+[[nodiscard]] constexpr SnapshotHeader header_for() noexcept {
+  SnapshotHeader header;
+  header.dimension = static_cast<std::uint8_t>(N);
+  header.is_floating = is_fixed<S> ? 0 : 1;
+  if constexpr (is_fixed<S>) {
+    header.bits = static_cast<std::uint8_t>(S::bits);
+    header.frac = static_cast<std::uint8_t>(S::frac);
+  } else {
+    header.bits = static_cast<std::uint8_t>(8 * sizeof(S));
+  }
+  header.shapes = static_cast<std::uint16_t>(((1u << shape_tag<Shapes>) | ...));
+  return header;
+}
+
+template <class D, class Frames>
+constexpr std::uint32_t describe_frames(D& out, const Frames& frames) noexcept {
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < frames.end(); ++i) {
+    if (!frames.is_frame(i)) continue;
+    ++count;
+    out.add(static_cast<std::uint32_t>(i), frames[i].generation, frames[i].parent, frames[i].local);
+  }
+  return count;
+}
+
+/// Writes the snapshot behind its header and returns the header for it.
+template <class Storage, Scalar S, int N, class... Shapes>
+constexpr SnapshotHeader write(Writer& out,
+                               const BasicScene<Storage, S, N, Shapes...>& scene) noexcept {
+  const auto& store = scene.store();
+  auto header = header_for<S, N, Shapes...>();
+  header.next_generation = store.next_generation();
+  header.frame_count = describe_frames(out, store.frames());
+  for (auto i = store.next_moving(0); i < store.end(); i = store.next_moving(i + 1)) {
+    ++header.object_count;
+    store.describe(out, i);
+  }
+  header.fixed_count = static_cast<std::uint32_t>(store.fixed_size());
+  header.fixed_digest = store.fixed_digest();
+  header.byte_count = SnapshotHeader::size + out.size() + SnapshotHeader::checksum_size;
+  return header;
+}
+
+/// The snapshot in a place that is as large as `header.byte_count`.
+inline void finish(std::byte* to, const SnapshotHeader& header) noexcept {
+  Writer out(to);
+  header.describe(out);
+  const auto length = static_cast<std::size_t>(header.byte_count) - SnapshotHeader::checksum_size;
+  Digest digest;
+  digest.add_bytes({to, length});
+  store_word(to + length, digest.value());
+}
+
+/// A snapshot's parts, read in the order in which they come.
+template <Scalar S, int N, class... Shapes>
+class SnapshotReader {
+ public:
+  using Shape = OneOf<Shapes...>;
+  static constexpr std::size_t frame_size = [] {
+    Writer count;
+    count.add(Transform<S, N>());
+    return FrameHeader::size + count.size();
+  }();
+
+  constexpr SnapshotReader(std::span<const std::byte> bytes, const SnapshotHeader& header) noexcept
+      : frames_(bytes.subspan(SnapshotHeader::size)),
+        header_(header),
+        in_(frames_.first(frames_.size() - SnapshotHeader::checksum_size)) {}
+
+  [[nodiscard]] constexpr Reader& in() noexcept { return in_; }
+
+  /// The generation of the frame with this index, or 0 when there is none.
+  [[nodiscard]] constexpr std::uint32_t frame_generation(std::uint32_t index) const noexcept {
+    std::size_t first = 0, last = header_.frame_count;
+    while (first < last) {
+      const auto middle = (first + last) / 2;
+      FrameHeader frame;
+      Reader in(frames_.subspan(middle * frame_size));
+      frame.read(in);
+      if (frame.index == index) return frame.generation;
+      (frame.index < index ? first : last) = frame.index < index ? middle + 1 : middle;
+    }
+    return 0;
+  }
+
+  /// The shape with this tag, or nothing when the scene has no such.
+  [[nodiscard]] constexpr std::optional<Shape> shape(std::uint8_t tag) noexcept {
+    std::optional<Shape> result;
+    (void)((tag == shape_tag<Shapes> ? (read_shape<Shapes>(result), true) : false) || ...);
+    return result;
+  }
+
+ private:
+  template <class T>
+  constexpr void read_shape(std::optional<Shape>& result) noexcept {
+    T shape{};
+    in_.get(shape);
+    result.emplace(shape);
+  }
+
+  std::span<const std::byte> frames_;
+  SnapshotHeader header_;
+  Reader in_;
+};
+
+/// Whether the parts of a snapshot are those of a scene, and fit this one.
+template <class Storage, Scalar S, int N, class... Shapes>
+[[nodiscard]] constexpr Restored check(const BasicScene<Storage, S, N, Shapes...>& scene,
+                                       std::span<const std::byte> bytes,
+                                       const SnapshotHeader& header) noexcept {
+  using Snapshot = SnapshotReader<S, N, Shapes...>;
+  const auto is_generation = [&](std::uint32_t generation) {
+    return generation != 0 && generation < header.next_generation;
+  };
+  Snapshot snapshot(bytes, header);
+  Reader& in = snapshot.in();
+  if (header.next_generation == 0) return Restored::corrupted;
+  if (header.frame_count > in.left() / Snapshot::frame_size) return Restored::corrupted;
+  std::uint64_t lowest_index = 0;
+  for (std::uint32_t i = 0; i < header.frame_count; ++i) {
+    FrameHeader frame;
+    Transform<S, N> transform;
+    frame.read(in);
+    in.get(transform);
+    if (in.has_failed() || frame.index < lowest_index || !is_generation(frame.generation)) {
+      return Restored::corrupted;
+    }
+    if (frame.index >= Storage::frame_capacity) return Restored::no_room;
+    lowest_index = std::uint64_t{frame.index} + 1;
+    if (frame.parent == nowhere) continue;
+    const auto parent = snapshot.frame_generation(frame.parent);
+    if (parent == 0 || parent >= frame.generation) return Restored::corrupted;  // parents are older
+  }
+  lowest_index = 0;
+  const auto& store = scene.store();
+  for (std::uint32_t i = 0; i < header.object_count; ++i) {
+    ObjectHeader object;
+    object.read(in);
+    const auto shape = snapshot.shape(object.tag);
+    if (!shape || in.has_failed() || object.index < lowest_index ||
+        !is_generation(object.generation)) {
+      return Restored::corrupted;
+    }
+    if (object.index >= Storage::capacity) return Restored::no_room;
+    lowest_index = std::uint64_t{object.index} + 1;
+    const bool is_taken =
+        store.is_object(object.index) && store[object.index].motion == Motion::fixed;
+    const bool has_frame = object.frame == nowhere || snapshot.frame_generation(object.frame) != 0;
+    if (is_taken || !has_frame) return Restored::corrupted;
+  }
+  return in.left() == 0 ? Restored::yes : Restored::corrupted;
+}
+
+/// Makes the moving part of a scene that of a checked snapshot.
+template <class Storage, Scalar S, int N, class... Shapes>
+constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<const std::byte> bytes,
+                     const SnapshotHeader& header) {
+  auto& store = scene.store();
+  SnapshotReader<S, N, Shapes...> snapshot(bytes, header);
+  Reader& in = snapshot.in();
+  store.frames().clear();
+  for (std::uint32_t i = 0; i < header.frame_count; ++i) {
+    FrameHeader frame;
+    Transform<S, N> transform;
+    frame.read(in);
+    in.get(transform);
+    store.frames().set({frame.index, frame.generation}, transform, frame.parent);
+  }
+  store.frames().place_all();
+  std::size_t first = 0;
+  const auto remove_until = [&](std::size_t end) {
+    for (auto i = store.next_moving(first); i < end; i = store.next_moving(i + 1)) {
+      store.remove(static_cast<std::uint32_t>(i));
+    }
+    first = end + 1;
+  };
+  for (std::uint32_t i = 0; i < header.object_count; ++i) {
+    ObjectHeader object;
+    object.read(in);
+    const auto shape = snapshot.shape(object.tag);
+    remove_until(std::min<std::size_t>(object.index, store.end()));
+    Traits traits{object.layers, object.user, Motion::moving, {}};
+    if (object.frame != nowhere) {
+      traits.frame = {object.frame, store.frames()[object.frame].generation};
+    }
+    store.put({object.index, object.generation}, *shape, traits);
+  }
+  remove_until(store.end());
+  store.set_next_generation(header.next_generation);
+}
+
+}  // namespace detail
+
+/// Writes the canonical bytes of the moving part of a scene to `room`, unless that is too small;
+/// returns how large it has to be.
+template <class Storage, Scalar S, int N, class... Shapes>
+constexpr std::size_t snapshot(const BasicScene<Storage, S, N, Shapes...>& scene,
+                               std::span<std::byte> room) noexcept {
+  detail::Writer count;
+  const auto header = detail::write(count, scene);
+  if (room.size() >= header.byte_count) {
+    detail::Writer out(room.data() + detail::SnapshotHeader::size);
+    static_cast<void>(detail::write(out, scene));
+    detail::finish(room.data(), header);
+  }
+  return static_cast<std::size_t>(header.byte_count);
+}
+
+/// The canonical bytes of the moving part of a scene.
+template <class Storage, Scalar S, int N, class... Shapes>
+[[nodiscard]] auto snapshot(const BasicScene<Storage, S, N, Shapes...>& scene) requires(
+    Storage::is_growing) {
+  typename Storage::template List<std::byte, 0> bytes(snapshot(scene, std::span<std::byte>()));
+  snapshot(scene, std::span<std::byte>(bytes));
+  return bytes;
+}
+
+/// Makes the moving objects and the frames of `scene` those of a snapshot; or leaves it as it was
+/// and says why. Whatever the bytes are, it asks for no more memory than the objects need that the
+/// scene has room for.
+template <class Storage, Scalar S, int N, class... Shapes>
+[[nodiscard]] constexpr Restored restore(BasicScene<Storage, S, N, Shapes...>& scene,
+                                         std::span<const std::byte> bytes) {
+  detail::SnapshotHeader header;
+  const auto read = header.read(bytes);
+  if (read != Restored::yes) return read;
+  const auto right = detail::header_for<S, N, Shapes...>();
+  if (header.dimension != right.dimension || header.is_floating != right.is_floating ||
+      header.bits != right.bits || header.frac != right.frac || header.shapes != right.shapes) {
+    return Restored::other_scene;
+  }
+  if (header.fixed_count != scene.store().fixed_size() ||
+      header.fixed_digest != scene.store().fixed_digest()) {
+    return Restored::other_fixed_part;
+  }
+  const auto checked = detail::check(scene, bytes, header);
+  if (checked != Restored::yes) return checked;
+  detail::apply(scene, bytes, header);
+  return Restored::yes;
+}
+
+/// The canonical bytes of a digest: frames and objects in the order of their indices.
+template <class D, class Storage, Scalar S, int N, class... Shapes>
+constexpr void append(D& digest, const BasicScene<Storage, S, N, Shapes...>& scene) noexcept {
+  const auto& store = scene.store();
+  detail::describe_frames(digest, store.frames());
+  for (std::size_t i = 0; i < store.end(); ++i) {
+    if (!store.is_object(i)) continue;
+    digest.add(store[i].motion);
+    store.describe(digest, i);
+  }
+}
+
+/// The digest of one object: its id, traits and shape; nothing when it is gone.
+template <class Storage, Scalar S, int N, class... Shapes>
+[[nodiscard]] constexpr std::optional<std::uint64_t> digest_of(
+    const BasicScene<Storage, S, N, Shapes...>& scene, const ObjectId& id) noexcept {
+  if (!scene.contains(id)) return std::nullopt;
+  Digest digest;
+  digest.add(scene.store()[id.index].motion);
+  scene.store().describe(digest, id.index);
+  return digest.value();
+}
+
+}  // namespace detent

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "detent/scene/bounds.hpp"
+
+namespace detent::detail {
+
+inline constexpr std::uint32_t nowhere = 0xffffffffu;
+
+/// A node of the broad phase: up to eight boxes, side by side so that one loop tests them all.
+template <Scalar S, int N>
+struct alignas(64) TreeNode {
+  static constexpr std::size_t width = 8;
+  using Box = CullingBox<S, N>;
+  using Lane = std::array<typename Box::Coordinate, width>;
+  using Mask = std::uint32_t;  // bit i for box i
+
+  std::array<Lane, static_cast<std::size_t>(N)> low;
+  std::array<Lane, static_cast<std::size_t>(N)> high;
+  std::array<std::uint32_t, width> child;  // an object in a leaf, else a node
+  std::uint32_t parent = nowhere;
+  std::uint16_t level = 0;  // 0 for a leaf
+  std::uint16_t count = 0;
+
+  constexpr TreeNode() noexcept {
+    for (std::size_t i = 0; i < width; ++i) clear(i);
+  }
+
+  /// An empty box, which meets nothing and adds nothing.
+  constexpr void clear(std::size_t i) noexcept {
+    for (auto& lane : low) lane[i] = Culling<S>::far;
+    for (auto& lane : high) lane[i] = -Culling<S>::far;
+    child[i] = nowhere;
+  }
+  constexpr void set(std::size_t i, const Box& box) noexcept {
+    for (std::size_t axis = 0; axis < low.size(); ++axis) {
+      low[axis][i] = box.low[axis];
+      high[axis][i] = box.high[axis];
+    }
+  }
+  [[nodiscard]] constexpr Box box(std::size_t i) const noexcept {
+    Box result;
+    for (std::size_t axis = 0; axis < low.size(); ++axis) {
+      result.low[axis] = low[axis][i];
+      result.high[axis] = high[axis][i];
+    }
+    return result;
+  }
+  [[nodiscard]] constexpr std::size_t place_of(std::uint32_t id) const noexcept {
+    std::size_t i = 0;
+    while (child[i] != id) ++i;
+    return i;
+  }
+
+  /// The box around all boxes.
+  [[nodiscard]] constexpr Box bounds() const noexcept {
+    Box result;
+    for (std::size_t axis = 0; axis < low.size(); ++axis) {
+      auto least = low[axis][0], most = high[axis][0];
+      for (std::size_t i = 1; i < width; ++i) {
+        least = std::min(least, low[axis][i]);
+        most = std::max(most, high[axis][i]);
+      }
+      result.low[axis] = least;
+      result.high[axis] = most;
+    }
+    return result;
+  }
+
+  /// Which boxes have a point in common with `box`.
+  [[nodiscard]] constexpr Mask meeting(const Box& box) const noexcept {
+    std::array<Mask, width> meets;
+    for (std::size_t i = 0; i < width; ++i) meets[i] = 1u << i;
+    for (std::size_t axis = 0; axis < low.size(); ++axis) {
+      for (std::size_t i = 0; i < width; ++i) {
+        const auto above = static_cast<Mask>(low[axis][i] > box.high[axis]);
+        const auto below = static_cast<Mask>(high[axis][i] < box.low[axis]);
+        meets[i] &= (above | below) - 1;
+      }
+    }
+    Mask mask = 0;
+    for (std::size_t i = 0; i < width; ++i) mask |= meets[i];
+    return mask & ((1u << count) - 1);  // what is everywhere meets empty boxes too
+  }
+};
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr CullingBox<S, N> hull_of(const CullingBox<S, N>& a,
+                                                 const CullingBox<S, N>& b) noexcept {
+  CullingBox<S, N> result;
+  for (std::size_t axis = 0; axis < a.low.size(); ++axis) {
+    result.low[axis] = std::min(a.low[axis], b.low[axis]);
+    result.high[axis] = std::max(a.high[axis], b.high[axis]);
+  }
+  return result;
+}
+
+/// A measure of how often rays and boxes meet `box`: half its surface and the length of its edges;
+/// in 2D half its outline.
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto half_area(const CullingBox<S, N>& box) noexcept {
+  const auto extent = [&](std::size_t i) {
+    return Culling<S>::area_extent(box.low[i], box.high[i]);
+  };
+  if constexpr (N == 2) {
+    return extent(0) + extent(1);
+  } else {
+    const auto x = extent(0), y = extent(1), z = extent(2);
+    return x * (y + z) + y * z + x + y + z;
+  }
+}
+
+/// A tree of boxes over objects that come, go and move: every leaf is equally deep, and every node
+/// but the root has at least three boxes. It finds boxes; its shape depends on its history, so
+/// whoever asks it sorts what it finds.
+///
+/// source: Guttman, R-Trees: A Dynamic Index Structure for Spatial Searching, 1984
+template <class Storage, Scalar S, int N>
+class Tree {
+ public:
+  using Node = TreeNode<S, N>;
+  using Box = CullingBox<S, N>;
+  static constexpr std::size_t width = Node::width;
+  static constexpr std::size_t least = 3;
+  /// Three children and more for each node make it at most this deep for 2^32 objects.
+  static constexpr std::size_t depth = 21;
+
+  [[nodiscard]] constexpr bool is_empty() const noexcept { return root_ == nowhere; }
+  [[nodiscard]] constexpr std::uint32_t root() const noexcept { return root_; }
+  [[nodiscard]] constexpr const Node& node(std::uint32_t i) const noexcept { return nodes_[i]; }
+
+  constexpr void reserve(std::size_t objects) { homes_.reserve(objects); }
+
+  /// Adds, moves or removes (when `box` is empty) the object.
+  constexpr void set(std::uint32_t object, const Box& box) {
+    if (object >= homes_.size()) {
+      if (box.is_empty()) return;
+      const auto old = homes_.size();
+      homes_.resize(object + std::size_t{1});
+      for (std::size_t i = old; i < homes_.size(); ++i) homes_[i] = nowhere;
+    }
+    const auto home = homes_[object];
+    if (home == nowhere) {
+      if (!box.is_empty()) insert(object, box, 0);
+    } else if (box.is_empty()) {
+      erase(home, nodes_[home].place_of(object));
+      homes_[object] = nowhere;
+    } else {
+      move(object, home, box);
+    }
+  }
+
+ private:
+  struct Entry {
+    Box box;
+    std::uint32_t child = nowhere;
+  };
+
+  constexpr void move(std::uint32_t object, std::uint32_t home, const Box& box) {
+    Node& leaf = nodes_[home];
+    const auto place = leaf.place_of(object);
+    if (leaf.box(place) == box) return;
+    if (home != root_) {
+      leaf.clear(place);
+      const auto others = leaf.bounds();
+      leaf.child[place] = object;
+      // An object that left its neighbours looks for others.
+      if (half_area(hull_of(others, box)) > 2 * (half_area(others) + half_area(box))) {
+        erase(home, place);
+        insert(object, box, 0);
+        return;
+      }
+    }
+    leaf.set(place, box);
+    refit(home);
+  }
+
+  /// Makes the boxes above `i` those of what is below them.
+  constexpr void refit(std::uint32_t i) noexcept {
+    while (i != root_) {
+      Node& parent = nodes_[nodes_[i].parent];
+      const auto place = parent.place_of(i);
+      const auto bounds = nodes_[i].bounds();
+      if (parent.box(place) == bounds) return;
+      parent.set(place, bounds);
+      i = nodes_[i].parent;
+    }
+  }
+
+  constexpr void insert(std::uint32_t child, const Box& box, int level) {
+    if (root_ == nowhere) root_ = make_node(0);
+    auto at = root_;
+    while (nodes_[at].level > level) at = nodes_[at].child[best_place(nodes_[at], box)];
+    add(at, {box, child});
+  }
+
+  /// The box that grows least in area, and of those the smallest.
+  static constexpr std::size_t best_place(const Node& node, const Box& box) noexcept {
+    std::size_t best = 0;
+    typename Culling<S>::Area best_growth{}, best_area{};
+    for (std::size_t i = 0; i < node.count; ++i) {
+      const auto area = half_area(node.box(i));
+      const auto growth = half_area(hull_of(node.box(i), box)) - area;
+      if (i == 0 || growth < best_growth || (growth == best_growth && area < best_area)) {
+        best = i;
+        best_growth = growth;
+        best_area = area;
+      }
+    }
+    return best;
+  }
+
+  constexpr void add(std::uint32_t at, Entry entry) {
+    while (nodes_[at].count == width) {
+      const auto sibling = split(at, entry);
+      entry = {nodes_[sibling].bounds(), sibling};
+      if (at == root_) {
+        root_ = make_node(nodes_[at].level + 1);
+        put(root_, {nodes_[at].bounds(), at});
+      } else {
+        refit(at);
+      }
+      at = nodes_[at].parent;
+    }
+    put(at, entry);
+    refit(at);
+  }
+
+  constexpr void put(std::uint32_t at, const Entry& entry) noexcept {
+    Node& node = nodes_[at];
+    node.set(node.count, entry.box);
+    node.child[node.count] = entry.child;
+    ++node.count;
+    adopt(at, entry.child);
+  }
+
+  constexpr void adopt(std::uint32_t at, std::uint32_t child) noexcept {
+    if (nodes_[at].level == 0) {
+      homes_[child] = at;
+    } else {
+      nodes_[child].parent = at;
+    }
+  }
+
+  /// Divides the boxes of a full node and one more between it and a new one, where a cut along one
+  /// axis leaves the least area.
+  constexpr std::uint32_t split(std::uint32_t at, const Entry& extra) {
+    std::array<Entry, width + 1> entries;
+    for (std::size_t i = 0; i < width; ++i) entries[i] = {nodes_[at].box(i), nodes_[at].child[i]};
+    entries[width] = extra;
+    auto best = entries;
+    std::size_t best_cut = 0;
+    typename Culling<S>::Area best_cost{};
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(N); ++axis) {
+      std::sort(entries.begin(), entries.end(), [axis](const Entry& a, const Entry& b) {
+        return a.box.low[axis] + a.box.high[axis] < b.box.low[axis] + b.box.high[axis];
+      });
+      std::array<Box, width + 1> rest;  // rest[i] is around the entries from i on
+      rest[width] = entries[width].box;
+      for (std::size_t i = width; i-- > 0;) rest[i] = hull_of(entries[i].box, rest[i + 1]);
+      auto first = entries[0].box;
+      for (std::size_t cut = 1; cut <= width + 1 - least; ++cut) {
+        if (cut >= least) {
+          const auto cost = half_area(first) + half_area(rest[cut]);
+          if (best_cut == 0 || cost < best_cost) {
+            best = entries;
+            best_cut = cut;
+            best_cost = cost;
+          }
+        }
+        first = hull_of(first, entries[cut].box);
+      }
+    }
+    const auto sibling = make_node(nodes_[at].level);
+    for (std::size_t i = 0; i < width; ++i) nodes_[at].clear(i);
+    nodes_[at].count = 0;
+    for (std::size_t i = 0; i < best.size(); ++i) put(i < best_cut ? at : sibling, best[i]);
+    return sibling;
+  }
+
+  /// Takes a box out of a node; a node with too few is dissolved into its neighbours.
+  constexpr void erase(std::uint32_t at, std::size_t place) {
+    Node& node = nodes_[at];
+    const auto last = static_cast<std::size_t>(--node.count);
+    node.set(place, node.box(last));
+    node.child[place] = node.child[last];
+    node.clear(last);
+    if (at == root_) {
+      shrink_root();
+    } else if (node.count >= least) {
+      refit(at);
+    } else {
+      std::array<Entry, least> left;
+      const std::size_t count = node.count;
+      for (std::size_t i = 0; i < count; ++i) left[i] = {node.box(i), node.child[i]};
+      const int level = node.level;
+      const auto parent = node.parent;
+      free_node(at);
+      erase(parent, nodes_[parent].place_of(at));
+      for (std::size_t i = 0; i < count; ++i) insert(left[i].child, left[i].box, level);
+    }
+  }
+
+  constexpr void shrink_root() noexcept {
+    while (root_ != nowhere && nodes_[root_].count <= (nodes_[root_].level > 0 ? 1 : 0)) {
+      const auto old = root_;
+      root_ = nodes_[old].level > 0 ? nodes_[old].child[0] : nowhere;
+      if (root_ != nowhere) nodes_[root_].parent = nowhere;
+      free_node(old);
+    }
+  }
+
+  constexpr std::uint32_t make_node(int level) {
+    std::uint32_t i = free_;
+    if (i == nowhere) {
+      i = static_cast<std::uint32_t>(nodes_.size());
+      nodes_.push_back(Node());
+    } else {
+      free_ = nodes_[i].parent;
+      nodes_[i] = Node();
+    }
+    nodes_[i].level = static_cast<std::uint16_t>(level);
+    return i;
+  }
+
+  constexpr void free_node(std::uint32_t i) noexcept {
+    nodes_[i].parent = free_;
+    free_ = i;
+  }
+
+  // Leaves with three objects and more are at most a third as many, and so on upward; a root, and
+  // on every level a node that a removal leaves to be dissolved, may have fewer.
+  typename Storage::template List<Node, Storage::capacity / 2 + 2> nodes_;
+  typename Storage::template List<std::uint32_t, Storage::capacity> homes_;
+  std::uint32_t root_ = nowhere;
+  std::uint32_t free_ = nowhere;
+};
+
+}  // namespace detent::detail

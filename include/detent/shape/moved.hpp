@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "detent/math/transform.hpp"
+#include "detent/shape/aabb.hpp"
+#include "detent/shape/capsule.hpp"
+#include "detent/shape/obb.hpp"
+#include "detent/shape/plane.hpp"
+#include "detent/shape/sphere.hpp"
+#include "detent/shape/triangle.hpp"
+
+// A shape elsewhere:
+//   translated(shape, by)      -> the shape moved by a vector
+//   placed(transform, shape)   -> the shape, given in a local frame, in the world
+//
+// exact: every number of the result is the exact one for the numbers given, rounded to nearest,
+//        ties to even, and clamped to the range of the scalar   (tests/shape/moved.test.cpp)
+
+namespace detent {
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Sphere<S, N> translated(const Sphere<S, N>& sphere,
+                                                const Vec<S, N>& by) noexcept {
+  return {nearest_to<S>(sphere.center + by), sphere.radius};
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Aabb<S, N> translated(const Aabb<S, N>& box, const Vec<S, N>& by) noexcept {
+  return {nearest_to<S>(box.min + by), nearest_to<S>(box.max + by)};
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Obb<S, N> translated(const Obb<S, N>& box, const Vec<S, N>& by) noexcept {
+  return {nearest_to<S>(box.center + by), box.half_extents, box.rotation};
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Plane<S, N> translated(const Plane<S, N>& plane,
+                                               const Vec<S, N>& by) noexcept {
+  return {plane.normal, nearest_to<S>(plane.offset + dot(plane.normal, by))};
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Triangle<S, N> translated(const Triangle<S, N>& triangle,
+                                                  const Vec<S, N>& by) noexcept {
+  return {nearest_to<S>(triangle.a + by), nearest_to<S>(triangle.b + by),
+          nearest_to<S>(triangle.c + by)};
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Capsule<S, N> translated(const Capsule<S, N>& capsule,
+                                                 const Vec<S, N>& by) noexcept {
+  return {nearest_to<S>(capsule.a + by), nearest_to<S>(capsule.b + by), capsule.radius};
+}
+
+namespace detail {
+
+/// A length of the local frame in the world; what is empty stays empty.
+template <Scalar S, int N>
+[[nodiscard]] constexpr S placed_length(const Transform<S, N>& transform,
+                                        const S& length) noexcept {
+  if (length < 0) return length;
+  return nearest_to<S>(length * abs(transform.scale));
+}
+
+}  // namespace detail
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Sphere<S, N> placed(const Transform<S, N>& transform,
+                                            const Sphere<S, N>& sphere) noexcept {
+  return {transform_point(transform, sphere.center),
+          detail::placed_length(transform, sphere.radius)};
+}
+
+/// A box whose sides stay along the axes of the world cannot be turned: this is the smallest box of
+/// the grid around the turned one.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Aabb<S, N> placed(const Transform<S, N>& transform,
+                                          const Aabb<S, N>& box) noexcept {
+  if (is_empty(box)) return box;
+  const auto corner = [&](int j, bool is_most) {
+    return make_vec<N>([&](int i) {
+      const bool rises = (transform.rotation.axis(i)[j] < 0) == (transform.scale < 0);
+      return rises == is_most ? box.max[i] : box.min[i];
+    });
+  };
+  Aabb<S, N> result;
+  for (int j = 0; j < N; ++j) {
+    result.min[j] =
+        floor_to<S>(transform.translation[j] + detail::moved(transform, corner(j, false), j));
+    result.max[j] =
+        ceil_to<S>(transform.translation[j] + detail::moved(transform, corner(j, true), j));
+  }
+  return result;
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Obb<S, N> placed(const Transform<S, N>& transform,
+                                         const Obb<S, N>& box) noexcept {
+  return {transform_point(transform, box.center),
+          make_vec<N>([&](int i) { return detail::placed_length(transform, box.half_extents[i]); }),
+          compose(transform.rotation, box.rotation)};
+}
+
+/// The offset is that of the normal as it is stored in the result.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Plane<S, N> placed(const Transform<S, N>& transform,
+                                           const Plane<S, N>& plane) noexcept {
+  const auto normal = transform_direction(transform, plane.normal);
+  return {normal,
+          nearest_to<S>(dot(normal, transform.translation) + abs(transform.scale) * plane.offset)};
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Triangle<S, N> placed(const Transform<S, N>& transform,
+                                              const Triangle<S, N>& triangle) noexcept {
+  return {transform_point(transform, triangle.a), transform_point(transform, triangle.b),
+          transform_point(transform, triangle.c)};
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Capsule<S, N> placed(const Transform<S, N>& transform,
+                                             const Capsule<S, N>& capsule) noexcept {
+  return {transform_point(transform, capsule.a), transform_point(transform, capsule.b),
+          detail::placed_length(transform, capsule.radius)};
+}
+
+}  // namespace detent

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "scene/histories.hpp"
+
+using namespace detent;
+using detent::test::AnyScene;
+using detent::test::Historian;
+using detent::test::PlainScene;
+
+namespace {
+
+constexpr oracle::Kind kinds[] = {oracle::Kind::general, oracle::Kind::lattice, oracle::Kind::tiny,
+                                  oracle::Kind::extreme, oracle::Kind::degenerate};
+
+template <Scalar S, int N, class Question>
+long ask(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain, const Question& question,
+         std::uint32_t mask) {
+  const auto expected = plain.all(question, mask);
+  const InLayers filter{mask};
+  CHECK(scene.all(question, filter) == expected);
+  CHECK(scene.any(question, filter) == !expected.empty());
+  const auto nearest = scene.nearest(question, filter);
+  if constexpr (std::is_same_v<Question, Vec<S, N>>) {
+    CHECK(nearest == plain.nearest(question, mask));
+  } else {
+    CHECK(nearest == (expected.empty() ? std::nullopt : std::optional(expected.front())));
+  }
+  std::array<Found<S>, 3> room;
+  const auto count = scene.all(question, std::span(room), filter);
+  CHECK(count == expected.size());
+  CHECK(std::equal(room.begin(), room.begin() + static_cast<long>(std::min<std::size_t>(count, 3)),
+                   expected.begin()));
+  return expected.empty() ? 0 : 1;
+}
+
+/// Whether a scene answers as a list of its objects does, and as a scene made of them anew.
+template <Scalar S, int N>
+void check(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain, Historian<S, N>& history,
+           long& asked, long& found) {
+  CHECK(scene.size() == plain.objects.size());
+  CHECK(scene.overlaps() == plain.overlaps());
+  for (int i = 0; i < 4; ++i) {
+    const auto mask = static_cast<std::uint32_t>(history.random().below(8));
+    asked += 7;
+    found += ask(scene, plain, history.ray(), mask);
+    found += ask(scene, plain, history.point(), mask);
+    found += ask(scene, plain, history.template draw<Segment<S, N>>(), mask);
+    found += ask(scene, plain, history.template draw<Sphere<S, N>>(), mask);
+    found += ask(scene, plain, history.template draw<Aabb<S, N>>(), mask);
+    found += ask(scene, plain, history.template draw<Obb<S, N>>(), mask);
+    found += ask(scene, plain, history.template draw<Capsule<S, N>>(), mask);
+  }
+  auto fresh = plain.fresh();
+  CHECK(digest(scene) == digest(fresh));
+  const auto bytes = snapshot(scene);
+  REQUIRE(restore(fresh, bytes) == Restored::yes);
+  CHECK(snapshot(fresh) == bytes);
+  CHECK(digest(scene) == digest(fresh));
+}
+
+template <Scalar S, int N>
+void live(std::uint64_t seed, std::size_t room, int steps, int checks) {
+  for (const auto kind : kinds) {
+    INFO("seed " << seed << ", kind " << static_cast<int>(kind));
+    Historian<S, N> history(seed, kind);
+    AnyScene<S, N> scene;
+    PlainScene<S, N> plain;
+    long asked = 0, found = 0;
+    for (int i = 0; i < checks; ++i) {
+      for (int step = 0; step < steps; ++step) history.step(scene, plain, room);
+      check(scene, plain, history, asked, found);
+    }
+    UNSCOPED_INFO(found << " of " << asked << " found something");
+    CHECK(asked / 10 <= found);
+    CHECK(found < asked);
+  }
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("scene: answers as a list of its objects does, whatever its history", "",
+                   DETENT_SCENE_SPACES) {
+  live<typename TestType::scalar, TestType::dimension>(7, 60, 150, 6);
+}
+
+TEMPLATE_TEST_CASE("scene: long histories", "[.demand]", DETENT_SCENE_SPACES) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    live<typename TestType::scalar, TestType::dimension>(seed, 200, 500, 6);
+  }
+}
