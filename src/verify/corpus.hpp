@@ -116,10 +116,18 @@ struct Arithmetic {
   static constexpr std::string_view name = "Arithmetic";
   using Groups = List<Roots, Quotients, Texts>;
 };
+struct Moves {
+  static constexpr std::string_view name = "Moves";
+  using Groups = List<Matrices, Blends, Motions, Cameras, Lenses, VectorPairs>;
+};
+struct Extents {
+  static constexpr std::string_view name = "Extents";
+  using Groups = List<Crossings, Sizes>;
+};
 
 using Parts = List<SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints, FlatPoints, LinePoints,
                    SphereOverlaps, AabbOverlaps, ObbOverlaps, FlatOverlaps, Intersections, Hulls,
-                   HullOverlaps, HullMeetings, Turns, Arithmetic>;
+                   HullOverlaps, HullMeetings, Turns, Arithmetic, Moves, Extents>;
 
 namespace detail {
 
@@ -161,6 +169,16 @@ template <>
 inline constexpr std::string_view scalar_name<q24_8> = "q24_8";
 template <>
 inline constexpr std::string_view scalar_name<q8_8> = "q8_8";
+
+/// The place of a scalar among the four.
+template <Scalar S>
+inline constexpr std::uint64_t scalar_index = 0;
+template <>
+inline constexpr std::uint64_t scalar_index<q14_16> = 1;
+template <>
+inline constexpr std::uint64_t scalar_index<q24_8> = 2;
+template <>
+inline constexpr std::uint64_t scalar_index<q8_8> = 3;
 
 namespace detail {
 
@@ -253,6 +271,22 @@ template <class Group, Scalar S, int N>
   mix(N);
   return hash;
 }
+
+/// All cells: what is asked unless something else is said.
+struct Whole {
+  template <class Group, Scalar S, int N>
+  static constexpr bool has = true;
+};
+
+/// A quarter of the cells, for compilers and emulators that would take long: every query in every
+/// dimension, put to one of the scalars, and all of the scalars in turn.
+template <int Number>
+struct Quarter {
+  static_assert(Number >= 0 && Number < 4);
+
+  template <class Group, Scalar S, int N>
+  static constexpr bool has = (seed_of<Group, q16_16, N>() + scalar_index<S> + N) % 4 == Number;
+};
 
 // Called in several places and compiled once; and a small stack wants the variables of one at a time.
 #if defined(__GNUC__)

@@ -48,6 +48,30 @@ template <Scalar S>
 std::string words(const Interval<S>& interval) {
   return words(interval.enter) + " to " + words(interval.exit);
 }
+template <Number T, int R, int C>
+std::string words(const Mat<T, R, C>& m) {
+  std::string text;
+  for (int i = 0; i < R; ++i) text += (i == 0 ? "" : ", ") + words(m.row(i));
+  return text;
+}
+template <Scalar S>
+std::string words(const Quat<S>& q) {
+  return words(q.vec());
+}
+template <Scalar S, int N>
+std::string words(const Transform<S, N>& transform) {
+  std::string text = "translation " + words(transform.translation);
+  for (int i = 0; i < N; ++i) text += ", axis " + words(transform.rotation.axis(i));
+  return text + ", scale " + words(transform.scale);
+}
+template <Scalar S, int N>
+std::string words(const Aabb<S, N>& box) {
+  return words(box.min) + " to " + words(box.max);
+}
+template <Scalar S, int N>
+std::string words(const Sphere<S, N>& sphere) {
+  return words(sphere.center) + ", radius " + words(sphere.radius);
+}
 template <class T, std::size_t Size>
 std::string words(const std::array<T, Size>& values) {
   std::string text;
@@ -177,6 +201,51 @@ Fields fields_of(const RotateCase<S, N>& c) {
   Fields fields;
   add_fields(fields, c.rotation);
   fields.emplace_back("vector", words(c.vector));
+  return fields;
+}
+template <Scalar S, int N>
+Fields fields_of(const MatrixCase<S, N>& c) {
+  return {{"matrix", words(c.matrix)}};
+}
+template <Scalar S, int N>
+Fields fields_of(const BlendCase<S, N>& c) {
+  return {{"p", words(c.p)}, {"q", words(c.q)}, {"t", words(c.t)}, {"vector", words(c.vector)}};
+}
+template <Scalar S, int N>
+Fields fields_of(const MotionCase<S, N>& c) {
+  return {{"transform", words(c.transform)}, {"point", words(c.point)}};
+}
+template <Scalar S, int N>
+Fields fields_of(const CameraCase<S, N>& c) {
+  return {{"eye", words(c.eye)},
+          {"target", words(c.target)},
+          {"up", words(c.up)},
+          {"matrix", words(c.matrix)}};
+}
+template <Scalar S, int N>
+Fields fields_of(const LensCase<S, N>& c) {
+  return {{"fov", words(c.fov)},
+          {"aspect", words(c.aspect)},
+          {"near_distance", words(c.near_distance)},
+          {"far_distance", words(c.far_distance)}};
+}
+template <Scalar S, int N>
+Fields fields_of(const VectorsCase<S, N>& c) {
+  return {{"u", words(c.u)}, {"v", words(c.v)}, {"normal", words(c.normal)}, {"t", words(c.t)}};
+}
+template <Scalar S, int N>
+Fields fields_of(const CrossingCase<S, N>& c) {
+  Fields fields;
+  for (const auto& plane : c.planes) add_fields(fields, plane);
+  return fields;
+}
+template <Scalar S, int N>
+Fields fields_of(const SizeCase<S, N>& c) {
+  Fields fields;
+  add_fields(fields, c.triangle);
+  add_fields(fields, c.aabb);
+  add_fields(fields, c.sphere);
+  add_fields(fields, c.obb);
   return fields;
 }
 template <Scalar S, int N>

@@ -64,6 +64,52 @@ template <class F, Scalar S, int N>
 RotateCase<F, N> in_float(const RotateCase<S, N>& c) {
   return {converted<F>(c.rotation), converted<F>(c.vector)};
 }
+template <class F, Scalar S, int R, int C>
+Mat<F, R, C> converted(const Mat<S, R, C>& m) {
+  return make_mat<R, C>([&](int i, int j) { return converted<F>(m(i, j)); });
+}
+template <class F, Scalar S>
+Quat<F> converted(const Quat<S>& q) {
+  return Quat<F>::assume_unit(converted<F>(q.vec()));
+}
+template <class F, Scalar S, int N>
+MatrixCase<F, N> in_float(const MatrixCase<S, N>& c) {
+  return {converted<F>(c.matrix)};
+}
+template <class F, Scalar S, int N>
+BlendCase<F, N> in_float(const BlendCase<S, N>& c) {
+  return {converted<F>(c.p), converted<F>(c.q), converted<F>(c.t), converted<F>(c.vector)};
+}
+template <class F, Scalar S, int N>
+MotionCase<F, N> in_float(const MotionCase<S, N>& c) {
+  return {{converted<F>(c.transform.translation), converted<F>(c.transform.rotation),
+           converted<F>(c.transform.scale)},
+          converted<F>(c.point)};
+}
+template <class F, Scalar S, int N>
+CameraCase<F, N> in_float(const CameraCase<S, N>& c) {
+  return {converted<F>(c.eye), converted<F>(c.target), converted<F>(c.up), converted<F>(c.matrix)};
+}
+template <class F, Scalar S, int N>
+LensCase<F, N> in_float(const LensCase<S, N>& c) {
+  return {converted<F>(c.fov), converted<F>(c.aspect), converted<F>(c.near_distance),
+          converted<F>(c.far_distance)};
+}
+template <class F, Scalar S, int N>
+VectorsCase<F, N> in_float(const VectorsCase<S, N>& c) {
+  return {converted<F>(c.u), converted<F>(c.v), converted<F>(c.normal), converted<F>(c.t)};
+}
+template <class F, Scalar S, int N>
+CrossingCase<F, N> in_float(const CrossingCase<S, N>& c) {
+  CrossingCase<F, N> result;
+  for (std::size_t i = 0; i < c.planes.size(); ++i) result.planes[i] = converted<F>(c.planes[i]);
+  return result;
+}
+template <class F, Scalar S, int N>
+SizeCase<F, N> in_float(const SizeCase<S, N>& c) {
+  return {converted<F>(c.triangle), converted<F>(c.aabb), converted<F>(c.sphere),
+          converted<F>(c.obb)};
+}
 template <class F, Scalar S, int N>
 RootCase<F, N> in_float(const RootCase<S, N>& c) {
   return {converted<F>(c.a), converted<F>(c.b), converted<F>(c.beside_square),

@@ -11,6 +11,8 @@
 //     g++ -std=c++20 -O2 -Iinclude -Isrc src/verify/main_bare.cpp -o verify && ./verify
 //
 // DETENT_VERIFY_PART=Rays (or another part of corpus.hpp) asks only that, for small memories.
+// DETENT_VERIFY_QUARTER=0 (to 3) asks every query, but each for one of the four scalars, which is
+// compiled in a quarter of the time; the other quarters ask the rest.
 // DETENT_VERIFY_SMALL asks a microcontroller's share of the questions (seconds at 48 MHz).
 // DETENT_VERIFY_NO_MAIN leaves out `main`, for a hosted compiler whose program has its own.
 
@@ -21,6 +23,12 @@
 #endif
 
 namespace {
+
+#ifdef DETENT_VERIFY_QUARTER
+using Share = detent::verify::Quarter<DETENT_VERIFY_QUARTER>;
+#else
+using Share = detent::verify::Whole;
+#endif
 
 using Put = void (*)(const char*);
 
@@ -49,7 +57,7 @@ extern "C" int detent_verify(void (*put)(const char*)) {
   constexpr auto size = full_size;
   constexpr auto& expected = golden::full;
 #endif
-  const auto total = check<DETENT_VERIFY_PART>(size, expected, [put](const RowResult& row) {
+  const auto total = check<DETENT_VERIFY_PART, Share>(size, expected, [put](const RowResult& row) {
     put_name(put, row.name);
     put(" ");
     put_digest(put, row.digest);

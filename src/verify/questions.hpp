@@ -9,8 +9,10 @@
 //   answer<Row>(case)  what the library says, as anything that a digest takes
 // and for every case type there is `append`, since the questions have a digest too.
 
+#include "verify/questions/motions.hpp"
 #include "verify/questions/numbers.hpp"
 #include "verify/questions/pairs.hpp"
 #include "verify/questions/points.hpp"
 #include "verify/questions/rays.hpp"
 #include "verify/questions/rotations.hpp"
+#include "verify/questions/sizes.hpp"
