@@ -11,6 +11,8 @@
 
 #include "detent/query/query.hpp"
 
+#include "detent/scene/height_field.hpp"
+
 #include "detent/scene/mesh.hpp"
 
 

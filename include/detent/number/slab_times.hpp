@@ -68,6 +68,15 @@ class SlabTimes<Fixed<Bits, Frac>> {
     leave_ = origin.raw() * factor_ - margin - drift * inverse;
   }
 
+  /// A lower bound of the distance to the plane through which the ray enters, and an upper bound of
+  /// that to the plane through which it leaves.
+  [[nodiscard]] constexpr Time enter(const S& plane) const noexcept {
+    return plane.raw() * factor_ - enter_;
+  }
+  [[nodiscard]] constexpr Time leave(const S& plane) const noexcept {
+    return plane.raw() * factor_ - leave_;
+  }
+
   /// Cuts spans of the ray down to what may lie between two planes of `grid` each: `enter` grows
   /// to a lower bound of the distance to the plane in `near`, `leave` shrinks to an upper bound of
   /// that to the plane in `far`.
@@ -116,6 +125,13 @@ class SlabTimes<F> {
     factor_ = direction < 0 ? -1 / size : 1 / size;
     enter_ = margin;
     leave_ = -margin - drift / size;
+  }
+
+  [[nodiscard]] constexpr F enter(F plane) const noexcept {
+    return (plane - origin_) * factor_ - enter_;
+  }
+  [[nodiscard]] constexpr F leave(F plane) const noexcept {
+    return (plane - origin_) * factor_ - leave_;
   }
 
   template <std::size_t Width>

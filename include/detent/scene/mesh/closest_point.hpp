@@ -3,15 +3,15 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "detent/query/closest_point/triangle.hpp"
 #include "detent/query/distance/triangle.hpp"
-#include "detent/scene/mesh/mesh.hpp"
-#include "detent/scene/static_tree/around.hpp"
+#include "detent/scene/mesh/surface.hpp"
 
 namespace detent {
 
-/// The triangle of a mesh that is nearest to a point, and how far it is.
+/// The triangle of a surface that is nearest to a point, and how far it is.
 template <Scalar S>
 struct MeshNearest {
   S distance{};
@@ -29,7 +29,7 @@ constexpr void append(D& digest, const MeshNearest<S>& nearest) noexcept {
   digest.add(nearest.distance, nearest.index, nearest.point);
 }
 
-/// The triangle of `mesh` nearest to `point`, nothing where there are no triangles.
+/// The triangle of `surface` nearest to `point`, nothing where there are no triangles.
 ///
 /// units:  world units
 /// domain: every input
@@ -38,39 +38,42 @@ constexpr void append(D& digest, const MeshNearest<S>& nearest) noexcept {
 /// exact:  the triangle is the nearest within 1 ULP; `distance` and `point` are those that
 ///         `distance` and `closest_point` of the triangle say
 ///                                                       (tests/scene/mesh_overlaps.test.cpp)
-template <Scalar S>
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
 [[nodiscard]] constexpr std::optional<MeshNearest<S>> nearest_triangle(
-    const Mesh<S>& mesh, const Vec<S, 3>& point) noexcept {
-  const MeshTriangle<S>* best = nullptr;
+    const Surface<S>& surface, const Vec<S, 3>& point) noexcept {
+  std::optional<MeshTriangle<S>> best;
   S least = largest<S>;
-  visit_around(mesh.tree, mesh.triangles, point, [&](auto leaf) {
-    for (const auto& part : leaf) {
+  visit_around(surface, point, [&](std::span<const MeshTriangle<S>> parts) {
+    for (const auto& part : parts) {
       const S to_part = distance(part.triangle, point);
       const bool nearer =
-          best == nullptr || to_part < least || (to_part == least && part.index < best->index);
+          !best || to_part < least || (to_part == least && part.index < best->index);
       if (!nearer) continue;
-      best = &part;
+      best = part;
       least = to_part;
     }
     return least;
   });
-  if (best == nullptr) return std::nullopt;
+  if (!best) return std::nullopt;
   return MeshNearest<S>{least, best->index, closest_point(best->triangle, point)};
 }
 
-/// The closest point of the triangle of `mesh` nearest to `point`; `point` itself for no triangles.
-template <Scalar S>
-[[nodiscard]] constexpr Vec<S, 3> closest_point(const Mesh<S>& mesh,
+/// The closest point of the triangle of `surface` nearest to `point`; `point` itself for no triangles.
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
+[[nodiscard]] constexpr Vec<S, 3> closest_point(const Surface<S>& surface,
                                                 const Vec<S, 3>& point) noexcept {
-  const auto nearest = nearest_triangle(mesh, point);
+  const auto nearest = nearest_triangle(surface, point);
   return nearest ? nearest->point : point;
 }
 
-/// The distance from `point` to `mesh`, rounded down and clamped to the range of the scalar; its
+/// The distance from `point` to `surface`, rounded down and clamped to the range of the scalar; its
 /// greatest number for no triangles.
-template <Scalar S>
-[[nodiscard]] constexpr S distance(const Mesh<S>& mesh, const Vec<S, 3>& point) noexcept {
-  const auto nearest = nearest_triangle(mesh, point);
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
+[[nodiscard]] constexpr S distance(const Surface<S>& surface, const Vec<S, 3>& point) noexcept {
+  const auto nearest = nearest_triangle(surface, point);
   return nearest ? nearest->distance : largest<S>;
 }
 

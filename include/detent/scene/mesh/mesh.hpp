@@ -6,31 +6,13 @@
 #include <optional>
 #include <span>
 
+#include "detent/scene/mesh/surface.hpp"
+#include "detent/scene/static_tree/along.hpp"
+#include "detent/scene/static_tree/around.hpp"
 #include "detent/scene/static_tree/build.hpp"
-#include "detent/shape/triangle.hpp"
+#include "detent/scene/static_tree/within.hpp"
 
 namespace detent {
-
-/// A triangle of a mesh and what its owner calls it: answers name this index, and order by it.
-template <Scalar S>
-struct MeshTriangle {
-  Triangle<S, 3> triangle;
-  std::uint32_t index = 0;
-
-  [[nodiscard]] friend constexpr bool operator==(const MeshTriangle&,
-                                                 const MeshTriangle&) noexcept = default;
-};
-
-/// The canonical bytes of a digest: the fields in order.
-template <class D, Scalar S>
-constexpr void append(D& digest, const MeshTriangle<S>& part) noexcept {
-  digest.add(part.triangle, part.index);
-}
-
-template <Scalar S>
-[[nodiscard]] constexpr Aabb<S, 3> bounding_box(const MeshTriangle<S>& part) noexcept {
-  return bounding_box(part.triangle);
-}
 
 template <Scalar S>
 using MeshNode = StaticNode<S, 3>;
@@ -45,6 +27,9 @@ struct Mesh {
   StaticTree<S, 3> tree;
   std::span<const MeshTriangle<S>> triangles;
 };
+
+template <>
+inline constexpr bool is_surface<Mesh> = true;
 
 /// The mesh of `triangles`, which it sorts, with its tree in `nodes`; nothing, and nothing touched,
 /// where there are fewer than tree_capacity(triangles.size()) nodes.
@@ -82,6 +67,22 @@ template <Scalar S>
 template <Scalar S>
 [[nodiscard]] constexpr Aabb<S, 3> bounding_box(const Mesh<S>& mesh) noexcept {
   return mesh.tree.bounds;
+}
+
+/// The walks of a mesh: those of its tree.
+template <Scalar S, class Visit>
+constexpr void visit_along(const Mesh<S>& mesh, const Ray<S, 3>& ray, const Visit& visit) noexcept {
+  visit_along(mesh.tree, mesh.triangles, ray, visit);
+}
+template <Scalar S, class Visit>
+constexpr bool visit_within(const Mesh<S>& mesh, const Aabb<S, 3>& box,
+                            const Visit& visit) noexcept {
+  return visit_within(mesh.tree, mesh.triangles, box, visit);
+}
+template <Scalar S, class Visit>
+constexpr void visit_around(const Mesh<S>& mesh, const Vec<S, 3>& point,
+                            const Visit& visit) noexcept {
+  visit_around(mesh.tree, mesh.triangles, point, visit);
 }
 
 }  // namespace detent

@@ -9,13 +9,12 @@
 
 #include "detent/number/next_up.hpp"
 #include "detent/query/raycast/triangle.hpp"
-#include "detent/scene/mesh/mesh.hpp"
-#include "detent/scene/static_tree/along.hpp"
+#include "detent/scene/mesh/surface.hpp"
 #include "detent/scene/static_tree/keep_first.hpp"
 
 namespace detent {
 
-/// Where a ray meets a triangle of a mesh: ordered by distance, then by the triangle's index.
+/// Where a ray meets a triangle of a mesh or height field: ordered by distance, then by the triangle's index.
 template <Scalar S>
 struct MeshHit {
   S distance{};
@@ -35,25 +34,25 @@ constexpr void append(D& digest, const MeshHit<S>& hit) noexcept {
 
 namespace detail {
 
-/// The first hit of a ray on a mesh, and the triangle that it is on.
+/// The first hit of a ray on a surface and the triangle that it is on.
 template <Scalar S>
-struct MeshFound {
+struct FoundOnSurface {
   MeshHit<S> hit;
-  const MeshTriangle<S>* part = nullptr;
+  Triangle<S, 3> triangle;
 };
 
-template <Scalar S>
-[[nodiscard]] constexpr MeshFound<S> first_on_mesh(const Ray<S, 3>& ray,
-                                                   const Mesh<S>& mesh) noexcept {
-  MeshFound<S> best;
+template <template <class> class Surface, Scalar S>
+[[nodiscard]] constexpr std::optional<FoundOnSurface<S>> first_on_surface(
+    const Ray<S, 3>& ray, const Surface<S>& surface) noexcept {
+  std::optional<FoundOnSurface<S>> best;
   auto shorter = ray;
-  visit_along(mesh.tree, mesh.triangles, ray, [&](auto leaf) {
-    for (const auto& part : leaf) {
+  visit_along(surface, ray, [&](std::span<const MeshTriangle<S>> parts) {
+    for (const auto& part : parts) {
       const auto distance = raycast(shorter, part.triangle);
       if (!distance) continue;
       const MeshHit<S> hit{*distance, part.index};
-      if (best.part != nullptr && !(hit < best.hit)) continue;
-      best = {hit, &part};
+      if (best && !(hit < best->hit)) continue;
+      best = FoundOnSurface<S>{hit, part.triangle};
       // Hits that round down to the same distance compete by their index.
       shorter.max_distance = std::min(shorter.max_distance, next_up(hit.distance));
     }
@@ -64,29 +63,31 @@ template <Scalar S>
 
 }  // namespace detail
 
-/// The first triangle of `mesh` that `ray` touches and the distance, or nothing.
+/// The first triangle of `surface` that `ray` touches and the distance, or nothing.
 ///
 /// units:  lengths in world units
 /// domain: every input; rays and triangles as for `raycast(ray, triangle)`
 /// result: of triangles whose distances round down to the same number, that of the least index
 /// exact:  hit or miss exact; distance rounded down, error in [0, 1) ULP
-///         (tests/scene/mesh.test.cpp)
-template <Scalar S>
-[[nodiscard]] constexpr std::optional<MeshHit<S>> raycast_nearest(const Ray<S, 3>& ray,
-                                                                  const Mesh<S>& mesh) noexcept {
-  const auto found = detail::first_on_mesh(ray, mesh);
-  if (found.part == nullptr) return std::nullopt;
-  return found.hit;
+///         (tests/scene/mesh_raycast.test.cpp)
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
+[[nodiscard]] constexpr std::optional<MeshHit<S>> raycast_nearest(
+    const Ray<S, 3>& ray, const Surface<S>& surface) noexcept {
+  const auto found = detail::first_on_surface(ray, surface);
+  if (!found) return std::nullopt;
+  return found->hit;
 }
 
-/// Whether `ray` touches any triangle of `mesh`; which one it stops at is not said.
+/// Whether `ray` touches any triangle of `surface`; which one it stops at is not said.
 ///
-/// exact:  yes or no exact                               (tests/scene/mesh.test.cpp)
-template <Scalar S>
-[[nodiscard]] constexpr bool raycast_any(const Ray<S, 3>& ray, const Mesh<S>& mesh) noexcept {
+/// exact:  yes or no exact                               (tests/scene/mesh_raycast.test.cpp)
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
+[[nodiscard]] constexpr bool raycast_any(const Ray<S, 3>& ray, const Surface<S>& surface) noexcept {
   bool any = false;
-  visit_along(mesh.tree, mesh.triangles, ray, [&](auto leaf) {
-    for (const auto& part : leaf) {
+  visit_along(surface, ray, [&](std::span<const MeshTriangle<S>> parts) {
+    for (const auto& part : parts) {
       if (!raycast(ray, part.triangle)) continue;
       any = true;
       return S(-1);
@@ -96,16 +97,17 @@ template <Scalar S>
   return any;
 }
 
-/// How many triangles of `mesh` the ray touches; writes the first of them, as many as `out` holds,
+/// How many triangles of `surface` the ray touches; writes the first of them, as many as `out` holds,
 /// sorted by distance, then by index.
 ///
-/// exact:  as for `raycast_nearest`                      (tests/scene/mesh.test.cpp)
-template <Scalar S>
-[[nodiscard]] constexpr std::size_t raycast_all(const Ray<S, 3>& ray, const Mesh<S>& mesh,
+/// exact:  as for `raycast_nearest`                      (tests/scene/mesh_raycast.test.cpp)
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
+[[nodiscard]] constexpr std::size_t raycast_all(const Ray<S, 3>& ray, const Surface<S>& surface,
                                                 std::span<MeshHit<S>> out) noexcept {
   std::size_t count = 0;
-  visit_along(mesh.tree, mesh.triangles, ray, [&](auto leaf) {
-    for (const auto& part : leaf) {
+  visit_along(surface, ray, [&](std::span<const MeshTriangle<S>> parts) {
+    for (const auto& part : parts) {
       const auto distance = raycast(ray, part.triangle);
       if (!distance) continue;
       detail::keep_first(out, count++, MeshHit<S>{*distance, part.index});
@@ -116,23 +118,25 @@ template <Scalar S>
   return count;
 }
 
-/// Distance along `ray` at which it first touches `mesh`, or nothing: see `raycast_nearest`.
-template <Scalar S>
+/// Distance along `ray` at which it first touches `surface`, or nothing: see `raycast_nearest`.
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
 [[nodiscard]] constexpr std::optional<S> raycast(const Ray<S, 3>& ray,
-                                                 const Mesh<S>& mesh) noexcept {
-  const auto found = detail::first_on_mesh(ray, mesh);
-  if (found.part == nullptr) return std::nullopt;
-  return found.hit.distance;
+                                                 const Surface<S>& surface) noexcept {
+  const auto found = detail::first_on_surface(ray, surface);
+  if (!found) return std::nullopt;
+  return found->hit.distance;
 }
 
-/// Distance, point and normal where `ray` first touches `mesh`, or nothing: those of the triangle
+/// Distance, point and normal where `ray` first touches `surface`, or nothing: those of the triangle
 /// of `raycast_nearest`.
-template <Scalar S>
-[[nodiscard]] constexpr std::optional<RayHit<S, 3>> raycast_hit(const Ray<S, 3>& ray,
-                                                                const Mesh<S>& mesh) noexcept {
-  const auto found = detail::first_on_mesh(ray, mesh);
-  if (found.part == nullptr) return std::nullopt;
-  return raycast_hit(ray, found.part->triangle);
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
+[[nodiscard]] constexpr std::optional<RayHit<S, 3>> raycast_hit(
+    const Ray<S, 3>& ray, const Surface<S>& surface) noexcept {
+  const auto found = detail::first_on_surface(ray, surface);
+  if (!found) return std::nullopt;
+  return raycast_hit(ray, found->triangle);
 }
 
 }  // namespace detent

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "detent/number/slab_times.hpp"
 #include "detent/scene/static_tree/node.hpp"
@@ -46,6 +47,19 @@ class StaticRay {
       met |= enter[k] <= leave[k] ? std::uint32_t{1} << k : 0;
     }
     return met & ((std::uint32_t{1} << node.children) - 1);
+  }
+
+  /// At what distance at the earliest the ray meets a box, if it may before `limit`.
+  [[nodiscard]] constexpr std::optional<Time> meets(const Aabb<S, N>& box,
+                                                    const Time& limit) const noexcept {
+    Time enter{}, leave = limit;
+    for (std::size_t i = 0; i < N; ++i) {
+      const int axis = static_cast<int>(i);
+      const bool backward = near_side_[i] % 2 != 0;
+      enter = std::max(enter, slabs_[i].enter(backward ? box.max[axis] : box.min[axis]));
+      leave = std::min(leave, slabs_[i].leave(backward ? box.min[axis] : box.max[axis]));
+    }
+    return enter <= leave ? std::optional(enter) : std::nullopt;
   }
 
  private:

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "detent/shape/bounding_box.hpp"
+
+namespace detent {
+
+/// A triangle of a mesh and what its owner calls it: answers name this index, and order by it.
+template <Scalar S>
+struct MeshTriangle {
+  Triangle<S, 3> triangle;
+  std::uint32_t index = 0;
+
+  [[nodiscard]] friend constexpr bool operator==(const MeshTriangle&,
+                                                 const MeshTriangle&) noexcept = default;
+};
+
+/// The canonical bytes of a digest: the fields in order.
+template <class D, Scalar S>
+constexpr void append(D& digest, const MeshTriangle<S>& part) noexcept {
+  digest.add(part.triangle, part.index);
+}
+
+template <Scalar S>
+[[nodiscard]] constexpr Aabb<S, 3> bounding_box(const MeshTriangle<S>& part) noexcept {
+  return bounding_box(part.triangle);
+}
+
+/// Whether a template makes surfaces of many triangles, which the queries of this folder take: a
+/// `Mesh` or a `HeightField`. A surface has
+///   visit_along(surface, ray, visit), visit_within(surface, box, visit),
+///   visit_around(surface, point, visit)
+/// as static_tree/ says, where `visit` takes a std::span<const MeshTriangle<S>>.
+template <template <class> class Surface>
+inline constexpr bool is_surface = false;
+
+}  // namespace detent
