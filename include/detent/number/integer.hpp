@@ -161,6 +161,17 @@ template <class I>
   return static_cast<I>(x >> (count < last ? count : last));
 }
 
+/// floor(x / 2^Count) for a count that is known, in (0, 64).
+template <int Count, class I>
+[[nodiscard]] constexpr I shift_right_by(const I& x) noexcept {
+  if constexpr (std::is_same_v<I, Wide<2>>) {
+    const auto high = static_cast<std::uint64_t>(static_cast<std::int64_t>(x.word(1)) >> Count);
+    return I::from_words({(x.word(0) >> Count) | (x.word(1) << (64 - Count)), high});
+  } else {
+    return static_cast<I>(x >> Count);
+  }
+}
+
 /// Whether the low `count` bits of x are all zero; any count >= 0.
 template <class I>
 [[nodiscard]] constexpr bool low_bits_are_zero(const I& x, int count) noexcept {

@@ -41,6 +41,9 @@ class Quadratic {
   template <Scalar T>
   [[nodiscard]] constexpr std::optional<T> first_root(const T& limit) const noexcept {
     if constexpr (is_fixed<T>) {
+#if DETENT_SMALL_CODE
+      return first_root_by_digits<T>(limit);
+#else
       const auto [root, unknown_bits] = sqrt_rough<B>(discriminant());
       auto [t, is_close] = divide_near_one<T>(first_numerator(root), a_, unknown_bits);
       if (is_close) [[unlikely]] {
@@ -48,11 +51,46 @@ class Quadratic {
       }
       if (t >= limit && !(t == limit && sign_at(t) == 0)) return std::nullopt;
       return t;
+#endif
     } else {
       const T t = first_numerator(root()) / a_;
       if (t > limit) return std::nullopt;
       return t;
     }
+  }
+
+  /// `first_root` one binary digit after the other, without quotient and square root: slower, in
+  /// less than a third of the code.
+  ///
+  /// For the polynomial p and the digits so far as t, p(t + s) = p(t) + s p'(t) + s^2 a and
+  /// s p'(t + s) = s p'(t) + 2 s^2 a. The digit s belongs to the root where neither passes 0.
+  template <Scalar T>
+  [[nodiscard]] constexpr std::optional<T> first_root_by_digits(const T& limit) const noexcept {
+    // For a ray |m + t d|^2 - r^2: with t the coordinates of a scalar, one bit more than b^2 needs.
+    using Integer = IntegerFor<product_bits + 1>;
+    using Raw = typename T::raw_type;
+    const auto scaled = [](const auto& x, int shift) {
+      return shift_left(integer_cast<Integer>(x.raw()), shift);
+    };
+    auto value = scaled(c_, A::frac + 2 * T::frac - C::frac);
+    auto slope = scaled(b_, A::frac + T::frac - B::frac + T::bits);  // 2 s b
+    auto bend = scaled(a_, 2 * (T::bits - 1));                       // s^2 a
+    Raw t = 0;
+    for (auto digit = static_cast<Raw>(Raw{1} << (T::bits - 1)); digit != 0; digit >>= 1) {
+      const auto half_way = wrapping_add<Integer>(slope, bend);
+      const auto next = wrapping_add<Integer>(value, half_way);
+      const auto next_slope = wrapping_add<Integer>(half_way, bend);
+      if (next >= Integer(0) && next_slope <= Integer(0)) {
+        value = next;
+        slope = next_slope;
+        t = static_cast<Raw>(t | digit);
+      }
+      slope = shift_right_by<1>(slope);
+      bend = shift_right_by<2>(bend);
+    }
+    const T root = T::assume_raw(t);
+    if (root > limit || (root == limit && value != Integer(0))) return std::nullopt;
+    return root;
   }
 
   /// The greater root rounded down, or `limit` when it is greater than that; wants roots of which
