@@ -8,6 +8,7 @@
 #include "detent/number/assert.hpp"
 #include "detent/number/bins.hpp"
 #include "detent/number/culling.hpp"
+#include "detent/number/coarse.hpp"
 #include "detent/number/digest.hpp"
 #include "detent/number/divide.hpp"
 #include "detent/number/fixed.hpp"

@@ -4,6 +4,7 @@
 // The query layer: yes or no, and where.
 
 #include "detent/query/barycentric.hpp"
+#include "detent/query/batch.hpp"
 #include "detent/query/closest_point.hpp"
 #include "detent/query/contains.hpp"
 #include "detent/query/distance.hpp"

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// One ray against many shapes of one type, and many rays against one shape:
+//   raycast_first(ray, shapes)          -> std::optional<BatchHit<S>>  index, distance
+//   raycast_any(ray, shapes)            -> bool
+//   raycast_each(ray, shapes, answers)     what raycast(ray, shape) is, for each
+//   raycast_any(rays, shape)            -> bool
+//   raycast_each(rays, shape, answers)
+// where `shapes` is a ShapeBatch and `rays` a RayBatch.
+
+#include "detent/query/batch/bounds.hpp"
+#include "detent/query/batch/rays.hpp"
+#include "detent/query/batch/shapes.hpp"
+#include "detent/query/batch/sieve.hpp"

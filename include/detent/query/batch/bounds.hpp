@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "detent/shape/bounding_box.hpp"
+#include "detent/shape/plane.hpp"
+
+namespace detent::detail {
+
+/// A box around all points at which a ray may touch a shape, or nothing where that is not known to
+/// be within the range of the scalar.
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<Aabb<S, N>> within_range(const Aabb<S, N>& box) noexcept {
+  if (is_empty(box)) return box;
+  for (int i = 0; i < N; ++i) {
+    // A box that was cut off ends there.
+    if (box.min[i] == lowest<S> || box.max[i] == largest<S>) return std::nullopt;
+  }
+  return box;
+}
+
+template <class Shape>
+[[nodiscard]] constexpr auto ray_bounds(const Shape& shape) noexcept {
+  return within_range(bounding_box(shape));
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<Aabb<S, N>> ray_bounds(const Plane<S, N>&) noexcept {
+  return std::nullopt;
+}
+
+/// Rays see the slabs of a box. Where the cosines of its axes are at most e = 2^-10, a point with
+/// coordinates |y_i| <= h along them is the sum of z_i axis(i) for |z_i - y_i| <= 1.01 e * 3 h: so
+/// a 64th of h more than the box around the edges is enough. Slabs along skewed axes may be
+/// anywhere.
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto ray_bounds(const Obb<S, N>& box) noexcept {
+  using Result = std::optional<Aabb<S, N>>;
+  auto around = bounding_box(box);
+  if (is_empty(box)) return Result(around);
+  const auto most = square(quotient_floor<direction_component<S>>(S(1), S(32)));
+  S longest{};
+  for (int i = 0; i < N; ++i) {
+    const auto cosine = dot(box.rotation.axis(i), box.rotation.axis((i + 1) % N));
+    if (abs(cosine) > most) return Result();
+    longest = std::max(longest, box.half_extents[i]);
+  }
+  const auto more = quotient_floor<S>(longest, S(64));
+  for (int i = 0; i < N; ++i) {
+    around.min[i] = floor_to<S>(around.min[i] - more);
+    around.max[i] = floor_to<S>(around.max[i] + more);
+  }
+  return within_range(around);
+}
+
+}  // namespace detent::detail

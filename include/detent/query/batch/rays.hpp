@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "detent/query/batch/shapes.hpp"
+
+namespace detent {
+
+/// Many rays, for shapes that few of them meet.
+///
+/// Beside the caller's rays it keeps their parts within a box, `frame`, as columns of 16-bit
+/// numbers in blocks that are the caller's too. A query about a shape in the frame rules out most
+/// rays by the columns, eight or more at a time, and asks the others one by one, so that its
+/// answers are those of a loop over all rays. About other shapes it asks every ray.
+///
+/// domain: every shape but compounds
+template <Scalar S, int N>
+class RayBatch {
+ public:
+  using Block = detail::CoarseRays<S, N>;
+
+  constexpr RayBatch(std::span<const Ray<S, N>> rays, const Aabb<S, N>& frame,
+                     std::span<Block> blocks) noexcept
+      : rays_(rays),
+        blocks_(blocks.first(std::min(blocks.size(), batch_blocks(size())))),
+        frame_(frame) {
+    for (std::size_t i = 0; i < blocks_.size() * detail::batch_lanes; ++i) {
+      auto ray = detail::CoarseRay<S, N>::nowhere();
+      if (i < size()) ray = frame_.coarsen(rays[i]).value_or(ray);
+      blocks[i / detail::batch_lanes].set(i % detail::batch_lanes, ray);
+    }
+  }
+
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return rays_.size(); }
+  [[nodiscard]] constexpr const Ray<S, N>& operator[](std::size_t i) const noexcept {
+    return rays_[i];
+  }
+
+  /// Calls visit(i), by rising i, for every ray that may touch `shape`, as long as it returns true.
+  template <class Shape, class Visit>
+  constexpr void visit_candidates(const Shape& shape, const Visit& visit) const noexcept {
+    std::size_t asked = 0;
+    const auto bounds = detail::ray_bounds(shape);
+    if (bounds && frame_.holds(*bounds)) {
+      const auto boxes = detail::repeated<detail::CoarseBoxes<S, N>>(frame_.coarsen(*bounds));
+      const auto slack = frame_.slack();
+      detail::Candidates candidates;
+      for (std::size_t b = 0; b < blocks_.size(); ++b, asked += detail::batch_lanes) {
+        const auto& block = blocks_[b];
+        candidates.assign([&](std::size_t l) { return !is_apart(boxes, block, l, slack); });
+        if (!candidates.for_each([&](std::size_t l) { return visit(asked + l); })) return;
+      }
+    }
+    for (std::size_t i = asked; i < size(); ++i) {
+      if (!visit(i)) return;
+    }
+  }
+
+ private:
+  std::span<const Ray<S, N>> rays_;
+  std::span<const Block> blocks_;
+  detail::CoarseFrame<S, N> frame_;
+};
+
+/// Whether any ray of a batch touches `shape`.
+///
+/// domain: every input
+/// exact:  as `raycast`, which `options` are passed to      (tests/query/batch.test.cpp)
+template <Scalar S, int N, class Shape, class... Options>
+[[nodiscard]] constexpr bool raycast_any(const RayBatch<S, N>& batch, const Shape& shape,
+                                         const Options&... options) noexcept {
+  bool any = false;
+  batch.visit_candidates(shape, [&](std::size_t i) {
+    any = raycast(batch[i], shape, options...).has_value();
+    return !any;
+  });
+  return any;
+}
+
+/// What `raycast` answers for each ray of a batch, for as many as `answers` has room.
+template <Scalar S, int N, class Shape, class... Options>
+constexpr void raycast_each(const RayBatch<S, N>& batch, const Shape& shape,
+                            std::span<std::optional<S>> answers,
+                            const Options&... options) noexcept {
+  for (auto& answer : answers) answer.reset();
+  batch.visit_candidates(shape, [&](std::size_t i) {
+    if (i >= answers.size()) return false;
+    answers[i] = raycast(batch[i], shape, options...);
+    return true;
+  });
+}
+
+}  // namespace detent

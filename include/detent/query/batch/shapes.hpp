@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "detent/query/batch/bounds.hpp"
+#include "detent/query/batch/sieve.hpp"
+
+namespace detent {
+
+/// How many blocks the columns of `count` shapes or rays take.
+[[nodiscard]] constexpr std::size_t batch_blocks(std::size_t count) noexcept {
+  return (count + detail::batch_lanes - 1) / detail::batch_lanes;
+}
+
+/// Many shapes of one type, for rays that meet few of them.
+///
+/// Beside the caller's shapes it keeps their boxes as columns of 16-bit numbers, in memory that is
+/// the caller's too: blocks for as many shapes as are to profit. A query rules out most shapes by
+/// the columns, eight or more at a time, and asks the others one by one, so that its answers are
+/// those of a loop over all shapes.
+///
+/// domain: every shape but compounds; planes, boxes with skewed axes and what reaches an end of the
+///         scalar's range are never ruled out
+template <class Shape>
+class ShapeBatch;
+
+template <template <Scalar, int> class Shape, Scalar S, int N>
+class ShapeBatch<Shape<S, N>> {
+ public:
+  using Block = detail::CoarseBoxes<S, N>;
+
+  constexpr ShapeBatch(std::span<const Shape<S, N>> shapes, std::span<Block> blocks) noexcept
+      : shapes_(shapes), blocks_(blocks.first(std::min(blocks.size(), batch_blocks(size())))) {
+    auto around = detail::no_box<Aabb<S, N>>;
+    for (const auto& shape : shapes) {
+      const auto bounds = detail::ray_bounds(shape);
+      if (bounds) around = bounding_box(around, *bounds);
+    }
+    frame_ = detail::CoarseFrame<S, N>(around);
+    for (std::size_t i = 0; i < blocks_.size() * detail::batch_lanes; ++i) {
+      auto box = detail::CoarseBox<S, N>::nowhere();
+      if (i < size()) {
+        const auto bounds = detail::ray_bounds(shapes[i]);
+        box = bounds ? frame_.coarsen(*bounds) : detail::CoarseBox<S, N>::anywhere();
+      }
+      blocks[i / detail::batch_lanes].set(i % detail::batch_lanes, box);
+    }
+  }
+
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return shapes_.size(); }
+  [[nodiscard]] constexpr const Shape<S, N>& operator[](std::size_t i) const noexcept {
+    return shapes_[i];
+  }
+
+  /// Calls visit(i), by rising i, for every shape that `ray` may touch at a distance that visit
+  /// wants: it returns how far to look on, and a negative number to end.
+  template <class Visit>
+  constexpr void visit_candidates(Ray<S, N> ray, const Visit& visit) const noexcept {
+    detail::CoarseRays<S, N> rays;
+    const auto look = [&] {
+      const auto coarse_ray = frame_.coarsen(ray);
+      if (coarse_ray) rays = detail::repeated<detail::CoarseRays<S, N>>(*coarse_ray);
+      return coarse_ray.has_value();
+    };
+    bool is_in_frame = look();
+    detail::Candidates candidates;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const auto& block = blocks_[b];
+      if (is_in_frame) {
+        const auto slack = frame_.slack();
+        candidates.assign([&](std::size_t l) { return !is_apart(block, rays, l, slack); });
+      } else {
+        candidates.assign([&](std::size_t l) { return block.is_anywhere(l); });
+      }
+      const S reach = ray.max_distance;
+      const bool goes_on = candidates.for_each([&](std::size_t l) {
+        ray.max_distance = visit(b * detail::batch_lanes + l);
+        return ray.max_distance >= 0;
+      });
+      if (!goes_on) return;
+      if (ray.max_distance != reach) is_in_frame = look();
+    }
+    for (std::size_t i = blocks_.size() * detail::batch_lanes; i < size(); ++i) {
+      if (visit(i) < 0) return;
+    }
+  }
+
+ private:
+  std::span<const Shape<S, N>> shapes_;
+  std::span<const Block> blocks_;
+  detail::CoarseFrame<S, N> frame_{detail::no_box<Aabb<S, N>>};
+};
+
+/// What a ray meets first in a batch.
+template <Scalar S>
+struct BatchHit {
+  std::size_t index = 0;
+  S distance{};
+
+  [[nodiscard]] friend constexpr bool operator==(const BatchHit&,
+                                                 const BatchHit&) noexcept = default;
+};
+
+/// The shape that `ray` touches first, the first of several at one distance, or nothing.
+///
+/// units:  lengths in world units; direction is unit length
+/// domain: every input
+/// result: the least of what `raycast` answers for each; `options` are passed to it
+/// exact:  as `raycast`                                     (tests/query/batch.test.cpp)
+template <Scalar S, int N, class Shape, class... Options>
+[[nodiscard]] constexpr std::optional<BatchHit<S>> raycast_first(
+    const Ray<S, N>& ray, const ShapeBatch<Shape>& batch, const Options&... options) noexcept {
+  std::optional<BatchHit<S>> first;
+  batch.visit_candidates(ray, [&](std::size_t i) {
+    const auto distance = raycast(ray, batch[i], options...);
+    if (distance && (!first || *distance < first->distance)) {
+      first = BatchHit<S>{i, *distance};
+      if (first->distance == 0) return S(-1);
+    }
+    return first ? first->distance : ray.max_distance;
+  });
+  return first;
+}
+
+/// Whether `ray` touches any shape of a batch.
+template <Scalar S, int N, class Shape, class... Options>
+[[nodiscard]] constexpr bool raycast_any(const Ray<S, N>& ray, const ShapeBatch<Shape>& batch,
+                                         const Options&... options) noexcept {
+  bool any = false;
+  batch.visit_candidates(ray, [&](std::size_t i) {
+    any = raycast(ray, batch[i], options...).has_value();
+    return any ? S(-1) : ray.max_distance;
+  });
+  return any;
+}
+
+/// What `raycast` answers for each shape of a batch, for as many as `answers` has room.
+template <Scalar S, int N, class Shape, class... Options>
+constexpr void raycast_each(const Ray<S, N>& ray, const ShapeBatch<Shape>& batch,
+                            std::span<std::optional<S>> answers,
+                            const Options&... options) noexcept {
+  for (auto& answer : answers) answer.reset();
+  batch.visit_candidates(ray, [&](std::size_t i) {
+    if (i >= answers.size()) return S(-1);
+    answers[i] = raycast(ray, batch[i], options...);
+    return ray.max_distance;
+  });
+}
+
+}  // namespace detent

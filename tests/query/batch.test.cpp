@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/batch.hpp"
+
+#include <vector>
+
+#include "bench/draw.hpp"
+#include "detent/query/raycast.hpp"
+#include "oracle/draw_shape.hpp"
+#include "oracle/space.hpp"
+#include "support/catch.hpp"
+
+using namespace detent;
+using namespace detent::test;
+
+namespace {
+
+// Batches in vectors; their blocks are a caller's business.
+template <class Shape>
+struct Shapes {
+  explicit Shapes(const std::vector<Shape>& list, std::size_t block_count)
+      : blocks(block_count), batch(list, blocks) {}
+  std::vector<typename ShapeBatch<Shape>::Block> blocks;
+  ShapeBatch<Shape> batch;
+};
+template <Scalar S, int N>
+struct Rays {
+  Rays(const std::vector<Ray<S, N>>& list, const Aabb<S, N>& frame, std::size_t block_count)
+      : blocks(block_count), batch(list, frame, blocks) {}
+  std::vector<typename RayBatch<S, N>::Block> blocks;
+  RayBatch<S, N> batch;
+};
+
+/// Whether the answers of batches are those of loops, and how many of them are hits.
+template <Scalar S, int N, class Shape>
+bool batches_are_loops(const std::vector<Ray<S, N>>& rays, const std::vector<Shape>& shapes,
+                       const Aabb<S, N>& frame, HitRate& rate) {
+  const Shapes<Shape> many_shapes(shapes, batch_blocks(shapes.size()));
+  const Shapes<Shape> with_few_blocks(shapes, 1);
+  const Rays<S, N> many_rays(rays, frame, batch_blocks(rays.size()));
+  bool is_right = true;
+  for (const auto& ray : rays) {
+    std::vector<std::optional<S>> expected, answers(shapes.size(), S(1));
+    std::optional<BatchHit<S>> first;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const auto distance = raycast(ray, shapes[i]);
+      expected.push_back(distance);
+      rate.count(distance.has_value());
+      if (distance && (!first || *distance < first->distance)) first = BatchHit<S>{i, *distance};
+    }
+    raycast_each<S, N>(ray, many_shapes.batch, answers);
+    is_right = is_right && answers == expected;
+    for (const auto* batch : {&many_shapes.batch, &with_few_blocks.batch}) {
+      is_right = is_right && raycast_first(ray, *batch) == first;
+      is_right = is_right && raycast_any(ray, *batch) == first.has_value();
+    }
+  }
+  for (std::size_t i = 0; i < shapes.size(); i += 7) {
+    std::vector<std::optional<S>> expected, answers(rays.size(), S(1));
+    bool any = false;
+    for (const auto& ray : rays) expected.push_back(raycast(ray, shapes[i]));
+    for (const auto& answer : expected) any = any || answer.has_value();
+    raycast_each<S, N>(many_rays.batch, shapes[i], answers);
+    is_right = is_right && answers == expected && raycast_any(many_rays.batch, shapes[i]) == any;
+  }
+  return is_right;
+}
+
+/// Shapes of several kinds and scenes, and rays from one to another.
+template <class Shape, Scalar S, int N>
+bool examine(std::uint64_t seed, int rounds, HitRate& rate) {
+  using oracle::Draw, oracle::Kind;
+  Draw<S, N> draw(seed);
+  auto& random = draw.random;
+  bool is_right = true;
+  for (int round = 0; round < rounds; ++round) {
+    const auto kind = static_cast<Kind>(round % 5);
+    const bool is_mixed = random.one_in(4);
+    std::vector<Shape> shapes;
+    std::vector<oracle::Raw<N>> centers;
+    while (shapes.size() < 80) {
+      const auto setting =
+          draw_setting(draw, is_mixed && random.coin() ? Kind::general : kind, 100);
+      for (auto count = random.between(1, 8); count > 0; --count) {
+        shapes.push_back(oracle::draw_shape<Shape>(draw, setting));
+      }
+      centers.push_back(setting.center);
+    }
+    std::vector<Ray<S, N>> rays;
+    while (rays.size() < 70) {
+      const auto from = random.one_in(8) ? draw.extreme_point()
+                                         : draw.near(centers[random.below(centers.size())], 3);
+      const auto to = centers[random.below(centers.size())];
+      const auto direction = random.one_in(4) ? draw.axis_direction() : draw.towards(from, to);
+      const auto reach = random.coin() ? draw.reach(1000) : S::max();
+      rays.push_back({Draw<S, N>::vec(from), direction, reach});
+    }
+    Aabb<S, N> frame;
+    for (int i = 0; i < N; ++i) {
+      frame.min[i] = random.coin() ? S::lowest() : Draw<S, N>::scalar(-draw.scale());
+      frame.max[i] = random.coin() ? S::max() : Draw<S, N>::scalar(draw.scale());
+    }
+    is_right = is_right && batches_are_loops(rays, shapes, frame, rate);
+  }
+  return is_right;
+}
+
+template <template <Scalar, int> class Shape, Scalar S, int N>
+void examine_shape(std::uint64_t seed, int rounds) {
+  HitRate rate;
+  INFO("seed " << seed);
+  CHECK(examine<Shape<S, N>, S, N>(seed, rounds, rate));
+  CHECK(rate.percent() > 0);
+}
+
+/// Scattered shapes and rays between them, in double.
+template <class Shape>
+void draw_scattered(std::vector<Ray<double, 3>>& rays, std::vector<Shape>& shapes) {
+  bench::Artist artist(20260505, bench::ordinary);
+  for (int i = 0; i < 500; ++i) {
+    Ray<double, 3> ray;
+    Shape shape;
+    artist.next_scene();
+    artist.draw(ray);
+    artist.draw(shape);
+    rays.push_back(ray);
+    shapes.push_back(shape);
+  }
+}
+
+template <class S, class T>
+auto converted(const std::vector<T>& list) {
+  std::vector<decltype(bench::as<S>(list[0]))> result;
+  for (const auto& x : list) result.push_back(bench::as<S>(x));
+  return result;
+}
+
+}  // namespace
+
+template <class Space>
+void examine_balls_and_boxes(std::uint64_t seed, int rounds) {
+  examine_shape<Sphere, typename Space::scalar, Space::dimension>(seed, rounds);
+  examine_shape<Aabb, typename Space::scalar, Space::dimension>(seed, rounds);
+}
+template <class Space>
+void examine_others(std::uint64_t seed, int rounds) {
+  examine_shape<Obb, typename Space::scalar, Space::dimension>(seed, rounds);
+  examine_shape<Triangle, typename Space::scalar, Space::dimension>(seed, rounds);
+}
+
+TEMPLATE_TEST_CASE("batch: every answer is that of a loop over single queries", "",
+                   DETENT_FIXED_SPACES) {
+  examine_balls_and_boxes<TestType>(1, 15);
+}
+
+TEMPLATE_TEST_CASE("batch: boxes at any angle, triangles, planes and capsules as well", "",
+                   (Space<q16_16, 3>), (Space<q8_8, 2>)) {
+  using S = typename TestType::scalar;
+  examine_others<TestType>(2, 15);
+  examine_shape<Plane, S, TestType::dimension>(3, 5);
+  if constexpr (TestType::dimension == 3) examine_shape<Capsule, S, 3>(4, 5);
+}
+
+TEMPLATE_TEST_CASE("batch: thousands of rounds more", "[.demand]", DETENT_FIXED_SPACES) {
+  for (std::uint64_t seed = 100; seed < 103; ++seed) examine_balls_and_boxes<TestType>(seed, 200);
+}
+
+TEMPLATE_TEST_CASE("batch: thousands of rounds more at any angle", "[.demand]", (Space<q16_16, 3>),
+                   (Space<q8_8, 2>)) {
+  for (std::uint64_t seed = 100; seed < 103; ++seed) examine_others<TestType>(seed, 200);
+}
+
+TEMPLATE_TEST_CASE("batch: most that miss are not even asked", "", (Sphere<double, 3>),
+                   (Triangle<double, 3>)) {
+  std::vector<Ray<double, 3>> rays;
+  std::vector<TestType> shapes;
+  draw_scattered(rays, shapes);
+  const auto check = [&](auto scalar) {
+    using S = decltype(scalar);
+    const auto own_rays = converted<S>(rays);
+    const auto own_shapes = converted<S>(shapes);
+    using Shape = typename std::decay_t<decltype(own_shapes)>::value_type;
+    const auto frame =
+        Aabb{make_vec<3>([](int) { return S(-8000); }), make_vec<3>([](int) { return S(8000); })};
+    HitRate rate;
+    CHECK(batches_are_loops(own_rays, own_shapes, frame, rate));
+    std::size_t asked = 0;
+    const Shapes<Shape> many(own_shapes, batch_blocks(own_shapes.size()));
+    for (const auto& ray : own_rays) {
+      many.batch.visit_candidates(ray, [&](std::size_t) {
+        ++asked;
+        return ray.max_distance;
+      });
+    }
+    const Rays<S, 3> many_rays(own_rays, frame, batch_blocks(own_rays.size()));
+    for (const auto& shape : own_shapes) {
+      many_rays.batch.visit_candidates(shape, [&](std::size_t) {
+        ++asked;
+        return true;
+      });
+    }
+    INFO(rate << ", asked " << asked);
+    CHECK(asked < 2 * 500 * 500 / 50);
+  };
+  check(float());
+  check(double());
+  check(q16_16());
+}
+
+TEST_CASE("batch: an empty batch, and shapes without room for answers") {
+  using S = q16_16;
+  const Ray<S, 3> ray;
+  CHECK_FALSE(raycast_first(ray, ShapeBatch<Sphere<S, 3>>({}, {})));
+  const std::array<Sphere<S, 3>, 2> balls{Sphere<S, 3>{{}, S(1)}, Sphere<S, 3>{{}, S(2)}};
+  const ShapeBatch<Sphere<S, 3>> batch(balls, {});
+  std::array<std::optional<S>, 1> answers;
+  raycast_each<S, 3>(ray, batch, answers);
+  CHECK(answers[0] == S(0));
+  CHECK(raycast_first(ray, batch) == BatchHit<S>{0, S(0)});
+}
+
+static_assert([] {
+  using S = q16_16;
+  std::array<Sphere<S, 3>, 3> balls{};
+  for (std::size_t i = 0; i < 3; ++i) balls[i] = {{S(10 - int(i)), S(0), S(0)}, S(1)};
+  std::array<ShapeBatch<Sphere<S, 3>>::Block, 1> blocks;
+  const ShapeBatch<Sphere<S, 3>> batch(balls, blocks);
+  return raycast_first(Ray<S, 3>(), batch) == BatchHit<S>{2, S(7)};
+}());
