@@ -6,6 +6,7 @@
 
 #include "accuracy.hpp"
 #include "commands.hpp"
+#include "diff.hpp"
 #include "error.hpp"
 #include "numbers.hpp"
 #include "verify.hpp"
@@ -87,6 +88,7 @@ struct Arguments {
   DemoOptions demo;
   VerifyOptions verify;
   AccuracyOptions accuracy;
+  DiffOptions diff;
   bool is_right = true;
   std::string compare;
   std::string size = "640x360";
@@ -209,6 +211,15 @@ void add_accuracy(CLI::App& app, Arguments& arguments) {
   command->final_callback([&] { arguments.is_right = measure_accuracy(options); });
 }
 
+void add_diff(CLI::App& app, Arguments& arguments) {
+  DiffOptions& options = arguments.diff;
+  CLI::App* const command =
+      app.add_subcommand("diff", "Name the objects and fields in which two snapshots differ");
+  command->add_option("a", options.a, "A snapshot of a scene")->required();
+  command->add_option("b", options.b, "Another one")->required();
+  command->final_callback([&] { arguments.is_right = diff(options); });
+}
+
 int run(int argc, char** argv) {
   Arguments arguments;
   CLI::App app("detent: correctly rounded ray casts in fixed point", "detent");
@@ -219,6 +230,7 @@ int run(int argc, char** argv) {
   add_demo(app, arguments);
   add_verify(app, arguments);
   add_accuracy(app, arguments);
+  add_diff(app, arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

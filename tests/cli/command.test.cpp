@@ -9,6 +9,7 @@
 #include <random>
 #include <sstream>
 
+#include "detent/scene/snapshot.hpp"
 #include "support/catch.hpp"
 
 // The built program, run as a user runs it.
@@ -206,6 +207,29 @@ TEST_CASE("detent demo: q16_16 is right about every ray, near and far, and float
     CHECK(scalar == "float");
     CHECK(wrong + off > (place == "near" ? 0 : 1000));
   }
+}
+
+TEST_CASE(
+    "detent diff: 0 for equal snapshots, 1 and a line for each difference, 2 for no snapshot") {
+  using namespace detent;
+  const auto bytes_of = [](int x) {
+    Scene<q16_16, 3, Sphere> scene;
+    scene.add(Sphere<q16_16, 3>{{q16_16(x), q16_16(0), q16_16(0)}, q16_16(1)});
+    const auto bytes = snapshot(scene);
+    return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  };
+  const Workshop shop;
+  shop.write("a.snap", bytes_of(1));
+  shop.write("b.snap", bytes_of(2));
+  shop.write("c.snap", bytes_of(1).substr(0, 70));
+  const auto equal = shop.run("diff a.snap a.snap");
+  CHECK(equal.code == 0);
+  CHECK(equal.out == "the snapshots are equal\n");
+  const auto other = shop.run("diff a.snap b.snap");
+  CHECK(other.code == 1);
+  CHECK(other.out == "object 0:1 (sphere) center.x: 1 (raw 65536) | 2 (raw 131072)\n");
+  CHECK(refuses(shop.run("diff a.snap c.snap"), "c.snap: the snapshot is cut off; "));
+  CHECK(refuses(shop.run("diff a.snap missing.snap"), "missing.snap: "));
 }
 
 TEST_CASE("detent: help and version go to standard output") {

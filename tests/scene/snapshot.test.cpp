@@ -57,6 +57,18 @@ TEST_CASE("snapshot: a scene is what it was, and so is what it adds next") {
   CHECK(scene.add(Ball{}) == other.add(Ball{}));
 }
 
+TEST_CASE("snapshot: fills a scene that has no objects yet, whatever indices are free") {
+  Balls scene;
+  for (int i = 0; i < 20; ++i) scene.add(Ball{at(i, 0, 0), S(1)});
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    if (i % 7 != 5) CHECK(scene.remove({i, i + 1}));
+  }
+  Balls fresh;
+  REQUIRE(restore(fresh, snapshot(scene)) == Restored::yes);
+  CHECK(fresh.size() == 3);
+  CHECK(digest(fresh) == digest(scene));
+}
+
 TEST_CASE("snapshot: an empty one empties a scene") {
   Balls scene;
   const auto nothing = snapshot(scene);

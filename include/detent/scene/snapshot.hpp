@@ -206,7 +206,6 @@ constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<cons
     for (auto i = store.next_moving(first); i < end; i = store.next_moving(i + 1)) {
       store.remove(static_cast<std::uint32_t>(i));
     }
-    first = end + 1;
   };
   for (std::uint32_t i = 0; i < header.object_count; ++i) {
     ObjectHeader object;
@@ -218,6 +217,7 @@ constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<cons
       traits.frame = {object.frame, store.frames()[object.frame].generation};
     }
     store.put({object.index, object.generation}, *shape, traits);
+    first = std::size_t{object.index} + 1;
   }
   remove_until(store.end());
   store.set_next_generation(header.next_generation);

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// Whatever bytes a snapshot holds, restoring it makes the scene one that has exactly this snapshot
+// and answers as a fresh scene does; or refuses it and leaves the scene as it was. The input gets a
+// right length and checksum first, unless its first byte is odd, so that the parts are reached too.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "detent/scene/snapshot.hpp"
+#include "property.hpp"
+
+namespace detent::fuzz {
+namespace {
+
+using Toys = BasicScene<Bounded<24, 6>, q16_16, 3, Sphere<q16_16, 3>, Obb<q16_16, 3>>;
+using Vec3 = Vec<q16_16, 3>;
+
+Vec3 at(int x, int y, int z) { return {q16_16(x), q16_16(y), q16_16(z)}; }
+
+Toys toys() {
+  Toys scene;
+  const auto frame = *scene.add_frame({.translation = at(1, 2, 3)});
+  scene.add(Sphere{at(0, 0, 0), q16_16(1)}, {.user = 7, .motion = Motion::fixed});
+  for (int i = 1; i < 12; ++i) scene.add(Sphere{at(i, 2 * i, 0), q16_16(i)});
+  scene.add(Obb<q16_16, 3>{at(0, 0, 0), at(1, 1, 1), {}}, {.frame = frame});
+  return scene;
+}
+
+std::vector<std::byte> bytes_of(const Toys& scene) {
+  std::vector<std::byte> bytes(snapshot(scene, std::span<std::byte>()));
+  snapshot(scene, bytes);
+  return bytes;
+}
+
+/// With the length and the checksum that it ought to have.
+void seal(std::vector<std::byte>& bytes) {
+  constexpr std::size_t length_at = 36;
+  if (bytes.size() < detail::SnapshotHeader::size + detail::SnapshotHeader::checksum_size) return;
+  detail::store_word(bytes.data() + length_at, std::uint64_t{bytes.size()});
+  Digest digest;
+  digest.add_bytes(std::span(bytes).first(bytes.size() - 8));
+  detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
+}
+
+std::vector<Overlap> overlaps_of(const Toys& scene) {
+  std::vector<Overlap> list(scene.overlaps(std::span<Overlap>()));
+  static_cast<void>(scene.overlaps(std::span(list)));
+  return list;
+}
+
+}  // namespace
+
+void property(Bytes input) {
+  if (input.empty()) return;
+  const auto rest = std::as_bytes(input.subspan(1));
+  std::vector<std::byte> bytes(rest.begin(), rest.end());
+  if (input[0] % 2 == 0) seal(bytes);
+
+  Toys scene = toys();
+  const auto before = bytes_of(scene);
+  const auto overlaps = overlaps_of(scene);
+  if (restore(scene, bytes) != Restored::yes) {
+    require(bytes_of(scene) == before && overlaps_of(scene) == overlaps,
+            [] { return std::string("refused, and changed the scene"); });
+    return;
+  }
+  require(bytes_of(scene) == bytes, [] { return std::string("restored, and has other bytes"); });
+  Toys fresh;
+  fresh.add_as({0, 2}, Sphere{at(0, 0, 0), q16_16(1)}, {.user = 7, .motion = Motion::fixed});
+  require(restore(fresh, bytes) == Restored::yes, [] { return std::string("only once"); });
+  require(overlaps_of(fresh) == overlaps_of(scene) && digest(fresh) == digest(scene),
+          [] { return std::string("a fresh scene answers otherwise"); });
+}
+
+}  // namespace detent::fuzz

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+#include "diff.hpp"
+
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "commands.hpp"
+#include "detent/scene/header.hpp"
+#include "detent/scene/shape_tag.hpp"
+#include "error.hpp"
+#include "file.hpp"
+#include "numbers.hpp"
+
+namespace detent::cli {
+namespace {
+
+using detail::Reader;
+using detail::SnapshotHeader;
+
+constexpr const char* remedy = "; write it anew with snapshot(scene)";
+
+/// A number of a snapshot under its name, as text.
+struct Field {
+  std::string name;
+  std::string value;
+};
+
+/// What has an id: a frame or an object.
+struct Part {
+  std::uint32_t generation = 0;
+  std::string type;
+  std::vector<Field> fields;
+};
+using Parts = std::map<std::uint32_t, Part>;
+
+struct Contents {
+  SnapshotHeader header;
+  Parts frames;
+  Parts objects;
+};
+
+/// Reads the parts of a snapshot under the names of their fields.
+template <Scalar S, int N>
+class PartReader {
+ public:
+  PartReader(const std::string& file, std::span<const std::byte> bytes) : file_(file), in_(bytes) {}
+
+  Contents read(const SnapshotHeader& header) {
+    Contents contents{header, {}, {}};
+    for (std::uint32_t i = 0; i < header.frame_count; ++i) {
+      detail::FrameHeader frame;
+      frame.read(in_);
+      Part part{frame.generation, "frame", {}};
+      part.fields.push_back({"parent", frame_name(frame.parent)});
+      add_vector(part, "translation");
+      add_rotation(part);
+      add<S>(part, "scale");
+      keep(contents.frames, frame.index, std::move(part));
+    }
+    for (std::uint32_t i = 0; i < header.object_count; ++i) {
+      detail::ObjectHeader object;
+      object.read(in_);
+      Part part{object.generation, type_of(object.tag), {}};
+      part.fields.push_back({"type", part.type});
+      part.fields.push_back({"layers", hexadecimal(object.layers)});
+      part.fields.push_back({"user", hexadecimal(object.user)});
+      part.fields.push_back({"frame", frame_name(object.frame)});
+      add_shape(part, object.tag);
+      keep(contents.objects, object.index, std::move(part));
+    }
+    if (in_.left() != 0) fail();
+    return contents;
+  }
+
+ private:
+  [[noreturn]] void fail() const {
+    throw InputError(file_, {}, "its parts are not those of a snapshot" + std::string(remedy));
+  }
+
+  static std::string frame_name(std::uint32_t index) {
+    return index == 0xffffffffu ? "none" : std::to_string(index);
+  }
+
+  std::string type_of(std::uint8_t tag) const {
+    constexpr const char* types[] = {"", "sphere", "aabb", "obb", "plane", "triangle", "capsule"};
+    if (tag == 0 || tag >= std::size(types)) fail();
+    return types[tag];
+  }
+
+  void keep(Parts& parts, std::uint32_t index, Part part) const {
+    if (in_.has_failed() || !parts.emplace(index, std::move(part)).second) fail();
+  }
+
+  template <class T>
+  void add(Part& part, const std::string& name) {
+    const T value = in_.number<T>();
+    std::string raw;
+    if constexpr (is_fixed<T>) {
+      raw = std::to_string(value.raw());
+    } else {
+      raw = hexadecimal(detail::to_word(value));
+    }
+    part.fields.push_back({name, text_of(value) + " (raw " + raw + ")"});
+  }
+  template <class T = S>
+  void add_vector(Part& part, const std::string& name) {
+    for (int i = 0; i < N; ++i) add<T>(part, name + "." + "xyz"[i]);
+  }
+  void add_rotation(Part& part) {
+    for (int i = 0; i < N; ++i) {
+      add_vector<direction_component<S>>(part, "axis " + std::to_string(i));
+    }
+  }
+
+  void add_shape(Part& part, std::uint8_t tag) {
+    switch (tag) {
+      case detail::shape_tag<Sphere<S, N>>:
+        add_vector(part, "center");
+        return add<S>(part, "radius");
+      case detail::shape_tag<Aabb<S, N>>:
+        add_vector(part, "min");
+        return add_vector(part, "max");
+      case detail::shape_tag<Obb<S, N>>:
+        add_vector(part, "center");
+        add_vector(part, "half_extents");
+        return add_rotation(part);
+      case detail::shape_tag<Plane<S, N>>:
+        add_vector<direction_component<S>>(part, "normal");
+        return add<S>(part, "offset");
+      case detail::shape_tag<Triangle<S, N>>:
+        add_vector(part, "a");
+        add_vector(part, "b");
+        return add_vector(part, "c");
+      default:
+        add_vector(part, "a");
+        add_vector(part, "b");
+        return add<S>(part, "radius");
+    }
+  }
+
+  const std::string& file_;
+  Reader in_;
+};
+
+/// Calls f with a scalar of the tool of the kind that the header says.
+template <class F>
+bool with_scalar(const SnapshotHeader& header, const F& f) {
+  const auto is = [&]<Scalar S>(S) {
+    if constexpr (is_fixed<S>) {
+      return header.is_floating == 0 && header.bits == S::bits && header.frac == S::frac;
+    } else {
+      return header.is_floating == 1 && header.bits == 8 * sizeof(S) && header.frac == 0;
+    }
+  };
+  const auto try_one = [&](auto scalar) { return is(scalar) && (f(scalar), true); };
+  return try_one(q16_16()) || try_one(q14_16()) || try_one(q24_8()) || try_one(q8_8()) ||
+         try_one(0.0f) || try_one(0.0);
+}
+
+std::span<const std::byte> as_bytes(const std::string& text) {
+  return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+Contents read_snapshot(const std::string& file, const std::string& text) {
+  const auto bytes = as_bytes(text);
+  SnapshotHeader header;
+  const auto read = header.read(bytes);
+  if (read != Restored::yes) {
+    throw InputError(file, {}, std::string(detent::describe(read)) + remedy);
+  }
+  Contents contents;
+  const auto parts = bytes.subspan(
+      SnapshotHeader::size, bytes.size() - SnapshotHeader::size - SnapshotHeader::checksum_size);
+  const bool is_known =
+      (header.dimension == 2 || header.dimension == 3) && with_scalar(header, [&]<Scalar S>(S) {
+        contents = header.dimension == 2 ? PartReader<S, 2>(file, parts).read(header)
+                                         : PartReader<S, 3>(file, parts).read(header);
+      });
+  if (!is_known) {
+    throw InputError(file, {},
+                     "its scalar or dimension is none of the tool's; use restore and digest_of");
+  }
+  return contents;
+}
+
+class Listing {
+ public:
+  Listing(std::string name_a, std::string name_b)
+      : name_a_(std::move(name_a)), name_b_(std::move(name_b)) {}
+
+  void compare(const std::string& name, const std::string& a, const std::string& b) {
+    if (a != b) add(name + ": " + a + " | " + b);
+  }
+
+  void compare(const char* kind, const Parts& a, const Parts& b) {
+    for (const auto& [index, part] : a) {
+      const auto other = b.find(index);
+      if (other == b.end() || other->second.generation != part.generation) {
+        add(name_of(kind, index, part) + ": only in " + name_a_);
+      } else {
+        compare(name_of(kind, index, part), part.fields, other->second.fields);
+      }
+    }
+    for (const auto& [index, part] : b) {
+      const auto other = a.find(index);
+      if (other == a.end() || other->second.generation != part.generation) {
+        add(name_of(kind, index, part) + ": only in " + name_b_);
+      }
+    }
+  }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  static std::string name_of(const char* kind, std::uint32_t index, const Part& part) {
+    const auto name =
+        std::string(kind) + " " + std::to_string(index) + ":" + std::to_string(part.generation);
+    return part.type == kind ? name : name + " (" + part.type + ")";
+  }
+
+  /// The fields of parts of the same type have the same names.
+  void compare(const std::string& part, const std::vector<Field>& a, const std::vector<Field>& b) {
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+      if (a[i].name == b[i].name) compare(part + " " + a[i].name, a[i].value, b[i].value);
+    }
+  }
+
+  void add(const std::string& line) { text_ += line + "\n"; }
+
+  std::string name_a_;
+  std::string name_b_;
+  std::string text_;
+};
+
+}  // namespace
+
+SnapshotDifference compare_snapshots(const std::string& name_a, const std::string& bytes_a,
+                                     const std::string& name_b, const std::string& bytes_b) {
+  const Contents a = read_snapshot(name_a, bytes_a), b = read_snapshot(name_b, bytes_b);
+  const auto& first = a.header;
+  const auto& second = b.header;
+  if (first.dimension != second.dimension || first.is_floating != second.is_floating ||
+      first.bits != second.bits || first.frac != second.frac) {
+    throw InputError(name_b, {},
+                     "is of another scalar or dimension than " + name_a +
+                         "; compare snapshots of the same kind of scene");
+  }
+  Listing listing(one_line(name_a), one_line(name_b));
+  listing.compare("types of shapes", hexadecimal(first.shapes), hexadecimal(second.shapes));
+  listing.compare("fixed objects", std::to_string(first.fixed_count),
+                  std::to_string(second.fixed_count));
+  listing.compare("digest of the fixed objects", hexadecimal(first.fixed_digest),
+                  hexadecimal(second.fixed_digest));
+  listing.compare("next generation", std::to_string(first.next_generation),
+                  std::to_string(second.next_generation));
+  listing.compare("frame", a.frames, b.frames);
+  listing.compare("object", a.objects, b.objects);
+  return {listing.text(), listing.text().empty()};
+}
+
+bool diff(const DiffOptions& options) {
+  const auto difference =
+      compare_snapshots(options.a, read_file(options.a), options.b, read_file(options.b));
+  print(difference.is_none ? "the snapshots are equal\n" : difference.text);
+  return difference.is_none;
+}
+
+}  // namespace detent::cli

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "diff.hpp"
+
+#include "detent/scene/snapshot.hpp"
+#include "error.hpp"
+#include "support/catch.hpp"
+
+using namespace detent;
+using S = q16_16;
+using Vec3 = Vec<S, 3>;
+using Toys = Scene<S, 3, Sphere, Obb>;
+
+namespace {
+
+Vec3 at(int x, int y, int z) { return {S(x), S(y), S(z)}; }
+
+Toys toys() {
+  Toys scene;
+  scene.add(Sphere{at(0, 0, 0), S(1)});
+  const auto frame = *scene.add_frame({});
+  scene.add(Obb<S, 3>{at(5, 0, 0), at(1, 1, 1), {}}, {.frame = frame});
+  scene.add(Sphere{at(9, 9, 9), S(2)}, {.motion = Motion::fixed});
+  return scene;
+}
+
+template <class Scene>
+std::string bytes_of(const Scene& scene) {
+  const auto bytes = snapshot(scene);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+cli::SnapshotDifference compare(const std::string& a, const std::string& b) {
+  return cli::compare_snapshots("a.snap", a, "b.snap", b);
+}
+
+std::string refusal(const std::string& a, const std::string& b) {
+  try {
+    (void)compare(a, b);
+  } catch (const cli::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("diff: equal snapshots have no difference") {
+  const auto result = compare(bytes_of(toys()), bytes_of(toys()));
+  CHECK(result.is_none);
+  CHECK(result.text.empty());
+}
+
+TEST_CASE("diff: names fields in decimal and raw, and what is only on one side") {
+  Toys scene = toys();
+  scene.replace({0, 1}, Sphere<S, 3>{{S(0), S::from_raw(1), S(0)}, S(1)});
+  scene.set_user({0, 1}, 5);
+  scene.move_frame({0, 2}, {.translation = at(0, 0, -3)});
+  CHECK(compare(bytes_of(toys()), bytes_of(scene)).text ==
+        "frame 0:2 translation.z: 0 (raw 0) | -3 (raw -196608)\n"
+        "object 0:1 (sphere) user: 0x0000000000000000 | 0x0000000000000005\n"
+        "object 0:1 (sphere) center.y: 0 (raw 0) | 0.0000152587890625 (raw 1)\n");
+  scene = toys();
+  scene.remove({1, 3});
+  scene.add(Sphere{at(1, 1, 1), S(1)});
+  scene.replace({0, 1}, Obb<S, 3>{at(0, 0, 0), at(1, 1, 1), {}});
+  scene.move({2, 4}, at(1, 0, 0));
+  const auto text = compare(bytes_of(toys()), bytes_of(scene)).text;
+  CHECK(text.starts_with("digest of the fixed objects: 0x"));
+  CHECK(
+      text.ends_with("next generation: 5 | 6\n"
+                     "object 0:1 (sphere) type: sphere | obb\n"
+                     "object 1:3 (obb): only in a.snap\n"
+                     "object 1:5 (sphere): only in b.snap\n"));
+}
+
+TEST_CASE("diff: reads every scalar of the tool, in both dimensions") {
+  Scene<double, 2, Sphere, Aabb, Obb, Plane, Triangle, Capsule> flat;
+  flat.add(Sphere<double, 2>{});
+  flat.add(Aabb<double, 2>{});
+  flat.add(Obb<double, 2>{});
+  flat.add(Plane<double, 2>{});
+  flat.add(Triangle<double, 2>{});
+  flat.add(Capsule<double, 2>{});
+  const auto before = bytes_of(flat);
+  for (std::uint32_t i = 0; i < 6; ++i) flat.move({i, i + 1}, {0.5, 0});
+  const auto text = compare(before, bytes_of(flat)).text;
+  CHECK(std::count(text.begin(), text.end(), '\n') == 10);
+  CHECK(text.find("object 0:1 (sphere) center.x: 0 (raw 0x0000000000000000) | 0.5 (raw "
+                  "0x3fe0000000000000)\n") != std::string::npos);
+  Scene<q8_8, 2, Sphere> small;
+  CHECK(compare(bytes_of(small), bytes_of(small)).is_none);
+}
+
+TEST_CASE("diff: bytes that are no snapshot are refused by name") {
+  const auto right = bytes_of(toys());
+  CHECK(refusal("", right).starts_with("a.snap: the snapshot is cut off; "));
+  CHECK(refusal(right, right.substr(1)).starts_with("b.snap: these bytes are not a snapshot; "));
+  auto changed = right;
+  changed[60] = static_cast<char>(changed[60] + 1);
+  CHECK(
+      refusal(right, changed).starts_with("b.snap: the bytes of the snapshot have been changed; "));
+  CHECK(refusal(right, bytes_of(Scene<q14_16, 3, Sphere>()))
+            .starts_with("b.snap: is of another scalar or dimension than a.snap; "));
+  CHECK(refusal(bytes_of(Scene<Fixed<20, 10>, 3, Sphere>()), right)
+            .starts_with("a.snap: its scalar or dimension is none of the tool's; "));
+}
