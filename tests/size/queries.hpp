@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+#include "bench/question.hpp"
+
+namespace detent::size {
+
+using bench::query;
+
+/// How many questions of each query a microcontroller answers: what its flash has room for.
+inline constexpr int question_count = 64;
+
+inline constexpr auto ask_raycast = [](const auto& ray, const auto& shape) {
+  return raycast(ray, shape);
+};
+inline constexpr auto ask_overlaps = [](const auto& a, const auto& b) { return overlaps(a, b); };
+
+// What is counted, in groups small enough for one program each.
+
+template <class Visit>
+void visit_raycasts(const Visit& visit) {
+  visit(query<Ray, Sphere>("raycast/sphere", ask_raycast));
+  visit(query<Ray, Aabb>("raycast/aabb", ask_raycast));
+  visit(query<Ray, Obb>("raycast/obb", ask_raycast));
+  visit(query<Ray, Plane>("raycast/plane", ask_raycast));
+  visit(query<Ray, Triangle>("raycast/triangle", ask_raycast));
+  visit(query<Ray, Capsule>("raycast/capsule", ask_raycast));
+}
+
+template <class Visit>
+void visit_spheres(const Visit& visit) {
+  visit(query<Sphere, Sphere>("overlaps/sphere_sphere", ask_overlaps));
+  visit(query<Sphere, Aabb>("overlaps/sphere_aabb", ask_overlaps));
+  visit(query<Sphere, Obb>("overlaps/sphere_obb", ask_overlaps));
+  visit(query<Sphere, Plane>("overlaps/sphere_plane", ask_overlaps));
+  visit(query<Sphere, Triangle>("overlaps/sphere_triangle", ask_overlaps));
+  visit(query<Sphere, Capsule>("overlaps/sphere_capsule", ask_overlaps));
+}
+
+template <class Visit>
+void visit_boxes(const Visit& visit) {
+  visit(query<Aabb, Aabb>("overlaps/aabb_aabb", ask_overlaps));
+  visit(query<Aabb, Obb>("overlaps/aabb_obb", ask_overlaps));
+  visit(query<Aabb, Plane>("overlaps/aabb_plane", ask_overlaps));
+  visit(query<Aabb, Triangle>("overlaps/aabb_triangle", ask_overlaps));
+  visit(query<Aabb, Capsule>("overlaps/aabb_capsule", ask_overlaps));
+  visit(query<Obb, Obb>("overlaps/obb_obb", ask_overlaps));
+  visit(query<Obb, Plane>("overlaps/obb_plane", ask_overlaps));
+  visit(query<Obb, Triangle>("overlaps/obb_triangle", ask_overlaps));
+  visit(query<Obb, Capsule>("overlaps/obb_capsule", ask_overlaps));
+}
+
+template <class Visit>
+void visit_others(const Visit& visit) {
+  visit(query<Plane, Plane>("overlaps/plane_plane", ask_overlaps));
+  visit(query<Plane, Triangle>("overlaps/plane_triangle", ask_overlaps));
+  visit(query<Plane, Capsule>("overlaps/plane_capsule", ask_overlaps));
+  visit(query<Triangle, Triangle>("overlaps/triangle_triangle", ask_overlaps));
+  visit(query<Triangle, Capsule>("overlaps/triangle_capsule", ask_overlaps));
+  visit(query<Capsule, Capsule>("overlaps/capsule_capsule", ask_overlaps));
+}
+
+/// Room for `count` questions, and for the next to begin at a word.
+template <class Question>
+inline constexpr std::size_t size_of_questions = (sizeof(Question) * question_count + 3) / 4 * 4;
+
+/// A stored number or a yes or no as 32 bits.
+template <class T>
+constexpr std::uint32_t pattern_of(const T& x) {
+  if constexpr (is_fixed<T>) {
+    return static_cast<std::uint32_t>(x.raw());
+  } else if constexpr (std::is_same_v<T, float>) {
+    return std::bit_cast<std::uint32_t>(x);
+  } else {
+    return static_cast<std::uint32_t>(x);
+  }
+}
+
+/// The answers to some questions, for comparing machines.
+struct Tally {
+  std::uint32_t hits = 0;
+  std::uint32_t digest = 2166136261;
+
+  constexpr void add(std::uint32_t pattern) { digest = (digest ^ pattern) * 16777619; }
+  constexpr void operator()(bool answer) {
+    hits += answer ? 1 : 0;
+    add(answer ? 1 : 0);
+  }
+  template <class T>
+  constexpr void operator()(const std::optional<T>& answer) {
+    (*this)(answer.has_value());
+    if (answer) add(pattern_of(*answer));
+  }
+};
+
+}  // namespace detent::size

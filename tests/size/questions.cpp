@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+//
+// usage: questions SCALAR GROUP FILE [SEED]
+// Writes the questions of a group of queries to FILE as they lie in the memory of a little-endian
+// machine, and prints the name of each query with this machine's answers.
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "size/queries.hpp"
+
+namespace detent::size {
+namespace {
+
+template <class S>
+class Writer {
+ public:
+  Writer(std::FILE* file, std::uint64_t seed) : file_(file), seed_(seed) {}
+
+  template <class Q>
+  void operator()(const Q& query) const {
+    using Question = typename Q::template Question<S>;
+    static_assert(std::endian::native == std::endian::little &&
+                  std::is_trivially_copyable_v<decltype(Question::first)> &&
+                  std::is_trivially_copyable_v<decltype(Question::second)>);
+    auto drawn = bench::draw_questions(query, seed_, bench::scale_for<S>);
+    drawn.resize(question_count);
+    const auto questions = bench::as_questions<S>(query, drawn);
+    Tally tally;
+    for (const auto& question : questions) tally(query.template operator()<S>(question));
+    std::printf("%s %lu %08lx\n", std::string(query.name).c_str(),
+                static_cast<unsigned long>(tally.hits), static_cast<unsigned long>(tally.digest));
+    const std::size_t size = question_count * sizeof(Question);
+    std::fwrite(questions.data(), 1, size, file_);
+    for (std::size_t i = size; i < size_of_questions<Question>; ++i) std::fputc(0, file_);
+  }
+
+ private:
+  std::FILE* file_;
+  std::uint64_t seed_;
+};
+
+template <class S>
+bool write(const std::string& group, std::FILE* file, std::uint64_t seed) {
+  const Writer<S> writer(file, seed);
+  if (group == "raycasts") return visit_raycasts(writer), true;
+  if (group == "spheres") return visit_spheres(writer), true;
+  if (group == "boxes") return visit_boxes(writer), true;
+  if (group == "others") return visit_others(writer), true;
+  return false;
+}
+
+bool write(const std::string& scalar, const std::string& group, std::FILE* file,
+           std::uint64_t seed) {
+  if (scalar == "float") return write<float>(group, file, seed);
+  if (scalar == "q16_16") return write<q16_16>(group, file, seed);
+  if (scalar == "q14_16") return write<q14_16>(group, file, seed);
+  if (scalar == "q24_8") return write<q24_8>(group, file, seed);
+  if (scalar == "q8_8") return write<q8_8>(group, file, seed);
+  return false;
+}
+
+}  // namespace
+}  // namespace detent::size
+
+int main(int argc, char** argv) {
+  if (argc < 4 || argc > 5) return 2;
+  const auto seed = argc == 5 ? std::strtoull(argv[4], nullptr, 10) : detent::bench::default_seed;
+  std::FILE* file = std::fopen(argv[3], "wb");
+  if (file == nullptr) return 1;
+  const bool is_known = detent::size::write(argv[1], argv[2], file, seed);
+  return std::fclose(file) == 0 && is_known ? 0 : 1;
+}
