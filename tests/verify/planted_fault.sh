@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: planted_fault.sh LIBRARY COMPILER [FLAG...]
-# A copy of the library in which one query gives one wrong bit now and then: `detent verify` must
-# name the query, the scalar, the dimension and the question. LIBRARY holds the rest of the tool.
+# A copy of the library in which a ray query and a point query give one wrong bit now and then:
+# `detent verify` must name the queries, the scalars, the dimensions and the questions. LIBRARY holds the rest of the tool.
 set -euo pipefail
 
 library=$1
@@ -28,26 +28,64 @@ plant() {
 # In one of 64 intervals the last bit of the exit is wrong.
 plant include/detent/query/raycast/sphere.hpp \
   's/return Interval<S>\{\*enter, (.*)\};/const S exit = \1; return Interval<S>{*enter, S::from_raw(static_cast<typename S::raw_type>(exit.raw() % 64 == 21 ? exit.raw() ^ 1 : exit.raw()))};/'
+# So it is in one of 64 first coordinates.
+plant include/detent/query/closest_point/sphere.hpp \
+  's/^  return closest;/  if (closest[0].raw() % 64 == 21) closest[0] = S::from_raw(static_cast<typename S::raw_type>(closest[0].raw() ^ 1));\n  return closest;/'
 # The other shapes would only cost time.
-plant src/verify/corpus.hpp 's/^using Parts = List<SolidRays,.*/using Parts = List<SolidRays>;/'
+plant src/verify/corpus.hpp \
+  's/^using Parts = List<SolidRays,.*/using Parts = List<SolidRays, RoundPoints>;/'
 sed -i '/^using Parts/,/^$/{/^using Parts/!{/^$/!d}}' "$work/src/verify/corpus.hpp"
 plant src/verify/corpus.hpp 's/List<Spheres, .*>;/List<Spheres>;/'
+plant src/verify/corpus.hpp 's/List<SpherePoints, .*>;/List<SpherePoints>;/'
+
+# Of the golden values, those of the first group and of the eighth: 3 and 4 queries in 8 cells each.
+awk '
+  /^inline constexpr std::array/ {
+    rows = /questions/ ? 1 : 3; others = /questions/ ? 1 : 4; before = /questions/ ? 7 : 21
+    item = 0; inside = 1
+    sub(/[0-9]+>/, 8 * (rows + others) ">")
+    print
+    next
+  }
+  !inside { print; next }
+  {
+    last = sub(/};/, "")
+    for (i = 1; i <= NF; ++i) {
+      row = (item - item % 8) / 8
+      ++item
+      if (row < rows || (row >= before && row < before + others)) print $i
+    }
+    if (last) { print "};"; inside = 0 }
+  }' src/verify/golden.hpp >"$work/src/verify/golden.hpp"
 
 "$@" -std=c++20 -O1 -I"$work/include" -I"$work/src" -Isrc/cli -Itests -Itests/verify \
   tests/verify/planted_fault.cpp src/cli/verify.cpp "$work/src/verify/sheets.cpp" \
-  "$work/src/verify/parts/solid_rays.cpp" "$library" -pthread -o "$work/faulty"
+  "$work/src/verify/parts/solid_rays.cpp" "$work/src/verify/parts/round_points.cpp" "$library" -pthread -o "$work/faulty"
 
 status=0
 "$work/faulty" >"$work/printed" || status=$?
 [[ $status -eq 1 ]] || fail "exit $status, not 1"
-grep -qE '^raycast/sphere .* ok$' "$work/printed" || fail "a sound query is blamed"
-grep -qE '^raycast_interval/sphere .* DIFFERENT$' "$work/printed" || fail "the fault is not seen"
-grep -qE '^raycast_interval/sphere differs for q16_16 2D, .*q8_8 3D$' "$work/printed" ||
-  fail "the cells are not named"
-grep -qE '^  first wrong answer: q16_16 2D, question [0-9]+$' "$work/printed" ||
-  fail "the question is not named"
-grep -qE '^    ray origin +\{-?[0-9]+, -?[0-9]+\} \(-?[0-9.]+, -?[0-9.]+\)$' "$work/printed" ||
-  fail "the question is not shown"
-paste -sd ' ' <(sed -nE 's/^    (expected|got) .* to (-?[0-9]+) .*/\2/p' "$work/printed") |
-  awk 'NF != 2 || ($1 - $2) ^ 2 != 1 { exit 1 }' || fail "the wrong bit is not shown"
+for query in raycast/sphere raycast_hit/sphere contains/sphere on/sphere distance/sphere; do
+  grep -qE "^$query .* ok$" "$work/printed" || fail "$query is sound and blamed"
+done
+for query in raycast_interval/sphere closest_point/sphere; do
+  grep -qE "^$query .* DIFFERENT$" "$work/printed" || fail "the fault of $query is not seen"
+  sed -n "\#^$query differs for#,/^[^ ]* differs for/p" "$work/printed" >"$work/report"
+  grep -qE "^$query differs for q16_16 2D, .*q8_8 3D$" "$work/report" ||
+    fail "the cells of $query are not named"
+  grep -qE '^  first wrong answer: q16_16 2D, question [0-9]+$' "$work/report" ||
+    fail "the question of $query is not named"
+done
+
+# shows QUERY NAME LETTERS: its question has a vector of that name, and the numbers that LETTERS
+# lead up to, expected and got, are one unit apart.
+shows() {
+  sed -n "\#^$1 differs for#,/got /p" "$work/printed" >"$work/report"
+  grep -qE "^    $2 +\{-?[0-9]+, -?[0-9]+\} \(-?[0-9.]+, -?[0-9.]+\)$" "$work/report" ||
+    fail "the question of $1 is not shown"
+  paste -sd ' ' <(sed -nE "s/^    (expected|got) .*$3(-?[0-9]+)[ ,].*/\2/p" "$work/report") |
+    awk 'NF != 2 || ($1 - $2) ^ 2 != 1 { exit 1 }' || fail "the wrong bit of $1 is not shown"
+}
+shows raycast_interval/sphere 'ray origin' ' to '
+shows closest_point/sphere point '\{'
 sed -n '/differs for/,$p' "$work/printed"
