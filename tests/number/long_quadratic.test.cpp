@@ -15,7 +15,7 @@ constexpr auto with_roots(std::int64_t first, std::int64_t last) {
   constexpr auto five = Fixed<3, 0>(5);
   const auto middle = Fixed<120, 0>(five * number((first + last) / -2));
   const auto half = five * number((last - first) / 2);
-  return LongQuadratic(five, middle, five * number(first) * number(last), half * half);
+  return LongQuadratic(five, middle, five * number(first) * number(last), half, half);
 }
 
 static_assert(with_roots(2, 8).first_root(Fixed<31, 0>(100)) == Fixed<31, 0>(2));

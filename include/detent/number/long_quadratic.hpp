@@ -5,7 +5,7 @@
 #include <concepts>
 #include <optional>
 
-#include "detent/number/rounding.hpp"
+#include "detent/number/rough.hpp"
 
 namespace detent {
 
@@ -40,23 +40,42 @@ template <std::floating_point T>
 }
 
 /// The roots of a t^2 + 2 b t + c = 0 with a > 0, for numbers beyond what `Quadratic` takes, where
-/// the caller has a formula of its own for d = b^2 - a c >= 0.
-template <Number A, Number B, Number C, Number D>
+/// the caller has a formula of its own for b^2 - a c >= 0, as a product d e.
+///
+/// Roots are taken from leading bits as long as these tell how they are rounded.
+template <Number A, Number B, Number C, Number D, Number E>
 class LongQuadratic {
  public:
-  constexpr LongQuadratic(const A& a, const B& b, const C& c, const D& d) noexcept
-      : a_(a), b_(b), c_(c), d_(d) {}
+  constexpr LongQuadratic(const A& a, const B& b, const C& c, const D& d, const E& e) noexcept
+      : a_(a), b_(b), c_(c), d_(d), e_(e) {
+    if constexpr (is_fixed<D>) root_ = sqrt(Rough(d) * Rough(e));
+  }
+
+  /// The leading bits of what `first_root` rounds.
+  [[nodiscard]] constexpr Rough rough_first() const noexcept {
+    return Rough(c_) / (Rough(-b_) + root_);
+  }
+  /// The leading bits of what `last_root` rounds.
+  [[nodiscard]] constexpr Rough rough_last() const noexcept {
+    if (b_ <= 0) return (Rough(-b_) + root_) / Rough(a_);
+    return Rough(-c_) / (Rough(b_) + root_);
+  }
 
   /// The lesser root rounded down, or nothing when the exact root is greater than `limit`; wants
   /// b < 0 < c, so that both roots are positive.
   ///
-  /// It is c / (-b + sqrt(d)), a sum of positive numbers, of which the root is less than 2^-61 too
+  /// It is c / (-b + sqrt(d e)), a sum of positive numbers, of which the root is less than 2^-61 too
   /// small relative to itself: the quotient exceeds the exact one by less than a step of T, for T
   /// has at most 31 bits, and is rounded down to it or to the next. Which, the polynomial decides.
   template <Scalar T>
   [[nodiscard]] constexpr std::optional<T> first_root(const T& limit) const noexcept {
+    if constexpr (is_fixed<T>) {
+      if (const auto near = floor_of<T>(rough_first())) {
+        return *near < limit ? near : std::nullopt;
+      }
+    }
     if (sign_at(limit) > 0 && slope_at(limit) < 0) return std::nullopt;
-    const auto [root, scale] = leading_root(d_);
+    const auto [root, scale] = leading_root(d_ * e_);
     T t = quotient_floor<T>(scaled(c_, scale), root - scaled(b_, scale));
     if constexpr (is_fixed<T>) {
       if (sign_at(t) < 0 || slope_at(t) > 0) t = step(t, -1);
@@ -70,8 +89,11 @@ class LongQuadratic {
   /// The quotient is again one of numbers of one sign, and off by at most one step.
   template <Scalar T>
   [[nodiscard]] constexpr T last_root(const T& limit) const noexcept {
+    if constexpr (is_fixed<T>) {
+      if (const auto near = floor_of<T>(rough_last())) return std::min(*near, limit);
+    }
     if (!is_beyond(limit)) return limit;
-    const auto [root, scale] = leading_root(d_);
+    const auto [root, scale] = leading_root(d_ * e_);
     T t = b_ <= 0 ? quotient_floor<T>(root - scaled(b_, scale), scaled(a_, scale))
                   : quotient_floor<T>(-scaled(c_, scale), root + scaled(b_, scale));
     if constexpr (is_fixed<T>) {
@@ -118,6 +140,8 @@ class LongQuadratic {
   B b_;
   C c_;
   D d_;
+  E e_;
+  Rough root_;  // sqrt(d e)
 };
 
 }  // namespace detent

@@ -20,6 +20,7 @@
 #include "detent/number/products.hpp"
 #include "detent/number/root.hpp"
 #include "detent/number/root_ratio.hpp"
+#include "detent/number/rough.hpp"
 #include "detent/number/rounding.hpp"
 #include "detent/number/scalar.hpp"
 #include "detent/number/slab_times.hpp"

@@ -78,11 +78,6 @@ TEST_CASE("overlaps: an answer in narrow integers is the same in wide ones", "[o
       [](const auto& b, const auto& c, const auto& p, const auto& reach) {
         return detail::is_near_face(b, c, p, reach);
       });
-  const auto cylinder = [](const auto& m, const auto& e, const auto& radius) {
-    return detail::is_in_cylinder(m, e, radius);
-  };
-  compare<Fixed<30, 16>, Fixed<32, 16>, 2, 2>(cylinder);
-  compare<Fixed<30, 16>, Fixed<32, 16>, 3, 2>(cylinder);
   compare_slabs<2>();
   compare_slabs<3>();
 }

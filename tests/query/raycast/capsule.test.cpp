@@ -153,5 +153,45 @@ TEMPLATE_TEST_CASE("ray against capsule: no answer depends on the frame or the o
   }
 }
 
+TEST_CASE("ray against capsule: an answer in narrow integers is the same in wide ones",
+          "[raycast]") {
+  using S = q16_16;
+  using Narrow = Fixed<29, 16>;
+  using Wide = Fixed<32, 16>;
+  Random random(0xca96);
+  INFO(random);
+  int sides = 0, wrong = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const auto bits = random.between(4, 28);
+    const auto vec = [&] {
+      return make_vec<3>([&](int) {
+        return Narrow::from_raw(static_cast<std::int32_t>(
+            random.between(-(std::int64_t{1} << bits), std::int64_t{1} << bits)));
+      });
+    };
+    const auto e = vec();
+    const auto aim = vec();
+    const Vec ahead{Narrow::from_raw(1), Narrow(0), Narrow(0)};
+    auto d = *direction_of<S>(random.coin() ? vec() + ahead : aim + ahead);
+    if (dot(e, d) < 0) d = -d;
+    auto m = aim;
+    for (int k = 0; k < 3; ++k) m[k] = Narrow::from_raw(-aim[k].raw());
+    const auto radius =
+        Narrow::from_raw(static_cast<std::int32_t>(random.below(std::uint64_t{1} << bits)));
+    const auto wide = [](const auto& v) { return make_vec<3>([&](int k) { return Wide(v[k]); }); };
+    const detail::RayCapsule<S, 3, Narrow, Narrow> small(d, m, e, radius);
+    const detail::RayCapsule<S, 3, Wide, S> large(d, wide(m), wide(e), S(radius));
+    const auto limit = S::from_raw(static_cast<std::int32_t>(random.below(std::uint64_t{1} << 31)));
+    const auto a = small.entry(limit), b = large.entry(limit);
+    if (a.part != b.part || a.distance != b.distance) ++wrong;
+    if (a.part != detail::CapsulePart::side || radius == 0) continue;
+    ++sides;
+    if (small.normal() != large.normal()) ++wrong;
+    if (a.distance && small.left() != large.left()) ++wrong;
+  }
+  CHECK(wrong == 0);
+  CHECK(sides > 100);
+}
+
 }  // namespace
 }  // namespace detent::test

@@ -7,73 +7,75 @@
 
 #include "detent/math/width.hpp"
 #include "detent/number/long_quadratic.hpp"
-#include "detent/query/contains/capsule.hpp"
+#include "detent/query/overlaps/near_segment.hpp"
 #include "detent/query/raycast/sphere.hpp"
+#include "detent/shape/capsule.hpp"
 
 namespace detent {
 
 namespace detail {
 
 /// Which part of a capsule's surface a line passes.
-enum class CapsulePart { none, first_end, side, last_end };
+enum class CapsulePart { none, inside, first_end, side, last_end };
 
-/// Whether the point at `m` is in the cylinder about the line through 0 along `e`:
-/// |m x e|^2 <= radius^2 e^2; everywhere for e = 0.
-template <Number M, Number E, Number R, int N>
-[[nodiscard]] constexpr bool is_in_cylinder(const Vec<M, N>& m, const Vec<E, N>& e,
-                                            const R& radius) noexcept {
-  using Product = decltype(squared_length(m) * squared_length(e));
-  return narrow_square<bits_of<Product>>(cross(m, e)) <= square(radius) * squared_length(e);
-}
+/// Where a ray enters a capsule; at an end, the sphere there tells at which distance, if at all.
+template <Scalar S>
+struct CapsuleEntry {
+  CapsulePart part;
+  std::optional<S> distance{};
+};
 
 /// The line of a ray against a capsule: the spheres about its ends, and between the planes through
 /// the ends the cylinder |(m + t d) x e|^2 = r^2 e^2, where e leads from the end that the ray
 /// faces to the other and m from there to the ray's origin. All of the capsule is in the cylinder.
-template <Scalar S, int N>
+template <Scalar S, int N, Number Length, Number Radius>
 class RayCapsule {
  public:
-  constexpr RayCapsule(const Ray<S, N>& ray, const Capsule<S, N>& capsule) noexcept
-      : ray_(ray),
-        capsule_(capsule),
-        ends_(dot(capsule.b - capsule.a, ray.direction) < 0 ? Segment{capsule.b, capsule.a}
-                                                            : Segment{capsule.a, capsule.b}),
-        m_(ray.origin - ends_.start),
-        e_(ends_.end - ends_.start),
-        k_(cross(ray.direction, e_)),
+  constexpr RayCapsule(const Direction<S, N>& d, const Vec<Length, N>& m, const Vec<Length, N>& e,
+                       const Radius& radius) noexcept
+      : d_(d),
+        m_(m),
+        e_(e),
+        radius_(radius),
+        k_(cross(d, e)),
         a_(narrow_square<2 * along>(k_)),
         det_(determinant()),
-        ee_(squared_length(e_)),
-        de_(dot(e_, ray.direction)) {}
+        ee_(squared_length(e)),
+        de_(dot(e, d)) {}
 
-  /// Where the ray, which starts outside the capsule, may enter it. At an end, the sphere there
-  /// tells whether it does.
-  [[nodiscard]] constexpr CapsulePart entered() const noexcept {
-    if (is_far()) return CapsulePart::none;
-    if (starts_in_cylinder())
-      return dot(m_, e_) < 0 ? CapsulePart::first_end : CapsulePart::last_end;
-    if (!approaches_axis() || reach() < 0) return CapsulePart::none;
-    const auto first = plane_through(ends_.start), last = plane_through(ends_.end);
-    if (first.after_closest > 0 || first.outside < 0) return CapsulePart::first_end;
-    if (last.after_closest < 0 && last.outside > 0) return CapsulePart::last_end;
-    return CapsulePart::side;
+  /// Where the ray enters the capsule, at a distance of up to `limit`.
+  [[nodiscard]] constexpr CapsuleEntry<S> entry(const S& limit) const noexcept {
+    if (is_far()) return {CapsulePart::none};
+    if (is_near_edge(e_, m_, radius_)) return {CapsulePart::inside, S(0)};
+    const auto b = approach();
+    const auto c = start();
+    if (c <= 0) return {dot(m_, e_) < 0 ? CapsulePart::first_end : CapsulePart::last_end};
+    if (b >= 0 || compare_products(square(radius_), a_, abs(det_), abs(det_)) < 0) {
+      return {CapsulePart::none};
+    }
+    const LongQuadratic side(a_, b, c, reach(), ee_);
+    const auto part = entered(side);
+    if (part != CapsulePart::side) return {part};
+    return {part, side.first_root(limit)};
   }
 
-  /// Where the line leaves the capsule that it meets.
+  /// Where the line leaves the capsule that it meets, after the ray has started.
   [[nodiscard]] constexpr CapsulePart left() const noexcept {
     if (a_ == 0) return CapsulePart::last_end;
-    const auto first = plane_through(ends_.start), last = plane_through(ends_.end);
+    if constexpr (is_fixed<S>) {
+      const auto part = part_at(side().rough_last());
+      if (part != CapsulePart::none) return part;
+    }
+    const auto first = plane_through(m_);
     if (first.after_closest > 0 && first.outside > 0) return CapsulePart::first_end;
+    const auto last = plane_through(m_ - e_);
     if (last.after_closest < 0 || last.outside < 0) return CapsulePart::last_end;
     return CapsulePart::side;
   }
 
-  [[nodiscard]] constexpr Sphere<S, N> sphere(CapsulePart part) const noexcept {
-    return {part == CapsulePart::first_end ? ends_.start : ends_.end, capsule_.radius};
-  }
-
   /// a t^2 + 2 b t + c = |(m + t d) x e|^2 - r^2 e^2, for a line that meets the cylinder.
   [[nodiscard]] constexpr auto side() const noexcept {
-    return LongQuadratic(a_, b(), c(), discriminant());
+    return LongQuadratic(a_, approach(), start(), reach(), ee_);
   }
 
   /// The unit vector from the axis to the point where the line enters through the side, for a
@@ -81,29 +83,39 @@ class RayCapsule {
   /// before that it is farther back along e x k by what the radius leaves. Together, over r,
   /// ((m . k) e^2 k - sqrt(b^2 - a c) e x k) / (r a e^2).
   [[nodiscard]] constexpr Direction<S, N> normal() const noexcept {
-    using Component = direction_component<S>;
     if constexpr (N == 2) {
       const auto side = Vec{narrow_negative(e_.y), e_.x};
       const auto normal = *direction_of<S>(side);
-      return dot(side, ray_.direction) > 0 ? -normal : normal;
+      return dot(side, d_) > 0 ? -normal : normal;
     } else {
-      constexpr int bits = bits_of<S> + bits_of<decltype(a_ * ee_)>;  // |m . k| <= r sqrt(a)
-      const auto root = leading_root(discriminant());
-      const auto length = scale_up<bits + 63>(a_ * ee_ * capsule_.radius, root.scale);
-      return Direction<S, N>::assume_unit(make_vec<N>([&](int i) {
-        const auto closest = narrow<bits>(det_ * ee_ * k_[i]);
-        const auto back = root.root * (ee_ * ray_.direction[i] - de_ * e_[i]);
-        return quotient_nearest<Component>(
-            narrow_difference<bits + 64>(scale_up<bits + 63>(closest, root.scale), back), length);
-      }));
+      return Direction<S, N>::assume_unit(make_vec<N>([&](int i) { return normal(i); }));
     }
   }
 
  private:
-  using Length = decltype(S() - S());
   // |v| |d| for the differences of points, and |u| |v| |d| for two of them: see `RayTriangle`.
   static constexpr int along = along_bits<S, Length>;
   static constexpr int volume = bits_of<Length> + along + 1;
+
+  /// A component of the normal: from leading bits, if these tell how it is rounded.
+  [[nodiscard]] constexpr auto normal(int i) const noexcept {
+    using Component = direction_component<S>;
+    const auto back = ee_ * d_[i] - de_ * e_[i];
+    if constexpr (is_fixed<S>) {
+      const auto area = Rough(a_) * Rough(radius_), across = Rough(ee_);
+      const auto near = nearest_difference<Component>(
+          Rough(abs(det_)) / area, det_ < 0 ? narrow_negative(k_[i]) : k_[i],
+          sqrt(Rough(reach()) * across) / (area * across), back);
+      if (near) return *near;
+    }
+    constexpr int bits = bits_of<Radius> + bits_of<decltype(a_ * ee_)>;  // |m . k| <= r sqrt(a)
+    const auto root = leading_root(reach() * ee_);
+    const auto length = scale_up<bits + 63>(a_ * ee_ * radius_, root.scale);
+    const auto closest = narrow<bits>(det_ * ee_ * k_[i]);
+    return quotient_nearest<Component>(
+        narrow_difference<bits + 64>(scale_up<bits + 63>(closest, root.scale), root.root * back),
+        length);
+  }
 
   /// m . (d x e), which is 0 for vectors of one plane.
   [[nodiscard]] constexpr auto determinant() const noexcept {
@@ -114,29 +126,12 @@ class RayCapsule {
     }
   }
 
-  [[nodiscard]] constexpr auto b() const noexcept {
-    const auto moment = cross(m_, e_);
-    if constexpr (N == 2) {
-      return k_ * moment;
-    } else {
-      return dot(k_, moment);
-    }
+  /// b, which is k . (m x e), by Lagrange's identity; and c.
+  [[nodiscard]] constexpr auto approach() const noexcept {
+    return dot(m_, d_) * ee_ - de_ * dot(m_, e_);
   }
-  [[nodiscard]] constexpr auto c() const noexcept {
-    const auto moment = cross(m_, e_);
-    return narrow_square<bits_of<decltype(ee_ * ee_)>>(moment) - square(capsule_.radius) * ee_;
-  }
-
-  /// c <= 0.
-  [[nodiscard]] constexpr bool starts_in_cylinder() const noexcept {
-    return by_width<30>([](const auto&... x) { return is_in_cylinder(x...); }, m_, e_,
-                        capsule_.radius);
-  }
-  /// b < 0, as (d . m) e^2 - (d . e) (m . e) by Lagrange's identity.
-  [[nodiscard]] constexpr bool approaches_axis() const noexcept {
-    return by_width<62>([](const auto& dm, const auto& ee, const auto& de,
-                           const auto& me) { return dm * ee < de * me; },
-                        dot(m_, ray_.direction), ee_, de_, dot(m_, e_));
+  [[nodiscard]] constexpr auto start() const noexcept {
+    return narrow_square<bits_of<decltype(ee_ * ee_)>>(cross(m_, e_)) - square(radius_) * ee_;
   }
 
   /// Whether |m . k| > r (|kx| + |ky| + |kz|), so that it is also greater than r |k|: in integers
@@ -145,18 +140,41 @@ class RayCapsule {
     if constexpr (N == 2) {
       return false;
     } else {
-      return abs(det_) > (abs(k_.x) + abs(k_.y) + abs(k_.z)) * capsule_.radius;
+      return abs(det_) > (abs(k_.x) + abs(k_.y) + abs(k_.z)) * radius_;
     }
   }
 
   /// (b^2 - a c) / e^2 = r^2 a - (m . k)^2 by Lagrange's identity: negative where the line misses
   /// the cylinder.
   [[nodiscard]] constexpr auto reach() const noexcept {
-    return square(capsule_.radius) * a_ - square(det_);
+    return square(radius_) * a_ - square(det_);
   }
-  [[nodiscard]] constexpr auto discriminant() const noexcept {
-    using Most = decltype(square(capsule_.radius) * a_);
-    return narrow<bits_of<Most>>(reach()) * ee_;
+
+  /// The part whose distance along the axis, m . e + t d . e, the ray has at t; `none` where that is
+  /// too close to an end to tell.
+  [[nodiscard]] constexpr CapsulePart part_at(const Rough& t) const noexcept {
+    const auto me = dot(m_, e_);
+    const auto to_last = ee_ - me;
+    const auto passed = t * Rough(de_);
+    const int first = me > 0 ? 1 : Rough::compare<42>(passed, Rough(abs(me)));
+    const int last = to_last < 0 ? 1 : Rough::compare<42>(passed, Rough(abs(to_last)));
+    if (first < 0) return CapsulePart::first_end;
+    if (last > 0) return CapsulePart::last_end;
+    return first > 0 && last < 0 ? CapsulePart::side : CapsulePart::none;
+  }
+
+  /// The part of the surface where the line enters the cylinder, after the ray has started.
+  template <class Side>
+  [[nodiscard]] constexpr CapsulePart entered(const Side& side) const noexcept {
+    if constexpr (is_fixed<S>) {
+      const auto part = part_at(side.rough_first());
+      if (part != CapsulePart::none) return part;
+    }
+    const auto at_first = plane_through(m_);
+    if (at_first.after_closest > 0 || at_first.outside < 0) return CapsulePart::first_end;
+    const auto at_last = plane_through(m_ - e_);
+    if (at_last.after_closest < 0 && at_last.outside > 0) return CapsulePart::last_end;
+    return CapsulePart::side;
   }
 
   /// Signs that tell where the line meets the plane across the axis through an end: after or before
@@ -165,30 +183,59 @@ class RayCapsule {
     int after_closest;
     int outside;
   };
-  [[nodiscard]] constexpr Crossing plane_through(const Vec<S, N>& end) const noexcept {
-    const auto sign = [](const auto& left, const auto& right) {
-      return (left > right) - (left < right);
-    };
-    const auto& d = ray_.direction;
-    const auto m = ray_.origin - end;
+  /// `m` leads from the end to the ray's origin.
+  template <Number M>
+  [[nodiscard]] constexpr Crossing plane_through(const Vec<M, N>& m) const noexcept {
     // At t = -(m . e) / (d . e), against t = -(m . d) / (d . d) less what leads along the axis.
-    const int after = sign(de_ * dot(m, d), dot(m, e_) * squared_length(d));
-    // (d . e) (m + t d) = e x (m x d), whose square is e^2 |m x d|^2 - (m . (d x e))^2.
-    const auto squared = ee_ * narrow_square<2 * along>(cross(d, m)) - square(det_);
-    return {after, sign(squared, square(capsule_.radius) * square(de_))};
+    const auto me = dot(m, e_);
+    const auto after = de_ * dot(m, d_);
+    const auto closest = me * squared_length(d_);
+    const auto there = make_vec<N>([&](int i) { return de_ * m[i] - me * d_[i]; });
+    return {(after > closest) - (after < closest),
+            compare_length(to_array(there), abs(de_) * radius_)};
   }
 
-  const Ray<S, N>& ray_;
-  const Capsule<S, N>& capsule_;
-  Segment<S, N> ends_;
+  Direction<S, N> d_;
   Vec<Length, N> m_;
   Vec<Length, N> e_;
+  Radius radius_;
   decltype(cross(Direction<S, N>(), Vec<Length, N>())) k_;
   decltype(narrow_square<2 * along>(cross(Direction<S, N>(), Vec<Length, N>()))) a_;
   decltype(narrow<volume>(Length() * dot(Vec<Length, N>(), Direction<S, N>()))) det_;
   decltype(squared_length(Vec<Length, N>())) ee_;
   decltype(dot(Vec<Length, N>(), Direction<S, N>())) de_;
 };
+
+/// The end of the axis of `capsule` that `ray` faces, and the other.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Segment<S, N> facing_axis(const Ray<S, N>& ray,
+                                                  const Capsule<S, N>& capsule) noexcept {
+  if (dot(capsule.b - capsule.a, ray.direction) < 0) return {capsule.b, capsule.a};
+  return {capsule.a, capsule.b};
+}
+
+/// f(meeting) for the meeting of a ray and a capsule about `axis`, in integers as narrow as they
+/// allow.
+template <Scalar S, int N, class F>
+[[nodiscard]] constexpr auto with_meeting(const Ray<S, N>& ray, const Segment<S, N>& axis,
+                                          const S& radius, const F& f) noexcept {
+  return by_width<29>(
+      [&]<Number L, Number R>(const Vec<L, N>& m, const Vec<L, N>& e, const R& r) {
+        return f(RayCapsule<S, N, L, R>(ray.direction, m, e, r));
+      },
+      ray.origin - axis.start, axis.end - axis.start, radius);
+}
+
+[[nodiscard]] constexpr bool is_end(CapsulePart part) noexcept {
+  return part == CapsulePart::first_end || part == CapsulePart::last_end;
+}
+
+/// The sphere about the end of a capsule that a ray enters or leaves.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Sphere<S, N> end_of(const Segment<S, N>& axis, const S& radius,
+                                            CapsulePart part) noexcept {
+  return {part == CapsulePart::first_end ? axis.start : axis.end, radius};
+}
 
 }  // namespace detail
 
@@ -204,12 +251,12 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<S> raycast(const Ray<S, N>& ray,
                                                  const Capsule<S, N>& capsule) noexcept {
   if (capsule.radius < 0 || ray.max_distance < 0) return std::nullopt;
-  if (contains(capsule, ray.origin)) return S(0);
-  const detail::RayCapsule<S, N> meeting(ray, capsule);
-  const auto part = meeting.entered();
-  if (part == detail::CapsulePart::none) return std::nullopt;
-  if (part == detail::CapsulePart::side) return meeting.side().first_root(ray.max_distance);
-  return raycast(ray, meeting.sphere(part));
+  const auto axis = detail::facing_axis(ray, capsule);
+  const auto [part, distance] =
+      detail::with_meeting(ray, axis, capsule.radius,
+                           [&](const auto& meeting) { return meeting.entry(ray.max_distance); });
+  if (!is_end(part)) return distance;
+  return raycast(ray, detail::end_of(axis, capsule.radius, part));
 }
 
 /// Distance, point and normal where `ray` first touches `capsule`, or nothing.
@@ -220,15 +267,21 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<RayHit<S, N>> raycast_hit(
     const Ray<S, N>& ray, const Capsule<S, N>& capsule) noexcept {
-  const auto distance = raycast(ray, capsule);
+  if (capsule.radius < 0 || ray.max_distance < 0) return std::nullopt;
+  const auto axis = detail::facing_axis(ray, capsule);
+  struct Entry {
+    detail::CapsuleEntry<S> at;
+    Direction<S, N> normal;
+  };
+  const Entry entry = detail::with_meeting(ray, axis, capsule.radius, [&](const auto& meeting) {
+    const auto at = meeting.entry(ray.max_distance);
+    const bool is_side = at.part == detail::CapsulePart::side && at.distance;
+    return Entry{at, is_side && capsule.radius > 0 ? meeting.normal() : -ray.direction};
+  });
+  const auto [part, distance] = entry.at;
+  if (is_end(part)) return raycast_hit(ray, detail::end_of(axis, capsule.radius, part));
   if (!distance) return std::nullopt;
-  if (capsule.radius == 0 || contains(capsule, ray.origin)) {
-    return detail::hit_at(ray, *distance, -ray.direction);
-  }
-  const detail::RayCapsule<S, N> meeting(ray, capsule);
-  const auto part = meeting.entered();
-  if (part != detail::CapsulePart::side) return raycast_hit(ray, meeting.sphere(part));
-  return detail::hit_at(ray, *distance, meeting.normal());
+  return detail::hit_at(ray, *distance, entry.normal);
 }
 
 /// Distances at which `ray` enters and leaves `capsule`, or nothing.
@@ -239,15 +292,15 @@ template <Scalar S, int N>
     const Ray<S, N>& ray, const Capsule<S, N>& capsule) noexcept {
   const auto enter = raycast(ray, capsule);
   if (!enter) return std::nullopt;
-  const detail::RayCapsule<S, N> meeting(ray, capsule);
-  const auto part = meeting.left();
-  if (part == detail::CapsulePart::side) {
-    return Interval<S>{*enter, meeting.side().last_root(ray.max_distance)};
-  }
-  // The sphere that it leaves may lie wholly beyond the end of the ray.
-  const detail::RaySphere<S, N> sphere(ray, meeting.sphere(part));
-  const S exit = sphere.quadratic().last_root(ray.max_distance);
-  return Interval<S>{*enter, std::min(exit, ray.max_distance)};
+  const auto axis = detail::facing_axis(ray, capsule);
+  const auto exit = detail::with_meeting(ray, axis, capsule.radius, [&](const auto& meeting) {
+    const auto part = meeting.left();
+    if (part == detail::CapsulePart::side) return meeting.side().last_root(ray.max_distance);
+    // The sphere that it leaves may lie wholly beyond the end of the ray.
+    const detail::RaySphere<S, N> sphere(ray, detail::end_of(axis, capsule.radius, part));
+    return std::min(sphere.quadratic().last_root(ray.max_distance), ray.max_distance);
+  });
+  return Interval<S>{*enter, exit};
 }
 
 }  // namespace detent
