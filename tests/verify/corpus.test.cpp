@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <xxhash.h>
 
+#include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 #include <string_view>
@@ -234,6 +236,32 @@ TEST_CASE("corpus: the parts give the golden digests of their rows") {
     CHECK(check<Part>(small_size, golden::small, keep).is_golden);
   });
   CHECK(by_parts == all);
+}
+
+TEST_CASE("corpus: a quarter asks every query in every dimension, and four quarters ask it all") {
+  visit_groups([]<class Group>(Group) {
+    // For each dimension, the scalars of each quarter, a bit each.
+    std::array<std::array<int, 4>, 4> scalars{};
+    visit_spaces<Group>([&]<class S, int N>(Space<S, N>) {
+      const auto add = [&](std::size_t quarter, bool has) {
+        if (has) scalars[N][quarter] += 1 << scalar_index<S>;
+      };
+      add(0, Quarter<0>::has<Group, S, N>);
+      add(1, Quarter<1>::has<Group, S, N>);
+      add(2, Quarter<2>::has<Group, S, N>);
+      add(3, Quarter<3>::has<Group, S, N>);
+    });
+    for (auto& quarters : scalars) {
+      std::sort(quarters.begin(), quarters.end());
+      const bool asks = quarters != std::array{0, 0, 0, 0};
+      CHECK((!asks || quarters == std::array{1, 2, 4, 8}));
+    }
+  });
+  const auto ignore = [](const RowResult&) {};
+  CHECK(check<Corpus, Quarter<1>>(small_size, golden::small, ignore).is_golden);
+  auto expected = golden::small;
+  for (auto& cell : expected) cell ^= 1;
+  CHECK_FALSE(check<Corpus, Quarter<1>>(small_size, expected, ignore).is_golden);
 }
 
 TEST_CASE("corpus: a single wrong golden value is a difference, and its cell is named") {
