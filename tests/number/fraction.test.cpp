@@ -51,32 +51,9 @@ TEST_CASE("fraction: its root is the greatest on the grid that is not beyond it"
       INFO(n << " / " << d);
       REQUIRE(root * root * x.denominator <= x.numerator);
       REQUIRE(after * after * x.denominator > x.numerator);
-
-      const auto odd = sqrt_odd<Root>(x);
-      const bool is_exact = root * root * x.denominator == x.numerator;
-      REQUIRE(odd == (is_exact || root.raw() % 2 != 0 ? root : after));
     }
   }
   CHECK(sqrt_floor<Fixed<8, 4>>(Fraction{Over(100000), Under(1)}) == Fixed<8, 4>::max());
-}
-
-TEST_CASE("fraction: a root rounded to odd rounds once in the end", "[number]") {
-  // nearest(sqrt(n / d)) on a coarse grid, which 2 * root and its neighbours decide exactly.
-  using Coarse = Fixed<20, 3>;
-  for (int n = 0; n < 3000; ++n) {
-    for (int d = 1; d < 12; ++d) {
-      const Fraction x{Over::from_raw(n), Under::from_raw(d)};
-      const auto nearest = nearest_to<Coarse>(sqrt_odd<Fixed<22, 5>>(x));
-      // sqrt(x) on the grid of halves of Coarse, as an integer comparison: x * 4^4 = 16 n / d.
-      const auto below = 2 * nearest.raw() - 1, above = 2 * nearest.raw() + 1;
-      INFO(n << " / " << d);
-      REQUIRE((below < 0 || below * below * d <= 16 * n));
-      REQUIRE(above * above * d >= 16 * n);
-      if (above * above * d == 16 * n || (below > 0 && below * below * d == 16 * n)) {
-        REQUIRE(nearest.raw() % 2 == 0);
-      }
-    }
-  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "number/big_integer.hpp"
 #include "support/catch.hpp"
 
 using namespace detent;
@@ -37,5 +38,32 @@ TEST_CASE("divide_near_one: the quotient is right however near 1 the denominator
     // A multiple of the denominator on the grid of the result, and its neighbours.
     const std::int64_t multiple = random.between(0, (std::int64_t{1} << 31) - 1) << 30;
     for (const int k : {-1, 0, 1}) check(std::max<std::int64_t>(multiple + k, 0), one, i % 33);
+  }
+}
+
+TEST_CASE("divide_by_length: the quotient is right at every step and beside it") {
+  Random random(20260602);
+  INFO(random);
+  const auto check_one = [](auto n, auto d, auto unit) {
+    using T = decltype(unit);
+    // floor(sqrt(n^2 / d)) on the grid of T.
+    const BigInteger squared = (big_raw(n) * big_raw(n)) / big_raw(d);
+    constexpr int shift = 2 * (decltype(n)::frac - T::frac) - decltype(d)::frac;
+    static_assert(shift == 0);
+    CHECK(big_raw(divide_by_length<T>(n, d)) == clamped<T>(sqrt(squared)));
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const auto d = Denominator::from_raw(one + (random.coin() ? random.wide(32) : 0));
+    check_one(Numerator::from_raw(random.edgy(62)), d, q16_16());
+    // A multiple of the root of the denominator, and its neighbours.
+    const BigInteger k = random.between(0, (std::int64_t{1} << 31) - 1);
+    const BigInteger n = sqrt(BigInteger(k * k * big_raw(d)));
+    for (const int j : {-1, 0, 1, 2}) check_one(fixed_from<Numerator>(n + j), d, q16_16());
+
+    const auto small =
+        Fixed<29, 28>::from_raw((1 << 28) + static_cast<std::int32_t>(random.edgy(16)));
+    check_one(Fixed<31, 22>::from_raw(static_cast<std::int32_t>(random.edgy(30))), small, q8_8());
+    const BigInteger m = sqrt(BigInteger((k % 32768) * (k % 32768) * big_raw(small)));
+    for (const int j : {0, 1}) check_one(fixed_from<Fixed<31, 22>>(m + j), small, q8_8());
   }
 }

@@ -214,6 +214,9 @@ template <class A, class B>
 requires detail::FixedOperands<A, B>
 [[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr std::strong_ordering operator<=>(
     const A& left, const B& right) noexcept {
+  if constexpr (std::integral<B>) {  // a sign, which needs no common grid
+    if (right == 0) return left.raw() <=> typename A::raw_type(0);
+  }
   const auto& a = detail::as_fixed(left);
   const auto& b = detail::as_fixed(right);
   using FixedA = std::remove_cvref_t<decltype(a)>;

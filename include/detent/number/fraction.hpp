@@ -86,24 +86,6 @@ template <Number T, Number N, Number D>
   }
 }
 
-/// The square root of a non-negative fraction that is known to fit `T`, rounded to odd: as it is
-/// where the grid of `T` has it, else the odd one of its two neighbours there.
-///
-/// An odd last bit says that more follows. So rounding a sum with it to nearest on a grid at least
-/// two bits coarser decides as the exact sum would, ties included.
-///
-/// source: Boldo and Melquiond, Emulation of a FMA and Correctly Rounded Sums (2008)
-template <Number T, Number N, Number D>
-[[nodiscard]] constexpr T sqrt_odd(const Fraction<N, D>& x) noexcept {
-  const T root = sqrt_floor<T>(x);
-  if constexpr (is_fixed<T>) {
-    if (root * root * x.denominator != x.numerator) {
-      return T::assume_raw(static_cast<typename T::raw_type>(root.raw() | 1));
-    }
-  }
-  return root;
-}
-
 /// The value of a fraction that is known to be in [0, T::max()], rounded down to the grid of `T`.
 template <Number T, Number N, Number D>
 [[nodiscard]] constexpr T narrow_floor(const Fraction<N, D>& x) noexcept {

@@ -53,4 +53,30 @@ template <class T, int BN, int FN, int BD, int FD>
           shift_right_floor(rest, shift + unknown_bits) == Integer(0)};
 }
 
+/// |n| / sqrt(d), rounded down to the grid of `T` and clamped, where d is the squared
+/// length of a direction: 1 within 2^-28, or 2^-12 in 16 bits.
+///
+/// 1 / sqrt(1 + e) = 1 - e / 2 + ..., where what is left out is below 3 e^2 / 8, and so less than
+/// 2^6 steps of n. Only where that might lead past a step of T are the squares compared.
+template <class T, int BN, int FN, int BD, int FD>
+[[nodiscard]] constexpr T divide_by_length(const Fixed<BN, FN>& n,
+                                           const Fixed<BD, FD>& d) noexcept {
+  constexpr int shift = FN - T::frac;
+  static_assert(shift > 7 && BN <= FD + 3 && BN <= 63);
+  using Product = IntegerFor<BN + FD / 2 + 2>;
+  const std::int64_t sign = shift_right_floor(std::int64_t{n.raw()}, 63);
+  const std::int64_t raw = (n.raw() ^ sign) - sign;  // a branch would be a coin's
+  const auto excess = wrapping_subtract<std::int64_t>(d.raw(), std::int64_t{1} << FD);
+  DETENT_ASSERT(detail::is_within<FD / 2 + 2>(excess));
+  const auto quotient = raw - integer_cast<std::int64_t>(shift_right_floor(
+                                  wrapping_multiply<Product>(raw, excess), FD + 1));
+  constexpr std::int64_t margin = 1 << 6;
+  const std::int64_t above = shift_right_floor(quotient + margin, shift);
+  if (above == shift_right_floor(quotient - margin, shift)) return detail::clamp_raw<T>(above);
+  using Candidate = Fixed<BN - shift + 1, T::frac>;
+  const auto candidate = Candidate::assume_raw(static_cast<typename Candidate::raw_type>(above));
+  const bool is_reached = narrow_product<2 * BN>(square(candidate), d) <= square(n);
+  return detail::clamp_raw<T>(above - (is_reached ? 0 : 1));
+}
+
 }  // namespace detent

@@ -3,6 +3,7 @@
 
 // The number layer: exact fixed point, rounding by name, angles, text and digests.
 
+#include "detent/number/along.hpp"
 #include "detent/number/angle.hpp"
 #include "detent/number/arc.hpp"
 #include "detent/number/assert.hpp"
@@ -13,11 +14,14 @@
 #include "detent/number/divide.hpp"
 #include "detent/number/fixed.hpp"
 #include "detent/number/integer.hpp"
+#include "detent/number/leg.hpp"
 #include "detent/number/long_quadratic.hpp"
+#include "detent/number/near_half.hpp"
 #include "detent/number/near_one.hpp"
 #include "detent/number/next_up.hpp"
 #include "detent/number/plane_grid.hpp"
 #include "detent/number/products.hpp"
+#include "detent/number/ratio.hpp"
 #include "detent/number/root.hpp"
 #include "detent/number/root_ratio.hpp"
 #include "detent/number/rough.hpp"

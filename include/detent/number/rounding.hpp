@@ -25,6 +25,17 @@ constexpr T clamp_raw(const I& raw) noexcept {
   return T::assume_raw(integer_cast<typename T::raw_type>(raw));
 }
 
+/// The same of a square root.
+template <class T>
+constexpr T clamp_root(std::uint64_t root) noexcept {
+  if constexpr (T::bits > 63) {
+    return clamp_raw<T>(Wide<2>(root));
+  } else {
+    constexpr auto greatest = static_cast<std::uint64_t>(T::max().raw());
+    return T::assume_raw(static_cast<typename T::raw_type>(std::min(root, greatest)));
+  }
+}
+
 /// Whether a `Fixed` of `Bits` bits can hold `raw`: |raw| <= 2^Bits, and its integer has a pattern
 /// for it.
 template <int Bits, class I>
@@ -176,6 +187,12 @@ template <int Bits, int B, int F>
   return Fixed<Bits, F>::assume_raw(shift_left(integer_cast<Raw>(x.raw()), count));
 }
 
+/// x / 2^count rounded down to the grid of x, in `Bits`: the caller has a proof that it fits.
+template <int Bits, int B, int F>
+[[nodiscard]] constexpr Fixed<Bits, F> scale_down(const Fixed<B, F>& x, int count) noexcept {
+  return narrow<Bits>(Fixed<B, F>::assume_raw(shift_right_floor(x.raw(), count)));
+}
+
 /// How often x > 0 can be doubled within its budget.
 template <int B, int F>
 [[nodiscard]] constexpr int headroom(const Fixed<B, F>& x) noexcept {
@@ -213,7 +230,8 @@ template <class T, int BN, int FN, int BD, int FD>
 /// The square root of `x`, rounded down to the grid of `T` and clamped; 0 for a negative `x`.
 template <class T, int B, int F>
 [[nodiscard]] constexpr T sqrt_floor(const Fixed<B, F>& x) noexcept {
-  if (sign_of(x.raw()) <= 0) return T();
+  using Raw = typename Fixed<B, F>::raw_type;
+  if (x.raw() < Raw(0)) return T();
   // sqrt(raw * 2^-F) * 2^frac = sqrt(raw * 2^shift); a negative shift may drop bits first, since
   // floor(sqrt(floor(y))) = floor(sqrt(y)).
   constexpr int shift = 2 * T::frac - F;
@@ -221,17 +239,16 @@ template <class T, int B, int F>
   if constexpr (B + shift <= 63) {  // a raw of +2^B needs one bit more
     const auto raw = shift < 0 ? shift_right_floor(x.raw(), -shift) : x.raw();
     const auto n = static_cast<std::uint64_t>(integer_cast<std::int64_t>(raw));
-    const std::uint64_t root = square_root_floor(n << std::max(shift, 0));
-    return detail::clamp_raw<T>(static_cast<std::int64_t>(root));
+    return detail::clamp_root<T>(square_root_floor(n << std::max(shift, 0)));
   } else if constexpr (B + std::max(shift, 0) <= 126) {
     const auto raw = integer_cast<Int128>(x.raw());
     const Wide<2> n(shift < 0 ? shift_right_floor(raw, -shift) : shift_left(raw, shift));
-    return detail::clamp_raw<T>(Wide<2>(square_root_floor(n.word(1), n.word(0))));
+    return detail::clamp_root<T>(square_root_floor(n.word(1), n.word(0)));
   } else {
     const Wide<4> raw = integer_cast<Wide<4>>(x.raw());
     const Wide<4> n = shift < 0 ? raw >> -shift : raw << std::max(shift, 0);
     if (n.word(2) != 0) return detail::clamp_raw<T>(Wide<2>::from_words({0, 1}));  // n = 2^128
-    return detail::clamp_raw<T>(Wide<2>(square_root_floor(n.word(1), n.word(0))));
+    return detail::clamp_root<T>(square_root_floor(n.word(1), n.word(0)));
   }
 }
 

@@ -4,20 +4,13 @@
 #include <array>
 #include <cstddef>
 
+#include "detent/number/ratio.hpp"
 #include "detent/query/closest_point/sphere.hpp"
 #include "detent/query/contains/capsule.hpp"
 
 namespace detent {
 
 namespace detail {
-
-/// The unit vector along `v`, which is not 0, with each component rounded to nearest.
-template <Number Component, Number T, int N>
-[[nodiscard]] constexpr std::array<Component, N> unit_along(const Vec<T, N>& v) noexcept {
-  std::array<T, N> components;
-  for (int i = 0; i < N; ++i) components[static_cast<std::size_t>(i)] = v[i];
-  return *unit_vector<Component>(components);
-}
 
 /// Beside its axis, a capsule's closest point is the axis point, over / whole, plus `radius` along
 /// `outward`; |outward|^2 = whole * square. One coordinate of it:
@@ -43,32 +36,52 @@ struct CapsuleSide {
     const Fraction right{short_of * short_of, whole};
     return step_sign * ((right < left) - (left < right));
   }
-
-  /// The exact coordinate rounded to nearest, ties to even.
-  ///
-  /// The axis point is off by 2^-17 ULP, and the radius, below 2^31 ULP, takes a unit vector that
-  /// is off by 2^-47 (16 bits: 2^15 and 2^-31). Together less than the margin, 2^-15 ULP, so only
-  /// within it of a half is the exact coordinate asked.
-  template <Number Unit>
-  [[nodiscard]] constexpr S nearest(const Unit& direction) const noexcept {
-    const auto sum = quotient_nearest<finer<S, 16>>(over, whole) + radius * direction;
-    if constexpr (!is_fixed<S>) {
-      return nearest_to<S>(sum);
-    } else {
-      using Half = finer<S, 1>;
-      const S below = floor_to<S>(sum);
-      const Half half = narrow<bits_of<Half>>(Half(below) + Half::from_raw(1));
-      constexpr auto margin = finer<S, 15>::from_raw(1);
-      const auto beyond = sum - half;
-      const int side = beyond > margin ? 1 : beyond < -margin ? -1 : sign_of_difference(half);
-      const bool is_odd = (below.raw() & 1) != 0;
-      return side > 0 || (side == 0 && is_odd) ? nearest_to<S>(half + Half::from_raw(1)) : below;
-    }
-  }
 };
 
 template <Scalar S, Number Over, Number Whole, Number Outward, Number Square>
 CapsuleSide(Over, Whole, Outward, S, Square) -> CapsuleSide<S, Over, Whole, Outward, Square>;
+
+/// The point of `capsule` that is closest to `point`, whose closest point on the capsule's axis is
+/// at along / whole between the ends.
+template <Scalar S, int N, Number T, Number Along, Number Whole>
+[[nodiscard]] constexpr Vec<S, N> closest_beside(const Capsule<S, N>& capsule,
+                                                 const Vec<S, N>& point, const Vec<T, N>& axis,
+                                                 const Along& along, const Whole& whole) noexcept {
+  const auto a = capsule.a;
+  const auto radius = capsule.radius;
+  const auto from_a = point - a;
+  const auto side = [&](int i) {
+    return CapsuleSide{a[i] * whole + axis[i] * along, whole, from_a[i] * whole - axis[i] * along,
+                       radius,
+                       narrow_square<bits_of<decltype(whole * whole)>>(cross(from_a, axis))};
+  };
+  if constexpr (!is_fixed<S>) {
+    if (contains(capsule, point)) return point;
+    const auto outward = make_vec<N>([&](int i) { return side(i).outward; });
+    const auto unit = *unit_vector<S>(to_array(outward));
+    return make_vec<N>(
+        [&](int i) { return side(i).over / whole + radius * unit[static_cast<std::size_t>(i)]; });
+  } else {
+    // Less than 2^-21 steps of S off, as is the distance from the axis. That is below 2^33 steps and
+    // at least the radius, so that its square is less than 2^13 steps^2 off, and no component of a
+    // step outward is farther off than the distance.
+    const auto ratio = make_ratio_below_one(along, whole);
+    const auto to_axis = make_vec<N>([&](int i) { return rough_product(axis[i], ratio); });
+    const auto outward =
+        make_vec<N>([&](int i) { return narrow_difference<63>(from_a[i], to_axis[i]); });
+    constexpr auto margin = Fixed<14, 2 * S::frac>::from_raw(1 << 13);
+    const auto excess = narrow_difference<126>(narrow_dot<126>(outward, outward), square(radius));
+    const bool is_close = -margin <= excess && excess <= margin;
+    if (is_close ? contains(capsule, point) : excess < 0) return point;
+    const auto steps = rough_along(radius, to_array(outward));
+    return make_vec<N>([&](int i) {
+      const auto sum =
+          narrow_sum<62>(narrow_sum<62>(a[i], to_axis[i]), steps[static_cast<std::size_t>(i)]);
+      return nearest_by<S>(sum,
+                           [&](const auto& middle) { return side(i).sign_of_difference(middle); });
+    });
+  }
+}
 
 }  // namespace detail
 
@@ -82,24 +95,14 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point(const Capsule<S, N>& capsule,
                                                 const Vec<S, N>& point) noexcept {
   const auto& [a, b, radius] = capsule;
-  if (radius < 0 || contains(capsule, point)) return point;
+  if (radius < 0) return point;
   const auto axis = b - a;
   const auto from_a = point - a;
   const auto along = dot(from_a, axis);
   const auto whole = squared_length(axis);
   if (along <= 0) return closest_point(Sphere{a, radius}, point);
   if (along >= whole) return closest_point(Sphere{b, radius}, point);
-
-  const auto outward = from_a * whole - axis * along;
-  const auto direction = detail::unit_along<finer<direction_component<S>, 16>>(outward);
-  const auto square = detail::narrow_square<bits_of<decltype(whole * whole)>>(cross(from_a, axis));
-  Vec<S, N> closest;
-  for (int i = 0; i < N; ++i) {
-    const detail::CapsuleSide side{a[i] * whole + axis[i] * along, whole, outward[i], radius,
-                                   square};
-    closest[i] = side.nearest(direction[static_cast<std::size_t>(i)]);
-  }
-  return closest;
+  return detail::closest_beside(capsule, point, axis, along, whole);
 }
 
 }  // namespace detent

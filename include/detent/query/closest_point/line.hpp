@@ -2,16 +2,16 @@
 #pragma once
 
 #include "detent/math/direction.hpp"
+#include "detent/number/ratio.hpp"
 
 namespace detent::detail {
 
-/// origin + direction * (over / under), each coordinate the exact quotient rounded to nearest, ties
-/// to even, and clamped to the range of the scalar; under > 0.
-template <Scalar S, Number T, Number Over, Number Under, int N>
+/// origin + direction * ratio, each coordinate the exact one rounded to nearest, ties to even, and
+/// clamped to the range of the scalar; |direction * ratio| is the distance of two points.
+template <Scalar S, Number T, int N, class R>
 [[nodiscard]] constexpr Vec<S, N> point_on_line(const Vec<S, N>& origin, const Vec<T, N>& direction,
-                                                const Over& over, const Under& under) noexcept {
-  return make_vec<N>(
-      [&](int i) { return quotient_nearest<S>(origin[i] * under + direction[i] * over, under); });
+                                                const R& ratio) noexcept {
+  return make_vec<N>([&](int i) { return add_product(origin[i], direction[i], ratio); });
 }
 
 }  // namespace detent::detail

@@ -31,8 +31,9 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point(const Plane<S, N>& plane,
                                                 const Vec<S, N>& point) noexcept {
-  return detail::point_on_line(point, plane.normal.vec(), -detail::height_above(plane, point),
-                               squared_length(plane.normal));
+  const auto depth = narrow_negative(detail::height_above(plane, point));
+  return detail::point_on_line(point, plane.normal.vec(),
+                               make_ratio_near_one(depth, squared_length(plane.normal)));
 }
 
 }  // namespace detent

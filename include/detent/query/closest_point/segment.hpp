@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/math/width.hpp"
 #include "detent/query/closest_point/line.hpp"
 #include "detent/shape/segment.hpp"
 
@@ -16,12 +17,15 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point(const Segment<S, N>& segment,
                                                 const Vec<S, N>& point) noexcept {
-  const auto edge = segment.end - segment.start;
-  const auto along = dot(point - segment.start, edge);
-  const auto whole = squared_length(edge);
-  if (along <= 0) return segment.start;
-  if (along >= whole) return segment.end;
-  return detail::point_on_line(segment.start, edge, along, whole);
+  return by_width<30>(
+      [&](const auto& edge, const auto& from_start) {
+        const auto along = dot(from_start, edge);
+        const auto whole = squared_length(edge);
+        if (along <= 0) return segment.start;
+        if (along >= whole) return segment.end;
+        return detail::point_on_line(segment.start, edge, make_ratio_below_one(along, whole));
+      },
+      segment.end - segment.start, point - segment.start);
 }
 
 }  // namespace detent

@@ -1,10 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/number/fraction.hpp"
+#include "detent/number/along.hpp"
+#include "detent/number/near_half.hpp"
 #include "detent/query/contains/sphere.hpp"
 
 namespace detent {
+
+namespace detail {
+
+/// The sign of x / sqrt(square) - y, exactly.
+template <Number X, Number Square, Number Y>
+[[nodiscard]] constexpr int compare_with_quotient(const X& x, const Square& square,
+                                                  const Y& y) noexcept {
+  const int x_sign = (x > 0) - (x < 0), y_sign = (y > 0) - (y < 0);
+  if (x_sign != y_sign) return x_sign > y_sign ? 1 : -1;
+  const auto left = x * x;
+  const auto right = y * y * square;
+  return x_sign * ((left > right) - (left < right));
+}
+
+}  // namespace detail
 
 /// The point of `sphere` that is closest to `point`, which is `point` itself inside.
 ///
@@ -15,20 +31,29 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point(const Sphere<S, N>& sphere,
                                                 const Vec<S, N>& point) noexcept {
-  const auto& [center, radius] = sphere;
+  const auto center = sphere.center;
+  const auto radius = sphere.radius;
   if (radius < 0 || contains(sphere, point)) return point;
   const auto from_center = point - center;
   const auto squared = squared_length(from_center);
-  Vec<S, N> closest;
-  for (int i = 0; i < N; ++i) {
-    // A radius is below 2^bits and a difference below 2^(bits + 1), so their product, squared, fits
-    // twice that.
-    constexpr int bits = bits_of<S> + bits_of<decltype(S() - S())>;
-    const auto product = narrow_product<bits>(radius, from_center[i]);
-    const auto step = sqrt_odd<finer<S, 2>>(Fraction{product * product, squared});
-    closest[i] = nearest_to<S>(from_center[i] < 0 ? center[i] - step : center[i] + step);
+  if constexpr (!is_fixed<S>) {
+    return make_vec<N>([&](int i) {
+      const auto product = radius * from_center[i];
+      const S step = sqrt_floor<S>(product * product / squared);
+      return from_center[i] < 0 ? center[i] - step : center[i] + step;
+    });
+  } else {
+    const auto steps = rough_along(radius, to_array(from_center));
+    return make_vec<N>([&](int i) {
+      const auto sum =
+          narrow_sum<bits_of<finer<S, 30>>>(center[i], steps[static_cast<std::size_t>(i)]);
+      // The sign of radius d / |d| - (x - center): if both are of one sign, that of the difference
+      // of their squares.
+      return nearest_by<S>(sum, [&](const auto& middle) {
+        return detail::compare_with_quotient(radius * from_center[i], squared, middle - center[i]);
+      });
+    });
   }
-  return closest;
 }
 
 }  // namespace detent

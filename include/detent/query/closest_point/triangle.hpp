@@ -6,6 +6,19 @@
 
 namespace detent {
 
+namespace detail {
+
+/// The point closest to `point` of the plane that two vectors span, at `w` from where they start.
+template <Scalar S, Number T>
+[[nodiscard]] constexpr Vec<S, 3> closest_on_plane(const Vec<S, 3>& point, const Vec<T, 3>& b,
+                                                   const Vec<T, 3>& c,
+                                                   const Vec<T, 3>& w) noexcept {
+  const auto normal = cross(b, c);
+  return point_on_line(point, normal, make_ratio(-dot(normal, w), squared_length(normal)));
+}
+
+}  // namespace detail
+
 /// The point of `triangle` that is closest to `point`, which is `point` itself in a 2D triangle,
 /// which is solid.
 ///
@@ -22,9 +35,8 @@ template <Scalar S, int N>
   if constexpr (N == 2) {
     return point;
   } else {
-    const auto normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
-    const auto height = dot(normal, point - triangle.a);
-    return detail::point_on_line(point, normal, -height, squared_length(normal));
+    return by_width<30>([&](const auto&... x) { return detail::closest_on_plane(point, x...); },
+                        triangle.b - triangle.a, triangle.c - triangle.a, point - triangle.a);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "detent/query/contains/capsule.hpp"
+#include "detent/query/distance/segment.hpp"
 
 namespace detent {
 
@@ -13,12 +14,15 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Capsule<S, N>& capsule, const Vec<S, N>& point) noexcept {
   if (capsule.radius < 0) return largest<S>;
-  if (contains(capsule, point)) return S(0);
+  if constexpr (!is_fixed<S>) {
+    if (contains(capsule, point)) return S(0);
+  }
   // The radius is on the grid, so it may be taken from the rounded distance to the axis, which is
-  // below 2 sqrt(3) times the greatest coordinate.
+  // below 2 sqrt(3) times the greatest coordinate. Inside, no more than 0 is left.
   using Length = decltype(S() + S() + S());
-  const auto squared = squared_distance(Segment{capsule.a, capsule.b}, point);
-  return floor_to<S>(sqrt_floor<Length>(squared) - capsule.radius);
+  const auto to_axis = detail::distance_to<Length>(Segment{capsule.a, capsule.b}, point);
+  const auto beyond = to_axis - capsule.radius;
+  return beyond > 0 ? floor_to<S>(beyond) : S(0);
 }
 
 }  // namespace detent

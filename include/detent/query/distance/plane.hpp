@@ -2,6 +2,7 @@
 #pragma once
 
 #include "detent/number/fraction.hpp"
+#include "detent/number/near_one.hpp"
 #include "detent/query/closest_point/plane.hpp"
 
 namespace detent {
@@ -25,7 +26,11 @@ template <Scalar S, int N>
 /// exact:  rounded down, error in [0, 1) ULP                   (tests/oracle/point_plane.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Plane<S, N>& plane, const Vec<S, N>& point) noexcept {
-  return sqrt_floor<S>(squared_distance(plane, point));
+  if constexpr (!is_fixed<S>) {
+    return sqrt_floor<S>(squared_distance(plane, point));
+  } else {
+    return divide_by_length<S>(detail::height_above(plane, point), squared_length(plane.normal));
+  }
 }
 
 }  // namespace detent

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/number/leg.hpp"
 #include "detent/query/distance/segment.hpp"
 #include "detent/shape/ray.hpp"
 
@@ -39,6 +40,16 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Ray<S, N>& ray, const Vec<S, N>& point) noexcept {
   if (ray.max_distance < 0) return largest<S>;
+  // Without the exact fraction where it is wide and the point is beside the ray.
+  if constexpr (bits_of < S >> 15) {
+    const auto from_origin = point - ray.origin;
+    const auto along = dot(from_origin, ray.direction);
+    const auto whole = squared_length(ray.direction);
+    if (along > 0 && along < ray.max_distance * whole) {
+      return leg_floor<S>(squared_length(from_origin), make_ratio_near_one(along, whole),
+                          [&] { return squared_distance(ray, point); });
+    }
+  }
   return sqrt_floor<S>(squared_distance(ray, point));
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "detent/math/width.hpp"
-#include "detent/number/fraction.hpp"
+#include "detent/number/leg.hpp"
 #include "detent/shape/segment.hpp"
 
 namespace detent {
@@ -47,6 +47,34 @@ template <Scalar S, int N>
   return detail::squared_distance_from_edge(segment.end - segment.start, point - segment.start);
 }
 
+namespace detail {
+
+/// The distance of the point at `w` from the segment from 0 to `e`, rounded down.
+template <Number Distance, Number T, int N>
+[[nodiscard]] constexpr Distance distance_from_edge(const Vec<T, N>& e,
+                                                    const Vec<T, N>& w) noexcept {
+  if constexpr (!is_fixed<Distance>) {
+    return sqrt_floor<Distance>(squared_distance_from_edge(e, w));
+  } else {
+    const auto along = dot(w, e);
+    const auto whole = squared_length(e);
+    if (along <= 0) return sqrt_floor<Distance>(squared_length(w));
+    if (along >= whole) return sqrt_floor<Distance>(squared_length(w - e));
+    return leg_floor<Distance>(squared_length(w), make_ratio_below_one(along, whole),
+                               [&] { return squared_distance_from_edge(e, w); });
+  }
+}
+
+/// `distance` to a segment, in a type that need not be that of its coordinates.
+template <Number Distance, Scalar S, int N>
+[[nodiscard]] constexpr Distance distance_to(const Segment<S, N>& segment,
+                                             const Vec<S, N>& point) noexcept {
+  return by_width<30>([](const auto&... x) { return distance_from_edge<Distance>(x...); },
+                      segment.end - segment.start, point - segment.start);
+}
+
+}  // namespace detail
+
 /// The distance from `point` to `segment`.
 ///
 /// units:  world units
@@ -54,9 +82,7 @@ template <Scalar S, int N>
 /// exact:  rounded down, error in [0, 1) ULP                 (tests/oracle/point_segment.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Segment<S, N>& segment, const Vec<S, N>& point) noexcept {
-  return by_width<30>(
-      [](const auto&... x) { return sqrt_floor<S>(detail::squared_distance_from_edge(x...)); },
-      segment.end - segment.start, point - segment.start);
+  return detail::distance_to<S>(segment, point);
 }
 
 }  // namespace detent
