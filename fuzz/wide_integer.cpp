@@ -65,7 +65,7 @@ template <int Words>
 void check(Source& source) {
   const auto a = read<Words>(source), b = read<Words>(source);
   const Big x = exact(a), y = exact(b);
-  const int count = static_cast<int>(source.word(2) % std::uint64_t{64 * Words});
+  const int count = static_cast<int>(source.word(2) % (std::uint64_t{64} * Words));
   require_that(a + b == reduced<Words>(x + y), "a + b");
   require_that(a - b == reduced<Words>(x - y), "a - b");
   require_that(-a == reduced<Words>(-x), "-a");

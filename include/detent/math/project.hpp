@@ -10,10 +10,10 @@ namespace detent {
 
 namespace detail {
 
-/// The bits of 2 |v| |onto|^2, which bounds every numerator below: 6 sqrt(3) 2^3B for components of
-/// B bits, 2 sqrt(3) (1 + 2^-13)^2 2^(3B - 2) where `onto` is a direction.
+/// The bits of |v| |onto|^2, which bounds the numerators below: 3 sqrt(3) 2^3B for components of B
+/// bits. Where `onto` is a direction those of twice that: 2 sqrt(3) (1 + 2^-13)^3 2^B.
 template <Number T>
-inline constexpr int projection_bits = result_bits(3 * bits_of<T> + 4);
+inline constexpr int projection_bits = result_bits(3 * bits_of<T> + 3);
 template <Scalar S>
 inline constexpr int directed_bits = along_bits<S, S> + bits_of<direction_component<S>>;
 

@@ -21,10 +21,10 @@ template <int B, int F, std::size_t N>
   constexpr auto one = Length(1);
   constexpr auto step = Length::from_raw(1);
   constexpr auto shortest = one - step - step, longest = one + step + step;
-  Fixed<2 * F + 4, 2 * F> squared;
+  Fixed<2 * F + 2, 2 * F> squared;
   for (const auto& c : v) {
     if (c > 1 || c < -1) return false;
-    squared = narrow<2 * F + 4>(squared + c * c);  // at most N <= 4
+    squared = narrow<2 * F + 2>(squared + c * c);  // at most N <= 4
   }
   return squared >= shortest * shortest && squared <= longest * longest;
 }

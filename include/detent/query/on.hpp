@@ -65,8 +65,8 @@ template <Scalar S, int N>
   for (int i = 0; i < N; ++i) {
     if (excess[i] > tolerance || excess[i] < -tolerance) return false;
   }
-  // No longer than a tolerance on the grid of products with a direction.
-  constexpr int bits = bits_of<S> + bits_of<direction_component<S>>;
+  // No longer than a tolerance on the grid of products with a direction, whose 1 is 2^(b - 1).
+  constexpr int bits = bits_of<S> + bits_of<direction_component<S>> - 1;
   return squared_length(narrow<bits>(excess)) <= square(tolerance);
 }
 template <class... Shapes, Scalar S, int N>
