@@ -56,6 +56,47 @@ void compare_slabs() {
   compare<Fixed<30, 16>, Fixed<64, 16>, N, 3>(f);
 }
 
+template <int N>
+void compare_rough_slabs() {
+  using T = Fixed<62, 16>;
+  Random random(0x31d6);
+  int wrong = 0, unknown = 0, near = 0;
+  for (int i = 0; i < 8000; ++i) {
+    const int bits = 2 + i % 59;
+    auto low = random_vec<T, N>(random, bits), high = random_vec<T, N>(random, bits);
+    const auto d = random_vec<T, N>(random, bits);
+    for (int k = 0; k < N; ++k) {
+      if (low[k] > high[k]) std::swap(low[k], high[k]);
+    }
+    const auto reach =
+        T::from_raw(static_cast<std::int64_t>(random.below(std::uint64_t{1} << random.below(60))));
+    const auto nearness = detail::roughly_near_slabs(low, high, d, reach);
+    const bool answer = detail::is_near_slabs(low, high, d, reach);
+    near += answer ? 1 : 0;
+    unknown += nearness == detail::Nearness::unknown ? 1 : 0;
+    wrong += nearness == detail::Nearness::near && !answer ? 1 : 0;
+    wrong += nearness == detail::Nearness::apart && answer ? 1 : 0;
+    // A reach that the exact distance is just within, or just not.
+    T least(0), most = T::max();
+    while (least < most) {
+      const auto middle = T::from_raw(least.raw() + (most.raw() - least.raw()) / 2);
+      if (detail::is_near_slabs(low, high, d, middle)) {
+        most = middle;
+      } else {
+        least = T::from_raw(middle.raw() + 1);
+      }
+    }
+    wrong += detail::roughly_near_slabs(low, high, d, most) == detail::Nearness::apart ? 1 : 0;
+    if (most == 0) continue;
+    const auto below = T::from_raw(most.raw() - 1);
+    wrong += detail::roughly_near_slabs(low, high, d, below) == detail::Nearness::near ? 1 : 0;
+  }
+  CHECK(wrong == 0);
+  CHECK(near > 400);
+  CHECK(unknown > 0);
+  CHECK(unknown < 2000);  // nearly all of them are in a few bits
+}
+
 TEST_CASE("overlaps: an answer in narrow integers is the same in wide ones", "[overlaps]") {
   const auto edge = [](const auto& e, const auto& w, const auto& reach) {
     return detail::is_near_edge(e, w, reach);
@@ -80,6 +121,8 @@ TEST_CASE("overlaps: an answer in narrow integers is the same in wide ones", "[o
       });
   compare_slabs<2>();
   compare_slabs<3>();
+  compare_rough_slabs<2>();
+  compare_rough_slabs<3>();
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 
 #include "detent/math/width.hpp"
@@ -20,25 +21,29 @@ template <Number X, Number T, int N>
   return make_vec<N>([&](int i) { return excess(x[i], low[i], high[i]); });
 }
 
-/// Whether the point t d, for some t in [0, 1], is within `reach` >= 0 of the box from `low` to
-/// `high`.
+/// Whether the point t d, for some t in [0, 1], is within some reach >= 0 of the box from `low` to
+/// `high`, as `within` compares its squared distance, a number or one over another, with it; nothing is
+/// farther than `limit`.
 ///
 /// Its squared distance from the box is the sum of the squares of its excesses: a convex function
 /// f(t) of quadratic pieces, which change where the point enters or leaves a slab. Where f is still
 /// falling as it does so, the least is yet to come. So every axis tells on which side of its slab
 /// the point is at the least of f; and if those that are not inside it have the excesses
 /// g[i] + t d[i], that least is |g x d|^2 / d^2.
-template <Number T, Number D, Number R, int N>
-[[nodiscard]] constexpr bool is_near_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
-                                           const Vec<D, N>& d, const R& reach) noexcept {
+template <Number T, Number D, Number R, int N, class Within>
+[[nodiscard]] constexpr auto compare_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
+                                           const Vec<D, N>& d, const R& limit,
+                                           const Within& within) noexcept {
+  using Answer = decltype(within(squared_length(low)));
+  bool is_far = false;
   for (int i = 0; i < N; ++i) {
-    if (low[i] > reach && low[i] - d[i] > reach) return false;
-    if (high[i] < -reach && high[i] - d[i] < -reach) return false;
+    is_far = (low[i] > limit && low[i] - d[i] > limit) || is_far;
+    is_far = (high[i] < -limit && high[i] - d[i] < -limit) || is_far;
   }
-  const auto squared_reach = square(reach);
+  if (is_far) return Answer();
   const auto at_start = excess(Vec<T, N>(), low, high), at_end = excess(d, low, high);
-  if (dot(d, at_start) >= 0) return squared_length(at_start) <= squared_reach;
-  if (dot(d, at_end) <= 0) return squared_length(at_end) <= squared_reach;
+  if (dot(d, at_start) >= 0) return within(squared_length(at_start));
+  if (dot(d, at_end) <= 0) return within(squared_length(at_end));
 
   const auto is_falling_at = [&](const T& over, const D& under) {
     return dot(d, excess(over * d, under * low, under * high)) < 0;
@@ -63,13 +68,58 @@ template <Number T, Number D, Number R, int N>
     }
     speed[i] = d[i];
   }
-  if (is_zero(speed)) return squared_length(g) <= squared_reach;
+  if (is_zero(speed)) return within(squared_length(g));
   const auto area = cross(g, speed);
   if constexpr (N == 2) {
-    return square(area) <= squared_reach * squared_length(speed);
+    return within(square(area), squared_length(speed));
   } else {
-    return squared_length(area) <= squared_reach * squared_length(speed);
+    return within(squared_length(area), squared_length(speed));
   }
+}
+
+/// Whether the point t d, for some t in [0, 1], is within `reach` >= 0 of the box from `low` to
+/// `high`.
+template <Number T, Number D, Number R, int N>
+[[nodiscard]] constexpr bool is_near_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
+                                           const Vec<D, N>& d, const R& reach) noexcept {
+  const auto squared_reach = square(reach);
+  return compare_slabs(low, high, d, reach, [&](const auto& over, const auto&... under) {
+    return over <= (squared_reach * ... * under);
+  });
+}
+
+/// What numbers cut off after some bits tell of an answer.
+enum class Nearness { apart, unknown, near };
+
+/// `is_near_slabs` by the leading 28 bits of all numbers.
+///
+/// Each is less than one step too small, so that faces and points are off by less than sqrt(3)
+/// steps each, and a distance by less than 4; the reach is by less than 1.
+template <Number T, Number D, Number R, int N>
+[[nodiscard]] constexpr Nearness roughly_near_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
+                                                    const Vec<D, N>& d, const R& reach) noexcept {
+  constexpr int kept = 28, bits = kept + 1;  // and a few steps more
+  int dropped = bits_of<R> - headroom(reach);
+  for (int i = 0; i < N; ++i) {
+    dropped = std::max(dropped, bits_of<T> - headroom(low[i]));
+    dropped = std::max(dropped, bits_of<T> - headroom(high[i]));
+    dropped = std::max(dropped, bits_of<D> - headroom(d[i]));
+  }
+  dropped = std::max(dropped - kept, 0);
+  const auto cut = [&](const auto& v) {
+    return make_vec<N>([&](int i) { return scale_down<bits>(v[i], dropped); });
+  };
+  using Reach = Fixed<bits, R::frac>;
+  const Reach rough = scale_down<bits>(reach, dropped);
+  const auto steps = [](int count) { return Reach::from_raw(count); };
+  const auto least = narrow<bits>(rough - steps(4)), most = narrow<bits>(rough + steps(5));
+  const auto least_square = square(least), most_square = square(most);
+  return compare_slabs(
+      cut(low), cut(high), cut(d), most, [&](const auto& over, const auto&... under) {
+        if (over > (most_square * ... * under)) return Nearness::apart;
+        return least >= 0 && over <= (least_square * ... * under) ? Nearness::near
+                                                                  : Nearness::unknown;
+      });
 }
 
 }  // namespace detent::detail

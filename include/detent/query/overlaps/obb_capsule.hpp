@@ -22,9 +22,14 @@ template <Scalar S, int N>
   const auto in_frame = [&](const auto& v) {
     return make_vec<N>([&](int i) { return dot(box.rotation.axis(i), v); });
   };
-  const auto center = in_frame(box.center - a);
-  return by_width<62>([](const auto&... x) { return detail::is_near_slabs(x...); }, center - half,
-                      center + half, in_frame(b - a), radius);
+  const auto center = in_frame(box.center - a), along = in_frame(b - a);
+  const auto low = center - half, high = center + half;
+  if constexpr (is_fixed<S>) {
+    using Place = decltype(low.x);
+    const auto nearness = detail::roughly_near_slabs(low, high, along, Place(radius));
+    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::near;
+  }
+  return detail::is_near_slabs(low, high, along, radius);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Capsule<S, N>& capsule, const Obb<S, N>& box) noexcept {
