@@ -67,6 +67,7 @@ void live(std::uint64_t seed, std::size_t room, int steps, int checks) {
     long asked = 0, found = 0;
     for (int i = 0; i < checks; ++i) {
       for (int step = 0; step < steps; ++step) history.step(scene, plain, room);
+      if (i % 3 == 2) scene.optimize();
       check(scene, plain, history, asked, found);
     }
     UNSCOPED_INFO(found << " of " << asked << " found something");

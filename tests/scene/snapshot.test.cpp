@@ -93,11 +93,16 @@ TEST_CASE("snapshot: the bytes of version 1 stay as they are") {
   CHECK(detail::load_word<std::uint64_t>(bytes.data() + bytes.size() - 8) == 0x05e61db055eb5427u);
 }
 
-TEST_CASE("snapshot: a room that is too small is left alone") {
+TEST_CASE("snapshot: of a room that is too small it says how large it has to be") {
   const Toys scene = toys();
   std::array<std::byte, 1024> room{};
-  const auto size = snapshot(scene, std::span(room).first(100));
-  CHECK(room == std::array<std::byte, 1024>{});
+  const auto size = snapshot(scene, room);
+  for (const std::size_t less : {0u, 10u, 48u, 100u}) {
+    CHECK(snapshot(scene, std::span(room).first(less)) == size);
+  }
+  std::array<std::byte, 100> small{};
+  CHECK(snapshot(scene, std::span(small).first(99)) == size);
+  CHECK(small[99] == std::byte{0});
   CHECK(snapshot(scene, room) == size);
   CHECK(std::vector(room.begin(), room.begin() + static_cast<long>(size)) == snapshot(scene));
 }

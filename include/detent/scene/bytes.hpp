@@ -12,11 +12,11 @@
 
 namespace detent::detail {
 
-/// Writes what a digest would take, to memory that is known to be large enough; or counts it only.
+/// Writes what a digest would take, as far as there is room, and counts all of it.
 class Writer {
  public:
   Writer() noexcept = default;
-  explicit constexpr Writer(std::byte* to) noexcept : to_(to) {}
+  explicit constexpr Writer(std::span<std::byte> room) noexcept : room_(room) {}
 
   template <class... Values>
   constexpr void add(const Values&... values) noexcept {
@@ -28,100 +28,135 @@ class Writer {
   template <class T>
   constexpr void add_one(const T& value) noexcept {
     if constexpr (requires { typename Word<T>; }) {
-      if (to_ != nullptr) store_word(to_ + size_, to_word(value));
-      size_ += sizeof(Word<T>);
+      const auto end = size_ + sizeof(Word<T>);
+      if (end <= room_.size()) store_word(room_.data() + size_, to_word(value));
+      size_ = end;
     } else {
       append(*this, value);
     }
   }
 
-  std::byte* to_ = nullptr;
+  std::span<std::byte> room_;
   std::size_t size_ = 0;
 };
 
-/// Reads such bytes. Past their end, and where they are not those of any value, it fails and goes
-/// on with some value.
+/// How many bytes a value takes.
+template <class T>
+inline constexpr std::size_t byte_count = [] {
+  Writer count;
+  count.add(T());
+  return count.size();
+}();
+
+/// Loads values from bytes that are there. Where they are not those of any value it says so, and
+/// goes on with some value.
+class Loader {
+ public:
+  explicit constexpr Loader(const std::byte* from) noexcept : from_(from) {}
+
+  [[nodiscard]] constexpr bool is_wrong() const noexcept { return is_wrong_; }
+
+  template <class T>
+  [[nodiscard]] constexpr T number() noexcept {
+    const auto word = load_word<Word<T>>(from_);
+    from_ += sizeof(Word<T>);
+    const T value = from_word<T>(word);
+    if constexpr (is_fixed<T>) is_wrong_ |= to_word(value) != word;
+    return value;
+  }
+  template <class T>
+  requires requires { typename Word<T>; }
+  constexpr void load(T& value) noexcept { value = number<T>(); }
+
+  template <Number S, int N>
+  constexpr void load(Vec<S, N>& v) noexcept {
+    for (int i = 0; i < N; ++i) v[i] = number<S>();
+  }
+  template <Scalar S, int N>
+  constexpr void load(Direction<S, N>& direction) noexcept {
+    std::array<typename Direction<S, N>::Raw, static_cast<std::size_t>(N)> raw{};
+    for (auto& component : raw) component = number<typename Direction<S, N>::Raw>();
+    const auto read = Direction<S, N>::from_raw(raw);
+    is_wrong_ |= !read;
+    direction = read.value_or(direction);
+  }
+  template <Scalar S, int N>
+  constexpr void load(Rotation<S, N>& rotation) noexcept {
+    std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
+    for (auto& axis : axes) load(axis);
+    rotation = Rotation<S, N>::from_axes(axes);
+  }
+  template <Scalar S, int N>
+  constexpr void load(Transform<S, N>& transform) noexcept {
+    load(transform.translation);
+    load(transform.rotation);
+    load(transform.scale);
+  }
+  template <Scalar S, int N>
+  constexpr void load(Sphere<S, N>& sphere) noexcept {
+    load(sphere.center);
+    load(sphere.radius);
+  }
+  template <Scalar S, int N>
+  constexpr void load(Aabb<S, N>& box) noexcept {
+    load(box.min);
+    load(box.max);
+  }
+  template <Scalar S, int N>
+  constexpr void load(Obb<S, N>& box) noexcept {
+    load(box.center);
+    load(box.half_extents);
+    load(box.rotation);
+  }
+  template <Scalar S, int N>
+  constexpr void load(Plane<S, N>& plane) noexcept {
+    load(plane.normal);
+    load(plane.offset);
+  }
+  template <Scalar S, int N>
+  constexpr void load(Triangle<S, N>& triangle) noexcept {
+    load(triangle.a);
+    load(triangle.b);
+    load(triangle.c);
+  }
+  template <Scalar S, int N>
+  constexpr void load(Capsule<S, N>& capsule) noexcept {
+    load(capsule.a);
+    load(capsule.b);
+    load(capsule.radius);
+  }
+
+ private:
+  const std::byte* from_;
+  bool is_wrong_ = false;
+};
+
+/// Reads values one after the other. Past the end of the bytes, and where they are not those of any
+/// value, it fails.
 class Reader {
  public:
   explicit constexpr Reader(std::span<const std::byte> bytes) noexcept : bytes_(bytes) {}
 
-  [[nodiscard]] constexpr std::size_t position() const noexcept { return position_; }
   [[nodiscard]] constexpr std::size_t left() const noexcept { return bytes_.size() - position_; }
   [[nodiscard]] constexpr bool has_failed() const noexcept { return has_failed_; }
 
+  template <class... Values>
+  constexpr void get(Values&... values) noexcept {
+    constexpr auto size = (byte_count<Values> + ...);
+    if (left() < size) {
+      has_failed_ = true;
+      return;
+    }
+    Loader in(bytes_.data() + position_);
+    (in.load(values), ...);
+    has_failed_ |= in.is_wrong();
+    position_ += size;
+  }
   template <class T>
   [[nodiscard]] constexpr T number() noexcept {
-    if (left() < sizeof(Word<T>)) {
-      has_failed_ = true;
-      return T();
-    }
-    const auto word = load_word<Word<T>>(bytes_.data() + position_);
-    position_ += sizeof(Word<T>);
-    const T value = from_word<T>(word);
-    if constexpr (is_fixed<T>) has_failed_ |= to_word(value) != word;
+    T value{};
+    get(value);
     return value;
-  }
-
-  template <Number S, int N>
-  constexpr void get(Vec<S, N>& v) noexcept {
-    for (int i = 0; i < N; ++i) v[i] = number<S>();
-  }
-  template <Scalar S>
-  constexpr void get(S& x) noexcept {
-    x = number<S>();
-  }
-  template <Scalar S, int N>
-  constexpr void get(Direction<S, N>& direction) noexcept {
-    std::array<typename Direction<S, N>::Raw, static_cast<std::size_t>(N)> raw{};
-    for (auto& component : raw) component = number<typename Direction<S, N>::Raw>();
-    const auto read = Direction<S, N>::from_raw(raw);
-    has_failed_ |= !read;
-    direction = read.value_or(direction);
-  }
-  template <Scalar S, int N>
-  constexpr void get(Rotation<S, N>& rotation) noexcept {
-    std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
-    for (auto& axis : axes) get(axis);
-    rotation = Rotation<S, N>::from_axes(axes);
-  }
-  template <Scalar S, int N>
-  constexpr void get(Transform<S, N>& transform) noexcept {
-    get(transform.translation);
-    get(transform.rotation);
-    get(transform.scale);
-  }
-  template <Scalar S, int N>
-  constexpr void get(Sphere<S, N>& sphere) noexcept {
-    get(sphere.center);
-    get(sphere.radius);
-  }
-  template <Scalar S, int N>
-  constexpr void get(Aabb<S, N>& box) noexcept {
-    get(box.min);
-    get(box.max);
-  }
-  template <Scalar S, int N>
-  constexpr void get(Obb<S, N>& box) noexcept {
-    get(box.center);
-    get(box.half_extents);
-    get(box.rotation);
-  }
-  template <Scalar S, int N>
-  constexpr void get(Plane<S, N>& plane) noexcept {
-    get(plane.normal);
-    get(plane.offset);
-  }
-  template <Scalar S, int N>
-  constexpr void get(Triangle<S, N>& triangle) noexcept {
-    get(triangle.a);
-    get(triangle.b);
-    get(triangle.c);
-  }
-  template <Scalar S, int N>
-  constexpr void get(Capsule<S, N>& capsule) noexcept {
-    get(capsule.a);
-    get(capsule.b);
-    get(capsule.radius);
   }
 
  private:

@@ -79,23 +79,11 @@ struct SnapshotHeader {
   /// Reads the header, and checks what can be checked without a scene.
   constexpr Restored read(std::span<const std::byte> bytes) noexcept {
     Reader in(bytes);
-    magic = in.number<std::uint32_t>();
-    version = in.number<std::uint16_t>();
-    dimension = in.number<std::uint8_t>();
-    is_floating = in.number<std::uint8_t>();
-    bits = in.number<std::uint8_t>();
-    frac = in.number<std::uint8_t>();
-    shapes = in.number<std::uint16_t>();
-    next_generation = in.number<std::uint32_t>();
-    frame_count = in.number<std::uint32_t>();
-    object_count = in.number<std::uint32_t>();
-    fixed_count = in.number<std::uint32_t>();
-    fixed_digest = in.number<std::uint64_t>();
-    byte_count = in.number<std::uint64_t>();
-    reserved = in.number<std::uint32_t>();
-    if (bytes.size() < 4) return Restored::truncated;
-    if (magic != right_magic) return Restored::no_snapshot;
+    in.get(magic, version, dimension, is_floating, bits, frac, shapes, next_generation, frame_count,
+           object_count, fixed_count, fixed_digest, byte_count, reserved);
+    if (bytes.size() >= 6) Reader(bytes).get(magic, version);
     if (bytes.size() < 6) return Restored::truncated;
+    if (magic != right_magic) return Restored::no_snapshot;
     if (version != right_version) return Restored::other_version;
     if (in.has_failed() || bytes.size() < byte_count) return Restored::truncated;
     if (bytes.size() != byte_count || bytes.size() < size + checksum_size || reserved != 0) {
@@ -117,14 +105,7 @@ struct ObjectHeader {
   std::uint32_t frame = 0;
   std::uint8_t tag = 0;
 
-  constexpr void read(Reader& in) noexcept {
-    index = in.number<std::uint32_t>();
-    generation = in.number<std::uint32_t>();
-    layers = in.number<std::uint32_t>();
-    user = in.number<std::uint64_t>();
-    frame = in.number<std::uint32_t>();
-    tag = in.number<std::uint8_t>();
-  }
+  constexpr void read(Reader& in) noexcept { in.get(index, generation, layers, user, frame, tag); }
 };
 
 /// Of a frame, before its transform.
@@ -134,11 +115,7 @@ struct FrameHeader {
   std::uint32_t parent = 0;
   static constexpr std::size_t size = 12;
 
-  constexpr void read(Reader& in) noexcept {
-    index = in.number<std::uint32_t>();
-    generation = in.number<std::uint32_t>();
-    parent = in.number<std::uint32_t>();
-  }
+  constexpr void read(Reader& in) noexcept { in.get(index, generation, parent); }
 };
 
 }  // namespace detail

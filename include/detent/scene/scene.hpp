@@ -137,6 +137,10 @@ class BasicScene {
     return true;
   }
 
+  /// Makes questions faster after many additions, such as those of a level that has been loaded, at
+  /// the cost of less than a microsecond for each object. It never changes an answer.
+  constexpr void optimize() { store_.rebuild(); }
+
   [[nodiscard]] constexpr bool contains(const ObjectId& id) const noexcept {
     return store_.find(id) != nullptr;
   }

@@ -75,14 +75,14 @@ constexpr SnapshotHeader write(Writer& out,
   return header;
 }
 
-/// The snapshot in a place that is as large as `header.byte_count`.
-inline void finish(std::byte* to, const SnapshotHeader& header) noexcept {
-  Writer out(to);
+/// Writes header and checksum around the rest.
+constexpr void finish(std::span<std::byte> bytes, const SnapshotHeader& header) noexcept {
+  Writer out(bytes);
   header.describe(out);
-  const auto length = static_cast<std::size_t>(header.byte_count) - SnapshotHeader::checksum_size;
+  const auto length = bytes.size() - SnapshotHeader::checksum_size;
   Digest digest;
-  digest.add_bytes({to, length});
-  store_word(to + length, digest.value());
+  digest.add_bytes(bytes.first(length));
+  store_word(bytes.data() + length, digest.value());
 }
 
 /// A snapshot's parts, read in the order in which they come.
@@ -90,11 +90,7 @@ template <Scalar S, int N, class... Shapes>
 class SnapshotReader {
  public:
   using Shape = OneOf<Shapes...>;
-  static constexpr std::size_t frame_size = [] {
-    Writer count;
-    count.add(Transform<S, N>());
-    return FrameHeader::size + count.size();
-  }();
+  static constexpr std::size_t frame_size = FrameHeader::size + byte_count<Transform<S, N>>;
 
   constexpr SnapshotReader(std::span<const std::byte> bytes, const SnapshotHeader& header) noexcept
       : frames_(bytes.subspan(SnapshotHeader::size)),
@@ -192,6 +188,7 @@ constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<cons
   auto& store = scene.store();
   SnapshotReader<S, N, Shapes...> snapshot(bytes, header);
   Reader& in = snapshot.in();
+  store.begin_bulk();
   store.frames().clear();
   for (std::uint32_t i = 0; i < header.frame_count; ++i) {
     FrameHeader frame;
@@ -220,22 +217,22 @@ constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<cons
     first = std::size_t{object.index} + 1;
   }
   remove_until(store.end());
+  store.end_bulk();
   store.set_next_generation(header.next_generation);
 }
 
 }  // namespace detail
 
-/// Writes the canonical bytes of the moving part of a scene to `room`, unless that is too small;
-/// returns how large it has to be.
+/// Writes the canonical bytes of the moving part of a scene to `room`; returns how many they are.
+/// When `room` has fewer, it holds nothing of use.
 template <class Storage, Scalar S, int N, class... Shapes>
 constexpr std::size_t snapshot(const BasicScene<Storage, S, N, Shapes...>& scene,
                                std::span<std::byte> room) noexcept {
-  detail::Writer count;
-  const auto header = detail::write(count, scene);
+  const auto begin = std::min(room.size(), detail::SnapshotHeader::size);
+  detail::Writer out(room.subspan(begin));
+  const auto header = detail::write(out, scene);
   if (room.size() >= header.byte_count) {
-    detail::Writer out(room.data() + detail::SnapshotHeader::size);
-    static_cast<void>(detail::write(out, scene));
-    detail::finish(room.data(), header);
+    detail::finish(room.first(static_cast<std::size_t>(header.byte_count)), header);
   }
   return static_cast<std::size_t>(header.byte_count);
 }

@@ -124,6 +124,11 @@ class Store {
       is_moving_.resize(id.index / 64 + std::size_t{1});
     }
     Record& record = records_[id.index];
+    if (record.generation == id.generation && record.layers == traits.layers &&
+        record.user == traits.user && record.motion == Motion::moving &&
+        record.attachment == nowhere && traits.frame == FrameId{} && record.shape == shape) {
+      return;  // nothing new
+    }
     if (record.generation == 0) ++size_;
     next_ = std::max(next_, id.generation + 1);
     record.user = traits.user;
@@ -193,6 +198,15 @@ class Store {
     }
     frames_.remove(i);
     return true;
+  }
+
+  /// Many moving objects are about to be put or removed.
+  constexpr void begin_bulk() noexcept { moving_.begin_bulk(); }
+  constexpr void end_bulk() noexcept { moving_.end_bulk(); }
+
+  constexpr void rebuild() {
+    moving_.rebuild();
+    fixed_.rebuild();
   }
 
   constexpr void reserve(std::size_t objects) {

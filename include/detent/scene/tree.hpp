@@ -75,17 +75,17 @@ struct alignas(64) TreeNode {
 
   /// Which boxes have a point in common with `box`.
   [[nodiscard]] constexpr Mask meeting(const Box& box) const noexcept {
-    std::array<Mask, width> meets;
-    for (std::size_t i = 0; i < width; ++i) meets[i] = 1u << i;
+    // All ones where two boxes are apart: loops that compilers vectorise.
+    std::array<std::int32_t, width> apart{};
     for (std::size_t axis = 0; axis < low.size(); ++axis) {
+      const auto least = box.low[axis], most = box.high[axis];
       for (std::size_t i = 0; i < width; ++i) {
-        const auto above = static_cast<Mask>(low[axis][i] > box.high[axis]);
-        const auto below = static_cast<Mask>(high[axis][i] < box.low[axis]);
-        meets[i] &= (above | below) - 1;
+        apart[i] |= (low[axis][i] > most ? -1 : 0) | (high[axis][i] < least ? -1 : 0);
       }
     }
-    Mask mask = 0;
-    for (std::size_t i = 0; i < width; ++i) mask |= meets[i];
+    std::int32_t together = 0;
+    for (std::size_t i = 0; i < width; ++i) together |= ~apart[i] & (1 << i);
+    const auto mask = static_cast<Mask>(together);
     return mask & ((1u << count) - 1);  // what is everywhere meets empty boxes too
   }
 };
@@ -126,6 +126,7 @@ class Tree {
  public:
   using Node = TreeNode<S, N>;
   using Box = CullingBox<S, N>;
+  using Area = typename Culling<S>::Area;
   static constexpr std::size_t width = Node::width;
   static constexpr std::size_t least = 3;
   /// Three children and more for each node make it at most this deep for 2^32 objects.
@@ -137,6 +138,33 @@ class Tree {
 
   constexpr void reserve(std::size_t objects) { homes_.reserve(objects); }
 
+  /// Makes the tree anew for the objects where they are: better than one that came about by adding
+  /// them one by one.
+  ///
+  /// source: White and Jain, Similarity Indexing: Algorithms and Performance, 1996 (VAMSplit)
+  constexpr void rebuild() {
+    if (root_ == nowhere) return;
+    typename Storage::template List<Entry, Storage::capacity> entries;
+    for (std::uint32_t i = 0; i < homes_.size(); ++i) {
+      if (homes_[i] != nowhere) entries.push_back({nodes_[leaf_of(i)].box(place_of(i)), i});
+    }
+    nodes_.resize(0);
+    free_ = nowhere;
+    arrange(&entries[0], entries.size());
+    for (int level = 0; level == 0 || entries.size() > 1; ++level) pack(entries, level);
+    root_ = entries[0].child;
+  }
+
+  /// Between these two, many objects move for less; no question may be asked.
+  constexpr void begin_bulk() noexcept { is_in_bulk_ = true; }
+  constexpr void end_bulk() noexcept {
+    is_in_bulk_ = false;
+    if (root_ == nowhere) return;
+    Area before{}, after{};
+    refit_below(root_, before, after);
+    if (after > 2 * before) rebuild();
+  }
+
   /// Adds, moves or removes (when `box` is empty) the object.
   constexpr void set(std::uint32_t object, const Box& box) {
     if (object >= homes_.size()) {
@@ -145,14 +173,13 @@ class Tree {
       homes_.resize(object + std::size_t{1});
       for (std::size_t i = old; i < homes_.size(); ++i) homes_[i] = nowhere;
     }
-    const auto home = homes_[object];
-    if (home == nowhere) {
+    if (homes_[object] == nowhere) {
       if (!box.is_empty()) insert(object, box, 0);
     } else if (box.is_empty()) {
-      erase(home, nodes_[home].place_of(object));
+      erase(leaf_of(object), place_of(object));
       homes_[object] = nowhere;
     } else {
-      move(object, home, box);
+      move(object, box);
     }
   }
 
@@ -162,14 +189,79 @@ class Tree {
     std::uint32_t child = nowhere;
   };
 
-  constexpr void move(std::uint32_t object, std::uint32_t home, const Box& box) {
+  /// Orders entries so that neighbours are near: cuts them in two along the axis on which their
+  /// centers spread most, again and again, where whole subtrees end.
+  static constexpr void arrange(Entry* first, std::size_t count) {
+    while (count > width) {
+      std::size_t part = width;
+      while (part * width < count) part *= width;
+      const auto parts = (count + part - 1) / part;
+      const auto cut = (parts + 1) / 2 * part;
+      auto lowest = center(first[0].box), highest = lowest;
+      for (std::size_t i = 1; i < count; ++i) {
+        const auto c = center(first[i].box);
+        for (std::size_t axis = 0; axis < c.size(); ++axis) {
+          lowest[axis] = std::min(lowest[axis], c[axis]);
+          highest[axis] = std::max(highest[axis], c[axis]);
+        }
+      }
+      std::size_t axis = 0;
+      for (std::size_t i = 1; i < lowest.size(); ++i) {
+        if (Culling<S>::area_extent(lowest[i], highest[i]) >
+            Culling<S>::area_extent(lowest[axis], highest[axis])) {
+          axis = i;
+        }
+      }
+      std::nth_element(first, first + cut, first + count, [axis](const Entry& a, const Entry& b) {
+        return a.box.low[axis] + a.box.high[axis] < b.box.low[axis] + b.box.high[axis];
+      });
+      arrange(first + cut, count - cut);
+      count = cut;
+    }
+  }
+  /// Twice the center.
+  static constexpr auto center(const Box& box) noexcept {
+    auto result = box.low;
+    for (std::size_t axis = 0; axis < result.size(); ++axis) result[axis] += box.high[axis];
+    return result;
+  }
+
+  /// Replaces the entries by nodes that hold eight of them each; the last two share what is left
+  /// over where that would be too few for one.
+  template <class Entries>
+  constexpr void pack(Entries& entries, int level) {
+    std::size_t made = 0;
+    for (std::size_t at = 0; at < entries.size();) {
+      const auto left = entries.size() - at;
+      const auto count =
+          left > width && left < width + least ? left - least : std::min(left, width);
+      const auto node = make_node(level);
+      for (std::size_t i = 0; i < count; ++i) put(node, entries[at + i]);
+      at += count;
+      entries[made++] = {nodes_[node].bounds(), node};
+    }
+    entries.resize(made);
+  }
+
+  constexpr std::uint32_t leaf_of(std::uint32_t object) const noexcept {
+    return homes_[object] / width;
+  }
+  constexpr std::size_t place_of(std::uint32_t object) const noexcept {
+    return homes_[object] % width;
+  }
+
+  constexpr void move(std::uint32_t object, const Box& box) {
+    const auto home = leaf_of(object);
     Node& leaf = nodes_[home];
-    const auto place = leaf.place_of(object);
-    if (leaf.box(place) == box) return;
-    if (home != root_) {
+    const auto place = place_of(object);
+    const auto old = leaf.box(place);
+    if (is_in_bulk_) return leaf.set(place, box);
+    if (old == box) return;
+    if (home != root_ && !is_within(box, bounds_of(home))) {
       leaf.clear(place);
       const auto others = leaf.bounds();
       leaf.child[place] = object;
+      leaf.set(place, old);
       // An object that left its neighbours looks for others.
       if (half_area(hull_of(others, box)) > 2 * (half_area(others) + half_area(box))) {
         erase(home, place);
@@ -177,20 +269,66 @@ class Tree {
         return;
       }
     }
-    leaf.set(place, box);
-    refit(home);
+    change(home, place, old, box);
+  }
+
+  static constexpr bool is_within(const Box& inner, const Box& outer) noexcept {
+    bool is = true;
+    for (std::size_t axis = 0; axis < inner.low.size(); ++axis) {
+      is &= outer.low[axis] <= inner.low[axis] && inner.high[axis] <= outer.high[axis];
+    }
+    return is;
+  }
+
+  /// The box around all boxes of a node that is not the root, as its parent has it.
+  constexpr Box bounds_of(std::uint32_t i) const noexcept {
+    const Node& parent = nodes_[nodes_[i].parent];
+    return parent.box(parent.place_of(i));
+  }
+
+  /// Changes a box of a node, and with it the boxes above. Only where the old one was what a side
+  /// of the box above stood on have the others to be looked at.
+  constexpr void change(std::uint32_t i, std::size_t place, Box old, Box box) noexcept {
+    while (true) {
+      nodes_[i].set(place, box);
+      if (i == root_) return;
+      Node& parent = nodes_[nodes_[i].parent];
+      place = parent.place_of(i);
+      const auto bounds = parent.box(place);
+      bool has_left = false;
+      for (std::size_t axis = 0; axis < box.low.size(); ++axis) {
+        has_left |= (old.low[axis] == bounds.low[axis] && box.low[axis] > old.low[axis]) ||
+                    (old.high[axis] == bounds.high[axis] && box.high[axis] < old.high[axis]);
+      }
+      box = has_left ? nodes_[i].bounds() : hull_of(bounds, box);
+      if (box == bounds) return;
+      old = bounds;
+      i = nodes_[i].parent;
+    }
+  }
+
+  /// Makes all boxes below `i` anew but those of objects, and measures them before and after.
+  constexpr void refit_below(std::uint32_t i, Area& before, Area& after) noexcept {
+    Node& node = nodes_[i];
+    if (node.level == 0) return;
+    for (std::size_t k = 0; k < node.count; ++k) {
+      const auto old = node.box(k);
+      refit_below(node.child[k], before, after);
+      const auto box = nodes_[node.child[k]].bounds();
+      node.set(k, box);
+      // Small enough to be added up.
+      before += half_area(old) / (Area(1) * 65536);
+      after += half_area(box) / (Area(1) * 65536);
+    }
   }
 
   /// Makes the boxes above `i` those of what is below them.
   constexpr void refit(std::uint32_t i) noexcept {
-    while (i != root_) {
-      Node& parent = nodes_[nodes_[i].parent];
-      const auto place = parent.place_of(i);
-      const auto bounds = nodes_[i].bounds();
-      if (parent.box(place) == bounds) return;
-      parent.set(place, bounds);
-      i = nodes_[i].parent;
-    }
+    if (i == root_) return;
+    const auto parent = nodes_[i].parent;
+    const auto place = nodes_[parent].place_of(i);
+    const auto old = nodes_[parent].box(place), bounds = nodes_[i].bounds();
+    if (old != bounds) change(parent, place, old, bounds);
   }
 
   constexpr void insert(std::uint32_t child, const Box& box, int level) {
@@ -203,7 +341,7 @@ class Tree {
   /// The box that grows least in area, and of those the smallest.
   static constexpr std::size_t best_place(const Node& node, const Box& box) noexcept {
     std::size_t best = 0;
-    typename Culling<S>::Area best_growth{}, best_area{};
+    Area best_growth{}, best_area{};
     for (std::size_t i = 0; i < node.count; ++i) {
       const auto area = half_area(node.box(i));
       const auto growth = half_area(hull_of(node.box(i), box)) - area;
@@ -236,13 +374,14 @@ class Tree {
     Node& node = nodes_[at];
     node.set(node.count, entry.box);
     node.child[node.count] = entry.child;
-    ++node.count;
-    adopt(at, entry.child);
+    adopt(at, node.count++);
   }
 
-  constexpr void adopt(std::uint32_t at, std::uint32_t child) noexcept {
+  /// Tells what is in a place of a node that it is there.
+  constexpr void adopt(std::uint32_t at, std::size_t place) noexcept {
+    const auto child = nodes_[at].child[place];
     if (nodes_[at].level == 0) {
-      homes_[child] = at;
+      homes_[child] = static_cast<std::uint32_t>(at * width + place);
     } else {
       nodes_[child].parent = at;
     }
@@ -256,7 +395,7 @@ class Tree {
     entries[width] = extra;
     auto best = entries;
     std::size_t best_cut = 0;
-    typename Culling<S>::Area best_cost{};
+    Area best_cost{};
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(N); ++axis) {
       std::sort(entries.begin(), entries.end(), [axis](const Entry& a, const Entry& b) {
         return a.box.low[axis] + a.box.high[axis] < b.box.low[axis] + b.box.high[axis];
@@ -291,6 +430,7 @@ class Tree {
     node.set(place, node.box(last));
     node.child[place] = node.child[last];
     node.clear(last);
+    if (place != last) adopt(at, place);
     if (at == root_) {
       shrink_root();
     } else if (node.count >= least) {
@@ -337,9 +477,11 @@ class Tree {
   // Leaves with three objects and more are at most a third as many, and so on upward; a root, and
   // on every level a node that a removal leaves to be dissolved, may have fewer.
   typename Storage::template List<Node, Storage::capacity / 2 + 2> nodes_;
+  // Of each object the place in its leaf and, times the width, the leaf.
   typename Storage::template List<std::uint32_t, Storage::capacity> homes_;
   std::uint32_t root_ = nowhere;
   std::uint32_t free_ = nowhere;
+  bool is_in_bulk_ = false;
 };
 
 }  // namespace detent::detail
