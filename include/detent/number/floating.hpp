@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <type_traits>
 
 namespace detent {
 
@@ -75,7 +76,8 @@ template <std::floating_point F>
 }
 template <std::floating_point F>
 [[nodiscard]] constexpr F abs(F x) noexcept {
-  return x < 0 ? -x : x;
+  if (std::is_constant_evaluated()) return x < 0 ? -x : x;
+  return std::abs(x);  // without a branch
 }
 
 }  // namespace detent

@@ -13,11 +13,16 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Aabb<S, N>& box, const Plane<S, N>& plane) noexcept {
   if (is_empty(box)) return false;
-  // The corners farthest back and farthest along the normal.
+  // Of twice the corners farthest back and farthest along the normal, the one is twice the center
+  // less, the other more what the sides reach.
   const auto& normal = plane.normal;
-  const auto back = make_vec<N>([&](int i) { return normal[i] < 0 ? box.max[i] : box.min[i]; });
-  const auto front = make_vec<N>([&](int i) { return normal[i] < 0 ? box.min[i] : box.max[i]; });
-  return dot(normal, back) <= plane.offset && plane.offset <= dot(normal, front);
+  constexpr int bits = detail::along_bits<S, decltype(box.min.x + box.max.x)>;
+  const auto center = dot(normal, box.min + box.max);
+  const auto along = make_vec<N>([&](int i) { return abs(normal[i]); });
+  const auto reach = narrow_dot<bits>(box.max - box.min, along);
+  const auto offset = plane.offset + plane.offset;
+  return narrow_difference<bits>(center, reach) <= offset &&
+         offset <= narrow_sum<bits>(center, reach);
 }
 
 template <Scalar S, int N>
