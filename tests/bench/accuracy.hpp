@@ -35,12 +35,12 @@ template <Scalar S, class Visit>
 void visit_lengths(const S& distance, const Visit& visit) {
   visit(value_of(distance));
 }
-template <Scalar S, class Visit>
-void visit_lengths(const Vec<S, 3>& point, const Visit& visit) {
-  for (int i = 0; i < 3; ++i) visit(value_of(point[i]));
+template <Scalar S, int N, class Visit>
+void visit_lengths(const Vec<S, N>& point, const Visit& visit) {
+  for (int i = 0; i < N; ++i) visit(value_of(point[i]));
 }
-template <Scalar S, class Visit>
-void visit_lengths(const RayHit<S, 3>& hit, const Visit& visit) {
+template <Scalar S, int N, class Visit>
+void visit_lengths(const RayHit<S, N>& hit, const Visit& visit) {
   visit(value_of(hit.distance));
 }
 template <Scalar S, class Visit>
@@ -87,8 +87,8 @@ void visit_close_calls(const Q& query, const typename Q::template Question<doubl
                        const Visit& visit) {
   const auto moved = [&](int steps) {
     auto question = hit;
-    Vec<double, 3> offset;
-    offset[axis] = steps * Artist::step;
+    Vec<double, Q::dimension> offset;
+    offset[axis] = steps * grid_step;
     move(question.second, offset);
     return question;
   };
@@ -136,7 +136,7 @@ Accuracy accuracy_of(const Q& query,
     using Exact = std::remove_cvref_t<decltype(exact)>;
     if constexpr (requires { is_hit(exact); } && !Scalar<Exact>) {
       if (++axis % 8 != 0) continue;  // enough of them
-      detail::visit_close_calls(query, question, axis / 8 % 3, [&](const auto& close) {
+      detail::visit_close_calls(query, question, axis / 8 % Q::dimension, [&](const auto& close) {
         ++result.close_asked;
         result.close_wrong += detail::is_wrong<S>(query, close) ? 1u : 0u;
       });

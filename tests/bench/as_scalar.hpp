@@ -8,6 +8,21 @@
 
 namespace detent::bench {
 
+/// A convex hull with its points.
+template <Scalar S, int N>
+struct Rock {
+  std::array<Vec<S, N>, 12> points{};
+};
+/// What queries take: a view of a rock's hull, or the shape itself.
+template <Scalar S, int N>
+ConvexHull<S, N> as_shape(const Rock<S, N>& rock) {
+  return {rock.points};
+}
+template <class Shape>
+const Shape& as_shape(const Shape& shape) {
+  return shape;
+}
+
 // A scene is drawn in double, on a grid that every scalar has: `as<S>` is the same scene in S. It
 // rounds to nearest what S cannot hold: components of directions.
 
@@ -71,6 +86,13 @@ template <Scalar S, int N>
 Capsule<S, N> as(const Capsule<double, N>& capsule) {
   return {as<S>(capsule.a), as<S>(capsule.b), as_number<S>(capsule.radius)};
 }
+template <Scalar S, int N>
+Rock<S, N> as(const Rock<double, N>& rock) {
+  Rock<S, N> result;
+  for (std::size_t i = 0; i < rock.points.size(); ++i) result.points[i] = as<S>(rock.points[i]);
+  return result;
+}
+
 /// A shape moved by `offset`, for shapes in double.
 template <int N>
 void move(Vec<double, N>& v, const Vec<double, N>& offset) {
@@ -99,11 +121,15 @@ void move(Obb<double, N>& box, const Vec<double, N>& offset) {
 /// A plane moves along its normal, so that its offset stays on the grid.
 template <int N>
 void move(Plane<double, N>& plane, const Vec<double, N>& offset) {
-  plane.offset += offset.x + offset.y + offset.z;
+  for (int i = 0; i < N; ++i) plane.offset += offset[i];
 }
 template <int N>
 void move(Triangle<double, N>& triangle, const Vec<double, N>& offset) {
   triangle = {triangle.a + offset, triangle.b + offset, triangle.c + offset};
+}
+template <int N>
+void move(Rock<double, N>& rock, const Vec<double, N>& offset) {
+  for (auto& point : rock.points) point += offset;
 }
 template <int N>
 void move(Capsule<double, N>& capsule, const Vec<double, N>& offset) {

@@ -96,6 +96,31 @@ void add_numbers(Suite& suite) {
 #endif
 }
 
+/// The root of 62 random bits, beside that of the processor.
+void add_long_roots(Suite& suite) {
+  using Square = Fixed<62, 32>;
+  test::Random random(suite.seed());
+  std::vector<Square> squares(question_count);
+  std::vector<double> as_double;
+  Accuracy accuracy;
+  for (auto& x : squares) {
+    x = Square::from_raw(static_cast<std::int64_t>(random.next() >> 2 >> random.below(48)));
+    as_double.push_back(static_cast<double>(x));
+    const double error = std::sqrt(as_double.back()) - static_cast<double>(sqrt_floor<q16_16>(x));
+    ++accuracy.asked;
+    accuracy.wrong += error * 65536 >= 1 ? 1u : 0u;
+    accuracy.error = std::max(accuracy.error, error);
+  }
+  const std::string name = "number/sqrt of 62 bits";
+  const auto is_hit = [](const auto&) { return true; };
+  suite.add_record({name, hardware, 0, 0, false, {}});
+  suite.add(
+      name, hardware, as_double, [](const double& x) { return std::sqrt(x); }, is_hit);
+  suite.add_record({name, "sqrt_floor", 0, 0, false, accuracy});
+  suite.add(
+      name, "sqrt_floor", squares, [](const Square& x) { return sqrt_floor<q16_16>(x); }, is_hit);
+}
+
 plain::Vector as_plain(const Vec<q16_16, 3>& v) { return {{v.x.raw()}, {v.y.raw()}, {v.z.raw()}}; }
 plain::Ray as_plain(const Ray<q16_16, 3>& ray) {
   return {as_plain(ray.origin),
@@ -144,6 +169,7 @@ void add_plain(Suite& suite, const Q& query, Scale scale) {
 
 void add_baselines(Suite& suite) {
   add_numbers(suite);
+  add_long_roots(suite);
   for (const Scale scale : {ordinary, small}) {
     add_plain(suite, query<Ray, Sphere>("raycast/sphere", ask_raycast), scale);
     add_plain(suite, query<Ray, Aabb>("raycast/aabb", ask_raycast), scale);

@@ -128,6 +128,9 @@ int run(int count, char** arguments) {
   add_distances(suite);
   add_overlaps(suite);
   add_intersects(suite);
+  add_hulls(suite);
+  add_planar(suite);
+  add_batches(suite);
   add_baselines(suite);
   add_engines(suite);
   if (!hits_are_right(suite.records())) return 1;

@@ -31,14 +31,15 @@ struct Axis {
 
 class Panel {
  public:
-  Panel(std::FILE* out, double left, const char* title, const char* label, Axis y)
-      : out_(out), x_{0.5, 32, left + 70, left + 430}, y_(y) {
+  Panel(std::FILE* out, double left, double longest, const char* title, const char* label, Axis y)
+      : out_(out), x_{0.5, longest, left + 70, left + 430}, y_(y) {
     text(left + 250, 30, "middle", title);
     text(left + 250, 455, "middle", "time as a multiple of float");
     std::fprintf(
         out_, "<text transform='translate(%.0f 235) rotate(-90)' text-anchor='middle'>%s</text>\n",
         left + 14, label);
     for (const double x : {0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 8.0, 16.0, 32.0}) {
+      if (x > longest) break;
       line(x_.at(x), y_.start, x_.at(x), y_.end, x == 1 ? "#888888" : "#dddddd");
       std::array<char, 16> mark{};
       std::snprintf(mark.data(), mark.size(), "%g", x);
@@ -70,21 +71,39 @@ class Panel {
   Axis y_;
 };
 
+/// Calls visit(record, ratio) for what the plot shows of a scalar.
+template <class Visit>
+void visit_points(const Results& results, const std::string& scalar, const Visit& visit) {
+  for (const auto& record : results.records) {
+    if (record.scalar != scalar || record.query.rfind("number", 0) == 0) continue;
+    const Times* const time = results.find(record.query, scalar, Manner::shuffled);
+    const Times* const base = results.find(record.query, "float", Manner::shuffled);
+    if (time != nullptr && base != nullptr) visit(record, time->median() / base->median());
+  }
+}
+
 }  // namespace
 
 void write_plot(std::FILE* out, const Results& results) {
+  double longest = 2;
+  for (const auto& [scalar, color] : series) {
+    visit_points(results, scalar, [&](const Record& record, double ratio) {
+      const bool is_shown = record.accuracy.close_asked != 0 || record.accuracy.error > 0;
+      while (is_shown && ratio > longest) longest *= 2;
+    });
+  }
   std::fprintf(out,
                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 920 500' "
                "font-family='sans-serif' font-size='12'>\n"
                "<rect width='920' height='500' fill='white'/>\n");
-  Panel decisions(out, 0, "Hit or miss, a step of 1/256 from touching", "wrong answers",
+  Panel decisions(out, 0, longest, "Hit or miss, a step of 1/256 from touching", "wrong answers",
                   {0.0004, 1, 410, 50});
   decisions.mark(0.0004, "none");
   decisions.mark(0.001, "0.1 %");
   decisions.mark(0.01, "1 %");
   decisions.mark(0.1, "10 %");
   decisions.mark(1, "100 %");
-  Panel lengths(out, 460, "Distances and closest points", "largest error, in units",
+  Panel lengths(out, 460, longest, "Distances and closest points", "largest error, in units",
                 {1e-6, 1, 410, 50});
   for (const auto& [value, name] : {std::pair{1e-6, "1e-6"},
                                     {1e-5, "1e-5"},
@@ -103,24 +122,20 @@ void write_plot(std::FILE* out, const Results& results) {
                  "<circle cx='%.0f' cy='482' r='5' fill='%s'/><text x='%.0f' y='486'>%s</text>\n",
                  legend, color, legend + 10, scalar);
     legend += 100;
-    for (const auto& record : results.records) {
-      if (record.scalar != scalar) continue;
-      const Times* const time = results.find(record.query, scalar, Manner::shuffled);
-      const Times* const base = results.find(record.query, "float", Manner::shuffled);
-      if (time == nullptr || base == nullptr || record.query.rfind("number", 0) == 0) continue;
-      const double ratio = time->median() / base->median();
-      const std::string name = record.query + ' ' + scalar;
-      const auto& accuracy = record.accuracy;
-      if (accuracy.close_asked != 0) {
-        const double wrong =
-            static_cast<double>(accuracy.close_wrong) / static_cast<double>(accuracy.close_asked);
-        // Scalars without wrong answers get a line each.
-        const double nudge =
-            wrong > 0 ? 0 : 7 * static_cast<double>(&scalar_series - series.data()) - 40;
-        decisions.point(ratio, std::max(wrong, 0.0004), nudge, color, name);
-      }
-      if (accuracy.error > 0) lengths.point(ratio, accuracy.error, 0, color, name);
-    }
+    visit_points(
+        results, scalar, [&, scalar = scalar, color = color](const Record& record, double ratio) {
+          const std::string name = record.query + ' ' + scalar;
+          const auto& accuracy = record.accuracy;
+          if (accuracy.close_asked != 0) {
+            const double wrong = static_cast<double>(accuracy.close_wrong) /
+                                 static_cast<double>(accuracy.close_asked);
+            // Scalars without wrong answers get a line each.
+            const double nudge =
+                wrong > 0 ? 0 : 7 * static_cast<double>(&scalar_series - series.data()) - 40;
+            decisions.point(ratio, std::max(wrong, 0.0004), nudge, color, name);
+          }
+          if (accuracy.error > 0) lengths.point(ratio, accuracy.error, 0, color, name);
+        });
   }
   std::fprintf(out, "</svg>\n");
 }

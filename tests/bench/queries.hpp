@@ -11,26 +11,28 @@ template <Scalar S, int N>
 using Point = Vec<S, N>;
 
 inline constexpr auto ask_raycast = [](const auto& ray, const auto& shape) {
-  return raycast(ray, shape);
+  return raycast(as_shape(ray), as_shape(shape));
 };
 inline constexpr auto ask_raycast_hit = [](const auto& ray, const auto& shape) {
-  return raycast_hit(ray, shape);
+  return raycast_hit(as_shape(ray), as_shape(shape));
 };
 inline constexpr auto ask_raycast_interval = [](const auto& ray, const auto& shape) {
-  return raycast_interval(ray, shape);
+  return raycast_interval(as_shape(ray), as_shape(shape));
 };
 inline constexpr auto ask_contains = [](const auto& shape, const auto& point) {
-  return contains(shape, point);
+  return contains(as_shape(shape), as_shape(point));
 };
 inline constexpr auto ask_closest_point = [](const auto& shape, const auto& point) {
-  return closest_point(shape, point);
+  return closest_point(as_shape(shape), as_shape(point));
 };
 inline constexpr auto ask_distance = [](const auto& shape, const auto& point) {
-  return distance(shape, point);
+  return distance(as_shape(shape), as_shape(point));
 };
-inline constexpr auto ask_overlaps = [](const auto& a, const auto& b) { return overlaps(a, b); };
+inline constexpr auto ask_overlaps = [](const auto& a, const auto& b) {
+  return overlaps(as_shape(a), as_shape(b));
+};
 inline constexpr auto ask_intersects = [](const auto& segment, const auto& shape) {
-  return intersects(segment, shape);
+  return intersects(as_shape(segment), as_shape(shape));
 };
 
 template <class Visit>
@@ -41,11 +43,16 @@ void visit_raycasts(const Visit& visit) {
   visit(query<Ray, Plane>("raycast/plane", ask_raycast));
   visit(query<Ray, Triangle>("raycast/triangle", ask_raycast));
   visit(query<Ray, Capsule>("raycast/capsule", ask_raycast));
+  visit(query<Ray, Segment>("raycast/segment", ask_raycast));
+  visit(query<Ray, Rock>("raycast/hull", ask_raycast));
   visit(query<Ray, Sphere>("raycast_hit/sphere", ask_raycast_hit));
   visit(query<Ray, Aabb>("raycast_hit/aabb", ask_raycast_hit));
   visit(query<Ray, Obb>("raycast_hit/obb", ask_raycast_hit));
   visit(query<Ray, Plane>("raycast_hit/plane", ask_raycast_hit));
   visit(query<Ray, Triangle>("raycast_hit/triangle", ask_raycast_hit));
+  visit(query<Ray, Capsule>("raycast_hit/capsule", ask_raycast_hit));
+  visit(query<Ray, Segment>("raycast_hit/segment", ask_raycast_hit));
+  visit(query<Ray, Rock>("raycast_hit/hull", ask_raycast_hit));
   visit(query<Ray, Sphere>("raycast_interval/sphere", ask_raycast_interval));
   visit(query<Ray, Aabb>("raycast_interval/aabb", ask_raycast_interval));
   visit(query<Ray, Obb>("raycast_interval/obb", ask_raycast_interval));
@@ -59,6 +66,7 @@ void visit_contains(const Visit& visit) {
   visit(query<Plane, Point>("contains/plane", ask_contains));
   visit(query<Triangle, Point>("contains/triangle", ask_contains));
   visit(query<Capsule, Point>("contains/capsule", ask_contains));
+  visit(query<Rock, Point>("contains/hull", ask_contains));
   visit(query<Segment, Point>("contains/segment", ask_contains));
   visit(query<Ray, Point>("contains/ray", ask_contains));
 }
@@ -71,6 +79,7 @@ void visit_closest_points(const Visit& visit) {
   visit(query<Plane, Point>("closest_point/plane", ask_closest_point));
   visit(query<Triangle, Point>("closest_point/triangle", ask_closest_point));
   visit(query<Capsule, Point>("closest_point/capsule", ask_closest_point));
+  visit(query<Rock, Point>("closest_point/hull", ask_closest_point));
   visit(query<Segment, Point>("closest_point/segment", ask_closest_point));
   visit(query<Ray, Point>("closest_point/ray", ask_closest_point));
 }
@@ -84,6 +93,7 @@ void visit_distances(const Visit& visit) {
   visit(query<Plane, Point>("distance/plane", ask_distance));
   visit(query<Triangle, Point>("distance/triangle", ask_distance));
   visit(query<Capsule, Point>("distance/capsule", ask_distance));
+  visit(query<Rock, Point>("distance/hull", ask_distance));
   visit(query<Segment, Point>("distance/segment", ask_distance));
   visit(query<Ray, Point>("distance/ray", ask_distance));
 }
@@ -111,6 +121,39 @@ void visit_overlaps(const Visit& visit) {
   visit(query<Triangle, Triangle>("overlaps/triangle_triangle", ask_overlaps));
   visit(query<Triangle, Capsule>("overlaps/triangle_capsule", ask_overlaps));
   visit(query<Capsule, Capsule>("overlaps/capsule_capsule", ask_overlaps));
+}
+
+template <class Visit>
+void visit_hulls(const Visit& visit) {
+  visit(query<Sphere, Rock>("overlaps/sphere_hull", ask_overlaps));
+  visit(query<Aabb, Rock>("overlaps/aabb_hull", ask_overlaps));
+  visit(query<Obb, Rock>("overlaps/obb_hull", ask_overlaps));
+  visit(query<Plane, Rock>("overlaps/plane_hull", ask_overlaps));
+  visit(query<Triangle, Rock>("overlaps/triangle_hull", ask_overlaps));
+  visit(query<Capsule, Rock>("overlaps/capsule_hull", ask_overlaps));
+  visit(query<Rock, Rock>("overlaps/hull_hull", ask_overlaps));
+  visit(query<Segment, Rock>("intersects/hull", ask_intersects));
+}
+
+// Circles, rectangles, lines and triangles of the plane.
+template <class Visit>
+void visit_planar(const Visit& visit) {
+  visit(query<Ray, Sphere, 2>("2D raycast/sphere", ask_raycast));
+  visit(query<Ray, Aabb, 2>("2D raycast/aabb", ask_raycast));
+  visit(query<Ray, Obb, 2>("2D raycast/obb", ask_raycast));
+  visit(query<Ray, Plane, 2>("2D raycast/plane", ask_raycast));
+  visit(query<Ray, Triangle, 2>("2D raycast/triangle", ask_raycast));
+  visit(query<Ray, Capsule, 2>("2D raycast/capsule", ask_raycast));
+  visit(query<Sphere, Sphere, 2>("2D overlaps/sphere_sphere", ask_overlaps));
+  visit(query<Sphere, Aabb, 2>("2D overlaps/sphere_aabb", ask_overlaps));
+  visit(query<Aabb, Aabb, 2>("2D overlaps/aabb_aabb", ask_overlaps));
+  visit(query<Obb, Obb, 2>("2D overlaps/obb_obb", ask_overlaps));
+  visit(query<Triangle, Triangle, 2>("2D overlaps/triangle_triangle", ask_overlaps));
+  visit(query<Capsule, Capsule, 2>("2D overlaps/capsule_capsule", ask_overlaps));
+  visit(query<Triangle, Point, 2>("2D contains/triangle", ask_contains));
+  visit(query<Obb, Point, 2>("2D closest_point/obb", ask_closest_point));
+  visit(query<Segment, Point, 2>("2D distance/segment", ask_distance));
+  visit(query<Segment, Segment, 2>("2D intersects/segment", ask_intersects));
 }
 
 template <class Visit>

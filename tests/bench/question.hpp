@@ -16,15 +16,16 @@ inline constexpr std::uint64_t default_seed = 20260101;
 inline constexpr std::size_t question_count = 4096;
 
 /// A query with its name and the types of its two shapes, as templates on the scalar.
-template <template <class, int> class A, template <class, int> class B, class Ask>
+template <template <class, int> class A, template <class, int> class B, int N, class Ask>
 struct Query {
+  static constexpr int dimension = N;
   std::string_view name;
   Ask ask;
 
   template <class S>
-  using First = A<S, 3>;
+  using First = A<S, N>;
   template <class S>
-  using Second = B<S, 3>;
+  using Second = B<S, N>;
   template <class S>
   using Question = std::pair<First<S>, Second<S>>;
 
@@ -34,8 +35,8 @@ struct Query {
   }
 };
 
-template <template <class, int> class A, template <class, int> class B, class Ask>
-constexpr Query<A, B, Ask> query(std::string_view name, const Ask& ask) {
+template <template <class, int> class A, template <class, int> class B, int N = 3, class Ask>
+constexpr Query<A, B, N, Ask> query(std::string_view name, const Ask& ask) {
   return {name, ask};
 }
 
@@ -54,7 +55,7 @@ bool is_hit(const S& distance) {
 template <class S, class Q>
 bool hits(const Q& query, const typename Q::template Question<S>& question) {
   const auto answer = query.template operator()<S>(question);
-  if constexpr (std::is_same_v<std::remove_cvref_t<decltype(answer)>, Vec<S, 3>>) {
+  if constexpr (std::is_same_v<std::remove_cvref_t<decltype(answer)>, Vec<S, Q::dimension>>) {
     return answer != question.second;
   } else {
     return is_hit(answer);
@@ -67,7 +68,7 @@ template <class Q>
 std::vector<typename Q::template Question<double>> draw_questions(const Q& query,
                                                                   std::uint64_t seed, Scale scale) {
   constexpr int patience = 64;
-  Artist artist(seed, scale);
+  Artist<Q::dimension> artist(seed, scale);
   std::vector<typename Q::template Question<double>> questions(question_count);
   for (auto& question : questions) {
     const bool wanted = artist.coin();

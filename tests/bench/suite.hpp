@@ -31,6 +31,9 @@ inline const std::string scalar_name<q24_8> = "q24_8";
 template <>
 inline const std::string scalar_name<q8_8> = "q8_8";
 
+/// What a processor does of itself: the base of what has no counterpart in float.
+inline const std::string hardware = "double in hardware";
+
 /// How a benchmark asks its questions.
 enum class Manner {
   shuffled,  // independent questions, hits and misses mixed in an order that changes every pass
@@ -163,6 +166,9 @@ void add_closest_points(Suite& suite);
 void add_distances(Suite& suite);
 void add_overlaps(Suite& suite);
 void add_intersects(Suite& suite);
+void add_hulls(Suite& suite);
+void add_planar(Suite& suite);
+void add_batches(Suite& suite);
 void add_baselines(Suite& suite);
 void add_engines(Suite& suite);
 

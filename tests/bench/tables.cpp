@@ -108,7 +108,8 @@ void write_baselines(std::FILE* out, const Results& results) {
     const bool has_baseline = std::any_of(
         results.records.begin(), results.records.end(),
         [&](const Record& record) { return record.query == query && !is_own(record.scalar); });
-    const Times* const base = results.find(query, "float", Manner::shuffled);
+    const Times* base = results.find(query, "float", Manner::shuffled);
+    if (base == nullptr) base = results.find(query, hardware, Manner::shuffled);
     if (!has_baseline || base == nullptr) continue;
     for (const auto& record : results.records) {
       if (record.query != query) continue;

@@ -115,7 +115,7 @@ void examine_shape(std::uint64_t seed, int rounds) {
 /// Scattered shapes and rays between them, in double.
 template <class Shape>
 void draw_scattered(std::vector<Ray<double, 3>>& rays, std::vector<Shape>& shapes) {
-  bench::Artist artist(20260505, bench::ordinary);
+  bench::Artist<3> artist(20260505, bench::ordinary);
   for (int i = 0; i < 500; ++i) {
     Ray<double, 3> ray;
     Shape shape;

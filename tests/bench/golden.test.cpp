@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "bench/golden.hpp"
+
+#include "bench/queries.hpp"
+#include "support/catch.hpp"
+
+using namespace detent;
+using namespace detent::bench;
+
+namespace {
+
+// What the benchmarks compare their hits with, without the benchmarks.
+const auto check = [](const auto& query) {
+  const Golden* const golden = golden_for(query.name);
+  INFO(query.name);
+  REQUIRE(golden != nullptr);
+  const auto drawn = draw_questions(query, default_seed, ordinary);
+  CHECK(count_hits<q16_16>(query, as_questions<q16_16>(query, drawn)) == golden->ordinary);
+};
+
+}  // namespace
+
+TEST_CASE("golden: raycasts hit as often as they have to") { visit_raycasts(check); }
+TEST_CASE("golden: points are contained as often as they have to") { visit_contains(check); }
+TEST_CASE("golden: closest points are elsewhere as often as they have to") {
+  visit_closest_points(check);
+}
+TEST_CASE("golden: points are apart as often as they have to") { visit_distances(check); }
+TEST_CASE("golden: shapes overlap as often as they have to") { visit_overlaps(check); }
+TEST_CASE("golden: segments intersect as often as they have to") { visit_intersects(check); }
+TEST_CASE("golden: hulls are met as often as they have to") { visit_hulls(check); }
+TEST_CASE("golden: shapes of the plane are met as often as they have to") { visit_planar(check); }

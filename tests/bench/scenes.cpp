@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+//
+// usage: detent-bench-scenes
+// Scenes of random spheres and boxes: rays, pairs after a tenth has moved, snapshots. Beside Bullet
+// on the same shapes and rays, and the same source in float. Prints tables in Markdown; fails when
+// a q16_16 answer is not the golden one.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include "bench/as_scalar.hpp"
+#include "detent/scene/snapshot.hpp"
+#include "support/random.hpp"
+#if DETENT_BENCH_BULLET
+#include <btBulletCollisionCommon.h>
+#endif
+
+namespace detent::bench {
+namespace {
+
+constexpr int ray_count = 2000, rounds = 15;
+constexpr double reach = 1000;  // coordinates of centers
+
+/// The least time of a few, in microseconds.
+class Timer {
+ public:
+  template <class F>
+  void time(const F& f) {
+    const auto start = std::chrono::steady_clock::now();
+    f();
+    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
+    least_ = std::min(least_, took.count());
+  }
+  [[nodiscard]] double least() const { return least_; }
+
+ private:
+  double least_ = 1e12;
+};
+
+/// What is drawn, on a grid that every scalar has.
+struct Drawn {
+  struct Item {
+    Obb<double, 3> box;  // its first half extent is the radius of a ball
+    bool is_ball;
+  };
+  std::vector<Item> items;
+  std::vector<Ray<double, 3>> rays;
+  std::vector<std::vector<std::pair<std::uint32_t, Vec<double, 3>>>> moves;  // for every round
+
+  /// Objects fill the same part of the world however many there are.
+  Drawn(int count, std::uint64_t seed) : random_(seed) {
+    const double size = 0.7 * reach / std::cbrt(count);
+    for (int i = 0; i < count; ++i) {
+      items.push_back({{point(reach), extents(size), rotation()}, random_.coin()});
+    }
+    for (int i = 0; i < ray_count; ++i) {
+      const auto from = point(reach), to = point(reach);
+      const auto unit = *normalize(as<q16_16>(to - from));
+      rays.push_back({from, Direction<double, 3>::assume_unit(as_vec<double>(unit.vec())), 4000});
+    }
+    moves.resize(rounds);
+    for (auto& round : moves) {
+      for (int i = 0; i < count / 10; ++i) {
+        const auto which = random_.below(static_cast<std::uint64_t>(count));
+        round.emplace_back(static_cast<std::uint32_t>(which), point(size / 10));
+      }
+    }
+  }
+
+ private:
+  double length(double low, double high) {
+    return static_cast<double>(random_.between(std::lround(low * 256), std::lround(high * 256))) /
+           256;
+  }
+  Vec<double, 3> point(double limit) {
+    const double x = length(-limit, limit), y = length(-limit, limit);
+    return {x, y, length(-limit, limit)};
+  }
+  Vec<double, 3> extents(double size) {
+    const double x = length(size / 4, size), y = length(size / 4, size);
+    return {x, y, length(size / 4, size)};
+  }
+  Rotation<double, 3> rotation() {
+    const auto angle = [this] {
+      return Angle<q16_16>::from_raw(static_cast<std::uint32_t>(random_.next()));
+    };
+    const auto x = angle(), y = angle();
+    const auto turn = Rotation<q16_16, 3>::from_euler(x, y, angle());
+    std::array<Direction<double, 3>, 3> axes;
+    for (int i = 0; i < 3; ++i) {
+      axes[static_cast<std::size_t>(i)] =
+          Direction<double, 3>::assume_unit(as_vec<double>(turn.axis(i).vec()));
+    }
+    return Rotation<double, 3>::from_axes(axes);
+  }
+
+  test::Random random_;
+};
+
+struct Measured {
+  double build = 0, ray = 0, move = 0, pairs = 0;
+  std::size_t hits = 0, overlaps = 0;
+};
+
+template <Scalar S>
+Measured measure(const Drawn& drawn) {
+  Measured result;
+  Scene<S, 3, Sphere, Obb> scene;
+  Timer build, cast, move, pairs;
+  build.time([&] {
+    for (const auto& [box, is_ball] : drawn.items) {
+      const Obb<S, 3> shape{as<S>(box.center), as<S>(box.half_extents), as<S>(box.rotation)};
+      if (is_ball) {
+        scene.add(Sphere<S, 3>{shape.center, shape.half_extents.x});
+      } else {
+        scene.add(shape);
+      }
+    }
+    scene.optimize();
+  });
+  std::vector<Ray<S, 3>> rays;
+  for (const auto& ray : drawn.rays) rays.push_back(as<S>(ray));
+  for (const auto& moves : drawn.moves) {
+    cast.time([&] {
+      result.hits = 0;
+      for (const auto& ray : rays) result.hits += scene.nearest(ray) ? 1u : 0u;
+    });
+    std::vector<std::pair<ObjectId, Vec<S, 3>>> steps;
+    for (const auto& [i, by] : moves) steps.emplace_back(ObjectId{i, i + 1}, as<S>(by));
+    move.time([&] {
+      for (const auto& [id, by] : steps) scene.move(id, by);
+    });
+    pairs.time([&] { result.overlaps = scene.overlaps().size(); });
+  }
+  result.build = build.least();
+  result.ray = cast.least() * 1000 / ray_count;
+  result.move = move.least();
+  result.pairs = pairs.least();
+  return result;
+}
+
+#if DETENT_BENCH_BULLET
+
+btVector3 as_bullet(const Vec<double, 3>& v) {
+  return {static_cast<btScalar>(v.x), static_cast<btScalar>(v.y), static_cast<btScalar>(v.z)};
+}
+
+Measured measure_bullet(const Drawn& drawn) {
+  Measured result;
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  btDbvtBroadphase broad_phase;
+  btCollisionWorld world(&dispatcher, &broad_phase, &configuration);
+  std::vector<std::unique_ptr<btCollisionShape>> shapes;
+  std::vector<std::unique_ptr<btCollisionObject>> objects;
+  Timer build, cast, move, pairs;
+  build.time([&] {
+    for (const auto& [box, is_ball] : drawn.items) {
+      btTransform place = btTransform::getIdentity();
+      place.setOrigin(as_bullet(box.center));
+      if (is_ball) {
+        shapes.push_back(
+            std::make_unique<btSphereShape>(static_cast<btScalar>(box.half_extents.x)));
+      } else {
+        shapes.push_back(std::make_unique<btBoxShape>(as_bullet(box.half_extents)));
+        btMatrix3x3 basis;
+        for (int i = 0; i < 3; ++i) {
+          for (int j = 0; j < 3; ++j) {
+            basis[i][j] = static_cast<btScalar>(box.rotation.axis(j)[i]);
+          }
+        }
+        place.setBasis(basis);
+      }
+      objects.push_back(std::make_unique<btCollisionObject>());
+      objects.back()->setCollisionShape(shapes.back().get());
+      objects.back()->setWorldTransform(place);
+      world.addCollisionObject(objects.back().get());
+    }
+    broad_phase.optimize();
+  });
+  for (const auto& moves : drawn.moves) {
+    cast.time([&] {
+      result.hits = 0;
+      for (const auto& ray : drawn.rays) {
+        const auto from = as_bullet(ray.origin);
+        const auto to = as_bullet(ray.origin + ray.max_distance * ray.direction.vec());
+        btCollisionWorld::ClosestRayResultCallback closest(from, to);
+        world.rayTest(from, to, closest);
+        result.hits += closest.hasHit() ? 1u : 0u;
+      }
+    });
+    move.time([&] {
+      for (const auto& [i, by] : moves) {
+        auto& place = objects[i]->getWorldTransform();
+        place.setOrigin(place.getOrigin() + as_bullet(by));
+        world.updateSingleAabb(objects[i].get());
+      }
+    });
+    pairs.time([&] { broad_phase.calculateOverlappingPairs(&dispatcher); });
+  }
+  result.overlaps =
+      static_cast<std::size_t>(broad_phase.getOverlappingPairCache()->getNumOverlappingPairs());
+  result.build = build.least();
+  result.ray = cast.least() * 1000 / ray_count;
+  result.move = move.least();
+  result.pairs = pairs.least();
+  world.getCollisionObjectArray().clear();
+  return result;
+}
+
+#endif
+
+void print(int count, const char* who, const Measured& m) {
+  std::printf("| %d | %s | %zu | %.0f | %.1f | %.0f | %.0f | %zu |\n", count, who, m.hits, m.ray,
+              m.build / 1000, m.move, m.pairs, m.overlaps);
+}
+
+/// Saves 1,000 moving spheres and restores them eight frames later.
+void measure_snapshots() {
+  using V = Vec<q16_16, 3>;
+  Scene<q16_16, 3, Sphere> scene;
+  test::Random random(1);
+  const auto draw = [&] { return q16_16(random.between(-500, 500)); };
+  for (int i = 0; i < 1000; ++i) {
+    const auto x = draw(), y = draw();
+    scene.add(Sphere<q16_16, 3>{{x, y, draw()}, q16_16(3)});
+  }
+  const auto before = scene;
+  const auto early = snapshot(scene);
+  for (std::uint32_t i = 0; i < 8000; ++i) {
+    const auto step = static_cast<int>(i % 1000);
+    scene.move({i % 1000, i % 1000 + 1},
+               V{q16_16(step % 3 - 1), q16_16(step % 5 - 2), q16_16(1 - step % 2 * 2)});
+  }
+  const auto late = snapshot(scene);
+  std::vector<std::byte> room(early.size());
+  Timer save, load, copy;
+  bool is_right = true;
+  for (int i = 0; i < 2000; ++i) {
+    save.time([&] { snapshot(scene, room); });
+    load.time([&] { is_right &= restore(scene, i % 2 == 0 ? early : late) == Restored::yes; });
+    auto other = scene;
+    copy.time([&] { other = before; });
+  }
+  std::printf("\n1,000 moving spheres: save %.1f us, restore %.1f us; copy %.1f us; %zu bytes%s\n",
+              save.least(), load.least(), copy.least(), early.size(), is_right ? "" : "; WRONG");
+}
+
+/// Hits and overlaps of q16_16.
+struct Golden {
+  int count;
+  std::size_t hits, overlaps;
+};
+constexpr Golden golden[] = {{100, 0, 0}, {1000, 0, 0}, {10000, 0, 0}, {100000, 0, 0}};
+
+}  // namespace
+}  // namespace detent::bench
+
+int main() {
+  using namespace detent::bench;
+  bool is_right = true;
+  std::printf(
+      "| objects | | hits of 2,000 | ns/ray | build, ms | move 10 %%, us | pairs, us | "
+      "pairs |\n|---|---|---|---|---|---|---|---|\n");
+  for (const auto& [count, hits, overlaps] : golden) {
+    const Drawn drawn(count, 42);
+    const auto fixed = measure<detent::q16_16>(drawn);
+    print(count, "q16_16", fixed);
+    print(count, "float", measure<float>(drawn));
+#if DETENT_BENCH_BULLET
+    print(count, "Bullet", measure_bullet(drawn));
+#endif
+    if (fixed.hits != hits || fixed.overlaps != overlaps) {
+      is_right = false;
+      std::printf("golden: {%d, %zu, %zu}\n", count, fixed.hits, fixed.overlaps);
+    }
+  }
+  measure_snapshots();
+  return is_right ? 0 : 1;
+}
