@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "detent/number/slab_times.hpp"
 
-#include <vector>
+#include <array>
 
 #include "detent/number/bins.hpp"
+#include "detent/number/next_up.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
@@ -61,27 +62,28 @@ TEMPLATE_TEST_CASE("slab times: no part of the ray between the planes is left ou
     const auto x = raw<S>(random.between(least.raw(), greatest.raw()));
     const auto y = raw<S>(random.between(x.raw(), greatest.raw()));
     const auto low = grid.below(x), high = grid.above(y);
-    std::array<std::uint8_t, 1> near{low}, far{high};
-    if (speed < 0) std::swap(near, far);
-    const auto unlimited = std::int64_t{1} << 62;
-    std::array<std::int64_t, 1> enter{-unlimited}, leave{unlimited};
-    slab.clip(grid, near, far, enter, leave);
+    const auto near = speed < 0 ? high : low, far = speed < 0 ? low : high;
+    const typename SlabTimes<S>::OnGrid planes(slab, grid);
+    const auto enter = planes.enter(near), leave = planes.leave(far);
+    if (grid.origin() + near * grid.step() <= S::max().raw()) {
+      REQUIRE(slab.enter(grid.plane(near)) == enter);
+    }
     // Any distance t, in the units of `enter`, whose point is between x and y is within.
     for (int k = 0; k < 4; ++k) {
       const std::int64_t t = random.between(0, SlabTimes<S>::time(longest));
       const Integer at = Integer(origin.raw()) * 65536 * one + Integer(speed) * t;
       if (at < Integer(x.raw()) * 65536 * one || at > Integer(y.raw()) * 65536 * one) continue;
-      REQUIRE(enter[0] <= t);
-      REQUIRE(leave[0] >= t);
+      REQUIRE(enter <= t);
+      REQUIRE(leave >= t);
     }
     // And where the ray does move, not much more is: two parts in 2^14 of the distances.
     const Integer fast = speed < 0 ? -speed : speed;
     if (fast < one / 64) continue;
     const Integer reach = std::max(std::abs(std::int64_t{least.raw()} - origin.raw()),
                                    std::abs(std::int64_t{greatest.raw()} - origin.raw()));
-    const Integer first = Integer(grid.origin() + near[0] * grid.step()) - origin.raw();
+    const Integer first = Integer(grid.origin() + near * grid.step()) - origin.raw();
     const Integer time = first * 65536 * one / speed;
-    REQUIRE(time - enter[0] <= reach * 65536 * 64 / 8192 + 2);
+    REQUIRE(time - enter <= reach * 65536 * 64 / 8192 + 2);
     ++tight;
   }
   CHECK(tight > 1'000);
@@ -107,8 +109,24 @@ TEMPLATE_TEST_CASE("bins: in order, and at least nine of sixteen", "[slab_times]
     REQUIRE(bins(std::min(x, y)) <= bins(std::max(x, y)));
     if (least < greatest) REQUIRE(bins(greatest) > 0);
   }
+  for (int i = 0; i < 1'000; ++i) {
+    std::array<S, 8> a{}, b{};
+    for (auto& x : a) x = number();
+    for (auto& x : b) x = number();
+    auto least = a;
+    lower(least, b);
+    for (std::size_t k = 0; k < 8; ++k) {
+      REQUIRE(least[k] == std::min(a[k], b[k]));
+      REQUIRE(reversed(reversed(a[k])) == a[k]);
+      REQUIRE((reversed(a[k]) < reversed(b[k])) == (b[k] < a[k]));
+      const auto middle = rough_middle(least[k], std::max(a[k], b[k]));
+      REQUIRE(middle <= std::max(a[k], b[k]));
+      if constexpr (is_fixed<S>) REQUIRE(next_up(next_up(middle)) >= least[k]);
+    }
+  }
   const Bins<q16_16> wide(q16_16(0), q16_16(1));
   CHECK(wide(q16_16(1)) == 8);
+  CHECK(Coarse<q16_16>(q16_16::from_raw(16'384))(q16_16::from_raw(16'383)) == 8'191);
 }
 
 }  // namespace

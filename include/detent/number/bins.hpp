@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -51,6 +52,69 @@ class Bins<F> {
  private:
   F least_, scale_;
 };
+
+/// Rounds the sizes of parts of a whole down to 14 bits, for products that are only compared.
+///
+/// `longest` is the greatest size that there is.
+template <Number T>
+class Coarse;
+
+template <int Bits, int Frac>
+class Coarse<Fixed<Bits, Frac>> {
+  using T = Fixed<Bits, Frac>;
+
+ public:
+  explicit constexpr Coarse(const T& longest) noexcept
+      : shift_(std::max(bit_length(longest.raw()) - 14, 0)) {}
+
+  [[nodiscard]] constexpr Fixed<14, 0> operator()(const T& size) const noexcept {
+    return Fixed<14, 0>::assume_raw(static_cast<std::int16_t>(size.raw() >> shift_));
+  }
+
+ private:
+  int shift_;
+};
+
+template <Number F>
+requires std::floating_point<F>
+class Coarse<F> {
+ public:
+  explicit constexpr Coarse(F) noexcept {}
+  [[nodiscard]] constexpr F operator()(F size) const noexcept { return size; }
+};
+
+/// Puts the lesser of each two numbers in `a`; for integers, one vector instruction.
+template <Number T, std::size_t Size>
+constexpr void lower(std::array<T, Size>& a, const std::array<T, Size>& b) noexcept {
+  if constexpr (is_fixed<T>) {
+    for (std::size_t i = 0; i < Size; ++i) {
+      const auto x = a[i].raw(), y = b[i].raw();
+      a[i] = T::assume_raw(y < x ? y : x);
+    }
+  } else {
+    for (std::size_t i = 0; i < Size; ++i) a[i] = b[i] < a[i] ? b[i] : a[i];
+  }
+}
+
+/// The middle of two numbers, within one step of their grid, and in the order of the numbers.
+template <Number T>
+[[nodiscard]] constexpr T rough_middle(const T& a, const T& b) noexcept {
+  if constexpr (is_fixed<T>) {
+    return T::assume_raw(static_cast<typename T::raw_type>((a.raw() >> 1) + (b.raw() >> 1)));
+  } else {
+    return a / 2 + b / 2;
+  }
+}
+
+/// A number of the same type for each number, in the opposite order; twice gives it back.
+template <Number T>
+[[nodiscard]] constexpr T reversed(const T& x) noexcept {
+  if constexpr (is_fixed<T>) {
+    return T::assume_raw(static_cast<typename T::raw_type>(~x.raw()));
+  } else {
+    return -x;
+  }
+}
 
 /// x * count, exactly.
 template <int Bits, int Frac>

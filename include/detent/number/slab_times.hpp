@@ -2,8 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <cstdint>
 
 #include "detent/number/plane_grid.hpp"
@@ -77,22 +75,25 @@ class SlabTimes<Fixed<Bits, Frac>> {
     return plane.raw() * factor_ - leave_;
   }
 
-  /// Cuts spans of the ray down to what may lie between two planes of `grid` each: `enter` grows
-  /// to a lower bound of the distance to the plane in `near`, `leave` shrinks to an upper bound of
-  /// that to the plane in `far`.
-  template <std::size_t Width>
-  constexpr void clip(const PlaneGrid<S>& grid, const std::array<std::uint8_t, Width>& near,
-                      const std::array<std::uint8_t, Width>& far, std::array<Time, Width>& enter,
-                      std::array<Time, Width>& leave) const noexcept {
-    const Time first = grid.origin() * factor_, step = grid.step() * factor_;
-    const Time first_in = first - enter_, first_out = first - leave_;
-    for (std::size_t i = 0; i < Width; ++i) {
-      const Time in = first_in + near[i] * step;
-      const Time out = first_out + far[i] * step;
-      enter[i] = in > enter[i] ? in : enter[i];
-      leave[i] = out < leave[i] ? out : leave[i];
+  /// The same for planes of a grid, told by their bytes.
+  class OnGrid {
+   public:
+    constexpr OnGrid() noexcept = default;
+    constexpr OnGrid(const SlabTimes& slab, const PlaneGrid<S>& grid) noexcept
+        : enter_(grid.origin() * slab.factor_ - slab.enter_),
+          leave_(grid.origin() * slab.factor_ - slab.leave_),
+          step_(grid.step() * slab.factor_) {}
+
+    [[nodiscard]] constexpr Time enter(std::uint8_t plane) const noexcept {
+      return enter_ + plane * step_;
     }
-  }
+    [[nodiscard]] constexpr Time leave(std::uint8_t plane) const noexcept {
+      return leave_ + plane * step_;
+    }
+
+   private:
+    Time enter_ = 0, leave_ = 0, step_ = 0;
+  };
 
  private:
   static constexpr int inverse_frac = 16;
@@ -134,19 +135,24 @@ class SlabTimes<F> {
     return (plane - origin_) * factor_ - leave_;
   }
 
-  template <std::size_t Width>
-  constexpr void clip(const PlaneGrid<F>& grid, const std::array<std::uint8_t, Width>& near,
-                      const std::array<std::uint8_t, Width>& far, std::array<F, Width>& enter,
-                      std::array<F, Width>& leave) const noexcept {
-    const F first = (grid.origin() - origin_) * factor_, step = grid.step() * factor_;
-    const F first_in = first - enter_, first_out = first - leave_;
-    for (std::size_t i = 0; i < Width; ++i) {
-      const F in = first_in + near[i] * step;
-      const F out = first_out + far[i] * step;
-      enter[i] = in > enter[i] ? in : enter[i];
-      leave[i] = out < leave[i] ? out : leave[i];
+  class OnGrid {
+   public:
+    constexpr OnGrid() noexcept = default;
+    constexpr OnGrid(const SlabTimes& slab, const PlaneGrid<F>& grid) noexcept
+        : enter_(slab.enter(grid.origin())),
+          leave_(slab.leave(grid.origin())),
+          step_(grid.step() * slab.factor_) {}
+
+    [[nodiscard]] constexpr F enter(std::uint8_t plane) const noexcept {
+      return enter_ + plane * step_;
     }
-  }
+    [[nodiscard]] constexpr F leave(std::uint8_t plane) const noexcept {
+      return leave_ + plane * step_;
+    }
+
+   private:
+    F enter_ = 0, leave_ = 0, step_ = 0;
+  };
 
  private:
   F origin_, factor_, enter_, leave_;

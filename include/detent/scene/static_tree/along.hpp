@@ -35,12 +35,19 @@ class StaticRay {
   /// at the earliest.
   [[nodiscard]] constexpr std::uint32_t meets(const Node& node, const Time& limit,
                                               Times& enter) const noexcept {
+    std::array<typename Slab::OnGrid, N> planes;
+    for (std::size_t i = 0; i < N; ++i) planes[i] = {slabs_[i], node.grids[i]};
     Times leave;
-    enter.fill(Time());
-    leave.fill(limit);
-    for (std::size_t i = 0; i < N; ++i) {
-      slabs_[i].clip(node.grids[i], node.sides[near_side_[i]], node.sides[near_side_[i] ^ 1], enter,
-                     leave);
+    for (std::size_t k = 0; k < Node::width; ++k) {
+      Time in{}, out = limit;
+      for (std::size_t i = 0; i < N; ++i) {
+        const Time near = planes[i].enter(node.sides[near_side_[i]][k]);
+        const Time far = planes[i].leave(node.sides[near_side_[i] ^ 1][k]);
+        in = near > in ? near : in;
+        out = far < out ? far : out;
+      }
+      enter[k] = in;
+      leave[k] = out;
     }
     std::uint32_t met = 0;
     for (std::size_t k = 0; k < Node::width; ++k) {
@@ -113,29 +120,31 @@ constexpr void visit_along(const StaticTree<S, N>& tree, std::span<const Item> i
   const detail::StaticRay<S, N> prepared(ray, tree.bounds);
   detail::StaticStack<typename SlabTimes<S>::Time> stack;
   auto limit = SlabTimes<S>::time(ray.max_distance);
-  stack.insert(0, {{}, 0, 0});
-  while (!stack.empty()) {
-    const auto [enter, first, count] = stack.pop();
-    if (enter > limit) continue;
-    if (count != 0) {
-      const S left = visit(items.subspan(first, count));
+  typename detail::StaticStack<typename SlabTimes<S>::Time>::Entry next{{}, 0, 0};
+  while (true) {
+    if (next.count != 0) {
+      const S left = visit(items.subspan(next.first, next.count));
       if (left < 0) return;
       limit = SlabTimes<S>::time(left);
-      continue;
-    }
-    const auto& node = tree.nodes[first];
-    typename detail::StaticRay<S, N>::Times enters;
-    const std::size_t base = stack.size();
-    for (auto met = prepared.meets(node, limit, enters); met != 0; met &= met - 1) {
-      const auto child = static_cast<std::size_t>(std::countr_zero(met));
-      const std::uint32_t at = node.first[child], size = node.count[child];
-      if (size == 0) {
-        detail::prefetch(&tree.nodes[at], 1);
-      } else {
-        detail::prefetch(&items[at], size);
+    } else {
+      const auto& node = tree.nodes[next.first];
+      typename detail::StaticRay<S, N>::Times enters;
+      const std::size_t base = stack.size();
+      for (auto met = prepared.meets(node, limit, enters); met != 0; met &= met - 1) {
+        const auto child = static_cast<std::size_t>(std::countr_zero(met));
+        const std::uint32_t at = node.first[child], size = node.count[child];
+        if (size == 0) {
+          detail::prefetch(&tree.nodes[at], 1);
+        } else {
+          detail::prefetch(&items[at], size);
+        }
+        stack.insert(base, {enters[child], at, size});
       }
-      stack.insert(base, {enters[child], at, size});
     }
+    do {
+      if (stack.empty()) return;
+      next = stack.pop();
+    } while (next.near > limit);
   }
 }
 

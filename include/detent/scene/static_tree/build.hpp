@@ -16,31 +16,87 @@ namespace detent {
 
 namespace detail {
 
-/// Half of a box's surface; half of its outline in 2D. A ray that passes near the box meets it in
-/// proportion to this.
+/// A box as numbers that all shrink when it grows: its least coordinates and its greatest ones in
+/// reverse order.
 template <Scalar S, int N>
-[[nodiscard]] constexpr auto half_surface(const Aabb<S, N>& box) noexcept {
-  const auto size = box.max - box.min;
-  if constexpr (N == 2) {
-    using Sum = decltype(size.x + size.y);
-    return is_empty(box) ? Sum() : size.x + size.y;
-  } else {
-    using Sum = decltype(size.x * size.y + size.y * size.z + size.z * size.x);
-    return is_empty(box) ? Sum() : size.x * size.y + size.y * size.z + size.z * size.x;
+class GrowingBox {
+  static constexpr std::size_t axes = N;
+
+ public:
+  constexpr GrowingBox() noexcept : GrowingBox(no_box<Aabb<S, N>>) {}
+  explicit constexpr GrowingBox(const Aabb<S, N>& box) noexcept {
+    for (std::size_t i = 0; i < axes; ++i) {
+      sides_[i] = box.min[static_cast<int>(i)];
+      sides_[4 + i] = reversed(box.max[static_cast<int>(i)]);
+    }
   }
-}
+  constexpr void grow(const GrowingBox& other) noexcept { lower(sides_, other.sides_); }
+
+  [[nodiscard]] constexpr S min(int axis) const noexcept {
+    return sides_[static_cast<std::size_t>(axis)];
+  }
+  [[nodiscard]] constexpr S max(int axis) const noexcept {
+    return reversed(sides_[4 + static_cast<std::size_t>(axis)]);
+  }
+  [[nodiscard]] constexpr Aabb<S, N> box() const noexcept {
+    return {make_vec<N>([&](int i) { return min(i); }), make_vec<N>([&](int i) { return max(i); })};
+  }
+
+ private:
+  std::array<S, 8> sides_{};
+};
+
+/// What a ray is expected to pay for a box, but for a factor that is the same for all parts of a
+/// whole: half of the box's surface, half of its outline in 2D. A ray that comes near the box meets
+/// it in proportion to this.
+template <Scalar S, int N>
+class BoxCost {
+  using Size = decltype(S() - S());
+
+ public:
+  constexpr BoxCost() noexcept : coarse_(Size()) {}
+  explicit constexpr BoxCost(const GrowingBox<S, N>& whole) noexcept : coarse_(longest(whole)) {}
+
+  [[nodiscard]] constexpr auto operator()(const GrowingBox<S, N>& box,
+                                          std::uint32_t count) const noexcept {
+    const auto size = make_vec<N>(
+        [&](int i) { return coarse_(std::max(Size(), Size(box.max(i) - box.min(i)))); });
+    if constexpr (N == 2) {
+      return times(size.x + size.y, count);
+    } else {
+      return times(size.x * size.y + size.y * size.z + size.z * size.x, count);
+    }
+  }
+
+ private:
+  [[nodiscard]] static constexpr Size longest(const GrowingBox<S, N>& box) noexcept {
+    Size most{};
+    for (int i = 0; i < N; ++i) most = std::max(most, Size(box.max(i) - box.min(i)));
+    return most;
+  }
+
+  Coarse<Size> coarse_;
+};
 
 /// Builds the nodes of a tree from the root down, sorting the items as it goes.
 template <Scalar S, int N, class Item>
 class StaticBuilder {
-  using Box = Aabb<S, N>;
+  using Box = GrowingBox<S, N>;
   using Node = StaticNode<S, N>;
   using Count = std::uint32_t;
-  using Cost = decltype(times(half_surface(Box()), Count()));
+  using Cost = decltype(BoxCost<S, N>()(Box(), Count()));
 
+  /// A part of the list, the box around its items and that around the middles of theirs.
   struct Range {
     Count first = 0, count = 0;
-    Box box = no_box<Box>;
+    Box box, middles;
+
+    constexpr void add(const Aabb<S, N>& item) noexcept {
+      ++count;
+      box.grow(Box(item));
+      const auto at = make_vec<N>([&](int i) { return middle(item, i); });
+      middles.grow(Box(Aabb<S, N>{at, at}));
+    }
   };
 
  public:
@@ -48,12 +104,11 @@ class StaticBuilder {
       : items_(items), nodes_(nodes) {}
 
   /// Builds all; returns the box of everything.
-  constexpr Box build() noexcept {
-    Range all{0, static_cast<Count>(items_.size()), no_box<Box>};
-    for (const auto& item : items_) grow(all.box, bounding_box(item));
+  constexpr Aabb<S, N> build() noexcept {
+    const Range all = gathered(0, static_cast<Count>(items_.size()));
     used_ = 1;
     build_node(0, all, 0);
-    return all.box;
+    return all.box.box();
   }
 
   [[nodiscard]] constexpr std::size_t used() const noexcept { return used_; }
@@ -71,11 +126,11 @@ class StaticBuilder {
         break;
       }
     }
-    Node node(range.box);
+    Node node(range.box.box());
     for (std::size_t i = 0; i < used; ++i) {
       const auto& child = children[i];
       const bool is_leaf = child.count <= StaticTree<S, N>::leaf_size;
-      node.add_child(child.box, is_leaf ? child.first : static_cast<Count>(used_++),
+      node.add_child(child.box.box(), is_leaf ? child.first : static_cast<Count>(used_++),
                      is_leaf ? child.count : 0);
     }
     nodes_[place] = node;
@@ -97,13 +152,14 @@ class StaticBuilder {
       const Range& range) noexcept {
     Children parts;
     parts[0] = range;
+    const BoxCost<S, N> cost_of(range.box);
     std::size_t used = 1;
     while (used < Node::width) {
       std::size_t worst = used;
       Cost most{};
       for (std::size_t i = 0; i < used; ++i) {
         if (parts[i].count <= StaticTree<S, N>::leaf_size) continue;
-        const auto cost = times(half_surface(parts[i].box), parts[i].count);
+        const Cost cost = cost_of(parts[i].box, parts[i].count);
         if (worst == used || cost > most) {
           worst = i;
           most = cost;
@@ -131,33 +187,22 @@ class StaticBuilder {
 
   /// A range cut in the middle of the list as it stands.
   [[nodiscard]] constexpr std::pair<Range, Range> halves(const Range& range) const noexcept {
-    return cut(range, range.count / 2);
+    const Count left = range.count / 2;
+    return {gathered(range.first, left), gathered(range.first + left, range.count - left)};
   }
-  [[nodiscard]] constexpr std::pair<Range, Range> cut(const Range& range,
-                                                      Count left) const noexcept {
-    return {boxed(range.first, left), boxed(range.first + left, range.count - left)};
-  }
-  [[nodiscard]] constexpr Range boxed(Count first, Count count) const noexcept {
-    Range range{first, count, no_box<Box>};
-    for (const auto& item : items_.subspan(first, count)) grow(range.box, bounding_box(item));
+  [[nodiscard]] constexpr Range gathered(Count first, Count count) const noexcept {
+    Range range;
+    range.first = first;
+    for (const auto& item : items_.subspan(first, count)) range.add(bounding_box(item));
     return range;
   }
 
-  static constexpr void grow(Box& box, const Box& other) noexcept {
-    for (int i = 0; i < N; ++i) {
-      box.min[i] = std::min(box.min[i], other.min[i]);
-      box.max[i] = std::max(box.max[i], other.max[i]);
-    }
+  [[nodiscard]] static constexpr S middle(const Aabb<S, N>& box, int axis) noexcept {
+    return rough_middle(box.min[axis], box.max[axis]);
   }
-
-  /// Twice the middle of a box on an axis.
-  [[nodiscard]] static constexpr auto middle(const Box& box, int axis) noexcept {
-    return box.min[axis] + box.max[axis];
-  }
-  using Middle = decltype(middle(Box(), 0));
 
   struct Bin {
-    Box box = no_box<Box>;
+    Box box;
     Count count = 0;
   };
   using AxisBins = std::array<Bin, bin_count>;
@@ -166,68 +211,59 @@ class StaticBuilder {
     int axis = -1;
     std::size_t bin = 0;
     Cost cost{};
-    Range left, right;
   };
 
   /// Two parts of a range of two items or more: of the planes between 16 bins on each axis the one
   /// with the least expected cost, the first of several; the middle of the list where all items
-  /// have the same middle.
+  /// have the same middle. Of a long list, 256 items or some more choose the plane for all.
   ///
   /// source: Wald, On fast Construction of SAH-based Bounding Volume Hierarchies (2007)
   [[nodiscard]] constexpr std::pair<Range, Range> split(const Range& range) noexcept {
     const auto items = items_.subspan(range.first, range.count);
-    Vec<Middle, N> least, greatest;
-    for (std::size_t k = 0; k < items.size(); ++k) {
-      const Box box = bounding_box(items[k]);
-      for (int i = 0; i < N; ++i) {
-        const auto x = middle(box, i);
-        if (k == 0 || x < least[i]) least[i] = x;
-        if (k == 0 || x > greatest[i]) greatest[i] = x;
-      }
-    }
-    const auto bins_of = make_array([&](int i) { return Bins<Middle>(least[i], greatest[i]); });
+    const auto bins_of =
+        make_array([&](int i) { return Bins<S>(range.middles.min(i), range.middles.max(i)); });
     std::array<AxisBins, N> bins;
-    for (const auto& item : items) {
-      const Box box = bounding_box(item);
+    const std::size_t stride = std::max<std::size_t>(items.size() / 256, 1);
+    for (std::size_t k = 0; k < items.size(); k += stride) {
+      const auto box = bounding_box(items[k]);
+      const Box growing(box);
       for (int i = 0; i < N; ++i) {
         const auto axis = static_cast<std::size_t>(i);
         Bin& bin = bins[axis][bins_of[axis](middle(box, i))];
-        grow(bin.box, box);
+        bin.box.grow(growing);
         ++bin.count;
       }
     }
     Plane best;
-    for (int i = 0; i < N; ++i) {
-      if (least[i] < greatest[i]) find_plane(bins[static_cast<std::size_t>(i)], range, i, best);
-    }
+    for (int i = 0; i < N; ++i) find_plane(bins[static_cast<std::size_t>(i)], range.box, i, best);
     if (best.axis < 0) return halves(range);
     const auto& bin_of = bins_of[static_cast<std::size_t>(best.axis)];
-    partition(items, [&](const Item& item) {
-      return bin_of(middle(bounding_box(item), best.axis)) < best.bin;
-    });
-    return {best.left, best.right};
+    return partition(
+        range, [&](const Aabb<S, N>& box) { return bin_of(middle(box, best.axis)) < best.bin; });
   }
 
   /// Improves `best` by the planes between the bins of an axis.
-  static constexpr void find_plane(const AxisBins& bins, const Range& range, int axis,
+  static constexpr void find_plane(const AxisBins& bins, const Box& whole, int axis,
                                    Plane& best) noexcept {
-    std::array<Range, bin_count> right;
-    Range sum;
+    const BoxCost<S, N> cost_of(whole);
+    std::array<Cost, bin_count> above{};
+    Bin sum;
     for (std::size_t i = bin_count - 1; i > 0; --i) {
+      if (bins[i].count == 0) continue;
       sum.count += bins[i].count;
-      grow(sum.box, bins[i].box);
-      right[i] = sum;
+      sum.box.grow(bins[i].box);
+      above[i] = cost_of(sum.box, sum.count);
     }
-    Range left{range.first, 0, no_box<Box>};
+    // Only planes below a bin that is in use: others part the items as the next one does.
+    Bin below = bins[0];
     for (std::size_t i = 1; i < bin_count; ++i) {
-      left.count += bins[i - 1].count;
-      grow(left.box, bins[i - 1].box);
-      if (left.count == 0 || right[i].count == 0) continue;
-      const Cost cost = sum_of(times(half_surface(left.box), left.count),
-                               times(half_surface(right[i].box), right[i].count));
-      if (best.axis >= 0 && cost >= best.cost) continue;
-      right[i].first = range.first + left.count;
-      best = {axis, i, cost, left, right[i]};
+      if (bins[i].count == 0) continue;
+      if (below.count != 0) {
+        const Cost cost = sum_of(cost_of(below.box, below.count), above[i]);
+        if (best.axis < 0 || cost < best.cost) best = {axis, i, cost};
+      }
+      below.count += bins[i].count;
+      below.box.grow(bins[i].box);
     }
   }
 
@@ -236,17 +272,29 @@ class StaticBuilder {
     return narrow_sum<bits_of<Cost>>(a, b);
   }
 
-  /// Moves what passes the test to the front; where the rest ends up depends on nothing else than
-  /// the order before, which std::partition does not promise.
+  /// Moves what passes the test to the front, and returns both parts; where the rest ends up
+  /// depends on nothing else than the order before, which std::partition does not promise.
   template <class Test>
-  static constexpr void partition(std::span<Item> items, const Test& test) noexcept {
+  constexpr std::pair<Range, Range> partition(const Range& range, const Test& test) noexcept {
+    const auto items = items_.subspan(range.first, range.count);
+    Range left, right;
     std::size_t first = 0, last = items.size();
+    const auto goes_left = [&](const Item& item) {
+      const auto box = bounding_box(item);
+      const bool passes = test(box);
+      (passes ? left : right).add(box);
+      return passes;
+    };
     while (true) {
-      while (first < last && test(items[first])) ++first;
-      while (first < last && !test(items[last - 1])) --last;
-      if (first == last) return;
+      while (first < last && goes_left(items[first])) ++first;
+      // The item at `first` goes to the right, if there is one.
+      while (first + 1 < last && !goes_left(items[last - 1])) --last;
+      if (first + 1 >= last) break;
       std::swap(items[first++], items[--last]);
     }
+    left.first = range.first;
+    right.first = range.first + left.count;
+    return {left, right};
   }
 
   template <class F>
