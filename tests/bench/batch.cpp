@@ -41,7 +41,7 @@ struct Scene {
   Shapes shapes;
   std::vector<typename RayBatch<S, 3>::Block> ray_blocks;
   std::vector<typename ShapeBatch<Shape<S, 3>>::Block> shape_blocks;
-  std::vector<std::optional<S>> answers{question_count};
+  std::vector<std::optional<S>> answers = std::vector<std::optional<S>>(question_count);
 };
 
 template <class S>
