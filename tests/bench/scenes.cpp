@@ -5,8 +5,9 @@
 // on the same shapes and rays, and the same source in float. Prints tables in Markdown; fails when
 // a q16_16 answer is not the golden one.
 
+#include <time.h>
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -25,19 +26,24 @@ namespace {
 constexpr int ray_count = 2000, rounds = 15;
 constexpr double reach = 1000;  // coordinates of centers
 
-/// The least time of a few, in microseconds.
+/// The least processor time of a few runs, in microseconds.
 class Timer {
  public:
   template <class F>
   void time(const F& f) {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = now();
     f();
-    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
-    least_ = std::min(least_, took.count());
+    least_ = std::min(least_, now() - start);
   }
   [[nodiscard]] double least() const { return least_; }
 
  private:
+  static double now() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1e6 + static_cast<double>(time.tv_nsec) / 1e3;
+  }
+
   double least_ = 1e12;
 };
 
@@ -255,7 +261,8 @@ struct Golden {
   int count;
   std::size_t hits, overlaps;
 };
-constexpr Golden golden[] = {{100, 0, 0}, {1000, 0, 0}, {10000, 0, 0}, {100000, 0, 0}};
+constexpr Golden golden[] = {
+    {100, 1124, 24}, {1000, 1678, 287}, {10000, 1956, 3177}, {100000, 1997, 31706}};
 
 }  // namespace
 }  // namespace detent::bench
