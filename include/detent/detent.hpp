@@ -15,6 +15,5 @@
 
 #include "detent/scene/mesh.hpp"
 
-
 #include "detent/scene/snapshot.hpp"
 #include "detent/version.hpp"
