@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tuple>
 
+#include "detent/query/intersects/box.hpp"
 #include "query/overlaps/helpers.hpp"
 
 namespace detent::test {
@@ -119,6 +120,14 @@ TEST_CASE("overlaps: an answer in narrow integers is the same in wide ones", "[o
       [](const auto& b, const auto& c, const auto& p, const auto& reach) {
         return detail::is_near_face(b, c, p, reach);
       });
+  const auto box = [](const auto& p, const auto& q, const auto& extents, const auto&) {
+    auto h = extents;
+    for (int i = 0; i < 2; ++i) h[i] = h[i] < 0 ? narrow_negative(h[i]) : h[i];
+    if (h[2] < 0) h[2] = narrow_negative(h[2]);  // the last of three, and again that of two
+    return detail::segment_meets_box(p, q, h);
+  };
+  compare<Fixed<29, 16>, Fixed<34, 16>, 2, 3>(box);
+  compare<Fixed<29, 16>, Fixed<34, 16>, 3, 3>(box);
   compare_slabs<2>();
   compare_slabs<3>();
   compare_rough_slabs<2>();

@@ -3,6 +3,7 @@
 
 #include <type_traits>
 
+#include "detent/math/width.hpp"
 #include "detent/query/intersects/box.hpp"
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/segment.hpp"
@@ -17,15 +18,14 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool intersects(const Segment<S, N>& segment,
                                         const Aabb<S, N>& box) noexcept {
   if (is_empty(box)) return false;
-  // Twice as large, the scene has the center of the box on the grid. What it makes of the domain is
-  // 2^(B + 2) wide, and twice the area of a triangle in a square is at most the square's.
+  // Twice as large, the scene has the center of the box on the grid.
   const auto center = box.min + box.max;
   const auto start = segment.start + segment.start - center;
   const auto end = segment.end + segment.end - center;
-  constexpr int product_bits = 2 * bits_of<S> + 4;
   using Doubled = std::remove_cvref_t<decltype(start.x)>;
   const auto extents = make_vec<N>([&](int i) { return Doubled(box.max[i] - box.min[i]); });
-  return detail::segment_meets_box<product_bits>(start, end, extents);
+  return by_width<29>([](const auto&... x) { return detail::segment_meets_box(x...); }, start, end,
+                      extents);
 }
 
 }  // namespace detent

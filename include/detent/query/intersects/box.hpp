@@ -12,10 +12,10 @@ namespace detent::detail {
 ///
 /// If they are apart, an axis of the box or the cross product of one with the segment tells so: the
 /// segment's line passes the origin at p x q, and the box reaches |d[j]| h[k] + |d[k]| h[j] across
-/// its direction d. The caller knows that either fits `ProductBits`.
+/// its direction d.
 ///
 /// source: separating axes, Ericson, Real-Time Collision Detection, 5.3.3
-template <int ProductBits, Number T, int N>
+template <Number T, int N>
 [[nodiscard]] constexpr bool segment_meets_box(const Vec<T, N>& p, const Vec<T, N>& q,
                                                const Vec<T, N>& half_extents) noexcept {
   const auto& h = half_extents;
@@ -23,13 +23,17 @@ template <int ProductBits, Number T, int N>
     if (std::min(p[i], q[i]) > h[i]) return false;
     if (std::max(p[i], q[i]) < narrow_negative(h[i])) return false;
   }
+  // Either is the sum of two products of a length, at most 2^(B + 1), and a coordinate. In 127 bits
+  // are those with directions, which Cauchy-Schwarz keeps below 2^125.7 for 32-bit scalars.
+  constexpr int product_bits = std::min(2 * bits_of<T> + 2, 127);
+  constexpr int length_bits = std::max(bits_of<T>, 32);
   const auto length = make_vec<N>(
-      [&](int i) { return narrow<bits_of<T>>(abs(narrow_difference<bits_of<T>>(q[i], p[i]))); });
+      [&](int i) { return narrow<length_bits>(abs(narrow_difference<length_bits>(q[i], p[i]))); });
   for (int j = 0, last = N == 2 ? 1 : 3; j < last; ++j) {
     const int k = (j + 1) % N;
-    const auto passes = narrow_cross<ProductBits>(Vec{p[j], p[k]}, Vec{q[j], q[k]});
-    const auto reaches = narrow_sum<ProductBits>(narrow_product<ProductBits>(length[j], h[k]),
-                                                 narrow_product<ProductBits>(length[k], h[j]));
+    const auto passes = narrow_cross<product_bits>(Vec{p[j], p[k]}, Vec{q[j], q[k]});
+    const auto reaches = narrow_sum<product_bits>(narrow_product<product_bits>(length[j], h[k]),
+                                                  narrow_product<product_bits>(length[k], h[j]));
     if (abs(passes) > reaches) return false;
   }
   return true;

@@ -26,8 +26,7 @@ template <Scalar S, int N>
   const auto start = seen_from_box(segment.start), end = seen_from_box(segment.end);
   using Along = std::remove_cvref_t<decltype(start.x)>;
   const auto half_extents = make_vec<N>([&](int i) { return Along(box.half_extents[i]); });
-  // Two products of coordinates in that frame.
-  return detail::segment_meets_box<2 * bits_of<Along> + 1>(start, end, half_extents);
+  return detail::segment_meets_box(start, end, half_extents);
 }
 
 }  // namespace detent
