@@ -76,7 +76,7 @@ constexpr std::uint64_t at_most_root(std::uint64_t root, std::uint64_t n) noexce
 
 /// floor(sqrt(n)), exactly: floor(sqrt(n * 4^k)) / 2^k, rounded down.
 [[nodiscard]] constexpr std::uint32_t square_root_floor(std::uint64_t n) noexcept {
-  const std::uint64_t positive = std::max<std::uint64_t>(n, 1);  // 0 goes through as 1, unbranched
+  const std::uint64_t positive = n + (n == 0 ? 1u : 0u);  // 0 goes through as 1, unbranched
   const int shift = std::countl_zero(positive) & ~1;
   const std::uint64_t root = detail::root_or_next(positive << shift) >> (shift / 2);
   return static_cast<std::uint32_t>(detail::at_most_root(root, n));

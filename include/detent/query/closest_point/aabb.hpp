@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-
 #include "detent/shape/aabb.hpp"
 
 namespace detent {
@@ -17,7 +15,12 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point(const Aabb<S, N>& box,
                                                 const Vec<S, N>& point) noexcept {
   if (is_empty(box)) return point;
-  return make_vec<N>([&](int i) { return std::clamp(point[i], box.min[i], box.max[i]); });
+  return make_vec<N>([&](int i) {
+    // Of values, which clang then selects without a branch.
+    const S x = point[i], low = box.min[i], high = box.max[i];
+    const S raised = x < low ? low : x;
+    return raised > high ? high : raised;
+  });
 }
 
 }  // namespace detent

@@ -10,9 +10,9 @@ namespace detail {
 /// `along`, a coordinate in the frame of a box, clamped to [-half_extent, half_extent].
 template <Number T, Scalar S>
 [[nodiscard]] constexpr T clamp_to(const T& along, const S& half_extent) noexcept {
-  if (along > half_extent) return T(half_extent);
-  if (along < -half_extent) return T(-half_extent);
-  return along;
+  const T high(half_extent), low(-half_extent);
+  const T lowered = along > high ? high : along;
+  return lowered < low ? low : lowered;
 }
 
 }  // namespace detail
