@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "detent/scene/static_tree/prefetch.hpp"
 #include "detent/scene/tree.hpp"
 #include "detent/shape/ray.hpp"
 
@@ -134,7 +135,10 @@ constexpr bool visit_nearest(const Tree& tree, Probe& probe, const Visit& visit)
       near[place] = {keys[i], node.child[i]};
     }
     if (node.level > 0) {
-      for (std::size_t i = 0; i < count; ++i) stack[size++] = near[i];
+      for (std::size_t i = 0; i < count; ++i) {
+        prefetch(&tree.node(near[i].at), 1);
+        stack[size++] = near[i];
+      }
     } else {
       while (count-- > 0) {
         if (probe.reaches(near[count].key) && visit(near[count].at)) return true;
@@ -205,6 +209,9 @@ constexpr void visit_pairs_below(const Tree& first, std::uint32_t a, const Tree&
 template <class Tree, class Visit>
 constexpr void visit_pairs(const Tree& tree, std::uint32_t at, const Visit& visit) {
   const auto& node = tree.node(at);
+  if (node.level > 0) {
+    for (std::size_t i = 0; i < node.count; ++i) prefetch(&tree.node(node.child[i]), 1);
+  }
   for (std::size_t i = 0; i < node.count; ++i) {
     if (node.level > 0) visit_pairs(tree, node.child[i], visit);
     const auto later = node.meeting(node.box(i)) & ~((2u << i) - 1);

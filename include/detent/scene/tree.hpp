@@ -139,7 +139,7 @@ class Tree {
   constexpr void reserve(std::size_t objects) { homes_.reserve(objects); }
 
   /// Makes the tree anew for the objects where they are: better than one that came about by adding
-  /// them one by one.
+  /// them one by one. It needs room for all boxes, which a bounded tree has on the stack.
   ///
   /// source: White and Jain, Similarity Indexing: Algorithms and Performance, 1996 (VAMSplit)
   constexpr void rebuild() {
@@ -162,7 +162,9 @@ class Tree {
     if (root_ == nowhere) return;
     Area before{}, after{};
     refit_below(root_, before, after);
-    if (after > 2 * before) rebuild();
+    if constexpr (requires { Storage::is_growing; }) {
+      if (after > 2 * before) rebuild();
+    }
   }
 
   /// Adds, moves or removes (when `box` is empty) the object.
