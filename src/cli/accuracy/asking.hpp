@@ -188,10 +188,11 @@ template <class Shape>
 inline constexpr bool is_aligned = std::is_same_v<Shape, Aabb<Carrier, 3>>;
 
 /// Whether a shape has no extent along the second axis of its stage.
-template <class Shape>
-inline constexpr bool is_thin = form<Shape> != Form::solid;
-template <Scalar S>
-inline constexpr bool is_thin<Segment<S, 3>> = true;
+template <class Shape, int N>
+inline constexpr bool is_thin = form<Shape> == Form::endless ||
+                                (N == 3 && form<Shape> == Form::surface);
+template <Scalar S, int N>
+inline constexpr bool is_thin<Segment<S, 3>, N> = true;
 
 struct NoBaseline {
   template <class S, class All>
@@ -204,7 +205,66 @@ struct RayQuestion {
   typename Shape::template In<S> shape;
 };
 
-template <class Shape, class Baseline = NoBaseline>
+template <Scalar S>
+Vec<S, 2> xy(const Vec<S, 3>& v) {
+  return {v.x, v.y};
+}
+template <Scalar S>
+Direction<S, 2> xy(const Direction<S, 3>& d) {
+  return Direction<S, 2>::assume_unit({d[0], d[1]});
+}
+
+/// In 2D, shapes and rays where z is 0: as the exact answers see them, for in such a plane a shape
+/// of 3D has the points of the one of 2D. Its form in 2D is what the library is asked about.
+template <Scalar S>
+Sphere<S, 2> planar(const Sphere<S, 3>& s) {
+  return {xy(s.center), s.radius};
+}
+template <Scalar S>
+Aabb<S, 2> planar(const Aabb<S, 3>& box) {
+  return {xy(box.min), xy(box.max)};
+}
+template <Scalar S>
+Obb<S, 2> planar(const Obb<S, 3>& box) {
+  return {xy(box.center), xy(box.half_extents),
+          Rotation<S, 2>::from_axes({xy(box.rotation.axis(0)), xy(box.rotation.axis(1))})};
+}
+template <Scalar S>
+Plane<S, 2> planar(const Plane<S, 3>& plane) {
+  return {xy(plane.normal), plane.offset};
+}
+template <Scalar S>
+Triangle<S, 2> planar(const Triangle<S, 3>& t) {
+  return {xy(t.a), xy(t.b), xy(t.c)};
+}
+template <Scalar S>
+Capsule<S, 2> planar(const Capsule<S, 3>& c) {
+  return {xy(c.a), xy(c.b), c.radius};
+}
+template <Scalar S>
+Segment<S, 2> planar(const Segment<S, 3>& s) {
+  return {xy(s.start), xy(s.end)};
+}
+template <Scalar S>
+Ray<S, 2> planar(const Ray<S, 3>& ray) {
+  return {xy(ray.origin), xy(ray.direction), ray.max_distance};
+}
+template <Scalar S>
+Points<S, 2> planar(const Points<S, 3>& hull) {
+  Points<S, 2> result;
+  for (std::size_t i = 0; i < hull.points.size(); ++i) result.points[i] = xy(hull.points[i]);
+  return result;
+}
+template <int N, class Shape>
+auto in_dimension(const Shape& shape) {
+  if constexpr (N == 2) {
+    return planar(shape);
+  } else {
+    return shape;
+  }
+}
+
+template <class Shape, class Baseline = NoBaseline, int N = 3>
 struct Raycast {
   using Question = RayQuestion<Shape, Carrier>;
   using Truth = Distance;
@@ -215,9 +275,10 @@ struct Raycast {
   }
   static Question draw(test::Random& random, const Numbers& numbers, const Rung& rung) {
     using Drawn = decltype(Question::shape);
-    Stage stage(random, numbers, rung, is_aligned<Drawn>);
+    Stage stage(random, numbers, rung, is_aligned<Drawn>, N == 2);
     Question question;
-    question.ray = draw_ray(stage, rung, form<Drawn>);
+    constexpr bool is_filled = N == 2 && form<Drawn> == Form::surface;
+    question.ray = draw_ray(stage, rung, is_filled ? Form::solid : form<Drawn>);
     accuracy::draw(stage, question.shape);
     return question;
   }
@@ -225,7 +286,8 @@ struct Raycast {
   static bool is_hit(const Truth& truth) { return truth.has_value(); }
   template <class S>
   static std::optional<S> answer(const RayQuestion<Shape, S>& q) {
-    return raycast(q.ray, as_shape(q.shape));
+    const auto shape = in_dimension<N>(q.shape);
+    return raycast(in_dimension<N>(q.ray), as_shape(shape));
   }
   template <class S, class All>
   static void add_baseline(std::vector<Cell>& cells, const All& all, const Rung& rung,
@@ -240,7 +302,7 @@ struct PairQuestion {
   typename B::template In<S> b;
 };
 
-template <class A, class B>
+template <class A, class B, int N = 3>
 struct Overlap {
   using Question = PairQuestion<A, B, Carrier>;
   using Truth = bool;
@@ -255,11 +317,11 @@ struct Overlap {
     return PairQuestion<A, B, decltype(f(S()))>{changed(f, q.a), changed(f, q.b)};
   }
   static Question draw(test::Random& random, const Numbers& numbers, const Rung& rung) {
-    Stage stage(random, numbers, rung, is_aligned<DrawnA> || is_aligned<DrawnB>);
+    Stage stage(random, numbers, rung, is_aligned<DrawnA> || is_aligned<DrawnB>, N == 2);
     Question question;
     // The lattice has a plane through the world's origin, for its offset to be exact.
     const double far = stage.on_lattice() || random.coin() ? 1.34 : 4;
-    constexpr bool are_thin = is_thin<DrawnA> && is_thin<DrawnB>;
+    constexpr bool are_thin = is_thin<DrawnA, N> && is_thin<DrawnB, N>;
     const double apart = rung.angle > 0 && are_thin ? far * rung.angle : far;
     const auto moved = stage.local({far, apart, far});
     accuracy::draw(stage, question.a);
@@ -272,10 +334,12 @@ struct Overlap {
   static bool is_hit(Truth truth) { return truth; }
   template <class S>
   static bool answer(const PairQuestion<A, B, S>& q) {
+    const auto a = in_dimension<N>(q.a);
+    const auto b = in_dimension<N>(q.b);
     if constexpr (std::is_same_v<A, kind::Segment>) {
-      return intersects(q.a, as_shape(q.b));
+      return intersects(a, as_shape(b));
     } else {
-      return overlaps(as_shape(q.a), as_shape(q.b));
+      return overlaps(as_shape(a), as_shape(b));
     }
   }
   template <class S, class All>

@@ -16,4 +16,11 @@ void add_capsule_overlaps(std::vector<Query>& queries);
 void add_hull_overlaps(std::vector<Query>& queries);
 void add_segments(std::vector<Query>& queries);
 
+// The same in 2D.
+void add_planar_raycasts(std::vector<Query>& queries);
+void add_planar_round_overlaps(std::vector<Query>& queries);
+void add_planar_flat_overlaps(std::vector<Query>& queries);
+void add_planar_hull_overlaps(std::vector<Query>& queries);
+void add_planar_segments(std::vector<Query>& queries);
+
 }  // namespace detent::cli::accuracy

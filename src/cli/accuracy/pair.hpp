@@ -6,6 +6,12 @@
 namespace detent::cli::accuracy {
 
 template <class Kind>
+Query ray_query(std::string name, int cost, bool has_angles = true) {
+  return {"raycast", std::move(name), cost,
+          [has_angles](const Rung& rung) { return rung.angle <= 0 || has_angles; }, ask_all<Kind>};
+}
+
+template <class Kind>
 Query pair_query(std::string kind, std::string name, int cost) {
   return {std::move(kind), std::move(name), cost,
           [](const Rung& rung) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/asking.hpp"
 #include "accuracy/catalogue.hpp"
+#include "accuracy/pair.hpp"
 #include "detent/query/raycast.hpp"
 #include "detent/query/raycast/capsule.hpp"
 #include "detent/query/raycast/hull.hpp"
@@ -40,22 +40,16 @@ struct Textbook {
   }
 };
 
-template <class Kind>
-Query query(std::string name, int cost, bool has_angles = true) {
-  return {"raycast", std::move(name), cost,
-          [has_angles](const Rung& rung) { return rung.angle <= 0 || has_angles; }, ask_all<Kind>};
-}
-
 }  // namespace
 
 void add_raycasts(std::vector<Query>& queries) {
-  queries.push_back(query<Raycast<kind::Sphere, Textbook>>("raycast/sphere", 1, false));
-  queries.push_back(query<Raycast<kind::Aabb>>("raycast/aabb", 1));
-  queries.push_back(query<Raycast<kind::Obb>>("raycast/obb", 1));
-  queries.push_back(query<Raycast<kind::Plane>>("raycast/plane", 1));
-  queries.push_back(query<Raycast<kind::Triangle>>("raycast/triangle", 1));
-  queries.push_back(query<Raycast<kind::Capsule>>("raycast/capsule", 4));
-  queries.push_back(query<Raycast<kind::Hull>>("raycast/hull", 8));
+  queries.push_back(ray_query<Raycast<kind::Sphere, Textbook>>("raycast/sphere", 1, false));
+  queries.push_back(ray_query<Raycast<kind::Aabb>>("raycast/aabb", 1));
+  queries.push_back(ray_query<Raycast<kind::Obb>>("raycast/obb", 1));
+  queries.push_back(ray_query<Raycast<kind::Plane>>("raycast/plane", 1));
+  queries.push_back(ray_query<Raycast<kind::Triangle>>("raycast/triangle", 1));
+  queries.push_back(ray_query<Raycast<kind::Capsule>>("raycast/capsule", 4));
+  queries.push_back(ray_query<Raycast<kind::Hull>>("raycast/hull", 8));
 }
 
 }  // namespace detent::cli::accuracy

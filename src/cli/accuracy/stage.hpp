@@ -41,14 +41,19 @@ inline Place components(const CarriedDirection& direction) {
 /// On the exact rung all points are on a lattice of the frame {1, 2, 2} / 3, whose axes every scalar
 /// stores exactly but for one common factor: there, faces and edges are exactly parallel, and what
 /// touches does so exactly.
+///
+/// A planar stage has all points where z is 0, its third axis along z and the lattice {3, 4} / 5.
 class Stage {
  public:
-  Stage(test::Random& source, const Numbers& given, const Rung& rung, bool keeps_axes)
+  Stage(test::Random& source, const Numbers& given, const Rung& rung, bool keeps_axes,
+        bool is_planar)
       : random(source),
         size_(std::ldexp(rung.size, rung.frac)),
-        stride_(
-            static_cast<std::int64_t>(std::bit_floor(static_cast<std::uint64_t>(size_ / 9) | 1))),
+        norm_(is_planar && !keeps_axes ? 5 : 3),
+        stride_(static_cast<std::int64_t>(std::bit_floor(
+            static_cast<std::uint64_t>(size_ / static_cast<double>(3 * norm_)) | 1))),
         on_lattice_(rung.angle == 0),
+        is_planar_(is_planar),
         numbers_(given) {
     if (on_lattice_) {
       if (!keeps_axes) lattice_axes_ = any_lattice();
@@ -59,9 +64,9 @@ class Stage {
       return;
     }
     turn(keeps_axes ? std::array<Place, 3>{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}} : any_frame());
-    for (auto& coordinate : center) {
-      coordinate = std::ldexp(random.coin() ? rung.place : -rung.place, rung.frac) +
-                   size_ * uniform(-0.2, 0.2);
+    for (std::size_t i = 0; i < dimension(); ++i) {
+      center[i] = std::ldexp(random.coin() ? rung.place : -rung.place, rung.frac) +
+                  size_ * uniform(-0.2, 0.2);
     }
   }
 
@@ -70,17 +75,25 @@ class Stage {
 
   [[nodiscard]] double size() const { return size_; }
   [[nodiscard]] bool on_lattice() const { return on_lattice_; }
+  [[nodiscard]] std::size_t dimension() const { return is_planar_ ? 2 : 3; }
+  /// A place of the frame in which a triangle lies: that of its first and last axis.
+  [[nodiscard]] Place level(double x, double y) const {
+    return is_planar_ ? Place{x, y, 0} : Place{x, 0, y};
+  }
   [[nodiscard]] const CarriedDirection& axis(std::size_t i) const { return axes_[i]; }
 
   /// Another frame, none of whose axes is related to the old ones.
   void turn() {
     if (!on_lattice_) turn(any_frame());
   }
-  /// The frame turned by `angle` about a random axis that is not its first.
+  /// The frame turned by `angle` about a random axis that is not its first; either way in a plane.
   void tilt(double angle) {
     if (on_lattice_) return;
-    const double phase = uniform(0, 2 * std::numbers::pi);
-    const Place about = plus(plus({}, frame_[1], std::cos(phase)), frame_[2], std::sin(phase));
+    const double phase = is_planar_ ? (random.coin() ? 0.5 : 1.5) * std::numbers::pi
+                                    : uniform(0, 2 * std::numbers::pi);
+    const Place about =
+        is_planar_ ? plus({}, frame_[2], std::sin(phase))
+                   : plus(plus({}, frame_[1], std::cos(phase)), frame_[2], std::sin(phase));
     auto turned = frame_;
     for (auto& v : turned) {  // Rodrigues
       v = plus(plus(plus({}, v, std::cos(angle)), cross(about, v), std::sin(angle)), about,
@@ -92,7 +105,7 @@ class Stage {
   /// From `low` to `high` sizes; on the lattice a whole number of its steps.
   double reach(double low, double high) {
     if (!on_lattice_) return std::max(1.0, std::round(size_ * uniform(low, high)));
-    return static_cast<double>(3 * stride_ *
+    return static_cast<double>(norm_ * stride_ *
                                random.between(std::llround(3 * low), std::llround(3 * high)));
   }
   double uniform(double low, double high) {
@@ -111,7 +124,7 @@ class Stage {
   /// center + what is `local` in the frame.
   [[nodiscard]] Place at(const Place& local) const {
     Place result = center;
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < dimension(); ++k) {
       for (std::size_t i = 0; i < 3; ++i) {
         result[i] += on_lattice_ ? local[k] * static_cast<double>(stride_ * lattice_axes_[k][i])
                                  : local[k] * size_ * frame_[k][i];
@@ -138,6 +151,11 @@ class Stage {
     }
   }
   std::array<Place, 3> any_frame() {
+    if (is_planar_) {
+      const double phase = uniform(0, 2 * std::numbers::pi);
+      const double x = std::cos(phase), y = std::sin(phase);
+      return {{{x, y, 0}, {-y, x, 0}, {0, 0, 1}}};
+    }
     Place a, b;
     do {
       for (auto& x : a) x = uniform(-1, 1);
@@ -146,8 +164,13 @@ class Stage {
     const Place first = unit(a), third = unit(cross(a, b));
     return {first, cross(third, first), third};
   }
-  /// {1, 2, 2}, {2, 1, -2}, {2, -2, 1}, turned about and mirrored.
+  /// {1, 2, 2}, {2, 1, -2}, {2, -2, 1}, turned about and mirrored; {3, 4}, {4, -3} in a plane.
   LatticeAxes any_lattice() {
+    if (is_planar_) {
+      const std::int64_t x = random.coin() ? 3 : -3, y = random.coin() ? 4 : -4;
+      if (random.coin()) return {{{x, y, 0}, {y, -x, 0}, {0, 0, 5}}};
+      return {{{y, x, 0}, {x, -y, 0}, {0, 0, 5}}};
+    }
     static constexpr LatticeAxes standard{{{1, 2, 2}, {2, 1, -2}, {2, -2, 1}}};
     const auto shift = random.below(3);
     std::array<std::int64_t, 3> signs{};
@@ -161,23 +184,25 @@ class Stage {
     }
     return result;
   }
-  /// A third of the axis, whose length is 3, off by less than the directions' last bit.
+  /// The axis over its length, 3 or 5, off by no more than the directions' last bit.
   [[nodiscard]] CarriedDirection lattice_direction(const std::array<std::int64_t, 3>& axis) const {
-    const std::int64_t third = ((std::int64_t{1} << numbers_.direction_bits) - 1) / 3;
-    const bool is_unit = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2] == 9 &&
-                         std::max({std::abs(axis[0]), std::abs(axis[1]), std::abs(axis[2])}) == 3;
+    const std::int64_t part = ((std::int64_t{1} << numbers_.direction_bits) + norm_ / 2) / norm_;
+    const bool is_unit =
+        std::max({std::abs(axis[0]), std::abs(axis[1]), std::abs(axis[2])}) == norm_;
     std::array<std::int32_t, 3> raw{};
     for (std::size_t i = 0; i < 3; ++i) {
       raw[i] = static_cast<std::int32_t>(
-          is_unit ? (axis[i] / 3) << direction_frac
-                  : (axis[i] * third) << (direction_frac - numbers_.direction_bits));
+          is_unit ? (axis[i] / norm_) << direction_frac
+                  : (axis[i] * part) << (direction_frac - numbers_.direction_bits));
     }
     return unchecked(raw);
   }
 
   double size_;  // in steps of the grid
+  std::int64_t norm_;
   std::int64_t stride_;
   bool on_lattice_;
+  bool is_planar_;
   Numbers numbers_;
   LatticeAxes lattice_axes_{{{3, 0, 0}, {0, 3, 0}, {0, 0, 3}}};
   std::array<CarriedDirection, 3> axes_;
@@ -208,10 +233,10 @@ inline void draw(Stage& stage, Plane<Carrier, 3>& plane) {
   plane = {stage.axis(1),
            Stage::number(static_cast<double>(dot(components(stage.axis(1)), stage.center)))};
 }
-/// Along the first and the third axis.
+/// Along the first and the third axis; in a plane the second.
 inline void draw(Stage& stage, Triangle<Carrier, 3>& triangle) {
   if (stage.on_lattice()) {
-    const Place flat{1, 0, 1};
+    const Place flat = stage.level(1, 1);
     triangle.a = stage.corner(stage.local(flat));
     triangle.b = stage.corner(stage.local(flat));
     triangle.c = stage.corner(stage.local(flat));
@@ -220,7 +245,7 @@ inline void draw(Stage& stage, Triangle<Carrier, 3>& triangle) {
   double phase = stage.uniform(0, 2 * std::numbers::pi);
   for (auto* const corner : {&triangle.a, &triangle.b, &triangle.c}) {
     const double radius = stage.uniform(0.6, 1);
-    *corner = stage.corner({radius * std::cos(phase), 0, radius * std::sin(phase)});
+    *corner = stage.corner(stage.level(radius * std::cos(phase), radius * std::sin(phase)));
     phase += stage.uniform(0.5, 0.8) * std::numbers::pi;
   }
 }

@@ -19,6 +19,11 @@ const std::vector<Query>& queries() {
     add_capsule_overlaps(list);
     add_hull_overlaps(list);
     add_segments(list);
+    add_planar_raycasts(list);
+    add_planar_round_overlaps(list);
+    add_planar_flat_overlaps(list);
+    add_planar_hull_overlaps(list);
+    add_planar_segments(list);
     return list;
   }();
   return all;

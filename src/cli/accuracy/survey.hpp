@@ -35,13 +35,13 @@ struct Cell {
 /// A query of the library as the ladder sees it.
 struct Query {
   std::string kind;  // "raycast", "overlaps" or "intersects"
-  std::string name;  // "raycast/sphere", "overlaps/sphere_aabb"
+  std::string name;  // "raycast/sphere", "overlaps/sphere_aabb", "raycast/sphere_2d"
   int cost;          // how many times fewer questions than others it is asked
   std::function<bool(const Rung&)> applies;
   std::function<std::vector<Cell>(const Rung&, long count, std::uint64_t seed)> ask;
 };
 
-/// Every query of the ladder, raycasts first.
+/// Every query of the ladder, those of 3D first, and of each dimension raycasts first.
 [[nodiscard]] const std::vector<Query>& queries();
 
 /// What a rung gave for a query.
