@@ -178,4 +178,25 @@ DETENT_MEASURE(q8_8, 2);
 DETENT_MEASURE(q8_8, 3);
 DETENT_MEET(q8_8, 2);
 
+// A mesh in storage of its own, and terrain.
+template <Scalar S>
+struct Surfaces {
+  std::array<MeshTriangle<S>, 40> triangles;
+  std::array<MeshNode<S>, tree_capacity(40)> nodes;
+  std::array<MeshHit<S>, 8> hits;
+  HeightField<S> field;
+
+  [[nodiscard]] bool ask(const Ray<S, 3>& ray, const Sphere<S, 3>& sphere) noexcept {
+    const auto mesh = build_mesh<S>(triangles, nodes);
+    if (!mesh) return false;
+    const auto ask_one = [&](const auto& surface) {
+      return raycast_all(ray, surface, std::span<MeshHit<S>>(hits)) != 0 ||
+             raycast_hit(ray, surface).has_value() || overlaps(surface, sphere) ||
+             nearest_triangle(surface, ray.origin).has_value();
+    };
+    return ask_one(*mesh) || ask_one(field);
+  }
+};
+template struct Surfaces<q16_16>;
+
 }  // namespace detent

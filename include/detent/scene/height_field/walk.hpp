@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <tuple>
 
 #include "detent/query/distance/aabb.hpp"
 #include "detent/query/overlaps/aabb_aabb.hpp"
