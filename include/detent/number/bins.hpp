@@ -41,6 +41,7 @@ template <Number F>
 requires std::floating_point<F>
 class Bins<F> {
  public:
+  // cppcheck-suppress uninitMemberVar  // it has the members of the other Bins in mind
   constexpr Bins(F least, F greatest) noexcept
       : least_(least), scale_(greatest > least ? F(15.99) / (greatest - least) : 0) {}
 
@@ -79,6 +80,7 @@ template <Number F>
 requires std::floating_point<F>
 class Coarse<F> {
  public:
+  // cppcheck-suppress uninitMemberVar  // it has the members of the other Coarse in mind
   explicit constexpr Coarse(F) noexcept {}
   [[nodiscard]] constexpr F operator()(F size) const noexcept { return size; }
 };

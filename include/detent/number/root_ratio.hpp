@@ -85,6 +85,7 @@ class RootRatio<T, Fixed<BD, FD>, Fixed<BL, FL>> {
 template <class T, std::floating_point D, class Length>
 class RootRatio<T, D, Length> {
  public:
+  // cppcheck-suppress uninitMemberVar  // it has the members of the other RootRatio in mind
   constexpr RootRatio(D d, Length length) noexcept : root_(sqrt_floor<D>(d)), length_(length) {}
   [[nodiscard]] constexpr std::optional<T> nearest(T x, T y) const noexcept {
     return (x - root_ * y) / length_;

@@ -88,6 +88,7 @@ template <class A, class B>
                                                                                     B b) noexcept {
   if constexpr (sizeof(A) <= 4 && sizeof(B) <= 4) {
     const std::uint64_t product = multiply_halves(std::int32_t{a}, std::int32_t{b});
+    // cppcheck-suppress shiftTooManyBitsSigned  // C++20 says what it is: the sign
     return {product, static_cast<std::uint64_t>(static_cast<std::int64_t>(product) >> 63)};
   } else if constexpr (sizeof(A) <= 4) {
     return multiply_signed_halves(b, a);
@@ -102,6 +103,7 @@ template <class A, class B>
     const auto a1 = static_cast<std::int32_t>(a >> 32), b1 = static_cast<std::int32_t>(b >> 32);
     if constexpr (has_short_products) {  // then one product saves more than this asks
       const auto short_a = static_cast<std::int32_t>(a0), short_b = static_cast<std::int32_t>(b0);
+      // cppcheck-suppress shiftTooManyBitsSigned  // C++20 says what it is: the sign
       if (a1 == short_a >> 31 && b1 == short_b >> 31) {
         return multiply_signed_halves(short_a, short_b);
       }

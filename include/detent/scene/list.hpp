@@ -44,7 +44,9 @@ template <class T>
 class FixedList<T, 0> {
  public:
   [[nodiscard]] constexpr std::size_t size() const noexcept { return 0; }
+  // cppcheck-suppress nullPointer  // never called: there are none
   [[nodiscard]] constexpr T& operator[](std::size_t) const noexcept { return *none(); }
+  // cppcheck-suppress nullPointer  // never called: there are none
   [[nodiscard]] constexpr T& back() const noexcept { return *none(); }
   constexpr void push_back(const T&) const noexcept { DETENT_ASSERT(size() != 0); }
   constexpr void pop_back() const noexcept {}
