@@ -116,7 +116,7 @@ class SnapshotReader {
   /// The shape with this tag, or nothing when the scene has no such.
   [[nodiscard]] constexpr std::optional<Shape> shape(std::uint8_t tag) noexcept {
     std::optional<Shape> result;
-    (void)((tag == shape_tag<Shapes> ? (read_shape<Shapes>(result), true) : false) || ...);
+    (void)((shape_tag<Shapes> == tag ? (read_shape<Shapes>(result), true) : false) || ...);
     return result;
   }
 
