@@ -6,7 +6,14 @@
 
 function call(from, to) { if (from != to) callees[from] = callees[from] " " to }
 
+# The graph names a constructor C2 where it is defined and C1 where it is called.
+function defined(f,   other) {
+  other = f
+  return !(f in frame) && sub(/C1/, "C2", other) && other in frame ? other : f
+}
+
 function depth(f,   n, i, list, d, deepest) {
+  f = defined(f)
   if (f in known) return known[f]
   if (f in busy) { print "stack: recursion in " f > "/dev/stderr"; failed = 1; return 0 }
   busy[f] = 1
