@@ -249,26 +249,30 @@ template <int Result, int A>
   return Wide<Result>::from_words(words);
 }
 
+/// |x|, the lowest 32 bits first.
+template <int Words>
+[[nodiscard]] constexpr auto halves_of_magnitude(const Wide<Words>& x) noexcept {
+  const Wide<Words> magnitude = x.is_negative() ? -x : x;
+  std::array<std::uint32_t, std::size_t{2} * Words> halves{};
+  for (int i = 0; i < 2 * Words; ++i) {
+    halves[static_cast<std::size_t>(i)] =
+        static_cast<std::uint32_t>(magnitude.word(i / 2) >> (32 * (i % 2)));
+  }
+  return halves;
+}
+
 /// a * b modulo 2^(64 * Result), from 32-bit halves of the magnitudes: the shorter these are, the
 /// fewer products.
 template <int Result, int A, int B>
 [[nodiscard]] constexpr Wide<Result> multiply_by_halves(const Wide<A>& a,
                                                         const Wide<B>& b) noexcept {
   const auto at = [](auto& array, int i) -> auto& { return array[static_cast<std::size_t>(i)]; };
-  const auto split = [&at]<int Words>(const Wide<Words>& x) {
-    const Wide<Words> magnitude = x.is_negative() ? -x : x;
-    std::array<std::uint32_t, 2 * Words> halves{};
-    for (int i = 0; i < 2 * Words; ++i) {
-      at(halves, i) = static_cast<std::uint32_t>(magnitude.word(i / 2) >> (32 * (i % 2)));
-    }
-    return halves;
-  };
-  const auto x = split(a);
-  const auto y = split(b);
+  const auto x = halves_of_magnitude(a);
+  const auto y = halves_of_magnitude(b);
   int length = 2 * B;
   while (length > 0 && at(y, length - 1) == 0) --length;
 
-  std::array<std::uint32_t, 2 * Result> sum{};
+  std::array<std::uint32_t, std::size_t{2} * Result> sum{};
   for (int i = 0; i < 2 * A && i < 2 * Result; ++i) {
     if (at(x, i) == 0) continue;
     std::uint64_t carry = 0;
