@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "detent/number/leading.hpp"
 #include "detent/number/rounding.hpp"
 
 namespace detent {
@@ -27,32 +28,6 @@ struct FixedRatio {
   Under under;
   std::int64_t factor = 0;
 };
-
-namespace detail {
-
-/// The leading 64 bits of x > 0, which is `length` bits long; the first of them is 1.
-template <class I>
-[[nodiscard]] constexpr std::uint64_t leading_word(const I& x, int length) noexcept {
-  if constexpr (words_of<I> == 1) {
-    return static_cast<std::uint64_t>(x) << (64 - length);
-  } else {
-    constexpr int words = words_of<I>;
-    return Wide<words>(shift_left(x, 64 * words - length)).word(words - 1);
-  }
-}
-
-/// 2^126 / x rounded down to within 2^-58 of it, for x >= 2^63.
-///
-/// By the leading half of x and one, a division gives 33 bits, less than 2^-31 + 2^-32 too small. A
-/// Newton step with what that is known to lack squares it, from the same side.
-[[nodiscard]] constexpr std::uint64_t reciprocal(std::uint64_t x) noexcept {
-  const std::uint64_t rough = ~std::uint64_t{0} / ((x >> 32) + 1);
-  constexpr std::uint64_t below_one = (std::uint64_t{1} << 62) - 1;
-  const std::uint64_t missing = below_one - multiply_words(x, rough << 30).high;
-  return (rough << 30) + ((rough * (missing >> 2)) >> 30);
-}
-
-}  // namespace detail
 
 /// over / under for under > 0.
 template <Number Over, Number Under>

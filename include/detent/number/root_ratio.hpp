@@ -6,20 +6,12 @@
 #include <cstdint>
 #include <optional>
 
-#include "detent/number/products.hpp"
+#include "detent/number/leading.hpp"
+#include "detent/number/rounding.hpp"
 
 namespace detent {
 
 namespace detail {
-
-/// 2^125 / word for a word >= 2^63, off by less than 2^-57 of itself: the reciprocal of its upper
-/// half, and a step of Newton's.
-[[nodiscard]] constexpr std::uint64_t reciprocal_of(std::uint64_t word) noexcept {
-  const std::uint64_t y = ((std::uint64_t{1} << 63) - 1) / (word >> 32);  // off by 2^-30 of it
-  const std::uint64_t high = multiply_words(word, y << 31).high;          // about 2^62
-  const std::int64_t rest = (std::int64_t{1} << 60) - static_cast<std::int64_t>(high >> 2);
-  return (y << 30) + static_cast<std::uint64_t>((static_cast<std::int64_t>(y) * rest) >> 30);
-}
 
 /// floor(x / 2^exponent), which fits.
 template <class I>
@@ -45,7 +37,7 @@ class RootRatio<T, Fixed<BD, FD>, Fixed<BL, FL>> {
     static_assert(FD % 2 == 0 && FD / 2 + T::frac == FL);
     const auto leading = detail::leading_word(length.raw());
     exponent_ = leading.exponent + 3;
-    reciprocal_ = detail::reciprocal_of(leading.word);
+    reciprocal_ = detail::reciprocal(leading.word) >> 1;
     if (d == 0) return;
     // d = word * 4^k, of which the top bit or the one below it is set.
     auto [word, exponent] = detail::leading_word(d.raw());

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "detent/number/products.hpp"
-#include "detent/number/root_ratio.hpp"
+#include "detent/number/leading.hpp"
+#include "detent/number/rounding.hpp"
 
 namespace detent {
 
@@ -40,8 +40,8 @@ struct Rough {
   }
   /// `b` is not 0.
   [[nodiscard]] friend constexpr Rough operator/(const Rough& a, const Rough& b) noexcept {
-    const auto high = multiply_words(a.word, detail::reciprocal_of(b.word)).high;
-    return Rough(high, a.exponent - b.exponent - 61);
+    const auto high = multiply_words(a.word, detail::reciprocal(b.word)).high;
+    return Rough(high, a.exponent - b.exponent - 62);
   }
   [[nodiscard]] friend constexpr Rough sqrt(const Rough& x) noexcept {
     if (x.word == 0) return x;
@@ -119,7 +119,7 @@ template <class T, int BX, int FX, int BY, int FY>
 /// The sign of |v| - length, for a length >= 0.
 template <Number T, std::size_t N, Number L>
 [[nodiscard]] constexpr int compare_length(const std::array<T, N>& v, const L& length) noexcept {
-  if constexpr (2 * bits_of<T> + 2 > 127 || 2 * bits_of < L >> 127) {
+  if constexpr (127 < 2 * bits_of<T> + 2 || 127 < 2 * bits_of<L>) {
     Rough squared;
     for (const auto& c : v) squared = squared + Rough(abs(c)) * Rough(abs(c));
     const int sign = Rough::compare<56>(squared, Rough(length) * Rough(length));

@@ -92,6 +92,7 @@ template <class Component, int B, int F, std::size_t N>
   const std::uint64_t reciprocal = detail::reciprocal_root(squared << shift);
 
   constexpr int guard = 62 - Component::frac;
+  static_assert(guard >= 21, "detent: the margin has to be less than half a step");
   constexpr std::uint64_t half = std::uint64_t{1} << (guard - 1);
   constexpr std::uint64_t margin = std::uint64_t{1} << 19;
   std::array<Component, N> unit;

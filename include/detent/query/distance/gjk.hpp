@@ -51,7 +51,7 @@ class Gjk {
   /// With `until_apart`, ends as soon as a plane between the bodies is known.
   constexpr void search(bool until_apart) noexcept {
     // A direction that is not as long as it may be is multiplied in the next narrower integers.
-    constexpr int bits = (bits_of < T >> 33 ? 253 : 125) - bits_of<T>;
+    constexpr int bits = (33 < bits_of<T> ? 253 : 125) - bits_of<T>;
     const auto advances = [&](const auto& v) {
       return by_width<bits>([&](const auto& u) { return advance(u, until_apart); }, v);
     };
@@ -106,7 +106,7 @@ template <Number T, int N>
 template <class A, class B, Number T, int N, class F>
 [[nodiscard]] constexpr auto with_gjk(const A& a, const B& b, const Vec<T, N>& low,
                                       const Vec<T, N>& high, const F& f) noexcept {
-  constexpr int bits = bits_of < T >> 33 ? 61 : 29;
+  constexpr int bits = 33 < bits_of<T> ? 61 : 29;
   return by_width<bits>(
       [&](const auto& narrow_low, const auto&) {
         using Narrow = std::remove_cvref_t<decltype(narrow_low.x)>;

@@ -41,7 +41,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Ray<S, N>& ray, const Vec<S, N>& point) noexcept {
   if (ray.max_distance < 0) return largest<S>;
   // Without the exact fraction where it is wide and the point is beside the ray.
-  if constexpr (bits_of < S >> 15) {
+  if constexpr (15 < bits_of<S>) {
     const auto from_origin = point - ray.origin;
     const auto along = dot(from_origin, ray.direction);
     const auto whole = squared_length(ray.direction);
