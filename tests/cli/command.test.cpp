@@ -403,7 +403,7 @@ TEST_CASE("detent accuracy: tables, numbers and a plot, or the tables on standar
   const auto result = shop.run(plane + " --markdown t.md --json t.json --svg t.svg");
   CHECK(result.code == 0);
   CHECK(result.out.empty());
-  CHECK(result.err == "accuracy 1/1 raycast/plane\n");
+  CHECK(result.err == "accuracy 1/2 raycast/plane\naccuracy 2/2 raycast/plane_2d\n");
   const auto tables = content_of(shop.path("t.md"));
   CHECK(tables.find("\n### raycast/plane, angle\n") != std::string::npos);
   CHECK(tables.find("\n| parallel | 0 ") != std::string::npos);

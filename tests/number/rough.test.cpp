@@ -52,6 +52,16 @@ TEST_CASE("rough: sums, products, quotients and roots keep their leading bits") 
   CHECK(wrong == 0);
 }
 
+TEST_CASE("rough: zero is added to numbers of any length") {
+  // By the compiler, to which a shift by a negative number is no constant.
+  constexpr Rough zero(Fixed<62, 44>(0)), least(Fixed<62, 60>::from_raw(1));
+  constexpr auto is_least = [=](const Rough& x) {
+    return x.word == least.word && x.exponent == least.exponent;
+  };
+  static_assert(is_least(least + zero));
+  static_assert(is_least(zero + least));
+}
+
 TEST_CASE("rough: a floor is the floor of every number within the error, or left open") {
   Random random(0x5002);
   int wrong = 0, open = 0, asked = 0;

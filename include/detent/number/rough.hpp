@@ -76,7 +76,7 @@ struct Rough {
   /// a + b for the greater exponent in a, or a zero in b.
   [[nodiscard]] static constexpr Rough sum(const Rough& a, const Rough& b) noexcept {
     Rough result = a;
-    result.word += b.word >> std::min(a.exponent - b.exponent, 63);
+    result.word += b.word >> std::clamp(a.exponent - b.exponent, 0, 63);
     if (result.word < a.word) {
       result.word = (result.word >> 1) | (std::uint64_t{1} << 63);
       ++result.exponent;

@@ -105,7 +105,7 @@ using Questions = std::vector<std::pair<typename Kind::Question, typename Kind::
 template <class Kind>
 Questions<Kind> questions(const Numbers& numbers, const Rung& rung, long count,
                           std::uint64_t seed) {
-  constexpr int patience = 400;
+  constexpr int patience = 20000;
   constexpr double last = 2147483392;  // the greatest float below 2^31
   test::Random random(seed);
   Questions<Kind> all;

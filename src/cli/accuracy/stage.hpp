@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "accuracy/ladder.hpp"
@@ -23,7 +25,9 @@ inline Place unit(const Place& a) { return plus({}, a, 1 / std::sqrt(dot(a, a)))
 inline CarriedDirection nearest_direction(const Numbers& numbers, const Place& v) {
   std::array<std::int32_t, 3> raw{};
   for (std::size_t i = 0; i < 3; ++i) {
-    raw[i] = static_cast<std::int32_t>(std::llround(std::ldexp(v[i], direction_frac)));
+    // Rounding has made some vectors longer than 1.
+    raw[i] = static_cast<std::int32_t>(
+        std::llround(std::ldexp(std::clamp(v[i], -1.0, 1.0), direction_frac)));
   }
   return numbers.nearest_direction(unchecked(raw));
 }
