@@ -55,41 +55,56 @@ template <int Bits, int Frac, class Magnitude, std::size_t N>
          wrapping_multiply<Exact>(wrapping_multiply<Exact>(odd, odd), squared);
 }
 
+template <class Magnitude, int B, int F, std::size_t N>
+[[nodiscard]] constexpr std::array<Magnitude, N> magnitudes(
+    const std::array<Fixed<B, F>, N>& v) noexcept {
+  std::array<Magnitude, N> result;
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto raw = integer_cast<Magnitude>(v[i].raw());
+    result[i] = sign_of(raw) < 0 ? wrapping_subtract<Magnitude>(Magnitude(0), raw) : raw;
+  }
+  return result;
+}
+
+/// 2^62 m[i] / |m|, off by less than 2^18 + 2^9; 0 where m is 0.
+///
+/// With every m[i] scaled by the same power of two, the longest to 62 bits, the high words of the
+/// squares lack less than 2^-54 of the whole, and what scaling down drops is less than 2^-59 of the
+/// length. The rest is the error of `reciprocal_root`.
+template <class Magnitude, std::size_t N>
+[[nodiscard]] constexpr std::array<std::uint64_t, N> rough_shares(
+    const std::array<Magnitude, N>& m) noexcept {
+  Magnitude longest(0);
+  for (const auto& c : m) longest = std::max(longest, c);
+  const int scale = 62 - positive_bit_length(longest);
+  std::array<std::uint64_t, N> shares;
+  std::uint64_t squared = 1;  // at least 2^58, but where m is 0
+  for (std::size_t i = 0; i < N; ++i) {
+    shares[i] = integer_cast<std::uint64_t>(scale >= 0 ? shift_left(m[i], scale)
+                                                       : shift_right_floor(m[i], -scale));
+    squared += multiply_words(shares[i], shares[i]).high;
+  }
+  const int shift = std::countl_zero(squared) & ~1;
+  const std::uint64_t reciprocal = reciprocal_root(squared << shift);
+  for (auto& share : shares) share = multiply_words(share, reciprocal).high << (shift / 2);
+  return shares;
+}
+
 }  // namespace detail
 
 /// The unit vector along `v`, or nothing for the zero vector.
 ///
 /// exact:  each component is the exact one rounded to nearest    (tests/math/direction.test.cpp)
 ///
-/// With every |v_i| scaled by the same power of two to t_i, the longest 62 bits long, the high words
-/// of the squares lack less than 2^-54 of |t|^2, and what scaling down drops is less than 2^-59 of
-/// |t|. So |v_i| / |v|, on a grid of 2^-62, is off by less than 2^18 + 2^9: the error of
-/// `reciprocal_root`, and these. Only when its fraction is that close to one half is it compared
-/// exactly.
+/// A component is a share of `rough_shares`, unless its fraction is so close to one half that the
+/// error could tell: only then is it compared exactly.
 template <class Component, int B, int F, std::size_t N>
 [[nodiscard]] constexpr std::optional<std::array<Component, N>> unit_vector(
     const std::array<Fixed<B, F>, N>& v) noexcept {
   using Magnitude = IntegerFor<std::max(detail::result_bits(B), 62)>;
-  std::array<Magnitude, N> magnitude;
-  Magnitude longest(0);
-  for (std::size_t i = 0; i < N; ++i) {
-    const auto raw = integer_cast<Magnitude>(v[i].raw());
-    magnitude[i] = sign_of(raw) < 0 ? static_cast<Magnitude>(-raw) : raw;
-    longest = std::max(longest, magnitude[i]);
-  }
-  if (longest == Magnitude(0)) return std::nullopt;
-  const int length = positive_bit_length(longest);
-
-  const int scale = 62 - length;
-  std::array<std::uint64_t, N> scaled;
-  std::uint64_t squared = 0;  // at least 2^58
-  for (std::size_t i = 0; i < N; ++i) {
-    scaled[i] = static_cast<std::uint64_t>(integer_cast<std::int64_t>(
-        scale >= 0 ? shift_left(magnitude[i], scale) : shift_right_floor(magnitude[i], -scale)));
-    squared += multiply_words(scaled[i], scaled[i]).high;
-  }
-  const int shift = std::countl_zero(squared) & ~1;
-  const std::uint64_t reciprocal = detail::reciprocal_root(squared << shift);
+  const auto magnitude = detail::magnitudes<Magnitude>(v);
+  if (magnitude == std::array<Magnitude, N>{}) return std::nullopt;
+  const auto shares = detail::rough_shares(magnitude);
 
   constexpr int guard = 62 - Component::frac;
   static_assert(guard >= 21, "detent: the margin has to be less than half a step");
@@ -97,10 +112,9 @@ template <class Component, int B, int F, std::size_t N>
   constexpr std::uint64_t margin = std::uint64_t{1} << 19;
   std::array<Component, N> unit;
   for (std::size_t i = 0; i < N; ++i) {
-    const std::uint64_t quotient = multiply_words(scaled[i], reciprocal).high << (shift / 2);
-    std::uint64_t rounded = (quotient + half) >> guard;
-    const std::uint64_t next = (quotient + half + margin) >> guard;
-    if (next != (quotient + half - margin) >> guard) [[unlikely]] {
+    std::uint64_t rounded = (shares[i] + half) >> guard;
+    const std::uint64_t next = (shares[i] + half + margin) >> guard;
+    if (next != (shares[i] + half - margin) >> guard) [[unlikely]] {
       const bool is_above = detail::is_above_half<B, Component::frac>(magnitude, i, next - 1);
       rounded = is_above ? next : next - 1;
     }
