@@ -140,6 +140,20 @@ TEMPLATE_TEST_CASE("proofs: a point beside an edge is as far as the lengths allo
   CHECK(fills(narrow<bits_of<S> + bits_of<direction_component<S>> - 1>(excess.x)));
 }
 
+TEMPLATE_TEST_CASE("proofs: a point beside a capsule makes the largest triangle of the world", "",
+                   DETENT_FIXED_TYPES) {
+  using S = TestType;
+  constexpr S l = low<S>, h = high<S>;
+  const Vec<S, 3> point{h, l, h}, a{l, l, l}, b{h, h, l};
+  CHECK(fills(detail::narrow_square<4 * bits_of<Offset<S>> + 2>(cross(point - a, b - a))));
+  CHECK(closest_point(Capsule<S, 3>{a, b, S(0)}, point) == Vec<S, 3>{S(0), S(0), l});
+
+  const Vec<S, 2> corner{l, h}, low_end{l, l}, high_end{h, h};
+  const auto area =
+      detail::narrow_square<4 * bits_of<Offset<S>>>(cross(corner - low_end, high_end - low_end));
+  CHECK(is_half_of(area, square(square(Offset<S>(far<S>)))));
+}
+
 TEMPLATE_TEST_CASE("proofs: a line that grazes a wide capsule uses the bits of its normal", "",
                    DETENT_FIXED_TYPES) {
   using S = TestType;

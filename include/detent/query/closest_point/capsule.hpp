@@ -50,10 +50,12 @@ template <Scalar S, int N, Number T, Number Along, Number Whole>
   const auto a = capsule.a;
   const auto radius = capsule.radius;
   const auto from_a = point - a;
+  // Seen along an axis, the triangle of `point` and two points of the capsule's axis covers at most
+  // half of the square that is the world: no component is more than the square of an offset.
+  constexpr int area_bits = 4 * bits_of<T> + (N == 3 ? 2 : 0);
   const auto side = [&](int i) {
     return CapsuleSide{a[i] * whole + axis[i] * along, whole, from_a[i] * whole - axis[i] * along,
-                       radius,
-                       narrow_square<bits_of<decltype(whole * whole)>>(cross(from_a, axis))};
+                       radius, narrow_square<area_bits>(cross(from_a, axis))};
   };
   if constexpr (!is_fixed<S>) {
     if (contains(capsule, point)) return point;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <concepts>
 #include <cstddef>
 
@@ -82,7 +83,8 @@ struct Separation {
   template <Number T>
   constexpr bool is_along(const Vec<T, N>& n) const noexcept {
     using Term = decltype(extents[0] * abs(dot(generators[0], n)));
-    using Reach = decltype(narrow<bits_of<Term> + 4>(Term()));  // of at most 16 terms
+    constexpr int more_bits = std::bit_width(Generators - 1);  // of a sum of so many terms
+    using Reach = decltype(narrow<bits_of<Term> + more_bits>(Term()));
     Reach reach(0);
     for (std::size_t k = 0; k < Generators; ++k) {
       reach = narrow_sum<bits_of<Reach>>(reach, extents[k] * abs(dot(generators[k], n)));
