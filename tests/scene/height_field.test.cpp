@@ -100,7 +100,17 @@ TEMPLATE_TEST_CASE("height field: its answers are those of the mesh of its trian
       const Segment segment{center, other};
       REQUIRE(intersects(segment, field) == intersects(segment, mesh));
       REQUIRE(nearest_triangle(field, other) == nearest_triangle(mesh, other));
+      REQUIRE(contains(field, center) == contains(mesh, center));
+      const auto normal = draw.any_direction();
+      const Plane<S, 3> plane{normal, nearest_to<S>(dot(normal, other))};
+      REQUIRE(overlaps(field, plane) == overlaps(mesh, plane));
+      const std::array part{Triangle{center, other, other}};
+      const OwnedMesh<S> small{std::span<const Triangle<S, 3>>(part)};
+      REQUIRE(overlaps(field, small.view()) == overlaps(mesh, small.view()));
+      REQUIRE(overlaps(small.view(), field) == overlaps(small.view(), mesh));
     }
+    REQUIRE(overlaps(field, field));
+    REQUIRE(overlaps(field, mesh));
   }
   INFO(rays << ", " << shapes);
   CHECK(rays.is_balanced());

@@ -8,12 +8,14 @@
 //   raycast_all(ray, mesh, hits)            -> how many, sorted by (distance, index)
 //   raycast(ray, mesh), raycast_hit(ray, mesh)   as for other shapes
 //   overlaps(mesh, shape), overlaps(shape, mesh), overlaps_all(mesh, shape, indices)
-//   intersects(segment, mesh)
+//   overlaps(mesh, plane), overlaps(mesh, mesh), contains(mesh, point), intersects(segment, mesh)
 //   nearest_triangle(mesh, point)           -> std::optional<MeshNearest<S>>
 //   closest_point(mesh, point), distance(mesh, point)
 // `scene/mesh/owned.hpp` has a mesh that keeps its own storage in std::vector.
 
 #include "detent/scene/mesh/closest_point.hpp"
+#include "detent/scene/mesh/contains.hpp"
 #include "detent/scene/mesh/mesh.hpp"
 #include "detent/scene/mesh/overlaps.hpp"
+#include "detent/scene/mesh/pairs.hpp"
 #include "detent/scene/mesh/raycast.hpp"

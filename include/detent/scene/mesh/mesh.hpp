@@ -10,6 +10,7 @@
 #include "detent/scene/static_tree/along.hpp"
 #include "detent/scene/static_tree/around.hpp"
 #include "detent/scene/static_tree/build.hpp"
+#include "detent/scene/static_tree/parts.hpp"
 #include "detent/scene/static_tree/within.hpp"
 
 namespace detent {
@@ -83,6 +84,22 @@ template <Scalar S, class Visit>
 constexpr void visit_around(const Mesh<S>& mesh, const Vec<S, 3>& point,
                             const Visit& visit) noexcept {
   visit_around(mesh.tree, mesh.triangles, point, visit);
+}
+
+/// The parts of a mesh, those of its tree: see mesh/parts.hpp.
+template <Scalar S>
+[[nodiscard]] constexpr detail::StaticPart whole_of(const Mesh<S>&) noexcept {
+  return {};
+}
+template <Scalar S, class Test>
+constexpr bool any_child(const Mesh<S>& mesh, const detail::StaticPart& part,
+                         const Test& test) noexcept {
+  return any_child(mesh.tree, part, test);
+}
+template <Scalar S, class Visit>
+constexpr bool at_leaf(const Mesh<S>& mesh, const detail::StaticPart& leaf,
+                       const Visit& visit) noexcept {
+  return visit(mesh.triangles.subspan(leaf.first, leaf.count));
 }
 
 }  // namespace detent

@@ -5,16 +5,19 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "detent/query/intersects/triangle.hpp"
+#include "detent/query/overlaps/aabb_plane.hpp"
 #include "detent/query/overlaps/aabb_triangle.hpp"
 #include "detent/query/overlaps/obb_triangle.hpp"
+#include "detent/query/overlaps/plane_triangle.hpp"
 #include "detent/query/overlaps/sphere_triangle.hpp"
 #include "detent/query/overlaps/triangle_capsule.hpp"
 #include "detent/query/overlaps/triangle_hull.hpp"
 #include "detent/query/overlaps/triangle_triangle.hpp"
-#include "detent/scene/mesh/surface.hpp"
+#include "detent/scene/mesh/parts.hpp"
 #include "detent/scene/static_tree/keep_first.hpp"
 
 namespace detent {
@@ -25,7 +28,7 @@ concept MeetsTriangles = requires(const Shape& shape, const Triangle<S, 3>& tria
   bounding_box(shape);
   { overlaps(triangle, shape) } -> std::same_as<bool>;
 }
-&&!is_compound<Shape>;
+&&!is_compound<Shape> && !is_surface_type<Shape>;
 
 /// Whether `shape` (sphere, AABB, OBB, triangle, capsule, convex hull) touches any triangle of
 /// `surface`.
@@ -65,6 +68,33 @@ requires is_surface<Surface>
   });
   std::sort(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(std::min(count, out.size())));
   return count;
+}
+
+/// Whether any triangle of `surface` has a point in `plane`, the normal taken exactly as stored.
+///
+/// exact:  yes or no exact                                  (tests/scene/mesh_pairs.test.cpp)
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
+[[nodiscard]] constexpr bool overlaps(const Surface<S>& surface,
+                                      const Plane<S, 3>& plane) noexcept {
+  bool found = false;
+  detail::visit_parts<bool>(
+      surface,
+      [&](const Aabb<S, 3>& box) {
+        return overlaps(box, plane) ? std::optional(false) : std::nullopt;
+      },
+      [](bool) { return true; },
+      [&](std::span<const MeshTriangle<S>> parts) {
+        for (const auto& part : parts) found = found || overlaps(part.triangle, plane);
+        return !found;
+      });
+  return found;
+}
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
+[[nodiscard]] constexpr bool overlaps(const Plane<S, 3>& plane,
+                                      const Surface<S>& surface) noexcept {
+  return overlaps(surface, plane);
 }
 
 /// Whether `segment` touches any triangle of `surface`.

@@ -29,11 +29,17 @@ template <Scalar S>
 }
 
 /// Whether a template makes surfaces of many triangles, which the queries of this folder take: a
-/// `Mesh` or a `HeightField`. A surface has
+/// `Mesh` or a `HeightField`. A surface has a `bounding_box`, parts as parts.hpp says, and
 ///   visit_along(surface, ray, visit), visit_within(surface, box, visit),
 ///   visit_around(surface, point, visit)
 /// as static_tree/ says, where `visit` takes a std::span<const MeshTriangle<S>>.
 template <template <class> class Surface>
 inline constexpr bool is_surface = false;
+
+/// The same of a type.
+template <class T>
+inline constexpr bool is_surface_type = false;
+template <template <class> class Surface, Scalar S>
+inline constexpr bool is_surface_type<Surface<S>> = is_surface<Surface>;
 
 }  // namespace detent

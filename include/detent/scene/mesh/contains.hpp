@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "detent/query/contains/triangle.hpp"
+#include "detent/scene/mesh/surface.hpp"
+
+namespace detent {
+
+/// Whether `point` is one of the points of any triangle of `surface`, which has no inside.
+///
+/// exact:  yes or no exact                               (tests/scene/mesh_pairs.test.cpp)
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
+[[nodiscard]] constexpr bool contains(const Surface<S>& surface, const Vec<S, 3>& point) noexcept {
+  return visit_within(surface, Aabb<S, 3>{point, point},
+                      [&](std::span<const MeshTriangle<S>> parts) {
+                        for (const auto& part : parts) {
+                          if (contains(part.triangle, point)) return true;
+                        }
+                        return false;
+                      });
+}
+
+}  // namespace detent
