@@ -91,7 +91,8 @@ class PlainScene {
   AnyScene<S, N> fresh() const {
     AnyScene<S, N> scene;
     for (const auto& [index, object] : objects) {
-      std::visit([&](const auto& shape) { scene.add_as(object.id, shape, object.traits); },
+      std::visit([&, id = object.id,
+                  traits = object.traits](const auto& shape) { scene.add_as(id, shape, traits); },
                  object.shape);
     }
     return scene;

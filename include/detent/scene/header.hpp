@@ -21,6 +21,8 @@ enum class Restored {
   other_scene,
   other_fixed_part,
   no_room,
+  unknown_mesh,
+  other_mesh,
 };
 
 /// The reason in words.
@@ -42,11 +44,18 @@ enum class Restored {
       return "the snapshot was taken beside other fixed objects";
     case Restored::no_room:
       return "the snapshot has more than the storage of the scene can hold";
+    case Restored::unknown_mesh:
+      return "the snapshot refers to a mesh by an id that none of the given ones has";
+    case Restored::other_mesh:
+      return "the snapshot refers to a mesh of this id with other triangles";
   }
   return "";
 }
 
 namespace detail {
+
+/// Where a snapshot refers to no meshes.
+struct NoMeshes {};
 
 /// The first 48 bytes of a snapshot.
 struct SnapshotHeader {

@@ -11,11 +11,15 @@
 //   overlaps(mesh, plane), overlaps(mesh, mesh), contains(mesh, point), intersects(segment, mesh)
 //   nearest_triangle(mesh, point)           -> std::optional<MeshNearest<S>>
 //   closest_point(mesh, point), distance(mesh, point)
+// A `PlacedMesh` is a mesh elsewhere, which the same queries take, and scenes as `MeshInstance`.
 // `scene/mesh/owned.hpp` has a mesh that keeps its own storage in std::vector.
 
+#include "detent/scene/mesh/asset.hpp"
 #include "detent/scene/mesh/closest_point.hpp"
 #include "detent/scene/mesh/contains.hpp"
+#include "detent/scene/mesh/instance.hpp"
 #include "detent/scene/mesh/mesh.hpp"
 #include "detent/scene/mesh/overlaps.hpp"
 #include "detent/scene/mesh/pairs.hpp"
+#include "detent/scene/mesh/placed.hpp"
 #include "detent/scene/mesh/raycast.hpp"

@@ -345,7 +345,7 @@ class BasicScene {
     const auto ask = [&](Index i, Index j) {
       if (!filter(store_.info(i), store_.info(j))) return;
       const bool meet = store_[i].shape.visit([&](const auto& a) {
-        return store_[j].shape.visit([&](const auto& b) { return detent::overlaps(a, b); });
+        return store_[j].shape.visit([&](const auto& b) { return detail::meets(a, b); });
       });
       if (meet) add(Overlap{store_.info(i).id, store_.info(j).id});
     };

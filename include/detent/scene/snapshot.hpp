@@ -14,6 +14,7 @@
 //   snapshot(scene)              -> std::vector<std::byte>
 //   snapshot(scene, room)        -> how many bytes, written when `room` holds them
 //   restore(scene, bytes)        -> Restored: yes, or the reason for leaving the scene as it was
+//   restore(scene, bytes, meshes)   the same where moving objects are of meshes
 //   digest(scene)                -> 64 bits of all objects and frames
 //   digest_of(scene, id)         -> 64 bits of one object
 //
@@ -21,7 +22,8 @@
 // generation, index of its parent or 2^32 - 1 (4 bytes each) and transform; each moving object, by
 // index, as index, generation, layers (4 bytes each), user word (8), index of its frame or
 // 2^32 - 1 (4), type of shape (1) and the numbers of the shape in their order, a moving sphere
-// being 41 bytes in Q16.16; the XXH64 of all that. Equal scenes have equal bytes. Fixed objects are
+// being 41 bytes in Q16.16, and of a mesh its id (4), digest (8) and transform; the XXH64 of all
+// that. Equal scenes have equal bytes. Fixed objects are
 // represented by the sum of their digests: a scene restores only what was taken beside the same
 // ones. Copies of a scene, with `=`, hold everything and are faster still.
 //
@@ -85,16 +87,24 @@ constexpr void finish(std::span<std::byte> bytes, const SnapshotHeader& header) 
   store_word(bytes.data() + length, digest.value());
 }
 
+template <class Shape>
+[[nodiscard]] constexpr Restored read_shape(Reader& in, Shape& shape, const auto&) noexcept {
+  in.get(shape);
+  return Restored::yes;
+}
+
 /// A snapshot's parts, read in the order in which they come.
-template <Scalar S, int N, class... Shapes>
+template <class Meshes, Scalar S, int N, class... Shapes>
 class SnapshotReader {
  public:
   using Shape = OneOf<Shapes...>;
   static constexpr std::size_t frame_size = FrameHeader::size + byte_count<Transform<S, N>>;
 
-  constexpr SnapshotReader(std::span<const std::byte> bytes, const SnapshotHeader& header) noexcept
+  constexpr SnapshotReader(std::span<const std::byte> bytes, const SnapshotHeader& header,
+                           const Meshes& meshes) noexcept
       : frames_(bytes.subspan(SnapshotHeader::size)),
         header_(header),
+        meshes_(meshes),
         in_(frames_.first(frames_.size() - SnapshotHeader::checksum_size)) {}
 
   [[nodiscard]] constexpr Reader& in() noexcept { return in_; }
@@ -116,33 +126,38 @@ class SnapshotReader {
   /// The shape with this tag, or nothing when the scene has no such.
   [[nodiscard]] constexpr std::optional<Shape> shape(std::uint8_t tag) noexcept {
     std::optional<Shape> result;
-    (void)((shape_tag<Shapes> == tag ? (read_shape<Shapes>(result), true) : false) || ...);
+    (void)((shape_tag<Shapes> == tag ? (read<Shapes>(result), true) : false) || ...);
     return result;
   }
+  /// What there is to say of the last shape.
+  [[nodiscard]] constexpr Restored said() const noexcept { return said_; }
 
  private:
   template <class T>
-  constexpr void read_shape(std::optional<Shape>& result) noexcept {
+  constexpr void read(std::optional<Shape>& result) noexcept {
     T shape{};
-    in_.get(shape);
+    said_ = read_shape(in_, shape, meshes_);
     result.emplace(shape);
   }
 
   std::span<const std::byte> frames_;
   SnapshotHeader header_;
+  const Meshes& meshes_;
+  Restored said_ = Restored::yes;
   Reader in_;
 };
 
 /// Whether the parts of a snapshot are those of a scene, and fit this one.
-template <class Storage, Scalar S, int N, class... Shapes>
+template <class Storage, Scalar S, int N, class... Shapes, class Meshes>
 [[nodiscard]] constexpr Restored check(const BasicScene<Storage, S, N, Shapes...>& scene,
                                        std::span<const std::byte> bytes,
-                                       const SnapshotHeader& header) noexcept {
-  using Snapshot = SnapshotReader<S, N, Shapes...>;
+                                       const SnapshotHeader& header,
+                                       const Meshes& meshes) noexcept {
+  using Snapshot = SnapshotReader<Meshes, S, N, Shapes...>;
   const auto is_generation = [&](std::uint32_t generation) {
     return generation != 0 && generation < header.next_generation;
   };
-  Snapshot snapshot(bytes, header);
+  Snapshot snapshot(bytes, header, meshes);
   Reader& in = snapshot.in();
   if (header.next_generation == 0) return Restored::corrupted;
   if (header.frame_count > in.left() / Snapshot::frame_size) return Restored::corrupted;
@@ -171,6 +186,7 @@ template <class Storage, Scalar S, int N, class... Shapes>
         !is_generation(object.generation)) {
       return Restored::corrupted;
     }
+    if (snapshot.said() != Restored::yes) return snapshot.said();
     if (object.index >= Storage::capacity) return Restored::no_room;
     lowest_index = std::uint64_t{object.index} + 1;
     const bool is_taken =
@@ -182,11 +198,11 @@ template <class Storage, Scalar S, int N, class... Shapes>
 }
 
 /// Makes the moving part of a scene that of a checked snapshot.
-template <class Storage, Scalar S, int N, class... Shapes>
+template <class Storage, Scalar S, int N, class... Shapes, class Meshes>
 constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<const std::byte> bytes,
-                     const SnapshotHeader& header) {
+                     const SnapshotHeader& header, const Meshes& meshes) {
   auto& store = scene.store();
-  SnapshotReader<S, N, Shapes...> snapshot(bytes, header);
+  SnapshotReader<Meshes, S, N, Shapes...> snapshot(bytes, header, meshes);
   Reader& in = snapshot.in();
   store.begin_bulk();
   store.frames().clear();
@@ -248,10 +264,12 @@ template <class Storage, Scalar S, int N, class... Shapes>
 
 /// Makes the moving objects and the frames of `scene` those of a snapshot; or leaves it as it was
 /// and says why. Whatever the bytes are, it asks for no more memory than the objects need that the
-/// scene has room for.
-template <class Storage, Scalar S, int N, class... Shapes>
+/// scene has room for. Meshes of moving objects are found in `meshes`, a list of `MeshAsset<S>` that
+/// outlives the scene, by id and digest.
+template <class Storage, Scalar S, int N, class... Shapes, class Meshes = detail::NoMeshes>
 [[nodiscard]] constexpr Restored restore(BasicScene<Storage, S, N, Shapes...>& scene,
-                                         std::span<const std::byte> bytes) {
+                                         std::span<const std::byte> bytes,
+                                         const Meshes& meshes = {}) {
   detail::SnapshotHeader header;
   const auto read = header.read(bytes);
   if (read != Restored::yes) return read;
@@ -264,9 +282,9 @@ template <class Storage, Scalar S, int N, class... Shapes>
       header.fixed_digest != scene.store().fixed_digest()) {
     return Restored::other_fixed_part;
   }
-  const auto checked = detail::check(scene, bytes, header);
+  const auto checked = detail::check(scene, bytes, header, meshes);
   if (checked != Restored::yes) return checked;
-  detail::apply(scene, bytes, header);
+  detail::apply(scene, bytes, header, meshes);
   return Restored::yes;
 }
 

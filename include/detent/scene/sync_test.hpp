@@ -27,11 +27,15 @@ struct Desync {
 ///     SyncTest<Scene<q16_16, 3, Sphere>, Input> test(8);
 ///     if (const auto desync = test.step(scene, input, simulate)) ...
 ///
+/// A scene whose moving objects are of meshes needs a view of these, as `restore` does:
+/// `SyncTest<World, Input, std::span<const MeshAsset<q16_16>>> test(8, meshes)`.
+///
 /// (tests/scene/sync_test.test.cpp, tests/examples/rollback.cpp)
-template <class Scene, class Input>
+template <class Scene, class Input, class Meshes = detail::NoMeshes>
 class SyncTest {
  public:
-  explicit SyncTest(std::size_t window) : window_(std::max<std::size_t>(window, 1)) {}
+  explicit SyncTest(std::size_t window, const Meshes& meshes = {})
+      : meshes_(meshes), window_(std::max<std::size_t>(window, 1)) {}
 
   /// Simulates a frame, simulate(scene, input), and the last ones anew.
   ///
@@ -46,7 +50,7 @@ class SyncTest {
     frames_.back().after = snapshot(scene);
     ++count_;
     const auto oldest = count_ - frames_.size();
-    if (restore(scene, frames_.front().before) != Restored::yes) return Desync{oldest, {}};
+    if (restore(scene, frames_.front().before, meshes_) != Restored::yes) return Desync{oldest, {}};
     for (std::size_t i = 0; i < frames_.size(); ++i) {
       simulate(scene, frames_[i].input);
       if (snapshot(scene) != frames_[i].after) {
@@ -65,9 +69,9 @@ class SyncTest {
   };
 
   /// The first object that is not as the snapshot has it.
-  static std::optional<ObjectId> first_difference(const Scene& scene, const Bytes& bytes) {
+  std::optional<ObjectId> first_difference(const Scene& scene, const Bytes& bytes) const {
     Scene other = scene;
-    if (restore(other, bytes) != Restored::yes) return std::nullopt;
+    if (restore(other, bytes, meshes_) != Restored::yes) return std::nullopt;
     const auto end = std::max(scene.store().end(), other.store().end());
     for (std::size_t i = 0; i < end; ++i) {
       const auto id = [i](const Scene& s) {
@@ -80,6 +84,7 @@ class SyncTest {
     return std::nullopt;
   }
 
+  Meshes meshes_;
   std::size_t window_;
   std::uint64_t count_ = 0;
   std::vector<Frame> frames_;  // the last ones, the oldest first

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "detent/scene/mesh/asset.hpp"
+#include "detent/scene/mesh/parts.hpp"
+#include "detent/shape/moved.hpp"
+
+namespace detent {
+
+/// A mesh in another place: a surface of the triangles `placed(transform, triangle)`, each number
+/// of which is rounded once and clamped to the range of the scalar. Where the transform only moves,
+/// and all stays in range, they are the triangles of the mesh, moved exactly.
+///
+/// The asset stays with the caller and must outlive it; without one there are no triangles.
+template <Scalar S>
+struct PlacedMesh {
+  const MeshAsset<S>* asset = nullptr;
+  Transform<S, 3> transform{};
+
+  [[nodiscard]] friend constexpr bool operator==(const PlacedMesh&,
+                                                 const PlacedMesh&) noexcept = default;
+};
+
+template <Scalar S>
+PlacedMesh(const MeshAsset<S>*) -> PlacedMesh<S>;
+template <Scalar S>
+PlacedMesh(const MeshAsset<S>*, Transform<S, 3>) -> PlacedMesh<S>;
+
+template <>
+inline constexpr bool is_surface<PlacedMesh> = true;
+
+/// The canonical bytes of a digest: id and digest of the mesh, zeros for none, and the transform.
+template <class D, Scalar S>
+constexpr void append(D& digest, const PlacedMesh<S>& mesh) noexcept {
+  digest.add(mesh.asset ? mesh.asset->id() : std::uint32_t{0},
+             mesh.asset ? mesh.asset->digest() : std::uint64_t{0}, mesh.transform);
+}
+
+/// The mesh moved by a vector: the translation is rounded to nearest and clamped.
+template <Scalar S>
+[[nodiscard]] constexpr PlacedMesh<S> translated(const PlacedMesh<S>& mesh,
+                                                 const Vec<S, 3>& by) noexcept {
+  auto result = mesh;
+  result.transform.translation = nearest_to<S>(mesh.transform.translation + by);
+  return result;
+}
+
+/// The mesh, given in a local frame, in the world: the transforms are composed, and rounded.
+template <Scalar S>
+[[nodiscard]] constexpr PlacedMesh<S> placed(const Transform<S, 3>& transform,
+                                             const PlacedMesh<S>& mesh) noexcept {
+  return {mesh.asset, compose(transform, mesh.transform)};
+}
+
+namespace detail {
+
+/// placed(transform, shape), with less work where nothing turns.
+template <Scalar S, class Shape>
+[[nodiscard]] constexpr Shape put(const Transform<S, 3>& transform, const Shape& shape) noexcept {
+  const bool only_moves = transform.scale == 1 && transform.rotation == Rotation<S, 3>();
+  return only_moves ? translated(shape, transform.translation) : placed(transform, shape);
+}
+
+}  // namespace detail
+
+/// A box around all triangles, empty for none. It is the smallest where the transform only moves.
+template <Scalar S>
+[[nodiscard]] constexpr Aabb<S, 3> bounding_box(const PlacedMesh<S>& mesh) noexcept {
+  if (mesh.asset == nullptr || mesh.asset->mesh().triangles.empty()) {
+    return detail::no_box<Aabb<S, 3>>;
+  }
+  return detail::put(mesh.transform, bounding_box(mesh.asset->mesh()));
+}
+
+/// The parts of a mesh in their place: see parts.hpp. Corners of triangles are within the rounded
+/// box of where they are without rounding, because rounding keeps order.
+template <Scalar S>
+[[nodiscard]] constexpr auto whole_of(const PlacedMesh<S>& mesh) noexcept {
+  return whole_of(mesh.asset->mesh());
+}
+template <Scalar S, class Test>
+constexpr bool any_child(const PlacedMesh<S>& mesh, const detail::StaticPart& part,
+                         const Test& test) noexcept {
+  return any_child(mesh.asset->mesh(), part,
+                   [&](const detail::StaticPart& child, const Aabb<S, 3>& box) {
+                     return test(child, detail::put(mesh.transform, box));
+                   });
+}
+template <Scalar S, class Visit>
+constexpr bool at_leaf(const PlacedMesh<S>& mesh, const detail::StaticPart& leaf,
+                       const Visit& visit) noexcept {
+  return at_leaf(mesh.asset->mesh(), leaf, [&](std::span<const MeshTriangle<S>> triangles) {
+    std::array<MeshTriangle<S>, StaticTree<S, 3>::leaf_size> moved;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      moved[i] = {detail::put(mesh.transform, triangles[i].triangle), triangles[i].index};
+    }
+    return visit(std::span<const MeshTriangle<S>>(moved).first(triangles.size()));
+  });
+}
+
+}  // namespace detent
