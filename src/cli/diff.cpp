@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "detent/scene/header.hpp"
+#include "detent/scene/mesh/instance.hpp"
 #include "detent/scene/shape_tag.hpp"
 #include "error.hpp"
 #include "file.hpp"
@@ -54,9 +55,7 @@ class PartReader {
       frame.read(in_);
       Part part{frame.generation, "frame", {}};
       part.fields.push_back({"parent", frame_name(frame.parent)});
-      add_vector(part, "translation");
-      add_rotation(part);
-      add<S>(part, "scale");
+      add_transform(part);
       keep(contents.frames, frame.index, std::move(part));
     }
     for (std::uint32_t i = 0; i < header.object_count; ++i) {
@@ -84,8 +83,10 @@ class PartReader {
   }
 
   std::string type_of(std::uint8_t tag) const {
-    constexpr const char* types[] = {"", "sphere", "aabb", "obb", "plane", "triangle", "capsule"};
-    if (tag == 0 || tag >= std::size(types)) fail();
+    constexpr const char* types[] = {"",      "sphere",   "aabb",    "obb",
+                                     "plane", "triangle", "capsule", "mesh"};
+    constexpr std::size_t end = std::size(types) - (N == 2 ? 1 : 0);  // meshes are in 3D
+    if (tag == 0 || tag >= end) fail();
     return types[tag];
   }
 
@@ -113,6 +114,11 @@ class PartReader {
       add_vector<direction_component<S>>(part, "axis " + std::to_string(i));
     }
   }
+  void add_transform(Part& part) {
+    add_vector(part, "translation");
+    add_rotation(part);
+    add<S>(part, "scale");
+  }
 
   void add_shape(Part& part, std::uint8_t tag) {
     switch (tag) {
@@ -133,6 +139,11 @@ class PartReader {
         add_vector(part, "a");
         add_vector(part, "b");
         return add_vector(part, "c");
+      case detail::shape_tag<PlacedMesh<S>>:
+        part.fields.push_back({"mesh", std::to_string(in_.number<std::uint32_t>())});
+        part.fields.push_back(
+            {"digest of its triangles", hexadecimal(in_.number<std::uint64_t>())});
+        return add_transform(part);
       default:
         add_vector(part, "a");
         add_vector(part, "b");

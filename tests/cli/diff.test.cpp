@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "diff.hpp"
 
+#include "detent/scene/mesh/instance.hpp"
 #include "detent/scene/snapshot.hpp"
 #include "error.hpp"
 #include "support/catch.hpp"
@@ -89,6 +90,25 @@ TEST_CASE("diff: reads every scalar of the tool, in both dimensions") {
                   "0x3fe0000000000000)\n") != std::string::npos);
   Scene<q8_8, 2, Sphere> small;
   CHECK(compare(bytes_of(small), bytes_of(small)).is_none);
+}
+
+TEST_CASE("diff: names meshes by id, digest and transform") {
+  std::array parts{MeshTriangle<S>{{at(0, 0, 0), at(1, 0, 0), at(0, 1, 0)}, 0}};
+  std::array<MeshNode<S>, 1> nodes;
+  const auto view = *build_mesh<S>(std::span(parts), std::span(nodes));
+  const MeshAsset<S> rock(7, view), wall(9, view), nothing(7, Mesh<S>());
+  const auto with = [](const MeshAsset<S>& asset, const Transform<S, 3>& transform) {
+    Scene<S, 3, Sphere, MeshInstance> scene;
+    scene.add(PlacedMesh{&asset, transform});
+    return bytes_of(scene);
+  };
+  const auto before = with(rock, {});
+  CHECK(compare(before, with(rock, {.translation = at(0, 3, 0), .scale = S(2)})).text ==
+        "object 0:1 (mesh) translation.y: 0 (raw 0) | 3 (raw 196608)\n"
+        "object 0:1 (mesh) scale: 1 (raw 65536) | 2 (raw 131072)\n");
+  CHECK(compare(before, with(wall, {})).text == "object 0:1 (mesh) mesh: 7 | 9\n");
+  CHECK(compare(before, with(nothing, {}))
+            .text.starts_with("object 0:1 (mesh) digest of its triangles: 0x"));
 }
 
 TEST_CASE("diff: bytes that are no snapshot are refused by name") {
