@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+//
+// Whatever the triangles of a mesh are and wherever it is placed, it answers as a loop over its
+// placed triangles does.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "decode.hpp"
+#include "detent/scene/mesh.hpp"
+#include "detent/scene/mesh/owned.hpp"
+#include "scene/surface_loop.hpp"
+#include "spaces.hpp"
+
+namespace detent::fuzz {
+namespace {
+
+void require_same(bool same, const char* query) {
+  require(same, [&] { return std::string(query) + " is not that of the triangles"; });
+}
+
+/// A mesh and what it should be.
+template <Scalar S>
+struct Subject {
+  OwnedMesh<S> owned;
+  MeshAsset<S> asset;
+  PlacedMesh<S> mesh;
+  test::TriangleLoop<S> loop;
+
+  Subject(Source& source, Decoder<S, 3>& decoder) {
+    std::vector<Triangle<S, 3>> triangles(source.below(16));
+    for (auto& triangle : triangles) decoder.read(triangle);
+    owned = OwnedMesh<S>{std::span<const Triangle<S, 3>>(triangles)};
+    asset = MeshAsset<S>(1, owned.view());
+    mesh.asset = &asset;
+    const auto motion = source.below(4);
+    if (motion >= 1) mesh.transform.translation = decoder.point();
+    if (motion >= 2) mesh.transform.rotation = decoder.rotation();
+    if (motion == 3) mesh.transform.scale = source.below(2) == 0 ? S(-1) : decoder.number();
+    for (const auto& part : triangles) loop.triangles.push_back(placed(mesh.transform, part));
+  }
+  Subject(const Subject&) = delete;  // the mesh points to its asset
+  Subject& operator=(const Subject&) = delete;
+};
+
+template <class Shape, Scalar S>
+void check_shape(const Subject<S>& subject, Decoder<S, 3>& decoder) {
+  const auto shape = decoder.template shape<Shape>();
+  const bool expected = overlaps(subject.loop, shape);
+  require_same(overlaps(subject.mesh, shape) == expected, "overlaps");
+  require_same(overlaps(shape, subject.mesh) == expected, "overlaps");
+}
+
+template <Scalar S>
+void check_ray(const Subject<S>& subject, Decoder<S, 3>& decoder) {
+  const auto ray = decoder.template shape<Ray<S, 3>>();
+  const auto& triangles = subject.loop.triangles;
+  std::optional<MeshHit<S>> expected;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto distance = raycast(ray, triangles[i]);
+    if (distance && (!expected || *distance < expected->distance)) {
+      expected = MeshHit<S>{*distance, static_cast<std::uint32_t>(i)};
+    }
+  }
+  require_same(raycast_nearest(ray, subject.mesh) == expected, "raycast_nearest");
+  require_same(raycast_any(ray, subject.mesh) == expected.has_value(), "raycast_any");
+}
+
+template <Scalar S>
+void check_point(const Subject<S>& subject, Decoder<S, 3>& decoder) {
+  const auto point = decoder.point();
+  require_same(contains(subject.mesh, point) == contains(subject.loop, point), "contains");
+  require_same(distance(subject.mesh, point) == distance(subject.loop, point), "distance");
+  const auto other = decoder.point();
+  const Segment segment{point, other};
+  require_same(intersects(segment, subject.mesh) == intersects(segment, subject.loop),
+               "intersects");
+}
+
+template <Scalar S>
+void check(Source& source) {
+  const auto question = source.below(11);
+  Decoder<S, 3> decoder(source);
+  const Subject<S> subject(source, decoder);
+  switch (question) {
+    case 0:
+      return check_shape<Sphere<S, 3>>(subject, decoder);
+    case 1:
+      return check_shape<Aabb<S, 3>>(subject, decoder);
+    case 2:
+      return check_shape<Obb<S, 3>>(subject, decoder);
+    case 3:
+      return check_shape<Plane<S, 3>>(subject, decoder);
+    case 4:
+      return check_shape<Triangle<S, 3>>(subject, decoder);
+    case 5:
+      return check_shape<Capsule<S, 3>>(subject, decoder);
+    case 6:
+      return check_shape<ConvexHull<S, 3>>(subject, decoder);
+    case 7: {
+      const Subject<S> other(source, decoder);
+      const bool expected = overlaps(subject.loop, other.loop);
+      require_same(overlaps(subject.mesh, other.mesh) == expected, "overlaps of meshes");
+      return require_same(overlaps(other.mesh, subject.mesh) == expected, "overlaps of meshes");
+    }
+    case 8:
+      return check_point(subject, decoder);
+    default:
+      return check_ray(subject, decoder);
+  }
+}
+
+}  // namespace
+
+void property(Bytes input) {
+  Source source(input);
+  in_a_space(source, [&]<Scalar S, int N>(Space<S, N>) { check<S>(source); });
+}
+
+}  // namespace detent::fuzz
