@@ -2,33 +2,70 @@
 //
 // Whatever bytes a snapshot holds, restoring it makes the scene one that has exactly this snapshot
 // and answers as a fresh scene does; or refuses it and leaves the scene as it was. The input gets a
-// right length and checksum first, unless its first byte is odd, so that the parts are reached too.
+// right length and checksum first, unless its first byte is odd, so that the parts are reached too;
+// its third bit adds meshes to the scene.
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
+#include "detent/scene/mesh.hpp"
 #include "detent/scene/snapshot.hpp"
 #include "property.hpp"
 
 namespace detent::fuzz {
 namespace {
 
-using Toys = BasicScene<Bounded<24, 6>, q16_16, 3, Sphere<q16_16, 3>, Obb<q16_16, 3>>;
+using Toys = BoundedScene<Bounded<24, 6>, q16_16, 3, Sphere, Obb>;
+using Rocks = BoundedScene<Bounded<24, 6>, q16_16, 3, Sphere, Obb, MeshInstance>;
 using Vec3 = Vec<q16_16, 3>;
 
 Vec3 at(int x, int y, int z) { return {q16_16(x), q16_16(y), q16_16(z)}; }
 
-Toys toys() {
-  Toys scene;
+/// Two meshes of one triangle, which have ids 1 and 2.
+std::span<const MeshAsset<q16_16>> meshes() {
+  static std::array<MeshTriangle<q16_16>, 2> parts{
+      MeshTriangle<q16_16>{{at(0, 0, 0), at(4, 0, 0), at(0, 4, 0)}, 0},
+      MeshTriangle<q16_16>{{at(-5, 0, 0), at(5, 0, 0), at(0, 0, 5)}, 0}};
+  static std::array<MeshNode<q16_16>, 2> nodes;
+  static const auto one = [](std::uint32_t i) {
+    return MeshAsset<q16_16>(
+        i + 1, *build_mesh<q16_16>(std::span(parts).subspan(i, 1), std::span(nodes).subspan(i, 1)));
+  };
+  static const std::array all{one(0), one(1)};
+  return all;
+}
+
+template <class Scene>
+Scene with_fixed_part() {
+  Scene scene;
+  scene.add_as({0, 2}, Sphere{at(0, 0, 0), q16_16(1)}, {.user = 7, .motion = Motion::fixed});
+  if constexpr (std::is_same_v<Scene, Rocks>) {
+    scene.add_as({1, 3}, PlacedMesh{&meshes()[1]}, {.motion = Motion::fixed});
+  }
+  return scene;
+}
+
+template <class Scene>
+Scene toys() {
+  Scene scene;
   const auto frame = *scene.add_frame({.translation = at(1, 2, 3)});
   scene.add(Sphere{at(0, 0, 0), q16_16(1)}, {.user = 7, .motion = Motion::fixed});
+  if constexpr (std::is_same_v<Scene, Rocks>) {
+    scene.add(PlacedMesh{&meshes()[1]}, {.motion = Motion::fixed});
+    scene.add(PlacedMesh{&meshes()[0], {.translation = at(0, 0, 1)}});
+    scene.add(PlacedMesh{&meshes()[1]}, {.frame = frame});
+  }
   for (int i = 1; i < 12; ++i) scene.add(Sphere{at(i, 2 * i, 0), q16_16(i)});
   scene.add(Obb<q16_16, 3>{at(0, 0, 0), at(1, 1, 1), {}}, {.frame = frame});
   return scene;
 }
 
-std::vector<std::byte> bytes_of(const Toys& scene) {
+template <class Scene>
+std::vector<std::byte> bytes_of(const Scene& scene) {
   std::vector<std::byte> bytes(snapshot(scene, std::span<std::byte>()));
   snapshot(scene, bytes);
   return bytes;
@@ -44,10 +81,29 @@ void seal(std::vector<std::byte>& bytes) {
   detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
 }
 
-std::vector<Overlap> overlaps_of(const Toys& scene) {
+template <class Scene>
+std::vector<Overlap> overlaps_of(const Scene& scene) {
   std::vector<Overlap> list(scene.overlaps(std::span<Overlap>()));
   static_cast<void>(scene.overlaps(std::span(list)));
   return list;
+}
+
+template <class Scene>
+void check(const std::vector<std::byte>& bytes) {
+  Scene scene = toys<Scene>();
+  const auto before = bytes_of(scene);
+  const auto overlaps = overlaps_of(scene);
+  if (restore(scene, bytes, meshes()) != Restored::yes) {
+    require(bytes_of(scene) == before && overlaps_of(scene) == overlaps,
+            [] { return std::string("refused, and changed the scene"); });
+    return;
+  }
+  require(bytes_of(scene) == bytes, [] { return std::string("restored, and has other bytes"); });
+  Scene fresh = with_fixed_part<Scene>();
+  require(restore(fresh, bytes, meshes()) == Restored::yes,
+          [] { return std::string("only once"); });
+  require(overlaps_of(fresh) == overlaps_of(scene) && digest(fresh) == digest(scene),
+          [] { return std::string("a fresh scene answers otherwise"); });
 }
 
 }  // namespace
@@ -57,21 +113,7 @@ void property(Bytes input) {
   const auto rest = std::as_bytes(input.subspan(1));
   std::vector<std::byte> bytes(rest.begin(), rest.end());
   if (input[0] % 2 == 0) seal(bytes);
-
-  Toys scene = toys();
-  const auto before = bytes_of(scene);
-  const auto overlaps = overlaps_of(scene);
-  if (restore(scene, bytes) != Restored::yes) {
-    require(bytes_of(scene) == before && overlaps_of(scene) == overlaps,
-            [] { return std::string("refused, and changed the scene"); });
-    return;
-  }
-  require(bytes_of(scene) == bytes, [] { return std::string("restored, and has other bytes"); });
-  Toys fresh;
-  fresh.add_as({0, 2}, Sphere{at(0, 0, 0), q16_16(1)}, {.user = 7, .motion = Motion::fixed});
-  require(restore(fresh, bytes) == Restored::yes, [] { return std::string("only once"); });
-  require(overlaps_of(fresh) == overlaps_of(scene) && digest(fresh) == digest(scene),
-          [] { return std::string("a fresh scene answers otherwise"); });
+  input[0] / 4 % 2 == 0 ? check<Toys>(bytes) : check<Rocks>(bytes);
 }
 
 }  // namespace detent::fuzz
