@@ -38,6 +38,7 @@ struct RenderOptions {
 
 struct DemoOptions {
   std::string directory = "build/demo";
+  std::string mesh;  // a model to show as well; empty for none
   Size size{};
   int threads = 0;
 };

@@ -7,12 +7,15 @@
 #include "compare.hpp"
 #include "embedded.hpp"
 #include "file.hpp"
+#include "model_scene.hpp"
+#include "obj_reader.hpp"
 #include "scene_reader.hpp"
 
 namespace detent::cli {
 namespace {
 
 constexpr const char* far_away = "28000";
+constexpr const char* longest_side = "0.5";  // of a model
 
 /// One place and one scalar: a picture, and a line of the table.
 struct Run {
@@ -40,15 +43,19 @@ void make_directory(const std::string& directory) {
   }
 }
 
-}  // namespace
+/// A file in the directory of the demonstration.
+std::string path_in(const DemoOptions& options, const char* name) {
+  return (std::filesystem::path(options.directory) / name).string();
+}
 
-void demo(const DemoOptions& options) {
-  make_directory(options.directory);
-  const std::string path = (std::filesystem::path(options.directory) / "demo.png").string();
-  OutputFile file(path);
-  const Scene scene = parse_scene("arena.json", std::string(arena_json));
+/// One scene near and far, in both scalars: a page of pictures, and the rows of the table.
+struct Exhibit {
+  Image page;
+  std::string rows;
+};
+
+Exhibit exhibit(const Scene& scene, const DemoOptions& options) {
   const Decimal distance = Decimal::parse(far_away).value();
-
   const Decimal bias = Decimal::parse(default_bias).value();
 
   std::vector<Run> runs;
@@ -67,14 +74,14 @@ void demo(const DemoOptions& options) {
   const auto times = time_per_ray(
       {runs[0].tracer.get(), runs[1].tracer.get(), runs[2].tracer.get(), runs[3].tracer.get()});
 
-  std::vector<Image> rows;
-  std::string text = row({"place", "scalar", "rays", "hits", "wrong", "off", "ns/ray", "digest"});
+  std::vector<Image> pictures;
+  std::string rows;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Tracer& tracer = *runs[i].tracer;
     const auto found = tracer.found();
     const auto hits =
         std::count_if(found.begin(), found.end(), [](auto& f) { return f.has_value(); });
-    text += row({runs[i].place, std::string(tracer.scalar()), std::to_string(tracer.ray_count()),
+    rows += row({runs[i].place, std::string(tracer.scalar()), std::to_string(tracer.ray_count()),
                  std::to_string(hits), std::to_string(runs[i].verdict.wrong),
                  std::to_string(runs[i].verdict.off), rounded(times[i], 0),
                  hexadecimal(tracer.digest())});
@@ -84,12 +91,56 @@ void demo(const DemoOptions& options) {
     const Run& rough = runs[i + 1];
     const std::string place = i == 0 ? "near the origin" : std::string("moved by ") + far_away;
     const Difference difference = compare(*exact.tracer, *rough.tracer);
-    rows.push_back(panel_row({{exact.picture, "q16_16, " + place},
-                              {rough.picture, "float, " + place},
-                              {difference_picture(exact.picture, *exact.tracer, *rough.tracer),
-                               difference_caption(difference)}}));
+    pictures.push_back(panel_row({{exact.picture, "q16_16, " + place},
+                                  {rough.picture, "float, " + place},
+                                  {difference_picture(exact.picture, *exact.tracer, *rough.tracer),
+                                   difference_caption(difference)}}));
   }
-  file.write(stacked(rows).png());
+  return {stacked(pictures), rows};
+}
+
+/// What is shown beside the arena.
+struct Model {
+  Scene scene;
+  std::string title;
+};
+
+Model read_model(const DemoOptions& options) {
+  const double size = Decimal::parse(longest_side).value().to<double>().value();
+  MeshModel mesh = read_obj(options.mesh, {});
+  for (auto& vertex : mesh.vertices) {
+    for (double& coordinate : vertex) coordinate *= size / default_model_size;
+  }
+  const std::string title = options.mesh + ", " + std::to_string(mesh.triangles.size()) +
+                            " triangles, " + longest_side + " units long:\n";
+  return {scene_around(std::move(mesh), options.mesh), title};
+}
+
+}  // namespace
+
+void demo(const DemoOptions& options) {
+  make_directory(options.directory);
+  const std::string path = path_in(options, "demo.png");
+  OutputFile file(path);
+  // Read before anything is drawn, so that what is wrong with it is found at once.
+  const std::string mesh_path = path_in(options, "mesh.png");
+  std::optional<OutputFile> mesh_file;
+  std::optional<Model> model;
+  if (!options.mesh.empty()) {
+    mesh_file.emplace(mesh_path);
+    model = read_model(options);
+  }
+
+  const Exhibit arena = exhibit(parse_scene("arena.json", std::string(arena_json)), options);
+  std::string text =
+      row({"place", "scalar", "rays", "hits", "wrong", "off", "ns/ray", "digest"}) + arena.rows;
+  file.write(arena.page.png());
+  if (model) {
+    const Exhibit shown = exhibit(model->scene, options);
+    text += '\n' + model->title + shown.rows;
+    mesh_file->write(shown.page.png());
+    mesh_file->commit();
+  }
   file.commit();
 
   text +=
@@ -99,6 +150,7 @@ void demo(const DemoOptions& options) {
       "\nfar: every coordinate moved by " +
       std::string(far_away) + "; shadow rays start 1/1024 above a surface" + "\npicture: " + path +
       '\n';
+  if (model) text += "picture: " + mesh_path + '\n';
   print(text);
 }
 

@@ -164,6 +164,8 @@ void add_demo(CLI::App& app, Arguments& arguments) {
       app.add_subcommand("demo", "Draw the arena near and far from the origin, and count errors");
   command->add_option("-o,--out", arguments.demo.directory, "The directory to write demo.png to")
       ->capture_default_str();
+  command->add_option("--mesh", arguments.demo.mesh,
+                      "An OBJ model to show as well, half a unit long, in mesh.png");
   command->add_option("--size", arguments.demo_size, "Of each picture, in pixels")
       ->capture_default_str();
   command->add_option("--threads", arguments.demo.threads, "0 for all of the machine's")

@@ -200,14 +200,6 @@ std::optional<Integer> hit_sphere(const Ray& ray, const Sphere& sphere) {
   return steps;
 }
 
-double squared_length(const std::array<double, 3>& v) {
-  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-}
-
-std::array<double, 3> approximate(const Vector& v) {
-  return {v[0].approximate(), v[1].approximate(), v[2].approximate()};
-}
-
 }  // namespace
 
 Exact Exact::of(double value) {
@@ -242,61 +234,6 @@ std::optional<Integer> first_hit(const Ray& ray, const Shape& shape) {
         return std::nullopt;
       },
       shape);
-}
-
-World::Ball World::ball_around(const Shape& shape) {
-  std::vector<std::array<double, 3>> points;
-  double radius = 0;
-  if (const auto* const sphere = std::get_if<Sphere>(&shape)) {
-    points = {approximate(sphere->center)};
-    radius = sphere->radius.approximate();
-  } else if (const auto* const box = std::get_if<Aabb>(&shape)) {
-    points = {approximate(box->min), approximate(box->max)};
-  } else if (const auto* const turned = std::get_if<Obb>(&shape)) {
-    points = {approximate(turned->center)};
-    // Axes are within 1e-3 of unit length in every scalar.
-    radius = 1.01 * std::sqrt(squared_length(approximate(turned->half_extents)));
-  } else if (const auto* const triangle = std::get_if<Triangle>(&shape)) {
-    points = {approximate(triangle->a), approximate(triangle->b), approximate(triangle->c)};
-  } else {
-    return {};
-  }
-
-  Ball ball;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (const auto& point : points)
-      ball.center[i] += point[i] / static_cast<double>(points.size());
-  }
-  double reach = 0;
-  for (const auto& point : points) {
-    reach = std::max(reach, squared_length({point[0] - ball.center[0], point[1] - ball.center[1],
-                                            point[2] - ball.center[2]}));
-  }
-  radius += std::sqrt(reach) + 0.0625;
-  constexpr double trusted = 1 << 20;  // beyond it doubles may be off by more than the margin
-  const double largest = std::max(
-      {std::abs(ball.center[0]), std::abs(ball.center[1]), std::abs(ball.center[2]), radius});
-  if (largest < trusted) ball.squared_radius = radius * radius;
-  return ball;
-}
-
-void World::add(Shape shape) {
-  balls_.push_back(ball_around(shape));
-  shapes_.push_back(std::move(shape));
-}
-
-std::optional<Integer> World::hit(const Ray& ray, std::size_t index) const {
-  const Ball& ball = balls_[index];
-  if (ball.squared_radius >= 0) {
-    const auto origin = approximate(ray.origin);
-    const auto d = approximate(ray.direction);
-    const std::array<double, 3> m{ball.center[0] - origin[0], ball.center[1] - origin[1],
-                                  ball.center[2] - origin[2]};
-    const std::array<double, 3> c{m[1] * d[2] - m[2] * d[1], m[2] * d[0] - m[0] * d[2],
-                                  m[0] * d[1] - m[1] * d[0]};
-    if (squared_length(c) > ball.squared_radius * squared_length(d)) return std::nullopt;
-  }
-  return first_hit(ray, shapes_[index]);
 }
 
 }  // namespace detent::cli::oracle

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <optional>
 #include <variant>
-#include <vector>
 
 // A second opinion on every ray: the same definitions of shapes, evaluated in unbounded integers
 // by formulas of its own. It shares no code with the library, so the two can check each other.
@@ -89,28 +88,5 @@ inline constexpr int distance_frac = 48;
 /// The smallest t in [0, max_distance] at which origin + t * direction lies in the shape, rounded
 /// down; nothing when there is none.
 [[nodiscard]] std::optional<Integer> first_hit(const Ray& ray, const Shape& shape);
-
-/// Many shapes with, for each, a ball around it that dismisses most rays cheaply. The ball is
-/// larger than the shape by far more than the error of a double.
-class World {
- public:
-  void add(Shape shape);
-
-  [[nodiscard]] std::size_t size() const { return shapes_.size(); }
-
-  /// What `first_hit` gives for shape `index`.
-  [[nodiscard]] std::optional<Integer> hit(const Ray& ray, std::size_t index) const;
-
- private:
-  struct Ball {
-    std::array<double, 3> center{};
-    double squared_radius = -1;  // negative: no ball, always ask
-  };
-
-  [[nodiscard]] static Ball ball_around(const Shape& shape);
-
-  std::vector<Shape> shapes_;
-  std::vector<Ball> balls_;
-};
 
 }  // namespace detent::cli::oracle

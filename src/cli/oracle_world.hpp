@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "oracle.hpp"
+#include <utility>
+#include <vector>
+
+#include "oracle_group.hpp"
 #include "world.hpp"
 
 // The way from typed shapes to the oracle's: every scalar has an exact value, so nothing is lost.
@@ -51,30 +54,24 @@ template <Scalar S>
   return Triangle{exact(triangle.a), exact(triangle.b), exact(triangle.c)};
 }
 
-/// The oracle's shapes, and for each of them the shape of the scene that it belongs to.
-struct Scene {
-  World world;
-  std::vector<std::size_t> owners;
-};
-
+/// The shapes of the scene, in its order.
 template <Scalar S>
-[[nodiscard]] Scene exact(const cli::World<S>& world) {
-  Scene scene;
-  const auto add = [&](const auto& form, std::size_t owner) {
-    scene.world.add(exact(form));
-    scene.owners.push_back(owner);
-  };
-  for (std::size_t i = 0; i < world.shapes.size(); ++i) {
-    const auto add_all = [&](const auto& form) {
-      if constexpr (std::same_as<std::remove_cvref_t<decltype(form)>, Mesh<S>>) {
-        for (const auto& triangle : form.triangles()) add(triangle, i);
-      } else {
-        add(form, i);
-      }
-    };
-    std::visit(add_all, world.shapes[i]);
+[[nodiscard]] std::vector<Group> exact(const cli::World<S>& world) {
+  std::vector<Group> groups;
+  for (const auto& shape : world.shapes()) {
+    std::vector<Shape> parts;
+    std::visit(
+        [&]<class Form>(const Form& form) {
+          if constexpr (std::same_as<Form, OwnedMesh<S>>) {
+            for (const auto& part : form.view().triangles) parts.push_back(exact(part.triangle));
+          } else {
+            parts.push_back(exact(form));
+          }
+        },
+        shape);
+    groups.emplace_back(std::move(parts));
   }
-  return scene;
+  return groups;
 }
 
 /// The first distance at which `ray` meets each shape of the scene that it meets, in shape order.
@@ -83,16 +80,11 @@ struct Meeting {
   Integer distance;
 };
 
-[[nodiscard]] inline std::vector<Meeting> meetings(const Scene& scene, const Ray& ray) {
+[[nodiscard]] inline std::vector<Meeting> meetings(const std::vector<Group>& scene,
+                                                   const Ray& ray) {
   std::vector<Meeting> all;
-  for (std::size_t i = 0; i < scene.world.size(); ++i) {
-    const auto distance = scene.world.hit(ray, i);
-    if (!distance) continue;
-    if (all.empty() || all.back().shape != scene.owners[i]) {
-      all.push_back({scene.owners[i], *distance});
-    } else if (*distance < all.back().distance) {
-      all.back().distance = *distance;
-    }
+  for (std::size_t i = 0; i < scene.size(); ++i) {
+    if (const auto distance = scene[i].first_hit(ray)) all.push_back({i, *distance});
   }
   return all;
 }

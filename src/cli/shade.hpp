@@ -31,7 +31,7 @@ class Shader {
   [[nodiscard]] Colour surface(const Answer<S>& answer) const {
     const RayHit<S, 3>& hit = answer.hit;
     const double cosine = static_cast<double>(nearest_to<S>(dot(hit.normal, light_)));
-    const bool lit = cosine > 0 && !is_blocked(world_, shadow_ray(hit));
+    const bool lit = cosine > 0 && !world_.is_blocked(shadow_ray(hit));
     const double skylight = 0.34 + 0.10 * static_cast<double>(hit.normal[1]);
     return scaled(base_colour(answer), skylight + (lit ? 0.62 * cosine : 0));
   }
@@ -43,7 +43,7 @@ class Shader {
 
   Colour base_colour(const Answer<S>& answer) const {
     const Colour colour = models_[answer.shape].colour;
-    const auto* const plane = std::get_if<Plane<S, 3>>(&world_.shapes[answer.shape]);
+    const auto* const plane = std::get_if<Plane<S, 3>>(&world_.shapes()[answer.shape]);
     return plane && !is_light_square(answer.hit.point, plane->normal) ? scaled(colour, 0.8)
                                                                       : colour;
   }

@@ -47,7 +47,7 @@ class ScalarTracer final : public Tracer {
 
   void cast(const Workers& workers) override {
     answers_.assign(rays_.size(), std::nullopt);
-    for_each_ray(workers, [&](std::size_t i) { answers_[i] = nearest(world_, rays_[i]); });
+    for_each_ray(workers, [&](std::size_t i) { answers_[i] = world_.nearest(rays_[i]); });
   }
 
   std::vector<std::optional<Found>> found() const override {
@@ -102,7 +102,7 @@ class ScalarTracer final : public Tracer {
   }
 
   Verdict judge(const Workers& workers) const override {
-    const oracle::Scene exact = oracle::exact(world_);
+    const auto exact = oracle::exact(world_);
     std::vector<Fault> faults(rays_.size());
     for_each_ray(workers, [&](std::size_t i) {
       faults[i] = fault_of(answers_[i], oracle::meetings(exact, oracle::exact(rays_[i])));
@@ -116,7 +116,7 @@ class ScalarTracer final : public Tracer {
   void repeat(std::size_t stride) const override {
     std::size_t hits = 0;
     for (std::size_t i = 0; i < rays_.size(); i += stride) {
-      hits += nearest(world_, rays_[i]) ? 1 : 0;
+      hits += world_.nearest(rays_[i]) ? 1 : 0;
     }
     volatile std::size_t sink = hits;  // so that the answers are needed
     (void)sink;

@@ -30,13 +30,12 @@ class WorldBuilder {
   WorldBuilder(const Scene& scene, const Move& move) : scene_(scene), move_(move) {}
 
   [[nodiscard]] World<S> world() const {
-    World<S> world;
-    world.shapes.reserve(scene_.shapes.size());
+    std::vector<typename World<S>::Shape> shapes;
+    shapes.reserve(scene_.shapes.size());
     for (const ShapeModel& model : scene_.shapes) {
-      std::visit([&](const auto& form) { world.shapes.emplace_back(shape(form, model)); },
-                 model.form);
+      std::visit([&](const auto& form) { shapes.emplace_back(shape(form, model)); }, model.form);
     }
-    return world;
+    return World<S>(std::move(shapes));
   }
 
   [[nodiscard]] std::vector<Ray<S, 3>> rays() const {
@@ -176,7 +175,7 @@ class WorldBuilder {
     return {position(model.a, "a"), position(model.b, "b"), position(model.c, "c")};
   }
 
-  Mesh<S> shape(const MeshModel& model, const ShapeModel& owner) const {
+  OwnedMesh<S> shape(const MeshModel& model, const ShapeModel& owner) const {
     std::array<double, 3> middle{};
     for (std::size_t i = 0; i < 3; ++i) {
       middle[i] = (model.position[i].value + move_.by[i]).to<double>().value_or(1e300);
@@ -199,12 +198,7 @@ class WorldBuilder {
     for (const auto& v : model.vertices) {
       vertices.push_back({coordinate(v[0], 0), coordinate(v[1], 1), coordinate(v[2], 2)});
     }
-    std::vector<Triangle<S, 3>> triangles;
-    triangles.reserve(model.triangles.size());
-    for (const auto& [a, b, c] : model.triangles) {
-      triangles.push_back({vertices[a], vertices[b], vertices[c]});
-    }
-    return Mesh<S>(std::move(triangles));
+    return OwnedMesh<S>::from_faces(vertices, model.triangles).value();
   }
 
   const Scene& scene_;

@@ -85,6 +85,22 @@ const std::string seen_scene =
     " {\"type\": \"plane\", \"normal\": [0, 1, 0], \"offset\": 0},\n"
     " {\"type\": \"sphere\", \"center\": [0, 1, 0], \"radius\": 1}]}";
 
+/// An OBJ model of 800 triangles: hills on a grid, level here and there.
+std::string hills() {
+  constexpr int side = 21;
+  std::ostringstream model;
+  for (int i = 0; i < side * side; ++i) {
+    const int x = i % side, y = i / side;
+    model << "v " << x << ' ' << y << ' ' << (x * y + 7 * x + 3 * y) % 11 / 2 << '\n';
+  }
+  for (int i = 1; i < side * (side - 1); ++i) {
+    if (i % side == 0) continue;
+    model << "f " << i << ' ' << i + 1 << ' ' << i + side << "\nf " << i + 1 << ' ' << i + side + 1
+          << ' ' << i + side << '\n';
+  }
+  return model.str();
+}
+
 }  // namespace
 
 TEST_CASE("detent cast: one line of JSON for each ray, and a summary") {
@@ -136,6 +152,45 @@ TEST_CASE("detent cast: of equally near shapes the first in the file is hit") {
              "{\"type\": \"plane\", \"id\": \"a\", \"normal\": [0, 0, 1], \"offset\": 5}],"
              "\"rays\": [{\"origin\": [0, 0, 0], \"direction\": [0, 0, 3]}]}");
   CHECK(shop.run("cast tie.json").out.starts_with("{\"ray\": 0, \"hit\": \"b\", \"distance\": 5,"));
+}
+
+TEST_CASE("detent cast: a scene of many shapes and meshes gives its golden digests") {
+  const Workshop shop;
+  shop.write("hills.obj", hills());
+  std::ostringstream scene;
+  scene << "{\"shapes\": [\n";
+  // Meshes, planes, boxes and triangles whose faces coincide: the first in the file is hit.
+  const std::string hills_at = "{\"type\": \"mesh\", \"file\": \"hills.obj\", \"scale\": 0.5, ";
+  for (int i = 0; i < 30; ++i) {
+    const int x = i % 6 * 4 - 10, y = i / 6 * 4 - 8, z = i * 7 % 9;
+    scene << "{\"type\": \"sphere\", \"center\": [" << x << ", " << y << ", " << z
+          << "], \"radius\": 0." << 3 + i % 7 << "},\n{\"type\": \"aabb\", \"min\": [" << x + 1
+          << ", " << y + 1 << ", 9], \"max\": [" << x + 2 << ", " << y + 3 << ", 9." << i
+          << "]},\n";
+  }
+  scene
+      << hills_at << "\"position\": [0, 0, 4]},\n"
+      << hills_at << "\"position\": [0, 0, 4]},\n"
+      << "{\"type\": \"plane\", \"normal\": [0, 0, 1], \"offset\": 9},\n"
+      << "{\"type\": \"triangle\", \"a\": [-9, -9, 9], \"b\": [20, 0, 9], \"c\": [0, 20, 9]},\n"
+      << "{\"type\": \"obb\", \"center\": [3, 2, 1], \"half_extents\": [2, 1, 0.5], \"rotation\": "
+         "{\"euler\": [20, 30, 40]}}],\n \"rays\": [\n";
+  for (int i = 0; i < 900; ++i) {
+    scene << (i == 0 ? "" : ",\n") << "{\"origin\": [" << i % 30 * 0.75 - 11 << ", "
+          << i / 30 * 0.75 - 11 << ", -2], \"direction\": [" << i % 3 - 1 << ", " << i % 7 - 3
+          << ", " << i % 5 * 3 + 1 << "], \"max_distance\": " << 4 + i % 11 << "}";
+  }
+  shop.write("scene.json", scene.str() + "]}");
+  const auto summary = [&](const std::string& scalar) {
+    const auto out = shop.run("cast scene.json --scalar " + scalar).out;
+    const auto line = out.rfind('\n', out.size() - 2);
+    return line == std::string::npos ? out : out.substr(line + 1);
+  };
+  CHECK(summary("q16_16") ==
+        "{\"rays\": 900, \"hits\": 293, \"digest\": \"0x861ba70e675d6cec\"}\n");
+  CHECK(summary("q14_16") == summary("q16_16"));
+  CHECK(summary("q24_8") == "{\"rays\": 900, \"hits\": 293, \"digest\": \"0x9dbafb9257a0ba77\"}\n");
+  CHECK(summary("q8_8") == "{\"rays\": 900, \"hits\": 293, \"digest\": \"0xf8fe75d4fa6d3bfd\"}\n");
 }
 
 TEST_CASE("detent cast: every scalar answers, and two are compared") {
@@ -207,6 +262,53 @@ TEST_CASE("detent demo: q16_16 is right about every ray, near and far, and float
     CHECK(scalar == "float");
     CHECK(wrong + off > (place == "near" ? 0 : 1000));
   }
+}
+
+TEST_CASE("detent demo: a model is shown near and far as well, and q16_16 is right about it") {
+  const Workshop shop;
+  shop.write("hills.obj", hills());
+  const auto result = shop.run("demo --size 64x40 --out pictures --mesh hills.obj");
+  INFO(result.out << result.err);
+  REQUIRE(result.code == 0);
+  CHECK(content_of(shop.path("pictures/mesh.png")).starts_with("\x89PNG"));
+  CHECK(result.out.ends_with("\npicture: pictures/demo.png\npicture: pictures/mesh.png\n"));
+
+  const std::string title = "\nhills.obj, 800 triangles, 0.5 units long:\n";
+  const auto start = result.out.find(title);
+  REQUIRE(start != std::string::npos);
+  std::istringstream table(result.out.substr(start + title.size()));
+  for (const std::string place : {"near", "far"}) {
+    std::string name, scalar, digest;
+    int rays = 0, hits = 0, wrong = 0, off = 0, time = 0;
+    table >> name >> scalar >> rays >> hits >> wrong >> off >> time >> digest;
+    CHECK(name == place);
+    CHECK(scalar == "q16_16");
+    CHECK(rays == 64 * 40);
+    CHECK(wrong == 0);
+    CHECK(off == 0);
+    CHECK(digest == (place == "near" ? "0xfc36f9c5451dd822" : "0xa967014c0cf96ab9"));
+    table >> name >> scalar >> rays >> hits >> wrong >> off >> time >> digest;
+    CHECK(scalar == "float");
+  }
+}
+
+TEST_CASE("detent demo: a model that cannot be shown is refused with file and line") {
+  const Workshop shop;
+  const auto refused = [&](const std::string& content, const std::string& line) {
+    shop.write("m.obj", content);
+    const auto result = shop.run("demo --size 8x8 --out pictures --mesh m.obj");
+    INFO(result.out << result.err);
+    CHECK(refuses(result, "m.obj: "));
+    CHECK(result.err.find(line) != std::string::npos);
+    CHECK(fs::is_empty(shop.path("pictures")));
+  };
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\nf 1 2 9\n", " on line 6; ");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "line 4");
+  refused("# 1e400\nv 0 0 0\nv 1 0 0\nv 0 1e400 0\nf 1 2 3\n",
+          "vertex 3 is not finite on line 4; ");
+  refused("v 0 0 0\n", "has no triangles; ");
+  CHECK(refuses(shop.run("demo --out pictures --mesh no.obj"), "no.obj: no such file"));
+  CHECK(refuses(shop.run("demo --out pictures --mesh pictures"), "pictures: is a directory"));
 }
 
 TEST_CASE(

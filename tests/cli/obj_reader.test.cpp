@@ -48,5 +48,10 @@ TEST_CASE("obj: sizes at the ends of the range of a double are scaled as any oth
 
 TEST_CASE("obj: faces that name no vertex are refused") {
   CHECK(error_of("v 0 0 0\nf 1 2 3\n").starts_with("f: face 1 names a vertex"));
+  const std::string vertices = "v 0 0 0\nv 1 0 0\n\nv 0 1 0\n";
+  CHECK(error_of(vertices + "f 1 2 3\nf 3/1 4/1 2/1\n") ==
+        "f: face 2 names a vertex that is not there on line 6; export the model again");
+  CHECK(error_of(vertices + "f -1 -2 -3\nf -1 -2 -4\n") ==
+        "f: face 2 names a vertex that is not there on line 6; export the model again");
   CHECK(error_of("v 0 0 0\n") == "f: has no triangles; name a Wavefront OBJ model with faces");
 }

@@ -131,7 +131,7 @@ TEMPLATE_TEST_CASE("oracle: agrees with the library", "", q16_16, q14_16, q24_8,
   CHECK(rate.is_balanced());
 }
 
-TEST_CASE("oracle: the ball around a shape never hides a hit") {
+TEST_CASE("oracle: the box around a shape never hides a hit") {
   using S = q16_16;
   test::Random random(77);
   INFO(random);
@@ -141,17 +141,58 @@ TEST_CASE("oracle: the ball around a shape never hides a hit") {
     const Vec<S, 3> center = point<S>(random, bits);
     const auto ray = oracle::exact(ray_towards(random, center, bits));
     const auto offset = [&] { return nearest_to<S>(center + point<S>(random, bits - 2)); };
-    oracle::World world;
     const std::array<oracle::Shape, 3> shapes{
         oracle::exact(Sphere<S, 3>{center, abs(coordinate<S>(random, bits - 4)) > 0
                                                ? S::from_raw(1 << (bits / 2))
                                                : S(0)}),
         oracle::exact(Triangle<S, 3>{offset(), offset(), offset()}),
         oracle::exact(Obb<S, 3>{center, {S(1), S(2), S(3)}, {}})};
-    for (const auto& shape : shapes) world.add(shape);
-    for (std::size_t k = 0; k < shapes.size(); ++k) {
-      hidden += world.hit(ray, k) == oracle::first_hit(ray, shapes[k]) ? 0 : 1;
+    for (const auto& shape : shapes) {
+      hidden += oracle::Group({shape}).first_hit(ray) == oracle::first_hit(ray, shape) ? 0 : 1;
     }
   }
   CHECK(hidden == 0);
+}
+
+TEMPLATE_TEST_CASE("oracle: of a group the first hit of all is found", "", q16_16, float) {
+  using S = TestType;
+  test::Random random(4711);
+  INFO(random);
+  const auto random_point = [&](int spread) {
+    const auto coordinate = [&] {
+      const auto steps = static_cast<int>(random.between(-spread, spread));
+      if constexpr (is_fixed<S>) {
+        return S::from_raw(28000 * 65536 + steps * 512);
+      } else {
+        return S(28000) + static_cast<S>(steps) / 128;
+      }
+    };
+    return Vec<S, 3>{coordinate(), coordinate(), coordinate()};
+  };
+  int wrong = 0;
+  test::HitRate rate;
+  for (int scene = 0; scene < 20; ++scene) {
+    std::vector<oracle::Shape> triangles;
+    for (int i = 0; i < 60; ++i) {
+      const Vec<S, 3> a = random_point(1000);
+      const auto near_a = [&] { return nearest_to<S>(a + (random_point(500) - random_point(0))); };
+      triangles.push_back(oracle::exact(Triangle<S, 3>{a, near_a(), near_a()}));
+    }
+    const oracle::Group group(triangles);
+    for (int i = 0; i < 40; ++i) {
+      const Vec<S, 3> origin = random_point(2000);
+      const auto direction = direction_of<S>(random_point(900) - origin);
+      const auto ray = oracle::exact(Ray<S, 3>{origin, direction.value_or(Direction<S, 3>())});
+      std::optional<oracle::Integer> first;
+      for (const auto& triangle : triangles) {
+        const auto hit = oracle::first_hit(ray, triangle);
+        if (hit && (!first || *hit < *first)) first = hit;
+      }
+      rate.count(first.has_value());
+      wrong += group.first_hit(ray) == first ? 0 : 1;
+    }
+  }
+  CHECK(wrong == 0);
+  INFO(rate);
+  CHECK(rate.is_balanced());
 }

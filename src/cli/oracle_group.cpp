@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "oracle_group.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace detent::cli::oracle {
+namespace {
+
+using Doubles = std::array<double, 3>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double trusted = 1 << 30;         // beyond it no box dismisses anything
+constexpr double margin = 1.0 / (1 << 10);  // on each side of a box
+
+Doubles approximate(const Vector& v) {
+  return {v[0].approximate(), v[1].approximate(), v[2].approximate()};
+}
+
+double dot(const Doubles& a, const Doubles& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+bool is_trusted(const Doubles& point) {
+  return std::all_of(point.begin(), point.end(), [](double x) { return std::abs(x) < trusted; });
+}
+
+}  // namespace
+
+/// Coordinates below 2^30 and their differences are off by less than 2^-20, and so are the times of
+/// directions that are about one unit long; components of a cross product by less than 2^-20 of what
+/// the margin adds to the other side. Comparisons with infinity or NaN dismiss nothing.
+struct Group::Probe {
+  explicit Probe(const Ray& ray)
+      : origin(approximate(ray.origin)),
+        direction(approximate(ray.direction)),
+        squared_length(dot(direction, direction)),
+        limit(ray.max_distance.approximate()),
+        is_usable(is_trusted(origin)) {}
+
+  Doubles to_middle(const Box& box) const {
+    Doubles way{};
+    for (std::size_t i = 0; i < 3; ++i) way[i] = (box.low[i] + box.high[i]) / 2 - origin[i];
+    return way;
+  }
+
+  /// False if the ray passes the box by, leaves it behind or reaches its limit before it.
+  bool may_meet(const Box& box) const {
+    if (!is_usable) return true;
+    const Doubles way = to_middle(box);
+    Doubles half{};
+    double reach = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      half[i] = (box.high[i] - box.low[i]) / 2;
+      reach += half[i] * std::abs(direction[i]);
+    }
+    const double middle = dot(way, direction);
+    if (middle + reach < 0 || middle - reach > limit * squared_length) return false;
+    // The separating axes of a line and a box: cross products of the line and an edge.
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const std::size_t k = (i + 2) % 3;
+      const double apart = std::abs(way[j] * direction[k] - way[k] * direction[j]);
+      if (apart > half[j] * std::abs(direction[k]) + half[k] * std::abs(direction[j])) return false;
+    }
+    return true;
+  }
+
+  Doubles origin;
+  Doubles direction;
+  double squared_length;
+  double limit;
+  bool is_usable;
+  std::optional<Integer> best{};
+};
+
+Group::Box Group::box_around(const Shape& shape) {
+  std::vector<Doubles> points;
+  double radius = margin;
+  if (const auto* const sphere = std::get_if<Sphere>(&shape)) {
+    points = {approximate(sphere->center)};
+    radius += std::abs(sphere->radius.approximate());
+  } else if (const auto* const box = std::get_if<Aabb>(&shape)) {
+    points = {approximate(box->min), approximate(box->max)};
+  } else if (const auto* const turned = std::get_if<Obb>(&shape)) {
+    points = {approximate(turned->center)};
+    // Axes are within 1e-3 of unit length in every scalar.
+    const Doubles half = approximate(turned->half_extents);
+    radius += 1.01 * std::sqrt(dot(half, half));
+  } else if (const auto* const triangle = std::get_if<Triangle>(&shape)) {
+    points = {approximate(triangle->a), approximate(triangle->b), approximate(triangle->c)};
+  }
+
+  Box result{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+  for (const Doubles& point : points) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      result.low[i] = std::min(result.low[i], point[i] - radius);
+      result.high[i] = std::max(result.high[i], point[i] + radius);
+    }
+  }
+  if (points.empty() || !is_trusted(result.low) || !is_trusted(result.high)) {
+    return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
+  }
+  return result;
+}
+
+Group::Group(std::vector<Shape> shapes) : shapes_(std::move(shapes)) {
+  std::vector<std::pair<Box, std::size_t>> items;
+  for (const Shape& shape : shapes_) items.emplace_back(box_around(shape), items.size());
+  if (!items.empty()) build(items, 0, items.size());
+}
+
+/// Halves [begin, end) across the longest side of its box until a single shape is left.
+void Group::build(std::vector<std::pair<Box, std::size_t>>& items, std::size_t begin,
+                  std::size_t end) {
+  Box whole = items[begin].first;
+  for (std::size_t i = begin + 1; i < end; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      whole.low[axis] = std::min(whole.low[axis], items[i].first.low[axis]);
+      whole.high[axis] = std::max(whole.high[axis], items[i].first.high[axis]);
+    }
+  }
+  const std::size_t place = nodes_.size();
+  nodes_.push_back({whole, items[begin].second, 0});
+  if (end - begin == 1) return;
+
+  std::size_t longest = 0;
+  for (std::size_t axis = 1; axis < 3; ++axis) {
+    if (whole.high[axis] - whole.low[axis] > whole.high[longest] - whole.low[longest]) {
+      longest = axis;
+    }
+  }
+  const std::size_t middle = begin + (end - begin) / 2;
+  const auto at = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(at(begin), at(middle), at(end), [&](const auto& a, const auto& b) {
+    return a.first.low[longest] < b.first.low[longest];
+  });
+  build(items, begin, middle);
+  nodes_[place].second = nodes_.size();
+  build(items, middle, end);
+}
+
+std::optional<Integer> Group::first_hit(const Ray& ray) const {
+  Probe probe(ray);
+  if (!nodes_.empty()) search(0, ray, probe);
+  return probe.best;
+}
+
+void Group::search(std::size_t node, const Ray& ray, Probe& probe) const {
+  const auto& [box, shape, second] = nodes_[node];
+  if (!probe.may_meet(box)) return;
+  if (second == 0) {
+    const auto hit = oracle::first_hit(ray, shapes_[shape]);
+    if (!hit || (probe.best && *probe.best <= *hit)) return;
+    probe.best = *hit;
+    probe.limit = std::ldexp(hit->convert_to<double>(), -distance_frac);
+    return;
+  }
+  const auto distance = [&](std::size_t child) {
+    return dot(probe.to_middle(nodes_[child].box), probe.direction);
+  };
+  std::size_t near = node + 1;
+  std::size_t far = second;
+  if (distance(far) < distance(near)) std::swap(near, far);
+  search(near, ray, probe);
+  search(far, ray, probe);
+}
+
+}  // namespace detent::cli::oracle
