@@ -12,7 +12,6 @@
 #include "detent/scene/mesh/pairs.hpp"
 #include "detent/scene/mesh/placed.hpp"
 #include "detent/scene/mesh/raycast.hpp"
-#include "detent/scene/shape_tag.hpp"
 
 namespace detent {
 
@@ -22,9 +21,6 @@ template <Scalar S, int N>
 using MeshInstance = std::enable_if_t<N == 3, PlacedMesh<S>>;
 
 namespace detail {
-
-template <Scalar S>
-inline constexpr std::uint8_t shape_tag<PlacedMesh<S>> = 7;
 
 /// Reads a mesh that is one of `meshes`: of one id, that with the same digest.
 template <Scalar S, class Meshes>

@@ -8,6 +8,7 @@
 
 #include "detent/scene/mesh/asset.hpp"
 #include "detent/scene/mesh/parts.hpp"
+#include "detent/scene/shape_tag.hpp"
 #include "detent/shape/moved.hpp"
 
 namespace detent {
@@ -59,11 +60,47 @@ template <Scalar S>
 
 namespace detail {
 
+template <Scalar S>
+inline constexpr std::uint8_t shape_tag<PlacedMesh<S>> = 7;
+
+template <Scalar S>
+[[nodiscard]] constexpr bool only_moves(const Transform<S, 3>& transform) noexcept {
+  return transform.scale == 1 && transform.rotation == Rotation<S, 3>();
+}
+
 /// placed(transform, shape), with less work where nothing turns.
 template <Scalar S, class Shape>
 [[nodiscard]] constexpr Shape put(const Transform<S, 3>& transform, const Shape& shape) noexcept {
-  const bool only_moves = transform.scale == 1 && transform.rotation == Rotation<S, 3>();
-  return only_moves ? translated(shape, transform.translation) : placed(transform, shape);
+  return only_moves(transform) ? translated(shape, transform.translation)
+                               : placed(transform, shape);
+}
+
+/// visit(triangles) of the mesh in their place, for what visits them where they come from.
+template <Scalar S, class Visit>
+[[nodiscard]] constexpr auto in_place(const PlacedMesh<S>& mesh, const Visit& visit) noexcept {
+  return [&](std::span<const MeshTriangle<S>> triangles) {
+    std::array<MeshTriangle<S>, StaticTree<S, 3>::leaf_size> there;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      there[i] = {put(mesh.transform, triangles[i].triangle), triangles[i].index};
+    }
+    return visit(std::span<const MeshTriangle<S>>(there).first(triangles.size()));
+  };
+}
+
+template <Scalar S, Number T>
+[[nodiscard]] constexpr bool is_in_range(const Vec<T, 3>& v) noexcept {
+  const auto rounded = nearest_to<S>(v);
+  return rounded.x == v.x && rounded.y == v.y && rounded.z == v.z;
+}
+
+/// Whether every triangle is one of the mesh moved exactly: then a question that is moved back
+/// exactly is one for the mesh, whose own walks are faster.
+template <Scalar S>
+[[nodiscard]] constexpr bool moves_exactly(const PlacedMesh<S>& mesh) noexcept {
+  if (!is_fixed<S> || mesh.asset == nullptr || !only_moves(mesh.transform)) return false;
+  const auto bounds = bounding_box(mesh.asset->mesh());
+  return is_in_range<S>(bounds.min + mesh.transform.translation) &&
+         is_in_range<S>(bounds.max + mesh.transform.translation);
 }
 
 }  // namespace detail
@@ -94,13 +131,38 @@ constexpr bool any_child(const PlacedMesh<S>& mesh, const detail::StaticPart& pa
 template <Scalar S, class Visit>
 constexpr bool at_leaf(const PlacedMesh<S>& mesh, const detail::StaticPart& leaf,
                        const Visit& visit) noexcept {
-  return at_leaf(mesh.asset->mesh(), leaf, [&](std::span<const MeshTriangle<S>> triangles) {
-    std::array<MeshTriangle<S>, StaticTree<S, 3>::leaf_size> moved;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      moved[i] = {detail::put(mesh.transform, triangles[i].triangle), triangles[i].index};
-    }
-    return visit(std::span<const MeshTriangle<S>>(moved).first(triangles.size()));
-  });
+  return at_leaf(mesh.asset->mesh(), leaf, detail::in_place(mesh, visit));
+}
+
+/// The walks of a placed mesh: those of the mesh where they can be, else through its parts.
+template <Scalar S, class Visit>
+constexpr void visit_along(const PlacedMesh<S>& mesh, const Ray<S, 3>& ray,
+                           const Visit& visit) noexcept {
+  const auto origin = ray.origin - mesh.transform.translation;
+  if (!detail::moves_exactly(mesh) || !detail::is_in_range<S>(origin)) {
+    return visit_along<PlacedMesh>(mesh, ray, visit);
+  }
+  visit_along(mesh.asset->mesh(), Ray<S, 3>{nearest_to<S>(origin), ray.direction, ray.max_distance},
+              detail::in_place(mesh, visit));
+}
+/// Of the box, what is out of range once it is moved back meets no triangle.
+template <Scalar S, class Visit>
+constexpr bool visit_within(const PlacedMesh<S>& mesh, const Aabb<S, 3>& box,
+                            const Visit& visit) noexcept {
+  if (!detail::moves_exactly(mesh)) return visit_within<PlacedMesh>(mesh, box, visit);
+  const auto& by = mesh.transform.translation;
+  return visit_within(mesh.asset->mesh(),
+                      Aabb<S, 3>{nearest_to<S>(box.min - by), nearest_to<S>(box.max - by)},
+                      detail::in_place(mesh, visit));
+}
+template <Scalar S, class Visit>
+constexpr void visit_around(const PlacedMesh<S>& mesh, const Vec<S, 3>& point,
+                            const Visit& visit) noexcept {
+  const auto from = point - mesh.transform.translation;
+  if (!detail::moves_exactly(mesh) || !detail::is_in_range<S>(from)) {
+    return visit_around<PlacedMesh>(mesh, point, visit);
+  }
+  visit_around(mesh.asset->mesh(), nearest_to<S>(from), detail::in_place(mesh, visit));
 }
 
 }  // namespace detent
