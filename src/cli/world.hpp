@@ -40,28 +40,50 @@ class World {
 
   /// The nearest shape along `ray`; of equally near ones the first in the file.
   [[nodiscard]] std::optional<Answer<S>> nearest(const Ray<S, 3>& ray) const {
-    std::optional<Candidate> best;
+    constexpr auto none = static_cast<std::size_t>(-1);
+    std::size_t best = none;
+    S distance{};
+    std::optional<RayHit<S, 3>> mesh_hit;  // found with the distance, unlike the others'
     Ray<S, 3> rest = ray;
-    const auto offer = [&](const Candidate& candidate) {
-      const bool is_nearer =
-          !best || candidate.distance < best->distance ||
-          (candidate.distance == best->distance && candidate.shape < best->shape);
-      if (!is_nearer) return;
-      best = candidate;
+    const auto is_nearest = [&](std::size_t shape, const S& to_shape) {
+      if (best != none && (distance < to_shape || (distance == to_shape && best < shape))) {
+        return false;
+      }
+      best = shape;
+      distance = to_shape;
       // What lies farther need not be found, but for what rounds down to the same distance.
-      rest.max_distance = std::min(ray.max_distance, next_up(candidate.distance));
+      rest.max_distance = std::min(ray.max_distance, next_up(to_shape));
+      return true;
     };
     for (const std::size_t shape : list_) {
-      if (const auto candidate = ask(rest, shape)) offer(*candidate);
+      std::visit(
+          [&]<class Form>(const Form& form) {
+            if constexpr (std::same_as<Form, OwnedMesh<S>>) {
+              const auto hit = raycast_hit(rest, form.view());
+              if (hit && is_nearest(shape, hit->distance)) mesh_hit = hit;
+            } else if (const auto to_shape = raycast(rest, form)) {
+              (void)is_nearest(shape, *to_shape);
+            }
+          },
+          shapes_[shape]);
     }
     if (tree_.size() > 0) {
-      if (const auto found = tree_.nearest(rest)) offer({found->id.index, found->distance, {}});
+      if (const auto found = tree_.nearest(rest))
+        (void)is_nearest(found->id.index, found->distance);
     }
-    if (!best) return std::nullopt;
+    if (best == none) return std::nullopt;
 
-    const auto hit = best->hit ? best->hit : hit_of(ray, shapes_[best->shape]);
+    const auto hit = std::visit(
+        [&]<class Form>(const Form& form) {
+          if constexpr (std::same_as<Form, OwnedMesh<S>>) {
+            return mesh_hit;
+          } else {
+            return raycast_hit(ray, form);
+          }
+        },
+        shapes_[best]);
     if (!hit) return std::nullopt;  // cannot be for a Fixed: the same ray just hit
-    return Answer<S>{best->shape, *hit};
+    return Answer<S>{best, *hit};
   }
 
   /// Whether anything lies on `ray`.
@@ -76,12 +98,6 @@ class World {
   /// Up to here asking each shape takes no longer than a tree.
   static constexpr std::size_t longest_list = 16;
 
-  struct Candidate {
-    std::size_t shape;
-    S distance;
-    std::optional<RayHit<S, 3>> hit;  // of a mesh, whose triangle is at hand only now
-  };
-
   /// Each under its place in the file, by which the tree decides between equally near ones.
   template <class Form>
   bool add_to_tree(const Form& form, std::size_t place) {
@@ -91,28 +107,6 @@ class World {
       return false;
     }
   }
-
-  [[nodiscard]] std::optional<Candidate> ask(const Ray<S, 3>& ray, std::size_t shape) const {
-    if (std::holds_alternative<OwnedMesh<S>>(shapes_[shape])) {
-      const auto hit = hit_of(ray, shapes_[shape]);
-      return hit ? std::optional(Candidate{shape, hit->distance, hit}) : std::nullopt;
-    }
-    const auto distance =
-        std::visit([&](const auto& form) { return raycast(ray, asked(form)); }, shapes_[shape]);
-    return distance ? std::optional(Candidate{shape, *distance, {}}) : std::nullopt;
-  }
-
-  [[nodiscard]] static std::optional<RayHit<S, 3>> hit_of(const Ray<S, 3>& ray,
-                                                          const Shape& shape) {
-    return std::visit([&](const auto& form) { return raycast_hit(ray, asked(form)); }, shape);
-  }
-
-  /// What the queries take of a shape.
-  template <class Form>
-  [[nodiscard]] static const Form& asked(const Form& form) {
-    return form;
-  }
-  [[nodiscard]] static Mesh<S> asked(const OwnedMesh<S>& mesh) { return mesh.view(); }
 
   template <class Form>
   [[nodiscard]] static bool is_hit(const Ray<S, 3>& ray, const Form& form) {
