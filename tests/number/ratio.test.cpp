@@ -71,7 +71,8 @@ TEST_CASE("ratio: a product with one below 1 is rounded once, in any width") {
       BigInteger over = under / (random.one_in(8) ? 2 : 1 + random.below(9)) - random.below(2);
       over = std::clamp(over, BigInteger(1), BigInteger(under - 1));
       const auto ratio = make_ratio_below_one(fixed_from<Over>(over), fixed_from<Over>(under));
-      const auto x = X::from_raw(std::int64_t{end.raw()} - start.raw());
+      const auto x =
+          X::from_raw(static_cast<typename X::raw_type>(std::int64_t{end.raw()} - start.raw()));
       if (x.raw() != std::int64_t{end.raw()} - start.raw()) continue;
       check_product(start, x, ratio);
       const BigRational error =
