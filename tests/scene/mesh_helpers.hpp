@@ -104,19 +104,25 @@ Ray<S, 3> draw_mesh_ray(oracle::Draw<S, 3>& draw, const std::vector<Triangle<S, 
   return {start, draw.towards(raw, target), length};
 }
 
-/// Calls body(kind, triangles, reach, draw) with meshes of every kind and many sizes.
+/// Calls body(kind, triangles, reach, draw) with meshes of every kind and many sizes, below
+/// 2^size_bits.
 template <Scalar S, class Body>
-void for_meshes(std::uint64_t seed, int rounds, const Body& body) {
+void for_meshes(std::uint64_t seed, int rounds, int size_bits, const Body& body) {
   oracle::Draw<S, 3> draw(seed);
   for (int i = 0; i < rounds; ++i) {
     for (const auto kind : mesh_kinds) {
       const auto reach = draw.scale() / 4 + 2;
       const std::size_t count =
-          draw.random.one_in(8) ? draw.random.below(9)
-                                : draw.random.below(std::uint64_t{1} << draw.random.between(2, 8));
+          draw.random.one_in(8)
+              ? draw.random.below(9)
+              : draw.random.below(std::uint64_t{1} << draw.random.between(2, size_bits));
       body(kind, draw_mesh(draw, kind, count, reach), reach, draw);
     }
   }
+}
+template <Scalar S, class Body>
+void for_meshes(std::uint64_t seed, int rounds, const Body& body) {
+  for_meshes<S>(seed, rounds, 8, body);
 }
 
 }  // namespace detent::test

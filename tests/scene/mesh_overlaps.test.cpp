@@ -4,6 +4,7 @@
 
 #include "detent/query/overlaps/compound.hpp"
 #include "detent/scene/mesh.hpp"
+#include "oracle/seeds.hpp"
 #include "query/raycast/helpers.hpp"
 #include "scene/mesh_helpers.hpp"
 
@@ -27,11 +28,10 @@ bool overlaps_as_one_by_one(const Mesh<S>& mesh, const std::vector<Triangle<S, 3
   return !expected.empty();
 }
 
-TEMPLATE_TEST_CASE("mesh: shapes overlap it as they overlap its triangles one by one", "[mesh]",
-                   q16_16, q8_8) {
-  using S = TestType;
-  HitRate rate;
-  for_meshes<S>(0x0e51a9, 8, [&](MeshKind kind, const auto& triangles, auto reach, auto& draw) {
+/// Shapes against meshes of a seed, beside a loop over all triangles.
+template <Scalar S>
+void compare_shapes(std::uint64_t seed, int rounds, int bits, HitRate& rate) {
+  for_meshes<S>(seed, rounds, bits, [&](auto kind, const auto& triangles, auto reach, auto& draw) {
     const OwnedMesh<S> owned{std::span<const Triangle<S, 3>>(triangles)};
     const auto mesh = owned.view();
     auto& random = draw.random;
@@ -58,6 +58,22 @@ TEMPLATE_TEST_CASE("mesh: shapes overlap it as they overlap its triangles one by
                           [&](const auto& triangle) { return intersects(segment, triangle); }));
     }
   });
+}
+
+TEMPLATE_TEST_CASE("mesh: shapes overlap it as they overlap its triangles one by one", "[mesh]",
+                   q16_16, q8_8) {
+  HitRate rate;
+  compare_shapes<TestType>(0x0e51a9, 8, 8, rate);
+  INFO(rate);
+  CHECK(rate.is_balanced());
+}
+
+TEMPLATE_TEST_CASE("mesh: many more shapes overlap as loops over many more triangles say",
+                   "[mesh][.demand]", q16_16, q8_8) {
+  HitRate rate;
+  for (const auto seed : oracle::demanded_seeds()) {
+    compare_shapes<TestType>(seed, 8, 11, rate);
+  }
   INFO(rate);
   CHECK(rate.is_balanced());
 }

@@ -7,6 +7,7 @@
 #include "detent/scene/height_field.hpp"
 #include "detent/scene/mesh.hpp"
 #include "detent/shape/moved.hpp"
+#include "oracle/seeds.hpp"
 #include "query/raycast/helpers.hpp"
 #include "scene/mesh_helpers.hpp"
 
@@ -26,11 +27,10 @@ bool any_pair(const std::vector<Triangle<S, 3>>& a, const std::vector<Triangle<S
   });
 }
 
-TEMPLATE_TEST_CASE("mesh: two overlap where any two of their triangles do", "[mesh]", q16_16,
-                   q8_8) {
-  using S = TestType;
-  HitRate rate;
-  for_meshes<S>(0x9a125, 60, [&](MeshKind kind, const auto& triangles, auto reach, auto& draw) {
+/// Meshes of a seed against others, beside a loop over all pairs of triangles.
+template <Scalar S>
+void compare_pairs(std::uint64_t seed, int rounds, int bits, HitRate& rate) {
+  for_meshes<S>(seed, rounds, bits, [&](auto kind, const auto& triangles, auto reach, auto& draw) {
     auto& random = draw.random;
     INFO("kind " << static_cast<int>(kind) << ", seed " << random.seed());
     const auto ours = mesh_of(triangles);
@@ -50,6 +50,22 @@ TEMPLATE_TEST_CASE("mesh: two overlap where any two of their triangles do", "[me
     }
     REQUIRE(overlaps(ours.view(), ours.view()) == !triangles.empty());
   });
+}
+
+TEMPLATE_TEST_CASE("mesh: two overlap where any two of their triangles do", "[mesh]", q16_16,
+                   q8_8) {
+  HitRate rate;
+  compare_pairs<TestType>(0x9a125, 60, 8, rate);
+  INFO(rate);
+  CHECK(rate.is_balanced());
+}
+
+TEMPLATE_TEST_CASE("mesh: many more pairs overlap as loops over many more triangles say",
+                   "[mesh][.demand]", q16_16, q8_8) {
+  HitRate rate;
+  for (const auto seed : oracle::demanded_seeds()) {
+    compare_pairs<TestType>(seed, 60, 11, rate);
+  }
   INFO(rate);
   CHECK(rate.is_balanced());
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "oracle/seeds.hpp"
 #include "query/raycast/helpers.hpp"
 #include "scene/mesh_helpers.hpp"
 
@@ -24,11 +25,10 @@ std::vector<MeshHit<S>> hits_one_by_one(const Ray<S, 3>& ray,
   return hits;
 }
 
-TEMPLATE_TEST_CASE("mesh: rays hit what a loop over all triangles finds", "[mesh]",
-                   DETENT_FIXED_SCALARS) {
-  using S = TestType;
-  HitRate rate;
-  for_meshes<S>(0x3e5, 20, [&](MeshKind kind, const auto& triangles, auto reach, auto& draw) {
+/// Rays against meshes of a seed, beside a loop over all triangles.
+template <Scalar S>
+void compare_rays(std::uint64_t seed, int rounds, int bits, HitRate& rate) {
+  for_meshes<S>(seed, rounds, bits, [&](auto kind, const auto& triangles, auto reach, auto& draw) {
     const OwnedMesh<S> owned{std::span<const Triangle<S, 3>>(triangles)};
     const auto mesh = owned.view();
     for (int k = 0; k < 25; ++k) {
@@ -52,6 +52,21 @@ TEMPLATE_TEST_CASE("mesh: rays hit what a loop over all triangles finds", "[mesh
       REQUIRE(std::equal(found.begin(), found.begin() + kept, expected.begin()));
     }
   });
+}
+
+TEMPLATE_TEST_CASE("mesh: rays hit what a loop over all triangles finds", "[mesh]",
+                   DETENT_FIXED_SCALARS) {
+  HitRate rate;
+  compare_rays<TestType>(0x3e5, 20, 8, rate);
+  CHECK(rate.is_balanced());
+}
+
+TEMPLATE_TEST_CASE("mesh: many more rays hit what loops over many more triangles find",
+                   "[mesh][.demand]", DETENT_FIXED_SCALARS) {
+  HitRate rate;
+  for (const auto seed : oracle::demanded_seeds()) {
+    compare_rays<TestType>(seed, 20, 11, rate);
+  }
   CHECK(rate.is_balanced());
 }
 

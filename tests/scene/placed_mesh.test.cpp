@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "detent/scene/mesh.hpp"
+#include "oracle/seeds.hpp"
 #include "query/raycast/helpers.hpp"
 #include "scene/mesh_helpers.hpp"
 #include "scene/surface_loop.hpp"
@@ -17,8 +18,13 @@ template <Scalar S>
 Transform<S, 3> draw_transform(oracle::Draw<S, 3>& draw, std::int64_t reach) {
   auto& random = draw.random;
   Transform<S, 3> transform;
+  const auto at_an_end = [&] {
+    const auto end = random.coin() ? oracle::Draw<S, 3>::limit : -oracle::Draw<S, 3>::limit;
+    return (random.coin() ? 0 : end) + random.between(-reach, reach);
+  };
   transform.translation =
-      draw.vec(random.one_in(6) ? draw.extreme_point() : draw.point(random.coin() ? reach : 2));
+      draw.vec(random.one_in(3) ? oracle::Raw<3>{at_an_end(), at_an_end(), at_an_end()}
+                                : draw.point(random.coin() ? reach : 2));
   if (random.coin()) return transform;
   transform.rotation = random.coin() ? draw.rotation() : draw.skewed();
   if (random.one_in(4)) {
@@ -80,11 +86,10 @@ int same_answers(const PlacedMesh<S>& mesh, const TriangleLoop<S>& loop, MeshKin
   return hits;
 }
 
-TEMPLATE_TEST_CASE("placed mesh: its answers are those of its triangles placed one by one",
-                   "[mesh]", q16_16, q8_8) {
-  using S = TestType;
-  HitRate rate, pairs;
-  for_meshes<S>(0x91ace, 12, [&](MeshKind kind, const auto& triangles, auto reach, auto& draw) {
+/// Meshes of a seed in many places, beside loops over their triangles, each placed.
+template <Scalar S>
+void compare_placed(std::uint64_t seed, int rounds, int bits, HitRate& rate, HitRate& pairs) {
+  for_meshes<S>(seed, rounds, bits, [&](auto kind, const auto& triangles, auto reach, auto& draw) {
     INFO("kind " << static_cast<int>(kind) << ", seed " << draw.random.seed());
     const OwnedMesh<S> owned{std::span<const Triangle<S, 3>>(triangles)};
     const MeshAsset<S> asset(1, owned.view());
@@ -110,6 +115,23 @@ TEMPLATE_TEST_CASE("placed mesh: its answers are those of its triangles placed o
       last_loop = loop;
     }
   });
+}
+
+TEMPLATE_TEST_CASE("placed mesh: its answers are those of its triangles placed one by one",
+                   "[mesh]", q16_16, q8_8) {
+  HitRate rate, pairs;
+  compare_placed<TestType>(0x91ace, 12, 8, rate, pairs);
+  INFO(rate << ", " << pairs);
+  CHECK(rate.is_balanced());
+  CHECK(pairs.is_balanced());
+}
+
+TEMPLATE_TEST_CASE("placed mesh: many more answers are those of many more triangles placed",
+                   "[mesh][.demand]", q16_16, q8_8) {
+  HitRate rate, pairs;
+  for (const auto seed : oracle::demanded_seeds()) {
+    compare_placed<TestType>(seed, 12, 9, rate, pairs);
+  }
   INFO(rate << ", " << pairs);
   CHECK(rate.is_balanced());
   CHECK(pairs.is_balanced());
@@ -131,6 +153,29 @@ TEMPLATE_TEST_CASE("placed mesh: moved in range it answers as the mesh does wher
       REQUIRE(raycast_nearest(moved, there) == raycast_nearest(ray, owned.view()));
     }
   });
+}
+
+TEMPLATE_TEST_CASE("placed mesh: what would leave the range is clamped to it", "[mesh]", q16_16,
+                   q8_8) {
+  using S = TestType;
+  const std::array triangles{Triangle{at<S, 3>(3), at<S, 3>(4), at<S, 3>(4, 2)},
+                             Triangle{at<S, 3>(1), at<S, 3>(1, 0, 2), at<S, 3>(1, 2)}};
+  const OwnedMesh<S> owned{std::span<const Triangle<S, 3>>(triangles)};
+  const MeshAsset<S> asset(1, owned.view());
+  const auto by = nearest_to<S>(largest<S> - S(2));
+  const PlacedMesh mesh{&asset, {.translation = {by, num<S>(0), num<S>(0)}}};
+  // The first triangle is beyond the end: it becomes the segment where its corners are clamped.
+  const Vec<S, 3> on_it{largest<S>, num<S>(1), num<S>(0)};
+  CHECK(contains(mesh, on_it));
+  CHECK(distance(mesh, on_it) == 0);
+  CHECK(overlaps(mesh, Sphere{on_it, num<S>(0)}));
+  CHECK(overlaps(mesh, Aabb{on_it, on_it}));
+  CHECK(intersects(Segment{on_it, on_it}, mesh));
+  const Vec<S, 3> before{moved(largest<S>, -1), num<S>(1), num<S>(0)};
+  CHECK(raycast(Ray{before, toward<S, 3>(1)}, mesh) == moved(S(0), 1));
+  CHECK_FALSE(contains(mesh, before));
+  CHECK(raycast_nearest(Ray{{num<S>(0), num<S>(1), num<S>(0)}, toward<S, 3>(1)}, mesh)->index == 1);
+  CHECK(bounding_box(mesh).max.x == largest<S>);
 }
 
 TEMPLATE_TEST_CASE("placed mesh: without an asset or triangles it is empty", "[mesh]", q16_16,
