@@ -206,7 +206,7 @@ template <int B, int F>
 template <int B, int F>
 [[nodiscard]] constexpr auto abs(const Fixed<B, F>& x) noexcept {
   using Magnitude = Fixed<detail::result_bits(B), F>;
-  return sign_of(x.raw()) < 0 ? Magnitude(-x) : Magnitude(x);
+  return is_negative(x.raw()) ? Magnitude(-x) : Magnitude(x);
 }
 
 /// Which of two numbers of any types is greater, exactly.

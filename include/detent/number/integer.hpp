@@ -194,6 +194,16 @@ template <class I>
   }
 }
 
+/// Whether x < 0. GCC 12 does not see that `sign_of` asks that.
+template <class I>
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr bool is_negative(const I& x) noexcept {
+  if constexpr (detail::is_wide<I>) {
+    return x.is_negative();
+  } else {
+    return x < 0;
+  }
+}
+
 /// How many bits |x| needs: 0 for 0, otherwise floor(log2 |x|) + 1.
 template <class I>
 [[nodiscard]] constexpr int bit_length(const I& x) noexcept {
