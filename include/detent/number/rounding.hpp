@@ -133,6 +133,14 @@ template <int Bits, int B, int F>
   return Fixed<Bits, F>::assume_raw(integer_cast<Raw>(x.raw()));
 }
 
+/// `floor_to<T>(x)`: the caller has a proof that it fits.
+template <class T, int B, int F>
+[[nodiscard]] constexpr T narrow_floor(const Fixed<B, F>& x) noexcept {
+  const auto raw = shift_right_floor(x.raw(), F - T::frac);
+  DETENT_ASSERT(detail::is_within<T::bits>(raw));
+  return T::assume_raw(integer_cast<typename T::raw_type>(raw));
+}
+
 /// a * b, a + b, a - b: `narrow` without the detour through the integer that the unproved result
 /// needs.
 template <int Bits, int B1, int F1, int B2, int F2>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "detent/query/overlaps/box.hpp"
+#include "detent/query/overlaps/rough_boxes.hpp"
 #include "detent/query/overlaps/separation.hpp"
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/obb.hpp"
@@ -23,6 +24,15 @@ template <Scalar S, int N>
   const auto half_a = a.max - a.min;
   const auto half_b = b.half_extents + b.half_extents;
   const auto apart = b.center + b.center - (a.min + a.max);
+  if constexpr (N == 3 && detail::looks_first<S>) {
+    const auto halved = [](const auto& v) {
+      return make_vec<N>([&](int i) { return scale_down<bits_of<S> + 1>(v[i], 1); });
+    };
+    const auto nearness = detail::roughly_boxes_overlap(detail::WorldFrame(), halved(half_a),
+                                                        detail::RoughFrame(b.rotation),
+                                                        halved(half_b), halved(apart));
+    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::near;
+  }
   if constexpr (N == 2) {
     return !detail::are_apart(std::array{apart}, detail::edges_along(Rotation<S, N>(), half_a),
                               detail::edges_along(b.rotation, half_b));

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "detent/math/width.hpp"
+#include "detent/query/overlaps/nearness.hpp"
 #include "detent/query/raycast/planar.hpp"
 
 namespace detent::detail {
@@ -87,9 +88,6 @@ template <Number T, Number D, Number R, int N>
     return over <= (squared_reach * ... * under);
   });
 }
-
-/// What numbers cut off after some bits tell of an answer.
-enum class Nearness { apart, unknown, near };
 
 /// `is_near_slabs` by the leading 28 bits of all numbers.
 ///

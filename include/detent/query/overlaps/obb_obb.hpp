@@ -2,6 +2,7 @@
 #pragma once
 
 #include "detent/query/overlaps/box.hpp"
+#include "detent/query/overlaps/rough_boxes.hpp"
 #include "detent/query/overlaps/separation.hpp"
 #include "detent/shape/obb.hpp"
 
@@ -19,6 +20,12 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Obb<S, N>& a, const Obb<S, N>& b) noexcept {
   if (is_empty(a) || is_empty(b)) return false;
   const auto apart = b.center - a.center;
+  if constexpr (N == 3 && detail::looks_first<S>) {
+    const auto nearness =
+        detail::roughly_boxes_overlap(detail::RoughFrame(a.rotation), a.half_extents,
+                                      detail::RoughFrame(b.rotation), b.half_extents, apart);
+    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::near;
+  }
   if constexpr (N == 3) {
     const detail::EdgeFrame<S> frame_a(a.rotation), frame_b(b.rotation);
     if (!frame_a.is_flat() || !frame_b.is_flat()) {
