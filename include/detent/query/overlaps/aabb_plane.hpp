@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <type_traits>
+
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/plane.hpp"
 
@@ -20,7 +22,7 @@ template <Scalar S, int N>
   const auto center = dot(normal, box.min + box.max);
   const auto along = make_vec<N>([&](int i) { return abs(normal[i]); });
   const auto reach = narrow_dot<bits>(box.max - box.min, along);
-  const auto offset = plane.offset + plane.offset;
+  const std::remove_cvref_t<decltype(center)> offset(plane.offset + plane.offset);
   return narrow_difference<bits>(center, reach) <= offset &&
          offset <= narrow_sum<bits>(center, reach);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/query/overlaps/nearness.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/plane.hpp"
 
@@ -17,10 +18,24 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Obb<S, N>& box, const Plane<S, N>& plane) noexcept {
   if (is_empty(box)) return false;
-  const auto height = dot(plane.normal, box.center) - plane.offset;
+  // Below (sqrt(3) + 1) 2^b for coordinates below 2^b.
+  constexpr int bits = detail::along_bits<S, S> + 1;
+  const auto offset_to_center =
+      narrow_difference<bits>(dot(plane.normal, box.center), plane.offset);
+  const auto height = offset_to_center < 0 ? narrow_negative(offset_to_center) : offset_to_center;
   const auto along =
       make_vec<N>([&](int i) { return abs(dot(plane.normal, box.rotation.axis(i))); });
-  return abs(height) <= dot(box.half_extents, along);
+  if constexpr (detail::looks_first<S>) {
+    // Cut off after the bits of an axis, cosines are less than one unit too small.
+    using Cosine = direction_component<S>;
+    const auto rough = make_vec<N>([&](int i) { return narrow_floor<Cosine>(along[i]); });
+    const auto unit = make_vec<N>([](int) { return Cosine::from_raw(1); });
+    const auto least = narrow_dot<bits>(box.half_extents, rough);
+    const bool is_near = height <= least;
+    if (is_near == (height < narrow_sum<bits>(least, narrow_dot<bits>(box.half_extents, unit))))
+      return is_near;
+  }
+  return height <= dot(box.half_extents, along);
 }
 
 template <Scalar S, int N>
