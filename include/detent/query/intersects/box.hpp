@@ -20,8 +20,14 @@ template <Number T, int N>
                                                const Vec<T, N>& half_extents) noexcept {
   const auto& h = half_extents;
   for (int i = 0; i < N; ++i) {
-    if (std::min(p[i], q[i]) > h[i]) return false;
-    if (std::max(p[i], q[i]) < narrow_negative(h[i])) return false;
+    const auto low = narrow_negative(h[i]);
+    if constexpr (is_fixed<T>) {  // in sums: branches on either end would seldom be predicted
+      if (int{p[i] > h[i]} + int{q[i] > h[i]} == 2) return false;
+      if (int{p[i] < low} + int{q[i] < low} == 2) return false;
+    } else {
+      if (std::min(p[i], q[i]) > h[i]) return false;
+      if (std::max(p[i], q[i]) < low) return false;
+    }
   }
   // Either is the sum of two products of a length, at most 2^(B + 1), and a coordinate. In 127 bits
   // are those with directions, which Cauchy-Schwarz keeps below 2^125.7 for 32-bit scalars.
