@@ -169,7 +169,8 @@ TEMPLATE_TEST_CASE("proofs: a line that grazes a wide capsule uses the bits of i
   REQUIRE(hit);
   CHECK(dot(hit->normal, third<S>) > 0);
   // |m . k| k of radius |k|^2, as it was in one component: sqrt(2 / 3).
-  const auto e = capsule.b - capsule.a, k = cross(diagonal<S>, e);
+  const auto e = capsule.b - capsule.a;
+  const auto k = cross(diagonal<S>, e);
   const auto m = origin - capsule.a;
   CHECK(is_half_of(dot(m, k) * k.x, capsule.radius * squared_length(k)));
 }

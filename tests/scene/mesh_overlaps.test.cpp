@@ -51,7 +51,7 @@ void compare_shapes(std::uint64_t seed, int rounds, int bits, HitRate& rate) {
       ask(Capsule{center, other, size()});
       ask(Triangle{center, other, draw.vec(draw.near(target, reach / 3 + 1))});
       const std::array corners{center, other};
-      ask(ConvexHull(corners));
+      ask(ConvexHull<S, 3>{corners});
       const Segment segment{center, other};
       REQUIRE(intersects(segment, mesh) ==
               std::any_of(triangles.begin(), triangles.end(),
