@@ -49,11 +49,9 @@ using Offset = decltype(S() - S());
 template <Scalar S>
 constexpr Offset<S> far = low<S> - high<S>;
 
-/// (0, 1, -1), (1, 1, 1) and (2, -1, -1), made directions.
+/// (0, 1, -1) and (2, -1, -1), made directions.
 template <Scalar S>
 const Direction<S, 3> diagonal = *normalize(Vec<S, 3>{S(0), S(1), S(-1)});
-template <Scalar S>
-const Direction<S, 3> long_diagonal = *normalize(Vec<S, 3>{S(1), S(1), S(1)});
 template <Scalar S>
 const Direction<S, 3> third = *normalize(Vec<S, 3>{S(2), S(-1), S(-1)});
 
