@@ -79,5 +79,9 @@ template <std::floating_point F>
   if (std::is_constant_evaluated()) return x < 0 ? -x : x;
   return std::abs(x);  // without a branch
 }
+template <std::floating_point F>
+[[nodiscard]] constexpr F narrow_abs(F x) noexcept {
+  return abs(x);
+}
 
 }  // namespace detent

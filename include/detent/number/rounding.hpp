@@ -180,6 +180,12 @@ template <int B, int F>
   return narrow<B>(-x);
 }
 
+/// |x| in the type of x, as for `narrow_negative`.
+template <int B, int F>
+[[nodiscard]] constexpr Fixed<B, F> narrow_abs(const Fixed<B, F>& x) noexcept {
+  return is_negative(x.raw()) ? narrow_negative(x) : x;
+}
+
 /// x / 2, exactly.
 template <int B, int F>
 [[nodiscard]] constexpr Fixed<B, F + 1> half(const Fixed<B, F>& x) noexcept {

@@ -4,8 +4,37 @@
 #include <algorithm>
 
 #include "detent/math/vec.hpp"
+#include "detent/query/overlaps/nearness.hpp"
 
 namespace detent::detail {
+
+/// Whether the line through `p` and `q`, `length` apart along each axis, passes the box with these
+/// half extents, in 64 bits, where no axis of the box tells it and the segment apart.
+///
+/// Each number is less than one step too small, so that a product with it is off by less than the
+/// other factor and a step; and no end is farther out than the sum of half extent and length.
+template <Number T, int N>
+[[nodiscard]] constexpr Nearness roughly_meets_box(const Vec<T, N>& p, const Vec<T, N>& q,
+                                                   const Vec<T, N>& length,
+                                                   const Vec<T, N>& half_extents) noexcept {
+  constexpr int bits = 62;
+  using Slack = Fixed<63, 2 * T::frac>;
+  Slack least = Slack::max();
+  constexpr auto steps = T::from_raw(4);
+  auto size = narrow<36>(steps);
+  for (int i = 0; i < N; ++i) size = narrow_sum<36>(size, length[i] + half_extents[i]);
+  for (int j = 0, last = N == 2 ? 1 : 3; j < last; ++j) {
+    const int k = (j + 1) % N;
+    const auto passes = narrow_cross<bits>(Vec{p[j], p[k]}, Vec{q[j], q[k]});
+    const auto reaches =
+        narrow_dot<bits>(Vec{length[j], length[k]}, Vec{half_extents[k], half_extents[j]});
+    const Slack slack = narrow_difference<63>(reaches, abs(passes));
+    least = slack < least ? slack : least;
+  }
+  const Slack margin = narrow_product<bits>(size, steps);
+  if (least < narrow_negative(margin)) return Nearness::apart;
+  return least >= margin ? Nearness::near : Nearness::unknown;
+}
 
 /// Whether the segment from `p` to `q` has a point in the box {x : |x[i]| <= half_extents[i]},
 /// whose half extents are not negative.
@@ -33,8 +62,17 @@ template <Number T, int N>
   // are those with directions, which Cauchy-Schwarz keeps below 2^125.7 for 32-bit scalars.
   constexpr int product_bits = std::min(2 * bits_of<T> + 2, 127);
   constexpr int length_bits = std::max(bits_of<T>, 32);
-  const auto length = make_vec<N>(
-      [&](int i) { return narrow<length_bits>(abs(narrow_difference<length_bits>(q[i], p[i]))); });
+  const auto length =
+      make_vec<N>([&](int i) { return narrow_abs(narrow_difference<length_bits>(q[i], p[i])); });
+  constexpr bool is_long = bits_of < T >> 32;
+  if constexpr (is_long && DETENT_SMALL_CODE == 0) {
+    constexpr int kept = 30, dropped = length_bits - kept;
+    const auto cut = [](const auto& v) {
+      return make_vec<N>([&](int i) { return scale_down<kept>(v[i], dropped); });
+    };
+    const auto nearness = roughly_meets_box(cut(p), cut(q), cut(length), cut(h));
+    if (nearness != Nearness::unknown) return nearness == Nearness::near;
+  }
   for (int j = 0, last = N == 2 ? 1 : 3; j < last; ++j) {
     const int k = (j + 1) % N;
     const auto passes = narrow_cross<product_bits>(Vec{p[j], p[k]}, Vec{q[j], q[k]});
