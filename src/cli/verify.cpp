@@ -41,6 +41,9 @@ struct Cell {
     const Sheet& from = sheets()[sheet];
     return std::string(from.scalar) + " " + std::to_string(from.dimension) + "D";
   }
+  [[nodiscard]] std::uint32_t questions(std::uint32_t size) const {
+    return sheets()[sheet].questions(size);
+  }
 };
 
 /// A query: a line of the report.
@@ -60,6 +63,12 @@ struct Row {
   }
   [[nodiscard]] bool is_golden() const {
     return std::all_of(cells.begin(), cells.end(), [](const Cell& c) { return c.is_golden(); });
+  }
+  /// How many questions it asks in a corpus of this size.
+  [[nodiscard]] std::uint64_t questions(std::uint32_t size) const {
+    return std::accumulate(
+        cells.begin(), cells.end(), std::uint64_t{0},
+        [&](std::uint64_t sum, const Cell& cell) { return sum + cell.questions(size); });
   }
 };
 
@@ -142,7 +151,7 @@ void set_golden(std::vector<Row>& rows, const std::array<std::uint64_t, Size>& g
 
 std::uint64_t question_count(const std::vector<Row>& rows, std::uint32_t size) {
   return std::accumulate(rows.begin(), rows.end(), std::uint64_t{0},
-                         [&](auto sum, const Row& row) { return sum + row.cells.size() * size; });
+                         [&](auto sum, const Row& row) { return sum + row.questions(size); });
 }
 
 /// What is known about a row that is not golden.
@@ -217,7 +226,7 @@ std::string aligned_right(const std::string& text, std::size_t width) {
 
 std::string table_line(const std::string& name, std::uint64_t count, std::uint64_t digest,
                        bool is_golden) {
-  return padded(name, 25) + aligned_right(std::to_string(count), 9) + "  " + digits(digest) +
+  return padded(name, 30) + aligned_right(std::to_string(count), 9) + "  " + digits(digest) +
          (is_golden ? "  ok\n" : "  DIFFERENT\n");
 }
 
@@ -237,9 +246,9 @@ struct Report {
   }
 
   [[nodiscard]] std::string table() const {
-    std::string text = padded("query", 25) + "  queries  digest\n";
+    std::string text = padded("query", 30) + "  queries  digest\n";
     for (const Row& row : rows) {
-      text += table_line(row.name, row.cells.size() * size, row.digest(), row.is_golden());
+      text += table_line(row.name, row.questions(size), row.digest(), row.is_golden());
     }
     if (has_all_rows) {
       text += table_line("all", question_count(rows, size), digest(&Row::digest), is_golden());
@@ -284,7 +293,7 @@ struct Report {
     root["rows"] = Json::array();
     for (const Row& row : rows) {
       root["rows"].push_back({{"query", row.name},
-                              {"queries", row.cells.size() * size},
+                              {"queries", row.questions(size)},
                               {"digest", digits(row.digest())},
                               {"golden", digits(row.golden())},
                               {"ok", row.is_golden()}});
@@ -352,7 +361,7 @@ void dump(OutputFile& file, const std::vector<Row>& rows, std::uint32_t size) {
       append_name(start, row.name);
       append_name(start, sheet.scalar);
       append_bytes(start, static_cast<std::uint64_t>(sheet.dimension), 1);
-      append_bytes(start, size, 4);
+      append_bytes(start, cell.questions(size), 4);
       append_bytes(start, cell.answers.bytes.size(), 8);
       file.write(start);
       file.write(cell.answers.bytes);

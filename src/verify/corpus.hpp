@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "detent/number/digest.hpp"
+#include "verify/noinline.hpp"
 #include "verify/questions.hpp"
 
 // The corpus of `verify`: a fixed list of questions to the library, the same on every machine. It
@@ -21,7 +22,8 @@
 
 namespace detent::verify {
 
-/// How many questions a cell asks: at a desk, on a microcontroller, and of the compiler.
+/// How many questions a cell asks: at a desk, on a microcontroller, and of the compiler. Groups with
+/// a `share` ask that part of them, at least one.
 inline constexpr std::uint32_t full_size = 12'000;
 inline constexpr std::uint32_t small_size = 64;
 inline constexpr std::uint32_t constant_size = 3;
@@ -125,9 +127,27 @@ struct Extents {
   using Groups = List<Crossings, Sizes>;
 };
 
+struct Surfaces {
+  static constexpr std::string_view name = "Surfaces";
+  using Groups = List<Meshes, HeightFields>;
+};
+struct SceneAnswers {
+  static constexpr std::string_view name = "SceneAnswers";
+  using Groups = List<SceneQuestions>;
+};
+struct SceneContacts {
+  static constexpr std::string_view name = "SceneContacts";
+  using Groups = List<SceneMeetings>;
+};
+struct Snapshots {
+  static constexpr std::string_view name = "Snapshots";
+  using Groups = List<SceneRecords>;
+};
+
 using Parts = List<SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints, FlatPoints, LinePoints,
                    SphereOverlaps, AabbOverlaps, ObbOverlaps, FlatOverlaps, Intersections, Hulls,
-                   HullOverlaps, HullMeetings, Turns, Arithmetic, Moves, Extents>;
+                   HullOverlaps, HullMeetings, Turns, Arithmetic, Moves, Extents, Surfaces,
+                   SceneAnswers, SceneContacts, Snapshots>;
 
 namespace detail {
 
@@ -258,6 +278,30 @@ template <class Part>
   return before;
 }
 
+/// A group asks one in so many of the questions.
+template <class Group>
+inline constexpr std::uint32_t share_of = [] {
+  if constexpr (requires { Group::share; }) {
+    return Group::share;
+  } else {
+    return 1u;
+  }
+}();
+/// How many questions a cell with this share asks in a corpus of this size.
+[[nodiscard]] constexpr std::uint32_t question_count(std::uint32_t size,
+                                                     std::uint32_t share) noexcept {
+  return size < share ? 1 : size / share;
+}
+/// How many questions all cells of a part ask.
+template <class Part = Corpus>
+[[nodiscard]] constexpr std::uint32_t count_questions(std::uint32_t size) noexcept {
+  std::size_t count = 0;
+  visit_groups<Part>([&]<class Group>(Group) {
+    count += rows_of<Group>() * spaces_of<Group>() * question_count(size, share_of<Group>);
+  });
+  return static_cast<std::uint32_t>(count);
+}
+
 /// Every cell has its own beginning.
 template <class Group, Scalar S, int N>
 [[nodiscard]] constexpr std::uint64_t seed_of() noexcept {
@@ -288,13 +332,6 @@ struct Quarter {
   static constexpr bool has = (seed_of<Group, q16_16, N>() + scalar_index<S> + N) % 4 == Number;
 };
 
-// Called in several places and compiled once; and a small stack wants the variables of one at a time.
-#if defined(__GNUC__)
-#define DETENT_VERIFY_NOINLINE [[gnu::noinline]]
-#else
-#define DETENT_VERIFY_NOINLINE
-#endif
-
 /// The next case of a group.
 template <class Group, Scalar S, int N>
 DETENT_VERIFY_NOINLINE constexpr auto draw(Random& random) noexcept {
@@ -307,18 +344,33 @@ DETENT_VERIFY_NOINLINE constexpr auto answer(const Case& c) noexcept {
   return Group::template answer<Row>(c);
 }
 
-/// Calls `ask(c)` for the first `size` cases of a group in one space.
+/// Calls `ask(c)` for the cases of a group in one space in a corpus of this size.
 template <class Group, Scalar S, int N, class Ask>
 constexpr void visit_cases(std::uint32_t size, Ask&& ask) {
   Random random(seed_of<Group, S, N>());
-  for (std::uint32_t i = 0; i < size; ++i) ask(draw<Group, S, N>(random));
+  const auto count = question_count(size, share_of<Group>);
+  for (std::uint32_t i = 0; i < count; ++i) ask(draw<Group, S, N>(random));
+}
+
+/// Adds an answer to a sink. What is large is on the stack no longer than that.
+template <class Group, int Row, class Case, class Taker>
+DETENT_VERIFY_NOINLINE constexpr void add_large(const Case& c, Taker& sink) {
+  sink.add(answer<Group, Row>(c));
+}
+template <class Group, int Row, class Case, class Taker>
+constexpr void add_answer(const Case& c, Taker& sink) {
+  if constexpr (sizeof(answer<Group, Row>(c)) > 512) {
+    add_large<Group, Row>(c, sink);
+  } else {
+    sink.add(answer<Group, Row>(c));
+  }
 }
 
 /// Adds the answers of every row of a group to the row's sink, a `Digest` or what looks like one.
 template <class Group, class Case, class Sinks>
 constexpr void answer_all(const Case& c, Sinks& sinks) {
   [&]<std::size_t... Row>(std::index_sequence<Row...>) {
-    (sinks[Row].add(answer<Group, static_cast<int>(Row)>(c)), ...);
+    (add_answer<Group, static_cast<int>(Row)>(c, sinks[Row]), ...);
   }
   (std::make_index_sequence<rows_of<Group>()>{});
 }

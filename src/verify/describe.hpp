@@ -72,6 +72,26 @@ template <Scalar S, int N>
 std::string words(const Sphere<S, N>& sphere) {
   return words(sphere.center) + ", radius " + words(sphere.radius);
 }
+template <Scalar S>
+std::string words(const MeshHit<S>& hit) {
+  return "triangle " + std::to_string(hit.index) + " at " + words(hit.distance);
+}
+template <Scalar S>
+std::string words(const MeshNearest<S>& nearest) {
+  return "triangle " + std::to_string(nearest.index) + " at " + words(nearest.distance) +
+         ", point " + words(nearest.point);
+}
+/// As `detent diff` has it.
+inline std::string words(const ObjectId& id) {
+  return std::to_string(id.index) + ":" + std::to_string(id.generation);
+}
+template <Scalar S>
+std::string words(const Found<S>& found) {
+  return "object " + words(found.id) + " at " + words(found.distance);
+}
+inline std::string words(const Overlap& overlap) {
+  return words(overlap.first) + " and " + words(overlap.second);
+}
 template <class T, std::size_t Size>
 std::string words(const std::array<T, Size>& values) {
   std::string text;

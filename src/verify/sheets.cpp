@@ -14,7 +14,7 @@ std::vector<Sheet> make_sheets() {
     constexpr auto rows = rows_of<Group>(), spaces = spaces_of<Group>();
     std::size_t space = 0;
     visit_spaces<Group>([&]<class S, int N>(Space<S, N>) {
-      Sheet sheet{Group::names, scalar_name<S>, N, first_row, {}};
+      Sheet sheet{Group::names, scalar_name<S>, N, share_of<Group>, first_row, {}};
       for (std::size_t row = 0; row < rows; ++row) {
         sheet.cells.push_back(cell_index(first_cell, spaces, row, space));
       }
@@ -44,6 +44,8 @@ const std::vector<Sheet>& sheets() {
   static const auto all = make_sheets();
   return all;
 }
+
+std::uint32_t Sheet::questions(std::uint32_t size) const { return question_count(size, share); }
 
 std::vector<Answers> answer(std::size_t sheet, std::uint32_t size, bool keep_bytes) {
   std::vector<Answers> answers;

@@ -19,8 +19,12 @@ struct Sheet {
   std::span<const std::string_view> rows;
   std::string_view scalar;
   int dimension = 0;
+  std::uint32_t share = 1;         // it asks one in so many of the questions
   std::size_t first_row = 0;       // of the report
   std::vector<std::size_t> cells;  // for each row, its place among the golden values
+
+  /// How many questions each of its rows asks in a corpus of this size.
+  [[nodiscard]] std::uint32_t questions(std::uint32_t size) const;
 };
 
 /// All sheets, in the order of the report.

@@ -76,7 +76,10 @@ Occasions occasions() {
 
 /// Rows whose answers are yes and no, or something and nothing, and ought to be in balance.
 bool asks_yes_or_no(std::string_view row) {
-  for (const std::string_view query : {"raycast", "contains/", "on/", "overlaps/", "intersects/"}) {
+  for (const std::string_view query :
+       {"raycast", "contains/", "on/", "overlaps/", "intersects/", "mesh/raycast", "mesh/overlaps/",
+        "mesh/intersects", "height_field/raycast_nearest", "height_field/overlaps/",
+        "scene/nearest/ray", "scene/any/"}) {
     if (row.starts_with(query)) return true;
   }
   return false;
@@ -116,9 +119,13 @@ Verges verges() {
 }  // namespace
 
 TEST_CASE("corpus: it has millions of questions, and a share of them for microcontrollers") {
-  CHECK(count_cells() * full_size >= 10'000'000);
-  CHECK(count_cells() * small_size >= 30'000);
-  CHECK(count_cells() * small_size <= 70'000);
+  CHECK(count_questions(full_size) >= 10'000'000);
+  CHECK(count_questions(small_size) >= 30'000);
+  CHECK(count_questions(small_size) <= 70'000);
+  // What the documents say.
+  CHECK(count_rows() == 169);
+  CHECK(count_questions(full_size) == 13'124'000);
+  CHECK(count_questions(small_size) == 69'956);
 }
 
 TEST_CASE("corpus: its parts are all of it, one after the other") {
@@ -136,8 +143,9 @@ TEST_CASE("corpus: its parts are all of it, one after the other") {
 
 TEST_CASE("corpus: between 30 and 70 percent of the answers are yes, for every query and size") {
   visit_groups([]<class Group>(Group) {
-    if constexpr (Group::template asks<2>) {
+    if constexpr (Group::template asks<2> || Group::template asks<3>) {
       for (const auto size : {full_size, small_size}) {
+        if (question_count(size, share_of<Group>) < small_size) continue;  // too few for a rate
         std::array<Yes, rows_of<Group>()> seen;
         visit_spaces<Group>([&]<class S, int N>(Space<S, N>) {
           visit_cases<Group, S, N>(size, [&](const auto& c) { answer_all<Group>(c, seen); });
@@ -187,6 +195,34 @@ TEST_CASE(
   check("capsule", verges<CapsulePoints>());
   check("segment", verges<SegmentPoints>());
   check("ray", verges<RayPoints>());
+}
+
+TEST_CASE("corpus: trees of meshes have several nodes, scenes are full and places used again") {
+  std::uint32_t deep = 0, full = 0, reused = 0, refused = 0, fixed = 0;
+  visit_cases<Meshes, q16_16, 3>(full_size, [&](const auto& c) {
+    if (Meshes::answer<8>(c).view().tree.nodes.size() > 1) ++deep;
+  });
+  visit_cases<SceneRecords, q16_16, 3>(full_size, [&](const auto& c) {
+    const LivingScene<q16_16, 3> living(c.history);
+    if (living.scene.size() == living.capacity) ++full;
+    if (living.happened() != (1u << c.history.before) - 1) ++refused;
+    if (living.scene.store().fixed_size() != 0) ++fixed;
+    std::uint32_t last = 0;
+    bool is_reused = false;
+    living.scene.for_each([&](const ObjectInfo& info, const auto&) {
+      is_reused = is_reused || info.id.generation < last;
+      last = info.id.generation;
+    });
+    if (is_reused) ++reused;
+  });
+  constexpr auto count = question_count(full_size, share_of<SceneRecords>);
+  INFO("deep " << deep << ", full " << full << ", used again " << reused << ", refused " << refused
+               << ", fixed " << fixed);
+  CHECK(deep >= count / 20);
+  CHECK(full >= count / 20);
+  CHECK(reused > 0);
+  CHECK(refused >= count / 10);
+  CHECK(fixed >= count / 4);
 }
 
 TEST_CASE("corpus: exact arithmetic confirms the first answers of every cell") { confirm(150); }

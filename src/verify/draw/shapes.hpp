@@ -42,6 +42,8 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 class ShapeScene : public Stage<S, N> {
   using Base = Stage<S, N>;
+
+ protected:
   using Base::center_;
   using Base::corner;
   using Base::extent;
@@ -59,6 +61,7 @@ class ShapeScene : public Stage<S, N> {
     far_ = reach_ / frame_.norm;
     // A plane with this normal has points on the grid if it goes through the origin.
     if (!extreme_ && !random.one_in(4) && frame_.norm > 1) center_ = across(far_);
+    home_ = center_;
   }
 
   [[nodiscard]] constexpr Vec<S, N> spot() const noexcept { return Base::vec(center_); }
@@ -79,6 +82,18 @@ class ShapeScene : public Stage<S, N> {
 
   /// The next shape stands on the other side.
   constexpr void turn() noexcept { side_ = -side_; }
+
+  /// The next shape stands at another spot, whole steps of the frame from the first one.
+  constexpr void wander() noexcept {
+    center_ = home_;
+    if (extreme_) {
+      center_ = any_point();
+      return;
+    }
+    for (int k = 0; k < N; ++k) center_ += frame_.axes[k] * random.between(-far_, far_);
+  }
+  /// The next shape stands at the first spot again.
+  constexpr void go_home() noexcept { center_ = home_; }
 
   constexpr Sphere<S, N> sphere() noexcept {
     if (extreme_) return {Base::vec(any_point()), Base::scalar(extent())};
@@ -217,7 +232,7 @@ class ShapeScene : public Stage<S, N> {
             Base::direction(Base::along(frame_, axis) * sign), end(steps * frame_.norm)};
   }
 
- private:
+ protected:
   constexpr Point any_point() noexcept { return Base::template any_point<N>(); }
   /// From the plane through the spot to the side where the shape stands.
   [[nodiscard]] constexpr Point inward() const noexcept { return frame_.axes[0] * side_; }
@@ -328,6 +343,7 @@ class ShapeScene : public Stage<S, N> {
 
   Frame<N> frame_{};
   std::int64_t far_ = 0;  // how many steps of the frame make the reach
+  Point home_{};          // the first spot
   std::int64_t side_ = 1;
   std::int64_t gap_ = 0;  // from the spot to the shape, where that is known
 };

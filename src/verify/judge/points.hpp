@@ -45,6 +45,15 @@ oracle::Vector<N> nearest_point(const std::optional<oracle::Nearest<N>>& truth,
   return result;
 }
 
+/// The distance, rounded down and clamped; the greatest number for an empty shape.
+template <Scalar S, int N>
+S distance_to(const std::optional<oracle::Nearest<N>>& truth) {
+  if (!truth) return S::max();
+  const auto& [over, under] = truth->core.squared;
+  const Integer beyond = sqrt(oracle::floor_quotient(over, under)) - truth->radius;
+  return clamped<S>(beyond < 0 ? Integer(0) : beyond);
+}
+
 /// The weights in units of 2^-frac solve the normal equations by Cramer's rule, in two dimensions
 /// as in three.
 template <Scalar S, int N>
@@ -81,12 +90,10 @@ std::optional<Wrong> judge(const PointCase<S, N, Shape>& c, const Answer& got) {
       return compare(is_within(truth, oracle::raw(c.tolerance)), got);
     } else if constexpr (Row == closest_point_row) {
       return compare(clamped<S>(nearest_point<N>(truth, oracle::raw(c.point))), got);
+    } else if constexpr (Row == distance_row) {
+      return compare(distance_to<S>(truth), got);
     } else if (!truth) {
       return compare(Answer::max(), got);
-    } else if constexpr (Row == distance_row) {
-      const auto& [over, under] = truth->core.squared;
-      const Integer beyond = sqrt(oracle::floor_quotient(over, under)) - truth->radius;
-      return compare(clamped<S>(beyond < 0 ? Integer(0) : beyond), got);
     } else {
       const auto& [over, under] = truth->core.squared;
       return compare(clamped<Answer>(oracle::floor_quotient(over, under)), got);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "verify/noinline.hpp"
+
+namespace detent::verify {
+
+/// The answer of a query that writes the first of its finds to a room and returns how many there
+/// are: both, with a room that some answers do not fit.
+template <class T, std::size_t Room>
+struct Listed {
+  std::array<T, Room> first{};
+  std::uint32_t count = 0;
+
+  constexpr Listed() noexcept = default;
+  /// ask(room) is the query.
+  template <class Ask>
+  explicit constexpr Listed(const Ask& ask) noexcept : count(answer_of(ask, std::span<T>(first))) {}
+
+  [[nodiscard]] constexpr std::span<const T> kept() const noexcept {
+    return std::span(first).first(std::min<std::size_t>(count, Room));
+  }
+  [[nodiscard]] friend constexpr bool operator==(const Listed& a, const Listed& b) noexcept {
+    return a.count == b.count && std::ranges::equal(a.kept(), b.kept());
+  }
+
+ private:
+  // Where gcc 12 sees that the room has fewer than 16 places it warns of what sorting would do there.
+  template <class Ask>
+  DETENT_VERIFY_NOINLINE static constexpr std::uint32_t answer_of(const Ask& ask,
+                                                                  std::span<T> room) noexcept {
+    return static_cast<std::uint32_t>(ask(room));
+  }
+};
+template <class D, class T, std::size_t Room>
+constexpr void append(D& digest, const Listed<T, Room>& list) noexcept {
+  digest.add(list.count);
+  for (const T& item : list.kept()) digest.add(item);
+}
+
+}  // namespace detent::verify
