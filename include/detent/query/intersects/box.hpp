@@ -64,7 +64,7 @@ template <Number T, int N>
   constexpr int length_bits = std::max(bits_of<T>, 32);
   const auto length =
       make_vec<N>([&](int i) { return narrow_abs(narrow_difference<length_bits>(q[i], p[i])); });
-  constexpr bool is_long = bits_of < T >> 32;
+  constexpr bool is_long = 32 < bits_of<T>;
   if constexpr (is_long && DETENT_SMALL_CODE == 0) {
     constexpr int kept = 30, dropped = length_bits - kept;
     const auto cut = [](const auto& v) {
