@@ -155,17 +155,21 @@ class PartReader {
   Reader in_;
 };
 
+template <Scalar S>
+bool is_in(const SnapshotHeader& header) {
+  if constexpr (is_fixed<S>) {
+    return header.is_floating == 0 && header.bits == S::bits && header.frac == S::frac;
+  } else {
+    return header.is_floating == 1 && header.bits == 8 * sizeof(S) && header.frac == 0;
+  }
+}
+
 /// Calls f with a scalar of the tool of the kind that the header says.
 template <class F>
 bool with_scalar(const SnapshotHeader& header, const F& f) {
-  const auto is = [&]<Scalar S>(S) {
-    if constexpr (is_fixed<S>) {
-      return header.is_floating == 0 && header.bits == S::bits && header.frac == S::frac;
-    } else {
-      return header.is_floating == 1 && header.bits == 8 * sizeof(S) && header.frac == 0;
-    }
+  const auto try_one = [&](auto scalar) {
+    return is_in<decltype(scalar)>(header) && (f(scalar), true);
   };
-  const auto try_one = [&](auto scalar) { return is(scalar) && (f(scalar), true); };
   return try_one(q16_16()) || try_one(q14_16()) || try_one(q24_8()) || try_one(q8_8()) ||
          try_one(0.0f) || try_one(0.0);
 }

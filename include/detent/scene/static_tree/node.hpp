@@ -24,7 +24,7 @@ struct alignas(64) StaticNode {
   std::array<PlaneGrid<S>, N> grids;
   /// sides[2 * axis] is the least coordinate of each child's box on an axis, sides[2 * axis + 1]
   /// the greatest.
-  std::array<std::array<std::uint8_t, width>, 2 * N> sides{};
+  std::array<std::array<std::uint8_t, width>, 2 * std::size_t{N}> sides{};
   /// The child's place in the list of nodes, or where in the list of items it begins.
   std::array<std::uint32_t, width> first{};
   /// How many items it is; 0 for a node.
