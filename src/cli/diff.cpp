@@ -188,12 +188,13 @@ Contents read_snapshot(const std::string& file, const std::string& text) {
   Contents contents;
   const auto parts = bytes.subspan(
       SnapshotHeader::size, bytes.size() - SnapshotHeader::size - SnapshotHeader::checksum_size);
-  const bool is_known =
-      (header.dimension == 2 || header.dimension == 3) && with_scalar(header, [&]<Scalar S>(S) {
-        contents = header.dimension == 2 ? PartReader<S, 2>(file, parts).read(header)
-                                         : PartReader<S, 3>(file, parts).read(header);
-      });
-  if (!is_known) {
+  const auto read_parts = [&](auto scalar) {
+    using S = decltype(scalar);
+    contents = header.dimension == 2 ? PartReader<S, 2>(file, parts).read(header)
+                                     : PartReader<S, 3>(file, parts).read(header);
+  };
+  const bool has_dimension = header.dimension == 2 || header.dimension == 3;
+  if (!has_dimension || !with_scalar(header, read_parts)) {
     throw InputError(file, {},
                      "its scalar or dimension is none of the tool's; use restore and digest_of");
   }
