@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "detent/number/bins.hpp"
@@ -223,6 +224,12 @@ class StaticBuilder {
     const auto bins_of =
         make_array([&](int i) { return Bins<S>(range.middles.min(i), range.middles.max(i)); });
     std::array<AxisBins, N> bins;
+    if (std::is_constant_evaluated()) {
+      // GCC 12 would let all of them share one box, and keep what it became for the whole program.
+      for (auto& axis : bins) {
+        for (auto& bin : axis) bin = Bin();
+      }
+    }
     const std::size_t stride = std::max<std::size_t>(items.size() / 256, 1);
     for (std::size_t k = 0; k < items.size(); k += stride) {
       const auto box = bounding_box(items[k]);
