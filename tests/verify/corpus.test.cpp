@@ -77,9 +77,10 @@ Occasions occasions() {
 /// Rows whose answers are yes and no, or something and nothing, and ought to be in balance.
 bool asks_yes_or_no(std::string_view row) {
   for (const std::string_view query :
-       {"raycast", "contains/", "on/", "overlaps/", "intersects/", "mesh/raycast", "mesh/overlaps/",
-        "mesh/intersects", "height_field/raycast_nearest", "height_field/overlaps/",
-        "scene/nearest/ray", "scene/any/"}) {
+       {"raycast", "contains/", "on/", "overlaps/", "intersects/", "mesh/raycast_nearest",
+        "mesh/raycast_any", "mesh/raycast_hit", "mesh/overlaps/", "mesh/intersects",
+        "height_field/raycast_nearest", "height_field/overlaps/", "scene/nearest/ray",
+        "scene/any/"}) {
     if (row.starts_with(query)) return true;
   }
   return false;
