@@ -27,7 +27,8 @@ struct Listed {
     return std::span(first).first(std::min<std::size_t>(count, Room));
   }
   [[nodiscard]] friend constexpr bool operator==(const Listed& a, const Listed& b) noexcept {
-    return a.count == b.count && std::ranges::equal(a.kept(), b.kept());
+    const auto ours = a.kept(), theirs = b.kept();
+    return a.count == b.count && std::equal(ours.begin(), ours.end(), theirs.begin(), theirs.end());
   }
 
  private:
