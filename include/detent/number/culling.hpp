@@ -37,7 +37,9 @@ struct Culling<Fixed<Bits, Frac>> {
     return x <= S::lowest() ? -far : Coordinate{x.raw()} >> shift;
   }
   static constexpr Coordinate above(const S& x) noexcept {
-    return x >= S::max() ? far : -(-Coordinate{x.raw()} >> shift);
+    const Coordinate raw{x.raw()};
+    constexpr Coordinate dropped = (Coordinate{1} << shift) - 1;
+    return x >= S::max() ? far : (raw >> shift) + ((raw & dropped) == 0 ? 0 : 1);
   }
   /// At most 2^30, so that twelve products of two of them fit 64 bits.
   static constexpr Area area_extent(Coordinate low, Coordinate high) noexcept {
