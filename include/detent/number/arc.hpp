@@ -59,7 +59,7 @@ constexpr std::uint64_t phase_of_arc(const Fixed<B1, F1>& squared_sine,
   constexpr std::uint64_t quarter = std::uint64_t{1} << 62;
   const std::uint64_t acute =
       up > along ? quarter - long_octant_phase(along, up) : long_octant_phase(up, along);
-  return sign_of(cosine.raw()) < 0 ? 2 * quarter - acute : acute;
+  return is_negative(cosine.raw()) ? 2 * quarter - acute : acute;
 }
 
 /// The phase of half an angle, taken in (-1/4, 1/4] turn.

@@ -125,7 +125,7 @@ template <class I>
     quotient = static_cast<I>(numerator / denominator);
     remainder = static_cast<I>(numerator % denominator);
   }
-  if (sign_of(remainder) < 0) {
+  if (is_negative(remainder)) {
     quotient = static_cast<I>(quotient - I(1));
     remainder = static_cast<I>(remainder + denominator);
   }

@@ -39,7 +39,7 @@ template <Number Over, Number Under>
     using Magnitude = IntegerFor<std::max(Over::bits, 63)>;
     const auto raw = integer_cast<Magnitude>(over.raw());
     if (raw == Magnitude(0)) return {over, under};
-    const bool negative = sign_of(raw) < 0;
+    const bool negative = is_negative(raw);
     const auto magnitude = negative ? wrapping_subtract<Magnitude>(Magnitude(0), raw) : raw;
     const int over_length = positive_bit_length(magnitude);
     const int under_length = positive_bit_length(under.raw());

@@ -48,7 +48,7 @@ constexpr bool is_within(const I& raw) noexcept {
   const int length = bit_length(raw);
   if (length <= Bits) return true;
   return length == Bits + 1 && low_bits_are_zero(raw, Bits) &&
-         (sign_of(raw) < 0 || !fills_container(Bits));
+         (is_negative(raw) || !fills_container(Bits));
 }
 
 /// floor(numerator / denominator) and the remainder, on the grid of T; `denominator` is not 0.
@@ -65,7 +65,7 @@ struct GridQuotient {
   static constexpr Division<Integer> divide(const N& n, const D& d, Integer& divisor) noexcept {
     auto numerator = shift_left(integer_cast<Integer>(n.raw()), std::max(shift, 0));
     divisor = shift_left(integer_cast<Integer>(d.raw()), std::max(-shift, 0));
-    if (sign_of(divisor) < 0) {
+    if (is_negative(divisor)) {
       numerator = static_cast<Integer>(-numerator);
       divisor = static_cast<Integer>(-divisor);
     }

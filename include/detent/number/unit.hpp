@@ -61,7 +61,7 @@ template <class Magnitude, int B, int F, std::size_t N>
   std::array<Magnitude, N> result;
   for (std::size_t i = 0; i < N; ++i) {
     const auto raw = integer_cast<Magnitude>(v[i].raw());
-    result[i] = sign_of(raw) < 0 ? wrapping_subtract<Magnitude>(Magnitude(0), raw) : raw;
+    result[i] = is_negative(raw) ? wrapping_subtract<Magnitude>(Magnitude(0), raw) : raw;
   }
   return result;
 }
@@ -120,7 +120,7 @@ template <class Component, int B, int F, std::size_t N>
     }
     const auto value = static_cast<std::int64_t>(rounded);
     unit[i] = Component::assume_raw(
-        static_cast<typename Component::raw_type>(sign_of(v[i].raw()) < 0 ? -value : value));
+        static_cast<typename Component::raw_type>(is_negative(v[i].raw()) ? -value : value));
   }
   return unit;
 }

@@ -20,9 +20,8 @@ template <Scalar S, int N>
   if (is_empty(box)) return false;
   // Below (sqrt(3) + 1) 2^b for coordinates below 2^b.
   constexpr int bits = detail::along_bits<S, S> + 1;
-  const auto offset_to_center =
-      narrow_difference<bits>(dot(plane.normal, box.center), plane.offset);
-  const auto height = offset_to_center < 0 ? narrow_negative(offset_to_center) : offset_to_center;
+  const auto height =
+      narrow_abs(narrow_difference<bits>(dot(plane.normal, box.center), plane.offset));
   const auto along =
       make_vec<N>([&](int i) { return abs(dot(plane.normal, box.rotation.axis(i))); });
   if constexpr (detail::looks_first<S>) {
