@@ -7,6 +7,7 @@
 #include "detent/scene/mesh/instance.hpp"
 #include "detent/scene/mesh/owned.hpp"
 #include "detent/scene/sync_test.hpp"
+#include "scene/sealed.hpp"
 #include "support/catch.hpp"
 
 using namespace detent;
@@ -41,14 +42,6 @@ Toys toys() {
   scene.add(Placed{&assets[0]}, {.frame = frame});
   scene.add(Placed{});
   return scene;
-}
-
-/// The bytes with another last word, so that only the parts in between decide.
-std::vector<std::byte> sealed(std::vector<std::byte> bytes) {
-  Digest digest;
-  digest.add_bytes(std::span(bytes).first(bytes.size() - 8));
-  detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
-  return bytes;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "scene/sealed.hpp"
 #include "support/catch.hpp"
 
 using namespace detent;
@@ -27,14 +28,6 @@ Toys toys() {
   scene.add(Box{at(0, 0, 0), at(1, 1, 1), {}}, {.frame = inner});
   scene.add(Ball{at(1, 2, 3), S(4)});
   return scene;
-}
-
-/// The bytes with another last word, so that only the parts in between decide.
-std::vector<std::byte> sealed(std::vector<std::byte> bytes) {
-  Digest digest;
-  digest.add_bytes(std::span(bytes).first(bytes.size() - 8));
-  detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
-  return bytes;
 }
 
 }  // namespace

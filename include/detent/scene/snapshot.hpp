@@ -23,9 +23,9 @@
 // index, as index, generation, layers (4 bytes each), user word (8), index of its frame or
 // 2^32 - 1 (4), type of shape (1) and the numbers of the shape in their order, a moving sphere
 // being 41 bytes in Q16.16, and of a mesh its id (4), digest (8) and transform; the XXH64 of all
-// that. Equal scenes have equal bytes. Fixed objects are
-// represented by the sum of their digests: a scene restores only what was taken beside the same
-// ones. Copies of a scene, with `=`, hold everything and are faster still.
+// that. Equal scenes have equal bytes. Fixed objects are represented by the sum of their digests: a
+// scene restores only what was taken beside the same ones. Copies of a scene, with `=`, hold
+// everything and are faster still.
 //
 // The digest of a scene leaves the next generation out: it depends on what has been there before.
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
-
 #include "detent/query/contains/triangle.hpp"
 #include "detent/scene/mesh/surface.hpp"
 
@@ -14,13 +12,8 @@ namespace detent {
 template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
 [[nodiscard]] constexpr bool contains(const Surface<S>& surface, const Vec<S, 3>& point) noexcept {
-  return visit_within(surface, Aabb<S, 3>{point, point},
-                      [&](std::span<const MeshTriangle<S>> parts) {
-                        for (const auto& part : parts) {
-                          if (contains(part.triangle, point)) return true;
-                        }
-                        return false;
-                      });
+  return detail::any_triangle_within(surface, Aabb<S, 3>{point, point},
+                                     [&](const auto& part) { return contains(part, point); });
 }
 
 }  // namespace detent

@@ -5,7 +5,6 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 #include "detent/query/intersects/triangle.hpp"
@@ -38,12 +37,8 @@ concept MeetsTriangles = requires(const Shape& shape, const Triangle<S, 3>& tria
 template <template <class> class Surface, Scalar S, MeetsTriangles<S> Shape>
 requires is_surface<Surface>
 [[nodiscard]] constexpr bool overlaps(const Surface<S>& surface, const Shape& shape) noexcept {
-  return visit_within(surface, bounding_box(shape), [&](std::span<const MeshTriangle<S>> parts) {
-    for (const auto& part : parts) {
-      if (overlaps(part.triangle, shape)) return true;
-    }
-    return false;
-  });
+  return detail::any_triangle_within(surface, bounding_box(shape),
+                                     [&](const auto& part) { return overlaps(part, shape); });
 }
 template <template <class> class Surface, Scalar S, MeetsTriangles<S> Shape>
 requires is_surface<Surface>
@@ -77,18 +72,11 @@ template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
 [[nodiscard]] constexpr bool overlaps(const Surface<S>& surface,
                                       const Plane<S, 3>& plane) noexcept {
-  bool found = false;
-  detail::visit_parts<bool>(
-      surface,
-      [&](const Aabb<S, 3>& box) {
-        return overlaps(box, plane) ? std::optional(false) : std::nullopt;
-      },
-      [](bool) { return true; },
+  return detail::visit_parts_where(
+      surface, [&](const Aabb<S, 3>& box) { return overlaps(box, plane); },
       [&](std::span<const MeshTriangle<S>> parts) {
-        for (const auto& part : parts) found = found || overlaps(part.triangle, plane);
-        return !found;
+        return detail::any_triangle(parts, [&](const auto& part) { return overlaps(part, plane); });
       });
-  return found;
 }
 template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
@@ -104,12 +92,8 @@ template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
 [[nodiscard]] constexpr bool intersects(const Segment<S, 3>& segment,
                                         const Surface<S>& surface) noexcept {
-  return visit_within(surface, bounding_box(segment), [&](std::span<const MeshTriangle<S>> parts) {
-    for (const auto& part : parts) {
-      if (intersects(segment, part.triangle)) return true;
-    }
-    return false;
-  });
+  return detail::any_triangle_within(surface, bounding_box(segment),
+                                     [&](const auto& part) { return intersects(segment, part); });
 }
 
 }  // namespace detent

@@ -61,6 +61,22 @@ constexpr void visit_parts(const Surface& surface, const Near& near, const Matte
   }
 }
 
+/// Visits the triangles of the parts for whose boxes `matters(box)` holds, until visit(triangles)
+/// says true; whether one did.
+template <class Surface, class Matters, class Visit>
+constexpr bool visit_parts_where(const Surface& surface, const Matters& matters,
+                                 const Visit& visit) noexcept {
+  bool found = false;
+  visit_parts<bool>(
+      surface, [&](const auto& box) { return matters(box) ? std::optional(false) : std::nullopt; },
+      [](bool) { return true; },
+      [&](auto triangles) {
+        found = visit(triangles);
+        return !found;
+      });
+  return found;
+}
+
 }  // namespace detail
 
 template <template <class> class Surface, Scalar S, class Visit>
@@ -86,18 +102,8 @@ template <template <class> class Surface, Scalar S, class Visit>
 requires is_surface<Surface>
 constexpr bool visit_within(const Surface<S>& surface, const Aabb<S, 3>& box,
                             const Visit& visit) noexcept {
-  bool found = false;
-  detail::visit_parts<bool>(
-      surface,
-      [&](const Aabb<S, 3>& part) {
-        return overlaps(part, box) ? std::optional(false) : std::nullopt;
-      },
-      [](bool) { return true; },
-      [&](std::span<const MeshTriangle<S>> triangles) {
-        found = visit(triangles);
-        return !found;
-      });
-  return found;
+  return detail::visit_parts_where(
+      surface, [&](const Aabb<S, 3>& part) { return overlaps(part, box); }, visit);
 }
 
 template <template <class> class Surface, Scalar S, class Visit>

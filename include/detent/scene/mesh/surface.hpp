@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "detent/shape/bounding_box.hpp"
 
@@ -41,5 +42,29 @@ template <class T>
 inline constexpr bool is_surface_type = false;
 template <template <class> class Surface, Scalar S>
 inline constexpr bool is_surface_type<Surface<S>> = is_surface<Surface>;
+
+namespace detail {
+
+/// Whether `test` holds for any of these triangles.
+template <Scalar S, class Test>
+[[nodiscard]] constexpr bool any_triangle(std::span<const MeshTriangle<S>> parts,
+                                          const Test& test) noexcept {
+  for (const auto& part : parts) {
+    if (test(part.triangle)) return true;
+  }
+  return false;
+}
+
+/// Whether `test` holds for any triangle of `surface` about `box`; those far from it are not asked.
+template <template <class> class Surface, Scalar S, class Test>
+requires is_surface<Surface>
+[[nodiscard]] constexpr bool any_triangle_within(const Surface<S>& surface, const Aabb<S, 3>& box,
+                                                 const Test& test) noexcept {
+  return visit_within(surface, box, [&](std::span<const MeshTriangle<S>> parts) {
+    return any_triangle(parts, test);
+  });
+}
+
+}  // namespace detail
 
 }  // namespace detent

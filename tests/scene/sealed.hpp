@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "detent/scene/snapshot.hpp"
+
+namespace detent {
+
+/// The bytes with another last word, so that only the parts in between decide.
+inline std::vector<std::byte> sealed(std::vector<std::byte> bytes) {
+  Digest digest;
+  digest.add_bytes(std::span(bytes).first(bytes.size() - 8));
+  detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
+  return bytes;
+}
+
+}  // namespace detent
