@@ -2,6 +2,7 @@
 #include "detent/number/slab_times.hpp"
 
 #include <array>
+#include <utility>
 
 #include "detent/number/bins.hpp"
 #include "detent/number/next_up.hpp"
@@ -43,50 +44,70 @@ TEMPLATE_TEST_CASE("slab times: no part of the ray between the planes is left ou
                    q16_16, q14_16, q24_8, q8_8) {
   using S = TestType;
   using Component = direction_component<S>;
+  using Lanes = detail::ArrayLanes<std::int32_t>;
   constexpr std::int64_t one = std::int64_t{1} << Component::frac;
+  constexpr std::int64_t low = S::lowest().raw(), high = S::max().raw();
   Random random(0x51ab);
-  int tight = 0;
-  for (int i = 0; i < 20'000; ++i) {
-    const bool whole = random.one_in(3);
-    const auto coordinate = [&] {
-      return random.one_in(3) ? random.edgy(S::bits) : random.between(-1'000, 1'000);
-    };
-    const auto a = coordinate(), b = coordinate();
-    const auto least = raw<S>(std::min(a, b)), greatest = raw<S>(std::max(a, b));
-    const auto origin = raw<S>(coordinate());
-    const std::int64_t speed = whole ? random.between(-one, one) : random.wide(Component::frac - 1);
-    const auto direction = raw<Component>(speed);
-    const auto longest = raw<S>(random.between(0, S::max().raw()));
-    const SlabTimes<S> slab(origin, direction, least, greatest, longest);
+  int tight = 0, turned = 0;
+  for (int i = 0; i < 60'000; ++i) {
+    // A point of the ray, and planes on either side of it.
+    const auto length = [&] { return random.wide(S::bits) & high; };
+    const auto origin = raw<S>(random.one_in(3) ? random.edgy(S::bits) : random.wide(S::bits - 1));
+    const std::int64_t speed =
+        random.one_in(3) ? random.between(-one, one) : random.wide(Component::frac - 1);
+    const auto limit = raw<S>(length());
+    const auto distance = raw<S>(random.between(0, limit.raw()));
+    const Integer at = Integer(origin.raw()) * one + Integer(speed) * distance.raw();
+    const auto below = static_cast<std::int64_t>(at >> Component::frac);
+    const auto above = static_cast<std::int64_t>(-(-at >> Component::frac));
+    if (below < low || above > high) continue;
+    const auto x = raw<S>(std::max(low, random.one_in(2) ? below : below - length()));
+    const auto y = raw<S>(std::min(high, random.one_in(2) ? above : above + length()));
+    const auto least = raw<S>(std::max(low, x.raw() - length()));
+    const auto greatest = raw<S>(std::min(high, y.raw() + length()));
+
+    const auto reach = SlabTimes<S>::reach(origin, least, greatest);
+    const SlabClock<S> clock(reach, limit);
+    if (distance > clock.longest()) continue;
+    const SlabTimes<S> slab(clock, origin, raw<Component>(speed), least, greatest);
     const PlaneGrid<S> grid(least, greatest);
-    const auto x = raw<S>(random.between(least.raw(), greatest.raw()));
-    const auto y = raw<S>(random.between(x.raw(), greatest.raw()));
-    const auto low = grid.below(x), high = grid.above(y);
-    const auto near = speed < 0 ? high : low, far = speed < 0 ? low : high;
     const typename SlabTimes<S>::OnGrid planes(slab, grid);
-    const auto enter = planes.enter(near), leave = planes.leave(far);
-    if (grid.origin() + near * grid.step() <= S::max().raw()) {
-      REQUIRE(slab.enter(grid.plane(near)) == enter);
+    const auto times = [&](std::uint8_t plane) {
+      std::array<std::uint8_t, 8> bytes{};
+      std::array<std::int32_t, 8> enter{}, leave{};
+      bytes[3] = plane;
+      planes.template enter<Lanes>(bytes).store(enter);
+      planes.template leave<Lanes>(bytes).store(leave);
+      return std::pair(enter[3], leave[3]);
+    };
+    const bool back = speed < 0;
+    const auto near = back ? grid.above(y) : grid.below(x);
+    const auto far = back ? grid.below(x) : grid.above(y);
+    const auto enter = times(near).first;
+    REQUIRE(enter <= clock.time(distance));
+    REQUIRE(times(far).second >= clock.time(distance));
+    REQUIRE(slab.enter(back ? y : x) <= clock.time(distance));
+    REQUIRE(slab.leave(back ? x : y) >= clock.time(distance));
+
+    const Integer plane = grid.origin() + near * grid.step();
+    const Integer fast = back ? -speed : speed;
+    const Integer ahead = back ? origin.raw() - plane : plane - origin.raw();
+    const Integer step_ticks = fast == 0
+                                   ? Integer(1) << 62
+                                   : ((Integer(grid.step()) * 65536 * one / fast) >> clock.shift());
+    if (step_ticks > (1 << 21) + 1) {
+      // Turned: what is more than four steps ahead of the origin is not reached.
+      if (ahead > 4 * Integer(grid.step())) REQUIRE(enter > clock.time(clock.longest()));
+      ++turned;
+    } else if (fast >= one / 64) {
+      // Not much more is let in: two parts in 2^14 of the distances, and what steps are rounded.
+      const Integer time = (ahead * 65536 * one / fast) >> clock.shift();
+      REQUIRE(time - enter <= ((Integer(reach.raw()) * 65536 * 64 / 8192) >> clock.shift()) + 258);
+      ++tight;
     }
-    // Any distance t, in the units of `enter`, whose point is between x and y is within.
-    for (int k = 0; k < 4; ++k) {
-      const std::int64_t t = random.between(0, SlabTimes<S>::time(longest));
-      const Integer at = Integer(origin.raw()) * 65536 * one + Integer(speed) * t;
-      if (at < Integer(x.raw()) * 65536 * one || at > Integer(y.raw()) * 65536 * one) continue;
-      REQUIRE(enter <= t);
-      REQUIRE(leave >= t);
-    }
-    // And where the ray does move, not much more is: two parts in 2^14 of the distances.
-    const Integer fast = speed < 0 ? -speed : speed;
-    if (fast < one / 64) continue;
-    const Integer reach = std::max(std::abs(std::int64_t{least.raw()} - origin.raw()),
-                                   std::abs(std::int64_t{greatest.raw()} - origin.raw()));
-    const Integer first = Integer(grid.origin() + near * grid.step()) - origin.raw();
-    const Integer time = first * 65536 * one / speed;
-    REQUIRE(time - enter <= reach * 65536 * 64 / 8192 + 2);
-    ++tight;
   }
   CHECK(tight > 1'000);
+  CHECK(turned > 1'000);
 }
 
 TEMPLATE_TEST_CASE("bins: in order, and at least nine of sixteen", "[slab_times]", q16_16, q8_8,

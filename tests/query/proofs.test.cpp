@@ -17,6 +17,7 @@
 #include "detent/query/raycast.hpp"
 #include "detent/query/raycast/capsule.hpp"
 #include "detent/query/raycast/hull.hpp"
+#include "detent/query/raycast/passing_line.hpp"
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
 
@@ -120,6 +121,17 @@ TEMPLATE_TEST_CASE("proofs: a line against two offsets needs the bits that they 
   CHECK(raycast(Ray<S, 3>{a, across}, Triangle<S, 3>{a, b, c}) == S(0));
   const std::array points{a, b, c};
   CHECK(raycast(Ray<S, 3>{a, across}, ConvexHull<S, 3>{points}) == S(0));
+}
+
+TEMPLATE_TEST_CASE("proofs: corners seen along a line, and how they turn about it", "",
+                   DETENT_FIXED_TYPES) {
+  using S = TestType;
+  constexpr S l = low<S>, h = high<S>;
+  const auto along = [](S x, S y, S z) { return *normalize(Vec<S, 3>{x, y, z}); };
+  const Ray<S, 3> level{{l, l, l}, along(S(1), S(0), S(-1)), h};
+  CHECK(fills(detail::PassingLine<S>(level).seen({h, h, h}).x));
+  const detail::PassingLine<S> line({{l, l, l}, along(S(3), S(-3), S(7)), h});
+  CHECK(fills(line.turn(line.seen({h, h, l}), line.seen({l, h, h}))));
 }
 
 TEMPLATE_TEST_CASE("proofs: a point beside an edge is as far as the lengths allow", "",

@@ -14,6 +14,7 @@
 #include "detent/number/divide.hpp"
 #include "detent/number/fixed.hpp"
 #include "detent/number/integer.hpp"
+#include "detent/number/lanes.hpp"
 #include "detent/number/leading.hpp"
 #include "detent/number/leg.hpp"
 #include "detent/number/long_quadratic.hpp"

@@ -2,22 +2,71 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
+#include "detent/number/integer.hpp"
+#include "detent/number/lanes.hpp"
 #include "detent/number/plane_grid.hpp"
 
 namespace detent {
+
+/// How the distances along one ray are told while its way through a tree is sought: as 32-bit
+/// numbers, so that a vector instruction compares many.
+///
+/// No distance past `longest` matters: the ray has left all planes, or has ended.
+template <Scalar S>
+class SlabClock;
 
 /// The distances at which a ray crosses planes that lie across one axis, rounded outward: the part
 /// of the ray that is really between two planes is never left out, and a little more may be let in.
 /// For culling, where the shapes themselves decide in the end.
 ///
-/// Every plane is in [least, greatest], and no distance past `longest` matters.
-///                                                        (tests/number/slab_times.test.cpp)
+/// Every plane is in [least, greatest].                    (tests/number/slab_times.test.cpp)
 template <Scalar S>
 class SlabTimes;
 
-/// One product of 64-bit integers for each plane, so that compilers vectorise a loop over planes.
+/// Times are in ticks of 2^shift / 2^16 raw units. The shift keeps `longest` below 2^23 ticks, and
+/// the margins of `SlabTimes`, no more than four times 2^-16 of the reach and 2^14 raw units, below
+/// 2^28.
+template <int Bits, int Frac>
+class SlabClock<Fixed<Bits, Frac>> {
+  using S = Fixed<Bits, Frac>;
+
+ public:
+  using Time = std::int32_t;
+  using Reach = Fixed<63, Frac>;
+
+  /// For planes no farther than `reach` in the sum over the axes: a direction is longer than
+  /// 1 - 2^-12.
+  constexpr SlabClock(const Reach& reach, const S& limit) noexcept
+      : longest_(std::min(limit, detail::clamp_raw<S>(reach.raw() + (reach.raw() >> 8) + 1))),
+        shift_(std::max(
+            {bit_length(longest_.raw()) + inverse_frac - 23, bit_length(reach.raw()) - 26, 4})) {}
+
+  [[nodiscard]] constexpr const S& longest() const noexcept { return longest_; }
+  [[nodiscard]] constexpr Time time(const S& distance) const noexcept {
+    const std::int64_t raw = std::min(distance, longest_).raw();
+    return static_cast<Time>((raw * (std::int64_t{1} << inverse_frac)) >> shift_);
+  }
+
+  [[nodiscard]] constexpr int shift() const noexcept { return shift_; }
+
+ private:
+  friend SlabTimes<S>;
+  static constexpr int inverse_frac = 16;
+
+  /// What is farther away than this stays beyond `longest`, or behind the origin, after 2^29 more.
+  [[nodiscard]] static constexpr Time clamp(std::int64_t ticks) noexcept {
+    constexpr std::int64_t far = std::int64_t{1} << 30;
+    return static_cast<Time>(std::clamp(ticks, -far, far));
+  }
+
+  S longest_;
+  int shift_;
+};
+
+/// One product of 32-bit integers for each plane, for vectors of them.
 ///
 /// With d the component of the direction and i = floor(2^16 / |d|) / 2^16, a distance x / |d| is in
 /// [x i, x i + x / 2^16): `margin`. Components shorter than 2^-14 would make i too large; they are
@@ -30,98 +79,116 @@ class SlabTimes<Fixed<Bits, Frac>> {
   using Component = direction_component<S>;
 
  public:
-  /// A distance on a grid 2^16 times as fine as that of S.
-  using Time = std::int64_t;
-  using Reach = Fixed<63, Frac>;
-
-  [[nodiscard]] static constexpr Time time(const S& distance) noexcept {
-    return Time{distance.raw()} * (Time{1} << inverse_frac);
-  }
+  using Clock = SlabClock<S>;
+  using Time = typename Clock::Time;
 
   /// An upper bound of how far the planes are from `origin`.
-  [[nodiscard]] static constexpr Reach reach(const S& origin, const S& least,
-                                             const S& greatest) noexcept {
+  [[nodiscard]] static constexpr typename Clock::Reach reach(const S& origin, const S& least,
+                                                             const S& greatest) noexcept {
+    using Reach = typename Clock::Reach;
     return std::max(Reach(abs(least - origin)), Reach(abs(greatest - origin)));
   }
 
-  /// The distance within which a ray has left a box whose sides are `reach` away, in sum, and
-  /// which is not past `limit`: a direction is longer than 1 - 2^-12.
-  [[nodiscard]] static constexpr S longest(const Reach& reach, const S& limit) noexcept {
-    const auto raw = reach.raw();
-    return std::min(limit, detail::clamp_raw<S>(raw + (raw >> 8) + 1));
-  }
-
-  constexpr SlabTimes(const S& origin, const Component& direction, const S& least,
-                      const S& greatest, const S& longest) noexcept {
+  constexpr SlabTimes(const Clock& clock, const S& origin, const Component& direction,
+                      const S& least, const S& greatest) noexcept
+      : origin_(origin.raw()), shift_(clock.shift()) {
     constexpr std::int64_t shortest = std::int64_t{1} << std::max(Component::frac - 14, 0);
     const std::int64_t speed = direction.raw();
     const std::int64_t size = speed < 0 ? -speed : speed;
     const std::int64_t inverse =
-        (std::int64_t{1} << (Component::frac + inverse_frac)) / std::max(size, shortest);
+        (std::int64_t{1} << (Component::frac + Clock::inverse_frac)) / std::max(size, shortest);
     const std::int64_t drift =
-        size < shortest ? (std::max<std::int64_t>(longest.raw(), 0) >> 14) + 1 : 0;
+        size < shortest ? (std::max<std::int64_t>(clock.longest().raw(), 0) >> 14) + 1 : 0;
     const std::int64_t margin = reach(origin, least, greatest).raw() + drift;
     factor_ = speed < 0 ? -inverse : inverse;
-    enter_ = origin.raw() * factor_ + margin;
-    leave_ = origin.raw() * factor_ - margin - drift * inverse;
+    enter_ = origin_ * factor_ + margin;
+    between_ = static_cast<Time>((2 * margin + drift * inverse) >> shift_) + 1;
   }
 
   /// A lower bound of the distance to the plane through which the ray enters, and an upper bound of
   /// that to the plane through which it leaves.
   [[nodiscard]] constexpr Time enter(const S& plane) const noexcept {
-    return plane.raw() * factor_ - enter_;
+    return Clock::clamp((plane.raw() * factor_ - enter_) >> shift_);
   }
   [[nodiscard]] constexpr Time leave(const S& plane) const noexcept {
-    return plane.raw() * factor_ - leave_;
+    return enter(plane) + between_;
   }
 
   /// The same for planes of a grid, told by their bytes.
+  ///
+  /// A step is at most 2^21 ticks, so that 255 are less than 2^29. A ray that takes longer is so
+  /// nearly along the planes that it crosses less than four steps while it matters, in 2^23 ticks:
+  /// it is turned to take just 2^21, and the four are added.
   class OnGrid {
    public:
-    constexpr OnGrid() noexcept = default;
-    constexpr OnGrid(const SlabTimes& slab, const PlaneGrid<S>& grid) noexcept
-        : enter_(grid.origin() * slab.factor_ - slab.enter_),
-          leave_(grid.origin() * slab.factor_ - slab.leave_),
-          step_(grid.step() * slab.factor_) {}
-
-    [[nodiscard]] constexpr Time enter(std::uint8_t plane) const noexcept {
-      return enter_ + plane * step_;
+    constexpr OnGrid(const SlabTimes& slab, const PlaneGrid<S>& grid) noexcept {
+      const std::int64_t step = (grid.step() * slab.factor_) >> slab.shift_;
+      if (-longest_step <= step && step <= longest_step) {
+        step_ = static_cast<Time>(step);
+        enter_ = Clock::clamp((grid.origin() * slab.factor_ - slab.enter_) >> slab.shift_);
+        leave_ = enter_ + slab.between_ + 255;  // as many as steps are rounded down
+      } else {
+        step_ = static_cast<Time>(step < 0 ? -longest_step : longest_step);
+        enter_ = Clock::clamp(((grid.origin() - slab.origin_) * step_) / grid.step() - 1);
+        leave_ = enter_ + static_cast<Time>(4 * longest_step + 2);
+      }
     }
-    [[nodiscard]] constexpr Time leave(std::uint8_t plane) const noexcept {
-      return leave_ + plane * step_;
+
+    template <class Lanes>
+    [[nodiscard]] constexpr Lanes enter(
+        const std::array<std::uint8_t, detail::lane_count>& planes) const noexcept {
+      return Lanes(enter_, step_, planes);
+    }
+    template <class Lanes>
+    [[nodiscard]] constexpr Lanes leave(
+        const std::array<std::uint8_t, detail::lane_count>& planes) const noexcept {
+      return Lanes(leave_, step_, planes);
     }
 
    private:
-    Time enter_ = 0, leave_ = 0, step_ = 0;
+    static constexpr std::int64_t longest_step = 1 << 21;
+    Time enter_, leave_, step_;
   };
 
  private:
-  static constexpr int inverse_frac = 16;
-  std::int64_t factor_ = 0;
-  Time enter_ = 0, leave_ = 0;
+  std::int64_t origin_, factor_ = 0, enter_ = 0;
+  Time between_ = 0;
+  int shift_;
 };
 
 #if __STDC_HOSTED__
 template <Scalar F>
 requires std::floating_point<F>
-class SlabTimes<F> {
+class SlabClock<F> {
  public:
   using Time = F;
   using Reach = F;
 
-  [[nodiscard]] static constexpr F time(F distance) noexcept { return distance; }
+  constexpr SlabClock(F reach, F limit) noexcept : longest_(std::min(limit, reach * 2)) {}
+
+  [[nodiscard]] constexpr F longest() const noexcept { return longest_; }
+  [[nodiscard]] constexpr F time(F distance) const noexcept { return distance; }
+
+ private:
+  F longest_;
+};
+
+template <Scalar F>
+requires std::floating_point<F>
+class SlabTimes<F> {
+ public:
+  using Clock = SlabClock<F>;
+  using Time = F;
+
   [[nodiscard]] static constexpr F reach(F origin, F least, F greatest) noexcept {
     return std::max(abs(least - origin), abs(greatest - origin));
   }
-  [[nodiscard]] static constexpr F longest(F reach, F limit) noexcept {
-    return std::min(limit, reach * 2);
-  }
 
-  constexpr SlabTimes(F origin, F direction, F least, F greatest, F longest) noexcept
+  constexpr SlabTimes(const Clock& clock, F origin, F direction, F least, F greatest) noexcept
       : origin_(origin) {
     constexpr F shortest = F(1) / (1 << 14), error = F(1) / (1 << 20);
     const F size = std::max(abs(direction), shortest);
-    const F drift = abs(direction) < shortest ? longest * shortest : 0;
+    const F drift = abs(direction) < shortest ? clock.longest() * shortest : 0;
     const F margin = (reach(origin, least, greatest) + drift) / size * error;
     factor_ = direction < 0 ? -1 / size : 1 / size;
     enter_ = margin;
@@ -143,11 +210,15 @@ class SlabTimes<F> {
           leave_(slab.leave(grid.origin())),
           step_(grid.step() * slab.factor_) {}
 
-    [[nodiscard]] constexpr F enter(std::uint8_t plane) const noexcept {
-      return enter_ + plane * step_;
+    template <class Lanes>
+    [[nodiscard]] constexpr Lanes enter(
+        const std::array<std::uint8_t, detail::lane_count>& planes) const noexcept {
+      return Lanes(enter_, step_, planes);
     }
-    [[nodiscard]] constexpr F leave(std::uint8_t plane) const noexcept {
-      return leave_ + plane * step_;
+    template <class Lanes>
+    [[nodiscard]] constexpr Lanes leave(
+        const std::array<std::uint8_t, detail::lane_count>& planes) const noexcept {
+      return Lanes(leave_, step_, planes);
     }
 
    private:

@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "detent/number/digest.hpp"
+#include "detent/scene/keep_first.hpp"
+#include "detent/scene/prefetch.hpp"
 #include "detent/scene/question.hpp"
 #include "detent/scene/search.hpp"
-#include "detent/scene/static_tree/keep_first.hpp"
-#include "detent/scene/static_tree/prefetch.hpp"
 #include "detent/scene/store.hpp"
 
 namespace detent {
@@ -356,8 +356,8 @@ class BasicScene {
       auto& place = waiting[count++ % waiting.size()];
       if (count > waiting.size()) ask(place.first, place.second);
       place = std::minmax(i, j);
-      detail::prefetch(&store_[i], 1);
-      detail::prefetch(&store_[j], 1);
+      detail::prefetch(&store_[i], sizeof(store_[i]));
+      detail::prefetch(&store_[j], sizeof(store_[j]));
     };
     const auto& moving = store_.tree(Motion::moving);
     const auto& fixed = store_.tree(Motion::fixed);

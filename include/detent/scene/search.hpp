@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "detent/scene/static_tree/prefetch.hpp"
+#include "detent/scene/prefetch.hpp"
 #include "detent/scene/tree.hpp"
 #include "detent/shape/ray.hpp"
 
@@ -136,7 +136,7 @@ constexpr bool visit_nearest(const Tree& tree, Probe& probe, const Visit& visit)
     }
     if (node.level > 0) {
       for (std::size_t i = 0; i < count; ++i) {
-        prefetch(&tree.node(near[i].at), 1);
+        prefetch(&tree.node(near[i].at), sizeof(node));
         stack[size++] = near[i];
       }
     } else {
@@ -210,7 +210,7 @@ template <class Tree, class Visit>
 constexpr void visit_pairs(const Tree& tree, std::uint32_t at, const Visit& visit) {
   const auto& node = tree.node(at);
   if (node.level > 0) {
-    for (std::size_t i = 0; i < node.count; ++i) prefetch(&tree.node(node.child[i]), 1);
+    for (std::size_t i = 0; i < node.count; ++i) prefetch(&tree.node(node.child[i]), sizeof(node));
   }
   for (std::size_t i = 0; i < node.count; ++i) {
     if (node.level > 0) visit_pairs(tree, node.child[i], visit);

@@ -16,8 +16,8 @@
 #include "detent/query/overlaps/triangle_capsule.hpp"
 #include "detent/query/overlaps/triangle_hull.hpp"
 #include "detent/query/overlaps/triangle_triangle.hpp"
+#include "detent/scene/keep_first.hpp"
 #include "detent/scene/mesh/parts.hpp"
-#include "detent/scene/static_tree/keep_first.hpp"
 
 namespace detent {
 

@@ -87,13 +87,13 @@ constexpr void visit_along(const Surface<S>& surface, const Ray<S, 3>& ray,
   if (ray.max_distance < 0 || is_empty(bounds)) return;
   using Time = typename SlabTimes<S>::Time;
   const detail::StaticRay<S, 3> prepared(ray, bounds);
-  auto limit = SlabTimes<S>::time(ray.max_distance);
+  auto limit = prepared.time(ray.max_distance);
   detail::visit_parts<Time>(
       surface, [&](const Aabb<S, 3>& box) { return prepared.meets(box, limit); },
       [&](const Time& enter) { return enter <= limit; },
       [&](std::span<const MeshTriangle<S>> triangles) {
         const S left = visit(triangles);
-        limit = SlabTimes<S>::time(left);
+        limit = prepared.time(left);
         return left >= 0;
       });
 }

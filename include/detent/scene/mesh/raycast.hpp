@@ -8,9 +8,10 @@
 #include <span>
 
 #include "detent/number/next_up.hpp"
+#include "detent/query/raycast/passing_line.hpp"
 #include "detent/query/raycast/triangle.hpp"
+#include "detent/scene/keep_first.hpp"
 #include "detent/scene/mesh/surface.hpp"
-#include "detent/scene/static_tree/keep_first.hpp"
 
 namespace detent {
 
@@ -45,9 +46,11 @@ template <template <class> class Surface, Scalar S>
 [[nodiscard]] constexpr std::optional<FoundOnSurface<S>> first_on_surface(
     const Ray<S, 3>& ray, const Surface<S>& surface) noexcept {
   std::optional<FoundOnSurface<S>> best;
+  const PassingLine<S> line(ray);
   auto shorter = ray;
   visit_along(surface, ray, [&](std::span<const MeshTriangle<S>> parts) {
     for (const auto& part : parts) {
+      if (line.passes(part.triangle)) continue;
       const auto distance = raycast(shorter, part.triangle);
       if (!distance) continue;
       const MeshHit<S> hit{*distance, part.index};

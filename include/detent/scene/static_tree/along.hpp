@@ -7,10 +7,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
+#include "detent/number/lanes.hpp"
 #include "detent/number/slab_times.hpp"
+#include "detent/scene/prefetch.hpp"
 #include "detent/scene/static_tree/node.hpp"
-#include "detent/scene/static_tree/prefetch.hpp"
 #include "detent/scene/static_tree/stack.hpp"
 #include "detent/shape/ray.hpp"
 
@@ -29,30 +32,19 @@ class StaticRay {
   using Times = std::array<Time, Node::width>;
 
   constexpr StaticRay(const Ray<S, N>& ray, const Aabb<S, N>& bounds) noexcept
-      : StaticRay(ray, bounds, reach(ray, bounds)) {}
+      : StaticRay(ray, bounds, typename Slab::Clock(reach(ray, bounds), ray.max_distance)) {}
+
+  /// A distance along the ray, as far as it matters.
+  [[nodiscard]] constexpr Time time(const S& distance) const noexcept {
+    return clock_.time(distance);
+  }
 
   /// Which children's boxes the ray may meet before `limit`, a bit for each, and at what distance
   /// at the earliest.
-  [[nodiscard]] constexpr std::uint32_t meets(const Node& node, const Time& limit,
+  [[nodiscard]] constexpr std::uint32_t meets(const Node& node, Time limit,
                                               Times& enter) const noexcept {
-    std::array<typename Slab::OnGrid, N> planes;
-    for (std::size_t i = 0; i < N; ++i) planes[i] = {slabs_[i], node.grids[i]};
-    Times leave;
-    for (std::size_t k = 0; k < Node::width; ++k) {
-      Time in{}, out = limit;
-      for (std::size_t i = 0; i < N; ++i) {
-        const Time near = planes[i].enter(node.sides[near_side_[i]][k]);
-        const Time far = planes[i].leave(node.sides[near_side_[i] ^ 1][k]);
-        in = near > in ? near : in;
-        out = far < out ? far : out;
-      }
-      enter[k] = in;
-      leave[k] = out;
-    }
-    std::uint32_t met = 0;
-    for (std::size_t k = 0; k < Node::width; ++k) {
-      met |= enter[k] <= leave[k] ? std::uint32_t{1} << k : 0;
-    }
+    const auto met = std::is_constant_evaluated() ? meets<ArrayLanes<Time>>(node, limit, enter)
+                                                  : meets<Lanes<Time>>(node, limit, enter);
     return met & ((std::uint32_t{1} << node.children) - 1);
   }
 
@@ -70,10 +62,24 @@ class StaticRay {
   }
 
  private:
-  using Reach = typename Slab::Reach;
+  using Clock = typename Slab::Clock;
+  using Reach = typename Clock::Reach;
 
-  constexpr StaticRay(const Ray<S, N>& ray, const Aabb<S, N>& bounds, const Reach& reach) noexcept
-      : slabs_(make_slabs(ray, bounds, Slab::longest(reach, ray.max_distance))) {
+  template <class Lanes>
+  [[nodiscard]] constexpr std::uint32_t meets(const Node& node, Time limit,
+                                              Times& enter) const noexcept {
+    Lanes in(Time{}), out(limit);
+    for (std::size_t i = 0; i < N; ++i) {
+      const typename Slab::OnGrid planes(slabs_[i], node.grids[i]);
+      in.raise(planes.template enter<Lanes>(node.sides[near_side_[i]]));
+      out.lower(planes.template leave<Lanes>(node.sides[near_side_[i] ^ 1]));
+    }
+    in.store(enter);
+    return in.up_to(out);
+  }
+
+  constexpr StaticRay(const Ray<S, N>& ray, const Aabb<S, N>& bounds, const Clock& clock) noexcept
+      : clock_(clock), slabs_(make_slabs(ray, bounds, clock)) {
     for (std::size_t i = 0; i < N; ++i) {
       near_side_[i] = 2 * i + (ray.direction[static_cast<int>(i)] < 0 ? 1 : 0);
     }
@@ -91,9 +97,9 @@ class StaticRay {
 
   [[nodiscard]] static constexpr std::array<Slab, N> make_slabs(const Ray<S, N>& ray,
                                                                 const Aabb<S, N>& bounds,
-                                                                const S& longest) noexcept {
+                                                                const Clock& clock) noexcept {
     const auto slab = [&](int i) {
-      return Slab(ray.origin[i], ray.direction[i], bounds.min[i], bounds.max[i], longest);
+      return Slab(clock, ray.origin[i], ray.direction[i], bounds.min[i], bounds.max[i]);
     };
     if constexpr (N == 2) {
       return {slab(0), slab(1)};
@@ -102,6 +108,7 @@ class StaticRay {
     }
   }
 
+  Clock clock_;
   std::array<Slab, N> slabs_;
   std::array<std::size_t, N> near_side_{};
 };
@@ -118,27 +125,40 @@ constexpr void visit_along(const StaticTree<S, N>& tree, std::span<const Item> i
                            const Ray<S, N>& ray, const Visit& visit) noexcept {
   if (tree.nodes.empty() || ray.max_distance < 0) return;
   const detail::StaticRay<S, N> prepared(ray, tree.bounds);
-  detail::StaticStack<typename SlabTimes<S>::Time> stack;
-  auto limit = SlabTimes<S>::time(ray.max_distance);
-  typename detail::StaticStack<typename SlabTimes<S>::Time>::Entry next{{}, 0, 0};
+  using Stack = detail::StaticStack<typename SlabTimes<S>::Time>;
+  Stack stack;
+  typename Stack::Entry next{{}, 0, 0};
+  auto limit = prepared.time(ray.max_distance);
+  const auto prefetch = [&](const auto& entry) {  // of items, too, as much as a node is
+    const void* at =
+        entry.count == 0 ? static_cast<const void*>(&tree.nodes[entry.first]) : &items[entry.first];
+    detail::prefetch(at, sizeof(StaticNode<S, N>));
+  };
   while (true) {
     if (next.count != 0) {
       const S left = visit(items.subspan(next.first, next.count));
       if (left < 0) return;
-      limit = SlabTimes<S>::time(left);
+      limit = prepared.time(left);
     } else {
       const auto& node = tree.nodes[next.first];
       typename detail::StaticRay<S, N>::Times enters;
-      const std::size_t base = stack.size();
-      for (auto met = prepared.meets(node, limit, enters); met != 0; met &= met - 1) {
+      auto met = prepared.meets(node, limit, enters);
+      const auto take = [&]() -> typename Stack::Entry {
         const auto child = static_cast<std::size_t>(std::countr_zero(met));
-        const std::uint32_t at = node.first[child], size = node.count[child];
-        if (size == 0) {
-          detail::prefetch(&tree.nodes[at], 1);
-        } else {
-          detail::prefetch(&items[at], size);
+        met &= met - 1;
+        return {enters[child], node.first[child], node.count[child]};
+      };
+      if (met != 0) {  // the nearest child is next, and the others wait
+        next = take();
+        const std::size_t base = stack.size();
+        while (met != 0) {
+          auto other = take();
+          if (other.near < next.near) std::swap(next, other);
+          prefetch(other);
+          stack.insert(base, other);
         }
-        stack.insert(base, {enters[child], at, size});
+        prefetch(next);
+        continue;
       }
     }
     do {
