@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/overlaps/rough_boxes.hpp"
 
+#include "detent/query/overlaps/rough_triangle.hpp"
 #include "detent/shape/obb.hpp"
+#include "detent/shape/triangle.hpp"
 #include "query/overlaps/helpers.hpp"
 
 namespace detent::test {
@@ -49,6 +51,18 @@ struct Count {
   }
 };
 
+/// Asks `ask(steps)` for 0 steps and, if it says yes, for others until it is known how many are too
+/// many.
+template <class Ask>
+void ask_up_to_the_last(const Ask& ask) {
+  std::int64_t inside = 0, outside = std::int64_t{1} << 32;
+  if (!ask(inside)) return;
+  while (outside - inside > 1) {
+    const auto middle = (inside + outside) / 2;
+    (ask(middle) ? inside : outside) = middle;
+  }
+}
+
 /// Moves b away from a until they are apart, and asks on the way, most often close to where that
 /// begins.
 template <Scalar S>
@@ -67,12 +81,30 @@ void ask_on_the_way(Random& random, const Obb<S, 3>& a, const Obb<S, 3>& b, Coun
               answer);
     return answer;
   };
-  std::int64_t inside = 0, outside = std::int64_t{1} << 32;
-  if (!ask(inside)) return;
-  while (outside - inside > 1) {
-    const auto middle = (inside + outside) / 2;
-    (ask(middle) ? inside : outside) = middle;
-  }
+  ask_up_to_the_last(ask);
+}
+
+/// The same with a triangle about the center of a box.
+template <Scalar S>
+void ask_on_the_way(Random& random, const Obb<S, 3>& box, const Triangle<S, 3>& triangle,
+                    Count& count) {
+  const detail::EdgeFrame<S> frame(box.rotation);
+  if (frame.is_flat()) return;
+  const auto way = random_way(random, box, box);
+  ask_up_to_the_last([&](std::int64_t steps) {
+    const auto seen = [&](const Vec<S, 3>& corner) {
+      return make_vec<3>([&](int i) {
+        const std::int64_t step = (std::int64_t{way[i].raw()} * steps) >> 31;
+        return Fixed<32, S::frac>::from_raw(corner[i].raw() + step);
+      });
+    };
+    const auto a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
+    const bool answer = detail::box_meets_triangle<S::bits + 1>(frame, box.half_extents, a, b, c);
+    count.add(detail::roughly_box_meets_triangle(detail::RoughFrame(box.rotation), box.half_extents,
+                                                 std::array{a, b, c}),
+              answer);
+    return answer;
+  });
 }
 
 TEMPLATE_TEST_CASE("OBB and OBB: a rough answer is right or unknown", "[overlaps]", q16_16, q14_16,
@@ -97,6 +129,32 @@ TEMPLATE_TEST_CASE("OBB and OBB: a rough answer is right or unknown", "[overlaps
   CHECK(any.wrong + large.wrong == 0);
   CHECK(any.unknown > 0);
   CHECK(large.unknown < large.asked / 2);  // half of the steps are within 2^-16 of the place
+}
+
+TEMPLATE_TEST_CASE("OBB and triangle: a rough answer is right or unknown", "[overlaps]", q16_16,
+                   q14_16, q24_8) {
+  using S = TestType;
+  Random random(0x0b73);
+  Count any, large;
+  for (int i = 0; i < 3000; ++i) {
+    const int bits = 4 + i % (S::bits - 5);
+    const auto turn = random_turn<S>(random, static_cast<int>(random.below(33)));
+    auto box = random_box(random, bits, turn);
+    const auto corner = [&] {
+      return make_vec<3>(
+          [&](int) { return S::from_raw(static_cast<typename S::raw_type>(random.wide(bits))); });
+    };
+    const Triangle<S, 3> triangle{corner(), corner(), corner()};
+    ask_on_the_way(random, box, triangle, bits < 20 ? any : large);
+    const auto tilted = compose(random_turn<S>(random, static_cast<int>(random.below(20))), turn);
+    box.rotation = Rotation<S, 3>::from_axes({tilted.axis(0), turn.axis(1), tilted.axis(2)});
+    ask_on_the_way(random, box, triangle, any);
+  }
+  INFO(random << ": of " << any.asked << " and " << large.asked << " questions, unknown are "
+              << any.unknown << " and " << large.unknown);
+  CHECK(any.wrong + large.wrong == 0);
+  CHECK(any.unknown > 0);
+  CHECK(large.unknown < large.asked * 3 / 4);
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+
 #include "detent/query/overlaps/box.hpp"
+#include "detent/query/overlaps/rough_triangle.hpp"
 #include "detent/query/overlaps/separation.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/triangle.hpp"
@@ -23,6 +26,11 @@ template <Scalar S, int N>
   const auto a = triangle.a - box.center;
   const auto b = triangle.b - box.center;
   const auto c = triangle.c - box.center;
+  if constexpr (N == 3 && detail::looks_first<S>) {
+    const auto nearness = detail::roughly_box_meets_triangle(detail::RoughFrame<S>(box.rotation),
+                                                             box.half_extents, std::array{a, b, c});
+    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::near;
+  }
   if constexpr (N == 3) {
     const detail::EdgeFrame<S> frame(box.rotation);
     if (!frame.is_flat()) {
