@@ -2,9 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <type_traits>
 
-#include "detent/math/width.hpp"
 #include "detent/query/raycast/planar.hpp"
 
 namespace detent {
@@ -16,19 +14,13 @@ namespace detail {
 /// where they meet, and n . (origin - a) is det times its distance.
 ///
 /// source: Moeller and Trumbore, Fast, Minimum Storage Ray-Triangle Intersection (1997)
-template <Scalar S, Number Length = decltype(S() - S())>
+template <Scalar S>
 struct RayTriangle {
-  using Edge = Vec<Length, 3>;
-
   constexpr RayTriangle(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle) noexcept
-      : RayTriangle(ray.direction, triangle.b - triangle.a, triangle.c - triangle.a,
-                    ray.origin - triangle.a) {}
-  constexpr RayTriangle(const Direction<S, 3>& direction, const Edge& b, const Edge& c,
-                        const Edge& from) noexcept
-      : edge_b(b),
-        edge_c(c),
-        from_a(from),
-        p(cross(direction, edge_c)),
+      : edge_b(triangle.b - triangle.a),
+        edge_c(triangle.c - triangle.a),
+        from_a(ray.origin - triangle.a),
+        p(cross(ray.direction, edge_c)),
         det(narrow_dot<volume_bits>(edge_b, p)) {}
 
   /// det u, det v: signs tell on which side of two edges the line passes.
@@ -39,9 +31,10 @@ struct RayTriangle {
   [[nodiscard]] constexpr auto height() const noexcept { return dot(edge_c, q()); }
   [[nodiscard]] constexpr auto normal() const noexcept { return cross(edge_b, edge_c); }
 
+  using Edge = decltype(Vec<S, 3>() - Vec<S, 3>());
   using Moment = decltype(cross(Direction<S, 3>(), Edge()));
   // |x| |y| |direction| < 3 2^(2B) (1 + 2^-13) for edges x and y whose components have B bits.
-  static constexpr int volume_bits = bits_of<Length> + bits_of<decltype(Moment::x)> + 1;
+  static constexpr int volume_bits = bits_of<decltype(Edge::x)> + bits_of<decltype(Moment::x)> + 1;
   Edge edge_b, edge_c, from_a;
   Moment p;
   decltype(narrow_dot<volume_bits>(Edge(), Moment())) det;
@@ -51,29 +44,26 @@ struct RayTriangle {
 };
 
 /// Where the line of `ray` crosses a triangle that it is not parallel to.
-template <Scalar S, Number Length>
-[[nodiscard]] constexpr auto crossing(const RayTriangle<S, Length>& meeting,
+template <Scalar S>
+[[nodiscard]] constexpr auto crossing(const RayTriangle<S>& meeting,
                                       const Direction<S, 3>& direction) noexcept {
-  using Distance = Fraction<decltype(meeting.height()), decltype(RayTriangle<S, Length>::det)>;
+  using Distance = Fraction<decltype(meeting.height()), decltype(RayTriangle<S>::det)>;
   using Result = std::optional<Distance>;
   const bool flip = meeting.det < 0;
   const auto oriented = [flip](const auto& x) { return flip ? narrow_negative(x) : x; };
   // Not const, for GCC 12 keeps const objects of several words in memory.
   auto det = oriented(meeting.det);
   auto u = oriented(meeting.u());
-  if constexpr (DETENT_SMALL_CODE) {
-    if (u < 0 || u > det) return Result();
-  }
+  if (u < 0 || u > det) return Result();
   auto v = oriented(meeting.v(direction));
-  if (int{u < 0} + int{v < 0} + int{u + v > det} != 0) return Result();
+  if (v < 0 || u + v > det) return Result();
   return Result({oriented(meeting.height()), det});
 }
 
 /// The part of the line of `ray` in a triangle that it is parallel to or that has collapsed.
-template <Scalar S, Number Length>
+template <Scalar S>
 [[nodiscard]] constexpr std::optional<PlanarSpan<S>> edge_on_span(
-    const Ray<S, 3>& ray, const Triangle<S, 3>& triangle,
-    const RayTriangle<S, Length>& meeting) noexcept {
+    const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, const RayTriangle<S>& meeting) noexcept {
   const auto normal = meeting.normal();
   if (is_zero(normal)) return span(ray, collapsed(triangle));
   if (dot(normal, meeting.from_a) != 0) return std::nullopt;
@@ -83,21 +73,6 @@ template <Scalar S, Number Length>
       Triangle{without(triangle.a, axis), without(triangle.b, axis), without(triangle.c, axis)});
   if (!inside) return std::nullopt;
   return inside->span;
-}
-
-template <Scalar S, Number Length>
-[[nodiscard]] constexpr std::optional<S> first_distance(
-    const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Facing facing,
-    const RayTriangle<S, Length>& meeting) noexcept {
-  if (facing == Facing::front && meeting.det <= 0) return std::nullopt;
-  if (meeting.det == 0) {
-    const auto inside = edge_on_span(ray, triangle, meeting);
-    if (!inside) return std::nullopt;
-    return first_distance(*inside, ray.max_distance);
-  }
-  auto distance = crossing(meeting, ray.direction);
-  if (!distance || distance->numerator < 0) return std::nullopt;
-  return floor_within(*distance, ray.max_distance);
 }
 
 /// Whether a 2D triangle has no area.
@@ -133,20 +108,16 @@ template <Scalar S>
 [[nodiscard]] constexpr std::optional<S> raycast(const Ray<S, 3>& ray,
                                                  const Triangle<S, 3>& triangle,
                                                  Facing facing = Facing::both) noexcept {
-  const auto edge_b = triangle.b - triangle.a, edge_c = triangle.c - triangle.a;
-  const auto from_a = ray.origin - triangle.a;
-  if constexpr (is_fixed<S> && DETENT_SMALL_CODE == 0) {
-    constexpr int bits = 30;  // with which cross products fit 64
-    if (int{fits<bits>(edge_b)} + int{fits<bits>(edge_c)} + int{fits<bits>(from_a)} == 3) {
-      const auto cut = [](const auto& v) { return detail::at_most<bits>(v); };
-      using Length = std::remove_cvref_t<decltype(cut(edge_b).x)>;
-      return detail::first_distance(
-          ray, triangle, facing,
-          detail::RayTriangle<S, Length>(ray.direction, cut(edge_b), cut(edge_c), cut(from_a)));
-    }
+  const detail::RayTriangle<S> meeting(ray, triangle);
+  if (facing == Facing::front && meeting.det <= 0) return std::nullopt;
+  if (meeting.det == 0) {
+    const auto inside = detail::edge_on_span(ray, triangle, meeting);
+    if (!inside) return std::nullopt;
+    return detail::first_distance(*inside, ray.max_distance);
   }
-  return detail::first_distance(ray, triangle, facing,
-                                detail::RayTriangle<S>(ray.direction, edge_b, edge_c, from_a));
+  auto distance = detail::crossing(meeting, ray.direction);
+  if (!distance || distance->numerator < 0) return std::nullopt;
+  return floor_within(*distance, ray.max_distance);
 }
 
 /// Distance, point and normal where `ray` first touches `triangle`, or nothing.
