@@ -68,11 +68,10 @@ class SlabClock<Fixed<Bits, Frac>> {
 
 /// One product of 32-bit integers for each plane, for vectors of them.
 ///
-/// With d the component of the direction and i = floor(2^16 / |d|) / 2^16, a distance x / |d| is in
-/// [x i, x i + x / 2^16): `margin`. Components shorter than 2^-14 would make i too large; they are
-/// lengthened to that, which moves no point of the ray by more than `drift` = longest / 2^14.
-/// A distance is less than 2^32 2^30 and what is added to it less than 2^49; planes of a grid are
-/// no more than one step of 2^25 beyond the range of S.
+/// With d the component of the direction and i = floor(2^16 / |d|) / 2^16, a distance x / |d| ahead
+/// is in [x i, x i + x / 2^16): `margin`. Components shorter than 2^-14 would make i too large; they
+/// are lengthened to that, which moves no point of the ray by more than `drift` = longest / 2^14, and
+/// that ahead. A distance is less than 2^32 2^30 and what is added to it less than 2^49.
 template <int Bits, int Frac>
 class SlabTimes<Fixed<Bits, Frac>> {
   using S = Fixed<Bits, Frac>;
@@ -101,15 +100,12 @@ class SlabTimes<Fixed<Bits, Frac>> {
         size < shortest ? (std::max<std::int64_t>(clock.longest().raw(), 0) >> 14) + 1 : 0;
     const std::int64_t margin = reach(origin, least, greatest).raw() + drift;
     factor_ = speed < 0 ? -inverse : inverse;
-    enter_ = origin_ * factor_ + margin;
-    between_ = static_cast<Time>((2 * margin + drift * inverse) >> shift_) + 1;
+    between_ = static_cast<Time>((margin + drift * inverse) >> shift_) + 1;
   }
 
   /// A lower bound of the distance to the plane through which the ray enters, and an upper bound of
   /// that to the plane through which it leaves.
-  [[nodiscard]] constexpr Time enter(const S& plane) const noexcept {
-    return Clock::clamp((plane.raw() * factor_ - enter_) >> shift_);
-  }
+  [[nodiscard]] constexpr Time enter(const S& plane) const noexcept { return ticks(plane.raw()); }
   [[nodiscard]] constexpr Time leave(const S& plane) const noexcept {
     return enter(plane) + between_;
   }
@@ -125,7 +121,7 @@ class SlabTimes<Fixed<Bits, Frac>> {
       const std::int64_t step = (grid.step() * slab.factor_) >> slab.shift_;
       if (-longest_step <= step && step <= longest_step) {
         step_ = static_cast<Time>(step);
-        enter_ = Clock::clamp((grid.origin() * slab.factor_ - slab.enter_) >> slab.shift_);
+        enter_ = slab.ticks(grid.origin());
         leave_ = enter_ + slab.between_ + 255;  // as many as steps are rounded down
       } else {
         step_ = static_cast<Time>(step < 0 ? -longest_step : longest_step);
@@ -151,7 +147,11 @@ class SlabTimes<Fixed<Bits, Frac>> {
   };
 
  private:
-  std::int64_t origin_, factor_ = 0, enter_ = 0;
+  [[nodiscard]] constexpr Time ticks(std::int64_t plane) const noexcept {
+    return Clock::clamp(((plane - origin_) * factor_) >> shift_);
+  }
+
+  std::int64_t origin_, factor_ = 0;
   Time between_ = 0;
   int shift_;
 };
