@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "detent/query/overlaps/nearness.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/plane.hpp"
@@ -20,8 +22,7 @@ template <Scalar S, int N>
   if (is_empty(box)) return false;
   // Below (sqrt(3) + 1) 2^b for coordinates below 2^b.
   constexpr int bits = detail::along_bits<S, S> + 1;
-  const auto height =
-      narrow_abs(narrow_difference<bits>(dot(plane.normal, box.center), plane.offset));
+  const auto height = narrow_difference<bits>(dot(plane.normal, box.center), plane.offset);
   const auto along =
       make_vec<N>([&](int i) { return abs(dot(plane.normal, box.rotation.axis(i))); });
   if constexpr (detail::looks_first<S>) {
@@ -30,11 +31,14 @@ template <Scalar S, int N>
     const auto rough = make_vec<N>([&](int i) { return narrow_floor<Cosine>(along[i]); });
     const auto unit = make_vec<N>([](int) { return Cosine::from_raw(1); });
     const auto least = narrow_dot<bits>(box.half_extents, rough);
-    const bool is_near = height <= least;
-    if (is_near == (height < narrow_sum<bits>(least, narrow_dot<bits>(box.half_extents, unit))))
+    // The larger of two, since GCC 12 makes a branch of a magnitude that is compared.
+    const auto slack = narrow_difference<bits>(least, std::max(height, narrow_negative(height)));
+    const bool is_near = slack >= 0;
+    if (is_near == (slack > narrow_negative(narrow_dot<bits>(box.half_extents, unit)))) {
       return is_near;
+    }
   }
-  return height <= dot(box.half_extents, along);
+  return narrow_abs(height) <= dot(box.half_extents, along);
 }
 
 template <Scalar S, int N>
