@@ -41,7 +41,12 @@ class OneOf {
     return visit_from<0>(f);
   }
 
-  [[nodiscard]] friend constexpr bool operator==(const OneOf&, const OneOf&) noexcept = default;
+  [[nodiscard]] friend constexpr bool operator==(const OneOf& a, const OneOf& b) noexcept {
+    return a.visit([&](const auto& shape) {
+      const auto* other = b.template get<std::remove_cvref_t<decltype(shape)>>();
+      return other != nullptr && shape == *other;
+    });
+  }
 
  private:
   template <std::size_t I, class F>

@@ -43,9 +43,11 @@ class StaticRay {
   /// at the earliest.
   [[nodiscard]] constexpr std::uint32_t meets(const Node& node, Time limit,
                                               Times& enter) const noexcept {
-    const auto met = std::is_constant_evaluated() ? meets<ArrayLanes<Time>>(node, limit, enter)
-                                                  : meets<Lanes<Time>>(node, limit, enter);
-    return met & ((std::uint32_t{1} << node.children) - 1);
+    const std::uint32_t children = (std::uint32_t{1} << node.children) - 1;
+    if (std::is_constant_evaluated()) {
+      return meets<ArrayLanes<Time>>(node, limit, enter) & children;
+    }
+    return meets<Lanes<Time>>(node, limit, enter) & children;
   }
 
   /// At what distance at the earliest the ray meets a box, if it may before `limit`.
