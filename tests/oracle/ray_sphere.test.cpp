@@ -104,7 +104,7 @@ void examine(std::uint64_t seed, long count) {
     const auto& frame = draw.frame();
     const auto direction = D::stretched(frame.axes[0], frame.norm);
     const auto origin = draw.point(D::limit / 4);
-    const auto steps = random.between(1, D::limit / 8 / frame.norm);
+    const auto steps = random.between(1, std::max<std::int64_t>(1, D::limit / 8 / frame.norm));
     const auto surface = D::plus(origin, raw(direction));
     return question(origin, direction, draw.reach(D::limit),
                     D::plus(surface, frame.axes[0], sign * steps), steps * frame.norm);
