@@ -63,7 +63,7 @@ class SlabClock<Fixed<Bits, Frac>> {
   }
 
   S longest_;
-  int shift_;
+  int shift_ = 0;
 };
 
 /// One product of 32-bit integers for each plane, for vectors of them.
@@ -151,9 +151,9 @@ class SlabTimes<Fixed<Bits, Frac>> {
     return Clock::clamp(((plane - origin_) * factor_) >> shift_);
   }
 
-  std::int64_t origin_, factor_ = 0;
+  std::int64_t origin_ = 0, factor_ = 0;
   Time between_ = 0;
-  int shift_;
+  int shift_ = 0;
 };
 
 #if __STDC_HOSTED__
