@@ -66,7 +66,7 @@ template <Scalar S, int N>
     if (excess[i] > tolerance || excess[i] < -tolerance) return false;
   }
   // No longer than a tolerance on the grid of products with a direction, whose 1 is 2^(b - 1).
-  constexpr int bits = bits_of<S> + bits_of<direction_component<S>> - 1;
+  constexpr int bits = bits_of<S> - 1 + bits_of<direction_component<S>>;
   return squared_length(narrow<bits>(excess)) <= square(tolerance);
 }
 template <class... Shapes, Scalar S, int N>
