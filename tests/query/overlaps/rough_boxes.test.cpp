@@ -136,7 +136,7 @@ TEMPLATE_TEST_CASE("OBB and triangle: a rough answer is right or unknown", "[ove
   using S = TestType;
   Random random(0x0b73);
   Count any, large;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     const int bits = 4 + i % (S::bits - 5);
     const auto turn = random_turn<S>(random, static_cast<int>(random.below(33)));
     auto box = random_box(random, bits, turn);
