@@ -9,7 +9,12 @@ namespace {
 
 using detail::ArrayLanes;
 using detail::lane_count;
-using detail::Lanes;
+#if defined(__GNUC__)
+using detail::VectorLanes;
+#else
+template <class T>
+using VectorLanes = detail::Lanes<T>;
+#endif
 
 TEMPLATE_TEST_CASE("lanes: vectors of the machine hold the numbers that arrays do", "",
                    std::int32_t, float, double) {
@@ -34,7 +39,7 @@ TEMPLATE_TEST_CASE("lanes: vectors of the machine hold the numbers that arrays d
       return std::tuple(taken, raised, low.up_to(high), high.up_to(low), low.up_to(low));
     };
     const auto expected = numbers.template operator()<ArrayLanes<T>>();
-    REQUIRE(numbers.template operator()<Lanes<T>>() == expected);
+    REQUIRE(numbers.template operator()<VectorLanes<T>>() == expected);
     REQUIRE(std::get<4>(expected) == 0xff);
     for (std::size_t k = 0; k < lane_count; ++k) {
       const T a = first + static_cast<T>(bytes[k]) * step,

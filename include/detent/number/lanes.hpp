@@ -5,10 +5,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
-// Eight numbers side by side. Where the machine has vector instructions, Lanes are a vector of the
-// compiler's (an extension of GCC and Clang); elsewhere, and for constants, an array: the same
+// Eight numbers side by side. Where the machine has the vector instructions, Lanes are a vector of
+// the compiler's (an extension of GCC and Clang); elsewhere, and for constants, an array: the same
 // operations, and so the same numbers.                        (tests/number/lanes.test.cpp)
 
 namespace detent::detail {
@@ -52,7 +51,7 @@ class ArrayLanes {
   std::array<T, lane_count> numbers_{};
 };
 
-#if defined(__GNUC__) && (defined(__SSE2__) || defined(__ARM_NEON) || defined(__wasm_simd128__))
+#if defined(__GNUC__)
 template <class T>
 class VectorLanes {
   typedef T Vector __attribute__((vector_size(lane_count * sizeof(T))));
@@ -83,6 +82,11 @@ class VectorLanes {
  private:
   Vector numbers_;
 };
+#endif
+
+// With less than AVX2 there is no instruction for some of it, and an array takes three quarters of
+// the time.
+#if defined(__GNUC__) && defined(__AVX2__)
 template <class T>
 using Lanes = VectorLanes<T>;
 #else

@@ -21,8 +21,8 @@ class PassingLine {
   explicit constexpr PassingLine(const Ray<S, 3>& ray) noexcept
       : origin_(ray.origin), direction_(ray.direction) {}
 
-  /// Whether the line is found to pass by `triangle`; false in `float` and `double`, which could
-  /// only guess, and for directions without z, which see no such triangle.
+  /// Whether the line is found to pass by `triangle`: never by scalars that round, which could only
+  /// guess, nor along directions without z, where all corners are seen in one line.
   [[nodiscard]] constexpr bool passes(const Triangle<S, 3>& triangle) const noexcept {
     if constexpr (is_fixed<S>) {
       const auto a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
