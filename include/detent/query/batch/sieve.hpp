@@ -15,6 +15,13 @@
 // loop over them into vectors, and whoever is not ruled out is asked exactly. What is ruled out
 // does not meet, so nothing of this shows in an answer.
 
+// A compiler inlines only so much of a large source, and a loop that calls something is no vector.
+#if defined(__GNUC__)
+#define DETENT_INLINE_CALLS __attribute__((flatten))
+#else
+#define DETENT_INLINE_CALLS
+#endif
+
 namespace detent::detail {
 
 /// How many shapes or rays a block of columns holds.
@@ -205,7 +212,7 @@ class Candidates {
  public:
   /// Leaves the lanes l for which keep(l) holds.
   template <class Keep>
-  constexpr void assign(const Keep& keep) noexcept {
+  DETENT_INLINE_CALLS constexpr void assign(const Keep& keep) noexcept {
     for (std::size_t l = 0; l < batch_lanes; ++l) kept_[l] = keep(l);
   }
 
