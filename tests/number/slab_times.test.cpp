@@ -71,7 +71,7 @@ TEMPLATE_TEST_CASE("slab times: no part of the ray between the planes is left ou
     if (distance > clock.longest()) continue;
     const SlabTimes<S> slab(clock, origin, raw<Component>(speed), least, greatest);
     const PlaneGrid<S> grid(least, greatest);
-    const typename SlabTimes<S>::OnGrid planes(slab, grid);
+    const auto planes = slab.on_grid(grid);
     const auto times = [&](std::uint8_t plane) {
       std::array<std::uint8_t, 8> bytes{};
       std::array<std::int32_t, 8> enter{}, leave{};

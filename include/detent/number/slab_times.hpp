@@ -26,6 +26,29 @@ class SlabClock;
 template <Scalar S>
 class SlabTimes;
 
+/// The distances at which a ray enters and leaves by planes of a grid, which are told by their
+/// bytes: that for byte b is the one for byte 0 and b steps.
+template <class Time>
+class GridTimes {
+ public:
+  constexpr GridTimes(Time enter, Time leave, Time step) noexcept
+      : enter_(enter), leave_(leave), step_(step) {}
+
+  template <class Lanes>
+  [[nodiscard]] constexpr Lanes enter(
+      const std::array<std::uint8_t, detail::lane_count>& planes) const noexcept {
+    return Lanes(enter_, step_, planes);
+  }
+  template <class Lanes>
+  [[nodiscard]] constexpr Lanes leave(
+      const std::array<std::uint8_t, detail::lane_count>& planes) const noexcept {
+    return Lanes(leave_, step_, planes);
+  }
+
+ private:
+  Time enter_, leave_, step_;
+};
+
 /// Times are in ticks of 2^shift / 2^16 raw units. The shift keeps `longest` below 2^23 ticks, and
 /// the margins of `SlabTimes`, no more than four times 2^-16 of the reach and 2^14 raw units, below
 /// 2^28.
@@ -110,41 +133,23 @@ class SlabTimes<Fixed<Bits, Frac>> {
     return enter(plane) + between_;
   }
 
-  /// The same for planes of a grid, told by their bytes.
+  /// The same for planes of a grid.
   ///
   /// A step is at most 2^21 ticks, so that 255 are less than 2^29. A ray that takes longer is so
   /// nearly along the planes that it crosses less than four steps while it matters, in 2^23 ticks:
   /// it is turned to take just 2^21, and the four are added.
-  class OnGrid {
-   public:
-    constexpr OnGrid(const SlabTimes& slab, const PlaneGrid<S>& grid) noexcept {
-      const std::int64_t step = (grid.step() * slab.factor_) >> slab.shift_;
-      if (-longest_step <= step && step <= longest_step) {
-        step_ = static_cast<Time>(step);
-        enter_ = slab.ticks(grid.origin());
-        leave_ = enter_ + slab.between_ + 255;  // as many as steps are rounded down
-      } else {
-        step_ = static_cast<Time>(step < 0 ? -longest_step : longest_step);
-        enter_ = Clock::clamp(((grid.origin() - slab.origin_) * step_) / grid.step() - 1);
-        leave_ = enter_ + static_cast<Time>(4 * longest_step + 2);
-      }
+  [[nodiscard]] constexpr GridTimes<Time> on_grid(const PlaneGrid<S>& grid) const noexcept {
+    constexpr std::int64_t longest_step = 1 << 21;
+    const std::int64_t step = (grid.step() * factor_) >> shift_;
+    if (-longest_step <= step && step <= longest_step) {
+      const Time enter = ticks(grid.origin());
+      // Its products are rounded down up to 255 times.
+      return {enter, enter + between_ + 255, static_cast<Time>(step)};
     }
-
-    template <class Lanes>
-    [[nodiscard]] constexpr Lanes enter(
-        const std::array<std::uint8_t, detail::lane_count>& planes) const noexcept {
-      return Lanes(enter_, step_, planes);
-    }
-    template <class Lanes>
-    [[nodiscard]] constexpr Lanes leave(
-        const std::array<std::uint8_t, detail::lane_count>& planes) const noexcept {
-      return Lanes(leave_, step_, planes);
-    }
-
-   private:
-    static constexpr std::int64_t longest_step = 1 << 21;
-    Time enter_, leave_, step_;
-  };
+    const std::int64_t turned = step < 0 ? -longest_step : longest_step;
+    const Time enter = Clock::clamp(((grid.origin() - origin_) * turned) / grid.step() - 1);
+    return {enter, enter + static_cast<Time>(4 * longest_step + 2), static_cast<Time>(turned)};
+  }
 
  private:
   [[nodiscard]] constexpr Time ticks(std::int64_t plane) const noexcept {
@@ -202,28 +207,9 @@ class SlabTimes<F> {
     return (plane - origin_) * factor_ - leave_;
   }
 
-  class OnGrid {
-   public:
-    constexpr OnGrid() noexcept = default;
-    constexpr OnGrid(const SlabTimes& slab, const PlaneGrid<F>& grid) noexcept
-        : enter_(slab.enter(grid.origin())),
-          leave_(slab.leave(grid.origin())),
-          step_(grid.step() * slab.factor_) {}
-
-    template <class Lanes>
-    [[nodiscard]] constexpr Lanes enter(
-        const std::array<std::uint8_t, detail::lane_count>& planes) const noexcept {
-      return Lanes(enter_, step_, planes);
-    }
-    template <class Lanes>
-    [[nodiscard]] constexpr Lanes leave(
-        const std::array<std::uint8_t, detail::lane_count>& planes) const noexcept {
-      return Lanes(leave_, step_, planes);
-    }
-
-   private:
-    F enter_ = 0, leave_ = 0, step_ = 0;
-  };
+  [[nodiscard]] constexpr GridTimes<F> on_grid(const PlaneGrid<F>& grid) const noexcept {
+    return {enter(grid.origin()), leave(grid.origin()), grid.step() * factor_};
+  }
 
  private:
   F origin_, factor_, enter_, leave_;

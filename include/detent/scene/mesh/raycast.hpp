@@ -35,6 +35,24 @@ constexpr void append(D& digest, const MeshHit<S>& hit) noexcept {
 
 namespace detail {
 
+/// Calls visit(part, distance) for the triangles of `surface` that `ray` touches, near ones first on
+/// the whole; it returns how far hits still matter, and a negative number to end.
+template <template <class> class Surface, Scalar S, class Visit>
+constexpr void visit_hits(const Ray<S, 3>& ray, const Surface<S>& surface,
+                          const Visit& visit) noexcept {
+  const PassingLine<S> line(ray);
+  auto shorter = ray;
+  visit_along(surface, ray, [&](std::span<const MeshTriangle<S>> parts) {
+    for (const auto& part : parts) {
+      if (line.passes(part.triangle)) continue;
+      const auto distance = raycast(shorter, part.triangle);
+      if (distance) shorter.max_distance = visit(part, *distance);
+      if (shorter.max_distance < 0) break;
+    }
+    return shorter.max_distance;
+  });
+}
+
 /// The first hit of a ray on a surface and the triangle that it is on.
 template <Scalar S>
 struct FoundOnSurface {
@@ -46,20 +64,11 @@ template <template <class> class Surface, Scalar S>
 [[nodiscard]] constexpr std::optional<FoundOnSurface<S>> first_on_surface(
     const Ray<S, 3>& ray, const Surface<S>& surface) noexcept {
   std::optional<FoundOnSurface<S>> best;
-  const PassingLine<S> line(ray);
-  auto shorter = ray;
-  visit_along(surface, ray, [&](std::span<const MeshTriangle<S>> parts) {
-    for (const auto& part : parts) {
-      if (line.passes(part.triangle)) continue;
-      const auto distance = raycast(shorter, part.triangle);
-      if (!distance) continue;
-      const MeshHit<S> hit{*distance, part.index};
-      if (best && !(hit < best->hit)) continue;
-      best = FoundOnSurface<S>{hit, part.triangle};
-      // Hits that round down to the same distance compete by their index.
-      shorter.max_distance = std::min(shorter.max_distance, next_up(hit.distance));
-    }
-    return shorter.max_distance;
+  visit_hits(ray, surface, [&](const MeshTriangle<S>& part, const S& distance) {
+    const MeshHit<S> hit{distance, part.index};
+    if (!best || hit < best->hit) best = FoundOnSurface<S>{hit, part.triangle};
+    // Hits that round down to the same distance compete by their index.
+    return std::min(ray.max_distance, next_up(best->hit.distance));
   });
   return best;
 }
@@ -89,13 +98,9 @@ template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
 [[nodiscard]] constexpr bool raycast_any(const Ray<S, 3>& ray, const Surface<S>& surface) noexcept {
   bool any = false;
-  visit_along(surface, ray, [&](std::span<const MeshTriangle<S>> parts) {
-    for (const auto& part : parts) {
-      if (!raycast(ray, part.triangle)) continue;
-      any = true;
-      return S(-1);
-    }
-    return ray.max_distance;
+  detail::visit_hits(ray, surface, [&](const MeshTriangle<S>&, const S&) {
+    any = true;
+    return S(-1);
   });
   return any;
 }
@@ -109,12 +114,8 @@ requires is_surface<Surface>
 [[nodiscard]] constexpr std::size_t raycast_all(const Ray<S, 3>& ray, const Surface<S>& surface,
                                                 std::span<MeshHit<S>> out) noexcept {
   std::size_t count = 0;
-  visit_along(surface, ray, [&](std::span<const MeshTriangle<S>> parts) {
-    for (const auto& part : parts) {
-      const auto distance = raycast(ray, part.triangle);
-      if (!distance) continue;
-      detail::keep_first(out, count++, MeshHit<S>{*distance, part.index});
-    }
+  detail::visit_hits(ray, surface, [&](const MeshTriangle<S>& part, const S& distance) {
+    detail::keep_first(out, count++, MeshHit<S>{distance, part.index});
     return ray.max_distance;
   });
   std::sort(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(std::min(count, out.size())));

@@ -72,7 +72,7 @@ class StaticRay {
                                               Times& enter) const noexcept {
     Lanes in(Time{}), out(limit);
     for (std::size_t i = 0; i < N; ++i) {
-      const typename Slab::OnGrid planes(slabs_[i], node.grids[i]);
+      const auto planes = slabs_[i].on_grid(node.grids[i]);
       in.raise(planes.template enter<Lanes>(node.sides[near_side_[i]]));
       out.lower(planes.template leave<Lanes>(node.sides[near_side_[i] ^ 1]));
     }
