@@ -5,116 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
-#include "detent/scene/bounds.hpp"
+#include "detent/scene/tree/grouping.hpp"
+#include "detent/scene/tree/node.hpp"
 
 namespace detent::detail {
-
-inline constexpr std::uint32_t nowhere = 0xffffffffu;
-
-/// A node of the broad phase: up to eight boxes, side by side so that one loop tests them all.
-template <Scalar S, int N>
-struct alignas(64) TreeNode {
-  static constexpr std::size_t width = 8;
-  using Box = CullingBox<S, N>;
-  using Lane = std::array<typename Box::Coordinate, width>;
-  using Mask = std::uint32_t;  // bit i for box i
-
-  std::array<Lane, static_cast<std::size_t>(N)> low;
-  std::array<Lane, static_cast<std::size_t>(N)> high;
-  std::array<std::uint32_t, width> child;  // an object in a leaf, else a node
-  std::uint32_t parent = nowhere;
-  std::uint16_t level = 0;  // 0 for a leaf
-  std::uint16_t count = 0;
-
-  constexpr TreeNode() noexcept {
-    for (std::size_t i = 0; i < width; ++i) clear(i);
-  }
-
-  /// An empty box, which meets nothing and adds nothing.
-  constexpr void clear(std::size_t i) noexcept {
-    for (auto& lane : low) lane[i] = Culling<S>::far;
-    for (auto& lane : high) lane[i] = -Culling<S>::far;
-    child[i] = nowhere;
-  }
-  constexpr void set(std::size_t i, const Box& box) noexcept {
-    for (std::size_t axis = 0; axis < low.size(); ++axis) {
-      low[axis][i] = box.low[axis];
-      high[axis][i] = box.high[axis];
-    }
-  }
-  [[nodiscard]] constexpr Box box(std::size_t i) const noexcept {
-    Box result;
-    for (std::size_t axis = 0; axis < low.size(); ++axis) {
-      result.low[axis] = low[axis][i];
-      result.high[axis] = high[axis][i];
-    }
-    return result;
-  }
-  [[nodiscard]] constexpr std::size_t place_of(std::uint32_t id) const noexcept {
-    std::size_t i = 0;
-    while (child[i] != id) ++i;
-    return i;
-  }
-
-  /// The box around all boxes.
-  [[nodiscard]] constexpr Box bounds() const noexcept {
-    Box result;
-    for (std::size_t axis = 0; axis < low.size(); ++axis) {
-      auto least = low[axis][0], most = high[axis][0];
-      for (std::size_t i = 1; i < width; ++i) {
-        least = std::min(least, low[axis][i]);
-        most = std::max(most, high[axis][i]);
-      }
-      result.low[axis] = least;
-      result.high[axis] = most;
-    }
-    return result;
-  }
-
-  /// Which boxes have a point in common with `box`.
-  [[nodiscard]] constexpr Mask meeting(const Box& box) const noexcept {
-    // All ones where two boxes are apart: loops that compilers vectorise.
-    std::array<std::int32_t, width> apart{};
-    for (std::size_t axis = 0; axis < low.size(); ++axis) {
-      const auto least = box.low[axis], most = box.high[axis];
-      for (std::size_t i = 0; i < width; ++i) {
-        apart[i] |= (low[axis][i] > most ? -1 : 0) | (high[axis][i] < least ? -1 : 0);
-      }
-    }
-    std::int32_t together = 0;
-    for (std::size_t i = 0; i < width; ++i) together |= ~apart[i] & (1 << i);
-    const auto mask = static_cast<Mask>(together);
-    return mask & ((1u << count) - 1);  // what is everywhere meets empty boxes too
-  }
-};
-
-template <Scalar S, int N>
-[[nodiscard]] constexpr CullingBox<S, N> hull_of(const CullingBox<S, N>& a,
-                                                 const CullingBox<S, N>& b) noexcept {
-  CullingBox<S, N> result;
-  for (std::size_t axis = 0; axis < a.low.size(); ++axis) {
-    result.low[axis] = std::min(a.low[axis], b.low[axis]);
-    result.high[axis] = std::max(a.high[axis], b.high[axis]);
-  }
-  return result;
-}
-
-/// A measure of how often rays and boxes meet `box`: half its surface and the length of its edges;
-/// in 2D half its outline.
-template <Scalar S, int N>
-[[nodiscard]] constexpr auto half_area(const CullingBox<S, N>& box) noexcept {
-  const auto extent = [&](std::size_t i) {
-    return Culling<S>::area_extent(box.low[i], box.high[i]);
-  };
-  if constexpr (N == 2) {
-    return extent(0) + extent(1);
-  } else {
-    const auto x = extent(0), y = extent(1), z = extent(2);
-    return x * (y + z) + y * z + x + y + z;
-  }
-}
 
 /// A tree of boxes over objects that come, go and move: every leaf is equally deep, and every node
 /// but the root has at least three boxes. It finds boxes; its shape depends on its history, so
@@ -186,47 +81,7 @@ class Tree {
   }
 
  private:
-  struct Entry {
-    Box box;
-    std::uint32_t child = nowhere;
-  };
-
-  /// Orders entries so that neighbours are near: cuts them in two along the axis on which their
-  /// centers spread most, again and again, where whole subtrees end.
-  static constexpr void arrange(Entry* first, std::size_t count) {
-    while (count > width) {
-      std::size_t part = width;
-      while (part * width < count) part *= width;
-      const auto parts = (count + part - 1) / part;
-      const auto cut = (parts + 1) / 2 * part;
-      auto lowest = center(first[0].box), highest = lowest;
-      for (std::size_t i = 1; i < count; ++i) {
-        const auto c = center(first[i].box);
-        for (std::size_t axis = 0; axis < c.size(); ++axis) {
-          lowest[axis] = std::min(lowest[axis], c[axis]);
-          highest[axis] = std::max(highest[axis], c[axis]);
-        }
-      }
-      std::size_t axis = 0;
-      for (std::size_t i = 1; i < lowest.size(); ++i) {
-        if (Culling<S>::area_extent(lowest[i], highest[i]) >
-            Culling<S>::area_extent(lowest[axis], highest[axis])) {
-          axis = i;
-        }
-      }
-      std::nth_element(first, first + cut, first + count, [axis](const Entry& a, const Entry& b) {
-        return a.box.low[axis] + a.box.high[axis] < b.box.low[axis] + b.box.high[axis];
-      });
-      arrange(first + cut, count - cut);
-      count = cut;
-    }
-  }
-  /// Twice the center.
-  static constexpr auto center(const Box& box) noexcept {
-    auto result = box.low;
-    for (std::size_t axis = 0; axis < result.size(); ++axis) result[axis] += box.high[axis];
-    return result;
-  }
+  using Entry = TreeEntry<S, N>;
 
   /// Replaces the entries by nodes that hold eight of them each; the last two share what is left
   /// over where that would be too few for one.
@@ -272,14 +127,6 @@ class Tree {
       }
     }
     change(home, place, old, box);
-  }
-
-  static constexpr bool is_within(const Box& inner, const Box& outer) noexcept {
-    bool is = true;
-    for (std::size_t axis = 0; axis < inner.low.size(); ++axis) {
-      is &= outer.low[axis] <= inner.low[axis] && inner.high[axis] <= outer.high[axis];
-    }
-    return is;
   }
 
   /// The box around all boxes of a node that is not the root, as its parent has it.
@@ -340,22 +187,6 @@ class Tree {
     add(at, {box, child});
   }
 
-  /// The box that grows least in area, and of those the smallest.
-  static constexpr std::size_t best_place(const Node& node, const Box& box) noexcept {
-    std::size_t best = 0;
-    Area best_growth{}, best_area{};
-    for (std::size_t i = 0; i < node.count; ++i) {
-      const auto area = half_area(node.box(i));
-      const auto growth = half_area(hull_of(node.box(i), box)) - area;
-      if (i == 0 || growth < best_growth || (growth == best_growth && area < best_area)) {
-        best = i;
-        best_growth = growth;
-        best_area = area;
-      }
-    }
-    return best;
-  }
-
   constexpr void add(std::uint32_t at, Entry entry) {
     while (nodes_[at].count == width) {
       const auto sibling = split(at, entry);
@@ -395,33 +226,11 @@ class Tree {
     std::array<Entry, width + 1> entries;
     for (std::size_t i = 0; i < width; ++i) entries[i] = {nodes_[at].box(i), nodes_[at].child[i]};
     entries[width] = extra;
-    auto best = entries;
-    std::size_t best_cut = 0;
-    Area best_cost{};
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(N); ++axis) {
-      std::sort(entries.begin(), entries.end(), [axis](const Entry& a, const Entry& b) {
-        return a.box.low[axis] + a.box.high[axis] < b.box.low[axis] + b.box.high[axis];
-      });
-      std::array<Box, width + 1> rest;  // rest[i] is around the entries from i on
-      rest[width] = entries[width].box;
-      for (std::size_t i = width; i-- > 0;) rest[i] = hull_of(entries[i].box, rest[i + 1]);
-      auto first = entries[0].box;
-      for (std::size_t cut = 1; cut <= width + 1 - least; ++cut) {
-        if (cut >= least) {
-          const auto cost = half_area(first) + half_area(rest[cut]);
-          if (best_cut == 0 || cost < best_cost) {
-            best = entries;
-            best_cut = cut;
-            best_cost = cost;
-          }
-        }
-        first = hull_of(first, entries[cut].box);
-      }
-    }
+    const auto count = cut_in_two(entries, least);
     const auto sibling = make_node(nodes_[at].level);
     for (std::size_t i = 0; i < width; ++i) nodes_[at].clear(i);
     nodes_[at].count = 0;
-    for (std::size_t i = 0; i < best.size(); ++i) put(i < best_cut ? at : sibling, best[i]);
+    for (std::size_t i = 0; i < entries.size(); ++i) put(i < count ? at : sibling, entries[i]);
     return sibling;
   }
 
