@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "detent/math/orthonormal.hpp"
 #include "detent/number/culling.hpp"
 #include "detent/shape/bounding_box.hpp"
 #include "detent/shape/plane.hpp"
@@ -84,23 +85,6 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr CullingBox<S, N> culling_box(const Plane<S, N>&) noexcept {
   return everywhere<S, N>();
-}
-
-/// Whether the axes are perpendicular and of length 1 within 2^-10.
-template <Scalar S, int N>
-[[nodiscard]] constexpr bool is_nearly_orthonormal(const Rotation<S, N>& rotation) noexcept {
-  for (int i = 0; i < N; ++i) {
-    for (int j = 0; j < i; ++j) {
-      // Directions are of length 1 within 2^-13.
-      const auto cosine = dot(rotation.axis(i), rotation.axis(j));
-      if constexpr (is_fixed<S>) {
-        if (abs(cosine) > Fixed<1, 10>::from_raw(1)) return false;
-      } else {
-        if (1024 * abs(cosine) > 1) return false;
-      }
-    }
-  }
-  return true;
 }
 
 template <Scalar S, int N>

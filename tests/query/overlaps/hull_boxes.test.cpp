@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "math/frames.hpp"
 #include "query/overlaps/hulls.hpp"
 
 namespace detent::test {
@@ -51,6 +52,38 @@ TEMPLATE_TEST_CASE("overlaps, box and hull: one raw unit decides, at the ends of
   CHECK(meets(line, Points<S, N, 2>{corner, at<S, N>(9, 4)}));
   corner.x = moved(corner.x, 1);
   CHECK_FALSE(meets(line, Points<S, N, 2>{corner, at<S, N>(9, 4)}));
+}
+
+TEMPLATE_TEST_CASE("overlaps, box and hull: rounded edges decide only what they know", "[overlaps]",
+                   DETENT_FIXED_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  using detail::Nearness;
+  Random random(0x0bb41);
+  int near = 0, unknown = 0, apart = 0;
+  for (int round = 0; round < 2'000; ++round) {
+    const std::int64_t reach = std::int64_t{1} << random.between(2, S::bits - 4);
+    Points<S, N, 4> points;
+    for (auto& point : points) point = random_near(random, Vec<S, N>(), reach);
+    const detail::HullBody hull(ConvexHull<S, N>{points});
+    Obb<S, N> box{{}, {}, random_rotation<S, N>(random)};
+    for (int i = 0; i < N; ++i) box.half_extents[i] = moved(S(0), random.between(0, reach));
+    // The last of the places on the way out of the hull where they meet.
+    const auto way = random_near(random, Vec<S, N>(), reach);
+    std::int64_t inside = 0, outside = 8 * 64;
+    while (outside - inside > 1) {
+      const auto middle = (inside + outside) / 2;
+      box.center = make_vec<N>([&](int i) { return moved(S(0), way[i].raw() * middle / 64); });
+      const bool meet = detail::bodies_overlap(detail::edge_body(box), hull);
+      const auto nearness = detail::roughly_overlap(box, hull);
+      REQUIRE(nearness != (meet ? Nearness::apart : Nearness::near));
+      ++(nearness == Nearness::near ? near : nearness == Nearness::apart ? apart : unknown);
+      (meet ? inside : outside) = middle;
+    }
+  }
+  CHECK(near > 2'000);
+  CHECK(apart > 2'000);
+  CHECK(unknown > 40);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEMPLATE_TEST_CASE("overlaps, hull: narrow and wide integers give the same answe
     auto half = random_near(random, Vec<S, N>(), reach / 2);
     for (int i = 0; i < N; ++i) half[i] = half[i] < 0 ? moved(S(0), 1) : half[i];
     const Obb<S, N> box{aside, half, three_four_fifths_frame<S, N>()};
-    const detail::ObbBody box_body(box);
+    const auto box_body = detail::edge_body(box);
     using Fine = std::remove_cvref_t<decltype((box_body.some() - hull.some()).x)>;
     const bool touches = overlaps(box, ConvexHull<S, N>{a});
     CHECK(detail::Gjk<Fine, decltype(box_body), decltype(hull)>(box_body, hull).touches() ==

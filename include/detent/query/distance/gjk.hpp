@@ -9,6 +9,10 @@
 
 namespace detent::detail {
 
+/// Whether differences are on the finer grid where oriented boxes have their corners.
+template <Number T>
+inline constexpr bool is_fine = bits_of<T> > 48;
+
 /// The search for the point closest to the origin among the differences a - b of points of two
 /// convex bodies; `T` holds the components of such differences.
 ///
@@ -51,7 +55,7 @@ class Gjk {
   /// With `until_apart`, ends as soon as a plane between the bodies is known.
   constexpr void search(bool until_apart) noexcept {
     // A direction that is not as long as it may be is multiplied in the next narrower integers.
-    constexpr int bits = (33 < bits_of<T> ? 253 : 125) - bits_of<T>;
+    constexpr int bits = (is_fine<T> ? 253 : 125) - bits_of<T>;
     const auto advances = [&](const auto& v) {
       return by_width<bits>([&](const auto& u) { return advance(u, until_apart); }, v);
     };
@@ -101,12 +105,12 @@ template <Number T, int N>
 }
 
 /// f(search) for the search in the narrowest numbers that hold the differences from `low` to
-/// `high`: for those below 2^29 in 128 bits instead of 256, and for those of the finer grid on
-/// which oriented boxes have their corners, below 2^61 in 256 instead of 320.
+/// `high`: for those below 2^29 in 128 bits instead of 256, and for those of the finer grid below
+/// 2^61 in 256 instead of 320.
 template <class A, class B, Number T, int N, class F>
 [[nodiscard]] constexpr auto with_gjk(const A& a, const B& b, const Vec<T, N>& low,
                                       const Vec<T, N>& high, const F& f) noexcept {
-  constexpr int bits = 33 < bits_of<T> ? 61 : 29;
+  constexpr int bits = is_fine<T> ? 61 : 29;
   return by_width<bits>(
       [&](const auto& narrow_low, const auto&) {
         using Narrow = std::remove_cvref_t<decltype(narrow_low.x)>;
