@@ -24,7 +24,7 @@ template <Scalar S, int N>
   const auto half_a = a.max - a.min;
   const auto half_b = b.half_extents + b.half_extents;
   const auto apart = b.center + b.center - (a.min + a.max);
-  if constexpr (N == 3 && detail::looks_first<S>) {
+  if constexpr (detail::looks_first<S>) {
     const auto halved = [](const auto& v) {
       return make_vec<N>([&](int i) { return scale_down<bits_of<S> + 1>(v[i], 1); });
     };

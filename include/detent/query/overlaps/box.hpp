@@ -16,8 +16,8 @@ namespace detent::detail {
 /// The coordinate axes as the edges of a box.
 struct WorldFrame {
   /// The place of `v` along edge `i`.
-  template <Number T>
-  [[nodiscard]] constexpr T along(int i, const Vec<T, 3>& v) const noexcept {
+  template <Number T, int N>
+  [[nodiscard]] constexpr T along(int i, const Vec<T, N>& v) const noexcept {
     return v[i];
   }
   /// The place of `v` along the normal of face `i`, the cross product of the other two edges.

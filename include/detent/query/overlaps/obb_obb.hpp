@@ -20,7 +20,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Obb<S, N>& a, const Obb<S, N>& b) noexcept {
   if (is_empty(a) || is_empty(b)) return false;
   const auto apart = b.center - a.center;
-  if constexpr (N == 3 && detail::looks_first<S>) {
+  if constexpr (detail::looks_first<S>) {
     const auto nearness =
         detail::roughly_boxes_overlap(detail::RoughFrame(a.rotation), a.half_extents,
                                       detail::RoughFrame(b.rotation), b.half_extents, apart);

@@ -27,7 +27,7 @@ template <Scalar S, int N>
   const auto b = triangle.b - box.center;
   const auto c = triangle.c - box.center;
   if constexpr (N == 3 && detail::looks_first<S>) {
-    const auto nearness = detail::roughly_box_meets_triangle(detail::RoughFrame<S>(box.rotation),
+    const auto nearness = detail::roughly_box_meets_triangle(detail::RoughFrame(box.rotation),
                                                              box.half_extents, std::array{a, b, c});
     if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::near;
   }

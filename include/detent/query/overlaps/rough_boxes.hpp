@@ -17,38 +17,47 @@ namespace detent::detail {
 using RoughCosine = Fixed<29, 28>;
 
 /// The axes of a rotation as the edges of a box, without the normals of its faces.
-template <Scalar S>
+template <Scalar S, int N>
 class RoughFrame {
  public:
-  explicit constexpr RoughFrame(const Rotation<S, 3>& rotation) noexcept : rotation_(rotation) {}
+  explicit constexpr RoughFrame(const Rotation<S, N>& rotation) noexcept : rotation_(rotation) {}
 
   [[nodiscard]] constexpr const auto& edge(int i) const noexcept { return rotation_.axis(i); }
   template <Number T>
-  [[nodiscard]] constexpr auto along(int i, const Vec<T, 3>& v) const noexcept {
+  [[nodiscard]] constexpr auto along(int i, const Vec<T, N>& v) const noexcept {
     return dot(edge(i), v);
   }
 
  private:
-  const Rotation<S, 3>& rotation_;
+  const Rotation<S, N>& rotation_;
 };
 
 /// Whether any two axes are perpendicular within 2^-26.
 constexpr bool is_square(const WorldFrame&) noexcept { return true; }
-template <Scalar S>
-constexpr bool is_square(const RoughFrame<S>& frame) noexcept {
+template <Scalar S, int N>
+constexpr bool is_square(const RoughFrame<S, N>& frame) noexcept {
   constexpr int bits = 2 * direction_component<S>::frac - 26;
   const auto cosine = [&](int i, int k) { return dot(frame.edge(i), frame.edge(k)); };
-  return fits<bits>(Vec{cosine(0, 1), cosine(1, 2), cosine(2, 0)});
+  if constexpr (N == 2) {
+    return fits<bits>(cosine(0, 1));
+  } else {
+    return fits<bits>(Vec{cosine(0, 1), cosine(1, 2), cosine(2, 0)});
+  }
 }
 
-/// The least f(i) of three axes i, which `f` takes as constants: a compiler would make a loop of it.
-template <class F>
-[[nodiscard]] constexpr auto least_of_three(const F& f) noexcept {
+/// The least f(i) of N axes i, which `f` takes as constants: a compiler would make a loop of it.
+template <int N, class F>
+[[nodiscard]] constexpr auto least_of(const F& f) noexcept {
   const auto x = f(std::integral_constant<int, 0>()), y = f(std::integral_constant<int, 1>());
-  return std::min(std::min(x, y), f(std::integral_constant<int, 2>()));
+  if constexpr (N == 2) {
+    return std::min(x, y);
+  } else {
+    return std::min(std::min(x, y), f(std::integral_constant<int, 2>()));
+  }
 }
 
-/// `boxes_overlap` in 64 bits, for lengths that are each at most half a step too small.
+/// Whether two boxes overlap that `apart` leads from one center to the other, in 64 bits, for
+/// lengths that are each at most half a step too small.
 ///
 /// Orthonormal frames are within 2^-25.8 of square ones; of those again within 2^-22.7 are some of
 /// which each pair of edges that is called parallel here is so exactly. The difference of two boxes
@@ -61,57 +70,63 @@ template <class F>
 /// cosines as they are here, separates them.
 ///
 /// source: separating axes by cosines, Ericson, Real-Time Collision Detection, 4.4.1
-template <class Frame, Scalar S, Number H, Number T>
-[[nodiscard]] constexpr Nearness roughly_boxes_overlap(const Frame& a, const Vec<H, 3>& half_a,
-                                                       const RoughFrame<S>& b,
-                                                       const Vec<H, 3>& half_b,
-                                                       const Vec<T, 3>& apart) noexcept {
-  if (!is_square(a) || !is_square(b)) return Nearness::unknown;
+template <class Frame, Scalar S, Number H, Number T, int N>
+[[nodiscard]] constexpr Nearness roughly_boxes_overlap(const Frame& a, const Vec<H, N>& half_a,
+                                                       const RoughFrame<S, N>& b,
+                                                       const Vec<H, N>& half_b,
+                                                       const Vec<T, N>& apart) noexcept {
+  constexpr auto size = static_cast<std::size_t>(N);
+  if (!is_square(a)) return Nearness::unknown;
   using Place = Fixed<34, T::frac>;
   using Slack = Fixed<63, T::frac + RoughCosine::frac>;
   constexpr int bits = 62;  // of all sums of two or three products: they are below 2^61
-  const auto sum = [](const Vec<H, 3>& v) { return v.x + v.y + v.z; };
-  const Slack margin =
-      narrow<34>(scale_down<34>(sum(half_a) + sum(half_b), 18) + Place::from_raw(8));
+  auto sum = narrow<36>(half_a[0] + half_b[0]);
+  for (int i = 1; i < N; ++i) sum = narrow<36>(sum + half_a[i] + half_b[i]);
+  const Slack margin = narrow<34>(scale_down<34>(sum, 18) + Place::from_raw(8));
   const Slack least = narrow_negative(margin);
   const auto slack = [](const auto& reach, const auto& place) -> Slack {
     return narrow_difference<63>(reach, abs(place));
   };
 
-  std::array<Vec<RoughCosine, 3>, 3> cosines, lengths;  // [j][i]: edge j of b, edge i of a
-  Vec<Place, 3> along_a;
-  for (int j = 0; j < 3; ++j) {
+  std::array<Vec<RoughCosine, N>, size> cosines, lengths;  // [j][i]: edge j of b, edge i of a
+  Vec<Place, N> along_a;
+  for (int j = 0; j < N; ++j) {
     const auto k = static_cast<std::size_t>(j);
     cosines[k] =
-        make_vec<3>([&](int i) { return narrow_floor<RoughCosine>(a.along(i, b.edge(j).vec())); });
-    lengths[k] = make_vec<3>([&](int i) { return abs(cosines[k][i]); });
+        make_vec<N>([&](int i) { return narrow_floor<RoughCosine>(a.along(i, b.edge(j).vec())); });
+    lengths[k] = make_vec<N>([&](int i) { return abs(cosines[k][i]); });
   }
-  const auto faces_a = least_of_three([&](auto i) {
-    const Vec row{lengths[0][i], lengths[1][i], lengths[2][i]};
+  const auto faces_a = least_of<N>([&](auto i) {
+    const auto row = make_vec<N>([&](int j) { return lengths[static_cast<std::size_t>(j)][i]; });
     along_a[i] = narrow_floor<Place>(a.along(i, apart));
     return slack(narrow_sum<bits>(half_a[i], narrow_dot<bits>(half_b, row)), along_a[i]);
   });
-  if (faces_a < least) return Nearness::apart;
-  const auto faces_b = least_of_three([&](auto j) {
+  if (faces_a < least) return Nearness::apart;  // whatever the axes of b are
+  if (!is_square(b)) return Nearness::unknown;
+  const auto faces_b = least_of<N>([&](auto j) {
     const auto along_b = narrow_floor<Place>(b.along(j, apart));
     return slack(narrow_sum<bits>(half_b[j], narrow_dot<bits>(half_a, lengths[j])), along_b);
   });
   if (faces_b < least) return Nearness::apart;
-  const auto edges = least_of_three([&](auto j) {
-    return least_of_three([&](auto i) {
-      constexpr int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-      const auto reach_a =
-          narrow_dot<bits>(Vec{half_a[i1], half_a[i2]}, Vec{lengths[j][i2], lengths[j][i1]});
-      const auto reach_b =
-          narrow_dot<bits>(Vec{half_b[j1], half_b[j2]}, Vec{lengths[j2][i], lengths[j1][i]});
-      const auto place =
-          narrow_cross<bits>(Vec{cosines[j][i1], cosines[j][i2]}, Vec{along_a[i1], along_a[i2]});
-      const bool is_parallel = lengths[j][i1] + lengths[j][i2] <= RoughCosine::from_raw(8);
-      return is_parallel ? margin : slack(narrow_sum<bits>(reach_a, reach_b), place);
+  auto inside = std::min(faces_a, faces_b);
+  if constexpr (N == 3) {
+    const auto edges = least_of<3>([&](auto j) {
+      return least_of<3>([&](auto i) {
+        constexpr int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+        const auto reach_a =
+            narrow_dot<bits>(Vec{half_a[i1], half_a[i2]}, Vec{lengths[j][i2], lengths[j][i1]});
+        const auto reach_b =
+            narrow_dot<bits>(Vec{half_b[j1], half_b[j2]}, Vec{lengths[j2][i], lengths[j1][i]});
+        const auto place =
+            narrow_cross<bits>(Vec{cosines[j][i1], cosines[j][i2]}, Vec{along_a[i1], along_a[i2]});
+        const bool is_parallel = lengths[j][i1] + lengths[j][i2] <= RoughCosine::from_raw(8);
+        return is_parallel ? margin : slack(narrow_sum<bits>(reach_a, reach_b), place);
+      });
     });
-  });
-  if (edges < least) return Nearness::apart;
-  return std::min(std::min(faces_a, faces_b), edges) >= margin ? Nearness::near : Nearness::unknown;
+    if (edges < least) return Nearness::apart;
+    inside = std::min(inside, edges);
+  }
+  return inside >= margin ? Nearness::near : Nearness::unknown;
 }
 
 }  // namespace detent::detail

@@ -8,20 +8,26 @@
 
 namespace detent::detail {
 
-/// What the axes of a box tell of a triangle with these corners, seen from its center, in 64 bits:
-/// apart where they all lie beyond one side, near where one corner lies within all.
+/// Whether a box meets a triangle with these corners, seen from its center, in places along the axes
+/// of the box, which are cut off by less than one step.
 ///
-/// Places along the axes are cut off, by less than one step. Where two axes are perpendicular within
-/// 2^-26, a box reaches along each its own half extent and at most 2^-25 H more, for the sum H of
-/// all; and a corner with places c has the coordinates c within 2^-23 H. The margin is more.
+/// The axes alone tell them apart where all corners lie beyond one side, and near where one corner
+/// lies within all. Where two axes are perpendicular within 2^-26, a box reaches along each its own
+/// half extent and at most 2^-25 H more, for the sum H of all; and a corner with places c has the
+/// coordinates c within 2^-23 H. The margin is more.
+///
+/// Else, where they fit 29 bits, the places are taken for coordinates along the edges of the box.
+/// They are so within 2^-24 of 2^29 steps, and one: less than 64. So the triangle with the places
+/// as its corners is within 64 steps of the given one, along each axis. Its edges take a bit more.
 template <Scalar S, Number H, Number T>
 [[nodiscard]] constexpr Nearness roughly_box_meets_triangle(
-    const RoughFrame<S>& box, const Vec<H, 3>& half_extents,
+    const RoughFrame<S, 3>& box, const Vec<H, 3>& half_extents,
     const std::array<Vec<T, 3>, 3>& corners) noexcept {
   if (!is_square(box)) return Nearness::unknown;
   using Place = Fixed<34, T::frac>;
   const Place margin = narrow<34>(
       scale_down<34>(half_extents.x + half_extents.y + half_extents.z, 18) + Place::from_raw(8));
+  std::array<Vec<Place, 3>, 3> places;
   std::array<bool, 3> within{true, true, true};
   for (int i = 0; i < 3; ++i) {
     const Place most = narrow_sum<34>(half_extents[i], margin);
@@ -32,10 +38,28 @@ template <Scalar S, Number H, Number T>
       above += place > most ? 1 : 0;
       below += place < narrow_negative(most) ? 1 : 0;
       within[k] = within[k] && abs(place) <= least;
+      places[k][i] = place;
     }
     if (above == 3 || below == 3) return Nearness::apart;
   }
-  return within[0] || within[1] || within[2] ? Nearness::near : Nearness::unknown;
+  if (within[0] || within[1] || within[2]) return Nearness::near;
+
+  constexpr int bits = 29;
+  using Coordinate = Fixed<bits, T::frac>;
+  constexpr auto error = Coordinate::from_raw(64);
+  const auto longer = make_vec<3>([&](int i) { return half_extents[i] + error; });
+  const auto shorter = make_vec<3>([&](int i) { return half_extents[i] - error; });
+  if (!fits<bits>(places[0]) || !fits<bits>(places[1]) || !fits<bits>(places[2]) ||
+      !fits<bits>(longer) || !fits<bits>(shorter)) {
+    return Nearness::unknown;
+  }
+  const auto meets = [&](const auto& extents) {
+    const auto corner = [&](std::size_t k) { return at_most<bits + 1>(places[k]); };
+    return box_meets_triangle<bits + 1>(WorldFrame(), at_most<bits>(extents), corner(0), corner(1),
+                                        corner(2));
+  };
+  if (shorter.x >= 0 && shorter.y >= 0 && shorter.z >= 0 && meets(shorter)) return Nearness::near;
+  return meets(longer) ? Nearness::unknown : Nearness::apart;
 }
 
 }  // namespace detent::detail
