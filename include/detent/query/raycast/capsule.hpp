@@ -134,11 +134,24 @@ class RayCapsule {
     return narrow_square<bits_of<decltype(ee_ * ee_)>>(cross(m_, e_)) - square(radius_) * ee_;
   }
 
-  /// Whether |m . k| > r (|kx| + |ky| + |kz|), so that it is also greater than r |k|: in integers
-  /// half as long as those of `reach`, the answer for most lines that miss.
+  /// More than the length of any direction, which is within 2^-13 of 1.
+  [[nodiscard]] static constexpr auto longest() noexcept {
+    if constexpr (is_fixed<S>) {
+      return Fixed<13, 12>::from_raw(4097);
+    } else {
+      return S(4097) / 4096;
+    }
+  }
+
+  /// Whether |m . k| > r (|kx| + |ky| + |kz|), so that it is also greater than r |k|; in 2D, whether
+  /// both ends are on one side of the line, by more than r |d|. In integers half as long as those of
+  /// `reach`, the answer for most lines that miss.
   [[nodiscard]] constexpr bool is_far() const noexcept {
     if constexpr (N == 2) {
-      return false;
+      const auto first = cross(m_, d_.vec());
+      const auto last = first + k_;
+      const auto reach = radius_ * longest();
+      return (first > reach && last > reach) || (first < -reach && last < -reach);
     } else {
       return abs(det_) > (abs(k_.x) + abs(k_.y) + abs(k_.z)) * radius_;
     }
