@@ -84,6 +84,7 @@ void write_accuracy(std::FILE* out, const Results& results) {
     const auto& [single, twice, exact, coarse, tiny] = records;
     const auto& a = single->accuracy;
     const bool decides = a.close_asked != 0;
+    if (!decides && a.error == 0) continue;  // no columns but those of times
     const auto wrong = [&](const Record& record) {
       return decides ? share(record.accuracy.wrong, record.accuracy.asked) : std::string();
     };
