@@ -133,12 +133,12 @@ void write_tables(std::FILE* out, const Results& results) {
                results.machine.compiler.c_str(), results.machine.date.c_str(),
                static_cast<unsigned long long>(results.seed));
   for (const Manner manner : manners) {
-    std::fprintf(out, "\nMultiples of float, %s\n\n", name_of(manner).c_str());
+    std::fprintf(out, "\n### Multiples of float, %s\n\n", name_of(manner).c_str());
     write_ratios(out, results, manner);
   }
-  std::fprintf(out, "\nAccuracy\n\n");
+  std::fprintf(out, "\n### Accuracy\n\n");
   write_accuracy(out, results);
-  std::fprintf(out, "\nBaselines\n\n");
+  std::fprintf(out, "\n### Baselines\n\n");
   write_baselines(out, results);
 }
 
