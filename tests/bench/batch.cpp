@@ -50,18 +50,17 @@ std::size_t count(const std::vector<std::optional<S>>& answers) {
       std::count_if(answers.begin(), answers.end(), [](const auto& a) { return a.has_value(); }));
 }
 
-/// Registers `ask(k)`, which answers 4096 questions about ray or shape k.
+/// Adds `ask(k)`, which answers 4096 questions about ray or shape k.
 template <class Ask>
-void add(const std::string& query, const std::string& scalar, const Ask& ask) {
-  benchmark::RegisterBenchmark(benchmark_name(query, scalar, Manner::shuffled).c_str(),
-                               [ask](benchmark::State& state) {
-                                 std::size_t k = 0;
-                                 for (auto _ : state) {
-                                   auto answer = ask(k++ % probe_count);
-                                   benchmark::DoNotOptimize(answer);
-                                   benchmark::ClobberMemory();
-                                 }
-                               });
+void add(Suite& suite, const std::string& query, const std::string& scalar, const Ask& ask) {
+  std::size_t k = 0;
+  suite.add_turn(query, scalar, Manner::shuffled, [ask, k]() mutable {
+    return take_turn([&] {
+      auto answer = ask(k++ % probe_count);
+      benchmark::DoNotOptimize(answer);
+      benchmark::ClobberMemory();
+    });
+  });
 }
 
 template <template <class, int> class Shape>
@@ -115,13 +114,13 @@ void add_shape(Suite& suite, const std::string& shape_name) {
     record("batch_first/", first_hits, first_expected);
     record("batch_each/", hits, expected);
     record("batch_rays/", ray_hits, ray_expected);
-    add("batch_first/" + shape_name, scalar_name<S>, first);
-    add("batch_each/" + shape_name, scalar_name<S>, each);
-    add("batch_rays/" + shape_name, scalar_name<S>, each_ray);
+    add(suite, "batch_first/" + shape_name, scalar_name<S>, first);
+    add(suite, "batch_each/" + shape_name, scalar_name<S>, each);
+    add(suite, "batch_rays/" + shape_name, scalar_name<S>, each_ray);
     if constexpr (std::is_same_v<S, float> || std::is_same_v<S, q16_16>) {
       const auto name = scalar_name<S> + ", loop";
       suite.add_record({"batch_each/" + shape_name, name, hits, expected, false, {}});
-      add("batch_each/" + shape_name, name, loop);
+      add(suite, "batch_each/" + shape_name, name, loop);
     }
   };
   add_scalar(float());

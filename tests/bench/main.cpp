@@ -24,24 +24,29 @@ constexpr std::string_view usage =
 Useful of Google Benchmark: --benchmark_filter=REGEX, --benchmark_repetitions=N
 )";
 
-/// Keeps the times and prints nothing but progress.
-class Collector : public benchmark::BenchmarkReporter {
+/// Prints nothing: the times are gathered turn by turn.
+class Silence : public benchmark::BenchmarkReporter {
  public:
-  explicit Collector(Results& results) : results_(results) {}
-
   bool ReportContext(const Context&) override { return true; }
-  void ReportRuns(const std::vector<Run>& runs) override {
-    for (const auto& run : runs) {
-      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
-      const std::string& key = run.run_name.function_name;
-      const auto questions = static_cast<double>(run.iterations) * question_count;
-      results_.times[key].add(run.cpu_accumulated_time * 1e9 / questions);
-    }
-  }
-
- private:
-  Results& results_;
+  void ReportRuns(const std::vector<Run>&) override {}
 };
+
+/// Has all of `row` take turns, as often as Google Benchmark asks, and keeps their times.
+void add_benchmark(const Row& row, Results& results) {
+  benchmark::RegisterBenchmark((row.query + '|' + name_of(row.manner)).c_str(),
+                               [&row, &results](benchmark::State& state) {
+                                 std::vector<Times*> times;
+                                 for (const auto& [scalar, turn] : row.turns) {
+                                   const auto name = benchmark_name(row.query, scalar, row.manner);
+                                   times.push_back(&results.times[name]);
+                                 }
+                                 for (auto _ : state) {
+                                   for (std::size_t i = 0; i < times.size(); ++i) {
+                                     times[i]->add(row.turns[i].second());
+                                   }
+                                 }
+                               });
+}
 
 std::string processor_name() {
   std::ifstream info("/proc/cpuinfo");
@@ -91,7 +96,7 @@ int run(int count, char** arguments) {
   std::string json, plot;
   std::uint64_t seed = default_seed;
   std::vector<std::string> rest{"detent-bench", "--benchmark_enable_random_interleaving=true",
-                                "--benchmark_repetitions=9", "--benchmark_min_time=0.004"};
+                                "--benchmark_repetitions=5", "--benchmark_min_time=0.1"};
   for (int i = 1; i < count; ++i) {
     const std::string argument = arguments[i];
     if (argument == "--help" || argument == "-h") {
@@ -139,8 +144,10 @@ int run(int count, char** arguments) {
   results.machine = this_machine();
   results.seed = seed;
   results.records = suite.records();
-  Collector collector(results);
-  benchmark::RunSpecifiedBenchmarks(&collector);
+  for (const auto& row : suite.rows()) add_benchmark(row, results);
+  std::fprintf(stderr, "detent-bench: %zu rows, up to a second each\n", suite.rows().size());
+  Silence silence;
+  benchmark::RunSpecifiedBenchmarks(&silence);
 
   write_tables(stdout, results);
   write_file(json, [&](std::FILE* file) { write_json(file, results); });

@@ -78,7 +78,7 @@ void visit_points(const Results& results, const std::string& scalar, const Visit
     if (record.scalar != scalar || record.query.rfind("number", 0) == 0) continue;
     const Times* const time = results.find(record.query, scalar, Manner::shuffled);
     const Times* const base = results.find(record.query, "float", Manner::shuffled);
-    if (time != nullptr && base != nullptr) visit(record, time->median() / base->median());
+    if (time != nullptr && base != nullptr) visit(record, results.ratio(*time, *base).median);
   }
 }
 

@@ -14,12 +14,17 @@
 
 namespace detent::bench {
 
-/// The times of one benchmark's repetitions, in nanoseconds a question.
+/// Nanoseconds a question, or their ratios, one for each turn.
 class Times {
  public:
-  void add(double nanoseconds) {
-    values_.insert(std::upper_bound(values_.begin(), values_.end(), nanoseconds), nanoseconds);
+  Times() = default;
+  /// The times of turns as multiples of those of the same turns of `base`.
+  Times(const Times& times, const Times& base) {
+    const std::size_t count = std::min(times.values_.size(), base.values_.size());
+    for (std::size_t i = 0; i < count; ++i) add(times.values_[i] / base.values_[i]);
   }
+
+  void add(double value) { values_.push_back(value); }
   [[nodiscard]] bool empty() const { return values_.empty(); }
   [[nodiscard]] double low() const { return quantile(1); }
   [[nodiscard]] double median() const { return quantile(2); }
@@ -28,9 +33,11 @@ class Times {
  private:
   /// The k-th quartile, interpolated.
   [[nodiscard]] double quantile(std::size_t k) const {
-    const std::size_t position = k * (values_.size() - 1);
-    const double low = values_[position / 4];
-    const double high = values_[std::min(position / 4 + 1, values_.size() - 1)];
+    auto sorted = values_;
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t position = k * (sorted.size() - 1);
+    const double low = sorted[position / 4];
+    const double high = sorted[std::min(position / 4 + 1, sorted.size() - 1)];
     return low + (high - low) * static_cast<double>(position % 4) / 4;
   }
 
@@ -46,12 +53,11 @@ struct Results {
   };
   struct Ratio {
     double median;
-    double spread;  // the quartiles of the two times divided farthest, half their distance
+    double spread;  // half the distance of the quartiles
   };
 
   Machine machine;
   std::uint64_t seed = 0;
-  std::size_t repetitions = 0;
   std::vector<Record> records;
   std::map<std::string, Times> times;  // by benchmark_name()
 
@@ -60,10 +66,10 @@ struct Results {
     const auto found = times.find(benchmark_name(query, scalar, manner));
     return found == times.end() || found->second.empty() ? nullptr : &found->second;
   }
-  /// The time of a scalar as a multiple of float's.
+  /// The time of a scalar as a multiple of float's, turn by turn.
   [[nodiscard]] Ratio ratio(const Times& time, const Times& base) const {
-    return {time.median() / base.median(),
-            (time.high() / base.low() - time.low() / base.high()) / 2};
+    const Times multiples(time, base);
+    return {multiples.median(), (multiples.high() - multiples.low()) / 2};
   }
 };
 

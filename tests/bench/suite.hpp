@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <cstring>
-#include <map>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,7 +35,7 @@ inline const std::string scalar_name<q8_8> = "q8_8";
 /// What a processor does of itself: the base of what has no counterpart in float.
 inline const std::string hardware = "double in hardware";
 
-/// How a benchmark asks its questions.
+/// How questions are asked.
 enum class Manner {
   shuffled,  // independent questions, hits and misses mixed in an order that changes every pass
   sorted,    // independent questions, hits first, so that the processor predicts every branch
@@ -71,44 +72,71 @@ std::uint32_t bits_of_answer(const Answer& answer) {
 /// Zero, which no compiler knows.
 inline volatile std::uint32_t always_zero = 0;
 
-/// Times `ask(questions[i])` for all of them in the manner given.
+/// Some passes over all questions; how many nanoseconds a question took.
+using Turn = std::function<double()>;
+
+/// Calls `pass` once to warm up, and twice to be timed.
+template <class Pass>
+double take_turn(const Pass& pass) {
+  constexpr int passes = 2;
+  using Clock = std::chrono::steady_clock;
+  pass();
+  const auto start = Clock::now();
+  for (int i = 0; i < passes; ++i) pass();
+  const std::chrono::duration<double, std::nano> time = Clock::now() - start;
+  return time.count() / (passes * question_count);
+}
+
+/// Turns of `ask(questions[i])` for all of them in the manner given.
 template <class Question, class Ask>
-void measure(benchmark::State& state, const std::vector<Question>& questions, const Ask& ask,
+Turn turn_of(std::shared_ptr<const std::vector<Question>> questions, const Ask& ask,
              Manner manner) {
   static_assert((question_count & (question_count - 1)) == 0);
   constexpr std::uint32_t mask = question_count - 1;
-  const std::uint32_t zero = always_zero;
   // An odd stride visits every question once. A new one each pass keeps the processor from learning
   // the answers by heart.
-  std::uint32_t stride = 1, at = 0;
-  for (auto _ : state) {
-    if (manner != Manner::sorted) stride = (stride * 1664525 + 1013904223) | 1;
-    if (manner == Manner::chained) {
-      for (std::uint32_t i = 0; i < question_count; ++i) {
-        const auto answer = ask(questions[at & mask]);
-        at += stride + (bits_of_answer(answer) & zero);
+  std::uint32_t stride = 1, first = 0;
+  return [questions, ask, manner, stride, first]() mutable {
+    return take_turn([&] {
+      if (manner != Manner::sorted) stride = (stride * 1664525 + 1013904223) | 1;
+      // In registers, which what is captured is not.
+      const Question* const from = questions->data();
+      const std::uint32_t step = stride, zero = always_zero;
+      std::uint32_t at = first;
+      if (manner == Manner::chained) {
+        for (std::uint32_t i = 0; i < question_count; ++i) {
+          const auto answer = ask(from[at & mask]);
+          at += step + (bits_of_answer(answer) & zero);
+        }
+      } else {
+        for (std::uint32_t i = 0; i < question_count; ++i, at += step) {
+          auto answer = ask(from[at & mask]);
+          benchmark::DoNotOptimize(answer);
+        }
       }
-    } else {
-      for (std::uint32_t i = 0; i < question_count; ++i, at += stride) {
-        auto answer = ask(questions[at & mask]);
-        benchmark::DoNotOptimize(answer);
-      }
-    }
-  }
-  benchmark::DoNotOptimize(at);
-  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) *
-                          static_cast<std::int64_t>(question_count));
+      first = at;
+    });
+  };
 }
 
-/// The benchmarks of a run, and what is known of them.
+/// Everyone's turns at one query, which they take one after the other, so that whatever slows the
+/// machine down slows all of them.
+struct Row {
+  std::string query;
+  Manner manner;
+  std::vector<std::pair<std::string, Turn>> turns;  // of a scalar, or of somebody else
+};
+
+/// The queries of a run, and what is known of them.
 class Suite {
  public:
   explicit Suite(std::uint64_t seed) : seed_(seed) {}
 
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
   [[nodiscard]] const std::vector<Record>& records() const { return records_; }
+  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 
-  /// Registers `query` in every scalar.
+  /// Adds `query` in every scalar.
   template <class Q>
   void operator()(const Q& query) {
     const auto ordinary_questions = draw_questions(query, seed_, ordinary);
@@ -138,25 +166,32 @@ class Suite {
     add_scalar(q8_8());
   }
 
-  /// Registers a function of our own or of others under the name of a query and a scalar.
+  /// Adds a function of our own or of others under the name of a query and a scalar.
   void add_record(const Record& record) { records_.push_back(record); }
   template <class Question, class Ask, class IsHit>
   void add(const std::string& query, const std::string& scalar, std::vector<Question> questions,
            const Ask& ask, const IsHit& is_hit) {
     auto sorted = std::make_shared<std::vector<Question>>(questions);
     std::stable_partition(sorted->begin(), sorted->end(), is_hit);
-    const auto shuffled = std::make_shared<std::vector<Question>>(std::move(questions));
+    const auto shuffled = std::make_shared<const std::vector<Question>>(std::move(questions));
     for (const Manner manner : manners) {
-      const auto chosen = manner == Manner::sorted ? sorted : shuffled;
-      benchmark::RegisterBenchmark(
-          benchmark_name(query, scalar, manner).c_str(),
-          [chosen, ask, manner](benchmark::State& state) { measure(state, *chosen, ask, manner); });
+      const std::shared_ptr<const std::vector<Question>> chosen =
+          manner == Manner::sorted ? sorted : shuffled;
+      add_turn(query, scalar, manner, turn_of<Question>(chosen, ask, manner));
     }
+  }
+  void add_turn(const std::string& query, const std::string& scalar, Manner manner, Turn turn) {
+    auto row = std::find_if(rows_.begin(), rows_.end(), [&](const Row& known) {
+      return known.query == query && known.manner == manner;
+    });
+    if (row == rows_.end()) row = rows_.insert(rows_.end(), {query, manner, {}});
+    row->turns.emplace_back(scalar, std::move(turn));
   }
 
  private:
   std::uint64_t seed_;
   std::vector<Record> records_;
+  std::vector<Row> rows_;
 };
 
 // Each in a source file of its own, because the compiler needs some time for every query.
