@@ -20,13 +20,20 @@ const auto check = [](const auto& query) {
 
 }  // namespace
 
-TEST_CASE("golden: raycasts hit as often as they have to") { visit_raycasts(check); }
+TEST_CASE("golden: raycasts hit as often as they have to") {
+  visit_raycasts(check);
+  visit_raycast_hits(check);
+}
 TEST_CASE("golden: points are contained as often as they have to") { visit_contains(check); }
 TEST_CASE("golden: closest points are elsewhere as often as they have to") {
   visit_closest_points(check);
 }
 TEST_CASE("golden: points are apart as often as they have to") { visit_distances(check); }
-TEST_CASE("golden: shapes overlap as often as they have to") { visit_overlaps(check); }
+TEST_CASE("golden: shapes overlap as often as they have to") {
+  visit_sphere_overlaps(check);
+  visit_box_overlaps(check);
+  visit_other_overlaps(check);
+}
 TEST_CASE("golden: segments intersect as often as they have to") { visit_intersects(check); }
 TEST_CASE("golden: hulls are met as often as they have to") { visit_hulls(check); }
 TEST_CASE("golden: shapes of the plane are met as often as they have to") { visit_planar(check); }

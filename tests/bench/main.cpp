@@ -128,10 +128,13 @@ int run(int count, char** arguments) {
 
   Suite suite(seed);
   add_raycasts(suite);
+  add_raycast_hits(suite);
   add_contains(suite);
   add_closest_points(suite);
   add_distances(suite);
-  add_overlaps(suite);
+  add_sphere_overlaps(suite);
+  add_box_overlaps(suite);
+  add_other_overlaps(suite);
   add_intersects(suite);
   add_hulls(suite);
   add_planar(suite);

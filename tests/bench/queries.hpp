@@ -45,6 +45,11 @@ void visit_raycasts(const Visit& visit) {
   visit(query<Ray, Capsule>("raycast/capsule", ask_raycast));
   visit(query<Ray, Segment>("raycast/segment", ask_raycast));
   visit(query<Ray, Rock>("raycast/hull", ask_raycast));
+}
+
+// With normals, and both ends.
+template <class Visit>
+void visit_raycast_hits(const Visit& visit) {
   visit(query<Ray, Sphere>("raycast_hit/sphere", ask_raycast_hit));
   visit(query<Ray, Aabb>("raycast_hit/aabb", ask_raycast_hit));
   visit(query<Ray, Obb>("raycast_hit/obb", ask_raycast_hit));
@@ -99,13 +104,17 @@ void visit_distances(const Visit& visit) {
 }
 
 template <class Visit>
-void visit_overlaps(const Visit& visit) {
+void visit_sphere_overlaps(const Visit& visit) {
   visit(query<Sphere, Sphere>("overlaps/sphere_sphere", ask_overlaps));
   visit(query<Sphere, Aabb>("overlaps/sphere_aabb", ask_overlaps));
   visit(query<Sphere, Obb>("overlaps/sphere_obb", ask_overlaps));
   visit(query<Sphere, Plane>("overlaps/sphere_plane", ask_overlaps));
   visit(query<Sphere, Triangle>("overlaps/sphere_triangle", ask_overlaps));
   visit(query<Sphere, Capsule>("overlaps/sphere_capsule", ask_overlaps));
+}
+
+template <class Visit>
+void visit_box_overlaps(const Visit& visit) {
   visit(query<Aabb, Aabb>("overlaps/aabb_aabb", ask_overlaps));
   visit(query<Aabb, Obb>("overlaps/aabb_obb", ask_overlaps));
   visit(query<Aabb, Plane>("overlaps/aabb_plane", ask_overlaps));
@@ -115,6 +124,10 @@ void visit_overlaps(const Visit& visit) {
   visit(query<Obb, Plane>("overlaps/obb_plane", ask_overlaps));
   visit(query<Obb, Triangle>("overlaps/obb_triangle", ask_overlaps));
   visit(query<Obb, Capsule>("overlaps/obb_capsule", ask_overlaps));
+}
+
+template <class Visit>
+void visit_other_overlaps(const Visit& visit) {
   visit(query<Plane, Plane>("overlaps/plane_plane", ask_overlaps));
   visit(query<Plane, Triangle>("overlaps/plane_triangle", ask_overlaps));
   visit(query<Plane, Capsule>("overlaps/plane_capsule", ask_overlaps));

@@ -194,12 +194,16 @@ class Suite {
   std::vector<Row> rows_;
 };
 
-// Each in a source file of its own, because the compiler needs some time for every query.
+// Each in a source file of its own, because the compiler needs some time for every query, and
+// inlines only so much of a large source.
 void add_raycasts(Suite& suite);
+void add_raycast_hits(Suite& suite);
 void add_contains(Suite& suite);
 void add_closest_points(Suite& suite);
 void add_distances(Suite& suite);
-void add_overlaps(Suite& suite);
+void add_sphere_overlaps(Suite& suite);
+void add_box_overlaps(Suite& suite);
+void add_other_overlaps(Suite& suite);
 void add_intersects(Suite& suite);
 void add_hulls(Suite& suite);
 void add_planar(Suite& suite);
