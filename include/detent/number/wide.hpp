@@ -203,8 +203,8 @@ class Wide {
 
   [[nodiscard]] friend constexpr bool operator==(const Wide& a, const Wide& b) noexcept = default;
 
-  [[nodiscard]] friend constexpr std::strong_ordering operator<=>(const Wide& a,
-                                                                  const Wide& b) noexcept {
+  [[nodiscard]] DETENT_INLINE_WHEN_SHORT friend constexpr std::strong_ordering operator<=>(
+      const Wide& a, const Wide& b) noexcept {
     constexpr int top = Words - 1;
     if constexpr (Words == 2) {
       if (a.word(1) == b.word(1)) return a.word(0) <=> b.word(0);
