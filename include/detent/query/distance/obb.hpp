@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/math/width.hpp"
 #include "detent/query/closest_point/obb.hpp"
 
 namespace detent {
@@ -44,7 +45,9 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {
   if (is_empty(box)) return largest<S>;
-  return sqrt_floor<S>(squared_distance(box, point));
+  // Squares of 62 bits have a sum of 126.
+  return by_width<62>([](const auto& excess) { return sqrt_floor<S>(squared_length(excess)); },
+                      detail::excess(box, point));
 }
 
 }  // namespace detent

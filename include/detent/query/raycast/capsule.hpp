@@ -88,7 +88,7 @@ class RayCapsule {
       const auto normal = *direction_of<S>(side);
       return dot(side, d_) > 0 ? -normal : normal;
     } else {
-      return Direction<S, N>::assume_unit(make_vec<N>([&](int i) { return normal(i); }));
+      return Direction<S, N>::assume_unit(components());
     }
   }
 
@@ -97,22 +97,30 @@ class RayCapsule {
   static constexpr int along = along_bits<S, Length>;
   static constexpr int volume = bits_of<Length> + along + 1;
 
-  /// A component of the normal: from leading bits, if these tell how it is rounded.
-  [[nodiscard]] constexpr auto normal(int i) const noexcept {
+  /// The components of the normal: from leading bits, if these tell how they are rounded.
+  [[nodiscard]] constexpr auto components() const noexcept {
     using Component = direction_component<S>;
-    const auto back = ee_ * d_[i] - de_ * e_[i];
+    const auto back = make_vec<N>([&](int i) { return ee_ * d_[i] - de_ * e_[i]; });
     if constexpr (is_fixed<S>) {
       const auto area = Rough(a_) * Rough(radius_), across = Rough(ee_);
-      const auto near = nearest_difference<Component>(
-          Rough(abs(det_)) / area, det_ < 0 ? narrow_negative(k_[i]) : k_[i],
-          sqrt(Rough(reach()) * across) / (area * across), back);
-      if (near) return *near;
+      const auto beside = Rough(abs(det_)) / area;
+      const auto behind = sqrt(Rough(reach()) * across) / (area * across);
+      return make_vec<N>([&](int i) {
+        const auto near = nearest_difference<Component>(
+            beside, det_ < 0 ? narrow_negative(k_[i]) : k_[i], behind, back[i]);
+        return near ? *near : component(i, back[i]);
+      });
+    } else {
+      return make_vec<N>([&](int i) { return component(i, back[i]); });
     }
+  }
+  template <Number Back>
+  [[nodiscard]] constexpr auto component(int i, const Back& back) const noexcept {
     constexpr int bits = bits_of<Radius> + bits_of<decltype(a_ * ee_)>;  // |m . k| <= r sqrt(a)
     const auto root = leading_root(reach() * ee_);
     const auto length = scale_up<bits + 63>(a_ * ee_ * radius_, root.scale);
     const auto closest = narrow<bits>(det_ * ee_ * k_[i]);
-    return quotient_nearest<Component>(
+    return quotient_nearest<direction_component<S>>(
         narrow_difference<bits + 64>(scale_up<bits + 63>(closest, root.scale), root.root * back),
         length);
   }
