@@ -67,13 +67,15 @@ TEMPLATE_TEST_CASE("overlaps, box and hull: rounded edges decide only what they 
     for (auto& point : points) point = random_near(random, Vec<S, N>(), reach);
     const detail::HullBody hull(ConvexHull<S, N>{points});
     Obb<S, N> box{{}, {}, random_rotation<S, N>(random)};
-    for (int i = 0; i < N; ++i) box.half_extents[i] = moved(S(0), random.between(0, reach));
+    for (int i = 0; i < N; ++i)
+      box.half_extents[i] = moved(S(0), static_cast<int>(random.between(0, reach)));
     // The last of the places on the way out of the hull where they meet.
     const auto way = random_near(random, Vec<S, N>(), reach);
     std::int64_t inside = 0, outside = 8 * 64;
     while (outside - inside > 1) {
       const auto middle = (inside + outside) / 2;
-      box.center = make_vec<N>([&](int i) { return moved(S(0), way[i].raw() * middle / 64); });
+      box.center = make_vec<N>(
+          [&](int i) { return moved(S(0), static_cast<int>(way[i].raw() * middle / 64)); });
       const bool meet = detail::bodies_overlap(detail::edge_body(box), hull);
       const auto nearness = detail::roughly_overlap(box, hull);
       REQUIRE(nearness != (meet ? Nearness::apart : Nearness::near));
