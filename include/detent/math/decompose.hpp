@@ -53,12 +53,12 @@ template <Scalar S, Number T>
   const auto first = direction_of<S>(columns[0]);
   const auto second = direction_of<S>(cross(normal, columns[0]));
   const auto third = direction_of<S>(normal);
-  if (!first || !second || !third) return std::nullopt;  // where float or double underflow
+  if (!first || !second || !third) return std::nullopt;  // where scalars that round underflow
   return Rotation<S, 3>::from_axes({*first, *second, side < 0 ? -*third : *third});
 }
 
 /// Whether two components of a motion's matrix are at most 4 units apart: 4 * 2^-24 of the scale
-/// for `float` and `double`, which have no unit.
+/// for scalars that round, which have no unit.
 template <Scalar S, Number T>
 [[nodiscard]] constexpr bool is_near(const S& a, const T& b, const S& scale) noexcept {
   const S slack = [&] {

@@ -11,7 +11,7 @@ namespace detent {
 
 namespace detail {
 
-/// The components with these raw numbers; `float` and `double` are their own.
+/// The components with these raw numbers; scalars that round are their own.
 template <Number T, class Raw, std::size_t Size>
 [[nodiscard]] constexpr std::array<T, Size> from_raw(const std::array<Raw, Size>& raw) noexcept {
   std::array<T, Size> components;

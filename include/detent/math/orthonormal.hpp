@@ -2,24 +2,25 @@
 #pragma once
 
 #include "detent/math/rotation.hpp"
+#include "detent/math/width.hpp"
 
 namespace detent::detail {
 
-/// Whether the axes are perpendicular and of length 1 within 2^-10.
-template <Scalar S, int N>
-[[nodiscard]] constexpr bool is_nearly_orthonormal(const Rotation<S, N>& rotation) noexcept {
+/// Whether any two axes are perpendicular within 2^-Bits; of length 1 they are within 2^-13.
+template <int Bits, Scalar S, int N>
+[[nodiscard]] constexpr bool are_perpendicular(const Rotation<S, N>& rotation) noexcept {
+  bool all = true;  // without a branch for each pair
   for (int i = 0; i < N; ++i) {
     for (int j = 0; j < i; ++j) {
-      // Directions are of length 1 within 2^-13.
       const auto cosine = dot(rotation.axis(i), rotation.axis(j));
       if constexpr (is_fixed<S>) {
-        if (abs(cosine) > Fixed<1, 10>::from_raw(1)) return false;
+        all = fits<2 * direction_component<S>::frac - Bits>(cosine) && all;
       } else {
-        if (1024 * abs(cosine) > 1) return false;
+        all = !((1 << Bits) * abs(cosine) > 1) && all;
       }
     }
   }
-  return true;
+  return all;
 }
 
 }  // namespace detent::detail

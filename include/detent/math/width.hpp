@@ -5,7 +5,7 @@
 
 namespace detent {
 
-/// Whether |x| <= 2^(Bits - F), so that `narrow<Bits>(x)` is x; `float` and `double` always fit.
+/// Whether |x| <= 2^(Bits - F), so that `narrow<Bits>(x)` is x; scalars that round always fit.
 template <int Bits, Number T>
 [[nodiscard]] constexpr bool fits([[maybe_unused]] const T& x) noexcept {
   if constexpr (bits_of<T> <= Bits) {

@@ -21,6 +21,7 @@
 #include "detent/number/near_half.hpp"
 #include "detent/number/near_one.hpp"
 #include "detent/number/next_up.hpp"
+#include "detent/number/patience.hpp"
 #include "detent/number/plane_grid.hpp"
 #include "detent/number/products.hpp"
 #include "detent/number/ratio.hpp"

@@ -90,7 +90,7 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr CullingBox<S, N> culling_box(const Obb<S, N>& box) noexcept {
   if (is_empty(box)) return culling_box_of(no_box<Aabb<S, N>>);
-  if (!is_nearly_orthonormal(box.rotation)) return everywhere<S, N>();
+  if (!are_perpendicular<10>(box.rotation)) return everywhere<S, N>();
   S greatest = box.half_extents[0];
   for (int i = 1; i < N; ++i) greatest = std::max(greatest, box.half_extents[i]);
   const auto slack = with_slack(greatest) - greatest;

@@ -67,7 +67,7 @@ struct SnapshotHeader {
   std::uint32_t magic = right_magic;
   std::uint16_t version = right_version;
   std::uint8_t dimension = 0;
-  std::uint8_t is_floating = 0;  // 1 for float and double
+  std::uint8_t is_floating = 0;  // 1 for scalars that round
   std::uint8_t bits = 0;         // of the scalar: Fixed<bits, frac>, or 32 or 64
   std::uint8_t frac = 0;
   std::uint16_t shapes = 0;  // bit shape_tag for each type of shape in the scene

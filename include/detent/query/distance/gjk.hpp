@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "detent/math/width.hpp"
+#include "detent/number/patience.hpp"
 #include "detent/query/distance/simplex.hpp"
 #include "detent/query/distance/support.hpp"
 
@@ -59,8 +60,7 @@ class Gjk {
     const auto advances = [&](const auto& v) {
       return by_width<bits>([&](const auto& u) { return advance(u, until_apart); }, v);
     };
-    constexpr int effort = is_fixed<T> ? 0 : 1;
-    for (int left = patience; left > 0; left -= effort) {
+    for (Patience<T> patience; patience.step();) {
       if (!with_direction(feature_, advances)) return;
       feature_ = nearest_feature(feature_);
       if (feature_.count > N) {
@@ -85,9 +85,6 @@ class Gjk {
     feature_.add(next);
     return true;
   }
-
-  /// How many steps `float` and `double` may take, which round and need not end.
-  static constexpr int patience = 100;
 
   A a_;
   B b_;

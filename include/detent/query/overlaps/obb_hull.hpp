@@ -114,13 +114,13 @@ template <Scalar S, int N>
 /// A rounded edge is off by at most sqrt(N) / 2 steps, and N of them by less than 2.6. How far a
 /// body reaches along a unit vector d grows with half extents that are m longer by m sum |d . a_i|,
 /// at least m |A d| for the matrix A of the axes a_i, which is 0.998 m or more where these are
-/// nearly orthonormal. So with m = 3 the longer box reaches as far as `box` along every d, and with
-/// -3 the shorter one no farther.                    (tests/query/overlaps/hull_boxes.test.cpp)
+/// perpendicular within 2^-10. So with m = 3 the longer box reaches as far as `box` along every d,
+/// and with -3 the shorter one no farther.           (tests/query/overlaps/hull_boxes.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr Nearness roughly_overlap(const Obb<S, N>& box,
                                                  const HullBody<S, N>& hull) noexcept {
   constexpr int margin = 3;
-  if (!is_nearly_orthonormal(box.rotation)) return Nearness::unknown;
+  if (!are_perpendicular<10>(box.rotation)) return Nearness::unknown;
   bool is_thick = true;
   for (int i = 0; i < N; ++i) is_thick = is_thick && box.half_extents[i].raw() >= margin;
   if (is_thick && bodies_overlap(rough_edge_body(box, -margin), hull)) return Nearness::near;

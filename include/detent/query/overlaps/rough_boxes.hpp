@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "detent/math/width.hpp"
+#include "detent/math/orthonormal.hpp"
 #include "detent/query/overlaps/box.hpp"
 #include "detent/query/overlaps/nearness.hpp"
 
@@ -22,6 +22,7 @@ class RoughFrame {
  public:
   explicit constexpr RoughFrame(const Rotation<S, N>& rotation) noexcept : rotation_(rotation) {}
 
+  [[nodiscard]] constexpr const Rotation<S, N>& rotation() const noexcept { return rotation_; }
   [[nodiscard]] constexpr const auto& edge(int i) const noexcept { return rotation_.axis(i); }
   template <Number T>
   [[nodiscard]] constexpr auto along(int i, const Vec<T, N>& v) const noexcept {
@@ -36,13 +37,13 @@ class RoughFrame {
 constexpr bool is_square(const WorldFrame&) noexcept { return true; }
 template <Scalar S, int N>
 constexpr bool is_square(const RoughFrame<S, N>& frame) noexcept {
-  constexpr int bits = 2 * direction_component<S>::frac - 26;
-  const auto cosine = [&](int i, int k) { return dot(frame.edge(i), frame.edge(k)); };
-  if constexpr (N == 2) {
-    return fits<bits>(cosine(0, 1));
-  } else {
-    return fits<bits>(Vec{cosine(0, 1), cosine(1, 2), cosine(2, 0)});
-  }
+  return are_perpendicular<26>(frame.rotation());
+}
+
+/// A margin of 2^-18 of half extents whose sum is `sum`, and 8 steps.
+template <Number Sum>
+[[nodiscard]] constexpr auto rough_margin(const Sum& sum) noexcept {
+  return narrow<34>(scale_down<34>(sum, 18) + Fixed<34, Sum::frac>::from_raw(8));
 }
 
 /// The least f(i) of N axes i, which `f` takes as constants: a compiler would make a loop of it.
@@ -82,7 +83,7 @@ template <class Frame, Scalar S, Number H, Number T, int N>
   constexpr int bits = 62;  // of all sums of two or three products: they are below 2^61
   auto sum = narrow<36>(half_a[0] + half_b[0]);
   for (int i = 1; i < N; ++i) sum = narrow<36>(sum + half_a[i] + half_b[i]);
-  const Slack margin = narrow<34>(scale_down<34>(sum, 18) + Place::from_raw(8));
+  const Slack margin = rough_margin(sum);
   const Slack least = narrow_negative(margin);
   const auto slack = [](const auto& reach, const auto& place) -> Slack {
     return narrow_difference<63>(reach, abs(place));

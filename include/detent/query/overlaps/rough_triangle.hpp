@@ -25,8 +25,7 @@ template <Scalar S, Number H, Number T>
     const std::array<Vec<T, 3>, 3>& corners) noexcept {
   if (!is_square(box)) return Nearness::unknown;
   using Place = Fixed<34, T::frac>;
-  const Place margin = narrow<34>(
-      scale_down<34>(half_extents.x + half_extents.y + half_extents.z, 18) + Place::from_raw(8));
+  const Place margin = rough_margin(half_extents.x + half_extents.y + half_extents.z);
   std::array<Vec<Place, 3>, 3> places;
   std::array<bool, 3> within{true, true, true};
   for (int i = 0; i < 3; ++i) {
@@ -50,7 +49,7 @@ template <Scalar S, Number H, Number T>
   const auto longer = make_vec<3>([&](int i) { return half_extents[i] + error; });
   const auto shorter = make_vec<3>([&](int i) { return half_extents[i] - error; });
   if (!fits<bits>(places[0]) || !fits<bits>(places[1]) || !fits<bits>(places[2]) ||
-      !fits<bits>(longer) || !fits<bits>(shorter)) {
+      !fits<bits>(longer)) {
     return Nearness::unknown;
   }
   const auto meets = [&](const auto& extents) {

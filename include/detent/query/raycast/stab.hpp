@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "detent/number/patience.hpp"
 #include "detent/query/raycast/planar.hpp"
 
 namespace detent::detail {
@@ -187,9 +188,8 @@ class Stab {
   /// none does.
   template <class GradientOf>
   constexpr void descend(const GradientOf& gradient_of) noexcept {
-    constexpr int effort = is_fixed<S> ? 0 : 1;
     bool moved = true;
-    for (int left = patience; left > 0; left -= effort) {
+    for (Patience<S> patience; patience.step();) {
       const Index entering = least(gradient_of(), !moved);
       if (entering == no_point) return;
       moved = enter(entering);
@@ -270,9 +270,6 @@ class Stab {
     }
     return false;
   }
-
-  /// How many steps `float` and `double` may take, which round and need not end.
-  static constexpr int patience = 100;
 
   Vec<S, N> origin_;
   Direction<S, N> direction_;
