@@ -17,7 +17,7 @@ namespace detent {
 template <class S, int B, int F, std::size_t N>
 [[nodiscard]] constexpr std::array<finer<S, 30>, N> rough_along(
     const S& length, const std::array<Fixed<B, F>, N>& v) noexcept {
-  using Magnitude = IntegerFor<std::max(B, 63)>;
+  using Magnitude = IntegerFor<(std::max)(B, 63)>;
   const auto shares = detail::rough_shares(detail::magnitudes<Magnitude>(v));
   std::array<finer<S, 30>, N> result;
   for (std::size_t i = 0; i < N; ++i) {

@@ -85,13 +85,16 @@ class Angle<Fixed<Bits, Frac>> {
 
   [[nodiscard]] constexpr raw_type raw() const noexcept { return raw_; }
 
+  // Names in parentheses are safe from the macros of Arduino.h, so callers next to those write
+  // (angle.degrees)() as well.
+
   /// The angle in (-180, 180], rounded to nearest, ties to even, and clamped.
-  [[nodiscard]] constexpr S degrees() const noexcept {
+  [[nodiscard]] constexpr S(degrees)() const noexcept {
     return nearest_to<S>(signed_turns() * Fixed<9, 0>(360));
   }
 
   /// The angle in (-pi, pi], rounded to nearest and clamped.
-  [[nodiscard]] constexpr S radians() const noexcept {
+  [[nodiscard]] constexpr S(radians)() const noexcept {
     return nearest_to<S>(signed_turns() * detail::two_pi);
   }
 
@@ -152,8 +155,8 @@ class Angle<S> {
   }
 
   [[nodiscard]] constexpr S raw() const noexcept { return raw_; }
-  [[nodiscard]] constexpr S degrees() const noexcept { return raw_ * (360 / two_pi); }
-  [[nodiscard]] constexpr S radians() const noexcept { return raw_; }
+  [[nodiscard]] constexpr S(degrees)() const noexcept { return raw_ * (360 / two_pi); }
+  [[nodiscard]] constexpr S(radians)() const noexcept { return raw_; }
 
   [[nodiscard]] friend constexpr Angle operator+(Angle a, Angle b) noexcept {
     return from_radians(a.raw_ + b.raw_);

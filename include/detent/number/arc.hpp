@@ -38,14 +38,14 @@ constexpr std::uint64_t long_octant_phase(std::uint64_t b, std::uint64_t a) noex
 ///
 /// exact: off by less than 3 units of 2^-64 turn; exact at multiples of an eighth of a turn
 ///        (tests/number/arc.test.cpp)
-template <int B1, int F1, int B2, int F2>
-constexpr std::uint64_t phase_of_arc(const Fixed<B1, F1>& squared_sine,
-                                     const Fixed<B2, F2>& cosine) noexcept {
-  static_assert(F1 == 2 * F2);
-  using Integer = IntegerFor<std::max({B1, 2 * B2, 127}) + 1>;
+template <int Bits1, int Frac1, int Bits2, int Frac2>
+constexpr std::uint64_t phase_of_arc(const Fixed<Bits1, Frac1>& squared_sine,
+                                     const Fixed<Bits2, Frac2>& cosine) noexcept {
+  static_assert(Frac1 == 2 * Frac2);
+  using Integer = IntegerFor<(std::max)({Bits1, 2 * Bits2, 127}) + 1>;
   const Integer opposite = integer_cast<Integer>(squared_sine.raw());
   const Integer adjacent = wrapping_multiply<Integer>(cosine.raw(), cosine.raw());
-  const int length = bit_length(std::max(opposite, adjacent));
+  const int length = bit_length((std::max)(opposite, adjacent));
   if (length == 0) return 0;
   // Both squares times the same power of 4, so that the greater is 125 or 126 bits long: what their
   // roots lose is less than 1, in 2^62.
@@ -88,9 +88,10 @@ struct ArcWeights {
 /// to `cosine`; 0 when both are 0.
 ///
 /// exact:  off by less than 0.5 + 2^-28 units for `times` up to 2    (tests/number/arc.test.cpp)
-template <Scalar S, int B1, int F1, int B2, int F2>
-[[nodiscard]] constexpr Angle<S> angle_of_arc(const Fixed<B1, F1>& squared_sine,
-                                              const Fixed<B2, F2>& cosine, int times = 1) noexcept {
+template <Scalar S, int Bits1, int Frac1, int Bits2, int Frac2>
+[[nodiscard]] constexpr Angle<S> angle_of_arc(const Fixed<Bits1, Frac1>& squared_sine,
+                                              const Fixed<Bits2, Frac2>& cosine,
+                                              int times = 1) noexcept {
   const std::uint64_t phase =
       detail::phase_of_arc(squared_sine, cosine) * static_cast<std::uint64_t>(times);
   constexpr std::uint64_t half = std::uint64_t{1} << 31;
@@ -101,9 +102,9 @@ template <Scalar S, int B1, int F1, int B2, int F2>
 /// the ends of an arc in the point that divides it.
 ///
 /// exact: off by less than 2^-59 each                                 (tests/number/arc.test.cpp)
-template <int B1, int F1, int B2, int F2, int B, int F>
-[[nodiscard]] constexpr auto arc_weights(const Fixed<B1, F1>& squared_sine,
-                                         const Fixed<B2, F2>& cosine,
+template <int Bits1, int Frac1, int Bits2, int Frac2, int B, int F>
+[[nodiscard]] constexpr auto arc_weights(const Fixed<Bits1, Frac1>& squared_sine,
+                                         const Fixed<Bits2, Frac2>& cosine,
                                          const Fixed<B, F>& t) noexcept {
   using Sine = Fixed<62, 62>;
   const std::uint64_t phase = detail::phase_of_arc(squared_sine, cosine);

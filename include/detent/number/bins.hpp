@@ -26,7 +26,7 @@ class Bins<Fixed<Bits, Frac>> {
 
  public:
   constexpr Bins(const T& least, const T& greatest) noexcept
-      : least_(least), shift_(std::max(bit_length((greatest - least).raw()) - 4, 0)) {}
+      : least_(least), shift_((std::max)(bit_length((greatest - least).raw()) - 4, 0)) {}
 
   [[nodiscard]] constexpr std::size_t operator()(const T& x) const noexcept {
     return static_cast<std::size_t>((x - least_).raw() >> shift_);
@@ -43,11 +43,11 @@ class Bins<F> {
  public:
   // cppcheck-suppress uninitMemberVar  // it has the members of the other Bins in mind
   constexpr Bins(F least, F greatest) noexcept
-      : least_(least), scale_(greatest > least ? F(15.99) / (greatest - least) : 0) {}
+      : least_(least), scale_(greatest > least ? F{15.99} / (greatest - least) : 0) {}
 
   [[nodiscard]] constexpr std::size_t operator()(F x) const noexcept {
     const F bin = (x - least_) * scale_;
-    return bin > 0 ? static_cast<std::size_t>(std::min(bin, F(15))) : 0;  // a NaN is in the first
+    return bin > 0 ? static_cast<std::size_t>((std::min)(bin, F{15})) : 0;  // a NaN is in the first
   }
 
  private:
@@ -66,7 +66,7 @@ class Coarse<Fixed<Bits, Frac>> {
 
  public:
   explicit constexpr Coarse(const T& longest) noexcept
-      : shift_(std::max(bit_length(longest.raw()) - 14, 0)) {}
+      : shift_((std::max)(bit_length(longest.raw()) - 14, 0)) {}
 
   [[nodiscard]] constexpr Fixed<14, 0> operator()(const T& size) const noexcept {
     return Fixed<14, 0>::assume_raw(static_cast<std::int16_t>(size.raw() >> shift_));

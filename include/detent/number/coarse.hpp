@@ -37,7 +37,7 @@ using coarse_slope = typename detail::coarse_of<S>::slope;
 template <int Bits, int Frac>
 [[nodiscard]] constexpr int coarse_shift(const Fixed<Bits, Frac>& size) noexcept {
   const auto raw = size.raw();
-  return std::max(0, bit_length(raw + shift_right_floor(raw, 5)) - 15);
+  return (std::max)(0, bit_length(raw + shift_right_floor(raw, 5)) - 15);
 }
 /// `x` in steps of 2^shift, rounded down.
 template <Scalar S, int Bits, int Frac>
@@ -53,7 +53,8 @@ template <Scalar S, int Bits, int Frac>
 /// x / 2 rounded to nearest, for x in [-1, 1]; one step less than 1/2 for 1.
 template <Scalar S, int Bits, int Frac>
 [[nodiscard]] constexpr coarse_slope<S> coarse_half(const Fixed<Bits, Frac>& x) noexcept {
-  return std::max(nearest_to<coarse_slope<S>>(half(x)), narrow_negative(largest<coarse_slope<S>>));
+  return (std::max)(nearest_to<coarse_slope<S>>(half(x)),
+                    narrow_negative(largest<coarse_slope<S>>));
 }
 /// |x| in the type of x, which is not the lowest number; without a branch.
 template <int Frac>

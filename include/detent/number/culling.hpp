@@ -16,7 +16,7 @@ struct Culling {
   using Coordinate = S;
   using Time = S;
   using Area = S;
-  static constexpr Coordinate far = std::numeric_limits<S>::infinity();
+  static constexpr Coordinate beyond = std::numeric_limits<S>::infinity();
   static constexpr Coordinate below(const S& x) noexcept { return x; }
   static constexpr Coordinate above(const S& x) noexcept { return x; }
   static constexpr Area area_extent(Coordinate low, Coordinate high) noexcept { return high - low; }
@@ -31,15 +31,15 @@ struct Culling<Fixed<Bits, Frac>> {
   using Time = std::int64_t;
   using Area = std::uint64_t;
   static constexpr int shift = Bits > 28 ? Bits - 28 : 0;
-  static constexpr Coordinate far = Coordinate{1} << 30;
+  static constexpr Coordinate beyond = Coordinate{1} << 30;
 
   static constexpr Coordinate below(const S& x) noexcept {
-    return x <= S::lowest() ? -far : Coordinate{x.raw()} >> shift;
+    return x <= S::lowest() ? -beyond : Coordinate{x.raw()} >> shift;
   }
   static constexpr Coordinate above(const S& x) noexcept {
     const Coordinate raw{x.raw()};
     constexpr Coordinate dropped = (Coordinate{1} << shift) - 1;
-    return x >= S::max() ? far : (raw >> shift) + ((raw & dropped) == 0 ? 0 : 1);
+    return x >= (S::max)() ? beyond : (raw >> shift) + ((raw & dropped) == 0 ? 0 : 1);
   }
   /// At most 2^30, so that twelve products of two of them fit 64 bits.
   static constexpr Area area_extent(Coordinate low, Coordinate high) noexcept {

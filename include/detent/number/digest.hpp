@@ -107,12 +107,12 @@ class Digest {
 
 /// An integer contributes the bytes of its own type: name a fixed width (`std::uint64_t` rather
 /// than `std::size_t`) for a digest that two platforms are to share. A bool is one byte, 0 or 1.
-template <std::integral I>
-requires(sizeof(I) <= 8) constexpr void append(Digest& digest, I value) noexcept {
-  if constexpr (std::same_as<I, bool>) {
+template <std::integral Int>
+requires(sizeof(Int) <= 8) constexpr void append(Digest& digest, Int value) noexcept {
+  if constexpr (std::same_as<Int, bool>) {
     digest.add_low_bytes(value ? 1 : 0, 1);
   } else {
-    digest.add_low_bytes(static_cast<std::make_unsigned_t<I>>(value), sizeof(I));
+    digest.add_low_bytes(static_cast<std::make_unsigned_t<Int>>(value), sizeof(Int));
   }
 }
 

@@ -10,10 +10,10 @@
 
 namespace detent {
 
-template <class I>
+template <class Int>
 struct Division {
-  I quotient;
-  I remainder;
+  Int quotient;
+  Int remainder;
 };
 
 namespace detail {
@@ -96,22 +96,22 @@ constexpr Division<Wide<Words>> divide_long(const Wide<Words>& numerator,
 }  // namespace detail
 
 /// floor(numerator / denominator) and what is left; `denominator` > 0.
-template <class I>
-[[nodiscard]] constexpr Division<I> divide_floor(const I& numerator,
-                                                 const I& denominator) noexcept {
-  I quotient, remainder;
-  if constexpr (detail::is_wide<I>) {
+template <class Int>
+[[nodiscard]] constexpr Division<Int> divide_floor(const Int& numerator,
+                                                   const Int& denominator) noexcept {
+  Int quotient, remainder;
+  if constexpr (detail::is_wide<Int>) {
     const bool negative = numerator.is_negative();
-    const I magnitude = negative ? -numerator : numerator;
-    const int length = std::max(bit_length(magnitude), bit_length(denominator));
+    const Int magnitude = negative ? -numerator : numerator;
+    const int length = (std::max)(bit_length(magnitude), bit_length(denominator));
     if (length <= 63) {
-      quotient = I(magnitude.word(0) / denominator.word(0));
-      remainder = I(magnitude.word(0) % denominator.word(0));
-    } else if (detail::words_of<I> > 2 && length <= 127) {
+      quotient = Int(magnitude.word(0) / denominator.word(0));
+      remainder = Int(magnitude.word(0) % denominator.word(0));
+    } else if (detail::words_of<Int> > 2 && length <= 127) {
       const auto division =
           divide_floor(integer_cast<Int128>(magnitude), integer_cast<Int128>(denominator));
-      quotient = integer_cast<I>(division.quotient);
-      remainder = integer_cast<I>(division.remainder);
+      quotient = integer_cast<Int>(division.quotient);
+      remainder = integer_cast<Int>(division.remainder);
     } else {
       const auto division = detail::divide_long(magnitude, denominator);
       quotient = division.quotient;
@@ -122,12 +122,12 @@ template <class I>
       remainder = -remainder;
     }
   } else {
-    quotient = static_cast<I>(numerator / denominator);
-    remainder = static_cast<I>(numerator % denominator);
+    quotient = static_cast<Int>(numerator / denominator);
+    remainder = static_cast<Int>(numerator % denominator);
   }
   if (is_negative(remainder)) {
-    quotient = static_cast<I>(quotient - I(1));
-    remainder = static_cast<I>(remainder + denominator);
+    quotient = static_cast<Int>(quotient - Int(1));
+    remainder = static_cast<Int>(remainder + denominator);
   }
   return {quotient, remainder};
 }
@@ -149,7 +149,7 @@ template <class N, class D>
     const auto leading = [](const auto& x, int dropped) {
       return integer_cast<std::uint64_t>(shift_right_floor(x, dropped));
     };
-    const int dropped = std::max(positive_bit_length(denominator) - 32, 0);
+    const int dropped = (std::max)(positive_bit_length(denominator) - 32, 0);
     const std::uint64_t n = leading(numerator, dropped), d = leading(denominator, dropped);
     if (dropped == 0) return static_cast<std::int64_t>(n / d);
     std::uint64_t first = n >> 32, left = n & 0xffffffff;  // divided by 2^32

@@ -34,9 +34,9 @@ constexpr bool fills_container(int bits) noexcept {
 /// The budget for an arithmetic result of magnitude up to and including 2^bits.
 constexpr int result_bits(int bits) noexcept { return fills_container(bits) ? bits + 1 : bits; }
 
-template <std::integral I>
-inline constexpr int integral_bits = static_cast<int>(sizeof(I) * 8) -
-                                     (std::is_signed_v<I> ? 1 : 0);
+template <std::integral Int>
+inline constexpr int integral_bits = static_cast<int>(sizeof(Int) * 8) -
+                                     (std::is_signed_v<Int> ? 1 : 0);
 
 }  // namespace detail
 
@@ -59,8 +59,8 @@ class Fixed {
   constexpr Fixed() noexcept = default;
 
   /// The integer `value`, clamped to [lowest(), max()].
-  template <std::integral I>
-  explicit constexpr Fixed(I value) noexcept;
+  template <std::integral Int>
+  explicit constexpr Fixed(Int value) noexcept;
 
   /// The same number in a type that holds every number of the old one.
   template <int B, int F>
@@ -74,7 +74,7 @@ class Fixed {
   /// The number with these raw bits, clamped to [lowest(), max()].
   [[nodiscard]] static constexpr Fixed from_raw(raw_type raw) noexcept {
     if constexpr (!detail::fills_container(Bits)) {
-      if (raw > max().raw_) return max();
+      if (raw > (max)().raw_) return (max)();
       if (raw < lowest().raw_) return lowest();
     }
     return Fixed(raw, RawTag{});
@@ -84,7 +84,7 @@ class Fixed {
   [[nodiscard]] static constexpr Fixed assume_raw(raw_type raw) noexcept {
     DETENT_ASSERT(
         detail::fills_container(Bits) ||
-        (raw >= lowest().raw_ && integer_cast<raw_type>(raw - raw_type(1)) <= max().raw_));
+        (raw >= lowest().raw_ && integer_cast<raw_type>(raw - raw_type(1)) <= (max)().raw_));
     return Fixed(raw, RawTag{});
   }
 
@@ -100,7 +100,7 @@ class Fixed {
 
   [[nodiscard]] constexpr raw_type raw() const noexcept { return raw_; }
 
-  [[nodiscard]] static constexpr Fixed max() noexcept {
+  [[nodiscard]] static constexpr Fixed(max)() noexcept {
     return Fixed(wrapping_subtract<raw_type>(shift_left(raw_type(1), Bits), raw_type(1)), RawTag{});
   }
   [[nodiscard]] static constexpr Fixed lowest() noexcept {
@@ -137,9 +137,9 @@ template <int B, int F>
 constexpr const Fixed<B, F>& as_fixed(const Fixed<B, F>& x) noexcept {
   return x;
 }
-template <std::integral I>
-constexpr auto as_fixed(I x) noexcept {
-  using Whole = Fixed<integral_bits<I>, 0>;
+template <std::integral Int>
+constexpr auto as_fixed(Int x) noexcept {
+  using Whole = Fixed<integral_bits<Int>, 0>;
   return Whole::assume_raw(integer_cast<typename Whole::raw_type>(x));
 }
 
@@ -147,14 +147,13 @@ template <class A, class B>
 concept FixedOperands = (is_fixed<A> && is_fixed<B>) || (is_fixed<A> && std::integral<B>);
 
 template <class A, class B>
-inline constexpr int common_frac = std::max(A::frac, B::frac);
+inline constexpr int common_frac = (std::max)(A::frac, B::frac);
 /// The bits of an operand once it is shifted to `Frac` fractional bits.
 template <class A, int Frac>
 inline constexpr int aligned_bits = A::bits + Frac - A::frac;
 template <class A, class B>
-inline constexpr int sum_bits = result_bits(std::max(aligned_bits<A, common_frac<A, B>>,
-                                                     aligned_bits<B, common_frac<A, B>>) +
-                                            1);
+inline constexpr int sum_bits = result_bits((std::max)(aligned_bits<A, common_frac<A, B>>,
+                                                       aligned_bits<B, common_frac<A, B>>)+1);
 
 template <class Raw, int Frac, class A>
 constexpr Raw aligned_raw(const A& a) noexcept {
@@ -168,30 +167,30 @@ constexpr Raw aligned_raw(const A& a) noexcept {
 
 }  // namespace detail
 
-template <int B1, int F1, int B2, int F2>
-[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto operator+(const Fixed<B1, F1>& a,
-                                                                const Fixed<B2, F2>& b) noexcept {
-  constexpr int frac = std::max(F1, F2);
-  using Sum = Fixed<detail::sum_bits<Fixed<B1, F1>, Fixed<B2, F2>>, frac>;
+template <int Bits1, int Frac1, int Bits2, int Frac2>
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto operator+(
+    const Fixed<Bits1, Frac1>& a, const Fixed<Bits2, Frac2>& b) noexcept {
+  constexpr int frac = (std::max)(Frac1, Frac2);
+  using Sum = Fixed<detail::sum_bits<Fixed<Bits1, Frac1>, Fixed<Bits2, Frac2>>, frac>;
   using Raw = typename Sum::raw_type;
   return Sum::assume_raw(
       wrapping_add<Raw>(detail::aligned_raw<Raw, frac>(a), detail::aligned_raw<Raw, frac>(b)));
 }
 
-template <int B1, int F1, int B2, int F2>
-[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto operator-(const Fixed<B1, F1>& a,
-                                                                const Fixed<B2, F2>& b) noexcept {
-  constexpr int frac = std::max(F1, F2);
-  using Difference = Fixed<detail::sum_bits<Fixed<B1, F1>, Fixed<B2, F2>>, frac>;
+template <int Bits1, int Frac1, int Bits2, int Frac2>
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto operator-(
+    const Fixed<Bits1, Frac1>& a, const Fixed<Bits2, Frac2>& b) noexcept {
+  constexpr int frac = (std::max)(Frac1, Frac2);
+  using Difference = Fixed<detail::sum_bits<Fixed<Bits1, Frac1>, Fixed<Bits2, Frac2>>, frac>;
   using Raw = typename Difference::raw_type;
   return Difference::assume_raw(
       wrapping_subtract<Raw>(detail::aligned_raw<Raw, frac>(a), detail::aligned_raw<Raw, frac>(b)));
 }
 
-template <int B1, int F1, int B2, int F2>
-[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto operator*(const Fixed<B1, F1>& a,
-                                                                const Fixed<B2, F2>& b) noexcept {
-  using Product = Fixed<detail::result_bits(B1 + B2), F1 + F2>;
+template <int Bits1, int Frac1, int Bits2, int Frac2>
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto operator*(
+    const Fixed<Bits1, Frac1>& a, const Fixed<Bits2, Frac2>& b) noexcept {
+  using Product = Fixed<detail::result_bits(Bits1 + Bits2), Frac1 + Frac2>;
   using Raw = typename Product::raw_type;
   return Product::assume_raw(wrapping_multiply<Raw>(a.raw(), b.raw()));
 }
@@ -221,14 +220,14 @@ requires detail::FixedOperands<A, B>
   const auto& b = detail::as_fixed(right);
   using FixedA = std::remove_cvref_t<decltype(a)>;
   using FixedB = std::remove_cvref_t<decltype(b)>;
-  using Common = IntegerFor<std::max(FixedA::bits, FixedB::bits)>;
+  using Common = IntegerFor<(std::max)(FixedA::bits, FixedB::bits)>;
   constexpr int shift = FixedA::frac - FixedB::frac;
   if constexpr (shift == 0) {
     return integer_cast<Common>(a.raw()) <=> integer_cast<Common>(b.raw());
   } else {
     constexpr int frac = detail::common_frac<FixedA, FixedB>;
     constexpr int width = detail::result_bits(
-        std::max(detail::aligned_bits<FixedA, frac>, detail::aligned_bits<FixedB, frac>));
+        (std::max)(detail::aligned_bits<FixedA, frac>, detail::aligned_bits<FixedB, frac>));
     if constexpr (width <= 62 || width <= value_bits<Common>) {
       using Raw = IntegerFor<width>;
       return detail::aligned_raw<Raw, frac>(a) <=> detail::aligned_raw<Raw, frac>(b);
@@ -252,12 +251,12 @@ requires detail::FixedOperands<A, B>
 }
 
 template <int Bits, int Frac>
-template <std::integral I>
-constexpr Fixed<Bits, Frac>::Fixed(I value) noexcept {
+template <std::integral Int>
+constexpr Fixed<Bits, Frac>::Fixed(Int value) noexcept {
   // Where Frac exceeds Bits, 0 is the only integer in range.
   const auto whole = detail::as_fixed(value);
-  if (whole > max()) {
-    raw_ = max().raw_;
+  if (whole > (max)()) {
+    raw_ = (max)().raw_;
   } else if (whole < lowest()) {
     raw_ = lowest().raw_;
   } else if constexpr (Frac >= 0 && Frac <= Bits) {
@@ -277,10 +276,10 @@ constexpr Fixed<Bits, Frac> Fixed<Bits, Frac>::from_double(double value) noexcep
   if (exponent == 0x7ff && mantissa != 0) return Fixed();
   if (exponent != 0) mantissa |= std::uint64_t{1} << 52;
   // |value| = mantissa * 2^(max(exponent, 1) - 1075); `shift` takes it to the raw grid.
-  const int shift = std::max(exponent, 1) - 1075 + Frac;
+  const int shift = (std::max)(exponent, 1) - 1075 + Frac;
   if (shift >= 0) {
     if (mantissa != 0 && static_cast<int>(std::bit_width(mantissa)) + shift > Bits) {
-      return negative ? lowest() : max();
+      return negative ? lowest() : (max)();
     }
     mantissa <<= mantissa == 0 ? 0 : shift;
   } else if (shift < -54) {
@@ -289,7 +288,7 @@ constexpr Fixed<Bits, Frac> Fixed<Bits, Frac>::from_double(double value) noexcep
     const std::uint64_t half = std::uint64_t{1} << (-shift - 1);
     mantissa = (mantissa + half - 1 + ((mantissa >> -shift) & 1)) >> -shift;
   }
-  if (mantissa > static_cast<std::uint64_t>(max().raw_)) return negative ? lowest() : max();
+  if (mantissa > static_cast<std::uint64_t>((max)().raw_)) return negative ? lowest() : (max)();
   const auto magnitude = static_cast<std::int64_t>(mantissa);
   return Fixed(static_cast<raw_type>(negative ? -magnitude : magnitude), RawTag{});
 }
@@ -297,7 +296,7 @@ constexpr Fixed<Bits, Frac> Fixed<Bits, Frac>::from_double(double value) noexcep
 template <int Bits, int Frac>
 constexpr Fixed<Bits, Frac>::operator double() const noexcept {
   // 62 leading bits and a sticky bit below them decide the rounding.
-  const int excess = std::max(bit_length(raw_) - 62, 0);
+  const int excess = (std::max)(bit_length(raw_) - 62, 0);
   auto leading = integer_cast<std::int64_t>(shift_right_floor(raw_, excess));
   if (!low_bits_are_zero(raw_, excess)) leading |= 1;
   const auto power_of_two = [](int k) {

@@ -40,7 +40,7 @@ namespace detail {
 /// A fraction's raw numbers divided: value * 2^(D::frac - N::frac) in whole and remaining parts.
 template <class N, class D>
 constexpr auto divide_raw(const Fraction<N, D>& x) noexcept {
-  using Integer = IntegerFor<std::max(N::bits, D::bits)>;
+  using Integer = IntegerFor<(std::max)(N::bits, D::bits)>;
   return divide_floor(integer_cast<Integer>(x.numerator.raw()),
                       integer_cast<Integer>(x.denominator.raw()));
 }
@@ -60,7 +60,7 @@ template <Number N1, Number D1, Number N2, Number D2>
     static_assert(N1::frac - D1::frac == N2::frac - D2::frac);
     const auto left = detail::divide_raw(a);
     const auto right = detail::divide_raw(b);
-    using Whole = IntegerFor<std::max({N1::bits, D1::bits, N2::bits, D2::bits})>;
+    using Whole = IntegerFor<(std::max)({N1::bits, D1::bits, N2::bits, D2::bits})>;
     const auto whole_left = integer_cast<Whole>(left.quotient);
     const auto whole_right = integer_cast<Whole>(right.quotient);
     if (whole_left != whole_right) return whole_left < whole_right;
@@ -95,7 +95,7 @@ template <Number T, Number N, Number D>
     constexpr int shift = T::frac - N::frac + D::frac;
     static_assert(shift >= 0 && T::bits <= 31);
     // numerator * 2^shift <= T::max() * denominator on the grid of T, so it fits the same bits.
-    using Integer = IntegerFor<std::max(T::bits + D::bits, 31)>;
+    using Integer = IntegerFor<(std::max)(T::bits + D::bits, 31)>;
     const auto numerator = shift_left(integer_cast<Integer>(x.numerator.raw()), shift);
     return T::assume_raw(
         static_cast<typename T::raw_type>(short_quotient(numerator, x.denominator.raw())));

@@ -34,12 +34,12 @@ constexpr auto container_for() noexcept {
   }
 }
 
-template <class I>
+template <class Int>
 inline constexpr bool is_wide = false;
 template <int Words>
 inline constexpr bool is_wide<Wide<Words>> = true;
 
-template <class I>
+template <class Int>
 inline constexpr int words_of = 1;
 template <int Words>
 inline constexpr int words_of<Wide<Words>> = Words;
@@ -55,8 +55,8 @@ template <int Bits>
 using IntegerFor = decltype(detail::container_for<Bits>());
 
 /// How many value bits a signed integer of this type has (31 for std::int32_t).
-template <class I>
-inline constexpr int value_bits = static_cast<int>(sizeof(I) * 8 - 1);
+template <class Int>
+inline constexpr int value_bits = static_cast<int>(sizeof(Int) * 8 - 1);
 
 /// `x` in another integer type: sign-extended, or its low bits.
 template <class To, class From>
@@ -71,9 +71,9 @@ template <class To, class From>
 namespace detail {
 
 /// The unsigned type in which a built-in signed integer wraps without undefined behaviour.
-template <class I>
+template <class Int>
 struct unsigned_of {
-  using type = std::make_unsigned_t<std::common_type_t<I, std::int32_t>>;
+  using type = std::make_unsigned_t<std::common_type_t<Int, std::int32_t>>;
 };
 #if DETENT_NATIVE_INT128
 template <>
@@ -81,8 +81,8 @@ struct unsigned_of<Int128> {
   using type = UInt128;
 };
 #endif
-template <class I>
-using unsigned_of_t = typename unsigned_of<I>::type;
+template <class Int>
+using unsigned_of_t = typename unsigned_of<Int>::type;
 
 }  // namespace detail
 
@@ -148,56 +148,56 @@ template <class To, class A, class B>
   }
 }
 
-/// x * 2^count modulo the size of `I`; `count` in [0, width of I).
-template <class I>
-[[nodiscard]] constexpr I shift_left(const I& x, int count) noexcept {
-  if constexpr (detail::is_wide<I>) {
+/// x * 2^count modulo the size of `Int`; `count` in [0, width of Int).
+template <class Int>
+[[nodiscard]] constexpr Int shift_left(const Int& x, int count) noexcept {
+  if constexpr (detail::is_wide<Int>) {
     return x << count;
   } else {
-    return static_cast<I>(static_cast<detail::unsigned_of_t<I>>(x) << count);
+    return static_cast<Int>(static_cast<detail::unsigned_of_t<Int>>(x) << count);
   }
 }
 
 /// floor(x / 2^count) for any count >= 0.
-template <class I>
-[[nodiscard]] constexpr I shift_right_floor(const I& x, int count) noexcept {
-  constexpr int last = value_bits<I>;
-  return static_cast<I>(x >> (count < last ? count : last));
+template <class Int>
+[[nodiscard]] constexpr Int shift_right_floor(const Int& x, int count) noexcept {
+  constexpr int last = value_bits<Int>;
+  return static_cast<Int>(x >> (count < last ? count : last));
 }
 
 /// floor(x / 2^Count) for a count that is known, in (0, 64).
-template <int Count, class I>
-[[nodiscard]] constexpr I shift_right_by(const I& x) noexcept {
-  if constexpr (std::is_same_v<I, Wide<2>>) {
+template <int Count, class Int>
+[[nodiscard]] constexpr Int shift_right_by(const Int& x) noexcept {
+  if constexpr (std::is_same_v<Int, Wide<2>>) {
     const auto high = static_cast<std::uint64_t>(static_cast<std::int64_t>(x.word(1)) >> Count);
-    return I::from_words({(x.word(0) >> Count) | (x.word(1) << (64 - Count)), high});
+    return Int::from_words({(x.word(0) >> Count) | (x.word(1) << (64 - Count)), high});
   } else {
-    return static_cast<I>(x >> Count);
+    return static_cast<Int>(x >> Count);
   }
 }
 
 /// Whether the low `count` bits of x are all zero; any count >= 0.
-template <class I>
-[[nodiscard]] constexpr bool low_bits_are_zero(const I& x, int count) noexcept {
+template <class Int>
+[[nodiscard]] constexpr bool low_bits_are_zero(const Int& x, int count) noexcept {
   if (count == 0) return true;
-  if (count > value_bits<I>) return x == I(0);
-  return shift_left(x, value_bits<I> + 1 - count) == I(0);
+  if (count > value_bits<Int>) return x == Int(0);
+  return shift_left(x, value_bits<Int> + 1 - count) == Int(0);
 }
 
 /// -1, 0 or 1.
-template <class I>
-[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr int sign_of(const I& x) noexcept {
-  if constexpr (detail::is_wide<I>) {
-    return x.is_negative() ? -1 : (x == I(0) ? 0 : 1);
+template <class Int>
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr int sign_of(const Int& x) noexcept {
+  if constexpr (detail::is_wide<Int>) {
+    return x.is_negative() ? -1 : (x == Int(0) ? 0 : 1);
   } else {
     return (x > 0) - (x < 0);
   }
 }
 
 /// Whether x < 0. GCC 12 does not see that `sign_of` asks that.
-template <class I>
-[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr bool is_negative(const I& x) noexcept {
-  if constexpr (detail::is_wide<I>) {
+template <class Int>
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr bool is_negative(const Int& x) noexcept {
+  if constexpr (detail::is_wide<Int>) {
     return x.is_negative();
   } else {
     return x < 0;
@@ -205,13 +205,13 @@ template <class I>
 }
 
 /// How many bits |x| needs: 0 for 0, otherwise floor(log2 |x|) + 1.
-template <class I>
-[[nodiscard]] constexpr int bit_length(const I& x) noexcept {
-  if constexpr (detail::words_of<I> == 1) {
+template <class Int>
+[[nodiscard]] constexpr int bit_length(const Int& x) noexcept {
+  if constexpr (detail::words_of<Int> == 1) {
     const auto bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(x));
     return static_cast<int>(std::bit_width(x < 0 ? 0 - bits : bits));
   } else {
-    constexpr int words = detail::words_of<I>;
+    constexpr int words = detail::words_of<Int>;
     const Wide<words> wide = integer_cast<Wide<words>>(x);
     const Wide<words> magnitude = wide.is_negative() ? -wide : wide;
     for (int i = words - 1; i >= 0; --i) {
@@ -224,11 +224,11 @@ template <class I>
 }
 
 /// `bit_length` of x > 0.
-template <class I>
-[[nodiscard]] constexpr int positive_bit_length(const I& x) noexcept {
-  if constexpr (detail::words_of<I> == 1) {
+template <class Int>
+[[nodiscard]] constexpr int positive_bit_length(const Int& x) noexcept {
+  if constexpr (detail::words_of<Int> == 1) {
     return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(x)));
-  } else if constexpr (detail::words_of<I> == 2) {
+  } else if constexpr (detail::words_of<Int> == 2) {
     const Wide<2> wide(x);
     const bool is_long = wide.word(1) != 0;
     return (is_long ? 64 : 0) + static_cast<int>(std::bit_width(wide.word(is_long ? 1 : 0)));

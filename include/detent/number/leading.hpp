@@ -17,9 +17,9 @@ struct LeadingWord {
   int exponent;
 };
 
-template <class I>
-[[nodiscard]] constexpr LeadingWord leading_word(const I& x) noexcept {
-  if constexpr (words_of<I> == 1) {
+template <class Int>
+[[nodiscard]] constexpr LeadingWord leading_word(const Int& x) noexcept {
+  if constexpr (words_of<Int> == 1) {
     const auto word = static_cast<std::uint64_t>(static_cast<std::int64_t>(x));
     const int scale = std::countl_zero(word) & 63;
     return {word << scale, -scale};
@@ -32,12 +32,12 @@ template <class I>
 }
 
 /// floor(x / 2^(length - 64)) for 0 <= x < 2^length.
-template <class I>
-[[nodiscard]] constexpr std::uint64_t leading_word(const I& x, int length) noexcept {
-  if constexpr (words_of<I> == 1) {
+template <class Int>
+[[nodiscard]] constexpr std::uint64_t leading_word(const Int& x, int length) noexcept {
+  if constexpr (words_of<Int> == 1) {
     return static_cast<std::uint64_t>(x) << (64 - length);
   } else {
-    constexpr int words = words_of<I>;
+    constexpr int words = words_of<Int>;
     return Wide<words>(shift_left(x, 64 * words - length)).word(words - 1);
   }
 }

@@ -22,7 +22,8 @@ template <Number T, Number Square, Number Over, Number Under, int Shift, int Unk
   if constexpr (is_fixed<T>) {
     static_assert(Square::frac == 2 * T::frac && 2 * Over::frac - Under::frac == Square::frac);
     if (shift_right_floor(square.raw(), 62) == typename Square::raw_type(0)) {
-      constexpr std::int64_t margin = std::int64_t{2} << std::max(Over::bits + Unknown - Shift, 0);
+      constexpr std::int64_t margin = std::int64_t{2}
+                                      << (std::max)(Over::bits + Unknown - Shift, 0);
       const auto product = wrapping_multiply<Int128>(ratio.over.raw(), ratio.factor);
       const auto rest = integer_cast<std::int64_t>(square.raw()) -
                         integer_cast<std::int64_t>(shift_right_floor(product, Shift));

@@ -21,9 +21,9 @@ struct LeadingRoot {
 template <int B, int F>
 [[nodiscard]] constexpr auto leading_root(const Fixed<B, F>& x) noexcept {
   static_assert(F % 2 == 0);
-  using Root = Fixed<std::max((B + 1) / 2, 63), F / 2>;
+  using Root = Fixed<(std::max)((B + 1) / 2, 63), F / 2>;
   using Raw = typename Root::raw_type;
-  using Long = Wide<std::max(4, static_cast<int>(sizeof(x.raw()) / 8))>;
+  using Long = Wide<(std::max)(4, static_cast<int>(sizeof(x.raw()) / 8))>;
   // Shifted by an even count, x has 125 or 126 bits, and its root has 63.
   int excess = bit_length(x.raw()) - 126;
   excess += excess & 1;
@@ -31,8 +31,8 @@ template <int B, int F>
   const Long leading = excess < 0 ? raw << -excess : raw >> excess;
   const Wide<2> root(square_root_floor(leading.word(1), leading.word(0)));
   return LeadingRoot<Root>{
-      Root::assume_raw(shift_left(integer_cast<Raw>(root), std::max(excess, 0) / 2)),
-      std::max(-excess, 0) / 2};
+      Root::assume_raw(shift_left(integer_cast<Raw>(root), (std::max)(excess, 0) / 2)),
+      (std::max)(-excess, 0) / 2};
 }
 template <std::floating_point T>
 [[nodiscard]] constexpr auto leading_root(T x) noexcept {
@@ -70,8 +70,8 @@ class LongQuadratic {
   template <Scalar T>
   [[nodiscard]] constexpr std::optional<T> first_root(const T& limit) const noexcept {
     if constexpr (is_fixed<T>) {
-      if (const auto near = floor_of<T>(rough_first())) {
-        return *near < limit ? near : std::nullopt;
+      if (const auto root = floor_of<T>(rough_first())) {
+        return *root < limit ? root : std::nullopt;
       }
     }
     if (sign_at(limit) > 0 && slope_at(limit) < 0) return std::nullopt;
@@ -90,7 +90,7 @@ class LongQuadratic {
   template <Scalar T>
   [[nodiscard]] constexpr T last_root(const T& limit) const noexcept {
     if constexpr (is_fixed<T>) {
-      if (const auto near = floor_of<T>(rough_last())) return std::min(*near, limit);
+      if (const auto root = floor_of<T>(rough_last())) return (std::min)(*root, limit);
     }
     if (!is_beyond(limit)) return limit;
     const auto [root, scale] = leading_root(d_ * e_);

@@ -13,7 +13,7 @@ template <Number T>
     return x;
   } else {
     using Raw = typename T::raw_type;
-    return x < T::max() ? T::assume_raw(wrapping_add<Raw>(x.raw(), Raw(1))) : x;
+    return x < (T::max)() ? T::assume_raw(wrapping_add<Raw>(x.raw(), Raw(1))) : x;
   }
 }
 

@@ -75,10 +75,10 @@ class PlaneGrid<F> {
       : origin_(least), step_(greatest / 254 - least / 254) {}
 
   [[nodiscard]] constexpr std::uint8_t below(F x) const noexcept {
-    return byte((x - origin_) / step_ - F(1) / 1024);
+    return byte((x - origin_) / step_ - F{1} / 1024);
   }
   [[nodiscard]] constexpr std::uint8_t above(F x) const noexcept {
-    return byte((x - origin_) / step_ + (F(1) + F(1) / 1024));
+    return byte((x - origin_) / step_ + (F{1} + F{1} / 1024));
   }
   [[nodiscard]] constexpr F plane(std::uint8_t k) const noexcept { return origin_ + k * step_; }
 
@@ -94,7 +94,7 @@ class PlaneGrid<F> {
 
  private:
   [[nodiscard]] static constexpr std::uint8_t byte(F k) noexcept {
-    return k > 0 ? static_cast<std::uint8_t>(std::min(k, F(255))) : 0;  // a NaN is 0
+    return k > 0 ? static_cast<std::uint8_t>((std::min)(k, F{255})) : 0;  // a NaN is 0
   }
 
   F origin_ = 0, step_ = 0;

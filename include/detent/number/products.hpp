@@ -12,11 +12,11 @@ namespace detent {
 namespace detail {
 
 /// The high word of the product of two numbers' leading words, halved: less than 2 too small.
-template <int B1, int F1, int B2, int F2>
-[[nodiscard]] constexpr LeadingWord leading_product(const Fixed<B1, F1>& a,
-                                                    const Fixed<B2, F2>& b) noexcept {
+template <int Bits1, int Frac1, int Bits2, int Frac2>
+[[nodiscard]] constexpr LeadingWord leading_product(const Fixed<Bits1, Frac1>& a,
+                                                    const Fixed<Bits2, Frac2>& b) noexcept {
   const auto x = leading_word(a.raw()), y = leading_word(b.raw());
-  return {multiply_words(x.word, y.word).high >> 1, x.exponent + y.exponent - F1 - F2};
+  return {multiply_words(x.word, y.word).high >> 1, x.exponent + y.exponent - Frac1 - Frac2};
 }
 
 }  // namespace detail

@@ -36,7 +36,7 @@ template <Number Over, Number Under>
   if constexpr (!is_fixed<Over>) {
     return {over, under};
   } else {
-    using Magnitude = IntegerFor<std::max(Over::bits, 63)>;
+    using Magnitude = IntegerFor<(std::max)(Over::bits, 63)>;
     const auto raw = integer_cast<Magnitude>(over.raw());
     if (raw == Magnitude(0)) return {over, under};
     const bool negative = is_negative(raw);
@@ -59,7 +59,7 @@ template <Number Over, Number Under>
   if constexpr (!is_fixed<Over>) {
     return {over, under};
   } else {
-    using Positive = IntegerFor<std::max({Over::bits, Under::bits, 63})>;
+    using Positive = IntegerFor<(std::max)({Over::bits, Under::bits, 63})>;
     const int length = positive_bit_length(under.raw());
     const auto leading = [length](const auto& x) {
       return detail::leading_word(integer_cast<Positive>(x.raw()), length);
@@ -101,7 +101,7 @@ namespace detail {
 template <class S, class T, class Over, class Under>
 [[nodiscard]] constexpr S add_quotient(const S& base, const T& x, const Over& over,
                                        const Under& under, std::int64_t whole) noexcept {
-  using Rest = IntegerFor<std::max(Under::bits + 1, 63)>;
+  using Rest = IntegerFor<(std::max)(Under::bits + 1, 63)>;
   const auto rest = wrapping_subtract<Rest>(wrapping_multiply<Rest>(x.raw(), over.raw()),
                                             wrapping_multiply<Rest>(whole, under.raw()));
   const auto beyond_half = wrapping_subtract<Rest>(shift_left(rest, 1), under.raw());

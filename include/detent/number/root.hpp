@@ -18,9 +18,9 @@ inline constexpr auto root_chords = [] {
   // floor(sqrt(i * 2^32)) = floor(2^20 * sqrt(i / 256)), digit by digit: compile time only.
   const auto left_end = [](std::uint32_t i) {
     std::uint32_t root = 0;
-    for (std::uint32_t bit = std::uint32_t{1} << 20; bit != 0; bit >>= 1) {
-      const std::uint64_t next = root | bit;
-      if (next * next <= std::uint64_t{i} << 32) root |= bit;
+    for (std::uint32_t digit = std::uint32_t{1} << 20; digit != 0; digit >>= 1) {
+      const std::uint64_t next = root | digit;
+      if (next * next <= std::uint64_t{i} << 32) root |= digit;
     }
     return root;
   };

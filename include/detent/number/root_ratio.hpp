@@ -14,8 +14,8 @@ namespace detent {
 namespace detail {
 
 /// floor(x / 2^exponent), which fits.
-template <class I>
-[[nodiscard]] constexpr std::int64_t scaled_word(const I& x, int exponent) noexcept {
+template <class Int>
+[[nodiscard]] constexpr std::int64_t scaled_word(const Int& x, int exponent) noexcept {
   if (exponent <= 0) return shift_left(integer_cast<std::int64_t>(x), -exponent);
   return integer_cast<std::int64_t>(shift_right_floor(x, exponent));
 }
@@ -44,7 +44,7 @@ class RootRatio<T, Fixed<BD, FD>, Fixed<BL, FL>> {
     word >>= exponent & 1;
     const int k = (exponent + 1) >> 1;
     const auto root = multiply_words(word, detail::reciprocal_root(word)).high;  // sqrt(word) 2^30
-    root_ = static_cast<std::int64_t>(root >> std::min(30 - T::frac - k + exponent_, 63));
+    root_ = static_cast<std::int64_t>(root >> (std::min)(30 - T::frac - k + exponent_, 63));
   }
 
   /// The quotient rounded to nearest; nothing where it is so close to a tie that an error of 2^-42,
@@ -54,7 +54,7 @@ class RootRatio<T, Fixed<BD, FD>, Fixed<BL, FL>> {
                                                    const T& y) const noexcept {
     constexpr int guard = 58 - T::frac;
     constexpr std::uint64_t half = std::uint64_t{1} << (guard - 1);
-    constexpr std::uint64_t margin = std::uint64_t{1} << (59 - std::min(42, 2 * T::frac));
+    constexpr std::uint64_t margin = std::uint64_t{1} << (59 - (std::min)(42, 2 * T::frac));
     const auto away = shift_right_floor(
         wrapping_multiply<Int128>(root_, static_cast<std::int64_t>(y.raw())), T::frac);
     const std::int64_t over =

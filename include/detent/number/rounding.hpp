@@ -16,11 +16,11 @@ namespace detent {
 namespace detail {
 
 /// `raw` as a T, clamped to [T::lowest(), T::max()].
-template <class T, class I>
-constexpr T clamp_raw(const I& raw) noexcept {
-  if constexpr (value_bits < I >> T::bits) {
-    if (raw > integer_cast<I>(T::max().raw())) return T::max();
-    if (raw < integer_cast<I>(T::lowest().raw())) return T::lowest();
+template <class T, class Int>
+constexpr T clamp_raw(const Int& raw) noexcept {
+  if constexpr (value_bits < Int >> T::bits) {
+    if (raw > integer_cast<Int>((T::max)().raw())) return (T::max)();
+    if (raw < integer_cast<Int>(T::lowest().raw())) return T::lowest();
   }
   return T::assume_raw(integer_cast<typename T::raw_type>(raw));
 }
@@ -31,16 +31,16 @@ constexpr T clamp_root(std::uint64_t root) noexcept {
   if constexpr (T::bits > 63) {
     return clamp_raw<T>(Wide<2>(root));
   } else {
-    constexpr auto greatest = static_cast<std::uint64_t>(T::max().raw());
-    return T::assume_raw(static_cast<typename T::raw_type>(std::min(root, greatest)));
+    constexpr auto greatest = static_cast<std::uint64_t>((T::max)().raw());
+    return T::assume_raw(static_cast<typename T::raw_type>((std::min)(root, greatest)));
   }
 }
 
 /// Whether a `Fixed` of `Bits` bits can hold `raw`: |raw| <= 2^Bits, and its integer has a pattern
 /// for it.
-template <int Bits, class I>
-constexpr bool is_within(const I& raw) noexcept {
-  if constexpr (Bits <= 62 && value_bits<I> <= 63) {  // one addition and one comparison
+template <int Bits, class Int>
+constexpr bool is_within(const Int& raw) noexcept {
+  if constexpr (Bits <= 62 && value_bits<Int> <= 63) {  // one addition and one comparison
     constexpr auto limit = std::uint64_t{1} << Bits;
     constexpr auto highest = 2 * limit - (fills_container(Bits) ? 1 : 0);
     return static_cast<std::uint64_t>(std::int64_t{raw}) + limit <= highest;
@@ -58,13 +58,13 @@ constexpr bool is_within(const I& raw) noexcept {
 template <class T, class N, class D>
 struct GridQuotient {
   static constexpr int shift = T::frac - N::frac + D::frac;
-  static constexpr int numerator_bits = result_bits(N::bits + std::max(shift, 0));
-  static constexpr int denominator_bits = result_bits(D::bits + std::max(-shift, 0));
-  using Integer = IntegerFor<std::max({numerator_bits, denominator_bits, 31})>;
+  static constexpr int numerator_bits = result_bits(N::bits + (std::max)(shift, 0));
+  static constexpr int denominator_bits = result_bits(D::bits + (std::max)(-shift, 0));
+  using Integer = IntegerFor<(std::max)({numerator_bits, denominator_bits, 31})>;
 
   static constexpr Division<Integer> divide(const N& n, const D& d, Integer& divisor) noexcept {
-    auto numerator = shift_left(integer_cast<Integer>(n.raw()), std::max(shift, 0));
-    divisor = shift_left(integer_cast<Integer>(d.raw()), std::max(-shift, 0));
+    auto numerator = shift_left(integer_cast<Integer>(n.raw()), (std::max)(shift, 0));
+    divisor = shift_left(integer_cast<Integer>(d.raw()), (std::max)(-shift, 0));
     if (is_negative(divisor)) {
       numerator = static_cast<Integer>(-numerator);
       divisor = static_cast<Integer>(-divisor);
@@ -76,7 +76,7 @@ struct GridQuotient {
 template <class T, class N>
 constexpr T quotient_by_zero(const N& n) noexcept {
   const int sign = sign_of(n.raw());
-  return sign > 0 ? T::max() : (sign < 0 ? T::lowest() : T());
+  return sign > 0 ? (T::max)() : (sign < 0 ? T::lowest() : T());
 }
 
 }  // namespace detail
@@ -109,7 +109,7 @@ template <class T, int B, int F>
   if constexpr (shift <= 0) {
     return floor_to<T>(x);
   } else {
-    using Raw = IntegerFor<std::max(B, shift) + 1>;
+    using Raw = IntegerFor<(std::max)(B, shift) + 1>;
     const Raw raw = integer_cast<Raw>(x.raw());
     const Raw below_half = wrapping_subtract<Raw>(shift_left(Raw(1), shift - 1), Raw(1));
     const bool odd = !low_bits_are_zero(shift_right_floor(raw, shift), 1);
@@ -143,28 +143,28 @@ template <class T, int B, int F>
 
 /// a * b, a + b, a - b: `narrow` without the detour through the integer that the unproved result
 /// needs.
-template <int Bits, int B1, int F1, int B2, int F2>
-[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr Fixed<Bits, F1 + F2> narrow_product(
-    const Fixed<B1, F1>& a, const Fixed<B2, F2>& b) noexcept {
-  using Raw = typename Fixed<Bits, F1 + F2>::raw_type;
+template <int Bits, int Bits1, int Frac1, int Bits2, int Frac2>
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr Fixed<Bits, Frac1 + Frac2> narrow_product(
+    const Fixed<Bits1, Frac1>& a, const Fixed<Bits2, Frac2>& b) noexcept {
+  using Raw = typename Fixed<Bits, Frac1 + Frac2>::raw_type;
   DETENT_ASSERT(a * b == narrow<Bits>(a * b));
-  return Fixed<Bits, F1 + F2>::assume_raw(wrapping_multiply<Raw>(a.raw(), b.raw()));
+  return Fixed<Bits, Frac1 + Frac2>::assume_raw(wrapping_multiply<Raw>(a.raw(), b.raw()));
 }
 
-template <int Bits, int B1, int F1, int B2, int F2>
-[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto narrow_sum(const Fixed<B1, F1>& a,
-                                                                 const Fixed<B2, F2>& b) noexcept {
-  using Sum = Fixed<Bits, std::max(F1, F2)>;
+template <int Bits, int Bits1, int Frac1, int Bits2, int Frac2>
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto narrow_sum(
+    const Fixed<Bits1, Frac1>& a, const Fixed<Bits2, Frac2>& b) noexcept {
+  using Sum = Fixed<Bits, (std::max)(Frac1, Frac2)>;
   using Raw = typename Sum::raw_type;
   DETENT_ASSERT(a + b == narrow<Bits>(a + b));
   return Sum::assume_raw(wrapping_add<Raw>(detail::aligned_raw<Raw, Sum::frac>(a),
                                            detail::aligned_raw<Raw, Sum::frac>(b)));
 }
 
-template <int Bits, int B1, int F1, int B2, int F2>
+template <int Bits, int Bits1, int Frac1, int Bits2, int Frac2>
 [[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto narrow_difference(
-    const Fixed<B1, F1>& a, const Fixed<B2, F2>& b) noexcept {
-  using Difference = Fixed<Bits, std::max(F1, F2)>;
+    const Fixed<Bits1, Frac1>& a, const Fixed<Bits2, Frac2>& b) noexcept {
+  using Difference = Fixed<Bits, (std::max)(Frac1, Frac2)>;
   using Raw = typename Difference::raw_type;
   DETENT_ASSERT(a - b == narrow<Bits>(a - b));
   return Difference::assume_raw(
@@ -253,14 +253,14 @@ template <class T, int B, int F>
   if constexpr (B + shift <= 63) {  // a raw of +2^B needs one bit more
     const auto raw = shift < 0 ? shift_right_floor(x.raw(), -shift) : x.raw();
     const auto n = static_cast<std::uint64_t>(integer_cast<std::int64_t>(raw));
-    return detail::clamp_root<T>(square_root_floor(n << std::max(shift, 0)));
-  } else if constexpr (B + std::max(shift, 0) <= 126) {
+    return detail::clamp_root<T>(square_root_floor(n << (std::max)(shift, 0)));
+  } else if constexpr (B + (std::max)(shift, 0) <= 126) {
     const auto raw = integer_cast<Int128>(x.raw());
     const Wide<2> n(shift < 0 ? shift_right_floor(raw, -shift) : shift_left(raw, shift));
     return detail::clamp_root<T>(square_root_floor(n.word(1), n.word(0)));
   } else {
     const Wide<4> raw = integer_cast<Wide<4>>(x.raw());
-    const Wide<4> n = shift < 0 ? raw >> -shift : raw << std::max(shift, 0);
+    const Wide<4> n = shift < 0 ? raw >> -shift : raw << (std::max)(shift, 0);
     if (n.word(2) != 0) return detail::clamp_raw<T>(Wide<2>::from_words({0, 1}));  // n = 2^128
     return detail::clamp_root<T>(square_root_floor(n.word(1), n.word(0)));
   }
@@ -292,7 +292,7 @@ template <class T, int B, int F>
 [[nodiscard]] constexpr T sqrt_ceil(const Fixed<B, F>& x) noexcept {
   using Raw = typename T::raw_type;
   const T root = sqrt_floor<T>(x);
-  if (root == T::max() || square(root) >= x) return root;
+  if (root == (T::max)() || square(root) >= x) return root;
   return T::assume_raw(wrapping_add<Raw>(root.raw(), Raw(1)));
 }
 
@@ -300,7 +300,7 @@ namespace detail {
 
 template <class T, int B, int F>
 constexpr T assign_nearest(const Fixed<B, F>& x) noexcept {
-  DETENT_ASSERT(T::lowest() <= x && x <= T::max());
+  DETENT_ASSERT(T::lowest() <= x && x <= (T::max)());
   return nearest_to<T>(x);
 }
 

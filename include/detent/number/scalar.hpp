@@ -35,9 +35,9 @@ template <Number T>
 
 /// The greatest value of a number's type.
 template <Number S>
-inline constexpr S largest = std::numeric_limits<S>::max();
+inline constexpr S largest = (std::numeric_limits<S>::max)();
 template <int Bits, int Frac>
-inline constexpr Fixed<Bits, Frac> largest<Fixed<Bits, Frac>> = Fixed<Bits, Frac>::max();
+inline constexpr Fixed<Bits, Frac> largest<Fixed<Bits, Frac>> = (Fixed<Bits, Frac>::max)();
 
 /// The least value of a number's type.
 template <Number S>

@@ -63,13 +63,13 @@ class SlabClock<Fixed<Bits, Frac>> {
   /// For planes no farther than `reach` in the sum over the axes: a direction is longer than
   /// 1 - 2^-12.
   constexpr SlabClock(const Reach& reach, const S& limit) noexcept
-      : longest_(std::min(limit, detail::clamp_raw<S>(reach.raw() + (reach.raw() >> 8) + 1))),
-        shift_(std::max(
+      : longest_((std::min)(limit, detail::clamp_raw<S>(reach.raw() + (reach.raw() >> 8) + 1))),
+        shift_((std::max)(
             {bit_length(longest_.raw()) + inverse_frac - 23, bit_length(reach.raw()) - 26, 4})) {}
 
   [[nodiscard]] constexpr const S& longest() const noexcept { return longest_; }
   [[nodiscard]] constexpr Time time(const S& distance) const noexcept {
-    const std::int64_t raw = std::min(distance, longest_).raw();
+    const std::int64_t raw = (std::min)(distance, longest_).raw();
     return static_cast<Time>((raw * (std::int64_t{1} << inverse_frac)) >> shift_);
   }
 
@@ -81,8 +81,8 @@ class SlabClock<Fixed<Bits, Frac>> {
 
   /// What is farther away than this stays beyond `longest`, or behind the origin, after 2^29 more.
   [[nodiscard]] static constexpr Time clamp(std::int64_t ticks) noexcept {
-    constexpr std::int64_t far = std::int64_t{1} << 30;
-    return static_cast<Time>(std::clamp(ticks, -far, far));
+    constexpr std::int64_t most = std::int64_t{1} << 30;
+    return static_cast<Time>(std::clamp(ticks, -most, most));
   }
 
   S longest_;
@@ -108,17 +108,17 @@ class SlabTimes<Fixed<Bits, Frac>> {
   [[nodiscard]] static constexpr typename Clock::Reach reach(const S& origin, const S& least,
                                                              const S& greatest) noexcept {
     using Reach = typename Clock::Reach;
-    return std::max(Reach(abs(least - origin)), Reach(abs(greatest - origin)));
+    return (std::max)(Reach(abs(least - origin)), Reach(abs(greatest - origin)));
   }
 
   constexpr SlabTimes(const Clock& clock, const S& origin, const Component& direction,
                       const S& least, const S& greatest) noexcept
       : origin_(origin.raw()), shift_(clock.shift()) {
-    constexpr std::int64_t shortest = std::int64_t{1} << std::max(Component::frac - 14, 0);
+    constexpr std::int64_t shortest = std::int64_t{1} << (std::max)(Component::frac - 14, 0);
     const std::int64_t speed = direction.raw();
     const std::int64_t size = speed < 0 ? -speed : speed;
     const std::int64_t inverse =
-        (std::int64_t{1} << (Component::frac + Clock::inverse_frac)) / std::max(size, shortest);
+        (std::int64_t{1} << (Component::frac + Clock::inverse_frac)) / (std::max)(size, shortest);
     const std::int64_t drift =
         size < shortest ? (std::max<std::int64_t>(clock.longest().raw(), 0) >> 14) + 1 : 0;
     const std::int64_t margin = reach(origin, least, greatest).raw() + drift;
@@ -169,7 +169,7 @@ class SlabClock<F> {
   using Time = F;
   using Reach = F;
 
-  constexpr SlabClock(F reach, F limit) noexcept : longest_(std::min(limit, reach * 2)) {}
+  constexpr SlabClock(F reach, F limit) noexcept : longest_((std::min)(limit, reach * 2)) {}
 
   [[nodiscard]] constexpr F longest() const noexcept { return longest_; }
   [[nodiscard]] constexpr F time(F distance) const noexcept { return distance; }
@@ -186,13 +186,13 @@ class SlabTimes<F> {
   using Time = F;
 
   [[nodiscard]] static constexpr F reach(F origin, F least, F greatest) noexcept {
-    return std::max(abs(least - origin), abs(greatest - origin));
+    return (std::max)(abs(least - origin), abs(greatest - origin));
   }
 
   constexpr SlabTimes(const Clock& clock, F origin, F direction, F least, F greatest) noexcept
       : origin_(origin) {
-    constexpr F shortest = F(1) / (1 << 14), error = F(1) / (1 << 20);
-    const F size = std::max(abs(direction), shortest);
+    constexpr F shortest = F{1} / (1 << 14), error = F{1} / (1 << 20);
+    const F size = (std::max)(abs(direction), shortest);
     const F drift = abs(direction) < shortest ? clock.longest() * shortest : 0;
     const F margin = (reach(origin, least, greatest) + drift) / size * error;
     factor_ = direction < 0 ? -1 / size : 1 / size;

@@ -203,7 +203,7 @@ constexpr std::optional<Fixed<Bits, Frac>> Fixed<Bits, Frac>::parse(
   detail::Limbs<Bits + 1> magnitude{};
   if (!detail::round_decimal<Frac>(*decimal, magnitude)) return std::nullopt;
   const auto limit =
-      detail::limbs_of<magnitude.size()>((decimal->negative ? lowest() : max()).raw());
+      detail::limbs_of<magnitude.size()>((decimal->negative ? lowest() : (max)()).raw());
   for (std::size_t i = magnitude.size(); i-- > 0;) {
     if (magnitude[i] > limit[i]) return std::nullopt;
     if (magnitude[i] < limit[i]) break;

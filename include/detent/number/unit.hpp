@@ -47,7 +47,7 @@ template <int Bits, int Frac, class Magnitude, std::size_t N>
 [[nodiscard]] constexpr bool is_above_half(const std::array<Magnitude, N>& m, std::size_t i,
                                            std::uint64_t q) noexcept {
   static_assert(N <= 4 && Frac >= 1, "detent: ties are ruled out by the proof above");
-  using Exact = IntegerFor<result_bits(2 * std::max(result_bits(Bits), 31) + 2 * Frac + 5)>;
+  using Exact = IntegerFor<result_bits(2 * (std::max)(result_bits(Bits), 31) + 2 * Frac + 5)>;
   Exact squared(0);
   for (const auto& c : m) squared = wrapping_add<Exact>(squared, wrapping_multiply<Exact>(c, c));
   const auto odd = static_cast<std::int64_t>(2 * q + 1);
@@ -75,7 +75,7 @@ template <class Magnitude, std::size_t N>
 [[nodiscard]] constexpr std::array<std::uint64_t, N> rough_shares(
     const std::array<Magnitude, N>& m) noexcept {
   Magnitude longest(0);
-  for (const auto& c : m) longest = std::max(longest, c);
+  for (const auto& c : m) longest = (std::max)(longest, c);
   const int scale = 62 - positive_bit_length(longest);
   std::array<std::uint64_t, N> shares;
   std::uint64_t squared = 1;  // at least 2^58, but where m is 0
@@ -101,7 +101,7 @@ template <class Magnitude, std::size_t N>
 template <class Component, int B, int F, std::size_t N>
 [[nodiscard]] constexpr std::optional<std::array<Component, N>> unit_vector(
     const std::array<Fixed<B, F>, N>& v) noexcept {
-  using Magnitude = IntegerFor<std::max(detail::result_bits(B), 62)>;
+  using Magnitude = IntegerFor<(std::max)(detail::result_bits(B), 62)>;
   const auto magnitude = detail::magnitudes<Magnitude>(v);
   if (magnitude == std::array<Magnitude, N>{}) return std::nullopt;
   const auto shares = detail::rough_shares(magnitude);
@@ -131,7 +131,7 @@ template <class Component, std::floating_point T, std::size_t N>
     const std::array<T, N>& v) noexcept {
   T squared = 0;
   for (const T c : v) squared += c * c;
-  if (!(squared > 0) || squared > std::numeric_limits<T>::max()) return std::nullopt;
+  if (!(squared > 0) || squared > (std::numeric_limits<T>::max)()) return std::nullopt;
   const T norm = std::sqrt(squared);
   std::array<Component, N> unit;
   for (std::size_t i = 0; i < N; ++i) unit[i] = v[i] / norm;

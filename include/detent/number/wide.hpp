@@ -81,16 +81,16 @@ class Wide {
   constexpr Wide() noexcept = default;
 
   /// Sign-extends (or, from an unsigned type, zero-extends) a built-in integer.
-  template <std::integral I>
-  constexpr Wide(I value) noexcept {
+  template <std::integral Int>
+  constexpr Wide(Int value) noexcept {
     words_[0] = static_cast<std::uint64_t>(value);
-    if constexpr (sizeof(I) > sizeof(std::uint64_t)) {
+    if constexpr (sizeof(Int) > sizeof(std::uint64_t)) {
       words_[1] = static_cast<std::uint64_t>(value >> 64);
       fill_from(2, value < 0);
-    } else if constexpr (Words == 2 && std::is_signed_v<I>) {
+    } else if constexpr (Words == 2 && std::is_signed_v<Int>) {
       words_[1] = static_cast<std::uint64_t>(static_cast<std::int64_t>(value) >> 63);
     } else {
-      fill_from(1, std::is_signed_v<I> && value < 0);
+      fill_from(1, std::is_signed_v<Int> && value < 0);
     }
   }
 #if DETENT_NATIVE_INT128
@@ -120,12 +120,12 @@ class Wide {
   [[nodiscard]] constexpr bool is_negative() const noexcept { return (words_.back() >> 63) != 0; }
 
   /// The low bits, as a conversion between built-in integers keeps them.
-  template <std::integral I>
-  [[nodiscard]] explicit constexpr operator I() const noexcept {
-    if constexpr (sizeof(I) > sizeof(std::uint64_t)) {
-      return static_cast<I>(words_[0]) | static_cast<I>(static_cast<I>(words_[1]) << 64);
+  template <std::integral Int>
+  [[nodiscard]] explicit constexpr operator Int() const noexcept {
+    if constexpr (sizeof(Int) > sizeof(std::uint64_t)) {
+      return static_cast<Int>(words_[0]) | static_cast<Int>(static_cast<Int>(words_[1]) << 64);
     } else {
-      return static_cast<I>(words_[0]);
+      return static_cast<Int>(words_[0]);
     }
   }
 #if DETENT_NATIVE_INT128

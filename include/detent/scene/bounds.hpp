@@ -41,8 +41,8 @@ template <Scalar S, int N>
   const bool none = is_empty(box);
   for (int i = 0; i < N; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    result.low[at] = none ? Culling<S>::far : Culling<S>::below(box.min[i]);
-    result.high[at] = none ? -Culling<S>::far : Culling<S>::above(box.max[i]);
+    result.low[at] = none ? Culling<S>::beyond : Culling<S>::below(box.min[i]);
+    result.high[at] = none ? -Culling<S>::beyond : Culling<S>::above(box.max[i]);
   }
   return result;
 }
@@ -50,8 +50,8 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr CullingBox<S, N> everywhere() noexcept {
   CullingBox<S, N> result;
-  result.low.fill(-Culling<S>::far);
-  result.high.fill(Culling<S>::far);
+  result.low.fill(-Culling<S>::beyond);
+  result.high.fill(Culling<S>::beyond);
   return result;
 }
 
@@ -92,7 +92,7 @@ template <Scalar S, int N>
   if (is_empty(box)) return culling_box_of(no_box<Aabb<S, N>>);
   if (!are_perpendicular<10>(box.rotation)) return everywhere<S, N>();
   S greatest = box.half_extents[0];
-  for (int i = 1; i < N; ++i) greatest = std::max(greatest, box.half_extents[i]);
+  for (int i = 1; i < N; ++i) greatest = (std::max)(greatest, box.half_extents[i]);
   const auto slack = with_slack(greatest) - greatest;
   return culling_box_of(bounding_box(Obb<S, N>{
       box.center, make_vec<N>([&](int i) { return saturate_to<S>(box.half_extents[i] + slack); }),

@@ -49,13 +49,13 @@ class OneOf {
   }
 
  private:
-  template <std::size_t I, class F>
+  template <std::size_t Int, class F>
   constexpr decltype(auto) visit_from(F& f) const noexcept {
-    if constexpr (I + 1 == sizeof...(Shapes)) {
-      return f(*std::get_if<I>(&shape_));
+    if constexpr (Int + 1 == sizeof...(Shapes)) {
+      return f(*std::get_if<Int>(&shape_));
     } else {
-      if (shape_.index() == I) return f(*std::get_if<I>(&shape_));
-      return visit_from<I + 1>(f);
+      if (shape_.index() == Int) return f(*std::get_if<Int>(&shape_));
+      return visit_from<Int + 1>(f);
     }
   }
 

@@ -262,7 +262,7 @@ class BasicScene {
   template <class T>
   static constexpr void sort_first(std::span<T> room, std::size_t count) noexcept {
     std::sort(room.begin(),
-              room.begin() + static_cast<std::ptrdiff_t>(std::min(room.size(), count)));
+              room.begin() + static_cast<std::ptrdiff_t>((std::min)(room.size(), count)));
   }
 
   template <class Visit>
@@ -366,7 +366,7 @@ class BasicScene {
     if (!fixed.is_empty()) {
       detail::visit_pairs_below(moving, moving.root(), fixed, fixed.root(), visit);
     }
-    for (std::size_t i = 0; i < std::min(count, waiting.size()); ++i) {
+    for (std::size_t i = 0; i < (std::min)(count, waiting.size()); ++i) {
       ask(waiting[i].first, waiting[i].second);
     }
   }

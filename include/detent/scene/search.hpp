@@ -42,11 +42,11 @@ class RayProbe {
     exits.fill(limit_);
     for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
       const auto& line = axes_[axis];
-      const auto& near = line.is_negative() ? node.high[axis] : node.low[axis];
-      const auto& far = line.is_negative() ? node.low[axis] : node.high[axis];
+      const auto& front = line.is_negative() ? node.high[axis] : node.low[axis];
+      const auto& back = line.is_negative() ? node.low[axis] : node.high[axis];
       for (std::size_t i = 0; i < width; ++i) {
-        keys[i] = std::max(keys[i], line.enter(near[i]));
-        exits[i] = std::min(exits[i], line.exit(far[i]));
+        keys[i] = (std::max)(keys[i], line.enter(front[i]));
+        exits[i] = (std::min)(exits[i], line.exit(back[i]));
       }
     }
     typename TreeNode<S, N>::Mask mask = 0;
@@ -126,22 +126,23 @@ constexpr bool visit_nearest(const Tree& tree, Probe& probe, const Visit& visit)
     if (!probe.reaches(key)) continue;
     const auto& node = tree.node(at);
     // The furthest first, on top of the stack or beside it.
-    std::array<Step, Tree::width> near;
+    std::array<Step, Tree::width> sorted;
     std::size_t count = 0;
     for (auto mask = probe.keys(node, keys); mask != 0; mask &= mask - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(mask));
       auto place = count++;
-      for (; place > 0 && near[place - 1].key < keys[i]; --place) near[place] = near[place - 1];
-      near[place] = {keys[i], node.child[i]};
+      for (; place > 0 && sorted[place - 1].key < keys[i]; --place)
+        sorted[place] = sorted[place - 1];
+      sorted[place] = {keys[i], node.child[i]};
     }
     if (node.level > 0) {
       for (std::size_t i = 0; i < count; ++i) {
-        prefetch(&tree.node(near[i].at), sizeof(node));
-        stack[size++] = near[i];
+        prefetch(&tree.node(sorted[i].at), sizeof(node));
+        stack[size++] = sorted[i];
       }
     } else {
       while (count-- > 0) {
-        if (probe.reaches(near[count].key) && visit(near[count].at)) return true;
+        if (probe.reaches(sorted[count].key) && visit(sorted[count].at)) return true;
       }
     }
   }

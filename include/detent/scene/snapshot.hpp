@@ -149,10 +149,10 @@ class SnapshotReader {
 
 /// Whether the parts of a snapshot are those of a scene, and fit this one.
 template <class Storage, Scalar S, int N, class... Shapes, class Meshes>
-[[nodiscard]] constexpr Restored check(const BasicScene<Storage, S, N, Shapes...>& scene,
-                                       std::span<const std::byte> bytes,
-                                       const SnapshotHeader& header,
-                                       const Meshes& meshes) noexcept {
+[[nodiscard]] constexpr Restored check_parts(const BasicScene<Storage, S, N, Shapes...>& scene,
+                                             std::span<const std::byte> bytes,
+                                             const SnapshotHeader& header,
+                                             const Meshes& meshes) noexcept {
   using Snapshot = SnapshotReader<Meshes, S, N, Shapes...>;
   const auto is_generation = [&](std::uint32_t generation) {
     return generation != 0 && generation < header.next_generation;
@@ -244,7 +244,7 @@ constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<cons
 template <class Storage, Scalar S, int N, class... Shapes>
 constexpr std::size_t snapshot(const BasicScene<Storage, S, N, Shapes...>& scene,
                                std::span<std::byte> room) noexcept {
-  const auto begin = std::min(room.size(), detail::SnapshotHeader::size);
+  const auto begin = (std::min)(room.size(), detail::SnapshotHeader::size);
   detail::Writer out(room.subspan(begin));
   const auto header = detail::write(out, scene);
   if (room.size() >= header.byte_count) {
@@ -282,7 +282,7 @@ template <class Storage, Scalar S, int N, class... Shapes, class Meshes = detail
       header.fixed_digest != scene.store().fixed_digest()) {
     return Restored::other_fixed_part;
   }
-  const auto checked = detail::check(scene, bytes, header, meshes);
+  const auto checked = detail::check_parts(scene, bytes, header, meshes);
   if (checked != Restored::yes) return checked;
   detail::apply(scene, bytes, header, meshes);
   return Restored::yes;

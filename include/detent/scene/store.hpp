@@ -130,12 +130,12 @@ class Store {
       return;  // nothing new
     }
     if (record.generation == 0) ++size_;
-    next_ = std::max(next_, id.generation + 1);
+    next_ = (std::max)(next_, id.generation + 1);
     record.user = traits.user;
     record.generation = id.generation;
     record.layers = traits.layers;
     record.motion = traits.motion;
-    if (traits.motion == Motion::moving) is_moving_[id.index / 64] |= bit(id.index);
+    if (traits.motion == Motion::moving) is_moving_[id.index / 64] |= motion_bit(id.index);
     if (traits.frame != FrameId{}) {
       attach(id.index, traits.frame.index);
     } else {
@@ -150,9 +150,9 @@ class Store {
     set_box(i, empty());
     detach(i);
     records_[i] = Record();
-    is_moving_[i / 64] &= ~bit(i);
+    is_moving_[i / 64] &= ~motion_bit(i);
     --size_;
-    first_free_ = std::min(first_free_, i);
+    first_free_ = (std::min)(first_free_, i);
   }
 
   /// Gives the object another shape, in its frame.
@@ -219,7 +219,7 @@ class Store {
 
   static constexpr Box empty() noexcept { return culling_box_of(no_box<Aabb<S, N>>); }
 
-  static constexpr std::uint64_t bit(std::uint32_t i) noexcept {
+  static constexpr std::uint64_t motion_bit(std::uint32_t i) noexcept {
     return std::uint64_t{1} << (i % 64);
   }
 

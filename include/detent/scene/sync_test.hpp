@@ -72,7 +72,7 @@ class SyncTest {
   std::optional<ObjectId> first_difference(const Scene& scene, const Bytes& bytes) const {
     Scene other = scene;
     if (restore(other, bytes, meshes_) != Restored::yes) return std::nullopt;
-    const auto end = std::max(scene.store().end(), other.store().end());
+    const auto end = (std::max)(scene.store().end(), other.store().end());
     for (std::size_t i = 0; i < end; ++i) {
       const auto id = [i](const Scene& s) {
         return s.store().is_object(i) ? s.store().info(i).id : ObjectId{};

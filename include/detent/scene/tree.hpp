@@ -91,7 +91,7 @@ class Tree {
     for (std::size_t at = 0; at < entries.size();) {
       const auto left = entries.size() - at;
       const auto count =
-          left > width && left < width + least ? left - least : std::min(left, width);
+          left > width && left < width + least ? left - least : (std::min)(left, width);
       const auto node = make_node(level);
       for (std::size_t i = 0; i < count; ++i) put(node, entries[at + i]);
       at += count;

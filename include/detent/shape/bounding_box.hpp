@@ -41,8 +41,8 @@ template <Scalar S, int N>
   auto box = detail::no_box<Aabb<S, N>>;
   for (const auto& point : points) {
     for (int i = 0; i < N; ++i) {
-      box.min[i] = std::min(box.min[i], point[i]);
-      box.max[i] = std::max(box.max[i], point[i]);
+      box.min[i] = (std::min)(box.min[i], point[i]);
+      box.max[i] = (std::max)(box.max[i], point[i]);
     }
   }
   return box;
@@ -53,8 +53,8 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr Aabb<S, N> bounding_box(const Aabb<S, N>& a, const Aabb<S, N>& b) noexcept {
   if (is_empty(a)) return b;
   if (is_empty(b)) return a;
-  return {make_vec<N>([&](int i) { return std::min(a.min[i], b.min[i]); }),
-          make_vec<N>([&](int i) { return std::max(a.max[i], b.max[i]); })};
+  return {make_vec<N>([&](int i) { return (std::min)(a.min[i], b.min[i]); }),
+          make_vec<N>([&](int i) { return (std::max)(a.max[i], b.max[i]); })};
 }
 
 template <Scalar S, int N>

@@ -42,7 +42,7 @@ template <Scalar S, int N>
   const auto center = detail::middle(bounding_box(points));
   auto farthest = squared_distance(points.front(), center);
   for (const auto& point : points) {
-    farthest = std::max(farthest, squared_distance(point, center));
+    farthest = (std::max)(farthest, squared_distance(point, center));
   }
   return {center, sqrt_ceil<S>(farthest)};
 }
@@ -80,7 +80,7 @@ template <Scalar S, int N>
   const auto center = detail::middle(box);
   // The corner that is farthest on every axis at once.
   return {center, sqrt_ceil<S>(squared_length(make_vec<N>([&](int i) {
-            return std::max(box.max[i] - center[i], center[i] - box.min[i]);
+            return (std::max)(box.max[i] - center[i], center[i] - box.min[i]);
           })))};
 }
 
@@ -104,7 +104,7 @@ template <Scalar S, int N>
   };
   auto farthest = squared_length(corner(0));
   for (int signs = 1; signs < 1 << (N - 1); ++signs) {  // the others lie opposite
-    farthest = std::max(farthest, squared_length(corner(signs)));
+    farthest = (std::max)(farthest, squared_length(corner(signs)));
   }
   return {box.center, sqrt_ceil<S>(farthest)};
 }
@@ -121,7 +121,7 @@ template <class Shape, class... Shapes>
     if (around.radius < 0) return;
     using S = decltype(around.radius);
     const auto to_center = sqrt_ceil<S>(squared_distance(around.center, whole.center));
-    whole.radius = std::max(whole.radius, floor_to<S>(to_center + around.radius));
+    whole.radius = (std::max)(whole.radius, floor_to<S>(to_center + around.radius));
   });
   return whole;
 }

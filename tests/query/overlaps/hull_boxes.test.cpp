@@ -78,8 +78,8 @@ TEMPLATE_TEST_CASE("overlaps, box and hull: rounded edges decide only what they 
           [&](int i) { return moved(S(0), static_cast<int>(way[i].raw() * middle / 64)); });
       const bool meet = detail::bodies_overlap(detail::edge_body(box), hull);
       const auto nearness = detail::roughly_overlap(box, hull);
-      REQUIRE(nearness != (meet ? Nearness::apart : Nearness::near));
-      ++(nearness == Nearness::near ? near : nearness == Nearness::apart ? apart : unknown);
+      REQUIRE(nearness != (meet ? Nearness::apart : Nearness::meeting));
+      ++(nearness == Nearness::meeting ? near : nearness == Nearness::apart ? apart : unknown);
       (meet ? inside : outside) = middle;
     }
   }

@@ -47,7 +47,7 @@ struct Count {
   void add(Nearness nearness, bool answer) {
     ++asked;
     unknown += nearness == Nearness::unknown ? 1 : 0;
-    wrong += nearness == (answer ? Nearness::apart : Nearness::near) ? 1 : 0;
+    wrong += nearness == (answer ? Nearness::apart : Nearness::meeting) ? 1 : 0;
   }
 };
 

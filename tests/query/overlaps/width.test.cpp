@@ -75,7 +75,7 @@ void compare_rough_slabs() {
     const bool answer = detail::is_near_slabs(low, high, d, reach);
     near += answer ? 1 : 0;
     unknown += nearness == detail::Nearness::unknown ? 1 : 0;
-    wrong += nearness == detail::Nearness::near && !answer ? 1 : 0;
+    wrong += nearness == detail::Nearness::meeting && !answer ? 1 : 0;
     wrong += nearness == detail::Nearness::apart && answer ? 1 : 0;
     // A reach that the exact distance is just within, or just not.
     T least(0), most = T::max();
@@ -90,7 +90,7 @@ void compare_rough_slabs() {
     wrong += detail::roughly_near_slabs(low, high, d, most) == detail::Nearness::apart ? 1 : 0;
     if (most == 0) continue;
     const auto below = T::from_raw(most.raw() - 1);
-    wrong += detail::roughly_near_slabs(low, high, d, below) == detail::Nearness::near ? 1 : 0;
+    wrong += detail::roughly_near_slabs(low, high, d, below) == detail::Nearness::meeting ? 1 : 0;
   }
   CHECK(wrong == 0);
   CHECK(near > 400);

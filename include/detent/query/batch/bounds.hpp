@@ -45,7 +45,7 @@ template <Scalar S, int N>
   for (int i = 0; i < N; ++i) {
     const auto cosine = dot(box.rotation.axis(i), box.rotation.axis((i + 1) % N));
     if (abs(cosine) > most) return Result();
-    longest = std::max(longest, box.half_extents[i]);
+    longest = (std::max)(longest, box.half_extents[i]);
   }
   const auto more = quotient_floor<S>(longest, S(64));
   for (int i = 0; i < N; ++i) {

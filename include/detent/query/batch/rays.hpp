@@ -26,7 +26,7 @@ class RayBatch {
   constexpr RayBatch(std::span<const Ray<S, N>> rays, const Aabb<S, N>& frame,
                      std::span<Block> blocks) noexcept
       : rays_(rays),
-        blocks_(blocks.first(std::min(blocks.size(), batch_blocks(size())))),
+        blocks_(blocks.first((std::min)(blocks.size(), batch_blocks(size())))),
         frame_(frame) {
     for (std::size_t i = 0; i < blocks_.size() * detail::batch_lanes; ++i) {
       auto ray = detail::CoarseRay<S, N>::nowhere();

@@ -34,7 +34,7 @@ class ShapeBatch<Shape<S, N>> {
   using Block = detail::CoarseBoxes<S, N>;
 
   constexpr ShapeBatch(std::span<const Shape<S, N>> shapes, std::span<Block> blocks) noexcept
-      : shapes_(shapes), blocks_(blocks.first(std::min(blocks.size(), batch_blocks(size())))) {
+      : shapes_(shapes), blocks_(blocks.first((std::min)(blocks.size(), batch_blocks(size())))) {
     auto around = detail::no_box<Aabb<S, N>>;
     for (const auto& shape : shapes) {
       const auto bounds = detail::ray_bounds(shape);

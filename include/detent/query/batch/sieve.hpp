@@ -137,8 +137,8 @@ class CoarseFrame {
     auto size = box.max[0] - box.min[0];
     auto reach = abs(box.max[0]);
     for (int i = 0; i < N; ++i) {
-      size = std::max(size, box.max[i] - box.min[i]);
-      reach = std::max({reach, abs(box.min[i]), abs(box.max[i])});
+      size = (std::max)(size, box.max[i] - box.min[i]);
+      reach = (std::max)({reach, abs(box.min[i]), abs(box.max[i])});
       center_[i] = floor_to<S>(half(box.min[i] + box.max[i]));
     }
     shift_ = coarse_shift(size);
@@ -166,7 +166,7 @@ class CoarseFrame {
       const auto high = narrow_sum<bits>(floor(box.max[i], i), step_);
       const auto center = middle(low, high);
       const auto extent =
-          std::max(narrow_difference<bits>(high, center), narrow_difference<bits>(center, low));
+          (std::max)(narrow_difference<bits>(high, center), narrow_difference<bits>(center, low));
       result.center[i] = center;
       result.extent[i] = narrow_sum<bits>(extent, margin_);
     }
@@ -184,8 +184,8 @@ class CoarseFrame {
     for (int i = 0; i < N; ++i) {
       const auto from = floor(enter[i], i), to = floor(exit[i], i);
       result.middle[i] = middle(from, to);
-      result.reach[i] = std::max(coarse_abs(narrow_difference<bits>(from, result.middle[i])),
-                                 coarse_abs(narrow_difference<bits>(to, result.middle[i])));
+      result.reach[i] = (std::max)(coarse_abs(narrow_difference<bits>(from, result.middle[i])),
+                                   coarse_abs(narrow_difference<bits>(to, result.middle[i])));
       result.slope[i] = coarse_half<S>(ray.direction[i]);
     }
     return result;

@@ -24,7 +24,7 @@ template <Scalar S, int N>
         const auto& feature = search.closest_feature();
         // Corners of the hull again, the last of them repeated.
         const auto corner = [&](int i) {
-          return nearest_to<S>(point + feature[std::min(i, feature.count - 1)]);
+          return nearest_to<S>(point + feature[(std::min)(i, feature.count - 1)]);
         };
         if constexpr (N == 2) {
           return closest_point(Segment{corner(0), corner(1)}, point);

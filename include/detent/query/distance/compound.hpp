@@ -19,7 +19,7 @@ template <class... Shapes, Scalar S, int N>
                                    const Vec<S, N>& point) noexcept {
   S least = largest<S>;
   for_each_part(compound,
-                [&](const auto& part) { least = std::min(least, distance(part, point)); });
+                [&](const auto& part) { least = (std::min)(least, distance(part, point)); });
   return least;
 }
 

@@ -19,7 +19,7 @@ template <Number T, int N>
                                                    const Vec<T, N>& half_extents) noexcept {
   constexpr int bits = 62;
   using Slack = Fixed<63, 2 * T::frac>;
-  Slack least = Slack::max();
+  Slack least = (Slack::max)();
   constexpr auto steps = T::from_raw(4);
   auto size = narrow<36>(steps);
   for (int i = 0; i < N; ++i) size = narrow_sum<36>(size, length[i] + half_extents[i]);
@@ -33,7 +33,7 @@ template <Number T, int N>
   }
   const Slack margin = narrow_product<bits>(size, steps);
   if (least < narrow_negative(margin)) return Nearness::apart;
-  return least >= margin ? Nearness::near : Nearness::unknown;
+  return least >= margin ? Nearness::meeting : Nearness::unknown;
 }
 
 /// Whether the segment from `p` to `q` has a point in the box {x : |x[i]| <= half_extents[i]},
@@ -54,14 +54,14 @@ template <Number T, int N>
       if (int{p[i] > h[i]} + int{q[i] > h[i]} == 2) return false;
       if (int{p[i] < low} + int{q[i] < low} == 2) return false;
     } else {
-      if (std::min(p[i], q[i]) > h[i]) return false;
-      if (std::max(p[i], q[i]) < low) return false;
+      if ((std::min)(p[i], q[i]) > h[i]) return false;
+      if ((std::max)(p[i], q[i]) < low) return false;
     }
   }
   // Either is the sum of two products of a length, at most 2^(B + 1), and a coordinate. In 127 bits
   // are those with directions, which Cauchy-Schwarz keeps below 2^125.7 for 32-bit scalars.
-  constexpr int product_bits = std::min(2 * bits_of<T> + 2, 127);
-  constexpr int length_bits = std::max(bits_of<T>, 32);
+  constexpr int product_bits = (std::min)(2 * bits_of<T> + 2, 127);
+  constexpr int length_bits = (std::max)(bits_of<T>, 32);
   const auto length =
       make_vec<N>([&](int i) { return narrow_abs(narrow_difference<length_bits>(q[i], p[i])); });
   constexpr bool is_long = 32 < bits_of<T>;
@@ -71,7 +71,7 @@ template <Number T, int N>
       return make_vec<N>([&](int i) { return scale_down<kept>(v[i], dropped); });
     };
     const auto nearness = roughly_meets_box(cut(p), cut(q), cut(length), cut(h));
-    if (nearness != Nearness::unknown) return nearness == Nearness::near;
+    if (nearness != Nearness::unknown) return nearness == Nearness::meeting;
   }
   for (int j = 0, last = N == 2 ? 1 : 3; j < last; ++j) {
     const int k = (j + 1) % N;

@@ -21,8 +21,8 @@ template <Number A, Number B>
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool bounds_meet(const Segment<S, N>& p, const Segment<S, N>& q) noexcept {
   for (int i = 0; i < N; ++i) {
-    if (std::max(p.start[i], p.end[i]) < std::min(q.start[i], q.end[i])) return false;
-    if (std::max(q.start[i], q.end[i]) < std::min(p.start[i], p.end[i])) return false;
+    if ((std::max)(p.start[i], p.end[i]) < (std::min)(q.start[i], q.end[i])) return false;
+    if ((std::max)(q.start[i], q.end[i]) < (std::min)(p.start[i], p.end[i])) return false;
   }
   return true;
 }

@@ -14,7 +14,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Aabb<S, N>& a, const Aabb<S, N>& b) noexcept {
   for (int i = 0; i < N; ++i) {
-    if (std::max(a.min[i], b.min[i]) > std::min(a.max[i], b.max[i])) return false;
+    if ((std::max)(a.min[i], b.min[i]) > (std::min)(a.max[i], b.max[i])) return false;
   }
   return true;
 }

@@ -31,7 +31,7 @@ template <Scalar S, int N>
     const auto nearness = detail::roughly_boxes_overlap(detail::WorldFrame(), halved(half_a),
                                                         detail::RoughFrame(b.rotation),
                                                         halved(half_b), halved(apart));
-    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::near;
+    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::meeting;
   }
   if constexpr (N == 2) {
     return !detail::are_apart(std::array{apart}, detail::edges_along(Rotation<S, N>(), half_a),

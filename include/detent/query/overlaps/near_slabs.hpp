@@ -99,11 +99,11 @@ template <Number T, Number D, Number R, int N>
   constexpr int kept = 28, bits = kept + 1;  // and a few steps more
   int dropped = bits_of<R> - headroom(reach);
   for (int i = 0; i < N; ++i) {
-    dropped = std::max(dropped, bits_of<T> - headroom(low[i]));
-    dropped = std::max(dropped, bits_of<T> - headroom(high[i]));
-    dropped = std::max(dropped, bits_of<D> - headroom(d[i]));
+    dropped = (std::max)(dropped, bits_of<T> - headroom(low[i]));
+    dropped = (std::max)(dropped, bits_of<T> - headroom(high[i]));
+    dropped = (std::max)(dropped, bits_of<D> - headroom(d[i]));
   }
-  dropped = std::max(dropped - kept, 0);
+  dropped = (std::max)(dropped - kept, 0);
   const auto cut = [&](const auto& v) {
     return make_vec<N>([&](int i) { return scale_down<bits>(v[i], dropped); });
   };
@@ -115,7 +115,7 @@ template <Number T, Number D, Number R, int N>
   return compare_slabs(
       cut(low), cut(high), cut(d), most, [&](const auto& over, const auto&... under) {
         if (over > (most_square * ... * under)) return Nearness::apart;
-        return least >= 0 && over <= (least_square * ... * under) ? Nearness::near
+        return least >= 0 && over <= (least_square * ... * under) ? Nearness::meeting
                                                                   : Nearness::unknown;
       });
 }

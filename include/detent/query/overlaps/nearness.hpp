@@ -6,7 +6,7 @@
 namespace detent::detail {
 
 /// What numbers cut off after some bits tell of an answer.
-enum class Nearness { apart, unknown, near };
+enum class Nearness { apart, unknown, meeting };
 
 /// Whether a look at cut-off numbers pays before products of 32-bit coordinates are taken whole:
 /// it is more code.

@@ -27,7 +27,7 @@ template <Scalar S, int N>
   if constexpr (is_fixed<S>) {
     using Place = decltype(low.x);
     const auto nearness = detail::roughly_near_slabs(low, high, along, Place(radius));
-    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::near;
+    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::meeting;
   }
   return detail::is_near_slabs(low, high, along, radius);
 }

@@ -123,7 +123,7 @@ template <Scalar S, int N>
   if (!are_perpendicular<10>(box.rotation)) return Nearness::unknown;
   bool is_thick = true;
   for (int i = 0; i < N; ++i) is_thick = is_thick && box.half_extents[i].raw() >= margin;
-  if (is_thick && bodies_overlap(rough_edge_body(box, -margin), hull)) return Nearness::near;
+  if (is_thick && bodies_overlap(rough_edge_body(box, -margin), hull)) return Nearness::meeting;
   return bodies_overlap(rough_edge_body(box, margin), hull) ? Nearness::unknown : Nearness::apart;
 }
 
@@ -142,7 +142,7 @@ template <Scalar S, int N>
   const detail::HullBody body(hull);
   if constexpr (detail::looks_first<S>) {
     const auto nearness = detail::roughly_overlap(box, body);
-    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::near;
+    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::meeting;
   }
   return detail::bodies_overlap(detail::edge_body(box), body);
 }

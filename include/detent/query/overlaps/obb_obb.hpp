@@ -24,7 +24,7 @@ template <Scalar S, int N>
     const auto nearness =
         detail::roughly_boxes_overlap(detail::RoughFrame(a.rotation), a.half_extents,
                                       detail::RoughFrame(b.rotation), b.half_extents, apart);
-    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::near;
+    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::meeting;
   }
   if constexpr (N == 3) {
     const detail::EdgeFrame<S> frame_a(a.rotation), frame_b(b.rotation);

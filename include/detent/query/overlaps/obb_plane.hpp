@@ -32,7 +32,7 @@ template <Scalar S, int N>
     const auto unit = make_vec<N>([](int) { return Cosine::from_raw(1); });
     const auto least = narrow_dot<bits>(box.half_extents, rough);
     // The larger of two, since GCC 12 makes a branch of a magnitude that is compared.
-    const auto slack = narrow_difference<bits>(least, std::max(height, narrow_negative(height)));
+    const auto slack = narrow_difference<bits>(least, (std::max)(height, narrow_negative(height)));
     const bool is_near = slack >= 0;
     if (is_near == (slack > narrow_negative(narrow_dot<bits>(box.half_extents, unit)))) {
       return is_near;

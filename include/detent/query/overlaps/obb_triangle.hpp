@@ -29,7 +29,7 @@ template <Scalar S, int N>
   if constexpr (N == 3 && detail::looks_first<S>) {
     const auto nearness = detail::roughly_box_meets_triangle(detail::RoughFrame(box.rotation),
                                                              box.half_extents, std::array{a, b, c});
-    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::near;
+    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::meeting;
   }
   if constexpr (N == 3) {
     const detail::EdgeFrame<S> frame(box.rotation);

@@ -18,7 +18,7 @@ template <Scalar S, int N>
   const auto a = dot(plane.normal, triangle.a);
   const auto b = dot(plane.normal, triangle.b);
   const auto c = dot(plane.normal, triangle.c);
-  return std::min({a, b, c}) <= plane.offset && plane.offset <= std::max({a, b, c});
+  return (std::min)({a, b, c}) <= plane.offset && plane.offset <= (std::max)({a, b, c});
 }
 
 template <Scalar S, int N>

@@ -51,9 +51,9 @@ template <int N, class F>
 [[nodiscard]] constexpr auto least_of(const F& f) noexcept {
   const auto x = f(std::integral_constant<int, 0>()), y = f(std::integral_constant<int, 1>());
   if constexpr (N == 2) {
-    return std::min(x, y);
+    return (std::min)(x, y);
   } else {
-    return std::min(std::min(x, y), f(std::integral_constant<int, 2>()));
+    return (std::min)((std::min)(x, y), f(std::integral_constant<int, 2>()));
   }
 }
 
@@ -109,7 +109,7 @@ template <class Frame, Scalar S, Number H, Number T, int N>
     return slack(narrow_sum<bits>(half_b[j], narrow_dot<bits>(half_a, lengths[j])), along_b);
   });
   if (faces_b < least) return Nearness::apart;
-  auto inside = std::min(faces_a, faces_b);
+  auto inside = (std::min)(faces_a, faces_b);
   if constexpr (N == 3) {
     const auto edges = least_of<3>([&](auto j) {
       return least_of<3>([&](auto i) {
@@ -125,9 +125,9 @@ template <class Frame, Scalar S, Number H, Number T, int N>
       });
     });
     if (edges < least) return Nearness::apart;
-    inside = std::min(inside, edges);
+    inside = (std::min)(inside, edges);
   }
-  return inside >= margin ? Nearness::near : Nearness::unknown;
+  return inside >= margin ? Nearness::meeting : Nearness::unknown;
 }
 
 }  // namespace detent::detail

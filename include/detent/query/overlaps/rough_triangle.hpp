@@ -41,7 +41,7 @@ template <Scalar S, Number H, Number T>
     }
     if (above == 3 || below == 3) return Nearness::apart;
   }
-  if (within[0] || within[1] || within[2]) return Nearness::near;
+  if (within[0] || within[1] || within[2]) return Nearness::meeting;
 
   constexpr int bits = 29;
   using Coordinate = Fixed<bits, T::frac>;
@@ -57,7 +57,8 @@ template <Scalar S, Number H, Number T>
     return box_meets_triangle<bits + 1>(WorldFrame(), at_most<bits>(extents), corner(0), corner(1),
                                         corner(2));
   };
-  if (shorter.x >= 0 && shorter.y >= 0 && shorter.z >= 0 && meets(shorter)) return Nearness::near;
+  if (shorter.x >= 0 && shorter.y >= 0 && shorter.z >= 0 && meets(shorter))
+    return Nearness::meeting;
   return meets(longer) ? Nearness::unknown : Nearness::apart;
 }
 

@@ -106,9 +106,9 @@ class RayCapsule {
       const auto beside = Rough(abs(det_)) / area;
       const auto behind = sqrt(Rough(reach()) * across) / (area * across);
       return make_vec<N>([&](int i) {
-        const auto near = nearest_difference<Component>(
+        const auto difference = nearest_difference<Component>(
             beside, det_ < 0 ? narrow_negative(k_[i]) : k_[i], behind, back[i]);
-        return near ? *near : component(i, back[i]);
+        return difference ? *difference : component(i, back[i]);
       });
     } else {
       return make_vec<N>([&](int i) { return component(i, back[i]); });
@@ -319,7 +319,7 @@ template <Scalar S, int N>
     if (part == detail::CapsulePart::side) return meeting.side().last_root(ray.max_distance);
     // The sphere that it leaves may lie wholly beyond the end of the ray.
     const detail::RaySphere<S, N> sphere(ray, detail::end_of(axis, capsule.radius, part));
-    return std::min(sphere.quadratic().last_root(ray.max_distance), ray.max_distance);
+    return (std::min)(sphere.quadratic().last_root(ray.max_distance), ray.max_distance);
   });
   return Interval<S>{*enter, exit};
 }

@@ -52,8 +52,8 @@ template <Scalar S, int N, class... Shapes>
   for_each_part(compound, [&](const auto& part) {
     const auto interval = raycast_interval(ray, part);
     if (!interval) return;
-    whole = whole ? Interval<S>{std::min(whole->enter, interval->enter),
-                                std::max(whole->exit, interval->exit)}
+    whole = whole ? Interval<S>{(std::min)(whole->enter, interval->enter),
+                                (std::max)(whole->exit, interval->exit)}
                   : *interval;
   });
   return whole;

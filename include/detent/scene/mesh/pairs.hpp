@@ -25,7 +25,7 @@ template <Scalar S>
 
 template <Scalar S>
 [[nodiscard]] constexpr auto longest_side(const Aabb<S, 3>& box) noexcept {
-  return std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+  return (std::max)({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
 }
 
 /// Whether a triangle of one part meets one of another: the part in the longer box is taken apart,

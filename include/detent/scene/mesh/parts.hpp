@@ -24,11 +24,11 @@ namespace detent {
 
 namespace detail {
 
-/// Visits triangles of a surface, about the nearest first: near(box) says how near a box is, as a
+/// Visits triangles of a surface, about the nearest first: key_of(box) says how near a box is, as a
 /// Key, or nothing where it does not matter; matters(key) whether it still does when its turn
 /// comes; visit(triangles) whether to go on.
-template <class Key, class Surface, class Near, class Matters, class Visit>
-constexpr void visit_parts(const Surface& surface, const Near& near, const Matters& matters,
+template <class Key, class Surface, class KeyOf, class Matters, class Visit>
+constexpr void visit_parts(const Surface& surface, const KeyOf& key_of, const Matters& matters,
                            const Visit& visit) noexcept {
   using Part = decltype(whole_of(surface));
   struct Entry {
@@ -39,7 +39,7 @@ constexpr void visit_parts(const Surface& surface, const Near& near, const Matte
   if (is_empty(bounds)) return;
   std::array<Entry, Part::room> stack;
   std::size_t used = 0;
-  if (const auto key = near(bounds)) stack[used++] = {*key, whole_of(surface)};
+  if (const auto key = key_of(bounds)) stack[used++] = {*key, whole_of(surface)};
   while (used != 0) {
     const auto [key, part] = stack[--used];
     if (!matters(key)) continue;
@@ -49,7 +49,7 @@ constexpr void visit_parts(const Surface& surface, const Near& near, const Matte
     }
     const auto base = used;
     any_child(surface, part, [&](const Part& child, const auto& box) {
-      const auto child_key = near(box);
+      const auto child_key = key_of(box);
       if (!child_key) return false;
       auto place = used++;
       for (; place > base && stack[place - 1].key < *child_key; --place) {

@@ -68,7 +68,7 @@ template <template <class> class Surface, Scalar S>
     const MeshHit<S> hit{distance, part.index};
     if (!best || hit < best->hit) best = FoundOnSurface<S>{hit, part.triangle};
     // Hits that round down to the same distance compete by their index.
-    return std::min(ray.max_distance, next_up(best->hit.distance));
+    return (std::min)(ray.max_distance, next_up(best->hit.distance));
   });
   return best;
 }
@@ -118,7 +118,7 @@ requires is_surface<Surface>
     detail::keep_first(out, count++, MeshHit<S>{distance, part.index});
     return ray.max_distance;
   });
-  std::sort(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(std::min(count, out.size())));
+  std::sort(out.begin(), out.begin() + static_cast<std::ptrdiff_t>((std::min)(count, out.size())));
   return count;
 }
 

@@ -57,8 +57,8 @@ class StaticRay {
     for (std::size_t i = 0; i < N; ++i) {
       const int axis = static_cast<int>(i);
       const bool backward = near_side_[i] % 2 != 0;
-      enter = std::max(enter, slabs_[i].enter(backward ? box.max[axis] : box.min[axis]));
-      leave = std::min(leave, slabs_[i].leave(backward ? box.min[axis] : box.max[axis]));
+      enter = (std::max)(enter, slabs_[i].enter(backward ? box.max[axis] : box.min[axis]));
+      leave = (std::min)(leave, slabs_[i].leave(backward ? box.min[axis] : box.max[axis]));
     }
     return enter <= leave ? std::optional(enter) : std::nullopt;
   }
@@ -155,7 +155,7 @@ constexpr void visit_along(const StaticTree<S, N>& tree, std::span<const Item> i
         const std::size_t base = stack.size();
         while (met != 0) {
           auto other = take();
-          if (other.near < next.near) std::swap(next, other);
+          if (other.key < next.key) std::swap(next, other);
           prefetch(other);
           stack.insert(base, other);
         }
@@ -166,7 +166,7 @@ constexpr void visit_along(const StaticTree<S, N>& tree, std::span<const Item> i
     do {
       if (stack.empty()) return;
       next = stack.pop();
-    } while (next.near > limit);
+    } while (next.key > limit);
   }
 }
 

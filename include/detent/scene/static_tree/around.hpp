@@ -21,8 +21,8 @@ constexpr void visit_around(const StaticTree<S, N>& tree, std::span<const Item> 
   S limit = largest<S>;
   stack.insert(0, {S(0), 0, 0});
   while (!stack.empty()) {
-    const auto [near, first, count] = stack.pop();
-    if (near > limit) continue;
+    const auto [key, first, count] = stack.pop();
+    if (key > limit) continue;
     if (count != 0) {
       limit = visit(items.subspan(first, count));
       continue;

@@ -33,14 +33,15 @@ class GrowingBox {
   }
   constexpr void grow(const GrowingBox& other) noexcept { lower(sides_, other.sides_); }
 
-  [[nodiscard]] constexpr S min(int axis) const noexcept {
+  [[nodiscard]] constexpr S least(int axis) const noexcept {
     return sides_[static_cast<std::size_t>(axis)];
   }
-  [[nodiscard]] constexpr S max(int axis) const noexcept {
+  [[nodiscard]] constexpr S greatest(int axis) const noexcept {
     return reversed(sides_[4 + static_cast<std::size_t>(axis)]);
   }
   [[nodiscard]] constexpr Aabb<S, N> box() const noexcept {
-    return {make_vec<N>([&](int i) { return min(i); }), make_vec<N>([&](int i) { return max(i); })};
+    return {make_vec<N>([&](int i) { return least(i); }),
+            make_vec<N>([&](int i) { return greatest(i); })};
   }
 
  private:
@@ -61,7 +62,7 @@ class BoxCost {
   [[nodiscard]] constexpr auto operator()(const GrowingBox<S, N>& box,
                                           std::uint32_t count) const noexcept {
     const auto size = make_vec<N>(
-        [&](int i) { return coarse_(std::max(Size(), Size(box.max(i) - box.min(i)))); });
+        [&](int i) { return coarse_((std::max)(Size(), Size(box.greatest(i) - box.least(i)))); });
     if constexpr (N == 2) {
       return times(size.x + size.y, count);
     } else {
@@ -72,7 +73,7 @@ class BoxCost {
  private:
   [[nodiscard]] static constexpr Size longest(const GrowingBox<S, N>& box) noexcept {
     Size most{};
-    for (int i = 0; i < N; ++i) most = std::max(most, Size(box.max(i) - box.min(i)));
+    for (int i = 0; i < N; ++i) most = (std::max)(most, Size(box.greatest(i) - box.least(i)));
     return most;
   }
 
@@ -143,7 +144,7 @@ class StaticBuilder {
   /// leaf_size * 8^(static_tree_depth - depth): what even splits divide into leaves by then.
   [[nodiscard]] static constexpr std::uint64_t capacity(int depth) noexcept {
     return std::uint64_t{StaticTree<S, N>::leaf_size}
-           << std::min(3 * (static_tree_depth - depth), 48);
+           << (std::min)(3 * (static_tree_depth - depth), 48);
   }
 
   using Children = std::array<Range, Node::width>;
@@ -221,8 +222,8 @@ class StaticBuilder {
   /// source: Wald, On fast Construction of SAH-based Bounding Volume Hierarchies (2007)
   [[nodiscard]] constexpr std::pair<Range, Range> split(const Range& range) noexcept {
     const auto items = items_.subspan(range.first, range.count);
-    const auto bins_of =
-        make_array([&](int i) { return Bins<S>(range.middles.min(i), range.middles.max(i)); });
+    const auto bins_of = make_array(
+        [&](int i) { return Bins<S>(range.middles.least(i), range.middles.greatest(i)); });
     std::array<AxisBins, N> bins;
     if (std::is_constant_evaluated()) {
       // GCC 12 would let all of them share one box, and keep what it became for the whole program.

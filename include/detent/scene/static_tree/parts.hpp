@@ -34,8 +34,8 @@ constexpr bool any_child(const StaticTree<S, N>& tree, const detail::StaticPart&
   for (std::size_t k = 0; k < node.children; ++k) {
     auto box = node.box(k);
     for (int i = 0; i < N; ++i) {
-      box.min[i] = std::max(box.min[i], tree.bounds.min[i]);
-      box.max[i] = std::min(box.max[i], tree.bounds.max[i]);
+      box.min[i] = (std::max)(box.min[i], tree.bounds.min[i]);
+      box.max[i] = (std::min)(box.max[i], tree.bounds.max[i]);
     }
     if (test(detail::StaticPart{node.first[k], node.count[k]}, box)) return true;
   }

@@ -17,7 +17,7 @@ template <class Key>
 class StaticStack {
  public:
   struct Entry {
-    Key near;
+    Key key;
     std::uint32_t first;
     std::uint32_t count;
   };
@@ -29,7 +29,7 @@ class StaticStack {
   /// Puts an entry on top, or below those put there since `base` that are nearer.
   constexpr void insert(std::size_t base, const Entry& entry) noexcept {
     std::size_t place = used_++;
-    for (; place > base && entries_[place - 1].near < entry.near; --place) {
+    for (; place > base && entries_[place - 1].key < entry.key; --place) {
       entries_[place] = entries_[place - 1];
     }
     entries_[place] = entry;

@@ -40,7 +40,7 @@ constexpr bool visit_within(const StaticTree<S, N>& tree, std::span<const Item> 
   detail::StaticStack<bool> stack;
   stack.insert(0, {false, 0, 0});
   while (!stack.empty()) {
-    const auto [near, first, count] = stack.pop();
+    const auto [key, first, count] = stack.pop();
     if (count != 0) {
       if (visit(items.subspan(first, count))) return true;
       continue;

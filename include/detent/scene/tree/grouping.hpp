@@ -26,8 +26,8 @@ template <Scalar S, int N>
                                                  const CullingBox<S, N>& b) noexcept {
   CullingBox<S, N> result;
   for (std::size_t axis = 0; axis < a.low.size(); ++axis) {
-    result.low[axis] = std::min(a.low[axis], b.low[axis]);
-    result.high[axis] = std::max(a.high[axis], b.high[axis]);
+    result.low[axis] = (std::min)(a.low[axis], b.low[axis]);
+    result.high[axis] = (std::max)(a.high[axis], b.high[axis]);
   }
   return result;
 }
@@ -92,8 +92,8 @@ constexpr void arrange(TreeEntry<S, N>* first, std::size_t count) {
     for (std::size_t i = 1; i < count; ++i) {
       const auto c = center(first[i].box);
       for (std::size_t axis = 0; axis < c.size(); ++axis) {
-        lowest[axis] = std::min(lowest[axis], c[axis]);
-        highest[axis] = std::max(highest[axis], c[axis]);
+        lowest[axis] = (std::min)(lowest[axis], c[axis]);
+        highest[axis] = (std::max)(highest[axis], c[axis]);
       }
     }
     std::size_t axis = 0;

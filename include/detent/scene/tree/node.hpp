@@ -33,8 +33,8 @@ struct alignas(64) TreeNode {
 
   /// An empty box, which meets nothing and adds nothing.
   constexpr void clear(std::size_t i) noexcept {
-    for (auto& lane : low) lane[i] = Culling<S>::far;
-    for (auto& lane : high) lane[i] = -Culling<S>::far;
+    for (auto& lane : low) lane[i] = Culling<S>::beyond;
+    for (auto& lane : high) lane[i] = -Culling<S>::beyond;
     child[i] = nowhere;
   }
   constexpr void set(std::size_t i, const Box& box) noexcept {
@@ -63,8 +63,8 @@ struct alignas(64) TreeNode {
     for (std::size_t axis = 0; axis < low.size(); ++axis) {
       auto least = low[axis][0], most = high[axis][0];
       for (std::size_t i = 1; i < width; ++i) {
-        least = std::min(least, low[axis][i]);
-        most = std::max(most, high[axis][i]);
+        least = (std::min)(least, low[axis][i]);
+        most = (std::max)(most, high[axis][i]);
       }
       result.low[axis] = least;
       result.high[axis] = most;
