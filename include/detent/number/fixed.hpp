@@ -6,7 +6,6 @@
 #include <compare>
 #include <concepts>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string_view>
 
