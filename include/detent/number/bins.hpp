@@ -43,7 +43,7 @@ class Bins<F> {
  public:
   // cppcheck-suppress uninitMemberVar  // it has the members of the other Bins in mind
   constexpr Bins(F least, F greatest) noexcept
-      : least_(least), scale_(greatest > least ? F{15.99} / (greatest - least) : 0) {}
+      : least_(least), scale_(greatest > least ? static_cast<F>(15.99) / (greatest - least) : 0) {}
 
   [[nodiscard]] constexpr std::size_t operator()(F x) const noexcept {
     const F bin = (x - least_) * scale_;
