@@ -11,8 +11,14 @@ using namespace detent;
 namespace {
 
 static_assert(Scalar<q16_16> && Scalar<q14_16> && Scalar<q24_8> && Scalar<q8_8>);
-static_assert(Scalar<float> && Scalar<double> && Scalar<Fixed<31, 30>> && Scalar<Fixed<1, 0>>);
+static_assert(Scalar<float> && Scalar<double>);
+
+// From the shortest to 31 bits, with no bit after the point to all but one.
+static_assert(Scalar<Fixed<1, 0>> && Scalar<Fixed<2, 1>> && Scalar<Fixed<31, 0>>);
+static_assert(Scalar<Fixed<31, 30>> && Scalar<Fixed<30, 29>> && Scalar<Fixed<14, 13>>);
 static_assert(!Scalar<Fixed<32, 16>> && !Scalar<Fixed<62, 32>> && !Scalar<int> && !Scalar<bool>);
+static_assert(!Scalar<Fixed<31, 31>> && !Scalar<Fixed<31, 32>> && !Scalar<Fixed<1, 1>>);
+static_assert(!Scalar<Fixed<31, -1>> && !Scalar<Fixed<8, -8>> && !Scalar<Fixed<15, 40>>);
 static_assert(!Scalar<long double> && !Scalar<q16_16&> && !Scalar<const q16_16> && !Scalar<void>);
 
 static_assert(Number<Fixed<32, 16>> && Number<Fixed<319, 0>> && Number<q8_8> && Number<float>);

@@ -21,7 +21,8 @@ template <class S, int B, int F, std::size_t N>
   const auto shares = detail::rough_shares(detail::magnitudes<Magnitude>(v));
   std::array<finer<S, 30>, N> result;
   for (std::size_t i = 0; i < N; ++i) {
-    const auto part = static_cast<std::int64_t>(
+    using Raw = typename finer<S, 30>::raw_type;
+    const auto part = static_cast<Raw>(
         multiply_words(shares[i], static_cast<std::uint64_t>(length.raw()) << 32).high);
     result[i] = finer<S, 30>::assume_raw(v[i].raw() < 0 ? -part : part);
   }

@@ -12,13 +12,21 @@ namespace detent {
 template <class T>
 concept Number = is_fixed<T> || std::same_as<T, float> || std::same_as<T, double>;
 
-/// A number that coordinates are stored in.
+/// A number that coordinates are stored in: a `Fixed<Bits, Frac>` with 1 <= Bits <= 31 and
+/// 0 <= Frac < Bits, `float` or `double`.
 ///
-/// A `Fixed` of at most 31 bits: then every query has an integer wide enough for its exact answer.
-/// 31 bits also bound what a player's world needs; `q14_16` or `q8_8` buy speed with range.
-/// `float` and `double` run through the same formulas, without the promise, for comparison.
+/// With at most 31 bits every query has an integer wide enough for its exact answer; 31 bits also
+/// bound what a player's world needs, and `q14_16` or `q8_8` buy speed with range. With Frac < Bits
+/// there is a 1, which is the scale of a transform that scales nothing; with Frac >= 0 every
+/// integer is on the grid, as far as the range goes. `Fixed<1, 0>` is the least, with coordinates
+/// from -2 to 1. `float` and `double` run through the same formulas, without the promise, for
+/// comparison.
 template <class T>
-concept Scalar = Number<T> &&(!is_fixed<T> || requires { requires T::bits <= 31; });
+concept Scalar = Number<T> &&(!is_fixed<T> || requires {
+  requires T::bits <= 31;
+  requires T::frac >= 0;
+  requires T::frac < T::bits;
+});
 
 /// How many bits the magnitude of a number of this type may need; 0 for `float` and `double`,
 /// whose budgets nobody counts.
@@ -79,8 +87,10 @@ struct finer_of<Fixed<Bits, Frac>, Count> {
 
 }  // namespace detail
 
-/// What a component of a unit vector is stored in, as large as a scalar: Q2.30 beside 32-bit
-/// coordinates and Q2.14 beside 16-bit ones; `float` and `double` as they are.
+/// What a component of a unit vector is stored in, as large as a scalar: Q2.30 beside coordinates of
+/// 16 to 31 bits and Q2.14 beside shorter ones; `float` and `double` as they are.
+///
+/// No grid is coarser, however short the scalar: proofs count on lengths that are 1 within 2^-13.
 template <Scalar S>
 using direction_component = typename detail::direction_component_of<S>::type;
 

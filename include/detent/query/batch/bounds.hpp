@@ -40,7 +40,8 @@ template <Scalar S, int N>
   using Result = std::optional<Aabb<S, N>>;
   auto around = bounding_box(box);
   if (is_empty(box)) return Result(around);
-  const auto most = square(quotient_floor<direction_component<S>>(S(1), S(32)));
+  using Component = direction_component<S>;  // small scalars have no 32
+  const auto most = square(floor_to<Component>(half(half(half(half(half(Component(1))))))));
   S longest{};
   for (int i = 0; i < N; ++i) {
     const auto cosine = dot(box.rotation.axis(i), box.rotation.axis((i + 1) % N));

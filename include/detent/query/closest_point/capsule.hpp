@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
+#include <type_traits>
 
 #include "detent/number/ratio.hpp"
 #include "detent/query/closest_point/sphere.hpp"
@@ -28,7 +30,9 @@ struct CapsuleSide {
   template <Number T>
   [[nodiscard]] constexpr int sign_of_difference(const T& x) const noexcept {
     const auto short_of = x * whole - over;
-    const auto step = T(radius) * outward;
+    // On the grid of x, in whose own bits a radius of 14 or 30 would find no room.
+    using Radius = std::conditional_t<std::convertible_to<S, T>, T, decltype(x + radius)>;
+    const auto step = Radius(radius) * outward;
     const int step_sign = (step > 0) - (step < 0);
     const int short_sign = (short_of > 0) - (short_of < 0);
     if (step_sign != short_sign) return step_sign > short_sign ? 1 : -1;

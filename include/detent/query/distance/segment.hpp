@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
+#include <type_traits>
+
 #include "detent/math/width.hpp"
 #include "detent/number/leg.hpp"
 #include "detent/shape/segment.hpp"
@@ -26,7 +29,11 @@ template <Number T, int N>
   const auto along = dot(w, e);
   const auto whole = squared_length(e);
   using Under = decltype(squared_length(e));
-  using Over = decltype(whole * whole);  // |w x e|^2 <= |w|^2 |e|^2
+  // |w x e|^2 <= |w|^2 |e|^2; a sum also holds |w|^2 where the grid has hardly any whole numbers.
+  using Product = decltype(whole * whole);
+  using Square = decltype(squared_length(w - e));
+  using Over = std::conditional_t<std::convertible_to<Square, Product>, Product,
+                                  decltype(Product() + Square())>;
   using Result = Fraction<Over, Under>;
   if (along <= 0) return Result{Over(squared_length(w)), Under(1)};
   if (along >= whole) return Result{Over(squared_length(w - e)), Under(1)};
