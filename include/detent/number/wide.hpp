@@ -11,11 +11,12 @@
 #include "detent/number/short_words.hpp"
 
 // Define DETENT_PORTABLE_INT128 to 1 to use our own 128-bit integer where the compiler has one too.
-// It changes speed, never a result.
+// It changes speed, never a result. clang-cl has one, but Microsoft's runtime library does not have
+// the functions that divide it.
 #ifndef DETENT_PORTABLE_INT128
 #define DETENT_PORTABLE_INT128 0
 #endif
-#if defined(__SIZEOF_INT128__) && !DETENT_PORTABLE_INT128
+#if defined(__SIZEOF_INT128__) && !defined(_MSC_VER) && !DETENT_PORTABLE_INT128
 #define DETENT_NATIVE_INT128 1
 #else
 #define DETENT_NATIVE_INT128 0
