@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/number/require_cxx20.hpp"
+
 // Everything, in the order of the layers: each may use those above it.
 
 #include "detent/number/number.hpp"

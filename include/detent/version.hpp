@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/number/require_cxx20.hpp"
+
 namespace detent {
 
 /// Changes whenever any query answers any input with other bits than before: then, and only then,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/number/require_cxx20.hpp"
+
 /// Checks a caller's promise in debug builds. It observes: no result depends on whether it is on.
 ///
 /// A project that has its own handler defines DETENT_ASSERT before it includes detent.

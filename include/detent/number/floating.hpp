@@ -8,6 +8,8 @@
 #include <concepts>
 #include <type_traits>
 
+#include "detent/number/require_cxx20.hpp"
+
 namespace detent {
 
 template <class T, std::floating_point F>

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "detent/number/require_cxx20.hpp"
+
 // Eight numbers side by side. Where the machine has the vector instructions, Lanes are a vector of
 // the compiler's (an extension of GCC and Clang); elsewhere, and for constants, an array: the same
 // operations, and so the same numbers.                        (tests/number/lanes.test.cpp)

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "detent/number/require_cxx20.hpp"
+
 // DETENT_SHORT_WORDS is 1 where a register has 32 bits: there wide integers are computed from
 // halves of their words. Define it to choose; it changes speed, never a result.
 #ifndef DETENT_SHORT_WORDS

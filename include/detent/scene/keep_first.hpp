@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <span>
 
+#include "detent/number/require_cxx20.hpp"
+
 namespace detent::detail {
 
 /// Adds `item` to `kept`, of which `seen` were offered before: a list that can hold all takes it;

@@ -5,6 +5,8 @@
 #include <concepts>
 #include <cstdint>
 
+#include "detent/number/require_cxx20.hpp"
+
 namespace detent {
 
 namespace detail {

@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <variant>
 
+#include "detent/number/require_cxx20.hpp"
+
 namespace detent::detail {
 
 /// The place of `T` in a list of types; their number when it is not there.

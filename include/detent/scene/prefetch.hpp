@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "detent/number/require_cxx20.hpp"
+
 namespace detent::detail {
 
 /// Asks the machine to fetch so many bytes that will be read soon: a hint without an effect.

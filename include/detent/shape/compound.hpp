@@ -5,6 +5,8 @@
 #include <span>
 #include <tuple>
 
+#include "detent/number/require_cxx20.hpp"
+
 namespace detent {
 
 /// The points of any of several shapes, given as one list for each type of shape:
