@@ -3,14 +3,43 @@
 
 #include "detent/number/require_cxx20.hpp"
 
-/// Checks a caller's promise in debug builds. It observes: no result depends on whether it is on.
+// DETENT_ASSERTIONS is 1 where promises of callers and of proofs are checked. Define it to choose;
+// otherwise it is 1 in debug builds: not optimised, NDEBUG not defined, an operating system below.
+// It changes no result and no type.
+#ifndef DETENT_ASSERTIONS
+#if defined(NDEBUG) || defined(__OPTIMIZE__) || !__STDC_HOSTED__ || \
+    (defined(_MSC_VER) && !defined(_DEBUG))
+#define DETENT_ASSERTIONS 0
+#else
+#define DETENT_ASSERTIONS 1
+#endif
+#endif
+
+/// Checks a promise where DETENT_ASSERTIONS is 1; one that is broken ends the program.
 ///
 /// A project that has its own handler defines DETENT_ASSERT before it includes detent.
 #ifndef DETENT_ASSERT
-#if defined(NDEBUG) || !__STDC_HOSTED__
+#if !DETENT_ASSERTIONS
 #define DETENT_ASSERT(...) static_cast<void>(0)
+#elif !__STDC_HOSTED__
+#define DETENT_ASSERT(...) ((__VA_ARGS__) ? static_cast<void>(0) : __builtin_trap())
 #else
-#include <cassert>
-#define DETENT_ASSERT(...) assert((__VA_ARGS__))
+#include <cstdio>
+#include <cstdlib>
+
+namespace detent::detail {
+
+// Not assert(), which NDEBUG turns off.
+[[noreturn]] inline void report_broken_promise(const char* promise, const char* file,
+                                               int line) noexcept {
+  std::fprintf(stderr, "%s:%d: detent: broken promise: %s\n", file, line, promise);
+  std::abort();
+}
+
+}  // namespace detent::detail
+
+#define DETENT_ASSERT(...)              \
+  ((__VA_ARGS__) ? static_cast<void>(0) \
+                 : ::detent::detail::report_broken_promise(#__VA_ARGS__, __FILE__, __LINE__))
 #endif
 #endif

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#include "detent/number/assert.hpp"
+
+#include "support/catch.hpp"
+
+namespace {
+
+TEST_CASE("assert: tests run with assertions on", "[number]") {
+  STATIC_REQUIRE(DETENT_ASSERTIONS == 1);
+}
+
+TEST_CASE("assert: a promise that is kept is evaluated once", "[number]") {
+  int evaluated = 0;
+  DETENT_ASSERT(++evaluated == 1);
+  CHECK(evaluated == 1);
+}
+
+}  // namespace
