@@ -3,7 +3,8 @@
 
 #include "detent/number/require_cxx20.hpp"
 
-// Everything, in the order of the layers: each may use those above it.
+// Everything, in the order of the layers: each may use those above it. Without an operating system
+// all but what needs a heap.
 
 #include "detent/number/number.hpp"
 
@@ -16,5 +17,9 @@
 #include "detent/scene/height_field.hpp"
 #include "detent/scene/mesh.hpp"
 #include "detent/scene/snapshot.hpp"
+#if __STDC_HOSTED__  // these need a heap
+#include "detent/scene/mesh/owned.hpp"
+#include "detent/scene/sync_test.hpp"
+#endif
 
 #include "detent/version.hpp"

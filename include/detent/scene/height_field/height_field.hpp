@@ -84,3 +84,6 @@ template <Scalar S>
 }
 
 }  // namespace detent
+
+// The walks of a height field, without which no query of it compiles.
+#include "detent/scene/height_field/walk.hpp"
