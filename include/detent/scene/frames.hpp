@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,6 +13,9 @@
 
 namespace detent::detail {
 
+/// What the last change to the frames of a scene did to one of them.
+enum class Placement : std::uint8_t { as_it_was, moved, unknown };
+
 /// A coordinate system: how it lies in its parent's, and in the world.
 template <Scalar S, int N>
 struct Frame {
@@ -19,7 +23,8 @@ struct Frame {
   Transform<S, N> world;
   std::uint32_t generation = 0;  // 0 where there is none
   std::uint32_t parent = nowhere;
-  bool has_moved = false;  // since the last move
+  std::uint32_t below = nowhere;  // on the way down while frames are placed
+  Placement placement = Placement::as_it_was;
 };
 
 /// The frames of a scene, by index. A parent is older than its children and outlives them, so
@@ -38,41 +43,53 @@ class Frames {
     return is_frame(id.index) && frames_[id.index].generation == id.generation;
   }
 
-  [[nodiscard]] constexpr std::optional<FrameId> next_id(std::uint32_t generation) const noexcept {
-    std::uint32_t i = 0;
-    while (is_frame(i)) ++i;
-    if (i >= Storage::frame_capacity) return std::nullopt;
-    return FrameId{i, generation};
+  /// The id of the frame with this index; that of the world for `nowhere`.
+  [[nodiscard]] constexpr FrameId id(std::uint32_t i) const noexcept {
+    return i == nowhere ? FrameId{} : FrameId{i, frames_[i].generation};
+  }
+
+  /// The lowest free index, with this generation, or nothing when there is no room.
+  [[nodiscard]] constexpr std::optional<FrameId> next_id(std::uint32_t generation) noexcept {
+    while (is_frame(first_free_)) ++first_free_;
+    if (first_free_ >= Storage::frame_capacity) return std::nullopt;
+    return FrameId{first_free_, generation};
   }
 
   constexpr void put(const FrameId& id, const Transform<S, N>& transform, std::uint32_t parent) {
     if (id.index >= frames_.size()) frames_.resize(id.index + std::size_t{1});
-    frames_[id.index] = {transform, transform, id.generation, parent, false};
+    frames_[id.index] = {transform, transform, id.generation, parent, nowhere, {}};
     if (parent != nowhere) place(frames_[id.index]);
   }
 
   /// Moves a frame and with it all below it.
   constexpr void move(std::uint32_t i, const Transform<S, N>& transform) noexcept {
-    for (std::size_t k = 0; k < frames_.size(); ++k) frames_[k].has_moved = false;
-    frames_[i].local = transform;
-    frames_[i].world = transform;
-    if (frames_[i].parent != nowhere) place(frames_[i]);
-    frames_[i].has_moved = true;
+    for (std::size_t k = 0; k < frames_.size(); ++k) {
+      frames_[k].placement =
+          frames_[k].parent == nowhere ? Placement::as_it_was : Placement::unknown;
+    }
+    Frame<S, N>& frame = frames_[i];
+    frame.local = transform;
+    frame.world = transform;
+    if (frame.parent != nowhere) place(frame);
+    frame.placement = Placement::moved;
     spread();
   }
 
   /// Forgets all frames; `set` then lists them anew, in any order, and `place_all` places them.
   constexpr void clear() noexcept {
-    while (frames_.size() > 0) frames_.pop_back();
+    frames_.clear();
+    first_free_ = 0;
   }
   constexpr void set(const FrameId& id, const Transform<S, N>& transform, std::uint32_t parent) {
     if (id.index >= frames_.size()) frames_.resize(id.index + std::size_t{1});
-    frames_[id.index] = {transform, transform, id.generation, parent, parent == nowhere};
+    frames_[id.index] = {transform,     transform,
+                         id.generation, parent,
+                         nowhere,       parent == nowhere ? Placement::moved : Placement::unknown};
   }
   constexpr void place_all() noexcept { spread(); }
 
   [[nodiscard]] constexpr bool has_moved(std::uint32_t i) const noexcept {
-    return frames_[i].has_moved;
+    return frames_[i].placement == Placement::moved;
   }
 
   [[nodiscard]] constexpr bool has_children(std::uint32_t i) const noexcept {
@@ -81,30 +98,37 @@ class Frames {
     }
     return false;
   }
-  constexpr void remove(std::uint32_t i) noexcept { frames_[i] = Frame<S, N>(); }
+  constexpr void remove(std::uint32_t i) noexcept {
+    frames_[i] = Frame<S, N>();
+    first_free_ = std::min(first_free_, i);
+  }
 
  private:
   constexpr void place(Frame<S, N>& frame) noexcept {
     frame.world = compose(frames_[frame.parent].world, frame.local);
   }
 
-  /// Places what is below frames that have moved; each round reaches one generation further down.
+  /// Places what is below frames that have moved, in time linear in the frames whatever their order:
+  /// climbs from each to the next one that is known, and places those that it passed on the way back.
   constexpr void spread() noexcept {
-    for (bool is_done = false; !is_done;) {
-      is_done = true;
-      for (std::size_t k = 0; k < frames_.size(); ++k) {
-        auto& frame = frames_[k];
-        if (frame.has_moved || frame.parent == nowhere || !frames_[frame.parent].has_moved) {
-          continue;
-        }
-        place(frame);
-        frame.has_moved = true;
-        is_done = false;
+    for (std::uint32_t k = 0; k < frames_.size(); ++k) {
+      std::uint32_t at = k, below = nowhere;
+      while (frames_[at].placement == Placement::unknown) {
+        frames_[at].below = below;
+        below = at;
+        at = frames_[at].parent;
+      }
+      for (const auto placement = frames_[at].placement; below != nowhere;) {
+        Frame<S, N>& frame = frames_[below];
+        if (placement == Placement::moved) place(frame);
+        frame.placement = placement;
+        below = frame.below;
       }
     }
   }
 
   typename Storage::template List<Frame<S, N>, Storage::frame_capacity> frames_;
+  std::uint32_t first_free_ = 0;  // no lower index is free
 };
 
 }  // namespace detent::detail

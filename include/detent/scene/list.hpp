@@ -27,6 +27,7 @@ class FixedList {
     elements_[size_++] = value;
   }
   constexpr void pop_back() noexcept { --size_; }
+  constexpr void clear() noexcept { size_ = 0; }
   /// New elements are as T() makes them.
   constexpr void resize(std::size_t size) noexcept {
     for (; size_ < size; ++size_) elements_[size_] = T();
@@ -50,6 +51,7 @@ class FixedList<T, 0> {
   [[nodiscard]] constexpr T& back() const noexcept { return *none(); }
   constexpr void push_back(const T&) const noexcept { DETENT_ASSERT(size() != 0); }
   constexpr void pop_back() const noexcept {}
+  constexpr void clear() const noexcept {}
   constexpr void resize(std::size_t) const noexcept {}
   constexpr void reserve(std::size_t) const noexcept {}
 
