@@ -59,16 +59,24 @@ template <Scalar S>
   return field;
 }
 
+namespace detail {
+
+/// The coordinate `count` cells from a corner of a field: in range, because the far corner is.
+template <Scalar S>
+[[nodiscard]] constexpr S field_border(const S& corner, const S& cell,
+                                       std::uint32_t count) noexcept {
+  return S(narrow<bits_of<S>>(corner + times(cell, count)));
+}
+
+}  // namespace detail
+
 /// The place of a sample.
 template <Scalar S>
 [[nodiscard]] constexpr Vec<S, 3> field_point(const HeightField<S>& field, std::uint32_t column,
                                               std::uint32_t row) noexcept {
-  // In range, because the far corner is.
-  const auto along = [&](const S& start, std::uint32_t count) {
-    return S(narrow<bits_of<S>>(start + times(field.cell, count)));
-  };
-  return {along(field.corner.x, column), field.heights[std::size_t{row} * field.columns + column],
-          along(field.corner.y, row)};
+  return {detail::field_border(field.corner.x, field.cell, column),
+          field.heights[std::size_t{row} * field.columns + column],
+          detail::field_border(field.corner.y, field.cell, row)};
 }
 
 /// The two triangles of a cell.

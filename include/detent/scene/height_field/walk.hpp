@@ -1,59 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
-#include <tuple>
 
-#include "detent/scene/height_field/height_field.hpp"
+#include "detent/math/width.hpp"
+#include "detent/scene/height_field/line.hpp"
+#include "detent/scene/height_field/rings.hpp"
 #include "detent/scene/mesh/parts.hpp"
 
 namespace detent {
-
-namespace detail {
-
-/// A rectangle of cells of a height field.
-struct FieldCells {
-  std::uint32_t column, row, columns, rows;
-
-  /// One of two halves waits for each time that 2^32 columns and 2^32 rows can be halved.
-  static constexpr std::size_t room = 66;
-
-  [[nodiscard]] constexpr bool is_leaf() const noexcept { return columns == 1 && rows == 1; }
-  /// The two halves across the longer side.
-  [[nodiscard]] constexpr std::array<FieldCells, 2> halves() const noexcept {
-    const auto left = columns / 2, upper = rows / 2;
-    if (columns >= rows) {
-      return {FieldCells{column, row, left, rows},
-              FieldCells{column + left, row, columns - left, rows}};
-    }
-    return {FieldCells{column, row, columns, upper},
-            FieldCells{column, row + upper, columns, rows - upper}};
-  }
-};
-
-/// A box around a rectangle of cells, tight around a single one.
-template <Scalar S>
-[[nodiscard]] constexpr Aabb<S, 3> box_of(const HeightField<S>& field,
-                                          const FieldCells& cells) noexcept {
-  const auto first = field_point(field, cells.column, cells.row);
-  const auto last = field_point(field, cells.column + cells.columns, cells.row + cells.rows);
-  Aabb<S, 3> box{first, last};
-  if (cells.is_leaf()) {
-    const auto across = field_point(field, cells.column + 1, cells.row);
-    const auto down = field_point(field, cells.column, cells.row + 1);
-    std::tie(box.min.y, box.max.y) = std::minmax({first.y, last.y, across.y, down.y});
-  } else {
-    box.min.y = field.bounds.min.y;
-    box.max.y = field.bounds.max.y;
-  }
-  return box;
-}
-
-}  // namespace detail
 
 /// The parts of a height field, halves of halves of it: see mesh/parts.hpp.
 template <Scalar S>
@@ -71,6 +28,110 @@ constexpr bool at_leaf(const HeightField<S>& field, const detail::FieldCells& ce
                        const Visit& visit) noexcept {
   const auto triangles = cell_triangles(field, cell.column, cell.row);
   return visit(std::span<const MeshTriangle<S>>(triangles));
+}
+
+namespace detail {
+
+/// Calls visit(triangles) for the cells that a line may touch, in the order of its strips, until it
+/// returns true; `ends` as for FieldLine. Returns whether it did.
+template <Scalar S, Number T, class Ends, class Visit>
+constexpr bool visit_line(const HeightField<S>& field, const Vec<S, 3>& origin,
+                          const Vec<T, 3>& direction, const Ends& ends,
+                          const Visit& visit) noexcept {
+  bool is_done = false;
+  FieldLine<S, T>(field, origin, direction)
+      .visit_strips(ends, [&](const FieldCells& strip, const auto& meets) {
+        return is_done = visit_cells(field, strip, meets, [&](auto column, auto row) {
+                 return at_leaf(field, {column, row, 1, 1}, visit);
+               });
+      });
+  return is_done;
+}
+
+}  // namespace detail
+
+/// The walks of a height field go over its cells as they lie, without a tree, and leave out those
+/// whose samples are all too high or too low: so one tall sample makes none of them longer.
+/// Scalars that round take the walks through its parts.
+template <Scalar S, class Visit>
+constexpr void visit_along(const HeightField<S>& field, const Ray<S, 3>& ray,
+                           const Visit& visit) noexcept {
+  if constexpr (!is_fixed<S>) {
+    visit_along<HeightField>(field, ray, visit);
+  } else {
+    if (ray.max_distance < 0 || field.heights.empty()) return;
+    S limit = ray.max_distance;
+    const auto ends = [&](const auto& ahead, const auto& size) { return ahead > limit * size; };
+    detail::visit_line(field, ray.origin, ray.direction.vec(), ends, [&](auto triangles) {
+      limit = visit(triangles);
+      return limit < 0;
+    });
+  }
+}
+template <Scalar S, class Visit>
+constexpr bool visit_crossing(const HeightField<S>& field, const Segment<S, 3>& segment,
+                              const Visit& visit) noexcept {
+  if constexpr (!is_fixed<S>) {
+    return visit_crossing<HeightField>(field, segment, visit);
+  } else {
+    if (field.heights.empty()) return false;
+    const auto ends = [](const auto& ahead, const auto& size) { return ahead > size; };
+    return by_width<30>(
+        [&](const auto& along) {
+          return detail::visit_line(field, segment.start, along, ends, visit);
+        },
+        segment.end - segment.start);
+  }
+}
+template <Scalar S, class Visit>
+constexpr bool visit_within(const HeightField<S>& field, const Aabb<S, 3>& box,
+                            const Visit& visit) noexcept {
+  if (field.heights.empty() || !overlaps(field.bounds, box)) return false;
+  const auto range = [&](const S& corner, std::uint32_t count, const S& least, const S& most) {
+    const auto first = detail::first_up_to(corner, field.cell, count, least);
+    const auto end = detail::first_where_not(count, [&](std::uint32_t i) {
+      return detail::field_border(corner, field.cell, i) <= most;
+    });
+    return std::array{first, end - first};
+  };
+  const auto [column, columns] = range(field.corner.x, field.columns - 1, box.min.x, box.max.x);
+  const auto [row, rows] = range(field.corner.y, field.rows - 1, box.min.z, box.max.z);
+  const auto meets = [&](const S& low, const S& high) {
+    return low <= box.max.y && high >= box.min.y;
+  };
+  return detail::visit_cells(field, {column, row, columns, rows}, meets, [&](auto i, auto j) {
+    return at_leaf(field, {i, j, 1, 1}, visit);
+  });
+}
+template <Scalar S, class Visit>
+constexpr void visit_around(const HeightField<S>& field, const Vec<S, 3>& point,
+                            const Visit& visit) noexcept {
+  if constexpr (!is_fixed<S>) {
+    visit_around<HeightField>(field, point, visit);
+  } else {
+    if (field.heights.empty()) return;
+    S limit = largest<S>;
+    const detail::FieldRings<S> rings(field, point);
+    rings.visit_sides([&](const detail::FieldCells& side) {
+      const auto gap = rings.squared_gap(point, side);
+      detail::HeightReach<S> reach(point.y, limit, gap);
+      if (!reach.is_any) return false;
+      const auto meets = [&](const S& low, const S& high) {
+        return low <= reach.high && high >= reach.low;
+      };
+      detail::visit_cells(field, side, meets, [&](auto column, auto row) {
+        const detail::FieldCells cell{column, row, 1, 1};
+        if (distance(box_of(field, cell), point) > limit) return false;
+        at_leaf(field, cell, [&](auto triangles) {
+          limit = visit(triangles);
+          return false;
+        });
+        reach = detail::HeightReach<S>(point.y, limit, gap);
+        return !reach.is_any;
+      });
+      return true;
+    });
+  }
 }
 
 }  // namespace detent

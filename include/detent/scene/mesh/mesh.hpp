@@ -10,6 +10,7 @@
 #include "detent/scene/static_tree/along.hpp"
 #include "detent/scene/static_tree/around.hpp"
 #include "detent/scene/static_tree/build.hpp"
+#include "detent/scene/static_tree/crossing.hpp"
 #include "detent/scene/static_tree/parts.hpp"
 #include "detent/scene/static_tree/within.hpp"
 
@@ -79,6 +80,11 @@ template <Scalar S, class Visit>
 constexpr bool visit_within(const Mesh<S>& mesh, const Aabb<S, 3>& box,
                             const Visit& visit) noexcept {
   return visit_within(mesh.tree, mesh.triangles, box, visit);
+}
+template <Scalar S, class Visit>
+constexpr bool visit_crossing(const Mesh<S>& mesh, const Segment<S, 3>& segment,
+                              const Visit& visit) noexcept {
+  return visit_crossing(mesh.tree, mesh.triangles, segment, visit);
 }
 template <Scalar S, class Visit>
 constexpr void visit_around(const Mesh<S>& mesh, const Vec<S, 3>& point,

@@ -92,8 +92,9 @@ template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
 [[nodiscard]] constexpr bool intersects(const Segment<S, 3>& segment,
                                         const Surface<S>& surface) noexcept {
-  return detail::any_triangle_within(surface, bounding_box(segment),
-                                     [&](const auto& part) { return intersects(segment, part); });
+  return visit_crossing(surface, segment, [&](std::span<const MeshTriangle<S>> parts) {
+    return detail::any_triangle(parts, [&](const auto& part) { return intersects(segment, part); });
+  });
 }
 
 }  // namespace detent

@@ -11,6 +11,7 @@
 #include "detent/query/overlaps/aabb_aabb.hpp"
 #include "detent/scene/mesh/surface.hpp"
 #include "detent/scene/static_tree/along.hpp"
+#include "detent/scene/static_tree/crossing.hpp"
 
 // A surface as a tree of parts, each in a box: at last a few triangles. It has
 //   whole_of(surface)                -> the part that is all of it, in bounding_box(surface)
@@ -104,6 +105,14 @@ constexpr bool visit_within(const Surface<S>& surface, const Aabb<S, 3>& box,
                             const Visit& visit) noexcept {
   return detail::visit_parts_where(
       surface, [&](const Aabb<S, 3>& part) { return overlaps(part, box); }, visit);
+}
+
+template <template <class> class Surface, Scalar S, class Visit>
+requires is_surface<Surface>
+constexpr bool visit_crossing(const Surface<S>& surface, const Segment<S, 3>& segment,
+                              const Visit& visit) noexcept {
+  return detail::visit_parts_where(
+      surface, [&](const Aabb<S, 3>& part) { return detail::may_cross(segment, part); }, visit);
 }
 
 template <template <class> class Surface, Scalar S, class Visit>

@@ -145,6 +145,18 @@ constexpr void visit_along(const PlacedMesh<S>& mesh, const Ray<S, 3>& ray,
   visit_along(mesh.asset->mesh(), Ray<S, 3>{nearest_to<S>(origin), ray.direction, ray.max_distance},
               detail::in_place(mesh, visit));
 }
+template <Scalar S, class Visit>
+constexpr bool visit_crossing(const PlacedMesh<S>& mesh, const Segment<S, 3>& segment,
+                              const Visit& visit) noexcept {
+  const auto start = segment.start - mesh.transform.translation;
+  const auto end = segment.end - mesh.transform.translation;
+  if (!detail::moves_exactly(mesh) || !detail::is_in_range<S>(start) ||
+      !detail::is_in_range<S>(end)) {
+    return visit_crossing<PlacedMesh>(mesh, segment, visit);
+  }
+  return visit_crossing(mesh.asset->mesh(), Segment{nearest_to<S>(start), nearest_to<S>(end)},
+                        detail::in_place(mesh, visit));
+}
 /// Of the box, what is out of range once it is moved back meets no triangle.
 template <Scalar S, class Visit>
 constexpr bool visit_within(const PlacedMesh<S>& mesh, const Aabb<S, 3>& box,

@@ -32,7 +32,7 @@ template <Scalar S>
 /// Whether a template makes surfaces of many triangles, which the queries of this folder take: a
 /// `Mesh` or a `HeightField`. A surface has a `bounding_box`, parts as parts.hpp says, and
 ///   visit_along(surface, ray, visit), visit_within(surface, box, visit),
-///   visit_around(surface, point, visit)
+///   visit_crossing(surface, segment, visit), visit_around(surface, point, visit)
 /// as static_tree/ says, where `visit` takes a std::span<const MeshTriangle<S>>.
 template <template <class> class Surface>
 inline constexpr bool is_surface = false;

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <tuple>
+
+#include "detent/scene/height_field/height_field.hpp"
+
+namespace detent::detail {
+
+/// A rectangle of cells of a height field.
+struct FieldCells {
+  std::uint32_t column, row, columns, rows;
+
+  /// One of two halves waits for each time that 2^32 columns and 2^32 rows can be halved.
+  static constexpr std::size_t room = 66;
+
+  [[nodiscard]] constexpr bool is_leaf() const noexcept { return columns == 1 && rows == 1; }
+  /// The two halves across the longer side.
+  [[nodiscard]] constexpr std::array<FieldCells, 2> halves() const noexcept {
+    const auto left = columns / 2, upper = rows / 2;
+    if (columns >= rows) {
+      return {FieldCells{column, row, left, rows},
+              FieldCells{column + left, row, columns - left, rows}};
+    }
+    return {FieldCells{column, row, columns, upper},
+            FieldCells{column, row + upper, columns, rows - upper}};
+  }
+};
+
+/// A box around a rectangle of cells, tight around a single one.
+template <Scalar S>
+[[nodiscard]] constexpr Aabb<S, 3> box_of(const HeightField<S>& field,
+                                          const FieldCells& cells) noexcept {
+  const auto first = field_point(field, cells.column, cells.row);
+  const auto last = field_point(field, cells.column + cells.columns, cells.row + cells.rows);
+  Aabb<S, 3> box{first, last};
+  if (cells.is_leaf()) {
+    const auto across = field_point(field, cells.column + 1, cells.row);
+    const auto down = field_point(field, cells.column, cells.row + 1);
+    std::tie(box.min.y, box.max.y) = std::minmax({first.y, last.y, across.y, down.y});
+  } else {
+    box.min.y = field.bounds.min.y;
+    box.max.y = field.bounds.max.y;
+  }
+  return box;
+}
+
+/// Calls visit(column, row) for those of `cells` between whose lowest and highest sample
+/// meets(low, high) holds, until it returns true. Returns whether it did.
+template <Scalar S, class Meets, class Visit>
+constexpr bool visit_cells(const HeightField<S>& field, const FieldCells& cells, const Meets& meets,
+                           const Visit& visit) noexcept {
+  for (auto row = cells.row; row < cells.row + cells.rows; ++row) {
+    const auto upper = field.heights.subspan(std::size_t{row} * field.columns);
+    const auto lower = upper.subspan(field.columns);
+    auto left = std::minmax({upper[cells.column], lower[cells.column]});
+    for (auto column = cells.column; column < cells.column + cells.columns; ++column) {
+      const auto right = std::minmax({upper[column + 1], lower[column + 1]});
+      const bool is_met =
+          meets(std::min(left.first, right.first), std::max(left.second, right.second));
+      if (is_met && visit(column, row)) return true;
+      left = right;
+    }
+  }
+  return false;
+}
+
+/// The first of [0, count) for which `test` does not hold, or `count`: it holds for all before it.
+template <class Test>
+[[nodiscard]] constexpr std::uint32_t first_where_not(std::uint32_t count,
+                                                      const Test& test) noexcept {
+  std::uint32_t first = 0;
+  while (count > 0) {
+    const auto half = count / 2;
+    if (test(first + half)) {
+      first += half + 1;
+      count -= half + 1;
+    } else {
+      count = half;
+    }
+  }
+  return first;
+}
+
+/// The place of the least interval of `count` from `corner` on, each `cell` long, that does not end
+/// before `x`; `count` where all do.
+template <Scalar S>
+[[nodiscard]] constexpr std::uint32_t first_up_to(const S& corner, const S& cell,
+                                                  std::uint32_t count, const S& x) noexcept {
+  return first_where_not(count,
+                         [&](std::uint32_t i) { return field_border(corner, cell, i + 1) < x; });
+}
+
+}  // namespace detent::detail
