@@ -47,11 +47,65 @@ TEST_CASE("obj: sizes at the ends of the range of a double are scaled as any oth
 }
 
 TEST_CASE("obj: faces that name no vertex are refused") {
-  CHECK(error_of("v 0 0 0\nf 1 2 3\n").starts_with("f: face 1 names a vertex"));
+  const auto names = [](const std::string& place, const std::string& number, int count) {
+    return "f:" + place + ": the face names vertex " + number + ", and the model has 1 to " +
+           std::to_string(count) + "; export the model again";
+  };
+  CHECK(error_of("v 0 0 0\nf 1 2 3\n") == names("2:1", "2", 1));
   const std::string vertices = "v 0 0 0\nv 1 0 0\n\nv 0 1 0\n";
-  CHECK(error_of(vertices + "f 1 2 3\nf 3/1 4/1 2/1\n") ==
-        "f: face 2 names a vertex that is not there on line 6; export the model again");
-  CHECK(error_of(vertices + "f -1 -2 -3\nf -1 -2 -4\n") ==
-        "f: face 2 names a vertex that is not there on line 6; export the model again");
+  CHECK(error_of(vertices + "f 1 2 3\nf 3/1 4/1 2/1\n") == names("6:1", "4", 3));
+  CHECK(error_of(vertices + "f -1 -2 -3\nf -1 -2 -4\n") == names("6:9", "-4", 3));
+  CHECK(error_of(vertices + "f 0 1 2\n") == names("5:3", "0", 3));
+  CHECK(error_of(vertices + "f 1 2 3 4\n") == names("5:1", "4", 3));
+  CHECK(error_of(vertices + "f 1 2 3\nf 4 5\n") == names("6:1", "4", 3));
   CHECK(error_of("v 0 0 0\n") == "f: has no triangles; name a Wavefront OBJ model with faces");
+}
+
+TEST_CASE("obj: numbers of vertices do not wrap, whatever their size") {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (const char* const number :
+       {"4294967295", "4294967296", "4294967299", "-4294967293", "2147483651", "-2147483648",
+        "18446744073709551619", "-18446744073709551613", "99999999999999999999999999"}) {
+    INFO(number);
+    CHECK(error_of(vertices + "f 1 2 " + number + "\n").starts_with("f:4:"));
+    CHECK(error_of(vertices + "f 1 2 " + number + "\n").find(number) != std::string::npos);
+    // Texture coordinates and normals are not used, but have to be numbers.
+    CHECK(error_of(vertices + "f 1 2 3/" + number + "\n") == "none");
+  }
+}
+
+TEST_CASE("obj: vertices and corners that cannot be read are refused") {
+  for (const char* const vertex : {"v", "v 1", "v 1 2", "v 1 2 x", "v 1,5 2 3", "v 1 2 # 3",
+                                   "v 1 2 3x", "v 0x1p3 0 0", "v +-1 0 0", "v 1 2 3 green"}) {
+    INFO(vertex);
+    const auto error = error_of(std::string("v 0 0 0\n") + vertex + "\nv 1 0 0\nf 1 2 3\n");
+    CHECK(error.starts_with("f:2:"));
+    CHECK(error.find(": vertex 2 has ") != std::string::npos);
+    CHECK(error.ends_with("; export the model again"));
+  }
+  CHECK(error_of("v 0 0 0\nv 0 inf 0\n").starts_with("f:2:5: vertex 2 is not finite; "));
+  CHECK(error_of("v 0 -1e400 0\n").starts_with("f:1:5: vertex 1 is not finite; "));
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (const char* const corner : {"x", "1x", "/1", "1/a", "1/2/3/4", "1.0", "1\\2"}) {
+    INFO(corner);
+    CHECK(
+        error_of(vertices + "f 1 2 " + corner + "\n").starts_with("f:4:7: the face has a corner "));
+  }
+}
+
+TEST_CASE("obj: everything that a line may hold is read") {
+  const auto read = [](const std::string& text) { return parse_obj("f", text, 1); };
+  const auto plain = read("v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
+  for (const char* const text : {
+           "v 0 0 0\rv 1 0 0\rv 0 2 0\rf 1 2 3",
+           "\xef\xbb\xbfv 0 0 0\r\n\tv +1. -0 1e-400\r\n v .0e0 2E0 0 \r\nf 1 2 3",
+           "# v 9 9 9\nv 0 0 0 1 # v\nv 1 0 0 0.5 0.5 0.5\nv 0 2 0 1 1 1 1\nvn x\nf 1/ 2// 3// #",
+           "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 2 0\nf 1\nf 1 2\n",
+           "o a\nv 0 \\\n0 0\nv 1 0 0\nv 0 2 0\ng b\\\nf -3 \\\r\n-2\\\n -1/-1/-1\n",
+       }) {
+    INFO(text);
+    const auto mesh = read(text);
+    CHECK(mesh.vertices == plain.vertices);
+    CHECK(mesh.triangles == plain.triangles);
+  }
 }
