@@ -14,8 +14,10 @@ std::string located(std::string_view file, Place place, std::string_view what) {
 
 }  // namespace
 
+InputError::InputError(std::string_view what) : std::runtime_error(one_line(what)) {}
+
 InputError::InputError(std::string_view file, Place place, std::string_view what)
-    : std::runtime_error(located(file, place, what)) {}
+    : InputError(located(file, place, what)) {}
 
 std::string one_line(std::string_view text) {
   std::string line(text);

@@ -17,10 +17,10 @@ struct Place {
 ///
 /// The text is a complete line: "FILE:LINE:COLUMN: what is wrong; remedy". Everything that can go
 /// wrong for a reason outside the program ends here, and `main` prints it and exits with 2.
+/// Control characters become spaces: a zero byte would cut the text.
 class InputError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
-
+  explicit InputError(std::string_view what);
   InputError(std::string_view file, Place place, std::string_view what);
 };
 

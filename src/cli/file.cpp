@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "file.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <random>
 #include <system_error>
 #include <utility>
@@ -19,17 +25,42 @@ constexpr std::size_t largest_file = std::size_t{1} << 30;
 
 std::string last_error() { return std::strerror(errno); }
 
-/// A name that two runs at the same time do not share.
+void check_name(const std::string& path, const char* what) {
+  if (path.empty()) throw InputError(std::string(what) + " has no name; give it one");
+  if (path.find('\0') != std::string::npos) {
+    throw InputError(path, {}, "has a zero byte in its name, which no file can; correct the name");
+  }
+}
+
+/// A name that two runs at the same time do not share, in the folder of `target`; short, since the
+/// target's own may be as long as a name can be.
 fs::path temporary_name(const fs::path& target) {
   std::random_device random;
-  fs::path name = target;
-  name += ".part-" + std::to_string(random());
-  return name;
+  return target.parent_path() / (".detent-part-" + std::to_string(random()));
+}
+
+/// The file that links lead to, even where it does not exist yet.
+fs::path linked_file(fs::path path) {
+  constexpr int most_links = 40;
+  std::error_code error;
+  for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+    const auto link = fs::read_symlink(path, error);
+    if (error) break;
+    path = path.parent_path() / link;
+  }
+  return path;
+}
+
+/// A replaced file goes on belonging to whom it did, where the system lets us say so.
+void copy_permissions(const struct stat& from, int to) {
+  [[maybe_unused]] const int is_refused = fchown(to, from.st_uid, from.st_gid);
+  fchmod(to, from.st_mode & 0777);
 }
 
 }  // namespace
 
 std::string read_file(const std::string& path) {
+  check_name(path, "the input");
   std::error_code error;
   const auto status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) {
@@ -56,42 +87,51 @@ std::string read_file(const std::string& path) {
 }
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
-  if (path_.empty()) throw InputError("the output has no name; give one, e.g. out.png");
-  std::error_code error;
-  const auto status = fs::status(path_, error);
-  if (status.type() == fs::file_type::directory) fail("is a directory; name a file in it");
-
-  const bool exists = fs::exists(status);
-  target_ = exists ? fs::canonical(path_, error) : fs::path(path_);
-  if (error) target_ = path_;
-  written_ = exists && !fs::is_regular_file(status) ? target_ : temporary_name(target_);
-  errno = 0;
-  stream_.open(written_, std::ios::binary | std::ios::trunc);
-  if (!stream_) fail("cannot be written: " + last_error() + "; choose another place");
+  check_name(path_, "the output");
+  struct stat status {};
+  const bool exists = stat(path_.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) fail("cannot be written");
+  if (exists && S_ISDIR(status.st_mode)) {
+    throw InputError(path_, {}, "is a directory; name a file in it");
+  }
+  if (exists && !S_ISREG(status.st_mode)) {
+    descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail("cannot be written");
+    return;
+  }
+  target_ = linked_file(path_);
+  if (exists && access(target_.c_str(), W_OK) != 0) fail("cannot be written");
+  part_.own(temporary_name(target_).string());
+  descriptor_ = open(part_.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) fail("cannot be written");
+  if (exists) copy_permissions(status, descriptor_);
 }
 
 OutputFile::~OutputFile() {
-  if (written_ == target_) return;
-  stream_.close();
-  std::error_code ignored;
-  fs::remove(written_, ignored);
+  if (descriptor_ >= 0) close(descriptor_);
 }
 
 void OutputFile::write(std::string_view bytes) {
-  stream_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  while (!bytes.empty()) {
+    const auto written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail("cannot be written");
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
 }
 
 void OutputFile::commit() {
-  errno = 0;
-  stream_.close();
-  if (!stream_) fail("cannot be written: " + last_error() + "; free some space");
-  if (written_ == target_) return;
-  std::error_code error;
-  fs::rename(written_, target_, error);
-  if (error) fail("cannot be replaced: " + error.message() + "; choose another place");
-  written_ = target_;
+  if (close(std::exchange(descriptor_, -1)) != 0) fail("cannot be written");
+  if (part_.path().empty()) return;
+  if (std::rename(part_.path().c_str(), target_.c_str()) != 0) fail("cannot be replaced");
+  part_.release();
 }
 
-void OutputFile::fail(std::string_view reason) const { throw InputError(path_, {}, reason); }
+void OutputFile::fail(const std::string& what) const {
+  const bool is_full = errno == ENOSPC || errno == EDQUOT || errno == EFBIG;
+  throw InputError(
+      path_, {},
+      what + ": " + last_error() + (is_full ? "; free some space" : "; choose another place"));
+}
 
 }  // namespace detent::cli

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
+
+#include "part_file.hpp"
 
 namespace detent::cli {
 
@@ -13,10 +14,11 @@ namespace detent::cli {
 
 /// A file that appears whole or not at all.
 ///
-/// It is written under a temporary name beside the target and renamed by `commit`; without that the
-/// temporary file is removed. A target that is no regular file (a pipe, /dev/null) is written to
-/// directly. The constructor throws InputError when the place cannot be written, so that a command
-/// can find out before it works for a minute.
+/// It is written under a temporary name in the target's folder and renamed by `commit`; without
+/// that, and when a signal ends the program, the temporary file is removed. A target that exists
+/// keeps its permissions, and a link stays a link to it. A target that is no regular file (a pipe,
+/// /dev/null) is written to directly. The constructor throws InputError when the place cannot be
+/// written, so that a command can find out before it works for a minute.
 class OutputFile {
  public:
   explicit OutputFile(std::string path);
@@ -28,12 +30,13 @@ class OutputFile {
   void commit();
 
  private:
-  [[noreturn]] void fail(std::string_view reason) const;
+  /// With the reason that errno gives.
+  [[noreturn]] void fail(const std::string& what) const;
 
   std::string path_;
   std::filesystem::path target_;
-  std::filesystem::path written_;  // the temporary file, or the target itself
-  std::ofstream stream_;
+  PartFile part_;  // none where the target itself is written to
+  int descriptor_ = -1;
 };
 
 }  // namespace detent::cli

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <new>
+#include <sstream>
 #include <string>
 
 #include "accuracy.hpp"
@@ -75,10 +80,24 @@ Move parse_move(const std::string& text) {
   return move;
 }
 
+std::uint64_t parse_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, seed);
+  if (read.ec == std::errc() && read.ptr == end) return seed;
+  throw InputError("--seed: \"" + text +
+                   "\" is not a number from 0 below 2^64; write, for example, 2");
+}
+
 Decimal parse_bias(const std::string& text) {
   const auto bias = Decimal::parse(text);
   if (bias && !bias->is_negative()) return *bias;
   throw InputError("--bias: \"" + text + "\" is not a number from 0; write, for example, 0.001");
+}
+
+/// Without this an empty name would mean that the option was not given.
+std::string check_name(const std::string& name) {
+  return name.empty() ? "the name is empty; give it one" : "";
 }
 
 /// The command line, as text until all of it has been read.
@@ -95,22 +114,25 @@ struct Arguments {
   std::string demo_size = "480x300";
   std::string offset = "0,0,0";
   std::string bias = default_bias;
+  std::string seed = "1";
   double scale = 0;
 };
 
 void add_cast(CLI::App& app, Arguments& arguments) {
   CLI::App* const command = app.add_subcommand("cast", "Answer the rays of a scene");
-  command->add_option("scene", arguments.cast.scene, "A scene in JSON")->required();
+  command->add_option("scene", arguments.cast.scene, "A scene in JSON")
+      ->required()
+      ->check(check_name);
   command->add_option("--scalar", arguments.cast.scalar, all_scalars())->capture_default_str();
-  command->add_option("--compare", arguments.compare,
-                      "Report on two scalars, A,B or B beside --scalar, instead of the answers");
-  command->add_option("-o,--out", arguments.cast.out, "Write to this file, not to standard output");
-  command->final_callback([&] {
+  CLI::Option* const compare = command->add_option(
+      "--compare", arguments.compare,
+      "Report on two scalars, A,B or B beside --scalar, instead of the answers");
+  command->add_option("-o,--out", arguments.cast.out, "Write to this file, not to standard output")
+      ->check(check_name);
+  command->final_callback([&arguments, compare] {
     CastOptions& options = arguments.cast;
     options.scalar = checked_scalar("--scalar", options.scalar);
-    if (!arguments.compare.empty()) {
-      options.compare = parse_pair(arguments.compare, options.scalar);
-    }
+    if (compare->count() > 0) options.compare = parse_pair(arguments.compare, options.scalar);
     cast(options);
   });
 }
@@ -118,8 +140,11 @@ void add_cast(CLI::App& app, Arguments& arguments) {
 void add_render(CLI::App& app, Arguments& arguments) {
   CLI::App* const command = app.add_subcommand("render", "Draw a scene or an OBJ model");
   command->add_option("input", arguments.render.input, "A scene in JSON or a model in OBJ")
-      ->required();
-  command->add_option("-o,--out", arguments.render.out, "The PNG file to write")->required();
+      ->required()
+      ->check(check_name);
+  command->add_option("-o,--out", arguments.render.out, "The PNG file to write")
+      ->required()
+      ->check(check_name);
   command->add_option("--size", arguments.size, "In pixels")->capture_default_str();
   command->add_option("--scalar", arguments.render.scalar, all_scalars())->capture_default_str();
   CLI::Option* const compare =
@@ -163,9 +188,12 @@ void add_demo(CLI::App& app, Arguments& arguments) {
   CLI::App* const command =
       app.add_subcommand("demo", "Draw the arena near and far from the origin, and count errors");
   command->add_option("-o,--out", arguments.demo.directory, "The directory to write demo.png to")
+      ->check(check_name)
       ->capture_default_str();
-  command->add_option("--mesh", arguments.demo.mesh,
-                      "An OBJ model to show as well, half a unit long, in mesh.png");
+  command
+      ->add_option("--mesh", arguments.demo.mesh,
+                   "An OBJ model to show as well, half a unit long, in mesh.png")
+      ->check(check_name);
   command->add_option("--size", arguments.demo_size, "Of each picture, in pixels")
       ->capture_default_str();
   command->add_option("--threads", arguments.demo.threads, "0 for all of the machine's")
@@ -185,7 +213,8 @@ void add_verify(CLI::App& app, Arguments& arguments) {
   command->add_option("--only", options.only, "Only queries whose name begins so");
   command->add_flag("--exact", options.exact, "Check every answer by exact arithmetic as well");
   command->add_flag("--json", options.json, "Print the report in JSON");
-  command->add_option("--dump", options.dump, "Write the answers to this file, byte for byte");
+  command->add_option("--dump", options.dump, "Write the answers to this file, byte for byte")
+      ->check(check_name);
   command->add_option("--threads", options.threads, "0 for all of the machine's")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
@@ -202,24 +231,43 @@ void add_accuracy(CLI::App& app, Arguments& arguments) {
   CLI::App* const command = app.add_subcommand(
       "accuracy",
       "Count wrong answers and measure errors of every scalar along a ladder of scales");
-  command->add_option("--markdown", options.markdown, "Write the tables to this file");
-  command->add_option("--json", options.json, "Write every number to this file");
-  command->add_option("--svg", options.svg, "Draw the results to this file");
+  command->add_option("--markdown", options.markdown, "Write the tables to this file")
+      ->check(check_name);
+  command->add_option("--json", options.json, "Write every number to this file")->check(check_name);
+  command->add_option("--svg", options.svg, "Draw the results to this file")->check(check_name);
   command->add_option("--only", options.only, "Only queries whose name begins so");
   command->add_option("--count", options.count, "Questions at every rung")
       ->capture_default_str()
       ->check(CLI::Range(100, 1000000));
-  command->add_option("--seed", options.seed, "Of the random questions")->capture_default_str();
-  command->final_callback([&] { arguments.is_right = measure_accuracy(options); });
+  command->add_option("--seed", arguments.seed, "Of the random questions")->capture_default_str();
+  command->final_callback([&] {
+    options.seed = parse_seed(arguments.seed);
+    arguments.is_right = measure_accuracy(options);
+  });
 }
 
 void add_diff(CLI::App& app, Arguments& arguments) {
   DiffOptions& options = arguments.diff;
   CLI::App* const command =
       app.add_subcommand("diff", "Name the objects and fields in which two snapshots differ");
-  command->add_option("a", options.a, "A snapshot of a scene")->required();
-  command->add_option("b", options.b, "Another one")->required();
+  command->add_option("a", options.a, "A snapshot of a scene")->required()->check(check_name);
+  command->add_option("b", options.b, "Another one")->required()->check(check_name);
   command->final_callback([&] { arguments.is_right = diff(options); });
+}
+
+/// The first word, of which the parser says nothing better than that a subcommand is required.
+void check_command(const CLI::App& app, int argc, char** argv) {
+  const std::string word = argc < 2 ? "" : argv[1];
+  if (word == "-h" || word == "--help" || word == "--version") return;
+  std::string known;
+  for (const CLI::App* const command : app.get_subcommands({})) {
+    if (command->get_name() == word) return;
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  const std::string what = argc < 2                ? "no command"
+                           : word.starts_with('-') ? "unknown option '" + word + "'"
+                                                   : "unknown command '" + word + "'";
+  throw InputError(what + "; there are " + known + ", and detent --help");
 }
 
 int run(int argc, char** argv) {
@@ -233,14 +281,31 @@ int run(int argc, char** argv) {
   add_verify(app, arguments);
   add_accuracy(app, arguments);
   add_diff(app, arguments);
+  check_command(app, argc, argv);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    return app.exit(success);  // --help, --version
+  } catch (const CLI::Success& success) {  // --help, --version
+    std::ostringstream text;
+    app.exit(success, text);
+    print(text.str());
+    return 0;
   } catch (const CLI::ParseError& error) {
     throw InputError(std::string(error.what()) + "; detent --help lists what there is");
   }
   return arguments.is_right ? 0 : 1;
+}
+
+/// Of standard input, output and error those that are closed would be the next files to be opened,
+/// and be written to as such. In their place stands a file that cannot be written to.
+void fill_standard_descriptors() {
+  int descriptor = 0;
+  while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = open("/dev/null", O_RDONLY);
+  if (descriptor > STDERR_FILENO) close(descriptor);
+}
+
+int fail(const char* what) {
+  std::fprintf(stderr, "detent: %s\n", one_line(what).c_str());
+  return bad_input;
 }
 
 }  // namespace
@@ -248,9 +313,11 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    detent::cli::fill_standard_descriptors();
     return detent::cli::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return detent::cli::fail("out of memory; use a smaller scene, model or picture");
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "detent: %s\n", detent::cli::one_line(error.what()).c_str());
-    return detent::cli::bad_input;
+    return detent::cli::fail(error.what());
   }
 }

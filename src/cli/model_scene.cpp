@@ -10,6 +10,8 @@
 namespace detent::cli {
 namespace {
 
+constexpr double largest_size = 1e300;  // no scalar of the tool but double comes near
+
 Decimal decimal_of(double value) { return Decimal::parse(rounded(value, 6)).value(); }
 
 }  // namespace
@@ -20,6 +22,9 @@ Scene scene_around(MeshModel mesh, const std::string& file) {
     for (std::size_t i = 0; i < 3; ++i) reach[i] = std::max(reach[i], std::abs(vertex[i]));
   }
   const double size = std::max({reach[0], reach[1], reach[2], 1e-3});
+  if (size > largest_size) {
+    throw InputError(file, {}, "is too large for a camera to stand back from; use a smaller scale");
+  }
   const auto at = [&](double x, double y, double z) {
     return Point{Literal{decimal_of(x * size), {}}, Literal{decimal_of(y * size), {}},
                  Literal{decimal_of(z * size), {}}};

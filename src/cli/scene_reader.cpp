@@ -217,6 +217,10 @@ class SceneReader {
 
   MeshModel mesh(const JsonNode& node, const std::string& owner) const {
     const JsonNode& file = need(node, "file", Kind::string, owner);
+    if (file.text.empty()) fail(file, "file is empty; name a model in OBJ");
+    if (file.text.find('\0') != std::string::npos) {
+      fail(file, "file has a zero byte, which no name of a file can have; take it out");
+    }
     std::optional<double> scale;
     if (const JsonNode* const text = find(node, "scale")) {
       scale = number(*text, "scale").value.to<double>();

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -52,17 +54,32 @@ class ProgressBar {
 void for_each_index(const Workers& workers, int count, const std::function<void(int)>& work) {
   ProgressBar bar(workers.label, count);
   std::atomic<int> next{0};
+  std::mutex mutex;
+  std::exception_ptr error;  // the first, which ends the work of all
   const auto run = [&] {
-    for (int i = next++; i < count; i = next++) {
-      work(i);
-      bar.advance();
+    try {
+      for (int i = next++; i < count; i = next++) {
+        work(i);
+        bar.advance();
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!error) error = std::current_exception();
+      next = count;
     }
   };
   const int available = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
   const int threads = std::min(workers.threads > 0 ? workers.threads : available, count);
-  std::vector<std::jthread> helpers;
-  for (int i = 1; i < threads; ++i) helpers.emplace_back(run);
-  run();
+  {
+    std::vector<std::jthread> helpers;
+    try {
+      for (int i = 1; i < threads; ++i) helpers.emplace_back(run);
+    } catch (const std::system_error&) {
+      // The system grants no more threads: those that there are do the work.
+    }
+    run();
+  }
+  if (error) std::rethrow_exception(error);
 }
 
 }  // namespace detent::cli

@@ -82,13 +82,18 @@ class WorldBuilder {
     throw InputError(scene_.file, place, what);
   }
 
-  template <Scalar T = S>
-  T scalar(const Decimal& value, Place place, const std::string& name) const {
-    if (const auto result = value.to<T>()) return *result;
+  [[noreturn]] void fail_range(const Decimal& value, Place place, const std::string& name,
+                               const std::string& remedy) const {
     std::string text = value.text();
     if (text.size() > 24) text.replace(24, std::string::npos, "...");
-    fail(place, name + " = " + text + " is out of range for " + std::string(scalar_name<T>) + " (" +
-                    range_of<T>() + "); use a smaller number or a wider scalar");
+    fail(place, name + " = " + text + " is out of range for " + remedy);
+  }
+
+  S scalar(const Decimal& value, Place place, const std::string& name) const {
+    if (const auto result = value.to<S>()) return *result;
+    fail_range(value, place, name,
+               std::string(scalar_name<S>) + " (" + range_of<S>() +
+                   "); use a smaller number or a wider scalar");
   }
 
   S length(const Literal& number, const std::string& name) const {
@@ -125,8 +130,12 @@ class WorldBuilder {
   }
 
   Angle<S> angle(const Literal& degrees, const std::string& name) const {
-    const auto value = scalar<Degrees>(degrees.value, degrees.place, name);
-    return Angle<S>::from_raw(Angle<Degrees>::from_degrees(value).raw());
+    const auto value = degrees.value.to<Degrees>();
+    if (!value) {
+      fail_range(degrees.value, degrees.place, name,
+                 "degrees (" + range_of<Degrees>() + "); take whole turns of 360 off");
+    }
+    return Angle<S>::from_raw(Angle<Degrees>::from_degrees(*value).raw());
   }
 
   Rotation<S, 3> rotation(const Turn& turn) const {

@@ -51,10 +51,16 @@ class Workshop {
 
   /// Runs `detent ARGUMENTS` inside the directory.
   [[nodiscard]] Result run(const std::string& arguments) const {
+    return run_script("\"$DETENT\" " + arguments);
+  }
+
+  /// Runs a script of the shell inside the directory, for which $DETENT is the program.
+  [[nodiscard]] Result run_script(const std::string& script) const {
     const fs::path out = path_ / "out";
     const fs::path err = path_ / "err";
-    const std::string command = "cd '" + (path_ / "work").string() + "' && '" DETENT_TOOL "' " +
-                                arguments + " >'" + out.string() + "' 2>'" + err.string() + "'";
+    const std::string command = "DETENT='" DETENT_TOOL "'; cd '" + (path_ / "work").string() +
+                                "' && { " + script + "\n} >'" + out.string() + "' 2>'" +
+                                err.string() + "'";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
   }
@@ -307,15 +313,21 @@ TEST_CASE("detent demo: a model that cannot be shown is refused with file and li
     shop.write("m.obj", content);
     const auto result = shop.run("demo --size 8x8 --out pictures --mesh m.obj");
     INFO(result.out << result.err);
-    CHECK(refuses(result, "m.obj: "));
+    CHECK(refuses(result, "m.obj:"));
     CHECK(result.err.find(line) != std::string::npos);
     CHECK(fs::is_empty(shop.path("pictures")));
   };
-  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\nf 1 2 9\n", " on line 6; ");
-  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "line 4");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\nf 1 2 9\n", "m.obj:6:1: the face names vertex 9");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "m.obj:4:3: the face names vertex 0");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4294967299\n",
+          "m.obj:4:7: the face names vertex 4294967299");
   refused("# 1e400\nv 0 0 0\nv 1 0 0\nv 0 1e400 0\nf 1 2 3\n",
-          "vertex 3 is not finite on line 4; ");
+          "m.obj:4:5: vertex 3 is not finite; ");
+  refused("v 0 0 0\nv 1 0 0\nv 0 x 0\nf 1 2 3\n",
+          "m.obj:3:5: vertex 3 has a coordinate that is no");
   refused("v 0 0 0\n", "has no triangles; ");
+  shop.write("m.obj", "v 0 0 0\nv 1e305 0 0\nv 0 1e305 0\nf 1 2 3\n");
+  CHECK(refuses(shop.run("render m.obj -o x.png --scale 1"), "m.obj: is too large "));
   CHECK(refuses(shop.run("demo --out pictures --mesh no.obj"), "no.obj: no such file"));
   CHECK(refuses(shop.run("demo --out pictures --mesh pictures"), "pictures: is a directory"));
 }
@@ -364,6 +376,10 @@ TEST_CASE("detent: a bad command line is one line and writes nothing") {
                                       "cast ball.json --scalar q1_1",
                                       "cast ball.json --compare float,half",
                                       "cast ball.json --compare ,",
+                                      "cast ball.json --compare ''",
+                                      "accuracy --seed -1",
+                                      "accuracy --seed 18446744073709551616",
+                                      "accuracy --seed ''",
                                       "cast ball.json --fast",
                                       "render seen.json",
                                       "render seen.json -o x.png --size 0x10",
@@ -387,6 +403,54 @@ TEST_CASE("detent: a bad command line is one line and writes nothing") {
   }
 }
 
+TEST_CASE("detent: a first word that is no command is named") {
+  const Workshop shop;
+  const std::string known = "; there are cast, render, demo, verify, accuracy, diff, and ";
+  CHECK(refuses(shop.run(""), "no command" + known));
+  CHECK(refuses(shop.run("foo"), "unknown command 'foo'" + known));
+  CHECK(refuses(shop.run("foo --help"), "unknown command 'foo'" + known));
+  CHECK(refuses(shop.run("''"), "unknown command ''" + known));
+  CHECK(refuses(shop.run("--foo"), "unknown option '--foo'" + known));
+  CHECK(refuses(shop.run("--foo cast"), "unknown option '--foo'" + known));
+}
+
+TEST_CASE("detent: an empty name is refused, whatever it is the name of") {
+  const Workshop shop;
+  shop.write("ball.json", ball_scene);
+  shop.write("seen.json", seen_scene);
+  const auto refused = [&](const std::string& arguments, const std::string& what) {
+    INFO(arguments);
+    CHECK(refuses(shop.run(arguments), what + ": the name is empty; "));
+    CHECK(shop.file_count() == 2);
+  };
+  refused("cast ''", "scene");
+  refused("cast ball.json --out ''", "--out");
+  refused("cast ball.json -o \"\"", "--out");
+  refused("render '' -o x.png", "input");
+  refused("render seen.json --out ''", "--out");
+  refused("demo --out ''", "--out");
+  refused("demo --mesh ''", "--mesh");
+  refused("verify --dump ''", "--dump");
+  refused("accuracy --json ''", "--json");
+  refused("accuracy --markdown ''", "--markdown");
+  refused("accuracy --svg ''", "--svg");
+  refused("diff '' ball.json", "a");
+  refused("diff ball.json ''", "b");
+  shop.write("ball.json", "{\"shapes\": [{\"type\": \"mesh\", \"file\": \"\"}], \"rays\": []}");
+  CHECK(refuses(shop.run("cast ball.json"), "ball.json:1:38: file is empty; "));
+}
+
+TEST_CASE("detent: a zero byte in a name does not cut it") {
+  const Workshop shop;
+  shop.write("tent.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  shop.write("s.json",
+             "{\"shapes\": [{\"type\": \"mesh\", \"file\": \"tent.obj\\u0000.png\"}],"
+             " \"rays\": [{\"origin\": [0, 0, 0], \"direction\": [0, 0, 1]}]}");
+  CHECK(refuses(shop.run("cast s.json"), "s.json:1:38: file has a zero byte"));
+  shop.write("s.json", "{\"shapes\": [], \"sun\\u0000\": 1}");
+  CHECK(refuses(shop.run("cast s.json"), "s.json:1:16: unknown key \"sun \" in the scene; "));
+}
+
 TEST_CASE("detent: files that are not there, or not files, are named") {
   const Workshop shop;
   shop.write("ball.json", ball_scene);
@@ -402,13 +466,38 @@ TEST_CASE("detent: files that are not there, or not files, are named") {
   CHECK(refuses(shop.run("render seen.json -o no/where.png"), "no/where.png: cannot be written"));
   CHECK(refuses(shop.run("demo --out ball.json"), "ball.json: "));
   CHECK(shop.file_count() == 4);
-  if (fs::exists("/dev/full")) {
-    CHECK(refuses(shop.run("cast ball.json --out /dev/full"), "/dev/full: cannot be written"));
-  }
   if (geteuid() != 0) {
     fs::permissions(shop.path("ball.json"), fs::perms::none);
     CHECK(refuses(shop.run("cast ball.json"), "ball.json: cannot be opened"));
   }
+}
+
+TEST_CASE("detent: a full disk is called that") {
+  const Workshop shop;
+  shop.write("ball.json", ball_scene);
+  shop.write("seen.json", seen_scene);
+  // A limit on the size of files, of one block, stands for a disk with so much room.
+  CHECK(refuses(shop.run_script("ulimit -f 1; \"$DETENT\" render seen.json -o x.png --size 99x99"),
+                "x.png: cannot be written: File too large; free some space"));
+  CHECK(shop.file_count() == 2);
+  if (!fs::exists("/dev/full")) return;
+  const std::string reason = "cannot be written: No space left on device; ";
+  CHECK(refuses(shop.run("cast ball.json --out /dev/full"), "/dev/full: " + reason + "free"));
+  for (const char* const arguments : {"cast ball.json", "--help", "cast --help", "--version"}) {
+    INFO(arguments);
+    CHECK(refuses(shop.run(std::string(arguments) + " >/dev/full"), "standard output: " + reason));
+  }
+}
+
+TEST_CASE("detent: closed standard streams are reported, and no file is taken for one") {
+  const Workshop shop;
+  shop.write("ball.json", ball_scene);
+  CHECK(refuses(shop.run("cast ball.json >&-"),
+                "standard output: cannot be written: Bad file descriptor; "));
+  CHECK(shop.run("cast ball.json --out a >&- 2>&- <&-").code == 0);
+  CHECK(content_of(shop.path("a")) == shop.run("cast ball.json").out);
+  CHECK(shop.run("cast no.json --out a >&- 2>&- <&-").code == 2);
+  CHECK(content_of(shop.path("a")) == shop.run("cast ball.json").out);
 }
 
 TEST_CASE("detent: a file is replaced only by a whole one") {
@@ -420,9 +509,71 @@ TEST_CASE("detent: a file is replaced only by a whole one") {
   CHECK(content_of(shop.path("answers")) == "precious");
   CHECK(shop.run("cast ball.json --out answers").code == 0);
   CHECK(content_of(shop.path("answers")).starts_with("{\"ray\""));
+}
+
+TEST_CASE("detent: a link to the output stays one, whether or not its file is there") {
+  const Workshop shop;
+  shop.write("ball.json", ball_scene);
+  fs::create_directory(shop.path("folder"));
+  fs::create_symlink("folder/answers", shop.path("link"));
+  fs::create_symlink("link", shop.path("other"));
+  for (const char* const name : {"link", "other"}) {
+    CHECK(shop.run(std::string("cast ball.json --out ") + name).code == 0);
+    CHECK(fs::is_symlink(shop.path(name)));
+    CHECK_FALSE(fs::is_symlink(shop.path("folder/answers")));
+    CHECK(content_of(shop.path("folder/answers")).starts_with("{\"ray\""));
+    fs::remove(shop.path("folder/answers"));
+    shop.write("folder/answers", "old");
+  }
+  fs::create_symlink("loop", shop.path("loop"));
+  CHECK(refuses(shop.run("cast ball.json --out loop"), "loop: cannot be written: "));
+}
+
+TEST_CASE(
+    "detent: an output that exists keeps its permissions, and a new one gets the usual ones") {
+  const Workshop shop;
+  shop.write("ball.json", ball_scene);
+  shop.write("answers", "");
+  const auto permissions = [&](const char* name) {
+    return static_cast<unsigned>(fs::status(shop.path(name)).permissions());
+  };
   fs::create_symlink("answers", shop.path("link"));
-  CHECK(shop.run("cast ball.json --scalar float --out link").code == 0);
-  CHECK(fs::is_symlink(shop.path("link")));
+  for (const unsigned mode : {0600u, 0666u, 0751u, 0640u}) {
+    for (const char* const name : {"answers", "link"}) {
+      fs::permissions(shop.path("answers"), static_cast<fs::perms>(mode));
+      CHECK(shop.run_script(std::string("umask 022; \"$DETENT\" cast ball.json --out ") + name)
+                .code == 0);
+      CHECK(permissions("answers") == mode);
+    }
+  }
+  CHECK(shop.run_script("umask 027; \"$DETENT\" cast ball.json --out new").code == 0);
+  CHECK(permissions("new") == 0640);
+  if (geteuid() != 0) {
+    fs::permissions(shop.path("new"), fs::perms::owner_read);
+    CHECK(refuses(shop.run("cast ball.json --out new"),
+                  "new: cannot be written: Permission denied; "));
+  }
+}
+
+TEST_CASE("detent: a signal that ends it leaves no part of a file behind") {
+  const Workshop shop;
+  shop.write("answers", "precious");
+  for (const auto& [signal, number] :
+       {std::pair{"TERM", 15}, {"HUP", 1}, {"XCPU", 24}, {"PIPE", 13}}) {
+    // It opens its output, and then waits for a scene that never comes.
+    const auto result = shop.run_script(
+        "mkfifo scene\n"
+        "\"$DETENT\" cast scene --out answers & program=$!\n"
+        "for i in 0 1 2 3 4 5 6 7 8 9; do for j in 0 1 2 3 4 5 6 7 8 9; do\n"
+        "  ls -A | grep -q part && break 2; sleep 0.1\n"
+        "done; done\n"
+        "ls -A | grep -c part\n"
+        "kill -s " +
+        std::string(signal) + " $program; wait $program; echo $?; rm scene");
+    CHECK(result.out == "1\n" + std::to_string(128 + number) + "\n");
+    CHECK(shop.file_count() == 1);
+    CHECK(content_of(shop.path("answers")) == "precious");
+  }
 }
 
 TEST_CASE("detent: bad scenes are refused with file, line and column") {
@@ -473,6 +624,21 @@ TEST_CASE("detent: bad scenes are refused with file, line and column") {
   refused("{\"camera\": {\"position\": [1, 1, 1], \"target\": [1, 7, 1]}, \"shapes\": []}",
           "s.json:1:12: the camera looks along its up", "render s.json -o x.png");
   refused("{\"shapes\": [{\"type\": \"mesh\", \"file\": \"no.obj\"}]}", "no.obj: no such file");
+  const auto turned = [](const std::string& rotation) {
+    return "{\"shapes\": [{\"type\": \"obb\", \"center\": [0, 0, 0], \"half_extents\": [1, 1, "
+           "1],\n" +
+           ("\"rotation\": " + rotation) +
+           "}],\n \"rays\": [{\"origin\": [0, 0, 0], \"direction\": [0, 0, 1]}]}";
+  };
+  for (const char* const scalar : {"q16_16", "q14_16", "q24_8", "q8_8"}) {
+    const std::string arguments = std::string("cast s.json --scalar ") + scalar;
+    const std::string range =
+        " = 40000 is out of range for degrees (-32768 to 32767.9999847412109375); take whole "
+        "turns ";
+    refused(turned("{\"axis\": [0, 0, 1], \"angle\": 40000}"), "s.json:2:42: angle" + range,
+            arguments);
+    refused(turned("{\"euler\": [0, 40000, 1]}"), "s.json:2:27: euler" + range, arguments);
+  }
 }
 
 TEST_CASE("detent: a byte order mark and other unusual but valid text are read") {
@@ -493,15 +659,15 @@ TEST_CASE("detent: models that cannot be used are refused") {
     shop.write("m.obj", content);
     const auto result = shop.run("render m.obj -o x.png --size 8x8");
     INFO(result.out << result.err);
-    CHECK(refuses(result, "m.obj: "));
+    CHECK(refuses(result, "m.obj:"));
     CHECK(result.err.find(what) != std::string::npos);
     CHECK(shop.file_count() == 1);
   };
   refused("", "has no triangles");
   refused("v 0 0 0\nv 1 0 0\nv 0 1 0\n", "has no triangles");
-  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "");
-  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "");
-  refused("v 0 0 0\nv 1 0 0\nv 0 1e400 0\nf 1 2 3\n", "");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "m.obj:4:1: ");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "m.obj:4:3: ");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1e400 0\nf 1 2 3\n", "m.obj:3:5: ");
   refused(std::string("\x7f"
                       "ELF\x02\x01\0\0\0",
                       9),
