@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "error.hpp"
 #include "file.hpp"
+#include "print.hpp"
 
 namespace detent::cli {
 namespace {

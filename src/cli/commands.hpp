@@ -48,13 +48,4 @@ void cast(const CastOptions& options);
 void render(const RenderOptions& options);
 void demo(const DemoOptions& options);
 
-/// Writes to standard output and makes sure that it arrived.
-void print(const std::string& text);
-
-/// "0x0123456789abcdef"
-[[nodiscard]] std::string hexadecimal(std::uint64_t value);
-
-/// `value` with this many decimals, for tables.
-[[nodiscard]] std::string rounded(double value, int decimals);
-
 }  // namespace detent::cli

@@ -9,6 +9,7 @@
 #include "file.hpp"
 #include "model_scene.hpp"
 #include "obj_reader.hpp"
+#include "print.hpp"
 #include "scene_reader.hpp"
 
 namespace detent::cli {
@@ -61,9 +62,12 @@ Exhibit exhibit(const Scene& scene, const DemoOptions& options) {
   std::vector<Run> runs;
   for (const bool is_far : {false, true}) {
     const Move move = is_far ? Move{{distance, distance, distance}} : Move{};
-    for (const char* const scalar : {"q16_16", "float"}) {
-      Run run{is_far ? "far" : "near", make_tracer(scalar, scene, move), Image(0, 0), {}};
-      const std::string what = ' ' + run.place + ' ' + scalar;
+    for (const bool is_fixed : {true, false}) {
+      Run run{is_far ? "far" : "near",
+              is_fixed ? make_tracer<q16_16>(scene, move) : make_tracer<float>(scene, move),
+              Image(0, 0),
+              {}};
+      const std::string what = ' ' + run.place + ' ' + std::string(run.tracer->scalar());
       run.tracer->aim_camera(options.size);
       run.tracer->cast({options.threads, "casting" + what});
       run.picture = run.tracer->picture(bias, {options.threads, "shading" + what});

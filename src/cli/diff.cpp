@@ -13,6 +13,7 @@
 #include "error.hpp"
 #include "file.hpp"
 #include "numbers.hpp"
+#include "print.hpp"
 
 namespace detent::cli {
 namespace {

@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
-#include <new>
-#include <sstream>
 #include <string>
 
 #include "accuracy.hpp"
 #include "commands.hpp"
+#include "demo_command.hpp"
 #include "diff.hpp"
 #include "error.hpp"
 #include "numbers.hpp"
+#include "program.hpp"
 #include "verify.hpp"
 
 namespace detent::cli {
 namespace {
-
-constexpr int bad_input = 2;
-constexpr int most_pixels = 1 << 24;  // each takes about 80 bytes while it is drawn
 
 std::string all_scalars() {
   std::string text;
@@ -43,23 +35,6 @@ Pair parse_pair(const std::string& text, const std::string& scalar) {
   if (comma == std::string::npos) return {scalar, checked_scalar("--compare", text)};
   return {checked_scalar("--compare", text.substr(0, comma)),
           checked_scalar("--compare", text.substr(comma + 1))};
-}
-
-Size parse_size(const std::string& text) {
-  Size size{};
-  const char* const end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, size.width);
-  if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
-    const auto height = std::from_chars(width.ptr + 1, end, size.height);
-    const bool valid = height.ec == std::errc() && height.ptr == end && size.width > 0 &&
-                       size.height > 0 && size.width < largest_image &&
-                       size.height < largest_image - size.width &&
-                       size.width * size.height <= most_pixels;
-    if (valid) return size;
-  }
-  throw InputError("--size: \"" + text + "\" is not WIDTHxHEIGHT with at most " +
-                   std::to_string(most_pixels) + " pixels and a sum below " +
-                   std::to_string(largest_image) + "; write, for example, 640x360");
 }
 
 Move parse_move(const std::string& text) {
@@ -95,23 +70,17 @@ Decimal parse_bias(const std::string& text) {
   throw InputError("--bias: \"" + text + "\" is not a number from 0; write, for example, 0.001");
 }
 
-/// Without this an empty name would mean that the option was not given.
-std::string check_name(const std::string& name) {
-  return name.empty() ? "the name is empty; give it one" : "";
-}
-
 /// The command line, as text until all of it has been read.
 struct Arguments {
   CastOptions cast;
   RenderOptions render;
-  DemoOptions demo;
+  DemoArguments demo;
   VerifyOptions verify;
   AccuracyOptions accuracy;
   DiffOptions diff;
   bool is_right = true;
   std::string compare;
   std::string size = "640x360";
-  std::string demo_size = "480x300";
   std::string offset = "0,0,0";
   std::string bias = default_bias;
   std::string seed = "1";
@@ -181,27 +150,6 @@ void add_render(CLI::App& app, Arguments& arguments) {
       options.scale = arguments.scale;
     }
     render(options);
-  });
-}
-
-void add_demo(CLI::App& app, Arguments& arguments) {
-  CLI::App* const command =
-      app.add_subcommand("demo", "Draw the arena near and far from the origin, and count errors");
-  command->add_option("-o,--out", arguments.demo.directory, "The directory to write demo.png to")
-      ->check(check_name)
-      ->capture_default_str();
-  command
-      ->add_option("--mesh", arguments.demo.mesh,
-                   "An OBJ model to show as well, half a unit long, in mesh.png")
-      ->check(check_name);
-  command->add_option("--size", arguments.demo_size, "Of each picture, in pixels")
-      ->capture_default_str();
-  command->add_option("--threads", arguments.demo.threads, "0 for all of the machine's")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 1024));
-  command->final_callback([&] {
-    arguments.demo.size = parse_size(arguments.demo_size);
-    demo(arguments.demo);
   });
 }
 
@@ -277,47 +225,20 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   add_cast(app, arguments);
   add_render(app, arguments);
-  add_demo(app, arguments);
+  add_demo_options(
+      *app.add_subcommand("demo", "Draw the arena near and far from the origin, and count errors"),
+      arguments.demo);
   add_verify(app, arguments);
   add_accuracy(app, arguments);
   add_diff(app, arguments);
   check_command(app, argc, argv);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {  // --help, --version
-    std::ostringstream text;
-    app.exit(success, text);
-    print(text.str());
-    return 0;
-  } catch (const CLI::ParseError& error) {
-    throw InputError(std::string(error.what()) + "; detent --help lists what there is");
-  }
+  if (!parse(app, argc, argv)) return 0;
   return arguments.is_right ? 0 : 1;
-}
-
-/// Of standard input, output and error those that are closed would be the next files to be opened,
-/// and be written to as such. In their place stands a file that cannot be written to.
-void fill_standard_descriptors() {
-  int descriptor = 0;
-  while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = open("/dev/null", O_RDONLY);
-  if (descriptor > STDERR_FILENO) close(descriptor);
-}
-
-int fail(const char* what) {
-  std::fprintf(stderr, "detent: %s\n", one_line(what).c_str());
-  return bad_input;
 }
 
 }  // namespace
 }  // namespace detent::cli
 
 int main(int argc, char** argv) {
-  try {
-    detent::cli::fill_standard_descriptors();
-    return detent::cli::run(argc, argv);
-  } catch (const std::bad_alloc&) {
-    return detent::cli::fail("out of memory; use a smaller scene, model or picture");
-  } catch (const std::exception& error) {
-    return detent::cli::fail(error.what());
-  }
+  return detent::cli::run_program("detent", [&] { return detent::cli::run(argc, argv); });
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "print.hpp"
 
 namespace detent::cli {
 namespace {

@@ -35,8 +35,8 @@ struct Size {
 
 /// A scene in one scalar, with its rays and their answers.
 ///
-/// Behind this interface is one template for all scalars (tracer.cpp); the commands that use it
-/// need not know which.
+/// Behind this interface is one template for all scalars (scalar_tracer.hpp); the commands that use
+/// it need not know which.
 class Tracer {
  public:
   virtual ~Tracer() = default;
@@ -68,6 +68,8 @@ class Tracer {
 };
 
 /// Throws InputError when a number of the scene does not fit the scalar.
+template <Scalar S>
+[[nodiscard]] std::unique_ptr<Tracer> make_tracer(const Scene& scene, const Move& move);
 [[nodiscard]] std::unique_ptr<Tracer> make_tracer(std::string_view scalar, const Scene& scene,
                                                   const Move& move = {});
 

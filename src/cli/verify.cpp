@@ -15,6 +15,7 @@
 #include "detent/version.hpp"
 #include "error.hpp"
 #include "file.hpp"
+#include "print.hpp"
 #include "verify/corpus.hpp"
 #include "verify/golden.hpp"
 #include "verify/sheets.hpp"

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 # usage: planted_fault.sh LIBRARY COMPILER [FLAG...]
 # A copy of the library in which a ray query and a point query give one wrong bit now and then:
-# `detent verify` must name the queries, the scalars, the dimensions and the questions. LIBRARY holds the rest of the tool.
+# `detent verify` must name the queries, the scalars, the dimensions and the questions. LIBRARY holds what
+# the command needs besides.
 set -euo pipefail
 
 library=$1

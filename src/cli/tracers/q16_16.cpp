@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+#include "scalar_tracer.hpp"
+
+template std::unique_ptr<detent::cli::Tracer> detent::cli::make_tracer<detent::q16_16>(const Scene&,
+                                                                                       const Move&);

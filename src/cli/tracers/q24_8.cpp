@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+#include "scalar_tracer.hpp"
+
+template std::unique_ptr<detent::cli::Tracer> detent::cli::make_tracer<detent::q24_8>(const Scene&,
+                                                                                      const Move&);
