@@ -179,7 +179,8 @@ void step(Historian<S, 3>& history, World& scene, PlainWorld& plain, const Frame
       return;
     case 1:
       object.local = draw_shape(history, plain.meshes);
-      CHECK(std::visit([&](const auto& s) { return scene.replace(object.id, s); }, object.local));
+      CHECK(std::visit([&](const auto& s) { return scene.replace_local(object.id, s); },
+                       object.local));
       break;
     default: {
       const auto by = nearest_to<S>(history.point() - history.point());

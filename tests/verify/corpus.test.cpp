@@ -207,7 +207,7 @@ TEST_CASE("corpus: trees of meshes have several nodes, scenes are full and place
     const LivingScene<q16_16, 3> living(c.history);
     if (living.scene.size() == living.capacity) ++full;
     if (living.happened() != (1u << c.history.before) - 1) ++refused;
-    if (living.scene.store().fixed_size() != 0) ++fixed;
+    if (detent::detail::SceneAccess::store(living.scene).fixed_size() != 0) ++fixed;
     std::uint32_t last = 0;
     bool is_reused = false;
     living.scene.for_each([&](const ObjectInfo& info, const auto&) {

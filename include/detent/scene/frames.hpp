@@ -100,7 +100,7 @@ class Frames {
   }
   constexpr void remove(std::uint32_t i) noexcept {
     frames_[i] = Frame<S, N>();
-    first_free_ = std::min(first_free_, i);
+    first_free_ = (std::min)(first_free_, i);
   }
 
  private:

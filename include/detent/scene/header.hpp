@@ -41,7 +41,8 @@ enum class Restored {
     case Restored::other_scene:
       return "the snapshot is of another scalar, dimension or set of shapes";
     case Restored::other_fixed_part:
-      return "the snapshot was taken beside other fixed objects";
+      return "fixed objects have been added, changed, moved or removed since the snapshot was "
+             "taken";
     case Restored::no_room:
       return "the snapshot has more than the storage of the scene can hold";
     case Restored::unknown_mesh:

@@ -35,6 +35,10 @@ using ObjectId = detail::Id<struct ObjectTag>;
 /// default one names the world.
 using FrameId = detail::Id<struct FrameTag>;
 
+/// Names that nothing ever has, for `value_or` where an addition may fail.
+inline constexpr ObjectId no_object{};
+inline constexpr FrameId no_frame{0xffffffffu, 0};
+
 /// Whether an object is part of the match, which is saved and restored, or of the place where it
 /// happens: those never move while it lasts, and are the same for everybody from the beginning.
 enum class Motion : std::uint8_t { moving, fixed };

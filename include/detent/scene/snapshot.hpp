@@ -24,8 +24,9 @@
 // 2^32 - 1 (4), type of shape (1) and the numbers of the shape in their order, a moving sphere
 // being 41 bytes in Q16.16, and of a mesh its id (4), digest (8) and transform; the XXH64 of all
 // that. Equal scenes have equal bytes. Fixed objects are represented by the sum of their digests: a
-// scene restores only what was taken beside the same ones. Copies of a scene, with `=`, hold
-// everything and are faster still.
+// scene restores only what was taken beside the same ones, so one that is added, changed, moved or
+// removed makes earlier snapshots `other_fixed_part`. Copies of a scene, with `=`, hold everything
+// and are faster still.
 //
 // The digest of a scene leaves the next generation out: it depends on what has been there before.
 
@@ -63,7 +64,7 @@ constexpr std::uint32_t describe_frames(D& out, const Frames& frames) noexcept {
 template <class Storage, Scalar S, int N, class... Shapes>
 constexpr SnapshotHeader write(Writer& out,
                                const BasicScene<Storage, S, N, Shapes...>& scene) noexcept {
-  const auto& store = scene.store();
+  const auto& store = SceneAccess::store(scene);
   auto header = header_for<S, N, Shapes...>();
   header.next_generation = store.next_generation();
   header.frame_count = describe_frames(out, store.frames());
@@ -177,7 +178,7 @@ template <class Storage, Scalar S, int N, class... Shapes, class Meshes>
     if (parent == 0 || parent >= frame.generation) return Restored::corrupted;  // parents are older
   }
   lowest_index = 0;
-  const auto& store = scene.store();
+  const auto& store = SceneAccess::store(scene);
   for (std::uint32_t i = 0; i < header.object_count; ++i) {
     ObjectHeader object;
     object.read(in);
@@ -201,7 +202,7 @@ template <class Storage, Scalar S, int N, class... Shapes, class Meshes>
 template <class Storage, Scalar S, int N, class... Shapes, class Meshes>
 constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<const std::byte> bytes,
                      const SnapshotHeader& header, const Meshes& meshes) {
-  auto& store = scene.store();
+  auto& store = SceneAccess::store(scene);
   SnapshotReader<Meshes, S, N, Shapes...> snapshot(bytes, header, meshes);
   Reader& in = snapshot.in();
   store.begin_bulk();
@@ -278,8 +279,8 @@ template <class Storage, Scalar S, int N, class... Shapes, class Meshes = detail
       header.bits != right.bits || header.frac != right.frac || header.shapes != right.shapes) {
     return Restored::other_scene;
   }
-  if (header.fixed_count != scene.store().fixed_size() ||
-      header.fixed_digest != scene.store().fixed_digest()) {
+  const auto& store = detail::SceneAccess::store(scene);
+  if (header.fixed_count != store.fixed_size() || header.fixed_digest != store.fixed_digest()) {
     return Restored::other_fixed_part;
   }
   const auto checked = detail::check_parts(scene, bytes, header, meshes);
@@ -291,7 +292,7 @@ template <class Storage, Scalar S, int N, class... Shapes, class Meshes = detail
 /// The canonical bytes of a digest: frames and objects in the order of their indices.
 template <class D, class Storage, Scalar S, int N, class... Shapes>
 constexpr void append(D& digest, const BasicScene<Storage, S, N, Shapes...>& scene) noexcept {
-  const auto& store = scene.store();
+  const auto& store = detail::SceneAccess::store(scene);
   detail::describe_frames(digest, store.frames());
   for (std::size_t i = 0; i < store.end(); ++i) {
     if (!store.is_object(i)) continue;
@@ -306,8 +307,9 @@ template <class Storage, Scalar S, int N, class... Shapes>
     const BasicScene<Storage, S, N, Shapes...>& scene, const ObjectId& id) noexcept {
   if (!scene.contains(id)) return std::nullopt;
   Digest digest;
-  digest.add(scene.store()[id.index].motion);
-  scene.store().describe(digest, id.index);
+  const auto& store = detail::SceneAccess::store(scene);
+  digest.add(store[id.index].motion);
+  store.describe(digest, id.index);
   return digest.value();
 }
 

@@ -209,6 +209,20 @@ class Store {
     fixed_.rebuild();
   }
 
+  /// As if nothing had ever been added.
+  constexpr void clear() noexcept {
+    records_.clear();
+    is_moving_.clear();
+    attachments_.clear();
+    frames_.clear();
+    moving_.clear();
+    fixed_.clear();
+    size_ = fixed_size_ = 0;
+    fixed_digest_ = 0;
+    first_free_ = 0;
+    next_ = 1;
+  }
+
   constexpr void reserve(std::size_t objects) {
     records_.reserve(objects);
     moving_.reserve(objects);

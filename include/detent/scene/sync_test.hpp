@@ -72,10 +72,16 @@ class SyncTest {
   std::optional<ObjectId> first_difference(const Scene& scene, const Bytes& bytes) const {
     Scene other = scene;
     if (restore(other, bytes, meshes_) != Restored::yes) return std::nullopt;
+<<<<<<< HEAD
     const auto end = (std::max)(scene.store().end(), other.store().end());
+=======
+    const auto end =
+        std::max(detail::SceneAccess::store(scene).end(), detail::SceneAccess::store(other).end());
+>>>>>>> f44daee (scene: hits, getters of frames and local shapes, a usable moved-from scene)
     for (std::size_t i = 0; i < end; ++i) {
       const auto id = [i](const Scene& s) {
-        return s.store().is_object(i) ? s.store().info(i).id : ObjectId{};
+        const auto& store = detail::SceneAccess::store(s);
+        return store.is_object(i) ? store.info(i).id : ObjectId{};
       };
       const auto here = id(scene), there = id(other);
       if (here != there) return here == ObjectId{} ? there : here;

@@ -32,6 +32,12 @@ class Tree {
   [[nodiscard]] constexpr const Node& node(std::uint32_t i) const noexcept { return nodes_[i]; }
 
   constexpr void reserve(std::size_t objects) { homes_.reserve(objects); }
+  constexpr void clear() noexcept {
+    nodes_.clear();
+    homes_.clear();
+    root_ = free_ = nowhere;
+    is_in_bulk_ = false;
+  }
 
   /// Makes the tree anew for the objects where they are: better than one that came about by adding
   /// them one by one. It needs room for all boxes, which a bounded tree has on the stack.

@@ -58,7 +58,8 @@ class LivingScene {
       case Deed::remove:
         return scene.remove(object);
       case Deed::replace:
-        return step.shape.visit([&](const auto& shape) { return scene.replace(object, shape); });
+        return step.shape.visit(
+            [&](const auto& shape) { return scene.replace_local(object, shape); });
       case Deed::move:
         return scene.move(object, step.transform.translation);
       case Deed::set_layers:

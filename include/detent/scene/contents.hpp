@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "detent/scene/store.hpp"
+
+namespace detent {
+
+/// How a frame lies in its parent, which is `FrameId{}` for the world, and in the world.
+template <Scalar S, int N>
+struct FrameInfo {
+  Transform<S, N> local;
+  Transform<S, N> world;
+  FrameId parent;
+
+  [[nodiscard]] friend constexpr bool operator==(const FrameInfo&,
+                                                 const FrameInfo&) noexcept = default;
+};
+
+namespace detail {
+
+struct SceneAccess;
+
+/// The part of a scene that holds objects and frames, adds, shows, changes and removes them.
+///
+/// `shape`, `visit`, `for_each` and `replace` speak of shapes in the world; `add`, `add_as`,
+/// `local_shape`, `replace_local` and `move` of shapes in the frame of the object. For an object in
+/// no frame both are the same.
+///
+/// Functions that change or show an object or a frame return false, or nothing, when it is gone; so
+/// they do for `no_object` and `no_frame`.
+///
+/// Fixed objects are not in snapshots. Whoever adds, changes, moves or removes one can no longer
+/// restore earlier snapshots: `restore` says `Restored::other_fixed_part`.
+template <class Storage, Scalar S, int N, class... Shapes>
+class SceneContents {
+ public:
+  static constexpr bool is_growing = requires { requires Storage::is_growing; };
+  static constexpr std::size_t capacity = Storage::capacity;
+
+  constexpr SceneContents() = default;
+  constexpr SceneContents(const SceneContents&) = default;
+  constexpr SceneContents& operator=(const SceneContents&) = default;
+  /// The other scene is then as if nothing had ever been added to it.
+  constexpr SceneContents(SceneContents&& other) noexcept : store_(std::move(other.store_)) {
+    other.store_.clear();
+  }
+  constexpr SceneContents& operator=(SceneContents&& other) noexcept {
+    if (this == &other) return *this;
+    store_ = std::move(other.store_);
+    other.store_.clear();
+    return *this;
+  }
+  constexpr ~SceneContents() = default;
+
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return store_.size(); }
+
+  /// Adds an object under the lowest free index. Where nothing is added, `value_or(no_object)` is an
+  /// id on which every function returns false:
+  ///
+  ///     const ObjectId ball = scene.add(Sphere{center, radius}).value_or(no_object);
+  ///
+  /// result: nothing, and no change, when `capacity` objects are there, when 2^32 - 2 objects and
+  ///         frames have been added, or when the frame is none of this scene's, or is asked for by
+  ///         a fixed object
+  template <Among<Shapes...> Shape>
+  constexpr std::optional<ObjectId> add(const Shape& shape, const Traits& traits = {}) {
+    if (!are_valid(traits)) return std::nullopt;
+    const auto id = store_.next_id();
+    if (id) store_.put(*id, AnyShape(shape), traits);
+    return id;
+  }
+
+  /// Adds an object under an id of the caller's choice, so that two scenes filled in different
+  /// orders hold the same objects.
+  ///
+  /// result: false, and no change, as for `add`, when the index is taken or not below `capacity`,
+  ///         or when the generation is 0 or 2^32 - 1
+  template <Among<Shapes...> Shape>
+  constexpr bool add_as(const ObjectId& id, const Shape& shape, const Traits& traits = {}) {
+    if (!are_valid(traits) || id.index >= capacity || store_.is_object(id.index)) return false;
+    if (id.generation == 0 || id.generation > Objects::last_generation) return false;
+    store_.put(id, AnyShape(shape), traits);
+    return true;
+  }
+
+  constexpr bool remove(const ObjectId& id) {
+    if (!contains(id)) return false;
+    store_.remove(id.index);
+    return true;
+  }
+  /// Gives an object another shape, of any listed type, in the world. An object in a frame takes
+  /// shapes only by `replace_local`: for it the result is false.
+  template <Among<Shapes...> Shape>
+  constexpr bool replace(const ObjectId& id, const Shape& shape) {
+    return frame_of(id) == FrameId{} && replace_local(id, shape);
+  }
+  /// Gives an object another shape, of any listed type, in its frame.
+  template <Among<Shapes...> Shape>
+  constexpr bool replace_local(const ObjectId& id, const Shape& shape) {
+    if (!contains(id)) return false;
+    store_.set_shape(id.index, AnyShape(shape));
+    return true;
+  }
+  /// Moves an object by a vector in its frame.
+  constexpr bool move(const ObjectId& id, const Vec<S, N>& by) {
+    const auto* const record = store_.find(id);
+    if (record == nullptr) return false;
+    store_.set_shape(id.index, store_.local_shape(*record).visit([&](const auto& shape) {
+      return AnyShape(translated(shape, by));
+    }));
+    return true;
+  }
+  constexpr bool set_layers(const ObjectId& id, std::uint32_t layers) noexcept {
+    if (!contains(id)) return false;
+    store_.set_layers(id.index, layers);
+    return true;
+  }
+  constexpr bool set_user(const ObjectId& id, std::uint64_t user) noexcept {
+    if (!contains(id)) return false;
+    store_.set_user(id.index, user);
+    return true;
+  }
+
+  /// Makes questions faster after many additions, such as those of a level that has been loaded, at
+  /// the cost of about a microsecond for each object; a bounded scene needs 28 bytes of stack for
+  /// each that it has room for. It never changes an answer.
+  constexpr void optimize() { store_.rebuild(); }
+
+  [[nodiscard]] constexpr bool contains(const ObjectId& id) const noexcept {
+    return store_.find(id) != nullptr;
+  }
+  [[nodiscard]] constexpr std::optional<ObjectInfo> info(const ObjectId& id) const noexcept {
+    if (!contains(id)) return std::nullopt;
+    return store_.info(id.index);
+  }
+  /// The object's shape in the world, when it is of this type.
+  template <Among<Shapes...> Shape>
+  [[nodiscard]] constexpr std::optional<Shape> shape(const ObjectId& id) const noexcept {
+    const auto* const record = store_.find(id);
+    return record ? as<Shape>(record->shape) : std::nullopt;
+  }
+  /// The object's shape in its frame, as it was given, when it is of this type: what `replace_local`
+  /// takes.
+  template <Among<Shapes...> Shape>
+  [[nodiscard]] constexpr std::optional<Shape> local_shape(const ObjectId& id) const noexcept {
+    const auto* const record = store_.find(id);
+    return record ? as<Shape>(store_.local_shape(*record)) : std::nullopt;
+  }
+  /// Calls f(shape) with the object's shape in the world, in its own type.
+  template <class F>
+  constexpr bool visit(const ObjectId& id, const F& f) const {
+    const auto* const record = store_.find(id);
+    if (record == nullptr) return false;
+    record->shape.visit([&](const auto& shape) { f(shape); });
+    return true;
+  }
+  /// Calls f(info, shape) for every object in the order of their ids, with its shape in the world.
+  template <class F>
+  constexpr void for_each(const F& f) const {
+    for (std::size_t i = 0; i < store_.end(); ++i) {
+      if (!store_.is_object(i)) continue;
+      store_[i].shape.visit([&](const auto& shape) { f(store_.info(i), shape); });
+    }
+  }
+
+  /// The frame that an object is in; `FrameId{}` for the world.
+  [[nodiscard]] constexpr std::optional<FrameId> frame_of(const ObjectId& id) const noexcept {
+    const auto* const record = store_.find(id);
+    if (record == nullptr) return std::nullopt;
+    return store_.frames().id(store_.frame_of(*record));
+  }
+  /// How a frame lies; nothing for the world, too.
+  [[nodiscard]] constexpr std::optional<FrameInfo<S, N>> frame(const FrameId& id) const noexcept {
+    const auto& frames = store_.frames();
+    if (!frames.is_frame(id)) return std::nullopt;
+    const auto& frame = frames[id.index];
+    return FrameInfo<S, N>{frame.local, frame.world, frames.id(frame.parent)};
+  }
+
+  /// Adds a coordinate system, itself in another if that is given. Where nothing is added,
+  /// `value_or(no_frame)` is a frame in which nothing can be added.
+  ///
+  /// result: nothing when the storage has no room for it, or no such parent
+  constexpr std::optional<FrameId> add_frame(const Transform<S, N>& transform,
+                                             const FrameId& parent = {}) {
+    if (parent == FrameId{}) return store_.add_frame(transform, nowhere);
+    if (!store_.frames().is_frame(parent)) return std::nullopt;
+    return store_.add_frame(transform, parent.index);
+  }
+  /// Moves a frame in its parent, and all that is in it, at the cost of a look at every frame and
+  /// attached object.
+  constexpr bool move_frame(const FrameId& id, const Transform<S, N>& transform) {
+    if (!store_.frames().is_frame(id)) return false;
+    store_.move_frame(id.index, transform);
+    return true;
+  }
+  /// Removes a frame; not while something is in it.
+  constexpr bool remove_frame(const FrameId& id) noexcept {
+    return store_.frames().is_frame(id) && store_.remove_frame(id.index);
+  }
+
+ protected:
+  using Objects = Store<Storage, S, N, Shapes...>;
+  Objects store_;
+
+ private:
+  friend struct SceneAccess;
+  using AnyShape = typename Objects::Shape;
+
+  constexpr bool are_valid(const Traits& traits) const noexcept {
+    if (traits.frame == FrameId{}) return true;
+    return traits.motion == Motion::moving && store_.frames().is_frame(traits.frame);
+  }
+
+  template <class Shape>
+  static constexpr std::optional<Shape> as(const AnyShape& any) noexcept {
+    const Shape* const shape = any.template get<Shape>();
+    return shape ? std::optional<Shape>(*shape) : std::nullopt;
+  }
+};
+
+/// The store of a scene, for snapshots, digests and tests.
+struct SceneAccess {
+  template <class Storage, Scalar S, int N, class... Shapes>
+  [[nodiscard]] static constexpr auto& store(
+      const SceneContents<Storage, S, N, Shapes...>& scene) noexcept {
+    return scene.store_;
+  }
+  template <class Storage, Scalar S, int N, class... Shapes>
+  [[nodiscard]] static constexpr auto& store(
+      SceneContents<Storage, S, N, Shapes...>& scene) noexcept {
+    return scene.store_;
+  }
+};
+
+}  // namespace detail
+
+}  // namespace detent

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+
+#include "detent/query/raycast/hit.hpp"
+#include "detent/scene/object.hpp"
+
+namespace detent {
+
+/// An object that a question found. Lists of them are ordered by distance, then by id.
+template <Scalar S>
+struct Found {
+  S distance{};
+  ObjectId id;
+
+  [[nodiscard]] friend constexpr auto operator<=>(const Found&, const Found&) noexcept = default;
+};
+
+/// Where a ray first touches an object: distance, point and normal are those of
+/// `raycast_hit(ray, shape)`. Lists of them are ordered by distance, then by id.
+template <Scalar S, int N>
+struct ObjectHit {
+  S distance{};
+  ObjectId id;
+  Vec<S, N> point;
+  Direction<S, N> normal;
+  std::optional<std::uint32_t> triangle{};  // its index, for meshes and height fields
+
+  [[nodiscard]] friend constexpr bool operator==(const ObjectHit&,
+                                                 const ObjectHit&) noexcept = default;
+  [[nodiscard]] friend constexpr bool operator<(const ObjectHit& a, const ObjectHit& b) noexcept {
+    return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
+  }
+};
+
+/// Two objects with a point in common, the lower id first. Lists of them are ordered.
+struct Overlap {
+  ObjectId first;
+  ObjectId second;
+
+  [[nodiscard]] friend constexpr auto operator<=>(const Overlap&,
+                                                  const Overlap&) noexcept = default;
+};
+
+template <class D, Scalar S>
+constexpr void append(D& digest, const Found<S>& found) noexcept {
+  digest.add(found.distance, found.id);
+}
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const ObjectHit<S, N>& hit) noexcept {
+  digest.add(hit.distance, hit.id, hit.point, hit.normal, hit.triangle);
+}
+template <class D>
+constexpr void append(D& digest, const Overlap& overlap) noexcept {
+  digest.add(overlap.first, overlap.second);
+}
+
+}  // namespace detent

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "detent/scene/found.hpp"
+
+#include <array>
+#include <vector>
+
+#include "detent/scene/mesh/instance.hpp"
+#include "detent/scene/mesh/owned.hpp"
+#include "detent/scene/scene.hpp"
+#include "oracle/draw_shape.hpp"
+#include "support/catch.hpp"
+
+using namespace detent;
+using S = q16_16;
+using Vec3 = Vec<S, 3>;
+using Hit = ObjectHit<S, 3>;
+using World = Scene<S, 3, Sphere, Aabb, Obb, Plane, Triangle, Capsule, MeshInstance>;
+
+namespace {
+
+Vec3 at(int x, int y, int z) { return {S(x), S(y), S(z)}; }
+
+/// A mesh of triangles whose indices are not their order.
+struct Rock {
+  std::vector<MeshTriangle<S>> triangles;
+  std::array<MeshNode<S>, 20> nodes{};
+  MeshAsset<S> asset;
+
+  explicit Rock(oracle::Draw<S, 3>& draw, const oracle::Setting<3>& setting) {
+    for (std::uint32_t i = 0; i < 40; ++i) {
+      triangles.push_back({oracle::draw_shape<Triangle<S, 3>>(draw, setting), 100 - i});
+    }
+    asset = MeshAsset<S>(1, *build_mesh<S>(std::span(triangles), std::span(nodes)));
+  }
+  Rock(const Rock&) = delete;
+};
+
+template <class Shape>
+Hit hit_of(const Ray<S, 3>& ray, const ObjectId& id, const Shape& shape) {
+  const auto hit = raycast_hit(ray, shape);
+  REQUIRE(hit);
+  Hit result{hit->distance, id, hit->point, hit->normal, {}};
+  if constexpr (std::is_same_v<Shape, PlacedMesh<S>>) {
+    result.triangle = raycast_nearest(ray, shape)->index;
+    // The normal is that of the triangle of this index.
+    for (const auto& part : shape.asset->mesh().triangles) {
+      if (part.index != result.triangle) continue;
+      CHECK(raycast_hit(ray, placed(shape.transform, part.triangle)) == hit);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("scene: hits are those of the queries on the objects, for every shape") {
+  test::HitRate rate;
+  int triangles = 0;
+  for (const auto kind : {oracle::Kind::general, oracle::Kind::lattice, oracle::Kind::degenerate}) {
+    oracle::Draw<S, 3> draw(5);
+    const auto setting = oracle::draw_setting(draw, kind, 100);
+    const auto shape = [&]<class T>(T) { return oracle::draw_shape<T>(draw, setting); };
+    const auto point = [&] { return shape(Sphere<S, 3>()).center; };
+    const Rock rock(draw, setting);
+    World scene;
+    const auto arm = scene.add_frame({.translation = point()}).value();
+    for (int i = 0; i < 2; ++i) {
+      scene.add(shape(Sphere<S, 3>()), {.layers = 1});
+      scene.add(shape(Aabb<S, 3>()), {.layers = 2});
+      scene.add(shape(Obb<S, 3>()), {.layers = 4, .frame = arm});
+      scene.add(shape(Plane<S, 3>()), {.layers = 8});
+      scene.add(shape(Triangle<S, 3>()), {.layers = 16, .motion = Motion::fixed});
+      scene.add(shape(Capsule<S, 3>()), {.layers = 32});
+      Transform<S, 3> place;
+      if (i == 0) place.rotation = shape(Obb<S, 3>()).rotation;
+      scene.add(PlacedMesh{&rock.asset, place}, {.layers = 64});
+    }
+    for (int i = 0; i < 100; ++i) {
+      Ray<S, 3> ray{point(), draw.any_direction()};
+      if (const auto toward = normalize(nearest_to<S>(point() - ray.origin))) {
+        ray.direction = *toward;
+      }
+      if (draw.random.coin()) ray.max_distance = distance(ray.origin, point());
+      const InLayers filter{1u << draw.random.below(7) | 1u << draw.random.below(9)};
+      std::vector<Hit> expected;
+      for (const auto& [distance, id] : scene.all(ray, filter)) {
+        CHECK(scene.visit(id, [&](const auto& s) { expected.push_back(hit_of(ray, id, s)); }));
+        CHECK(expected.back().distance == distance);
+        if (expected.back().triangle) ++triangles;
+      }
+      rate.count(!expected.empty());
+      CHECK(scene.all_hits(ray, filter) == expected);
+      const auto nearest = scene.nearest_hit(ray, filter);
+      CHECK(nearest == (expected.empty() ? std::nullopt : std::optional(expected.front())));
+      std::array<Hit, 2> room;
+      const auto count = scene.all_hits(ray, std::span(room), filter);
+      CHECK(count == expected.size());
+      CHECK(std::equal(room.begin(),
+                       room.begin() + std::min<std::ptrdiff_t>(2, std::ssize(expected)),
+                       expected.begin()));
+    }
+  }
+  INFO(rate << ", " << triangles << " on triangles of meshes");
+  CHECK(rate.is_balanced());
+  CHECK(triangles > 50);
+}
+
+TEST_CASE("scene: a bounded one answers hits without a heap, in the order of distance and id") {
+  BoundedScene<Bounded<4>, S, 3, Sphere> scene;
+  for (const int x : {9, 5, 5, 20}) scene.add(Sphere{at(x, 0, 0), S(1)});
+  const Ray<S, 3> ray{at(0, 0, 0), Direction<S, 3>::along(0), S(10)};
+  const auto back = -Direction<S, 3>::along(0);
+  std::array<Hit, 4> room;
+  CHECK(scene.all_hits(ray, std::span(room)) == 3);
+  CHECK(room[0] == Hit{S(4), {1, 2}, at(4, 0, 0), back, {}});
+  CHECK(room[1] == Hit{S(4), {2, 3}, at(4, 0, 0), back, {}});
+  CHECK(room[2] == Hit{S(8), {0, 1}, at(8, 0, 0), back, {}});
+  CHECK(scene.nearest_hit(ray) == room[0]);
+  const Ray<S, 3> inside{at(5, 0, 0), Direction<S, 3>::along(1)};
+  CHECK(scene.nearest_hit(inside) ==
+        Hit{S(0), {1, 2}, at(5, 0, 0), -Direction<S, 3>::along(1), {}});
+}
