@@ -17,9 +17,9 @@
 #include "detent/scene/height_field.hpp"
 #include "detent/scene/mesh.hpp"
 #include "detent/scene/snapshot.hpp"
-#if __STDC_HOSTED__  // these need a heap
-#include "detent/scene/mesh/owned.hpp"
 #include "detent/scene/sync_test.hpp"
+#if __STDC_HOSTED__  // needs a heap
+#include "detent/scene/mesh/owned.hpp"
 #endif
 
 #include "detent/version.hpp"

@@ -83,9 +83,10 @@ TEST_CASE("scene: hits are those of the queries on the objects, for every shape"
       if (draw.random.coin()) ray.max_distance = distance(ray.origin, point());
       const InLayers filter{1u << draw.random.below(7) | 1u << draw.random.below(9)};
       std::vector<Hit> expected;
-      for (const auto& [distance, id] : scene.all(ray, filter)) {
+      for (const auto& found : scene.all(ray, filter)) {
+        const auto id = found.id;
         CHECK(scene.visit(id, [&](const auto& s) { expected.push_back(hit_of(ray, id, s)); }));
-        CHECK(expected.back().distance == distance);
+        CHECK(expected.back().distance == found.distance);
         if (expected.back().triangle) ++triangles;
       }
       rate.count(!expected.empty());

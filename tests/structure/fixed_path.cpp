@@ -199,4 +199,15 @@ struct Surfaces {
 };
 template struct Surfaces<q16_16>;
 
+// A scene that a sync test plays, and what a ray hits in it.
+using Arena = BoundedScene<Bounded<8, 2>, q16_16, 3, Sphere>;
+std::size_t play(SyncTest<Arena, q16_16, 4>& test, Arena& arena, q16_16 push,
+                 const Ray<q16_16, 3>& ray, std::span<ObjectHit<q16_16, 3>> hits) noexcept {
+  const auto desync = test.step(arena, push, [](Arena& scene, q16_16 by) {
+    scene.move({0, 1}, {by, by, by});
+    scene.add(Sphere<q16_16, 3>{}).value_or(no_object);
+  });
+  return desync ? desync->field.size() : arena.all_hits(ray, hits);
+}
+
 }  // namespace detent

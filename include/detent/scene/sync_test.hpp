@@ -2,98 +2,109 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
-#include "detent/scene/snapshot.hpp"
+#include "detent/scene/difference.hpp"
+#if __STDC_HOSTED__
+#include <vector>
+#endif
 
 namespace detent {
 
 /// Where a frame came out otherwise when it was simulated again.
 struct Desync {
   std::uint64_t frame;             // from 0, the first one that did
-  std::optional<ObjectId> object;  // of the moving ones that parted, the first by id; nothing if
-                                   // only frames of reference or the next generation did
+  std::optional<ObjectId> object;  // that the field belongs to, if it is one of a scene's objects
+  FieldName field;                 // the first that differs, or that is there only once, such as
+      // `scene object 3:17 (sphere) center.y`, `velocity[1].x` or `score`
 };
 
 /// Looks for what a rollback would break, without a second player: after every frame it goes back
-/// `window` frames, simulates them again with the same inputs, and compares each with what it was.
+/// as many frames as its window has, simulates them again with the same inputs, and compares each
+/// with what it was.
 ///
-/// What is not in the scene and not in the inputs, such as a global variable, a clock or an order
-/// of addresses, shows as a `Desync`. So does a fixed object that changes.
+/// What is not in the world and not in the inputs, such as a global variable, a clock or an order
+/// of addresses, shows as a `Desync`. So does a frame that changes a fixed object of a scene, for
+/// snapshots do not bring that back.
 ///
-///     SyncTest<Scene<q16_16, 3, Sphere>, Input> test(8);
-///     if (const auto desync = test.step(scene, input, simulate)) ...
+///     SyncTest<World, Input> test(8);
+///     if (const auto desync = test.step(world, input, simulate)) ...
 ///
-/// A scene whose moving objects are of meshes needs a view of these, as `restore` does:
-/// `SyncTest<World, Input, std::span<const MeshAsset<q16_16>>> test(8, meshes)`.
+/// `SyncTest<World, Input, 8> test;` keeps its window inside itself: with a `BoundedScene` nothing
+/// allocates. World and input then have default constructors.
 ///
-/// (tests/scene/sync_test.test.cpp, tests/examples/rollback.cpp)
-template <class Scene, class Input, class Meshes = detail::NoMeshes>
+/// A world is a scene, or any type of the caller's that says what its fields are: `RollbackWorld`.
+///
+/// (tests/scene/sync_test.test.cpp, tests/examples/sync_world.cpp)
+template <RollbackWorld World, std::copyable Input, std::size_t Window = 0>
 class SyncTest {
  public:
-  explicit SyncTest(std::size_t window, const Meshes& meshes = {})
-      : meshes_(meshes), window_(std::max<std::size_t>(window, 1)) {}
+  explicit SyncTest(std::size_t window) requires(Window == 0)
+      : window_((std::max)(window, std::size_t{1})) {}
+  SyncTest() requires(Window != 0) = default;
 
-  /// Simulates a frame, simulate(scene, input), and the last ones anew.
+  /// Simulates a frame, simulate(world, input), and the last ones again. Nothing else may change
+  /// the world between two steps.
   ///
-  /// result: nothing when all came out as before; `scene` is then what the frame made of it, else
+  /// result: nothing when all came out as before; `world` is then what the frame made of it, else
   ///         what it was when it parted
   template <class Simulate>
-  [[nodiscard]] std::optional<Desync> step(Scene& scene, const Input& input,
+  [[nodiscard]] std::optional<Desync> step(World& world, const Input& input,
                                            const Simulate& simulate) {
-    if (frames_.size() == window_) frames_.erase(frames_.begin());
-    frames_.push_back({snapshot(scene), {}, input});
-    simulate(scene, input);
-    frames_.back().after = snapshot(scene);
-    ++count_;
-    const auto oldest = count_ - frames_.size();
-    if (restore(scene, frames_.front().before, meshes_) != Restored::yes) return Desync{oldest, {}};
-    for (std::size_t i = 0; i < frames_.size(); ++i) {
-      simulate(scene, frames_[i].input);
-      if (snapshot(scene) != frames_[i].after) {
-        return Desync{oldest + i, first_difference(scene, frames_[i].after)};
+    const auto frame = count_++;
+    keep(frame, world, input);
+    simulate(world, input);
+    if (detail::WorldDigest(world).fixed() != detail::WorldDigest(at(frame).before).fixed()) {
+      return desync(frame, at(frame).before, world, detail::Fields::of_fixed_objects);
+    }
+    last_ = world;
+    const auto oldest = count_ - (std::min<std::uint64_t>)(count_, window_);
+    world = at(oldest).before;
+    for (auto i = oldest; i < count_; ++i) {
+      simulate(world, at(i).input);
+      const World& was = i == frame ? *last_ : at(i + 1).before;
+      if (detail::WorldDigest(world).all() != detail::WorldDigest(was).all()) {
+        return desync(i, was, world, detail::Fields::all);
       }
     }
     return std::nullopt;
   }
 
  private:
-  using Bytes = decltype(snapshot(std::declval<const Scene&>()));
-  struct Frame {
-    Bytes before;
-    Bytes after;
+  struct Moment {
+    World before;
     Input input;
   };
 
-  /// The first object that is not as the snapshot has it.
-  std::optional<ObjectId> first_difference(const Scene& scene, const Bytes& bytes) const {
-    Scene other = scene;
-    if (restore(other, bytes, meshes_) != Restored::yes) return std::nullopt;
-<<<<<<< HEAD
-    const auto end = (std::max)(scene.store().end(), other.store().end());
-=======
-    const auto end =
-        std::max(detail::SceneAccess::store(scene).end(), detail::SceneAccess::store(other).end());
->>>>>>> f44daee (scene: hits, getters of frames and local shapes, a usable moved-from scene)
-    for (std::size_t i = 0; i < end; ++i) {
-      const auto id = [i](const Scene& s) {
-        const auto& store = detail::SceneAccess::store(s);
-        return store.is_object(i) ? store.info(i).id : ObjectId{};
-      };
-      const auto here = id(scene), there = id(other);
-      if (here != there) return here == ObjectId{} ? there : here;
-      if (digest_of(scene, here) != digest_of(other, there)) return here;
+  void keep(std::uint64_t frame, const World& world, const Input& input) {
+    if constexpr (Window == 0) {
+      if (moments_.size() < window_) return moments_.push_back({world, input});
     }
-    return std::nullopt;
+    at(frame).before = world;
+    at(frame).input = input;
+  }
+  Moment& at(std::uint64_t frame) { return moments_[static_cast<std::size_t>(frame % window_)]; }
+
+  static Desync desync(std::uint64_t frame, const World& was, const World& is,
+                       detail::Fields which) {
+    const auto place = detail::first_difference(was, is, which);
+    if (!place) return {frame, {}, {}};
+    return {frame, place->object ? std::optional(place->object->id) : std::nullopt, place->name};
   }
 
-  Meshes meshes_;
-  std::size_t window_;
+#if __STDC_HOSTED__
+  using Moments = std::conditional_t<Window == 0, std::vector<Moment>, std::array<Moment, Window>>;
+#else
+  using Moments = std::array<Moment, Window>;
+#endif
+
+  std::size_t window_ = Window;
   std::uint64_t count_ = 0;
-  std::vector<Frame> frames_;  // the last ones, the oldest first
+  Moments moments_{};          // the last ones, by frame modulo the window
+  std::optional<World> last_;  // what the last frame made of the world
 };
 
 }  // namespace detent

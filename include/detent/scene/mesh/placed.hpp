@@ -42,6 +42,14 @@ constexpr void append(D& digest, const PlacedMesh<S>& mesh) noexcept {
              mesh.asset ? mesh.asset->digest() : std::uint64_t{0}, mesh.transform);
 }
 
+/// Its fields in desyncs: see fields.hpp.
+template <Scalar S, class F>
+constexpr void for_each_field(const PlacedMesh<S>& mesh, const F& f) {
+  f("mesh", mesh.asset ? mesh.asset->id() : std::uint32_t{0});
+  f("digest of its triangles", mesh.asset ? mesh.asset->digest() : std::uint64_t{0});
+  for_each_field(mesh.transform, f);
+}
+
 /// The mesh moved by a vector: the translation is rounded to nearest and clamped.
 template <Scalar S>
 [[nodiscard]] constexpr PlacedMesh<S> translated(const PlacedMesh<S>& mesh,

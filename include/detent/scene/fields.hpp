@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <string_view>
+#include <type_traits>
+
+#include "detent/math/transform.hpp"
+#include "detent/number/digest.hpp"
+#include "detent/scene/field_name.hpp"
+#include "detent/shape/aabb.hpp"
+#include "detent/shape/capsule.hpp"
+#include "detent/shape/obb.hpp"
+#include "detent/shape/plane.hpp"
+#include "detent/shape/sphere.hpp"
+#include "detent/shape/triangle.hpp"
+
+// What a value consists of, under names: for_each_field(value, f) calls f(name, part) for each part.
+
+namespace detent {
+
+template <Number T, int N, class F>
+constexpr void for_each_field(const Vec<T, N>& v, const F& f) {
+  for (int i = 0; i < N; ++i) f(std::string_view(&"xyz"[i], 1), v[i]);
+}
+template <Scalar S, int N, class F>
+constexpr void for_each_field(const Direction<S, N>& direction, const F& f) {
+  for_each_field(direction.vec(), f);
+}
+template <Scalar S, int N, class F>
+constexpr void for_each_field(const Rotation<S, N>& rotation, const F& f) {
+  for (int i = 0; i < N; ++i) {
+    f(FieldName("axis ").add_number(static_cast<std::uint64_t>(i)), rotation.axis(i));
+  }
+}
+template <Scalar S, int N, class F>
+constexpr void for_each_field(const Transform<S, N>& transform, const F& f) {
+  f("translation", transform.translation);
+  for_each_field(transform.rotation, f);
+  f("scale", transform.scale);
+}
+
+template <Scalar S, int N, class F>
+constexpr void for_each_field(const Sphere<S, N>& sphere, const F& f) {
+  f("center", sphere.center);
+  f("radius", sphere.radius);
+}
+template <Scalar S, int N, class F>
+constexpr void for_each_field(const Aabb<S, N>& box, const F& f) {
+  f("min", box.min);
+  f("max", box.max);
+}
+template <Scalar S, int N, class F>
+constexpr void for_each_field(const Obb<S, N>& box, const F& f) {
+  f("center", box.center);
+  f("half_extents", box.half_extents);
+  for_each_field(box.rotation, f);
+}
+template <Scalar S, int N, class F>
+constexpr void for_each_field(const Plane<S, N>& plane, const F& f) {
+  f("normal", plane.normal);
+  f("offset", plane.offset);
+}
+template <Scalar S, int N, class F>
+constexpr void for_each_field(const Triangle<S, N>& triangle, const F& f) {
+  f("a", triangle.a);
+  f("b", triangle.b);
+  f("c", triangle.c);
+}
+template <Scalar S, int N, class F>
+constexpr void for_each_field(const Capsule<S, N>& capsule, const F& f) {
+  f("a", capsule.a);
+  f("b", capsule.b);
+  f("radius", capsule.radius);
+}
+
+namespace detail {
+
+struct AnyFieldVisitor {
+  template <class T>
+  constexpr void operator()(const PartName&, const T&) const noexcept {}
+};
+
+/// A type that lists its parts by `for_each_field(value, f)`, found by argument-dependent lookup.
+template <class T>
+concept HasFields = requires(const T& value, const AnyFieldVisitor& f) {
+  for_each_field(value, f);
+};
+
+/// An array, std::array, std::vector: elements in an order, and their number.
+template <class T>
+concept IsList = requires(const T& list) {
+  std::begin(list);
+  std::end(list);
+  std::size(list);
+};
+
+template <IsList T>
+using Element = std::remove_cvref_t<decltype(*std::begin(std::declval<const T&>()))>;
+
+template <class T>
+inline constexpr bool is_field = HasFields<T> || Digestible<T>;
+template <IsList T>
+inline constexpr bool is_field<T> = HasFields<T> || is_field<Element<T>>;
+
+}  // namespace detail
+
+/// What a field of a world can be: a number, bool or enum, or whatever else says by `append(digest,
+/// value)` what it contributes to a `Digest`; what lists its own parts by `for_each_field`, as
+/// vectors, rotations, shapes and scenes do; or an array or list of these.
+template <class T>
+concept Field = detail::is_field<T>;
+
+}  // namespace detent

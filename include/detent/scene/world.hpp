@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+
+#include "detent/scene/fields.hpp"
+#include "detent/scene/snapshot.hpp"
+
+namespace detent {
+
+/// All that a rollback must bring back, as a type of the game's own. It has
+///
+/// * copies that are independent of it: what it refers to by pointer or reference is shared by all
+///   copies and must not change;
+/// * `for_each_field(world, f)` beside it, which calls f(name, field) for each of its fields.
+///
+/// A scene is a world by itself. One with a scene and velocities:
+///
+///     struct Game {
+///       Scene<q16_16, 3, Sphere> scene;
+///       std::array<Vec<q16_16, 3>, 2> velocity;
+///     };
+///     template <class F>
+///     void for_each_field(const Game& game, const F& f) {
+///       f("scene", game.scene);
+///       f("velocity", game.velocity);
+///     }
+///
+/// (tests/examples/sync_world.cpp)
+template <class T>
+concept RollbackWorld = std::copyable<T> && Field<T>;
+
+namespace detail {
+
+/// The name of a type of shape in desyncs, by its number in snapshots.
+[[nodiscard]] constexpr std::string_view shape_name(std::uint8_t tag) noexcept {
+  constexpr std::string_view names[] = {"shape", "sphere",   "aabb",    "obb",
+                                        "plane", "triangle", "capsule", "mesh"};
+  return names[tag < std::size(names) ? tag : 0];
+}
+
+/// An object of a scene as a field of it.
+template <class Store>
+struct ObjectField {
+  const Store& store;
+  std::size_t index;
+
+  [[nodiscard]] constexpr ObjectInfo info() const noexcept { return store.info(index); }
+};
+template <class Store>
+ObjectField(const Store&, std::size_t) -> ObjectField<Store>;
+template <class Store, class F>
+constexpr void for_each_field(const ObjectField<Store>& object, const F& f) {
+  const Store& store = object.store;
+  const auto info = object.info();
+  const auto& record = store[object.index];
+  store.local_shape(record).visit([&]<class Shape>(const Shape& shape) {
+    const auto with_type = [&](const PartName& name, const auto& field) {
+      f(FieldName(" (").add(shape_name(shape_tag<Shape>)).add(") ").add(name.view()), field);
+    };
+    f("", true);  // it is there
+    f(" type", shape_tag<Shape>);
+    with_type("motion", info.motion);
+    with_type("layers", info.layers);
+    with_type("user", info.user);
+    with_type("frame", store.frame_of(record));
+    if constexpr (HasFields<Shape>) {
+      for_each_field(shape, with_type);
+    } else {
+      with_type("shape", shape);
+    }
+  });
+}
+
+/// A frame of a scene as a field of it.
+template <Scalar S, int N>
+struct FrameField {
+  const Frame<S, N>& frame;
+};
+template <Scalar S, int N, class F>
+constexpr void for_each_field(const FrameField<S, N>& field, const F& f) {
+  f("", true);  // it is there
+  f(" parent", field.frame.parent);
+  for_each_field(field.frame.local, [&](const PartName& name, const auto& part) {
+    f(FieldName(" ").add(name.view()), part);
+  });
+}
+
+[[nodiscard]] constexpr FieldName name_of(const PartName& kind, std::size_t index,
+                                          std::uint32_t generation) noexcept {
+  return FieldName(" ").add(kind.view()).add(" ").add_number(index).add(":").add_number(generation);
+}
+
+}  // namespace detail
+
+/// Objects, frames, and the generation of the next id, under the names of `detent diff`.
+template <class Storage, Scalar S, int N, class... Shapes, class F>
+constexpr void for_each_field(const BasicScene<Storage, S, N, Shapes...>& scene, const F& f) {
+  const auto& store = detail::SceneAccess::store(scene);
+  for (std::size_t i = 0; i < store.end(); ++i) {
+    if (!store.is_object(i)) continue;
+    f(detail::name_of("object", i, store[i].generation), detail::ObjectField{store, i});
+  }
+  const auto& frames = store.frames();
+  for (std::size_t i = 0; i < frames.end(); ++i) {
+    if (!frames.is_frame(i)) continue;
+    f(detail::name_of("frame", i, frames[i].generation), detail::FrameField<S, N>{frames[i]});
+  }
+  f(" next generation", store.next_generation());
+}
+
+namespace detail {
+
+/// The digests of all fields of a world, and of the fixed objects of its scenes.
+class WorldDigest {
+ public:
+  template <RollbackWorld World>
+  explicit constexpr WorldDigest(const World& world) {
+    add(world);
+  }
+  [[nodiscard]] constexpr std::uint64_t all() const noexcept { return all_.value(); }
+  [[nodiscard]] constexpr std::uint64_t fixed() const noexcept { return fixed_.value(); }
+
+ private:
+  template <Field T>
+  constexpr void add(const T& value) {
+    if constexpr (HasFields<T>) {
+      for_each_field(value, [&](const PartName&, const auto& field) { add(field); });
+    } else if constexpr (IsList<T>) {
+      all_.add(static_cast<std::uint64_t>(std::size(value)));
+      for (const auto& element : value) add(element);
+    } else {
+      all_.add(value);
+    }
+  }
+  template <class Storage, Scalar S, int N, class... Shapes>
+  constexpr void add(const BasicScene<Storage, S, N, Shapes...>& scene) {
+    const auto& store = SceneAccess::store(scene);
+    all_.add(scene, store.next_generation());
+    fixed_.add(static_cast<std::uint64_t>(store.fixed_size()), store.fixed_digest());
+  }
+
+  Digest all_;
+  Digest fixed_;
+};
+
+}  // namespace detail
+
+}  // namespace detent
