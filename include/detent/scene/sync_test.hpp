@@ -61,7 +61,7 @@ class SyncTest {
       return desync(frame, at(frame).before, world, detail::Fields::of_fixed_objects);
     }
     last_ = world;
-    const auto oldest = count_ - (std::min<std::uint64_t>)(count_, window_);
+    const auto oldest = count_ - std::min<std::uint64_t>(count_, window_);
     world = at(oldest).before;
     for (auto i = oldest; i < count_; ++i) {
       simulate(world, at(i).input);
