@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "scene/sealed.hpp"
 #include "support/catch.hpp"
 
 using namespace detent;
@@ -20,14 +21,18 @@ class CountingList : std::vector<T> {
   using Base = std::vector<T>;
 
  public:
+  using Base::back;
   using Base::clear;
   using Base::pop_back;
+  using Base::push_back;
+  using Base::reserve;
   using Base::resize;
   using Base::size;
   T& operator[](std::size_t i) { return ++accesses, Base::operator[](i); }
   const T& operator[](std::size_t i) const { return ++accesses, Base::operator[](i); }
 };
 struct Counting {
+  static constexpr std::size_t capacity = 8;
   static constexpr std::size_t frame_capacity = count;
   template <class T, std::size_t>
   using List = CountingList<T>;
@@ -100,4 +105,31 @@ TEST_CASE("frames: adding many takes a few looks each, and the lowest free index
   CHECK(add(0) == FrameId{count - 3, count + 1});
   CHECK(add(0) == FrameId{count - 1, count + 2});
   CHECK_FALSE(add(0));
+}
+
+TEST_CASE("restore: 100,000 frames, each in the next one, take a few looks each") {
+  BasicScene<Counting, S, 3, Sphere<S, 3>> scene;
+  std::vector<std::byte> bytes(snapshot(scene, std::span<std::byte>()));
+  snapshot(scene, std::span(bytes));
+  constexpr std::size_t frame_size = detail::FrameHeader::size + detail::byte_count<Move>;
+  bytes.resize(bytes.size() + count * frame_size);
+  detail::Writer out{std::span(bytes).subspan(detail::SnapshotHeader::size)};
+  for (std::uint32_t i = 0; i < count; ++i) out.add(i, count - i, next_one(i), by(1));
+  detail::store_word(bytes.data() + 12, count + 1);  // the next generation
+  detail::store_word(bytes.data() + 16, count);
+  detail::store_word(bytes.data() + 36, std::uint64_t{bytes.size()});
+  bytes = sealed(bytes);
+
+  accesses = 0;
+  REQUIRE(restore(scene, bytes) == Restored::yes);
+  CHECK(accesses < 20L * count);
+  const FrameId first{0, count}, last{count - 1, 1};
+  CHECK(scene.frame(first)->world == by(count));
+  const auto ball = scene.add(Sphere<S, 3>{}, {.frame = first}).value_or(no_object);
+  accesses = 0;
+  CHECK(scene.move_frame(last, by(-5)));
+  CHECK(accesses < 20L * count);
+  CHECK(scene.frame(first)->world == by(count - 6));
+  CHECK(scene.shape<Sphere<S, 3>>(ball)->center.x == S::from_raw(count - 6));
+  CHECK(scene.frame(first)->parent == FrameId{1, count - 1});
 }

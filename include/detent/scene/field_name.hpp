@@ -62,6 +62,8 @@ class FieldName {
   std::size_t size_ = 0;
 };
 
+namespace detail {
+
 /// The name of a part of a field: a literal, whose length is known, a text or a path.
 class PartName {
  public:
@@ -75,5 +77,7 @@ class PartName {
  private:
   std::string_view text_;
 };
+
+}  // namespace detail
 
 }  // namespace detent

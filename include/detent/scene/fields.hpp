@@ -105,12 +105,12 @@ inline constexpr bool is_field = HasFields<T> || Digestible<T>;
 template <IsList T>
 inline constexpr bool is_field<T> = HasFields<T> || is_field<Element<T>>;
 
-}  // namespace detail
-
 /// What a field of a world can be: a number, bool or enum, or whatever else says by `append(digest,
 /// value)` what it contributes to a `Digest`; what lists its own parts by `for_each_field`, as
 /// vectors, rotations, shapes and scenes do; or an array or list of these.
 template <class T>
-concept Field = detail::is_field<T>;
+concept Field = is_field<T>;
+
+}  // namespace detail
 
 }  // namespace detent

@@ -33,7 +33,7 @@ namespace detent {
 ///
 /// (tests/examples/sync_world.cpp)
 template <class T>
-concept RollbackWorld = std::copyable<T> && Field<T>;
+concept RollbackWorld = std::copyable<T> && detail::Field<T>;
 
 namespace detail {
 
