@@ -62,7 +62,7 @@ constexpr bool visit_cells(const HeightField<S>& field, const FieldCells& cells,
     for (auto column = cells.column; column < cells.column + cells.columns; ++column) {
       const auto right = std::minmax({upper[column + 1], lower[column + 1]});
       const bool is_met =
-          meets(std::min(left.first, right.first), std::max(left.second, right.second));
+          meets((std::min)(left.first, right.first), (std::max)(left.second, right.second));
       if (is_met && visit(column, row)) return true;
       left = right;
     }

@@ -66,10 +66,10 @@ class FieldLine {
     std::uint32_t first = 0;
     bool is_first = true;
     for (auto i = first_strip(); i < main_.count; ++i) {
-      const auto near = main_.ahead(i), far = main_.ahead(i + 1);
-      const auto from = near * side_speed_, to = far * side_speed_;
-      const auto rise_from = near * rise_speed_, rise_to = far * rise_speed_;
-      if (ends(near, size_) || from > far_side) return;
+      const auto start = main_.ahead(i), end = main_.ahead(i + 1);
+      const auto from = start * side_speed_, to = end * side_speed_;
+      const auto rise_from = start * rise_speed_, rise_to = end * rise_speed_;
+      if (ends(start, size_) || from > far_side) return;
       if (!is_vertical_ && rise_from > far_rise) return;
       const auto is_before = [&](std::uint32_t cell) {
         return side_.ahead(cell + 1) * size_ < from;
@@ -112,9 +112,9 @@ class FieldLine {
     const auto near_side = side_.ahead(0) * size_;
     const auto near_rise = bounds_.least * size_;
     return first_where_not(main_.count, [&](std::uint32_t i) {
-      const auto far = main_.ahead(i + 1);
-      return far < 0 || far * side_speed_ < near_side ||
-             (!is_vertical_ && far * rise_speed_ < near_rise);
+      const auto end = main_.ahead(i + 1);
+      return end < 0 || end * side_speed_ < near_side ||
+             (!is_vertical_ && end * rise_speed_ < near_rise);
     });
   }
 

@@ -20,8 +20,9 @@ class FieldRings {
       : field_(field),
         columns_(field.columns - 1),
         rows_(field.rows - 1),
-        column_(std::min(first_up_to(field.corner.x, field.cell, columns_, point.x), columns_ - 1)),
-        row_(std::min(first_up_to(field.corner.y, field.cell, rows_, point.z), rows_ - 1)) {}
+        column_(
+            (std::min)(first_up_to(field.corner.x, field.cell, columns_, point.x), columns_ - 1)),
+        row_((std::min)(first_up_to(field.corner.y, field.cell, rows_, point.z), rows_ - 1)) {}
 
   /// Calls visit(cells) for each side, a rectangle of cells. It returns whether any cell of that
   /// side matters: if none does, none farther out on that side is visited.
@@ -30,10 +31,10 @@ class FieldRings {
     visit(FieldCells{column_, row_, 1, 1});
     std::array<bool, 4> is_open{true, true, true, true};
     for (std::uint32_t ring = 1; is_open[0] || is_open[1] || is_open[2] || is_open[3]; ++ring) {
-      const auto left = column_ - std::min(column_, ring);
-      const auto right = column_ + std::min(columns_ - 1 - column_, ring);
-      const auto top = row_ - std::min(row_, ring - 1);
-      const auto bottom = row_ + std::min(rows_ - 1 - row_, ring - 1);
+      const auto left = column_ - (std::min)(column_, ring);
+      const auto right = column_ + (std::min)(columns_ - 1 - column_, ring);
+      const auto top = row_ - (std::min)(row_, ring - 1);
+      const auto bottom = row_ + (std::min)(rows_ - 1 - row_, ring - 1);
       const auto side = [&](bool& open, bool exists, const FieldCells& cells) {
         open = open && exists && visit(cells);
       };
@@ -52,7 +53,7 @@ class FieldRings {
       using Way = decltype(S() - S());
       const auto before = field_border(start, cell, first) - at;
       const auto after = at - field_border(start, cell, first + count);
-      return std::max({Way(), Way(before), Way(after)});
+      return (std::max)({Way(), Way(before), Way(after)});
     };
     return square(gap(corner.x, cells.column, cells.columns, point.x)) +
            square(gap(corner.y, cells.row, cells.rows, point.z));

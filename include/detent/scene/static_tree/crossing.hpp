@@ -23,7 +23,7 @@ template <Scalar S, int N>
   } else {
     S reach{};
     for (int i = 0; i < N; ++i) {
-      reach = std::max(
+      reach = (std::max)(
           {reach, abs(segment.start[i]), abs(segment.end[i]), abs(box.min[i]), abs(box.max[i])});
     }
     const S margin = reach / (1 << 18);
@@ -46,7 +46,7 @@ constexpr bool visit_crossing(const StaticTree<S, N>& tree, std::span<const Item
   detail::StaticStack<bool> stack;
   stack.insert(0, {false, 0, 0});
   while (!stack.empty()) {
-    const auto [near, first, count] = stack.pop();
+    const auto [key, first, count] = stack.pop();
     if (count != 0) {
       if (visit(items.subspan(first, count))) return true;
       continue;
