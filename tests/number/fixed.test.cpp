@@ -74,6 +74,7 @@ static_assert(std::is_constructible_v<q16_16, int> && !std::is_convertible_v<int
 static_assert(!std::is_constructible_v<q16_16, double> && !std::is_convertible_v<q16_16, double>);
 static_assert(std::is_constructible_v<double, q16_16> && !std::is_constructible_v<int, q16_16>);
 static_assert(!std::is_constructible_v<bool, q16_16>);
+static_assert(!std::is_assignable_v<q16_16&, double> && !std::is_convertible_v<float, q16_16>);
 
 // Numbers from outside stop at the ends of the range.
 static_assert(q16_16::max().raw() == std::numeric_limits<std::int32_t>::max());
@@ -81,12 +82,14 @@ static_assert(q16_16::lowest().raw() == std::numeric_limits<std::int32_t>::min()
 static_assert(q14_16::max().raw() == (1 << 29) - 1 && q14_16::lowest().raw() == -(1 << 29));
 static_assert(q14_16::from_raw(1 << 29) == q14_16::max());
 static_assert(q14_16::from_raw(std::numeric_limits<std::int32_t>::min()) == q14_16::lowest());
-static_assert(q16_16(32767).raw() == 32767 * 65536 && q16_16(32768) == q16_16::max());
-static_assert(q16_16(-32768) == q16_16::lowest() && q16_16(-32769) == q16_16::lowest());
-static_assert(q16_16(std::numeric_limits<std::int64_t>::min()) == q16_16::lowest());
-static_assert(q8_8(std::numeric_limits<std::uint64_t>::max()) == q8_8::max());
+static_assert(q16_16(32767).raw() == 32767 * 65536 && q16_16(-32768) == q16_16::lowest());
+static_assert(saturate_to<q16_16>(32768) == q16_16::max());
+static_assert(saturate_to<q16_16>(-32769) == q16_16::lowest());
+static_assert(saturate_to<q16_16>(std::numeric_limits<std::int64_t>::min()) == q16_16::lowest());
+static_assert(saturate_to<q8_8>(std::numeric_limits<std::uint64_t>::max()) == q8_8::max());
 static_assert(q8_8(true) == 1 && q8_8('\x05') == 5 && q16_16(std::int8_t{-7}) == -7);
-static_assert(Fixed<14, 14>(1) == Fixed<14, 14>::max(), "+2^Bits comes from arithmetic only");
+static_assert(saturate_to<Fixed<14, 14>>(1) == Fixed<14, 14>::max(),
+              "+2^Bits comes from arithmetic only");
 
 // Comparisons are of numbers, not of patterns.
 static_assert(q16_16(1) == q8_8(1) && q16_16(1) == 1 && 1 == q16_16(1) && q16_16(2) > 1);
@@ -279,6 +282,13 @@ TEMPLATE_TEST_CASE("Fixed: an integer becomes itself, or an end of the range", "
     for (int i = 0; i < 3'000; ++i) {
       const I value = random_integer<I>(random);
       const BigInteger exact = floor_of(on_grid<TestType>(BigRational(value)));
+      const BigInteger nearest = nearest_of(on_grid<TestType>(BigRational(value)));
+      if (big_raw(saturate_to<TestType>(value)) != clamped<TestType>(nearest)) {
+        FAIL(BigInteger(value));
+      }
+#if DETENT_ASSERTIONS
+      if (detail::is_out_of_range<TestType>(value)) continue;  // asserted to be a mistake
+#endif
       if (big_raw(TestType(value)) != clamped<TestType>(exact)) FAIL(BigInteger(value));
     }
   };

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "detent/number/rounding.hpp"
 
+#include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -151,6 +153,80 @@ TEMPLATE_TEST_CASE("rounding: down, up, to nearest, and stopping at the ends", "
   }
   CHECK(inside > 5'000);
 }
+
+template <class I>
+BigInteger held(const BigInteger& n) {
+  const BigInteger low(std::numeric_limits<I>::min()), high(std::numeric_limits<I>::max());
+  return n < low ? low : high < n ? high : n;
+}
+
+TEMPLATE_TEST_CASE("rounding: to built-in integers, stopping at their ends", "[number]", q16_16,
+                   (Fixed<62, 32>), (Fixed<94, 16>), (Fixed<20, -40>)) {
+  Random random(0x20e1);
+  INFO(random);
+  const auto sweep = [&random]<class I>(I) {
+    int inside = 0;
+    for (int i = 0; i < 4'000; ++i) {
+      const auto x = random_beside<TestType, detail::WholeFor<I>>(random);
+      const Ratio exact(big_raw(x), 1, -TestType::frac);
+      const BigInteger floor = exact.floor(), nearest = exact.nearest();
+      const BigInteger ceil = -Ratio(-big_raw(x), 1, -TestType::frac).floor();
+      const bool right = floor_to<I>(x) == held<I>(floor) && ceil_to<I>(x) == held<I>(ceil) &&
+                         nearest_to<I>(x) == held<I>(nearest) &&
+                         saturate_to<I>(x) == held<I>(nearest);
+      if (!right) FAIL("raw " << big_raw(x));
+      inside += nearest == held<I>(nearest) ? 1 : 0;
+    }
+    CHECK(inside > 200);
+  };
+  sweep(std::int8_t{});
+  sweep(std::uint16_t{});
+  sweep(int{});
+  sweep(std::int64_t{});
+  sweep(std::uint64_t{});
+}
+
+// What <cmath> says of the double, which is exact; beyond the integer's range it stops.
+TEMPLATE_TEST_CASE("rounding: float and double to built-in integers", "[number]", float, double) {
+  static_assert(floor_to<int>(TestType(-1.5)) == -2 && ceil_to<int>(TestType(-1.5)) == -1);
+  static_assert(nearest_to<int>(TestType(2.5)) == 2 && nearest_to<int>(TestType(3.5)) == 4);
+  static_assert(floor_to<unsigned>(TestType(-0.5)) == 0);
+  CHECK(nearest_to<int>(std::numeric_limits<TestType>::quiet_NaN()) == 0);
+  CHECK(floor_to<std::int64_t>(std::numeric_limits<TestType>::infinity()) ==
+        std::numeric_limits<std::int64_t>::max());
+  Random random(0x20e2);
+  INFO(random);
+  const auto sweep = [&random]<class I>(I) {
+    const auto stop = [](double y) {
+      if (y >= std::ldexp(1.0, std::numeric_limits<I>::digits))
+        return std::numeric_limits<I>::max();
+      return y < static_cast<double>(std::numeric_limits<I>::min()) ? std::numeric_limits<I>::min()
+                                                                    : static_cast<I>(y);
+    };
+    for (int i = 0; i < 20'000; ++i) {
+      const auto x = static_cast<TestType>(
+          std::ldexp(static_cast<double>(random.between(-1'000'000, 1'000'000)),
+                     static_cast<int>(random.between(-21, 48))));
+      const auto y = static_cast<double>(x);
+      const bool right =
+          floor_to<I>(x) == stop(std::floor(y)) && ceil_to<I>(x) == stop(std::ceil(y)) &&
+          nearest_to<I>(x) == stop(std::nearbyint(y)) && saturate_to<I>(x) == nearest_to<I>(x);
+      if (!right) FAIL(y);
+    }
+  };
+  sweep(std::int8_t{});
+  sweep(std::uint8_t{});
+  sweep(int{});
+  sweep(std::int64_t{});
+  sweep(std::uint64_t{});
+}
+
+static_assert(quotient_nearest<q16_16>(1, 3) == quotient_nearest<q16_16>(1_q16_16, 3_q16_16) &&
+              quotient_floor<q16_16>(-7_q16_16, 2) == -3.5_q16_16 &&
+              quotient_floor<q16_16>(1, 2_q16_16) == 0.5_q16_16 &&
+              quotient_nearest<q16_16>(-1, 0) == q16_16::lowest());
+static_assert(quotient_floor<int>(-7_q16_16, 2_q16_16) == -4 &&
+              quotient_nearest<std::uint8_t>(999_q16_16, 2_q16_16) == 255);
 
 TEMPLATE_TEST_CASE("rounding: narrow keeps a number that fits", "[number]",
                    (Two<Fixed<32, 16>, q16_16>), (Two<Fixed<62, 32>, Fixed<40, 32>>),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "detent/number/text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <iomanip>
@@ -10,7 +11,11 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 
+#include "detent/number/rounding.hpp"
 #include "number/big_integer.hpp"
 #include "support/catch.hpp"
 
@@ -102,8 +107,50 @@ static_assert(5._q16_16 == raw(5 * 65536) && 125e-2_q16_16 == raw(81920));
 static_assert(32'767.999'984_q16_16 == q16_16::max() && -1.25_q16_16 == raw(-81920));
 static_assert(8191.5_q14_16 == q14_16(8191) + 0.5_q14_16 && 8388607.996_q24_8 == q24_8::max());
 static_assert(127.5_q8_8 == q8_8::from_raw(32640) && 1e2_q8_8 == q8_8(100));
-static_assert(std::is_same_v<decltype(1_q14_16), q14_16> &&
-              std::is_same_v<decltype(1_q24_8), q24_8>);
+static_assert(std::is_same_v<std::remove_cvref_t<decltype(1_q14_16)>, q14_16> &&
+              std::is_same_v<std::remove_cvref_t<decltype(1_q24_8)>, q24_8>);
+
+// A minus sign keeps the type of a literal, and reaches lowest(); of other values it widens.
+template <class Literal, class Negative>
+inline constexpr bool keeps_type = std::is_same_v<std::remove_cv_t<Literal>, Negative>;
+static_assert(keeps_type<decltype(2_q16_16), decltype(-2_q16_16)> &&
+              keeps_type<decltype(2_q14_16), decltype(-2_q14_16)> &&
+              keeps_type<decltype(2_q24_8), decltype(-2_q24_8)> &&
+              keeps_type<decltype(2_q8_8), decltype(-2_q8_8)> &&
+              keeps_type<decltype(2_q16_16), decltype(-(2_q16_16))>);
+static_assert(-32768_q16_16 == q16_16::lowest() && -8192_q14_16 == q14_16::lowest() &&
+              -8'388'608_q24_8 == q24_8::lowest() && -128_q8_8 == q8_8::lowest());
+static_assert(std::is_same_v<decltype(-32768_q16_16), q16_16> && -32768.0_q16_16 == -32768 &&
+              -32767.999999_q16_16 == q16_16::lowest() && -3.2768e4_q16_16 == q16_16::lowest());
+static_assert(std::is_same_v<decltype(-q16_16(2)), Fixed<32, 16>> &&
+              std::is_same_v<decltype(-std::declval<q16_16&>()), Fixed<32, 16>> &&
+              std::is_same_v<decltype(-std::declval<const q16_16&>()), Fixed<32, 16>> &&
+              std::is_same_v<decltype(-(-2_q16_16)), Fixed<32, 16>> && -(-2_q16_16) == 2);
+
+// Literals do all that other numbers do, wherever a type is deduced from them.
+static_assert([] {
+  struct Point {
+    q16_16 x, y;
+  };
+  const Point point{-10_q16_16, 0.5_q16_16};
+  q16_16 sum = -0.25_q16_16;
+  auto copy = 1.5_q16_16;  // not const
+  copy += sum;
+  const std::array values{-1_q16_16, 2_q16_16, copy};
+  const std::optional<q16_16> maybe = -1_q16_16;
+  const std::optional deduced{3_q16_16};
+  const std::tuple tuple{-1_q16_16, 1_q16_16};
+  sum = 2_q16_16;
+  sum = copy > 1 ? point.y : -1_q16_16;
+  const auto negative = [](auto x) { return -x; };
+  return std::is_same_v<decltype(values), const std::array<q16_16, 3>> &&
+         std::is_same_v<decltype(deduced), const std::optional<q16_16>> &&
+         std::is_same_v<decltype(tuple), const std::tuple<q16_16, q16_16>> &&
+         std::is_same_v<decltype(negative(1_q16_16)), Fixed<32, 16>> && point.x == -10 &&
+         *maybe == -1 && sum == point.y && std::max(copy, 1_q16_16) == 1.25_q16_16 &&
+         std::clamp(copy, -1_q16_16, 1_q16_16) == 1 && abs(-3_q16_16) == 3 &&
+         square(-3_q16_16) == 9 && 1.5_q16_16 * copy == 1.875_q16_16 && -1_q16_16 < 1_q8_8;
+}());
 
 /// A decimal text and, exactly, the number it denotes.
 struct Sample {

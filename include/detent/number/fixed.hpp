@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 #include "detent/number/assert.hpp"
 #include "detent/number/integer.hpp"
@@ -37,7 +39,39 @@ template <std::integral Int>
 inline constexpr int integral_bits = static_cast<int>(sizeof(Int) * 8) -
                                      (std::is_signed_v<Int> ? 1 : 0);
 
+/// Whether a `Fixed<Bits, Frac>` holds every number of a `Fixed<B, F>`.
+template <int B, int F, int Bits, int Frac>
+concept KeepsEveryNumber = F <= Frac && (B + Frac - F < Bits ||
+                                         (B + Frac - F == Bits &&
+                                          (!fills_container(Bits) || fills_container(B))));
+
+/// What arithmetic with a `Fixed` takes: another one, or a built-in integer.
+template <class T>
+concept Operand = is_fixed<T> || std::integral<T>;
+
+/// Whether the integer `value` is outside [T::lowest(), T::max()]. `Int` may be any type, since
+/// clang asks before it looks at the constraints of a constructor.
+template <class T, class Int>
+constexpr bool is_out_of_range(const Int& value) noexcept;
+
+/// Not constexpr: a constant that gets here does not compile, and the message shows this name.
+inline void this_integer_is_out_of_range() noexcept {}
+
+#if defined(__GNUC__) && !defined(__clang__)
+/// Never defined: a call that GCC does not find to be dead is the error.
+[[gnu::error(
+    "detent: this integer is out of the number's range: saturate_to<T>(n) clamps it")]] void
+known_integer_is_out_of_range() noexcept;
+#endif
+
 }  // namespace detail
+
+/// clang judges constant arguments of a call at every level of optimization.
+#if defined(__clang__)
+#define DETENT_REFUSE_IF(condition, reason) __attribute__((diagnose_if(condition, reason, "error")))
+#else
+#define DETENT_REFUSE_IF(condition, reason)
+#endif
 
 /// The number raw * 2^-Frac, where the type carries a bound on its magnitude: |raw| <= 2^Bits.
 ///
@@ -57,18 +91,30 @@ class Fixed {
 
   constexpr Fixed() noexcept = default;
 
-  /// The integer `value`, clamped to [lowest(), max()].
+  /// The integer `value`, which has to be in [lowest(), max()]; `saturate_to<T>(n)` clamps others.
+  ///
+  /// A value out of range does not compile where it is known: in constant expressions, in clang
+  /// wherever the argument is a constant, in GCC where -O1 and higher find it to be one. Elsewhere
+  /// it is asserted, and clamped.
   template <std::integral Int>
-  explicit constexpr Fixed(Int value) noexcept;
+  explicit constexpr Fixed(Int value) noexcept DETENT_REFUSE_IF(
+      detail::is_out_of_range<Fixed>(value),
+      "detent: this integer is out of the number's range: saturate_to<T>(n) clamps it");
 
   /// The same number in a type that holds every number of the old one.
   template <int B, int F>
-  requires(F <= Frac &&
-           (B + Frac - F < Bits ||
-            (B + Frac - F == Bits &&
-             (!detail::fills_container(Bits) ||
-              detail::fills_container(B))))) constexpr Fixed(const Fixed<B, F>& other) noexcept
+  requires detail::KeepsEveryNumber<B, F, Bits, Frac>
+  constexpr Fixed(const Fixed<B, F>& other) noexcept
       : raw_(shift_left(integer_cast<raw_type>(other.raw()), Frac - F)) {}
+
+  // Refused: the line of the name is what a compiler shows.
+  // clang-format off
+  template <std::floating_point D>
+  Fixed(D) = delete;  // detent: write 1.5_q16_16 or T::from_double(y)
+  template <int B, int F>
+  requires(!detail::KeepsEveryNumber<B, F, Bits, Frac>)
+  explicit Fixed(const Fixed<B, F>&) = delete;  // detent: write nearest_to<T>(x) or floor_to<T>(x)
+  // clang-format on
 
   /// The number with these raw bits, clamped to [lowest(), max()].
   [[nodiscard]] static constexpr Fixed from_raw(raw_type raw) noexcept {
@@ -108,10 +154,13 @@ class Fixed {
 
   /// Rounds the exact result to nearest, ties to even; asserts that it is in range, else clamps.
   template <class T>
+  requires detail::Operand<T>
   constexpr Fixed& operator+=(const T& other) noexcept;
   template <class T>
+  requires detail::Operand<T>
   constexpr Fixed& operator-=(const T& other) noexcept;
   template <class T>
+  requires detail::Operand<T>
   constexpr Fixed& operator*=(const T& other) noexcept;
 
  private:
@@ -200,6 +249,20 @@ template <int B, int F>
   using Raw = typename Negative::raw_type;
   return Negative::assume_raw(wrapping_subtract<Raw>(Raw(0), x.raw()));
 }
+template <int B, int F>
+[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto operator-(Fixed<B, F>&& x) noexcept {
+  return -std::as_const(x);
+}
+
+/// The negative of a literal, which is a `const` value so that this function is chosen: -1_q16_16
+/// is a q16_16 too. Only a constant of which the negative is in range compiles.
+template <int B, int F>
+[[nodiscard]] consteval Fixed<B, F> operator-(const Fixed<B, F>&& x) {
+  if (x == Fixed<B, F>::lowest() && detail::fills_container(B)) {
+    detail::this_integer_is_out_of_range();
+  }
+  return Fixed<B, F>::assume_raw(integer_cast<typename Fixed<B, F>::raw_type>((-x).raw()));
+}
 
 template <int B, int F>
 [[nodiscard]] constexpr auto abs(const Fixed<B, F>& x) noexcept {
@@ -249,9 +312,26 @@ requires detail::FixedOperands<A, B>
   return (a <=> b) == 0;
 }
 
+template <class T, class Int>
+constexpr bool detail::is_out_of_range(const Int& value) noexcept {
+  if constexpr (std::integral<Int>) {
+    const auto whole = as_fixed(value);
+    return whole > (T::max)() || whole < T::lowest();
+  } else {
+    return false;
+  }
+}
+
 template <int Bits, int Frac>
 template <std::integral Int>
 constexpr Fixed<Bits, Frac>::Fixed(Int value) noexcept {
+  if (detail::is_out_of_range<Fixed>(value)) {
+    if (std::is_constant_evaluated()) detail::this_integer_is_out_of_range();
+#if defined(__GNUC__) && !defined(__clang__)
+    if (__builtin_constant_p(value)) detail::known_integer_is_out_of_range();
+#endif
+  }
+  DETENT_ASSERT(!detail::is_out_of_range<Fixed>(value));
   // Where Frac exceeds Bits, 0 is the only integer in range.
   const auto whole = detail::as_fixed(value);
   if (whole > (max)()) {

@@ -18,6 +18,8 @@
 #include "detent/number/leading.hpp"
 #include "detent/number/leg.hpp"
 #include "detent/number/long_quadratic.hpp"
+#include "detent/number/min_max.hpp"
+#include "detent/number/mixed.hpp"
 #include "detent/number/near_half.hpp"
 #include "detent/number/near_one.hpp"
 #include "detent/number/next_up.hpp"

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
+#include <type_traits>
 
 #include "detent/number/divide.hpp"
 #include "detent/number/root.hpp"
@@ -124,6 +126,51 @@ template <class T, int B, int F>
   return nearest_to<T>(x);
 }
 
+/// The integer `n` in a `Fixed`, exact or clamped to [T::lowest(), T::max()]; T(n) is for an `n`
+/// that is in range.
+template <class T, std::integral Int>
+requires is_fixed<T>
+[[nodiscard]] constexpr T saturate_to(Int n) noexcept { return nearest_to<T>(detail::as_fixed(n)); }
+
+namespace detail {
+
+/// The integers of a built-in type that is not `bool`.
+template <class T>
+concept BuiltInInteger = std::integral<T> && !std::same_as<std::remove_cv_t<T>, bool>;
+
+/// Holds every value of T.
+template <BuiltInInteger T>
+using WholeFor = Fixed<integral_bits<T>, 0>;
+
+template <BuiltInInteger T>
+constexpr T to_integer(const WholeFor<T>& x) noexcept {
+  if constexpr (!std::is_signed_v<T>) {
+    if (is_negative(x.raw())) return T(0);
+  }
+  return static_cast<T>(x.raw());
+}
+
+}  // namespace detail
+
+/// `x` as a built-in integer, rounded as the name says and clamped to the integer's range:
+/// floor_to<int>(2.75_q16_16) is 2, ceil_to<int> 3, nearest_to<int> 3; ties go to the even integer.
+template <detail::BuiltInInteger T, int B, int F>
+[[nodiscard]] constexpr T floor_to(const Fixed<B, F>& x) noexcept {
+  return detail::to_integer<T>(floor_to<detail::WholeFor<T>>(x));
+}
+template <detail::BuiltInInteger T, int B, int F>
+[[nodiscard]] constexpr T ceil_to(const Fixed<B, F>& x) noexcept {
+  return detail::to_integer<T>(ceil_to<detail::WholeFor<T>>(x));
+}
+template <detail::BuiltInInteger T, int B, int F>
+[[nodiscard]] constexpr T nearest_to(const Fixed<B, F>& x) noexcept {
+  return detail::to_integer<T>(nearest_to<detail::WholeFor<T>>(x));
+}
+template <detail::BuiltInInteger T, int B, int F>
+[[nodiscard]] constexpr T saturate_to(const Fixed<B, F>& x) noexcept {
+  return nearest_to<T>(x);
+}
+
 /// `x` in fewer bits: the caller has a proof that |x| <= 2^(Bits - F). Asserted in debug builds.
 template <int Bits, int B, int F>
 [[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr Fixed<Bits, F> narrow(
@@ -241,6 +288,30 @@ template <class T, int BN, int FN, int BD, int FD>
   return detail::clamp_raw<T>(quotient);
 }
 
+/// The same for quotients with a built-in integer on one side or both, as in
+/// quotient_nearest<q16_16>(1, 3).
+template <class T, detail::Operand N, detail::Operand D>
+requires is_fixed<T> &&(std::integral<N> || std::integral<D>) [[nodiscard]] constexpr T
+    quotient_floor(const N& n, const D& d) noexcept {
+  return quotient_floor<T>(detail::as_fixed(n), detail::as_fixed(d));
+}
+template <class T, detail::Operand N, detail::Operand D>
+requires is_fixed<T> &&(std::integral<N> || std::integral<D>) [[nodiscard]] constexpr T
+    quotient_nearest(const N& n, const D& d) noexcept {
+  return quotient_nearest<T>(detail::as_fixed(n), detail::as_fixed(d));
+}
+
+/// Quotients as built-in integers, such as the index of a cell: quotient_floor<int>(x, size).
+template <detail::BuiltInInteger T, int BN, int FN, int BD, int FD>
+[[nodiscard]] constexpr T quotient_floor(const Fixed<BN, FN>& n, const Fixed<BD, FD>& d) noexcept {
+  return detail::to_integer<T>(quotient_floor<detail::WholeFor<T>>(n, d));
+}
+template <detail::BuiltInInteger T, int BN, int FN, int BD, int FD>
+[[nodiscard]] constexpr T quotient_nearest(const Fixed<BN, FN>& n,
+                                           const Fixed<BD, FD>& d) noexcept {
+  return detail::to_integer<T>(quotient_nearest<detail::WholeFor<T>>(n, d));
+}
+
 /// The square root of `x`, rounded down to the grid of `T` and clamped; 0 for a negative `x`.
 template <class T, int B, int F>
 [[nodiscard]] constexpr T sqrt_floor(const Fixed<B, F>& x) noexcept {
@@ -308,16 +379,19 @@ constexpr T assign_nearest(const Fixed<B, F>& x) noexcept {
 
 template <int Bits, int Frac>
 template <class T>
+requires detail::Operand<T>
 constexpr Fixed<Bits, Frac>& Fixed<Bits, Frac>::operator+=(const T& other) noexcept {
   return *this = detail::assign_nearest<Fixed>(*this + detail::as_fixed(other));
 }
 template <int Bits, int Frac>
 template <class T>
+requires detail::Operand<T>
 constexpr Fixed<Bits, Frac>& Fixed<Bits, Frac>::operator-=(const T& other) noexcept {
   return *this = detail::assign_nearest<Fixed>(*this - detail::as_fixed(other));
 }
 template <int Bits, int Frac>
 template <class T>
+requires detail::Operand<T>
 constexpr Fixed<Bits, Frac>& Fixed<Bits, Frac>::operator*=(const T& other) noexcept {
   return *this = detail::assign_nearest<Fixed>(*this * detail::as_fixed(other));
 }

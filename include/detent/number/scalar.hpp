@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "detent/number/fixed.hpp"
+#include "detent/number/mixed.hpp"
 
 namespace detent {
 

@@ -274,14 +274,19 @@ requires(Frac >= 0) std::basic_ostream<char, Traits>
 
 namespace detail {
 
-/// Not constexpr: a literal that gets here does not compile, and the message shows this name.
-inline void this_literal_is_not_a_decimal_in_range() noexcept {}
+/// The digits of a literal as a number: whether it is in range, or at least its negative.
+template <class T>
+struct LiteralValue {
+  T value;
+  bool fits;
+  bool fits_negated;
+};
 
 template <class T>
-consteval T parse_literal(std::string_view spelling) {
+consteval LiteralValue<T> parse_literal(std::string_view spelling) {
   // Digit separators are dropped; 010 would be 8 in C++ and ten to a reader, so it is neither.
-  std::array<char, 512> text{};
-  std::size_t length = 0;
+  std::array<char, 512> text{'-'};
+  std::size_t length = 1;
   bool is_integer = true;
   for (const char c : spelling) {
     if (c == '\'') continue;
@@ -289,23 +294,66 @@ consteval T parse_literal(std::string_view spelling) {
     if (length < text.size()) text[length] = c;
     ++length;
   }
-  const std::optional<T> value = T::parse({text.data(), length < text.size() ? length : 0});
-  if (!value || (is_integer && length > 1 && text[0] == '0')) {
-    this_literal_is_not_a_decimal_in_range();
+  const bool is_octal = is_integer && length > 2 && text[1] == '0';
+  if (is_octal || length >= text.size()) return {T(), false, false};
+  const std::optional<T> value = T::parse({text.data() + 1, length - 1});
+  return {value.value_or(T()), value.has_value(), T::parse({text.data(), length}).has_value()};
+}
+
+/// What a literal is of which the negative alone is in range, such as 32768_q16_16: nothing takes
+/// it but a minus sign.
+template <class T>
+struct only_the_negative_of_this_literal_is_in_range {
+  constexpr only_the_negative_of_this_literal_is_in_range() noexcept = default;
+  only_the_negative_of_this_literal_is_in_range(
+      const only_the_negative_of_this_literal_is_in_range&) = delete;
+  void operator=(const only_the_negative_of_this_literal_is_in_range&) = delete;
+};
+template <class T>
+inline constexpr only_the_negative_of_this_literal_is_in_range<T> needs_a_minus_sign;
+template <class T>
+[[nodiscard]] consteval T operator-(const only_the_negative_of_this_literal_is_in_range<T>&) {
+  return T::lowest();
+}
+
+/// A `const` value, unlike what functions return: by that the minus sign knows a literal.
+template <class T, char... Spelling>
+[[nodiscard]] constexpr decltype(auto) literal() noexcept {
+  constexpr std::array<char, sizeof...(Spelling)> spelling{Spelling...};
+  constexpr LiteralValue<T> number = parse_literal<T>({spelling.data(), spelling.size()});
+  static_assert(number.fits || number.fits_negated,
+                "detent: this literal is not a decimal in the range of its type");
+  if constexpr (number.fits || !number.fits_negated) {
+    using Constant = const T;
+    return Constant(number.value);
+  } else {
+    return static_cast<const only_the_negative_of_this_literal_is_in_range<T>&>(
+        needs_a_minus_sign<T>);
   }
-  return *value;
 }
 
 }  // namespace detail
 
 /// `1.25_q16_16`: the nearest number of that type, at compile time; one that is malformed or out of
-/// range does not compile. The sign is an operator, so `-32768_q16_16` is out of range.
+/// range does not compile. A minus sign before a literal keeps its type: -32768_q16_16 is a q16_16.
 namespace literals {
 
-consteval q16_16 operator""_q16_16(const char* text) { return detail::parse_literal<q16_16>(text); }
-consteval q14_16 operator""_q14_16(const char* text) { return detail::parse_literal<q14_16>(text); }
-consteval q24_8 operator""_q24_8(const char* text) { return detail::parse_literal<q24_8>(text); }
-consteval q8_8 operator""_q8_8(const char* text) { return detail::parse_literal<q8_8>(text); }
+template <char... Spelling>
+[[nodiscard]] constexpr decltype(auto) operator""_q16_16() noexcept {
+  return detail::literal<q16_16, Spelling...>();
+}
+template <char... Spelling>
+[[nodiscard]] constexpr decltype(auto) operator""_q14_16() noexcept {
+  return detail::literal<q14_16, Spelling...>();
+}
+template <char... Spelling>
+[[nodiscard]] constexpr decltype(auto) operator""_q24_8() noexcept {
+  return detail::literal<q24_8, Spelling...>();
+}
+template <char... Spelling>
+[[nodiscard]] constexpr decltype(auto) operator""_q8_8() noexcept {
+  return detail::literal<q8_8, Spelling...>();
+}
 
 }  // namespace literals
 

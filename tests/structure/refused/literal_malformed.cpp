@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+#include "detent/math/math.hpp"
+#include "detent/number/number.hpp"
+
+using namespace detent;
+using namespace detent::literals;
+
+q16_16 mask = 0x10_q16_16;
