@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <type_traits>
 
 #include "number/big_integer.hpp"
 #include "support/catch.hpp"
@@ -87,6 +89,35 @@ TEMPLATE_TEST_CASE("normalize: every component is the exact one rounded to neare
   INFO("seed " << random.seed());
   CHECK(wrong == 0);
 }
+
+// A difference has the direction of its scalars, also where a scalar could not hold it.
+template <class S>
+using V3 = Vec<S, 3>;
+static_assert(std::is_same_v<decltype(normalize(V3<q16_16>() - V3<q16_16>())),
+                             std::optional<Direction<q16_16, 3>>>);
+static_assert(std::is_same_v<decltype(normalize<q14_16>(V3<q14_16>() - V3<q14_16>())),
+                             std::optional<Direction<q14_16, 3>>>);
+static_assert(normalize(V3<q16_16>{q16_16::max()} - V3<q16_16>{q16_16::lowest()}) ==
+              Direction<q16_16, 3>::along(0));
+
+// A distance along a direction, exactly; what makes no sense is refused.
+constexpr auto diagonal = *normalize(V3<q16_16>{q16_16(1), q16_16(2), q16_16(-2)});
+static_assert(diagonal * q16_16(3) == diagonal.vec() * q16_16(3) &&
+              q16_16(3) * diagonal == diagonal * q16_16(3) &&
+              (2 * diagonal).y == diagonal[1] + diagonal[1] && diagonal * 2 == 2 * diagonal);
+static_assert(std::is_same_v<decltype((diagonal * q16_16()).x), Fixed<62, 46>>);
+template <class A, class B>
+concept HasProduct = requires(A a, B b) {
+  a* b;
+};
+template <class A, class B>
+concept HasSum = requires(A a, B b) {
+  a + b;
+  a - b;
+};
+using Unit = Direction<q16_16, 3>;
+static_assert(!HasProduct<Unit, Unit> && !HasProduct<Unit, V3<q16_16>> &&
+              !HasProduct<V3<q16_16>, Unit> && !HasSum<Unit, Unit> && !HasSum<V3<q16_16>, Unit>);
 
 TEST_CASE("direction_of: cross products of the longest edges are rounded to nearest") {
   Random random(20261122);

@@ -35,6 +35,42 @@ static_assert(length(V2{q16_16(3), q16_16(-4)}) == 5);
 static_assert(length(V2{q16_16(1), q16_16(1)}).raw() == 92681, "rounded down");
 static_assert(length(V3{least, least, least}) == q16_16::max(), "clamped");
 
+// Of a difference of 32-bit scalars: distance(a, b), for any a and b; of others in their own type.
+static_assert(std::is_same_v<decltype(length(V3() - V3())), q16_16>);
+static_assert(length(V3{q16_16(3)} - V3{q16_16(), q16_16(4)}) == 5);
+static_assert(length(V2{least} - V2{q16_16::max()}) == q16_16::max(), "clamped");
+static_assert(length<Fixed<33, 16>>(V2{least} - V2{q16_16::max()}) == q16_16::max() - least);
+static_assert(length<q24_8>(V2{q16_16(3), q16_16(4)}) == 5);
+static_assert(std::is_same_v<decltype(length(V2() * q16_16())), Fixed<62, 32>>);
+static_assert(length(V2{q16_16(3), q16_16(4)} * q16_16(2)) == 10);
+
+// Built-in integers; a quotient is named by its rounding.
+static_assert(2 * V2{q16_16(3), least} == Vec<Fixed<62, 16>, 2>{q16_16(6), least * 2} &&
+              V2{q16_16(3), least} * 2 == 2 * V2{q16_16(3), least});
+static_assert(2 * Vec<float, 2>{1, 2} == Vec<float, 2>{2, 4});
+static_assert(quotient_nearest<q16_16>(V2{q16_16(3), q16_16(-1)}, 2) ==
+                  V2{q16_16::from_double(1.5), q16_16::from_double(-0.5)} &&
+              quotient_floor<Fixed<31, 0>>(V2{q16_16(3), q16_16(-1)}, q16_16(2)) ==
+                  Vec<Fixed<31, 0>, 2>{Fixed<31, 0>(1), Fixed<31, 0>(-1)} &&
+              half(V2{q16_16(3), q16_16(1)}).x == q16_16::from_double(1.5));
+template <class A, class B>
+concept HasProduct = requires(A a, B b) {
+  a* b;
+};
+template <class A, class B>
+concept HasQuotient = requires(A a, B b) {
+  a / b;
+};
+static_assert(!HasProduct<V3, V3> && !HasQuotient<V3, q16_16> && !HasQuotient<V3, int> &&
+              HasProduct<V3, int> && HasProduct<q8_8, V3>);
+
+static_assert([] {
+  V2 v{q16_16(1), q16_16(2)};
+  v *= 3;
+  v *= q16_16(2);
+  return v;
+}() == V2{q16_16(6), q16_16(12)});
+
 static_assert([] {
   V2 v{q16_16(1), q16_16(2)};
   v += V2{q16_16(5), q16_16(-5)};
@@ -63,6 +99,21 @@ TEMPLATE_TEST_CASE("dot and cross: exact over the whole domain", "", q16_16, q14
   }
   INFO("seed " << random.seed());
   CHECK(wrong == 0);
+}
+
+TEMPLATE_TEST_CASE("length: of a difference it is the distance", "", q16_16, q24_8) {
+  using V = Vec<TestType, 3>;
+  Random random(20261122);
+  INFO(random);
+  const auto draw = [&] {
+    return TestType::from_raw(
+        static_cast<typename TestType::raw_type>(random.edgy(TestType::bits)));
+  };
+  for (int i = 0; i < 5'000; ++i) {
+    const V a{draw(), draw(), draw()}, b{draw(), draw(), draw()};
+    REQUIRE(length(a - b) == distance(a, b));
+    REQUIRE(nearest_to<TestType>(length<Fixed<33, TestType::frac>>(a - b)) == distance(a, b));
+  }
 }
 
 TEST_CASE("digest: a vector is its components, in order") {

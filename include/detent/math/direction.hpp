@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 
@@ -99,9 +100,20 @@ template <Scalar S, Number T, int N>
   return Direction<S, N>::assume_unit(from_array(*unit));
 }
 
-/// `direction_of` for a vector of scalars, whose direction goes with the same scalar.
+/// `direction_of` for a vector of scalars, whose direction goes with the same scalar; for a sum or
+/// difference of 32-bit ones, as in normalize(b - a), with them. `normalize<S>(v)` says the scalar.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<Direction<S, N>> normalize(const Vec<S, N>& v) noexcept {
+  return direction_of<S>(v);
+}
+template <Number T, int N>
+requires(!Scalar<T> && Scalar<typename detail::length_of<T>::type>)
+    [[nodiscard]] constexpr auto normalize(const Vec<T, N>& v) noexcept {
+  return direction_of<typename detail::length_of<T>::type>(v);
+}
+template <Scalar S, Number T, int N>
+requires(!std::same_as<S, T>)
+    [[nodiscard]] constexpr std::optional<Direction<S, N>> normalize(const Vec<T, N>& v) noexcept {
   return direction_of<S>(v);
 }
 
@@ -139,5 +151,48 @@ template <Scalar S, Number T, int N>
 [[nodiscard]] constexpr auto cross(const Direction<S, N>& d, const Vec<T, N>& v) noexcept {
   return narrow_cross<detail::along_bits<S, T>>(d.vec(), v);
 }
+
+/// Products with a number or a built-in integer are vectors, exact and as wide as those of vectors.
+template <Scalar S, int N, class T>
+requires Number<T> || std::integral<T>
+[[nodiscard]] constexpr auto operator*(const Direction<S, N>& d, const T& factor) noexcept {
+  return d.vec() * factor;
+}
+template <Scalar S, int N, class T>
+requires Number<T> || std::integral<T>
+[[nodiscard]] constexpr auto operator*(const T& factor, const Direction<S, N>& d) noexcept {
+  return d.vec() * factor;
+}
+
+namespace detail {
+
+template <class T>
+inline constexpr bool is_vec = false;
+template <class T, int N>
+inline constexpr bool is_vec<Vec<T, N>> = true;
+template <class T>
+inline constexpr bool is_direction = false;
+template <Scalar S, int N>
+inline constexpr bool is_direction<Direction<S, N>> = true;
+
+/// Two directions, or one and a vector.
+template <class A, class B>
+concept DirectionAndVec = (is_direction<A> && (is_direction<B> || is_vec<B>)) ||
+                          (is_vec<A> && is_direction<B>);
+
+}  // namespace detail
+
+// One line each, since the line of the name is what a compiler shows.
+// clang-format off
+template <class A, class B>
+requires detail::DirectionAndVec<A, B>
+void operator*(const A&, const B&) = delete;  // detent: write dot or cross
+template <class A, class B>
+requires detail::DirectionAndVec<A, B>
+void operator+(const A&, const B&) = delete;  // detent: write distance * d, or d.vec()
+template <class A, class B>
+requires detail::DirectionAndVec<A, B>
+void operator-(const A&, const B&) = delete;  // detent: write distance * d, or d.vec()
+// clang-format on
 
 }  // namespace detent

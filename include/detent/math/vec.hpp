@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 
 #include "detent/number/unit.hpp"
@@ -110,6 +111,25 @@ template <Number A, Number B, int N>
   return v * factor;
 }
 
+/// Built-in integers count with all the bits of their type, as for numbers.
+template <Number T, std::integral I, int N>
+[[nodiscard]] constexpr auto operator*(const Vec<T, N>& v, I factor) noexcept {
+  return v * detail::as_operand<T>(factor);
+}
+template <Number T, std::integral I, int N>
+[[nodiscard]] constexpr auto operator*(I factor, const Vec<T, N>& v) noexcept {
+  return v * detail::as_operand<T>(factor);
+}
+
+// One line each, since the line of the name is what a compiler shows.
+// clang-format off
+template <Number A, Number B, int N, int M>
+void operator*(const Vec<A, N>&, const Vec<B, M>&) = delete;  // detent: write dot or cross
+template <Number T, int N, class B>
+requires Number<B> || std::integral<B>
+void operator/(const Vec<T, N>&, const B&) = delete;  // detent: write quotient_nearest<S>(v, x)
+// clang-format on
+
 /// Each component rounds to nearest and clamps, as for numbers.
 template <Number A, Number B, int N>
 constexpr Vec<A, N>& operator+=(Vec<A, N>& a, const Vec<B, N>& b) noexcept {
@@ -126,11 +146,31 @@ constexpr Vec<A, N>& operator*=(Vec<A, N>& v, const B& factor) noexcept {
   for (int i = 0; i < N; ++i) v[i] *= factor;
   return v;
 }
+template <Number T, std::integral I, int N>
+constexpr Vec<T, N>& operator*=(Vec<T, N>& v, I factor) noexcept {
+  return v *= detail::as_operand<T>(factor);
+}
 
 /// `v` with each component rounded to nearest, ties to even, and clamped.
 template <Number S, Number T, int N>
 [[nodiscard]] constexpr Vec<S, N> nearest_to(const Vec<T, N>& v) noexcept {
   return make_vec<N>([&](int i) { return nearest_to<S>(v[i]); });
+}
+
+/// v / d with each component rounded and clamped, and v / 2 exactly, as for numbers.
+template <Number S, Number T, class D, int N>
+requires Number<D> || std::integral<D>
+[[nodiscard]] constexpr Vec<S, N> quotient_nearest(const Vec<T, N>& v, const D& d) noexcept {
+  return make_vec<N>([&](int i) { return quotient_nearest<S>(v[i], detail::as_operand<T>(d)); });
+}
+template <Number S, Number T, class D, int N>
+requires Number<D> || std::integral<D>
+[[nodiscard]] constexpr Vec<S, N> quotient_floor(const Vec<T, N>& v, const D& d) noexcept {
+  return make_vec<N>([&](int i) { return quotient_floor<S>(v[i], detail::as_operand<T>(d)); });
+}
+template <Number T, int N>
+[[nodiscard]] constexpr auto half(const Vec<T, N>& v) noexcept {
+  return make_vec<N>([&](int i) { return half(v[i]); });
 }
 
 /// `v` where each component is known to fit: see `narrow` for numbers.
@@ -207,10 +247,34 @@ template <Number T, int N>
   return dot(v, v);
 }
 
-/// The length of `v`, rounded down and clamped to the range of its component type.
+namespace detail {
+
+/// The type of the length of a vector with components of type T.
+template <Number T>
+struct length_of {
+  using type = T;
+};
+template <int Bits, int Frac>
+requires(Bits == 32 || Bits == 33) struct length_of<Fixed<Bits, Frac>> {
+  using type = Fixed<31, Frac>;
+};
+
+}  // namespace detail
+
+/// The length of `v`, rounded down and clamped to the range of its component type, so that it is a
+/// scalar where the components are; of a sum or difference of 32-bit scalars it is one as well, and
+/// `length(a - b)` is `distance(a, b)`. `length<T>(v)` rounds down to T instead.
 template <Scalar S, int N>
 [[nodiscard]] constexpr S length(const Vec<S, N>& v) noexcept {
   return sqrt_floor<S>(squared_length(v));
+}
+template <Number T, int N>
+requires(!Scalar<T>) [[nodiscard]] constexpr auto length(const Vec<T, N>& v) noexcept {
+  return sqrt_floor<typename detail::length_of<T>::type>(squared_length(v));
+}
+template <Number To, Number T, int N>
+requires(!std::same_as<To, T>) [[nodiscard]] constexpr To length(const Vec<T, N>& v) noexcept {
+  return sqrt_floor<To>(squared_length(v));
 }
 
 /// The square of the distance between two points, exactly.
