@@ -49,26 +49,40 @@ class PartReader {
  public:
   PartReader(const std::string& file, std::span<const std::byte> bytes) : file_(file), in_(bytes) {}
 
+  /// Refuses what `restore` refuses whatever the scene holds (tests/cli/diff.test.cpp).
   Contents read(const SnapshotHeader& header) {
+    if (header.shapes == 0 || header.shapes % 2 != 0 || header.shapes >> type_count != 0) fail();
+    if (header.next_generation == 0) fail();
     Contents contents{header, {}, {}};
+    std::map<std::uint32_t, std::uint32_t> parents;
     for (std::uint32_t i = 0; i < header.frame_count; ++i) {
       detail::FrameHeader frame;
       frame.read(in_);
       Part part{frame.generation, "frame", {}};
       part.fields.push_back({"parent", frame_name(frame.parent)});
       add_transform(part);
-      keep(contents.frames, frame.index, std::move(part));
+      keep(header, contents.frames, frame.index, std::move(part));
+      if (frame.parent != nowhere) parents.emplace(frame.index, frame.parent);
+    }
+    for (const auto& [index, parent] : parents) {
+      const auto found = contents.frames.find(parent);
+      if (found == contents.frames.end()) fail();
+      if (found->second.generation >= contents.frames.at(index).generation) fail();
     }
     for (std::uint32_t i = 0; i < header.object_count; ++i) {
       detail::ObjectHeader object;
       object.read(in_);
-      Part part{object.generation, type_of(object.tag), {}};
+      if (in_.has_failed() || object.tag >= type_count || (header.shapes >> object.tag) % 2 == 0 ||
+          (object.frame != nowhere && !contents.frames.contains(object.frame))) {
+        fail();
+      }
+      Part part{object.generation, types[object.tag], {}};
       part.fields.push_back({"type", part.type});
       part.fields.push_back({"layers", hexadecimal(object.layers)});
       part.fields.push_back({"user", hexadecimal(object.user)});
       part.fields.push_back({"frame", frame_name(object.frame)});
       add_shape(part, object.tag);
-      keep(contents.objects, object.index, std::move(part));
+      keep(header, contents.objects, object.index, std::move(part));
     }
     if (in_.left() != 0) fail();
     return contents;
@@ -79,25 +93,32 @@ class PartReader {
     throw InputError(file_, {}, "its parts are not those of a snapshot" + std::string(remedy));
   }
 
+  static constexpr std::uint32_t nowhere = 0xffffffffu;
+
+  /// By their tags; meshes are in 3D.
+  static constexpr const char* types[] = {"",      "sphere",   "aabb",    "obb",
+                                          "plane", "triangle", "capsule", "mesh"};
+  static constexpr std::size_t type_count = std::size(types) - (N == 2 ? 1 : 0);
+
   static std::string frame_name(std::uint32_t index) {
-    return index == 0xffffffffu ? "none" : std::to_string(index);
+    return index == nowhere ? "none" : std::to_string(index);
   }
 
-  std::string type_of(std::uint8_t tag) const {
-    constexpr const char* types[] = {"",      "sphere",   "aabb",    "obb",
-                                     "plane", "triangle", "capsule", "mesh"};
-    constexpr std::size_t end = std::size(types) - (N == 2 ? 1 : 0);  // meshes are in 3D
-    if (tag == 0 || tag >= end) fail();
-    return types[tag];
-  }
-
-  void keep(Parts& parts, std::uint32_t index, Part part) const {
-    if (in_.has_failed() || !parts.emplace(index, std::move(part)).second) fail();
+  /// Parts come by index, and have a generation that was before the next.
+  void keep(const SnapshotHeader& header, Parts& parts, std::uint32_t index, Part part) const {
+    if (in_.has_failed() || part.generation == 0 || part.generation >= header.next_generation ||
+        (!parts.empty() && parts.rbegin()->first >= index)) {
+      fail();
+    }
+    parts.emplace_hint(parts.end(), index, std::move(part));
   }
 
   template <class T>
   void add(Part& part, const std::string& name) {
-    const T value = in_.number<T>();
+    add(part, name, in_.number<T>());
+  }
+  template <class T>
+  void add(Part& part, const std::string& name, const T& value) {
     std::string raw;
     if constexpr (is_fixed<T>) {
       raw = std::to_string(value.raw());
@@ -106,14 +127,16 @@ class PartReader {
     }
     part.fields.push_back({name, text_of(value) + " (raw " + raw + ")"});
   }
-  template <class T = S>
   void add_vector(Part& part, const std::string& name) {
-    for (int i = 0; i < N; ++i) add<T>(part, name + "." + "xyz"[i]);
+    for (int i = 0; i < N; ++i) add<S>(part, name + "." + "xyz"[i]);
+  }
+  void add_direction(Part& part, const std::string& name) {
+    Direction<S, N> direction;
+    in_.get(direction);
+    for (int i = 0; i < N; ++i) add(part, name + "." + "xyz"[i], direction[i]);
   }
   void add_rotation(Part& part) {
-    for (int i = 0; i < N; ++i) {
-      add_vector<direction_component<S>>(part, "axis " + std::to_string(i));
-    }
+    for (int i = 0; i < N; ++i) add_direction(part, "axis " + std::to_string(i));
   }
   void add_transform(Part& part) {
     add_vector(part, "translation");
@@ -134,7 +157,7 @@ class PartReader {
         add_vector(part, "half_extents");
         return add_rotation(part);
       case detail::shape_tag<Plane<S, N>>:
-        add_vector<direction_component<S>>(part, "normal");
+        add_direction(part, "normal");
         return add<S>(part, "offset");
       case detail::shape_tag<Triangle<S, N>>:
         add_vector(part, "a");

@@ -124,3 +124,90 @@ TEST_CASE("diff: bytes that are no snapshot are refused by name") {
   CHECK(refusal(bytes_of(Scene<Fixed<20, 10>, 3, Sphere>()), right)
             .starts_with("a.snap: its scalar or dimension is none of the tool's; "));
 }
+
+namespace {
+
+/// What `restore` says of the bytes for an empty scene of such shapes.
+template <class Scene>
+Restored restored(const std::string& bytes) {
+  Scene scene;
+  return restore(scene, std::as_bytes(std::span(bytes)));
+}
+
+/// The bytes with the checksum that belongs to them.
+std::string sealed(std::string bytes) {
+  constexpr auto size = detail::SnapshotHeader::checksum_size;
+  Digest digest;
+  digest.add_bytes(std::as_bytes(std::span(bytes)).first(bytes.size() - size));
+  for (std::size_t i = 0; i < size; ++i) {
+    bytes[bytes.size() - size + i] = static_cast<char>(digest.value() >> (8 * i));
+  }
+  return bytes;
+}
+
+/// Changes every byte but those that say which scenes the snapshot is for, and asks both.
+template <class Scene>
+void check_same_verdicts(const Scene& scene) {
+  const auto right = bytes_of(scene);
+  REQUIRE(restored<Scene>(right) == Restored::yes);
+  test::HitRate rate;
+  for (std::size_t i = 0; i < right.size() - detail::SnapshotHeader::checksum_size; ++i) {
+    const bool is_of_scene = (i >= 6 && i < 12) || (i >= 24 && i < 36);
+    if (is_of_scene) continue;
+    for (const int change : {1, 2, 3, -1, -2, 4, 64, 0x80}) {
+      auto bytes = right;
+      bytes[i] = static_cast<char>(bytes[i] + change);
+      bytes = sealed(bytes);
+      INFO("byte " << i << " of " << bytes.size() << " changed by " << change);
+      const auto verdict = restored<Scene>(bytes);
+      if (verdict == Restored::no_room) continue;  // another scene may have it
+      const bool is_restored = verdict == Restored::yes;
+      const auto refused = refusal(bytes, right);
+      CHECK(refused.empty() == is_restored);
+      rate.count(is_restored);
+    }
+  }
+  INFO(rate);
+  CHECK(rate.percent() >= 20);
+  CHECK(rate.percent() <= 80);
+}
+
+}  // namespace
+
+TEST_CASE("diff: refuses the bytes that restore refuses, and no others") {
+  Scene<S, 3, Sphere, Obb, Plane> scene;
+  const auto first = *scene.add_frame({});
+  const auto second = *scene.add_frame({.translation = at(1, 2, 3)}, first);
+  scene.add(Sphere{at(0, 0, 0), S(1)});
+  scene.add(Obb<S, 3>{at(5, 0, 0), at(1, 1, 1), {}}, {.frame = second});
+  scene.add(Plane<S, 3>{{}, S(5)}, {.frame = first});
+  scene.add(Sphere{at(3, 0, 0), S(1)});
+  scene.remove({1, 4});
+  check_same_verdicts(scene);
+
+  Scene<q8_8, 2, Capsule, Triangle, Aabb, Plane> flat;
+  flat.add(Capsule<q8_8, 2>{});
+  flat.add(Plane<q8_8, 2>{});
+  flat.add(Triangle<q8_8, 2>{});
+  flat.add(Aabb<q8_8, 2>{});
+  check_same_verdicts(flat);
+
+  Scene<float, 3, Sphere, Plane> rounded;
+  rounded.add(Sphere<float, 3>{});
+  rounded.add(Plane<float, 3>{});
+  check_same_verdicts(rounded);
+}
+
+TEST_CASE("diff: refuses sets of shapes that no scene has, and shapes that are not in the set") {
+  const auto right = bytes_of(toys());
+  constexpr std::size_t shapes = 10;  // the two bytes of the header
+  for (const int set : {0, 1, 0x0b, 0x02, 0x08, 0x100, 0x800a}) {
+    auto bytes = right;
+    bytes[shapes] = static_cast<char>(set);
+    bytes[shapes + 1] = static_cast<char>(set >> 8);
+    INFO(set);
+    CHECK(
+        refusal(sealed(bytes), right).starts_with("a.snap: its parts are not those of a snapshot"));
+  }
+  CHECK(refusal(sealed(right), right).empty());
+}
