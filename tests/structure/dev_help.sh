@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# `./dev COMMAND --help` explains each command that ./dev knows, and neither builds nor installs.
+set -euo pipefail
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+tools=(apt-get sudo cmake ctest ninja g++ clang++ clang-format clang-tidy cppcheck npm)
+for tool in "${tools[@]}"; do
+  printf '#!/bin/sh\necho "%s $*" >>"%s"\nexit 1\n' "$tool" "$work/called" >"$work/$tool"
+  chmod +x "$work/$tool"
+done
+
+# The commands are what the last `case` of ./dev lists.
+commands=$(sed -n '/^case \${1:-help} in$/,$p' dev | sed -n 's/^  \([a-z| ]*\)).*/\1/p' | tr -d '|')
+count=0
+for command in $commands; do
+  [[ $command != help ]] || continue
+  for arguments in --help -h '--seed 2 --help'; do
+    # shellcheck disable=SC2086
+    text=$(PATH=$work:$PATH ./dev "$command" $arguments </dev/null) ||
+      { echo "./dev $command $arguments: exit status $?"; exit 1; }
+    [[ $text == "usage: ./dev $command"* ]] ||
+      { echo "./dev $command $arguments says: $text"; exit 1; }
+    [[ ! -e $work/called ]] || { echo "./dev $command $arguments calls:"; cat "$work/called"; exit 1; }
+  done
+  count=$((count + 1))
+done
+[[ $count -ge 11 ]] || { echo "found only these commands: $commands"; exit 1; }
+echo "$count commands explain themselves, and do nothing else"
