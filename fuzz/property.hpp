@@ -20,6 +20,9 @@ class Failure : public std::runtime_error {
 /// What must hold for every input; each file of properties defines one and throws a Failure.
 void property(Bytes input);
 
+/// What must hold once the property has seen every file of its corpus; throws a Failure else.
+inline void (*after_corpus)() = [] {};
+
 /// Throws what `message()` returns unless the property `holds`.
 template <class Message>
 void require(bool holds, const Message& message) {

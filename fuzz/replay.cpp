@@ -73,6 +73,12 @@ int main(int count, char** arguments) {
   const auto corpus = read_corpus(arguments[1]);
   int failed = 0;
   for (const auto& input : corpus) failed += holds(input) ? 0 : 1;
+  try {
+    detent::fuzz::after_corpus();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "the corpus: %s\n", error.what());
+    ++failed;
+  }
   detent::test::Random random(0xf022);
   const long draws = std::strtol(arguments[2], nullptr, 10);
   for (long i = 0; i < draws && failed < 5; ++i) failed += holds(draw(random, corpus)) ? 0 : 1;

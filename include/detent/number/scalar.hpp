@@ -9,9 +9,14 @@
 
 namespace detent {
 
+/// Whether numbers of a type round each operation as the platform does: `float` and `double`. A test
+/// adds one of its own, which keeps account of that rounding (fuzz/traced.hpp).
+template <class T>
+inline constexpr bool is_floating = std::same_as<T, float> || std::same_as<T, double>;
+
 /// A number that formulas compute with: a `Fixed` of any width, `float` or `double`.
 template <class T>
-concept Number = is_fixed<T> || std::same_as<T, float> || std::same_as<T, double>;
+concept Number = is_fixed<T> || is_floating<T>;
 
 /// A number that coordinates are stored in: a `Fixed<Bits, Frac>` with 1 <= Bits <= 31 and
 /// 0 <= Frac < Bits, `float` or `double`.

@@ -24,6 +24,14 @@ TEMPLATE_TEST_CASE(
         at<S, N>(4, 11));
 }
 
+// In float a point may be so close to the axis that what leads from it rounds to 0: no direction.
+static_assert([] {
+  const Capsule<float, 2> needle{{69, 998}, {-334, -454}, 0};
+  const Vec<float, 2> beside{-182.874985f, 90.5f};
+  const auto away = closest_point(needle, beside) - beside;
+  return !contains(needle, beside) && squared_length(away) < 1e-6f;
+}());
+
 TEMPLATE_TEST_CASE("closest point, capsule: the ends of the domain", "[closest_point]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;

@@ -64,7 +64,8 @@ template <Scalar S, int N, Number T, Number Along, Number Whole>
   if constexpr (!is_fixed<S>) {
     if (contains(capsule, point)) return point;
     const auto outward = make_vec<N>([&](int i) { return side(i).outward; });
-    const auto unit = *unit_vector<S>(to_array(outward));
+    // In numbers that round, a point beside the axis may look as if it were on it.
+    const auto unit = unit_vector<S>(to_array(outward)).value_or(to_array(Vec<S, N>()));
     return make_vec<N>(
         [&](int i) { return side(i).over / whole + radius * unit[static_cast<std::size_t>(i)]; });
   } else {
