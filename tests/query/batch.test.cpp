@@ -206,6 +206,68 @@ TEMPLATE_TEST_CASE("batch: most that miss are not even asked", "", (Sphere<doubl
   check(q16_16());
 }
 
+/// Specks within `reach` raw units, each of `size` more than a raw unit, and rays aimed at them, of
+/// which every other one ends as soon as it has entered: what the coarse numbers err by decides.
+template <Scalar S, int N>
+void examine_specks(std::int64_t reach, std::int64_t size) {
+  using Drawn = oracle::Draw<S, N>;
+  Drawn draw(0x5bec);
+  INFO(draw.random << ", within " << reach);
+  std::vector<Aabb<S, N>> specks;
+  std::vector<Ray<S, N>> rays;
+  std::size_t met = 0;
+  while (specks.size() < 100) {
+    const auto at = draw.point(reach);
+    auto low = at, high = at;
+    for (auto& x : low) x -= size;
+    for (auto& x : high) x += size + 1;
+    specks.push_back({Drawn::vec(low), Drawn::vec(high)});
+    const auto from = draw.point(reach);
+    Ray<S, N> ray{Drawn::vec(from), draw.towards(from, at)};
+    const auto distance = raycast(ray, specks.back());
+    met += distance ? 1 : 0;
+    if (distance && specks.size() % 2 == 0) ray.max_distance = Drawn::scalar(distance->raw() + 1);
+    rays.push_back(ray);
+  }
+  CHECK(met > 25);
+  const Aabb<S, N> world{make_vec<N>([](int) { return S::lowest(); }),
+                         make_vec<N>([](int) { return S::max(); })};
+  HitRate rate;
+  CHECK(batches_are_loops(rays, specks, world, rate));
+}
+
+TEMPLATE_TEST_CASE("batch: rays aimed at specks all over the world", "", (Space<q16_16, 3>),
+                   (Space<q16_16, 2>)) {
+  examine_specks<typename TestType::scalar, TestType::dimension>(1 << 30, 8);
+  examine_specks<typename TestType::scalar, TestType::dimension>(1 << 13, 0);
+}
+
+/// Whether `ray` meets `shape`, alone and in a batch of its own.
+template <class Shape>
+bool is_hit_in_both(const Ray<q16_16, 2>& ray, const Shape& shape) {
+  const std::vector<Shape> only{shape};
+  const Shapes<Shape> shapes(only, 1);
+  return raycast(ray, shape) && raycast_any(ray, shapes.batch);
+}
+
+TEST_CASE("batch: a shape that reaches beyond one end of the world is hit there too") {
+  using S = q16_16;
+  const auto across = *normalize(Vec<S, 2>{S(3), S(-4)});
+  const auto beside = nearest_to<S>(S::max() - S(1));
+  CHECK(is_hit_in_both(Ray{Vec<S, 2>{beside, S(12)}, across},
+                       Sphere{Vec<S, 2>{S::max(), S(0)}, S(10)}));
+}
+
+TEST_CASE("batch: the slabs of a skewed box reach beyond its edges") {
+  using S = q16_16;
+  using D = Direction<S, 2>;
+  const auto slanted =
+      Rotation<S, 2>::from_axes({D::along(0), *normalize(Vec<S, 2>{S(1), S(1100)})});
+  const Obb<S, 2> box{{}, {S(1000), S(1000)}, slanted};
+  CHECK(is_hit_in_both(Ray{Vec<S, 2>{S(-2000), nearest_to<S>(S(1000) + half(S(1)))}, D::along(0)},
+                       box));
+}
+
 TEST_CASE("batch: an empty batch, and shapes without room for answers") {
   using S = q16_16;
   const Ray<S, 3> ray;

@@ -159,6 +159,14 @@ TEMPLATE_TEST_CASE("bounding_sphere: of round shapes and boxes reach all of them
   CHECK(bounding_sphere(ball) == ball);
   CHECK(bounding_sphere(Aabb{at<S, N>(0, 0), at<S, N>(6, 8)}) == Sphere{at<S, N>(3, 4), num<S>(5)});
 
+  // From the middle, rounded to even, one end may be farther than the other.
+  const auto raw = [](std::int64_t x) { return filled<S, N>(oracle::Draw<S, N>::scalar(x)); };
+  for (std::int64_t low = 0; low < 2; ++low) {
+    const auto odd = bounding_sphere(Aabb<S, N>{raw(low), raw(low + 1)});
+    CHECK(squared_distance(odd.center, raw(low)) <= square(odd.radius));
+    CHECK(squared_distance(odd.center, raw(low + 1)) <= square(odd.radius));
+  }
+
   const std::array capsules{capsule};
   const std::array balls{ball};
   const auto both = bounding_sphere(Compound{capsules, balls});
