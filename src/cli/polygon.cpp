@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace detent::cli {
 namespace {
@@ -119,10 +120,26 @@ bool PolygonCutter::is_ear(std::size_t corner) {
   if (reflex_count_ < filled_count_ / 4)
     fill_grid();  // ears grow, and visit as few cells as before
   if (low.u > high_.u || high.u < low_.u || low.v > high_.v || high.v < low_.v) return true;
+  // Row by row from the first to the last column that the triangle reaches there, and a bit more, so
+  // that rounding puts no corner into a cell that is left out.
+  const double height = (high_.v - low_.v) / static_cast<double>(side_);
+  const double margin = (high_.u - low_.u) / static_cast<double>(side_) / 8;
   const std::size_t last_row = cell_of(high.v, low_.v, high_.v);
-  const std::size_t last_column = cell_of(high.u, low_.u, high_.u);
   for (std::size_t row = cell_of(low.v, low_.v, high_.v); row <= last_row; ++row) {
-    for (std::size_t column = cell_of(low.u, low_.u, high_.u); column <= last_column; ++column) {
+    const double bottom = low_.v + height * (static_cast<double>(row) - 0.125);
+    const double top = bottom + height * 1.25;
+    double first = high.u, last = low.u;
+    for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+      if (std::max(p.v, q.v) < bottom || std::min(p.v, q.v) > top) continue;
+      for (const double v : {std::clamp(p.v, bottom, top), std::clamp(q.v, bottom, top)}) {
+        const double u = p.v == q.v ? p.u : p.u + (q.u - p.u) * ((v - p.v) / (q.v - p.v));
+        first = std::min({first, u, p.v == q.v ? q.u : u});
+        last = std::max({last, u, p.v == q.v ? q.u : u});
+      }
+    }
+    const std::size_t last_column = cell_of(last + margin, low_.u, high_.u);
+    for (std::size_t column = cell_of(first - margin, low_.u, high_.u); column <= last_column;
+         ++column) {
       auto& cell = cells_[row * side_ + column];
       std::erase_if(cell, [&](std::size_t i) { return !reflex_[i]; });
       work_left_ -= static_cast<std::int64_t>(cell.size()) + 1;
