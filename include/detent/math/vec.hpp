@@ -112,12 +112,12 @@ template <Number A, Number B, int N>
 }
 
 /// Built-in integers count with all the bits of their type, as for numbers.
-template <Number T, std::integral I, int N>
-[[nodiscard]] constexpr auto operator*(const Vec<T, N>& v, I factor) noexcept {
+template <Number T, std::integral Int, int N>
+[[nodiscard]] constexpr auto operator*(const Vec<T, N>& v, Int factor) noexcept {
   return v * detail::as_operand<T>(factor);
 }
-template <Number T, std::integral I, int N>
-[[nodiscard]] constexpr auto operator*(I factor, const Vec<T, N>& v) noexcept {
+template <Number T, std::integral Int, int N>
+[[nodiscard]] constexpr auto operator*(Int factor, const Vec<T, N>& v) noexcept {
   return v * detail::as_operand<T>(factor);
 }
 
@@ -146,8 +146,8 @@ constexpr Vec<A, N>& operator*=(Vec<A, N>& v, const B& factor) noexcept {
   for (int i = 0; i < N; ++i) v[i] *= factor;
   return v;
 }
-template <Number T, std::integral I, int N>
-constexpr Vec<T, N>& operator*=(Vec<T, N>& v, I factor) noexcept {
+template <Number T, std::integral Int, int N>
+constexpr Vec<T, N>& operator*=(Vec<T, N>& v, Int factor) noexcept {
   return v *= detail::as_operand<T>(factor);
 }
 
