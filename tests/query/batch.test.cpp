@@ -268,6 +268,40 @@ TEST_CASE("batch: the slabs of a skewed box reach beyond its edges") {
                        box));
 }
 
+TEST_CASE("batch: slabs along skewed axes end outside the box around the edges") {
+  using S = q8_8;
+  // Less than a unit outside, where the box that a batch looks at is no larger.
+  Random random(20261122);
+  INFO("seed " << random.seed());
+  const auto number = [](std::int64_t raw) { return S::from_raw(static_cast<std::int16_t>(raw)); };
+  const auto skewed = Direction<S, 2>::from_raw({16384, 16});
+  const auto up = Direction<S, 2>::along(1);
+  REQUIRE(skewed);
+  HitRate rate;
+  int wrong = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const auto size = random.between(30, 63);
+    const std::array boxes{
+        Obb<S, 2>{{}, {number(size), number(size)}, Rotation<S, 2>::from_axes({*skewed, up})}};
+    const Vec<S, 2> origin{number(size - random.between(1, 40)),
+                           number(random.between(-size - 40, -size - 1))};
+    // To up to an eighth of a unit beside the corner.
+    const auto direction =
+        normalize(Vec<S, 2>{number(64 * (size - origin.x.raw()) + random.between(0, 8)),
+                            number(64 * (-size - origin.y.raw()))});
+    if (!direction) continue;
+    const Ray ray{origin, *direction, S::max()};
+    std::array<ShapeBatch<Obb<S, 2>>::Block, 1> blocks;
+    const ShapeBatch<Obb<S, 2>> batch(boxes, blocks);
+    const bool is_hit = raycast(ray, boxes[0]).has_value();
+    rate.count(is_hit);
+    if (raycast_any(ray, batch) != is_hit) ++wrong;
+  }
+  INFO(rate);
+  CHECK(wrong == 0);
+  CHECK(rate.is_balanced());
+}
+
 TEST_CASE("batch: an empty batch, and shapes without room for answers") {
   using S = q16_16;
   const Ray<S, 3> ray;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "detent/math/orthonormal.hpp"
 #include "detent/shape/bounding_box.hpp"
 #include "detent/shape/plane.hpp"
 
@@ -40,18 +41,13 @@ template <Scalar S, int N>
   using Result = std::optional<Aabb<S, N>>;
   auto around = bounding_box(box);
   if (is_empty(box)) return Result(around);
-  using Component = direction_component<S>;  // small scalars have no 32
-  const auto most = square(floor_to<Component>(half(half(half(half(half(Component(1))))))));
+  if (!are_perpendicular<10>(box.rotation)) return Result();
   S longest{};
-  for (int i = 0; i < N; ++i) {
-    const auto cosine = dot(box.rotation.axis(i), box.rotation.axis((i + 1) % N));
-    if (abs(cosine) > most) return Result();
-    longest = (std::max)(longest, box.half_extents[i]);
-  }
-  const auto more = quotient_floor<S>(longest, S(64));
+  for (int i = 0; i < N; ++i) longest = (std::max)(longest, box.half_extents[i]);
+  const auto more = quotient_floor<finer<S, 6>>(longest, S(64));  // exactly
   for (int i = 0; i < N; ++i) {
     around.min[i] = floor_to<S>(around.min[i] - more);
-    around.max[i] = floor_to<S>(around.max[i] + more);
+    around.max[i] = ceil_to<S>(around.max[i] + more);
   }
   return within_range(around);
 }
