@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -20,10 +23,33 @@ struct Culling {
   static constexpr Coordinate below(const S& x) noexcept { return x; }
   static constexpr Coordinate above(const S& x) noexcept { return x; }
   static constexpr Area area_extent(Coordinate low, Coordinate high) noexcept { return high - low; }
+
+  using Length = S;
+  static constexpr Length padded(const S& length, const S& greatest) noexcept {
+    return length + greatest / 256;
+  }
+  template <std::size_t N>
+  static constexpr Length reach(const std::array<Length, N>& extents,
+                                const std::array<S, N>& row) noexcept {
+    Length sum = 0;
+    for (std::size_t i = 0; i < N; ++i) sum += extents[i] * (row[i] < 0 ? -row[i] : row[i]);
+    return sum;
+  }
+  /// With more than sums near `x` are rounded by.
+  static constexpr Coordinate below(const S& x, const Length& reach) noexcept {
+    return x - (reach + (x < 0 ? -x : x) / 1048576);
+  }
+  static constexpr Coordinate above(const S& x, const Length& reach) noexcept {
+    return x + (reach + (x < 0 ? -x : x) / 1048576);
+  }
 };
 
 /// Scalars lie in [-2^28, 2^28] on the grid, and +-2^30 means without end: so does an end of the
 /// scalar's range, at which boxes are cut off.
+///
+/// A shape may reach farther than the scalars do, with its margin: so lengths are added on the grid,
+/// never in the scalar, whose range would cut the margin off. Sums are clamped to +-2^30, which keeps
+/// order: boxes with a point in common still have one, and rays end within 2^29.
 template <int Bits, int Frac>
 struct Culling<Fixed<Bits, Frac>> {
   using S = Fixed<Bits, Frac>;
@@ -44,6 +70,39 @@ struct Culling<Fixed<Bits, Frac>> {
   /// At most 2^30, so that twelve products of two of them fit 64 bits.
   static constexpr Area area_extent(Coordinate low, Coordinate high) noexcept {
     return (static_cast<Area>(high) - static_cast<Area>(low)) >> 1;
+  }
+
+  /// A length, in steps.
+  using Length = std::int64_t;
+  using Component = direction_component<S>;
+
+  /// `length` and 2^-8 of `greatest`, neither negative, rounded up: below 2^29.
+  static constexpr Length padded(const S& length, const S& greatest) noexcept {
+    constexpr Length up = (Length{1} << (shift + 8)) - 1;
+    return (256 * Length{length.raw()} + greatest.raw() + up) >> (shift + 8);
+  }
+  /// The sum of extents[i] |row[i]|, rounded up; at most 3 * 2^29 * 2^30 before that.
+  template <std::size_t N>
+  static constexpr Length reach(const std::array<Length, N>& extents,
+                                const std::array<Component, N>& row) noexcept {
+    Length sum = (Length{1} << Component::frac) - 1;
+    for (std::size_t i = 0; i < N; ++i) {
+      const Length cosine = row[i].raw();
+      sum += extents[i] * (cosine < 0 ? -cosine : cosine);
+    }
+    return sum >> Component::frac;
+  }
+  /// x - reach and x + reach, rounded outward.
+  static constexpr Coordinate below(const S& x, const Length& reach) noexcept {
+    return clamp((Length{x.raw()} >> shift) - reach);
+  }
+  static constexpr Coordinate above(const S& x, const Length& reach) noexcept {
+    return clamp(reach - (-Length{x.raw()} >> shift));
+  }
+
+ private:
+  static constexpr Coordinate clamp(Length x) noexcept {
+    return static_cast<Coordinate>(std::clamp<Length>(x, -beyond, beyond));
   }
 };
 

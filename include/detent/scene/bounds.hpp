@@ -20,6 +20,8 @@
 // sum of the absolute values of a row). So slabs are within the edges of half extents that are
 // 2^-8 of the greatest longer, and what is within r of them in the frame is within r (1 + 2^-8).
 // Boxes with other axes are taken to be everywhere.  (tests/scene/history.test.cpp, skewed boxes)
+// The margins are added on the grid, where no end of a scalar's range cuts them off.
+//                                                             (tests/scene/bounds.test.cpp)
 
 namespace detent::detail {
 
@@ -55,14 +57,17 @@ template <Scalar S, int N>
   return result;
 }
 
-/// `length` and 2^-8 of it, rounded up and clamped.
-template <Scalar S>
-[[nodiscard]] constexpr S with_slack(const S& length) noexcept {
-  if constexpr (is_fixed<S>) {
-    return ceil_to<S>(length + Fixed<S::bits, S::frac + 8>::assume_raw(length.raw()));
-  } else {
-    return length + length / 256;
+/// The box around all that is within `reach` of `box`, which is not empty.
+template <Scalar S, int N>
+[[nodiscard]] constexpr CullingBox<S, N> culling_box_around(
+    const Aabb<S, N>& box, const typename Culling<S>::Length& reach) noexcept {
+  CullingBox<S, N> result;
+  for (int i = 0; i < N; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    result.low[at] = Culling<S>::below(box.min[i], reach);
+    result.high[at] = Culling<S>::above(box.max[i], reach);
   }
+  return result;
 }
 
 template <Scalar S, int N>
@@ -74,13 +79,14 @@ template <class Shape>
   return culling_box_of(bounding_box(shape));
 }
 template <Scalar S, int N>
-[[nodiscard]] constexpr CullingBox<S, N> culling_box(const Sphere<S, N>& sphere) noexcept {
-  return culling_box_of(bounding_box(Sphere<S, N>{sphere.center, with_slack(sphere.radius)}));
+[[nodiscard]] constexpr CullingBox<S, N> culling_box(const Capsule<S, N>& capsule) noexcept {
+  if (capsule.radius < 0) return culling_box_of(no_box<Aabb<S, N>>);
+  return culling_box_around(bounding_box(Segment{capsule.a, capsule.b}),
+                            Culling<S>::padded(capsule.radius, capsule.radius));
 }
 template <Scalar S, int N>
-[[nodiscard]] constexpr CullingBox<S, N> culling_box(const Capsule<S, N>& capsule) noexcept {
-  return culling_box_of(
-      bounding_box(Capsule<S, N>{capsule.a, capsule.b, with_slack(capsule.radius)}));
+[[nodiscard]] constexpr CullingBox<S, N> culling_box(const Sphere<S, N>& sphere) noexcept {
+  return culling_box(Capsule<S, N>{sphere.center, sphere.center, sphere.radius});
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr CullingBox<S, N> culling_box(const Plane<S, N>&) noexcept {
@@ -93,10 +99,19 @@ template <Scalar S, int N>
   if (!are_perpendicular<10>(box.rotation)) return everywhere<S, N>();
   S greatest = box.half_extents[0];
   for (int i = 1; i < N; ++i) greatest = (std::max)(greatest, box.half_extents[i]);
-  const auto slack = with_slack(greatest) - greatest;
-  return culling_box_of(bounding_box(Obb<S, N>{
-      box.center, make_vec<N>([&](int i) { return saturate_to<S>(box.half_extents[i] + slack); }),
-      box.rotation}));
+  std::array<typename Culling<S>::Length, static_cast<std::size_t>(N)> extents;
+  for (int i = 0; i < N; ++i) {
+    extents[static_cast<std::size_t>(i)] = Culling<S>::padded(box.half_extents[i], greatest);
+  }
+  CullingBox<S, N> result;
+  for (int j = 0; j < N; ++j) {
+    const auto row = make_vec<N>([&](int i) { return box.rotation.axis(i)[j]; });
+    const auto reach = Culling<S>::reach(extents, to_array(row));
+    const auto at = static_cast<std::size_t>(j);
+    result.low[at] = Culling<S>::below(box.center[j], reach);
+    result.high[at] = Culling<S>::above(box.center[j], reach);
+  }
+  return result;
 }
 
 }  // namespace detent::detail
