@@ -45,8 +45,10 @@ template <Scalar S, int N>
   } else {
     const auto steps = rough_along(radius, to_array(from_center));
     return make_vec<N>([&](int i) {
+      // Between center and point, but for the error of a step, which may take it past the lowest
+      // or the greatest number.
       const auto sum =
-          narrow_sum<bits_of<finer<S, 30>>>(center[i], steps[static_cast<std::size_t>(i)]);
+          narrow_sum<bits_of<finer<S, 30>> + 1>(center[i], steps[static_cast<std::size_t>(i)]);
       // The sign of radius d / |d| - (x - center): if both are of one sign, that of the difference
       // of their squares.
       return nearest_by<S>(sum, [&](const auto& middle) {
