@@ -361,7 +361,9 @@ TEMPLATE_TEST_CASE("rounding: square roots are the exact ones rounded down and u
                    (Two<Fixed<126, 92>, Fixed<63, 46>>), (Two<Fixed<127, 60>, Fixed<63, 30>>),
                    (Two<Fixed<127, 0>, Fixed<64, 0>>), (Two<Fixed<128, 0>, Fixed<65, 0>>),
                    (Two<Fixed<63, 0>, Fixed<70, 32>>), (Two<Fixed<127, 1>, Fixed<80, 1>>),
-                   (Two<Fixed<200, 100>, Fixed<63, 10>>), (Two<Fixed<31, 30>, Fixed<31, -5>>)) {
+                   (Two<Fixed<200, 100>, Fixed<63, 10>>), (Two<Fixed<31, 30>, Fixed<31, -5>>),
+                   (Two<Fixed<256, 192>, Fixed<63, 32>>), (Two<Fixed<300, 172>, Fixed<65, 0>>),
+                   (Two<Fixed<319, 255>, Fixed<64, 32>>)) {
   using A = typename TestType::First;
   using T = typename TestType::Second;
   constexpr int shift = 2 * T::frac - A::frac;

@@ -330,8 +330,9 @@ template <class T, int B, int F>
     const Wide<2> n(shift < 0 ? shift_right_floor(raw, -shift) : shift_left(raw, shift));
     return detail::clamp_root<T>(square_root_floor(n.word(1), n.word(0)));
   } else {
-    const Wide<4> raw = integer_cast<Wide<4>>(x.raw());
-    const Wide<4> n = shift < 0 ? raw >> -shift : raw << (std::max)(shift, 0);
+    using Long = Wide<(B <= 255 ? 4 : 5)>;
+    const Long raw = integer_cast<Long>(x.raw());
+    const Long n = shift < 0 ? raw >> -shift : raw << (std::max)(shift, 0);
     if (n.word(2) != 0) return detail::clamp_raw<T>(Wide<2>::from_words({0, 1}));  // n = 2^128
     return detail::clamp_root<T>(square_root_floor(n.word(1), n.word(0)));
   }
