@@ -7,6 +7,6 @@ namespace detent {
 
 /// Changes whenever any query answers any input with other bits than before: then, and only then,
 /// recorded matches and golden digests of an older library no longer hold.
-inline constexpr int results_version = 1;
+inline constexpr int results_version = 2;
 
 }  // namespace detent
