@@ -15,6 +15,7 @@
 #include "detent/query/query.hpp"
 
 #include "detent/scene/height_field.hpp"
+#include "detent/scene/hull.hpp"
 #include "detent/scene/mesh.hpp"
 #include "detent/scene/snapshot.hpp"
 #include "detent/scene/sync_test.hpp"

@@ -8,6 +8,8 @@
 
 #include "commands.hpp"
 #include "detent/scene/header.hpp"
+#include "detent/scene/height_field/instance.hpp"
+#include "detent/scene/hull/instance.hpp"
 #include "detent/scene/mesh/instance.hpp"
 #include "detent/scene/shape_tag.hpp"
 #include "error.hpp"
@@ -51,7 +53,7 @@ class PartReader {
 
   /// Refuses what `restore` refuses whatever the scene holds (tests/cli/diff.test.cpp).
   Contents read(const SnapshotHeader& header) {
-    if (header.shapes == 0 || header.shapes % 2 != 0 || header.shapes >> type_count != 0) fail();
+    if (header.shapes == 0 || (header.shapes & ~known_types) != 0) fail();
     if (header.next_generation == 0) fail();
     Contents contents{header, {}, {}};
     std::map<std::uint32_t, std::uint32_t> parents;
@@ -72,7 +74,8 @@ class PartReader {
     for (std::uint32_t i = 0; i < header.object_count; ++i) {
       detail::ObjectHeader object;
       object.read(in_);
-      if (in_.has_failed() || object.tag >= type_count || (header.shapes >> object.tag) % 2 == 0 ||
+      if (in_.has_failed() || object.tag >= std::size(types) ||
+          (header.shapes >> object.tag) % 2 == 0 ||
           (object.frame != nowhere && !contents.frames.contains(object.frame))) {
         fail();
       }
@@ -95,10 +98,14 @@ class PartReader {
 
   static constexpr std::uint32_t nowhere = 0xffffffffu;
 
-  /// By their tags; meshes are in 3D.
-  static constexpr const char* types[] = {"",      "sphere",   "aabb",    "obb",
-                                          "plane", "triangle", "capsule", "mesh"};
-  static constexpr std::size_t type_count = std::size(types) - (N == 2 ? 1 : 0);
+  /// By their tags.
+  static constexpr const char* types[] = {"",         "sphere",  "aabb", "obb",  "plane",
+                                          "triangle", "capsule", "mesh", "hull", "height field"};
+  /// A bit for each tag: meshes and height fields are in 3D.
+  static constexpr unsigned known_types =
+      (1u << std::size(types)) - 2 -
+      (N == 2 ? 1u << detail::shape_tag<PlacedMesh<S>> | 1u << detail::shape_tag<PlacedField<S>>
+              : 0u);
 
   static std::string frame_name(std::uint32_t index) {
     return index == nowhere ? "none" : std::to_string(index);
@@ -144,6 +151,11 @@ class PartReader {
     add<S>(part, "scale");
   }
 
+  void add_asset(Part& part, const std::string& kind, const std::string& contents) {
+    part.fields.push_back({kind, std::to_string(in_.number<std::uint32_t>())});
+    part.fields.push_back({"digest of its " + contents, hexadecimal(in_.number<std::uint64_t>())});
+  }
+
   void add_shape(Part& part, std::uint8_t tag) {
     switch (tag) {
       case detail::shape_tag<Sphere<S, N>>:
@@ -164,10 +176,14 @@ class PartReader {
         add_vector(part, "b");
         return add_vector(part, "c");
       case detail::shape_tag<PlacedMesh<S>>:
-        part.fields.push_back({"mesh", std::to_string(in_.number<std::uint32_t>())});
-        part.fields.push_back(
-            {"digest of its triangles", hexadecimal(in_.number<std::uint64_t>())});
+        add_asset(part, "mesh", "triangles");
         return add_transform(part);
+      case detail::shape_tag<PlacedHull<S, N>>:
+        add_asset(part, "hull", "points");
+        return add_transform(part);
+      case detail::shape_tag<PlacedField<S>>:
+        add_asset(part, "height field", "heights");
+        return add_vector(part, "translation");
       default:
         add_vector(part, "a");
         add_vector(part, "b");

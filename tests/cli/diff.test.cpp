@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "diff.hpp"
 
+#include "detent/scene/height_field.hpp"
+#include "detent/scene/hull.hpp"
 #include "detent/scene/mesh/instance.hpp"
 #include "detent/scene/snapshot.hpp"
 #include "error.hpp"
@@ -109,6 +111,31 @@ TEST_CASE("diff: names meshes by id, digest and transform") {
   CHECK(compare(before, with(wall, {})).text == "object 0:1 (mesh) mesh: 7 | 9\n");
   CHECK(compare(before, with(nothing, {}))
             .text.starts_with("object 0:1 (mesh) digest of its triangles: 0x"));
+}
+
+TEST_CASE("diff: names hulls and height fields by id, digest and place") {
+  const std::array corners{at(0, 0, 0), at(1, 0, 0), at(0, 1, 0)};
+  const auto rock = *hull_asset(7, ConvexHull(corners));
+  const auto stone = *hull_asset(7, ConvexHull(std::span(corners).first(2)));
+  const std::array<S, 4> heights{};
+  const FieldAsset<S> ground(8, *height_field<S>({S(0), S(0)}, S(1), 2, 2, heights));
+  const auto with = [&](const HullAsset<S, 3>& asset, int x, int y) {
+    Scene<S, 3, HullInstance, FieldInstance> scene;
+    scene.add(PlacedHull{&asset, {.translation = at(x, 0, 0)}});
+    scene.add(PlacedField{&ground, at(0, y, 0)});
+    return bytes_of(scene);
+  };
+  const auto before = with(rock, 0, 0);
+  CHECK(compare(before, with(rock, 3, 2)).text ==
+        "object 0:1 (hull) translation.x: 0 (raw 0) | 3 (raw 196608)\n"
+        "object 1:2 (height field) translation.y: 0 (raw 0) | 2 (raw 131072)\n");
+  CHECK(compare(before, with(stone, 0, 0))
+            .text.starts_with("object 0:1 (hull) digest of its points: 0x"));
+  const std::array<Vec<S, 2>, 1> point{};
+  const auto dot = *hull_asset(1, ConvexHull(point));
+  Scene<S, 2, HullInstance> flat;
+  flat.add(PlacedHull{&dot});
+  CHECK(compare(bytes_of(flat), bytes_of(flat)).is_none);
 }
 
 TEST_CASE("diff: bytes that are no snapshot are refused by name") {

@@ -98,9 +98,11 @@ TEST_CASE("restore of meshes: an unknown id and other triangles are refused, the
   CHECK(refused({Asset(7, wall.view())}) == Restored::other_mesh);
   CHECK(refused({Asset(7, Mesh<S>())}) == Restored::other_mesh);
   CHECK(describe(Restored::unknown_mesh) ==
-        "the snapshot refers to a mesh by an id that none of the given ones has");
+        "the snapshot refers to a mesh, hull or height field by an id that none of the given ones "
+        "has");
   CHECK(describe(Restored::other_mesh) ==
-        "the snapshot refers to a mesh of this id with other triangles");
+        "the snapshot refers to a mesh, hull or height field of this id with other triangles, "
+        "points or heights");
   const Assets two{Asset(7, wall.view()), assets[0]};
   REQUIRE(restore(scene, bytes, two) == Restored::yes);
   CHECK(scene.shape<Placed>({1, 2})->asset == &two[1]);

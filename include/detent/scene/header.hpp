@@ -21,8 +21,10 @@ enum class Restored {
   other_scene,
   other_fixed_part,
   no_room,
-  unknown_mesh,
-  other_mesh,
+  unknown_asset,
+  other_asset,
+  unknown_mesh = unknown_asset,
+  other_mesh = other_asset,
 };
 
 /// The reason in words.
@@ -45,18 +47,17 @@ enum class Restored {
              "taken";
     case Restored::no_room:
       return "the snapshot has more than the storage of the scene can hold";
-    case Restored::unknown_mesh:
-      return "the snapshot refers to a mesh by an id that none of the given ones has";
-    case Restored::other_mesh:
-      return "the snapshot refers to a mesh of this id with other triangles";
+    case Restored::unknown_asset:
+      return "the snapshot refers to a mesh, hull or height field by an id that none of the given "
+             "ones has";
+    case Restored::other_asset:
+      return "the snapshot refers to a mesh, hull or height field of this id with other triangles, "
+             "points or heights";
   }
   return "";
 }
 
 namespace detail {
-
-/// Where a snapshot refers to no meshes.
-struct NoMeshes {};
 
 /// The first 48 bytes of a snapshot.
 struct SnapshotHeader {

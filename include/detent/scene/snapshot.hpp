@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "detent/scene/assets.hpp"
 #include "detent/scene/header.hpp"
 #include "detent/scene/scene.hpp"
 
@@ -14,7 +15,7 @@
 //   snapshot(scene)              -> std::vector<std::byte>
 //   snapshot(scene, room)        -> how many bytes, written when `room` holds them
 //   restore(scene, bytes)        -> Restored: yes, or the reason for leaving the scene as it was
-//   restore(scene, bytes, meshes)   the same where moving objects are of meshes
+//   restore(scene, bytes, lists...) the same where moving objects refer to meshes, hulls, fields
 //   digest(scene)                -> 64 bits of all objects and frames
 //   digest_of(scene, id)         -> 64 bits of one object
 //
@@ -22,11 +23,11 @@
 // generation, index of its parent or 2^32 - 1 (4 bytes each) and transform; each moving object, by
 // index, as index, generation, layers (4 bytes each), user word (8), index of its frame or
 // 2^32 - 1 (4), type of shape (1) and the numbers of the shape in their order, a moving sphere
-// being 41 bytes in Q16.16, and of a mesh its id (4), digest (8) and transform; the XXH64 of all
-// that. Equal scenes have equal bytes. Fixed objects are represented by the sum of their digests: a
-// scene restores only what was taken beside the same ones, so one that is added, changed, moved or
-// removed makes earlier snapshots `other_fixed_part`. Copies of a scene, with `=`, hold everything
-// and are faster still.
+// being 41 bytes in Q16.16, of a mesh or hull its id (4), digest (8) and transform, of a height
+// field its id, digest and translation; the XXH64 of all that. Equal scenes have equal bytes. Fixed
+// objects are represented by the sum of their digests: a scene restores only what was taken beside
+// the same ones, so one that is added, changed, moved or removed makes earlier snapshots
+// `other_fixed_part`. Copies of a scene, with `=`, hold everything and are faster still.
 //
 // The digest of a scene leaves the next generation out: it depends on what has been there before.
 
@@ -95,17 +96,17 @@ template <class Shape>
 }
 
 /// A snapshot's parts, read in the order in which they come.
-template <class Meshes, Scalar S, int N, class... Shapes>
+template <class Assets, Scalar S, int N, class... Shapes>
 class SnapshotReader {
  public:
   using Shape = OneOf<Shapes...>;
   static constexpr std::size_t frame_size = FrameHeader::size + byte_count<Transform<S, N>>;
 
   constexpr SnapshotReader(std::span<const std::byte> bytes, const SnapshotHeader& header,
-                           const Meshes& meshes) noexcept
+                           const Assets& assets) noexcept
       : frames_(bytes.subspan(SnapshotHeader::size)),
         header_(header),
-        meshes_(meshes),
+        assets_(assets),
         in_(frames_.first(frames_.size() - SnapshotHeader::checksum_size)) {}
 
   [[nodiscard]] constexpr Reader& in() noexcept { return in_; }
@@ -137,28 +138,28 @@ class SnapshotReader {
   template <class T>
   constexpr void read(std::optional<Shape>& result) noexcept {
     T shape{};
-    said_ = read_shape(in_, shape, meshes_);
+    said_ = read_shape(in_, shape, assets_);
     result.emplace(shape);
   }
 
   std::span<const std::byte> frames_;
   SnapshotHeader header_;
-  const Meshes& meshes_;
+  const Assets& assets_;
   Restored said_ = Restored::yes;
   Reader in_;
 };
 
 /// Whether the parts of a snapshot are those of a scene, and fit this one.
-template <class Storage, Scalar S, int N, class... Shapes, class Meshes>
+template <class Storage, Scalar S, int N, class... Shapes, class Assets>
 [[nodiscard]] constexpr Restored check_parts(const BasicScene<Storage, S, N, Shapes...>& scene,
                                              std::span<const std::byte> bytes,
                                              const SnapshotHeader& header,
-                                             const Meshes& meshes) noexcept {
-  using Snapshot = SnapshotReader<Meshes, S, N, Shapes...>;
+                                             const Assets& assets) noexcept {
+  using Snapshot = SnapshotReader<Assets, S, N, Shapes...>;
   const auto is_generation = [&](std::uint32_t generation) {
     return generation != 0 && generation < header.next_generation;
   };
-  Snapshot snapshot(bytes, header, meshes);
+  Snapshot snapshot(bytes, header, assets);
   Reader& in = snapshot.in();
   if (header.next_generation == 0) return Restored::corrupted;
   if (header.frame_count > in.left() / Snapshot::frame_size) return Restored::corrupted;
@@ -199,11 +200,11 @@ template <class Storage, Scalar S, int N, class... Shapes, class Meshes>
 }
 
 /// Makes the moving part of a scene that of a checked snapshot.
-template <class Storage, Scalar S, int N, class... Shapes, class Meshes>
+template <class Storage, Scalar S, int N, class... Shapes, class Assets>
 constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<const std::byte> bytes,
-                     const SnapshotHeader& header, const Meshes& meshes) {
+                     const SnapshotHeader& header, const Assets& assets) {
   auto& store = SceneAccess::store(scene);
-  SnapshotReader<Meshes, S, N, Shapes...> snapshot(bytes, header, meshes);
+  SnapshotReader<Assets, S, N, Shapes...> snapshot(bytes, header, assets);
   Reader& in = snapshot.in();
   store.begin_bulk();
   store.frames().clear();
@@ -265,12 +266,13 @@ template <class Storage, Scalar S, int N, class... Shapes>
 
 /// Makes the moving objects and the frames of `scene` those of a snapshot; or leaves it as it was
 /// and says why. Whatever the bytes are, it asks for no more memory than the objects need that the
-/// scene has room for. Meshes of moving objects are found in `meshes`, a list of `MeshAsset<S>` that
-/// outlives the scene, by id and digest.
-template <class Storage, Scalar S, int N, class... Shapes, class Meshes = detail::NoMeshes>
+/// scene has room for. The meshes, hulls and height fields of moving objects are found by id and
+/// digest in `lists` of `MeshAsset<S>`, `HullAsset<S, N>` and `FieldAsset<S>`, which outlive the
+/// scene.
+template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
 [[nodiscard]] constexpr Restored restore(BasicScene<Storage, S, N, Shapes...>& scene,
-                                         std::span<const std::byte> bytes,
-                                         const Meshes& meshes = {}) {
+                                         std::span<const std::byte> bytes, const Lists&... lists) {
+  const detail::AssetLists<Lists...> assets(lists...);
   detail::SnapshotHeader header;
   const auto read = header.read(bytes);
   if (read != Restored::yes) return read;
@@ -283,9 +285,9 @@ template <class Storage, Scalar S, int N, class... Shapes, class Meshes = detail
   if (header.fixed_count != store.fixed_size() || header.fixed_digest != store.fixed_digest()) {
     return Restored::other_fixed_part;
   }
-  const auto checked = detail::check_parts(scene, bytes, header, meshes);
+  const auto checked = detail::check_parts(scene, bytes, header, assets);
   if (checked != Restored::yes) return checked;
-  detail::apply(scene, bytes, header, meshes);
+  detail::apply(scene, bytes, header, assets);
   return Restored::yes;
 }
 

@@ -39,8 +39,8 @@ namespace detail {
 
 /// The name of a type of shape in desyncs, by its number in snapshots.
 [[nodiscard]] constexpr std::string_view shape_name(std::uint8_t tag) noexcept {
-  constexpr std::string_view names[] = {"shape", "sphere",   "aabb",    "obb",
-                                        "plane", "triangle", "capsule", "mesh"};
+  constexpr std::string_view names[] = {"shape",    "sphere",  "aabb", "obb",  "plane",
+                                        "triangle", "capsule", "mesh", "hull", "height field"};
   return names[tag < std::size(names) ? tag : 0];
 }
 

@@ -8,8 +8,8 @@
 
 #include "detent/scene/mesh/asset.hpp"
 #include "detent/scene/mesh/parts.hpp"
+#include "detent/scene/put.hpp"
 #include "detent/scene/shape_tag.hpp"
-#include "detent/shape/moved.hpp"
 
 namespace detent {
 
@@ -71,18 +71,6 @@ namespace detail {
 template <Scalar S>
 inline constexpr std::uint8_t shape_tag<PlacedMesh<S>> = 7;
 
-template <Scalar S>
-[[nodiscard]] constexpr bool only_moves(const Transform<S, 3>& transform) noexcept {
-  return transform.scale == 1 && transform.rotation == Rotation<S, 3>();
-}
-
-/// placed(transform, shape), with less work where nothing turns.
-template <Scalar S, class Shape>
-[[nodiscard]] constexpr Shape put(const Transform<S, 3>& transform, const Shape& shape) noexcept {
-  return only_moves(transform) ? translated(shape, transform.translation)
-                               : placed(transform, shape);
-}
-
 /// visit(triangles) of the mesh in their place, for what visits them where they come from.
 template <Scalar S, class Visit>
 [[nodiscard]] constexpr auto in_place(const PlacedMesh<S>& mesh, const Visit& visit) noexcept {
@@ -93,12 +81,6 @@ template <Scalar S, class Visit>
     }
     return visit(std::span<const MeshTriangle<S>>(there).first(triangles.size()));
   };
-}
-
-template <Scalar S, Number T>
-[[nodiscard]] constexpr bool is_in_range(const Vec<T, 3>& v) noexcept {
-  const auto rounded = nearest_to<S>(v);
-  return rounded.x == v.x && rounded.y == v.y && rounded.z == v.z;
 }
 
 /// Whether every triangle is one of the mesh moved exactly: then a question that is moved back

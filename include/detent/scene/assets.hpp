@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <tuple>
+
+#include "detent/scene/header.hpp"
+
+namespace detent {
+
+/// A list of what snapshots refer to by id and digest: `MeshAsset`s, `HullAsset`s or `FieldAsset`s.
+template <class List>
+concept AssetList = requires(const List& list) {
+  std::span(list).front().id();
+  std::span(list).front().digest();
+};
+
+namespace detail {
+
+/// The lists that a snapshot's references are looked up in.
+template <AssetList... Lists>
+class AssetLists {
+ public:
+  explicit constexpr AssetLists(const Lists&... lists) noexcept : lists_(lists...) {}
+
+  /// Finds the asset of this id and digest; or says why there is none. None is meant by zeros.
+  template <class Asset>
+  [[nodiscard]] constexpr Restored find(std::uint32_t id, std::uint64_t digest,
+                                        const Asset*& found) const noexcept {
+    if (id == 0 && digest == 0) return Restored::yes;
+    auto result = Restored::unknown_asset;
+    std::apply([&](const auto&... list) { (look(list, id, digest, found, result), ...); }, lists_);
+    return result;
+  }
+
+ private:
+  template <class List, class Asset>
+  static constexpr void look(const List& list, std::uint32_t id, std::uint64_t digest,
+                             const Asset*& found, Restored& result) noexcept {
+    if constexpr (requires { std::span<const Asset>(list); }) {
+      for (const auto& asset : std::span<const Asset>(list)) {
+        if (asset.id() != id || result == Restored::yes) continue;
+        result = asset.digest() == digest ? Restored::yes : Restored::other_asset;
+        if (result == Restored::yes) found = &asset;
+      }
+    }
+  }
+
+  std::tuple<const Lists&...> lists_;
+};
+
+/// Reads a shape that refers to an asset and its pose, as it was written.
+template <class Assets, class Asset, class Pose>
+[[nodiscard]] constexpr Restored read_reference(Reader& in, const Assets& assets,
+                                                const Asset*& asset, Pose& pose) noexcept {
+  std::uint32_t id = 0;
+  std::uint64_t digest = 0;
+  in.get(id, digest, pose);
+  return assets.find(id, digest, asset);
+}
+
+}  // namespace detail
+
+}  // namespace detent

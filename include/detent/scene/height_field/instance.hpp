@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <type_traits>
+
+#include "detent/scene/assets.hpp"
+#include "detent/scene/height_field/placed.hpp"
+#include "detent/scene/mesh/closest_point.hpp"
+#include "detent/scene/mesh/contains.hpp"
+#include "detent/scene/mesh/overlaps.hpp"
+#include "detent/scene/mesh/pairs.hpp"
+#include "detent/scene/mesh/raycast.hpp"
+
+namespace detent {
+
+/// What a scene lists to hold height fields, in 3D: `Scene<q16_16, 3, Sphere, FieldInstance>`, whose
+/// objects are each a `PlacedField<q16_16>`. Snapshots refer to fields by id and digest.
+template <Scalar S, int N>
+using FieldInstance = std::enable_if_t<N == 3, PlacedField<S>>;
+
+namespace detail {
+
+/// Reads a field that is one of `assets`: of one id, that with the same digest.
+template <Scalar S, class Assets>
+[[nodiscard]] constexpr Restored read_shape(Reader& in, PlacedField<S>& shape,
+                                            const Assets& assets) noexcept {
+  return read_reference(in, assets, shape.asset, shape.translation);
+}
+
+}  // namespace detail
+
+}  // namespace detent

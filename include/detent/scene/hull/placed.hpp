@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "detent/query/closest_point/hull.hpp"
+#include "detent/query/contains/hull.hpp"
+#include "detent/query/distance/hull.hpp"
+#include "detent/query/intersects/hull.hpp"
+#include "detent/query/overlaps.hpp"
+#include "detent/query/raycast/hull.hpp"
+#include "detent/scene/hull/asset.hpp"
+#include "detent/scene/mesh/surface.hpp"
+#include "detent/scene/put.hpp"
+#include "detent/scene/shape_tag.hpp"
+#include "detent/shape/bounding_box.hpp"
+
+namespace detent {
+
+/// A convex hull in another place: the hull of its points, each number of which is the exact one
+/// for the transform, rounded once and clamped to the range of the scalar.
+///
+/// All that a `ConvexHull` answers it answers too, exactly for those points: every query puts them
+/// where they are, which costs little beside the query itself.      (tests/scene/placed_hull.test.cpp)
+///
+/// The asset stays with the caller and must outlive it; without one it is empty.
+template <Scalar S, int N>
+struct PlacedHull {
+  const HullAsset<S, N>* asset = nullptr;
+  Transform<S, N> transform{};
+
+  [[nodiscard]] friend constexpr bool operator==(const PlacedHull&,
+                                                 const PlacedHull&) noexcept = default;
+};
+
+template <Scalar S, int N>
+PlacedHull(const HullAsset<S, N>*) -> PlacedHull<S, N>;
+template <Scalar S, int N>
+PlacedHull(const HullAsset<S, N>*, Transform<S, N>) -> PlacedHull<S, N>;
+
+/// The canonical bytes of a digest: id and digest of the hull, zeros for none, and the transform.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const PlacedHull<S, N>& hull) noexcept {
+  digest.add(hull.asset ? hull.asset->id() : std::uint32_t{0},
+             hull.asset ? hull.asset->digest() : std::uint64_t{0}, hull.transform);
+}
+
+/// Its fields in desyncs: see fields.hpp.
+template <Scalar S, int N, class F>
+constexpr void for_each_field(const PlacedHull<S, N>& hull, const F& f) {
+  f("hull", hull.asset ? hull.asset->id() : std::uint32_t{0});
+  f("digest of its points", hull.asset ? hull.asset->digest() : std::uint64_t{0});
+  for_each_field(hull.transform, f);
+}
+
+/// The hull moved by a vector: the translation is rounded to nearest and clamped.
+template <Scalar S, int N>
+[[nodiscard]] constexpr PlacedHull<S, N> translated(const PlacedHull<S, N>& hull,
+                                                    const Vec<S, N>& by) noexcept {
+  auto result = hull;
+  result.transform.translation = nearest_to<S>(hull.transform.translation + by);
+  return result;
+}
+
+/// The hull, given in a local frame, in the world: the transforms are composed, and rounded.
+template <Scalar S, int N>
+[[nodiscard]] constexpr PlacedHull<S, N> placed(const Transform<S, N>& transform,
+                                                const PlacedHull<S, N>& hull) noexcept {
+  return {hull.asset, compose(transform, hull.transform)};
+}
+
+namespace detail {
+
+template <Scalar S, int N>
+inline constexpr std::uint8_t shape_tag<PlacedHull<S, N>> = 8;
+
+/// The points of a hull where it is.
+template <Scalar S, int N>
+class HullPoints {
+ public:
+  explicit constexpr HullPoints(const PlacedHull<S, N>& placed) noexcept {
+    if (placed.asset == nullptr) return;
+    const auto& transform = placed.transform;
+    const bool is_moved = only_moves(transform);
+    for (const auto& point : placed.asset->hull().points) {
+      points_[count_++] = is_moved ? nearest_to<S>(point + transform.translation)
+                                   : transform_point(transform, point);
+    }
+  }
+  [[nodiscard]] constexpr ConvexHull<S, N> hull() const noexcept {
+    return {std::span<const Vec<S, N>>(points_).first(count_)};
+  }
+
+ private:
+  std::array<Vec<S, N>, HullAsset<S, N>::capacity> points_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace detail
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Aabb<S, N> bounding_box(const PlacedHull<S, N>& placed) noexcept {
+  return bounding_box(detail::HullPoints(placed).hull());
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool contains(const PlacedHull<S, N>& placed,
+                                      const Vec<S, N>& point) noexcept {
+  return contains(detail::HullPoints(placed).hull(), point);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> closest_point(const PlacedHull<S, N>& placed,
+                                                const Vec<S, N>& point) noexcept {
+  return closest_point(detail::HullPoints(placed).hull(), point);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr S distance(const PlacedHull<S, N>& placed,
+                                   const Vec<S, N>& point) noexcept {
+  return distance(detail::HullPoints(placed).hull(), point);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool intersects(const Segment<S, N>& segment,
+                                        const PlacedHull<S, N>& placed) noexcept {
+  return intersects(segment, detail::HullPoints(placed).hull());
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<S> raycast(const Ray<S, N>& ray,
+                                                 const PlacedHull<S, N>& placed) noexcept {
+  return raycast(ray, detail::HullPoints(placed).hull());
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<RayHit<S, N>> raycast_hit(
+    const Ray<S, N>& ray, const PlacedHull<S, N>& placed) noexcept {
+  return raycast_hit(ray, detail::HullPoints(placed).hull());
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<Interval<S>> raycast_interval(
+    const Ray<S, N>& ray, const PlacedHull<S, N>& placed) noexcept {
+  return raycast_interval(ray, detail::HullPoints(placed).hull());
+}
+
+/// A shape that a placed hull can be asked about: one that overlaps convex hulls.
+template <class Shape, class S, int N>
+concept MeetsHulls =
+    !is_surface_type<Shape> && requires(const Shape& shape, const ConvexHull<S, N>& hull) {
+  { overlaps(shape, hull) } -> std::same_as<bool>;
+};
+
+template <Scalar S, int N, MeetsHulls<S, N> Shape>
+[[nodiscard]] constexpr bool overlaps(const PlacedHull<S, N>& placed, const Shape& shape) noexcept {
+  return overlaps(detail::HullPoints(placed).hull(), shape);
+}
+template <Scalar S, int N, MeetsHulls<S, N> Shape>
+[[nodiscard]] constexpr bool overlaps(const Shape& shape, const PlacedHull<S, N>& placed) noexcept {
+  return overlaps(shape, detail::HullPoints(placed).hull());
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool overlaps(const PlacedHull<S, N>& a,
+                                      const PlacedHull<S, N>& b) noexcept {
+  return overlaps(detail::HullPoints(a).hull(), detail::HullPoints(b).hull());
+}
+/// Of a surface, the points are put in their place once for all triangles.
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
+[[nodiscard]] constexpr bool overlaps(const Surface<S>& surface,
+                                      const PlacedHull<S, 3>& placed) noexcept {
+  return overlaps(surface, detail::HullPoints(placed).hull());
+}
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
+[[nodiscard]] constexpr bool overlaps(const PlacedHull<S, 3>& placed,
+                                      const Surface<S>& surface) noexcept {
+  return overlaps(surface, detail::HullPoints(placed).hull());
+}
+
+}  // namespace detent
