@@ -122,6 +122,16 @@ TEST_CASE("placed field: out of range it is cut off, and answers all the same", 
   CHECK(raycast(down, field) == S::from_raw(131071));
   CHECK(intersects(Segment{down.origin, corner}, field));
   CHECK(overlaps(field, Sphere{corner, S(0)}));
+  // All samples at the end of the range, where none is when the question is moved back.
+  const FieldAsset flattened(1,
+                             *height_field<S>({S(4), S(0)}, S(4), 2, 2, std::span(hills).first(4)));
+  const Field wall{&flattened, {largest<S>, S(0), S(0)}};
+  const Vec3 sample{largest<S>, S(0), S(0)};
+  CHECK(contains(wall, sample));
+  CHECK(distance(wall, sample) == S(0));
+  CHECK(intersects(Segment{sample, at(0, 0, 0)}, wall));
+  CHECK(raycast(Ray<S, 3>{at(32767, 0, 0), Direction<S, 3>::along(0), S(1)}, wall) ==
+        S::from_raw(65535));
 }
 
 TEST_CASE("snapshot of assets: the scene is what it was, whatever its assets are a copy of") {
