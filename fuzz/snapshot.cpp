@@ -3,7 +3,7 @@
 // Whatever bytes a snapshot holds, restoring it makes the scene one that has exactly this snapshot
 // and answers as a fresh scene does; or refuses it and leaves the scene as it was. The input gets a
 // right length and checksum first, unless its first byte is odd, so that the parts are reached too;
-// its third bit adds meshes to the scene.
+// its third bit adds meshes to the scene, or hulls and height fields if its fourth bit is set too.
 
 #include <array>
 #include <cstdint>
@@ -12,6 +12,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "detent/scene/height_field.hpp"
+#include "detent/scene/hull.hpp"
 #include "detent/scene/mesh.hpp"
 #include "detent/scene/snapshot.hpp"
 #include "property.hpp"
@@ -21,6 +23,7 @@ namespace {
 
 using Toys = BoundedScene<Bounded<24, 6>, q16_16, 3, Sphere, Obb>;
 using Rocks = BoundedScene<Bounded<24, 6>, q16_16, 3, Sphere, Obb, MeshInstance>;
+using Props = BoundedScene<Bounded<24, 6>, q16_16, 3, Sphere, Obb, HullInstance, FieldInstance>;
 using Vec3 = Vec<q16_16, 3>;
 
 Vec3 at(int x, int y, int z) { return {q16_16(x), q16_16(y), q16_16(z)}; }
@@ -39,12 +42,30 @@ std::span<const MeshAsset<q16_16>> meshes() {
   return all;
 }
 
+/// Two hulls and two height fields, which have ids 1 and 2.
+std::span<const HullAsset<q16_16, 3>> hulls() {
+  static const std::array corners{at(0, 0, 0), at(4, 0, 0), at(0, 4, 0), at(0, 0, 4)};
+  static const std::array all{*hull_asset(1, ConvexHull(std::span(corners))),
+                              *hull_asset(2, ConvexHull(std::span(corners).first(2)))};
+  return all;
+}
+std::span<const FieldAsset<q16_16>> fields() {
+  static const std::array<q16_16, 6> heights{q16_16(0), q16_16(1), q16_16(2)};
+  static const std::array all{
+      FieldAsset(1, *height_field<q16_16>({q16_16(-4), q16_16(-4)}, q16_16(4), 3, 2, heights)),
+      FieldAsset(2, *height_field<q16_16>({q16_16(-4), q16_16(-4)}, q16_16(4), 2, 3, heights))};
+  return all;
+}
+
 template <class Scene>
 Scene with_fixed_part() {
   Scene scene;
   scene.add_as({0, 2}, Sphere{at(0, 0, 0), q16_16(1)}, {.user = 7, .motion = Motion::fixed});
   if constexpr (std::is_same_v<Scene, Rocks>) {
     scene.add_as({1, 3}, PlacedMesh{&meshes()[1]}, {.motion = Motion::fixed});
+  }
+  if constexpr (std::is_same_v<Scene, Props>) {
+    scene.add_as({1, 3}, PlacedField{&fields()[1]}, {.motion = Motion::fixed});
   }
   return scene;
 }
@@ -58,6 +79,12 @@ Scene toys() {
     scene.add(PlacedMesh{&meshes()[1]}, {.motion = Motion::fixed});
     scene.add(PlacedMesh{&meshes()[0], {.translation = at(0, 0, 1)}});
     scene.add(PlacedMesh{&meshes()[1]}, {.frame = frame});
+  }
+  if constexpr (std::is_same_v<Scene, Props>) {
+    scene.add(PlacedField{&fields()[1]}, {.motion = Motion::fixed});
+    scene.add(PlacedHull{&hulls()[0], {.translation = at(0, 0, 1)}});
+    scene.add(PlacedHull{&hulls()[1]}, {.frame = frame});
+    scene.add(PlacedField{&fields()[0]}, {.frame = frame});
   }
   for (int i = 1; i < 12; ++i) scene.add(Sphere{at(i, 2 * i, 0), q16_16(i)});
   scene.add(Obb<q16_16, 3>{at(0, 0, 0), at(1, 1, 1), {}}, {.frame = frame});
@@ -93,14 +120,14 @@ void check(const std::vector<std::byte>& bytes) {
   Scene scene = toys<Scene>();
   const auto before = bytes_of(scene);
   const auto overlaps = overlaps_of(scene);
-  if (restore(scene, bytes, meshes()) != Restored::yes) {
+  if (restore(scene, bytes, meshes(), hulls(), fields()) != Restored::yes) {
     require(bytes_of(scene) == before && overlaps_of(scene) == overlaps,
             [] { return std::string("refused, and changed the scene"); });
     return;
   }
   require(bytes_of(scene) == bytes, [] { return std::string("restored, and has other bytes"); });
   Scene fresh = with_fixed_part<Scene>();
-  require(restore(fresh, bytes, meshes()) == Restored::yes,
+  require(restore(fresh, bytes, meshes(), hulls(), fields()) == Restored::yes,
           [] { return std::string("only once"); });
   require(overlaps_of(fresh) == overlaps_of(scene) && digest(fresh) == digest(scene),
           [] { return std::string("a fresh scene answers otherwise"); });
@@ -113,7 +140,14 @@ void property(Bytes input) {
   const auto rest = std::as_bytes(input.subspan(1));
   std::vector<std::byte> bytes(rest.begin(), rest.end());
   if (input[0] % 2 == 0) seal(bytes);
-  input[0] / 4 % 2 == 0 ? check<Toys>(bytes) : check<Rocks>(bytes);
+  switch (input[0] / 4 % 4) {
+    case 1:
+      return check<Rocks>(bytes);
+    case 3:
+      return check<Props>(bytes);
+    default:
+      return check<Toys>(bytes);
+  }
 }
 
 }  // namespace detent::fuzz
