@@ -133,40 +133,40 @@ NormalPointer<N> against(const Line<N>& line) {
 /// Empty when `given` is right, else a line for each answer that is not.
 template <int N>
 std::string mistakes(const Expected<N>& expected, const Given<N>& given) {
-  std::ostringstream out;
+  std::string out;  // no stream, which takes longer than the questions of a small world
   const auto& exact = expected.hit;
   if (given.distance.has_value() != exact.has_value() ||
       (exact && *given.distance != exact->enter)) {
-    out << "  raycast: expected ";
-    exact ? out << exact->enter : out << "a miss";
-    given.distance ? out << ", got " << *given.distance : out << ", got a miss";
-    out << "\n";
+    out += "  raycast: expected " + (exact ? std::to_string(exact->enter) : "a miss") + ", got " +
+           (given.distance ? std::to_string(*given.distance) : "a miss") + "\n";
   }
   if (given.interval.has_value() != exact.has_value() ||
       (exact && *given.interval != std::pair{exact->enter, exact->exit})) {
-    out << "  raycast_interval: expected ";
-    exact ? out << exact->enter << " to " << exact->exit : out << "a miss";
-    given.interval ? out << ", got " << given.interval->first << " to " << given.interval->second
-                   : out << ", got a miss";
-    out << "\n";
+    const auto interval = [](std::int64_t enter, std::int64_t exit) {
+      return std::to_string(enter) + " to " + std::to_string(exit);
+    };
+    out += "  raycast_interval: expected " +
+           (exact ? interval(exact->enter, exact->exit) : "a miss") + ", got " +
+           (given.interval ? interval(given.interval->first, given.interval->second) : "a miss") +
+           "\n";
   }
   if (given.hit.has_value() != exact.has_value()) {
-    out << "  raycast_hit: expected a " << (exact ? "hit\n" : "miss\n");
+    out += std::string("  raycast_hit: expected a ") + (exact ? "hit\n" : "miss\n");
   } else if (exact) {
     if (given.hit->distance != exact->enter) {
-      out << "  raycast_hit: expected distance " << exact->enter << ", got " << given.hit->distance
-          << "\n";
+      out += "  raycast_hit: expected distance " + std::to_string(exact->enter) + ", got " +
+             std::to_string(given.hit->distance) + "\n";
     }
     if (given.hit->point != exact->point) {
-      out << "  raycast_hit: expected point " << text(exact->point) << ", got "
-          << text(given.hit->point) << "\n";
+      out += "  raycast_hit: expected point " + text(exact->point) + ", got " +
+             text(given.hit->point) + "\n";
     }
     if (!exact->normal->allows(given.hit->normal)) {
-      out << "  raycast_hit: expected normal " << exact->normal->text() << ", got "
-          << text(given.hit->normal) << "\n";
+      out += "  raycast_hit: expected normal " + exact->normal->text() + ", got " +
+             text(given.hit->normal) + "\n";
     }
   }
-  return out.str();
+  return out;
 }
 
 }  // namespace detent::oracle

@@ -2,9 +2,14 @@
 #pragma once
 
 #include <array>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cstddef>
 #include <cstdint>
+
+#ifdef DETENT_ORACLE_SHORT_INTEGERS
+#include "oracle/short_integer.hpp"
+#else
+#include <boost/multiprecision/cpp_int.hpp>
+#endif
 
 #include "detent/math/direction.hpp"
 #include "detent/math/vec.hpp"
@@ -15,11 +20,23 @@
 /// and no formula may be the library's own, so that a wrong idea is not checked by itself.
 namespace detent::oracle {
 
+#ifdef DETENT_ORACLE_SHORT_INTEGERS
+using Integer = ShortInteger;
+
+/// An instant is 2^-38 of the time of a raw unit. A ray and a capsule of three-bit coordinates meet
+/// at a grid time or more than that away from it: beside a grid time, their parabola of integers
+/// below 2^28 * 147 is at least 1, and steeper by no more than the length of the ray.
+inline constexpr unsigned instant_bits = 38;
+#else
 /// Twice the widest product below; checked, so an overflow would throw and not lie.
 using Integer = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<512, 512, boost::multiprecision::signed_magnitude,
                                            boost::multiprecision::checked, void>,
     boost::multiprecision::et_off>;
+
+/// An instant is 2^-128 of the time of a raw unit.
+inline constexpr unsigned instant_bits = 128;
+#endif
 
 template <int N>
 using Vector = std::array<Integer, static_cast<std::size_t>(N)>;

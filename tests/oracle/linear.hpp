@@ -97,7 +97,7 @@ template <int N>
 bool meet(const Hull<N>& a, const Hull<N>& b) {
   if (a.over.empty() || b.over.empty()) return false;
   constexpr auto size = static_cast<std::size_t>(N);
-  const Integer under = boost::multiprecision::lcm(a.under, b.under);
+  const Integer under = lcm(a.under, b.under);
   const Integer scale_a = under / a.under, scale_b = under / b.under;
   Simplex simplex(size + 2, a.over.size() + b.over.size());
   std::size_t column = 0;

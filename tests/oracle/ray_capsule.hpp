@@ -164,7 +164,7 @@ Expected<N> expected_raycast(const Ray<S, N>& ray, const Capsule<S, N>& capsule)
       const std::int64_t middle = enter + (beyond - enter) / 2;
       (is_outside(middle) ? enter : beyond) = middle;
     }
-    const Integer parts = Integer(1) << 128;
+    const Integer parts = Integer(1) << instant_bits;
     const Moment just_before{(Integer(enter) + 1) * parts - 1, parts};
     if (enter < within && near.sign_at(just_before) > 0) ++enter;
   }

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "oracle/ask.hpp"
+#include "oracle/hull.hpp"
+#include "oracle/ray_box.hpp"
+#include "oracle/ray_capsule.hpp"
+#include "oracle/ray_hull.hpp"
+#include "oracle/ray_plane.hpp"
+#include "oracle/ray_sphere.hpp"
+#include "oracle/ray_triangle.hpp"
+#include "small/world.hpp"
+
+/// Rays of a small world against every shape of it, or every one of an exhaustive set: raycast,
+/// raycast_hit and raycast_interval.
+namespace detent::small {
+
+template <Scalar S, int N, class Shape>
+std::string ray_mistakes(const Ray<S, N>& ray, const Shape& shape,
+                         const oracle::Expected<N>& expected) {
+  auto found = oracle::mistakes(expected, oracle::ask(ray, shape));
+  if constexpr (requires { detent::raycast(ray, shape, Facing::front); }) {
+    const auto front = oracle::meets_front(ray, shape) ? expected : oracle::Expected<N>{};
+    found += oracle::mistakes(front, oracle::ask(ray, shape, Facing::front));
+  }
+  return found;
+}
+
+template <class Shape, Scalar S, int N>
+void ask_rays(Verdict& verdict, const std::vector<Ray<S, N>>& rays,
+              const std::vector<Shape>& shapes) {
+  for (const auto& shape : shapes) {
+    for (const auto& ray : rays) {
+      const auto expected = oracle::expected_raycast(ray, shape);
+      verdict.count(expected.hit.has_value());
+      verdict.judge(ray_mistakes(ray, shape, expected),
+                    [&] { return oracle::describe(ray) + "; " + oracle::describe(shape); });
+    }
+  }
+}
+
+/// At most `most_rays` rays against at most `most` shapes of every kind.
+template <Scalar S, int N>
+void ask_every_ray(std::size_t most_rays, std::size_t most, long expected) {
+  Verdict verdict;
+  const auto all = points<S, N>();
+  const auto ways = directions<S, N>(2);
+  const auto corners = some(N == 2 ? 16 : 9, all);
+  const auto cast = some(most_rays, rays(all, directions<S, N>(3), numbers<S>()));
+  ask_rays(verdict, cast, some(most, spheres<S, N>()));
+  ask_rays(verdict, cast, some(most, boxes(all)));
+  ask_rays(verdict, cast, some(most, turned_boxes(all, all, rotations<S, N>())));
+  ask_rays(verdict, cast, some(most, planes(ways)));
+  ask_rays(verdict, cast, some(most, triangles(all, all)));
+  ask_rays(verdict, cast, some(most, capsules(all)));
+  ask_rays(verdict, cast, some(most, segments(all)));
+  const Hulls<S, N> hulls(corners, N == 2 ? 4 : 5);
+  ask_rays(verdict, cast, some(most, hulls.all()));
+  verdict.finish(expected);
+}
+
+}  // namespace detent::small

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "detent/shape/shape.hpp"
+#include "oracle/describe.hpp"
+#include "support/catch.hpp"
+
+/// Worlds of so few numbers that everything in them can be enumerated: there every coordinate is
+/// near an end of the range, and most shapes are degenerate, touch or coincide.
+namespace detent::small {
+
+/// Counts cases, and keeps the first few that the library answers wrongly.
+class Verdict {
+ public:
+  /// `wrong` is empty, or says what is wrong; `describe()` names the case.
+  template <class Describe>
+  void judge(const std::string& wrong, const Describe& describe) {
+    ++cases_;
+    if (wrong.empty() || ++wrong_ > 5) return;
+    first_ << describe() << "\n" << wrong;
+  }
+
+  /// Counts yes among the answers, so that no sweep has but one answer.
+  void count(bool yes) { yes_ += yes ? 1 : 0; }
+
+  /// `expected` cases have been asked: a sweep that loses some by mistake fails.
+  void finish(long expected) const {
+    INFO(cases_ << " cases, " << yes_ << " of them yes, " << wrong_ << " wrong\n" << first_.str());
+    CHECK(wrong_ == 0);
+    CHECK(cases_ == expected);
+    CHECK(yes_ > 0);
+    CHECK(yes_ < cases_);
+  }
+
+ private:
+  long cases_ = 0, yes_ = 0, wrong_ = 0;
+  std::ostringstream first_;
+};
+
+/// Every number of a short scalar, from the least up; of a long one the ends and those about 0.
+template <Scalar S>
+std::vector<S> numbers() {
+  using Raw = typename S::raw_type;
+  const Raw low = S::lowest().raw(), high = S::max().raw();
+  if constexpr (S::bits > 7) {
+    return {S::from_raw(low), S::from_raw(-1), S(), S::from_raw(1), S::from_raw(high)};
+  } else {
+    std::vector<S> all;
+    for (int raw = low; raw <= high; ++raw) all.push_back(S::from_raw(static_cast<Raw>(raw)));
+    return all;
+  }
+}
+
+/// All of a list, or `most` elements spread over it: every kth, round and round, where k is near the
+/// golden ratio of its size, so that no coordinate is always the same.
+template <class T>
+std::vector<T> some(std::size_t most, const std::vector<T>& all) {
+  if (all.size() <= most) return all;
+  std::size_t k = all.size() * 618 / 1000;
+  while (std::gcd(k, all.size()) != 1) ++k;
+  std::vector<T> result;
+  for (std::size_t i = 0; i < most; ++i) result.push_back(all[i * k % all.size()]);
+  return result;
+}
+
+/// Every point.
+template <Scalar S, int N>
+std::vector<Vec<S, N>> points() {
+  std::vector<Vec<S, N>> all{Vec<S, N>{}};
+  for (int i = 0; i < N; ++i) {
+    std::vector<Vec<S, N>> longer;
+    for (auto point : all) {
+      for (const S& x : numbers<S>()) {
+        point[i] = x;
+        longer.push_back(point);
+      }
+    }
+    all = longer;
+  }
+  return all;
+}
+
+/// The directions of all vectors of integers up to `most`, the axes first, and those that are as
+/// long or as short as a direction can be.
+template <Scalar S, int N>
+std::vector<Direction<S, N>> directions(int most) {
+  using D = Direction<S, N>;
+  using Whole = Fixed<15, 0>;
+  std::vector<D> all;
+  const auto add = [&](const D& direction) {
+    if (std::find(all.begin(), all.end(), direction) == all.end()) all.push_back(direction);
+  };
+  for (int i = 0; i < N; ++i) {
+    add(D::along(i));
+    add(-D::along(i));
+  }
+  for (int x = -most; x <= most; ++x) {
+    for (int y = -most; y <= most; ++y) {
+      for (int z = -most; z <= (N == 2 ? -most : most); ++z) {
+        auto vector = Vec<Whole, N>{};
+        vector[0] = Whole(x);
+        vector[1] = Whole(y);
+        if constexpr (N == 3) vector[2] = Whole(z);
+        if (const auto direction = direction_of<S>(vector)) add(*direction);
+      }
+    }
+  }
+  // Lengths from 1 less two steps of the grid to 1 and two steps.
+  using Raw = typename D::Raw;
+  constexpr int frac = D::Component::frac;
+  const int unit = 1 << frac, side = frac == 14 ? 11585 : 759'250'125;  // unit / sqrt(2)
+  const int step = 1 << (frac / 2 + 1);
+  const std::array<int, 2> longest{unit, step}, shortest{2 - unit, 0};
+  const std::array<int, 2> aslant{side + 1, -side - 1}, short_of{side - 2, side};
+  for (const auto& [x, y] : {longest, shortest, aslant, short_of}) {
+    const std::array<Raw, N> raw{static_cast<Raw>(x), static_cast<Raw>(y)};
+    if (const auto direction = D::from_raw(raw)) add(*direction);
+  }
+  return all;
+}
+
+/// Turned, mirrored and sheared frames, some of whose axes are parallel.
+template <Scalar S, int N>
+std::vector<Rotation<S, N>> rotations() {
+  std::vector<Rotation<S, N>> all{Rotation<S, N>()};
+  for (const int degrees : {90, 45, 30, 200, 333}) {
+    const auto angle = Angle<S>::turn(degrees, 360);
+    if constexpr (N == 2) {
+      all.push_back(Rotation<S, 2>::from_angle(angle));
+    } else {
+      all.push_back(Rotation<S, 3>::from_euler(angle, Angle<S>(), Angle<S>()));
+      all.push_back(Rotation<S, 3>::from_euler(angle, angle, angle));
+    }
+  }
+  const auto ways = directions<S, N>(2);
+  for (const std::size_t i : {1u, 4u, 7u}) {
+    auto axes = std::array<Direction<S, N>, N>{ways[0], ways[i]};
+    if constexpr (N == 3) axes[2] = ways[i + 4];
+    all.push_back(Rotation<S, N>::from_axes(axes));
+    axes = {ways[ways.size() - i], ways[i + 2]};
+    if constexpr (N == 3) axes[2] = ways[2 * i];
+    all.push_back(Rotation<S, N>::from_axes(axes));
+  }
+  return all;
+}
+
+template <Scalar S, int N>
+std::vector<Sphere<S, N>> spheres() {
+  std::vector<Sphere<S, N>> all;
+  for (const auto& center : points<S, N>()) {
+    for (const S& radius : numbers<S>()) all.push_back({center, radius});
+  }
+  return all;
+}
+
+/// The shape that every pair of points makes.
+template <class Shape, Scalar S, int N>
+std::vector<Shape> pairs_of_points(const std::vector<Vec<S, N>>& ends) {
+  std::vector<Shape> all;
+  for (const auto& a : ends) {
+    for (const auto& b : ends) all.push_back({a, b});
+  }
+  return all;
+}
+template <Scalar S, int N>
+std::vector<Aabb<S, N>> boxes(const std::vector<Vec<S, N>>& corners) {
+  return pairs_of_points<Aabb<S, N>>(corners);
+}
+template <Scalar S, int N>
+std::vector<Segment<S, N>> segments(const std::vector<Vec<S, N>>& ends) {
+  return pairs_of_points<Segment<S, N>>(ends);
+}
+
+template <Scalar S, int N>
+std::vector<Capsule<S, N>> capsules(const std::vector<Vec<S, N>>& ends) {
+  std::vector<Capsule<S, N>> all;
+  for (const auto& segment : segments(ends)) {
+    for (const S& radius : numbers<S>()) all.push_back({segment.start, segment.end, radius});
+  }
+  return all;
+}
+
+template <Scalar S, int N>
+std::vector<Triangle<S, N>> triangles(const std::vector<Vec<S, N>>& first,
+                                      const std::vector<Vec<S, N>>& others) {
+  std::vector<Triangle<S, N>> all;
+  for (const auto& a : first) {
+    for (const auto& b : others) {
+      for (const auto& c : others) all.push_back({a, b, c});
+    }
+  }
+  return all;
+}
+
+template <Scalar S, int N>
+std::vector<Plane<S, N>> planes(const std::vector<Direction<S, N>>& normals) {
+  std::vector<Plane<S, N>> all;
+  for (const auto& normal : normals) {
+    for (const S& offset : numbers<S>()) all.push_back({normal, offset});
+  }
+  return all;
+}
+
+template <Scalar S, int N>
+std::vector<Obb<S, N>> turned_boxes(const std::vector<Vec<S, N>>& centers,
+                                    const std::vector<Vec<S, N>>& half_extents,
+                                    const std::vector<Rotation<S, N>>& rotations) {
+  std::vector<Obb<S, N>> all;
+  for (const auto& rotation : rotations) {
+    for (const auto& center : centers) {
+      for (const auto& half : half_extents) all.push_back({center, half, rotation});
+    }
+  }
+  return all;
+}
+
+template <Scalar S, int N>
+std::vector<Ray<S, N>> rays(const std::vector<Vec<S, N>>& origins,
+                            const std::vector<Direction<S, N>>& directions,
+                            const std::vector<S>& max_distances) {
+  std::vector<Ray<S, N>> all;
+  for (const auto& origin : origins) {
+    for (const auto& direction : directions) {
+      for (const S& most : max_distances) all.push_back({origin, direction, most});
+    }
+  }
+  return all;
+}
+
+/// The hulls of every choice of up to `most` of `corners`, a corner twice included; none but the
+/// first is empty.
+template <Scalar S, int N>
+class Hulls {
+ public:
+  Hulls(const std::vector<Vec<S, N>>& corners, std::size_t most) {
+    lists_.emplace_back();
+    std::size_t begin = 0;
+    for (std::size_t count = 1; count <= most; ++count) {
+      const std::size_t end = lists_.size();
+      for (std::size_t i = begin; i < end; ++i) {
+        for (const auto& corner : corners) {
+          if (count > 1 && is_before(corner, lists_[i].back())) continue;
+          auto longer = lists_[i];
+          longer.push_back(corner);
+          lists_.push_back(longer);
+        }
+      }
+      begin = end;
+    }
+  }
+
+  std::vector<ConvexHull<S, N>> all() const {
+    std::vector<ConvexHull<S, N>> hulls;
+    for (const auto& list : lists_) hulls.push_back({list});
+    return hulls;
+  }
+
+ private:
+  static bool is_before(const Vec<S, N>& a, const Vec<S, N>& b) {
+    for (int i = 0; i < N; ++i) {
+      if (a[i] != b[i]) return a[i] < b[i];
+    }
+    return false;
+  }
+
+  std::vector<std::vector<Vec<S, N>>> lists_;
+};
+
+}  // namespace detent::small
