@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The corners of what a `Scalar` may be, at the ends of their ranges: every query compiles, and the
-// number of bits after the point shows in no answer.
+// The corners of what a `Scalar` may be: every query compiles and is right at the ends of the range
+// and about 0, however many bits are after the point.
 
 #include "small/pairs.hpp"
 #include "small/points.hpp"
@@ -21,14 +21,18 @@ void ask_all(long points, long rays, long pairs) {
 
 }  // namespace
 
+TEST_CASE("small worlds: 31 bits, one before the point", "[small]") {
+  ask_all<Fixed<31, 30>, 3>(225'000, 48'000, 90'000);
+}
+
 TEST_CASE("small worlds: 31 bits, none after the point", "[small]") {
-  ask_all<Fixed<31, 0>, 2>(0, 0, 0);
+  ask_all<Fixed<31, 0>, 2>(40'625, 48'000, 90'000);
 }
 
 TEST_CASE("small worlds: 30 bits, one before the point", "[small]") {
-  ask_all<Fixed<30, 29>, 3>(0, 0, 0);
+  ask_all<Fixed<30, 29>, 3>(225'000, 48'000, 90'000);
 }
 
 TEST_CASE("small worlds: 14 bits, one before the point", "[small]") {
-  ask_all<Fixed<14, 13>, 2>(0, 0, 0);
+  ask_all<Fixed<14, 13>, 2>(40'625, 48'000, 90'000);
 }
