@@ -52,7 +52,7 @@ class Direction {
   /// The direction with these raw components, or nothing when they are not those of a unit vector
   /// (a length off by more than 2^-29, or 2^-13 for 16-bit components; a component beyond 1).
   [[nodiscard]] static constexpr std::optional<Direction> from_raw(
-      const std::array<Raw, N>& raw) noexcept {
+      const std::array<Raw, std::size_t{N}>& raw) noexcept {
     const auto components = detail::from_raw<Component>(raw);
     if (!is_unit(components)) return std::nullopt;
     return Direction(from_array(components));

@@ -53,7 +53,8 @@ class Rotation {
 
   /// The frame with these axes, taken as they are. Axes that are not perpendicular, or left-handed,
   /// make a frame that shears or mirrors; every function of a frame is defined for those too.
-  [[nodiscard]] static constexpr Rotation from_axes(const std::array<Axis, N>& axes) noexcept {
+  [[nodiscard]] static constexpr Rotation from_axes(
+      const std::array<Axis, std::size_t{N}>& axes) noexcept {
     Rotation rotation;
     rotation.axes_ = axes;
     return rotation;
@@ -146,7 +147,8 @@ class Rotation {
   using Ratio = typename detail::Precise<S>::Ratio;
   using Column = Vec<Component, N>;
 
-  static constexpr Rotation from_columns(const std::array<Column, N>& columns) noexcept {
+  static constexpr Rotation from_columns(
+      const std::array<Column, std::size_t{N}>& columns) noexcept {
     Rotation rotation;
     for (std::size_t i = 0; i < N; ++i) rotation.axes_[i] = Axis::assume_unit(columns[i]);
     return rotation;
@@ -157,7 +159,7 @@ class Rotation {
     return {nearest_to<Component>(x), nearest_to<Component>(y), nearest_to<Component>(z)};
   }
 
-  std::array<Axis, N> axes_;
+  std::array<Axis, std::size_t{N}> axes_;
 };
 
 /// The canonical bytes of a digest: the axes in order.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 #include "detent/number/integer.hpp"
@@ -25,7 +26,7 @@ template <int Words>
 constexpr Division<Wide<Words>> divide_long(const Wide<Words>& numerator,
                                             const Wide<Words>& denominator) noexcept {
   constexpr int digits = 2 * Words;
-  using Digits = std::array<std::uint32_t, digits + 1>;
+  using Digits = std::array<std::uint32_t, std::size_t{digits + 1}>;
   const auto at = [](auto& array, int i) -> auto& { return array[static_cast<std::size_t>(i)]; };
   const auto split = [&at](const Wide<Words>& x) {
     Digits result{};
@@ -35,7 +36,7 @@ constexpr Division<Wide<Words>> divide_long(const Wide<Words>& numerator,
     return result;
   };
   const auto join = [&at](const Digits& x) {
-    std::array<std::uint64_t, Words> words{};
+    std::array<std::uint64_t, std::size_t{Words}> words{};
     for (int i = 0; i < digits; ++i) {
       at(words, i / 2) |= std::uint64_t{at(x, i)} << (32 * (i % 2));
     }

@@ -74,7 +74,7 @@ constexpr std::array<std::uint32_t, Size> limbs_of(const Raw& raw) noexcept {
 template <class Raw, std::size_t Size>
 constexpr Raw raw_of(const std::array<std::uint32_t, Size>& limbs, bool negative) noexcept {
   constexpr int words = words_of<Raw>;
-  std::array<std::uint64_t, (words < 2 ? 2 : words)> pattern{};
+  std::array<std::uint64_t, std::size_t{words < 2 ? 2 : words}> pattern{};
   for (std::size_t i = 0; i < Size; ++i)
     pattern[i / 2] |= std::uint64_t{limbs[i]} << (32 * (i % 2));
   const auto magnitude = Wide<(words < 2 ? 2 : words)>::from_words(pattern);

@@ -5,6 +5,7 @@
 #include <bit>
 #include <compare>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
@@ -110,7 +111,7 @@ class Wide {
   }
 
   [[nodiscard]] static constexpr Wide from_words(
-      const std::array<std::uint64_t, Words>& words) noexcept {
+      const std::array<std::uint64_t, std::size_t{Words}>& words) noexcept {
     Wide result;
     result.words_ = words;
     return result;
@@ -226,13 +227,13 @@ class Wide {
     for (int i = first; i < Words; ++i) words_[index(i)] = negative ? ~std::uint64_t{0} : 0;
   }
 
-  std::array<std::uint64_t, Words> words_{};
+  std::array<std::uint64_t, std::size_t{Words}> words_{};
 };
 
 /// a * b modulo 2^(64 * Result), from 32-bit halves of a.
 template <int Result, int A>
 [[nodiscard]] constexpr Wide<Result> multiply_by_half(const Wide<A>& a, std::int32_t b) noexcept {
-  std::array<std::uint64_t, Result> words{};
+  std::array<std::uint64_t, std::size_t{Result}> words{};
   std::uint64_t sum = 0;
   const auto next_half = [&](std::uint64_t half) {
     if (!has_short_products || half != 0)
@@ -286,7 +287,7 @@ template <int Result, int A, int B>
     }
     if (k < 2 * Result) at(sum, k) = static_cast<std::uint32_t>(carry);
   }
-  std::array<std::uint64_t, Result> words{};
+  std::array<std::uint64_t, std::size_t{Result}> words{};
   for (int i = 0; i < Result; ++i) {
     at(words, i) = (std::uint64_t{at(sum, 2 * i + 1)} << 32) | at(sum, 2 * i);
   }
@@ -301,7 +302,7 @@ constexpr Wide<Result> multiply(const Wide<A>& a, const Wide<B>& b) noexcept {
 #if DETENT_SHORT_WORDS
   return multiply_by_halves<Result>(a, b);
 #else
-  std::array<std::uint64_t, Result> sum{};
+  std::array<std::uint64_t, std::size_t{Result}> sum{};
   const auto at = [&sum](int i) -> std::uint64_t& { return sum[static_cast<std::size_t>(i)]; };
   for (int i = 0; i < A && i < Result; ++i) {
     std::uint64_t carry = 0;

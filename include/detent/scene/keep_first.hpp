@@ -25,4 +25,15 @@ constexpr void keep_first(std::span<Item> kept, std::size_t seen, const Item& it
   }
 }
 
+/// Puts what keep_first kept of the `seen` items that it was offered in order.
+///
+/// By the heap that a full list already is: std::sort looks at 16 items at a time, which GCC takes
+/// for an index out of bounds where an array is shorter.
+template <class Item>
+constexpr void sort_kept(std::span<Item> kept, std::size_t seen) noexcept {
+  const auto items = kept.first((std::min)(seen, kept.size()));
+  if (seen < kept.size()) std::make_heap(items.begin(), items.end());
+  std::sort_heap(items.begin(), items.end());
+}
+
 }  // namespace detent::detail

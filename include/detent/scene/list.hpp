@@ -45,10 +45,8 @@ template <class T>
 class FixedList<T, 0> {
  public:
   [[nodiscard]] constexpr std::size_t size() const noexcept { return 0; }
-  // cppcheck-suppress nullPointer  // never called: there are none
-  [[nodiscard]] constexpr T& operator[](std::size_t) const noexcept { return *none(); }
-  // cppcheck-suppress nullPointer  // never called: there are none
-  [[nodiscard]] constexpr T& back() const noexcept { return *none(); }
+  [[nodiscard]] constexpr T& operator[](std::size_t) const noexcept { return none(); }
+  [[nodiscard]] constexpr T& back() const noexcept { return none(); }
   constexpr void push_back(const T&) const noexcept { DETENT_ASSERT(size() != 0); }
   constexpr void pop_back() const noexcept {}
   constexpr void clear() const noexcept {}
@@ -56,7 +54,14 @@ class FixedList<T, 0> {
   constexpr void reserve(std::size_t) const noexcept {}
 
  private:
-  static constexpr T* none() noexcept { return nullptr; }
+  /// Never called, and compilers know it, or they would warn of an element out of bounds.
+  [[noreturn]] static constexpr T& none() noexcept {
+#if defined(_MSC_VER) && !defined(__clang__)
+    __assume(false);
+#else
+    __builtin_unreachable();
+#endif
+  }
 };
 
 }  // namespace detail

@@ -83,7 +83,7 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
     std::size_t count = 0;
     finder().collect(question, filter,
                      [&](const Found<S>& found) { detail::keep_first(room, count++, found); });
-    sort_first(room, count);
+    detail::sort_kept(room, count);
     return count;
   }
 
@@ -101,7 +101,7 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
     std::size_t count = 0;
     finder().visit_overlaps(
         filter, [&](const Overlap& overlap) { detail::keep_first(room, count++, overlap); });
-    sort_first(room, count);
+    detail::sort_kept(room, count);
     return count;
   }
 
@@ -132,7 +132,7 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
     finder().collect(ray, filter, [&](const Found<S>& found) {
       detail::keep_first(room, count++, ObjectHit<S, N>{found.distance, found.id, {}, {}});
     });
-    sort_first(room, count);
+    detail::sort_kept(room, count);
     for (auto& hit : room.first((std::min)(room.size(), count))) {
       hit = finder().hit_of(ray, {hit.distance, hit.id});
     }
@@ -141,13 +141,6 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
 
  private:
   [[nodiscard]] constexpr auto finder() const noexcept { return detail::Finder(this->store_); }
-
-  /// Those of `count` that `room` holds, in order.
-  template <class T>
-  static constexpr void sort_first(std::span<T> room, std::size_t count) noexcept {
-    std::sort(room.begin(),
-              room.begin() + static_cast<std::ptrdiff_t>((std::min)(room.size(), count)));
-  }
 };
 
 #if __STDC_HOSTED__

@@ -61,7 +61,7 @@ requires is_surface<Surface>
     }
     return false;
   });
-  std::sort(out.begin(), out.begin() + static_cast<std::ptrdiff_t>((std::min)(count, out.size())));
+  detail::sort_kept(out, count);
   return count;
 }
 

@@ -118,7 +118,7 @@ requires is_surface<Surface>
     detail::keep_first(out, count++, MeshHit<S>{distance, part.index});
     return ray.max_distance;
   });
-  std::sort(out.begin(), out.begin() + static_cast<std::ptrdiff_t>((std::min)(count, out.size())));
+  detail::sort_kept(out, count);
   return count;
 }
 

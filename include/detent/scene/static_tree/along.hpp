@@ -97,9 +97,8 @@ class StaticRay {
     return sum;
   }
 
-  [[nodiscard]] static constexpr std::array<Slab, N> make_slabs(const Ray<S, N>& ray,
-                                                                const Aabb<S, N>& bounds,
-                                                                const Clock& clock) noexcept {
+  [[nodiscard]] static constexpr std::array<Slab, std::size_t{N}> make_slabs(
+      const Ray<S, N>& ray, const Aabb<S, N>& bounds, const Clock& clock) noexcept {
     const auto slab = [&](int i) {
       return Slab(clock, ray.origin[i], ray.direction[i], bounds.min[i], bounds.max[i]);
     };
@@ -111,8 +110,8 @@ class StaticRay {
   }
 
   Clock clock_;
-  std::array<Slab, N> slabs_;
-  std::array<std::size_t, N> near_side_{};
+  std::array<Slab, std::size_t{N}> slabs_;
+  std::array<std::size_t, std::size_t{N}> near_side_{};
 };
 
 }  // namespace detail

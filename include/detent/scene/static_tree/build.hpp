@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -224,7 +225,7 @@ class StaticBuilder {
     const auto items = items_.subspan(range.first, range.count);
     const auto bins_of = make_array(
         [&](int i) { return Bins<S>(range.middles.least(i), range.middles.greatest(i)); });
-    std::array<AxisBins, N> bins;
+    std::array<AxisBins, std::size_t{N}> bins;
     if (std::is_constant_evaluated()) {
       // GCC 12 would let all of them share one box, and keep what it became for the whole program.
       for (auto& axis : bins) {

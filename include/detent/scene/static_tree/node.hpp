@@ -21,7 +21,7 @@ template <Scalar S, int N>
 struct alignas(64) StaticNode {
   static constexpr std::size_t width = 8;
 
-  std::array<PlaneGrid<S>, N> grids;
+  std::array<PlaneGrid<S>, std::size_t{N}> grids;
   /// sides[2 * axis] is the least coordinate of each child's box on an axis, sides[2 * axis + 1]
   /// the greatest.
   std::array<std::array<std::uint8_t, width>, 2 * std::size_t{N}> sides{};

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+//
+// What a game may use, compiled by warnings.sh as in a project that lets no warning pass.
+
+#include <array>
+#include <cstdio>
+#include <span>
+#include <vector>
+
+#include "detent/detent.hpp"
+
+using namespace detent;
+using namespace detent::literals;
+
+namespace {
+
+template <class Shape, Scalar S, int N>
+int ask(const Shape& shape, const Ray<S, N>& ray, const Vec<S, N>& point) {
+  const auto hit = raycast_hit(ray, shape);
+  const auto inside = raycast_interval(ray, shape);
+  return (hit ? 1 : 0) + (inside && inside->exit > 1 ? 1 : 0) + (raycast(ray, shape) ? 1 : 0) +
+         (contains(shape, point) ? 1 : 0) + (on(shape, point, S(1)) ? 1 : 0) +
+         (closest_point(shape, point) == point ? 1 : 0) + (distance(shape, point) > 1 ? 1 : 0);
+}
+
+template <Scalar S, int N, class Shape, class... Shapes>
+int meet(const Segment<S, N>& segment, const Shape& shape, const Shapes&... shapes) {
+  int count =
+      intersects(segment, shape) + overlaps(shape, shape) + (overlaps(shape, shapes) + ... + 0);
+  if constexpr (sizeof...(Shapes) != 0) count += meet(segment, shapes...);
+  return count;
+}
+
+template <Scalar S>
+struct Numbers {
+  Vec<S, 3> point;
+  Direction<S, 3> forward;
+  Angle<S> angle;
+
+  [[nodiscard]] int queries() const {
+    const auto turned = Rotation<S, 3>::from_axis_angle(forward, angle);
+    const Ray<S, 3> ray{point, forward};
+    const Sphere<S, 3> sphere{point, S(2)};
+    const Aabb<S, 3> aabb{Vec<S, 3>{}, point};
+    const Obb<S, 3> obb{point, point, turned};
+    const Plane<S, 3> plane{forward, S(1)};
+    const Triangle<S, 3> triangle{point, Vec<S, 3>{}, rotate(turned, point)};
+    const Capsule<S, 3> capsule{point, triangle.c, S(1)};
+    const std::array<Vec<S, 3>, 3> corners{triangle.a, triangle.b, triangle.c};
+    const ConvexHull<S, 3> hull{corners};
+    const Segment<S, 3> segment{point, triangle.c};
+    return ask(sphere, ray, point) + ask(aabb, ray, point) + ask(obb, ray, point) +
+           ask(plane, ray, point) + ask(triangle, ray, point) + ask(capsule, ray, point) +
+           ask(hull, ray, point) + meet(segment, sphere, aabb, obb, plane, triangle, capsule, hull);
+  }
+
+  [[nodiscard]] int flat() const {
+    const Vec<S, 2> spot{point.x, point.z};
+    const Ray<S, 2> ray{spot, Direction<S, 2>::along(0)};
+    const Sphere<S, 2> circle{spot, S(2)};
+    const Obb<S, 2> obb{spot, spot, Rotation<S, 2>::from_angle(angle)};
+    const Capsule<S, 2> capsule{spot, Vec<S, 2>{}, S(1)};
+    const Segment<S, 2> segment{spot, Vec<S, 2>{}};
+    return ask(circle, ray, spot) + ask(obb, ray, spot) + ask(capsule, ray, spot) +
+           meet(segment, circle, obb, capsule);
+  }
+
+  [[nodiscard]] int motions() const {
+    const auto turn = Quat<S>::from_axis_angle(forward, angle);
+    const Transform<S, 3> frame{point, Rotation<S, 3>::from_axis_angle(forward, angle)};
+    const auto there = compose(frame, inverse(frame).value_or(frame));
+    const auto matrix = nearest_to<S>(to_mat(there) * view_matrix(frame));
+    return (inverse(matrix) ? 1 : 0) + (slerp(turn, turn, S(0)) == turn ? 1 : 0) +
+           (transform_point(frame, point) == point ? 1 : 0) +
+           (sin(angle) + cos(angle) > 1 ? 1 : 0) + (angle_between(point, point) == angle ? 1 : 0);
+  }
+};
+
+template <class World>
+int play(World& world, const Numbers<q16_16>& numbers) {
+  const Sphere ball{numbers.point, 1_q16_16};
+  const auto first = world.add(ball), second = world.add(ball, {.layers = 2, .user = 77});
+  if (!first || !second) return 1;
+  world.move(*first, numbers.point);
+  world.replace(*second, ball);
+  world.set_layers(*second, 3);
+  world.optimize();
+  std::array<Found<q16_16>, 4> found;
+  std::array<Overlap, 4> pairs;
+  const auto ray = Ray{numbers.point, numbers.forward};
+  auto count = world.all(ray, std::span(found), InLayers{2}) + world.overlaps(std::span(pairs));
+  if (world.nearest(numbers.point) || world.any(ball) || world.nearest(ray)) ++count;
+  if (const auto frame = world.add_frame({.translation = numbers.point})) {
+    const auto attached = world.add(ball, {.frame = *frame});
+    world.move_frame(*frame, {.translation = numbers.point});
+    if (attached) world.remove(*attached);
+    world.remove_frame(*frame);
+  }
+  const auto other = world;
+  world.remove(*first);
+  std::array<std::byte, 4096> room;
+  const auto saved = std::span(room).first(snapshot(other, room));
+  if (restore(world, saved) == Restored::yes && digest(world) == digest(other)) ++count;
+  return static_cast<int>(count);
+}
+
+int surfaces(const Numbers<q16_16>& numbers) {
+  const auto point = numbers.point;
+  const std::array triangles{Triangle{point, Vec<q16_16, 3>{}, point}};
+  const OwnedMesh<q16_16> mesh(triangles);
+  const std::array<q16_16, 9> heights{};
+  const auto field = height_field<q16_16>({}, 1_q16_16, 3, 3, heights);
+  const Ray ray{point, numbers.forward};
+  const auto look = [&](const auto& surface) {
+    std::array<MeshHit<q16_16>, 4> hits;
+    return raycast_all(ray, surface, std::span<MeshHit<q16_16>>(hits)) +
+           (raycast_hit(ray, surface) ? 1u : 0u) + (raycast_any(ray, surface) ? 1u : 0u) +
+           (nearest_triangle(surface, point) ? 1u : 0u) +
+           (overlaps(surface, Sphere{point, 1_q16_16}) ? 1u : 0u) +
+           (intersects(Segment{point, Vec<q16_16, 3>{}}, surface) ? 1u : 0u);
+  };
+  auto count = look(mesh.view());
+  if (field) count += look(*field) + (overlaps(mesh.view(), *field) ? 1u : 0u);
+  using Ball = Sphere<q16_16, 3>;
+  const std::vector<Ball> balls(20, Ball{point, 1_q16_16});
+  std::array<ShapeBatch<Ball>::Block, batch_blocks(20)> room;
+  const ShapeBatch<Ball> batch(balls, room);
+  if (raycast_first(ray, batch)) ++count;
+  return static_cast<int>(count);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto x = q16_16::parse(argv[argc - 1]);
+  const auto forward = normalize(Vec<q16_16, 3>{1_q16_16, q16_16(argc), 0_q16_16});
+  if (!x || !forward) return 1;
+  Numbers<q16_16> numbers{{*x, 1_q16_16, 2_q16_16}, *forward, Angle<q16_16>::from_degrees(*x)};
+  numbers.point += numbers.forward.vec() * *x;
+  const Numbers<float> rough{{static_cast<float>(argc), 1, 2}, Direction<float, 3>::along(0), {}};
+  int sum = numbers.queries() + numbers.flat() + numbers.motions() + rough.flat();
+
+  BoundedScene<Bounded<16>, q16_16, 3, Sphere> bounded;
+  BoundedScene<Bounded<16, 2>, q16_16, 3, Sphere, Obb, Capsule> framed;
+  Scene<q16_16, 3, Sphere, Aabb, MeshInstance> growing;
+  sum +=
+      play(bounded, numbers) + play(framed, numbers) + play(growing, numbers) + surfaces(numbers);
+  SyncTest<decltype(growing), int> test(2);
+  if (test.step(growing, argc, [](auto&, int) {})) ++sum;
+  std::printf("%d %s\n", sum, to_string(*x).c_str());
+}
