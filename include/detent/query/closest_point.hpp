@@ -14,3 +14,4 @@
 #include "detent/query/closest_point/segment.hpp"
 #include "detent/query/closest_point/sphere.hpp"
 #include "detent/query/closest_point/triangle.hpp"
+#include "detent/query/wrong_call.hpp"

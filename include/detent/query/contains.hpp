@@ -14,3 +14,4 @@
 #include "detent/query/contains/segment.hpp"
 #include "detent/query/contains/sphere.hpp"
 #include "detent/query/contains/triangle.hpp"
+#include "detent/query/wrong_call.hpp"

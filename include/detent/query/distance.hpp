@@ -16,3 +16,4 @@
 #include "detent/query/distance/segment.hpp"
 #include "detent/query/distance/sphere.hpp"
 #include "detent/query/distance/triangle.hpp"
+#include "detent/query/wrong_call.hpp"

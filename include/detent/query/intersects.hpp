@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Segments against every shape, both closed sets:
+// Segments against every shape, both closed sets, in either order:
 //   intersects(segment, shape) -> bool
 
 #include "detent/query/intersects/aabb.hpp"
@@ -13,3 +13,4 @@
 #include "detent/query/intersects/segment.hpp"
 #include "detent/query/intersects/sphere.hpp"
 #include "detent/query/intersects/triangle.hpp"
+#include "detent/query/wrong_call.hpp"

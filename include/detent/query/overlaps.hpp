@@ -33,3 +33,4 @@
 #include "detent/query/overlaps/triangle_capsule.hpp"
 #include "detent/query/overlaps/triangle_hull.hpp"
 #include "detent/query/overlaps/triangle_triangle.hpp"
+#include "detent/query/wrong_call.hpp"

@@ -16,3 +16,4 @@
 #include "detent/query/raycast/segment.hpp"
 #include "detent/query/raycast/sphere.hpp"
 #include "detent/query/raycast/triangle.hpp"
+#include "detent/query/wrong_call.hpp"

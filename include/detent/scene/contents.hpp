@@ -38,6 +38,10 @@ struct SceneAccess;
 /// restore earlier snapshots: `restore` says `Restored::other_fixed_part`.
 template <class Storage, Scalar S, int N, class... Shapes>
 class SceneContents {
+  static_assert((... && (shape_tag<Shapes> != 0)),
+                "detent: a scene holds shapes, named as templates: Scene<q16_16, 3, Sphere, Obb>; "
+                "rays, segments and points are questions to it");
+
  public:
   static constexpr bool is_growing = requires { requires Storage::is_growing; };
   static constexpr std::size_t capacity = Storage::capacity;

@@ -31,14 +31,16 @@ class Finder {
   template <class Question, class Filter, class Visit>
   constexpr void visit_meeting(const Question& question, const Filter& filter,
                                const Visit& visit) const {
-    const auto box = culling_box(question);
-    visit_trees([&](const auto& tree) {
-      return detail::visit_meeting(tree, box, [&](Index i) {
-        return filter(store_.info(i)) &&
-               store_[i].shape.visit([&](const auto& shape) { return meets(question, shape); }) &&
-               visit(i);
+    if constexpr (is_question<SceneRegion<Question, S, N>>()) {
+      const auto box = culling_box(question);
+      visit_trees([&](const auto& tree) {
+        return detail::visit_meeting(tree, box, [&](Index i) {
+          return filter(store_.info(i)) &&
+                 store_[i].shape.visit([&](const auto& shape) { return meets(question, shape); }) &&
+                 visit(i);
+        });
       });
-    });
+    }
   }
   template <class Filter, class Visit>
   constexpr void visit_meeting(const Ray<S, N>& ray, const Filter& filter,
@@ -51,9 +53,11 @@ class Finder {
   template <class Question, class Filter, class Visit>
   constexpr void visit_found(const Question& question, const Filter& filter,
                              const Visit& visit) const {
-    visit_meeting(question, filter, [&](std::size_t i) {
-      return visit(found_at(i, reference(question)), [](const S&) {});
-    });
+    if constexpr (is_question<SceneQuestion<Question, S, N>>()) {
+      visit_meeting(question, filter, [&](std::size_t i) {
+        return visit(found_at(i, reference(question)), [](const S&) {});
+      });
+    }
   }
   template <class Filter, class Visit>
   constexpr void visit_found(const Ray<S, N>& ray, const Filter& filter, const Visit& visit) const {

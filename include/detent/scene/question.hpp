@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
+
 #include "detent/query/contains.hpp"
 #include "detent/query/distance.hpp"
 #include "detent/query/intersects.hpp"
@@ -10,7 +12,9 @@
 // What a scene is asked for beside rays: a point, segment, sphere, box or capsule meets an object
 // where it has a point in common with it. Distances are those from one point of the question.
 
-namespace detent::detail {
+namespace detent {
+
+namespace detail {
 
 template <class Shape, Scalar S, int N>
 [[nodiscard]] constexpr bool meets(const Vec<S, N>& point, const Shape& shape) noexcept {
@@ -50,4 +54,31 @@ template <Scalar S, int N>
   return capsule.a;
 }
 
-}  // namespace detent::detail
+}  // namespace detail
+
+/// What a scene's `nearest` and `all` may be asked for besides rays: what has a point to measure
+/// distances from. `any` takes other shapes as well.
+template <class Question, class S, int N>
+concept SceneQuestion = requires(const Question& question) {
+  { detail::reference(question) } -> std::same_as<Vec<S, N>>;
+};
+
+namespace detail {
+
+template <class Question, class S, int N>
+concept SceneRegion = SceneQuestion<Question, S, N> || requires(const Question& question) {
+  { bounding_box(question) } -> std::same_as<Aabb<S, N>>;
+};
+
+/// True; where it is not, the question gets its sentence, and nothing else need be said of it.
+template <bool IsQuestion>
+[[nodiscard]] constexpr bool is_question() noexcept {
+  static_assert(IsQuestion,
+                "detent: ask a scene with a ray, point, segment, sphere, box or capsule of its own "
+                "scalar and dimension");
+  return IsQuestion;
+}
+
+}  // namespace detail
+
+}  // namespace detent

@@ -5,6 +5,7 @@
 
 #include "detent/math/width.hpp"
 #include "detent/query/intersects/box.hpp"
+#include "detent/query/intersects/reversed.hpp"
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/segment.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/query/intersects/reversed.hpp"
 #include "detent/query/overlaps/hull_hull.hpp"
 #include "detent/shape/segment.hpp"
 

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "detent/query/intersects/box.hpp"
+#include "detent/query/intersects/reversed.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/segment.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/query/intersects/reversed.hpp"
 #include "detent/query/overlaps/near_segment.hpp"
 #include "detent/shape/sphere.hpp"
 

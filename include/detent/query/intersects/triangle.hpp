@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/query/intersects/reversed.hpp"
 #include "detent/query/intersects/segment.hpp"
 #include "detent/shape/triangle.hpp"
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "detent/query/wrong_call.hpp"
 #include "detent/shape/bounding_box.hpp"
 
 namespace detent {
@@ -44,6 +45,15 @@ template <template <class> class Surface, Scalar S>
 inline constexpr bool is_surface_type<Surface<S>> = is_surface<Surface>;
 
 namespace detail {
+
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
+inline constexpr Argument argument<Surface<S>> = Argument::shape;
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
+struct PointOf<Surface<S>> {
+  using type = Vec<S, 3>;
+};
 
 /// Whether `test` holds for any of these triangles.
 template <Scalar S, class Test>

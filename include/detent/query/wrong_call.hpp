@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <type_traits>
+
+#include "detent/shape/shape.hpp"
+
+// Calls that nobody means: the error is one sentence, which says what to write instead. They match
+// less closely than every query, so no right call is changed by them, and a concept that asks
+// whether there is such a call learns that there is none.
+//
+// GCC shows the line of a function that is deleted; clang would list all others too, but takes a
+// function that is unavailable for as good as deleted.
+#if defined(__clang__)
+#define DETENT_INSTEAD(sentence) __attribute__((unavailable(sentence)))
+#else
+#define DETENT_INSTEAD(sentence) = delete
+#endif
+
+namespace detent {
+
+namespace detail {
+
+/// What an argument of a query is.
+enum class Argument { none, point, segment, ray, shape };
+
+template <class T>
+inline constexpr Argument argument = Argument::none;
+template <Scalar S, int N>
+inline constexpr Argument argument<Vec<S, N>> = Argument::point;
+template <Scalar S, int N>
+inline constexpr Argument argument<Segment<S, N>> = Argument::segment;
+template <Scalar S, int N>
+inline constexpr Argument argument<Ray<S, N>> = Argument::ray;
+template <Scalar S, int N>
+inline constexpr Argument argument<Sphere<S, N>> = Argument::shape;
+template <Scalar S, int N>
+inline constexpr Argument argument<Aabb<S, N>> = Argument::shape;
+template <Scalar S, int N>
+inline constexpr Argument argument<Obb<S, N>> = Argument::shape;
+template <Scalar S, int N>
+inline constexpr Argument argument<Plane<S, N>> = Argument::shape;
+template <Scalar S, int N>
+inline constexpr Argument argument<Triangle<S, N>> = Argument::shape;
+template <Scalar S, int N>
+inline constexpr Argument argument<Capsule<S, N>> = Argument::shape;
+template <Scalar S, int N>
+inline constexpr Argument argument<ConvexHull<S, N>> = Argument::shape;
+
+/// The type of the points of an argument.
+template <class T>
+struct PointOf;
+template <template <class, int> class T, class S, int N>
+struct PointOf<T<S, N>> {
+  using type = Vec<S, N>;
+};
+
+template <class T>
+concept IsArgument = (argument<T> != Argument::none);
+template <class T>
+concept IsPoint = (argument<T> == Argument::point);
+template <class T>
+concept IsSegment = (argument<T> == Argument::segment);
+template <class T>
+concept IsRay = (argument<T> == Argument::ray);
+template <class T>
+concept IsShape = (argument<T> == Argument::shape);
+
+template <class A, class B>
+concept Arguments = IsArgument<A> && IsArgument<B>;
+template <class A, class B>
+concept MixedArguments =
+    Arguments<A, B> && !std::is_same_v<typename PointOf<A>::type, typename PointOf<B>::type>;
+
+template <class A, class B>
+concept PointFirst = Arguments<A, B> && IsPoint<A> && !IsPoint<B>;
+template <class A, class B>
+concept NoPoint = Arguments<A, B> && !IsPoint<A> && !IsPoint<B>;
+template <class A, class B>
+concept MixedWithPoint = MixedArguments<A, B> && IsPoint<B>;
+
+template <class A, class B>
+concept RayLast = Arguments<A, B> && !IsRay<A> && IsRay<B>;
+template <class A, class B>
+concept NoRay = Arguments<A, B> && !IsRay<A> && !IsRay<B>;
+template <class A, class B>
+concept RayAndPoint = IsRay<A> && IsPoint<B>;
+template <class A, class B>
+concept MixedWithRay = MixedArguments<A, B> && IsRay<A> && !IsPoint<B>;
+
+template <class A, class B>
+concept HaveRay = Arguments<A, B> &&(IsRay<A> || IsRay<B>);
+template <class A, class B>
+concept HavePoint = NoRay<A, B> &&(IsPoint<A> || IsPoint<B>);
+template <class A, class B>
+concept HaveSegment = NoRay<A, B> && NoPoint<A, B> &&(IsSegment<A> || IsSegment<B>);
+template <class A, class B>
+concept MixedSegment = MixedArguments<A, B> && HaveSegment<A, B>;
+template <class A, class B>
+concept TwoShapes = IsShape<A> && IsShape<B>;
+template <class A, class B>
+concept MixedShapes = MixedArguments<A, B> && TwoShapes<A, B>;
+
+}  // namespace detail
+
+// clang-format off
+
+template <class A, class B> requires detail::HaveRay<A, B>
+void overlaps(const A&, const B&) DETENT_INSTEAD("a ray: use raycast(ray, shape)");
+template <class A, class B> requires detail::HavePoint<A, B>
+void overlaps(const A&, const B&) DETENT_INSTEAD("a point: use contains(shape, point)");
+template <class A, class B> requires detail::HaveSegment<A, B>
+void overlaps(const A&, const B&) DETENT_INSTEAD("a segment: use intersects(segment, shape)");
+template <class A, class B> requires detail::MixedShapes<A, B>
+void overlaps(const A&, const B&) DETENT_INSTEAD("give both shapes the same scalar and dimension");
+
+template <class A, class B> requires detail::HaveRay<A, B>
+void intersects(const A&, const B&) DETENT_INSTEAD("a ray: use raycast(ray, shape)");
+template <class A, class B> requires detail::HavePoint<A, B>
+void intersects(const A&, const B&) DETENT_INSTEAD("a point: use contains(shape, point)");
+template <class A, class B> requires detail::TwoShapes<A, B>
+void intersects(const A&, const B&) DETENT_INSTEAD("two shapes: use overlaps(a, b)");
+template <class A, class B> requires detail::MixedSegment<A, B>
+void intersects(const A&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
+
+template <class A, class B> requires detail::PointFirst<A, B>
+void contains(const A&, const B&) DETENT_INSTEAD("swap them: contains(shape, point)");
+template <class A, class B> requires detail::NoPoint<A, B>
+void contains(const A&, const B&) DETENT_INSTEAD("no point: use overlaps(a, b) for two shapes");
+template <class A, class B> requires detail::MixedWithPoint<A, B>
+void contains(const A&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
+
+template <class A, class B> requires detail::PointFirst<A, B>
+void closest_point(const A&, const B&) DETENT_INSTEAD("swap them: closest_point(shape, point)");
+template <class A, class B> requires detail::NoPoint<A, B>
+void closest_point(const A&, const B&) DETENT_INSTEAD("no point: it takes a shape and a point");
+template <class A, class B> requires detail::MixedWithPoint<A, B>
+void closest_point(const A&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
+
+template <class A, class B> requires detail::PointFirst<A, B>
+void distance(const A&, const B&) DETENT_INSTEAD("swap them: distance(shape, point)");
+template <class A, class B> requires detail::NoPoint<A, B>
+void distance(const A&, const B&) DETENT_INSTEAD("no point: it takes a shape and a point");
+template <class A, class B> requires detail::MixedWithPoint<A, B>
+void distance(const A&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
+
+template <class A, class B> requires detail::RayLast<A, B>
+void raycast(const A&, const B&) DETENT_INSTEAD("swap them: raycast(ray, shape)");
+template <class A, class B> requires detail::NoRay<A, B>
+void raycast(const A&, const B&) DETENT_INSTEAD("no ray; segments: intersects(segment, shape)");
+template <class A, class B> requires detail::RayAndPoint<A, B>
+void raycast(const A&, const B&) DETENT_INSTEAD("a point: use contains(ray, point)");
+template <class A, class B> requires detail::MixedWithRay<A, B>
+void raycast(const A&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
+
+template <class A, class B> requires detail::RayLast<A, B>
+void raycast_hit(const A&, const B&) DETENT_INSTEAD("swap them: raycast_hit(ray, shape)");
+template <class A, class B> requires detail::NoRay<A, B>
+void raycast_hit(const A&, const B&) DETENT_INSTEAD("no ray; segments: intersects(segment, shape)");
+template <class A, class B> requires detail::RayAndPoint<A, B>
+void raycast_hit(const A&, const B&) DETENT_INSTEAD("a point: use contains(ray, point)");
+template <class A, class B> requires detail::MixedWithRay<A, B>
+void raycast_hit(const A&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
+
+template <class A, class B> requires detail::RayLast<A, B>
+void raycast_interval(const A&, const B&) DETENT_INSTEAD("swap them: raycast_interval(ray, shape)");
+template <class A, class B> requires detail::NoRay<A, B>
+void raycast_interval(const A&, const B&) DETENT_INSTEAD("no ray: it takes a ray and a shape");
+template <class A, class B> requires detail::RayAndPoint<A, B>
+void raycast_interval(const A&, const B&) DETENT_INSTEAD("a point: use contains(ray, point)");
+template <class A, class B> requires detail::MixedWithRay<A, B>
+void raycast_interval(const A&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
+
+// clang-format on
+
+}  // namespace detent
+
+#undef DETENT_INSTEAD

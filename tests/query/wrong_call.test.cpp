@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/wrong_call.hpp"
+
+#include <array>
+#include <tuple>
+
+#include "detent/query/query.hpp"
+#include "support/catch.hpp"
+
+using namespace detent;
+
+namespace {
+
+template <class A, class B>
+concept Overlapping = requires(const A& a, const B& b) {
+  { overlaps(a, b) } -> std::same_as<bool>;
+};
+template <class A, class B>
+concept Asked = requires(const A& a, const B& b) {
+  overlaps(a, b);
+};
+template <class A, class B>
+concept Containing = requires(const A& a, const B& b) {
+  contains(a, b);
+};
+template <class A, class B>
+concept Intersecting = requires(const A& a, const B& b) {
+  intersects(a, b);
+};
+template <class A, class B>
+concept Casting = requires(const A& a, const B& b) {
+  raycast(a, b);
+};
+template <class A, class B>
+concept Distant = requires(const A& a, const B& b) {
+  distance(a, b);
+};
+
+template <template <Scalar, int> class Shape, Scalar S, int N>
+constexpr bool takes_right_calls_only() {
+  using Ball = Sphere<S, N>;
+  using Bar = Segment<S, N>;
+  using Line = Ray<S, N>;
+  using Point = Vec<S, N>;
+  using Body = Shape<S, N>;
+  using Other = Shape<std::conditional_t<std::same_as<S, q8_8>, q16_16, q8_8>, N>;
+  using Flat = Shape<S, 5 - N>;
+  return Overlapping<Body, Ball> && Overlapping<Ball, Body> && !Asked<Body, Line> &&
+         !Asked<Point, Body> && !Asked<Body, Bar> && !Asked<Body, Other> && !Asked<Flat, Body> &&
+         Containing<Body, Point> && !Containing<Point, Body> && !Containing<Other, Point> &&
+         Intersecting<Bar, Body> && Intersecting<Body, Bar> && !Intersecting<Body, Ball> &&
+         !Intersecting<Line, Body> && !Intersecting<Bar, Other> && Casting<Line, Body> &&
+         !Casting<Body, Line> && !Casting<Line, Other> && !Casting<Line, Point> &&
+         Distant<Body, Point> && Distant<Point, Point> && !Distant<Point, Body> &&
+         !Distant<Other, Point>;
+}
+
+template <Scalar S, int N>
+constexpr bool all_take_right_calls_only() {
+  return takes_right_calls_only<Sphere, S, N>() && takes_right_calls_only<Aabb, S, N>() &&
+         takes_right_calls_only<Obb, S, N>() && takes_right_calls_only<Plane, S, N>() &&
+         takes_right_calls_only<Triangle, S, N>() && takes_right_calls_only<Capsule, S, N>() &&
+         takes_right_calls_only<ConvexHull, S, N>();
+}
+
+TEMPLATE_TEST_CASE("wrong calls: there are none, and all right ones are left", "[query]", q8_8,
+                   q16_16, float) {
+  STATIC_REQUIRE(all_take_right_calls_only<TestType, 2>());
+  STATIC_REQUIRE(all_take_right_calls_only<TestType, 3>());
+}
+
+TEMPLATE_TEST_CASE("intersects: takes a segment and a shape in either order", "[query]", q16_16,
+                   float) {
+  using S = TestType;
+  using Point = Vec<S, 3>;
+  const auto at = [](int x, int y, int z) { return Point{S(x), S(y), S(z)}; };
+  const std::array corners{at(-1, -1, -1), at(1, -1, -1), at(0, 1, -1), at(0, 0, 1)};
+  const std::array balls{Sphere{at(0, 0, 0), S(1)}};
+  const std::tuple shapes{Sphere{at(0, 0, 0), S(1)},
+                          Aabb{at(-1, -1, -1), at(1, 1, 1)},
+                          Obb{at(0, 0, 0), at(1, 1, 1), Rotation<S, 3>()},
+                          Plane{Direction<S, 3>::along(2), S(0)},
+                          Triangle{at(-1, -1, 0), at(1, -1, 0), at(0, 1, 0)},
+                          Capsule{at(-1, 0, 0), at(1, 0, 0), S(1)},
+                          ConvexHull{corners},
+                          Segment{at(-1, 0, 0), at(1, 0, 0)},
+                          Compound(balls)};
+  const Segment through{at(0, 0, -5), at(0, 0, 5)}, beyond{at(0, 0, 5), at(4, 4, 6)};
+  std::apply(
+      [&](const auto&... shape) {
+        CHECK((intersects(shape, through) && ...));
+        CHECK((intersects(through, shape) && ...));
+        CHECK_FALSE((intersects(shape, beyond) || ...));
+        CHECK_FALSE((intersects(beyond, shape) || ...));
+      },
+      shapes);
+}
+
+}  // namespace

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+#include "detent/scene/scene.hpp"
+
+detent::Scene<detent::q16_16, 3, detent::Sphere<detent::q16_16, 3>> scene;
+detent::Scene<detent::q16_16, 3, int> numbers;
