@@ -91,29 +91,29 @@ struct Traced {
   friend Traced operator/(const Traced& x, const Traced& y) noexcept {
     const F z = x.value / y.value;
     const Wide a = magnitude(x), b = magnitude(y);
-    const Wide error = b > y.error ? (x.error + a / b * y.error) / (b - y.error) : unbounded();
-    return made(5, x, y, z, x.exact / y.exact, error,
+    const Wide bound = b > y.error ? (x.error + a / b * y.error) / (b - y.error) : unbounded();
+    return made(5, x, y, z, x.exact / y.exact, bound,
                 std::fma(z, y.value, -x.value) == 0 && is_safe(x.value, z, y.value));
   }
   friend Traced root(const Traced& x) noexcept {
     const F z = std::sqrt(x.value);
     const Wide v = x.value, e = x.error;
-    const Wide error = v >= e ? std::sqrt(v) - std::sqrt(v - e) : std::sqrt(v + e);
-    return made(6, x, Traced(), z, std::sqrt(std::max(x.exact, Wide(0))), error,
+    const Wide bound = v >= e ? std::sqrt(v) - std::sqrt(v - e) : std::sqrt(v + e);
+    return made(6, x, Traced(), z, std::sqrt(std::max(x.exact, Wide(0))), bound,
                 std::fma(z, z, -x.value) == 0 && is_safe(x.value, z, z));
   }
 
-  friend bool operator<(const Traced& x, const Traced& y) noexcept {
+  friend constexpr bool operator<(const Traced& x, const Traced& y) noexcept {
     note(x, y);
     return x.value < y.value;
   }
-  friend bool operator>(const Traced& x, const Traced& y) noexcept { return y < x; }
-  friend bool operator<=(const Traced& x, const Traced& y) noexcept {
+  friend constexpr bool operator>(const Traced& x, const Traced& y) noexcept { return y < x; }
+  friend constexpr bool operator<=(const Traced& x, const Traced& y) noexcept {
     note(x, y);
     return x.value <= y.value;
   }
-  friend bool operator>=(const Traced& x, const Traced& y) noexcept { return y <= x; }
-  friend bool operator==(const Traced& x, const Traced& y) noexcept {
+  friend constexpr bool operator>=(const Traced& x, const Traced& y) noexcept { return y <= x; }
+  friend constexpr bool operator==(const Traced& x, const Traced& y) noexcept {
     note(x, y);
     return x.value == y.value;
   }
@@ -143,12 +143,12 @@ struct Traced {
     return x == 0 || y == 0 ||
            std::abs(z) > std::ldexp(F(1), std::numeric_limits<F>::min_exponent + 60);
   }
-  static Traced made(int operation, const Traced& x, const Traced& y, F z, Wide exact, Wide error,
+  static Traced made(int operation, const Traced& x, const Traced& y, F z, Wide real, Wide bound,
                      bool is_exact) noexcept {
     Traced result(z, 0);
-    result.exact = exact;
+    result.exact = real;
     // The bound is itself computed with rounding, of less than 2^-40 in all.
-    result.error = (error + (is_exact ? 0 : rounding(z))) * (1 + 0x1p-40L);
+    result.error = (bound + (is_exact ? 0 : rounding(z))) * (1 + 0x1p-40L);
     if (result.error == 0) {
       result.exact = z;
       return result;
@@ -158,9 +158,9 @@ struct Traced {
     result.expression = mixed(operation, a, b);
     return result;
   }
-  static void note(const Traced& x, const Traced& y) noexcept {
-    const Wide apart = std::abs(Wide(x.value) - Wide(y.value)), error = x.error + y.error;
-    if (!(apart > error) && !(error == 0 && apart == 0) && x.expression != y.expression) {
+  static constexpr void note(const Traced& x, const Traced& y) noexcept {
+    const Wide apart = std::abs(Wide(x.value) - Wide(y.value)), bound = x.error + y.error;
+    if (!(apart > bound) && !(bound == 0 && apart == 0) && x.expression != y.expression) {
       all_decided = false;
     }
   }
