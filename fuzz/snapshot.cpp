@@ -45,8 +45,8 @@ std::span<const MeshAsset<q16_16>> meshes() {
 /// Two hulls and two height fields, which have ids 1 and 2.
 std::span<const HullAsset<q16_16, 3>> hulls() {
   static const std::array corners{at(0, 0, 0), at(4, 0, 0), at(0, 4, 0), at(0, 0, 4)};
-  static const std::array all{*hull_asset(1, ConvexHull(std::span(corners))),
-                              *hull_asset(2, ConvexHull(std::span(corners).first(2)))};
+  static const std::array all{*hull_asset(1, ConvexHull{std::span(corners)}),
+                              *hull_asset(2, ConvexHull{std::span(corners).first(2)})};
   return all;
 }
 std::span<const FieldAsset<q16_16>> fields() {

@@ -115,8 +115,8 @@ TEST_CASE("diff: names meshes by id, digest and transform") {
 
 TEST_CASE("diff: names hulls and height fields by id, digest and place") {
   const std::array corners{at(0, 0, 0), at(1, 0, 0), at(0, 1, 0)};
-  const auto rock = *hull_asset(7, ConvexHull(corners));
-  const auto stone = *hull_asset(7, ConvexHull(std::span(corners).first(2)));
+  const auto rock = *hull_asset(7, ConvexHull{corners});
+  const auto stone = *hull_asset(7, ConvexHull{std::span(corners).first(2)});
   const std::array<S, 4> heights{};
   const FieldAsset<S> ground(8, *height_field<S>({S(0), S(0)}, S(1), 2, 2, heights));
   const auto with = [&](const HullAsset<S, 3>& asset, int x, int y) {
@@ -132,7 +132,7 @@ TEST_CASE("diff: names hulls and height fields by id, digest and place") {
   CHECK(compare(before, with(stone, 0, 0))
             .text.starts_with("object 0:1 (hull) digest of its points: 0x"));
   const std::array<Vec<S, 2>, 1> point{};
-  const auto dot = *hull_asset(1, ConvexHull(point));
+  const auto dot = *hull_asset(1, ConvexHull{point});
   Scene<S, 2, HullInstance> flat;
   flat.add(PlacedHull{&dot});
   CHECK(compare(bytes_of(flat), bytes_of(flat)).is_none);

@@ -24,7 +24,7 @@ Vec3 at(int x, int y, int z) { return {S(x), S(y), S(z)}; }
 
 const std::array tetrahedron{at(0, 0, 0), at(2, 0, 0), at(0, 2, 0), at(0, 0, 2)};
 const std::array needle{at(0, 0, 0), at(0, 9, 0)};
-const Hulls hulls{*hull_asset(7, ConvexHull(tetrahedron)), *hull_asset(9, ConvexHull(needle))};
+const Hulls hulls{*hull_asset(7, ConvexHull{tetrahedron}), *hull_asset(9, ConvexHull{needle})};
 
 const std::array<S, 9> hills{S(0), S(1), S(0), S(2), S(3), S(1), S(0), S(0), S(0)};
 const std::array<S, 9> plain{};
@@ -65,7 +65,7 @@ TEST_CASE("placed hull: its points are placed, each rounded once", "[hull]") {
     const PlacedHull hull{hulls.data(), transform};
     std::array<Vec3, 4> points;
     for (std::size_t i = 0; i < 4; ++i) points[i] = transform_point(transform, tetrahedron[i]);
-    const ConvexHull there(points);
+    const ConvexHull there{points};
     const Ray ray{at(9, 2, 2), -Direction<S, 3>::along(0), S(100)};
     CHECK(bounding_box(hull) == bounding_box(there));
     CHECK(contains(hull, points[2]));
@@ -83,7 +83,7 @@ TEST_CASE("placed hull: scenes in the plane hold them too, and bounded ones", "[
   using S2 = q8_8;
   const auto point = [](int x, int y) { return Vec<S2, 2>{S2(x), S2(y)}; };
   const std::array corners{point(0, 0), point(4, 0), point(0, 4)};
-  const auto triangle = *hull_asset(1, ConvexHull(corners));
+  const auto triangle = *hull_asset(1, ConvexHull{corners});
   BoundedScene<Bounded<4>, S2, 2, Sphere, HullInstance> scene;
   const auto one = *scene.add(PlacedHull{&triangle});
   const auto other = *scene.add(PlacedHull{&triangle, {.translation = point(2, 2)}});
@@ -182,7 +182,7 @@ TEST_CASE("restore of assets: an unknown id and other contents are refused, the 
   CHECK(refused({}, {}) == Restored::unknown_asset);
   CHECK(refused({hulls[0]}, fields) == Restored::unknown_asset);
   CHECK(refused(hulls, {fields[0]}) == Restored::unknown_asset);
-  CHECK(refused({*hull_asset(7, ConvexHull(needle)), hulls[1]}, fields) == Restored::other_asset);
+  CHECK(refused({*hull_asset(7, ConvexHull{needle}), hulls[1]}, fields) == Restored::other_asset);
   CHECK(refused(hulls, {fields[0], FieldAsset(8, hilly)}) == Restored::other_asset);
   REQUIRE(restore(scene, bytes, fields, hulls) == Restored::yes);
 }

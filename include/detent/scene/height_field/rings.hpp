@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <tuple>
 #include <type_traits>
 
 #include "detent/scene/height_field/cells.hpp"
@@ -48,7 +47,8 @@ class FieldRings {
   /// The square of how far `point` is from some cells as seen from above.
   [[nodiscard]] constexpr auto squared_gap(const Vec<S, 3>& point,
                                            const FieldCells& cells) const noexcept {
-    const auto& [corner, cell] = std::tie(field_.corner, field_.cell);
+    const auto& corner = field_.corner;
+    const auto& cell = field_.cell;
     const auto gap = [&](const S& start, std::uint32_t first, std::uint32_t count, const S& at) {
       using Way = decltype(S() - S());
       const auto before = field_border(start, cell, first) - at;
