@@ -89,7 +89,7 @@ int play(World& world, const Numbers<q16_16>& numbers) {
   std::array<Overlap, 4> pairs;
   const auto ray = Ray{numbers.point, numbers.forward};
   auto count = world.all(ray, std::span(found), InLayers{2}) + world.overlaps(std::span(pairs));
-  if (world.nearest(numbers.point) || world.any(ball) || world.nearest(ray)) ++count;
+  if (world.nearest(numbers.point) || world.any(ball) || world.nearest_hit(ray)) ++count;
   if (const auto frame = world.add_frame({.translation = numbers.point})) {
     const auto attached = world.add(ball, {.frame = *frame});
     world.move_frame(*frame, {.translation = numbers.point});

@@ -325,13 +325,15 @@ constexpr bool detail::is_out_of_range(const Int& value) noexcept {
 template <int Bits, int Frac>
 template <std::integral Int>
 constexpr Fixed<Bits, Frac>::Fixed(Int value) noexcept {
-  if (detail::is_out_of_range<Fixed>(value)) {
-    if (std::is_constant_evaluated()) detail::this_integer_is_out_of_range();
+  const bool is_out_of_range = detail::is_out_of_range<Fixed>(value);
+  if (is_out_of_range && std::is_constant_evaluated()) detail::this_integer_is_out_of_range();
 #if defined(__GNUC__) && !defined(__clang__)
-    if (__builtin_constant_p(value)) detail::known_integer_is_out_of_range();
-#endif
+  // The comparison must be known too: of wide integers it may not be, though the value is.
+  if (__builtin_constant_p(is_out_of_range) && is_out_of_range) {
+    detail::known_integer_is_out_of_range();
   }
-  DETENT_ASSERT(!detail::is_out_of_range<Fixed>(value));
+#endif
+  DETENT_ASSERT(!is_out_of_range);
   // Where Frac exceeds Bits, 0 is the only integer in range.
   const auto whole = detail::as_fixed(value);
   if (whole > (max)()) {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "detent/number/require_cxx20.hpp"
+
 namespace detent {
 
 /// The name of a field of a world as a path, such as `velocity[3].x`; without a heap, so a name is
