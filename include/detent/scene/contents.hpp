@@ -40,7 +40,8 @@ template <class Storage, Scalar S, int N, class... Shapes>
 class SceneContents {
   static_assert((... && (shape_tag<Shapes> != 0)),
                 "detent: a scene holds shapes, named as templates: Scene<q16_16, 3, Sphere, Obb>; "
-                "rays, segments and points are questions to it");
+                "hulls, meshes and height fields are HullInstance, MeshInstance and "
+                "FieldInstance; rays, segments and points are questions to it");
 
  public:
   static constexpr bool is_growing = requires { requires Storage::is_growing; };
