@@ -4,7 +4,7 @@
 # Every path in backquotes and every link of the pages names something of this repository: by default
 # of those at the top level and in docs/. In backquotes, words count that begin with a folder of the
 # top level, with `detent/` as #include has it, or with a layer and end in `.hpp`. A `*`, or a
-# part in capitals such as PROPERTY, stands for anything, and something must match.
+# name in capitals such as PROPERTY, stands for anything, and something must match.
 set -euo pipefail
 shopt -s extglob
 
@@ -52,7 +52,7 @@ place() {
   local part pattern=
   IFS=/ read -ra parts <<<"$path"
   for part in "${parts[@]}"; do
-    if [[ $part =~ ^[A-Z_]+$ ]]; then part='*'; fi
+    if [[ $part =~ ^[A-Z_]+($|\.) ]]; then part="*${part##+([A-Z_])}"; fi
     pattern+=$part/
   done
   if [[ $path != */ ]]; then pattern=${pattern%/}; fi
@@ -76,18 +76,18 @@ check() {
   done
 }
 
-# Of six paths in a page four are wrong, and they must be found.
+# Of seven paths in a page four are wrong, and they must be found.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cat >"$work/page.md" <<'END'
-Right are `tests/structure/*.sh` and `./dev fuzz
+Right are `tests/structure/*.sh`, `fuzz/NAME.cpp` and `./dev fuzz
 fuzz/corpus/PROPERTY`. Wrong are `include/detent/nowhere.hpp`, `tests/structure/*.nowhere`,
 `number/nowhere.hpp` and [a link](nowhere.md).
 END
 check "$work/page.md" >"$work/said"
-if [[ $checked -ne 6 || $wrong -ne 4 || $(grep -c nowhere "$work/said") -ne 4 ]]; then
+if [[ $checked -ne 7 || $wrong -ne 4 || $(grep -c nowhere "$work/said") -ne 4 ]]; then
   cat "$work/said"
-  echo "of the 6 paths of a planted page $checked were found, and $wrong of 4 wrong ones"
+  echo "of the 7 paths of a planted page $checked were found, and $wrong of 4 wrong ones"
   exit 1
 fi
 
