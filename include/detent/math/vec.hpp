@@ -249,8 +249,9 @@ template <Number T, int N>
 
 namespace detail {
 
-/// The type of the length of a vector with components of type T.
-template <Number T>
+/// The type of the length of a vector with components of type T. Unconstrained: GCC 12 takes a
+/// constraint here for one that depends on itself, where `normalize` asks whether it is a scalar.
+template <class T>
 struct length_of {
   using type = T;
 };

@@ -161,13 +161,13 @@ TEMPLATE_TEST_CASE("ray against sphere: the ends of the domain have answers", "[
 
 TEST_CASE("ray against sphere: float places the ball of the README behind its center",
           "[raycast]") {
-  const auto ahead = []<Scalar S>(S zero, S one, S side, S forward, S radius) {
+  const auto distance_to_ball = []<Scalar S>(S zero, S one, S side, S forward, S radius) {
     const Sphere ball{Vec<S, 3>{side, zero, forward}, radius};
     return raycast(Ray{Vec<S, 3>{}, *normalize(Vec<S, 3>{zero, zero, one})}, ball);
   };
-  CHECK(ahead(q16_16(0), q16_16(1), q16_16(6), q16_16(30000), *q16_16::parse("7.5")) ==
+  CHECK(distance_to_ball(q16_16(0), q16_16(1), q16_16(6), q16_16(30000), *q16_16::parse("7.5")) ==
         q16_16::parse("29995.5"));
-  CHECK(ahead(0.0F, 1.0F, 6.0F, 30000.0F, 7.5F) == 30000.0F);
+  CHECK(distance_to_ball(0.0F, 1.0F, 6.0F, 30000.0F, 7.5F) == 30000.0F);
 }
 
 TEMPLATE_TEST_CASE("ray against sphere: answers do not depend on the frame", "[raycast]",
