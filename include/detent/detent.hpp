@@ -3,8 +3,8 @@
 
 #include "detent/number/require_cxx20.hpp"
 
-// Everything, in the order of the layers: each may use those above it. Without an operating system
-// all but what needs a heap.
+// All headers, layer by layer: each layer may use those above it. Without an operating system, all
+// except those that need a heap.
 
 #include "detent/number/number.hpp"
 

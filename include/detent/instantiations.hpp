@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// For programs that link `detent::detent`: its copies of the raycasts, compiled once for the
-// predefined scalars, serve instead of new ones in every source file. It changes no result.
+// For programs that link `detent::detent`: they use its raycasts, compiled once for the predefined
+// scalars, instead of compiling them again in every source file. This changes no result.
 
 #include <optional>
 

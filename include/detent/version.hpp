@@ -5,7 +5,7 @@
 
 namespace detent {
 
-/// Changes whenever any query answers any input with other bits than before: then, and only then,
+/// Changes whenever the result of any query changes in any bit for any input. Then, and only then,
 /// recorded matches and golden digests of an older library no longer hold.
 inline constexpr int results_version = 2;
 

@@ -10,10 +10,10 @@
 
 namespace detent {
 
-/// length * v / |v| for length >= 0, or 0 where v is 0, each component off by less than
+/// length * v / |v| for length >= 0, or 0 if v is 0; each component is off by less than
 /// 2^-13 + 2^-20 steps of S.
 ///
-/// `rough_shares` gives |v_i| / |v| within 2^-44 + 2^-53, and a length has no more than 31 bits.
+/// `rough_shares` gives |v_i| / |v| within 2^-44 + 2^-53, and a length has at most 31 bits.
 template <class S, int B, int F, std::size_t N>
 [[nodiscard]] constexpr std::array<finer<S, 30>, N> rough_along(
     const S& length, const std::array<Fixed<B, F>, N>& v) noexcept {

@@ -17,14 +17,14 @@
 
 namespace detent {
 
-/// An angle modulo one turn: a binary angle beside a `Fixed`, radians beside `float` and `double`.
+/// An angle modulo one turn: a binary angle for a `Fixed`, radians for `float` and `double`.
 template <Scalar S>
 class Angle;
 
 namespace detail {
 
-/// What formulas round from at their end: sines, and their quotients up to 4, with so many bits
-/// that products with two components of a direction fit 128.
+/// The types in which formulas compute before they round once: for sines and for their quotients up
+/// to 4. Products with two components of a direction fit 128 bits.
 template <Scalar S>
 struct Precise {
   using Sine = S;
@@ -36,8 +36,8 @@ struct Precise<Fixed<Bits, Frac>> {
   using Ratio = Fixed<62, 60>;
 };
 
-/// 2 pi and 1 / 2 pi with as many bits as keep products with a scalar in 128 bits. They round every
-/// such product rightly (tests/number/angle.test.cpp: "constants").
+/// 2 pi and 1 / 2 pi with as many bits as fit products with a scalar in 128 bits. Every such
+/// product is rounded correctly (tests/number/angle.test.cpp: "constants").
 inline constexpr auto two_pi = Fixed<94, 91>::assume_raw(
     integer_cast<Int128>(Wide<2>::from_words({0x885a308d313198a3u, 0x3243f6a8u})));
 inline constexpr auto turns_per_radian = Fixed<95, 97>::assume_raw(
@@ -64,7 +64,7 @@ class Angle<Fixed<Bits, Frac>> {
 
   /// numerator / denominator of a turn: `turn(1, 4)` is a right angle.
   ///
-  /// domain: every numerator; 0 for the denominator 0, which is a mistake
+  /// domain: every numerator; 0 for the denominator 0, which is a caller's mistake
   /// exact:  rounded to nearest, ties to even
   [[nodiscard]] static constexpr Angle turn(int numerator, int denominator) noexcept {
     DETENT_ASSERT(denominator != 0);
@@ -85,8 +85,8 @@ class Angle<Fixed<Bits, Frac>> {
 
   [[nodiscard]] constexpr raw_type raw() const noexcept { return raw_; }
 
-  // Names in parentheses are safe from the macros of Arduino.h, so callers next to those write
-  // (angle.degrees)() as well.
+  // Names in parentheses are safe from the macros of Arduino.h; callers next to those macros write
+  // (angle.degrees)() too.
 
   /// The angle in (-180, 180], rounded to nearest, ties to even, and clamped.
   [[nodiscard]] constexpr S(degrees)() const noexcept {
@@ -129,7 +129,7 @@ class Angle<Fixed<Bits, Frac>> {
 };
 
 #if __STDC_HOSTED__
-/// Radians. What comes from outside, and sums, are brought into [-pi, pi]; nothing is promised.
+/// Radians. Values from outside and sums are brought into [-pi, pi]; nothing is promised.
 template <Scalar S>
 requires std::floating_point<S>
 class Angle<S> {
@@ -181,7 +181,7 @@ class Angle<S> {
 };
 #endif
 
-/// The canonical bytes of a digest: the raw angle.
+/// Appends to a digest: the raw angle.
 template <class D, Scalar S>
 constexpr void append(D& digest, Angle<S> angle) noexcept {
   digest.add(angle.raw());
@@ -205,12 +205,12 @@ struct SineCosine {
 
 }  // namespace detail
 
-/// The sine of an angle, as the scalar of the angle or as the type asked for: `sin<T>(angle)`.
+/// The sine of an angle, as the angle's scalar or as a given type: `sin<T>(angle)`.
 ///
 /// domain: every angle; T any `Fixed` with at most 30 fractional bits
 /// result: 0, 1 and -1 at the quarter turns; sin(-a) = -sin(a); clamped to T
-/// exact:  rounded to nearest; no sine of a binary angle but 0 and +-1 is rational, so ties do not
-///         occur                                            (tests/number/angle_exhaustive.cpp)
+/// exact:  rounded to nearest; no sine of a binary angle is rational except 0 and +-1, so ties do
+///         not occur                                        (tests/number/angle_exhaustive.cpp)
 template <class To = void, int B, int F>
 [[nodiscard]] constexpr auto sin(Angle<Fixed<B, F>> angle) noexcept {
   using T = detail::to_or_own<To, Fixed<B, F>>;
@@ -218,7 +218,7 @@ template <class To = void, int B, int F>
   return nearest_to<T>(Fixed<62, 62>::assume_raw(sine_q62(detail::phase_of(angle))));
 }
 
-/// The cosine of an angle: `sin`, a quarter turn ahead.
+/// The cosine of an angle: `sin` a quarter turn ahead.
 template <class To = void, int B, int F>
 [[nodiscard]] constexpr auto cos(Angle<Fixed<B, F>> angle) noexcept {
   using A = Angle<Fixed<B, F>>;
@@ -236,8 +236,8 @@ template <int B, int F>
   return Angle<Fixed<B, F>>::from_raw(binary_angle(y.raw(), x.raw()));
 }
 
-/// Sine and cosine before they are rounded, for formulas that round once at their end: off by less
-/// than 2^-61.
+/// Sine and cosine before rounding, for formulas that round once at the end: off by less than
+/// 2^-61.
 template <int B, int F>
 [[nodiscard]] constexpr auto sine_cosine(Angle<Fixed<B, F>> angle) noexcept {
   using Sine = Fixed<62, 62>;

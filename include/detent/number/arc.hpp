@@ -7,8 +7,8 @@
 #include "detent/number/angle.hpp"
 #include "detent/number/root.hpp"
 
-// Arcs: the angle whose sine and cosine are known up to a common factor, parts of it, and half of a
-// given one. Formulas of vectors and quaternions round once, from these.
+// Arcs: the angle whose sine and cosine are known up to a common factor, fractions of it, and half
+// of a given angle. Formulas for vectors and quaternions round once, from these.
 
 namespace detent {
 
@@ -16,8 +16,8 @@ namespace detail {
 
 /// The phase of the vector (a, b), 0 <= b <= a and 2^62 <= a < 2^63: at most an eighth of a turn.
 ///
-/// As `octant_phase`, from the quotient b / a in Q62, which is off by less than two of its units:
-/// 1.3 units of 2^-64 turn.
+/// As `octant_phase`, from the quotient b / a in Q62. The quotient is off by less than two of its
+/// units, which is 1.3 units of 2^-64 turn.
 constexpr std::uint64_t long_octant_phase(std::uint64_t b, std::uint64_t a) noexcept {
   const auto quotient = [](std::uint64_t numerator, int shift, std::uint64_t denominator) {
     const Int128 shifted = shift_left(integer_cast<Int128>(Wide<2>(numerator)), shift);
@@ -47,8 +47,8 @@ constexpr std::uint64_t phase_of_arc(const Fixed<Bits1, Frac1>& squared_sine,
   const Integer adjacent = wrapping_multiply<Integer>(cosine.raw(), cosine.raw());
   const int length = bit_length((std::max)(opposite, adjacent));
   if (length == 0) return 0;
-  // Both squares times the same power of 4, so that the greater is 125 or 126 bits long: what their
-  // roots lose is less than 1, in 2^62.
+  // Both squares times the same power of 4, so that the greater is 125 or 126 bits long: their
+  // roots lose less than 1, in 2^62.
   const int shift = (126 - length) & ~1;
   const auto root = [shift](const Integer& square) {
     const auto scaled = integer_cast<Wide<2>>(shift >= 0 ? shift_left(square, shift)
@@ -62,7 +62,7 @@ constexpr std::uint64_t phase_of_arc(const Fixed<Bits1, Frac1>& squared_sine,
   return is_negative(cosine.raw()) ? 2 * quarter - acute : acute;
 }
 
-/// The phase of half an angle, taken in (-1/4, 1/4] turn.
+/// The phase of half an angle, in (-1/4, 1/4] turn.
 template <int B, int F>
 constexpr std::uint64_t half_phase(Angle<Fixed<B, F>> angle) noexcept {
   constexpr std::uint32_t half_turn = std::uint32_t{1} << 31;
@@ -99,7 +99,7 @@ template <Scalar S, int Bits1, int Frac1, int Bits2, int Frac2>
 }
 
 /// sin((1 - t) a) and sin(t a) for the angle a of `angle_of_arc` and t in [0, 1]: the weights of
-/// the ends of an arc in the point that divides it.
+/// the ends of an arc for the point at t.
 ///
 /// exact: off by less than 2^-59 each                                 (tests/number/arc.test.cpp)
 template <int Bits1, int Frac1, int Bits2, int Frac2, int B, int F>
@@ -114,7 +114,7 @@ template <int Bits1, int Frac1, int Bits2, int Frac2, int B, int F>
                                   Sine::assume_raw(sine_q62(part))};
 }
 
-/// Sine and cosine of half of an angle in (-1/2, 1/2] turn: the cosine is not negative.
+/// Sine and cosine of half an angle in (-1/2, 1/2] turn; the cosine is not negative.
 ///
 /// exact: off by less than 2^-61
 template <int B, int F>
@@ -125,10 +125,10 @@ template <int B, int F>
                                        Sine::assume_raw(cosine_q62(phase))};
 }
 
-/// `half_sine_cosine` whose sine, of however small an angle, is off by less than 2^-61 of itself.
+/// `half_sine_cosine` with a relative error of the sine below 2^-61, however small the angle.
 template <int B, int F>
 [[nodiscard]] constexpr auto half_tangent(Angle<Fixed<B, F>> angle) noexcept {
-  // As `sine_q62`: sin(pi z / 2) = z f(z^2), z in Q62 and f in Q63, and the product kept whole.
+  // As `sine_q62`: sin(pi z / 2) = z f(z^2), z in Q62 and f in Q63, with the product kept whole.
   using Sine = Fixed<126, 125>;
   const std::uint64_t phase = detail::half_phase(angle);
   const bool negative = phase >> 63 != 0;

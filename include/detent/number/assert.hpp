@@ -3,9 +3,9 @@
 
 #include "detent/number/require_cxx20.hpp"
 
-// DETENT_ASSERTIONS is 1 where promises of callers and of proofs are checked. Define it to choose;
-// otherwise it is 1 in debug builds: not optimised, NDEBUG not defined, an operating system below.
-// It changes no result and no type.
+// DETENT_ASSERTIONS is 1 where preconditions and proved invariants are checked. Define it to
+// choose; otherwise it is 1 in debug builds: not optimised, NDEBUG not defined, on an operating
+// system. It changes no result and no type.
 #ifndef DETENT_ASSERTIONS
 #if defined(NDEBUG) || defined(__OPTIMIZE__) || !__STDC_HOSTED__ || \
     (defined(_MSC_VER) && !defined(_DEBUG))
@@ -15,9 +15,9 @@
 #endif
 #endif
 
-/// Checks a promise where DETENT_ASSERTIONS is 1; one that is broken ends the program.
+/// Checks a condition where DETENT_ASSERTIONS is 1; a failure ends the program.
 ///
-/// A project that has its own handler defines DETENT_ASSERT before it includes detent.
+/// A project with its own handler defines DETENT_ASSERT before it includes detent.
 #ifndef DETENT_ASSERT
 #if !DETENT_ASSERTIONS
 #define DETENT_ASSERT(...) static_cast<void>(0)

@@ -10,11 +10,11 @@
 
 namespace detent {
 
-/// Sorts numbers of [least, greatest] into 16 bins of equal width, in order: the same for every
-/// number and machine, without a division.
+/// Sorts numbers of [least, greatest] into 16 bins of equal width, in order, without a division.
+/// The result is the same on every machine.
 ///
-/// The bins are a power of two wide, the smallest with which 16 suffice; so 9 or more are in use,
-/// but for ranges that hold fewer numbers.
+/// The width of a bin is a power of two, the smallest with which 16 bins suffice. So at least 9 are
+/// used, unless the range holds fewer numbers.
 template <Number T>
 class Bins;
 
@@ -41,22 +41,22 @@ template <Number F>
 requires std::floating_point<F>
 class Bins<F> {
  public:
-  // cppcheck-suppress uninitMemberVar  // it has the members of the other Bins in mind
+  // cppcheck-suppress uninitMemberVar  // false positive: the members of the other Bins
   constexpr Bins(F least, F greatest) noexcept
       : least_(least), scale_(greatest > least ? static_cast<F>(15.99) / (greatest - least) : 0) {}
 
   [[nodiscard]] constexpr std::size_t operator()(F x) const noexcept {
     const F bin = (x - least_) * scale_;
-    return bin > 0 ? static_cast<std::size_t>((std::min)(bin, F{15})) : 0;  // a NaN is in the first
+    return bin > 0 ? static_cast<std::size_t>((std::min)(bin, F{15})) : 0;  // a NaN goes to bin 0
   }
 
  private:
   F least_, scale_;
 };
 
-/// Rounds the sizes of parts of a whole down to 14 bits, for products that are only compared.
+/// Rounds sizes down to 14 bits, for products that are only compared.
 ///
-/// `longest` is the greatest size that there is.
+/// `longest` is the greatest size.
 template <Number T>
 class Coarse;
 
@@ -80,12 +80,12 @@ template <Number F>
 requires std::floating_point<F>
 class Coarse<F> {
  public:
-  // cppcheck-suppress uninitMemberVar  // it has the members of the other Coarse in mind
+  // cppcheck-suppress uninitMemberVar  // false positive: the members of the other Coarse
   explicit constexpr Coarse(F) noexcept {}
   [[nodiscard]] constexpr F operator()(F size) const noexcept { return size; }
 };
 
-/// Puts the lesser of each two numbers in `a`; for integers, one vector instruction.
+/// a[i] = min(a[i], b[i]); for integers, one vector instruction.
 template <Number T, std::size_t Size>
 constexpr void lower(std::array<T, Size>& a, const std::array<T, Size>& b) noexcept {
   if constexpr (is_fixed<T>) {
@@ -98,7 +98,7 @@ constexpr void lower(std::array<T, Size>& a, const std::array<T, Size>& b) noexc
   }
 }
 
-/// The middle of two numbers, within one step of their grid, and in the order of the numbers.
+/// The mean of two numbers, within one step of their grid; monotone in both.
 template <Number T>
 [[nodiscard]] constexpr T rough_middle(const T& a, const T& b) noexcept {
   if constexpr (is_fixed<T>) {
@@ -108,7 +108,7 @@ template <Number T>
   }
 }
 
-/// A number of the same type for each number, in the opposite order; twice gives it back.
+/// A bijection of the type that reverses the order; applied twice it gives x again.
 template <Number T>
 [[nodiscard]] constexpr T reversed(const T& x) noexcept {
   if constexpr (is_fixed<T>) {

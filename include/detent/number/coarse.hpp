@@ -7,8 +7,8 @@
 
 namespace detent {
 
-// Numbers of 16 bits, of which a vector register of 128 bits holds eight: enough to rule out most
-// of many shapes, with the error known. `float` and `double` are as coarse as they are.
+// Quantized numbers of 16 bits, eight to a vector register of 128 bits: they rule out most of many
+// shapes, with a known error. `float` and `double` are not quantized.
 
 namespace detail {
 
@@ -25,7 +25,7 @@ struct coarse_of<Fixed<Bits, Frac>> {
 
 }  // namespace detail
 
-/// A length in steps of 2^k of the scalar's.
+/// A length in units of 2^k steps of the scalar.
 template <Scalar S>
 using coarse = typename detail::coarse_of<S>::length;
 
@@ -33,7 +33,7 @@ using coarse = typename detail::coarse_of<S>::length;
 template <Scalar S>
 using coarse_slope = typename detail::coarse_of<S>::slope;
 
-/// The k for which lengths up to `size`, and a 32nd more, take at most 2^15 steps of 2^k.
+/// The least k for which lengths up to `size`, and a 32nd more, take at most 2^15 steps of 2^k.
 template <int Bits, int Frac>
 [[nodiscard]] constexpr int coarse_shift(const Fixed<Bits, Frac>& size) noexcept {
   const auto raw = size.raw();
@@ -44,7 +44,7 @@ template <Scalar S, int Bits, int Frac>
 [[nodiscard]] constexpr coarse<S> coarse_floor(const Fixed<Bits, Frac>& x, int shift) noexcept {
   return detail::clamp_raw<coarse<S>>(shift_right_floor(x.raw(), shift));
 }
-/// x * slope rounded down, in one multiplication that keeps the upper half.
+/// x * slope rounded down: one multiplication that keeps the upper half.
 [[nodiscard]] constexpr Fixed<15, 0> coarse_product(const Fixed<15, 0>& x,
                                                     const Fixed<15, 16>& slope) noexcept {
   const std::int32_t product = std::int32_t{x.raw()} * std::int32_t{slope.raw()};
@@ -56,21 +56,21 @@ template <Scalar S, int Bits, int Frac>
   return (std::max)(nearest_to<coarse_slope<S>>(half(x)),
                     narrow_negative(largest<coarse_slope<S>>));
 }
-/// |x| in the type of x, which is not the lowest number; without a branch.
+/// |x| in the type of x, branchless; x must not be the lowest number.
 template <int Frac>
 [[nodiscard]] constexpr Fixed<15, Frac> coarse_abs(const Fixed<15, Frac>& x) noexcept {
   const std::int32_t raw = x.raw();
   DETENT_ASSERT(raw > lowest<Fixed<15, Frac>>.raw());
   return Fixed<15, Frac>::assume_raw(static_cast<std::int16_t>(raw < 0 ? -raw : raw));
 }
-/// `count` steps of a grid; for `float` and `double`, whose coordinates are at most `size`, more
-/// than they err by.
+/// `count` steps of the grid; for `float` and `double`, whose coordinates are at most `size`, more
+/// than their error.
 template <int Bits, int Frac>
 [[nodiscard]] constexpr Fixed<15, 0> coarse_steps(int count, const Fixed<Bits, Frac>&) noexcept {
   return Fixed<15, 0>(count);
 }
-/// What coordinates about the middle of a grid stay 200 steps below, 31 / 32 * 2^14 being the most,
-/// while the sum with one fits 16 bits.
+/// A bound for coordinates relative to the middle of a grid: they stay 200 steps below it, as they
+/// are at most 31 / 32 * 2^14, and its sum with one of them fits 16 bits.
 template <Scalar S>
 inline constexpr coarse<S> coarse_limit = largest<S> / 4;
 template <int Bits, int Frac>

@@ -12,8 +12,9 @@
 
 namespace detent::detail {
 
-/// The numbers of a broad phase: coordinates on a grid coarse enough that differences of them fit
-/// 32 bits, rounded outward. What it keeps apart is apart; what it lets through is asked exactly.
+/// The numbers of a broad phase: coordinates on a grid coarse enough that their differences fit 32
+/// bits, rounded outward. Conservative: what it separates is disjoint, what it lets through is
+/// tested exactly.
 template <Scalar S>
 struct Culling {
   using Coordinate = S;
@@ -35,7 +36,7 @@ struct Culling {
     for (std::size_t i = 0; i < N; ++i) sum += extents[i] * (row[i] < 0 ? -row[i] : row[i]);
     return sum;
   }
-  /// With more than sums near `x` are rounded by.
+  /// The padding exceeds the rounding error of sums near `x`.
   static constexpr Coordinate below(const S& x, const Length& reach) noexcept {
     return x - (reach + (x < 0 ? -x : x) / 1048576);
   }
@@ -44,12 +45,12 @@ struct Culling {
   }
 };
 
-/// Scalars lie in [-2^28, 2^28] on the grid, and +-2^30 means without end: so does an end of the
-/// scalar's range, at which boxes are cut off.
+/// Scalars lie in [-2^28, 2^28] on the grid, and +-2^30 means unbounded. The ends of the scalar's
+/// range map to +-2^30 too, because boxes are clamped there.
 ///
-/// A shape may reach farther than the scalars do, with its margin: so lengths are added on the grid,
-/// never in the scalar, whose range would cut the margin off. Sums are clamped to +-2^30, which keeps
-/// order: boxes with a point in common still have one, and rays end within 2^29.
+/// A shape with its margin may reach beyond the scalar's range. So lengths are added on the grid,
+/// never in the scalar, whose range would cut the margin off. Sums are clamped to +-2^30. Clamping
+/// keeps the order: boxes with a common point still have one, and rays end within 2^29.
 template <int Bits, int Frac>
 struct Culling<Fixed<Bits, Frac>> {
   using S = Fixed<Bits, Frac>;
@@ -72,7 +73,7 @@ struct Culling<Fixed<Bits, Frac>> {
     return (static_cast<Area>(high) - static_cast<Area>(low)) >> 1;
   }
 
-  /// A length, in steps.
+  /// A length, in steps of the grid.
   using Length = std::int64_t;
   using Component = direction_component<S>;
 
@@ -81,7 +82,7 @@ struct Culling<Fixed<Bits, Frac>> {
     constexpr Length up = (Length{1} << (shift + 8)) - 1;
     return (256 * Length{length.raw()} + greatest.raw() + up) >> (shift + 8);
   }
-  /// The sum of extents[i] |row[i]|, rounded up; at most 3 * 2^29 * 2^30 before that.
+  /// The sum of extents[i] |row[i]|, rounded up; at most 3 * 2^29 * 2^30 before the shift.
   template <std::size_t N>
   static constexpr Length reach(const std::array<Length, N>& extents,
                                 const std::array<Component, N>& row) noexcept {
@@ -106,9 +107,9 @@ struct Culling<Fixed<Bits, Frac>> {
   }
 };
 
-/// One axis of a ray, for the distances at which it passes coordinates of the grid.
+/// One axis of a ray: the distances at which it passes coordinates of the grid.
 ///
-/// A time is off by less than `slack` where it matters, which is up to the longest ray.
+/// A time is off by less than `slack` up to the longest ray; beyond that it does not matter.
 template <Scalar S>
 class CullingAxis {
  public:
@@ -121,9 +122,10 @@ class CullingAxis {
   constexpr CullingAxis(const S& origin, const direction_component<S>& direction) noexcept
       : is_negative_(direction < 0) {
     if constexpr (is_fixed<S>) {
-      // m / 2^s is 1 / |d|, rounded down by less than 2^-30 of itself: a time of at most 2^29 is
-      // off by 1 for that and by 1 for being rounded. Boxes are a step wider, so that a ray along
-      // one of their sides lies inside; a direction of 0 then passes both sides beyond all rays.
+      // m / 2^s is 1 / |d|, rounded down with a relative error below 2^-30. A time of at most 2^29
+      // is off by 1 for that and by 1 for its own rounding. Boxes are a step wider, so that a ray
+      // along one of their sides lies inside; with a direction of 0 the times of both sides then
+      // lie beyond all rays.
       const auto raw = static_cast<std::uint64_t>(direction.raw() < 0 ? -Time{direction.raw()}
                                                                       : Time{direction.raw()});
       const auto width = static_cast<int>(std::bit_width(raw));
@@ -140,7 +142,7 @@ class CullingAxis {
     }
   }
 
-  /// Whether the ray comes from above: then it enters at the upper side of a box.
+  /// Whether the direction is negative: then the ray enters a box at its upper side.
   [[nodiscard]] constexpr bool is_negative() const noexcept { return is_negative_; }
 
   [[nodiscard]] constexpr Time enter(Coordinate side) const noexcept {

@@ -18,8 +18,8 @@ namespace detent {
 /// A running XXH64 over the values added so far.
 ///
 /// Every value contributes its canonical bytes: numbers in little-endian order at their own width,
-/// parts in the order they are declared, no padding. The digest is therefore the same on machines
-/// of either byte order, and never depends on how a compiler lays a struct out.
+/// members in the order they are declared, no padding. So the digest is the same on machines of
+/// either byte order and does not depend on how a compiler lays out a struct.
 ///
 /// source: Yann Collet, xxHash fast digest algorithm, XXH64                  (tests/number/digest)
 class Digest {
@@ -28,7 +28,7 @@ class Digest {
   explicit constexpr Digest(std::uint64_t seed) noexcept
       : seed_(seed), lanes_{seed + p1 + p2, seed + p2, seed, seed - p1} {}
 
-  /// Appends each value in turn; what a type contributes is said by its `append(digest, value)`.
+  /// Appends each value in turn, by its `append(digest, value)`.
   template <class... Values>
   constexpr void add(const Values&... values) noexcept {
     (append(*this, values), ...);
@@ -58,7 +58,7 @@ class Digest {
     for (const std::byte byte : bytes) add_low_bytes(std::to_integer<std::uint64_t>(byte), 1);
   }
 
-  /// The digest of everything added so far; adding may go on afterwards.
+  /// The digest of everything added so far; more may be added afterwards.
   [[nodiscard]] constexpr std::uint64_t value() const noexcept {
     std::uint64_t hash = seed_ + p5;
     if (length_ >= 32) {
@@ -105,8 +105,8 @@ class Digest {
   std::array<std::uint64_t, 4> lanes_;
 };
 
-/// An integer contributes the bytes of its own type: name a fixed width (`std::uint64_t` rather
-/// than `std::size_t`) for a digest that two platforms are to share. A bool is one byte, 0 or 1.
+/// An integer contributes the bytes of its own type. For a digest that two platforms share, name a
+/// fixed width (`std::uint64_t` rather than `std::size_t`). A bool is one byte, 0 or 1.
 template <std::integral Int>
 requires(sizeof(Int) <= 8) constexpr void append(Digest& digest, Int value) noexcept {
   if constexpr (std::same_as<Int, bool>) {
@@ -150,21 +150,21 @@ constexpr void append(Digest& digest, const std::optional<T>& value) noexcept {
   if (value) digest.add(*value);
 }
 
-/// The elements in order, without their number, which is part of the type.
+/// The elements in order, without their count, which is part of the type.
 template <class T, std::size_t Size>
 constexpr void append(Digest& digest, const std::array<T, Size>& values) noexcept {
   for (const T& value : values) digest.add(value);
 }
 
-/// A type that says by `append(digest, value)`, found by argument-dependent lookup, what it
-/// contributes. An aggregate lists its fields:
+/// A type with a function `append(digest, value)`, found by argument-dependent lookup, that adds
+/// what the value contributes. An aggregate lists its fields:
 ///
 ///     template <class D, Scalar S, int N>
 ///     constexpr void append(D& digest, const Ray<S, N>& ray) noexcept {
 ///       digest.add(ray.origin, ray.direction, ray.max_distance);
 ///     }
 ///
-/// With `D` a template parameter the header of the type need not include this one.
+/// `D` is a template parameter so that the header of the type need not include this one.
 template <class T>
 concept Digestible = requires(Digest& digest, const T& value) {
   append(digest, value);

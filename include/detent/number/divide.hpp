@@ -47,7 +47,7 @@ constexpr Division<Wide<Words>> divide_long(const Wide<Words>& numerator,
   const int scale = 32 * length - bit_length(denominator);  // makes the leading digit >= 2^31
   const Digits v = split(denominator << scale);
   Digits u = split(numerator << scale);
-  // The numerator is non-negative, so its top bit is 0; what a scale shifts out comes back here.
+  // The numerator is non-negative, so its top bit is 0. Bits that the scale shifts out go here.
   if (scale > 0)
     at(u, digits) = static_cast<std::uint32_t>(numerator.word(Words - 1) >> (64 - scale));
 
@@ -96,7 +96,7 @@ constexpr Division<Wide<Words>> divide_long(const Wide<Words>& numerator,
 
 }  // namespace detail
 
-/// floor(numerator / denominator) and what is left; `denominator` > 0.
+/// floor(numerator / denominator) and the remainder; `denominator` > 0.
 template <class Int>
 [[nodiscard]] constexpr Division<Int> divide_floor(const Int& numerator,
                                                    const Int& denominator) noexcept {
@@ -136,8 +136,8 @@ template <class Int>
 /// floor(numerator / denominator) for numerator >= 0, denominator > 0 and a quotient below 2^32;
 /// the denominator's type may be narrower.
 ///
-/// With n and d as leading bits, 32 of the denominator's, q = floor(n / (d + 1)) is at most 4 too
-/// small. It is right where n - q d leaves room for the bits that were dropped.
+/// Let n and d be leading bits, 32 of the denominator's. Then q = floor(n / (d + 1)) is at most 4
+/// too small. It is correct where n - q d leaves room for the dropped bits.
 template <class N, class D>
 [[nodiscard]] constexpr std::int64_t short_quotient(const N& numerator,
                                                     const D& denominator) noexcept {

@@ -27,7 +27,7 @@ inline constexpr bool is_fixed<Fixed<Bits, Frac>> = true;
 
 namespace detail {
 
-/// 15, 31, 63, 127 and 255 bits fill their integer: there, +2^Bits has no pattern.
+/// 15, 31, 63, 127 and 255 bits fill their integer, so +2^Bits has no pattern.
 constexpr bool fills_container(int bits) noexcept {
   return bits == 15 || bits == 31 || bits == 63 || bits == 127 || bits == 255;
 }
@@ -45,20 +45,21 @@ concept KeepsEveryNumber = F <= Frac && (B + Frac - F < Bits ||
                                          (B + Frac - F == Bits &&
                                           (!fills_container(Bits) || fills_container(B))));
 
-/// What arithmetic with a `Fixed` takes: another one, or a built-in integer.
+/// An operand of arithmetic with a `Fixed`: another `Fixed` or a built-in integer.
 template <class T>
 concept Operand = is_fixed<T> || std::integral<T>;
 
-/// Whether the integer `value` is outside [T::lowest(), T::max()]. `Int` may be any type, since
-/// clang asks before it looks at the constraints of a constructor.
+/// Whether the integer `value` is outside [T::lowest(), T::max()]. `Int` may be any type, because
+/// clang evaluates this before the constraints of a constructor.
 template <class T, class Int>
 constexpr bool is_out_of_range(const Int& value) noexcept;
 
-/// Not constexpr: a constant that gets here does not compile, and the message shows this name.
+/// Not constexpr: a constant expression that calls it does not compile, and the message shows this
+/// name.
 inline void this_integer_is_out_of_range() noexcept {}
 
 #if defined(__GNUC__) && !defined(__clang__)
-/// Never defined: a call that GCC does not find to be dead is the error.
+/// Never defined: GCC reports an error for every call that it does not prove dead.
 [[gnu::error(
     "detent: this integer is out of the number's range: saturate_to<T>(n) clamps it")]] void
 known_integer_is_out_of_range() noexcept;
@@ -66,22 +67,23 @@ known_integer_is_out_of_range() noexcept;
 
 }  // namespace detail
 
-/// clang judges constant arguments of a call at every level of optimization.
+/// clang checks the constant arguments of a call at every optimization level.
 #if defined(__clang__)
 #define DETENT_REFUSE_IF(condition, reason) __attribute__((diagnose_if(condition, reason, "error")))
 #else
 #define DETENT_REFUSE_IF(condition, reason)
 #endif
 
-/// The number raw * 2^-Frac, where the type carries a bound on its magnitude: |raw| <= 2^Bits.
+/// The number raw * 2^-Frac. The type carries a bound on its magnitude: |raw| <= 2^Bits.
 ///
-/// Sums, differences and products are exact: their type has the bits that they need, and what
-/// would need more than `widest_bits` does not compile. Numbers lose bits only in functions whose
-/// name says so (rounding.hpp) and in `+=`, `-=`, `*=`, whose left side names the destination.
+/// Sums, differences and products are exact: the result type has the bits they need, and a result
+/// that would need more than `widest_bits` does not compile. Numbers lose bits only in functions
+/// whose name says so (rounding.hpp) and in `+=`, `-=`, `*=`, where the left side is the
+/// destination.
 ///
-/// domain: values from outside (text, integers, doubles, raw bits) end up in [lowest(), max()],
-///         the range of a two's complement integer of Bits + 1 bits; +2^Bits occurs only as the
-///         result of arithmetic, such as -lowest(), and never where Bits fills its integer type
+/// domain: values from outside (text, integers, doubles, raw bits) are in [lowest(), max()], the
+///         range of a two's complement integer of Bits + 1 bits; +2^Bits occurs only as the result
+///         of arithmetic, such as -lowest(), and never where Bits fills its integer type
 template <int Bits, int Frac>
 class Fixed {
  public:
@@ -91,11 +93,11 @@ class Fixed {
 
   constexpr Fixed() noexcept = default;
 
-  /// The integer `value`, which has to be in [lowest(), max()]; `saturate_to<T>(n)` clamps others.
+  /// The integer `value`, which must be in [lowest(), max()]; `saturate_to<T>(n)` clamps others.
   ///
-  /// A value out of range does not compile where it is known: in constant expressions, in clang
-  /// wherever the argument is a constant, in GCC where -O1 and higher find it to be one. Elsewhere
-  /// it is asserted, and clamped.
+  /// A value known to be out of range does not compile: in constant expressions, in clang wherever
+  /// the argument is a constant, in GCC where -O1 or higher finds it to be one. Elsewhere it is
+  /// asserted, then clamped.
   template <std::integral Int>
   explicit constexpr Fixed(Int value) noexcept DETENT_REFUSE_IF(
       detail::is_out_of_range<Fixed>(value),
@@ -107,7 +109,7 @@ class Fixed {
   constexpr Fixed(const Fixed<B, F>& other) noexcept
       : raw_(shift_left(integer_cast<raw_type>(other.raw()), Frac - F)) {}
 
-  // Refused: the line of the name is what a compiler shows.
+  // Deleted: compilers show the line with the name.
   // clang-format off
   template <std::floating_point D>
   Fixed(D) = delete;  // detent: write 1.5_q16_16 or T::from_double(y)
@@ -254,8 +256,8 @@ template <int B, int F>
   return -std::as_const(x);
 }
 
-/// The negative of a literal, which is a `const` value so that this function is chosen: -1_q16_16
-/// is a q16_16 too. Only a constant of which the negative is in range compiles.
+/// The negative of a literal: -1_q16_16 is a q16_16 too. A literal is a `const` value so that this
+/// overload is chosen. Only a constant whose negative is in range compiles.
 template <int B, int F>
 [[nodiscard]] consteval Fixed<B, F> operator-(const Fixed<B, F>&& x) {
   if (x == Fixed<B, F>::lowest() && detail::fills_container(B)) {
@@ -270,12 +272,12 @@ template <int B, int F>
   return is_negative(x.raw()) ? Magnitude(-x) : Magnitude(x);
 }
 
-/// Which of two numbers of any types is greater, exactly.
+/// Compares two numbers of any types, exactly.
 template <class A, class B>
 requires detail::FixedOperands<A, B>
 [[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr std::strong_ordering operator<=>(
     const A& left, const B& right) noexcept {
-  if constexpr (std::integral<B>) {  // a sign, which needs no common grid
+  if constexpr (std::integral<B>) {  // the sign needs no common grid
     if (right == 0) return left.raw() <=> typename A::raw_type(0);
   }
   const auto& a = detail::as_fixed(left);
@@ -294,13 +296,13 @@ requires detail::FixedOperands<A, B>
       using Raw = IntegerFor<width>;
       return detail::aligned_raw<Raw, frac>(a) <=> detail::aligned_raw<Raw, frac>(b);
     } else if constexpr (shift < 0) {
-      // a * 2^k < b exactly when a < floor(b / 2^k), or they are equal and b has a remainder.
+      // a * 2^k < b exactly when a < floor(b / 2^k), or both are equal and b has a remainder.
       const auto whole = integer_cast<Common>(shift_right_floor(b.raw(), -shift));
       const auto order = integer_cast<Common>(a.raw()) <=> whole;
       if (order != 0 || low_bits_are_zero(b.raw(), -shift)) return order;
       return std::strong_ordering::less;
     } else {
-      // cppcheck-suppress compareBoolExpressionWithInt  // it takes the order for a bool
+      // cppcheck-suppress compareBoolExpressionWithInt  // false positive: an ordering, not a bool
       return 0 <=> (b <=> a);
     }
   }
@@ -328,7 +330,7 @@ constexpr Fixed<Bits, Frac>::Fixed(Int value) noexcept {
   const bool is_out_of_range = detail::is_out_of_range<Fixed>(value);
   if (is_out_of_range && std::is_constant_evaluated()) detail::this_integer_is_out_of_range();
 #if defined(__GNUC__) && !defined(__clang__)
-  // The comparison must be known too: of wide integers it may not be, though the value is.
+  // The comparison must be constant too: for wide integers it may not be, even if the value is.
   if (__builtin_constant_p(is_out_of_range) && is_out_of_range) {
     detail::known_integer_is_out_of_range();
   }
@@ -356,7 +358,7 @@ constexpr Fixed<Bits, Frac> Fixed<Bits, Frac>::from_double(double value) noexcep
   std::uint64_t mantissa = pattern & ((std::uint64_t{1} << 52) - 1);
   if (exponent == 0x7ff && mantissa != 0) return Fixed();
   if (exponent != 0) mantissa |= std::uint64_t{1} << 52;
-  // |value| = mantissa * 2^(max(exponent, 1) - 1075); `shift` takes it to the raw grid.
+  // |value| = mantissa * 2^(max(exponent, 1) - 1075); `shift` moves it to the raw grid.
   const int shift = (std::max)(exponent, 1) - 1075 + Frac;
   if (shift >= 0) {
     if (mantissa != 0 && static_cast<int>(std::bit_width(mantissa)) + shift > Bits) {

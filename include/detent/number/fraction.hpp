@@ -8,8 +8,8 @@
 
 namespace detent {
 
-/// A quotient that is not divided yet: signs and comparisons need no division, and most rays miss.
-/// The denominator is positive.
+/// A quotient not divided yet: signs and comparisons need no division, and most rays miss. The
+/// denominator is positive.
 template <Number N, Number D>
 struct Fraction {
   N numerator;
@@ -19,7 +19,7 @@ struct Fraction {
 template <Number N, Number D>
 Fraction(N, D) -> Fraction<N, D>;
 
-/// numerator / denominator for a denominator of either sign but 0.
+/// numerator / denominator, for a denominator of either sign except 0.
 template <Number N, Number D>
 [[nodiscard]] constexpr Fraction<N, D> make_fraction(const N& numerator,
                                                      const D& denominator) noexcept {
@@ -37,7 +37,7 @@ template <Number N, Number D, Number T>
 
 namespace detail {
 
-/// A fraction's raw numbers divided: value * 2^(D::frac - N::frac) in whole and remaining parts.
+/// A fraction's raw numbers divided: value * 2^(D::frac - N::frac) as quotient and remainder.
 template <class N, class D>
 constexpr auto divide_raw(const Fraction<N, D>& x) noexcept {
   using Integer = IntegerFor<(std::max)(N::bits, D::bits)>;
@@ -49,8 +49,8 @@ constexpr auto divide_raw(const Fraction<N, D>& x) noexcept {
 
 /// Whether one fraction is less than another, exactly.
 ///
-/// The whole parts decide, or else what remains of each over its denominator: so no product is
-/// wider than the two denominators together, however wide the numerators are.
+/// The whole parts decide; if they are equal, the remainders over their denominators do. So no
+/// product is wider than the two denominators together, however wide the numerators are.
 template <Number N1, Number D1, Number N2, Number D2>
 [[nodiscard]] constexpr bool operator<(const Fraction<N1, D1>& a,
                                        const Fraction<N2, D2>& b) noexcept {

@@ -9,7 +9,7 @@
 
 namespace detent {
 
-/// The widest integer that a result may need; what needs more does not compile.
+/// The most value bits that a result may have; wider results do not compile.
 inline constexpr int widest_bits = 319;
 
 namespace detail {
@@ -86,7 +86,7 @@ using unsigned_of_t = typename unsigned_of<Int>::type;
 
 }  // namespace detail
 
-/// a + b, a - b and a * b in the integer type `To`, modulo its size: right whenever the exact
+/// a + b, a - b and a * b in the integer type `To`, modulo its size: correct whenever the exact
 /// result fits. The operands may be of any integer types.
 template <class To, class A, class B>
 [[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr To wrapping_add(const A& a, const B& b) noexcept {
@@ -115,7 +115,7 @@ template <class To, class A, class B>
 [[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr To wrapping_multiply(const A& a,
                                                                       const B& b) noexcept {
   if constexpr (detail::is_wide<To>) {
-    // Operands keep their own widths: the shorter they are, the fewer word products.
+    // Operands keep their own widths: shorter ones need fewer word products.
     constexpr int a_words = detail::words_of<A>, b_words = detail::words_of<B>;
     if constexpr (DETENT_SHORT_WORDS && a_words == 1 && b_words == 1) {
       const auto [low, high] = multiply_signed_halves(a, b);
@@ -137,7 +137,7 @@ template <class To, class A, class B>
     }
   } else if constexpr (detail::words_of<To> == 2 && sizeof(A) <= 8 && sizeof(B) <= 8 &&
                        std::is_signed_v<A> && std::is_signed_v<B>) {
-    // One instruction, which not every compiler finds in a product of unsigned patterns.
+    // One instruction, which not every compiler emits for a product of unsigned patterns.
     return static_cast<To>(integer_cast<std::int64_t>(a)) * integer_cast<std::int64_t>(b);
   } else if constexpr (has_short_products && sizeof(To) == 8) {
     return static_cast<To>(multiply_low_halves(a, b));
@@ -165,7 +165,7 @@ template <class Int>
   return static_cast<Int>(x >> (count < last ? count : last));
 }
 
-/// floor(x / 2^Count) for a count that is known, in (0, 64).
+/// floor(x / 2^Count) for a compile-time count in (0, 64).
 template <int Count, class Int>
 [[nodiscard]] constexpr Int shift_right_by(const Int& x) noexcept {
   if constexpr (std::is_same_v<Int, Wide<2>>) {
@@ -194,7 +194,7 @@ template <class Int>
   }
 }
 
-/// Whether x < 0. GCC 12 does not see that `sign_of` asks that.
+/// Whether x < 0. GCC 12 does not reduce `sign_of(x) < 0` to this.
 template <class Int>
 [[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr bool is_negative(const Int& x) noexcept {
   if constexpr (detail::is_wide<Int>) {

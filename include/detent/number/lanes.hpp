@@ -8,9 +8,9 @@
 
 #include "detent/number/require_cxx20.hpp"
 
-// Eight numbers side by side. Where the machine has the vector instructions, Lanes are a vector of
-// the compiler's (an extension of GCC and Clang); elsewhere, and for constants, an array: the same
-// operations, and so the same numbers.                        (tests/number/lanes.test.cpp)
+// Eight numbers side by side. Where the machine has the vector instructions, Lanes are a compiler's
+// vector (an extension of GCC and Clang). Elsewhere, and for constants, they are an array with the
+// same operations, and so the same numbers.                    (tests/number/lanes.test.cpp)
 
 namespace detent::detail {
 
@@ -39,7 +39,7 @@ class ArrayLanes {
       numbers_[k] = x.numbers_[k] < numbers_[k] ? x.numbers_[k] : numbers_[k];
     }
   }
-  /// A bit for each lane that is not above that of x.
+  /// A bit for each lane that is not above the same lane of x.
   [[nodiscard]] constexpr std::uint32_t up_to(const ArrayLanes& x) const noexcept {
     std::uint32_t bits = 0;
     for (std::size_t k = 0; k < lane_count; ++k) {
@@ -86,8 +86,8 @@ class VectorLanes {
 };
 #endif
 
-// With less than AVX2 there is no instruction for some of it, and an array takes three quarters of
-// the time.
+// Below AVX2 some of these operations have no instruction, and an array takes three quarters of the
+// time.
 #if defined(__GNUC__) && defined(__AVX2__)
 template <class T>
 using Lanes = VectorLanes<T>;

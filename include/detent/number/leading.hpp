@@ -8,9 +8,9 @@
 
 namespace detent::detail {
 
-// The leading 64 bits of integers, in which most comparisons and quotients are decided.
+// The leading 64 bits of integers, which decide most comparisons and quotients.
 
-/// x >= 0 as word * 2^exponent and less than 2^exponent more, where the top bit of the word is set
+/// Of x >= 0: word * 2^exponent <= x < (word + 1) * 2^exponent. The top bit of the word is set
 /// unless x is 0.
 struct LeadingWord {
   std::uint64_t word;
@@ -42,10 +42,10 @@ template <class Int>
   }
 }
 
-/// 2^126 / x rounded down to within 2^-58 of it, for x >= 2^63.
+/// 2^126 / x for x >= 2^63, rounded down to within 2^-58 of it.
 ///
-/// By the leading half of x and one, a division gives 33 bits, less than 2^-31 + 2^-32 too small. A
-/// Newton step with what that is known to lack squares it, from the same side.
+/// A division by one more than the leading half of x gives 33 bits, less than 2^-31 + 2^-32 too
+/// small. A Newton step with the known error squares it and stays below.
 [[nodiscard]] constexpr std::uint64_t reciprocal(std::uint64_t x) noexcept {
   const std::uint64_t rough = ~std::uint64_t{0} / ((x >> 32) + 1);
   constexpr std::uint64_t below_one = (std::uint64_t{1} << 62) - 1;

@@ -9,12 +9,12 @@
 
 namespace detent {
 
-/// The leg of a right triangle, sqrt(square - over^2 / under) for the ratio of these two, rounded
-/// down to the grid of `T` and clamped; `exact_square()` is the exact square of the leg, a fraction
-/// and not negative.
+/// The leg of a right triangle, sqrt(square - over^2 / under), rounded down to the grid of `T` and
+/// clamped, given the ratio over / under. `exact_square()` is the exact square of the leg, a
+/// fraction that is not negative.
 ///
-/// In 62 bits it is the root of a square that is known but for the error of the ratio. Where such
-/// an error might lead past another square, the exact fraction decides.
+/// Filter: a root in 62 bits, of a square whose only error is that of the ratio. Where that error
+/// might cross another square, the exact fraction decides.
 template <Number T, Number Square, Number Over, Number Under, int Shift, int Unknown, class Exact>
 [[nodiscard]] constexpr T leg_floor(const Square& square,
                                     const FixedRatio<Over, Under, Shift, Unknown>& ratio,

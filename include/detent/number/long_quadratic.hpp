@@ -9,15 +9,15 @@
 
 namespace detent {
 
-/// A square root with its leading bits only: `root` * 2^-scale, rounded down.
+/// The leading bits of a square root: `root` * 2^-scale, rounded down.
 template <Number T>
 struct LeadingRoot {
   T root;
   int scale;
 };
 
-/// The square root of x >= 0 rounded down to 62 bits or more, the error relative to it below
-/// 2^-61; for numbers wider than `sqrt_floor` takes. `scale` is at most 63.
+/// The square root of x >= 0 rounded down to 62 bits or more, with a relative error below 2^-61;
+/// for numbers too wide for `sqrt_floor`. `scale` is at most 63.
 template <int B, int F>
 [[nodiscard]] constexpr auto leading_root(const Fixed<B, F>& x) noexcept {
   static_assert(F % 2 == 0);
@@ -39,10 +39,10 @@ template <std::floating_point T>
   return LeadingRoot<T>{sqrt_floor<T>(x), 0};
 }
 
-/// The roots of a t^2 + 2 b t + c = 0 with a > 0, for numbers beyond what `Quadratic` takes, where
-/// the caller has a formula of its own for b^2 - a c >= 0, as a product d e.
+/// The roots of a t^2 + 2 b t + c = 0 with a > 0, for numbers too wide for `Quadratic`. The caller
+/// has its own formula for b^2 - a c >= 0, as a product d e.
 ///
-/// Roots are taken from leading bits as long as these tell how they are rounded.
+/// Filter: the leading bits of a root are used wherever they decide how it is rounded.
 template <Number A, Number B, Number C, Number D, Number E>
 class LongQuadratic {
  public:
@@ -51,22 +51,23 @@ class LongQuadratic {
     if constexpr (is_fixed<D>) root_ = sqrt(Rough(d) * Rough(e));
   }
 
-  /// The leading bits of what `first_root` rounds.
+  /// The leading bits of the root that `first_root` rounds.
   [[nodiscard]] constexpr Rough rough_first() const noexcept {
     return Rough(c_) / (Rough(-b_) + root_);
   }
-  /// The leading bits of what `last_root` rounds.
+  /// The leading bits of the root that `last_root` rounds.
   [[nodiscard]] constexpr Rough rough_last() const noexcept {
     if (b_ <= 0) return (Rough(-b_) + root_) / Rough(a_);
     return Rough(-c_) / (Rough(b_) + root_);
   }
 
-  /// The lesser root rounded down, or nothing when the exact root is greater than `limit`; wants
+  /// The lesser root rounded down, or nothing when the exact root is greater than `limit`. Requires
   /// b < 0 < c, so that both roots are positive.
   ///
-  /// It is c / (-b + sqrt(d e)), a sum of positive numbers, of which the root is less than 2^-61 too
-  /// small relative to itself: the quotient exceeds the exact one by less than a step of T, for T
-  /// has at most 31 bits, and is rounded down to it or to the next. Which, the polynomial decides.
+  /// The root is c / (-b + sqrt(d e)). The denominator is a sum of positive numbers, and its square
+  /// root is too small by a relative error below 2^-61. T has at most 31 bits, so the quotient
+  /// exceeds the exact one by less than a step of T and rounds down to the same number or the next.
+  /// The sign of the polynomial decides which.
   template <Scalar T>
   [[nodiscard]] constexpr std::optional<T> first_root(const T& limit) const noexcept {
     if constexpr (is_fixed<T>) {
@@ -84,9 +85,10 @@ class LongQuadratic {
     return t;
   }
 
-  /// The greater root rounded down, or `limit` when it is greater than that; wants it not negative.
+  /// The greater root rounded down, or `limit` when the root is greater. The root must not be
+  /// negative.
   ///
-  /// The quotient is again one of numbers of one sign, and off by at most one step.
+  /// Again no sum cancels, and the quotient is off by at most one step.
   template <Scalar T>
   [[nodiscard]] constexpr T last_root(const T& limit) const noexcept {
     if constexpr (is_fixed<T>) {
@@ -125,7 +127,7 @@ class LongQuadratic {
     const auto level = -c_;
     return (rising > level) - (rising < level);
   }
-  /// The sign of its slope there.
+  /// The sign of the polynomial's slope at t.
   template <Number T>
   [[nodiscard]] constexpr int slope_at(const T& t) const noexcept {
     const auto slope = a_ * t + b_;

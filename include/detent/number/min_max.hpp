@@ -7,15 +7,15 @@
 
 #include "detent/number/fixed.hpp"
 
-// Names are in parentheses because <windows.h> makes macros of min and max. The overloads for two
-// numbers of one type are there to be better matches than std::min, std::max and std::clamp where
-// a user's `using namespace std` finds both.
+// Names are in parentheses because <windows.h> defines min and max as macros. The overloads for two
+// numbers of one type are better matches than std::min, std::max and std::clamp where a user's
+// `using namespace std` makes both visible.
 
 namespace detent {
 
 namespace detail {
 
-/// How many bits hold a `Fixed<B, F>` on the grid of 2^-Frac.
+/// How many bits a `Fixed<B, F>` needs on the grid of 2^-Frac.
 template <int B, int F, int Frac>
 inline constexpr int bits_on_grid = fills_container(B) ? B + Frac - F : result_bits(B + Frac - F);
 
@@ -28,14 +28,14 @@ struct common_fixed_of<Fixed<Bits1, Frac1>, Fixed<Bits2, Frac2>> {
       Fixed<(std::max)(bits_on_grid<Bits1, Frac1, frac>, bits_on_grid<Bits2, Frac2, frac>), frac>;
 };
 
-/// Some of the types are `Fixed`, and the others are built-in numbers.
+/// Some of the types are `Fixed` and all others are built-in numbers, at least one of each.
 template <class... T>
 concept FixedAndBuiltIn = (is_fixed<T> || ...) && (std::is_arithmetic_v<T> || ...) &&
                           ((is_fixed<T> || std::is_arithmetic_v<T>)&&...);
 
 }  // namespace detail
 
-/// The type of the numbers of two types, without a bit to spare: either converts to it.
+/// The narrowest type to which both types convert.
 template <class A, class B>
 using common_fixed = typename detail::common_fixed_of<A, B>::type;
 
@@ -71,10 +71,11 @@ template <std::floating_point Float>
   return a < b ? b : a;
 }
 
-/// `x`, or the end of [low, high] that it is beyond, exactly: in the type that holds both ends, or
-/// where the grid of `x` is finer, in one with as many bits before the point and that grid.
+/// `x` clamped to [low, high], exactly. The result has the type that holds both ends; if the grid
+/// of `x` is finer, it has that grid and as many bits before the point.
 ///
-/// domain: low <= high; otherwise a mistake, which is asserted, and one of the two ends
+/// domain: low <= high; otherwise a mistake, which is asserted, and the result is one of the two
+///         ends
 template <int B, int F, int LowBits, int LowFrac, int HighBits, int HighFrac>
 [[nodiscard]] constexpr auto(clamp)(const Fixed<B, F>& x, const Fixed<LowBits, LowFrac>& low,
                                     const Fixed<HighBits, HighFrac>& high) noexcept {
@@ -97,7 +98,7 @@ template <std::floating_point Float>
   return x < low ? low : high < x ? high : x;
 }
 
-// One line each, since the line of the name is what a compiler shows.
+// One line each, because compilers show the line with the name.
 // clang-format off
 template <class A, class B>
 requires detail::FixedAndBuiltIn<A, B>

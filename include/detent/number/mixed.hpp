@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A `Fixed` with a built-in number: exact with integers, refused with `float` and `double`; and the
-// operators that have no exact result, refused. A compiler shows the line of the refusal.
+// Operators on a `Fixed` and a built-in number: exact for integers, deleted for `float` and
+// `double`. Operators without an exact result are deleted too. Compilers show the deleted
+// line.
 
 #include <compare>
 #include <concepts>
@@ -12,7 +13,7 @@
 
 namespace detent {
 
-/// The integer counts with all the bits of its type: x + 1 is wider than x + 1_q16_16.
+/// The integer has all the bits of its type: x + 1 is wider than x + 1_q16_16.
 template <int B, int F, std::integral Int>
 [[nodiscard]] constexpr auto operator+(const Fixed<B, F>& x, Int n) noexcept {
   return x + detail::as_fixed(n);
@@ -44,7 +45,7 @@ template <class A, class B>
 concept OneIsFixed = (is_fixed<A> && (is_fixed<B> || std::is_arithmetic_v<B>)) ||
                      (is_fixed<B> && std::is_arithmetic_v<A>);
 
-/// An operand next to numbers of type T: integers become a `Fixed`, `float` or `double`.
+/// An operand used with numbers of type T: integers become a `Fixed`, `float` or `double`.
 template <class T, class A>
 [[nodiscard]] constexpr auto as_operand(const A& a) noexcept {
   if constexpr (!std::integral<A>) {
@@ -58,7 +59,7 @@ template <class T, class A>
 
 }  // namespace detail
 
-// One line each, since the line of the name is what a compiler shows.
+// One line each, because compilers show the line with the name.
 // clang-format off
 template <class A, class B>
 requires detail::OneIsFixed<A, B>

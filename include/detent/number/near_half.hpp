@@ -7,9 +7,11 @@
 
 namespace detent {
 
-/// A number rounded to nearest, ties to even, for which `x` stands in, less than 2^-12 steps of `S`
-/// away: where that leaves open on which side of the middle of two steps it is, the sign of its
-/// difference from there, `sign_of_difference(middle)`, decides. The result is known to fit.
+/// Rounds an exact value to nearest, ties to even, given `x` within 2^-12 steps of `S` of it.
+///
+/// Filter: where `x` does not decide on which side of a midpoint between two steps the value lies,
+/// `sign_of_difference(middle)` does, the sign of the value minus the midpoint. The result must
+/// fit.
 template <class S, int B, int F, class Sign>
 [[nodiscard]] constexpr S nearest_by(const Fixed<B, F>& x,
                                      const Sign& sign_of_difference) noexcept {

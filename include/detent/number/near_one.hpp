@@ -7,20 +7,20 @@
 
 namespace detent {
 
-/// A quotient rounded down and clamped, and whether a numerator smaller by up to a given number of
-/// its steps may have another: the remainder of the division is less than they are.
+/// A quotient rounded down and clamped. `is_close`: whether a numerator smaller by up to a given
+/// number of its steps may have another quotient, because the remainder is less than those steps.
 template <class T>
 struct NearQuotient {
   T quotient;
   bool is_close;
 };
 
-/// n / d for n >= 0 and d > 0, rounded down to the grid of `T`, which is coarser than n's where d
-/// is 1; fast where d is the squared length of a direction, 1 within 2^-28.
+/// n / d for n >= 0 and d > 0, rounded down to the grid of `T`, which is no finer than n's; fast
+/// where d is the squared length of a direction, 1 within 2^-28.
 ///
-/// For d = 1 + e the quotient is n (1 - e + e^2 - ...), so that n - n e, taken on the grid of T, is
-/// at most a few steps off: the remainder, small enough to be computed modulo 2^64, tells how many.
-/// The numerator may be too large by up to 2^`unknown_bits` of its steps.
+/// For d = 1 + e the quotient is n (1 - e + e^2 - ...). So n - n e, taken on the grid of T, is at
+/// most a few steps off. The remainder is small enough to be computed modulo 2^64 and gives the
+/// number of steps. The numerator may be too large by up to 2^`unknown_bits` of its steps.
 template <class T, int BN, int FN, int BD, int FD>
 [[nodiscard]] constexpr NearQuotient<T> divide_near_one(const Fixed<BN, FN>& n,
                                                         const Fixed<BD, FD>& d,
@@ -53,11 +53,11 @@ template <class T, int BN, int FN, int BD, int FD>
           shift_right_floor(rest, shift + unknown_bits) == Integer(0)};
 }
 
-/// |n| / sqrt(d), rounded down to the grid of `T` and clamped, where d is the squared
-/// length of a direction: 1 within 2^-28, or 2^-12 in 16 bits.
+/// |n| / sqrt(d), rounded down to the grid of `T` and clamped, where d is the squared length of a
+/// direction: 1 within 2^-28, or 2^-12 in 16 bits.
 ///
-/// 1 / sqrt(1 + e) = 1 - e / 2 + ..., where what is left out is below 3 e^2 / 8, and so less than
-/// 2^6 steps of n. Only where that might lead past a step of T are the squares compared.
+/// 1 / sqrt(1 + e) = 1 - e / 2 + ...: the rest of the series is below 3 e^2 / 8, which is less than
+/// 2^6 steps of n. The squares are compared only where that might cross a step of T.
 template <class T, int BN, int FN, int BD, int FD>
 [[nodiscard]] constexpr T divide_by_length(const Fixed<BN, FN>& n,
                                            const Fixed<BD, FD>& d) noexcept {
@@ -65,7 +65,7 @@ template <class T, int BN, int FN, int BD, int FD>
   static_assert(shift > 7 && BN <= FD + 3 && BN <= 63);
   using Product = IntegerFor<BN + FD / 2 + 2>;
   const std::int64_t sign = shift_right_floor(std::int64_t{n.raw()}, 63);
-  const std::int64_t raw = (n.raw() ^ sign) - sign;  // a branch would be a coin's
+  const std::int64_t raw = (n.raw() ^ sign) - sign;  // branchless: the sign is unpredictable
   const auto excess = wrapping_subtract<std::int64_t>(d.raw(), std::int64_t{1} << FD);
   DETENT_ASSERT(detail::is_within<FD / 2 + 2>(excess));
   const auto quotient = raw - integer_cast<std::int64_t>(shift_right_floor(

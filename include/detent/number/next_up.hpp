@@ -5,8 +5,8 @@
 
 namespace detent {
 
-/// The next greater number of the type, or x where it is the greatest; `float` and `double` stay as
-/// they are.
+/// The next greater number of the type, or x if it is the greatest; `float` and `double` are
+/// returned unchanged.
 template <Number T>
 [[nodiscard]] constexpr T next_up(const T& x) noexcept {
   if constexpr (!is_fixed<T>) {

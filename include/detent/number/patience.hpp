@@ -5,8 +5,8 @@
 
 namespace detent {
 
-/// For how many steps a search goes on whose end is proved for exact numbers: as many as it takes,
-/// and 100 in numbers that round, with which it need not end.
+/// Limits the steps of a search that provably ends with exact numbers: no limit for those, 100
+/// steps for numbers that round, with which it may not end.
 template <Number T>
 class Patience {
  public:

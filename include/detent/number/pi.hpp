@@ -9,7 +9,7 @@ namespace detent {
 
 namespace detail {
 
-/// pi and 4 pi / 3, rounded to 2^-124.
+/// pi and 4 pi / 3, rounded to a multiple of 2^-124.
 inline constexpr auto pi = Fixed<126, 124>::assume_raw(
     integer_cast<Int128>(Wide<2>::from_words({0x313198a2e0370734u, 0x3243f6a8885a308du})));
 inline constexpr auto four_thirds_pi = Fixed<127, 124>::assume_raw(

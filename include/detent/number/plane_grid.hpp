@@ -8,13 +8,13 @@
 
 namespace detent {
 
-/// Up to 256 planes across one axis at equal distances, the first at `least`, which enclose all of
-/// [least, greatest]: a coordinate between them is told in one byte, rounded down or up.
+/// Up to 256 equally spaced planes perpendicular to one axis, the first at `least`. They enclose
+/// [least, greatest]. A coordinate between them is quantized to one byte, rounded down or up.
 ///                                                        (tests/number/plane_grid.test.cpp)
 template <Scalar S>
 class PlaneGrid;
 
-/// The distance of the planes is the least power of two of raw units that suffices.
+/// The spacing is the least power of two of raw units that suffices.
 template <int Bits, int Frac>
 class PlaneGrid<Fixed<Bits, Frac>> {
   using S = Fixed<Bits, Frac>;
@@ -26,20 +26,20 @@ class PlaneGrid<Fixed<Bits, Frac>> {
     while (ceiling(size) > 255) ++shift_;
   }
 
-  /// The last plane that is not above x, of those that there are.
+  /// The last plane that is not above x, clamped to the grid.
   [[nodiscard]] constexpr std::uint8_t below(const S& x) const noexcept {
     return byte(offset(x) >> shift_);
   }
-  /// The first plane that is not below x, of those that there are.
+  /// The first plane that is not below x, clamped to the grid.
   [[nodiscard]] constexpr std::uint8_t above(const S& x) const noexcept {
     return byte(ceiling(offset(x)));
   }
-  /// Where a plane is, or the greatest number where that is beyond it.
+  /// The coordinate of a plane, clamped to the greatest number.
   [[nodiscard]] constexpr S plane(std::uint8_t k) const noexcept {
     return detail::clamp_raw<S>(origin() + k * step());
   }
 
-  /// The raw numbers of the first plane and of the distance between planes.
+  /// The raw coordinate of the first plane and the raw spacing.
   [[nodiscard]] constexpr std::int64_t origin() const noexcept { return origin_.raw(); }
   [[nodiscard]] constexpr std::int64_t step() const noexcept { return std::int64_t{1} << shift_; }
 

@@ -21,10 +21,10 @@ template <int Bits1, int Frac1, int Bits2, int Frac2>
 
 }  // namespace detail
 
-/// The sign of a b - c d, for numbers of which none is negative.
+/// The sign of a b - c d, for non-negative numbers.
 ///
-/// The leading words of products that are wider than 128 bits decide, unless they are almost equal:
-/// then, the products do.
+/// Filter for products wider than 128 bits: their leading words decide unless they are almost
+/// equal. Then the exact products decide.
 template <Number A, Number B, Number C, Number D>
 [[nodiscard]] constexpr int compare_products(const A& a, const B& b, const C& c,
                                              const D& d) noexcept {
@@ -33,7 +33,7 @@ template <Number A, Number B, Number C, Number D>
     const int excess = left.exponent - right.exponent;
     const auto x = static_cast<std::int64_t>(left.word >> std::clamp(-excess, 0, 63));
     const auto y = static_cast<std::int64_t>(right.word >> std::clamp(excess, 0, 63));
-    if (x - y >= 2) return 1;  // either is still less than 2 too small
+    if (x - y >= 2) return 1;  // each is still less than 2 too small
     if (y - x >= 2) return -1;
   }
   const auto left = a * b;

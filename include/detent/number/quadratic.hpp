@@ -10,8 +10,8 @@ namespace detent {
 
 /// Where the line of a ray meets a sphere: the roots of a t^2 + 2 b t + c = 0 with a > 0.
 ///
-/// The caller has a proof that |a c| fits twice the bits of b (for a ray, Cauchy-Schwarz: b is a
-/// dot product of vectors whose squared lengths bound a and c).
+/// The caller must prove that |a c| fits twice the bits of b (for a ray, Cauchy-Schwarz: b is a dot
+/// product of vectors whose squared lengths bound a and c).
 template <Number A, Number B, Number C>
 class Quadratic {
  public:
@@ -23,21 +23,21 @@ class Quadratic {
   /// Whether a t^2 + 2 b t + c is 0 anywhere.
   [[nodiscard]] constexpr bool has_roots() const noexcept { return square_ >= product_; }
 
-  /// b^2 - a c, which is not negative where there are roots.
+  /// b^2 - a c, which is not negative if there are roots.
   [[nodiscard]] constexpr auto discriminant() const noexcept {
     return narrow_difference<product_bits>(square_, product_);
   }
 
-  /// The lesser root rounded down, or nothing when the exact root is greater than `limit`; wants
+  /// The lesser root rounded down, or nothing when the exact root is greater than `limit`. Requires
   /// b < 0 < c, so that both roots are positive, and -b within the range of b.
   ///
-  /// With the leading bits of sqrt(D) as s, (-b - s) / a exceeds the root by a known amount. Mostly
-  /// that is less than what remains when it is rounded down to the grid of T, so that the root
-  /// rounds down to the same.
+  /// Filter: with s the leading bits of sqrt(D), (-b - s) / a exceeds the root by a known amount.
+  /// Mostly that is less than the remainder of rounding down to the grid of T. Then the root rounds
+  /// down to the same number.
   ///
-  /// Else let s = floor(sqrt(D)) on the grid of b: the quotient rounds down to the root's or to one
-  /// more, for it exceeds the root by less than one step of T. It stays below the other root, (-b +
-  /// sqrt(D)) / a, where the polynomial is negative beyond the root: its sign there decides.
+  /// Otherwise let s = floor(sqrt(D)) on the grid of b. The quotient exceeds the root by less than
+  /// one step of T, so it rounds down to the same number or to one more. It stays below the other
+  /// root, (-b + sqrt(D)) / a, and between the roots the polynomial is negative: its sign decides.
   template <Scalar T>
   [[nodiscard]] constexpr std::optional<T> first_root(const T& limit) const noexcept {
     if constexpr (is_fixed<T>) {
@@ -59,14 +59,14 @@ class Quadratic {
     }
   }
 
-  /// `first_root` one binary digit after the other, without quotient and square root: slower, in
-  /// less than a third of the code.
+  /// `first_root` one binary digit at a time, without a quotient or a square root: slower, in less
+  /// than a third of the code.
   ///
   /// For the polynomial p and the digits so far as t, p(t + s) = p(t) + s p'(t) + s^2 a and
-  /// s p'(t + s) = s p'(t) + 2 s^2 a. The digit s belongs to the root where neither passes 0.
+  /// s p'(t + s) = s p'(t) + 2 s^2 a. The digit s belongs to the root if neither passes 0.
   template <Scalar T>
   [[nodiscard]] constexpr std::optional<T> first_root_by_digits(const T& limit) const noexcept {
-    // For a ray |m + t d|^2 - r^2: with t the coordinates of a scalar, one bit more than b^2 needs.
+    // For a ray p(t) = |m + t d|^2 - r^2: for a scalar t, one bit more than b^2 needs.
     using Integer = IntegerFor<product_bits + 1>;
     using Raw = typename T::raw_type;
     const auto scaled = [](const auto& x, int shift) {
@@ -93,11 +93,11 @@ class Quadratic {
     return root;
   }
 
-  /// The greater root rounded down, or `limit` when it is greater than that; wants roots of which
-  /// the greater is not negative.
+  /// The greater root rounded down, or `limit` when the root is greater. Requires roots, the
+  /// greater of which is not negative.
   template <Scalar T>
   [[nodiscard]] constexpr T last_root(const T& limit) const noexcept {
-    const bool is_falling = a_ * limit + b_ < 0;  // where the greater root, or both, are beyond
+    const bool is_falling = a_ * limit + b_ < 0;  // the greater root, or both, are beyond
     if (is_falling || sign_at(limit) <= 0) return limit;
     T t = quotient_floor<T>(root() - b_, a_);
     if constexpr (is_fixed<T>) {

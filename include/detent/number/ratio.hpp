@@ -9,19 +9,19 @@
 
 namespace detent {
 
-/// over / under divided once, to be multiplied by several numbers: see `add_product`. For `float`
+/// over / under, divided once and then multiplied by several numbers (`add_product`). For `float`
 /// and `double`, the two numbers.
 template <Number Over, Number Under>
 struct Ratio {
   Over over;
   Under under;
-  // Of the raw numbers: factor * 2^-shift is over / under within 2^-56 of it.
+  // Of the raw numbers: factor * 2^-shift is over / under with a relative error below 2^-56.
   std::int64_t factor = 0;
   int shift = 0;
 };
 
-/// A ratio of a known order of magnitude, so that its point has a fixed place: factor * 2^-Shift is
-/// over / under within 2^Unknown steps.
+/// A ratio of known magnitude, with a fixed binary point: factor * 2^-Shift is over / under within
+/// 2^Unknown steps.
 template <Number Over, Number Under, int Shift, int Unknown>
 struct FixedRatio {
   Over over;
@@ -51,7 +51,7 @@ template <Number Over, Number Under>
   }
 }
 
-/// over / under for 0 < over < under. As base + x * ratio is between base and base + x, both have to
+/// over / under for 0 < over < under. base + x * ratio lies between base and base + x, so both must
 /// be in range.
 template <Number Over, Number Under>
 [[nodiscard]] constexpr FixedRatio<Over, Under, 63, 7> make_ratio_below_one(
@@ -64,16 +64,16 @@ template <Number Over, Number Under>
     const auto leading = [length](const auto& x) {
       return detail::leading_word(integer_cast<Positive>(x.raw()), length);
     };
-    // The reciprocal is too small if anything, so this stays below 2^63.
+    // The reciprocal is never too large, so this stays below 2^63.
     const auto factor = 2 * multiply_words(leading(over), detail::reciprocal(leading(under))).high;
     return {over, under, static_cast<std::int64_t>(factor)};
   }
 }
 
-/// over / under without a division for an `under` that is the squared length of a direction: 1
+/// over / under without a division, for an `under` that is the squared length of a direction: 1
 /// within 2^-28, or 2^-12 in 16 bits.
 ///
-/// 1 / (1 + e) = 1 - e + ..., where what is left out is e^2 < 2^-56 (2^-24), and |over| < 2^63
+/// 1 / (1 + e) = 1 - e + ...: the rest of the series is e^2 < 2^-56 (2^-24), and |over| < 2^63
 /// (2^31).
 template <Number Over, Number Under>
 [[nodiscard]] constexpr auto make_ratio_near_one(const Over& over, const Under& under) noexcept {
@@ -93,11 +93,11 @@ template <Number Over, Number Under>
 
 namespace detail {
 
-/// base + x * over / under rounded to nearest, ties to even, and clamped, where floor(x * over /
-/// under) is `whole` but for an error in the quotient below a half.
+/// base + x * over / under rounded to nearest, ties to even, and clamped. `whole` is
+/// floor(x * over / under), computed from a quotient with an error below a half.
 ///
-/// The remainder, so small that it is computed modulo its integer's size, says on which side of a
-/// half the exact quotient is.
+/// The remainder is small enough to be computed modulo its integer's size. It shows on which side
+/// of a half the exact quotient is.
 template <class S, class T, class Over, class Under>
 [[nodiscard]] constexpr S add_quotient(const S& base, const T& x, const Over& over,
                                        const Under& under, std::int64_t whole) noexcept {
@@ -106,14 +106,14 @@ template <class S, class T, class Over, class Under>
                                             wrapping_multiply<Rest>(whole, under.raw()));
   const auto beyond_half = wrapping_subtract<Rest>(shift_left(rest, 1), under.raw());
   const std::int64_t sum = std::int64_t{base.raw()} + whole;
-  const bool up = wrapping_add<Rest>(beyond_half, sum & 1) > Rest(0);  // a tie if that is odd
+  const bool up = wrapping_add<Rest>(beyond_half, sum & 1) > Rest(0);  // a tie: up if sum is odd
   return clamp_raw<S>(sum + (up ? 1 : 0));
 }
 
 }  // namespace detail
 
-/// base + x * ratio rounded to nearest, ties to even, and clamped; |x * ratio| is known to be below
-/// 2^34 steps of S.
+/// base + x * ratio rounded to nearest, ties to even, and clamped; |x * ratio| must be below 2^34
+/// steps of S.
 template <Scalar S, Number T, Number Over, Number Under>
 [[nodiscard]] constexpr S add_product(const S& base, const T& x,
                                       const Ratio<Over, Under>& ratio) noexcept {
@@ -137,7 +137,7 @@ template <Scalar S, Number T, Number Over, Number Under, int Shift, int Unknown>
   } else {
     static_assert(T::frac + Over::frac - Under::frac == S::frac);
     static_assert(T::bits + 64 - Shift < 63);
-    // The product's whole part in the high word, its fraction in the low one.
+    // The product's whole part is in the high word, its fraction in the low one.
     const std::int64_t scaled = std::int64_t{x.raw()} * (std::int64_t{1} << (64 - Shift));
     const Wide<2> product(wrapping_multiply<Int128>(scaled, ratio.factor));
     constexpr std::uint64_t half = std::uint64_t{1} << 63;
@@ -156,7 +156,7 @@ template <Scalar S, Number T, Number Over, Number Under, int Shift, int Unknown>
   }
 }
 
-/// x * ratio with 30 more fractional bits than x, less than 2^-22 steps of x off.
+/// x * ratio with 30 more fractional bits than x, off by less than 2^-22 steps of x.
 template <int B, int F, Number Over, Number Under>
 [[nodiscard]] constexpr Fixed<B + 30, F + 30> rough_product(
     const Fixed<B, F>& x, const FixedRatio<Over, Under, 63, 7>& ratio) noexcept {

@@ -12,8 +12,8 @@ namespace detent {
 
 namespace detail {
 
-/// Chords of the square root: entry i - 64 holds, for x in [i/256, (i+1)/256), the value at the
-/// left end (20 bits, Q20) above the rise to the right end (12 bits, Q20).
+/// Chords of the square root. Entry i - 64 covers x in [i/256, (i+1)/256): the value at the left
+/// end (upper 20 bits, Q20) and the rise to the right end (lower 12 bits, Q20).
 inline constexpr auto root_chords = [] {
   // floor(sqrt(i * 2^32)) = floor(2^20 * sqrt(i / 256)), digit by digit: compile time only.
   const auto left_end = [](std::uint32_t i) {
@@ -33,7 +33,7 @@ inline constexpr auto root_chords = [] {
 
 /// sqrt(a) / 2^12 for a >= 2^62, along a chord: at least 2^19, and below 2^20.
 ///
-/// A chord lies below the root by at most 2^-17 of it, and quantising adds 2^-19.
+/// A chord lies below the root by at most 2^-17 of it, and quantizing adds 2^-19.
 constexpr std::uint32_t root_guess(std::uint64_t a) noexcept {
   const std::uint32_t chord = root_chords[(a >> 56) - 64];
   const std::uint64_t along = (a >> 40) & 0xffff;
@@ -44,8 +44,8 @@ constexpr std::uint32_t root_guess(std::uint64_t a) noexcept {
 /// (Heron) step.
 ///
 /// One Heron step from relative error e gives r * (1 + e^2 / (2 (1 + e))): never below r = sqrt(a),
-/// and above it by less than 2^32 * 2^-33 / 2 = 1/4. Floors inside nest, so the step is floor(r) or
-/// floor(r) + 1.
+/// and above it by less than 2^32 * 2^-33 / 2 = 1/4. Nested floors equal one floor, so the step is
+/// floor(r) or floor(r) + 1.
 constexpr std::uint64_t root_or_next(std::uint64_t a) noexcept {
   const std::uint32_t guess = root_guess(a);
   const std::uint64_t quotient = divide_halves((a >> 13) << 12, guess << 12).quotient;
@@ -53,12 +53,12 @@ constexpr std::uint64_t root_or_next(std::uint64_t a) noexcept {
   return root - (root >> 32);  // 2^32 itself is one too many
 }
 
-/// 2^94 / sqrt(a) for a >= 2^62, off by less than 2^-44 of itself: the reciprocal of a chord, and
-/// three terms of the series that makes up for what it lacks.
+/// 2^94 / sqrt(a) for a >= 2^62, with a relative error below 2^-44: the reciprocal of a chord,
+/// corrected by three terms of a series.
 ///
-/// For y = 2^51 / guess, d = 1 - a y^2 / 2^126 is below 2^-15.5, so that the next term of
-/// 2^63 / sqrt(a) = y (1 - d)^(-1/2) = y (1 + d / 2 + 3 d^2 / 8 + ...) is below 2^-48. With d in
-/// steps of 2^-46, floors lose less than three of these.
+/// For y = 2^51 / guess, d = 1 - a y^2 / 2^126 is below 2^-15.5. So in
+/// 2^63 / sqrt(a) = y (1 - d)^(-1/2) = y (1 + d / 2 + 3 d^2 / 8 + ...) the next term is below
+/// 2^-48. With d in steps of 2^-46, floors lose less than three of these steps.
 constexpr std::uint64_t reciprocal_root(std::uint64_t a) noexcept {
   const std::uint64_t y = ((std::uint64_t{1} << 51) - 1) / root_guess(a);  // below 2^32
   const std::uint64_t high = multiply_words(a, y * y).high;                // about 2^62
@@ -67,7 +67,7 @@ constexpr std::uint64_t reciprocal_root(std::uint64_t a) noexcept {
   return (y << 31) + static_cast<std::uint64_t>((static_cast<std::int64_t>(y) * series) >> 15);
 }
 
-/// `root`, or one less where its square exceeds n.
+/// `root`, or one less if its square exceeds n.
 constexpr std::uint64_t at_most_root(std::uint64_t root, std::uint64_t n) noexcept {
   return root - (root * root > n ? 1u : 0u);
 }
@@ -76,7 +76,7 @@ constexpr std::uint64_t at_most_root(std::uint64_t root, std::uint64_t n) noexce
 
 /// floor(sqrt(n)), exactly: floor(sqrt(n * 4^k)) / 2^k, rounded down.
 [[nodiscard]] constexpr std::uint32_t square_root_floor(std::uint64_t n) noexcept {
-  const std::uint64_t positive = n + (n == 0 ? 1u : 0u);  // 0 goes through as 1, unbranched
+  const std::uint64_t positive = n + (n == 0 ? 1u : 0u);  // branchless: 0 is computed as 1
   const int shift = std::countl_zero(positive) & ~1;
   const std::uint64_t root = detail::root_or_next(positive << shift) >> (shift / 2);
   return static_cast<std::uint32_t>(detail::at_most_root(root, n));
@@ -88,7 +88,7 @@ struct RoughRoot {
   int unknown_bits;
 };
 
-/// The leading 32 bits of sqrt(high * 2^64 + low), or all of a shorter one.
+/// The leading 32 bits of sqrt(high * 2^64 + low), or the whole root if high is 0.
 [[nodiscard]] constexpr RoughRoot square_root_rough(std::uint64_t high,
                                                     std::uint64_t low) noexcept {
   if (high == 0) return {square_root_floor(low), 0};
@@ -101,7 +101,7 @@ struct RoughRoot {
 /// floor(sqrt(high * 2^64 + low)), exactly.
 ///
 /// source: Zimmermann, Karatsuba Square Root, INRIA RR-3805 (1999), one step: the remainder of the
-/// leading root divided by it gives the trailing half, at most 1 too large
+///         leading root divided by that root gives the trailing half, at most 1 too large
 [[nodiscard]] constexpr std::uint64_t square_root_floor(std::uint64_t high,
                                                         std::uint64_t low) noexcept {
   if (high == 0) return square_root_floor(low);

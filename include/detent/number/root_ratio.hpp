@@ -13,7 +13,7 @@ namespace detent {
 
 namespace detail {
 
-/// floor(x / 2^exponent), which fits.
+/// floor(x / 2^exponent), which must fit.
 template <class Int>
 [[nodiscard]] constexpr std::int64_t scaled_word(const Int& x, int exponent) noexcept {
   if (exponent <= 0) return shift_left(integer_cast<std::int64_t>(x), -exponent);
@@ -22,11 +22,11 @@ template <class Int>
 
 }  // namespace detail
 
-/// (x - sqrt(d) y) / length for several x and y, but only nearly, by two divisions in all: the
-/// components of a unit vector from a center to where a line meets a sphere.
+/// (x - sqrt(d) y) / length for several x and y, approximately, with two divisions in all: the
+/// components of a unit vector from a center to a point where a line meets a sphere.
 ///
-/// All are in units of which the length has 2^60 or more. |x|, sqrt(d) and the quotient are at most
-/// the length and 2^-28 of it, and |y| is at most 1.
+/// The unit is so small that the length is at least 2^60. |x| and sqrt(d) are at most 1 + 2^-28
+/// times the length, the quotient is at most 1 + 2^-28, and |y| at most 1.
 template <class T, class D, class Length>
 class RootRatio;
 
@@ -39,7 +39,7 @@ class RootRatio<T, Fixed<BD, FD>, Fixed<BL, FL>> {
     exponent_ = leading.exponent + 3;
     reciprocal_ = detail::reciprocal(leading.word) >> 1;
     if (d == 0) return;
-    // d = word * 4^k, of which the top bit or the one below it is set.
+    // d = word * 4^k; the top bit of the word or the one below it is set.
     auto [word, exponent] = detail::leading_word(d.raw());
     word >>= exponent & 1;
     const int k = (exponent + 1) >> 1;
@@ -48,7 +48,7 @@ class RootRatio<T, Fixed<BD, FD>, Fixed<BL, FL>> {
   }
 
   /// The quotient rounded to nearest; nothing where it is so close to a tie that an error of 2^-42,
-  /// or of one step of T squared, would tell.
+  /// or of one step of T squared, could change it.
   template <int BX>
   [[nodiscard]] constexpr std::optional<T> nearest(const Fixed<BX, FL>& x,
                                                    const T& y) const noexcept {
@@ -77,7 +77,7 @@ class RootRatio<T, Fixed<BD, FD>, Fixed<BL, FL>> {
 template <class T, std::floating_point D, class Length>
 class RootRatio<T, D, Length> {
  public:
-  // cppcheck-suppress uninitMemberVar  // it has the members of the other RootRatio in mind
+  // cppcheck-suppress uninitMemberVar  // false positive: the members of the other one
   constexpr RootRatio(D d, Length length) noexcept : root_(sqrt_floor<D>(d)), length_(length) {}
   [[nodiscard]] constexpr std::optional<T> nearest(T x, T y) const noexcept {
     return (x - root_ * y) / length_;

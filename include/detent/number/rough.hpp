@@ -13,12 +13,12 @@
 
 namespace detent {
 
-/// A number >= 0 by its leading bits, word * 2^exponent: what roots and quotients of long integers
-/// are, nearly. The top bit of the word is set unless the number is 0.
+/// The leading bits of a number >= 0, word * 2^exponent: the filter's value for roots and quotients
+/// of long integers. The top bit of the word is set unless the number is 0.
 ///
-/// Sums, products and quotients of a dozen exact numbers are off by less than 2^-56 of them, and
-/// with square roots among them by less than 2^-42. Whoever decides something looks whether that
-/// could matter, and if so computes the exact number after all.
+/// Sums, products and quotients of a dozen exact numbers have a relative error below 2^-56, below
+/// 2^-42 with square roots among them. Before deciding, a caller checks whether that error could
+/// matter. If so, it computes the exact number.
 struct Rough {
   std::uint64_t word = 0;
   int exponent = 0;
@@ -38,7 +38,7 @@ struct Rough {
   [[nodiscard]] friend constexpr Rough operator*(const Rough& a, const Rough& b) noexcept {
     return Rough(multiply_words(a.word, b.word).high, a.exponent + b.exponent + 64);
   }
-  /// `b` is not 0.
+  /// `b` must not be 0.
   [[nodiscard]] friend constexpr Rough operator/(const Rough& a, const Rough& b) noexcept {
     const auto high = multiply_words(a.word, detail::reciprocal(b.word)).high;
     return Rough(high, a.exponent - b.exponent - 62);
@@ -50,7 +50,7 @@ struct Rough {
     return Rough(high, ((x.exponent + 1) >> 1) - 30);
   }
 
-  /// The sign of a - b; 0 where an error of 2^-Bits of them could tell.
+  /// The sign of a - b; 0 where a relative error of 2^-Bits could change it.
   template <int Bits>
   [[nodiscard]] static constexpr int compare(const Rough& a, const Rough& b) noexcept {
     const int excess = a.exponent - b.exponent;
@@ -60,7 +60,7 @@ struct Rough {
     return x - y > margin ? 1 : y - x > margin ? -1 : 0;
   }
 
-  /// The number times 2^Frac, which is below 2^62, rounded down.
+  /// The number times 2^Frac, rounded down; the product must be below 2^62.
   template <int Frac>
   [[nodiscard]] constexpr std::int64_t scaled() const noexcept {
     return static_cast<std::int64_t>(word >> std::clamp(-exponent - Frac, 0, 63));
@@ -73,7 +73,7 @@ struct Rough {
     exponent = scale - zeros;
   }
 
-  /// a + b for the greater exponent in a, or a zero in b.
+  /// a + b, where a has the greater exponent or b is 0.
   [[nodiscard]] static constexpr Rough sum(const Rough& a, const Rough& b) noexcept {
     Rough result = a;
     result.word += b.word >> std::clamp(a.exponent - b.exponent, 0, 63);
@@ -85,7 +85,7 @@ struct Rough {
   }
 };
 
-/// `x` rounded down to the grid of `T`, unless an error of 2^-42 of it could tell.
+/// `x` rounded down to the grid of `T`; nothing where a relative error of 2^-42 could change it.
 template <class T>
 [[nodiscard]] constexpr std::optional<T> floor_of(const Rough& x) noexcept {
   const int dropped = -(x.exponent + T::frac);
@@ -98,8 +98,8 @@ template <class T>
   return T::assume_raw(static_cast<typename T::raw_type>(floor(below)));
 }
 
-/// p x - q y rounded to the nearest point of the grid of `T`, unless an error of 2^-42 could tell;
-/// |p x| and |q y| are at most 1.
+/// p x - q y rounded to the nearest point of the grid of `T`; nothing where an error of 2^-42 could
+/// change it. |p x| and |q y| are at most 1.
 template <class T, int BX, int FX, int BY, int FY>
 [[nodiscard]] constexpr std::optional<T> nearest_difference(const Rough& p, const Fixed<BX, FX>& x,
                                                             const Rough& q,

@@ -27,7 +27,7 @@ constexpr T clamp_raw(const Int& raw) noexcept {
   return T::assume_raw(integer_cast<typename T::raw_type>(raw));
 }
 
-/// The same of a square root.
+/// The same for a square root.
 template <class T>
 constexpr T clamp_root(std::uint64_t root) noexcept {
   if constexpr (T::bits > 63) {
@@ -55,8 +55,8 @@ constexpr bool is_within(const Int& raw) noexcept {
 
 /// floor(numerator / denominator) and the remainder, on the grid of T; `denominator` is not 0.
 ///
-/// The integers are those of value(n) / value(d) * 2^T::frac with the shift on whichever side
-/// keeps them whole, and the denominator made positive.
+/// The integers are those of value(n) / value(d) * 2^T::frac, with the shift on the side that keeps
+/// them whole and the denominator made positive.
 template <class T, class N, class D>
 struct GridQuotient {
   static constexpr int shift = T::frac - N::frac + D::frac;
@@ -120,21 +120,21 @@ template <class T, int B, int F>
   }
 }
 
-/// `nearest_to` where the result is expected to leave the range of `T` and to stop at its end.
+/// `nearest_to` where the result is expected to leave the range of `T` and be clamped.
 template <class T, int B, int F>
 [[nodiscard]] constexpr T saturate_to(const Fixed<B, F>& x) noexcept {
   return nearest_to<T>(x);
 }
 
-/// The integer `n` in a `Fixed`, exact or clamped to [T::lowest(), T::max()]; T(n) is for an `n`
-/// that is in range.
+/// The integer `n` as a `Fixed`, exact or clamped to [T::lowest(), T::max()]. For an `n` in range,
+/// write T(n).
 template <class T, std::integral Int>
 requires is_fixed<T>
 [[nodiscard]] constexpr T saturate_to(Int n) noexcept { return nearest_to<T>(detail::as_fixed(n)); }
 
 namespace detail {
 
-/// The integers of a built-in type that is not `bool`.
+/// A built-in integer type other than `bool`.
 template <class T>
 concept BuiltInInteger = std::integral<T> && !std::same_as<std::remove_cv_t<T>, bool>;
 
@@ -171,7 +171,7 @@ template <detail::BuiltInInteger T, int B, int F>
   return nearest_to<T>(x);
 }
 
-/// `x` in fewer bits: the caller has a proof that |x| <= 2^(Bits - F). Asserted in debug builds.
+/// `x` in fewer bits. The caller must prove that |x| <= 2^(Bits - F). Asserted in debug builds.
 template <int Bits, int B, int F>
 [[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr Fixed<Bits, F> narrow(
     const Fixed<B, F>& x) noexcept {
@@ -180,7 +180,7 @@ template <int Bits, int B, int F>
   return Fixed<Bits, F>::assume_raw(integer_cast<Raw>(x.raw()));
 }
 
-/// `floor_to<T>(x)`: the caller has a proof that it fits.
+/// `floor_to<T>(x)`. The caller must prove that it fits.
 template <class T, int B, int F>
 [[nodiscard]] constexpr T narrow_floor(const Fixed<B, F>& x) noexcept {
   const auto raw = shift_right_floor(x.raw(), F - T::frac);
@@ -188,8 +188,7 @@ template <class T, int B, int F>
   return T::assume_raw(integer_cast<typename T::raw_type>(raw));
 }
 
-/// a * b, a + b, a - b: `narrow` without the detour through the integer that the unproved result
-/// needs.
+/// a * b, a + b, a - b: `narrow` without the wider integer of the unproved result.
 template <int Bits, int Bits1, int Frac1, int Bits2, int Frac2>
 [[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr Fixed<Bits, Frac1 + Frac2> narrow_product(
     const Fixed<Bits1, Frac1>& a, const Fixed<Bits2, Frac2>& b) noexcept {
@@ -219,15 +218,15 @@ template <int Bits, int Bits1, int Frac1, int Bits2, int Frac2>
                              detail::aligned_raw<Raw, Difference::frac>(b)));
 }
 
-/// -x in the type of x: the caller has a proof that it fits, as it always does but for the lowest
-/// number of an integer that is full.
+/// -x in the type of x. The caller must prove that it fits; it always does, except for the lowest
+/// number of a type that fills its integer.
 template <int B, int F>
 [[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr Fixed<B, F> narrow_negative(
     const Fixed<B, F>& x) noexcept {
   return narrow<B>(-x);
 }
 
-/// |x| in the type of x, as for `narrow_negative`.
+/// |x| in the type of x, with the condition of `narrow_negative`.
 template <int B, int F>
 [[nodiscard]] constexpr Fixed<B, F> narrow_abs(const Fixed<B, F>& x) noexcept {
   return is_negative(x.raw()) ? narrow_negative(x) : x;
@@ -239,8 +238,8 @@ template <int B, int F>
   return Fixed<B, F + 1>::assume_raw(x.raw());
 }
 
-/// x * 2^count in `Bits`: the caller has a proof that it fits. `float` and `double` need no room
-/// and stay as they are.
+/// x * 2^count in `Bits`. The caller must prove that it fits. `float` and `double` are returned
+/// unchanged.
 template <int Bits, int B, int F>
 [[nodiscard]] constexpr Fixed<Bits, F> scale_up(const Fixed<B, F>& x, int count) noexcept {
   using Raw = typename Fixed<Bits, F>::raw_type;
@@ -248,20 +247,20 @@ template <int Bits, int B, int F>
   return Fixed<Bits, F>::assume_raw(shift_left(integer_cast<Raw>(x.raw()), count));
 }
 
-/// x / 2^count rounded down to the grid of x, in `Bits`: the caller has a proof that it fits.
+/// x / 2^count rounded down to the grid of x, in `Bits`. The caller must prove that it fits.
 template <int Bits, int B, int F>
 [[nodiscard]] constexpr Fixed<Bits, F> scale_down(const Fixed<B, F>& x, int count) noexcept {
   return narrow<Bits>(Fixed<B, F>::assume_raw(shift_right_floor(x.raw(), count)));
 }
 
-/// How often x > 0 can be doubled within its budget.
+/// How often x > 0 can be doubled within its bits.
 template <int B, int F>
 [[nodiscard]] constexpr int headroom(const Fixed<B, F>& x) noexcept {
   return B - bit_length(x.raw());
 }
 
-/// n / d rounded down to the grid of `T` and clamped; for d = 0 the end of the range on the side
-/// of n, or 0 for 0 / 0.
+/// n / d rounded down to the grid of `T` and clamped. n / 0 is the end of the range on the side of
+/// n, 0 / 0 is 0.
 template <class T, int BN, int FN, int BD, int FD>
 [[nodiscard]] constexpr T quotient_floor(const Fixed<BN, FN>& n, const Fixed<BD, FD>& d) noexcept {
   if (sign_of(d.raw()) == 0) return detail::quotient_by_zero<T>(n);
@@ -270,7 +269,7 @@ template <class T, int BN, int FN, int BD, int FD>
   return detail::clamp_raw<T>(Grid::divide(n, d, divisor).quotient);
 }
 
-/// n / d rounded to the nearest point of the grid of `T`, ties to even, and clamped; d = 0 as for
+/// n / d rounded to the nearest point of the grid of `T`, ties to even, and clamped; n / 0 as for
 /// `quotient_floor`.
 template <class T, int BN, int FN, int BD, int FD>
 [[nodiscard]] constexpr T quotient_nearest(const Fixed<BN, FN>& n,
@@ -288,8 +287,7 @@ template <class T, int BN, int FN, int BD, int FD>
   return detail::clamp_raw<T>(quotient);
 }
 
-/// The same for quotients with a built-in integer on one side or both, as in
-/// quotient_nearest<q16_16>(1, 3).
+/// Quotients with a built-in integer on one or both sides, such as quotient_nearest<q16_16>(1, 3).
 template <class T, detail::Operand N, detail::Operand D>
 requires is_fixed<T> &&(std::integral<N> || std::integral<D>) [[nodiscard]] constexpr T
     quotient_floor(const N& n, const D& d) noexcept {
@@ -317,7 +315,7 @@ template <class T, int B, int F>
 [[nodiscard]] constexpr T sqrt_floor(const Fixed<B, F>& x) noexcept {
   using Raw = typename Fixed<B, F>::raw_type;
   if (x.raw() < Raw(0)) return T();
-  // sqrt(raw * 2^-F) * 2^frac = sqrt(raw * 2^shift); a negative shift may drop bits first, since
+  // sqrt(raw * 2^-F) * 2^frac = sqrt(raw * 2^shift). A negative shift may drop bits first, since
   // floor(sqrt(floor(y))) = floor(sqrt(y)).
   constexpr int shift = 2 * T::frac - F;
   static_assert(B + shift <= 128, "detent: sqrt_floor takes at most 128 bits on its result's grid");
@@ -345,8 +343,8 @@ struct RoughSqrt {
   int unknown_bits;
 };
 
-/// The leading bits of the square root of x >= 0, which is known to fit `T`: at least 31 of them,
-/// or all where the root is shorter.
+/// The leading bits of the square root of x >= 0, which must fit `T`: at least 31 bits, or all of a
+/// shorter root.
 template <class T, int B, int F>
 [[nodiscard]] constexpr RoughSqrt<T> sqrt_rough(const Fixed<B, F>& x) noexcept {
   static_assert(F == 2 * T::frac);

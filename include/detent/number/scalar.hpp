@@ -9,8 +9,8 @@
 
 namespace detent {
 
-/// Whether numbers of a type round each operation as the platform does: `float` and `double`. A test
-/// adds one of its own, which keeps account of that rounding (fuzz/traced.hpp).
+/// Whether a type rounds each operation as the platform does: `float` and `double`. A test adds a
+/// type of its own that tracks this rounding (fuzz/traced.hpp).
 template <class T>
 inline constexpr bool is_floating = std::same_as<T, float> || std::same_as<T, double>;
 
@@ -21,12 +21,11 @@ concept Number = is_fixed<T> || is_floating<T>;
 /// A number that coordinates are stored in: a `Fixed<Bits, Frac>` with 1 <= Bits <= 31 and
 /// 0 <= Frac < Bits, `float` or `double`.
 ///
-/// With at most 31 bits every query has an integer wide enough for its exact answer; 31 bits also
-/// bound what a player's world needs, and `q14_16` or `q8_8` buy speed with range. With Frac < Bits
-/// there is a 1, which is the scale of a transform that scales nothing; with Frac >= 0 every
-/// integer is on the grid, as far as the range goes. `Fixed<1, 0>` is the least, with coordinates
-/// from -2 to 1. `float` and `double` run through the same formulas, without the promise, for
-/// comparison.
+/// With at most 31 bits every query has an integer wide enough for its exact result. 31 bits are
+/// also enough for a player's world; `q14_16` and `q8_8` trade range for speed. With Frac < Bits
+/// the number 1 exists: a transform without scaling has scale 1. With Frac >= 0 every integer in
+/// range is on the grid. `Fixed<1, 0>` is the smallest, with coordinates from -2 to 1. `float` and
+/// `double` run through the same formulas, without the promise, for comparison.
 template <class T>
 concept Scalar = Number<T> &&(!is_fixed<T> || requires {
   requires T::bits <= 31;
@@ -34,8 +33,8 @@ concept Scalar = Number<T> &&(!is_fixed<T> || requires {
   requires T::frac < T::bits;
 });
 
-/// How many bits the magnitude of a number of this type may need; 0 for `float` and `double`,
-/// whose budgets nobody counts.
+/// How many bits the magnitude of a number of this type may need; 0 for `float` and `double`, whose
+/// bits are not counted.
 template <Number T>
 inline constexpr int bits_of = 0;
 template <int Bits, int Frac>
@@ -59,8 +58,8 @@ inline constexpr S lowest = std::numeric_limits<S>::lowest();
 template <int Bits, int Frac>
 inline constexpr Fixed<Bits, Frac> lowest<Fixed<Bits, Frac>> = Fixed<Bits, Frac>::lowest();
 
-/// The integer in which a scalar, or a component of a direction, is stored; `float` and `double`
-/// are their own.
+/// The integer that stores a scalar or a component of a direction; for `float` and `double` the
+/// type itself.
 template <Number T>
 struct raw_of {
   using type = T;
@@ -93,15 +92,15 @@ struct finer_of<Fixed<Bits, Frac>, Count> {
 
 }  // namespace detail
 
-/// What a component of a unit vector is stored in, as large as a scalar: Q2.30 beside coordinates of
-/// 16 to 31 bits and Q2.14 beside shorter ones; `float` and `double` as they are.
+/// The type of a component of a unit vector, as large as a scalar: Q2.30 for coordinates of 16 to
+/// 31 bits and Q2.14 for shorter ones; `float` and `double` themselves.
 ///
-/// No grid is coarser, however short the scalar: proofs count on lengths that are 1 within 2^-13.
+/// The grid is never coarser, however short the scalar: proofs rely on lengths within 2^-13 of 1.
 template <Scalar S>
 using direction_component = typename detail::direction_component_of<S>::type;
 
-/// The scalar with `Count` more bits after the point and the same range; `float` and `double` have
-/// no finer grid.
+/// The scalar with `Count` more bits after the point and the same range; `float` and `double`
+/// themselves.
 template <Scalar S, int Count>
 using finer = typename detail::finer_of<S, Count>::type;
 

@@ -5,8 +5,8 @@
 
 #include "detent/number/require_cxx20.hpp"
 
-// DETENT_SHORT_WORDS is 1 where a register has 32 bits: there wide integers are computed from
-// halves of their words. Define it to choose; it changes speed, never a result.
+// DETENT_SHORT_WORDS is 1 where registers have 32 bits: wide integers are then computed from halves
+// of their words. Define it to choose; it changes speed, never a result.
 #ifndef DETENT_SHORT_WORDS
 #if UINTPTR_MAX <= 0xffffffff && !defined(__wasm__) && !defined(__x86_64__)
 #define DETENT_SHORT_WORDS 1
@@ -15,16 +15,16 @@
 #endif
 #endif
 
-// On such a machine compilers take a sum of wide integers for too long to be inlined, although
-// passing its operands through memory takes longer than the sum.
+// On such machines compilers consider a sum of wide integers too long to inline, although passing
+// its operands through memory takes longer than the sum.
 #if DETENT_SHORT_WORDS && defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
 #define DETENT_INLINE_WHEN_SHORT __attribute__((always_inline))
 #else
 #define DETENT_INLINE_WHEN_SHORT
 #endif
 
-// Define DETENT_SMALL_CODE to choose between two ways to the same answers: the faster one, or the
-// one with less code, as is the choice on such a machine with -Os.
+// Define DETENT_SMALL_CODE to choose between two ways to the same results: 0 is faster, 1 is less
+// code. The default is 1 on such a machine with -Os, otherwise 0.
 #ifndef DETENT_SMALL_CODE
 #if DETENT_SHORT_WORDS && defined(__OPTIMIZE_SIZE__)
 #define DETENT_SMALL_CODE 1
@@ -58,7 +58,7 @@ template <class A, class B>
   const U a0 = static_cast<U>(a) & 0xffff, a1 = static_cast<U>(a >> 16);
   const U b0 = static_cast<U>(b) & 0xffff, b1 = static_cast<U>(b >> 16);
   const U low = a0 * b0;
-  // For an unsigned a at most (2^16 - 1) * 2^16, for a signed one in [-2^31, 2^31): both fit.
+  // At most (2^16 - 1) * 2^16 for an unsigned a, in [-2^31, 2^31) for a signed one: both fit.
   const A middle = static_cast<A>(a1 * b0 + (low >> 16));
   const B cross = static_cast<B>(a0 * b1 + (static_cast<U>(middle) & 0xffff));
   const U high = a1 * b1 + static_cast<U>(middle >> 16) + static_cast<U>(cross >> 16);
@@ -90,7 +90,7 @@ template <class A, class B>
                                                                                     B b) noexcept {
   if constexpr (sizeof(A) <= 4 && sizeof(B) <= 4) {
     const std::uint64_t product = multiply_halves(std::int32_t{a}, std::int32_t{b});
-    // cppcheck-suppress shiftTooManyBitsSigned  // C++20 says what it is: the sign
+    // cppcheck-suppress shiftTooManyBitsSigned  // defined in C++20: the sign
     return {product, static_cast<std::uint64_t>(static_cast<std::int64_t>(product) >> 63)};
   } else if constexpr (sizeof(A) <= 4) {
     return multiply_signed_halves(b, a);
@@ -103,9 +103,9 @@ template <class A, class B>
   } else {
     const auto a0 = static_cast<std::uint32_t>(a), b0 = static_cast<std::uint32_t>(b);
     const auto a1 = static_cast<std::int32_t>(a >> 32), b1 = static_cast<std::int32_t>(b >> 32);
-    if constexpr (has_short_products) {  // then one product saves more than this asks
+    if constexpr (has_short_products) {  // a single product saves more than this test costs
       const auto short_a = static_cast<std::int32_t>(a0), short_b = static_cast<std::int32_t>(b0);
-      // cppcheck-suppress shiftTooManyBitsSigned  // C++20 says what it is: the sign
+      // cppcheck-suppress shiftTooManyBitsSigned  // defined in C++20: the sign
       if (a1 == short_a >> 31 && b1 == short_b >> 31) {
         return multiply_signed_halves(short_a, short_b);
       }
@@ -140,8 +140,7 @@ struct HalfDivision {
   std::uint32_t remainder;
 };
 
-/// floor(n / d) and what is left, for d >= 2^31 and a quotient below 2^32, from divisions of 32
-/// bits.
+/// floor(n / d) and the remainder, for d >= 2^31 and a quotient below 2^32, from 32-bit divisions.
 ///
 /// source: Warren, Hacker's Delight, 9-4
 [[nodiscard]] constexpr HalfDivision divide_halves_portable(std::uint64_t n,
@@ -163,7 +162,7 @@ struct HalfDivision {
   return {(high << 16) | low, rest};
 }
 
-/// floor(n / d) and what is left, for d >= 2^31 and a quotient below 2^32.
+/// floor(n / d) and the remainder, for d >= 2^31 and a quotient below 2^32.
 [[nodiscard]] constexpr HalfDivision divide_halves(std::uint64_t n, std::uint32_t d) noexcept {
   if constexpr (has_short_products) {
     return divide_halves_portable(n, d);

@@ -11,23 +11,23 @@
 
 namespace detent {
 
-/// How the distances along one ray are told while its way through a tree is sought: as 32-bit
-/// numbers, so that a vector instruction compares many.
+/// The unit of ray distance during a tree traversal: a 32-bit number, so that a vector instruction
+/// compares many.
 ///
 /// No distance past `longest` matters: the ray has left all planes, or has ended.
 template <Scalar S>
 class SlabClock;
 
-/// The distances at which a ray crosses planes that lie across one axis, rounded outward: the part
-/// of the ray that is really between two planes is never left out, and a little more may be let in.
-/// For culling, where the shapes themselves decide in the end.
+/// The distances at which a ray crosses planes perpendicular to one axis, rounded outward: the part
+/// of the ray between two planes is never cut, but may be extended a little. For culling; the
+/// shapes themselves decide.
 ///
 /// Every plane is in [least, greatest].                    (tests/number/slab_times.test.cpp)
 template <Scalar S>
 class SlabTimes;
 
-/// The distances at which a ray enters and leaves by planes of a grid, which are told by their
-/// bytes: that for byte b is the one for byte 0 and b steps.
+/// The distances at which a ray enters and leaves through planes of a grid. A plane is encoded as a
+/// byte b: its distance is that of plane 0 plus b steps.
 template <class Time>
 class GridTimes {
  public:
@@ -49,9 +49,9 @@ class GridTimes {
   Time enter_, leave_, step_;
 };
 
-/// Times are in ticks of 2^shift / 2^16 raw units. The shift keeps `longest` below 2^23 ticks, and
-/// the margins of `SlabTimes`, no more than four times 2^-16 of the reach and 2^14 raw units, below
-/// 2^28.
+/// Times are in ticks of 2^shift / 2^16 raw units. The shift keeps `longest` below 2^23 ticks. It
+/// keeps the margins of `SlabTimes`, at most four times 2^-16 of the reach and 2^14 raw units,
+/// below 2^28.
 template <int Bits, int Frac>
 class SlabClock<Fixed<Bits, Frac>> {
   using S = Fixed<Bits, Frac>;
@@ -60,8 +60,7 @@ class SlabClock<Fixed<Bits, Frac>> {
   using Time = std::int32_t;
   using Reach = Fixed<63, Frac>;
 
-  /// For planes no farther than `reach` in the sum over the axes: a direction is longer than
-  /// 1 - 2^-12.
+  /// For planes at most `reach` away, summed over the axes; a direction is longer than 1 - 2^-12.
   constexpr SlabClock(const Reach& reach, const S& limit) noexcept
       : longest_((std::min)(limit, detail::clamp_raw<S>(reach.raw() + (reach.raw() >> 8) + 1))),
         shift_((std::max)(
@@ -79,7 +78,7 @@ class SlabClock<Fixed<Bits, Frac>> {
   friend SlabTimes<S>;
   static constexpr int inverse_frac = 16;
 
-  /// What is farther away than this stays beyond `longest`, or behind the origin, after 2^29 more.
+  /// A distance clamped here is still beyond `longest`, or behind the origin, with 2^29 added.
   [[nodiscard]] static constexpr Time clamp(std::int64_t ticks) noexcept {
     constexpr std::int64_t most = std::int64_t{1} << 30;
     return static_cast<Time>(std::clamp(ticks, -most, most));
@@ -89,12 +88,13 @@ class SlabClock<Fixed<Bits, Frac>> {
   int shift_ = 0;
 };
 
-/// One product of 32-bit integers for each plane, for vectors of them.
+/// One product of 32-bit integers per plane, for vectors of them.
 ///
 /// With d the component of the direction and i = floor(2^16 / |d|) / 2^16, a distance x / |d| ahead
-/// is in [x i, x i + x / 2^16): `margin`. Components shorter than 2^-14 would make i too large; they
-/// are lengthened to that, which moves no point of the ray by more than `drift` = longest / 2^14, and
-/// that ahead. A distance is less than 2^32 2^30 and what is added to it less than 2^49.
+/// is in [x i, x i + x / 2^16): `margin`. Components shorter than 2^-14 would make i too large, so
+/// they are lengthened to 2^-14. This moves no point of the ray by more than
+/// `drift` = longest / 2^14, and only ahead. A distance is less than 2^32 2^30, and less than 2^49
+/// is added to it.
 template <int Bits, int Frac>
 class SlabTimes<Fixed<Bits, Frac>> {
   using S = Fixed<Bits, Frac>;
@@ -104,7 +104,7 @@ class SlabTimes<Fixed<Bits, Frac>> {
   using Clock = SlabClock<S>;
   using Time = typename Clock::Time;
 
-  /// An upper bound of how far the planes are from `origin`.
+  /// An upper bound of the distance from `origin` to the planes.
   [[nodiscard]] static constexpr typename Clock::Reach reach(const S& origin, const S& least,
                                                              const S& greatest) noexcept {
     using Reach = typename Clock::Reach;
@@ -126,8 +126,8 @@ class SlabTimes<Fixed<Bits, Frac>> {
     between_ = static_cast<Time>((margin + drift * inverse) >> shift_) + 1;
   }
 
-  /// A lower bound of the distance to the plane through which the ray enters, and an upper bound of
-  /// that to the plane through which it leaves.
+  /// A lower bound of the distance at which the ray enters through a plane, and an upper bound of
+  /// the distance at which it leaves through one.
   [[nodiscard]] constexpr Time enter(const S& plane) const noexcept { return ticks(plane.raw()); }
   [[nodiscard]] constexpr Time leave(const S& plane) const noexcept {
     return enter(plane) + between_;
@@ -135,15 +135,15 @@ class SlabTimes<Fixed<Bits, Frac>> {
 
   /// The same for planes of a grid.
   ///
-  /// A step is at most 2^21 ticks, so that 255 are less than 2^29. A ray that takes longer is so
-  /// nearly along the planes that it crosses less than four steps while it matters, in 2^23 ticks:
-  /// it is turned to take just 2^21, and the four are added.
+  /// A step is at most 2^21 ticks, so 255 steps are less than 2^29. A ray with longer steps is so
+  /// nearly parallel to the planes that it crosses less than four steps in the 2^23 ticks that
+  /// matter. It is turned to have steps of exactly 2^21 ticks, and four steps are added.
   [[nodiscard]] constexpr GridTimes<Time> on_grid(const PlaneGrid<S>& grid) const noexcept {
     constexpr std::int64_t longest_step = 1 << 21;
     const std::int64_t step = (grid.step() * factor_) >> shift_;
     if (-longest_step <= step && step <= longest_step) {
       const Time enter = ticks(grid.origin());
-      // Its products are rounded down up to 255 times.
+      // The step is rounded down, and it is added up to 255 times.
       return {enter, enter + between_ + 255, static_cast<Time>(step)};
     }
     const std::int64_t turned = step < 0 ? -longest_step : longest_step;

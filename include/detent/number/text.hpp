@@ -19,8 +19,8 @@ namespace detent {
 
 namespace detail {
 
-// A magnitude is written in 32-bit limbs, lowest first: text has to be exact for every width, and
-// small steps keep it small on chips whose word has 32 bits.
+// A magnitude is an array of 32-bit limbs, lowest first: text must be exact for every width, and
+// 32-bit steps keep the code small on 32-bit chips.
 
 template <int Bits>
 using Limbs = std::array<std::uint32_t, static_cast<std::size_t>((Bits + 31) / 32)>;
@@ -83,7 +83,7 @@ constexpr Raw raw_of(const std::array<std::uint32_t, Size>& limbs, bool negative
 
 constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 
-/// A decimal as it is spelt: the significant digits d1 d2 d3 ... of 0.d1d2d3... * 10^point, d1 > 0.
+/// A decimal as spelt: the significant digits d1 d2 d3 ... of 0.d1d2d3... * 10^point, d1 > 0.
 struct Decimal {
   bool negative = false;
   std::string_view digits;  // from d1 on, perhaps with one '.' among them; empty for zero
@@ -102,7 +102,7 @@ struct Decimal {
 /// [+-] digits [. digits] [(e|E) [+-] digits], at least one digit before the exponent; nothing
 /// else.
 constexpr std::optional<Decimal> scan_decimal(std::string_view text) noexcept {
-  // Beyond any text's length, so a longer exponent decides alone; ten times it still fits.
+  // Longer than any text, so a larger exponent decides the result alone; ten times it still fits.
   constexpr std::int64_t exponent_limit = 100'000'000'000'000'000;
   std::size_t at = 0;
   const auto look = [&] { return at < text.size() ? text[at] : '\0'; };
@@ -141,7 +141,7 @@ constexpr std::optional<Decimal> scan_decimal(std::string_view text) noexcept {
   std::size_t first = begin;
   while (first < end && (text[first] == '0' || text[first] == '.')) ++first;
   if (first == end) return decimal;
-  decimal.digits = {text.data() + first, end - first};  // substr brings in what throws
+  decimal.digits = {text.data() + first, end - first};  // substr would pull in exception code
   decimal.point = exponent + static_cast<std::int64_t>(whole_end) -
                   static_cast<std::int64_t>(first) + (first > whole_end ? 1 : 0);
   return decimal;
@@ -149,8 +149,8 @@ constexpr std::optional<Decimal> scan_decimal(std::string_view text) noexcept {
 
 /// |decimal| * 2^frac rounded to nearest, ties to even; nothing when it does not fit into `result`.
 ///
-/// The multiples of 2^-(frac+1), which decide the rounding, have at most frac + 1 decimals. So that
-/// many digits of the fraction are kept, and of all later ones only whether any of them is not 0.
+/// The rounding is decided by multiples of 2^-(frac+1), which have at most frac + 1 decimals. So
+/// that many digits of the fraction are kept; of later digits only whether any is not 0.
 template <int Frac>
 constexpr bool round_decimal(Decimal decimal, std::span<std::uint32_t> result) noexcept {
   for (std::uint32_t& limb : result) limb = 0;
@@ -192,7 +192,7 @@ constexpr bool round_decimal(Decimal decimal, std::span<std::uint32_t> result) n
 ///
 /// domain: [+-] digits [. digits] [(e|E) [+-] digits], of any length: "-1.25", ".5", "5.", "1e-3";
 ///         no spaces, no other characters
-/// exact:  the decimal's exact value rounded to nearest, ties to even; out of range is judged after
+/// exact:  the decimal's exact value rounded to nearest, ties to even; the range is checked after
 ///         rounding                                                       (tests/number/text)
 template <int Bits, int Frac>
 constexpr std::optional<Fixed<Bits, Frac>> Fixed<Bits, Frac>::parse(
@@ -211,7 +211,7 @@ constexpr std::optional<Fixed<Bits, Frac>> Fixed<Bits, Frac>::parse(
   return from_raw(detail::raw_of<raw_type>(magnitude, decimal->negative));
 }
 
-/// How many characters `to_chars` writes at most for a number of type `T`.
+/// The most characters that `to_chars` writes for a number of type `T`.
 template <class T>
 inline constexpr std::size_t max_text_length = 0;
 template <int Bits, int Frac>
@@ -220,10 +220,10 @@ inline constexpr std::size_t max_text_length<Fixed<Bits, Frac>> =
     static_cast<std::size_t>(Frac > 0 ? 1 + Frac : 0);
 
 /// Writes `x` as the shortest decimal that is exactly `x`: "1", "0.5", "-0.0000152587890625".
-/// Returns the end of the text, or nullptr, writing nothing, when it does not fit.
+/// Returns the end of the text; if it does not fit, writes nothing and returns nullptr.
 ///
 /// result: no exponent, no trailing zeros; at most `max_text_length<Fixed<Bits, Frac>>` characters;
-///         `parse` gives every `x` up to max() back
+///         `parse` returns every `x` up to max() unchanged
 template <int Bits, int Frac>
 requires(Frac >= 0) constexpr char* to_chars(char* first, char* last,
                                              const Fixed<Bits, Frac>& x) noexcept {
@@ -267,14 +267,14 @@ requires(Frac >= 0) [[nodiscard]] std::string to_string(const Fixed<Bits, Frac>&
 template <class Traits, int Bits, int Frac>
 requires(Frac >= 0) std::basic_ostream<char, Traits>
 &operator<<(std::basic_ostream<char, Traits>& out, const Fixed<Bits, Frac>& x) {
-  // cppcheck-suppress stlcstrStream  // a string has other traits than the stream may have
+  // cppcheck-suppress stlcstrStream  // the stream's traits may differ
   return out << to_string(x).c_str();
 }
 #endif
 
 namespace detail {
 
-/// The digits of a literal as a number: whether it is in range, or at least its negative.
+/// The value of a literal's digits, and whether it or its negative is in range.
 template <class T>
 struct LiteralValue {
   T value;
@@ -284,7 +284,7 @@ struct LiteralValue {
 
 template <class T>
 consteval LiteralValue<T> parse_literal(std::string_view spelling) {
-  // Digit separators are dropped; 010 would be 8 in C++ and ten to a reader, so it is neither.
+  // Digit separators are dropped. 010 is refused: it would be 8 in C++ and ten to a reader.
   std::array<char, 512> text{'-'};
   std::size_t length = 1;
   bool is_integer = true;
@@ -300,8 +300,8 @@ consteval LiteralValue<T> parse_literal(std::string_view spelling) {
   return {value.value_or(T()), value.has_value(), T::parse({text.data(), length}).has_value()};
 }
 
-/// What a literal is of which the negative alone is in range, such as 32768_q16_16: nothing takes
-/// it but a minus sign.
+/// The type of a literal of which only the negative is in range, such as 32768_q16_16. The minus
+/// sign is its only operation.
 template <class T>
 struct only_the_negative_of_this_literal_is_in_range {
   constexpr only_the_negative_of_this_literal_is_in_range() noexcept = default;
@@ -316,7 +316,7 @@ template <class T>
   return T::lowest();
 }
 
-/// A `const` value, unlike what functions return: by that the minus sign knows a literal.
+/// Returns a `const` value, unlike other functions, so that the minus sign recognizes a literal.
 template <class T, char... Spelling>
 [[nodiscard]] constexpr decltype(auto) literal() noexcept {
   constexpr std::array<char, sizeof...(Spelling)> spelling{Spelling...};
@@ -334,8 +334,9 @@ template <class T, char... Spelling>
 
 }  // namespace detail
 
-/// `1.25_q16_16`: the nearest number of that type, at compile time; one that is malformed or out of
-/// range does not compile. A minus sign before a literal keeps its type: -32768_q16_16 is a q16_16.
+/// `1.25_q16_16`: the nearest number of that type, at compile time. A literal that is malformed or
+/// out of range does not compile. A minus sign before a literal keeps its type: -32768_q16_16 is a
+/// q16_16.
 namespace literals {
 
 template <char... Spelling>

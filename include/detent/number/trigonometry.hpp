@@ -8,15 +8,15 @@
 #include "detent/number/rounding.hpp"
 #include "detent/number/wide.hpp"
 
-// Sine and arc tangent on integers. A phase is an angle modulo one turn in units of 2^-64 turn, a
-// binary angle is its upper half. Both wrap when they are added, as angles do.
+// Sine and arc tangent on integers. A phase is an angle modulo one turn in units of 2^-64 turn; a
+// binary angle is its upper half. Sums of either wrap, as angles do.
 
 namespace detent {
 
 namespace detail {
 
-/// c[0] - w (c[1] - w (c[2] - ...)), where c[k] counts units of 2^-(E + k) and w units of 2^-63;
-/// the result counts units of 2^-E. With falling coefficients no difference is negative.
+/// c[0] - w (c[1] - w (c[2] - ...)), where c[k] is in units of 2^-(E + k) and w in units of 2^-63;
+/// the result is in units of 2^-E. With falling coefficients no difference is negative.
 template <std::size_t Terms>
 constexpr std::uint64_t alternating_series(const std::array<std::uint64_t, Terms>& c,
                                            std::uint64_t w) noexcept {
@@ -25,10 +25,11 @@ constexpr std::uint64_t alternating_series(const std::array<std::uint64_t, Terms
   return sum;
 }
 
-/// sin(pi z / 2) / z as a series in z^2 on [0, 1], E = 63: the equioscillating fit, off by 2^-71.8,
-/// its coefficients rounded from the last to the first, the rest fitted anew each time. c[1] is 2
-/// larger than that: it centres what the steps drop, and a quarter turn comes out as exactly 1.
-/// With c[0] 1 smaller a sine would fall onto a tie of Q2.30 (tests/number/angle_exhaustive.cpp).
+/// sin(pi z / 2) / z as a series in z^2 on [0, 1], E = 63: the equioscillating fit, off by 2^-71.8.
+/// Coefficients are rounded from the last to the first, refitting the rest each time. c[1] is 2
+/// larger than the fit: this centres the truncation error of the steps, and a quarter turn gives
+/// exactly 1. With c[0] 1 smaller a sine would fall onto a tie of Q2.30
+/// (tests/number/angle_exhaustive.cpp).
 inline constexpr std::array<std::uint64_t, 10> sine_series = {
     0xc90fdaa22168c235u, 0xa55de7312df295f0u, 0x28cd78ceeb55c27fu, 0x04cb4b3398af4ac0u,
     0x00541e0d21faa6deu, 0x0003c60e9fb6bdd5u, 0x00001e8f43330821u, 0x000000b7d69994abu,
@@ -72,7 +73,7 @@ inline constexpr std::array<std::uint64_t, 33> arc_tangents = {
   return negative ? -sine : sine;
 }
 
-/// The cosine of a phase, in units of 2^-62; as exact as the sine.
+/// The cosine of a phase, in units of 2^-62, with the error of the sine.
 [[nodiscard]] constexpr std::int64_t cosine_q62(std::uint64_t phase) noexcept {
   return sine_q62(phase + (std::uint64_t{1} << 62));
 }
@@ -93,14 +94,15 @@ constexpr std::uint64_t arc_phase(std::uint64_t i, std::uint64_t t64, bool backw
 
 /// The phase of the vector (a, b), 0 <= b <= a <= 2^31, 0 < a: at most an eighth of a turn.
 ///
-/// With the nearest i / 32 to b / a, atan(b / a) = atan(i / 32) + atan(t), t = (32 b - i a) / (32 a
-/// + i b), |t| <= 1/64. The error of t adds 1.3 units of 2^-64 turn to those of `arc_phase`.
+/// With i / 32 nearest to b / a, atan(b / a) = atan(i / 32) + atan(t),
+/// t = (32 b - i a) / (32 a + i b), |t| <= 1/64. The error of t adds 1.3 units of
+/// 2^-64 turn to those of `arc_phase`.
 constexpr std::uint64_t octant_phase(std::uint64_t b, std::uint64_t a) noexcept {
   const std::uint64_t i = (64 * b + a) / (2 * a);
   const std::uint64_t ahead = 32 * b, behind = i * a;
   const std::uint64_t n = ahead < behind ? behind - ahead : ahead - behind;  // at most 2^30
   const std::uint64_t d = 32 * a + i * b;                                    // at most 2^37
-  // 64 n / d in units of 2^-54, 27 bits at a time, then the middle of what the remainder leaves.
+  // 64 n / d in units of 2^-54, 27 bits at a time, then half a unit if there is a remainder.
   const std::uint64_t leading = (n << 33) / d, rest = (n << 33) % d;
   const std::uint64_t trailing = (rest << 27) / d;
   const bool exact = trailing * d == rest << 27;
@@ -115,10 +117,11 @@ using Fine = Fixed<126, 124>;
 inline constexpr auto fine_two_pi = Fixed<127, 124>::assume_raw(
     integer_cast<Int128>(Wide<2>::from_words({0x62633145c06e0e69u, 0x6487ed5110b4611au})));
 
-/// Whether the vector (a, b) of `octant_phase` lies above the ray at `turns`, which it never meets.
+/// Whether the vector (a, b) of `octant_phase` lies above the ray at `turns`; it is never on the
+/// ray.
 ///
 /// The sign of b cos - a sin. Over all rays halfway between two binary angles in the octant and all
-/// a, b up to 2^31 that number is at least 2^-59.7 (angle_exhaustive.cpp tries them all, with
+/// a, b up to 2^31, its magnitude is at least 2^-59.7 (angle_exhaustive.cpp tries them all, with
 /// continued fractions); the series, cut at 2^-124, are off by less than 2^-115.
 constexpr bool lies_above(std::uint64_t b, std::uint64_t a, const Fixed<30, 33>& turns) noexcept {
   const Fine x = nearest_to<Fine>(turns * fine_two_pi);
@@ -135,7 +138,7 @@ constexpr bool lies_above(std::uint64_t b, std::uint64_t a, const Fixed<30, 33>&
   return Fixed<33, 0>(b) * cosine > Fixed<33, 0>(a) * sine;
 }
 
-/// `octant_phase` as the nearest binary angle.
+/// `octant_phase` rounded to the nearest binary angle.
 constexpr std::uint32_t octant_angle(std::uint64_t b, std::uint64_t a) noexcept {
   const std::uint64_t phase = octant_phase(b, a);
   constexpr std::uint64_t half = std::uint64_t{1} << 31;

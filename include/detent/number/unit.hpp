@@ -13,7 +13,7 @@
 
 namespace detent {
 
-/// Whether components are those of a unit vector: none beyond 1, and the length is 1 within two
+/// Whether the components are those of a unit vector: none beyond 1, and the length is 1 within two
 /// steps of their grid (2^-29 for Q2.30, 2^-13 for Q2.14).
 template <int B, int F, std::size_t N>
 [[nodiscard]] constexpr bool is_unit(const std::array<Fixed<B, F>, N>& v) noexcept {
@@ -41,8 +41,9 @@ namespace detail {
 
 /// Whether 2^Frac m[i] / |m| exceeds q + 1/2: whether m[i]^2 2^(2 Frac + 2) > (2q + 1)^2 |m|^2.
 ///
-/// They are never equal: without a common factor of the m, 2^(Frac + 1) would divide |m|; but where
-/// the squares of up to four integers sum to a multiple of 8, all of them are even (modulo 8).
+/// They are never equal. Otherwise, without a common factor of the m, 2^(Frac + 1) would divide
+/// |m|. But if the squares of up to four integers sum to a multiple of 8, all of them are even
+/// (modulo 8).
 template <int Bits, int Frac, class Magnitude, std::size_t N>
 [[nodiscard]] constexpr bool is_above_half(const std::array<Magnitude, N>& m, std::size_t i,
                                            std::uint64_t q) noexcept {
@@ -68,8 +69,8 @@ template <class Magnitude, int B, int F, std::size_t N>
 
 /// 2^62 m[i] / |m|, off by less than 2^18 + 2^9; 0 where m is 0.
 ///
-/// With every m[i] scaled by the same power of two, the longest to 62 bits, the high words of the
-/// squares lack less than 2^-54 of the whole, and what scaling down drops is less than 2^-59 of the
+/// Every m[i] is scaled by the same power of two, the longest to 62 bits. Then the high words of
+/// the squares lack less than 2^-54 of the whole, and scaling down drops less than 2^-59 of the
 /// length. The rest is the error of `reciprocal_root`.
 template <class Magnitude, std::size_t N>
 [[nodiscard]] constexpr std::array<std::uint64_t, N> rough_shares(
@@ -78,7 +79,7 @@ template <class Magnitude, std::size_t N>
   for (const auto& c : m) longest = (std::max)(longest, c);
   const int scale = 62 - positive_bit_length(longest);
   std::array<std::uint64_t, N> shares;
-  std::uint64_t squared = 1;  // at least 2^58, but where m is 0
+  std::uint64_t squared = 1;  // at least 2^58 unless m is 0
   for (std::size_t i = 0; i < N; ++i) {
     shares[i] = integer_cast<std::uint64_t>(scale >= 0 ? shift_left(m[i], scale)
                                                        : shift_right_floor(m[i], -scale));
@@ -96,8 +97,8 @@ template <class Magnitude, std::size_t N>
 ///
 /// exact:  each component is the exact one rounded to nearest    (tests/math/direction.test.cpp)
 ///
-/// A component is a share of `rough_shares`, unless its fraction is so close to one half that the
-/// error could tell: only then is it compared exactly.
+/// Filter: a component is a share of `rough_shares`. It is compared exactly only where its fraction
+/// is so close to one half that the error could change the rounding.
 template <class Component, int B, int F, std::size_t N>
 [[nodiscard]] constexpr std::optional<std::array<Component, N>> unit_vector(
     const std::array<Fixed<B, F>, N>& v) noexcept {

@@ -11,8 +11,8 @@
 
 #include "detent/number/short_words.hpp"
 
-// Define DETENT_PORTABLE_INT128 to 1 to use our own 128-bit integer where the compiler has one too.
-// It changes speed, never a result. clang-cl has one, but Microsoft's runtime library does not have
+// Define DETENT_PORTABLE_INT128 to 1 to use our own 128-bit integer even where the compiler has
+// one. It changes speed, never a result. clang-cl has one, but Microsoft's runtime library lacks
 // the functions that divide it.
 #ifndef DETENT_PORTABLE_INT128
 #define DETENT_PORTABLE_INT128 0
@@ -71,10 +71,10 @@ using Int128 = Wide<2>;
 template <int Result, int A, int B>
 [[nodiscard]] constexpr Wide<Result> multiply(const Wide<A>& a, const Wide<B>& b) noexcept;
 
-/// A signed integer of `Words` 64-bit words in two's complement; arithmetic is modulo
-/// 2^(64 * Words), as it is for built-in unsigned integers.
+/// A signed integer of `Words` 64-bit words in two's complement. Arithmetic is modulo
+/// 2^(64 * Words), as for built-in unsigned integers.
 ///
-/// Bit budgets are kept by `Fixed`; this class only computes. Words run from low to high.
+/// `Fixed` tracks the bits; this class only computes. Words run from low to high.
 template <int Words>
 class Wide {
   static_assert(Words >= 2, "one word is std::int64_t");
@@ -121,7 +121,7 @@ class Wide {
   [[nodiscard]] constexpr std::uint64_t word(int i) const noexcept { return words_[index(i)]; }
   [[nodiscard]] constexpr bool is_negative() const noexcept { return (words_.back() >> 63) != 0; }
 
-  /// The low bits, as a conversion between built-in integers keeps them.
+  /// The low bits, as in a conversion between built-in integers.
   template <std::integral Int>
   [[nodiscard]] explicit constexpr operator Int() const noexcept {
     if constexpr (sizeof(Int) > sizeof(std::uint64_t)) {
@@ -138,7 +138,7 @@ class Wide {
 
   [[nodiscard]] DETENT_INLINE_WHEN_SHORT friend constexpr Wide operator+(const Wide& a,
                                                                          const Wide& b) noexcept {
-    if constexpr (Words == 2) {  // as the loop does, but straight enough to stay in registers
+    if constexpr (Words == 2) {  // the loop unrolled, to stay in registers
       const std::uint64_t low = a.word(0) + b.word(0);
       return from_words({low, a.word(1) + b.word(1) + (low < b.word(0) ? 1u : 0u)});
     }
@@ -263,8 +263,8 @@ template <int Words>
   return halves;
 }
 
-/// a * b modulo 2^(64 * Result), from 32-bit halves of the magnitudes: the shorter these are, the
-/// fewer products.
+/// a * b modulo 2^(64 * Result), from 32-bit halves of the magnitudes: shorter ones need fewer
+/// products.
 template <int Result, int A, int B>
 [[nodiscard]] constexpr Wide<Result> multiply_by_halves(const Wide<A>& a,
                                                         const Wide<B>& b) noexcept {
@@ -295,8 +295,8 @@ template <int Result, int A, int B>
   return a.is_negative() != b.is_negative() ? -product : product;
 }
 
-// Schoolbook product of the unsigned patterns u(a) and u(b). A negative a stands for
-// u(a) - 2^(64 A), so a * b = u(a) * u(b) - [b < 0] * u(a) * 2^(64 B) - [a < 0] * b * 2^(64 A).
+// Schoolbook product of the unsigned patterns u(a) and u(b). A negative a is u(a) - 2^(64 A),
+// so a * b = u(a) * u(b) - [b < 0] * u(a) * 2^(64 B) - [a < 0] * b * 2^(64 A).
 template <int Result, int A, int B>
 constexpr Wide<Result> multiply(const Wide<A>& a, const Wide<B>& b) noexcept {
 #if DETENT_SHORT_WORDS

@@ -9,8 +9,8 @@
 
 #include "detent/number/scalar.hpp"
 
-// Numbers as little-endian bytes of their own width: the bytes that a digest takes, to be stored
-// and read.
+// Stores and loads numbers as little-endian bytes of their own width, the bytes that a digest
+// takes.
 
 namespace detent::detail {
 
@@ -46,8 +46,8 @@ template <class T>
   }
 }
 
-/// The number with these bits. A `Fixed` that is smaller than its integer clamps bits that no
-/// number has.
+/// The number with these bits. Where a `Fixed` is narrower than its integer, bits out of its range
+/// are clamped.
 template <class T>
 [[nodiscard]] constexpr T from_word(Word<T> word) noexcept {
   if constexpr (is_fixed<T>) {
