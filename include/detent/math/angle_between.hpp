@@ -9,7 +9,7 @@ namespace detent {
 namespace detail {
 
 /// |u|^2 |v|^2 - dot(u, v)^2 for any dimension, exactly: the square of the area that u and v span.
-/// The caller has a proof that |u|^2 |v|^2 fits `Bits`.
+/// The caller must prove that |u|^2 |v|^2 fits `Bits`.
 ///
 /// source: Lagrange's identity
 template <int Bits, Number A, Number B, int N>
@@ -32,7 +32,7 @@ template <int Bits, Number A, Number B, int N>
 /// domain: every pair of vectors; 0 where one of them is the zero vector
 /// exact:  off by less than 0.5 + 2^-28 units of 2^-32 turn; a multiple of an eighth of a turn is
 ///         exact                                              (tests/math/angle_between.test.cpp)
-/// source: atan2(|u x v|, dot(u, v)): no division, and no arc cosine that is blind near 0
+/// source: atan2(|u x v|, dot(u, v)): no division, and no arc cosine, which is inaccurate near 0
 template <Scalar S, int N>
 [[nodiscard]] constexpr Angle<S> angle_between(const Vec<S, N>& u, const Vec<S, N>& v) noexcept {
   // |u|^2 |v|^2 <= (3 * 2^2B)^2
@@ -40,7 +40,7 @@ template <Scalar S, int N>
   return angle_of_arc<S>(detail::squared_area<bits>(u, v), dot(u, v));
 }
 
-/// The angle between two directions as stored: as exact as that between vectors.
+/// The angle between two directions as stored, as exact as between vectors.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Angle<S> angle_between(const Direction<S, N>& u,
                                                const Direction<S, N>& v) noexcept {

@@ -8,7 +8,7 @@
 #include "detent/math/project.hpp"
 #include "detent/math/transform.hpp"
 
-// Motions as matrices, and back; frames made orthonormal again.
+// Transforms to matrices and back; frames made orthonormal again.
 
 namespace detent {
 
@@ -18,8 +18,8 @@ template <Scalar S, int N>
   return make_mat<N, N>([&](int i, int j) { return rotation.axis(j)[i]; });
 }
 
-/// The matrix of a motion, which takes (p, 1) to (transform_point(p), 1): exactly, in components
-/// wide enough for scale times axis. `nearest_to<S>` makes scalars of them.
+/// The matrix of a transform, which maps (p, 1) to (transform_point(p), 1): exactly, with
+/// components wide enough for scale times axis. `nearest_to<S>` rounds them to scalars.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto to_mat(const Transform<S, N>& transform) noexcept {
   using T = decltype(transform.scale * direction_component<S>());
@@ -32,9 +32,8 @@ template <Scalar S, int N>
 
 namespace detail {
 
-/// The directions of the Gram-Schmidt vectors of the columns, or nothing where those are
-/// dependent; each rounded once. The last one is the normal of the others, on the side of its
-/// column.
+/// The directions of the Gram-Schmidt vectors of the columns, each rounded once, or nothing if the
+/// columns are dependent. The last one is the normal of the others, on the side of its column.
 template <Scalar S, Number T>
 [[nodiscard]] constexpr std::optional<Rotation<S, 2>> orthogonal_frame(
     const std::array<Vec<T, 2>, 2>& columns) noexcept {
@@ -53,12 +52,12 @@ template <Scalar S, Number T>
   const auto first = direction_of<S>(columns[0]);
   const auto second = direction_of<S>(cross(normal, columns[0]));
   const auto third = direction_of<S>(normal);
-  if (!first || !second || !third) return std::nullopt;  // where scalars that round underflow
+  if (!first || !second || !third) return std::nullopt;  // scalars that round may underflow
   return Rotation<S, 3>::from_axes({*first, *second, side < 0 ? -*third : *third});
 }
 
-/// Whether two components of a motion's matrix are at most 4 units apart: 4 * 2^-24 of the scale
-/// for scalars that round, which have no unit.
+/// Whether two components of a transform's matrix are at most 4 units apart; for scalars that
+/// round, which have no unit, 4 * 2^-24 of the scale.
 template <Scalar S, Number T>
 [[nodiscard]] constexpr bool is_near(const S& a, const T& b, const S& scale) noexcept {
   const S slack = [&] {
@@ -73,9 +72,9 @@ template <Scalar S, Number T>
 
 }  // namespace detail
 
-/// The frame with axis 0 as it is, axis 1 turned as little as makes it perpendicular to that, and
-/// axis 2 perpendicular to both, on the side where it was: a frame that many products have worn.
-/// Nothing where the axes are linearly dependent.
+/// Makes a frame orthonormal again, such as after many products. Axis 0 keeps its direction, axis 1
+/// is turned as little as makes it perpendicular to axis 0, and axis 2 becomes perpendicular to
+/// both, on the side where it was. Nothing if the axes are linearly dependent.
 ///
 /// exact:  each axis is the direction of the exact vector, rounded to nearest, so that their angles
 ///         are right within 2^-29 (2^-13)                         (tests/math/decompose.test.cpp)
@@ -88,14 +87,13 @@ template <Scalar S, int N>
   return detail::orthogonal_frame<S>(columns);
 }
 
-/// The motion whose matrix this is, or nothing where it is not the matrix of any: a last row other
-/// than 0 0 0 1, columns that are not perpendicular or not of one length, and in the plane a
-/// mirror.
+/// The transform with this matrix, or nothing if there is none: a last row other than 0 0 0 1,
+/// columns that are not perpendicular or not of one length, or a mirror in 2D.
 ///
 /// result: a matrix of scalars has been rounded, so each component may be up to 4 units away from
-///         that of the motion that is found, and no farther; a mirror in space has a negative scale
-/// exact:  the axes are the Gram-Schmidt frame of the columns, the scale is the one that fits best
-///         with these axes, each rounded once                     (tests/math/decompose.test.cpp)
+///         that of the transform found, and no farther; a mirror in 3D has a negative scale
+/// exact:  the axes are the Gram-Schmidt frame of the columns, the scale is the best fit for these
+///         axes, each rounded once                                (tests/math/decompose.test.cpp)
 template <Scalar S, int Size>
 requires(Size == 3 || Size == 4)
     [[nodiscard]] constexpr std::optional<Transform<S, Size - 1>> decompose(
@@ -115,7 +113,7 @@ requires(Size == 3 || Size == 4)
   const auto frame = detail::orthogonal_frame<S>(columns);
   if (!frame) return std::nullopt;
 
-  // The scale that fits best: <columns, axes> / <axes, axes>.
+  // The best fit for the scale: <columns, axes> / <axes, axes>.
   const auto fit = [&](int i) { return dot(frame->axis(i), columns[static_cast<std::size_t>(i)]); };
   const auto size = [&](int i) { return squared_length(frame->axis(i)); };
   const T length = [&] {

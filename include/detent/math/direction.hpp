@@ -12,7 +12,7 @@ namespace detent {
 
 namespace detail {
 
-/// The components with these raw numbers; scalars that round are their own.
+/// The components with these raw numbers; for scalars that round, these numbers themselves.
 template <Number T, class Raw, std::size_t Size>
 [[nodiscard]] constexpr std::array<T, Size> from_raw(const std::array<Raw, Size>& raw) noexcept {
   std::array<T, Size> components;
@@ -28,10 +28,10 @@ template <Number T, class Raw, std::size_t Size>
 
 }  // namespace detail
 
-/// A unit vector, made only by normalising or from raw bits that prove to be one.
+/// A unit vector, made only by normalising or from raw bits that are checked.
 ///
-/// Components are Q2.30 beside 32-bit scalars (Q2.14 beside 16-bit ones): no component exceeds 1
-/// and the length is 1 within 2^-29 (2^-13). Queries take the direction exactly as stored.
+/// Components are Q2.30 for 32-bit scalars (Q2.14 for 16-bit ones): no component exceeds 1 and the
+/// length is 1 within 2^-29 (2^-13). Queries use the direction exactly as stored.
 template <Scalar S, int N>
 class Direction {
  public:
@@ -49,8 +49,8 @@ class Direction {
     return result;
   }
 
-  /// The direction with these raw components, or nothing when they are not those of a unit vector
-  /// (a length off by more than 2^-29, or 2^-13 for 16-bit components; a component beyond 1).
+  /// The direction with these raw components, or nothing when they do not form a unit vector (a
+  /// length off by more than 2^-29, or 2^-13 for 16-bit components; a component beyond 1).
   [[nodiscard]] static constexpr std::optional<Direction> from_raw(
       const std::array<Raw, std::size_t{N}>& raw) noexcept {
     const auto components = detail::from_raw<Component>(raw);
@@ -58,7 +58,7 @@ class Direction {
     return Direction(from_array(components));
   }
 
-  /// The direction with these components, which the caller knows to be those of a unit vector.
+  /// The direction with these components. The caller must know that they form a unit vector.
   [[nodiscard]] static constexpr Direction assume_unit(
       const Vec<Component, N>& components) noexcept {
     DETENT_ASSERT(!is_fixed<Component> || is_unit(to_array(components)));
@@ -100,8 +100,8 @@ template <Scalar S, Number T, int N>
   return Direction<S, N>::assume_unit(from_array(*unit));
 }
 
-/// `direction_of` for a vector of scalars, whose direction goes with the same scalar; for a sum or
-/// difference of 32-bit ones, as in normalize(b - a), with them. `normalize<S>(v)` says the scalar.
+/// `direction_of` with a deduced scalar: that of a vector of scalars, or of a sum or difference of
+/// 32-bit ones, as in normalize(b - a). `normalize<S>(v)` names the scalar.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<Direction<S, N>> normalize(const Vec<S, N>& v) noexcept {
   return direction_of<S>(v);
@@ -130,7 +130,7 @@ inline constexpr int cosine_bits = 2 * bits_of<direction_component<S>> - 1;
 
 }  // namespace detail
 
-/// Products with a direction: Cauchy-Schwarz bounds them by the length of the other factor.
+/// Products with a direction, bounded by the length of the other factor (Cauchy-Schwarz).
 template <Scalar S, Number T, int N>
 [[nodiscard]] constexpr auto dot(const Vec<T, N>& v, const Direction<S, N>& d) noexcept {
   return narrow_dot<detail::along_bits<S, T>>(v, d.vec());
@@ -152,7 +152,7 @@ template <Scalar S, Number T, int N>
   return narrow_cross<detail::along_bits<S, T>>(d.vec(), v);
 }
 
-/// Products with a number or a built-in integer are vectors, exact and as wide as those of vectors.
+/// Products with a number or a built-in integer are vectors, exact and as wide as those of `Vec`.
 template <Scalar S, int N, class T>
 requires Number<T> || std::integral<T>
 [[nodiscard]] constexpr auto operator*(const Direction<S, N>& d, const T& factor) noexcept {
@@ -175,14 +175,14 @@ inline constexpr bool is_direction = false;
 template <Scalar S, int N>
 inline constexpr bool is_direction<Direction<S, N>> = true;
 
-/// Two directions, or one and a vector.
+/// Two directions, or a direction and a vector.
 template <class A, class B>
 concept DirectionAndVec = (is_direction<A> && (is_direction<B> || is_vec<B>)) ||
                           (is_vec<A> && is_direction<B>);
 
 }  // namespace detail
 
-// One line each, since the line of the name is what a compiler shows.
+// One line each, because compilers show the line with the name.
 // clang-format off
 template <class A, class B>
 requires detail::DirectionAndVec<A, B>

@@ -8,14 +8,14 @@
 #include "detent/math/mat.hpp"
 #include "detent/math/width.hpp"
 
-// Determinants and what is made of them: minors, cofactors, the adjugate, the inverse. All of it is
-// exact; an inverse is rounded once.
+// Determinants, minors, cofactors, the adjugate, the inverse. All of them are exact, except that an
+// inverse is rounded once.
 
 namespace detent {
 
 namespace detail {
 
-/// The bits of a determinant of N rows with components of B bits: at most N^(N/2) 2^(N B).
+/// The bits of a determinant of N rows of B-bit components: at most N^(N/2) 2^(N B).
 ///
 /// source: Hadamard's inequality
 constexpr int determinant_bits(int n, int bits) noexcept {
@@ -23,10 +23,10 @@ constexpr int determinant_bits(int n, int bits) noexcept {
   return result_bits(n * bits + excess[static_cast<std::size_t>(n)]);
 }
 
-/// The determinant of the rows and columns of `m` that are listed.
+/// The determinant of the listed rows and columns of `m`.
 ///
 /// A sum of the first terms of the expansion is the determinant with zeros for the other components
-/// of the row, so Hadamard's bound holds for it as well.
+/// of the row, so Hadamard's bound holds for it too.
 template <int Size, Number T, int N>
 [[nodiscard]] constexpr auto determinant_of(const Mat<T, N, N>& m, const std::array<int, 4>& rows,
                                             const std::array<int, 4>& columns) noexcept {
@@ -60,7 +60,7 @@ constexpr std::array<int, 4> indices_without(int index) noexcept {
 
 }  // namespace detail
 
-/// The determinant: the volume of the box that the columns span, negative when they are
+/// The determinant: the volume of the parallelepiped that the columns span, negative when they are
 /// left-handed.
 ///
 /// exact: always                                                 (tests/math/inverse.test.cpp)
@@ -114,10 +114,10 @@ template <Scalar S, Number T, int N>
 
 }  // namespace detail
 
-/// The matrix that undoes `m`, or nothing when the determinant is 0.
+/// The inverse of `m`, or nothing when the determinant is 0.
 ///
 /// domain: every matrix of scalars
-/// exact:  singular or not exact; each component is that of the exact inverse rounded to nearest,
+/// exact:  whether it is singular; each component is that of the exact inverse rounded to nearest,
 ///         ties to even, and clamped                              (tests/math/inverse.test.cpp)
 /// source: Cramer's rule, adjugate / determinant
 template <Scalar S, int N>

@@ -10,8 +10,8 @@ namespace detent {
 
 /// A matrix of R rows and C columns, each 2 to 4, that multiplies column vectors: m * v.
 ///
-/// Written as in a book, row by row: `Mat<S, 2, 2>{{{{a, b}, {c, d}}}}`. As with vectors, sums and
-/// products have the component type that holds them exactly; `nearest_to<S>(m)` rounds.
+/// Written row by row: `Mat<S, 2, 2>{{{{a, b}, {c, d}}}}`. As with vectors, sums and products have
+/// the component type that holds them exactly; `nearest_to<S>(m)` rounds.
 template <Number T, int R, int C>
 struct Mat {
   static_assert(R >= 2 && R <= 4 && C >= 2 && C <= 4);
@@ -37,7 +37,7 @@ struct Mat {
   [[nodiscard]] friend constexpr bool operator==(const Mat&, const Mat&) noexcept = default;
 
  private:
-  /// What `Rows{}` is; GCC 12 takes the components of that for uninitialized in constants.
+  /// The value of `Rows{}`, whose components GCC 12 considers uninitialized in constants.
   static constexpr Rows zero_rows() noexcept {
     Rows zero{};
     for (auto& row : zero) row = Vec<T, C>{};
@@ -45,7 +45,7 @@ struct Mat {
   }
 };
 
-/// The canonical bytes of a digest: the components row by row.
+/// Appends to a digest: the components row by row.
 template <class D, Number T, int R, int C>
 constexpr void append(D& digest, const Mat<T, R, C>& m) noexcept {
   for (int i = 0; i < R; ++i) digest.add(m.row(i));
@@ -87,7 +87,7 @@ template <Number A, Number B, int R, int C>
   return m * factor;
 }
 
-/// The matrix that does what `b` does, and then what `a` does.
+/// The matrix that applies `b` first, then `a`.
 template <Number A, Number B, int R, int K, int C>
 [[nodiscard]] constexpr auto operator*(const Mat<A, R, K>& a, const Mat<B, K, C>& b) noexcept {
   return make_mat<R, C>([&](int i, int j) { return dot(a.row(i), b.column(j)); });
@@ -108,7 +108,7 @@ template <Number S, Number T, int R, int C>
   return make_mat<R, C>([&](int i, int j) { return nearest_to<S>(m(i, j)); });
 }
 
-/// The components row after row, as they are written.
+/// The components row by row, as they are written.
 template <Number T, int R, int C>
 [[nodiscard]] constexpr auto to_row_major(const Mat<T, R, C>& m) noexcept {
   std::array<T, static_cast<std::size_t>(R * C)> components;
@@ -116,7 +116,7 @@ template <Number T, int R, int C>
   return components;
 }
 
-/// The components column after column, as graphics interfaces take them.
+/// The components column by column, as graphics interfaces expect them.
 template <Number T, int R, int C>
 [[nodiscard]] constexpr auto to_column_major(const Mat<T, R, C>& m) noexcept {
   return to_row_major(transpose(m));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The math layer: vectors, directions, rotations, matrices, motions.
+// The math layer: vectors, directions, rotations, matrices, transforms.
 
 #include "detent/math/angle_between.hpp"
 #include "detent/math/decompose.hpp"

@@ -6,10 +6,10 @@
 
 namespace detent::detail {
 
-/// Whether any two axes are perpendicular within 2^-Bits; of length 1 they are within 2^-13.
+/// Whether every two axes are perpendicular within 2^-Bits; their lengths are 1 within 2^-13.
 template <int Bits, Scalar S, int N>
 [[nodiscard]] constexpr bool are_perpendicular(const Rotation<S, N>& rotation) noexcept {
-  bool all = true;  // without a branch for each pair
+  bool all = true;  // no branch per pair
   for (int i = 0; i < N; ++i) {
     for (int j = 0; j < i; ++j) {
       const auto cosine = dot(rotation.axis(i), rotation.axis(j));

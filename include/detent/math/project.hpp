@@ -3,7 +3,7 @@
 
 #include "detent/math/direction.hpp"
 
-// Parts of a vector along and across another one. Each component is one exact quotient, rounded
+// The parts of a vector along and across another one. Each component is one exact quotient, rounded
 // once: project(v, onto) + reject(v, onto) may differ from v by one unit.
 
 namespace detent {
@@ -11,7 +11,7 @@ namespace detent {
 namespace detail {
 
 /// The bits of |v| |onto|^2, which bounds the numerators below: 3 sqrt(3) 2^3B for components of B
-/// bits. Where `onto` is a direction those of twice that: 2 sqrt(3) (1 + 2^-13)^3 2^B.
+/// bits. For a direction `onto`, the bits of twice that: 2 sqrt(3) (1 + 2^-13)^3 2^B.
 template <Number T>
 inline constexpr int projection_bits = result_bits(3 * bits_of<T> + 3);
 template <Scalar S>
@@ -55,7 +55,7 @@ template <Scalar S, int N>
   return detail::part_along<bits, S>(dot(v, onto), squared_length(onto), onto.vec());
 }
 
-/// The part of `v` across `onto`: what `project` leaves of it.
+/// The part of `v` perpendicular to `onto`: v minus its projection.
 ///
 /// domain: every vector; `v` itself for a zero `onto`
 /// exact:  each component rounded to nearest, ties to even, and clamped
@@ -72,7 +72,7 @@ template <Scalar S, int N>
   return detail::part_across<bits>(v, dot(v, onto), squared_length(onto), onto.vec());
 }
 
-/// `v` mirrored in the plane (or line) through the origin with this normal: as a ball bounces.
+/// `v` mirrored in the plane (or line) through the origin with this normal, as a ball bounces.
 ///
 /// exact: the mirror image across the plane of the normal as stored, each component rounded to
 ///        nearest, ties to even, and clamped                        (tests/math/project.test.cpp)
@@ -84,7 +84,7 @@ template <Scalar S, int N>
   return detail::part_across<bits>(v, along + along, squared_length(normal), normal.vec());
 }
 
-/// `v` turned counter-clockwise by a quarter turn, exactly.
+/// `v` rotated counter-clockwise by a quarter turn, exactly.
 template <Number T>
 [[nodiscard]] constexpr auto perpendicular(const Vec<T, 2>& v) noexcept {
   using Turned = decltype(-v.y);
@@ -96,9 +96,9 @@ template <Scalar S>
       narrow<bits_of<direction_component<S>>>(perpendicular(d.vec())));
 }
 
-/// The point that divides the way from `a` to `b` as t : 1 - t.
+/// The point that divides the segment from `a` to `b` as t : 1 - t.
 ///
-/// domain: every t; beyond [0, 1] the line goes on
+/// domain: every t; beyond [0, 1] the point is on the extension of the segment
 /// exact:  each component rounded to nearest, ties to even, and clamped
 ///         (tests/math/project.test.cpp)
 template <Scalar S, int N>

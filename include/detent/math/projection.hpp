@@ -7,13 +7,12 @@
 #include "detent/math/transform.hpp"
 #include "detent/number/arc.hpp"
 
-// Cameras. A camera's frame is right-handed: x to the right, y up, and it looks along -z. After
-// projection x and y of what is seen are in [-1, 1], and z, its depth, is in [0, 1] from near to
-// far.
+// Cameras. A camera's frame is right-handed: x to the right, y up, looking along -z. After
+// projection visible points have x and y in [-1, 1] and depth z in [0, 1], from near to far.
 
 namespace detent {
 
-/// The frame of a camera at `eye` that sees `target` in the middle and `up` upward; nothing where
+/// The frame of a camera at `eye` that looks at `target`, with `up` upward in the image; nothing if
 /// `target` is `eye` or `up` is parallel to the line of sight, exactly.
 ///
 /// domain: every point; `up` of any length, perpendicular or not
@@ -30,8 +29,8 @@ template <Scalar S>
   return Transform<S, 3>{eye, Rotation<S, 3>::from_axes({*x, *y, *z}), S(1)};
 }
 
-/// The matrix from the world into the frame of a camera, whose scale it leaves aside: the axes as
-/// rows, exactly. `nearest_to<S>` makes scalars of the components.
+/// The matrix from the world into a camera's frame, ignoring the camera's scale: the axes as rows,
+/// exactly. `nearest_to<S>` rounds the components to scalars.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto view_matrix(const Transform<S, N>& camera) noexcept {
   using T = decltype(-dot(camera.rotation.axis(0), camera.translation));
@@ -42,13 +41,13 @@ template <Scalar S, int N>
   });
 }
 
-/// The matrix of a lens that sees `fov` from top to bottom and `aspect` times as much, measured on
-/// a screen, from left to right; components are scalars, or of the type asked for:
+/// The matrix of a perspective camera. `fov` is the field of view from top to bottom, `aspect` the
+/// width of the screen over its height. Components are scalars, or of a given type:
 /// `perspective<T>(...)`.
 ///
-/// domain: nothing unless `fov` is in (0, 1/2) turn, aspect > 0 and 0 < near_distance <
-///         far_distance
-/// exact:  components rounded to nearest, ties to even, and clamped; those of x and y, which take a
+/// domain: nothing unless `fov` is in (0, 1/2) turn, aspect > 0 and
+///         0 < near_distance < far_distance
+/// exact:  components rounded to nearest, ties to even, and clamped; those of x and y, which need a
 ///         cotangent, off by less than 0.5 + 2^-28 units           (tests/math/projection.test.cpp)
 template <class To = void, Scalar S>
 [[nodiscard]] constexpr auto perspective(Angle<S> fov, S aspect, S near_distance,
@@ -67,9 +66,9 @@ template <class To = void, Scalar S>
   return m;
 }
 
-/// The matrix of a view without perspective: the box from (left, bottom, -near_distance) to
-/// (right, top, -far_distance) is what is seen. Components as for `perspective`: in a window
-/// thousands of units wide a finer type pays.
+/// The matrix of an orthographic camera, which sees the box from (left, bottom, -near_distance) to
+/// (right, top, -far_distance). Component types as for `perspective`; for a window thousands of
+/// units wide, use a finer type.
 ///
 /// domain: nothing unless left < right, bottom < top and near_distance < far_distance
 /// exact:  components rounded to nearest, ties to even, and clamped
@@ -91,8 +90,8 @@ template <class To = void, Scalar S>
   return m;
 }
 
-/// The point that a matrix takes `p` to: m * (p, 1), divided by its last component, or nothing
-/// where that is 0. It is negative for what a camera with perspective has behind it.
+/// The point to which a matrix maps `p`: m * (p, 1) divided by its last component, or nothing if
+/// that is 0. The last component is negative for points behind a perspective camera.
 ///
 /// exact: each coordinate is the exact quotient rounded to nearest, ties to even, and clamped
 ///        (tests/math/projection.test.cpp)

@@ -9,12 +9,12 @@
 
 namespace detent {
 
-/// A rotation of space as a unit quaternion w + x i + y j + z k: four numbers where a `Rotation`
+/// A rotation in space as a unit quaternion w + x i + y j + z k: four numbers where a `Rotation`
 /// has nine, and the form in which rotations are blended. `q` and `-q` are the same rotation.
 ///
-/// Components are those of a `Direction`: Q2.30 beside 32-bit scalars (Q2.14 beside 16-bit ones),
-/// and the length is 1 within 2^-29 (2^-13). Every function takes the quaternion exactly as stored,
-/// and its rotation is that of the unit quaternion along it.
+/// Components are those of a `Direction`: Q2.30 for 32-bit scalars (Q2.14 for 16-bit ones), and the
+/// length is 1 within 2^-29 (2^-13). Every function uses the quaternion exactly as stored; its
+/// rotation is that of the unit quaternion along it.
 template <Scalar S>
 class Quat {
  public:
@@ -24,8 +24,8 @@ class Quat {
   /// The identity.
   constexpr Quat() noexcept { xyzw_.w = Component(1); }
 
-  /// The quaternion with the raw components x, y, z, w, or nothing when they are not those of a
-  /// unit quaternion.
+  /// The quaternion with the raw components x, y, z, w, or nothing when they do not form a unit
+  /// quaternion.
   [[nodiscard]] static constexpr std::optional<Quat> from_raw(
       const std::array<Raw, 4>& raw) noexcept {
     const auto components = detail::from_raw<Component>(raw);
@@ -33,7 +33,7 @@ class Quat {
     return Quat(from_array(components));
   }
 
-  /// The quaternion with the components x, y, z, w, which the caller knows to be those of a unit
+  /// The quaternion with the components x, y, z, w. The caller must know that they form a unit
   /// quaternion.
   [[nodiscard]] static constexpr Quat assume_unit(const Vec<Component, 4>& xyzw) noexcept {
     DETENT_ASSERT(!is_fixed<Component> || is_unit(to_array(xyzw)));
@@ -53,7 +53,7 @@ class Quat {
     return assume_unit(from_array(*unit));
   }
 
-  /// The turn by `angle` about `axis`, counter-clockwise when the axis points at the viewer.
+  /// The rotation by `angle` about `axis`, counter-clockwise when the axis points at the viewer.
   ///
   /// result: w is not negative
   /// exact:  components off by less than 0.5 + 2^-27 of their units    (tests/math/quat.test.cpp)
@@ -66,15 +66,15 @@ class Quat {
                         nearest_to<Component>(ratio * axis[2]), nearest_to<Component>(cosine)});
   }
 
-  /// The turn by `x` about the world's x axis, then by `y` about its y axis, then by `z` about its
-  /// z axis: as `Rotation::from_euler`.
+  /// The rotation by `x` about the world's x axis, then by `y` about its y axis, then by `z` about
+  /// its z axis, as `Rotation::from_euler`.
   ///
   /// exact: components off by less than 0.5 + 2^-27 of their units    (tests/math/quat.test.cpp)
   [[nodiscard]] static constexpr Quat from_euler(Angle<S> x, Angle<S> y, Angle<S> z) noexcept {
     const auto [sx, cx] = half_sine_cosine(x);
     const auto [sy, cy] = half_sine_cosine(y);
     const auto [sz, cz] = half_sine_cosine(z);
-    // Products of three are rounded once on the way, to 2^-62.
+    // Products of three are rounded once in between, to 2^-62.
     const auto ss = nearest_to<Sine>(sx * sy), sc = nearest_to<Sine>(sx * cy);
     const auto cs = nearest_to<Sine>(cx * sy), cc = nearest_to<Sine>(cx * cy);
     return assume_unit(
@@ -82,11 +82,11 @@ class Quat {
          nearest_to<Component>(cc * sz - ss * cz), nearest_to<Component>(cc * cz + ss * sz)});
   }
 
-  /// The quaternion of a rotation; of its signs, the one whose first component of w, x, y, z that
-  /// is not 0 is positive.
+  /// The quaternion of a rotation; of its two signs, the one whose first non-zero component in the
+  /// order w, x, y, z is positive.
   ///
-  /// domain: every frame; a shearing or mirroring one gives some rotation, too
-  /// exact:  the longest row of 4 q q^T as the axes have it, normalised with correct rounding;
+  /// domain: every frame; a shearing or mirroring one gives some rotation too
+  /// exact:  the longest row of 4 q q^T, computed from the axes, normalised with correct rounding;
   ///         where the axes are those of a rotation, correctly rounded, components are off by less
   ///         than 1.5 of their units                                   (tests/math/quat.test.cpp)
   /// source: Shepperd, Quaternion from Rotation Matrix (1978)
@@ -103,7 +103,7 @@ class Quat {
         Vec{z_x, y_z, square(2, 0, 1), xy},
         Vec{yz, zx, xy, Entry((Component(1) + m(0, 0)) + (m(1, 1) + m(2, 2)))}};
     // The squares on the diagonal sum to 4, so the greatest is not 0. The row is 4 q_i long, at
-    // least 2, and its components are off by 1.5 or 1 units: 0.94 of a unit once it is normalised.
+    // least 2, and its components are off by 1.5 or 1 units: 0.94 of a unit after normalising.
     int longest = 3;
     for (int i = 0; i < 3; ++i) {
       const auto at = [&](int k) { return rows[static_cast<std::size_t>(k)][k]; };
@@ -138,14 +138,14 @@ class Quat {
   Vec<Component, 4> xyzw_;
 };
 
-/// The canonical bytes of a digest: x, y, z, w.
+/// Appends to a digest: x, y, z, w.
 template <class D, Scalar S>
 constexpr void append(D& digest, const Quat<S>& q) noexcept {
   digest.add(q.vec());
 }
 
-/// The cosine of half the angle between two rotations, and its sign says whether the quaternions
-/// are on the same side: exactly.
+/// The cosine of half the angle between two rotations, exactly. Its sign says whether the
+/// quaternions are on the same side.
 template <Scalar S>
 [[nodiscard]] constexpr auto dot(const Quat<S>& p, const Quat<S>& q) noexcept {
   return narrow_dot<detail::cosine_bits<S>>(p.vec(), q.vec());
@@ -162,10 +162,10 @@ template <Scalar S>
   return Quat<S>::assume_unit({opposite.x, opposite.y, opposite.z, q.w()});
 }
 
-/// The rotation that turns by `inner` and then by `outer`: their product as quaternions.
+/// The rotation by `inner`, then by `outer`: the product of the quaternions.
 ///
-/// exact: each component is that of the unit quaternion along the exact product, rounded to
-///        nearest; so lengths do not drift                             (tests/math/quat.test.cpp)
+/// exact: each component of the unit quaternion along the exact product, rounded to nearest, so
+///        lengths do not drift                                         (tests/math/quat.test.cpp)
 template <Scalar S>
 [[nodiscard]] constexpr Quat<S> compose(const Quat<S>& outer, const Quat<S>& inner) noexcept {
   const auto p = outer.vec(), n = (-outer).vec();
@@ -187,7 +187,7 @@ template <Scalar S>
       Rotation<S, 3>());
 }
 
-/// The vector `v` of the local frame in the world.
+/// Rotates the vector `v` from the local frame into the world.
 ///
 /// exact: each component of the rotated vector rounded to nearest, ties to even, and clamped
 ///        (tests/math/quat.test.cpp)
@@ -201,9 +201,9 @@ template <Scalar S>
   });
 }
 
-/// The direction `d` of the local frame in the world.
+/// Rotates the direction `d` from the local frame into the world.
 ///
-/// exact: each component that of the rotated direction, normalised, rounded to nearest
+/// exact: each component of the rotated direction, normalised, rounded to nearest
 ///        (tests/math/quat.test.cpp)
 template <Scalar S>
 [[nodiscard]] constexpr Direction<S, 3> rotate(const Quat<S>& q,
@@ -216,7 +216,7 @@ template <Scalar S>
       .value_or(d);
 }
 
-/// The vector or direction `v` of the world in the local frame; as exact as `rotate`.
+/// Rotates the vector or direction `v` from the world into the local frame; as exact as `rotate`.
 template <Scalar S>
 [[nodiscard]] constexpr Vec<S, 3> inverse_rotate(const Quat<S>& q, const Vec<S, 3>& v) noexcept {
   return rotate(conjugate(q), v);
@@ -227,7 +227,7 @@ template <Scalar S>
   return rotate(conjugate(q), v);
 }
 
-/// The angle that the rotation turns by about `axis_of(q)`, in [0, 1) turn.
+/// The angle of the rotation about `axis_of(q)`, in [0, 1) turn.
 ///
 /// exact: off by less than 0.5 + 2^-28 units of 2^-32 turn               (tests/math/quat.test.cpp)
 template <Scalar S>
@@ -237,7 +237,7 @@ template <Scalar S>
   return angle_of_arc<S>(squared, q.w(), 2);
 }
 
-/// The axis that the rotation turns about, or nothing where it does not turn.
+/// The axis of the rotation, or nothing if it does not rotate.
 ///
 /// exact: each component rounded to nearest                              (tests/math/quat.test.cpp)
 template <Scalar S>

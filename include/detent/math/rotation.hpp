@@ -13,7 +13,7 @@ namespace detent {
 namespace detail {
 
 /// |q|^2 times the matrix of the quaternion q = (x, y, z, w), column by column: q p q* for the axes
-/// p. The caller has a proof that |q|^2, which no component exceeds, fits `Bits`.
+/// p. The caller must prove that |q|^2 fits `Bits`; no component exceeds it.
 template <int Bits, Number T>
 [[nodiscard]] constexpr auto quaternion_columns(const Vec<T, 4>& q) noexcept {
   const auto product = [&](int i, int j) { return narrow_product<Bits>(q[i], q[j]); };
@@ -36,10 +36,10 @@ template <int Bits, Number T>
 
 }  // namespace detail
 
-/// A rotation from a local frame into the world, stored as the local axes seen from the world.
+/// A rotation from a local frame into the world, stored as the local axes in world coordinates.
 ///
-/// Every way to make one rounds each component of each axis to nearest, so the axes are orthonormal
-/// only within 2^-29 (2^-13 beside 16-bit scalars). Queries take them exactly as stored.
+/// Each component of each axis is rounded to nearest when it is computed, so the axes are
+/// orthonormal only within 2^-29 (2^-13 for 16-bit scalars). Queries use them exactly as stored.
 template <Scalar S, int N>
 class Rotation {
  public:
@@ -51,8 +51,8 @@ class Rotation {
     for (int i = 0; i < N; ++i) axes_[static_cast<std::size_t>(i)] = Axis::along(i);
   }
 
-  /// The frame with these axes, taken as they are. Axes that are not perpendicular, or left-handed,
-  /// make a frame that shears or mirrors; every function of a frame is defined for those too.
+  /// The frame with these axes, unchanged. Axes that are not perpendicular, or left-handed, make a
+  /// frame that shears or mirrors; every function of a frame is defined for those too.
   [[nodiscard]] static constexpr Rotation from_axes(
       const std::array<Axis, std::size_t{N}>& axes) noexcept {
     Rotation rotation;
@@ -60,7 +60,7 @@ class Rotation {
     return rotation;
   }
 
-  /// The turn by `angle`, counter-clockwise.
+  /// The rotation by `angle`, counter-clockwise.
   ///
   /// exact: each component rounded to nearest                      (tests/math/rotation.test.cpp)
   [[nodiscard]] static constexpr Rotation from_angle(Angle<S> angle) noexcept requires(N == 2) {
@@ -95,7 +95,7 @@ class Rotation {
     return from_columns(columns);
   }
 
-  /// The turn by `angle` about `axis`, counter-clockwise when the axis points at the viewer.
+  /// The rotation by `angle` about `axis`, counter-clockwise when the axis points at the viewer.
   ///
   /// exact:  the rotation about the line through `axis` as stored; components off by less than
   ///         0.5 + 2^-27 of their units                            (tests/math/rotation.test.cpp)
@@ -118,8 +118,8 @@ class Rotation {
     return from_columns(columns);
   }
 
-  /// The turn by `x` about the world's x axis, then by `y` about its y axis, then by `z` about its
-  /// z axis.
+  /// The rotation by `x` about the world's x axis, then by `y` about its y axis, then by `z` about
+  /// its z axis.
   ///
   /// exact: components off by less than 0.5 + 2^-27 of their units (tests/math/rotation.test.cpp)
   [[nodiscard]] static constexpr Rotation from_euler(Angle<S> x, Angle<S> y, Angle<S> z) noexcept
@@ -127,7 +127,7 @@ class Rotation {
     const auto [sx, cx] = sine_cosine(x);
     const auto [sy, cy] = sine_cosine(y);
     const auto [sz, cz] = sine_cosine(z);
-    // Products of three are rounded once on the way, to 2^-62.
+    // Products of three are rounded once in between, to 2^-62.
     const auto sy_sx = nearest_to<Sine>(sy * sx), sy_cx = nearest_to<Sine>(sy * cx);
     return from_columns({rounded(cz * cy, sz * cy, -sy),
                          rounded(cz * sy_sx - sz * cx, sz * sy_sx + cz * cx, cy * sx),
@@ -162,13 +162,13 @@ class Rotation {
   std::array<Axis, std::size_t{N}> axes_;
 };
 
-/// The canonical bytes of a digest: the axes in order.
+/// Appends to a digest: the axes in order.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const Rotation<S, N>& rotation) noexcept {
   for (int i = 0; i < N; ++i) digest.add(rotation.axis(i));
 }
 
-/// The vector `v` of the local frame in the world.
+/// Rotates the vector `v` from the local frame into the world.
 ///
 /// exact: the sum of v[i] * axis(i), each component rounded to nearest, ties to even, and clamped
 ///        (tests/math/rotation.test.cpp)
@@ -183,7 +183,7 @@ template <Scalar S, int N>
   });
 }
 
-/// The vector `v` of the world in the local frame.
+/// Rotates the vector `v` from the world into the local frame.
 ///
 /// result: the inverse of `rotate` as far as the axes are orthonormal
 /// exact:  dot(axis(i), v), rounded to nearest, ties to even, and clamped
@@ -194,8 +194,8 @@ template <Scalar S, int N>
   return make_vec<N>([&](int i) { return nearest_to<S>(dot(rotation.axis(i), v)); });
 }
 
-/// The direction `d` of the local frame in the world; `d` itself where axes that are not those of a
-/// rotation leave nothing of it.
+/// Rotates the direction `d` from the local frame into the world. Axes that are not those of a
+/// rotation may give 0; the result is then `d` itself.
 ///
 /// exact: the direction of the exact sum, each component rounded to nearest
 ///        (tests/math/transform.test.cpp)
@@ -210,14 +210,14 @@ template <Scalar S, int N>
       .value_or(d);
 }
 
-/// The direction `d` of the world in the local frame; as exact as `rotate`.
+/// Rotates the direction `d` from the world into the local frame; as exact as `rotate`.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Direction<S, N> inverse_rotate(const Rotation<S, N>& rotation,
                                                        const Direction<S, N>& d) noexcept {
   return direction_of<S>(make_vec<N>([&](int i) { return dot(rotation.axis(i), d); })).value_or(d);
 }
 
-/// The rotation that turns by `inner` and then by `outer`.
+/// The rotation by `inner`, then by `outer`.
 ///
 /// exact: each axis is that of `inner`, rotated and rounded once    (tests/math/transform.test.cpp)
 template <Scalar S, int N>
@@ -228,7 +228,7 @@ template <Scalar S, int N>
   return Rotation<S, N>::from_axes(axes);
 }
 
-/// The rotation back: the world's axes in the local frame, as far as the axes are orthonormal.
+/// The inverse rotation: the world's axes in the local frame, as far as the axes are orthonormal.
 ///
 /// exact: each row of the matrix normalised, rounded to nearest     (tests/math/transform.test.cpp)
 template <Scalar S, int N>

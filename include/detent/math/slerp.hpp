@@ -4,17 +4,17 @@
 #include "detent/math/angle_between.hpp"
 #include "detent/math/quat.hpp"
 
-// Rotations between two rotations.
+// Interpolation between two rotations.
 
 namespace detent {
 
-/// The rotation on the way from `p` to `q`, by the chord between them: fastest in the middle.
+/// The rotation between `p` and `q` at t, along the chord between them: fastest in the middle.
 ///
-/// domain: t below 0 counts as 0 and t above 1 as 1
-/// result: the shorter way: where dot(p, q) is negative, the way to -q; `p` at 0 and `q` or `-q` at
-///         1, as stored
-/// exact:  each component that of the unit quaternion along (1 - t) p + t q, rounded to nearest
-///        (tests/math/slerp.test.cpp)
+/// domain: t is clamped to [0, 1]
+/// result: the shorter way: if dot(p, q) is negative, the way to -q; `p` at 0 and `q` or `-q` at 1,
+///         as stored
+/// exact:  each component of the unit quaternion along (1 - t) p + t q, rounded to nearest
+///         (tests/math/slerp.test.cpp)
 template <Scalar S>
 [[nodiscard]] constexpr Quat<S> nlerp(const Quat<S>& p, const Quat<S>& q, S t) noexcept {
   const Quat<S> end = dot(p, q) < 0 ? -q : q;
@@ -23,10 +23,10 @@ template <Scalar S>
   return Quat<S>::along(p.vec() + (end.vec() - p.vec()) * t).value_or(p);
 }
 
-/// The rotation on the way from `p` to `q`, at constant speed: at t of the angle between them.
+/// The rotation between `p` and `q` at constant speed: at t of the angle between them.
 ///
-/// domain: t below 0 counts as 0 and t above 1 as 1
-/// result: as for `nlerp`, and where there is no angle that of `nlerp`
+/// domain: t is clamped to [0, 1]
+/// result: as for `nlerp`; if the angle is 0, the result of `nlerp`
 /// exact:  components off by less than 0.5 + 2^-26 of their units      (tests/math/slerp.test.cpp)
 /// source: Shoemake, Animating Rotation with Quaternion Curves (1985)
 template <Scalar S>

@@ -7,10 +7,10 @@
 
 namespace detent {
 
-/// A motion from a local frame into the world, p -> translation + scale * rotation * p: how a
-/// model is placed, moved, and made larger alike in every direction.
+/// A transform from a local frame into the world, p -> translation + scale * rotation * p: moves,
+/// rotates and uniformly scales a model.
 ///
-/// scale:  1 is a rigid motion; a negative one mirrors through the origin of the frame
+/// scale:  1 is a rigid motion; a negative scale mirrors through the origin of the frame
 template <Scalar S, int N>
 struct Transform {
   Vec<S, N> translation{};
@@ -21,7 +21,7 @@ struct Transform {
                                                  const Transform&) noexcept = default;
 };
 
-/// The canonical bytes of a digest: translation, rotation, scale.
+/// Appends to a digest: translation, rotation, scale.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const Transform<S, N>& transform) noexcept {
   digest.add(transform.translation, transform.rotation, transform.scale);
@@ -41,7 +41,7 @@ template <Scalar S, int N>
 
 }  // namespace detail
 
-/// The point `p` of the local frame in the world.
+/// Transforms the point `p` from the local frame into the world.
 ///
 /// exact: translation + the sum of scale * p[i] * axis(i), each coordinate rounded to nearest, ties
 ///        to even, and clamped                                   (tests/math/transform.test.cpp)
@@ -53,7 +53,8 @@ template <Scalar S, int N>
   });
 }
 
-/// The vector `v`, a difference of points, of the local frame in the world: scaled and rotated.
+/// Transforms the vector `v`, a difference of points, from the local frame into the world: scaled
+/// and rotated.
 ///
 /// exact: the sum of scale * v[i] * axis(i), each component rounded to nearest, ties to even, and
 ///        clamped                                                (tests/math/transform.test.cpp)
@@ -63,8 +64,8 @@ template <Scalar S, int N>
   return make_vec<N>([&](int j) { return nearest_to<S>(detail::moved(transform, v, j)); });
 }
 
-/// The direction `d` of the local frame in the world: rotated, and turned around by a negative
-/// scale. As exact as `rotate`.
+/// Transforms the direction `d` from the local frame into the world: rotated, and reversed by a
+/// negative scale. As exact as `rotate`.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Direction<S, N> transform_direction(const Transform<S, N>& transform,
                                                             const Direction<S, N>& d) noexcept {
@@ -83,11 +84,11 @@ template <Scalar S, int N, Number T>
 
 }  // namespace detail
 
-/// The point `p` of the world in the local frame.
+/// Transforms the point `p` from the world into the local frame.
 ///
-/// domain: every transform; for a scale of 0, 0 and the ends of the range, as quotients by 0
-/// result: the inverse of `transform_point` as far as the axes are orthonormal: there and back a
-///         point moves by less than 8 units when the scale is 1 and nothing is clamped
+/// domain: every transform; with scale 0 a coordinate is a quotient by 0: 0 or an end of the range
+/// result: the inverse of `transform_point` as far as the axes are orthonormal: a round trip moves
+///         a point by less than 8 units if the scale is 1 and nothing is clamped
 /// exact:  dot(axis(i), p - translation) / scale, rounded to nearest, ties to even, and clamped
 ///         (tests/math/transform.test.cpp)
 template <Scalar S, int N>
@@ -96,24 +97,25 @@ template <Scalar S, int N>
   return detail::moved_back(transform, p - transform.translation);
 }
 
-/// The vector `v` of the world in the local frame: dot(axis(i), v) / scale, as for points.
+/// Transforms the vector `v` from the world into the local frame: dot(axis(i), v) / scale, as for
+/// points.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> inverse_transform_vector(const Transform<S, N>& transform,
                                                            const Vec<S, N>& v) noexcept {
   return detail::moved_back(transform, v);
 }
 
-/// The direction `d` of the world in the local frame.
+/// Transforms the direction `d` from the world into the local frame.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Direction<S, N> inverse_transform_direction(
     const Transform<S, N>& transform, const Direction<S, N>& d) noexcept {
   return inverse_rotate(transform.rotation, transform.scale < 0 ? -d : d);
 }
 
-/// The motion that moves as `inner` and then as `outer`: a child's in the frame of its parent.
+/// The transform `inner` followed by `outer`, such as a child's transform followed by its parent's.
 ///
-/// exact: the translation is the transformed one; each axis and the scale are rounded once, and the
-///        scale is clamped                                       (tests/math/transform.test.cpp)
+/// exact: the translation is `transform_point` of the inner one; axes and scale are rounded once,
+///        and the scale is clamped                                (tests/math/transform.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr Transform<S, N> compose(const Transform<S, N>& outer,
                                                 const Transform<S, N>& inner) noexcept {
@@ -121,10 +123,10 @@ template <Scalar S, int N>
           nearest_to<S>(outer.scale * inner.scale)};
 }
 
-/// The motion back, or nothing where the scale is 0.
+/// The inverse transform, or nothing if the scale is 0.
 ///
-/// exact: rotation and scale rounded once; the translation is where `inverse_transform_point` takes
-///        the origin                                             (tests/math/transform.test.cpp)
+/// exact: rotation and scale rounded once; the translation is `inverse_transform_point` of the
+///        origin                                                 (tests/math/transform.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<Transform<S, N>> inverse(
     const Transform<S, N>& transform) noexcept {

@@ -10,11 +10,11 @@
 
 namespace detent {
 
-/// A vector or point of two or three components; of four for quaternions and for points that a
-/// matrix of a projection takes.
+/// A vector or point of two or three components, or of four for quaternions and for the points that
+/// projection matrices multiply.
 ///
-/// Coordinates are `Scalar`s; what formulas make of them is any `Number`: sums, differences and
-/// products have the component type that holds them exactly.
+/// Coordinates are `Scalar`s. Results of formulas are any `Number`: sums, differences and products
+/// have the component type that holds them exactly.
 template <Number T, int N>
 struct Vec;
 
@@ -58,7 +58,7 @@ Vec(T, T, T) -> Vec<T, 3>;
 template <class T>
 Vec(T, T, T, T) -> Vec<T, 4>;
 
-/// The canonical bytes of a digest: the components in order.
+/// Appends to a digest: the components in order.
 template <class D, Number T, int N>
 constexpr void append(D& digest, const Vec<T, N>& v) noexcept {
   for (int i = 0; i < N; ++i) digest.add(v[i]);
@@ -77,7 +77,7 @@ template <int N, class F>
   }
 }
 
-/// The components, and the vector of such.
+/// Converts a vector to an array of its components, and back.
 template <Number T, int N>
 [[nodiscard]] constexpr auto to_array(const Vec<T, N>& v) noexcept {
   std::array<T, static_cast<std::size_t>(N)> components;
@@ -111,7 +111,7 @@ template <Number A, Number B, int N>
   return v * factor;
 }
 
-/// Built-in integers count with all the bits of their type, as for numbers.
+/// A built-in integer has all the bits of its type, as for numbers.
 template <Number T, std::integral Int, int N>
 [[nodiscard]] constexpr auto operator*(const Vec<T, N>& v, Int factor) noexcept {
   return v * detail::as_operand<T>(factor);
@@ -121,7 +121,7 @@ template <Number T, std::integral Int, int N>
   return v * detail::as_operand<T>(factor);
 }
 
-// One line each, since the line of the name is what a compiler shows.
+// One line each, because compilers show the line with the name.
 // clang-format off
 template <Number A, Number B, int N, int M>
 void operator*(const Vec<A, N>&, const Vec<B, M>&) = delete;  // detent: write dot or cross
@@ -130,7 +130,7 @@ requires Number<B> || std::integral<B>
 void operator/(const Vec<T, N>&, const B&) = delete;  // detent: write quotient_nearest<S>(v, x)
 // clang-format on
 
-/// Each component rounds to nearest and clamps, as for numbers.
+/// Rounds each component to nearest and clamps it, as for numbers.
 template <Number A, Number B, int N>
 constexpr Vec<A, N>& operator+=(Vec<A, N>& a, const Vec<B, N>& b) noexcept {
   for (int i = 0; i < N; ++i) a[i] += b[i];
@@ -173,13 +173,13 @@ template <Number T, int N>
   return make_vec<N>([&](int i) { return half(v[i]); });
 }
 
-/// `v` where each component is known to fit: see `narrow` for numbers.
+/// `v` where each component is known to fit; see `narrow` for numbers.
 template <int Bits, Number T, int N>
 [[nodiscard]] constexpr auto narrow(const Vec<T, N>& v) noexcept {
   return make_vec<N>([&](int i) { return narrow<Bits>(v[i]); });
 }
 
-/// -v in the type of v: see `narrow_negative` for numbers.
+/// -v in the type of v; see `narrow_negative` for numbers.
 template <Number T, int N>
 [[nodiscard]] constexpr Vec<T, N> narrow_negative(const Vec<T, N>& v) noexcept {
   return make_vec<N>([&](int i) { return narrow_negative(v[i]); });
@@ -200,11 +200,11 @@ template <Number A, Number B, int N>
   }
 }
 
-/// The dot product where the caller has a proof that |a| |b| fits `Bits`; then so does every
-/// partial sum, and the whole is computed in an integer of that size.
+/// The dot product. The caller must prove that |a| |b| fits `Bits`; then so does every partial sum,
+/// and the whole is computed in an integer of that size.
 template <int Bits, Number A, Number B, int N>
 [[nodiscard]] constexpr auto narrow_dot(const Vec<A, N>& a, const Vec<B, N>& b) noexcept {
-  // Not const, for GCC 12 keeps const objects of several words in memory.
+  // Not const: GCC 12 keeps const objects of several words in memory.
   auto sum = narrow_sum<Bits>(narrow_product<Bits>(a.x, b.x), narrow_product<Bits>(a.y, b.y));
   if constexpr (N == 2) {
     return sum;
@@ -223,13 +223,13 @@ template <Number A, Number B>
   return Vec{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The z component of the cross product: positive when `b` lies counter-clockwise of `a`.
+/// The z component of the cross product: positive when `b` is counter-clockwise of `a`.
 template <Number A, Number B>
 [[nodiscard]] constexpr auto cross(const Vec<A, 2>& a, const Vec<B, 2>& b) noexcept {
   return a.x * b.y - a.y * b.x;
 }
 
-/// The cross product where the caller has a proof that |a| |b| fits `Bits`.
+/// The cross product. The caller must prove that |a| |b| fits `Bits`.
 template <int Bits, Number A, Number B>
 [[nodiscard]] constexpr auto narrow_cross(const Vec<A, 2>& a, const Vec<B, 2>& b) noexcept {
   return narrow_difference<Bits>(narrow_product<Bits>(a.x, b.y), narrow_product<Bits>(a.y, b.x));
@@ -262,8 +262,8 @@ requires(Bits == 32 || Bits == 33) struct length_of<Fixed<Bits, Frac>> {
 
 }  // namespace detail
 
-/// The length of `v`, rounded down and clamped to the range of its component type, so that it is a
-/// scalar where the components are; of a sum or difference of 32-bit scalars it is one as well, and
+/// The length of `v`, rounded down and clamped to the range of its component type. So it is a
+/// scalar if the components are; it is one too for a sum or difference of 32-bit scalars, and
 /// `length(a - b)` is `distance(a, b)`. `length<T>(v)` rounds down to T instead.
 template <Scalar S, int N>
 [[nodiscard]] constexpr S length(const Vec<S, N>& v) noexcept {

@@ -5,7 +5,7 @@
 
 namespace detent {
 
-/// Whether |x| <= 2^(Bits - F), so that `narrow<Bits>(x)` is x; scalars that round always fit.
+/// Whether |x| <= 2^(Bits - F), so that `narrow<Bits>(x)` is x; always true for scalars that round.
 template <int Bits, Number T>
 [[nodiscard]] constexpr bool fits([[maybe_unused]] const T& x) noexcept {
   if constexpr (bits_of<T> <= Bits) {
@@ -16,7 +16,7 @@ template <int Bits, Number T>
 }
 template <int Bits, Number T, int N>
 [[nodiscard]] constexpr bool fits(const Vec<T, N>& v) noexcept {
-  bool all = true;  // without a branch for each component
+  bool all = true;  // no branch per component
   for (int i = 0; i < N; ++i) all = fits<Bits>(v[i]) && all;
   return all;
 }
@@ -38,10 +38,10 @@ template <int Bits, Number T, int N>
 
 }  // namespace detail
 
-/// f(x...), computed in narrower integers where all of x, numbers or vectors, fit `Bits`.
+/// f(x...), computed in narrower integers if all of x, numbers or vectors, fit `Bits`.
 ///
-/// A formula that needs 256 bits for the whole domain needs 128 for operands of ordinary size. What
-/// `f` decides is exact in either, so the path taken never shows but in the time.
+/// A formula that needs 256 bits for the whole domain needs 128 for operands of ordinary size.
+/// Decisions of `f` are exact in either, so the path changes only the time.
 template <int Bits, class F, class... Operands>
 [[nodiscard]] constexpr auto by_width(const F& f, const Operands&... x) noexcept {
   if ((fits<Bits>(x) && ...)) return f(detail::at_most<Bits>(x)...);
