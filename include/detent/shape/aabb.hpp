@@ -16,7 +16,7 @@ struct Aabb {
   [[nodiscard]] friend constexpr bool operator==(const Aabb&, const Aabb&) noexcept = default;
 };
 
-/// The canonical bytes of a digest: the fields in order.
+/// Appends to a digest: the fields in order.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const Aabb<S, N>& box) noexcept {
   digest.add(box.min, box.max);
@@ -25,7 +25,7 @@ constexpr void append(D& digest, const Aabb<S, N>& box) noexcept {
 template <Scalar S, int N>
 Aabb(Vec<S, N>, Vec<S, N>) -> Aabb<S, N>;
 
-/// Whether the box holds no point: its corners are the wrong way round on some axis.
+/// Whether the box holds no point: min > max on some axis.
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool is_empty(const Aabb<S, N>& box) noexcept {
   for (int i = 0; i < N; ++i) {

@@ -17,14 +17,14 @@
 // The smallest box of the grid around points or a shape:
 //   bounding_box(shape) -> Aabb<S, N>
 //
-// What reaches beyond the range of the scalar is cut off at its ends, where no point can lie. An
-// empty shape has an empty box.
+// The box is clamped to the range of the scalar, beyond which no point can lie. An empty shape has
+// an empty box.
 
 namespace detent {
 
 namespace detail {
 
-/// The empty box that adds nothing to another.
+/// The empty box that leaves any other unchanged in a union.
 template <class Box>
 inline constexpr Box no_box;
 template <Scalar S, int N>
@@ -33,7 +33,7 @@ inline constexpr Aabb<S, N> no_box<Aabb<S, N>> = {make_vec<N>([](int) { return l
 
 }  // namespace detail
 
-/// The smallest box around points, empty for none.
+/// The smallest box around points, empty if there are none.
 ///
 /// exact: always                                           (tests/shape/bounding.test.cpp)
 template <Scalar S, int N>

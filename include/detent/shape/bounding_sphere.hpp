@@ -10,11 +10,11 @@
 // A sphere around points or a shape:
 //   bounding_sphere(shape) -> Sphere<S, N>
 //
-// Its center is the middle of the bounding box, or the shape's own; its radius is the least of the
-// grid that reaches everything from there. Around points it is at most sqrt(N) times as large as
-// the smallest sphere, whose diameter no side of the bounding box exceeds. Radii end at the greatest
-// scalar: only a sphere that would need a longer one leaves points out. An empty shape has an empty
-// sphere.
+// The center is the middle of the bounding box, or the shape's own. The radius is the smallest on
+// the grid that reaches every point from there. Around points it is at most sqrt(N) times that of
+// the smallest sphere, because no side of the bounding box exceeds that sphere's diameter. Radii
+// are clamped to the greatest scalar: only a sphere that needs a longer one leaves points out. An
+// empty shape has an empty sphere.
 
 namespace detent {
 
@@ -32,7 +32,7 @@ inline constexpr Sphere<S, N> no_sphere<Sphere<S, N>> = {{}, S(-1)};
 
 }  // namespace detail
 
-/// A sphere around points, empty for none.
+/// A sphere around points, empty if there are none.
 ///
 /// exact: the center rounded to nearest, then the radius rounded up
 ///        (tests/shape/bounding.test.cpp)
@@ -78,7 +78,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr Sphere<S, N> bounding_sphere(const Aabb<S, N>& box) noexcept {
   if (is_empty(box)) return detail::no_sphere<Sphere<S, N>>;
   const auto center = detail::middle(box);
-  // The corner that is farthest on every axis at once.
+  // The corner that is farthest on every axis.
   return {center, sqrt_ceil<S>(squared_length(make_vec<N>([&](int i) {
             return (std::max)(box.max[i] - center[i], center[i] - box.min[i]);
           })))};
@@ -90,7 +90,7 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr Sphere<S, N> bounding_sphere(const Obb<S, N>& box) noexcept {
   if (is_empty(box)) return detail::no_sphere<Sphere<S, N>>;
-  // A corner is less than N h (1 + 2^-13) < 2^(2 + bits) from the center on the grid of h, and so
+  // On the grid of h, a corner is less than N h (1 + 2^-13) < 2^(2 + bits) from the center, and so
   // is every partial sum.
   constexpr int corner_bits = bits_of<S> + bits_of<direction_component<S>> + 1;
   const auto corner = [&](int signs) {
@@ -103,13 +103,13 @@ template <Scalar S, int N>
     });
   };
   auto farthest = squared_length(corner(0));
-  for (int signs = 1; signs < 1 << (N - 1); ++signs) {  // the others lie opposite
+  for (int signs = 1; signs < 1 << (N - 1); ++signs) {  // the others are opposite corners
     farthest = (std::max)(farthest, squared_length(corner(signs)));
   }
   return {box.center, sqrt_ceil<S>(farthest)};
 }
 
-/// A sphere around all parts of a compound: that of the spheres around the parts.
+/// A sphere around all parts of a compound: it encloses the spheres around the parts.
 template <class Shape, class... Shapes>
 [[nodiscard]] constexpr auto bounding_sphere(const Compound<Shape, Shapes...>& compound) noexcept {
   using Result = decltype(bounding_sphere(Shape()));

@@ -17,7 +17,7 @@ struct Capsule {
   [[nodiscard]] friend constexpr bool operator==(const Capsule&, const Capsule&) noexcept = default;
 };
 
-/// The canonical bytes of a digest: the fields in order.
+/// Appends to a digest: the fields in order.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const Capsule<S, N>& capsule) noexcept {
   digest.add(capsule.a, capsule.b, capsule.radius);

@@ -9,11 +9,11 @@
 
 namespace detent {
 
-/// The points of any of several shapes, given as one list for each type of shape:
+/// The union of several shapes, given as one list for each type of shape:
 /// `Compound{spheres, boxes}` of a `std::array<Sphere<S, 3>, 4>` and a `std::vector<Obb<S, 3>>`.
 ///
-/// A view: the lists stay with the caller and must outlive it. Empty lists, and shapes that are
-/// empty, add nothing. Parts are ordered as they are listed. A list of compounds is allowed.
+/// A view: the lists stay with the caller and must outlive it. Empty lists and empty shapes add
+/// nothing. Parts are in the order of the lists. A list of compounds is allowed.
 template <class... Shapes>
 struct Compound {
   std::tuple<std::span<const Shapes>...> parts;
@@ -41,7 +41,7 @@ constexpr void for_each_part(const Compound<Shapes...>& compound, const Visit& v
   std::apply([&](const auto&... lists) { (visit_list(lists), ...); }, compound.parts);
 }
 
-/// Whether test(part) is true for any part; stops at the first.
+/// Whether test(part) is true for any part; stops at the first such part.
 template <class... Shapes, class Test>
 [[nodiscard]] constexpr bool any_part(const Compound<Shapes...>& compound,
                                       const Test& test) noexcept {
@@ -55,7 +55,7 @@ template <class... Shapes, class Test>
                     compound.parts);
 }
 
-/// The canonical bytes of a digest: each list as its length in 8 bytes and its parts.
+/// Appends to a digest: each list as its length in 8 bytes and its parts.
 template <class D, class... Shapes>
 constexpr void append(D& digest, const Compound<Shapes...>& compound) noexcept {
   const auto append_list = [&digest](const auto& list) {

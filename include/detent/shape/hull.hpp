@@ -13,8 +13,8 @@ namespace detent {
 
 /// The smallest convex set that holds `points`: a view of points that the caller keeps.
 ///
-/// They come in any order, and may repeat or lie inside the hull. Points in one plane, in one line
-/// or in one place make it the polygon, segment or point that they span; no points make it the
+/// The points may be in any order, repeat, or lie inside the hull. Coplanar, collinear or
+/// coincident points make it the polygon, segment or point that they span; no points make it the
 /// empty set.
 template <Scalar S, int N>
 struct ConvexHull {
@@ -27,7 +27,7 @@ struct ConvexHull {
   }
 };
 
-/// The canonical bytes of a digest: how many points as 64 bits, then the points in order.
+/// Appends to a digest: how many points as 64 bits, then the points in order.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const ConvexHull<S, N>& hull) noexcept {
   digest.add(static_cast<std::uint64_t>(hull.points.size()));
@@ -43,7 +43,7 @@ ConvexHull(std::span<Vec<S, N>, Extent>) -> ConvexHull<S, N>;
 template <Scalar S, int N, std::size_t Extent>
 ConvexHull(std::span<const Vec<S, N>, Extent>) -> ConvexHull<S, N>;
 
-/// Whether the hull holds no point: it was given none.
+/// Whether the hull holds no point: it has no `points`.
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool is_empty(const ConvexHull<S, N>& hull) noexcept {
   return hull.points.empty();

@@ -11,13 +11,14 @@
 //   area(shape)    of triangles, and of boxes and discs in 2D
 //   volume(shape)  of boxes and balls in 3D
 //
-// Each is as wide as it needs; `nearest_to<S>` brings it to a scalar. An empty shape measures 0.
+// Each result is as wide as it needs; `nearest_to<S>` rounds it to a scalar. An empty shape
+// measures 0.
 
 namespace detent {
 
 namespace detail {
 
-/// A number on the grid of a scalar for the area of any triangle: half of |e| |f|, with edges of at
+/// A number on the scalar's grid for the area of any triangle: half of |e| |f|, with edges of at
 /// most sqrt(3) 2^(Bits + 1) raw units.
 template <Scalar S>
 struct area_of {
@@ -28,7 +29,7 @@ struct area_of<Fixed<Bits, Frac>> {
   using type = Fixed<result_bits(2 * Bits + 3 - Frac), Frac>;
 };
 
-/// A number on the grid of a scalar for r^2 pi, and one for r^3 4 pi / 3, which is below 2^3 r^3.
+/// Numbers on the scalar's grid for r^2 pi and for r^3 4 pi / 3, which is below 2^3 r^3.
 template <Scalar S>
 struct round_size_of {
   using area = S;
@@ -55,7 +56,7 @@ template <Scalar S, int N>
   return product(is_empty(box) ? decltype(sides)() : sides);
 }
 
-/// The sides of a box are twice its half extents; its axes count as orthonormal.
+/// The sides of a box are twice its half extents; its axes are taken as orthonormal.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto size(const Obb<S, N>& box) noexcept {
   const auto sides = box.half_extents + box.half_extents;
@@ -64,7 +65,7 @@ template <Scalar S, int N>
 
 }  // namespace detail
 
-/// The area of a triangle, always positive.
+/// The area of a triangle, never negative.
 ///
 /// exact: always                                           (tests/shape/measure.test.cpp)
 template <Scalar S>
@@ -98,7 +99,7 @@ template <Scalar S>
   return detail::size(box);
 }
 
-/// The area of a disc, 0 of an empty one.
+/// The area of a disc, 0 for an empty one.
 ///
 /// exact: within 0.5 + 2^-31 ULP                             (tests/shape/measure.test.cpp)
 template <Scalar S>
@@ -107,7 +108,7 @@ template <Scalar S>
   return nearest_to<typename detail::round_size_of<S>::area>(times_pi(square(radius)));
 }
 
-/// The volume of a ball, 0 of an empty one.
+/// The volume of a ball, 0 for an empty one.
 ///
 /// exact: within 0.5 + 2^-31 ULP                             (tests/shape/measure.test.cpp)
 template <Scalar S>

@@ -13,11 +13,11 @@
 #include "detent/shape/sphere.hpp"
 #include "detent/shape/triangle.hpp"
 
-// A shape elsewhere:
+// Moved shapes:
 //   translated(shape, by)      -> the shape moved by a vector
-//   placed(transform, shape)   -> the shape, given in a local frame, in the world
+//   placed(transform, shape)   -> the shape transformed from a local frame into the world
 //
-// exact: every number of the result is the exact one for the numbers given, rounded to nearest,
+// exact: every number of the result is the exact one for the given input, rounded to nearest,
 //        ties to even, and clamped to the range of the scalar   (tests/shape/moved.test.cpp)
 
 namespace detent {
@@ -54,7 +54,7 @@ template <Scalar S, int N>
 
 namespace detail {
 
-/// A length of the local frame in the world; what is empty stays empty.
+/// A length of the local frame in the world; a negative length, of an empty shape, is unchanged.
 template <Scalar S, int N>
 [[nodiscard]] constexpr S placed_length(const Transform<S, N>& transform,
                                         const S& length) noexcept {
@@ -71,8 +71,8 @@ template <Scalar S, int N>
           detail::placed_length(transform, sphere.radius)};
 }
 
-/// A box whose sides stay along the axes of the world cannot be turned: this is the smallest box of
-/// the grid around the turned one.
+/// An axis-aligned box cannot be rotated: this is the smallest box of the grid around the rotated
+/// one.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Aabb<S, N> placed(const Transform<S, N>& transform,
                                           const Aabb<S, N>& box) noexcept {
@@ -101,7 +101,7 @@ template <Scalar S, int N>
           compose(transform.rotation, box.rotation)};
 }
 
-/// The offset is that of the normal as it is stored in the result.
+/// The offset is for the normal as stored in the result.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Plane<S, N> placed(const Transform<S, N>& transform,
                                            const Plane<S, N>& plane) noexcept {

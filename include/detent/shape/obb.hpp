@@ -5,9 +5,9 @@
 
 namespace detent {
 
-/// A box turned by `rotation` about its center; an oriented rectangle in 2D.
+/// A box rotated by `rotation` about its center; an oriented rectangle in 2D.
 ///
-/// `rotation.axis(i)` is the box's local axis i in the world. Rays read the box as slabs,
+/// `rotation.axis(i)` is the box's local axis i in the world. Raycasts treat the box as slabs,
 /// {x : |dot(axis(i), x - center)| <= half_extents[i] for all i}, with the axes exactly as stored.
 /// A half extent of 0 makes it flat; a negative one makes it the empty set.
 template <Scalar S, int N>
@@ -19,7 +19,7 @@ struct Obb {
   [[nodiscard]] friend constexpr bool operator==(const Obb&, const Obb&) noexcept = default;
 };
 
-/// The canonical bytes of a digest: the fields in order.
+/// Appends to a digest: the fields in order.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const Obb<S, N>& box) noexcept {
   digest.add(box.center, box.half_extents, box.rotation);

@@ -14,7 +14,7 @@ struct Plane {
   [[nodiscard]] friend constexpr bool operator==(const Plane&, const Plane&) noexcept = default;
 };
 
-/// The canonical bytes of a digest: the fields in order.
+/// Appends to a digest: the fields in order.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const Plane<S, N>& plane) noexcept {
   digest.add(plane.normal, plane.offset);

@@ -5,8 +5,8 @@
 
 namespace detent {
 
-/// The points origin + t * direction with 0 <= t <= max_distance, the direction taken exactly as
-/// stored; a negative `max_distance` leaves none.
+/// The points origin + t * direction with 0 <= t <= max_distance, with the direction exactly as
+/// stored; none if `max_distance` is negative.
 template <Scalar S, int N>
 struct Ray {
   Vec<S, N> origin;
@@ -16,7 +16,7 @@ struct Ray {
   [[nodiscard]] friend constexpr bool operator==(const Ray&, const Ray&) noexcept = default;
 };
 
-/// The canonical bytes of a digest: the fields in order.
+/// Appends to a digest: the fields in order.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const Ray<S, N>& ray) noexcept {
   digest.add(ray.origin, ray.direction, ray.max_distance);

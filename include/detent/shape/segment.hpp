@@ -5,7 +5,7 @@
 
 namespace detent {
 
-/// The points between two ends, both included; equal ends make it one point.
+/// The points between two ends, both included; equal ends make it a single point.
 template <Scalar S, int N>
 struct Segment {
   Vec<S, N> start;
@@ -14,7 +14,7 @@ struct Segment {
   [[nodiscard]] friend constexpr bool operator==(const Segment&, const Segment&) noexcept = default;
 };
 
-/// The canonical bytes of a digest: the fields in order.
+/// Appends to a digest: the fields in order.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const Segment<S, N>& segment) noexcept {
   digest.add(segment.start, segment.end);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The shape layer: what exists.
+// The shape layer: shapes, their bounds and measures, and moved shapes.
 
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/bounding_box.hpp"

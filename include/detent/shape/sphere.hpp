@@ -5,7 +5,7 @@
 
 namespace detent {
 
-/// The points within `radius` of `center`; a circle's disc in 2D.
+/// The points within `radius` of `center`; a disc in 2D.
 ///
 /// A radius of 0 is one point; a negative radius is the empty set.
 template <Scalar S, int N>
@@ -16,7 +16,7 @@ struct Sphere {
   [[nodiscard]] friend constexpr bool operator==(const Sphere&, const Sphere&) noexcept = default;
 };
 
-/// The canonical bytes of a digest: the fields in order.
+/// Appends to a digest: the fields in order.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const Sphere<S, N>& sphere) noexcept {
   digest.add(sphere.center, sphere.radius);

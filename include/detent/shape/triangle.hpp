@@ -7,7 +7,7 @@ namespace detent {
 
 /// The points between three corners: a surface with two sides in 3D, a solid in 2D.
 ///
-/// Corners in one line make it the segment, equal corners the point, that they span.
+/// Collinear corners make it the segment that they span, equal corners a point.
 template <Scalar S, int N>
 struct Triangle {
   Vec<S, N> a;
@@ -18,7 +18,7 @@ struct Triangle {
                                                  const Triangle&) noexcept = default;
 };
 
-/// The canonical bytes of a digest: the fields in order.
+/// Appends to a digest: the fields in order.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const Triangle<S, N>& triangle) noexcept {
   digest.add(triangle.a, triangle.b, triangle.c);
