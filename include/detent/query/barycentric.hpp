@@ -8,10 +8,10 @@
 
 namespace detent {
 
-/// The weights a / total, b / total and c / total that corners of a triangle have at a point:
-/// exact, not divided yet, with a + b + c = total > 0.
+/// Barycentric weights of a point in a triangle, exact and not yet divided: a / total, b / total
+/// and c / total, with a + b + c = total > 0.
 ///
-/// A point is in the triangle when none is negative.
+/// The point is in the triangle if none is negative.
 template <Number T>
 struct Barycentric {
   T a;
@@ -23,7 +23,7 @@ struct Barycentric {
                                                  const Barycentric&) noexcept = default;
 };
 
-/// The weights as numbers of type `T`, each rounded to nearest, ties to even, and clamped.
+/// The weights divided by `total`, in type `T`, each rounded to nearest, ties to even, and clamped.
 template <Number T, Number W>
 [[nodiscard]] constexpr Vec<T, 3> nearest_to(const Barycentric<W>& weights) noexcept {
   return {quotient_nearest<T>(weights.a, weights.total),
@@ -54,8 +54,8 @@ template <Scalar S>
   return Result({a, b, c, total});
 }
 
-/// The barycentric weights of `point`, projected onto its plane, in the 3D `triangle`, or nothing
-/// for a collapsed one.
+/// The barycentric weights in the 3D `triangle` of `point`, projected onto its plane, or nothing
+/// for a collapsed triangle.
 ///
 /// With n = (b - a) x (c - a), the weight of a is n . ((b - p) x (c - p)) / n . n, and so on.
 ///

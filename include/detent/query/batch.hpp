@@ -4,7 +4,7 @@
 // One ray against many shapes of one type, and many rays against one shape:
 //   raycast_first(ray, shapes)          -> std::optional<BatchHit<S>>  index, distance
 //   raycast_any(ray, shapes)            -> bool
-//   raycast_each(ray, shapes, answers)     what raycast(ray, shape) is, for each
+//   raycast_each(ray, shapes, answers)     answers[i] = raycast(ray, shapes[i])
 //   raycast_any(rays, shape)            -> bool
 //   raycast_each(rays, shape, answers)
 // where `shapes` is a ShapeBatch and `rays` a RayBatch.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The point of a shape that is closest to a point, which is that point itself inside:
+// The point of a shape closest to `point`; `point` itself if inside:
 //   closest_point(shape, point) -> Vec<S, N>
 
 #include "detent/query/closest_point/aabb.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Points in every shape, a closed set:
+// Whether a point is in a shape, which is a closed set:
 //   contains(shape, point) -> bool
 
 #include "detent/query/contains/aabb.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Points and every shape; for two points see math/vec.hpp:
+// The distance from a point to a shape; for two points see math/vec.hpp:
 //   distance(shape, point)         -> S                   rounded down, 0 inside
-//   squared_distance(shape, point) -> Fixed or Fraction   exact; where it is a polynomial or a
-//                                                         quotient: not for sphere and capsule
+//   squared_distance(shape, point) -> Fixed or Fraction   exact; not for sphere and capsule, where
+//                                                         it is no polynomial or quotient
 
 #include "detent/query/distance/aabb.hpp"
 #include "detent/query/distance/capsule.hpp"

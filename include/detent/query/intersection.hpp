@@ -7,11 +7,11 @@
 
 namespace detent {
 
-/// The point that three planes have in common, or nothing where their normals lie in one plane:
-/// then they have none, or a line or a plane of them.
+/// The point that three planes share, or nothing if their normals are coplanar: then they share no
+/// point, a line or a plane.
 ///
 /// units:  world units
-/// domain: every input; a coordinate outside the scalar's range is its end
+/// domain: every input; coordinates are clamped to the scalar's range
 /// exact:  each coordinate is the exact one rounded to nearest, ties to even
 ///         (tests/oracle/intersection.test.cpp)
 /// source: Cramer's rule, Ericson, Real-Time Collision Detection, 5.4.5
@@ -32,10 +32,10 @@ template <Scalar S>
   });
 }
 
-/// The point that two lines have in common, or nothing where they are parallel.
+/// The point where two lines cross, or nothing if they are parallel.
 ///
 /// units:  world units
-/// domain: every input; a coordinate outside the scalar's range is its end
+/// domain: every input; coordinates are clamped to the scalar's range
 /// exact:  each coordinate is the exact one rounded to nearest, ties to even
 ///         (tests/oracle/intersection.test.cpp)
 template <Scalar S>

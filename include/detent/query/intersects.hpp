@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Segments against every shape, both closed sets, in either order:
+// Whether a segment and a shape, both closed sets, share a point; in either order:
 //   intersects(segment, shape) -> bool
 
 #include "detent/query/intersects/aabb.hpp"

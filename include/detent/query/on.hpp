@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Points on shapes:
+// Whether a point is on a shape:
 //   on(shape, point)            -> bool   exactly on a plane, segment, ray, triangle or hull
 //   on(shape, point, tolerance) -> bool   within `tolerance` of any shape
 
@@ -10,8 +10,8 @@
 
 namespace detent {
 
-/// Whether `point` is exactly on a shape that is thin, or in a 2D triangle or a hull: `contains` by
-/// the name that one looks for.
+/// Whether `point` is exactly on a thin shape, or in a 2D triangle or a hull. Another name for
+/// `contains`.
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Plane<S, N>& plane, const Vec<S, N>& point) noexcept {
   return contains(plane, point);
@@ -33,11 +33,11 @@ template <Scalar S, int N>
   return contains(hull, point);
 }
 
-/// Whether the distance from `point` to `shape` is at most `tolerance`; an `Obb` measures it in its
-/// frame.
+/// Whether the distance from `point` to `shape` is at most `tolerance`. For an `Obb` it is measured
+/// in the frame of the box.
 ///
 /// units:  world units
-/// domain: every input; nothing is within a negative tolerance, nor near an empty shape
+/// domain: every input; false for a negative tolerance and for an empty shape
 /// exact:  yes or no exact           (tests/oracle/point_*.test.cpp, the file named by the shape)
 template <class Shape, Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Shape& shape, const Vec<S, N>& point,
@@ -65,7 +65,8 @@ template <Scalar S, int N>
   for (int i = 0; i < N; ++i) {
     if (excess[i] > tolerance || excess[i] < -tolerance) return false;
   }
-  // No longer than a tolerance on the grid of products with a direction, whose 1 is 2^(b - 1).
+  // No component exceeds `tolerance`, on the grid of products with a direction, whose 1 is
+  // 2^(b - 1).
   constexpr int bits = bits_of<S> - 1 + bits_of<direction_component<S>>;
   return squared_length(narrow<bits>(excess)) <= square(tolerance);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Two shapes, both closed sets, in either order:
+// Whether two shapes, both closed sets, share a point; in either order:
 //   overlaps(a, b) -> bool
 
 #include "detent/query/overlaps/aabb_aabb.hpp"

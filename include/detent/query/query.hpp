@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The query layer: yes or no, and where.
+// The query layer: hit or miss, distances and points.
 
 #include "detent/query/barycentric.hpp"
 #include "detent/query/batch.hpp"

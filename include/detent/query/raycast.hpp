@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Rays against every shape:
+// A ray against a shape:
 //   raycast(ray, shape)          -> std::optional<S>             distance
 //   raycast_hit(ray, shape)      -> std::optional<RayHit<S, N>>  distance, point, normal
 //   raycast_interval(ray, shape) -> std::optional<Interval<S>>   enter, exit

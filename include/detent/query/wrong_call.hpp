@@ -5,12 +5,12 @@
 
 #include "detent/shape/shape.hpp"
 
-// Calls that nobody means: the error is one sentence, which says what to write instead. They match
-// less closely than every query, so no right call is changed by them, and a concept that asks
-// whether there is such a call learns that there is none.
+// Overloads that catch wrong calls: the error is one sentence that says what to write instead.
+// Every query is a better match, so they change no correct call, and a concept that checks for such
+// a call finds none.
 //
-// GCC shows the line of a function that is deleted; clang would list all others too, but takes a
-// function that is unavailable for as good as deleted.
+// GCC shows the line of a deleted function. clang would also list all other overloads, so there
+// they are marked unavailable, which it treats as deleted.
 #if defined(__clang__)
 #define DETENT_INSTEAD(sentence) __attribute__((unavailable(sentence)))
 #else
@@ -21,7 +21,7 @@ namespace detent {
 
 namespace detail {
 
-/// What an argument of a query is.
+/// The kind of a query argument.
 enum class Argument { none, point, segment, ray, shape };
 
 template <class T>
@@ -47,7 +47,7 @@ inline constexpr Argument argument<Capsule<S, N>> = Argument::shape;
 template <Scalar S, int N>
 inline constexpr Argument argument<ConvexHull<S, N>> = Argument::shape;
 
-/// The type of the points of an argument.
+/// The point type of an argument.
 template <class T>
 struct PointOf;
 template <template <class, int> class T, class S, int N>

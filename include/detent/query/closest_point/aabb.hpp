@@ -5,10 +5,10 @@
 
 namespace detent {
 
-/// The point of `box` that is closest to `point`, which is `point` itself inside.
+/// The point of `box` closest to `point`; `point` itself if inside.
 ///
 /// units:  world units
-/// domain: every input; an empty box has no point and gives `point`
+/// domain: every input; an empty box gives `point`
 /// exact:  always                                               (tests/oracle/point_aabb.test.cpp)
 /// source: Ericson, Real-Time Collision Detection, 5.1.3
 template <Scalar S, int N>
@@ -16,7 +16,7 @@ template <Scalar S, int N>
                                                 const Vec<S, N>& point) noexcept {
   if (is_empty(box)) return point;
   return make_vec<N>([&](int i) {
-    // Of values, which clang then selects without a branch.
+    // On copies, which clang selects without a branch.
     const S x = point[i], low = box.min[i], high = box.max[i];
     const S raised = x < low ? low : x;
     return raised > high ? high : raised;

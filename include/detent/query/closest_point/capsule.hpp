@@ -14,8 +14,8 @@ namespace detent {
 
 namespace detail {
 
-/// Beside its axis, a capsule's closest point is the axis point, over / whole, plus `radius` along
-/// `outward`; |outward|^2 = whole * square. One coordinate of it:
+/// One coordinate of a capsule's closest point where the query point projects between the ends: the
+/// axis point, over / whole, plus `radius` along `outward`, with |outward|^2 = whole * square.
 template <Scalar S, Number Over, Number Whole, Number Outward, Number Square>
 struct CapsuleSide {
   Over over;
@@ -24,13 +24,13 @@ struct CapsuleSide {
   S radius;
   Square square;
 
-  /// The sign of the exact coordinate less x: with d = x whole - over, that of
-  /// radius outward / (|outward|) - d / whole, whose parts are compared by their squares times
-  /// whole: (radius outward)^2 / square and d^2 / whole.
+  /// The sign of the exact coordinate minus x, which is radius outward / |outward| - d / whole with
+  /// d = x whole - over. It compares the squares of both terms times whole:
+  /// (radius outward)^2 / square and d^2 / whole.
   template <Number T>
   [[nodiscard]] constexpr int sign_of_difference(const T& x) const noexcept {
     const auto short_of = x * whole - over;
-    // On the grid of x, in whose own bits a radius of 14 or 30 would find no room.
+    // On the grid of x, or wider where x's own bits have no room for a radius of 14 or 30 bits.
     using Radius = std::conditional_t<std::convertible_to<S, T>, T, decltype(x + radius)>;
     const auto step = Radius(radius) * outward;
     const int step_sign = (step > 0) - (step < 0);
@@ -45,8 +45,8 @@ struct CapsuleSide {
 template <Scalar S, Number Over, Number Whole, Number Outward, Number Square>
 CapsuleSide(Over, Whole, Outward, S, Square) -> CapsuleSide<S, Over, Whole, Outward, Square>;
 
-/// The point of `capsule` that is closest to `point`, whose closest point on the capsule's axis is
-/// at along / whole between the ends.
+/// The point of `capsule` closest to `point`, where the closest point of the axis is at
+/// along / whole between the ends.
 template <Scalar S, int N, Number T, Number Along, Number Whole>
 [[nodiscard]] constexpr Vec<S, N> closest_beside(const Capsule<S, N>& capsule,
                                                  const Vec<S, N>& point, const Vec<T, N>& axis,
@@ -54,8 +54,8 @@ template <Scalar S, int N, Number T, Number Along, Number Whole>
   const auto a = capsule.a;
   const auto radius = capsule.radius;
   const auto from_a = point - a;
-  // Seen along an axis, the triangle of `point` and two points of the capsule's axis covers at most
-  // half of the square that is the world: no component is more than the square of an offset.
+  // Projected along a coordinate axis, the triangle of `point` and two points of the capsule's axis
+  // covers at most half of the world's square, so no component exceeds the square of an offset.
   constexpr int area_bits = 4 * bits_of<T> + (N == 3 ? 2 : 0);
   const auto side = [&](int i) {
     return CapsuleSide{a[i] * whole + axis[i] * along, whole, from_a[i] * whole - axis[i] * along,
@@ -64,14 +64,14 @@ template <Scalar S, int N, Number T, Number Along, Number Whole>
   if constexpr (!is_fixed<S>) {
     if (contains(capsule, point)) return point;
     const auto outward = make_vec<N>([&](int i) { return side(i).outward; });
-    // In numbers that round, a point beside the axis may look as if it were on it.
+    // With scalars that round, a point off the axis may appear to be on it.
     const auto unit = unit_vector<S>(to_array(outward)).value_or(to_array(Vec<S, N>()));
     return make_vec<N>(
         [&](int i) { return side(i).over / whole + radius * unit[static_cast<std::size_t>(i)]; });
   } else {
-    // Less than 2^-21 steps of S off, as is the distance from the axis. That is below 2^33 steps and
-    // at least the radius, so that its square is less than 2^13 steps^2 off, and no component of a
-    // step outward is farther off than the distance.
+    // Off by less than 2^-21 steps of S, as is the distance from the axis. That distance is below
+    // 2^33 steps and at least the radius, so its square is off by less than 2^13 steps^2, and no
+    // component of a step outward is off by more than the distance.
     const auto ratio = make_ratio_below_one(along, whole);
     const auto to_axis = make_vec<N>([&](int i) { return rough_product(axis[i], ratio); });
     const auto outward =
@@ -92,10 +92,10 @@ template <Scalar S, int N, Number T, Number Along, Number Whole>
 
 }  // namespace detail
 
-/// The point of `capsule` that is closest to `point`, which is `point` itself inside.
+/// The point of `capsule` closest to `point`; `point` itself if inside.
 ///
 /// units:  world units
-/// domain: every input; an empty capsule has no point and gives `point`
+/// domain: every input; an empty capsule gives `point`
 /// exact:  each coordinate is the exact one rounded to nearest, ties to even
 ///         (tests/oracle/point_capsule.test.cpp)
 template <Scalar S, int N>

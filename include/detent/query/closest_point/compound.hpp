@@ -6,13 +6,13 @@
 
 namespace detent {
 
-/// The closest point of that part of `compound` which is nearest to `point`, which is `point` itself
-/// inside. Include the headers of its parts' own queries, `distance` among them, too.
+/// The closest point of the part of `compound` nearest to `point`; `point` itself if inside. Also
+/// include the headers of its parts' own queries, with `distance` among them.
 ///
 /// units:  world units
-/// domain: every input; no parts have no point and give `point`
-/// result: of parts whose `distance`s are equal, be it by rounding or clamping, the first counts
-/// exact:  the part is the nearest within 1 ULP of the scalar; each coordinate is rounded as that part's
+/// domain: every input; a compound without parts gives `point`
+/// result: of parts with equal `distance`s, if only by rounding or clamping, the first counts
+/// exact:  the part is the nearest within 1 ULP of the scalar; each coordinate is rounded as its
 ///         `closest_point` says                          (tests/query/compound.test.cpp)
 template <class... Shapes, Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point(const Compound<Shapes...>& compound,

@@ -7,8 +7,8 @@
 
 namespace detent::detail {
 
-/// The part of a triangle that is closest to a point: its face, or else an edge or a corner (a
-/// segment of equal ends).
+/// The feature of a triangle closest to a point: its face, an edge, or a corner (a segment with
+/// equal ends).
 template <Scalar S, int N>
 struct NearestFeature {
   bool is_face;
@@ -18,9 +18,10 @@ struct NearestFeature {
 /// The corners, edges and face of a triangle of corners a, b, c.
 enum class TrianglePart { a, b, c, ab, ac, bc, face };
 
-/// Which part of a triangle that has an area is closest to a point, for the vectors between them.
+/// The feature closest to a point p, for a triangle that has an area, from the vectors between its
+/// corners and to p.
 ///
-/// Products of the dot products tell on which side of an edge the point lies: by Lagrange's
+/// Products of the dot products give the side of an edge on which the point lies: by Lagrange's
 /// identity d1 d4 - d3 d2 = (ab x ac) . (ap x bp), and so on.
 ///
 /// source: Ericson, Real-Time Collision Detection, 5.1.5
@@ -40,8 +41,8 @@ template <Number T, int N>
   return TrianglePart::face;
 }
 
-/// Which part of `triangle` holds its point closest to `point`; of a collapsed triangle, the
-/// segment that it is. In 2D the point is over the face when it is inside.
+/// The feature of `triangle` closest to `point`; for a collapsed triangle, the segment that it is.
+/// In 2D it is the face if the point is inside.
 template <Scalar S, int N>
 [[nodiscard]] constexpr NearestFeature<S, N> nearest_feature(const Triangle<S, N>& triangle,
                                                              const Vec<S, N>& point) noexcept {

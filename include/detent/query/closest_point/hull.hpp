@@ -6,12 +6,12 @@
 
 namespace detent {
 
-/// The point of `hull` that is closest to `point`, which is `point` itself inside.
+/// The point of `hull` closest to `point`; `point` itself if inside.
 ///
-/// It is the closest point of the corner, edge or face that the search for it ends on.
+/// It is the closest point of the corner, edge or face where GJK ends.
 ///
 /// units:  world units
-/// domain: every input; an empty hull has no point and gives `point`
+/// domain: every input; an empty hull gives `point`
 /// exact:  each coordinate is the exact one rounded to nearest, ties to even
 ///         (tests/oracle/point_hull.test.cpp)
 template <Scalar S, int N>
@@ -22,7 +22,7 @@ template <Scalar S, int N>
       detail::HullBody(hull), detail::HullBody(detail::hull_of(point)), [&](auto search) {
         if (search.touches()) return point;
         const auto& feature = search.closest_feature();
-        // Corners of the hull again, the last of them repeated.
+        // Corners of the hull; the last one repeats.
         const auto corner = [&](int i) {
           return nearest_to<S>(point + feature[(std::min)(i, feature.count - 1)]);
         };

@@ -7,7 +7,7 @@
 namespace detent::detail {
 
 /// origin + direction * ratio, each coordinate the exact one rounded to nearest, ties to even, and
-/// clamped to the range of the scalar; |direction * ratio| is the distance of two points.
+/// clamped to the range of the scalar. |direction * ratio| must be the distance between two points.
 template <Scalar S, Number T, int N, class R>
 [[nodiscard]] constexpr Vec<S, N> point_on_line(const Vec<S, N>& origin, const Vec<T, N>& direction,
                                                 const R& ratio) noexcept {

@@ -17,17 +17,16 @@ template <Number T, Scalar S>
 
 }  // namespace detail
 
-/// The point of `box` that is closest to `point` in the frame of the box, which is `point` itself
-/// inside.
+/// The point of `box` closest to `point` in the frame of the box; `point` itself if inside.
 ///
-/// In that frame the coordinates of a point are dot(axis(i), point - center), with the axes exactly
-/// as stored; they are clamped to the half extents, and the result is the center plus the sum of
-/// clamped coordinate i times axis(i). With orthonormal axes that is the closest point of the
-/// world; those of a rotation are orthonormal within 2^-29 (2^-13 in 16 bits), and it is closest as
-/// nearly.
+/// In that frame a point has the coordinates dot(axis(i), point - center), with the axes exactly as
+/// stored. They are clamped to the half extents, and the result is the center plus the sum of
+/// clamped coordinate i times axis(i). With orthonormal axes that is the closest point in world
+/// space. The axes of a rotation are orthonormal within 2^-29 (2^-13 in 16 bits), so the result is
+/// the closest point to that accuracy.
 ///
 /// units:  world units
-/// domain: every input; an empty box has no point and gives `point`
+/// domain: every input; an empty box gives `point`
 /// exact:  each coordinate of that sum rounded to nearest, ties to even, and clamped
 ///         (tests/oracle/point_obb.test.cpp)
 /// source: Ericson, Real-Time Collision Detection, 5.1.4

@@ -8,8 +8,8 @@ namespace detent {
 
 namespace detail {
 
-/// dot(normal, point) - offset: positive on the side that the normal points to, and the distance to
-/// the plane times the length of the normal.
+/// dot(normal, point) - offset: the distance to the plane times the length of the normal, positive
+/// on the side that the normal points to.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto height_above(const Plane<S, N>& plane,
                                           const Vec<S, N>& point) noexcept {
@@ -20,11 +20,11 @@ template <Scalar S, int N>
 
 }  // namespace detail
 
-/// The point of `plane` that is closest to `point`: point - n (dot(n, point) - offset) / dot(n, n),
+/// The point of `plane` closest to `point`: point - n (dot(n, point) - offset) / dot(n, n), with
 /// the normal n exactly as stored.
 ///
 /// units:  world units
-/// domain: every input; a coordinate outside the range of the scalar is clamped to it
+/// domain: every input; coordinates are clamped to the scalar's range
 /// exact:  each coordinate is the exact one rounded to nearest, ties to even
 ///         (tests/oracle/point_plane.test.cpp)
 /// source: Ericson, Real-Time Collision Detection, 5.1.1

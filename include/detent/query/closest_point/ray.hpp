@@ -6,11 +6,11 @@
 
 namespace detent {
 
-/// The point of `ray` that is closest to `point`.
+/// The point of `ray` closest to `point`.
 ///
 /// units:  world units
-/// domain: every input; a ray without points gives `point`; a coordinate outside the range of the
-///         scalar is clamped to it
+/// domain: every input; a ray without points gives `point`; coordinates are clamped to the scalar's
+///         range
 /// exact:  each coordinate is the exact one rounded to nearest, ties to even
 ///         (tests/oracle/point_ray.test.cpp)
 /// source: Ericson, Real-Time Collision Detection, 5.1.2

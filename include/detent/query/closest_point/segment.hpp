@@ -7,10 +7,10 @@
 
 namespace detent {
 
-/// The point of `segment` that is closest to `point`.
+/// The point of `segment` closest to `point`.
 ///
 /// units:  world units
-/// domain: every input; equal ends make it one point
+/// domain: every input; equal ends make it a point
 /// exact:  each coordinate is the exact one rounded to nearest, ties to even
 ///         (tests/oracle/point_segment.test.cpp)
 /// source: Ericson, Real-Time Collision Detection, 5.1.2

@@ -22,10 +22,10 @@ template <Number X, Number Square, Number Y>
 
 }  // namespace detail
 
-/// The point of `sphere` that is closest to `point`, which is `point` itself inside.
+/// The point of `sphere` closest to `point`; `point` itself if inside.
 ///
 /// units:  world units
-/// domain: every input; an empty sphere has no point and gives `point`
+/// domain: every input; an empty sphere gives `point`
 /// exact:  each coordinate is the exact one, c + r (p - c) / |p - c|, rounded to nearest, ties to
 ///         even                                               (tests/oracle/point_sphere.test.cpp)
 template <Scalar S, int N>
@@ -45,12 +45,12 @@ template <Scalar S, int N>
   } else {
     const auto steps = rough_along(radius, to_array(from_center));
     return make_vec<N>([&](int i) {
-      // Between center and point, but for the error of a step, which may take it past the lowest
+      // Between center and point, except for the error of a step, which may take it past the lowest
       // or the greatest number.
       const auto sum =
           narrow_sum<bits_of<finer<S, 30>> + 1>(center[i], steps[static_cast<std::size_t>(i)]);
-      // The sign of radius d / |d| - (x - center): if both are of one sign, that of the difference
-      // of their squares.
+      // The sign of radius d / |d| - (x - center). If both terms have one sign, it is the sign of
+      // the difference of their squares.
       return nearest_by<S>(sum, [&](const auto& middle) {
         return detail::compare_with_quotient(radius * from_center[i], squared, middle - center[i]);
       });

@@ -8,7 +8,8 @@ namespace detent {
 
 namespace detail {
 
-/// The point closest to `point` of the plane that two vectors span, at `w` from where they start.
+/// The point closest to `point` on the plane spanned by `b` and `c`; `w` leads from their common
+/// start to `point`.
 template <Scalar S, Number T>
 [[nodiscard]] constexpr Vec<S, 3> closest_on_plane(const Vec<S, 3>& point, const Vec<T, 3>& b,
                                                    const Vec<T, 3>& c,
@@ -19,8 +20,8 @@ template <Scalar S, Number T>
 
 }  // namespace detail
 
-/// The point of `triangle` that is closest to `point`, which is `point` itself in a 2D triangle,
-/// which is solid.
+/// The point of `triangle` closest to `point`; `point` itself if inside a 2D triangle, which is
+/// solid.
 ///
 /// units:  world units
 /// domain: every input; a collapsed triangle is the segment or point that its corners span

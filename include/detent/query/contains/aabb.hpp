@@ -5,7 +5,7 @@
 
 namespace detent {
 
-/// Whether `point` is in `box`, its surface included.
+/// Whether `point` is in `box`, surface included.
 ///
 /// domain: every input; a box with min > max on some axis is empty and contains nothing
 /// exact:  yes or no exact                                      (tests/oracle/point_aabb.test.cpp)

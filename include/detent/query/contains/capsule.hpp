@@ -6,7 +6,7 @@
 
 namespace detent {
 
-/// Whether `point` is in `capsule`, its surface included.
+/// Whether `point` is in `capsule`, surface included.
 ///
 /// domain: every input; a negative radius is an empty capsule and contains nothing
 /// exact:  yes or no exact                                   (tests/oracle/point_capsule.test.cpp)

@@ -6,9 +6,10 @@
 
 namespace detent {
 
-/// Whether `point` is in any part of `compound`. Include the headers of its parts' own queries too.
+/// Whether `point` is in any part of `compound`. Also include the headers of its parts' own
+/// queries.
 ///
-/// domain: every input; no parts contain nothing
+/// domain: every input; a compound without parts contains nothing
 /// exact:  yes or no exact                               (tests/query/compound.test.cpp)
 template <class... Shapes, Scalar S, int N>
 [[nodiscard]] constexpr bool contains(const Compound<Shapes...>& compound,

@@ -7,7 +7,7 @@ namespace detent {
 
 namespace detail {
 
-/// The hull that is `point` alone.
+/// The hull of one point.
 template <Scalar S, int N>
 [[nodiscard]] constexpr ConvexHull<S, N> hull_of(const Vec<S, N>& point) noexcept {
   return {std::span<const Vec<S, N>>(&point, 1)};
@@ -17,7 +17,7 @@ template <Scalar S, int N>
 
 /// Whether `point` is in `hull`, its faces, edges and corners included.
 ///
-/// domain: every input; a flat hull is the polygon, segment or point that its points span, one
+/// domain: every input; a flat hull is the polygon, segment or point that its points span; one
 ///         without points is empty
 /// exact:  yes or no exact                                      (tests/oracle/point_hull.test.cpp)
 template <Scalar S, int N>

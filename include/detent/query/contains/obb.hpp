@@ -5,7 +5,7 @@
 
 namespace detent {
 
-/// Whether `point` is in `box`, its surface included.
+/// Whether `point` is in `box`, surface included.
 ///
 /// The box is {x : |dot(axis(i), x - center)| <= half_extents[i]} with its axes exactly as stored.
 ///

@@ -5,7 +5,7 @@
 
 namespace detent::detail {
 
-/// Whether two vectors, or a direction and a vector, lie on one line; 0 does with every one.
+/// Whether two vectors, or a direction and a vector, are parallel; 0 is parallel to every vector.
 template <class U, Number T, int N>
 [[nodiscard]] constexpr bool are_parallel(const U& u, const Vec<T, N>& v) noexcept {
   const auto area = cross(u, v);

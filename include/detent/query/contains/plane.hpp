@@ -5,8 +5,7 @@
 
 namespace detent {
 
-/// Whether `point` is one of the points of `plane`: dot(normal, point) = offset, the normal exactly
-/// as stored.
+/// Whether `point` lies in `plane`: dot(normal, point) = offset, with the normal exactly as stored.
 ///
 /// domain: every input
 /// exact:  yes or no exact                                     (tests/oracle/point_plane.test.cpp)

@@ -6,9 +6,9 @@
 
 namespace detent {
 
-/// Whether `point` is one of the points of `ray`, its direction taken exactly as stored.
+/// Whether `point` lies on `ray`, with the direction exactly as stored.
 ///
-/// domain: every input; a negative max_distance leaves no points
+/// domain: every input; a ray with a negative max_distance has no points
 /// exact:  yes or no exact                                       (tests/oracle/point_ray.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool contains(const Ray<S, N>& ray, const Vec<S, N>& point) noexcept {

@@ -6,9 +6,9 @@
 
 namespace detent {
 
-/// Whether `point` is one of the points of `segment`, its ends included.
+/// Whether `point` lies on `segment`, ends included.
 ///
-/// domain: every input; equal ends make it one point
+/// domain: every input; equal ends make it a point
 /// exact:  yes or no exact                                   (tests/oracle/point_segment.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool contains(const Segment<S, N>& segment,

@@ -5,7 +5,7 @@
 
 namespace detent {
 
-/// Whether `point` is in `sphere`, its surface included.
+/// Whether `point` is in `sphere`, surface included.
 ///
 /// domain: every input; a negative radius is an empty sphere and contains nothing
 /// exact:  yes or no exact                                    (tests/oracle/point_sphere.test.cpp)

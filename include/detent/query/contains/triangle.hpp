@@ -6,7 +6,7 @@
 
 namespace detent {
 
-/// Whether `point` is in the 2D `triangle`, its edges included.
+/// Whether `point` is in the 2D `triangle`, edges included.
 ///
 /// domain: every input; a collapsed triangle is the segment or point that its corners span
 /// exact:  yes or no exact                                  (tests/oracle/point_triangle.test.cpp)
@@ -21,7 +21,7 @@ template <Scalar S>
   return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
 }
 
-/// Whether `point` is one of the points of the 3D `triangle`, its edges included.
+/// Whether `point` lies on the 3D `triangle`, edges included.
 ///
 /// domain: every input; a collapsed triangle is the segment or point that its corners span
 /// exact:  yes or no exact                                  (tests/oracle/point_triangle.test.cpp)
@@ -32,7 +32,7 @@ template <Scalar S>
   const auto normal = cross(b - a, c - a);
   if (detail::is_zero(normal)) return contains(detail::collapsed(triangle), point);
   if (dot(normal, point - a) != 0) return false;
-  // In the plane of the triangle, what the axis most along its normal hides decides nothing.
+  // In the triangle's plane the other two coordinates decide: drop the normal's longest axis.
   const int axis = detail::longest_axis(normal);
   return contains(
       Triangle{detail::without(a, axis), detail::without(b, axis), detail::without(c, axis)},

@@ -5,9 +5,9 @@
 
 namespace detent {
 
-/// The square of the distance from `point` to `box`, 0 inside.
+/// The squared distance from `point` to `box`, 0 inside.
 ///
-/// domain: every input; the greatest number of its type for an empty box
+/// domain: every input; an empty box gives the greatest number of the result's type
 /// exact:  always                                               (tests/oracle/point_aabb.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto squared_distance(const Aabb<S, N>& box,
@@ -20,7 +20,7 @@ template <Scalar S, int N>
 /// The distance from `point` to `box`, 0 inside.
 ///
 /// units:  world units
-/// domain: every input; a distance beyond the greatest scalar, or to an empty box, is that
+/// domain: every input; clamped to the greatest scalar, which is the result for an empty box
 /// exact:  rounded down, error in [0, 1) ULP                    (tests/oracle/point_aabb.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Aabb<S, N>& box, const Vec<S, N>& point) noexcept {

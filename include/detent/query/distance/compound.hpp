@@ -8,11 +8,12 @@
 
 namespace detent {
 
-/// The distance from `point` to the nearest part of `compound`, 0 inside. Include the headers of
-/// its parts' own queries too.
+/// The distance from `point` to the nearest part of `compound`, 0 inside. Also include the headers
+/// of its parts' own queries.
 ///
 /// units:  world units
-/// domain: every input; a distance beyond the greatest scalar, or to no parts, is that
+/// domain: every input; clamped to the greatest scalar, which is the result for a compound without
+///         parts
 /// exact:  rounded down, error in [0, 1) ULP             (tests/query/compound.test.cpp)
 template <class... Shapes, Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Compound<Shapes...>& compound,

@@ -10,19 +10,20 @@
 
 namespace detent::detail {
 
-/// Whether differences are on the finer grid where oriented boxes have their corners.
+/// Whether differences are on the finer grid of the corners of oriented boxes.
 template <Number T>
 inline constexpr bool is_fine = bits_of<T> > 48;
 
-/// The search for the point closest to the origin among the differences a - b of points of two
-/// convex bodies; `T` holds the components of such differences.
+/// Finds the point closest to the origin among the differences a - b of points of two convex
+/// bodies, by GJK. `T` holds the components of such differences.
 ///
-/// It keeps a simplex of differences of corners, cut down to the feature that holds its own closest
-/// point p. The corner w that lies deepest along p shows that no difference is closer, or it is
-/// added: then p . w < p . p, so the new simplex reaches closer to the origin than the old one. The
-/// distance falls with every step and belongs to a simplex of corners, of which there are finitely
-/// many, so the search ends. No new corner lies in the span of the feature, where p . x = p . p, so
-/// the simplex is never flat. All of this asks for signs of integers, which are exact.
+/// It keeps a simplex of differences of corners, reduced to the feature that holds its closest
+/// point p. Each step takes the corner w with the least p . w. If p . w >= p . p, no difference is
+/// closer than p. Otherwise w is added, and the new simplex reaches closer to the origin than the
+/// old one. The distance falls with every step and belongs to a simplex of corners, of which there
+/// are finitely many, so the search ends. No new corner lies in the span of the feature, where
+/// p . x = p . p, so the simplex is never flat. All decisions are signs of integers, which are
+/// exact.
 ///
 /// source: Gilbert, Johnson, Keerthi, A Fast Procedure for Computing the Distance Between Complex
 ///         Objects in Three-Dimensional Space (1988); Ericson, Real-Time Collision Detection, 9.5
@@ -39,23 +40,23 @@ class Gjk {
     return touches_;
   }
 
-  /// The square of their distance as a `Fraction` like `none`, which is that of bodies that touch.
+  /// The square of their distance, as a `Fraction`; `none` if the bodies touch.
   template <class Result>
   [[nodiscard]] constexpr Result squared_distance(const Result& none) noexcept {
     search(false);
     return touches_ ? none : detail::squared_distance<Result>(feature_);
   }
 
-  /// The differences of corners between which the closest one lies; of no use where bodies touch.
+  /// The feature of corner differences that holds the closest one. Meaningless if the bodies touch.
   [[nodiscard]] constexpr const Simplex<T, N>& closest_feature() noexcept {
     search(false);
     return feature_;
   }
 
  private:
-  /// With `until_apart`, ends as soon as a plane between the bodies is known.
+  /// With `until_apart`, stops as soon as a separating plane is known.
   constexpr void search(bool until_apart) noexcept {
-    // A direction that is not as long as it may be is multiplied in the next narrower integers.
+    // Shorter directions are multiplied in the next narrower integers.
     constexpr int bits = (is_fine<T> ? 253 : 125) - bits_of<T>;
     const auto advances = [&](const auto& v) {
       return by_width<bits>([&](const auto& u) { return advance(u, until_apart); }, v);
@@ -101,9 +102,9 @@ template <Number T, int N>
   return true;
 }
 
-/// f(search) for the search in the narrowest numbers that hold the differences from `low` to
-/// `high`: for those below 2^29 in 128 bits instead of 256, and for those of the finer grid below
-/// 2^61 in 256 instead of 320.
+/// Returns f(search), with the search in the narrowest numbers that hold the differences from `low`
+/// to `high`: 128 bits instead of 256 for those below 2^29, and on the finer grid 256 bits instead
+/// of 320 for those below 2^61.
 template <class A, class B, Number T, int N, class F>
 [[nodiscard]] constexpr auto with_gjk(const A& a, const B& b, const Vec<T, N>& low,
                                       const Vec<T, N>& high, const F& f) noexcept {
@@ -128,7 +129,7 @@ template <class A, class B>
   return with_gjk(a, b, low, high, [](auto search) { return search.touches(); });
 }
 
-/// The square of the distance between two bodies, as a `Fraction`.
+/// The squared distance between two bodies, as a `Fraction`.
 template <class A, class B>
 [[nodiscard]] constexpr auto squared_distance_between(const A& a, const B& b) noexcept {
   using Difference = std::remove_cvref_t<decltype((a.some() - b.some()).x)>;

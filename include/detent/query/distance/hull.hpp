@@ -5,10 +5,10 @@
 
 namespace detent {
 
-/// The square of the distance from `point` to `hull`, 0 inside: |w|^2 from a corner, |w x e|^2 /
-/// |e|^2 from an edge, (n . w)^2 / |n|^2 from a face with normal n.
+/// The squared distance from `point` to `hull`, 0 inside: |w|^2 from a corner, |w x e|^2 / |e|^2
+/// from an edge, (n . w)^2 / |n|^2 from a face with normal n.
 ///
-/// domain: every input; the greatest number of its type for an empty hull
+/// domain: every input; an empty hull gives the greatest number of the result's type
 /// exact:  the fraction is the exact value                      (tests/oracle/point_hull.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto squared_distance(const ConvexHull<S, N>& hull,
@@ -23,7 +23,7 @@ template <Scalar S, int N>
 /// The distance from `point` to `hull`, 0 inside.
 ///
 /// units:  world units
-/// domain: every input; a distance beyond the greatest scalar, or to an empty hull, is that
+/// domain: every input; clamped to the greatest scalar, which is the result for an empty hull
 /// exact:  rounded down, error in [0, 1) ULP                    (tests/oracle/point_hull.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const ConvexHull<S, N>& hull, const Vec<S, N>& point) noexcept {

@@ -8,27 +8,27 @@ namespace detent {
 
 namespace detail {
 
-/// By how much dot(axis(i), point - center) exceeds half_extents[i] on each axis, with its sign;
-/// of a box that is not empty.
+/// By how much |dot(axis(i), point - center)| exceeds half_extents[i] on each axis (0 if it does
+/// not), with the sign of the dot product. The box must not be empty.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto excess(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {
   const auto from_center = point - box.center;
   using Along = decltype(dot(box.rotation.axis(0), from_center));
   return make_vec<N>([&](int i) {
     const Along along = dot(box.rotation.axis(i), from_center);
-    // What is left of |along| on taking 0 <= half_extents[i] <= |along| from it fits where it does.
+    // Subtracting 0 <= half_extents[i] <= |along| from |along| leaves a number that fits its bits.
     return narrow_difference<bits_of<Along>>(along, clamp_to(along, box.half_extents[i]));
   });
 }
 
 }  // namespace detail
 
-/// The square of the distance from `point` to `box`, 0 inside, measured in the frame of the box:
-/// the sum of the squares by which |dot(axis(i), point - center)| exceeds half_extents[i].
+/// The squared distance from `point` to `box`, 0 inside, measured in the frame of the box: the sum
+/// of the squares of the excess of |dot(axis(i), point - center)| over half_extents[i].
 ///
-/// That is the distance in the world as far as the axes are orthonormal.
+/// It equals the world distance as far as the axes are orthonormal.
 ///
-/// domain: every input; the greatest number of its type for an empty box
+/// domain: every input; an empty box gives the greatest number of the result's type
 /// exact:  always                                                (tests/oracle/point_obb.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto squared_distance(const Obb<S, N>& box,
@@ -40,12 +40,12 @@ template <Scalar S, int N>
 /// The distance from `point` to `box`, 0 inside, measured in the frame of the box.
 ///
 /// units:  world units
-/// domain: every input; a distance beyond the greatest scalar, or to an empty box, is that
+/// domain: every input; clamped to the greatest scalar, which is the result for an empty box
 /// exact:  rounded down, error in [0, 1) ULP                     (tests/oracle/point_obb.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {
   if (is_empty(box)) return largest<S>;
-  // Squares of 62 bits have a sum of 126.
+  // Squares of 62-bit numbers sum to 126 bits.
   return by_width<62>([](const auto& excess) { return sqrt_floor<S>(squared_length(excess)); },
                       detail::excess(box, point));
 }

@@ -7,7 +7,7 @@
 
 namespace detent {
 
-/// The square of the distance from `point` to `plane`: (dot(n, point) - offset)^2 / dot(n, n), the
+/// The squared distance from `point` to `plane`: (dot(n, point) - offset)^2 / dot(n, n), with the
 /// normal n exactly as stored.
 ///
 /// domain: every input
@@ -22,7 +22,7 @@ template <Scalar S, int N>
 /// The distance from `point` to `plane`, on either side of it.
 ///
 /// units:  world units
-/// domain: every input; a distance beyond the greatest scalar is that
+/// domain: every input; clamped to the greatest scalar
 /// exact:  rounded down, error in [0, 1) ULP                   (tests/oracle/point_plane.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Plane<S, N>& plane, const Vec<S, N>& point) noexcept {

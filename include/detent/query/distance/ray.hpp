@@ -7,10 +7,10 @@
 
 namespace detent {
 
-/// The square of the distance from `point` to `ray`: |d x w|^2 / |d|^2 beside it, where w leads
-/// from the origin to the point and d is the direction exactly as stored.
+/// The squared distance from `point` to `ray`: |d x w|^2 / |d|^2 where the point projects onto the
+/// ray, with w from the origin to the point and d the direction exactly as stored.
 ///
-/// domain: every input; the greatest number of its type over 1 for a ray without points
+/// domain: every input; a ray without points gives the greatest numerator over 1
 /// exact:  the fraction is the exact value                       (tests/oracle/point_ray.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto squared_distance(const Ray<S, N>& ray,
@@ -35,12 +35,13 @@ template <Scalar S, int N>
 /// The distance from `point` to `ray`.
 ///
 /// units:  world units
-/// domain: every input; a distance beyond the greatest scalar, or to a ray without points, is that
+/// domain: every input; clamped to the greatest scalar, which is the result for a ray without
+///         points
 /// exact:  rounded down, error in [0, 1) ULP                     (tests/oracle/point_ray.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Ray<S, N>& ray, const Vec<S, N>& point) noexcept {
   if (ray.max_distance < 0) return largest<S>;
-  // Without the exact fraction where it is wide and the point is beside the ray.
+  // Avoids the exact fraction where that is wide and the point projects onto the ray.
   if constexpr (15 < bits_of<S>) {
     const auto from_origin = point - ray.origin;
     const auto along = dot(from_origin, ray.direction);

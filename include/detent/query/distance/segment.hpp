@@ -12,7 +12,8 @@ namespace detent {
 
 namespace detail {
 
-/// The squared length of a cross product, a number in 2D, that the caller knows to fit `Bits`.
+/// The squared length of a cross product (a number in 2D); the caller guarantees that it fits
+/// `Bits`.
 template <int Bits, Number T>
 [[nodiscard]] constexpr auto narrow_square(const T& x) noexcept {
   return narrow_product<Bits>(x, x);
@@ -22,14 +23,15 @@ template <int Bits, Number T, int N>
   return narrow_dot<Bits>(x, x);
 }
 
-/// The square of the distance of the point at `w` from the segment from 0 to `e`.
+/// The squared distance from the point `w` to the segment from 0 to `e`.
 template <Number T, int N>
 [[nodiscard]] constexpr auto squared_distance_from_edge(const Vec<T, N>& e,
                                                         const Vec<T, N>& w) noexcept {
   const auto along = dot(w, e);
   const auto whole = squared_length(e);
   using Under = decltype(squared_length(e));
-  // |w x e|^2 <= |w|^2 |e|^2; a sum also holds |w|^2 where the grid has hardly any whole numbers.
+  // |w x e|^2 <= |w|^2 |e|^2; the sum type also holds |w|^2 where the grid has hardly any integer
+  // bits.
   using Product = decltype(whole * whole);
   using Square = decltype(squared_length(w - e));
   using Over = std::conditional_t<std::convertible_to<Square, Product>, Product,
@@ -42,10 +44,10 @@ template <Number T, int N>
 
 }  // namespace detail
 
-/// The square of the distance from `point` to `segment`: |w x e|^2 / |e|^2 beside it, where w leads
-/// from the start to the point and e along the segment.
+/// The squared distance from `point` to `segment`: |w x e|^2 / |e|^2 where the point projects
+/// between the ends, with w from the start to the point and e along the segment.
 ///
-/// domain: every input; equal ends make it one point
+/// domain: every input; equal ends make it a point
 /// exact:  the fraction is the exact value                   (tests/oracle/point_segment.test.cpp)
 /// source: Ericson, Real-Time Collision Detection, 5.1.2.1
 template <Scalar S, int N>
@@ -56,7 +58,7 @@ template <Scalar S, int N>
 
 namespace detail {
 
-/// The distance of the point at `w` from the segment from 0 to `e`, rounded down.
+/// The distance from the point `w` to the segment from 0 to `e`, rounded down.
 template <Number Distance, Number T, int N>
 [[nodiscard]] constexpr Distance distance_from_edge(const Vec<T, N>& e,
                                                     const Vec<T, N>& w) noexcept {
@@ -72,7 +74,7 @@ template <Number Distance, Number T, int N>
   }
 }
 
-/// `distance` to a segment, in a type that need not be that of its coordinates.
+/// `distance` to a segment, in a result type that may differ from its coordinates.
 template <Number Distance, Scalar S, int N>
 [[nodiscard]] constexpr Distance distance_to(const Segment<S, N>& segment,
                                              const Vec<S, N>& point) noexcept {
@@ -85,7 +87,7 @@ template <Number Distance, Scalar S, int N>
 /// The distance from `point` to `segment`.
 ///
 /// units:  world units
-/// domain: every input; a distance beyond the greatest scalar is that
+/// domain: every input; clamped to the greatest scalar
 /// exact:  rounded down, error in [0, 1) ULP                 (tests/oracle/point_segment.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Segment<S, N>& segment, const Vec<S, N>& point) noexcept {

@@ -9,7 +9,7 @@
 
 namespace detent::detail {
 
-/// Up to N + 1 points of which none lies in the line or plane of the others; the newest is last.
+/// Up to N + 1 points, none in the line or plane of the others; the newest is last.
 template <Number T, int N>
 struct Simplex {
   std::array<Vec<T, N>, static_cast<std::size_t>(N + 1)> corners{};
@@ -33,7 +33,7 @@ template <Number T, int N, class... Corners>
   return simplex;
 }
 
-/// The edges that lead from the newest corner of a simplex to the others.
+/// The edges from the newest corner of a simplex to the others.
 template <Number T, int N>
 struct Fan {
   explicit constexpr Fan(const Simplex<T, N>& simplex) noexcept : from(simplex.newest()) {
@@ -46,8 +46,8 @@ struct Fan {
     return edges[static_cast<std::size_t>(i)];
   }
 
-  /// The sign of v . edge j, where v leads from the origin to the line along edge i, at a right
-  /// angle to it: v |edge i|^2 = from |edge i|^2 - edge i (from . edge i).
+  /// The sign of v . edge j, where v is the perpendicular from the origin to the line along edge i:
+  /// v |edge i|^2 = from |edge i|^2 - edge i (from . edge i).
   [[nodiscard]] constexpr int sign_beside(int i, int j) const noexcept {
     const auto& e = (*this)[i];
     const auto& other = (*this)[j];
@@ -66,12 +66,14 @@ struct Fan {
   std::array<Edge, static_cast<std::size_t>(N)> edges{};
 };
 
-/// The corners of `simplex` whose hull has, strictly between them, its point closest to the origin,
-/// when the newest corner is known to be one of them; all of a full simplex holds the origin.
+/// The feature of `simplex` whose relative interior holds the point closest to the origin. The
+/// newest corner must be one of its corners. A full simplex that holds the origin is returned
+/// whole.
 ///
-/// Then that point is the one closest in the cone of all `newest + t_i edge_i`, t_i >= 0, too. It
-/// is the foot of the origin on the span of the edges with t_i > 0 (signs of Cramer's rule tell)
-/// where no other edge leads from it towards the origin. Exactly one choice of edges is so.
+/// The closest point is then also the closest in the cone of all `newest + t_i edge_i`, t_i >= 0.
+/// It is the projection of the origin onto the span of the edges with t_i > 0 (by the signs of
+/// Cramer's rule), and no other edge leads from it towards the origin. Exactly one choice of edges
+/// satisfies this.
 ///
 /// source: Ericson, Real-Time Collision Detection, 9.5.2; the conditions of Karush, Kuhn and Tucker
 template <Number T, int N>
@@ -112,7 +114,7 @@ template <Number T, int N>
   return simplex;
 }
 
-/// A vector at right angles to the N corners of a facet.
+/// A vector perpendicular to a facet of N corners.
 template <Number T>
 [[nodiscard]] constexpr auto facet_normal(const Simplex<T, 2>& simplex) noexcept {
   const auto edge = simplex[1] - simplex[0];
@@ -123,8 +125,8 @@ template <Number T>
   return cross(simplex[1] - simplex[0], simplex[2] - simplex[0]);
 }
 
-/// f(v) for a vector v along that from the origin to the closest point of a feature, which has at
-/// most N corners; v = 0 where the feature holds the origin.
+/// Returns f(v) for a vector v that points from the origin to the closest point of a feature of at
+/// most N corners; v = 0 if the feature holds the origin.
 template <Number T, int N, class F>
 constexpr auto with_direction(const Simplex<T, N>& feature, const F& f) noexcept {
   const auto& corner = feature.newest();
@@ -144,7 +146,7 @@ constexpr auto with_direction(const Simplex<T, N>& feature, const F& f) noexcept
   return f(normal);
 }
 
-/// No distance, as the square of one between points whose differences have components of type T.
+/// The squared distance 0, in the type for points whose differences have components of type T.
 template <Number T, int N>
 [[nodiscard]] constexpr auto squared_distance_of_none() noexcept {
   using Normal = decltype(facet_normal(Simplex<T, N>()));
@@ -153,8 +155,8 @@ template <Number T, int N>
   return Fraction{Height() * Height(), Under(1)};
 }
 
-/// The square of the distance from the origin to a feature, as a `Result` (a `Fraction`):
-/// |corner|^2, |corner x edge|^2 / |edge|^2, (corner . normal)^2 / |normal|^2.
+/// The squared distance from the origin to a feature, as a `Result` (a `Fraction`): |corner|^2,
+/// |corner x edge|^2 / |edge|^2, (corner . normal)^2 / |normal|^2.
 template <class Result, Number T, int N>
 [[nodiscard]] constexpr Result squared_distance(const Simplex<T, N>& feature) noexcept {
   using Over = decltype(Result::numerator);

@@ -8,14 +8,14 @@ namespace detent {
 /// The distance from `point` to `sphere`, 0 inside.
 ///
 /// units:  world units
-/// domain: every input; a distance beyond the greatest scalar, or to an empty sphere, is that
+/// domain: every input; clamped to the greatest scalar, which is the result for an empty sphere
 /// exact:  rounded down, error in [0, 1) ULP                  (tests/oracle/point_sphere.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Sphere<S, N>& sphere, const Vec<S, N>& point) noexcept {
   if (sphere.radius < 0) return largest<S>;
   if (contains(sphere, point)) return S(0);
-  // The radius is on the grid, so it may be taken from the rounded distance to the center, which is
-  // below 2 sqrt(3) times the greatest coordinate.
+  // The radius is on the grid, so it may be subtracted after the distance to the center is rounded.
+  // That distance is below 2 sqrt(3) times the greatest coordinate.
   using Length = decltype(S() + S() + S());
   return floor_to<S>(sqrt_floor<Length>(squared_distance(point, sphere.center)) - sphere.radius);
 }

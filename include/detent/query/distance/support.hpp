@@ -5,10 +5,10 @@
 
 namespace detent::detail {
 
-// Convex bodies as the search for their distance sees them: `some()` is one of the corners, all lie
-// between `low()` and `high()`, and `extreme<Bits>(v, from, farthest)` is one that reaches as far
-// along v as any, or else as little. A body that asks all of its corners measures them from a
-// point `from`, and has the word that no component of a corner less `from` exceeds `Bits`.
+// The interface of a convex body for GJK: `some()` is one of its corners, all corners lie between
+// `low()` and `high()`, and `extreme<Bits>(v, from, farthest)` is a corner that is farthest along
+// v, or least far if not `farthest`. A body that scans all of its corners measures them from a
+// point `from`; the caller guarantees that no component of a corner minus `from` exceeds `Bits`.
 
 /// A hull with at least one point.
 template <Scalar S, int N>

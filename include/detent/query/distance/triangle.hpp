@@ -8,8 +8,8 @@ namespace detent {
 
 namespace detail {
 
-/// The square of the distance of the point at `w` from the plane through 0 along two vectors:
-/// (n . w)^2 / n^2 for their cross product n.
+/// The squared distance from the point `w` to the plane through 0 spanned by `b` and `c`:
+/// (n . w)^2 / n^2 with n = b x c.
 template <Number T>
 [[nodiscard]] constexpr auto squared_distance_from_face(const Vec<T, 3>& b, const Vec<T, 3>& c,
                                                         const Vec<T, 3>& w) noexcept {
@@ -19,7 +19,7 @@ template <Number T>
 
 }  // namespace detail
 
-/// The square of the distance from `point` to `triangle`: 0 in a 2D one, which is solid, and
+/// The squared distance from `point` to `triangle`: 0 inside a 2D one, which is solid, and
 /// (n . w)^2 / n^2 above the face of a 3D one, with n = (b - a) x (c - a) and w from a to the
 /// point.
 ///
@@ -47,7 +47,7 @@ template <Scalar S, int N>
 /// The distance from `point` to `triangle`, 0 inside a 2D one.
 ///
 /// units:  world units
-/// domain: every input; a distance beyond the greatest scalar is that
+/// domain: every input; clamped to the greatest scalar
 /// exact:  rounded down, error in [0, 1) ULP                (tests/oracle/point_triangle.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Triangle<S, N>& triangle,
