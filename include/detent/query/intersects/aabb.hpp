@@ -11,7 +11,7 @@
 
 namespace detent {
 
-/// Whether `segment` has a point in `box`, which is solid, its surface included.
+/// Whether `segment` has a point in `box`, which is solid, surface included.
 ///
 /// domain: every input; a box with min > max on some axis is empty; equal ends make a point
 /// exact:  yes or no exact                                    (tests/oracle/segment_aabb.test.cpp)
@@ -19,7 +19,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool intersects(const Segment<S, N>& segment,
                                         const Aabb<S, N>& box) noexcept {
   if (is_empty(box)) return false;
-  // Twice as large, the scene has the center of the box on the grid.
+  // Doubled, so that the center of the box is on the grid.
   const auto center = box.min + box.max;
   const auto start = segment.start + segment.start - center;
   const auto end = segment.end + segment.end - center;

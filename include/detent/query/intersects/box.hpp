@@ -8,11 +8,11 @@
 
 namespace detent::detail {
 
-/// Whether the line through `p` and `q`, `length` apart along each axis, passes the box with these
-/// half extents, in 64 bits, where no axis of the box tells it and the segment apart.
+/// Filter in 64 bits: whether the line through `p` and `q`, `length` apart along each axis, meets
+/// the box with these half extents. No axis of the box may separate box and segment.
 ///
-/// Each number is less than one step too small, so that a product with it is off by less than the
-/// other factor and a step; and no end is farther out than the sum of half extent and length.
+/// Each number is too small by less than one step, so a product with it is off by less than the
+/// other factor plus a step. No end is farther out than the sum of half extent and length.
 template <Number T, int N>
 [[nodiscard]] constexpr Nearness roughly_meets_box(const Vec<T, N>& p, const Vec<T, N>& q,
                                                    const Vec<T, N>& length,
@@ -39,9 +39,9 @@ template <Number T, int N>
 /// Whether the segment from `p` to `q` has a point in the box {x : |x[i]| <= half_extents[i]},
 /// whose half extents are not negative.
 ///
-/// If they are apart, an axis of the box or the cross product of one with the segment tells so: the
-/// segment's line passes the origin at p x q, and the box reaches |d[j]| h[k] + |d[k]| h[j] across
-/// its direction d.
+/// If they are apart, an axis of the box or its cross product with the segment separates them: the
+/// segment's line has the moment p x q about the origin, and the box reaches |d[j]| h[k] + |d[k]|
+/// h[j] across its direction d.
 ///
 /// source: separating axes, Ericson, Real-Time Collision Detection, 5.3.3
 template <Number T, int N>
@@ -50,7 +50,7 @@ template <Number T, int N>
   const auto& h = half_extents;
   for (int i = 0; i < N; ++i) {
     const auto low = narrow_negative(h[i]);
-    if constexpr (is_fixed<T>) {  // in sums: branches on either end would seldom be predicted
+    if constexpr (is_fixed<T>) {  // sums: branches on each end would be unpredictable
       if (int{p[i] > h[i]} + int{q[i] > h[i]} == 2) return false;
       if (int{p[i] < low} + int{q[i] < low} == 2) return false;
     } else {
@@ -58,8 +58,8 @@ template <Number T, int N>
       if ((std::max)(p[i], q[i]) < low) return false;
     }
   }
-  // Either is the sum of two products of a length, at most 2^(B + 1), and a coordinate. In 127 bits
-  // are those with directions, which Cauchy-Schwarz keeps below 2^125.7 for 32-bit scalars.
+  // Each is the sum of two products of a length, at most 2^(B + 1), and a coordinate. Sums with
+  // directions fit 127 bits: Cauchy-Schwarz keeps them below 2^125.7 for 32-bit scalars.
   constexpr int product_bits = (std::min)(2 * bits_of<T> + 2, 127);
   constexpr int length_bits = (std::max)(bits_of<T>, 32);
   const auto length =

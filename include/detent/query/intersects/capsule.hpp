@@ -7,7 +7,7 @@
 
 namespace detent {
 
-/// Whether `segment` and `capsule` have a point in common.
+/// Whether `segment` and `capsule` share a point.
 ///
 /// domain: every input; a negative radius is an empty capsule and meets nothing
 /// exact:  yes or no exact; touching counts                 (tests/oracle/capsule_pairs.test.cpp)

@@ -7,10 +7,10 @@
 
 namespace detent {
 
-/// Whether `segment` has a point in common with any part of `compound`. Include the headers of its
-/// parts' own queries too.
+/// Whether `segment` shares a point with any part of `compound`. Also include the headers of its
+/// parts' own queries.
 ///
-/// domain: every input; no parts intersect nothing
+/// domain: every input; a compound without parts intersects nothing
 /// exact:  yes or no exact                               (tests/query/compound.test.cpp)
 template <Scalar S, int N, class... Shapes>
 [[nodiscard]] constexpr bool intersects(const Segment<S, N>& segment,

@@ -7,9 +7,9 @@
 
 namespace detent {
 
-/// Whether `segment` and `hull` have a point in common.
+/// Whether `segment` and `hull` share a point.
 ///
-/// domain: every input; equal ends make the segment one point; an empty hull meets nothing
+/// domain: every input; equal ends make the segment a point; an empty hull meets nothing
 /// exact:  yes or no exact; touching counts                    (tests/oracle/hull_pairs.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool intersects(const Segment<S, N>& segment,

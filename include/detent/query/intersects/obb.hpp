@@ -10,7 +10,7 @@
 
 namespace detent {
 
-/// Whether `segment` has a point in `box`, which is solid, its surface included.
+/// Whether `segment` has a point in `box`, which is solid, surface included.
 ///
 /// The box is {x : |dot(axis(i), x - center)| <= half_extents[i]} with its axes exactly as stored.
 ///

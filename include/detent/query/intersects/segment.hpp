@@ -16,8 +16,8 @@ template <Number A, Number B>
   return (a > 0 && b > 0) || (a < 0 && b < 0);
 }
 
-/// Whether the smallest boxes around two segments have a point in common. For segments of one line
-/// that is the whole question: the order of a coordinate that changes is the order along the line.
+/// Whether the bounding boxes of two segments share a point. For collinear segments that decides:
+/// the order of a coordinate that changes is the order along the line.
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool bounds_meet(const Segment<S, N>& p, const Segment<S, N>& q) noexcept {
   for (int i = 0; i < N; ++i) {
@@ -27,8 +27,8 @@ template <Scalar S, int N>
   return true;
 }
 
-/// Whether the line through `p` leaves no side of it to `q` alone. Equal ends have no line, and
-/// leave none.
+/// Whether the ends of `q` are not strictly on one side of the line through `p`. True if the ends
+/// of `p` are equal.
 template <Scalar S>
 [[nodiscard]] constexpr bool line_meets(const Segment<S, 2>& p, const Segment<S, 2>& q) noexcept {
   const auto along = p.end - p.start;
@@ -37,18 +37,18 @@ template <Scalar S>
 
 }  // namespace detail
 
-/// Whether two segments have a point in common, their ends included.
+/// Whether two segments share a point, ends included.
 ///
-/// domain: every input; equal ends make a segment one point
+/// domain: every input; equal ends make a segment a point
 /// exact:  yes or no exact                                 (tests/oracle/segment_segment.test.cpp)
 template <Scalar S>
 [[nodiscard]] constexpr bool intersects(const Segment<S, 2>& p, const Segment<S, 2>& q) noexcept {
   return detail::bounds_meet(p, q) && detail::line_meets(p, q) && detail::line_meets(q, p);
 }
 
-/// Whether two segments have a point in common, their ends included.
+/// Whether two segments share a point, ends included.
 ///
-/// domain: every input; equal ends make a segment one point
+/// domain: every input; equal ends make a segment a point
 /// exact:  yes or no exact                                 (tests/oracle/segment_segment.test.cpp)
 template <Scalar S>
 [[nodiscard]] constexpr bool intersects(const Segment<S, 3>& p, const Segment<S, 3>& q) noexcept {
@@ -59,7 +59,7 @@ template <Scalar S>
     return detail::are_parallel(along_p, apart) && detail::are_parallel(along_q, apart);
   }
   if (dot(normal, apart) != 0) return false;
-  // In their common plane, what the axis most along its normal hides decides nothing.
+  // In their common plane the other two coordinates decide: drop the normal's longest axis.
   const int axis = detail::longest_axis(normal);
   const Segment p2{detail::without(p.start, axis), detail::without(p.end, axis)};
   const Segment q2{detail::without(q.start, axis), detail::without(q.end, axis)};

@@ -7,7 +7,7 @@
 
 namespace detent {
 
-/// Whether `segment` and `sphere` have a point in common.
+/// Whether `segment` and `sphere` share a point.
 ///
 /// domain: every input; a negative radius is an empty sphere and meets nothing
 /// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_edges.test.cpp)

@@ -9,7 +9,7 @@ namespace detent {
 
 namespace detail {
 
-/// Whether all three numbers, the places of a triangle's corners, are on the same side of 0.
+/// Whether all three numbers are positive or all three are negative.
 template <Number T>
 [[nodiscard]] constexpr bool same_side(const T& a, const T& b, const T& c) noexcept {
   return (a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0);
@@ -17,11 +17,11 @@ template <Number T>
 
 enum class Crossing { none, in_plane, point };
 
-/// How a segment meets a 3D triangle whose first corner is the origin and whose others are `b` and
-/// `c`: in no point, in one, or perhaps in more since it lies in the triangle's plane. A collapsed
-/// triangle has every segment in its plane.
+/// How a segment meets a 3D triangle with corners 0, `b` and `c`: in no point, in one, or perhaps
+/// in more because it lies in the plane of the triangle. A collapsed triangle has every segment in
+/// its plane.
 ///
-/// The heights n . x of its ends over the plane, for n = b x c, tell whether the segment crosses
+/// The heights n . x of its ends over the plane, for n = b x c, decide whether the segment crosses
 /// it. Volumes over the segment are the barycentric weights of the crossing times `whole`.
 ///
 /// source: Moeller and Trumbore, Fast, Minimum Storage Ray-Triangle Intersection (1997)
@@ -43,9 +43,9 @@ template <Number T>
 
 }  // namespace detail
 
-/// Whether `segment` has a point in the 2D `triangle`, a solid, its edges included.
+/// Whether `segment` has a point in the 2D `triangle`, which is solid, edges included.
 ///
-/// Two convex sets of the plane that are apart have the line of an edge of one between them.
+/// If they are apart, the line of an edge of one separates them, because both are convex.
 ///
 /// domain: every input; a collapsed triangle is the segment or point that its corners span
 /// exact:  yes or no exact                                (tests/oracle/segment_triangle.test.cpp)
@@ -70,10 +70,10 @@ template <Scalar S>
   return !is_beyond(a, b) && !is_beyond(b, c) && !is_beyond(c, a);
 }
 
-/// Whether `segment` has a point in the 3D `triangle`, a surface, its edges included.
+/// Whether `segment` has a point in the 3D `triangle`, which is a surface, edges included.
 ///
 /// domain: every input; a collapsed triangle is the segment or point that its corners span
-/// exact:  yes or no exact, for a segment in the plane of the triangle too
+/// exact:  yes or no exact, also for a segment in the plane of the triangle
 ///         (tests/oracle/segment_triangle.test.cpp)
 template <Scalar S>
 [[nodiscard]] constexpr bool intersects(const Segment<S, 3>& segment,
@@ -91,7 +91,7 @@ template <Scalar S>
   }
   const auto normal = cross(edge_b, edge_c);
   if (detail::is_zero(normal)) return intersects(segment, detail::collapsed(triangle));
-  // In the plane of the triangle, what the axis most along its normal hides decides nothing.
+  // In the triangle's plane the other two coordinates decide: drop the normal's longest axis.
   const int axis = detail::longest_axis(normal);
   return intersects(
       Segment{detail::without(start, axis), detail::without(end, axis)},

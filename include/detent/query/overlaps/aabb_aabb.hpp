@@ -7,7 +7,7 @@
 
 namespace detent {
 
-/// Whether two boxes have a point in common, their surfaces included.
+/// Whether two boxes share a point, surfaces included.
 ///
 /// domain: every input; a box with min > max on some axis is empty and overlaps nothing
 /// exact:  yes or no exact                                       (tests/oracle/aabb_aabb.test.cpp)

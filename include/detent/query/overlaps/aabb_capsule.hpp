@@ -7,7 +7,7 @@
 
 namespace detent {
 
-/// Whether `box` and `capsule` have a point in common.
+/// Whether `box` and `capsule` share a point.
 ///
 /// domain: every input; an empty box or capsule overlaps nothing
 /// exact:  yes or no exact; touching counts                 (tests/oracle/capsule_boxes.test.cpp)

@@ -8,7 +8,7 @@ namespace detent {
 
 namespace detail {
 
-/// A box that is not empty.
+/// A nonempty box as a convex body for GJK.
 template <Scalar S, int N>
 class AabbBody {
  public:
@@ -32,10 +32,10 @@ class AabbBody {
 
 }  // namespace detail
 
-/// Whether `box` and `hull` have a point in common.
+/// Whether `box` and `hull` share a point.
 ///
 /// domain: every input; an empty box or hull overlaps nothing
-/// exact:  yes or no exact; touching counts                         (tests/oracle/aabb_hull.test.cpp)
+/// exact:  yes or no exact; touching counts                       (tests/oracle/aabb_hull.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Aabb<S, N>& box,
                                       const ConvexHull<S, N>& hull) noexcept {

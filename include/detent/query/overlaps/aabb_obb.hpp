@@ -9,18 +9,18 @@
 
 namespace detent {
 
-/// Whether two boxes have a point in common, their surfaces included.
+/// Whether two boxes share a point, surfaces included.
 ///
-/// The oriented box is the one that its edges span: center + sum of s[i] half_extents[i] axis(i)
-/// with |s[i]| <= 1.
+/// The oriented box is what its edges span: center + sum of s[i] half_extents[i] axis(i) with
+/// |s[i]| <= 1.
 ///
-/// domain: every input; min > max on some axis, or a negative half extent, is empty and overlaps
-///         nothing
+/// domain: every input; a box with min > max on some axis or a negative half extent is empty and
+///         overlaps nothing
 /// exact:  yes or no exact                                        (tests/oracle/aabb_obb.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Aabb<S, N>& a, const Obb<S, N>& b) noexcept {
   if (is_empty(a) || is_empty(b)) return false;
-  // Twice as large, the scene has both centers on the grid.
+  // Doubled, so that both centers are on the grid.
   const auto half_a = a.max - a.min;
   const auto half_b = b.half_extents + b.half_extents;
   const auto apart = b.center + b.center - (a.min + a.max);

@@ -8,15 +8,15 @@
 
 namespace detent {
 
-/// Whether `box`, which is solid, has a point in `plane`, the normal taken exactly as stored.
+/// Whether `box`, which is solid, has a point in `plane`, with the normal exactly as stored.
 ///
 /// domain: every input; a box with min > max on some axis is empty and overlaps nothing
 /// exact:  yes or no exact                                      (tests/oracle/aabb_plane.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Aabb<S, N>& box, const Plane<S, N>& plane) noexcept {
   if (is_empty(box)) return false;
-  // Of twice the corners farthest back and farthest along the normal, the one is twice the center
-  // less, the other more what the sides reach.
+  // Doubled: the corners farthest back and farthest along the normal lie at the center minus and
+  // plus the reach of the sides.
   const auto& normal = plane.normal;
   constexpr int bits = detail::along_bits<S, decltype(box.min.x + box.max.x)>;
   const auto center = dot(normal, box.min + box.max);

@@ -8,7 +8,7 @@
 
 namespace detent {
 
-/// Whether `box` and `triangle` have a point in common, edges and surfaces included.
+/// Whether `box` and `triangle` share a point, edges and surfaces included.
 ///
 /// domain: every input; a box with min > max on some axis is empty and overlaps nothing; a
 ///         collapsed triangle is the segment or point that its corners span
@@ -17,7 +17,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Aabb<S, N>& box,
                                       const Triangle<S, N>& triangle) noexcept {
   if (is_empty(box)) return false;
-  // Twice as large, the scene has the center of the box on the grid.
+  // Doubled, so that the center of the box is on the grid.
   const auto center = box.min + box.max;
   const auto half_extents = box.max - box.min;
   const auto seen = [&](const Vec<S, N>& corner) { return corner + corner - center; };

@@ -9,30 +9,30 @@
 
 namespace detent::detail {
 
-// A 3D box meets another box or a triangle. Where they are apart, a face of one or a pair of their
-// edges tells so (separation.hpp), and all these questions are made of a few products with the
-// edges of the boxes and with the normals of their faces.
+// A 3D box against another box or a triangle. If they are apart, a face of one or a pair of their
+// edges separates them (separation.hpp). All these tests share a few products with the edges of the
+// boxes and the normals of their faces.
 
 /// The coordinate axes as the edges of a box.
 struct WorldFrame {
-  /// The place of `v` along edge `i`.
+  /// The dot product of `v` with edge `i`.
   template <Number T, int N>
   [[nodiscard]] constexpr T along(int i, const Vec<T, N>& v) const noexcept {
     return v[i];
   }
-  /// The place of `v` along the normal of face `i`, the cross product of the other two edges.
+  /// The dot product of `v` with the normal of face `i`, the cross product of the other two edges.
   template <Number T>
   [[nodiscard]] constexpr T across(int i, const Vec<T, 3>& v) const noexcept {
     return v[i];
   }
-  /// What `across` makes of `extent` times edge i, but for the sign.
+  /// The magnitude of `across` for `extent` times edge i.
   template <Number H>
   [[nodiscard]] constexpr H thickness(const H& extent) const noexcept {
     return extent;
   }
 };
 
-/// The axes of a rotation, taken exactly as stored, as the edges of a box.
+/// The axes of a rotation, exactly as stored, as the edges of a box.
 template <Scalar S>
 class EdgeFrame {
  public:
@@ -77,11 +77,11 @@ class EdgeFrame {
   Volume volume_;
 };
 
-/// Whether two boxes overlap that `apart` leads from one center to the other; not both are flat.
+/// Whether two boxes overlap; `apart` leads from one center to the other. Not both may be flat.
 ///
 /// The triple product of two edges of one with an edge of the other serves its face and four pairs
-/// of edges, so there are 18 for the 15 directions. For 32-bit scalars their sums take 126 bits, as
-/// the types count them.
+/// of edges, so 18 of them cover the 15 directions. For 32-bit scalars their types give the sums
+/// 126 bits.
 ///
 /// source: Gottschalk, Lin, Manocha, OBBTree: A Hierarchical Structure for Rapid Interference
 ///         Detection (1996)
@@ -121,19 +121,21 @@ template <class Frame, Scalar S, Number H, Number T>
   return true;
 }
 
-/// Whether the plane of a triangle is farther from the center of a box, in volumes over the
-/// triangle, than the box reaches.
+/// Whether the plane of a triangle is farther from the center of a box than the box reaches, both
+/// measured in volumes over the triangle.
 template <Number Height, Number Along, Number H>
 [[nodiscard]] constexpr bool is_beyond(const Height& height, const Vec<Along, 3>& along,
                                        const Vec<H, 3>& half_extents) noexcept {
   return abs(height) > dot(half_extents, make_vec<3>([&](int i) { return abs(along[i]); }));
 }
 
-/// Whether a box that is not flat meets the triangle with these corners, seen from its center.
+/// Whether a box that is not flat meets the triangle with these corners, given relative to its
+/// center.
 ///
-/// All of them are in a cube that is 2^Side wide, and twice the area of a triangle in a square is
-/// at most the square's. Along the cross product of an edge of the box with one of the triangle,
-/// two corners have the same place, and the third is off by the box edge's place along the normal.
+/// All corners are in a cube that is 2^Side wide, and twice the area of a triangle in a square is
+/// at most that of the square. Projected onto the cross product of an edge of the box and one of
+/// the triangle, two corners coincide, and the third is off by the projection of the box edge onto
+/// the normal.
 ///
 /// source: Akenine-Moeller, Fast 3D Triangle-Box Overlap Testing (2001)
 template <int Side, class Frame, Number H, Number T>
@@ -144,7 +146,7 @@ template <int Side, class Frame, Number H, Number T>
     return ((places > reach) && ...) || ((places < -reach) && ...);
   };
   using Height = decltype(box.across(0, a));
-  std::array<Vec<Height, 3>, 3> heights;  // [i][k]: corner k over the center, along face i
+  std::array<Vec<Height, 3>, 3> heights;  // [i][k]: corner k against face i
   for (int i = 0; i < 3; ++i) {
     auto& row = heights[static_cast<std::size_t>(i)];
     row = {box.across(i, a), box.across(i, b), box.across(i, c)};
@@ -164,7 +166,7 @@ template <int Side, class Frame, Number H, Number T>
     const auto moment = narrow_cross<2 * Side>(to, from);
     for (int i = 0; i < 3; ++i) {
       const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-      // The triangle's edge across a face: by its length, not longer than a corner may be.
+      // The triangle's edge across a face, which is no longer than a corner may be.
       const auto across = [&](int face) {
         const auto& row = heights[static_cast<std::size_t>(face)];
         return abs(narrow_difference<bits_of<Height>>(row[k1], row[k]));

@@ -6,7 +6,7 @@
 
 namespace detent {
 
-/// Whether two capsules have a point in common: their segments come within the sum of the radii.
+/// Whether two capsules share a point: their segments come within the sum of the radii.
 ///
 /// domain: every input; a negative radius is an empty capsule and overlaps nothing
 /// exact:  yes or no exact; touching counts                 (tests/oracle/capsule_pairs.test.cpp)

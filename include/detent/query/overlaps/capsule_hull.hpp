@@ -6,7 +6,7 @@
 
 namespace detent {
 
-/// Whether `capsule` and `hull` have a point in common.
+/// Whether `capsule` and `hull` share a point.
 ///
 /// domain: every input; an empty capsule or hull overlaps nothing
 /// exact:  yes or no exact; touching counts              (tests/oracle/hull_round_pairs.test.cpp)

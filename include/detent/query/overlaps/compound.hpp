@@ -5,10 +5,10 @@
 
 namespace detent {
 
-/// Whether any part of `compound` has a point in common with `shape`, which may be a compound
-/// itself. Include the headers of the pairs that meet, or `query/overlaps.hpp`, too.
+/// Whether any part of `compound` shares a point with `shape`, which may be a compound itself. Also
+/// include the headers of the pairs involved, or `query/overlaps.hpp`.
 ///
-/// domain: every input; no parts overlap nothing
+/// domain: every input; a compound without parts overlaps nothing
 /// exact:  yes or no exact                               (tests/query/compound.test.cpp)
 template <class... Shapes, class Shape>
 [[nodiscard]] constexpr bool overlaps(const Compound<Shapes...>& compound,

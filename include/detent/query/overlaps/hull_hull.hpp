@@ -5,7 +5,7 @@
 
 namespace detent {
 
-/// Whether two hulls have a point in common.
+/// Whether two hulls share a point.
 ///
 /// domain: every input; a hull without points is empty and overlaps nothing
 /// exact:  yes or no exact; touching counts                     (tests/oracle/hull_pairs.test.cpp)

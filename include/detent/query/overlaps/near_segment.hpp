@@ -8,8 +8,8 @@
 
 namespace detent::detail {
 
-/// Whether the point at `w` is within `reach` >= 0 of the segment from 0 to `e`:
-/// |w x e|^2 <= reach^2 e^2 beside it.
+/// Whether the point `w` is within `reach` >= 0 of the segment from 0 to `e`: |w x e|^2 <=
+/// reach^2 e^2 where it projects between the ends.
 ///
 /// source: Ericson, Real-Time Collision Detection, 5.1.2.1
 template <Number T, Number W, Number R, int N>
@@ -23,8 +23,9 @@ template <Number T, Number W, Number R, int N>
   return narrow_square<bits_of<Product>>(cross(w, e)) <= square(reach) * whole;
 }
 
-/// Whether a plane or line through 0 along two vectors of normal n has the point at `m` within
-/// `reach` >= 0: (n . m)^2 <= reach^2 n^2.
+/// Whether the point `m` is within `reach` >= 0 of the plane through 0 with normal n = d x e:
+/// (n . m)^2 <= reach^2 n^2. That is also the distance between the lines along `d` through 0 and
+/// along `e` through `m`.
 template <Number T, Number M, Number R>
 [[nodiscard]] constexpr bool is_near_level(const Vec<T, 3>& d, const Vec<T, 3>& e,
                                            const Vec<M, 3>& m, const R& reach) noexcept {
@@ -33,12 +34,12 @@ template <Number T, Number M, Number R>
   return compare_products(volume, volume, square(reach), squared_length(n)) <= 0;
 }
 
-/// Whether two segments, which lead along `d` from 0 and along `e` from `m`, have points within
-/// `reach` >= 0 of each other.
+/// Whether the segments from 0 along `d` and from `m` along `e` come within `reach` >= 0 of each
+/// other.
 ///
-/// The points s d and m + t e where their lines are closest, if they are between the ends. Else, as
-/// for the least of any convex quadratic function over a square, an end that one of them is beyond;
-/// of parallel segments, any.
+/// Tests the points s d and m + t e where their lines are closest, if these are between the ends.
+/// Otherwise tests each end that one of them is beyond, as for the minimum of any convex quadratic
+/// function over a square; for parallel segments, every end.
 ///
 /// source: Ericson, Real-Time Collision Detection, 5.1.9
 template <Number T, Number R>
@@ -47,7 +48,7 @@ template <Number T, Number R>
   const auto dd = squared_length(d), ee = squared_length(e), de = dot(d, e);
   const auto md = dot(m, d), me = dot(m, e);
   const auto whole = dd * ee - de * de;  // |d x e|^2
-  // s d - m - t e is perpendicular to both; these are s and t times the whole.
+  // s d - m - t e is perpendicular to both; these are s and t times `whole`.
   const auto s = md * ee - me * de, t = md * de - me * dd;
   if (whole > 0 && s >= 0 && s <= whole && t >= 0 && t <= whole) {
     return is_near_level(d, e, m, reach);
@@ -59,7 +60,7 @@ template <Number T, Number R>
          ((any || s > whole) && is_near_edge(e, d - m, reach));
 }
 
-/// The least and the greatest coordinates of some corners.
+/// The bounding box of some corners.
 template <Scalar S, int N>
 struct Bounds {
   template <class... Corners>
@@ -77,8 +78,9 @@ struct Bounds {
   }
 };
 
-/// Whether on some axis two shapes are farther apart than `reach`; then so are they. Most shapes
-/// are, so this is asked before anything that needs long integers, and without a branch for each.
+/// Whether two bounding boxes are farther apart than `reach` on some axis; then so are their
+/// shapes. Most shapes are, so this comes before anything that needs long integers, and is
+/// branchless.
 template <Scalar S, int N, Number R>
 [[nodiscard]] constexpr bool are_apart(const Bounds<S, N>& a, const Bounds<S, N>& b,
                                        const R& reach) noexcept {
@@ -98,8 +100,8 @@ template <Scalar S, int N, Number R>
                       segment.end - segment.start, point - segment.start, reach);
 }
 
-/// Whether two segments have points within `reach` >= 0 of each other: an end of one and the other,
-/// or the two points between their ends where their lines are closest.
+/// Whether two segments come within `reach` >= 0 of each other: at an end of one, or at the two
+/// points between the ends where their lines are closest.
 template <Scalar S, int N, Number R>
 [[nodiscard]] constexpr bool is_near(const Segment<S, N>& a, const Segment<S, N>& b,
                                      const R& reach) noexcept {

@@ -10,7 +10,7 @@
 
 namespace detent::detail {
 
-/// By how much `x` is below `low` (negative) or above `high`.
+/// By how much `x` is below `low` (negative) or above `high`; 0 between them.
 template <Number X, Number T>
 [[nodiscard]] constexpr auto excess(const X& x, const T& low, const T& high) noexcept {
   using Excess = decltype(x - low);
@@ -22,15 +22,15 @@ template <Number X, Number T, int N>
   return make_vec<N>([&](int i) { return excess(x[i], low[i], high[i]); });
 }
 
-/// Whether the point t d, for some t in [0, 1], is within some reach >= 0 of the box from `low` to
-/// `high`, as `within` compares its squared distance, a number or one over another, with it; nothing is
-/// farther than `limit`.
+/// Calls `within` with the least squared distance of the points t d, t in [0, 1], from the box from
+/// `low` to `high`, as a number or as a numerator and a denominator, and returns its result.
+/// Returns `Answer()` if all points are found to be farther away than `limit`.
 ///
-/// Its squared distance from the box is the sum of the squares of its excesses: a convex function
-/// f(t) of quadratic pieces, which change where the point enters or leaves a slab. Where f is still
-/// falling as it does so, the least is yet to come. So every axis tells on which side of its slab
-/// the point is at the least of f; and if those that are not inside it have the excesses
-/// g[i] + t d[i], that least is |g x d|^2 / d^2.
+/// The squared distance from the box is the sum of the squares of the excesses: a convex function
+/// f(t) of quadratic pieces, which change where the point enters or leaves a slab. If f is still
+/// falling there, its minimum comes later. So each axis yields the side of its slab on which the
+/// minimum lies. If the axes outside their slabs have the excesses g[i] + t d[i], the minimum is
+/// |g x d|^2 / d^2.
 template <Number T, Number D, Number R, int N, class Within>
 [[nodiscard]] constexpr auto compare_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
                                            const Vec<D, N>& d, const R& limit,
@@ -89,14 +89,14 @@ template <Number T, Number D, Number R, int N>
   });
 }
 
-/// `is_near_slabs` by the leading 28 bits of all numbers.
+/// Filter for `is_near_slabs` on the leading 28 bits of all numbers.
 ///
-/// Each is less than one step too small, so that faces and points are off by less than sqrt(3)
-/// steps each, and a distance by less than 4; the reach is by less than 1.
+/// Each is too small by less than one step, so faces and points are off by less than sqrt(3) steps
+/// each, a distance by less than 4, and the reach by less than 1.
 template <Number T, Number D, Number R, int N>
 [[nodiscard]] constexpr Nearness roughly_near_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
                                                     const Vec<D, N>& d, const R& reach) noexcept {
-  constexpr int kept = 28, bits = kept + 1;  // and a few steps more
+  constexpr int kept = 28, bits = kept + 1;  // room for a few steps more
   int dropped = bits_of<R> - headroom(reach);
   for (int i = 0; i < N; ++i) {
     dropped = (std::max)(dropped, bits_of<T> - headroom(low[i]));

@@ -6,10 +6,10 @@
 
 namespace detent::detail {
 
-/// The place of the point at `p` over a triangle of 0, `b` and `c`, as seen along its normal n =
-/// b x c: barycentric weights of the corners times n^2, which is 0 for a collapsed one.
+/// Where the point `p` projects onto the triangle 0, `b`, `c` along its normal n = b x c: its
+/// barycentric weights times n^2, which is 0 for a collapsed triangle.
 ///
-/// n . (b x p), n . (p x c) and n^2 by Lagrange's identity.
+/// n . (b x p), n . (p x c) and n^2 are computed by Lagrange's identity.
 ///
 /// source: Ericson, Real-Time Collision Detection, 5.1.5
 template <Number T, Number P>
@@ -24,7 +24,7 @@ struct PlaceOverFace {
     is_flat = !(whole > 0);
   }
 
-  /// Whether it is straight above or below, where no edge is closer.
+  /// Whether the point is straight above or below the face, where no edge is closer.
   [[nodiscard]] constexpr bool is_over() const noexcept {
     return !is_flat && of_a >= 0 && of_b >= 0 && of_c >= 0;
   }
@@ -36,8 +36,8 @@ struct PlaceOverFace {
   bool is_flat;
 };
 
-/// Whether the point at `p` is within `reach` >= 0 of the triangle of 0, `b` and `c`: of its face,
-/// or of an edge on whose other side it is.
+/// Whether the point `p` is within `reach` >= 0 of the triangle 0, `b`, `c`: of its face, or of an
+/// edge that it is beyond.
 template <Number T, Number R>
 [[nodiscard]] constexpr bool is_near_corners(const Vec<T, 3>& b, const Vec<T, 3>& c,
                                              const Vec<T, 3>& p, const R& reach) noexcept {
@@ -49,7 +49,7 @@ template <Number T, Number R>
          (is_beyond(place.of_a) && is_near_edge(c - b, p - b, reach));
 }
 
-/// Whether the point at `p` is straight above or below the triangle and within `reach` of it.
+/// Whether the point `p` is straight above or below the triangle and within `reach` of it.
 template <Number T, Number R>
 [[nodiscard]] constexpr bool is_near_face(const Vec<T, 3>& b, const Vec<T, 3>& c,
                                           const Vec<T, 3>& p, const R& reach) noexcept {

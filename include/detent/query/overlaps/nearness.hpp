@@ -5,11 +5,11 @@
 
 namespace detent::detail {
 
-/// What numbers cut off after some bits tell of an answer.
+/// The result of a filter on truncated numbers.
 enum class Nearness { apart, unknown, meeting };
 
-/// Whether a look at cut-off numbers pays before products of 32-bit coordinates are taken whole:
-/// it is more code.
+/// Whether a filter on truncated numbers pays before the full products of 32-bit coordinates; it
+/// adds code.
 template <Scalar S>
 inline constexpr bool looks_first = bits_of<S> > 15 && DETENT_SMALL_CODE == 0;
 

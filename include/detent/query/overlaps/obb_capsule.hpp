@@ -7,10 +7,10 @@
 
 namespace detent {
 
-/// Whether `box` and `capsule` have a point in common.
+/// Whether `box` and `capsule` share a point.
 ///
 /// The box is its slabs, {x : |dot(axis(i), x - center)| <= half_extents[i]}, with the axes exactly
-/// as stored, and the capsule's radius is measured in their frame: see `squared_distance`.
+/// as stored. The capsule's radius is measured in their frame: see `squared_distance`.
 ///
 /// domain: every input; an empty box or capsule overlaps nothing
 /// exact:  yes or no exact; touching counts                 (tests/oracle/capsule_boxes.test.cpp)

@@ -13,10 +13,10 @@ namespace detent {
 
 namespace detail {
 
-/// All center + sum s_i edges[i] with |s_i| <= 1; `senses[i]` leads the way of edges[i].
+/// The body {center + sum s_i edges[i] : |s_i| <= 1}; `senses[i]` points the same way as edges[i].
 ///
-/// The center is below 2^b and a component of an edge at most 2^b in numbers of b bits, so that
-/// those of a corner are below 2^(b + 2).
+/// The center is below 2^b and a component of an edge at most 2^b in numbers of b bits, so the
+/// components of a corner are below 2^(b + 2).
 template <Number E, Number V, int N>
 class SpannedBody {
  public:
@@ -58,7 +58,7 @@ class SpannedBody {
   [[nodiscard]] constexpr const Vec<E, N>& edge(int i) const noexcept {
     return edges_[static_cast<std::size_t>(i)];
   }
-  /// The center and, in component j, each edge i that is_added(i, j), less the others.
+  /// In component j: the center, plus each edge i with is_added(i, j), minus the others.
   template <class IsAdded>
   [[nodiscard]] constexpr auto corner(const IsAdded& is_added) const noexcept {
     auto result = center_;
@@ -76,7 +76,7 @@ class SpannedBody {
   Each<V> senses_;
 };
 
-/// An oriented box that is not empty, read as its edges, half_extents[i] axis(i).
+/// A nonempty oriented box as the body that its edges, half_extents[i] axis(i), span.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto edge_body(const Obb<S, N>& box) noexcept {
   using Component = direction_component<S>;
@@ -94,7 +94,7 @@ template <Scalar S, int N>
   return Body(box.center, edges, senses);
 }
 
-/// The same of a box with half extents `longer` steps longer, its edges rounded to the grid of the
+/// The same with half extents `longer` steps longer and edges rounded to the grid of the
 /// coordinates.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto rough_edge_body(const Obb<S, N>& box, int longer) noexcept {
@@ -109,13 +109,14 @@ template <Scalar S, int N>
   return Body(box.center, edges, edges);
 }
 
-/// `overlaps` by a box that holds `box` and one that it holds, with coordinates of half the bits.
+/// Filter for `overlaps` with coordinates of half the bits: tests a box that contains `box` and one
+/// that `box` contains.
 ///
-/// A rounded edge is off by at most sqrt(N) / 2 steps, and N of them by less than 2.6. How far a
-/// body reaches along a unit vector d grows with half extents that are m longer by m sum |d . a_i|,
-/// at least m |A d| for the matrix A of the axes a_i, which is 0.998 m or more where these are
+/// A rounded edge is off by at most sqrt(N) / 2 steps, and N of them by less than 2.6. Half extents
+/// that are m longer extend the reach of a body along a unit vector d by m sum |d . a_i|. That is
+/// at least m |A d| for the matrix A of the axes a_i, which is 0.998 m or more if these are
 /// perpendicular within 2^-10. So with m = 3 the longer box reaches as far as `box` along every d,
-/// and with -3 the shorter one no farther.           (tests/query/overlaps/hull_boxes.test.cpp)
+/// and with -3 the shorter one no farther. (tests/query/overlaps/hull_boxes.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr Nearness roughly_overlap(const Obb<S, N>& box,
                                                  const HullBody<S, N>& hull) noexcept {
@@ -129,13 +130,13 @@ template <Scalar S, int N>
 
 }  // namespace detail
 
-/// Whether `box` and `hull` have a point in common.
+/// Whether `box` and `hull` share a point.
 ///
-/// The box is what its edges span, {center + sum s_i half_extents[i] axis(i) : |s_i| <= 1}, with the
-/// axes exactly as stored.
+/// The box is what its edges span, {center + sum s_i half_extents[i] axis(i) : |s_i| <= 1}, with
+/// the axes exactly as stored.
 ///
 /// domain: every input; an empty box or hull overlaps nothing
-/// exact:  yes or no exact; touching counts                         (tests/oracle/obb_hull.test.cpp)
+/// exact:  yes or no exact; touching counts                        (tests/oracle/obb_hull.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Obb<S, N>& box, const ConvexHull<S, N>& hull) noexcept {
   if (is_empty(box) || is_empty(hull)) return false;

@@ -8,10 +8,9 @@
 
 namespace detent {
 
-/// Whether two boxes have a point in common, their surfaces included.
+/// Whether two boxes share a point, surfaces included.
 ///
-/// The boxes are those that their edges span: center + sum of s[i] half_extents[i] axis(i) with
-/// |s[i]| <= 1.
+/// Each box is what its edges span: center + sum of s[i] half_extents[i] axis(i) with |s[i]| <= 1.
 ///
 /// domain: every input; a box with a negative half extent is empty and overlaps nothing
 /// exact:  yes or no exact                                         (tests/oracle/obb_obb.test.cpp)
@@ -32,7 +31,7 @@ template <Scalar S, int N>
       return detail::boxes_overlap(frame_a, a.half_extents, frame_b, b.half_extents, apart);
     }
   }
-  // Axes of any directions may all be in one plane. With the world's own they span the space.
+  // The stored axes may all lie in one plane. Together with the world's own they span space.
   return !detail::are_apart(std::array{apart}, detail::edges_along(Rotation<S, N>(), Vec<S, N>()),
                             detail::edges_along(a.rotation, a.half_extents),
                             detail::edges_along(b.rotation, b.half_extents));

@@ -9,10 +9,9 @@
 
 namespace detent {
 
-/// Whether `box`, which is solid, has a point in `plane`, the normal taken exactly as stored.
+/// Whether `box`, which is solid, has a point in `plane`, with the normal exactly as stored.
 ///
-/// The box is the one that its edges span: center + sum of s[i] half_extents[i] axis(i) with
-/// |s[i]| <= 1.
+/// The box is what its edges span: center + sum of s[i] half_extents[i] axis(i) with |s[i]| <= 1.
 ///
 /// domain: every input; a box with a negative half extent is empty and overlaps nothing
 /// exact:  yes or no exact                                       (tests/oracle/obb_plane.test.cpp)
@@ -26,12 +25,12 @@ template <Scalar S, int N>
   const auto along =
       make_vec<N>([&](int i) { return abs(dot(plane.normal, box.rotation.axis(i))); });
   if constexpr (detail::looks_first<S>) {
-    // Cut off after the bits of an axis, cosines are less than one unit too small.
+    // Truncated to the bits of an axis, cosines are too small by less than one unit.
     using Cosine = direction_component<S>;
     const auto rough = make_vec<N>([&](int i) { return narrow_floor<Cosine>(along[i]); });
     const auto unit = make_vec<N>([](int) { return Cosine::from_raw(1); });
     const auto least = narrow_dot<bits>(box.half_extents, rough);
-    // The larger of two, since GCC 12 makes a branch of a magnitude that is compared.
+    // std::max, because GCC 12 makes a branch of a magnitude that is compared.
     const auto slack = narrow_difference<bits>(least, (std::max)(height, narrow_negative(height)));
     const bool is_near = slack >= 0;
     if (is_near == (slack > narrow_negative(narrow_dot<bits>(box.half_extents, unit)))) {

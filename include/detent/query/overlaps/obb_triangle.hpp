@@ -11,10 +11,9 @@
 
 namespace detent {
 
-/// Whether `box` and `triangle` have a point in common, edges and surfaces included.
+/// Whether `box` and `triangle` share a point, edges and surfaces included.
 ///
-/// The box is the one that its edges span: center + sum of s[i] half_extents[i] axis(i) with
-/// |s[i]| <= 1.
+/// The box is what its edges span: center + sum of s[i] half_extents[i] axis(i) with |s[i]| <= 1.
 ///
 /// domain: every input; a box with a negative half extent is empty and overlaps nothing; a
 ///         collapsed triangle is the segment or point that its corners span
@@ -37,7 +36,7 @@ template <Scalar S, int N>
       return detail::box_meets_triangle<bits_of<S> + 1>(frame, box.half_extents, a, b, c);
     }
   }
-  // Axes of any directions may all be in one plane. With the world's own they span the space.
+  // The stored axes may all lie in one plane. Together with the world's own they span space.
   return !detail::are_apart(std::array{a, b, c}, detail::edges_along(Rotation<S, N>(), Vec<S, N>()),
                             detail::edges_along(box.rotation, box.half_extents));
 }

@@ -5,8 +5,8 @@
 
 namespace detent {
 
-/// Whether `plane` and `capsule` have a point in common: the ends lie on two sides, or one of them
-/// is within the radius.
+/// Whether `plane` and `capsule` share a point: the ends lie on opposite sides, or one of them is
+/// within the radius.
 ///
 /// domain: every input; a negative radius is an empty capsule and overlaps nothing
 /// exact:  yes or no exact; touching counts                 (tests/oracle/capsule_pairs.test.cpp)

@@ -6,15 +6,15 @@
 
 namespace detent {
 
-/// Whether two planes (lines in 2D) have a point in common, their normals taken exactly as stored.
+/// Whether two planes (lines in 2D) share a point, with the normals exactly as stored.
 ///
-/// domain: every input; normals that differ in their last place only are not parallel
+/// domain: every input; normals that differ only in the last place are not parallel
 /// exact:  yes or no exact                                     (tests/oracle/plane_plane.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Plane<S, N>& a, const Plane<S, N>& b) noexcept {
   if (!detail::are_parallel(a.normal, b.normal.vec())) return true;
-  // Parallel normals may point either way and differ in length: the planes are the same where
-  // their equations are proportional.
+  // Parallel normals may point either way and differ in length: the planes are the same if their
+  // equations are proportional.
   for (int i = 0; i < N; ++i) {
     if (a.normal[i] * b.offset != b.normal[i] * a.offset) return false;
   }

@@ -8,7 +8,7 @@
 
 namespace detent {
 
-/// Whether `triangle` has a point in `plane`, the normal taken exactly as stored.
+/// Whether `triangle` has a point in `plane`, with the normal exactly as stored.
 ///
 /// domain: every input; a collapsed triangle is the segment or point that its corners span
 /// exact:  yes or no exact                                  (tests/oracle/plane_triangle.test.cpp)

@@ -12,8 +12,8 @@
 
 namespace detent::detail {
 
-/// The cosine of the angle between two axes cut off after 28 bits, so that what it makes of 32-bit
-/// coordinates fits 64.
+/// The cosine of the angle between two axes, truncated to 28 bits so that products with 32-bit
+/// coordinates fit 64.
 using RoughCosine = Fixed<29, 28>;
 
 /// The axes of a rotation as the edges of a box, without the normals of its faces.
@@ -40,13 +40,13 @@ constexpr bool is_square(const RoughFrame<S, N>& frame) noexcept {
   return are_perpendicular<26>(frame.rotation());
 }
 
-/// A margin of 2^-18 of half extents whose sum is `sum`, and 8 steps.
+/// The margin for half extents with the sum `sum`: 2^-18 of that, plus 8 steps.
 template <Number Sum>
 [[nodiscard]] constexpr auto rough_margin(const Sum& sum) noexcept {
   return narrow<34>(scale_down<34>(sum, 18) + Fixed<34, Sum::frac>::from_raw(8));
 }
 
-/// The least f(i) of N axes i, which `f` takes as constants: a compiler would make a loop of it.
+/// The least f(i) over N axes i. `f` takes i as a constant, so that compilers make no loop of it.
 template <int N, class F>
 [[nodiscard]] constexpr auto least_of(const F& f) noexcept {
   const auto x = f(std::integral_constant<int, 0>()), y = f(std::integral_constant<int, 1>());
@@ -57,18 +57,18 @@ template <int N, class F>
   }
 }
 
-/// Whether two boxes overlap that `apart` leads from one center to the other, in 64 bits, for
-/// lengths that are each at most half a step too small.
+/// Filter in 64 bits: whether two boxes overlap; `apart` leads from one center to the other. Each
+/// length may be too small by up to half a step.
 ///
-/// Orthonormal frames are within 2^-25.8 of square ones; of those again within 2^-22.7 are some of
-/// which each pair of edges that is called parallel here is so exactly. The difference of two boxes
-/// with such frames has every face along a face of one or along two edges that are not parallel, so
-/// the ball of radius r about `apart` is in it when each of these has a slack of r; and then, with r
-/// = 2^-22.5 H for the sum H of all half extents, `apart` is in the difference of the given boxes.
-/// Places and reaches by the cosines of either frames differ by less than 11 * 2^-22.5 H, and by
-/// less than 5 steps where lengths, places and the margin are cut off. So the margin is enough to
-/// call them near; to call them apart, too, where an axis as stored or the sum of two, times
-/// cosines as they are here, separates them.
+/// Frames that are square within 2^-26 are within 2^-25.8 of orthonormal ones. Within 2^-22.7 of
+/// those are frames for which each pair of edges that is called parallel here is exactly parallel.
+/// The difference of two boxes with such frames has every face along a face of one or along two
+/// edges that are not parallel. So the ball of radius r about `apart` is in it if each of these has
+/// a slack of r. Then, with r = 2^-22.5 H for the sum H of all half extents, `apart` is in the
+/// difference of the given boxes. Projections and reaches by the cosines of either frames differ by
+/// less than 11 * 2^-22.5 H, and by less than 5 steps from truncated lengths, projections and
+/// margin. So the margin is enough to call them meeting. It is also enough to call them apart,
+/// where an axis as stored or the sum of two, times cosines as they are here, separates them.
 ///
 /// source: separating axes by cosines, Ericson, Real-Time Collision Detection, 4.4.1
 template <class Frame, Scalar S, Number H, Number T, int N>

@@ -8,17 +8,18 @@
 
 namespace detent::detail {
 
-/// Whether a box meets a triangle with these corners, seen from its center, in places along the axes
-/// of the box, which are cut off by less than one step.
+/// Filter: whether a box meets a triangle with these corners, given relative to its center. It uses
+/// projections onto the axes of the box, truncated by less than one step.
 ///
-/// The axes alone tell them apart where all corners lie beyond one side, and near where one corner
-/// lies within all. Where two axes are perpendicular within 2^-26, a box reaches along each its own
-/// half extent and at most 2^-25 H more, for the sum H of all; and a corner with places c has the
+/// The axes alone decide if all corners lie beyond one side (apart) or one corner lies within all
+/// (meeting). If axes are perpendicular within 2^-26, a box reaches along each axis its own half
+/// extent and at most 2^-25 H more, for the sum H of all, and a corner with projections c has the
 /// coordinates c within 2^-23 H. The margin is more.
 ///
-/// Else, where they fit 29 bits, the places are taken for coordinates along the edges of the box.
-/// They are so within 2^-24 of 2^29 steps, and one: less than 64. So the triangle with the places
-/// as its corners is within 64 steps of the given one, along each axis. Its edges take a bit more.
+/// Otherwise, if they fit 29 bits, the projections serve as coordinates along the edges of the box.
+/// The error is within 2^-24 of 2^29 steps, plus one: less than 64. So the triangle with the
+/// projections as corners is within 64 steps of the given one along each axis. Its edges take one
+/// bit more.
 template <Scalar S, Number H, Number T>
 [[nodiscard]] constexpr Nearness roughly_box_meets_triangle(
     const RoughFrame<S, 3>& box, const Vec<H, 3>& half_extents,

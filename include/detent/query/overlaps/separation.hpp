@@ -28,14 +28,14 @@ template <Scalar S, Number H, int N>
   return edges;
 }
 
-/// A box about the origin as its generators span it, {sum of s[k] extents[k] generators[k] :
-/// |s[k]| <= 1}, and the hull of some points: which directions tell them apart?
+/// Separating axes of a box about the origin, {sum of s[k] extents[k] generators[k] : |s[k]| <= 1},
+/// and the hull of some points.
 ///
-/// Where they are apart, so are they after every extent has grown a little. If the generators span
-/// the space, the difference of the two sets has an inside by then, whatever the extents were and
-/// even if the points are one, and so it has faces, one of which separates. A face is spanned by
-/// two edges, and each of its edges is parallel to a generator or to one between two of the points.
-/// So it is enough to try the directions perpendicular to two of these; in 2D, to one.
+/// If they are apart, they stay apart when every extent grows a little. If the generators span the
+/// space, the difference of the two sets then has an interior, whatever the extents were and even
+/// for a single point. So it has faces, one of which separates. A face is spanned by two edges,
+/// each parallel to a generator or to the line through two of the points. So it is enough to try
+/// the directions perpendicular to two of these; in 2D, to one.
 ///
 /// source: separating axes, Ericson, Real-Time Collision Detection, 5.2.1
 template <int N, Number G, std::size_t Generators, Number H, Number P, std::size_t Points>
@@ -79,11 +79,11 @@ struct Separation {
     return false;
   }
 
-  /// Whether along `n` all the points are farther from the origin than the box reaches.
+  /// Whether `n` separates: along it, all points are beyond the reach of the box on one side.
   template <Number T>
   constexpr bool is_along(const Vec<T, N>& n) const noexcept {
     using Term = decltype(extents[0] * abs(dot(generators[0], n)));
-    constexpr int more_bits = std::bit_width(Generators - 1);  // of a sum of so many terms
+    constexpr int more_bits = std::bit_width(Generators - 1);  // for a sum of this many terms
     using Reach = decltype(narrow<bits_of<Term> + more_bits>(Term()));
     Reach reach(0);
     for (std::size_t k = 0; k < Generators; ++k) {
@@ -99,8 +99,8 @@ struct Separation {
   }
 };
 
-/// Whether the hull of `points` has no point in the box about the origin that is spanned by
-/// `edges`, those of one box or of two.
+/// Whether the hull of `points` and the box about the origin spanned by `edges` are apart. The
+/// edges are those of one box or of two.
 template <int N, Number P, std::size_t Points, Number G, Number H,
           std::same_as<Edges<G, H, N>>... More>
 [[nodiscard]] constexpr bool are_apart(const std::array<Vec<P, N>, Points>& points,

@@ -5,9 +5,9 @@
 
 namespace detent {
 
-/// Whether `sphere` and `box` have a point in common.
+/// Whether `sphere` and `box` share a point.
 ///
-/// The box reaches the sphere where its point closest to the center does.
+/// They overlap if the point of the box closest to the center is in the sphere.
 ///
 /// domain: every input; an empty sphere or box overlaps nothing
 /// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)

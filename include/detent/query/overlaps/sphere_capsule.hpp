@@ -7,9 +7,9 @@
 
 namespace detent {
 
-/// Whether `sphere` and `capsule` have a point in common.
+/// Whether `sphere` and `capsule` share a point.
 ///
-/// domain: every input; a negative radius makes either empty, and that overlaps nothing
+/// domain: every input; a shape with a negative radius is empty and overlaps nothing
 /// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_edges.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere,

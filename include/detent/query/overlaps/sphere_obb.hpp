@@ -5,10 +5,10 @@
 
 namespace detent {
 
-/// Whether `sphere` and `box` have a point in common.
+/// Whether `sphere` and `box` share a point.
 ///
 /// The box is its slabs, {x : |dot(axis(i), x - center)| <= half_extents[i]}, with the axes exactly
-/// as stored, and the sphere's radius is measured in their frame: see `squared_distance`.
+/// as stored. The sphere's radius is measured in their frame: see `squared_distance`.
 ///
 /// domain: every input; an empty sphere or box overlaps nothing
 /// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)

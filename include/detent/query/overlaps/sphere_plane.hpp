@@ -5,9 +5,9 @@
 
 namespace detent {
 
-/// Whether `sphere` and `plane` have a point in common.
+/// Whether `sphere` and `plane` share a point.
 ///
-/// The normal's length is taken exactly as stored: (dot(n, center) - offset)^2 <= radius^2 n^2.
+/// The length of the normal counts exactly as stored: (dot(n, center) - offset)^2 <= radius^2 n^2.
 ///
 /// domain: every input; a negative radius is an empty sphere and overlaps nothing
 /// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)

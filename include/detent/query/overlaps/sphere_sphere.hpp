@@ -5,7 +5,7 @@
 
 namespace detent {
 
-/// Whether two spheres have a point in common.
+/// Whether two spheres share a point.
 ///
 /// domain: every input; a negative radius is an empty sphere and overlaps nothing
 /// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)

@@ -6,7 +6,7 @@
 
 namespace detent {
 
-/// Whether `sphere` and `triangle` have a point in common.
+/// Whether `sphere` and `triangle` share a point.
 ///
 /// domain: every input; a negative radius is an empty sphere and overlaps nothing; a collapsed
 ///         triangle is the segment or point that its corners span

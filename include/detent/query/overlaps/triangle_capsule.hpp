@@ -7,8 +7,8 @@
 
 namespace detent {
 
-/// Whether `triangle` and `capsule` have a point in common: the capsule's segment crosses the
-/// triangle, or comes within the radius of an edge, or an end of it within the radius of the face.
+/// Whether `triangle` and `capsule` share a point: the capsule's segment crosses the triangle or
+/// comes within the radius of an edge, or one of its ends comes within the radius of the face.
 ///
 /// domain: every input; a negative radius is an empty capsule and overlaps nothing; a collapsed
 ///         triangle is the segment or point that its corners span

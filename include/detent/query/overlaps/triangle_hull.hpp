@@ -6,7 +6,7 @@
 
 namespace detent {
 
-/// Whether `triangle` and `hull` have a point in common.
+/// Whether `triangle` and `hull` share a point.
 ///
 /// domain: every input; a collapsed triangle is the segment or point that its corners span; an
 ///         empty hull overlaps nothing

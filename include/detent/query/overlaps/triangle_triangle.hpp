@@ -7,8 +7,8 @@ namespace detent {
 
 namespace detail {
 
-/// Whether some edge line of `a`, a 2D triangle with this doubled area, has `a` and `b` on
-/// different sides.
+/// Whether the line of some edge of `a`, a 2D triangle with this doubled area, separates `a` and
+/// `b`.
 template <Scalar S, Number Area>
 [[nodiscard]] constexpr bool edge_separates(const Triangle<S, 2>& a, const Area& area,
                                             const Triangle<S, 2>& b) noexcept {
@@ -30,8 +30,8 @@ template <Scalar S>
   return Vec{dot(normal, b.a - a.a), dot(normal, b.b - a.a), dot(normal, b.c - a.a)};
 }
 
-/// Whether an edge of `a`, whose corners are at these heights over the plane of `b`, has a point in
-/// `b`.
+/// Whether an edge of `a` has a point in `b`; the corners of `a` are at these heights over the
+/// plane of `b`.
 template <Scalar S, Number T>
 [[nodiscard]] constexpr bool edge_meets(const Triangle<S, 3>& a, const Vec<T, 3>& over_b,
                                         const Triangle<S, 3>& b) noexcept {
@@ -42,7 +42,7 @@ template <Scalar S, Number T>
 
 }  // namespace detail
 
-/// Whether two 2D triangles, which are solid, have a point in common, their edges included.
+/// Whether two 2D triangles, which are solid, share a point, edges included.
 ///
 /// domain: every input; a collapsed triangle is the segment or point that its corners span
 /// exact:  yes or no exact                               (tests/oracle/triangle_triangle.test.cpp)
@@ -54,12 +54,12 @@ template <Scalar S>
   return !detail::edge_separates(a, area_a, b) && !detail::edge_separates(b, area_b, a);
 }
 
-/// Whether two 3D triangles, which are surfaces, have a point in common, their edges included.
+/// Whether two 3D triangles, which are surfaces, share a point, edges included.
 ///
-/// What they have in common is convex, and ends at an edge of one or of the other.
+/// Their intersection is convex and ends at an edge of one of them.
 ///
 /// domain: every input; a collapsed triangle is the segment or point that its corners span
-/// exact:  yes or no exact, in one plane too             (tests/oracle/triangle_triangle.test.cpp)
+/// exact:  yes or no exact, also in one plane             (tests/oracle/triangle_triangle.test.cpp)
 /// source: Ericson, Real-Time Collision Detection, 5.2.10
 template <Scalar S>
 [[nodiscard]] constexpr bool overlaps(const Triangle<S, 3>& a, const Triangle<S, 3>& b) noexcept {
