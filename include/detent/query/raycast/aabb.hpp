@@ -14,7 +14,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr auto clip(const Ray<S, N>& ray, const Aabb<S, N>& box) noexcept {
   using Speed = direction_component<S>;
   using Gap = decltype(box.min.x - ray.origin.x);
-  // No component of a direction exceeds 1, which is one bit less than its type holds.
+  // No component of a direction exceeds 1, which takes one bit less than its type has.
   RayClip<S, Gap, Speed, bits_of<Gap> + bits_of<Speed> - 1> clip(ray.max_distance);
   for (int i = 0; i < N; ++i) {
     clip.keep(i, box.min[i] - ray.origin[i], box.max[i] - ray.origin[i], ray.direction[i]);
@@ -39,7 +39,7 @@ template <Scalar S, int N>
 
 /// Distance, point and normal where `ray` first touches `box`, or nothing.
 ///
-/// result: on an edge or corner the normal of the lowest axis among those entered there
+/// result: on an edge or corner, the normal of the lowest axis entered there
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<RayHit<S, N>> raycast_hit(const Ray<S, N>& ray,
                                                                 const Aabb<S, N>& box) noexcept {

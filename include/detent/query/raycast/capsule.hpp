@@ -15,19 +15,20 @@ namespace detent {
 
 namespace detail {
 
-/// Which part of a capsule's surface a line passes.
+/// The part of a capsule's surface that a line crosses.
 enum class CapsulePart { none, inside, first_end, side, last_end };
 
-/// Where a ray enters a capsule; at an end, the sphere there tells at which distance, if at all.
+/// Where a ray enters a capsule. At an end, the sphere there gives the distance, if any.
 template <Scalar S>
 struct CapsuleEntry {
   CapsulePart part;
   std::optional<S> distance{};
 };
 
-/// The line of a ray against a capsule: the spheres about its ends, and between the planes through
-/// the ends the cylinder |(m + t d) x e|^2 = r^2 e^2, where e leads from the end that the ray
-/// faces to the other and m from there to the ray's origin. All of the capsule is in the cylinder.
+/// The line of a ray against a capsule: the spheres about its ends and, between the planes through
+/// the ends, the cylinder |(m + t d) x e|^2 = r^2 e^2. Here e leads from the end that the ray faces
+/// to the other end, and m from the facing end to the ray's origin. The cylinder contains the
+/// capsule.
 template <Scalar S, int N, Number Length, Number Radius>
 class RayCapsule {
  public:
@@ -43,7 +44,7 @@ class RayCapsule {
         ee_(squared_length(e)),
         de_(dot(e, d)) {}
 
-  /// Where the ray enters the capsule, at a distance of up to `limit`.
+  /// Where the ray enters the capsule, at a distance up to `limit`.
   [[nodiscard]] constexpr CapsuleEntry<S> entry(const S& limit) const noexcept {
     if (is_far()) return {CapsulePart::none};
     if (is_near_edge(e_, m_, radius_)) return {CapsulePart::inside, S(0)};
@@ -59,7 +60,7 @@ class RayCapsule {
     return {part, side.first_root(limit)};
   }
 
-  /// Where the line leaves the capsule that it meets, after the ray has started.
+  /// The part where the line leaves the capsule. It must do so, and ahead of the ray's origin.
   [[nodiscard]] constexpr CapsulePart left() const noexcept {
     if (a_ == 0) return CapsulePart::last_end;
     if constexpr (is_fixed<S>) {
@@ -79,9 +80,9 @@ class RayCapsule {
   }
 
   /// The unit vector from the axis to the point where the line enters through the side, for a
-  /// radius > 0: the line is closest to the axis at (m . k) k / a from it, where k = d x e, and
-  /// before that it is farther back along e x k by what the radius leaves. Together, over r,
-  /// ((m . k) e^2 k - sqrt(b^2 - a c) e x k) / (r a e^2).
+  /// radius > 0. The line is closest to the axis at the offset (m . k) k / a from it, where
+  /// k = d x e. The entry is farther back along e x k, by what is left of the radius. Together,
+  /// over r, ((m . k) e^2 k - sqrt(b^2 - a c) e x k) / (r a e^2).
   [[nodiscard]] constexpr Direction<S, N> normal() const noexcept {
     if constexpr (N == 2) {
       const auto side = Vec{narrow_negative(e_.y), e_.x};
@@ -93,11 +94,12 @@ class RayCapsule {
   }
 
  private:
-  // |v| |d| for the differences of points, and |u| |v| |d| for two of them: see `RayTriangle`.
+  // The bits of |v| |d| for a difference v of points, and of |u| |v| |d| for two of them: see
+  // `RayTriangle`.
   static constexpr int along = along_bits<S, Length>;
   static constexpr int volume = bits_of<Length> + along + 1;
 
-  /// The components of the normal: from leading bits, if these tell how they are rounded.
+  /// The components of the normal, from leading bits where these settle the rounding.
   [[nodiscard]] constexpr auto components() const noexcept {
     using Component = direction_component<S>;
     const auto back = make_vec<N>([&](int i) { return ee_ * d_[i] - de_ * e_[i]; });
@@ -125,7 +127,7 @@ class RayCapsule {
         length);
   }
 
-  /// m . (d x e), which is 0 for vectors of one plane.
+  /// m . (d x e), which is 0 in 2D, for vectors of one plane.
   [[nodiscard]] constexpr auto determinant() const noexcept {
     if constexpr (N == 2) {
       return decltype(narrow<volume>(m_.x * k_))();
@@ -134,7 +136,7 @@ class RayCapsule {
     }
   }
 
-  /// b, which is k . (m x e), by Lagrange's identity; and c.
+  /// `approach` is b = k . (m x e), by Lagrange's identity; `start` is c.
   [[nodiscard]] constexpr auto approach() const noexcept {
     return dot(m_, d_) * ee_ - de_ * dot(m_, e_);
   }
@@ -142,7 +144,7 @@ class RayCapsule {
     return narrow_square<bits_of<decltype(ee_ * ee_)>>(cross(m_, e_)) - square(radius_) * ee_;
   }
 
-  /// More than the length of any direction, which is within 2^-13 of 1.
+  /// A bound on the length of any direction, which is within 2^-13 of 1.
   [[nodiscard]] static constexpr auto longest() noexcept {
     if constexpr (is_fixed<S>) {
       return Fixed<13, 12>::from_raw(4097);
@@ -151,9 +153,9 @@ class RayCapsule {
     }
   }
 
-  /// Whether |m . k| > r (|kx| + |ky| + |kz|), so that it is also greater than r |k|; in 2D, whether
-  /// both ends are on one side of the line, by more than r |d|. In integers half as long as those of
-  /// `reach`, the answer for most lines that miss.
+  /// Whether |m . k| > r (|kx| + |ky| + |kz|), which is at least r |k|; in 2D, whether both ends
+  /// are on one side of the line by more than r |d|. It settles most misses, in integers half as
+  /// long as those of `reach`.
   [[nodiscard]] constexpr bool is_far() const noexcept {
     if constexpr (N == 2) {
       const auto first = cross(m_, d_.vec());
@@ -165,14 +167,14 @@ class RayCapsule {
     }
   }
 
-  /// (b^2 - a c) / e^2 = r^2 a - (m . k)^2 by Lagrange's identity: negative where the line misses
-  /// the cylinder.
+  /// (b^2 - a c) / e^2 = r^2 a - (m . k)^2 by Lagrange's identity: negative if the line misses the
+  /// cylinder.
   [[nodiscard]] constexpr auto reach() const noexcept {
     return square(radius_) * a_ - square(det_);
   }
 
-  /// The part whose distance along the axis, m . e + t d . e, the ray has at t; `none` where that is
-  /// too close to an end to tell.
+  /// The part that the ray is at for t, by its distance along the axis, m . e + t d . e; `none` if
+  /// that is too close to an end to decide.
   [[nodiscard]] constexpr CapsulePart part_at(const Rough& t) const noexcept {
     const auto me = dot(m_, e_);
     const auto to_last = ee_ - me;
@@ -184,7 +186,7 @@ class RayCapsule {
     return first > 0 && last < 0 ? CapsulePart::side : CapsulePart::none;
   }
 
-  /// The part of the surface where the line enters the cylinder, after the ray has started.
+  /// The part of the surface where the line enters the cylinder, ahead of the ray's origin.
   template <class Side>
   [[nodiscard]] constexpr CapsulePart entered(const Side& side) const noexcept {
     if constexpr (is_fixed<S>) {
@@ -198,8 +200,8 @@ class RayCapsule {
     return CapsulePart::side;
   }
 
-  /// Signs that tell where the line meets the plane across the axis through an end: after or before
-  /// it is closest to the axis, and outside or inside the sphere about the end.
+  /// Signs for the point where the line meets the plane through an end, across the axis: after or
+  /// before the line is closest to the axis, and outside or inside the sphere about the end.
   struct Crossing {
     int after_closest;
     int outside;
@@ -207,7 +209,8 @@ class RayCapsule {
   /// `m` leads from the end to the ray's origin.
   template <Number M>
   [[nodiscard]] constexpr Crossing plane_through(const Vec<M, N>& m) const noexcept {
-    // At t = -(m . e) / (d . e), against t = -(m . d) / (d . d) less what leads along the axis.
+    // Compares t = -(m . e) / (d . e) with t = -(m . d) / (d . d), the latter without the
+    // components along the axis.
     const auto me = dot(m, e_);
     const auto after = de_ * dot(m, d_);
     const auto closest = me * squared_length(d_);
@@ -227,7 +230,7 @@ class RayCapsule {
   decltype(dot(Vec<Length, N>(), Direction<S, N>())) de_;
 };
 
-/// The end of the axis of `capsule` that `ray` faces, and the other.
+/// The axis of `capsule`, starting at the end that `ray` faces.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Segment<S, N> facing_axis(const Ray<S, N>& ray,
                                                   const Capsule<S, N>& capsule) noexcept {
@@ -235,8 +238,8 @@ template <Scalar S, int N>
   return {capsule.a, capsule.b};
 }
 
-/// f(meeting) for the meeting of a ray and a capsule about `axis`, in integers as narrow as they
-/// allow.
+/// Returns f(meeting) for a ray and a capsule about `axis`, in the narrowest integers that hold
+/// them.
 template <Scalar S, int N, class F>
 [[nodiscard]] constexpr auto with_meeting(const Ray<S, N>& ray, const Segment<S, N>& axis,
                                           const S& radius, const F& f) noexcept {
@@ -251,7 +254,7 @@ template <Scalar S, int N, class F>
   return part == CapsulePart::first_end || part == CapsulePart::last_end;
 }
 
-/// The sphere about the end of a capsule that a ray enters or leaves.
+/// The sphere about the end through which a ray enters or leaves a capsule.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Sphere<S, N> end_of(const Segment<S, N>& axis, const S& radius,
                                             CapsulePart part) noexcept {
@@ -283,7 +286,7 @@ template <Scalar S, int N>
 /// Distance, point and normal where `ray` first touches `capsule`, or nothing.
 ///
 /// exact:  normal within 1 ULP of 2^-30 (2^-14 in 16 bits), on the side within 0.501; a capsule of
-///         radius 0 has none and gives the opposite of the direction
+///         radius 0 has no normal and gives the opposite of the direction
 ///         (tests/oracle/ray_capsule.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<RayHit<S, N>> raycast_hit(
@@ -317,7 +320,7 @@ template <Scalar S, int N>
   const auto exit = detail::with_meeting(ray, axis, capsule.radius, [&](const auto& meeting) {
     const auto part = meeting.left();
     if (part == detail::CapsulePart::side) return meeting.side().last_root(ray.max_distance);
-    // The sphere that it leaves may lie wholly beyond the end of the ray.
+    // The sphere at the exit may lie wholly beyond the end of the ray.
     const detail::RaySphere<S, N> sphere(ray, detail::end_of(axis, capsule.radius, part));
     return (std::min)(sphere.quadratic().last_root(ray.max_distance), ray.max_distance);
   });

@@ -7,10 +7,10 @@
 
 namespace detent::detail {
 
-/// The part of a ray that slabs leave of it, as two exact fractions compared by cross-multiplying.
+/// The part of a ray inside all slabs, as two exact fractions compared by cross-multiplying.
 ///
 /// `Numerator` holds a distance to a slab's face, `Denominator` the ray's speed across the slab,
-/// and `ProductBits` bounds one of them times the other.
+/// and `ProductBits` bounds the product of one of each.
 ///
 /// source: the slab method of Kay and Kajiya, Ray Tracing Complex Scenes (1986)
 template <Scalar S, Number Numerator, Number Denominator, int ProductBits>
@@ -38,10 +38,10 @@ class RayClip {
 
   [[nodiscard]] constexpr bool is_empty() const noexcept { return less(exit_, enter_); }
 
-  /// The slab entered last, the first named of several; `no_slab` where the ray starts inside all.
+  /// The slab entered last, the first named if several; `no_slab` if the ray starts inside all.
   [[nodiscard]] constexpr int entered() const noexcept { return entered_; }
 
-  // Where something is left, 0 <= enter <= exit <= limit.
+  // If not empty, 0 <= enter <= exit <= limit.
   [[nodiscard]] constexpr std::optional<S> first_distance() const noexcept {
     if (is_empty()) return std::nullopt;
     return narrow_floor<S>(enter_);

@@ -9,11 +9,11 @@
 
 namespace detent {
 
-/// Distance along `ray` at which it first touches a part of `compound`, or nothing. Include the
-/// headers of its parts' own raycasts too.
+/// Distance along `ray` at which it first touches a part of `compound`, or nothing. Also include
+/// the headers of its parts' own raycasts.
 ///
 /// units:  lengths in world units
-/// domain: every input; no parts are never hit
+/// domain: every input; a compound without parts is never hit
 /// exact:  hit or miss exact; distance rounded down, error in [0, 1) ULP
 ///         (tests/query/compound.test.cpp)
 template <Scalar S, int N, class... Shapes>
@@ -41,8 +41,8 @@ template <Scalar S, int N, class... Shapes>
   return first;
 }
 
-/// Distances at which `ray` first enters and last leaves parts of `compound`, or nothing; gaps
-/// between the parts do not show.
+/// Distances at which `ray` first enters and last leaves parts of `compound`, or nothing. Gaps
+/// between the parts are ignored.
 ///
 /// exact:  both rounded down, error in [0, 1) ULP        (tests/query/compound.test.cpp)
 template <Scalar S, int N, class... Shapes>

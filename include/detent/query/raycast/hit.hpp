@@ -10,9 +10,9 @@ namespace detent {
 
 /// Where a ray first touches a shape.
 ///
-/// `distance` is the exact one rounded down, so `point` lies on the surface or before it, but for
-/// the rounding of its coordinates. `normal` is that of the exact point and faces the ray; where
-/// the ray starts inside a solid it is the opposite of the direction.
+/// `distance` is the exact one rounded down, so `point` lies on the surface or before it, except
+/// for the rounding of its coordinates. `normal` is that of the exact point and faces the ray. If
+/// the ray starts inside a solid, it is the opposite of the direction.
 template <Scalar S, int N>
 struct RayHit {
   S distance{};
@@ -45,7 +45,7 @@ constexpr void append(D& digest, const Interval<S>& interval) noexcept {
   digest.add(interval.enter, interval.exit);
 }
 
-/// Which sides of a surface rays hit: both, or only the one that its normal points away from.
+/// Which sides of a surface rays hit: both, or only the front, the side that its normal points to.
 enum class Facing { both, front };
 
 namespace detail {

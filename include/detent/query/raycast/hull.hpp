@@ -10,15 +10,15 @@ namespace detent {
 
 namespace detail {
 
-/// The first distance of a ray in a hull, rounded down, and whether it is 0 since the ray starts
-/// there.
+/// The distance at which a ray enters a hull, rounded down, and whether it is 0 because the ray
+/// starts inside.
 template <Scalar S>
 struct HullEntry {
   S distance;
   bool starts_inside;
 };
 
-/// Where a ray enters the hull whose points `stab` was given; it is left at the simplex that the ray
+/// Where a ray enters the hull of the points in `stab`. Leaves `stab` at the simplex that the ray
 /// enters through, unless the ray starts inside.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<HullEntry<S>> entry(Stab<S, N>& stab,
@@ -41,7 +41,7 @@ template <Scalar S, int N>
 /// Distance along `ray` at which it first touches `hull`, or nothing.
 ///
 /// units:  lengths in world units; direction is unit length
-/// domain: every input; a flat hull is the polygon, segment or point that its points span, one
+/// domain: every input; a flat hull is the polygon, segment or point that its points span; one
 ///         without points is empty and never hit
 /// result: 0 when the ray starts inside or on the hull; a hit past max_distance is a miss
 /// exact:  hit or miss exact; distance rounded down, error in [0, 1) ULP
@@ -58,9 +58,9 @@ template <Scalar S, int N>
 
 /// Distance, point and normal where `ray` first touches `hull`, or nothing.
 ///
-/// result: the normal is that of the face hit, on the side of the ray; on an edge or corner that of
-///         one of the faces there which the ray could enter through, chosen by the order of the
-///         points alone; the opposite of the direction where the ray starts inside or on the hull,
+/// result: the normal is that of the face hit, on the side of the ray; on an edge or corner, that
+///         of one of the faces there that the ray could enter through, chosen by the order of the
+///         points alone; the opposite of the direction if the ray starts inside or on the hull,
 ///         lies in the plane of a flat hull, or meets one that is a segment or a point
 /// exact:  each component of the normal is the exact one rounded to nearest
 ///         (tests/oracle/ray_hull.test.cpp)

@@ -11,8 +11,8 @@ namespace detent {
 
 namespace detail {
 
-/// What `use` makes of the clip of a ray against a box's slabs. The distances to the slabs fit 64
-/// bits where box and ray are at most 2^30 steps apart.
+/// Returns use(clip), with the ray clipped by the slabs of a box. The distances to the slabs fit 64
+/// bits if box and ray are at most 2^30 steps apart.
 template <Scalar S, int N, class Use>
 [[nodiscard]] constexpr auto with_clip(const Ray<S, N>& ray, const Obb<S, N>& box,
                                        const Use& use) noexcept {
@@ -49,8 +49,8 @@ template <Scalar S, int N>
 
 /// Distance, point and normal where `ray` first touches `box`, or nothing.
 ///
-/// result: the normal is axis(i) or its opposite; on an edge or corner that of the lowest axis
-///         among those entered there
+/// result: the normal is axis(i) or its opposite; on an edge or corner, that of the lowest axis
+///         entered there
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<RayHit<S, N>> raycast_hit(const Ray<S, N>& ray,
                                                                 const Obb<S, N>& box) noexcept {

@@ -6,13 +6,14 @@
 
 namespace detent::detail {
 
-/// The line of a ray, to leave out triangles that it passes by in less time than `raycast` takes.
+/// Filter for the line of a ray: rules out triangles that it misses, in less time than `raycast`
+/// takes.
 ///
-/// Along the line, a triangle is seen as the triangle of its corners' offsets (x, y, z) from the
-/// line's origin at z d - (x, y, z) d.z, of which two coordinates are left. The line meets it only
-/// if that one has the origin of the plane on no outer side: if no two edges turn about it in
-/// different ways. Every number is exact, so nothing that the line touches is left out.
-///                                                        (tests/query/raycast/passing_line.test.cpp)
+/// Projected along the line, a corner with the offset (x, y, z) from the line's origin lies at
+/// (x, y, z) d.z - z d, which has two coordinates. The line meets the triangle only if the
+/// projected one does not have the origin on an outer side: if no two edges turn about it in
+/// different ways. Every number is exact, so no triangle that the line touches is ruled out.
+/// (tests/query/raycast/passing_line.test.cpp)
 ///
 /// source: Woop, Benthin and Wald, Watertight Ray/Triangle Intersection (2013), without division
 template <Scalar S>
@@ -21,8 +22,8 @@ class PassingLine {
   explicit constexpr PassingLine(const Ray<S, 3>& ray) noexcept
       : origin_(ray.origin), direction_(ray.direction) {}
 
-  /// Whether the line is found to pass by `triangle`: never by scalars that round, which could only
-  /// guess, nor along directions without z, where all corners are seen in one line.
+  /// Whether the line is found to miss `triangle`. Always false for scalars that round, which could
+  /// only guess, and for directions without z, which project all corners onto one line.
   [[nodiscard]] constexpr bool passes(const Triangle<S, 3>& triangle) const noexcept {
     if constexpr (is_fixed<S>) {
       const auto a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
@@ -48,8 +49,8 @@ class PassingLine {
   }
 
  private:
-  // With offsets w of components up to m: at most sqrt(2) m |d|, and |d|^2 times the sqrt(3) m^2 of
-  // the largest triangle in a cube, doubled.
+  // For offsets w with components up to m: at most sqrt(2) m |d|, and at most |d|^2 times
+  // sqrt(3) m^2, twice the area of the largest triangle in a cube.
   static constexpr int seen_bits = bits_of<decltype(S() - S())> + direction_component<S>::frac + 1;
   static constexpr int turn_bits = 2 * seen_bits - 1;
 

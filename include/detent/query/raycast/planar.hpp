@@ -10,16 +10,16 @@
 
 namespace detent::detail {
 
-// A line against a flat shape that lies in one plane with it: the 2D case, and in 3D the case of a
-// ray within a triangle's plane or against a triangle that has collapsed.
+// A line against a flat shape in the same plane: the 2D case, and in 3D the case of a ray within
+// the plane of a triangle or against a collapsed triangle.
 
-/// What is left of a vector without component `axis`, in an order that keeps orientation.
+/// A vector without component `axis`, in an order that keeps orientation.
 template <Number T>
 [[nodiscard]] constexpr Vec<T, 2> without(const Vec<T, 3>& v, int axis) noexcept {
   return {v[(axis + 1) % 3], v[(axis + 2) % 3]};
 }
 
-/// The axis of the component of greatest magnitude, the first of several.
+/// The axis of the component of greatest magnitude, the first if several.
 template <Number T, int N>
 [[nodiscard]] constexpr int longest_axis(const Vec<T, N>& v) noexcept {
   int longest = 0;
@@ -39,7 +39,7 @@ template <Number T, int N>
 
 /// A line through `origin` along `direction` in a plane, and the exact predicates on it.
 ///
-/// `direction` is a direction or one without a component: no longer than a direction.
+/// `direction` is a direction or one with a component dropped: no longer than a direction.
 template <Scalar S>
 struct PlanarLine {
   using Speed = direction_component<S>;
@@ -53,12 +53,12 @@ struct PlanarLine {
   Vec<S, 2> origin;
   Vec<Speed, 2> direction;
 
-  /// Positive where `p` lies to the left of the line, 0 where on it.
+  /// Positive if `p` lies to the left of the line, 0 if on it.
   [[nodiscard]] constexpr Side side(const Vec<S, 2>& p) const noexcept {
     return narrow_cross<side_bits>(direction, p - origin);
   }
 
-  /// Where the line crosses that through p and q, which is not parallel to it:
+  /// The distance at which the line crosses the line through p and q, which must not be parallel:
   /// origin + t direction = p + s (q - p), crossed with q - p.
   [[nodiscard]] constexpr Distance crossing(const Vec<S, 2>& p, const Vec<S, 2>& q) const noexcept {
     const auto edge = q - p;
@@ -82,7 +82,7 @@ template <Number N, Number D>
   return b.numerator < a.numerator ? Span<N, D>{b, a} : Span<N, D>{a, b};
 }
 
-/// The part of `line` in the segment from p to q of its own plane.
+/// The part of `line` in the segment from p to q.
 template <Scalar S>
 [[nodiscard]] constexpr std::optional<PlanarSpan<S>> span(const PlanarLine<S>& line,
                                                           const Vec<S, 2>& p,
@@ -101,11 +101,11 @@ struct TriangleSpan {
   int entry_edge;
 };
 
-/// The part of `line` in a triangle of its own plane that has an area.
+/// The part of `line` in a triangle that has an area.
 ///
 /// The line crosses an edge whose ends are not strictly on one side of it. It enters through the
-/// edges that it crosses toward the inside and leaves through the others. Where it meets a corner
-/// two edges say so, and they name the same point.
+/// edges that it crosses toward the inside and leaves through the others. At a corner it crosses
+/// two edges in the same point.
 template <Scalar S>
 [[nodiscard]] constexpr std::optional<TriangleSpan<S>> span(
     const PlanarLine<S>& line, const Triangle<S, 2>& triangle) noexcept {
@@ -131,10 +131,10 @@ template <Scalar S>
   return TriangleSpan<S>{{crossing(enter), crossing(exit)}, enter};
 }
 
-/// The segment that a triangle without area is.
+/// The segment that a collapsed triangle is.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Segment<S, N> collapsed(const Triangle<S, N>& triangle) noexcept {
-  // On one line the order of coordinates, first axis first, is the order along the line.
+  // On one line the lexicographic order of coordinates is the order along the line.
   const auto before = [](const Vec<S, N>& p, const Vec<S, N>& q) {
     for (int i = 0; i < N; ++i) {
       if (p[i] != q[i]) return p[i] < q[i];
@@ -164,8 +164,8 @@ template <Scalar S>
   const auto start_offset = cross(ray.direction, to_start);
   int dropped = 0;
   if (is_zero(across)) {
-    // Parallel, or a point: it meets the line only when it lies in it. Any axis may go but the one
-    // that the line needs most.
+    // Parallel, or a point: it meets the line only if it lies in it. Any axis may be dropped except
+    // the line's longest.
     if (!is_zero(start_offset)) return std::nullopt;
     dropped = (longest_axis(ray.direction.vec()) + 1) % 3;
   } else {

@@ -20,8 +20,8 @@ struct RayPlane {
       : gap(narrow_difference<gap_bits>(plane.offset, dot(plane.normal, ray.origin))),
         speed(dot(plane.normal, ray.direction)) {}
 
-  /// The point of the line in the plane, or the whole line (as far as a ray may reach) in a plane
-  /// that contains it.
+  /// The point where the line meets the plane, or the part of it up to `limit` if the plane
+  /// contains it.
   [[nodiscard]] constexpr auto span(const S& limit) const noexcept {
     using Distance = Fraction<Gap, Speed>;
     using Result = std::optional<Span<Gap, Speed>>;
@@ -68,7 +68,7 @@ template <Scalar S, int N>
 
 /// Distance, point and normal where `ray` first touches `plane`, or nothing.
 ///
-/// result: the normal is the plane's on the side of the ray, and as stored for a ray in the plane
+/// result: the plane's normal on the side of the ray, or as stored for a ray in the plane
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<RayHit<S, N>> raycast_hit(
     const Ray<S, N>& ray, const Plane<S, N>& plane, Facing facing = Facing::both) noexcept {
@@ -78,7 +78,7 @@ template <Scalar S, int N>
   return detail::hit_at(ray, *distance, from_behind ? -plane.normal : plane.normal);
 }
 
-/// Distances at which `ray` enters and leaves `plane`: equal, but for a ray within the plane.
+/// Distances at which `ray` enters and leaves `plane`: equal, except for a ray within the plane.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<Interval<S>> raycast_interval(
     const Ray<S, N>& ray, const Plane<S, N>& plane, Facing facing = Facing::both) noexcept {

@@ -10,10 +10,10 @@ namespace detent {
 /// Distance along `ray` at which it first touches `segment`, or nothing.
 ///
 /// units:  lengths in world units; direction is unit length
-/// domain: every input; equal ends make the segment one point
+/// domain: every input; equal ends make the segment a point
 /// result: 0 when the ray starts on the segment; a hit past max_distance is a miss
-/// exact:  hit or miss exact, for a ray along the segment too; distance rounded down, error in
-///         [0, 1) ULP                                        (tests/oracle/ray_segment.test.cpp)
+/// exact:  hit or miss exact, also for a ray along the segment; distance rounded down, error in
+///         [0, 1) ULP                                           (tests/oracle/ray_segment.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<S> raycast(const Ray<S, N>& ray,
                                                  const Segment<S, N>& segment) noexcept {
@@ -33,7 +33,7 @@ template <Scalar S, int N>
   return detail::hit_at(ray, *distance, -ray.direction);
 }
 
-/// Distances at which `ray` enters and leaves `segment`: equal, but for a ray along it.
+/// Distances at which `ray` enters and leaves `segment`: equal, except for a ray along it.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<Interval<S>> raycast_interval(
     const Ray<S, N>& ray, const Segment<S, N>& segment) noexcept {

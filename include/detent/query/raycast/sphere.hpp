@@ -31,8 +31,8 @@ struct RaySphere {
   /// a >= 0 and c <= |m|^2, so a c <= |d|^2 |m|^2, which fits where the square of b does.
   [[nodiscard]] constexpr auto quadratic() const noexcept { return Quadratic(a, b, c); }
 
-  /// The unit vector from the center to the first point that the line has in common with the
-  /// sphere, for a radius > 0 and a line that meets it.
+  /// The unit vector from the center to the first point where the line meets the sphere, for a
+  /// radius > 0 and a line that meets it.
   ///
   /// It is (m + t d) / r for t = (-b - sqrt(D)) / a, hence (w - sqrt(D) d) / (a r) for
   /// w = a m - b d, and |w| <= a r.
@@ -55,9 +55,9 @@ struct RaySphere {
   decltype(inside_distance(squared_length(Offset()), S())) c;
 
  private:
-  /// A component of the normal that is close to a tie. Magnifying the scene by 2^k keeps the
-  /// direction and makes r as long as its type allows, so that the root's error below 1 is below
-  /// 2^-28 steps of the result (2^-12 in 16 bits) however small the sphere is.
+  /// A component of the normal that is close to a tie. Scaling the scene by 2^k keeps the direction
+  /// and makes r as long as its type allows. So the error of the root, below 1, is below 2^-28
+  /// steps of the result (2^-12 in 16 bits), however small the sphere is.
   template <Number Closest, Number Discriminant>
   [[nodiscard]] constexpr auto settled(const Closest& closest, const direction_component<S>& along,
                                        const Discriminant& discriminant,
@@ -99,8 +99,8 @@ template <Scalar S, int N>
 
 /// Distance, point and normal where `ray` first touches `sphere`, or nothing.
 ///
-/// exact:  normal within 1 ULP of 2^-30 (2^-14 in 16 bits); a sphere of radius 0 has none and gives
-///         the opposite of the direction                    (tests/oracle/ray_sphere.test.cpp)
+/// exact:  normal within 1 ULP of 2^-30 (2^-14 in 16 bits); a sphere of radius 0 has no normal and
+///         gives the opposite of the direction                   (tests/oracle/ray_sphere.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<RayHit<S, N>> raycast_hit(
     const Ray<S, N>& ray, const Sphere<S, N>& sphere) noexcept {

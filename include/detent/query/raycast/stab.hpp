@@ -11,20 +11,21 @@
 
 namespace detent::detail {
 
-/// The search for N points of a hull whose simplex (a triangle, in 2D a segment) a ray's line
-/// stabs, and for such a simplex that it stabs first or last.
+/// Finds N points of a hull whose simplex (a triangle, in 2D a segment) a ray's line stabs, and
+/// then such a simplex that it stabs first or last.
 ///
-/// It is a linear program: weights of the points, none negative and of sum 1, make a point of the
-/// line at the least distance. A basis is N columns: points and, at first, directions beside the
-/// line that make up for what the points miss. A point before the plane of the basis enters, and
-/// the column leaves whose weight is the first to fall to 0, so the line stabs the new basis too.
+/// This is a linear program: find nonnegative weights of the points, with the sum 1, that make the
+/// point of the line at the least distance. A basis has N columns: points and, at first, directions
+/// across the line that make up for what the points lack. A point before the plane of the basis
+/// enters, and the column whose weight is the first to fall to 0 leaves, so the line stabs the new
+/// basis too.
 ///
-/// Where w leads from the ray's origin to a point, the weights of a, b, c are the volumes
-/// d . (w_b x w_c), d . (w_c x w_a), d . (w_a x w_b) over their sum; how fast they fall are sums of
-/// such volumes, and which of a and b is first is the sign of the one of the third and the entering
-/// point, on which side of their edge the line passes. A step that moves nothing is followed by
-/// steps that take the first point and the first column that will do, until one moves: so no basis
-/// returns, and the search ends.
+/// With w from the ray's origin to a point, the weights of a, b, c are the volumes d . (w_b x w_c),
+/// d . (w_c x w_a), d . (w_a x w_b) over their sum. The rates at which they fall are sums of such
+/// volumes. The sign of the volume of the third column and the entering point decides whether a or
+/// b falls to 0 first: it is the side on which the line passes their edge. A degenerate step is
+/// followed by steps that take the first point and the first column that qualify, until one moves.
+/// So no basis repeats, and the search ends.
 ///
 /// source: Dantzig's simplex method; Bland, New Finite Pivoting Rules for the Simplex Method (1977)
 template <Scalar S, int N>
@@ -33,11 +34,11 @@ class Stab {
   using Points = std::span<const Vec<S, N>>;
   using Offset = decltype(Vec<S, N>() - Vec<S, N>());
 
-  /// `points` are not none.
+  /// `points` must not be empty.
   constexpr Stab(const Ray<S, N>& ray, const Points& points) noexcept
       : origin_(ray.origin), direction_(ray.direction), points_(points) {
     at(0) = column(0);
-    // From the first point towards the line, along each axis but the line's longest.
+    // From the first point towards the line, along each axis except the line's longest.
     const auto& offset = at(0).offset;
     const int k = longest_axis(direction_.vec());
     for (int i = 1; i < N; ++i) {
@@ -51,8 +52,8 @@ class Stab {
     orient();
   }
 
-  /// Whether the line meets the hull; from then on the basis has points alone, but for directions
-  /// in which the hull has no extent beside the line.
+  /// Whether the line meets the hull. If so, the basis has only points from then on, except for
+  /// directions across the line in which the hull has no extent.
   [[nodiscard]] constexpr bool meets() noexcept {
     descend([this] { return lack(); });
     const auto weight = weights();
@@ -64,7 +65,7 @@ class Stab {
     return true;
   }
 
-  /// Goes to a simplex that the line stabs as early, or as late, as any.
+  /// Moves to a simplex that the line stabs first, or last.
   constexpr void go_to_first() noexcept {
     descend([this] { return normal(); });
   }
@@ -86,7 +87,7 @@ class Stab {
     return true;
   }
 
-  /// A vector at right angles to the basis, along the ray.
+  /// A vector perpendicular to the basis, pointing along the ray.
   [[nodiscard]] constexpr auto normal() const noexcept {
     const int i = point();
     if constexpr (N == 2) {
@@ -102,7 +103,7 @@ class Stab {
   using Index = std::ptrdiff_t;
   static constexpr Index no_point = -1;
 
-  /// A point, as seen from the ray's origin, or a direction beside the line.
+  /// A point relative to the ray's origin, or a direction across the line.
   struct Column {
     Offset offset;
     Index index = no_point;
@@ -119,20 +120,21 @@ class Stab {
   }
   [[nodiscard]] constexpr bool is_point(int i) const noexcept { return at(i).index != no_point; }
 
-  /// The first column that is a point; there is one, since the weights of points have the sum 1.
+  /// The first column that is a point. There is one, because the weights of points have the sum 1.
   [[nodiscard]] constexpr int point() const noexcept {
     int i = 0;
     while (!is_point(i)) ++i;
     return i;
   }
 
-  /// From the first point of the basis to column i, or along it when it is a direction.
+  /// From the first point of the basis to column i, or column i itself if it is a direction.
   [[nodiscard]] constexpr Offset edge(int i) const noexcept {
     if (!is_point(i)) return at(i).offset;
     return point_at(at(i).index) - point_at(at(point()).index);
   }
 
-  /// d . (v x w), in 2D d x v: on which side the line passes the edge from v to w, or the point v.
+  /// d . (v x w), in 2D d x v: the side on which the line passes the edge from v to w, or the
+  /// point v.
   [[nodiscard]] constexpr auto side(const Offset& v) const noexcept requires(N == 2) {
     return cross(direction_, v);
   }
@@ -144,7 +146,7 @@ class Stab {
     return narrow_dot<bits>(w, moment);
   }
 
-  /// The weights of the columns, times one positive number.
+  /// The weights of the columns, times a common positive factor.
   [[nodiscard]] constexpr auto weights() const noexcept {
     if constexpr (N == 2) {
       return std::array{narrow_negative(side(at(1).offset)), side(at(0).offset)};
@@ -154,13 +156,13 @@ class Stab {
     }
   }
 
-  /// Makes the number that the weights are multiplied by, normal . direction, positive.
+  /// Makes the common factor of the weights, normal . direction, positive.
   constexpr void orient() noexcept {
     if (dot(normal(), direction_) < 0) std::swap(at(N - 2), at(N - 1));
   }
 
-  /// A vector g for a column i that is a direction: as p moves by v, how much of it makes up for p
-  /// falls by g . v, times that positive number.
+  /// A vector g for a column i that is a direction: as a point p moves by v, the amount of the
+  /// direction that makes up for p falls by g . v, times that common factor.
   [[nodiscard]] constexpr auto gradient(int i) const noexcept {
     const int first = point();
     if constexpr (N == 2) {
@@ -173,7 +175,7 @@ class Stab {
     }
   }
 
-  /// The vector along which points make up for more of the directions of the basis, negated.
+  /// The negated vector along which points make up for more of the directions of the basis.
   [[nodiscard]] constexpr auto lack() const noexcept {
     using Sum = decltype(gradient(0) + gradient(0));
     constexpr int bits = bits_of<decltype(Sum::x)>;
@@ -184,8 +186,8 @@ class Stab {
     return sum;
   }
 
-  /// Lets points enter that lead against the vector that `gradient_of` gives for the basis, until
-  /// none does.
+  /// Lets points enter that lie against the vector `gradient_of()` of the basis, until there is
+  /// none.
   template <class GradientOf>
   constexpr void descend(const GradientOf& gradient_of) noexcept {
     bool moved = true;
@@ -196,7 +198,8 @@ class Stab {
     }
   }
 
-  /// The point that leads furthest against v, or the `first` that does; none when none does.
+  /// The point that lies farthest against v, or with `first` the first one that lies against it;
+  /// `no_point` if none does.
   template <Number V>
   [[nodiscard]] constexpr Index least(const Vec<V, N>& v, bool first) const noexcept {
     const auto& from = point_at(at(point()).index);
@@ -213,7 +216,7 @@ class Stab {
     return best;
   }
 
-  /// Takes a point into the basis; whether that changed where the line stabs it.
+  /// Adds a point to the basis. Returns whether that changed where the line stabs it.
   constexpr bool enter(Index entering) noexcept {
     const auto added = column(entering);
     const auto weight = weights();
@@ -226,7 +229,7 @@ class Stab {
         sides[index(i)] = side(added.offset, at(i).offset);
       }
     }
-    // How fast weight i falls as that of the new point grows, and which weight is 0 first.
+    // How fast weight i falls as that of the new point grows, and which weight reaches 0 first.
     const auto fall = [&](int i) {
       const auto part = [&](int other, int of) {
         return is_point(other) ? sides[index(of)] : Weight(0);
@@ -250,12 +253,12 @@ class Stab {
       leaving = i;
       leaves = true;
     }
-    if (!leaves) return false;  // rounded: the falls of points have the sum 1
+    if (!leaves) return false;  // by rounding: the falls of points have the sum 1
     at(leaving) = added;
     return weight[index(leaving)] > 0;
   }
 
-  /// Puts a point in the place of a direction of weight 0 that some point needs.
+  /// Replaces a direction of weight 0 that some point needs by that point. Returns whether it did.
   constexpr bool replace_direction() noexcept {
     for (int i = 0; i < N; ++i) {
       if (is_point(i)) continue;

@@ -9,7 +9,7 @@ namespace detent {
 
 namespace detail {
 
-/// A ray's line against the plane of a 3D triangle, by determinants: with n = (b - a) x (c - a),
+/// A ray's line against the plane of a 3D triangle, by determinants. With n = (b - a) x (c - a) and
 /// det = -n . direction, u and v are det times the barycentric weights of b and c at the point
 /// where they meet, and n . (origin - a) is det times its distance.
 ///
@@ -23,7 +23,7 @@ struct RayTriangle {
         p(cross(ray.direction, edge_c)),
         det(narrow_dot<volume_bits>(edge_b, p)) {}
 
-  /// det u, det v: signs tell on which side of two edges the line passes.
+  /// det u and det v: their signs give the side of two edges on which the line passes.
   [[nodiscard]] constexpr auto u() const noexcept { return narrow_dot<volume_bits>(from_a, p); }
   [[nodiscard]] constexpr auto v(const Direction<S, 3>& direction) const noexcept {
     return narrow<volume_bits>(dot(q(), direction));
@@ -51,7 +51,7 @@ template <Scalar S>
   using Result = std::optional<Distance>;
   const bool flip = meeting.det < 0;
   const auto oriented = [flip](const auto& x) { return flip ? narrow_negative(x) : x; };
-  // Not const, for GCC 12 keeps const objects of several words in memory.
+  // Not const: GCC 12 keeps const objects of several words in memory.
   auto det = oriented(meeting.det);
   auto u = oriented(meeting.u());
   if (u < 0 || u > det) return Result();
@@ -122,7 +122,7 @@ template <Scalar S>
 
 /// Distance, point and normal where `ray` first touches `triangle`, or nothing.
 ///
-/// result: the normal is on the side of the ray, that of (b - a) x (c - a) for a ray in the
+/// result: the normal is on the side of the ray; it is that of (b - a) x (c - a) for a ray in the
 ///         triangle's plane, and the opposite of the direction for a collapsed triangle
 /// exact:  each component of the normal is the exact one rounded to nearest
 ///         (tests/oracle/ray_triangle.test.cpp)
@@ -137,7 +137,7 @@ template <Scalar S>
   return detail::hit_at(ray, *distance, meeting.det < 0 ? -*normal : *normal);
 }
 
-/// Distances at which `ray` enters and leaves `triangle`: equal, but for a ray in its plane.
+/// Distances at which `ray` enters and leaves `triangle`: equal, except for a ray in its plane.
 template <Scalar S>
 [[nodiscard]] constexpr std::optional<Interval<S>> raycast_interval(
     const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Facing facing = Facing::both) noexcept {
@@ -152,7 +152,7 @@ template <Scalar S>
   return Interval<S>{*distance, *distance};
 }
 
-/// Distance along `ray` at which it first touches the 2D `triangle`, a solid, or nothing.
+/// Distance along `ray` at which it first touches the 2D `triangle`, which is solid, or nothing.
 ///
 /// units:  lengths in world units; direction is unit length
 /// domain: every input; a collapsed triangle is the segment or point that its corners span
@@ -169,8 +169,8 @@ template <Scalar S>
 
 /// Distance, point and normal where `ray` first touches the 2D `triangle`, or nothing.
 ///
-/// result: the normal is the outward one of the edge entered, of ab, bc, ca the first of several;
-///         the opposite of the direction where the ray starts inside or the triangle has collapsed
+/// result: the outward normal of the edge entered, the first of ab, bc, ca if several; the opposite
+///         of the direction if the ray starts inside or the triangle has collapsed
 /// exact:  each component of the normal is the exact one rounded to nearest
 ///         (tests/oracle/ray_triangle.test.cpp)
 template <Scalar S>
@@ -187,7 +187,7 @@ template <Scalar S>
   const auto edge = inside->entry_edge == 0   ? triangle.b - triangle.a
                     : inside->entry_edge == 1 ? triangle.c - triangle.b
                                               : triangle.a - triangle.c;
-  // Of the two perpendiculars the one that faces the ray: (y, -x) . d is the cross product.
+  // The perpendicular that faces the ray: (y, -x) . d is the cross product.
   const bool along = cross(ray.direction, edge) > 0;
   const auto normal = direction_of<S>(Vec{edge.y, narrow_negative(edge.x)});
   return detail::hit_at(ray, *distance, along ? -*normal : *normal);
