@@ -10,13 +10,13 @@
 
 namespace detent::detail {
 
-/// A box around all points at which a ray may touch a shape, or nothing where that is not known to
-/// be within the range of the scalar.
+/// A box around all points at which a ray may touch a shape, or nothing if it may exceed the range
+/// of the scalar.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<Aabb<S, N>> within_range(const Aabb<S, N>& box) noexcept {
   if (is_empty(box)) return box;
   for (int i = 0; i < N; ++i) {
-    // A box that was cut off ends there.
+    // A clamped box ends there.
     if (box.min[i] == lowest<S> || box.max[i] == largest<S>) return std::nullopt;
   }
   return box;
@@ -32,10 +32,9 @@ template <Scalar S, int N>
   return std::nullopt;
 }
 
-/// Rays see the slabs of a box. Where the cosines of its axes are at most e = 2^-10, a point with
-/// coordinates |y_i| <= h along them is the sum of z_i axis(i) for |z_i - y_i| <= 1.01 e * 3 h: so
-/// a 64th of h more than the box around the edges is enough. Slabs along skewed axes may be
-/// anywhere.
+/// For rays a box is its slabs. If the cosines of its axes are at most e = 2^-10, a point with
+/// coordinates |y_i| <= h along them is the sum of z_i axis(i) with |z_i - y_i| <= 1.01 e * 3 h. So
+/// the box around the edges, grown by h / 64, is enough. Slabs along skewed axes may be anywhere.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto ray_bounds(const Obb<S, N>& box) noexcept {
   using Result = std::optional<Aabb<S, N>>;

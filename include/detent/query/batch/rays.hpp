@@ -10,14 +10,14 @@
 
 namespace detent {
 
-/// Many rays, for shapes that few of them meet.
+/// Many rays, for shapes that few of them hit.
 ///
-/// Beside the caller's rays it keeps their parts within a box, `frame`, as columns of 16-bit
-/// numbers in blocks that are the caller's too. A query about a shape in the frame rules out most
-/// rays by the columns, eight or more at a time, and asks the others one by one, so that its
-/// answers are those of a loop over all rays. About other shapes it asks every ray.
+/// It refers to the caller's rays and keeps their parts within a box, `frame`, as columns of 16-bit
+/// numbers, in blocks that the caller provides. A query with a shape in the frame culls most rays
+/// by the columns, eight or more at a time, and casts the others one by one, so its results are
+/// those of a loop over all rays. With other shapes it casts every ray.
 ///
-/// domain: every shape but compounds
+/// domain: every shape except compounds
 template <Scalar S, int N>
 class RayBatch {
  public:
@@ -40,7 +40,8 @@ class RayBatch {
     return rays_[i];
   }
 
-  /// Calls visit(i), by rising i, for every ray that may touch `shape`, as long as it returns true.
+  /// Calls visit(i), in ascending order, for every ray that may touch `shape`, until it returns
+  /// false.
   template <class Shape, class Visit>
   constexpr void visit_candidates(const Shape& shape, const Visit& visit) const noexcept {
     std::size_t asked = 0;
@@ -69,7 +70,7 @@ class RayBatch {
 /// Whether any ray of a batch touches `shape`.
 ///
 /// domain: every input
-/// exact:  as `raycast`, which `options` are passed to      (tests/query/batch.test.cpp)
+/// exact:  as `raycast`, which gets the `options`                      (tests/query/batch.test.cpp)
 template <Scalar S, int N, class Shape, class... Options>
 [[nodiscard]] constexpr bool raycast_any(const RayBatch<S, N>& batch, const Shape& shape,
                                          const Options&... options) noexcept {
@@ -81,7 +82,7 @@ template <Scalar S, int N, class Shape, class... Options>
   return any;
 }
 
-/// What `raycast` answers for each ray of a batch, for as many as `answers` has room.
+/// Writes what `raycast` returns for each ray of a batch, for as many as `answers` has room.
 template <Scalar S, int N, class Shape, class... Options>
 constexpr void raycast_each(const RayBatch<S, N>& batch, const Shape& shape,
                             std::span<std::optional<S>> answers,

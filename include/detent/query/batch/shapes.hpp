@@ -11,20 +11,20 @@
 
 namespace detent {
 
-/// How many blocks the columns of `count` shapes or rays take.
+/// The number of blocks for the columns of `count` shapes or rays.
 [[nodiscard]] constexpr std::size_t batch_blocks(std::size_t count) noexcept {
   return (count + detail::batch_lanes - 1) / detail::batch_lanes;
 }
 
-/// Many shapes of one type, for rays that meet few of them.
+/// Many shapes of one type, for rays that hit few of them.
 ///
-/// Beside the caller's shapes it keeps their boxes as columns of 16-bit numbers, in memory that is
-/// the caller's too: blocks for as many shapes as are to profit. A query rules out most shapes by
-/// the columns, eight or more at a time, and asks the others one by one, so that its answers are
-/// those of a loop over all shapes.
+/// It refers to the caller's shapes and keeps their bounding boxes as columns of 16-bit numbers, in
+/// blocks that the caller provides; shapes that the blocks have no room for are not culled. A query
+/// culls most shapes by the columns, eight or more at a time, and tests the others one by one, so
+/// its results are those of a loop over all shapes.
 ///
-/// domain: every shape but compounds; planes, boxes with skewed axes and what reaches an end of the
-///         scalar's range are never ruled out
+/// domain: every shape except compounds; planes, boxes with skewed axes and shapes that reach an
+///         end of the scalar's range are never culled
 template <class Shape>
 class ShapeBatch;
 
@@ -56,8 +56,8 @@ class ShapeBatch<Shape<S, N>> {
     return shapes_[i];
   }
 
-  /// Calls visit(i), by rising i, for every shape that `ray` may touch at a distance that visit
-  /// wants: it returns how far to look on, and a negative number to end.
+  /// Calls visit(i), in ascending order, for every shape that `ray` may touch within its
+  /// max_distance. `visit` returns the new max_distance, or a negative number to stop.
   template <class Visit>
   constexpr void visit_candidates(Ray<S, N> ray, const Visit& visit) const noexcept {
     detail::CoarseRays<S, N> rays;
@@ -95,7 +95,7 @@ class ShapeBatch<Shape<S, N>> {
   detail::CoarseFrame<S, N> frame_{detail::no_box<Aabb<S, N>>};
 };
 
-/// What a ray meets first in a batch.
+/// The first hit of a ray in a batch.
 template <Scalar S>
 struct BatchHit {
   std::size_t index = 0;
@@ -105,11 +105,11 @@ struct BatchHit {
                                                  const BatchHit&) noexcept = default;
 };
 
-/// The shape that `ray` touches first, the first of several at one distance, or nothing.
+/// The shape that `ray` touches first, or nothing; the first of several at one distance.
 ///
 /// units:  lengths in world units; direction is unit length
 /// domain: every input
-/// result: the least of what `raycast` answers for each; `options` are passed to it
+/// result: the least distance that `raycast` returns for any shape; `options` are passed to it
 /// exact:  as `raycast`                                     (tests/query/batch.test.cpp)
 template <Scalar S, int N, class Shape, class... Options>
 [[nodiscard]] constexpr std::optional<BatchHit<S>> raycast_first(
@@ -138,7 +138,7 @@ template <Scalar S, int N, class Shape, class... Options>
   return any;
 }
 
-/// What `raycast` answers for each shape of a batch, for as many as `answers` has room.
+/// Writes what `raycast` returns for each shape of a batch, for as many as `answers` has room.
 template <Scalar S, int N, class Shape, class... Options>
 constexpr void raycast_each(const Ray<S, N>& ray, const ShapeBatch<Shape>& batch,
                             std::span<std::optional<S>> answers,

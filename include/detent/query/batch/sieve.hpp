@@ -11,11 +11,11 @@
 #include "detent/number/coarse.hpp"
 #include "detent/query/raycast/aabb.hpp"
 
-// Which of many boxes and rays are far apart, as columns of coarse numbers: a compiler turns the
-// loop over them into vectors, and whoever is not ruled out is asked exactly. What is ruled out
-// does not meet, so nothing of this shows in an answer.
+// Conservative culling of many boxes and rays, quantized to columns of small numbers. Compilers
+// turn the loop over them into vectors. Candidates that remain are tested exactly. What is culled
+// does not meet, so culling changes no result.
 
-// A compiler inlines only so much of a large source, and a loop that calls something is no vector.
+// Compilers limit inlining in a large source, and do not vectorize a loop that calls something.
 #if defined(__GNUC__)
 #define DETENT_INLINE_CALLS __attribute__((flatten))
 #else
@@ -24,18 +24,18 @@
 
 namespace detent::detail {
 
-/// How many shapes or rays a block of columns holds.
+/// The number of shapes or rays in a block of columns.
 inline constexpr std::size_t batch_lanes = 64;
 
 template <class T, int N>
 using Columns = std::array<std::array<T, batch_lanes>, static_cast<std::size_t>(N)>;
 
-/// A box around a shape, from center - extent to center + extent.
+/// The quantized bounding box of a shape, from center - extent to center + extent.
 template <Scalar S, int N>
 struct CoarseBox {
   Vec<coarse<S>, N> center, extent;
 
-  /// That of no shape, and of one that may be anywhere.
+  /// The box of no shape, and of a shape that may be anywhere.
   [[nodiscard]] static constexpr CoarseBox nowhere() noexcept {
     return {{}, make_vec<N>([](int) { return narrow_negative(coarse_limit<S>); })};
   }
@@ -44,14 +44,14 @@ struct CoarseBox {
   }
 };
 
-/// A part of a ray, in the box from middle - reach to middle + reach; `slope` is half the
+/// A quantized part of a ray, in the box from middle - reach to middle + reach; `slope` is half the
 /// direction.
 template <Scalar S, int N>
 struct CoarseRay {
   Vec<coarse<S>, N> middle, reach;
   Vec<coarse_slope<S>, N> slope;
 
-  /// That of a ray which meets nothing.
+  /// A ray that meets nothing.
   [[nodiscard]] static constexpr CoarseRay nowhere() noexcept {
     return {{}, CoarseBox<S, N>::nowhere().extent, {}};
   }
@@ -86,8 +86,8 @@ struct CoarseRays {
   }
 };
 
-/// One box or ray in every lane. (clang multiplies 16 bits by 16 only where it reads both factors
-/// as such from memory.)
+/// One box or ray in every lane. (clang multiplies 16 bits by 16 only if it loads both factors as
+/// 16 bits from memory.)
 template <class Block, class Item>
 [[nodiscard]] constexpr Block repeated(const Item& item) noexcept {
   Block block;
@@ -95,12 +95,12 @@ template <class Block, class Item>
   return block;
 }
 
-/// Whether the ray of lane l misses the box of lane l for certain: an axis of the box separates
-/// them, or one at right angles to such an axis and the ray.
+/// Whether the ray of lane l certainly misses the box of lane l: an axis of the box separates them,
+/// or one perpendicular to such an axis and the ray.
 ///
-/// `slack` covers the rounding of a product's factors and of the product: in steps, each of |w| and
-/// of the extent errs by 3 along the ray's slope (at most 3 * 0.71 together), the slopes by 2^-16
-/// (0.5 for each of two products, 0.25 for extents), and the four products by 1 each: 7.5 in all.
+/// `slack` covers the rounding of a product's factors and of the product. In steps, |w| and the
+/// extent each err by 3 along the ray's slope (at most 3 * 0.71 together), the slopes by 2^-16 (0.5
+/// for each of two products, 0.25 for extents), and the four products by 1 each: 7.5 in all.
 ///
 /// source: separating axes, Ericson, Real-Time Collision Detection, 5.3.3
 template <Scalar S, int N>
@@ -128,7 +128,7 @@ template <Scalar S, int N>
   return result;
 }
 
-/// The part of the world in which boxes and rays are looked at, and its coarse grid.
+/// The region in which boxes and rays are culled, and its quantized grid.
 template <Scalar S, int N>
 class CoarseFrame {
  public:
@@ -156,8 +156,8 @@ class CoarseFrame {
     return true;
   }
 
-  /// A box in the frame, or an empty one. Its extent exceeds the least by what the place of a ray
-  /// may be wrong: 1.5 at its start and 2.5 at its end, and 0.5 in their middle.
+  /// A box in the frame, or an empty one. Its extent is larger than the least by the possible error
+  /// of a ray's position: 1.5 at its start and 2.5 at its end, and 0.5 in their middle.
   [[nodiscard]] constexpr CoarseBox<S, N> coarsen(const Aabb<S, N>& box) const noexcept {
     if (is_empty(box)) return CoarseBox<S, N>::nowhere();
     CoarseBox<S, N> result;
@@ -207,16 +207,16 @@ class CoarseFrame {
   coarse<S> step_{}, margin_{}, slack_{};
 };
 
-/// The lanes of a block that are left.
+/// The lanes of a block that are not culled.
 class Candidates {
  public:
-  /// Leaves the lanes l for which keep(l) holds.
+  /// Keeps the lanes l for which keep(l) holds.
   template <class Keep>
   DETENT_INLINE_CALLS constexpr void assign(const Keep& keep) noexcept {
     for (std::size_t l = 0; l < batch_lanes; ++l) kept_[l] = keep(l);
   }
 
-  /// Calls visit(l) for each in order, as long as it returns true; whether it always did.
+  /// Calls visit(l) for each in order, until it returns false. Returns whether it never did.
   template <class Visit>
   constexpr bool for_each(const Visit& visit) const noexcept {
     for (std::size_t first = 0; first < batch_lanes; first += group) {
