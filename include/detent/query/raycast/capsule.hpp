@@ -60,7 +60,7 @@ class RayCapsule {
     return {part, side.first_root(limit)};
   }
 
-  /// The part where the line leaves the capsule. It must do so, and ahead of the ray's origin.
+  /// The part where the line leaves the capsule, which must be ahead of the ray's origin.
   [[nodiscard]] constexpr CapsulePart left() const noexcept {
     if (a_ == 0) return CapsulePart::last_end;
     if constexpr (is_fixed<S>) {

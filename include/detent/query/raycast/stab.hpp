@@ -14,11 +14,11 @@ namespace detent::detail {
 /// Finds N points of a hull whose simplex (a triangle, in 2D a segment) a ray's line stabs, and
 /// then such a simplex that it stabs first or last.
 ///
-/// This is a linear program: find nonnegative weights of the points, with the sum 1, that make the
+/// This is a linear program: find nonnegative weights of the points, with the sum 1, that give the
 /// point of the line at the least distance. A basis has N columns: points and, at first, directions
-/// across the line that make up for what the points lack. A point before the plane of the basis
-/// enters, and the column whose weight is the first to fall to 0 leaves, so the line stabs the new
-/// basis too.
+/// across the line that make up for what the points lack. A point in front of the plane of the
+/// basis enters, and the column whose weight is the first to fall to 0 leaves, so the line stabs
+/// the new basis too.
 ///
 /// With w from the ray's origin to a point, the weights of a, b, c are the volumes d . (w_b x w_c),
 /// d . (w_c x w_a), d . (w_a x w_b) over their sum. The rates at which they fall are sums of such
