@@ -3,8 +3,8 @@
 
 // Terrain: heights on a grid, without a heap and without a tree:
 //   height_field(corner, cell, columns, rows, heights) -> std::optional<HeightField<S>>
-// and every query of scene/mesh.hpp, with a height field in place of the mesh. A `PlacedField` is a
-// field elsewhere, which the same queries take, and scenes as `FieldInstance`.
+// and every query of scene/mesh.hpp, with a height field instead of a mesh. A `PlacedField` is a
+// translated field: it has the same queries, and scenes hold it as `FieldInstance`.
 
 #include "detent/scene/height_field/asset.hpp"
 #include "detent/scene/height_field/height_field.hpp"

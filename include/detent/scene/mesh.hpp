@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Meshes of triangles with a tree over them, without a heap:
+// Triangle meshes with a tree over them, without a heap:
 //   build_mesh(triangles, nodes)            -> std::optional<Mesh<S>>     in the caller's storage
 //   raycast_nearest(ray, mesh)              -> std::optional<MeshHit<S>>  distance, index
 //   raycast_any(ray, mesh)                  -> bool
@@ -11,8 +11,8 @@
 //   overlaps(mesh, plane), overlaps(mesh, mesh), contains(mesh, point), intersects(segment, mesh)
 //   nearest_triangle(mesh, point)           -> std::optional<MeshNearest<S>>
 //   closest_point(mesh, point), distance(mesh, point)
-// A `PlacedMesh` is a mesh elsewhere, which the same queries take, and scenes as `MeshInstance`.
-// `scene/mesh/owned.hpp` has a mesh that keeps its own storage in std::vector.
+// A `PlacedMesh` is a transformed mesh: it has the same queries, and scenes hold it as
+// `MeshInstance`. `scene/mesh/owned.hpp` has a mesh that owns its storage, in std::vector.
 
 #include "detent/scene/mesh/asset.hpp"
 #include "detent/scene/mesh/closest_point.hpp"

@@ -15,10 +15,10 @@ constexpr void append(D& digest, const HeightField<S>& field) noexcept {
   for (const auto& height : field.heights) digest.add(height);
 }
 
-/// A height field that objects of scenes share, under an id of the caller's choice: it is what
-/// snapshots say instead of heights, with the digest that tells whether they are the same.
+/// A height field that objects of scenes share, with an id chosen by the caller. Snapshots store
+/// the id and the digest instead of the heights; the digest shows whether the heights are the same.
 ///
-/// The heights stay with the caller, and as they are: the digest is taken once.
+/// The caller owns the heights and must not change them: the digest is computed once.
 template <Scalar S>
 class FieldAsset {
  public:

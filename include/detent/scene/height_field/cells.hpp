@@ -16,11 +16,12 @@ namespace detent::detail {
 struct FieldCells {
   std::uint32_t column, row, columns, rows;
 
-  /// One of two halves waits for each time that 2^32 columns and 2^32 rows can be halved.
+  /// The most rectangles that wait in a traversal: one of two halves for each time that 2^32
+  /// columns and 2^32 rows can be halved.
   static constexpr std::size_t room = 66;
 
   [[nodiscard]] constexpr bool is_leaf() const noexcept { return columns == 1 && rows == 1; }
-  /// The two halves across the longer side.
+  /// The two halves of the longer side.
   [[nodiscard]] constexpr std::array<FieldCells, 2> halves() const noexcept {
     const auto left = columns / 2, upper = rows / 2;
     if (columns >= rows) {
@@ -32,7 +33,7 @@ struct FieldCells {
   }
 };
 
-/// A box around a rectangle of cells, tight around a single one.
+/// A box around a rectangle of cells; tight for a single cell.
 template <Scalar S>
 [[nodiscard]] constexpr Aabb<S, 3> box_of(const HeightField<S>& field,
                                           const FieldCells& cells) noexcept {
@@ -50,8 +51,8 @@ template <Scalar S>
   return box;
 }
 
-/// Calls visit(column, row) for those of `cells` between whose lowest and highest sample
-/// meets(low, high) holds, until it returns true. Returns whether it did.
+/// Calls visit(column, row) for each of `cells` whose lowest and highest sample satisfy meets(low,
+/// high), until visit returns true. Returns whether it did.
 template <Scalar S, class Meets, class Visit>
 constexpr bool visit_cells(const HeightField<S>& field, const FieldCells& cells, const Meets& meets,
                            const Visit& visit) noexcept {
@@ -70,7 +71,8 @@ constexpr bool visit_cells(const HeightField<S>& field, const FieldCells& cells,
   return false;
 }
 
-/// The first of [0, count) for which `test` does not hold, or `count`: it holds for all before it.
+/// The first number in [0, count) for which `test` fails, or `count`. A binary search: once `test`
+/// fails, it must fail for all greater numbers.
 template <class Test>
 [[nodiscard]] constexpr std::uint32_t first_where_not(std::uint32_t count,
                                                       const Test& test) noexcept {
@@ -87,8 +89,8 @@ template <class Test>
   return first;
 }
 
-/// The place of the least interval of `count` from `corner` on, each `cell` long, that does not end
-/// before `x`; `count` where all do.
+/// The index of the first of `count` intervals from `corner` on, each `cell` long, that does not
+/// end before `x`; `count` if all do.
 template <Scalar S>
 [[nodiscard]] constexpr std::uint32_t first_up_to(const S& corner, const S& cell,
                                                   std::uint32_t count, const S& x) noexcept {

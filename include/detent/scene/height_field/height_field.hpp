@@ -13,8 +13,8 @@
 
 namespace detent {
 
-/// Terrain: a view of heights on a grid of squares, which the caller keeps. `height_field` makes
-/// one.
+/// Terrain: a view of heights on a grid of squares. The caller owns the heights. `height_field`
+/// makes one.
 ///
 /// Sample (column, row) is at x = corner.x + column * cell, z = corner.y + row * cell and its y is
 /// heights[row * columns + column]. Four samples make a cell, which is two triangles: (0, 0),
@@ -39,9 +39,9 @@ template <Scalar S>
   return field.bounds;
 }
 
-/// The height field of these samples, or nothing where they make no cell: fewer than two columns or
-/// rows, a cell that is not positive, another number of heights than columns * rows, 2^31 cells or
-/// more, or a far corner beyond the range of the scalar.
+/// The height field of these samples. Returns nothing for fewer than two columns or rows, a cell
+/// that is not positive, a number of heights other than columns * rows, 2^31 cells or more, or a
+/// far corner beyond the range of the scalar.
 template <Scalar S>
 [[nodiscard]] constexpr std::optional<HeightField<S>> height_field(
     const Vec<S, 2>& corner, const S& cell, std::uint32_t columns, std::uint32_t rows,
@@ -70,7 +70,7 @@ template <Scalar S>
 
 }  // namespace detail
 
-/// The place of a sample.
+/// The position of a sample.
 template <Scalar S>
 [[nodiscard]] constexpr Vec<S, 3> field_point(const HeightField<S>& field, std::uint32_t column,
                                               std::uint32_t row) noexcept {
@@ -93,5 +93,5 @@ template <Scalar S>
 
 }  // namespace detent
 
-// The walks of a height field, without which no query of it compiles.
+// The traversals of a height field, which every query on it needs to compile.
 #include "detent/scene/height_field/walk.hpp"

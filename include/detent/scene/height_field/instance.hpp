@@ -13,14 +13,14 @@
 
 namespace detent {
 
-/// What a scene lists to hold height fields, in 3D: `Scene<q16_16, 3, Sphere, FieldInstance>`, whose
-/// objects are each a `PlacedField<q16_16>`. Snapshots refer to fields by id and digest.
+/// Listed by scenes that hold height fields, in 3D: `Scene<q16_16, 3, Sphere, FieldInstance>` holds
+/// `PlacedField<q16_16>`. Snapshots refer to fields by id and digest.
 template <Scalar S, int N>
 using FieldInstance = std::enable_if_t<N == 3, PlacedField<S>>;
 
 namespace detail {
 
-/// Reads a field that is one of `assets`: of one id, that with the same digest.
+/// Reads a field whose id and digest are those of one of `assets`.
 template <Scalar S, class Assets>
 [[nodiscard]] constexpr Restored read_shape(Reader& in, PlacedField<S>& shape,
                                             const Assets& assets) noexcept {

@@ -5,18 +5,19 @@
 
 #include "detent/scene/height_field/cells.hpp"
 
-// The cells of a height field along a line {origin + t * direction : t >= 0}, strip by strip: a strip
-// is one row or one column of cells, across the axis on which the line moves most, so that the line
-// passes at most three cells of it.
+// The cells of a height field along a line {origin + t * direction : t >= 0}, strip by strip. A
+// strip is one row or one column of cells, across the axis on which the line moves most, so the
+// line crosses at most three of its cells.
 //
-// With `ahead` the way from the origin to a border of strips and `size` the length of the direction
-// on that axis, the line is there at t = ahead / size, and has moved by ahead * d / size on another
-// axis. Multiplied by `size`, all comparisons are exact and need no division.
+// Let `ahead` be the distance on that axis from the origin to a border of strips, and `size` the
+// absolute component of the direction. The line reaches the border at t = ahead / size, where it
+// has moved by ahead * d / size on an axis with component d. Multiplied by `size`, all comparisons
+// are exact and need no division.
 
 namespace detent::detail {
 
-/// One horizontal axis of a height field in the direction in which a line moves along it: its cells
-/// and the borders between them are counted from where the line comes from.
+/// One horizontal axis of a height field. Its cells, and the borders between them, are counted in
+/// the direction in which the line moves.
 template <Scalar S>
 struct FieldAxis {
   S corner, cell, origin;
@@ -28,15 +29,15 @@ struct FieldAxis {
     return is_backward ? origin - field_border(corner, cell, count - border)
                        : field_border(corner, cell, border) - origin;
   }
-  /// The first column or row of `width` cells from the `first` on.
+  /// The lowest column or row of the field among `width` cells from `first` on.
   [[nodiscard]] constexpr std::uint32_t place(std::uint32_t first,
                                               std::uint32_t width) const noexcept {
     return is_backward ? count - first - width : first;
   }
 };
 
-/// A line over a height field: `T` is the exact type of its direction's components, whose lowest
-/// number is none of them.
+/// A line over a height field. `T` is the exact type of its direction's components, none of which
+/// is the lowest `T`.
 template <Scalar S, Number T>
 class FieldLine {
  public:
@@ -55,10 +56,10 @@ class FieldLine {
     if (is_vertical_) size_ = T::from_raw(1);  // the line stays in its strip, at any height
   }
 
-  /// Calls visit(cells, meets) for the strips that the line passes, in its order, until it returns
-  /// true: `cells` are those of the strip that it passes, and meets(low, high) says whether it may
-  /// touch samples between these heights there. ends(ahead, size) says whether a strip that begins
-  /// there is behind the end of the line.
+  /// Calls visit(cells, meets) for the strips that the line crosses, in order, until it returns
+  /// true. `cells` are the cells of the strip that it crosses; meets(low, high) returns whether it
+  /// may touch samples between these heights there. ends(ahead, size) returns whether the line ends
+  /// before a strip that begins there.
   template <class Ends, class Visit>
   constexpr void visit_strips(const Ends& ends, const Visit& visit) const noexcept {
     const auto far_side = side_.ahead(side_.count) * size_;
@@ -107,7 +108,8 @@ class FieldLine {
                        : Rises{low - height_, high - height_};
   }
 
-  /// The first strip that is not before the origin of the line, nor before it comes to the field.
+  /// The first strip that is not behind the origin of the line, nor before the line reaches the
+  /// field.
   [[nodiscard]] constexpr std::uint32_t first_strip() const noexcept {
     const auto near_side = side_.ahead(0) * size_;
     const auto near_rise = bounds_.least * size_;

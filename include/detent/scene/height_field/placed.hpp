@@ -13,10 +13,11 @@
 
 namespace detent {
 
-/// A height field in another place: a surface of its triangles, each number of them moved, rounded
-/// to nearest and clamped to the range of the scalar. It has no rotation, for heights stay upright.
+/// A translated height field: a surface of its triangles, each coordinate translated, rounded to
+/// nearest and clamped to the range of the scalar. It has no rotation, because heights stay
+/// upright.
 ///
-/// The asset stays with the caller and must outlive it; without one there are no triangles.
+/// The caller owns the asset, which must outlive it; without one there are no triangles.
 template <Scalar S>
 struct PlacedField {
   const FieldAsset<S>* asset = nullptr;
@@ -34,14 +35,15 @@ PlacedField(const FieldAsset<S>*, Vec<S, 3>) -> PlacedField<S>;
 template <>
 inline constexpr bool is_surface<PlacedField> = true;
 
-/// The canonical bytes of a digest: id and digest of the field, zeros for none, and the translation.
+/// The canonical bytes of a digest: id and digest of the field (zeros for none), and the
+/// translation.
 template <class D, Scalar S>
 constexpr void append(D& digest, const PlacedField<S>& field) noexcept {
   digest.add(field.asset ? field.asset->id() : std::uint32_t{0},
              field.asset ? field.asset->digest() : std::uint64_t{0}, field.translation);
 }
 
-/// Its fields in desyncs: see fields.hpp.
+/// Its fields in a `Desync`: see fields.hpp.
 template <Scalar S, class F>
 constexpr void for_each_field(const PlacedField<S>& field, const F& f) {
   f("height field", field.asset ? field.asset->id() : std::uint32_t{0});
@@ -56,8 +58,8 @@ template <Scalar S>
   return {field.asset, nearest_to<S>(field.translation + by)};
 }
 
-/// The field, given in a local frame, in the world. It stays upright and as large as it is: only its
-/// translation is that of a point of the frame.
+/// The field moved from a local frame to the world. It is not rotated or scaled: only its
+/// translation is transformed, as a point.
 template <Scalar S>
 [[nodiscard]] constexpr PlacedField<S> placed(const Transform<S, 3>& transform,
                                               const PlacedField<S>& field) noexcept {
@@ -69,7 +71,7 @@ namespace detail {
 template <Scalar S>
 inline constexpr std::uint8_t shape_tag<PlacedField<S>> = 9;
 
-/// visit(triangles) of the field in their place, for what visits them where they come from.
+/// Wraps visit(triangles): it gets the translated triangles when called with those of the asset.
 template <Scalar S, class Visit>
 [[nodiscard]] constexpr auto in_place(const PlacedField<S>& field, const Visit& visit) noexcept {
   return [&](std::span<const MeshTriangle<S>> triangles) {
@@ -81,7 +83,7 @@ template <Scalar S, class Visit>
   };
 }
 
-/// Whether every triangle is one of the field moved exactly, as for a placed mesh.
+/// Whether every triangle is translated exactly, as for a placed mesh.
 template <Scalar S>
 [[nodiscard]] constexpr bool moves_exactly(const PlacedField<S>& field) noexcept {
   if (!is_fixed<S> || field.asset == nullptr) return false;
@@ -101,7 +103,7 @@ template <Scalar S>
   return translated(field.asset->field().bounds, field.translation);
 }
 
-/// The parts of a field in their place: see mesh/parts.hpp.
+/// The parts of a translated field: see mesh/parts.hpp.
 template <Scalar S>
 [[nodiscard]] constexpr auto whole_of(const PlacedField<S>& field) noexcept {
   return whole_of(field.asset->field());
@@ -120,8 +122,8 @@ constexpr bool at_leaf(const PlacedField<S>& field, const detail::FieldCells& ce
   return at_leaf(field.asset->field(), cell, detail::in_place(field, visit));
 }
 
-/// The walks of a placed field: those of the field where questions can be moved back exactly, else
-/// through its parts.
+/// The traversals of a placed field: those of the field if the query can be moved back exactly,
+/// else those through its parts.
 template <Scalar S, class Visit>
 constexpr void visit_along(const PlacedField<S>& field, const Ray<S, 3>& ray,
                            const Visit& visit) noexcept {
@@ -144,7 +146,7 @@ constexpr bool visit_crossing(const PlacedField<S>& field, const Segment<S, 3>& 
   return visit_crossing(field.asset->field(), Segment{nearest_to<S>(start), nearest_to<S>(end)},
                         detail::in_place(field, visit));
 }
-/// Of the box, what is out of range once it is moved back meets no triangle.
+/// The part of the box that is out of range once moved back touches no triangle.
 template <Scalar S, class Visit>
 constexpr bool visit_within(const PlacedField<S>& field, const Aabb<S, 3>& box,
                             const Visit& visit) noexcept {

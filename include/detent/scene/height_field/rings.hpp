@@ -10,8 +10,8 @@
 
 namespace detent::detail {
 
-/// The cells of a height field around a point, ring by ring: first the cell nearest to it as seen
-/// from above, then the four sides of the square of cells around that, and so on outward.
+/// The cells of a height field around a point, ring by ring: first the cell nearest to it
+/// horizontally, then the four sides of the square of cells around that, and so on outward.
 template <Scalar S>
 class FieldRings {
  public:
@@ -23,8 +23,8 @@ class FieldRings {
             (std::min)(first_up_to(field.corner.x, field.cell, columns_, point.x), columns_ - 1)),
         row_((std::min)(first_up_to(field.corner.y, field.cell, rows_, point.z), rows_ - 1)) {}
 
-  /// Calls visit(cells) for each side, a rectangle of cells. It returns whether any cell of that
-  /// side matters: if none does, none farther out on that side is visited.
+  /// Calls visit(cells) for each side, a rectangle of cells. visit returns whether any of them
+  /// matters; if none does, no farther side in that direction is visited.
   template <class Visit>
   constexpr void visit_sides(const Visit& visit) const noexcept {
     visit(FieldCells{column_, row_, 1, 1});
@@ -44,7 +44,7 @@ class FieldRings {
     }
   }
 
-  /// The square of how far `point` is from some cells as seen from above.
+  /// The square of the horizontal distance between `point` and some cells.
   [[nodiscard]] constexpr auto squared_gap(const Vec<S, 3>& point,
                                            const FieldCells& cells) const noexcept {
     const auto& corner = field_.corner;
@@ -64,8 +64,8 @@ class FieldRings {
   std::uint32_t columns_, rows_, column_, row_;
 };
 
-/// What heights are within reach of a point: the others are farther from it than `limit`, rounded
-/// down, at a place as far from it as the square root of `squared_gap` as seen from above.
+/// The heights within reach of a point, at a horizontal distance from it of the square root of
+/// `squared_gap`. The distance to other heights there, rounded down, exceeds `limit`.
 template <Scalar S>
 struct HeightReach {
   bool is_any;
@@ -74,7 +74,7 @@ struct HeightReach {
   template <Number Area>
   constexpr HeightReach(const S& height, const S& limit, const Area& squared_gap) noexcept
       : is_any(true), low(lowest<S>), high(largest<S>) {
-    if (limit == largest<S>) return;  // as far as whatever is farther
+    if (limit == largest<S>) return;  // greater distances are clamped to it
     const auto beyond = limit + S::from_raw(1);
     const auto squared_rise = square(beyond) - squared_gap;
     is_any = squared_rise > 0;

@@ -12,7 +12,7 @@
 
 namespace detent {
 
-/// The parts of a height field, halves of halves of it: see mesh/parts.hpp.
+/// The parts of a height field, by halving it repeatedly: see mesh/parts.hpp.
 template <Scalar S>
 [[nodiscard]] constexpr detail::FieldCells whole_of(const HeightField<S>& field) noexcept {
   return {0, 0, field.columns - 1, field.rows - 1};
@@ -32,8 +32,8 @@ constexpr bool at_leaf(const HeightField<S>& field, const detail::FieldCells& ce
 
 namespace detail {
 
-/// Calls visit(triangles) for the cells that a line may touch, in the order of its strips, until it
-/// returns true; `ends` as for FieldLine. Returns whether it did.
+/// Calls visit(triangles) for the cells that a line may touch, in order of its strips, until it
+/// returns true. Returns whether it did. `ends` is as for FieldLine.
 template <Scalar S, Number T, class Ends, class Visit>
 constexpr bool visit_line(const HeightField<S>& field, const Vec<S, 3>& origin,
                           const Vec<T, 3>& direction, const Ends& ends,
@@ -50,9 +50,9 @@ constexpr bool visit_line(const HeightField<S>& field, const Vec<S, 3>& origin,
 
 }  // namespace detail
 
-/// The walks of a height field go over its cells as they lie, without a tree, and leave out those
-/// whose samples are all too high or too low: so one tall sample makes none of them longer.
-/// Scalars that round take the walks through its parts.
+/// The traversals of a height field step from cell to cell, without a tree, and skip cells whose
+/// samples are all too high or too low, so one tall sample makes none of them longer.
+/// Floating-point scalars use the traversals through its parts.
 template <Scalar S, class Visit>
 constexpr void visit_along(const HeightField<S>& field, const Ray<S, 3>& ray,
                            const Visit& visit) noexcept {

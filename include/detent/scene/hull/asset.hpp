@@ -10,15 +10,15 @@
 
 namespace detent {
 
-/// A convex hull that objects of scenes share, under an id of the caller's choice: it is what
-/// snapshots say instead of points, with the digest that tells whether they are the same.
+/// A convex hull that objects of scenes share, with an id chosen by the caller. Snapshots store the
+/// id and the digest instead of the points; the digest shows whether the points are the same.
 /// `hull_asset` makes one.
 ///
-/// The points stay with the caller, and as they are: the digest is taken once.
+/// The caller owns the points and must not change them: the digest is computed once.
 template <Scalar S, int N>
 class HullAsset {
  public:
-  /// How many points it has at most: queries hold all of them, in their place, on the stack.
+  /// The most points that it can have: queries keep all of them, transformed, on the stack.
   static constexpr std::size_t capacity = 64;
 
   constexpr HullAsset() noexcept : HullAsset(0, ConvexHull<S, N>()) {}
@@ -40,8 +40,8 @@ class HullAsset {
   std::uint32_t id_;
 };
 
-/// The asset of this id and hull, or nothing where the hull has more than
-/// `HullAsset<S, N>::capacity` points.
+/// The asset of this id and hull, or nothing if the hull has more than `HullAsset<S, N>::capacity`
+/// points.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<HullAsset<S, N>> hull_asset(
     std::uint32_t id, const ConvexHull<S, N>& hull) noexcept {

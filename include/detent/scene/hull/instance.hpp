@@ -6,14 +6,14 @@
 
 namespace detent {
 
-/// What a scene lists to hold convex hulls: `Scene<q16_16, 3, Sphere, HullInstance>`, whose objects
-/// are each a `PlacedHull<q16_16, 3>`. Snapshots refer to hulls by id and digest.
+/// Listed by scenes that hold convex hulls: `Scene<q16_16, 3, Sphere, HullInstance>` holds
+/// `PlacedHull<q16_16, 3>`. Snapshots refer to hulls by id and digest.
 template <Scalar S, int N>
 using HullInstance = PlacedHull<S, N>;
 
 namespace detail {
 
-/// Reads a hull that is one of `assets`: of one id, that with the same digest.
+/// Reads a hull whose id and digest are those of one of `assets`.
 template <Scalar S, int N, class Assets>
 [[nodiscard]] constexpr Restored read_shape(Reader& in, PlacedHull<S, N>& shape,
                                             const Assets& assets) noexcept {

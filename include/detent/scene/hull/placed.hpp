@@ -22,13 +22,13 @@
 
 namespace detent {
 
-/// A convex hull in another place: the hull of its points, each number of which is the exact one
-/// for the transform, rounded once and clamped to the range of the scalar.
+/// A transformed convex hull: the hull of its transformed points, each coordinate rounded once from
+/// the exact one and clamped to the range of the scalar.
 ///
-/// All that a `ConvexHull` answers it answers too, exactly for those points: every query puts them
-/// where they are, which costs little beside the query itself.      (tests/scene/placed_hull.test.cpp)
+/// It has every query of a `ConvexHull`, exact for those points. Each query transforms the points
+/// first, which costs little compared with the query itself.     (tests/scene/placed_hull.test.cpp)
 ///
-/// The asset stays with the caller and must outlive it; without one it is empty.
+/// The caller owns the asset, which must outlive it; without one it is empty.
 template <Scalar S, int N>
 struct PlacedHull {
   const HullAsset<S, N>* asset = nullptr;
@@ -43,14 +43,14 @@ PlacedHull(const HullAsset<S, N>*) -> PlacedHull<S, N>;
 template <Scalar S, int N>
 PlacedHull(const HullAsset<S, N>*, Transform<S, N>) -> PlacedHull<S, N>;
 
-/// The canonical bytes of a digest: id and digest of the hull, zeros for none, and the transform.
+/// The canonical bytes of a digest: id and digest of the hull (zeros for none), and the transform.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const PlacedHull<S, N>& hull) noexcept {
   digest.add(hull.asset ? hull.asset->id() : std::uint32_t{0},
              hull.asset ? hull.asset->digest() : std::uint64_t{0}, hull.transform);
 }
 
-/// Its fields in desyncs: see fields.hpp.
+/// Its fields in a `Desync`: see fields.hpp.
 template <Scalar S, int N, class F>
 constexpr void for_each_field(const PlacedHull<S, N>& hull, const F& f) {
   f("hull", hull.asset ? hull.asset->id() : std::uint32_t{0});
@@ -67,7 +67,7 @@ template <Scalar S, int N>
   return result;
 }
 
-/// The hull, given in a local frame, in the world: the transforms are composed, and rounded.
+/// The hull moved from a local frame to the world: the transforms are composed and rounded.
 template <Scalar S, int N>
 [[nodiscard]] constexpr PlacedHull<S, N> placed(const Transform<S, N>& transform,
                                                 const PlacedHull<S, N>& hull) noexcept {
@@ -79,7 +79,7 @@ namespace detail {
 template <Scalar S, int N>
 inline constexpr std::uint8_t shape_tag<PlacedHull<S, N>> = 8;
 
-/// The points of a hull where it is.
+/// The transformed points of a hull.
 template <Scalar S, int N>
 class HullPoints {
  public:
@@ -143,7 +143,7 @@ template <Scalar S, int N>
   return raycast_interval(ray, detail::HullPoints(placed).hull());
 }
 
-/// A shape that a placed hull can be asked about: one that overlaps convex hulls.
+/// A shape to test against a placed hull: one that has `overlaps` with convex hulls.
 template <class Shape, class S, int N>
 concept MeetsHulls =
     !is_surface_type<Shape> && requires(const Shape& shape, const ConvexHull<S, N>& hull) {
@@ -163,7 +163,7 @@ template <Scalar S, int N>
                                       const PlacedHull<S, N>& b) noexcept {
   return overlaps(detail::HullPoints(a).hull(), detail::HullPoints(b).hull());
 }
-/// Of a surface, the points are put in their place once for all triangles.
+/// For a surface, the points are transformed once for all triangles.
 template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
 [[nodiscard]] constexpr bool overlaps(const Surface<S>& surface,

@@ -8,8 +8,8 @@
 
 namespace detent {
 
-/// The canonical bytes of a digest: how many triangles there are and the sum of their digests, so
-/// neither the tree nor the order of the triangles in it counts.
+/// The canonical bytes of a digest: the number of triangles and the sum of their digests, so
+/// neither the tree nor the order of the triangles matters.
 template <class D, Scalar S>
 constexpr void append(D& out, const Mesh<S>& mesh) noexcept {
   std::uint64_t sum = 0;
@@ -17,10 +17,10 @@ constexpr void append(D& out, const Mesh<S>& mesh) noexcept {
   out.add(static_cast<std::uint64_t>(mesh.triangles.size()), sum);
 }
 
-/// A mesh that objects of scenes share, under an id of the caller's choice: it is what snapshots
-/// say instead of triangles, with the digest that tells whether they are the same.
+/// A mesh that objects of scenes share, with an id chosen by the caller. Snapshots store the id and
+/// the digest instead of the triangles; the digest shows whether the triangles are the same.
 ///
-/// The triangles must stay as they are: the digest is taken once.
+/// The triangles must not change: the digest is computed once.
 template <Scalar S>
 class MeshAsset {
  public:

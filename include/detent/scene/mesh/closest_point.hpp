@@ -11,12 +11,12 @@
 
 namespace detent {
 
-/// The triangle of a surface that is nearest to a point, and how far it is.
+/// The triangle of a surface that is nearest to a point, and its distance.
 template <Scalar S>
 struct MeshNearest {
   S distance{};
   std::uint32_t index = 0;
-  /// Its point that is nearest.
+  /// The nearest point of the triangle.
   Vec<S, 3> point;
 
   [[nodiscard]] friend constexpr bool operator==(const MeshNearest&,
@@ -29,15 +29,14 @@ constexpr void append(D& digest, const MeshNearest<S>& nearest) noexcept {
   digest.add(nearest.distance, nearest.index, nearest.point);
 }
 
-/// The triangle of `surface` nearest to `point`, nothing where there are no triangles.
+/// The triangle of `surface` nearest to `point`, or nothing if there are no triangles.
 ///
 /// units:  world units
 /// domain: every input
-/// result: of triangles whose `distance`s are equal, be it by rounding or clamping, that of the
-///         least index
-/// exact:  the triangle is the nearest within 1 ULP; `distance` and `point` are those that
-///         `distance` and `closest_point` of the triangle say
-///                                                       (tests/scene/mesh_overlaps.test.cpp)
+/// result: of triangles whose `distance`s are equal, even if only by rounding or clamping, the one
+///         with the least index
+/// exact:  the triangle is the nearest within 1 ULP; `distance` and `point` are the `distance` and
+///         `closest_point` of the triangle               (tests/scene/mesh_overlaps.test.cpp)
 template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
 [[nodiscard]] constexpr std::optional<MeshNearest<S>> nearest_triangle(
@@ -59,7 +58,8 @@ requires is_surface<Surface>
   return MeshNearest<S>{least, best->index, closest_point(best->triangle, point)};
 }
 
-/// The closest point of the triangle of `surface` nearest to `point`; `point` itself for no triangles.
+/// The closest point of the triangle of `surface` nearest to `point`; `point` itself if there are
+/// no triangles.
 template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
 [[nodiscard]] constexpr Vec<S, 3> closest_point(const Surface<S>& surface,
@@ -68,8 +68,8 @@ requires is_surface<Surface>
   return nearest ? nearest->point : point;
 }
 
-/// The distance from `point` to `surface`, rounded down and clamped to the range of the scalar; its
-/// greatest number for no triangles.
+/// The distance from `point` to `surface`, rounded down and clamped to the range of the scalar; the
+/// greatest scalar if there are no triangles.
 template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
 [[nodiscard]] constexpr S distance(const Surface<S>& surface, const Vec<S, 3>& point) noexcept {

@@ -6,7 +6,7 @@
 
 namespace detent {
 
-/// Whether `point` is one of the points of any triangle of `surface`, which has no inside.
+/// Whether `point` is on any triangle of `surface`, which has no inside.
 ///
 /// exact:  yes or no exact                               (tests/scene/mesh_pairs.test.cpp)
 template <template <class> class Surface, Scalar S>

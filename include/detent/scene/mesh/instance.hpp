@@ -13,14 +13,14 @@
 
 namespace detent {
 
-/// What a scene lists to hold meshes, in 3D: `Scene<q16_16, 3, Sphere, MeshInstance>`, whose
-/// objects are each a `PlacedMesh<q16_16>`. Snapshots refer to meshes by id and digest.
+/// Listed by scenes that hold meshes, in 3D: `Scene<q16_16, 3, Sphere, MeshInstance>` holds
+/// `PlacedMesh<q16_16>`. Snapshots refer to meshes by id and digest.
 template <Scalar S, int N>
 using MeshInstance = std::enable_if_t<N == 3, PlacedMesh<S>>;
 
 namespace detail {
 
-/// Reads a mesh that is one of `assets`: of one id, that with the same digest.
+/// Reads a mesh whose id and digest are those of one of `assets`.
 template <Scalar S, class Assets>
 [[nodiscard]] constexpr Restored read_shape(Reader& in, PlacedMesh<S>& shape,
                                             const Assets& assets) noexcept {

@@ -19,11 +19,11 @@ namespace detent {
 template <Scalar S>
 using MeshNode = StaticNode<S, 3>;
 
-/// The points of any of many triangles, a surface: a view of triangles and of a tree over them,
-/// both in storage that the caller keeps. `build_mesh` makes one; `OwnedMesh` keeps its storage.
+/// A surface of triangles: a view of triangles and of a tree over them, both in the caller's
+/// storage. `build_mesh` makes one; `OwnedMesh` owns its storage.
 ///
-/// Its answers are those of a loop over all its triangles, each decided exactly, so nothing slips
-/// between two that share an edge; how the tree came out never shows.
+/// Results are those of a loop over all triangles, each decided exactly, so nothing slips between
+/// two that share an edge. The shape of the tree never shows.
 template <Scalar S>
 struct Mesh {
   StaticTree<S, 3> tree;
@@ -33,8 +33,8 @@ struct Mesh {
 template <>
 inline constexpr bool is_surface<Mesh> = true;
 
-/// The mesh of `triangles`, which it sorts, with its tree in `nodes`; nothing, and nothing touched,
-/// where there are fewer than tree_capacity(triangles.size()) nodes.
+/// The mesh of `triangles`, which it reorders, with its tree in `nodes`. Returns nothing, and
+/// touches nothing, if there are fewer than tree_capacity(triangles.size()) nodes.
 template <Scalar S>
 [[nodiscard]] constexpr std::optional<Mesh<S>> build_mesh(std::span<MeshTriangle<S>> triangles,
                                                           std::span<MeshNode<S>> nodes) noexcept {
@@ -43,11 +43,11 @@ template <Scalar S>
   return Mesh<S>{*tree, triangles};
 }
 
-/// Three vertices of a list, by their places in it.
+/// Three vertices, by their indices in a list.
 using VertexIndices = std::array<std::uint32_t, 3>;
 
-/// Writes the triangles of an indexed mesh to `out`, each with its place in `faces` as its index;
-/// false, and `out` is as it was, where it is of another size than `faces` or a vertex is missing.
+/// Writes the triangles of an indexed mesh to `out`, each with its index in `faces`. Returns false,
+/// and leaves `out` unchanged, if its size is not that of `faces` or a vertex is missing.
 template <Scalar S>
 [[nodiscard]] constexpr bool assemble_triangles(std::span<const Vec<S, 3>> vertices,
                                                 std::span<const VertexIndices> faces,
@@ -71,7 +71,7 @@ template <Scalar S>
   return mesh.tree.bounds;
 }
 
-/// The walks of a mesh: those of its tree.
+/// The traversals of a mesh: those of its tree.
 template <Scalar S, class Visit>
 constexpr void visit_along(const Mesh<S>& mesh, const Ray<S, 3>& ray, const Visit& visit) noexcept {
   visit_along(mesh.tree, mesh.triangles, ray, visit);
@@ -92,7 +92,7 @@ constexpr void visit_around(const Mesh<S>& mesh, const Vec<S, 3>& point,
   visit_around(mesh.tree, mesh.triangles, point, visit);
 }
 
-/// The parts of a mesh, those of its tree: see mesh/parts.hpp.
+/// The parts of a mesh: those of its tree, see mesh/parts.hpp.
 template <Scalar S>
 [[nodiscard]] constexpr detail::StaticPart whole_of(const Mesh<S>&) noexcept {
   return {};

@@ -21,7 +21,7 @@
 
 namespace detent {
 
-/// A shape that a surface of triangles can be asked about: one that has a box and overlaps triangles.
+/// A shape to test against a surface: one that has a bounding box, and `overlaps` with triangles.
 template <class Shape, class S>
 concept MeetsTriangles = requires(const Shape& shape, const Triangle<S, 3>& triangle) {
   bounding_box(shape);
@@ -46,8 +46,8 @@ requires is_surface<Surface>
   return overlaps(surface, shape);
 }
 
-/// How many triangles of `surface` the shape touches; writes the least of their indices, as many as
-/// `out` holds, sorted.
+/// The number of triangles of `surface` that the shape touches. Writes the least of their indices,
+/// as many as `out` holds, sorted.
 ///
 /// exact:  as for `overlaps`                             (tests/scene/mesh_overlaps.test.cpp)
 template <template <class> class Surface, Scalar S, MeetsTriangles<S> Shape>
@@ -65,7 +65,7 @@ requires is_surface<Surface>
   return count;
 }
 
-/// Whether any triangle of `surface` has a point in `plane`, the normal taken exactly as stored.
+/// Whether any triangle of `surface` touches `plane`, with the normal exactly as stored.
 ///
 /// exact:  yes or no exact                                  (tests/scene/mesh_pairs.test.cpp)
 template <template <class> class Surface, Scalar S>

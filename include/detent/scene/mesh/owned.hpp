@@ -11,15 +11,15 @@
 
 namespace detent {
 
-/// A mesh that keeps its triangles and its tree: `view()` is what the queries take.
+/// A mesh that owns its triangles and its tree. Pass `view()` to queries.
 ///
-/// Copies are independent of each other. The only header of this layer's meshes that needs a heap.
+/// Copies are independent of each other. No other mesh header needs a heap.
 template <Scalar S>
 class OwnedMesh {
  public:
   OwnedMesh() = default;
 
-  /// The triangles of a list, each with its place in the list as its index.
+  /// The triangles of a list; the index of each is its position in the list.
   explicit OwnedMesh(std::span<const Triangle<S, 3>> triangles) {
     triangles_.reserve(triangles.size());
     for (const auto& triangle : triangles) {
@@ -28,7 +28,7 @@ class OwnedMesh {
     build();
   }
 
-  /// The triangles of an indexed mesh, or nothing where a vertex is missing.
+  /// The triangles of an indexed mesh, or nothing if a vertex is missing.
   [[nodiscard]] static std::optional<OwnedMesh> from_faces(std::span<const Vec<S, 3>> vertices,
                                                            std::span<const VertexIndices> faces) {
     OwnedMesh mesh;
@@ -38,7 +38,7 @@ class OwnedMesh {
     return mesh;
   }
 
-  /// The mesh, for as long as this object lives unchanged.
+  /// The mesh, valid as long as this object lives unchanged.
   [[nodiscard]] Mesh<S> view() const noexcept { return {{nodes_, bounds_}, triangles_}; }
 
  private:

@@ -28,8 +28,8 @@ template <Scalar S>
   return (std::max)({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
 }
 
-/// Whether a triangle of one part meets one of another: the part in the longer box is taken apart,
-/// so calls are nested no deeper than both trees together.
+/// Whether a triangle of one part touches one of another. Descends into the part with the longer
+/// box, so calls are nested no deeper than both trees together.
 template <class A, class PartA, class B, class PartB, class Box>
 [[nodiscard]] constexpr bool parts_meet(const A& a, const PartA& of_a, const Box& box_a, const B& b,
                                         const PartB& of_b, const Box& box_b) noexcept {

@@ -13,21 +13,22 @@
 #include "detent/scene/static_tree/along.hpp"
 #include "detent/scene/static_tree/crossing.hpp"
 
-// A surface as a tree of parts, each in a box: at last a few triangles. It has
-//   whole_of(surface)                -> the part that is all of it, in bounding_box(surface)
+// A surface as a tree of parts, each with a box; a leaf is a few triangles. It has
+//   whole_of(surface)                -> the root part, in bounding_box(surface)
 //   any_child(surface, part, test)   -> whether test(child, box) is true for any child of a part
 //   at_leaf(surface, part, visit)    -> visit(triangles) for a part that is_leaf()
-// and Part::room, how many parts a walk leaves waiting. An empty surface is never asked.
+// and Part::room, the most parts that wait in a traversal. They are never called for an empty
+// surface.
 //
-// From these follow the walks of a surface, for all that have no faster ones.
+// The traversals here use these, for surfaces that have no faster ones.
 
 namespace detent {
 
 namespace detail {
 
-/// Visits triangles of a surface, about the nearest first: key_of(box) says how near a box is, as a
-/// Key, or nothing where it does not matter; matters(key) whether it still does when its turn
-/// comes; visit(triangles) whether to go on.
+/// Visits triangles of a surface, roughly nearest first. key_of(box) returns how near a box is, as
+/// a Key, or nothing if it does not matter; matters(key) returns whether it still does when its
+/// turn comes; visit(triangles) returns whether to go on.
 template <class Key, class Surface, class KeyOf, class Matters, class Visit>
 constexpr void visit_parts(const Surface& surface, const KeyOf& key_of, const Matters& matters,
                            const Visit& visit) noexcept {
@@ -62,8 +63,8 @@ constexpr void visit_parts(const Surface& surface, const KeyOf& key_of, const Ma
   }
 }
 
-/// Visits the triangles of the parts for whose boxes `matters(box)` holds, until visit(triangles)
-/// says true; whether one did.
+/// Visits the triangles of the parts whose boxes satisfy matters(box), until visit(triangles)
+/// returns true. Returns whether it did.
 template <class Surface, class Matters, class Visit>
 constexpr bool visit_parts_where(const Surface& surface, const Matters& matters,
                                  const Visit& visit) noexcept {

@@ -13,11 +13,11 @@
 
 namespace detent {
 
-/// A mesh in another place: a surface of the triangles `placed(transform, triangle)`, each number
-/// of which is rounded once and clamped to the range of the scalar. Where the transform only moves,
-/// and all stays in range, they are the triangles of the mesh, moved exactly.
+/// A transformed mesh: a surface of the triangles `placed(transform, triangle)`, each coordinate
+/// rounded once and clamped to the range of the scalar. If the transform only translates, and
+/// everything stays in range, the triangles of the mesh are translated exactly.
 ///
-/// The asset stays with the caller and must outlive it; without one there are no triangles.
+/// The caller owns the asset, which must outlive it; without one there are no triangles.
 template <Scalar S>
 struct PlacedMesh {
   const MeshAsset<S>* asset = nullptr;
@@ -35,14 +35,14 @@ PlacedMesh(const MeshAsset<S>*, Transform<S, 3>) -> PlacedMesh<S>;
 template <>
 inline constexpr bool is_surface<PlacedMesh> = true;
 
-/// The canonical bytes of a digest: id and digest of the mesh, zeros for none, and the transform.
+/// The canonical bytes of a digest: id and digest of the mesh (zeros for none), and the transform.
 template <class D, Scalar S>
 constexpr void append(D& digest, const PlacedMesh<S>& mesh) noexcept {
   digest.add(mesh.asset ? mesh.asset->id() : std::uint32_t{0},
              mesh.asset ? mesh.asset->digest() : std::uint64_t{0}, mesh.transform);
 }
 
-/// Its fields in desyncs: see fields.hpp.
+/// Its fields in a `Desync`: see fields.hpp.
 template <Scalar S, class F>
 constexpr void for_each_field(const PlacedMesh<S>& mesh, const F& f) {
   f("mesh", mesh.asset ? mesh.asset->id() : std::uint32_t{0});
@@ -59,7 +59,7 @@ template <Scalar S>
   return result;
 }
 
-/// The mesh, given in a local frame, in the world: the transforms are composed, and rounded.
+/// The mesh moved from a local frame to the world: the transforms are composed and rounded.
 template <Scalar S>
 [[nodiscard]] constexpr PlacedMesh<S> placed(const Transform<S, 3>& transform,
                                              const PlacedMesh<S>& mesh) noexcept {
@@ -71,7 +71,7 @@ namespace detail {
 template <Scalar S>
 inline constexpr std::uint8_t shape_tag<PlacedMesh<S>> = 7;
 
-/// visit(triangles) of the mesh in their place, for what visits them where they come from.
+/// Wraps visit(triangles): it gets the transformed triangles when called with those of the asset.
 template <Scalar S, class Visit>
 [[nodiscard]] constexpr auto in_place(const PlacedMesh<S>& mesh, const Visit& visit) noexcept {
   return [&](std::span<const MeshTriangle<S>> triangles) {
@@ -83,8 +83,8 @@ template <Scalar S, class Visit>
   };
 }
 
-/// Whether every triangle is one of the mesh moved exactly: then a question that is moved back
-/// exactly is one for the mesh, whose own walks are faster.
+/// Whether every triangle is translated exactly. A query that can be moved back exactly then goes
+/// to the mesh, whose own traversals are faster.
 template <Scalar S>
 [[nodiscard]] constexpr bool moves_exactly(const PlacedMesh<S>& mesh) noexcept {
   if (!is_fixed<S> || mesh.asset == nullptr || !only_moves(mesh.transform)) return false;
@@ -95,7 +95,7 @@ template <Scalar S>
 
 }  // namespace detail
 
-/// A box around all triangles, empty for none. It is the smallest where the transform only moves.
+/// A box around all triangles, empty for none. It is the smallest if the transform only translates.
 template <Scalar S>
 [[nodiscard]] constexpr Aabb<S, 3> bounding_box(const PlacedMesh<S>& mesh) noexcept {
   if (mesh.asset == nullptr || mesh.asset->mesh().triangles.empty()) {
@@ -104,8 +104,8 @@ template <Scalar S>
   return detail::put(mesh.transform, bounding_box(mesh.asset->mesh()));
 }
 
-/// The parts of a mesh in their place: see parts.hpp. Corners of triangles are within the rounded
-/// box of where they are without rounding, because rounding keeps order.
+/// The parts of a transformed mesh: see parts.hpp. Rounding keeps order, so rounded corners of
+/// triangles lie within the rounded box of the exact ones.
 template <Scalar S>
 [[nodiscard]] constexpr auto whole_of(const PlacedMesh<S>& mesh) noexcept {
   return whole_of(mesh.asset->mesh());
@@ -124,7 +124,7 @@ constexpr bool at_leaf(const PlacedMesh<S>& mesh, const detail::StaticPart& leaf
   return at_leaf(mesh.asset->mesh(), leaf, detail::in_place(mesh, visit));
 }
 
-/// The walks of a placed mesh: those of the mesh where they can be, else through its parts.
+/// The traversals of a placed mesh: those of the mesh if possible, else those through its parts.
 template <Scalar S, class Visit>
 constexpr void visit_along(const PlacedMesh<S>& mesh, const Ray<S, 3>& ray,
                            const Visit& visit) noexcept {
@@ -147,7 +147,7 @@ constexpr bool visit_crossing(const PlacedMesh<S>& mesh, const Segment<S, 3>& se
   return visit_crossing(mesh.asset->mesh(), Segment{nearest_to<S>(start), nearest_to<S>(end)},
                         detail::in_place(mesh, visit));
 }
-/// Of the box, what is out of range once it is moved back meets no triangle.
+/// The part of the box that is out of range once moved back touches no triangle.
 template <Scalar S, class Visit>
 constexpr bool visit_within(const PlacedMesh<S>& mesh, const Aabb<S, 3>& box,
                             const Visit& visit) noexcept {

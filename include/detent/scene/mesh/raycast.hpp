@@ -15,7 +15,8 @@
 
 namespace detent {
 
-/// Where a ray meets a triangle of a mesh or height field: ordered by distance, then by the triangle's index.
+/// A hit of a ray on a triangle of a mesh or height field. Ordered by distance, then by the
+/// triangle's index.
 template <Scalar S>
 struct MeshHit {
   S distance{};
@@ -35,8 +36,8 @@ constexpr void append(D& digest, const MeshHit<S>& hit) noexcept {
 
 namespace detail {
 
-/// Calls visit(part, distance) for the triangles of `surface` that `ray` touches, near ones first on
-/// the whole; it returns how far hits still matter, and a negative number to end.
+/// Calls visit(part, distance) for the triangles of `surface` that `ray` touches, roughly nearest
+/// first. visit returns the distance up to which hits still matter, or a negative number to stop.
 template <template <class> class Surface, Scalar S, class Visit>
 constexpr void visit_hits(const Ray<S, 3>& ray, const Surface<S>& surface,
                           const Visit& visit) noexcept {
@@ -53,7 +54,7 @@ constexpr void visit_hits(const Ray<S, 3>& ray, const Surface<S>& surface,
   });
 }
 
-/// The first hit of a ray on a surface and the triangle that it is on.
+/// The first hit of a ray on a surface, and its triangle.
 template <Scalar S>
 struct FoundOnSurface {
   MeshHit<S> hit;
@@ -67,7 +68,7 @@ template <template <class> class Surface, Scalar S>
   visit_hits(ray, surface, [&](const MeshTriangle<S>& part, const S& distance) {
     const MeshHit<S> hit{distance, part.index};
     if (!best || hit < best->hit) best = FoundOnSurface<S>{hit, part.triangle};
-    // Hits that round down to the same distance compete by their index.
+    // Of hits that round down to the same distance, the least index wins.
     return (std::min)(ray.max_distance, next_up(best->hit.distance));
   });
   return best;
@@ -79,7 +80,7 @@ template <template <class> class Surface, Scalar S>
 ///
 /// units:  lengths in world units
 /// domain: every input; rays and triangles as for `raycast(ray, triangle)`
-/// result: of triangles whose distances round down to the same number, that of the least index
+/// result: of triangles whose distances round down to the same number, the one with the least index
 /// exact:  hit or miss exact; distance rounded down, error in [0, 1) ULP
 ///         (tests/scene/mesh_raycast.test.cpp)
 template <template <class> class Surface, Scalar S>
@@ -91,7 +92,7 @@ requires is_surface<Surface>
   return found->hit;
 }
 
-/// Whether `ray` touches any triangle of `surface`; which one it stops at is not said.
+/// Whether `ray` touches any triangle of `surface`.
 ///
 /// exact:  yes or no exact                               (tests/scene/mesh_raycast.test.cpp)
 template <template <class> class Surface, Scalar S>
@@ -105,8 +106,8 @@ requires is_surface<Surface>
   return any;
 }
 
-/// How many triangles of `surface` the ray touches; writes the first of them, as many as `out` holds,
-/// sorted by distance, then by index.
+/// The number of triangles of `surface` that the ray touches. Writes the first hits, as many as
+/// `out` holds, sorted by distance, then by index.
 ///
 /// exact:  as for `raycast_nearest`                      (tests/scene/mesh_raycast.test.cpp)
 template <template <class> class Surface, Scalar S>

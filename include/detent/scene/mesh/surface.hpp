@@ -9,7 +9,8 @@
 
 namespace detent {
 
-/// A triangle of a mesh and what its owner calls it: answers name this index, and order by it.
+/// A triangle of a mesh, with an index chosen by its owner. Results name this index and are ordered
+/// by it.
 template <Scalar S>
 struct MeshTriangle {
   Triangle<S, 3> triangle;
@@ -30,15 +31,15 @@ template <Scalar S>
   return bounding_box(part.triangle);
 }
 
-/// Whether a template makes surfaces of many triangles, which the queries of this folder take: a
-/// `Mesh` or a `HeightField`. A surface has a `bounding_box`, parts as parts.hpp says, and
+/// Whether a template is a surface of triangles, which the queries of this folder take: a `Mesh` or
+/// a `HeightField`. A surface has a `bounding_box`, parts as described in parts.hpp, and
 ///   visit_along(surface, ray, visit), visit_within(surface, box, visit),
 ///   visit_crossing(surface, segment, visit), visit_around(surface, point, visit)
-/// as static_tree/ says, where `visit` takes a std::span<const MeshTriangle<S>>.
+/// as described in static_tree/, where `visit` takes a std::span<const MeshTriangle<S>>.
 template <template <class> class Surface>
 inline constexpr bool is_surface = false;
 
-/// The same of a type.
+/// The same for a type.
 template <class T>
 inline constexpr bool is_surface_type = false;
 template <template <class> class Surface, Scalar S>
@@ -65,7 +66,7 @@ template <Scalar S, class Test>
   return false;
 }
 
-/// Whether `test` holds for any triangle of `surface` about `box`; those far from it are not asked.
+/// Whether `test` holds for any triangle of `surface` near `box`; those far from it are culled.
 template <template <class> class Surface, Scalar S, class Test>
 requires is_surface<Surface>
 [[nodiscard]] constexpr bool any_triangle_within(const Surface<S>& surface, const Aabb<S, 3>& box,
