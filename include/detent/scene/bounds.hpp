@@ -10,17 +10,18 @@
 #include "detent/shape/bounding_box.hpp"
 #include "detent/shape/plane.hpp"
 
-// Boxes of the broad phase, on the grid of number/culling.hpp: whatever a query finds in common to
-// two shapes, their boxes have a point in common.
+// Broad-phase boxes, on the grid of number/culling.hpp: if a query finds that two shapes overlap,
+// their boxes overlap too.
 //
-// That takes more than a box around each set, for beside an `Obb` round shapes measure distances in
-// the frame of the box. Let |dot(axis(i), axis(j))| be at most e = 2^-10 off 0, and off 1 for
-// i = j. Then A, with the axes as rows, changes lengths by a factor within sqrt(1 +- 3 e), and its
-// inverse is A^T (A A^T)^-1, where the last factor is 1 within 3 e / (1 - 3 e) < 4 e = 2^-8 (in the
-// sum of the absolute values of a row). So slabs are within the edges of half extents that are
-// 2^-8 of the greatest longer, and what is within r of them in the frame is within r (1 + 2^-8).
-// Boxes with other axes are taken to be everywhere.  (tests/scene/history.test.cpp, skewed boxes)
-// The margins are added on the grid, where no end of a scalar's range cuts them off.
+// A box around the points of each shape is not enough: round shapes measure distances to an `Obb`
+// in the frame of the box, whose axes are only nearly perpendicular. Let |dot(axis(i), axis(j))| be
+// at most e = 2^-10 off 0, and off 1 for i = j. Then A, with the axes as rows, changes lengths by a
+// factor within sqrt(1 +- 3 e). Its inverse is A^T (A A^T)^-1, where the last factor is 1 within
+// 3 e / (1 - 3 e) < 4 e = 2^-8 (in the sum of the absolute values of a row). So the slabs lie
+// within the edges if each half extent is lengthened by 2^-8 of the greatest, and points within r
+// of them in the frame are within r (1 + 2^-8).
+// Boxes with other axes count as everywhere.         (tests/scene/history.test.cpp, skewed boxes)
+// Margins are added on the grid, where the scalar's range does not cut them off.
 //                                                             (tests/scene/bounds.test.cpp)
 
 namespace detent::detail {
@@ -57,7 +58,7 @@ template <Scalar S, int N>
   return result;
 }
 
-/// The box around all that is within `reach` of `box`, which is not empty.
+/// The box around all points within `reach` of `box`, which must not be empty.
 template <Scalar S, int N>
 [[nodiscard]] constexpr CullingBox<S, N> culling_box_around(
     const Aabb<S, N>& box, const typename Culling<S>::Length& reach) noexcept {

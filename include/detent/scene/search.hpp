@@ -11,11 +11,11 @@
 #include "detent/scene/tree.hpp"
 #include "detent/shape/ray.hpp"
 
-// Walks over a tree of boxes. None of them decides anything but what need not be asked.
+// Traversals of a tree of boxes. They only cull; exact queries on the objects decide.
 
 namespace detent::detail {
 
-/// Which boxes a ray may reach, and not before which time.
+/// Which boxes a ray may reach, and lower bounds on the times when it does.
 template <Scalar S, int N>
 class RayProbe {
  public:
@@ -28,7 +28,7 @@ class RayProbe {
     shorten(ray.max_distance);
   }
 
-  /// From now on only what may lie within `distance`.
+  /// From now on, only boxes that may lie within `distance`.
   constexpr void shorten(const S& distance) noexcept {
     limit_ = Key{Culling<S>::above(distance)} + CullingAxis<S>::slack;
   }
@@ -61,7 +61,7 @@ class RayProbe {
   Key limit_{};
 };
 
-/// Which boxes may lie within a distance of a point, and the least square of their distance.
+/// Which boxes may lie within a distance of a point, and the squares of their distances.
 template <Scalar S, int N>
 class PointProbe {
  public:
@@ -70,12 +70,12 @@ class PointProbe {
   explicit constexpr PointProbe(const Vec<S, N>& point) noexcept : box_(culling_box(point)) {}
 
   constexpr void shorten(const S& distance) noexcept {
-    if (distance >= largest<S>) return;  // as are all that are further
+    if (distance >= largest<S>) return;  // greater distances are clamped to it
     is_limited_ = true;
     const auto limit = static_cast<Key>(Culling<S>::above(distance)) + Key(1);  // rounded down
     limit_ = limit * limit;
   }
-  /// Measured in the frame of a box a distance may be 2^-8 less (bounds.hpp).
+  /// A distance measured in the frame of a box may be 2^-8 less (bounds.hpp).
   [[nodiscard]] constexpr bool reaches(Key key) const noexcept {
     return !is_limited_ || key - key / 64 <= limit_;
   }
@@ -125,7 +125,7 @@ constexpr bool visit_nearest(const Tree& tree, Probe& probe, const Visit& visit)
     const auto [key, at] = stack[--size];
     if (!probe.reaches(key)) continue;
     const auto& node = tree.node(at);
-    // The furthest first, on top of the stack or beside it.
+    // The farthest first: they are pushed on the stack, or visited from the back, in a leaf.
     std::array<Step, Tree::width> sorted;
     std::size_t count = 0;
     for (auto mask = probe.keys(node, keys); mask != 0; mask &= mask - 1) {
@@ -149,7 +149,7 @@ constexpr bool visit_nearest(const Tree& tree, Probe& probe, const Visit& visit)
   return false;
 }
 
-/// Calls visit(object) for the objects whose boxes meet `box`, until it returns true.
+/// Calls visit(object) for the objects whose boxes overlap `box`, until it returns true.
 template <class Tree, class Visit>
 constexpr bool visit_meeting(const Tree& tree, const typename Tree::Box& box, const Visit& visit) {
   if (tree.is_empty() || box.is_empty()) return false;
@@ -170,8 +170,8 @@ constexpr bool visit_meeting(const Tree& tree, const typename Tree::Box& box, co
   return false;
 }
 
-/// Calls visit(a, b) for the pairs of objects below node `a` of one tree and node `b` of another
-/// whose boxes meet.
+/// Calls visit(a, b) for the pairs of objects with overlapping boxes, one below node `a` of one
+/// tree and one below node `b` of another.
 template <class Tree, class Visit>
 constexpr void visit_pairs_below(const Tree& first, std::uint32_t a, const Tree& second,
                                  std::uint32_t b, const Visit& visit) {
@@ -206,7 +206,7 @@ constexpr void visit_pairs_below(const Tree& first, std::uint32_t a, const Tree&
   }
 }
 
-/// Calls visit(a, b) once for each pair of objects of a tree whose boxes meet.
+/// Calls visit(a, b) once for each pair of objects below node `at` whose boxes overlap.
 template <class Tree, class Visit>
 constexpr void visit_pairs(const Tree& tree, std::uint32_t at, const Visit& visit) {
   const auto& node = tree.node(at);

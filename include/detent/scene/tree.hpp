@@ -11,9 +11,8 @@
 
 namespace detent::detail {
 
-/// A tree of boxes over objects that come, go and move: every leaf is equally deep, and every node
-/// but the root has at least three boxes. It finds boxes; its shape depends on its history, so
-/// whoever asks it sorts what it finds.
+/// A dynamic tree of boxes over objects: every leaf is equally deep, and every node except the root
+/// has at least three boxes. Its shape depends on its history, so callers sort what they find.
 ///
 /// source: Guttman, R-Trees: A Dynamic Index Structure for Spatial Searching, 1984
 template <class Storage, Scalar S, int N>
@@ -24,7 +23,7 @@ class Tree {
   using Area = typename Culling<S>::Area;
   static constexpr std::size_t width = Node::width;
   static constexpr std::size_t least = 3;
-  /// Three children and more for each node make it at most this deep for 2^32 objects.
+  /// With three children or more per node, it is at most this deep for 2^32 objects.
   static constexpr std::size_t depth = 21;
 
   [[nodiscard]] constexpr bool is_empty() const noexcept { return root_ == nowhere; }
@@ -39,8 +38,8 @@ class Tree {
     is_in_bulk_ = false;
   }
 
-  /// Makes the tree anew for the objects where they are: better than one that came about by adding
-  /// them one by one. It needs room for all boxes, which a bounded tree has on the stack.
+  /// Rebuilds the tree for the current boxes: better than a tree built by adding them one by one.
+  /// Needs room for all boxes, which a bounded tree takes on the stack.
   ///
   /// source: White and Jain, Similarity Indexing: Algorithms and Performance, 1996 (VAMSplit)
   constexpr void rebuild() {
@@ -56,7 +55,7 @@ class Tree {
     root_ = entries[0].child;
   }
 
-  /// Between these two, many objects move for less; no question may be asked.
+  /// Between these two calls, moving many objects is cheaper, and no query is allowed.
   constexpr void begin_bulk() noexcept { is_in_bulk_ = true; }
   constexpr void end_bulk() noexcept {
     is_in_bulk_ = false;
@@ -68,7 +67,7 @@ class Tree {
     }
   }
 
-  /// Adds, moves or removes (when `box` is empty) the object.
+  /// Adds or moves the object, or removes it when `box` is empty.
   constexpr void set(std::uint32_t object, const Box& box) {
     if (object >= homes_.size()) {
       if (box.is_empty()) return;
@@ -89,8 +88,8 @@ class Tree {
  private:
   using Entry = TreeEntry<S, N>;
 
-  /// Replaces the entries by nodes that hold eight of them each; the last two share what is left
-  /// over where that would be too few for one.
+  /// Replaces the entries by nodes that hold eight of them each. If too few are left for the last
+  /// node, the last two share them.
   template <class Entries>
   constexpr void pack(Entries& entries, int level) {
     std::size_t made = 0;
@@ -125,7 +124,7 @@ class Tree {
       const auto others = leaf.bounds();
       leaf.child[place] = object;
       leaf.set(place, old);
-      // An object that left its neighbours looks for others.
+      // The object left its neighbours: insert it near others.
       if (half_area(hull_of(others, box)) > 2 * (half_area(others) + half_area(box))) {
         erase(home, place);
         insert(object, box, 0);
@@ -135,14 +134,14 @@ class Tree {
     change(home, place, old, box);
   }
 
-  /// The box around all boxes of a node that is not the root, as its parent has it.
+  /// The box around all boxes of a node other than the root, as stored in its parent.
   constexpr Box bounds_of(std::uint32_t i) const noexcept {
     const Node& parent = nodes_[nodes_[i].parent];
     return parent.box(parent.place_of(i));
   }
 
-  /// Changes a box of a node, and with it the boxes above. Only where the old one was what a side
-  /// of the box above stood on have the others to be looked at.
+  /// Changes a box of a node, and updates the boxes above. The node's other boxes are read only if
+  /// the old box touched a side of the box above and the new one leaves it.
   constexpr void change(std::uint32_t i, std::size_t place, Box old, Box box) noexcept {
     while (true) {
       nodes_[i].set(place, box);
@@ -162,7 +161,8 @@ class Tree {
     }
   }
 
-  /// Makes all boxes below `i` anew but those of objects, and measures them before and after.
+  /// Recomputes all boxes below `i`, except those of objects, and sums their areas before and
+  /// after.
   constexpr void refit_below(std::uint32_t i, Area& before, Area& after) noexcept {
     Node& node = nodes_[i];
     if (node.level == 0) return;
@@ -171,13 +171,13 @@ class Tree {
       refit_below(node.child[k], before, after);
       const auto box = nodes_[node.child[k]].bounds();
       node.set(k, box);
-      // Small enough to be added up.
+      // Scaled down so that the sums fit.
       before += half_area(old) / (Area(1) * 65536);
       after += half_area(box) / (Area(1) * 65536);
     }
   }
 
-  /// Makes the boxes above `i` those of what is below them.
+  /// Updates the boxes above `i`.
   constexpr void refit(std::uint32_t i) noexcept {
     if (i == root_) return;
     const auto parent = nodes_[i].parent;
@@ -216,7 +216,7 @@ class Tree {
     adopt(at, node.count++);
   }
 
-  /// Tells what is in a place of a node that it is there.
+  /// Updates the back-pointer of the entry.
   constexpr void adopt(std::uint32_t at, std::size_t place) noexcept {
     const auto child = nodes_[at].child[place];
     if (nodes_[at].level == 0) {
@@ -226,8 +226,8 @@ class Tree {
     }
   }
 
-  /// Divides the boxes of a full node and one more between it and a new one, where a cut along one
-  /// axis leaves the least area.
+  /// Divides the boxes of a full node and one more between it and a new node, at the cut along an
+  /// axis that leaves the least area.
   constexpr std::uint32_t split(std::uint32_t at, const Entry& extra) {
     std::array<Entry, width + 1> entries;
     for (std::size_t i = 0; i < width; ++i) entries[i] = {nodes_[at].box(i), nodes_[at].child[i]};
@@ -240,7 +240,7 @@ class Tree {
     return sibling;
   }
 
-  /// Takes a box out of a node; a node with too few is dissolved into its neighbours.
+  /// Removes a box from a node. A node with too few left is freed and its boxes are inserted again.
   constexpr void erase(std::uint32_t at, std::size_t place) {
     Node& node = nodes_[at];
     const auto last = static_cast<std::size_t>(--node.count);
@@ -291,10 +291,10 @@ class Tree {
     free_ = i;
   }
 
-  // Leaves with three objects and more are at most a third as many, and so on upward; a root, and
-  // on every level a node that a removal leaves to be dissolved, may have fewer.
+  // Leaves hold three objects or more, so they are at most a third as many, and so on upward. The
+  // root may have fewer, and so may, on every level, a node that a removal is about to free.
   typename Storage::template List<Node, Storage::capacity / 2 + 2> nodes_;
-  // Of each object the place in its leaf and, times the width, the leaf.
+  // For each object: leaf * width + its index in the leaf.
   typename Storage::template List<std::uint32_t, Storage::capacity> homes_;
   std::uint32_t root_ = nowhere;
   std::uint32_t free_ = nowhere;

@@ -21,7 +21,7 @@ namespace detent {
 
 namespace detail {
 
-/// A ray prepared for the boxes of a tree.
+/// A ray prepared for tests against the boxes of a tree.
 template <Scalar S, int N>
 class StaticRay {
   using Node = StaticNode<S, N>;
@@ -34,13 +34,13 @@ class StaticRay {
   constexpr StaticRay(const Ray<S, N>& ray, const Aabb<S, N>& bounds) noexcept
       : StaticRay(ray, bounds, typename Slab::Clock(reach(ray, bounds), ray.max_distance)) {}
 
-  /// A distance along the ray, as far as it matters.
+  /// A distance along the ray in units of `Time`, clamped where it no longer matters.
   [[nodiscard]] constexpr Time time(const S& distance) const noexcept {
     return clock_.time(distance);
   }
 
-  /// Which children's boxes the ray may meet before `limit`, a bit for each, and at what distance
-  /// at the earliest.
+  /// Which children's boxes the ray may enter before `limit`, a bit for each, and lower bounds on
+  /// the distances at which it does.
   [[nodiscard]] constexpr std::uint32_t meets(const Node& node, Time limit,
                                               Times& enter) const noexcept {
     const std::uint32_t children = (std::uint32_t{1} << node.children) - 1;
@@ -50,7 +50,7 @@ class StaticRay {
     return meets<Lanes<Time>>(node, limit, enter) & children;
   }
 
-  /// At what distance at the earliest the ray meets a box, if it may before `limit`.
+  /// A lower bound on the distance at which the ray enters a box, if it may before `limit`.
   [[nodiscard]] constexpr std::optional<Time> meets(const Aabb<S, N>& box,
                                                     const Time& limit) const noexcept {
     Time enter{}, leave = limit;
@@ -116,11 +116,11 @@ class StaticRay {
 
 }  // namespace detail
 
-/// Visits the items whose boxes `ray` may meet, about the nearest first: calls visit(part) for parts
-/// of the list that the tree is over. It returns how far along the ray anything still matters, at
-/// most as far as before; a negative distance ends the walk.
+/// Visits the items whose boxes `ray` may touch, roughly nearest first: calls visit(part) for parts
+/// of the tree's list of items. visit returns the distance along the ray up to which anything still
+/// matters, never more than before; a negative distance stops the traversal.
 ///
-/// Every item whose box the ray meets no farther than that is visited; others may be.
+/// Every item whose box the ray touches within that distance is visited; others may be.
 template <Scalar S, int N, class Item, class Visit>
 constexpr void visit_along(const StaticTree<S, N>& tree, std::span<const Item> items,
                            const Ray<S, N>& ray, const Visit& visit) noexcept {
@@ -130,7 +130,7 @@ constexpr void visit_along(const StaticTree<S, N>& tree, std::span<const Item> i
   Stack stack;
   typename Stack::Entry next{{}, 0, 0};
   auto limit = prepared.time(ray.max_distance);
-  const auto prefetch = [&](const auto& entry) {  // of items, too, as much as a node is
+  const auto prefetch = [&](const auto& entry) {  // for items, too, as many bytes as a node has
     const void* at =
         entry.count == 0 ? static_cast<const void*>(&tree.nodes[entry.first]) : &items[entry.first];
     detail::prefetch(at, sizeof(StaticNode<S, N>));
@@ -149,7 +149,7 @@ constexpr void visit_along(const StaticTree<S, N>& tree, std::span<const Item> i
         met &= met - 1;
         return {enters[child], node.first[child], node.count[child]};
       };
-      if (met != 0) {  // the nearest child is next, and the others wait
+      if (met != 0) {  // the nearest child is next; the others wait
         next = take();
         const std::size_t base = stack.size();
         while (met != 0) {

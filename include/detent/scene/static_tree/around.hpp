@@ -8,9 +8,9 @@
 
 namespace detent {
 
-/// Visits the items whose boxes may be as near to `point` as anything that matters, the nearest
-/// first: calls visit(part) for parts of the list that the tree is over. It returns the `distance`
-/// beyond which nothing matters any more, at most as far as before.
+/// Visits the items whose boxes may be near enough to `point` to matter, the nearest first: calls
+/// visit(part) for parts of the tree's list of items. visit returns the `distance` beyond which
+/// nothing matters any more, never more than before.
 ///
 /// Every item whose box is no farther than that is visited; others may be.
 template <Scalar S, int N, class Item, class Visit>
@@ -30,7 +30,7 @@ constexpr void visit_around(const StaticTree<S, N>& tree, std::span<const Item> 
     const auto& node = tree.nodes[first];
     const std::size_t base = stack.size();
     for (std::size_t k = 0; k < node.children; ++k) {
-      // Rounding down and clamping keep order, so a box is never farther than what is in it.
+      // Rounding down and clamping keep order, so a box is never farther than its contents.
       const S to_box = distance(node.box(k), point);
       if (to_box <= limit) stack.insert(base, {to_box, node.first[k], node.count[k]});
     }

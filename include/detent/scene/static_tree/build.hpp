@@ -18,8 +18,8 @@ namespace detent {
 
 namespace detail {
 
-/// A box as numbers that all shrink when it grows: its least coordinates and its greatest ones in
-/// reverse order.
+/// A box as numbers that all decrease when it grows: its least coordinates, and its greatest ones
+/// `reversed`.
 template <Scalar S, int N>
 class GrowingBox {
   static constexpr std::size_t axes = N;
@@ -49,9 +49,9 @@ class GrowingBox {
   std::array<S, 8> sides_{};
 };
 
-/// What a ray is expected to pay for a box, but for a factor that is the same for all parts of a
-/// whole: half of the box's surface, half of its outline in 2D. A ray that comes near the box meets
-/// it in proportion to this.
+/// The expected cost of a box for a ray, up to a factor that is the same for all parts of a whole:
+/// the number of items times half the box's surface (in 2D half its perimeter). The chance that a
+/// ray near the box hits it is proportional to the surface.
 template <Scalar S, int N>
 class BoxCost {
   using Size = decltype(S() - S());
@@ -81,7 +81,7 @@ class BoxCost {
   Coarse<Size> coarse_;
 };
 
-/// Builds the nodes of a tree from the root down, sorting the items as it goes.
+/// Builds the nodes of a tree from the root down, reordering the items as it goes.
 template <Scalar S, int N, class Item>
 class StaticBuilder {
   using Box = GrowingBox<S, N>;
@@ -89,7 +89,8 @@ class StaticBuilder {
   using Count = std::uint32_t;
   using Cost = decltype(BoxCost<S, N>()(Box(), Count()));
 
-  /// A part of the list, the box around its items and that around the middles of theirs.
+  /// A part of the list, with the box around its items and the box around the middles of their
+  /// boxes.
   struct Range {
     Count first = 0, count = 0;
     Box box, middles;
@@ -106,7 +107,7 @@ class StaticBuilder {
   constexpr StaticBuilder(std::span<Item> items, std::span<Node> nodes) noexcept
       : items_(items), nodes_(nodes) {}
 
-  /// Builds all; returns the box of everything.
+  /// Builds the whole tree; returns the box of all items.
   constexpr Aabb<S, N> build() noexcept {
     const Range all = gathered(0, static_cast<Count>(items_.size()));
     used_ = 1;
@@ -117,10 +118,10 @@ class StaticBuilder {
   [[nodiscard]] constexpr std::size_t used() const noexcept { return used_; }
 
  private:
-  /// The children of a node that is `depth` nodes below the root.
+  /// Builds a node that is `depth` nodes below the root, and all nodes below it.
   ///
-  /// Where a child of an uneven split would have more items than halving could still tame, the
-  /// node is split evenly instead: so a node at a depth never holds more than capacity(depth).
+  /// If a child of the split by cost would have more items than even splits could still handle, the
+  /// node is split evenly instead. So a node never holds more than capacity(depth) items.
   constexpr void build_node(std::size_t place, const Range& range, int depth) noexcept {
     auto [children, used] = split_by_cost(range);
     for (std::size_t i = 0; i < used; ++i) {
@@ -142,7 +143,8 @@ class StaticBuilder {
     }
   }
 
-  /// leaf_size * 8^(static_tree_depth - depth): what even splits divide into leaves by then.
+  /// leaf_size * 8^(static_tree_depth - depth): as many items as even splits below this depth can
+  /// divide into leaves.
   [[nodiscard]] static constexpr std::uint64_t capacity(int depth) noexcept {
     return std::uint64_t{StaticTree<S, N>::leaf_size}
            << (std::min)(3 * (static_tree_depth - depth), 48);
@@ -150,7 +152,7 @@ class StaticBuilder {
 
   using Children = std::array<Range, Node::width>;
 
-  /// Up to eight parts, made by splitting the one that costs most.
+  /// Up to eight parts, made by repeatedly splitting the one that costs most.
   [[nodiscard]] constexpr std::pair<Children, std::size_t> split_by_cost(
       const Range& range) noexcept {
     Children parts;
@@ -175,7 +177,7 @@ class StaticBuilder {
     return {parts, used};
   }
 
-  /// Eight parts of equal size, within one.
+  /// Eight parts whose sizes differ by at most one.
   [[nodiscard]] constexpr std::pair<Children, std::size_t> split_evenly(
       const Range& range) noexcept {
     Children parts;
@@ -188,7 +190,7 @@ class StaticBuilder {
     return {parts, Node::width};
   }
 
-  /// A range cut in the middle of the list as it stands.
+  /// A range cut in the middle of the list in its current order.
   [[nodiscard]] constexpr std::pair<Range, Range> halves(const Range& range) const noexcept {
     const Count left = range.count / 2;
     return {gathered(range.first, left), gathered(range.first + left, range.count - left)};
@@ -216,9 +218,9 @@ class StaticBuilder {
     Cost cost{};
   };
 
-  /// Two parts of a range of two items or more: of the planes between 16 bins on each axis the one
-  /// with the least expected cost, the first of several; the middle of the list where all items
-  /// have the same middle. Of a long list, 256 items or some more choose the plane for all.
+  /// Splits a range of two items or more at the plane with the least expected cost, among those
+  /// between 16 bins on each axis; the first of equals. If all items have the same middle, cuts the
+  /// list in half. In a long list, a sample of 256 items or some more chooses the plane.
   ///
   /// source: Wald, On fast Construction of SAH-based Bounding Volume Hierarchies (2007)
   [[nodiscard]] constexpr std::pair<Range, Range> split(const Range& range) noexcept {
@@ -227,7 +229,7 @@ class StaticBuilder {
         [&](int i) { return Bins<S>(range.middles.least(i), range.middles.greatest(i)); });
     std::array<AxisBins, std::size_t{N}> bins;
     if (std::is_constant_evaluated()) {
-      // GCC 12 would let all of them share one box, and keep what it became for the whole program.
+      // Otherwise GCC 12 lets all bins share one box, and keeps its value for the whole program.
       for (auto& axis : bins) {
         for (auto& bin : axis) bin = Bin();
       }
@@ -251,7 +253,7 @@ class StaticBuilder {
         range, [&](const Aabb<S, N>& box) { return bin_of(middle(box, best.axis)) < best.bin; });
   }
 
-  /// Improves `best` by the planes between the bins of an axis.
+  /// Updates `best` with the planes between the bins of an axis.
   static constexpr void find_plane(const AxisBins& bins, const Box& whole, int axis,
                                    Plane& best) noexcept {
     const BoxCost<S, N> cost_of(whole);
@@ -263,7 +265,7 @@ class StaticBuilder {
       sum.box.grow(bins[i].box);
       above[i] = cost_of(sum.box, sum.count);
     }
-    // Only planes below a bin that is in use: others part the items as the next one does.
+    // Only planes below a bin that is not empty: others split the items as the next one does.
     Bin below = bins[0];
     for (std::size_t i = 1; i < bin_count; ++i) {
       if (bins[i].count == 0) continue;
@@ -276,13 +278,13 @@ class StaticBuilder {
     }
   }
 
-  /// Both counts together are one count, and no part is larger than the whole.
+  /// It fits: both counts together are one count, and no part is larger than the whole.
   [[nodiscard]] static constexpr Cost sum_of(const Cost& a, const Cost& b) noexcept {
     return narrow_sum<bits_of<Cost>>(a, b);
   }
 
-  /// Moves what passes the test to the front, and returns both parts; where the rest ends up
-  /// depends on nothing else than the order before, which std::partition does not promise.
+  /// Moves the items that pass the test to the front and returns both parts. The new order depends
+  /// only on the order before, which std::partition does not promise.
   template <class Test>
   constexpr std::pair<Range, Range> partition(const Range& range, const Test& test) noexcept {
     const auto items = items_.subspan(range.first, range.count);
@@ -322,12 +324,12 @@ class StaticBuilder {
 
 }  // namespace detail
 
-/// Builds a tree over `items` in `nodes`, which must outlive it, and sorts the items to its order;
-/// nothing, and nothing touched, where there are fewer than tree_capacity(items.size()) nodes or
-/// 2^32 items.
+/// Builds a tree over `items` in `nodes`, which must outlive it, and reorders the items to match.
+/// Returns nothing, and touches nothing, if there are fewer than tree_capacity(items.size()) nodes,
+/// or 2^32 items or more.
 ///
-/// `bounding_box(item)` is asked for each item's box. The same items in the same order make the
-/// same tree, bit for bit, on every machine.                (tests/scene/tree.test.cpp)
+/// Each item's box is `bounding_box(item)`. The same items in the same order make the same tree,
+/// bit for bit, on every machine.                                       (tests/scene/tree.test.cpp)
 template <Scalar S, int N, class Item>
 [[nodiscard]] constexpr std::optional<StaticTree<S, N>> build_tree(
     std::span<Item> items, std::span<StaticNode<S, N>> nodes) noexcept {

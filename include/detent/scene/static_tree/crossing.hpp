@@ -13,8 +13,8 @@ namespace detent {
 
 namespace detail {
 
-/// Whether `segment` may touch what is in `box`: as `intersects` says, exactly, and of scalars that
-/// round with a margin for that.
+/// Whether `segment` may touch what is in `box`: exactly as `intersects` in fixed point, with a
+/// margin for rounding in floating point.
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool may_cross(const Segment<S, N>& segment,
                                        const Aabb<S, N>& box) noexcept {
@@ -34,8 +34,8 @@ template <Scalar S, int N>
 
 }  // namespace detail
 
-/// Visits the items whose boxes `segment` may touch: calls visit(part) for parts of the list that
-/// the tree is over, until it returns true. Returns whether it did.
+/// Visits the items whose boxes `segment` may touch: calls visit(part) for parts of the tree's list
+/// of items, until it returns true. Returns whether it did.
 ///
 /// Every item whose box it touches is visited; others may be.
 template <Scalar S, int N, class Item, class Visit>

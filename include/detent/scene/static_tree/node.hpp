@@ -11,12 +11,12 @@
 
 namespace detent {
 
-/// A node of a tree of boxes: up to eight children and a box around each.
+/// A node of a tree of boxes: up to eight children, with a box around each.
 ///
-/// Boxes are rounded outward to one byte a side, on a grid that the node's own box spans: so a node
-/// of 32-bit coordinates takes two cache lines. The same side of all boxes lies together, so that
-/// one vector instruction asks all children at once. A child is another node, or a few items of the
-/// list that the tree is over.
+/// Boxes are rounded outward to one byte per side, on a grid over the node's own box, so a node
+/// with 32-bit coordinates takes two cache lines. The same side of all boxes is contiguous, so one
+/// vector instruction tests all children. A child is another node, or a few items of the tree's
+/// list.
 template <Scalar S, int N>
 struct alignas(64) StaticNode {
   static constexpr std::size_t width = 8;
@@ -25,11 +25,11 @@ struct alignas(64) StaticNode {
   /// sides[2 * axis] is the least coordinate of each child's box on an axis, sides[2 * axis + 1]
   /// the greatest.
   std::array<std::array<std::uint8_t, width>, 2 * std::size_t{N}> sides{};
-  /// The child's place in the list of nodes, or where in the list of items it begins.
+  /// The child's index in the list of nodes, or the index of its first item.
   std::array<std::uint32_t, width> first{};
-  /// How many items it is; 0 for a node.
+  /// The number of its items; 0 for a node.
   std::array<std::uint8_t, width> count{};
-  /// How many children there are: the first ones.
+  /// The number of children, which come first in the arrays.
   std::uint8_t children = 0;
 
   constexpr StaticNode() noexcept = default;
@@ -73,25 +73,25 @@ constexpr void append(D& digest, const StaticNode<S, N>& node) noexcept {
   digest.add(node.children);
 }
 
-/// How many nodes lie on the longest way from the root of a static tree down.
+/// The most nodes on a path down from the root of a static tree.
 inline constexpr int static_tree_depth = 20;
 
-/// A static tree of boxes over a list of items: a view of nodes that the caller keeps, the root
-/// first; no nodes for no items.
+/// A static tree of boxes over a list of items: a view of nodes that the caller owns, the root
+/// first. A tree over no items has no nodes.
 template <Scalar S, int N>
 struct StaticTree {
-  /// Of how many items a child consists at most.
+  /// The most items in a child that is a leaf.
   static constexpr std::uint32_t leaf_size = 4;
 
   std::span<const StaticNode<S, N>> nodes;
   Aabb<S, N> bounds = detail::no_box<Aabb<S, N>>;
 };
 
-/// How many nodes a tree over `count` items can have, whatever they are.
+/// The most nodes that a tree over `count` items can have.
 ///
-/// A node has eight children, or else none of its children is a node; those of the latter kind, L
-/// of all I, hold 5 items or more each (the root may hold fewer). So 8 (I - L) <= (I - 1) +
-/// (count - 5 L) children, that is I <= (count + 3 L) / 7 <= (1 + 3/5) count / 7 < count / 4.
+/// Of I nodes, let L have no node as a child; each of these holds 5 items or more (the root may
+/// hold fewer). The others have eight children each. So 8 (I - L) <= (I - 1) + (count - 5 L)
+/// children, that is I <= (count + 3 L) / 7 <= (1 + 3/5) count / 7 < count / 4.
 [[nodiscard]] constexpr std::size_t tree_capacity(std::size_t count) noexcept {
   return count / 4 + 1;
 }

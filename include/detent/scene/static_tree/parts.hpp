@@ -11,13 +11,12 @@ namespace detent {
 
 namespace detail {
 
-/// A part of a static tree: a node, by its place in the list of nodes, or else `count` items from
-/// `first` on.
+/// A part of a static tree: the node with index `first`, or `count` items from `first` on.
 struct StaticPart {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
 
-  /// How many parts a walk leaves waiting: seven of each level above and the eight of the last.
+  /// The most parts that wait in a traversal: seven of each level above and the eight of the last.
   static constexpr std::size_t room = 7 * (static_tree_depth - 1) + 8;
 
   [[nodiscard]] constexpr bool is_leaf() const noexcept { return count != 0; }
@@ -25,8 +24,8 @@ struct StaticPart {
 
 }  // namespace detail
 
-/// Whether test(child, box) is true for any child of a node of the tree, where `box` is around it
-/// and within the bounds of the tree; stops at the first.
+/// Whether test(child, box) is true for any child of a node of the tree; stops at the first. `box`
+/// is the box of the child, clipped to the bounds of the tree.
 template <Scalar S, int N, class Test>
 constexpr bool any_child(const StaticTree<S, N>& tree, const detail::StaticPart& part,
                          const Test& test) noexcept {

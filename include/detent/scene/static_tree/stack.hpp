@@ -9,9 +9,9 @@
 
 namespace detent::detail {
 
-/// The nodes and leaves that are still to be visited, the nearest on top: `Key` says how near.
+/// The nodes and leaves still to visit, the nearest on top; `Key` is how near.
 ///
-/// What a node at depth d leaves here are at most seven siblings for each level above and its own
+/// After a node at depth d it holds at most seven siblings for each level above, and the node's
 /// eight children: 7 d + 8, and d < static_tree_depth.
 template <class Key>
 class StaticStack {
@@ -26,7 +26,7 @@ class StaticStack {
   [[nodiscard]] constexpr std::size_t size() const noexcept { return used_; }
   [[nodiscard]] constexpr Entry pop() noexcept { return entries_[--used_]; }
 
-  /// Puts an entry on top, or below those put there since `base` that are nearer.
+  /// Pushes an entry, below the nearer ones that were pushed since `base`.
   constexpr void insert(std::size_t base, const Entry& entry) noexcept {
     std::size_t place = used_++;
     for (; place > base && entries_[place - 1].key < entry.key; --place) {
@@ -36,7 +36,7 @@ class StaticStack {
   }
 
  private:
-  std::array<Entry, 7 * (static_tree_depth - 1) + 8> entries_;  // each set when it is put there
+  std::array<Entry, 7 * (static_tree_depth - 1) + 8> entries_;  // each set when pushed
   std::size_t used_ = 0;
 };
 

@@ -11,7 +11,7 @@ namespace detent {
 
 namespace detail {
 
-/// Which children's boxes may touch `box`, a bit for each: compared as bytes on the node's grid.
+/// Which children's boxes may touch `box`, a bit for each. Compares bytes on the node's grid.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::uint32_t touching(const StaticNode<S, N>& node,
                                                const Aabb<S, N>& box) noexcept {
@@ -29,8 +29,8 @@ template <Scalar S, int N>
 
 }  // namespace detail
 
-/// Visits the items whose boxes may touch `box`: calls visit(part) for parts of the list that the
-/// tree is over, until it returns true. Returns whether it did.
+/// Visits the items whose boxes may touch `box`: calls visit(part) for parts of the tree's list of
+/// items, until it returns true. Returns whether it did.
 ///
 /// Every item whose box touches it is visited; others may be.
 template <Scalar S, int N, class Item, class Visit>

@@ -7,7 +7,7 @@
 
 #include "detent/scene/tree/node.hpp"
 
-// Which boxes of a tree belong together: those whose common box has a small surface.
+// Groups the boxes of a tree: those whose common box has a small surface belong together.
 
 namespace detent::detail {
 
@@ -32,8 +32,8 @@ template <Scalar S, int N>
   return result;
 }
 
-/// A measure of how often rays and boxes meet `box`: half its surface and the length of its edges;
-/// in 2D half its outline.
+/// A measure of how often rays and boxes hit `box`: half its surface plus its extents; in 2D half
+/// its perimeter.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto half_area(const CullingBox<S, N>& box) noexcept {
   const auto extent = [&](std::size_t i) {
@@ -47,7 +47,7 @@ template <Scalar S, int N>
   }
 }
 
-/// The box of a node that grows least in area by `box`, and of those the smallest.
+/// The box of a node that grows least in area when extended by `box`; of equals, the smallest.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::size_t best_place(const TreeNode<S, N>& node,
                                                const CullingBox<S, N>& box) noexcept {
@@ -73,13 +73,13 @@ template <Scalar S, int N>
   return result;
 }
 
-/// By the centers' places along an axis.
+/// Orders by center along an axis.
 [[nodiscard]] constexpr auto by_center(std::size_t axis) noexcept {
   return [axis](const auto& a, const auto& b) { return center(a.box)[axis] < center(b.box)[axis]; };
 }
 
-/// Orders entries so that neighbours are near: cuts them in two along the axis on which their
-/// centers spread most, again and again, where whole subtrees end.
+/// Orders entries so that neighbours are near each other: repeatedly cuts them in two along the
+/// axis on which their centers spread most, between whole subtrees.
 template <Scalar S, int N>
 constexpr void arrange(TreeEntry<S, N>* first, std::size_t count) {
   constexpr std::size_t width = TreeNode<S, N>::width;
@@ -109,8 +109,8 @@ constexpr void arrange(TreeEntry<S, N>* first, std::size_t count) {
   }
 }
 
-/// Orders entries along the axis, and says how many are to be parted from the others, at least
-/// `least` on either side, so that the two boxes around them have the least area.
+/// Orders entries along an axis and returns where to cut, with at least `least` entries on either
+/// side, so that the boxes around both sides have the least area.
 template <Scalar S, int N, std::size_t Count>
 [[nodiscard]] constexpr std::size_t cut_in_two(std::array<TreeEntry<S, N>, Count>& entries,
                                                std::size_t least) noexcept {

@@ -31,7 +31,7 @@ struct alignas(64) TreeNode {
     for (std::size_t i = 0; i < width; ++i) clear(i);
   }
 
-  /// An empty box, which meets nothing and adds nothing.
+  /// Sets an empty box, which overlaps nothing and does not enlarge `bounds`.
   constexpr void clear(std::size_t i) noexcept {
     for (auto& lane : low) lane[i] = Culling<S>::beyond;
     for (auto& lane : high) lane[i] = -Culling<S>::beyond;
@@ -72,9 +72,9 @@ struct alignas(64) TreeNode {
     return result;
   }
 
-  /// Which boxes have a point in common with `box`.
+  /// Which boxes overlap `box`.
   [[nodiscard]] constexpr Mask meeting(const Box& box) const noexcept {
-    // All ones where two boxes are apart: loops that compilers vectorise.
+    // All ones where two boxes are disjoint: loops that compilers vectorise.
     std::array<std::int32_t, width> apart{};
     for (std::size_t axis = 0; axis < low.size(); ++axis) {
       const auto least = box.low[axis], most = box.high[axis];
@@ -85,11 +85,11 @@ struct alignas(64) TreeNode {
     std::int32_t together = 0;
     for (std::size_t i = 0; i < width; ++i) together |= ~apart[i] & (1 << i);
     const auto mask = static_cast<Mask>(together);
-    return mask & ((1u << count) - 1);  // what is everywhere meets empty boxes too
+    return mask & ((1u << count) - 1);  // a box that is everywhere overlaps empty boxes too
   }
 };
 
-/// What a node has in one of its places.
+/// One entry: a child and its box.
 template <Scalar S, int N>
 struct TreeEntry {
   CullingBox<S, N> box;
