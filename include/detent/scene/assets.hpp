@@ -9,7 +9,8 @@
 
 namespace detent {
 
-/// A list of what snapshots refer to by id and digest: `MeshAsset`s, `HullAsset`s or `FieldAsset`s.
+/// A list of assets that snapshots refer to by id and digest: `MeshAsset`s, `HullAsset`s or
+/// `FieldAsset`s.
 template <class List>
 concept AssetList = requires(const List& list) {
   std::span(list).front().id();
@@ -18,13 +19,14 @@ concept AssetList = requires(const List& list) {
 
 namespace detail {
 
-/// The lists that a snapshot's references are looked up in.
+/// The lists to look up a snapshot's references in.
 template <AssetList... Lists>
 class AssetLists {
  public:
   explicit constexpr AssetLists(const Lists&... lists) noexcept : lists_(lists...) {}
 
-  /// Finds the asset of this id and digest; or says why there is none. None is meant by zeros.
+  /// Finds the asset with this id and digest, or returns why there is none. Zeros stand for no
+  /// asset.
   template <class Asset>
   [[nodiscard]] constexpr Restored find(std::uint32_t id, std::uint64_t digest,
                                         const Asset*& found) const noexcept {
@@ -50,7 +52,7 @@ class AssetLists {
   std::tuple<const Lists&...> lists_;
 };
 
-/// Reads a shape that refers to an asset and its pose, as it was written.
+/// Reads the reference to a shape's asset, and the pose.
 template <class Assets, class Asset, class Pose>
 [[nodiscard]] constexpr Restored read_reference(Reader& in, const Assets& assets,
                                                 const Asset*& asset, Pose& pose) noexcept {

@@ -12,7 +12,7 @@
 
 namespace detent::detail {
 
-/// Writes what a digest would take, as far as there is room, and counts all of it.
+/// Writes the bytes that a digest would be fed, as far as there is room, and counts all of them.
 class Writer {
  public:
   Writer() noexcept = default;
@@ -40,7 +40,7 @@ class Writer {
   std::size_t size_ = 0;
 };
 
-/// How many bytes a value takes.
+/// The number of bytes that `Writer` writes for a value.
 template <class T>
 inline constexpr std::size_t byte_count = [] {
   Writer count;
@@ -48,8 +48,8 @@ inline constexpr std::size_t byte_count = [] {
   return count.size();
 }();
 
-/// Loads values from bytes that are there. Where they are not those of any value it says so, and
-/// goes on with some value.
+/// Loads values without bounds checks. Bytes that encode no value set `is_wrong`, and loading goes
+/// on with some value.
 class Loader {
  public:
   explicit constexpr Loader(const std::byte* from) noexcept : from_(from) {}
@@ -131,8 +131,8 @@ class Loader {
   bool is_wrong_ = false;
 };
 
-/// Reads values one after the other. Past the end of the bytes, and where they are not those of any
-/// value, it fails.
+/// Reads values one after another. Fails past the end of the bytes and on bytes that encode no
+/// value.
 class Reader {
  public:
   explicit constexpr Reader(std::span<const std::byte> bytes) noexcept : bytes_(bytes) {}

@@ -10,7 +10,7 @@
 
 namespace detent {
 
-/// How a frame lies in its parent, which is `FrameId{}` for the world, and in the world.
+/// A frame's transforms to its parent (`FrameId{}` for the world) and to the world.
 template <Scalar S, int N>
 struct FrameInfo {
   Transform<S, N> local;
@@ -25,17 +25,17 @@ namespace detail {
 
 struct SceneAccess;
 
-/// The part of a scene that holds objects and frames, adds, shows, changes and removes them.
+/// The part of a scene that stores objects and frames, and adds, reads, changes and removes them.
 ///
-/// `shape`, `visit`, `for_each` and `replace` speak of shapes in the world; `add`, `add_as`,
-/// `local_shape`, `replace_local` and `move` of shapes in the frame of the object. For an object in
-/// no frame both are the same.
+/// `shape`, `visit`, `for_each` and `replace` use shapes in the world; `add`, `add_as`,
+/// `local_shape`, `replace_local` and `move` use shapes in the object's frame. Both are the same
+/// for an object in no frame.
 ///
-/// Functions that change or show an object or a frame return false, or nothing, when it is gone; so
-/// they do for `no_object` and `no_frame`.
+/// Functions that read or change an object or a frame return false, or nothing, when it does not
+/// exist; also for `no_object` and `no_frame`.
 ///
-/// Fixed objects are not in snapshots. Whoever adds, changes, moves or removes one can no longer
-/// restore earlier snapshots: `restore` says `Restored::other_fixed_part`.
+/// Fixed objects are not in snapshots. Once one is added, changed, moved or removed, earlier
+/// snapshots cannot be restored: `restore` returns `Restored::other_fixed_part`.
 template <class Storage, Scalar S, int N, class... Shapes>
 class SceneContents {
   static_assert((... && (shape_tag<Shapes> != 0)),
@@ -50,7 +50,7 @@ class SceneContents {
   constexpr SceneContents() = default;
   constexpr SceneContents(const SceneContents&) = default;
   constexpr SceneContents& operator=(const SceneContents&) = default;
-  /// The other scene is then as if nothing had ever been added to it.
+  /// Leaves the other scene as if nothing had ever been added to it.
   constexpr SceneContents(SceneContents&& other) noexcept : store_(std::move(other.store_)) {
     other.store_.clear();
   }
@@ -64,14 +64,14 @@ class SceneContents {
 
   [[nodiscard]] constexpr std::size_t size() const noexcept { return store_.size(); }
 
-  /// Adds an object under the lowest free index. Where nothing is added, `value_or(no_object)` is an
-  /// id on which every function returns false:
+  /// Adds an object at the lowest free index. On failure, `value_or(no_object)` gives an id on
+  /// which every function returns false:
   ///
   ///     const ObjectId ball = scene.add(Sphere{center, radius}).value_or(no_object);
   ///
-  /// result: nothing, and no change, when `capacity` objects are there, when 2^32 - 2 objects and
-  ///         frames have been added, or when the frame is none of this scene's, or is asked for by
-  ///         a fixed object
+  /// result: nothing, and no change, when the scene holds `capacity` objects, when 2^32 - 2 objects
+  ///         and frames have been added, when the frame is not in this scene, or when a fixed
+  ///         object is given a frame
   template <Among<Shapes...> Shape>
   constexpr std::optional<ObjectId> add(const Shape& shape, const Traits& traits = {}) {
     if (!are_valid(traits)) return std::nullopt;
@@ -80,11 +80,11 @@ class SceneContents {
     return id;
   }
 
-  /// Adds an object under an id of the caller's choice, so that two scenes filled in different
-  /// orders hold the same objects.
+  /// Adds an object with an id chosen by the caller, so that two scenes filled in different orders
+  /// hold the same objects.
   ///
-  /// result: false, and no change, as for `add`, when the index is taken or not below `capacity`,
-  ///         or when the generation is 0 or 2^32 - 1
+  /// result: false, and no change, when `add` would refuse the frame, when the index is taken or
+  ///         not below `capacity`, or when the generation is 0 or 2^32 - 1
   template <Among<Shapes...> Shape>
   constexpr bool add_as(const ObjectId& id, const Shape& shape, const Traits& traits = {}) {
     if (!are_valid(traits) || id.index >= capacity || store_.is_object(id.index)) return false;
@@ -98,13 +98,13 @@ class SceneContents {
     store_.remove(id.index);
     return true;
   }
-  /// Gives an object another shape, of any listed type, in the world. An object in a frame takes
-  /// shapes only by `replace_local`: for it the result is false.
+  /// Replaces an object's shape, by any listed type, in the world. Returns false for an object in a
+  /// frame: use `replace_local`.
   template <Among<Shapes...> Shape>
   constexpr bool replace(const ObjectId& id, const Shape& shape) {
     return frame_of(id) == FrameId{} && replace_local(id, shape);
   }
-  /// Gives an object another shape, of any listed type, in its frame.
+  /// Replaces an object's shape, by any listed type, in its frame.
   template <Among<Shapes...> Shape>
   constexpr bool replace_local(const ObjectId& id, const Shape& shape) {
     if (!contains(id)) return false;
@@ -131,9 +131,9 @@ class SceneContents {
     return true;
   }
 
-  /// Makes questions faster after many additions, such as those of a level that has been loaded, at
-  /// the cost of about a microsecond for each object; a bounded scene needs 28 bytes of stack for
-  /// each that it has room for. It never changes an answer.
+  /// Makes queries faster after many additions, such as loading a level. Costs about a microsecond
+  /// per object; a bounded scene needs 28 bytes of stack for each object of its capacity. Never
+  /// changes a result.
   constexpr void optimize() { store_.rebuild(); }
 
   [[nodiscard]] constexpr bool contains(const ObjectId& id) const noexcept {
@@ -149,8 +149,8 @@ class SceneContents {
     const auto* const record = store_.find(id);
     return record ? as<Shape>(record->shape) : std::nullopt;
   }
-  /// The object's shape in its frame, as it was given, when it is of this type: what `replace_local`
-  /// takes.
+  /// The object's shape in its frame, as given to `add` or `replace_local`, when it is of this
+  /// type.
   template <Among<Shapes...> Shape>
   [[nodiscard]] constexpr std::optional<Shape> local_shape(const ObjectId& id) const noexcept {
     const auto* const record = store_.find(id);
@@ -164,7 +164,7 @@ class SceneContents {
     record->shape.visit([&](const auto& shape) { f(shape); });
     return true;
   }
-  /// Calls f(info, shape) for every object in the order of their ids, with its shape in the world.
+  /// Calls f(info, shape) for every object in order of id, with its shape in the world.
   template <class F>
   constexpr void for_each(const F& f) const {
     for (std::size_t i = 0; i < store_.end(); ++i) {
@@ -179,7 +179,7 @@ class SceneContents {
     if (record == nullptr) return std::nullopt;
     return store_.frames().id(store_.frame_of(*record));
   }
-  /// How a frame lies; nothing for the world, too.
+  /// A frame's transforms and parent; nothing for the world.
   [[nodiscard]] constexpr std::optional<FrameInfo<S, N>> frame(const FrameId& id) const noexcept {
     const auto& frames = store_.frames();
     if (!frames.is_frame(id)) return std::nullopt;
@@ -187,24 +187,23 @@ class SceneContents {
     return FrameInfo<S, N>{frame.local, frame.world, frames.id(frame.parent)};
   }
 
-  /// Adds a coordinate system, itself in another if that is given. Where nothing is added,
-  /// `value_or(no_frame)` is a frame in which nothing can be added.
+  /// Adds a frame, inside `parent` if given. On failure, `value_or(no_frame)` gives a frame that
+  /// nothing can be added to.
   ///
-  /// result: nothing when the storage has no room for it, or no such parent
+  /// result: nothing when the storage has no room or the parent does not exist
   constexpr std::optional<FrameId> add_frame(const Transform<S, N>& transform,
                                              const FrameId& parent = {}) {
     if (parent == FrameId{}) return store_.add_frame(transform, nowhere);
     if (!store_.frames().is_frame(parent)) return std::nullopt;
     return store_.add_frame(transform, parent.index);
   }
-  /// Moves a frame in its parent, and all that is in it, at the cost of a look at every frame and
-  /// attached object.
+  /// Moves a frame in its parent, with everything in it. Visits every frame and attached object.
   constexpr bool move_frame(const FrameId& id, const Transform<S, N>& transform) {
     if (!store_.frames().is_frame(id)) return false;
     store_.move_frame(id.index, transform);
     return true;
   }
-  /// Removes a frame; not while something is in it.
+  /// Removes a frame; returns false while anything is in it.
   constexpr bool remove_frame(const FrameId& id) noexcept {
     return store_.frames().is_frame(id) && store_.remove_frame(id.index);
   }

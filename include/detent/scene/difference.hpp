@@ -12,13 +12,13 @@
 
 namespace detent::detail {
 
-/// Where a field is: its whole name, and the object of a scene that it belongs to.
+/// The full name of a field, and the scene object that it belongs to, if any.
 struct FieldPlace {
   FieldName name;
   std::optional<ObjectInfo> object;
 };
 
-/// Calls visit(place, digest) for each field of a world that has no parts, in order.
+/// Calls visit(place, digest) for each leaf field of a world, in order.
 template <class Visit>
 class FieldWalk {
  public:
@@ -67,7 +67,7 @@ constexpr void for_each_place(const World& world, Fields which, const Visit& vis
   FieldWalk<decltype(visit_some)>(visit_some).walk(world);
 }
 
-/// How many fields there are, and the digest of the first `count` names and values.
+/// The number of fields, and the digest of the first `count` names and values.
 struct Beginning {
   std::size_t field_count = 0;
   std::uint64_t digest = 0;
@@ -84,7 +84,7 @@ template <class World>
   return {seen, digest.value()};
 }
 
-/// The place of field `i`, or nothing when there are fewer.
+/// The name and object of field `i`, or nothing when there are fewer.
 template <class World>
 [[nodiscard]] constexpr std::optional<FieldPlace> place_of(const World& world, Fields which,
                                                            std::size_t i) {
@@ -103,9 +103,8 @@ template <class World>
   return result;
 }
 
-/// The first field in which two worlds differ: one that has another value, or that only one of them
-/// has. It is searched for by bisection over the digests of ever shorter beginnings, so no list of
-/// fields is kept.
+/// The first field in which two worlds differ: its value differs, or only one of them has it. Found
+/// by bisection over digests of the first fields, so no list of fields is kept.
 template <class World>
 [[nodiscard]] constexpr std::optional<FieldPlace> first_difference(const World& a, const World& b,
                                                                    Fields which) {

@@ -10,8 +10,8 @@
 
 namespace detent {
 
-/// The name of a field of a world as a path, such as `velocity[3].x`; without a heap, so a name is
-/// cut off after `capacity` characters.
+/// The path of a field in a world, such as `velocity[3].x`. Uses no heap, so a name is cut off
+/// after `capacity` characters.
 class FieldName {
  public:
   static constexpr std::size_t capacity = 119;
@@ -38,7 +38,7 @@ class FieldName {
     return add(std::string_view(&digit, 1));
   }
 
-  /// Appends the name of a part: a space or bracket in front of it separates it already.
+  /// Appends the name of a part, after a dot unless it begins with a space or bracket.
   constexpr FieldName& add_part(std::string_view part) noexcept {
     if (part.empty()) return *this;
     const bool is_separated = part.front() == ' ' || part.front() == '[';
@@ -66,7 +66,7 @@ class FieldName {
 
 namespace detail {
 
-/// The name of a part of a field: a literal, whose length is known, a text or a path.
+/// The name of a part of a field: a string literal, a string view or a path.
 class PartName {
  public:
   template <std::size_t Size>

@@ -17,7 +17,7 @@
 #include "detent/shape/sphere.hpp"
 #include "detent/shape/triangle.hpp"
 
-// What a value consists of, under names: for_each_field(value, f) calls f(name, part) for each part.
+// The named parts of a value: for_each_field(value, f) calls f(name, part) for each part.
 
 namespace detent {
 
@@ -83,13 +83,13 @@ struct AnyFieldVisitor {
   constexpr void operator()(const PartName&, const T&) const noexcept {}
 };
 
-/// A type that lists its parts by `for_each_field(value, f)`, found by argument-dependent lookup.
+/// A type whose parts `for_each_field(value, f)` lists, found by argument-dependent lookup.
 template <class T>
 concept HasFields = requires(const T& value, const AnyFieldVisitor& f) {
   for_each_field(value, f);
 };
 
-/// An array, std::array, std::vector: elements in an order, and their number.
+/// An array, std::array, std::vector: elements in order, and their number.
 template <class T>
 concept IsList = requires(const T& list) {
   std::begin(list);
@@ -105,9 +105,9 @@ inline constexpr bool is_field = HasFields<T> || Digestible<T>;
 template <IsList T>
 inline constexpr bool is_field<T> = HasFields<T> || is_field<Element<T>>;
 
-/// What a field of a world can be: a number, bool or enum, or whatever else says by `append(digest,
-/// value)` what it contributes to a `Digest`; what lists its own parts by `for_each_field`, as
-/// vectors, rotations, shapes and scenes do; or an array or list of these.
+/// A field of a world: a number, bool or enum, or another type that `append(digest, value)` adds to
+/// a `Digest`; a type that lists its own parts by `for_each_field`, as vectors, rotations, shapes
+/// and scenes do; or an array or list of these.
 template <class T>
 concept Field = is_field<T>;
 

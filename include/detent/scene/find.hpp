@@ -16,8 +16,8 @@
 
 namespace detent::detail {
 
-/// Questions to all objects of a store at once: its trees find candidates, and the queries on
-/// single shapes decide.
+/// Queries on all objects of a store: the trees find candidates, and the queries on single shapes
+/// decide.
 template <class Storage, Scalar S, int N, class... Shapes>
 class Finder {
   using Index = std::uint32_t;
@@ -26,8 +26,7 @@ class Finder {
   explicit constexpr Finder(const Store<Storage, S, N, Shapes...>& store) noexcept
       : store_(store) {}
 
-  /// Calls visit(index) for the objects that have a point in common with the question until it
-  /// returns true.
+  /// Calls visit(index) for the objects that overlap the query shape, until it returns true.
   template <class Question, class Filter, class Visit>
   constexpr void visit_meeting(const Question& question, const Filter& filter,
                                const Visit& visit) const {
@@ -48,8 +47,8 @@ class Finder {
     visit_found(ray, filter, [&](const Found<S>& found, auto) { return visit(found.id.index); });
   }
 
-  /// Calls visit(found, shorten) for what `Scene::all` is to list; with shorten(distance) it may
-  /// waive what lies beyond.
+  /// Calls visit(found, shorten) for each object that `Scene::all` lists. After shorten(distance),
+  /// farther objects may be skipped.
   template <class Question, class Filter, class Visit>
   constexpr void visit_found(const Question& question, const Filter& filter,
                              const Visit& visit) const {
@@ -73,7 +72,7 @@ class Finder {
       });
     });
   }
-  /// Of a point, every object that is not empty is found for `Scene::nearest`: an empty one has no
+  /// For a point, visits every object that is not empty, for `Scene::nearest`: an empty one has no
   /// box in a tree.
   template <class Filter, class Visit>
   constexpr void visit_found(const Vec<S, N>& point, const Filter& filter,
@@ -87,7 +86,7 @@ class Finder {
     });
   }
 
-  /// Calls add(found) for each object that `Scene::all` is to list.
+  /// Calls add(found) for each object that `Scene::all` lists.
   template <class Question, class Filter, class Add>
   constexpr void collect(const Question& question, const Filter& filter, const Add& add) const {
     visit_found(question, filter, [&](const Found<S>& found, auto) { return add(found), false; });
@@ -97,7 +96,7 @@ class Finder {
     visit_meeting(point, filter, [&](std::size_t i) { return add(found_at(i, point)), false; });
   }
 
-  /// Where the ray hits an object that it was found to hit.
+  /// The hit of a ray on an object that it is known to hit.
   [[nodiscard]] constexpr ObjectHit<S, N> hit_of(const Ray<S, N>& ray,
                                                  const Found<S>& found) const noexcept {
     return store_[found.id.index].shape.visit([&]<class Shape>(const Shape& shape) {
@@ -119,7 +118,7 @@ class Finder {
     });
   }
 
-  /// Calls add(overlap) for each pair of objects with a point in common, but for fixed ones.
+  /// Calls add(overlap) for each pair of overlapping objects, except pairs of fixed ones.
   template <class Filter, class Add>
   constexpr void visit_overlaps(const Filter& filter, const Add& add) const {
     const auto ask = [&](Index i, Index j) {
@@ -129,7 +128,7 @@ class Finder {
       });
       if (meet) add(Overlap{store_.info(i).id, store_.info(j).id});
     };
-    // Objects of a large scene are far from the processor: they are fetched while others are asked.
+    // The objects of a large scene are not in cache: prefetch them while earlier pairs are tested.
     std::array<std::pair<Index, Index>, 16> waiting;
     std::size_t count = 0;
     const auto visit = [&](Index i, Index j) {

@@ -10,7 +10,7 @@
 
 namespace detent {
 
-/// An object that a question found. Lists of them are ordered by distance, then by id.
+/// An object that a query found. Ordered by distance, then by id.
 template <Scalar S>
 struct Found {
   S distance{};
@@ -20,7 +20,7 @@ struct Found {
 };
 
 /// Where a ray first touches an object: distance, point and normal are those of
-/// `raycast_hit(ray, shape)`. Lists of them are ordered by distance, then by id.
+/// `raycast_hit(ray, shape)`. Ordered by distance, then by id.
 template <Scalar S, int N>
 struct ObjectHit {
   S distance{};
@@ -36,7 +36,7 @@ struct ObjectHit {
   }
 };
 
-/// Two objects with a point in common, the lower id first. Lists of them are ordered.
+/// Two overlapping objects, the lower id first. Ordered by first id, then by second.
 struct Overlap {
   ObjectId first;
   ObjectId second;

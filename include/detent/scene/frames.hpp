@@ -13,17 +13,17 @@
 
 namespace detent::detail {
 
-/// What the last change to the frames of a scene did to one of them.
+/// What the last change to a scene's frames did to one frame.
 enum class Placement : std::uint8_t { as_it_was, moved, unknown };
 
-/// A coordinate system: how it lies in its parent's, and in the world.
+/// A coordinate system, with its transforms to its parent and to the world.
 template <Scalar S, int N>
 struct Frame {
   Transform<S, N> local;
   Transform<S, N> world;
-  std::uint32_t generation = 0;  // 0 where there is none
+  std::uint32_t generation = 0;  // 0 for an unused index
   std::uint32_t parent = nowhere;
-  std::uint32_t below = nowhere;  // on the way down while frames are placed
+  std::uint32_t below = nowhere;  // the next frame on the way down, in spread()
   Placement placement = Placement::as_it_was;
 };
 
@@ -43,7 +43,7 @@ class Frames {
     return is_frame(id.index) && frames_[id.index].generation == id.generation;
   }
 
-  /// The id of the frame with this index; that of the world for `nowhere`.
+  /// The id of the frame with this index; `FrameId{}`, the world, for `nowhere`.
   [[nodiscard]] constexpr FrameId id(std::uint32_t i) const noexcept {
     return i == nowhere ? FrameId{} : FrameId{i, frames_[i].generation};
   }
@@ -61,7 +61,7 @@ class Frames {
     if (parent != nowhere) place(frames_[id.index]);
   }
 
-  /// Moves a frame and with it all below it.
+  /// Moves a frame and everything below it.
   constexpr void move(std::uint32_t i, const Transform<S, N>& transform) noexcept {
     for (std::size_t k = 0; k < frames_.size(); ++k) {
       frames_[k].placement =
@@ -75,7 +75,8 @@ class Frames {
     spread();
   }
 
-  /// Forgets all frames; `set` then lists them anew, in any order, and `place_all` places them.
+  /// Removes all frames. Then `set` adds frames in any order, and `place_all` computes their world
+  /// transforms.
   constexpr void clear() noexcept {
     frames_.clear();
     first_free_ = 0;
@@ -108,8 +109,9 @@ class Frames {
     frame.world = compose(frames_[frame.parent].world, frame.local);
   }
 
-  /// Places what is below frames that have moved, in time linear in the frames whatever their order:
-  /// climbs from each to the next one that is known, and places those that it passed on the way back.
+  /// Recomputes the world transforms below frames that have moved, in time linear in the frames
+  /// whatever their order: climbs from each to the next ancestor whose placement is known, and
+  /// places the frames that it passed on the way back.
   constexpr void spread() noexcept {
     for (std::uint32_t k = 0; k < frames_.size(); ++k) {
       std::uint32_t at = k, below = nowhere;

@@ -11,7 +11,7 @@
 
 namespace detent {
 
-/// What `restore` says of a snapshot.
+/// The result of `restore`.
 enum class Restored {
   yes,
   no_snapshot,
@@ -69,7 +69,7 @@ struct SnapshotHeader {
   std::uint32_t magic = right_magic;
   std::uint16_t version = right_version;
   std::uint8_t dimension = 0;
-  std::uint8_t is_floating = 0;  // 1 for scalars that round
+  std::uint8_t is_floating = 0;  // 1 for floating-point scalars
   std::uint8_t bits = 0;         // of the scalar: Fixed<bits, frac>, or 32 or 64
   std::uint8_t frac = 0;
   std::uint16_t shapes = 0;  // bit shape_tag for each type of shape in the scene
@@ -107,7 +107,7 @@ struct SnapshotHeader {
   }
 };
 
-/// Of an object, before its shape.
+/// The fields of an object before its shape.
 struct ObjectHeader {
   std::uint32_t index = 0;
   std::uint32_t generation = 0;
@@ -119,7 +119,7 @@ struct ObjectHeader {
   constexpr void read(Reader& in) noexcept { in.get(index, generation, layers, user, frame, tag); }
 };
 
-/// Of a frame, before its transform.
+/// The fields of a frame before its transform.
 struct FrameHeader {
   std::uint32_t index = 0;
   std::uint32_t generation = 0;

@@ -9,10 +9,10 @@
 
 namespace detent::detail {
 
-/// Adds `item` to `kept`, of which `seen` were offered before: a list that can hold all takes it;
-/// a full one keeps the least of all offered, whatever their order. Sort it at the end.
+/// Offers `item` to `kept`, after `seen` others. While there is room, the list takes it; a full
+/// list keeps the least of all items offered, whatever their order. Call sort_kept at the end.
 ///
-/// A full list is a heap, its greatest item in front.
+/// A full list is a heap with its greatest item in front.
 template <class Item>
 constexpr void keep_first(std::span<Item> kept, std::size_t seen, const Item& item) noexcept {
   if (seen < kept.size()) {
@@ -25,10 +25,10 @@ constexpr void keep_first(std::span<Item> kept, std::size_t seen, const Item& it
   }
 }
 
-/// Puts what keep_first kept of the `seen` items that it was offered in order.
+/// Sorts the items that keep_first kept of the `seen` items offered.
 ///
-/// By the heap that a full list already is: std::sort looks at 16 items at a time, which GCC takes
-/// for an index out of bounds where an array is shorter.
+/// Uses the heap that a full list already is. std::sort looks at 16 items at a time, which GCC
+/// takes for an index out of bounds if an array is shorter.
 template <class Item>
 constexpr void sort_kept(std::span<Item> kept, std::size_t seen) noexcept {
   const auto items = kept.first((std::min)(seen, kept.size()));

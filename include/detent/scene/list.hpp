@@ -28,7 +28,7 @@ class FixedList {
   }
   constexpr void pop_back() noexcept { --size_; }
   constexpr void clear() noexcept { size_ = 0; }
-  /// New elements are as T() makes them.
+  /// New elements are T().
   constexpr void resize(std::size_t size) noexcept {
     for (; size_ < size; ++size_) elements_[size_] = T();
     size_ = size;
@@ -40,7 +40,7 @@ class FixedList {
   std::size_t size_ = 0;
 };
 
-/// Without room: nothing asks it for an element.
+/// Without room: its elements are never accessed.
 template <class T>
 class FixedList<T, 0> {
  public:
@@ -54,7 +54,7 @@ class FixedList<T, 0> {
   constexpr void reserve(std::size_t) const noexcept {}
 
  private:
-  /// Never called, and compilers know it, or they would warn of an element out of bounds.
+  /// Never called. Unreachable for compilers, or they would warn of an element out of bounds.
   [[noreturn]] static constexpr T& none() noexcept {
 #if defined(_MSC_VER) && !defined(__clang__)
     __assume(false);
@@ -67,10 +67,10 @@ class FixedList<T, 0> {
 }  // namespace detail
 
 #if __STDC_HOSTED__
-/// A scene that takes memory as it grows.
+/// Storage of a scene that allocates as it grows.
 struct Growing {
   static constexpr bool is_growing = true;
-  /// So many objects, and frames, fit, whatever a snapshot asks for.
+  /// The most objects, and the most frames, whatever a snapshot claims.
   static constexpr std::size_t capacity = std::size_t{1} << 20;
   static constexpr std::size_t frame_capacity = capacity;
   template <class T, std::size_t>
@@ -78,7 +78,7 @@ struct Growing {
 };
 #endif
 
-/// A scene that holds its memory inside itself and never asks for more.
+/// Storage of a scene that holds its memory inside itself and never allocates.
 template <std::size_t Capacity, std::size_t FrameCapacity = 0>
 struct Bounded {
   static constexpr std::size_t capacity = Capacity;

@@ -26,29 +26,28 @@ constexpr void append(D& digest, const Id<Tag>& id) noexcept {
 
 }  // namespace detail
 
-/// The name of an object of a scene. Nothing that a scene adds later has the same name; the index
-/// alone is free again once the object is removed. Names are ordered by index. A default one names
-/// nothing.
+/// The id of an object of a scene. No object added later gets the same id; only the index is free
+/// again once the object is removed. Ids are ordered by index. A default id refers to no object.
 using ObjectId = detail::Id<struct ObjectTag>;
 
-/// The name of a frame of a scene: a coordinate system that objects and other frames move with. A
-/// default one names the world.
+/// The id of a frame of a scene: a coordinate system that objects and other frames move with. A
+/// default id refers to the world.
 using FrameId = detail::Id<struct FrameTag>;
 
-/// Names that nothing ever has, for `value_or` where an addition may fail.
+/// Ids that nothing ever has, for `value_or` where an addition may fail.
 inline constexpr ObjectId no_object{};
 inline constexpr FrameId no_frame{0xffffffffu, 0};
 
-/// Whether an object is part of the match, which is saved and restored, or of the place where it
-/// happens: those never move while it lasts, and are the same for everybody from the beginning.
+/// Whether an object is part of the match, which is saved and restored, or of the level: fixed
+/// objects never move during a match and are the same for all players from the start.
 enum class Motion : std::uint8_t { moving, fixed };
 
-/// What a scene keeps beside the shape of an object.
+/// What a scene stores with the shape of an object.
 struct Traits {
-  std::uint32_t layers = 1;  // any bits: what they mean is up to filters
-  std::uint64_t user = 0;    // any word: it is saved, and never read
+  std::uint32_t layers = 1;  // any bits; filters define their meaning
+  std::uint64_t user = 0;    // any word; saved, never read
   Motion motion = Motion::moving;
-  FrameId frame{};  // what a moving object's shape is given in, and moves with
+  FrameId frame{};  // the frame that a moving object's shape is in and moves with
 
   [[nodiscard]] friend constexpr bool operator==(const Traits&, const Traits&) noexcept = default;
 };
@@ -61,15 +60,15 @@ struct ObjectInfo {
   Motion motion;
 };
 
-/// Says of an object whether it counts.
+/// A predicate: whether an object counts.
 template <class F>
 concept ObjectFilter = std::predicate<const F&, const ObjectInfo&>;
 
-/// Says of two objects whether they count as a pair.
+/// A predicate: whether two objects count as a pair.
 template <class F>
 concept PairFilter = std::predicate<const F&, const ObjectInfo&, const ObjectInfo&>;
 
-/// The filter that lets everything through.
+/// The filter that accepts everything.
 struct Everything {
   [[nodiscard]] constexpr bool operator()(const ObjectInfo&) const noexcept { return true; }
   [[nodiscard]] constexpr bool operator()(const ObjectInfo&, const ObjectInfo&) const noexcept {
@@ -77,7 +76,7 @@ struct Everything {
   }
 };
 
-/// The filter that lets through what is in any of these layers.
+/// The filter that accepts objects in any of these layers.
 struct InLayers {
   std::uint32_t mask;
   [[nodiscard]] constexpr bool operator()(const ObjectInfo& object) const noexcept {

@@ -9,7 +9,7 @@
 
 namespace detent::detail {
 
-/// The place of `T` in a list of types; their number when it is not there.
+/// The index of `T` in a list of types; their number if it is not there.
 template <class T, class... Ts>
 inline constexpr std::size_t place_in = [] {
   std::size_t place = 0;
@@ -20,7 +20,7 @@ inline constexpr std::size_t place_in = [] {
 template <class T, class... Ts>
 concept Among = place_in<T, Ts...> < sizeof...(Ts);
 
-/// A shape of one of several types. Of a single type it is that shape: no tag, no branch.
+/// A shape of one of several types. For a single type it is that shape: no tag, no branch.
 template <class... Shapes>
 class OneOf {
  public:
@@ -28,7 +28,7 @@ class OneOf {
   template <Among<Shapes...> Shape>
   explicit constexpr OneOf(const Shape& shape) noexcept : shape_(shape) {}
 
-  /// The place of the shape's type in the list.
+  /// The index of the shape's type in the list.
   [[nodiscard]] constexpr std::size_t kind() const noexcept { return shape_.index(); }
 
   /// The shape, or nullptr when it has another type.
@@ -37,7 +37,7 @@ class OneOf {
     return std::get_if<Shape>(&shape_);
   }
 
-  /// f(shape) with the shape's own type.
+  /// Calls f(shape) with the shape in its own type.
   template <class F>
   constexpr decltype(auto) visit(F&& f) const noexcept {
     return visit_from<0>(f);

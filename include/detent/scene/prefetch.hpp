@@ -8,10 +8,10 @@
 
 namespace detent::detail {
 
-/// Asks the machine to fetch so many bytes that will be read soon: a hint without an effect.
+/// Prefetches bytes that will be read soon: a hint that changes no result.
 ///
-/// A tree of many triangles is larger than the near caches; without the hint, waiting for memory
-/// takes a third of the time of a ray through it.
+/// A tree over many triangles does not fit the inner caches; without the hint, a ray through it
+/// spends a third of its time waiting for memory.
 constexpr void prefetch([[maybe_unused]] const void* from,
                         [[maybe_unused]] std::size_t bytes) noexcept {
 #if defined(__GNUC__)

@@ -10,7 +10,7 @@ template <Scalar S, int N>
   return transform.scale == 1 && transform.rotation == Rotation<S, N>();
 }
 
-/// placed(transform, shape), with less work where nothing turns.
+/// placed(transform, shape), with less work if the transform only translates.
 template <Scalar S, int N, class Shape>
 [[nodiscard]] constexpr Shape put(const Transform<S, N>& transform, const Shape& shape) noexcept {
   return only_moves(transform) ? translated(shape, transform.translation)

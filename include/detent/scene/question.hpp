@@ -9,8 +9,8 @@
 #include "detent/query/overlaps.hpp"
 #include "detent/query/raycast.hpp"
 
-// What a scene is asked for beside rays: a point, segment, sphere, box or capsule meets an object
-// where it has a point in common with it. Distances are those from one point of the question.
+// Query shapes of a scene other than rays: a point, segment, sphere, box or capsule finds the
+// objects that it overlaps. Distances are measured from one reference point of the query shape.
 
 namespace detent {
 
@@ -56,8 +56,8 @@ template <Scalar S, int N>
 
 }  // namespace detail
 
-/// What a scene's `nearest` and `all` may be asked for besides rays: what has a point to measure
-/// distances from. `any` takes other shapes as well.
+/// A query shape other than a ray for a scene's `nearest` and `all`: it has a reference point to
+/// measure distances from. `any` takes other shapes as well.
 template <class Question, class S, int N>
 concept SceneQuestion = requires(const Question& question) {
   { detail::reference(question) } -> std::same_as<Vec<S, N>>;
@@ -70,7 +70,8 @@ concept SceneRegion = SceneQuestion<Question, S, N> || requires(const Question& 
   { bounding_box(question) } -> std::same_as<Aabb<S, N>>;
 };
 
-/// True; where it is not, the question gets its sentence, and nothing else need be said of it.
+/// Always true, or a compile error of one sentence; `if constexpr` on it then avoids further
+/// errors.
 template <bool IsQuestion>
 [[nodiscard]] constexpr bool is_question() noexcept {
   static_assert(IsQuestion,

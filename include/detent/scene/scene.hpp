@@ -12,36 +12,36 @@
 
 namespace detent {
 
-/// Objects of the listed types of shapes, and questions about all of them at once. Write
+/// Objects of the listed shape types, and queries over all of them. Write
 /// `Scene<q16_16, 3, Sphere, Obb>`, or `BoundedScene<Bounded<256>, q16_16, 3, Sphere>` for one that
 /// never allocates.
 ///
-/// A scene is what it holds: answers and digests depend on the objects and their ids, never on the
-/// order in which they came, moved and went.
+/// Results and digests depend on the objects and their ids, never on the order in which objects
+/// were added, moved and removed.
 ///
-/// Questions are rays, points, segments, spheres, boxes and capsules:
+/// Query with rays, points, segments, spheres, boxes and capsules:
 ///
-/// * `nearest(question, filter)`, the first of `all` without finding the others; of a point, the
-///   object nearest to it, wherever that is, but for empty ones (such as a sphere of negative
-///   radius): they are nowhere, so none of these functions ever finds one, though `distance(shape,
-///   point)` has to return some number for them and says the greatest;
-/// * `any(question, filter)`, whether there is one;
-/// * `all(question, filter)`, each object that has a point in common with the question, by distance
-///   and then by id. For a ray that is the distance at which it first touches the object, else the
-///   distance of the object from the point itself, the start of a segment, the center of a sphere
-///   or box (of an `Aabb` rounded to nearest) or end `a` of a capsule;
+/// * `nearest(question, filter)`, the first of `all`, without finding the others. For a point, the
+///   nearest object at any distance. None of these functions ever finds an empty object (such as a
+///   sphere of negative radius), although `distance(shape, point)` returns the greatest number for
+///   it;
+/// * `any(question, filter)`, whether there is any such object;
+/// * `all(question, filter)`, each object that overlaps the query shape, sorted by distance, then
+///   by id. For a ray, that is the distance at which it first touches the object; otherwise it is
+///   the distance of the object from the point, the start of a segment, the center of a sphere or
+///   box (of an `Aabb`, rounded to nearest) or end `a` of a capsule;
 /// * `nearest_hit(ray, filter)` and `all_hits(ray, filter)`, the same with points and normals;
-/// * `overlaps(filter)`, all pairs of objects with a point in common, but for pairs of fixed ones.
+/// * `overlaps(filter)`, all pairs of overlapping objects, except pairs of fixed ones.
 ///
 /// A filter takes an `ObjectInfo` (for pairs two of them) and returns whether the object counts.
 ///
-/// exact:  the answers of the queries on single shapes           (tests/scene/history.test.cpp)
+/// exact:  the results of the queries on single shapes           (tests/scene/history.test.cpp)
 template <class Storage, Scalar S, int N, class... Shapes>
 class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
   using Base = detail::SceneContents<Storage, S, N, Shapes...>;
 
  public:
-  /// What a growing scene lists its answers in: a `std::vector`.
+  /// The list type of a growing scene's results: `std::vector`.
   template <class T>
   using List = typename Storage::template List<T, 0>;
   using Base::is_growing;
@@ -76,7 +76,7 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
     return list;
   }
 
-  /// The first of `all` that fit `room`, in order; returns how many there are in all.
+  /// Writes the first of `all` that fit `room`, in order; returns the total number.
   template <class Question, ObjectFilter Filter = Everything>
   constexpr std::size_t all(const Question& question, std::span<Found<S>> room,
                             const Filter& filter = {}) const {
@@ -95,7 +95,7 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
     return list;
   }
 
-  /// The first of the pairs that fit `room`, in order; returns how many there are in all.
+  /// Writes the first of the pairs that fit `room`, in order; returns the total number.
   template <PairFilter Filter = Everything>
   constexpr std::size_t overlaps(std::span<Overlap> room, const Filter& filter = {}) const {
     std::size_t count = 0;
@@ -105,7 +105,7 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
     return count;
   }
 
-  /// Where the ray first touches an object: the hit of the one that `nearest` finds.
+  /// Where the ray first touches the object that `nearest` finds.
   template <ObjectFilter Filter = Everything>
   [[nodiscard]] constexpr std::optional<ObjectHit<S, N>> nearest_hit(
       const Ray<S, N>& ray, const Filter& filter = {}) const {
@@ -114,7 +114,7 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
     return finder().hit_of(ray, *found);
   }
 
-  /// Where the ray first touches each of the objects of `all`, in their order.
+  /// Where the ray first touches each of the objects of `all`, in that order.
   template <ObjectFilter Filter = Everything>
   [[nodiscard]] List<ObjectHit<S, N>> all_hits(const Ray<S, N>& ray,
                                                const Filter& filter = {}) const
@@ -124,7 +124,7 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
     return list;
   }
 
-  /// The first of these hits that fit `room`, in order; returns how many there are in all.
+  /// Writes the first of these hits that fit `room`, in order; returns the total number.
   template <ObjectFilter Filter = Everything>
   constexpr std::size_t all_hits(const Ray<S, N>& ray, std::span<ObjectHit<S, N>> room,
                                  const Filter& filter = {}) const {
@@ -144,13 +144,12 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
 };
 
 #if __STDC_HOSTED__
-/// A scene that takes memory as it grows, up to `Growing::capacity` objects.
+/// A scene that allocates as it grows, up to `Growing::capacity` objects.
 template <Scalar S, int N, template <Scalar, int> class... Shapes>
 using Scene = BasicScene<Growing, S, N, Shapes<S, N>...>;
 #endif
 
-/// A scene in the storage that `Bounds` names, a `Bounded<Capacity, FrameCapacity>`: it holds its
-/// memory inside itself.
+/// A scene whose memory is inside itself; `Bounds` is a `Bounded<Capacity, FrameCapacity>`.
 template <class Bounds, Scalar S, int N, template <Scalar, int> class... Shapes>
 using BoundedScene = BasicScene<Bounds, S, N, Shapes<S, N>...>;
 

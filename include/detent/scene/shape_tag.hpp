@@ -12,7 +12,7 @@
 
 namespace detent::detail {
 
-/// The number of a type of shape in snapshots and digests of scenes, which never changes.
+/// The number of a shape type in snapshots and digests of scenes. It never changes.
 template <class Shape>
 inline constexpr std::uint8_t shape_tag = 0;
 template <Scalar S, int N>

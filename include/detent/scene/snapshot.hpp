@@ -14,22 +14,27 @@
 // A scene as bytes, and back:
 //   snapshot(scene)              -> std::vector<std::byte>
 //   snapshot(scene, room)        -> how many bytes, written when `room` holds them
-//   restore(scene, bytes)        -> Restored: yes, or the reason for leaving the scene as it was
-//   restore(scene, bytes, lists...) the same where moving objects refer to meshes, hulls, fields
+//   restore(scene, bytes)        -> Restored: yes, or why the scene is unchanged
+//   restore(scene, bytes, lists...) the same if moving objects refer to meshes, hulls, fields
 //   digest(scene)                -> 64 bits of all objects and frames
 //   digest_of(scene, id)         -> 64 bits of one object
 //
-// Version 1, all little-endian: a header of 48 bytes (header.hpp); each frame, by index, as index,
-// generation, index of its parent or 2^32 - 1 (4 bytes each) and transform; each moving object, by
-// index, as index, generation, layers (4 bytes each), user word (8), index of its frame or
-// 2^32 - 1 (4), type of shape (1) and the numbers of the shape in their order, a moving sphere
-// being 41 bytes in Q16.16, of a mesh or hull its id (4), digest (8) and transform, of a height
-// field its id, digest and translation; the XXH64 of all that. Equal scenes have equal bytes. Fixed
-// objects are represented by the sum of their digests: a scene restores only what was taken beside
-// the same ones, so one that is added, changed, moved or removed makes earlier snapshots
-// `other_fixed_part`. Copies of a scene, with `=`, hold everything and are faster still.
+// Version 1, all little-endian:
+// * a header of 48 bytes (header.hpp);
+// * each frame, in order of index: index, generation, index of its parent or 2^32 - 1 (4 bytes
+//   each), transform;
+// * each moving object, in order of index: index, generation, layers (4 bytes each), user word (8),
+//   index of its frame or 2^32 - 1 (4), shape type (1), the numbers of the shape in order; for a
+//   mesh or hull its id (4), digest (8) and transform, for a height field its id, digest and
+//   translation. A moving sphere takes 41 bytes in Q16.16;
+// * the XXH64 of all that.
 //
-// The digest of a scene leaves the next generation out: it depends on what has been there before.
+// Equal scenes have equal bytes. Fixed objects appear only as the sum of their digests, and a scene
+// restores only snapshots taken with the same fixed objects: once one is added, changed, moved or
+// removed, earlier snapshots are `other_fixed_part`. Copies of a scene, with `=`, hold everything
+// and are faster still.
+//
+// The digest of a scene omits the next generation, which depends on past objects.
 
 namespace detent {
 
@@ -61,7 +66,7 @@ constexpr std::uint32_t describe_frames(D& out, const Frames& frames) noexcept {
   return count;
 }
 
-/// Writes the snapshot behind its header and returns the header for it.
+/// Writes the snapshot after its header, and returns the header.
 template <class Storage, Scalar S, int N, class... Shapes>
 constexpr SnapshotHeader write(Writer& out,
                                const BasicScene<Storage, S, N, Shapes...>& scene) noexcept {
@@ -95,7 +100,7 @@ template <class Shape>
   return Restored::yes;
 }
 
-/// A snapshot's parts, read in the order in which they come.
+/// Reads the parts of a snapshot in order.
 template <class Assets, Scalar S, int N, class... Shapes>
 class SnapshotReader {
  public:
@@ -125,13 +130,13 @@ class SnapshotReader {
     return 0;
   }
 
-  /// The shape with this tag, or nothing when the scene has no such.
+  /// Reads the shape with this tag; nothing when the scene has no such type.
   [[nodiscard]] constexpr std::optional<Shape> shape(std::uint8_t tag) noexcept {
     std::optional<Shape> result;
     (void)((shape_tag<Shapes> == tag ? (read<Shapes>(result), true) : false) || ...);
     return result;
   }
-  /// What there is to say of the last shape.
+  /// The result of reading the last shape.
   [[nodiscard]] constexpr Restored said() const noexcept { return said_; }
 
  private:
@@ -149,7 +154,7 @@ class SnapshotReader {
   Reader in_;
 };
 
-/// Whether the parts of a snapshot are those of a scene, and fit this one.
+/// Whether the parts of a snapshot are valid and fit this scene.
 template <class Storage, Scalar S, int N, class... Shapes, class Assets>
 [[nodiscard]] constexpr Restored check_parts(const BasicScene<Storage, S, N, Shapes...>& scene,
                                              std::span<const std::byte> bytes,
@@ -199,7 +204,7 @@ template <class Storage, Scalar S, int N, class... Shapes, class Assets>
   return in.left() == 0 ? Restored::yes : Restored::corrupted;
 }
 
-/// Makes the moving part of a scene that of a checked snapshot.
+/// Replaces the moving part of a scene by that of a checked snapshot.
 template <class Storage, Scalar S, int N, class... Shapes, class Assets>
 constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<const std::byte> bytes,
                      const SnapshotHeader& header, const Assets& assets) {
@@ -241,8 +246,8 @@ constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<cons
 
 }  // namespace detail
 
-/// Writes the canonical bytes of the moving part of a scene to `room`; returns how many they are.
-/// When `room` has fewer, it holds nothing of use.
+/// Writes the canonical bytes of the moving part of a scene to `room`; returns their number. If
+/// `room` is smaller, its contents are of no use.
 template <class Storage, Scalar S, int N, class... Shapes>
 constexpr std::size_t snapshot(const BasicScene<Storage, S, N, Shapes...>& scene,
                                std::span<std::byte> room) noexcept {
@@ -264,11 +269,11 @@ template <class Storage, Scalar S, int N, class... Shapes>
   return bytes;
 }
 
-/// Makes the moving objects and the frames of `scene` those of a snapshot; or leaves it as it was
-/// and says why. Whatever the bytes are, it asks for no more memory than the objects need that the
-/// scene has room for. The meshes, hulls and height fields of moving objects are found by id and
-/// digest in `lists` of `MeshAsset<S>`, `HullAsset<S, N>` and `FieldAsset<S>`, which outlive the
-/// scene.
+/// Replaces the moving objects and the frames of `scene` by those of a snapshot, or leaves the
+/// scene unchanged and returns why. Whatever the bytes are, it allocates no more memory than the
+/// objects of a full scene need. The meshes, hulls and height fields of moving objects are looked
+/// up by id and digest in `lists` of `MeshAsset<S>`, `HullAsset<S, N>` and `FieldAsset<S>`, which
+/// must outlive the scene.
 template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
 [[nodiscard]] constexpr Restored restore(BasicScene<Storage, S, N, Shapes...>& scene,
                                          std::span<const std::byte> bytes, const Lists&... lists) {
@@ -291,7 +296,7 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   return Restored::yes;
 }
 
-/// The canonical bytes of a digest: frames and objects in the order of their indices.
+/// The canonical bytes of a digest: frames and objects in order of index.
 template <class D, class Storage, Scalar S, int N, class... Shapes>
 constexpr void append(D& digest, const BasicScene<Storage, S, N, Shapes...>& scene) noexcept {
   const auto& store = detail::SceneAccess::store(scene);
@@ -303,7 +308,7 @@ constexpr void append(D& digest, const BasicScene<Storage, S, N, Shapes...>& sce
   }
 }
 
-/// The digest of one object: its id, traits and shape; nothing when it is gone.
+/// The digest of one object: its id, traits and shape; nothing when it does not exist.
 template <class Storage, Scalar S, int N, class... Shapes>
 [[nodiscard]] constexpr std::optional<std::uint64_t> digest_of(
     const BasicScene<Storage, S, N, Shapes...>& scene, const ObjectId& id) noexcept {

@@ -20,9 +20,9 @@ namespace detent::detail {
 
 /// The objects of a scene, by index, and the trees over them.
 ///
-/// What counts: for each object its id, shape (in its frame), layers, user word and motion; for
-/// each frame its id, parent and transform; and the generation of the next id. All else follows
-/// from these: shapes in the world, boxes, trees, and which index is the lowest free one.
+/// Its state: for each object its id, shape (in its frame), layers, user word and motion; for each
+/// frame its id, parent and transform; and the generation of the next id. All else follows from
+/// these: shapes in the world, boxes, trees, and the lowest free index.
 template <class Storage, Scalar S, int N, class... Shapes>
 class Store {
  public:
@@ -32,13 +32,13 @@ class Store {
   struct Record {
     Shape shape{};  // in the world
     std::uint64_t user = 0;
-    std::uint32_t generation = 0;  // 0 where there is no object
+    std::uint32_t generation = 0;  // 0 for an unused index
     std::uint32_t layers = 0;
     std::uint32_t attachment = nowhere;
     Motion motion = Motion::moving;
   };
 
-  /// The part of an object that moves with a frame.
+  /// For an object in a frame: its shape there, and the frame.
   struct Attachment {
     Shape local{};
     std::uint32_t object = nowhere;
@@ -49,7 +49,7 @@ class Store {
   static constexpr std::uint32_t last_generation = 0xfffffffeu;
 
   [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
-  /// Objects have indices below this.
+  /// All objects have indices below this.
   [[nodiscard]] constexpr std::size_t end() const noexcept { return records_.size(); }
   [[nodiscard]] constexpr const Record& operator[](std::size_t i) const noexcept {
     return records_[i];
@@ -64,7 +64,7 @@ class Store {
   [[nodiscard]] constexpr std::uint32_t frame_of(const Record& record) const noexcept {
     return record.attachment == nowhere ? nowhere : attachments_[record.attachment].frame;
   }
-  /// The shape as it was given.
+  /// The shape in the object's frame, as given.
   [[nodiscard]] constexpr const Shape& local_shape(const Record& record) const noexcept {
     return record.attachment == nowhere ? record.shape : attachments_[record.attachment].local;
   }
@@ -76,7 +76,7 @@ class Store {
             record.motion};
   }
 
-  /// The canonical bytes of an object but for its motion.
+  /// The canonical bytes of an object, without its motion.
   template <class D>
   constexpr void describe(D& out, std::size_t i) const noexcept {
     const Record& record = records_[i];
@@ -86,11 +86,11 @@ class Store {
       out.add(shape_tag<std::remove_cvref_t<decltype(shape)>>, shape);
     });
   }
-  /// What tells two sets of fixed objects apart: the sum of the digests of each.
+  /// Identifies the set of fixed objects: the sum of their digests.
   [[nodiscard]] constexpr std::uint64_t fixed_digest() const noexcept { return fixed_digest_; }
   [[nodiscard]] constexpr std::size_t fixed_size() const noexcept { return fixed_size_; }
 
-  /// The lowest index from `i` on of a moving object, or `end()`.
+  /// The lowest index of a moving object from `i` on, or `end()`.
   [[nodiscard]] constexpr std::size_t next_moving(std::size_t i) const noexcept {
     for (std::size_t word = i / 64; word < is_moving_.size(); ++word) {
       const auto bits =
@@ -101,7 +101,7 @@ class Store {
   }
 
   [[nodiscard]] constexpr const auto& frames() const noexcept { return frames_; }
-  /// To list them anew: whatever is attached to them must then be put anew.
+  /// To replace them: every object attached to them must then be put again.
   [[nodiscard]] constexpr auto& frames() noexcept { return frames_; }
   [[nodiscard]] constexpr const auto& tree(Motion motion) const noexcept {
     return motion == Motion::moving ? moving_ : fixed_;
@@ -110,14 +110,14 @@ class Store {
   [[nodiscard]] constexpr std::uint32_t next_generation() const noexcept { return next_; }
   constexpr void set_next_generation(std::uint32_t next) noexcept { next_ = next; }
 
-  /// The id that the next object is to have, or nothing when there is no room for one.
+  /// The id of the next object, or nothing when there is no room for one.
   [[nodiscard]] constexpr std::optional<ObjectId> next_id() noexcept {
     while (is_object(first_free_)) ++first_free_;
     if (first_free_ >= capacity || next_ > last_generation) return std::nullopt;
     return ObjectId{first_free_, next_};
   }
 
-  /// Adds the object, or makes another of the moving one that has the index. A frame must exist.
+  /// Adds the object, or replaces the moving object at this index. Its frame must exist.
   constexpr void put(const ObjectId& id, const Shape& shape, const Traits& traits) {
     if (id.index >= records_.size()) {
       records_.resize(id.index + std::size_t{1});
@@ -127,7 +127,7 @@ class Store {
     if (record.generation == id.generation && record.layers == traits.layers &&
         record.user == traits.user && record.motion == Motion::moving &&
         record.attachment == nowhere && traits.frame == FrameId{} && record.shape == shape) {
-      return;  // nothing new
+      return;  // unchanged
     }
     if (record.generation == 0) ++size_;
     next_ = (std::max)(next_, id.generation + 1);
@@ -155,7 +155,7 @@ class Store {
     first_free_ = (std::min)(first_free_, i);
   }
 
-  /// Gives the object another shape, in its frame.
+  /// Replaces the object's shape, in its frame.
   constexpr void set_shape(std::uint32_t i, const Shape& shape) {
     count_out(i);
     assign(i, shape);
@@ -200,7 +200,7 @@ class Store {
     return true;
   }
 
-  /// Many moving objects are about to be put or removed.
+  /// Call these around putting or removing many moving objects.
   constexpr void begin_bulk() noexcept { moving_.begin_bulk(); }
   constexpr void end_bulk() noexcept { moving_.end_bulk(); }
 
@@ -209,7 +209,7 @@ class Store {
     fixed_.rebuild();
   }
 
-  /// As if nothing had ever been added.
+  /// Leaves the store as if nothing had ever been added.
   constexpr void clear() noexcept {
     records_.clear();
     is_moving_.clear();

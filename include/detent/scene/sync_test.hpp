@@ -14,29 +14,29 @@
 
 namespace detent {
 
-/// Where a frame came out otherwise when it was simulated again.
+/// A frame that had another result when it was simulated again.
 struct Desync {
-  std::uint64_t frame;             // from 0, the first one that did
-  std::optional<ObjectId> object;  // that the field belongs to, if it is one of a scene's objects
-  FieldName field;                 // the first that differs, or that is there only once, such as
+  std::uint64_t frame;             // from 0; the first that differs
+  std::optional<ObjectId> object;  // the scene object that the field belongs to, if any
+  FieldName field;                 // the first that differs or is in one result only, such as
       // `scene object 3:17 (sphere) center.y`, `velocity[1].x` or `score`
 };
 
-/// Looks for what a rollback would break, without a second player: after every frame it goes back
-/// as many frames as its window has, simulates them again with the same inputs, and compares each
-/// with what it was.
+/// Finds what a rollback would break, without a second player: after every frame it goes back by a
+/// window of frames, simulates them again with the same inputs, and compares each with its first
+/// result.
 ///
-/// What is not in the world and not in the inputs, such as a global variable, a clock or an order
-/// of addresses, shows as a `Desync`. So does a frame that changes a fixed object of a scene, for
-/// snapshots do not bring that back.
+/// State that is neither in the world nor in the inputs, such as a global variable, a clock or an
+/// order of addresses, shows as a `Desync`. So does a frame that changes a fixed object of a scene,
+/// because snapshots do not restore that.
 ///
 ///     SyncTest<World, Input> test(8);
 ///     if (const auto desync = test.step(world, input, simulate)) ...
 ///
-/// `SyncTest<World, Input, 8> test;` keeps its window inside itself: with a `BoundedScene` nothing
-/// allocates. World and input then have default constructors.
+/// `SyncTest<World, Input, 8> test;` stores its window inside itself: with a `BoundedScene` nothing
+/// allocates. World and input then need default constructors.
 ///
-/// A world is a scene, or any type of the caller's that says what its fields are: `RollbackWorld`.
+/// A world is a scene, or a type of the caller's that lists its fields: see `RollbackWorld`.
 ///
 /// (tests/scene/sync_test.test.cpp, tests/examples/sync_world.cpp)
 template <RollbackWorld World, std::copyable Input, std::size_t Window = 0>
@@ -46,11 +46,11 @@ class SyncTest {
       : window_((std::max)(window, std::size_t{1})) {}
   SyncTest() requires(Window != 0) = default;
 
-  /// Simulates a frame, simulate(world, input), and the last ones again. Nothing else may change
-  /// the world between two steps.
+  /// Simulates a frame by simulate(world, input), then the last frames again. Nothing else may
+  /// change the world between two steps.
   ///
-  /// result: nothing when all came out as before; `world` is then what the frame made of it, else
-  ///         what it was when it parted
+  /// result: nothing when all frames came out the same, and `world` is the result of the frame;
+  ///         otherwise `world` is as it was when it diverged
   template <class Simulate>
   [[nodiscard]] std::optional<Desync> step(World& world, const Input& input,
                                            const Simulate& simulate) {
@@ -103,8 +103,8 @@ class SyncTest {
 
   std::size_t window_ = Window;
   std::uint64_t count_ = 0;
-  Moments moments_{};          // the last ones, by frame modulo the window
-  std::optional<World> last_;  // what the last frame made of the world
+  Moments moments_{};          // of the last frames, at frame modulo the window
+  std::optional<World> last_;  // the world after the last frame
 };
 
 }  // namespace detent

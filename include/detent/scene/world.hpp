@@ -13,11 +13,12 @@
 
 namespace detent {
 
-/// All that a rollback must bring back, as a type of the game's own. It has
+/// All that a rollback must restore, as a type of the game's own. It has
 ///
-/// * copies that are independent of it: what it refers to by pointer or reference is shared by all
-///   copies and must not change;
-/// * `for_each_field(world, f)` beside it, which calls f(name, field) for each of its fields.
+/// * independent copies: what it refers to by pointer or reference is shared by all copies and must
+///   not change;
+/// * `for_each_field(world, f)` in its namespace, which calls f(name, field) for each of its
+///   fields.
 ///
 /// A scene is a world by itself. One with a scene and velocities:
 ///
@@ -37,14 +38,14 @@ concept RollbackWorld = std::copyable<T> && detail::Field<T>;
 
 namespace detail {
 
-/// The name of a type of shape in desyncs, by its number in snapshots.
+/// The name of a shape type in a `Desync`, by its number in snapshots.
 [[nodiscard]] constexpr std::string_view shape_name(std::uint8_t tag) noexcept {
   constexpr std::string_view names[] = {"shape",    "sphere",  "aabb", "obb",  "plane",
                                         "triangle", "capsule", "mesh", "hull", "height field"};
   return names[tag < std::size(names) ? tag : 0];
 }
 
-/// An object of a scene as a field of it.
+/// An object of a scene, as a field of the scene.
 template <class Store>
 struct ObjectField {
   const Store& store;
@@ -63,7 +64,7 @@ constexpr void for_each_field(const ObjectField<Store>& object, const F& f) {
     const auto with_type = [&](const PartName& name, const auto& field) {
       f(FieldName(" (").add(shape_name(shape_tag<Shape>)).add(") ").add(name.view()), field);
     };
-    f("", true);  // it is there
+    f("", true);  // it exists
     f(" type", shape_tag<Shape>);
     with_type("motion", info.motion);
     with_type("layers", info.layers);
@@ -77,14 +78,14 @@ constexpr void for_each_field(const ObjectField<Store>& object, const F& f) {
   });
 }
 
-/// A frame of a scene as a field of it.
+/// A frame of a scene, as a field of the scene.
 template <Scalar S, int N>
 struct FrameField {
   const Frame<S, N>& frame;
 };
 template <Scalar S, int N, class F>
 constexpr void for_each_field(const FrameField<S, N>& field, const F& f) {
-  f("", true);  // it is there
+  f("", true);  // it exists
   f(" parent", field.frame.parent);
   for_each_field(field.frame.local, [&](const PartName& name, const auto& part) {
     f(FieldName(" ").add(name.view()), part);
@@ -98,7 +99,7 @@ constexpr void for_each_field(const FrameField<S, N>& field, const F& f) {
 
 }  // namespace detail
 
-/// Objects, frames, and the generation of the next id, under the names of `detent diff`.
+/// The objects, the frames and the next generation of a scene, named as in `detent diff`.
 template <class Storage, Scalar S, int N, class... Shapes, class F>
 constexpr void for_each_field(const BasicScene<Storage, S, N, Shapes...>& scene, const F& f) {
   const auto& store = detail::SceneAccess::store(scene);
