@@ -24,7 +24,7 @@ using World = Scene<S, 3, Sphere, Aabb, Obb, Plane, Triangle, Capsule, MeshInsta
 using Local = std::variant<Sphere<S, 3>, Aabb<S, 3>, Obb<S, 3>, Plane<S, 3>, Triangle<S, 3>,
                            Capsule<S, 3>, PlacedMesh<S>, PlacedHull<S, 3>, PlacedField<S>>;
 
-/// What assets are made of, and the assets.
+/// The assets, and the data that they view.
 struct Stock {
   std::deque<std::vector<Triangle<S, 3>>> triangles;
   std::deque<OwnedMesh<S>> owned;
@@ -66,7 +66,7 @@ struct Stock {
   }
 };
 
-/// The points of a hull where it should be.
+/// The transformed points of a hull.
 struct PlainHull {
   std::vector<Vec3> points;
 };
@@ -108,7 +108,7 @@ Shown shown(const Stock& stock, const Shape& shape) {
   }
 }
 
-/// The shape that answers for one that is shown.
+/// The shape to query for an expected one.
 template <class Shape>
 const Shape& asked(const Shape& shape) {
   return shape;
@@ -218,7 +218,7 @@ void ask(const World& scene, const Plain& plain, const Question& question, HitRa
   }
 }
 
-/// Adds, changes, moves or removes an object at some index.
+/// Adds, changes, moves or removes an object at a random index.
 void step(Historian<S, 3>& history, World& scene, Plain& plain, const FrameId& frame) {
   auto& random = history.random();
   const auto index = static_cast<std::uint32_t>(random.below(12));
@@ -257,7 +257,7 @@ void step(Historian<S, 3>& history, World& scene, Plain& plain, const FrameId& f
   plain.show(object);
 }
 
-/// A scene of the same objects, added in the order of their indices, with copies of the assets.
+/// A scene of the same objects, added in order of index, with copies of the assets.
 World fresh(const Plain& plain, const FrameId& frame, const Stock& copies) {
   World scene;
   REQUIRE(scene.add_frame(plain.frame) == frame);

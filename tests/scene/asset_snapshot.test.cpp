@@ -32,7 +32,8 @@ const HeightField<S> hilly = *height_field<S>({S(-4), S(-4)}, S(4), 3, 3, hills)
 const HeightField<S> flat = *height_field<S>({S(-4), S(-4)}, S(4), 3, 3, plain);
 const Fields fields{FieldAsset(7, hilly), FieldAsset(8, flat)};
 
-/// A ball, a hull that moves, terrain that does not, both in a frame, and objects of nothing.
+/// A ball, a moving hull, fixed terrain, another hull and field in a frame, and objects without
+/// assets.
 Toys toys() {
   Toys scene;
   scene.add(Sphere{at(0, 20, 0), S(1)});
@@ -122,7 +123,7 @@ TEST_CASE("placed field: out of range it is cut off, and answers all the same", 
   CHECK(raycast(down, field) == S::from_raw(131071));
   CHECK(intersects(Segment{down.origin, corner}, field));
   CHECK(overlaps(field, Sphere{corner, S(0)}));
-  // All samples at the end of the range, where none is when the question is moved back.
+  // All samples are clamped to the end of the range; none is there when the query is moved back.
   const FieldAsset flattened(1,
                              *height_field<S>({S(4), S(0)}, S(4), 2, 2, std::span(hills).first(4)));
   const Field wall{&flattened, {largest<S>, S(0), S(0)}};
@@ -191,7 +192,7 @@ TEST_CASE("restore of assets: forged references are refused") {
   Toys scene = toys();
   const auto bytes = snapshot(scene);
   const auto before = digest(scene);
-  // After the frame, the ball and its own header; behind that hull, another one in a frame.
+  // After the header, frame, ball and the hull's object header; then comes a hull in a frame.
   constexpr std::size_t hull_at = 48 + 64 + 41 + 25, field_at = hull_at + 2 * 89;
   const auto forged = [&](std::size_t place, std::uint32_t word) {
     auto copy = bytes;

@@ -25,8 +25,8 @@ Raw<N> raw(const Vec<S, N>& point) {
   return result;
 }
 
-/// Shapes of nearly the greatest size, in any place that the scalar can name, which touch in a
-/// given point as nearly as the grid allows.
+/// Shapes of nearly the greatest size, anywhere in the range of the scalar, which touch at a given
+/// point as closely as the grid allows.
 template <Scalar S, int N>
 class Ends {
  public:
@@ -68,8 +68,7 @@ class Ends {
     return result;
   }
 
-  // Shapes with `spot` on their surface, or nearly, unless none that was tried has its center in the
-  // world.
+  // Shapes with `spot` on or near their surface, unless no candidate has its center in range.
 
   void touch(const Raw<N>& spot, Point& point) { point = D::vec(spot); }
   void touch(const Raw<N>& spot, Sphere<S, N>& sphere) {
@@ -108,8 +107,8 @@ class Ends {
     ray.origin = D::vec(D::moved(spot, ray.direction, -random.between(0, D::limit)));
   }
 
-  /// About a corner of the box, were its center at `center`: slabs along axes that are perpendicular
-  /// only nearly end a few units off the corner of its edges.
+  /// A point near a corner of the box, if its center were `center`. The axes are only nearly
+  /// perpendicular, so slabs end a few units off the corner of the edges.
   Raw<N> corner(Raw<N> center, const Obb<S, N>& box) {
     for (int i = 0; i < N; ++i) {
       const auto across = box.half_extents[i].raw();
@@ -118,8 +117,8 @@ class Ends {
     return draw.near(center, 3);
   }
 
-  /// A ball, or a capsule that is one, of the greatest radius, and a box of one point just where an
-  /// axis of the world leaves it: in the frame of the box it may be a unit nearer.
+  /// A ball (as a capsule) of the greatest radius, and a box of one point just where a world axis
+  /// leaves it: in the frame of the box it may be a unit nearer.
   std::pair<Capsule<S, N>, Obb<S, N>> ball_and_point() {
     Raw<N> center = draw.point(D::limit / 2);
     const auto at = random.below(N);
@@ -130,7 +129,7 @@ class Ends {
     center[at] += is_behind ? -away : away;
     return {ball, {D::vec(center), Point(), rotation()}};
   }
-  /// A point, and a cube of the greatest half extents that has a corner about there.
+  /// A point, and a cube of the greatest half extents with a corner near it.
   std::pair<Point, Obb<S, N>> cube_and_corner() {
     const Raw<N> spot = draw.point(D::limit - 4);
     Obb<S, N> box;
@@ -142,7 +141,7 @@ class Ends {
     return {D::vec(spot), box};
   }
 
-  /// In the world or beyond it.
+  /// In range or beyond it.
   Raw<N> spot() {
     if (random.coin()) return end();
     return draw.point(random.coin() ? D::limit : 2 * D::limit);
@@ -193,7 +192,8 @@ bool boxes_meet(const Ray<S, N>& ray, const B& b) {
   return probe.keys(node, keys) == 1 && probe.reaches(keys[0]);
 }
 
-/// Whether of the pairs of shapes that `next` draws those that meet have boxes that meet.
+/// Checks that of the pairs of shapes that `next` draws, those that overlap have boxes that
+/// overlap.
 template <class Next>
 void compare_boxes(int count, const Next& next) {
   HitRate rate;
@@ -266,7 +266,7 @@ TEMPLATE_TEST_CASE("bounds: what meets has boxes that meet, at the ends of the r
 
 namespace {
 
-/// A point on the surface of a shape, in the world or beyond it.
+/// A point on the surface of a shape, in range or beyond it.
 template <Scalar S, int N>
 Raw<N> spot_on(Ends<S, N>& ends, const Sphere<S, N>& ball) {
   return Ends<S, N>::D::moved(raw(ball.center), ends.draw.any_direction(), ball.radius.raw());

@@ -22,7 +22,8 @@ namespace {
 Vec3 at(int x, int y, int z) { return {S(x), S(y), S(z)}; }
 Rotation<S, 3> quarter() { return Rotation<S, 3>::from_euler({}, {}, Angle<S>::turn(1, 4)); }
 
-/// Moving and fixed objects, one in a frame, with deep trees and a generation past them.
+/// Moving and fixed objects, one in a frame, with trees of several levels and an advanced
+/// generation.
 template <class World>
 void fill(World& scene) {
   for (int i = 0; i < 9; ++i) scene.add(Ball{at(3 * i, 0, 0), S(1)});
@@ -38,7 +39,7 @@ std::uint64_t state(const World& scene) {
   return digest(scene) + snapshot(scene, room) + scene.overlaps(std::span<Overlap>());
 }
 
-/// Whether nothing tells it from a new scene, before and after things are added.
+/// Checks that it equals a new scene, before and after objects are added.
 template <class World>
 void check_is_new(World& scene) {
   const auto bytes_of = [](const World& of) {

@@ -12,8 +12,8 @@ namespace {
 using S = q16_16;
 using V = Vec<S, 2>;
 
-/// Axes of which the cosine is just below 2^-10: as skewed as an `Obb` may be that is not taken to
-/// be everywhere.
+/// Axes whose cosine is just below 2^-10: as skewed as an `Obb` may be without counting as
+/// everywhere.
 Rotation<S, 2> skewed() {
   return Rotation<S, 2>::from_axes({Direction<S, 2>::along(0), *normalize(V{S(1), S(1100)})});
 }
@@ -34,7 +34,7 @@ TEST_CASE("scene: a skewed box is nearer in its own frame than as the crow flies
   Scene<S, 2, Obb, Sphere> scene;
   const Obb<S, 2> speck{{}, {}, skewed()};
   const V point{S(700), S(-700)};
-  // 989.95 away, 989.63 in the frame.
+  // 989.95 away; 989.63 in the frame of the box.
   const Sphere<S, 2> ball{{S(700), *S::parse("289.8")}, S(0)};
   REQUIRE(distance(speck, point) < distance(ball, point));
   REQUIRE(distance(ball, point) < distance(V{}, point));

@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t count = 100000;
 long accesses = 0;
 
-/// A list that counts how often an element of it is looked at.
+/// A list that counts accesses to its elements.
 template <class T>
 class CountingList : std::vector<T> {
   using Base = std::vector<T>;
@@ -42,7 +42,7 @@ using Frames = detail::Frames<Counting, S, 3>;
 Move by(int x) { return {.translation = {S::from_raw(x), {}, {}}}; }
 S x_of(const Frames& frames, std::uint32_t i) { return frames[i].world.translation.x; }
 
-/// The frame `i` of `count`, in the parent that `parent_of` says, as a snapshot lists them.
+/// Frames 0 to `count` - 1, as from a snapshot; frame `i` has the parent parent_of(i).
 template <class Parent>
 Frames listed(const Parent& parent_of) {
   Frames frames;
@@ -54,7 +54,7 @@ Frames listed(const Parent& parent_of) {
   return frames;
 }
 
-/// The last frame is the root, and each other one is in the next.
+/// The last frame is the root; each other one is in the next.
 std::uint32_t next_one(std::uint32_t i) { return i + 1 == count ? detail::nowhere : i + 1; }
 std::uint32_t last_one(std::uint32_t i) { return i + 1 == count ? detail::nowhere : count - 1; }
 

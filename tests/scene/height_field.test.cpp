@@ -11,14 +11,14 @@
 namespace detent::test {
 namespace {
 
-/// A field with its samples: flat, rough, or of any bits.
+/// A field with its samples: flat, rough, or of random bits.
 template <Scalar S>
 struct Terrain {
   std::vector<S> heights;
   std::uint32_t columns, rows;
   S cell;
   Vec<S, 2> corner;
-  std::int64_t reach;  // of the field from its middle, which is the origin if the scalar allows
+  std::int64_t reach;  // of the field from its middle, which is the origin if it fits the scalar
 
   explicit Terrain(oracle::Draw<S, 3>& draw) {
     auto& random = draw.random;
@@ -152,7 +152,7 @@ TEMPLATE_TEST_CASE("height field: samples that make no cell make no field", "[he
   CHECK_FALSE(make(origin, 3, 2, origin));
   CHECK_FALSE(make(num<S>(-1), 3, 2, origin));
   CHECK_FALSE(make(one, 0x80000001, 0x80000006, origin));
-  // The last column may be at the end of the range, and not one step beyond.
+  // The last column may be at the end of the range, but not one step beyond.
   const auto step = S::from_raw(1);
   CHECK(make(step, 3, 2, moved(S::max(), -2)));
   CHECK_FALSE(make(step, 3, 2, moved(S::max(), -1)));

@@ -16,7 +16,7 @@ namespace detent {
 
 namespace test {
 
-/// A surface that counts the triangles that its walks hand out.
+/// A surface that counts the triangles that its traversals visit.
 template <Scalar S>
 struct Counted {
   const Mesh<S>* mesh = nullptr;
@@ -37,7 +37,7 @@ inline constexpr bool is_surface<test::Counted> = true;
 
 namespace test {
 
-/// visit(triangles) of a walk, counted.
+/// Wraps visit(triangles) of a traversal, to count.
 template <Scalar S, class Visit>
 auto counting(const Counted<S>& surface, const Visit& visit) {
   return [&](auto triangles) {
@@ -59,7 +59,7 @@ bool visit_crossing(const Counted<S>& surface, const Segment<S, 3>& segment,
 
 namespace {
 
-/// A field whose borders, samples and questions are all of a few numbers, so that much coincides.
+/// A field whose borders, samples and queries use few numbers, so that many coincide.
 template <Scalar S>
 struct Lattice {
   static constexpr std::uint32_t side = 4;
@@ -246,7 +246,7 @@ TEST_CASE("height field: a tower makes nobody ask the triangles of the plain", "
     (void)intersects(segment, surface);
     return surface.asked;
   };
-  // Over the plain and past the tower; its box, without the height, is that of half of the plain.
+  // Over the plain and past the tower; seen from above, its box covers half of the plain.
   const Segment over{at<S, 3>(-60, 30, -60), at<S, 3>(60, 30, 55)};
   CHECK(asked_of({.field = &field}, over) <= 8);
   CHECK(asked_of({.mesh = &mesh}, over) <= 16);
@@ -301,7 +301,7 @@ TEST_CASE("height field: the nearest triangle is sought no farther than it can b
   CHECK(count(at<S, 3>(30.5, 2.25, 30.5)) <= 7 * 7);
   CHECK(count(at<S, 3>(3000, 1, 30.5)) <= 16);
   CHECK(count(at<S, 3>(3000, 1, 3000)) <= 16);
-  // Of all cells within 30 of this point, those farther below than 30 are passed over.
+  // Of all cells within 30 of this point, those more than 30 below it are skipped.
   CHECK(asked(at<S, 3>(30.5, 30, 30.5)) <= 8);
   CHECK(asked(at<S, 3>(30.25, -50, -20.5)) <= 8);
 }

@@ -12,18 +12,18 @@
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
 
-/// One of each width and dimension: a scene asks every query of the library, which takes long to
-/// compile.
+/// One of each width and dimension: a scene instantiates every query of the library, which is slow
+/// to compile.
 #define DETENT_SCENE_SPACES \
   (detent::test::Space<detent::q16_16, 3>), (detent::test::Space<detent::q8_8, 2>)
 
 namespace detent::test {
 
-/// All kinds of shapes in a scene that grows.
+/// A growing scene of all kinds of shapes.
 template <Scalar S, int N>
 using AnyScene = Scene<S, N, Sphere, Aabb, Obb, Plane, Triangle, Capsule>;
 
-/// What a scene should hold: a plain list, which answers by asking each object.
+/// What a scene should hold: a plain list, whose queries test each object.
 template <Scalar S, int N>
 class PlainScene {
  public:
@@ -56,7 +56,7 @@ class PlainScene {
     return list;
   }
 
-  /// Empty objects are nowhere; no distance is the greatest one for them.
+  /// Skips empty objects, although `distance` returns the greatest number for them.
   std::optional<Found<S>> nearest(const Vec<S, N>& point, std::uint32_t mask) const {
     std::optional<Found<S>> best;
     for (const auto& [index, object] : objects) {
@@ -87,7 +87,7 @@ class PlainScene {
     return list;
   }
 
-  /// The same objects added in the order of their indices.
+  /// A scene of the same objects, added in order of index.
   AnyScene<S, N> fresh() const {
     AnyScene<S, N> scene;
     for (const auto& [index, object] : objects) {
@@ -99,7 +99,7 @@ class PlainScene {
   }
 };
 
-/// Draws objects and questions of one kind, and what happens to a scene.
+/// Draws objects and queries of one kind, and changes to a scene.
 template <Scalar S, int N>
 class Historian {
  public:
@@ -142,7 +142,7 @@ class Historian {
     return ray;
   }
 
-  /// One addition, removal or change, to a scene and to the list.
+  /// Applies one addition, removal or change to a scene and to the list.
   void step(AnyScene<S, N>& scene, PlainScene<S, N>& plain, std::size_t room) {
     const auto index = static_cast<std::uint32_t>(random().below(room));
     const auto at = plain.objects.find(index);

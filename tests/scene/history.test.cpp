@@ -32,7 +32,7 @@ long ask(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain, const Quest
   return expected.empty() ? 0 : 1;
 }
 
-/// Whether a scene answers as a list of its objects does, and as a scene made of them anew.
+/// Checks that a scene has the results of a list of its objects, and of a new scene of them.
 template <Scalar S, int N>
 void check(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain, Historian<S, N>& history,
            long& asked, long& found) {

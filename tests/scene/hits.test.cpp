@@ -20,7 +20,7 @@ namespace {
 
 Vec3 at(int x, int y, int z) { return {S(x), S(y), S(z)}; }
 
-/// A mesh of triangles whose indices are not their order.
+/// A mesh of triangles whose indices are not in order.
 struct Rock {
   std::vector<MeshTriangle<S>> triangles;
   std::array<MeshNode<S>, 20> nodes{};

@@ -14,13 +14,13 @@
 
 namespace detent::test {
 
-/// What the triangles of a mesh are like.
+/// Kinds of meshes.
 enum class MeshKind { soup, sheet, lattice, duplicates, collapsed, extreme };
 inline constexpr std::array mesh_kinds{MeshKind::soup,      MeshKind::sheet,
                                        MeshKind::lattice,   MeshKind::duplicates,
                                        MeshKind::collapsed, MeshKind::extreme};
 
-/// A mesh of a kind, within `reach` raw units but for extreme ones.
+/// A mesh of a kind, within `reach` raw units except for extreme ones.
 template <Scalar S>
 std::vector<Triangle<S, 3>> draw_mesh(oracle::Draw<S, 3>& draw, MeshKind kind, std::size_t count,
                                       std::int64_t reach) {
@@ -47,7 +47,7 @@ std::vector<Triangle<S, 3>> draw_mesh(oracle::Draw<S, 3>& draw, MeshKind kind, s
                                   : Triangle{low, high, corner(column, row + 1)};
         break;
       }
-      case MeshKind::lattice: {  // few different corners: shared, coplanar and crossing
+      case MeshKind::lattice: {  // few distinct corners: shared, coplanar and crossing
         const auto corner = [&] {
           return vec(oracle::Raw<3>{random.between(-2, 2) * step, random.between(-2, 2) * step,
                                     random.between(-1, 1) * step});
@@ -71,7 +71,7 @@ std::vector<Triangle<S, 3>> draw_mesh(oracle::Draw<S, 3>& draw, MeshKind kind, s
   return triangles;
 }
 
-/// A point of the mesh's neighbourhood: near a corner, an edge or the inside of a triangle.
+/// A point near the mesh: near a corner, an edge or the inside of a triangle.
 template <Scalar S>
 oracle::Raw<3> draw_target(oracle::Draw<S, 3>& draw, const std::vector<Triangle<S, 3>>& mesh,
                            std::int64_t reach) {
@@ -104,7 +104,7 @@ Ray<S, 3> draw_mesh_ray(oracle::Draw<S, 3>& draw, const std::vector<Triangle<S, 
   return {start, draw.towards(raw, target), length};
 }
 
-/// Calls body(kind, triangles, reach, draw) with meshes of every kind and many sizes, below
+/// Calls body(kind, triangles, reach, draw) with meshes of every kind, in many sizes below
 /// 2^size_bits.
 template <Scalar S, class Body>
 void for_meshes(std::uint64_t seed, int rounds, int size_bits, const Body& body) {

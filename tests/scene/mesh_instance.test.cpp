@@ -21,7 +21,7 @@ using Placed = PlacedMesh<S>;
 using Assets = std::vector<MeshAsset<S>>;
 using World = Scene<S, 3, Sphere, Plane, MeshInstance>;
 
-/// Meshes of few triangles, and their triangles as they were drawn.
+/// Meshes of few triangles, and their triangles in the order drawn.
 struct Meshes {
   std::vector<std::vector<Triangle<S, 3>>> lists;
   std::deque<OwnedMesh<S>> owned;
@@ -37,7 +37,7 @@ struct Meshes {
   }
 };
 
-/// What the scene should hold: each object in the world, the meshes as lists of triangles.
+/// What the scene should hold: each object in the world, with meshes as lists of triangles.
 class PlainWorld {
  public:
   using Shape = std::variant<Ball, Plane<S, 3>, Placed>;
@@ -192,7 +192,7 @@ void step(Historian<S, 3>& history, World& scene, PlainWorld& plain, const Frame
   plain.place(object);
 }
 
-/// A scene of the same objects, added in the order of their indices, with the meshes of a copy.
+/// A scene of the same objects, added in order of index, with copies of the meshes.
 World fresh(const PlainWorld& plain, const FrameId& frame, const Assets& copies) {
   World scene;
   CHECK(scene.add_frame(plain.frame) == frame);

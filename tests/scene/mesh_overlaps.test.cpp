@@ -11,7 +11,7 @@
 namespace detent::test {
 namespace {
 
-/// A shape against a mesh in both orders and as a list, beside a loop over all triangles.
+/// Compares a shape against a mesh, in both orders and as a list, with a loop over all triangles.
 template <Scalar S, class Shape>
 bool overlaps_as_one_by_one(const Mesh<S>& mesh, const std::vector<Triangle<S, 3>>& triangles,
                             const Shape& shape, std::size_t room) {
@@ -28,7 +28,7 @@ bool overlaps_as_one_by_one(const Mesh<S>& mesh, const std::vector<Triangle<S, 3
   return !expected.empty();
 }
 
-/// Shapes against meshes of a seed, beside a loop over all triangles.
+/// Compares shapes against meshes of a seed with a loop over all triangles.
 template <Scalar S>
 void compare_shapes(std::uint64_t seed, int rounds, int bits, HitRate& rate) {
   for_meshes<S>(seed, rounds, bits, [&](auto kind, const auto& triangles, auto reach, auto& draw) {

@@ -27,7 +27,7 @@ bool any_pair(const std::vector<Triangle<S, 3>>& a, const std::vector<Triangle<S
   });
 }
 
-/// Meshes of a seed against others, beside a loop over all pairs of triangles.
+/// Compares meshes of a seed against others with a loop over all pairs of triangles.
 template <Scalar S>
 void compare_pairs(std::uint64_t seed, int rounds, int bits, HitRate& rate) {
   for_meshes<S>(seed, rounds, bits, [&](auto kind, const auto& triangles, auto reach, auto& draw) {

@@ -25,7 +25,7 @@ std::vector<MeshHit<S>> hits_one_by_one(const Ray<S, 3>& ray,
   return hits;
 }
 
-/// Rays against meshes of a seed, beside a loop over all triangles.
+/// Compares rays against meshes of a seed with a loop over all triangles.
 template <Scalar S>
 void compare_rays(std::uint64_t seed, int rounds, int bits, HitRate& rate) {
   for_meshes<S>(seed, rounds, bits, [&](auto kind, const auto& triangles, auto reach, auto& draw) {

@@ -22,7 +22,7 @@ namespace {
 
 Vec3 at(int x, int y, int z) { return {S(x), S(y), S(z)}; }
 
-/// A strip of so many triangles.
+/// A strip of `count` triangles.
 OwnedMesh<S> strip(int count) {
   std::vector<Triangle<S, 3>> triangles;
   for (int i = 0; i < count; ++i) triangles.push_back({at(i, 0, 0), at(i + 1, 0, 0), at(i, 1, 0)});
@@ -32,7 +32,7 @@ OwnedMesh<S> strip(int count) {
 const OwnedMesh<S> rock = strip(3), wall = strip(50);
 const Assets assets{Asset(7, rock.view()), Asset(9, wall.view())};
 
-/// A ball, a rock that moves, a wall that does not, a rock in a frame, and an object of no mesh.
+/// A ball, a moving rock, a fixed wall, a rock in a frame, and an object without a mesh.
 Toys toys() {
   Toys scene;
   scene.add(Sphere{at(0, 0, 0), S(1)});
@@ -113,7 +113,7 @@ TEST_CASE("restore of meshes: a forged reference is refused") {
   const auto bytes = snapshot(scene);
   const auto before = digest(scene);
   constexpr std::size_t rock_at =
-      48 + 64 + 41 + 25;  // after the frame, the ball and its own header
+      48 + 64 + 41 + 25;  // after the header, the frame, the ball and the rock's object header
   const auto forged = [&](std::size_t place, std::uint32_t word) {
     auto copy = bytes;
     detail::store_word(copy.data() + place, word);

@@ -13,7 +13,7 @@
 namespace detent::test {
 namespace {
 
-/// Moves, in range and beyond; turns; mirrors, shrinks to a point, or enlarges; shears.
+/// Translates, in range and beyond; rotates; mirrors, shrinks to a point, or enlarges; shears.
 template <Scalar S>
 Transform<S, 3> draw_transform(oracle::Draw<S, 3>& draw, std::int64_t reach) {
   auto& random = draw.random;
@@ -44,7 +44,8 @@ TriangleLoop<S> placed_one_by_one(const Transform<S, 3>& transform,
   return loop;
 }
 
-/// A ray and shapes about one triangle against the mesh and against the loop; how many meet.
+/// Compares a ray and shapes near one triangle against the mesh and against the loop; returns how
+/// many hit.
 template <Scalar S>
 int same_answers(const PlacedMesh<S>& mesh, const TriangleLoop<S>& loop, MeshKind kind,
                  oracle::Draw<S, 3>& draw, std::int64_t reach) {
@@ -86,7 +87,7 @@ int same_answers(const PlacedMesh<S>& mesh, const TriangleLoop<S>& loop, MeshKin
   return hits;
 }
 
-/// Meshes of a seed in many places, beside loops over their triangles, each placed.
+/// Compares meshes of a seed under many transforms with loops over their transformed triangles.
 template <Scalar S>
 void compare_placed(std::uint64_t seed, int rounds, int bits, HitRate& rate, HitRate& pairs) {
   for_meshes<S>(seed, rounds, bits, [&](auto kind, const auto& triangles, auto reach, auto& draw) {
@@ -164,7 +165,7 @@ TEMPLATE_TEST_CASE("placed mesh: what would leave the range is clamped to it", "
   const MeshAsset<S> asset(1, owned.view());
   const auto by = nearest_to<S>(largest<S> - S(2));
   const PlacedMesh mesh{&asset, {.translation = {by, num<S>(0), num<S>(0)}}};
-  // The first triangle is beyond the end: it becomes the segment where its corners are clamped.
+  // The first triangle is out of range: clamping its corners makes it a segment.
   const Vec<S, 3> on_it{largest<S>, num<S>(1), num<S>(0)};
   CHECK(contains(mesh, on_it));
   CHECK(distance(mesh, on_it) == 0);

@@ -121,7 +121,7 @@ TEST_CASE("scene: holds its one type of shape without a tag") {
 TEST_CASE("scene: finds what touches at the ends of the world") {
   Scene<S, 3, Sphere, Obb> scene;
   const auto ball = *scene.add(Ball{{S::max(), S(5000), S(0)}, S(3000)});
-  // It leaves the range of coordinates before it reaches the ball.
+  // The ray leaves the range of coordinates before it reaches the ball.
   const Ray<S, 3> ray{at(30000, -10, 0), *normalize(at(5, 9, 0))};
   REQUIRE(raycast(ray, *scene.shape<Ball>(ball)));
   CHECK(scene.nearest(ray)->id == ball);

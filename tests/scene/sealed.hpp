@@ -9,7 +9,7 @@
 
 namespace detent {
 
-/// The bytes with another last word, so that only the parts in between decide.
+/// The bytes with a valid checksum in the last word, so that only the rest decides.
 inline std::vector<std::byte> sealed(std::vector<std::byte> bytes) {
   Digest digest;
   digest.add_bytes(std::span(bytes).first(bytes.size() - 8));

@@ -153,7 +153,7 @@ TEST_CASE("restore: a forged snapshot is refused part by part") {
     return restore(scene, sealed(copy));
   };
   constexpr std::size_t frames = 48, frame = 64, objects = frames + 2 * frame;
-  CHECK(forged(12, 0) == Restored::corrupted);                  // no generation is below 0
+  CHECK(forged(12, 0) == Restored::corrupted);                  // no generation is valid
   CHECK(forged(16, 0xffffffffu) == Restored::corrupted);        // more frames than bytes
   CHECK(forged(20, 0xffffffffu) == Restored::corrupted);        // more objects than bytes
   CHECK(forged(20, 2) == Restored::corrupted);                  // fewer

@@ -18,7 +18,7 @@ bool holds(const Aabb<S, 3>& outer, const Aabb<S, 3>& inner) {
   return true;
 }
 
-/// Walks a tree and checks what queries rely on; counts how often each item is in a leaf.
+/// Traverses a tree and checks what queries rely on; counts how often each item is in a leaf.
 template <Scalar S>
 struct Inspection {
   const Mesh<S>& mesh;
@@ -27,7 +27,7 @@ struct Inspection {
   int depth = 0;
   bool boxes_hold = true;
 
-  /// Returns the box of all that is below a node.
+  /// Returns the box of all items below a node.
   Aabb<S, 3> look(std::size_t place, int level) {
     auto inside = detail::no_box<Aabb<S, 3>>;
     depth = std::max(depth, level + 1);
@@ -75,7 +75,7 @@ TEMPLATE_TEST_CASE("static tree: every item is in one leaf, within the boxes abo
 }
 
 TEST_CASE("static tree: uneven splits stop before the tree is too deep", "[mesh]") {
-  // Sizes and places double, so that the cheapest plane always splits off the largest few.
+  // Sizes and positions double, so that the cheapest plane always splits off the largest few.
   std::vector<Triangle<q16_16, 3>> triangles;
   for (int bit = 0; bit < 31; ++bit) {
     for (int copy = 0; copy < 400; ++copy) {
@@ -105,7 +105,7 @@ TEST_CASE("static tree: too few nodes build nothing and touch nothing", "[mesh]"
 }
 
 template <Scalar S>
-inline constexpr std::uint64_t golden_nodes = 0x3e46b231b5e20489;  // the same bits, finer or not
+inline constexpr std::uint64_t golden_nodes = 0x3e46b231b5e20489;  // q16_16 and q24_8: same bits
 template <>
 inline constexpr std::uint64_t golden_nodes<q14_16> = 0x248b652e01ee335c;
 template <>

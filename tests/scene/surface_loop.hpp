@@ -12,7 +12,7 @@
 
 namespace detent::test {
 
-/// The surface of a list of triangles, which answers by asking each.
+/// A surface of a list of triangles, whose queries test each.
 template <Scalar S>
 struct TriangleLoop {
   std::vector<Triangle<S, 3>> triangles;

@@ -20,7 +20,7 @@ Vec3 at(int x, int y, int z) { return {S(x), S(y), S(z)}; }
 
 enum class Mood : std::uint8_t { calm, angry };
 
-/// What a game keeps beside its scene.
+/// A scene and the other state of a game.
 template <class Arena>
 struct Game {
   Arena scene;
@@ -57,7 +57,7 @@ void push(Arena& scene, int input) {
   if (input == 3) scene.add(Ball{at(1, 2, 3), S(1)});
 }
 
-/// The desync of one frame that is simulated by `first`, and again by `second`.
+/// The desync of a frame that is simulated first by `first`, then by `second`.
 template <class World, class First, class Second>
 Desync parted(World world, const First& first, const Second& second) {
   SyncTest<World, int> test(3);
@@ -105,7 +105,7 @@ TEMPLATE_TEST_CASE("sync test: names the first frame, object and field that a co
   std::optional<Desync> desync;
   std::uint64_t frame = 0;
   for (; !desync; ++frame) desync = test.step(scene, 1, with_a_secret);
-  // Frame 0 takes 2 calls, frame 1 takes 3, and frame 4 the calls 15 to 20, the last of them again.
+  // Frame 0 makes 2 calls, frame 1 makes 3, frame 4 makes calls 15 to 20; call 20 repeats it.
   CHECK(frame == 5);
   CHECK(desync->frame == 4);
   CHECK(desync->object == ObjectId{1, 2});
@@ -118,7 +118,7 @@ TEST_CASE("sync test: a frame inside the window that parts later is the one that
   int calls = 0;
   const auto late = [&](Balls& balls, int input) {
     push(balls, input);
-    if (++calls == 17) balls.set_user({1, 2}, 5);  // frame 3 is played again in the calls 12 to 14
+    if (++calls == 17) balls.set_user({1, 2}, 5);  // call 17 simulates frame 2 again
   };
   for (int i = 0; i < 4; ++i) REQUIRE_FALSE(test.step(scene, 1, late));
   const auto desync = test.step(scene, 1, late);
