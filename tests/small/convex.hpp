@@ -9,8 +9,8 @@
 #include "detent/shape/shape.hpp"
 #include "oracle/exact.hpp"
 
-/// Whether two convex shapes meet, by trying all planes that may lie between them, or all pairs of
-/// their corners, edges and faces that may be nearest to each other.
+/// Whether two convex shapes overlap: tries all planes that may separate them, or all pairs of
+/// corners, edges and faces that may be nearest to each other.
 namespace detent::small {
 
 using oracle::cross;
@@ -22,7 +22,7 @@ using oracle::raw;
 using oracle::Vector;
 using oracle::widen;
 
-/// A list in place.
+/// A list of fixed capacity.
 template <class T, std::size_t Most>
 class List {
  public:
@@ -37,15 +37,16 @@ class List {
   std::size_t size_ = 0;
 };
 
-/// The convex hull of some points; its edges are among `edges`, given as vectors. Without points it
-/// is empty.
+/// The convex hull of some points, empty if there are none. `edges` has all its edges as vectors,
+/// and maybe others.
 template <int N>
 struct Body {
   List<Vector<N>, 8> points;
   List<Vector<N>, 12> edges;
 };
 
-/// What a raw unit of a direction is to 1, and of the fine coordinates below to a raw unit.
+/// The number of raw units in 1 for a direction; also of fine units in a raw unit, for the
+/// coordinates below.
 template <Scalar S>
 Integer one() {
   return Integer(1) << static_cast<unsigned>(direction_component<S>::frac);
@@ -57,7 +58,7 @@ Vector<N> scaled(Vector<N> v, const Integer& factor) {
   return v;
 }
 
-/// Bodies in coordinates of which a raw unit has `unit`.
+/// Bodies in coordinates of which `unit` make a raw unit.
 template <Scalar S, int N>
 Body<N> body(const Vec<S, N>& point, const Integer& unit) {
   Body<N> result;
@@ -95,7 +96,7 @@ Body<N> body(const ConvexHull<S, N>& hull, const Integer& unit) {
   return hull_of<N>(all);
 }
 
-/// The parallelepiped of a corner and the edges that leave it.
+/// The parallelepiped with this corner and the edges from it.
 template <int N>
 Body<N> box_of(const Vector<N>& corner, const std::array<Vector<N>, N>& edges) {
   Body<N> result;
@@ -121,7 +122,7 @@ Body<N> body(const Aabb<S, N>& box, const Integer& unit) {
   }
   return box_of<N>(scaled<N>(raw(box.min), unit), edges);
 }
-/// As its edges; in units of a raw unit over that of a direction.
+/// The box spanned by its edges; `unit` must be one<S>().
 template <Scalar S, int N>
 Body<N> body(const Obb<S, N>& box, const Integer& unit) {
   auto corner = scaled<N>(raw(box.center), unit);
@@ -136,7 +137,7 @@ Body<N> body(const Obb<S, N>& box, const Integer& unit) {
   return box_of<N>(corner, edges);
 }
 
-/// Whether a line or plane at right angles to `axis` is between the bodies and touches neither.
+/// Whether a line or plane perpendicular to `axis` separates the bodies and touches neither.
 template <int N>
 bool separates(const Vector<N>& axis, const Body<N>& a, const Body<N>& b) {
   const auto least_and_most = [&](const auto& points) {
@@ -155,16 +156,16 @@ bool separates(const Vector<N>& axis, const Body<N>& a, const Body<N>& b) {
 
 inline Vector<2> across(const Vector<2>& v) { return {-v[1], v[0]}; }
 
-/// The part of `v` at right angles to `e`, times e^2.
+/// The part of `v` perpendicular to `e`, times e^2.
 template <int N>
 Vector<N> aside(const Vector<N>& v, const Vector<N>& e) {
   return difference(scaled<N>(v, dot(e, e)), scaled<N>(e, dot(v, e)));
 }
 
-/// Two bodies have no common point if something separates them, and then something among these
-/// does: at right angles to an edge of either in 2D, to two edges in 3D, if all the edges together
-/// leave no direction out (then these are the sides of the body of all differences). Otherwise, what
-/// is nearest decides: two corners, or a corner and an edge, too.
+/// Whether two bodies are disjoint: a line or plane separates them. If the edges span the space, it
+/// is enough to try those parallel to an edge of either in 2D, to two edges in 3D: they are the
+/// sides of the body of all differences. Otherwise also tries those perpendicular to the shortest
+/// line between two corners, or a corner and an edge.
 template <int N>
 bool are_apart(const Body<N>& a, const Body<N>& b) {
   if (a.points.size() == 0 || b.points.size() == 0) return true;
@@ -198,8 +199,8 @@ bool are_apart(const Body<N>& a, const Body<N>& b) {
   return false;
 }
 
-/// Whether the line from p along d and the point at 0, where they are nearest between the ends of
-/// d, are within `reach`.
+/// Whether the segment from p along d is within `reach` of 0, if its nearest point is the foot of
+/// the perpendicular; otherwise false.
 template <int N>
 bool is_edge_within(const Vector<N>& p, const Vector<N>& d, const Integer& reach) {
   const Integer dd = dot(d, d), along = -dot(p, d);
@@ -207,7 +208,7 @@ bool is_edge_within(const Vector<N>& p, const Vector<N>& d, const Integer& reach
   return dot(p, p) * dd - along * along <= reach * reach * dd;
 }
 
-/// The same for the face from p along d and e: the foot is at p + s d + t e.
+/// The same for the triangle from p along d and e, with the foot at p + s d + t e.
 template <int N>
 bool is_face_within(const Vector<N>& p, const Vector<N>& d, const Vector<N>& e,
                     const Integer& reach) {
@@ -218,7 +219,7 @@ bool is_face_within(const Vector<N>& p, const Vector<N>& d, const Vector<N>& e,
   return dot(p, p) * whole + s * pd + t * pe <= reach * reach * whole;
 }
 
-/// The same for the lines from 0 along d and from w along e: s d - w - t e is at right angles to
+/// The same for the segments from 0 along d and from w along e: s d - w - t e is perpendicular to
 /// both.
 template <int N>
 bool are_edges_within(const Vector<N>& d, const Vector<N>& w, const Vector<N>& e,
@@ -227,7 +228,7 @@ bool are_edges_within(const Vector<N>& d, const Vector<N>& w, const Vector<N>& e
   const Integer whole = dd * ee - de * de;
   const Integer s = ee * dw - de * ew, t = de * dw - dd * ew;
   if (whole.is_zero() || s < 0 || s > whole || t < 0 || t > whole) return false;
-  Integer squared = dot(w, w) * whole;  // of w + t e - s d, times the whole
+  Integer squared = dot(w, w) * whole;  // (w + t e - s d)^2 * whole
   squared += t * ew - s * dw;
   return squared <= reach * reach * whole;
 }
@@ -282,7 +283,7 @@ bool are_within(const Body<N>& a, const Body<N>& b, const Integer& reach) {
   return are_sides_within(a, b, reach) || !are_apart(a, b);
 }
 
-/// A shape that is a core and the radius around it, negative for the empty set.
+/// A shape given by a core and a radius around it; a negative radius is the empty set.
 template <int N>
 struct Rounded {
   Body<N> core;
@@ -305,7 +306,7 @@ concept IsRound = requires(const Shape& shape) {
   rounded(shape);
 };
 
-/// The points of a core as the frame of a box sees them, from its center.
+/// The points of a core in the frame of a box.
 template <Scalar S, int N>
 Body<N> seen_from(const Obb<S, N>& box, const Body<N>& core) {
   List<Vector<N>, 8> points;
@@ -320,8 +321,8 @@ Body<N> seen_from(const Obb<S, N>& box, const Body<N>& core) {
   return hull_of<N>(points);
 }
 
-/// Whether two shapes share a point. Boxes are measured in their own frame by round shapes and
-/// segments, and are their edges to the others.
+/// Whether two shapes overlap. Against round shapes and segments, boxes are measured in their own
+/// frame; against others, they are spanned by their edges.
 template <class A, class B, Scalar S, int N>
 bool meet_as(const A& a, const B& b, const Vec<S, N>& /* names the space */) {
   if constexpr (!IsRound<A> && !IsRound<B>) {
@@ -347,7 +348,7 @@ bool meet(const A<S, N>& a, const B<S, N>& b) {
   return meet_as(a, b, Vec<S, N>{});
 }
 
-/// Whether a plane meets a shape: corners of its core on either side, or one within the radius.
+/// Whether a plane overlaps a shape: its core has corners on both sides, or one within the radius.
 template <Scalar S, int N, class Shape>
 bool meet_plane(const Plane<S, N>& plane, const Shape& shape) {
   const auto normal = widen(raw(plane.normal));
@@ -378,7 +379,7 @@ template <template <Scalar, int> class Shape, Scalar S, int N>
 bool meet(const Shape<S, N>& shape, const Plane<S, N>& plane) {
   return meet_plane(plane, shape);
 }
-/// Two planes do but where they are parallel and not the same.
+/// Two planes overlap unless they are parallel and different.
 template <Scalar S, int N>
 bool meet(const Plane<S, N>& a, const Plane<S, N>& b) {
   const auto m = widen(raw(a.normal)), n = widen(raw(b.normal));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The corners of what a `Scalar` may be: every query compiles and is right at the ends of the range
-// and about 0, however many bits are after the point.
+// Corner cases of `Scalar`: every query compiles and is right at the ends of the range and near 0,
+// however many fraction bits there are.
 
 #include "small/pairs.hpp"
 #include "small/points.hpp"

@@ -35,7 +35,7 @@ void ask_pairs(Verdict& verdict, const std::vector<A>& some, const std::vector<B
   }
 }
 
-/// The first of some lists against each of them, and so on with the rest.
+/// Every list against itself and against each later list.
 void ask_each(Verdict&) {}
 template <class First, class... Rest>
 void ask_each(Verdict& verdict, const First& first, const Rest&... rest) {

@@ -5,8 +5,8 @@
 #include "oracle/point_answer.hpp"
 #include "small/world.hpp"
 
-/// Every point of a small world against every shape of it, or every one of an exhaustive set:
-/// contains, on, distance, squared_distance and closest_point.
+/// Every point of a small world against every shape, or every shape of an exhaustive set: contains,
+/// on, distance, squared_distance and closest_point.
 namespace detent::small {
 
 /// Every shape against every point; `on` with every tolerance.

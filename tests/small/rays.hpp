@@ -11,7 +11,7 @@
 #include "oracle/ray_triangle.hpp"
 #include "small/world.hpp"
 
-/// Rays of a small world against every shape of it, or every one of an exhaustive set: raycast,
+/// Rays of a small world against every shape, or every shape of an exhaustive set: raycast,
 /// raycast_hit and raycast_interval.
 namespace detent::small {
 

@@ -13,13 +13,13 @@
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
 
-// Scenes of one, two and three objects in worlds of so few numbers that every object can be asked
-// every question: answers are those of a plain loop over the queries on single shapes.
+// Scenes of one, two and three objects in worlds of so few numbers that every query can be run on
+// every object. The results are those of a plain loop over the queries on single shapes.
 
 namespace detent::small {
 namespace {
 
-/// What a world is made of: every combination of these.
+/// The parts of a world, which has every combination of them.
 template <Scalar S, int N>
 struct Atoms {
   std::vector<S> coordinates, lengths;
@@ -59,7 +59,7 @@ Atoms<S, N> atoms(const std::vector<S>& coordinates) {
       all.rotations.push_back(Rotation<S, 3>::from_euler(angle, angle, angle));
     }
   }
-  // As far from perpendicular as boxes have to be, nearly, and farther.
+  // Nearly as skewed as a box may be, and more.
   for (const int skew : {16, 17}) {
     std::array<typename Direction<S, N>::Raw, N> raw{};
     raw[0] = typename Direction<S, N>::Raw(1) << direction_component<S>::frac;
@@ -134,7 +134,7 @@ void list(const Atoms<S, N>& atoms, std::vector<Capsule<S, N>>& out) {
   }
 }
 
-/// Meshes of one triangle and of two, at every end of the range and turned out of it.
+/// Meshes of one and two triangles, at every end of the range, and rotated out of it.
 template <Scalar S>
 void list(const Atoms<S, 3>& atoms, std::vector<PlacedMesh<S>>& out) {
   const S low = S::lowest(), zero{}, high = S::max();
@@ -195,7 +195,7 @@ struct World {
   }
 };
 
-/// One in so many of a list, all over it.
+/// Every `count`th element of a list.
 template <class T>
 std::vector<T> one_in(std::size_t count, const std::vector<T>& all) {
   std::vector<T> result;
@@ -208,7 +208,7 @@ constexpr bool is_point = false;
 template <Scalar S, int N>
 constexpr bool is_point<Vec<S, N>> = true;
 
-/// Compares scenes with loops over their objects; counts questions and answers.
+/// Compares scenes with loops over their objects; counts queries and results.
 class Exam {
  public:
   template <class Objects, class Shape, class Question>
@@ -263,7 +263,7 @@ class Exam {
             const auto distance = distance_if_met(question, shape);
             if (distance) expected[count++] = {*distance, ids[i]};
             if constexpr (is_point<Question>) {
-              // Empty objects are nowhere.
+              // `nearest` skips empty objects.
               if (detail::culling_box(shape).is_empty()) return;
               const S here{detent::distance(shape, question), ids[i]};
               if (!nearest || here < *nearest) nearest = here;
@@ -295,7 +295,7 @@ class Exam {
   long cases_ = 0, yes_ = 0, wrong_ = 0;
 };
 
-/// A scene of these objects.
+/// Fills a scene with these objects.
 template <class Objects, class Shape>
 std::vector<ObjectId> fill(Objects& scene, std::span<const Shape> shapes) {
   std::vector<ObjectId> ids;
@@ -319,7 +319,7 @@ void examine_single(Exam& exam, const World<S, N>& world) {
   }
 }
 
-/// Every two, or every three, of some shapes.
+/// Every two, or every three, of a sample of the shapes.
 template <Scalar S, int N>
 void examine_groups(Exam& exam, const World<S, N>& world, std::size_t size, std::size_t shape_step,
                     std::size_t question_step) {
@@ -345,7 +345,7 @@ void examine_groups(Exam& exam, const World<S, N>& world, std::size_t size, std:
   }
 }
 
-// -2 to 1.5 in halves.
+// -2 to 1.5 in steps of 0.5.
 using Tiny = Fixed<2, 1>;
 const std::vector<Tiny> ends{Tiny::lowest(), Tiny::max()};
 const std::vector<Tiny> ends_and_middle{Tiny::lowest(), Tiny(0), Tiny::max()};

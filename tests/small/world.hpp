@@ -13,11 +13,11 @@
 #include "oracle/describe.hpp"
 #include "support/catch.hpp"
 
-/// Worlds of so few numbers that everything in them can be enumerated: there every coordinate is
-/// near an end of the range, and most shapes are degenerate, touch or coincide.
+/// Worlds of so few numbers that everything in them can be enumerated. Every coordinate is near an
+/// end of the range, and most shapes are degenerate, touch or coincide.
 namespace detent::small {
 
-/// Counts cases, and keeps the first few that the library answers wrongly.
+/// Counts cases, and keeps the first few where the library is wrong.
 class Verdict {
  public:
   /// `wrong` is empty, or says what is wrong; `describe()` names the case.
@@ -28,10 +28,10 @@ class Verdict {
     first_ << describe() << "\n" << wrong;
   }
 
-  /// Counts yes among the answers, so that no sweep has but one answer.
+  /// Counts the results that are yes, so that a sweep with only one result fails.
   void count(bool yes) { yes_ += yes ? 1 : 0; }
 
-  /// `expected` cases have been asked: a sweep that loses some by mistake fails.
+  /// Checks that `expected` cases were run: a sweep that loses some by mistake fails.
   void finish(long expected) const {
     INFO(cases_ << " cases, " << yes_ << " of them yes, " << wrong_ << " wrong\n" << first_.str());
     CHECK(wrong_ == 0);
@@ -45,7 +45,7 @@ class Verdict {
   std::ostringstream first_;
 };
 
-/// Every number of a short scalar, from the least up; of a long one the ends and those about 0.
+/// Every number of a short scalar, from the least up; of a long one the ends and those next to 0.
 template <Scalar S>
 std::vector<S> numbers() {
   using Raw = typename S::raw_type;
@@ -59,8 +59,8 @@ std::vector<S> numbers() {
   }
 }
 
-/// All of a list, or `most` elements spread over it: every kth, round and round, where k is near the
-/// golden ratio of its size, so that no coordinate is always the same.
+/// All of a list, or `most` elements spread over it: every kth, cyclically, with k near the golden
+/// ratio of its size, so that no coordinate is always the same.
 template <class T>
 std::vector<T> some(std::size_t most, const std::vector<T>& all) {
   if (all.size() <= most) return all;
@@ -88,8 +88,8 @@ std::vector<Vec<S, N>> points() {
   return all;
 }
 
-/// The directions of all vectors of integers up to `most`, the axes first, and those that are as
-/// long or as short as a direction can be.
+/// The directions of all vectors of integers up to `most`, the axes first, and the longest and
+/// shortest directions.
 template <Scalar S, int N>
 std::vector<Direction<S, N>> directions(int most) {
   using D = Direction<S, N>;
@@ -113,7 +113,7 @@ std::vector<Direction<S, N>> directions(int most) {
       }
     }
   }
-  // Lengths from 1 less two steps of the grid to 1 and two steps.
+  // Lengths from two steps of the grid below 1 to two steps above it.
   using Raw = typename D::Raw;
   constexpr int frac = D::Component::frac;
   const int unit = 1 << frac, side = frac == 14 ? 11585 : 759'250'125;  // unit / sqrt(2)
@@ -127,7 +127,7 @@ std::vector<Direction<S, N>> directions(int most) {
   return all;
 }
 
-/// Turned, mirrored and sheared frames, some of whose axes are parallel.
+/// Rotated, mirrored and sheared frames, some with parallel axes.
 template <Scalar S, int N>
 std::vector<Rotation<S, N>> rotations() {
   std::vector<Rotation<S, N>> all{Rotation<S, N>()};
@@ -161,7 +161,7 @@ std::vector<Sphere<S, N>> spheres() {
   return all;
 }
 
-/// The shape that every pair of points makes.
+/// The shape of every pair of points.
 template <class Shape, Scalar S, int N>
 std::vector<Shape> pairs_of_points(const std::vector<Vec<S, N>>& ends) {
   std::vector<Shape> all;
@@ -235,8 +235,8 @@ std::vector<Ray<S, N>> rays(const std::vector<Vec<S, N>>& origins,
   return all;
 }
 
-/// The hulls of every choice of up to `most` of `corners`, a corner twice included; none but the
-/// first is empty.
+/// The hulls of every choice of up to `most` of `corners`, with repetition; only the first is
+/// empty.
 template <Scalar S, int N>
 class Hulls {
  public:
