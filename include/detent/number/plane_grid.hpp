@@ -10,7 +10,7 @@ namespace detent {
 
 /// Up to 256 equally spaced planes perpendicular to one axis, the first at `least`. They enclose
 /// [least, greatest]. A coordinate between them is quantized to one byte, rounded down or up.
-///                                                        (tests/number/plane_grid.test.cpp)
+///                                                        (tests/number/slab_times.test.cpp)
 template <Scalar S>
 class PlaneGrid;
 

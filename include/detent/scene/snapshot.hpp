@@ -296,7 +296,7 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   return Restored::yes;
 }
 
-/// The canonical bytes of a digest: frames and objects in order of index.
+/// Appends to a digest: frames and objects in order of index.
 template <class D, class Storage, Scalar S, int N, class... Shapes>
 constexpr void append(D& digest, const BasicScene<Storage, S, N, Shapes...>& scene) noexcept {
   const auto& store = detail::SceneAccess::store(scene);

@@ -34,7 +34,7 @@ struct Interval {
                                                  const Interval&) noexcept = default;
 };
 
-/// The canonical bytes of a digest: the fields in order.
+/// Appends to a digest: the fields in order.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const RayHit<S, N>& hit) noexcept {
   digest.add(hit.distance, hit.point, hit.normal);

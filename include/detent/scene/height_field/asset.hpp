@@ -8,7 +8,7 @@
 
 namespace detent {
 
-/// The canonical bytes of a digest: corner, cell, columns, rows and the heights in order.
+/// Appends to a digest: corner, cell, columns, rows and the heights in order.
 template <class D, Scalar S>
 constexpr void append(D& digest, const HeightField<S>& field) noexcept {
   digest.add(field.corner, field.cell, field.columns, field.rows);

@@ -35,7 +35,7 @@ PlacedField(const FieldAsset<S>*, Vec<S, 3>) -> PlacedField<S>;
 template <>
 inline constexpr bool is_surface<PlacedField> = true;
 
-/// The canonical bytes of a digest: id and digest of the field (zeros for none), and the
+/// Appends to a digest: id and digest of the field (zeros for none), and the
 /// translation.
 template <class D, Scalar S>
 constexpr void append(D& digest, const PlacedField<S>& field) noexcept {

@@ -26,7 +26,8 @@ namespace detent {
 /// the exact one and clamped to the range of the scalar.
 ///
 /// It has every query of a `ConvexHull`, exact for those points. Each query transforms the points
-/// first, which costs little compared with the query itself.     (tests/scene/placed_hull.test.cpp)
+/// first, which costs little compared with the query itself.
+///                                                       (tests/scene/asset_instances.test.cpp)
 ///
 /// The caller owns the asset, which must outlive it; without one it is empty.
 template <Scalar S, int N>
@@ -43,7 +44,7 @@ PlacedHull(const HullAsset<S, N>*) -> PlacedHull<S, N>;
 template <Scalar S, int N>
 PlacedHull(const HullAsset<S, N>*, Transform<S, N>) -> PlacedHull<S, N>;
 
-/// The canonical bytes of a digest: id and digest of the hull (zeros for none), and the transform.
+/// Appends to a digest: id and digest of the hull (zeros for none), and the transform.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const PlacedHull<S, N>& hull) noexcept {
   digest.add(hull.asset ? hull.asset->id() : std::uint32_t{0},

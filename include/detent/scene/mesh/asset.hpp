@@ -8,7 +8,7 @@
 
 namespace detent {
 
-/// The canonical bytes of a digest: the number of triangles and the sum of their digests, so
+/// Appends to a digest: the number of triangles and the sum of their digests, so
 /// neither the tree nor the order of the triangles matters.
 template <class D, Scalar S>
 constexpr void append(D& out, const Mesh<S>& mesh) noexcept {

@@ -23,7 +23,7 @@ struct MeshNearest {
                                                  const MeshNearest&) noexcept = default;
 };
 
-/// The canonical bytes of a digest: the fields in order.
+/// Appends to a digest: the fields in order.
 template <class D, Scalar S>
 constexpr void append(D& digest, const MeshNearest<S>& nearest) noexcept {
   digest.add(nearest.distance, nearest.index, nearest.point);

@@ -35,7 +35,7 @@ PlacedMesh(const MeshAsset<S>*, Transform<S, 3>) -> PlacedMesh<S>;
 template <>
 inline constexpr bool is_surface<PlacedMesh> = true;
 
-/// The canonical bytes of a digest: id and digest of the mesh (zeros for none), and the transform.
+/// Appends to a digest: id and digest of the mesh (zeros for none), and the transform.
 template <class D, Scalar S>
 constexpr void append(D& digest, const PlacedMesh<S>& mesh) noexcept {
   digest.add(mesh.asset ? mesh.asset->id() : std::uint32_t{0},

@@ -28,7 +28,7 @@ struct MeshHit {
   }
 };
 
-/// The canonical bytes of a digest: the fields in order.
+/// Appends to a digest: the fields in order.
 template <class D, Scalar S>
 constexpr void append(D& digest, const MeshHit<S>& hit) noexcept {
   digest.add(hit.distance, hit.index);
@@ -133,8 +133,8 @@ requires is_surface<Surface>
   return found->hit.distance;
 }
 
-/// Distance, point and normal where `ray` first touches `surface`, or nothing: those of the triangle
-/// of `raycast_nearest`.
+/// Distance, point and normal where `ray` first touches `surface`, or nothing: those of the
+/// triangle of `raycast_nearest`.
 template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
 [[nodiscard]] constexpr std::optional<RayHit<S, 3>> raycast_hit(

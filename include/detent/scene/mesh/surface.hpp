@@ -20,7 +20,7 @@ struct MeshTriangle {
                                                  const MeshTriangle&) noexcept = default;
 };
 
-/// The canonical bytes of a digest: the fields in order.
+/// Appends to a digest: the fields in order.
 template <class D, Scalar S>
 constexpr void append(D& digest, const MeshTriangle<S>& part) noexcept {
   digest.add(part.triangle, part.index);

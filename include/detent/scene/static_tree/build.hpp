@@ -329,7 +329,7 @@ class StaticBuilder {
 /// or 2^32 items or more.
 ///
 /// Each item's box is `bounding_box(item)`. The same items in the same order make the same tree,
-/// bit for bit, on every machine.                                       (tests/scene/tree.test.cpp)
+/// bit for bit, on every machine.                                (tests/scene/static_tree.test.cpp)
 template <Scalar S, int N, class Item>
 [[nodiscard]] constexpr std::optional<StaticTree<S, N>> build_tree(
     std::span<Item> items, std::span<StaticNode<S, N>> nodes) noexcept {

@@ -61,7 +61,7 @@ struct alignas(64) StaticNode {
                                                  const StaticNode&) noexcept = default;
 };
 
-/// The canonical bytes of a digest: the fields in order.
+/// Appends to a digest: the fields in order.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const StaticNode<S, N>& node) noexcept {
   for (const auto& grid : node.grids) digest.add(grid);
