@@ -17,7 +17,7 @@ namespace {
 
 using accuracy::Report;
 
-/// One line on standard error: redrawn in place on a terminal, else a line for each query.
+/// One line on standard error: redrawn in place on a terminal, otherwise one line per query.
 class Progress {
  public:
   explicit Progress(std::size_t total) : total_(total) {}
@@ -40,7 +40,7 @@ class Progress {
   bool redraws_ = isatty(STDERR_FILENO) != 0;
 };
 
-/// A file that is opened before the work and written after it.
+/// A file that is opened before the work starts and written after it.
 class Output {
  public:
   explicit Output(const std::string& path) {

@@ -11,8 +11,8 @@ namespace detent::cli {
 /// The largest width + height of an image: the camera counts half pixels in 15 bits.
 inline constexpr int largest_image = 1 << 14;
 
-/// A pinhole camera, whose rays are computed in its scalar's own arithmetic: sums and products are
-/// exact for a `Fixed`, and the direction of the result is rounded once.
+/// A pinhole camera that computes its rays in its scalar's own arithmetic: sums and products are
+/// exact for a `Fixed`, and the resulting direction is rounded once.
 template <Scalar S>
 class Camera {
  public:
@@ -26,7 +26,7 @@ class Camera {
 
   /// The ray through the middle of a pixel, counted from the top left.
   [[nodiscard]] Ray<S, 3> ray(int x, int y, int width, int height) const {
-    // In half pixels, doubled as often as 14 bits allow: the direction stays the same.
+    // In half pixels, scaled by 2 as long as they fit 14 bits: the direction stays the same.
     const int shift = 14 - static_cast<int>(std::bit_width(static_cast<unsigned>(width + height)));
     const auto half_pixels = [&](int count) { return Whole(count << shift); };
     const auto toward = ahead_ * half_pixels(height) + right_ * half_pixels(2 * x + 1 - width) +

@@ -43,7 +43,7 @@ struct DemoOptions {
   int threads = 0;
 };
 
-/// Each does what its subcommand says (docs/tool.md) and throws InputError when it cannot.
+/// Each runs its subcommand (docs/tool.md) and throws InputError when it cannot.
 void cast(const CastOptions& options);
 void render(const RenderOptions& options);
 void demo(const DemoOptions& options);

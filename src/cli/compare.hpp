@@ -9,7 +9,7 @@
 
 namespace detent::cli {
 
-/// Where two scalars part over the same rays.
+/// Where two scalars differ over the same rays.
 struct Difference {
   std::size_t hit_or_miss = 0;  // one hits, the other does not
   std::size_t shape = 0;        // both hit, but not the same shape
@@ -24,11 +24,11 @@ inline constexpr double visible_distance = 1.0 / 64;
 
 [[nodiscard]] Difference compare(const Tracer& a, const Tracer& b);
 
-/// A dark copy of `picture` with the pixels marked on which the answers differ: bright where it is
-/// hit or miss or which shape, dimmer where it is a distance by more than `visible_distance`.
+/// A dark copy of `picture` that marks the pixels whose results differ: bright for hit or miss or
+/// for another shape, dimmer for distances farther apart than `visible_distance`.
 [[nodiscard]] Image difference_picture(const Image& picture, const Tracer& a, const Tracer& b);
 
-/// What stands above that picture: "red: shape differs at 12 pixels".
+/// The caption of that picture: "red: shape differs at 12 pixels".
 [[nodiscard]] std::string difference_caption(const Difference& difference);
 
 /// A row of pictures of one size, each below its caption.
@@ -38,7 +38,7 @@ struct Panel {
 };
 [[nodiscard]] Image panel_row(const std::vector<Panel>& panels);
 
-/// Rows of one width, one below the other.
+/// Stacks rows of one width.
 [[nodiscard]] Image stacked(const std::vector<Image>& rows);
 
 }  // namespace detent::cli

@@ -9,7 +9,7 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Digits of equal length as numbers: a + b.
+/// a + b, of digit strings of equal length.
 std::string sum(std::string a, const std::string& b) {
   int carry = 0;
   for (std::size_t i = a.size(); i-- > 0;) {
@@ -21,7 +21,7 @@ std::string sum(std::string a, const std::string& b) {
   return a;
 }
 
-/// Digits of equal length as numbers: a - b, where a >= b.
+/// a - b, of digit strings of equal length, where a >= b.
 std::string difference(std::string a, const std::string& b) {
   int borrow = 0;
   for (std::size_t i = a.size(); i-- > 0;) {
@@ -32,7 +32,7 @@ std::string difference(std::string a, const std::string& b) {
   return a;
 }
 
-/// The exponent after 'e', held within limits that no accepted number reaches.
+/// The exponent after 'e', clamped to limits that no accepted number reaches.
 std::optional<int> parse_exponent(std::string_view text) {
   const bool negative = !text.empty() && text.front() == '-';
   if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);

@@ -16,9 +16,9 @@ class Decimal {
  public:
   Decimal() = default;
 
-  /// Reads "-12.5", "1e3" or ".5E-2". Nothing when `text` is not such a number, is longer than
-  /// `max_length`, or has a magnitude of more than 10^`max_length`. A number too small for any
-  /// scalar becomes 0.
+  /// Parses "-12.5", "1e3" or ".5E-2". Nothing when `text` is not such a number, is longer than
+  /// `max_length`, or has a magnitude above 10^`max_length`. A number too small for any scalar
+  /// becomes 0.
   [[nodiscard]] static std::optional<Decimal> parse(std::string_view text);
 
   friend Decimal operator+(const Decimal& a, const Decimal& b);
@@ -45,7 +45,7 @@ class Decimal {
       S value{};
       const auto [stop, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
       if (error == std::errc()) return value;
-      // Too small to be told from 0 is 0; too large is an error.
+      // Too small for `S` becomes 0; too large is an error.
       return magnitude() <= 0 ? std::optional<S>(S(0)) : std::nullopt;
     } else {
       return S::parse(plain);
@@ -58,7 +58,7 @@ class Decimal {
   Decimal(bool negative, std::string digits, int places);
 
   std::string digits_;  // most significant first, no leading zero; empty for 0
-  int places_ = 0;      // how many of them (or of the zeros before them) follow the point
+  int places_ = 0;      // how many of them (or of the zeros before them) are after the point
   bool negative_ = false;
 };
 

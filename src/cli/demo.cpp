@@ -18,7 +18,7 @@ namespace {
 constexpr const char* far_away = "28000";
 constexpr const char* longest_side = "0.5";  // of a model
 
-/// One place and one scalar: a picture, and a line of the table.
+/// One position and one scalar: a picture and a line of the table.
 struct Run {
   std::string place;
   std::unique_ptr<Tracer> tracer;
@@ -44,12 +44,12 @@ void make_directory(const std::string& directory) {
   }
 }
 
-/// A file in the directory of the demonstration.
+/// The path of a file in the demonstration's directory.
 std::string path_in(const DemoOptions& options, const char* name) {
   return (std::filesystem::path(options.directory) / name).string();
 }
 
-/// One scene near and far, in both scalars: a page of pictures, and the rows of the table.
+/// One scene near and far in both scalars: a page of pictures and the rows of the table.
 struct Exhibit {
   Image page;
   std::string rows;
@@ -103,7 +103,7 @@ Exhibit exhibit(const Scene& scene, const DemoOptions& options) {
   return {stacked(pictures), rows};
 }
 
-/// What is shown beside the arena.
+/// The model shown in addition to the arena.
 struct Model {
   Scene scene;
   std::string title;
@@ -126,7 +126,7 @@ void demo(const DemoOptions& options) {
   make_directory(options.directory);
   const std::string path = path_in(options, "demo.png");
   OutputFile file(path);
-  // Read before anything is drawn, so that what is wrong with it is found at once.
+  // Read before anything is drawn, so that errors in it show at once.
   const std::string mesh_path = path_in(options, "mesh.png");
   std::optional<OutputFile> mesh_file;
   std::optional<Model> model;

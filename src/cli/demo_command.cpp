@@ -29,7 +29,7 @@ void add_demo_options(CLI::App& command, DemoArguments& arguments) {
 }
 
 Size parse_size(const std::string& text) {
-  constexpr int most_pixels = 1 << 24;  // each takes about 80 bytes while it is drawn
+  constexpr int most_pixels = 1 << 24;  // each takes about 80 bytes during rendering
   Size size{};
   const char* const end = text.data() + text.size();
   const auto width = std::from_chars(text.data(), end, size.width);

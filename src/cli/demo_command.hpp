@@ -14,10 +14,10 @@ struct DemoArguments {
   std::string size = "480x300";
 };
 
-/// Adds the options of the demonstration to `command`, which then runs it.
+/// Adds the demonstration's options to `command`, which runs it.
 void add_demo_options(CLI::App& command, DemoArguments& arguments);
 
-/// "WIDTHxHEIGHT"; throws InputError when that is too large or no size.
+/// Parses "WIDTHxHEIGHT"; throws InputError when it is too large or not a size.
 [[nodiscard]] Size parse_size(const std::string& text);
 
 }  // namespace detent::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `detent demo` as a program of its own, which is built in a fraction of the tool's time.
+// `detent demo` as a separate program, which builds in a fraction of the tool's time.
 #include "demo_command.hpp"
 #include "program.hpp"
 

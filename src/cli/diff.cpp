@@ -25,13 +25,13 @@ using detail::SnapshotHeader;
 
 constexpr const char* remedy = "; write it anew with snapshot(scene)";
 
-/// A number of a snapshot under its name, as text.
+/// A named number of a snapshot, as text.
 struct Field {
   std::string name;
   std::string value;
 };
 
-/// What has an id: a frame or an object.
+/// A frame or an object: whatever has an id.
 struct Part {
   std::uint32_t generation = 0;
   std::string type;
@@ -45,13 +45,13 @@ struct Contents {
   Parts objects;
 };
 
-/// Reads the parts of a snapshot under the names of their fields.
+/// Reads the frames and objects of a snapshot, with the names of their fields.
 template <Scalar S, int N>
 class PartReader {
  public:
   PartReader(const std::string& file, std::span<const std::byte> bytes) : file_(file), in_(bytes) {}
 
-  /// Refuses what `restore` refuses whatever the scene holds (tests/cli/diff.test.cpp).
+  /// Rejects what `restore` rejects in every scene (tests/cli/diff.test.cpp).
   Contents read(const SnapshotHeader& header) {
     if (header.shapes == 0 || (header.shapes & ~known_types) != 0) fail();
     if (header.next_generation == 0) fail();
@@ -98,7 +98,7 @@ class PartReader {
 
   static constexpr std::uint32_t nowhere = 0xffffffffu;
 
-  /// By their tags.
+  /// Indexed by tag.
   static constexpr const char* types[] = {"",         "sphere",  "aabb", "obb",  "plane",
                                           "triangle", "capsule", "mesh", "hull", "height field"};
   /// A bit for each tag: meshes and height fields are in 3D.
@@ -111,7 +111,7 @@ class PartReader {
     return index == nowhere ? "none" : std::to_string(index);
   }
 
-  /// Parts come by index, and have a generation that was before the next.
+  /// Indices must increase, and generations must be below the next one.
   void keep(const SnapshotHeader& header, Parts& parts, std::uint32_t index, Part part) const {
     if (in_.has_failed() || part.generation == 0 || part.generation >= header.next_generation ||
         (!parts.empty() && parts.rbegin()->first >= index)) {
@@ -204,7 +204,7 @@ bool is_in(const SnapshotHeader& header) {
   }
 }
 
-/// Calls f with a scalar of the tool of the kind that the header says.
+/// Calls f with a scalar of the tool of the kind in the header.
 template <class F>
 bool with_scalar(const SnapshotHeader& header, const F& f) {
   const auto try_one = [&](auto scalar) {
@@ -276,7 +276,7 @@ class Listing {
     return part.type == kind ? name : name + " (" + part.type + ")";
   }
 
-  /// The fields of parts of the same type have the same names.
+  /// Compares the fields that have the same name; the types may differ.
   void compare(const std::string& part, const std::vector<Field>& a, const std::vector<Field>& b) {
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
       if (a[i].name == b[i].name) compare(part + " " + a[i].name, a[i].value, b[i].value);

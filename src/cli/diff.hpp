@@ -5,14 +5,14 @@
 
 namespace detent::cli {
 
-/// What tells two snapshots of scenes apart, a line for each number, and whether nothing does.
+/// The difference between two snapshots of scenes: a line per number, and whether there is none.
 struct SnapshotDifference {
   std::string text;
   bool is_none = true;
 };
 
-/// Compares the bytes of two snapshots; throws InputError, with the name of the file, for bytes
-/// that are none, and for snapshots of different kinds of scenes.
+/// Compares the bytes of two snapshots; throws InputError with the file's name for bytes that are
+/// not a snapshot, and for snapshots of different kinds of scenes.
 [[nodiscard]] SnapshotDifference compare_snapshots(const std::string& name_a,
                                                    const std::string& bytes_a,
                                                    const std::string& name_b,

@@ -5,7 +5,7 @@
 
 namespace detent::cli {
 
-/// The text of scenes/arena.json, put into the program when it is built.
+/// The text of scenes/arena.json, embedded at build time.
 extern const std::string_view arena_json;
 
 }  // namespace detent::cli

@@ -7,7 +7,7 @@
 
 namespace detent::cli {
 
-/// A position in a text file, from 1; line 0 means that the file as a whole is meant.
+/// A position in a text file, counted from 1; line 0 means the whole file.
 struct Place {
   int line = 0;
   int column = 0;
@@ -15,16 +15,16 @@ struct Place {
 
 /// What was wrong with the input or the command, and what the user can do about it.
 ///
-/// The text is a complete line: "FILE:LINE:COLUMN: what is wrong; remedy". Everything that can go
-/// wrong for a reason outside the program ends here, and `main` prints it and exits with 2.
-/// Control characters become spaces: a zero byte would cut the text.
+/// The text is a complete line: "FILE:LINE:COLUMN: what is wrong; remedy". All errors with a cause
+/// outside the program end up here; `main` prints the line and exits with 2. Control characters
+/// become spaces, because a zero byte would cut the text.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::string_view what);
   InputError(std::string_view file, Place place, std::string_view what);
 };
 
-/// `text` on one line and free of control characters, so that no input can forge a second line.
+/// `text` on one line without control characters, so that no input can forge a second line.
 [[nodiscard]] std::string one_line(std::string_view text);
 
 }  // namespace detent::cli

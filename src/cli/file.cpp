@@ -32,14 +32,14 @@ void check_name(const std::string& path, const char* what) {
   }
 }
 
-/// A name that two runs at the same time do not share, in the folder of `target`; short, since the
-/// target's own may be as long as a name can be.
+/// A temporary name in the folder of `target` that simultaneous runs do not share. It is short,
+/// because the target's own name may have the maximum length.
 fs::path temporary_name(const fs::path& target) {
   std::random_device random;
   return target.parent_path() / (".detent-part-" + std::to_string(random()));
 }
 
-/// The file that links lead to, even where it does not exist yet.
+/// The file that links lead to, even if it does not exist yet.
 fs::path linked_file(fs::path path) {
   constexpr int most_links = 40;
   std::error_code error;
@@ -51,7 +51,7 @@ fs::path linked_file(fs::path path) {
   return path;
 }
 
-/// A replaced file goes on belonging to whom it did, where the system lets us say so.
+/// Keeps the owner of a replaced file, where the system allows it.
 void copy_permissions(const struct stat& from, int to) {
   [[maybe_unused]] const int is_refused = fchown(to, from.st_uid, from.st_gid);
   fchmod(to, from.st_mode & 0777);

@@ -15,10 +15,10 @@ namespace detent::cli {
 /// A file that appears whole or not at all.
 ///
 /// It is written under a temporary name in the target's folder and renamed by `commit`; without
-/// that, and when a signal ends the program, the temporary file is removed. A target that exists
-/// keeps its permissions, and a link stays a link to it. A target that is no regular file (a pipe,
-/// /dev/null) is written to directly. The constructor throws InputError when the place cannot be
-/// written, so that a command can find out before it works for a minute.
+/// `commit`, or when a signal ends the program, the temporary file is removed. An existing target
+/// keeps its permissions, and a link stays a link. A target that is not a regular file (a pipe,
+/// /dev/null) is written directly. The constructor throws InputError when the target cannot be
+/// written, so that a command fails before it works for a minute.
 class OutputFile {
  public:
   explicit OutputFile(std::string path);
@@ -30,12 +30,12 @@ class OutputFile {
   void commit();
 
  private:
-  /// With the reason that errno gives.
+  /// Throws, with the reason from errno.
   [[noreturn]] void fail(const std::string& what) const;
 
   std::string path_;
   std::filesystem::path target_;
-  PartFile part_;  // none where the target itself is written to
+  PartFile part_;  // unset when the target itself is written
   int descriptor_ = -1;
 };
 

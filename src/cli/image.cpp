@@ -9,7 +9,7 @@
 #include <cstring>
 #include <stdexcept>
 
-// Single-file C libraries: they are not written for our warnings.
+// Single-file C libraries that do not compile under our warnings.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include <stb/stb_easy_font.h>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr int text_scale = 2;
 
-/// What stb_easy_font writes per corner of a rectangle.
+/// The format in which stb_easy_font writes a corner of a rectangle.
 struct Corner {
   float x, y, z;
   std::array<unsigned char, 4> colour;

@@ -26,10 +26,10 @@ class Image {
   }
   [[nodiscard]] const Colour& at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
 
-  /// Copies `part` so that its top left corner comes to (x, y).
+  /// Copies `part` so that its top left corner is at (x, y).
   void place(const Image& part, int x, int y);
 
-  /// Fills what of the rectangle lies in the image.
+  /// Fills the part of the rectangle that is inside the image.
   void fill(int x, int y, int width, int height, Colour colour);
 
   /// Writes a line of ASCII with its top left corner at (x, y); 14 pixels high.

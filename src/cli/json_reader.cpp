@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t deepest_nesting = 64;
 constexpr std::size_t most_members = 64;
 
-/// Reads characters and tells the SAX handler how far the lexer has come.
+/// Reads characters and counts them, so that the SAX handler knows the lexer's position.
 class TrackedIterator {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -45,11 +45,11 @@ class TrackedIterator {
   std::size_t* consumed_;
 };
 
-/// Turns offsets that only grow into lines and columns; a column counts characters, not bytes.
+/// Converts increasing offsets to lines and columns; a column counts characters, not bytes.
 class PlaceCounter {
  public:
   explicit PlaceCounter(std::string_view content) : content_(content) {
-    if (content_.starts_with("\xef\xbb\xbf")) offset_ = 3;  // a byte order mark takes no column
+    if (content_.starts_with("\xef\xbb\xbf")) offset_ = 3;  // a byte order mark has no column
   }
 
   Place at(std::size_t offset) {
@@ -75,7 +75,7 @@ bool is_number_character(char c) {
   return (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == 'e' || c == 'E';
 }
 
-/// Builds the tree. Tokens are taken from the text itself, so no number passes through a double.
+/// Builds the tree. Tokens are copied from the text itself, so no number passes through a double.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
   TreeBuilder(std::string_view file, std::string_view content)
@@ -139,7 +139,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     throw InputError(file_, place, what);
   }
 
-  /// Where the token begins that does not belong, or the character that no token can have.
+  /// Where the unexpected token begins, or the character that cannot begin a token.
   std::size_t error_start(std::string_view what) const {
     if (what.starts_with("unexpected end of input")) return consumed_;
     if (what.starts_with("unexpected number literal")) return number_start();
@@ -161,8 +161,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return start;
   }
 
-  /// Where the string that ends at the lexer's position began: at the nearest quotation mark
-  /// before its end that an even number of backslashes precedes.
+  /// Where the string that ends at the lexer's position begins: at the nearest quotation mark
+  /// before its end that is preceded by an even number of backslashes.
   std::size_t string_start() const {
     std::size_t start = consumed_ - 1;
     while (start > 0) {
@@ -198,7 +198,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
       node.key_place = key_place_;
     }
     parent.items.push_back(std::move(node));
-    // Only the last item of a container is ever open, so its address holds while it is.
+    // Only the last item of a container is ever open, so its address stays valid meanwhile.
     if (is_container(kind)) open_.push_back(&parent.items.back());
     return true;
   }
@@ -243,7 +243,7 @@ const char* name_of(JsonNode::Kind kind) {
 }
 
 JsonNode read_json(std::string_view file, std::string_view content) {
-  // The parser would take a zero byte for the end of the text.
+  // The parser would treat a zero byte as the end of the text.
   if (const auto zero = content.find('\0'); zero != std::string_view::npos) {
     throw InputError(file, PlaceCounter(content).at(zero),
                      "malformed JSON: a zero byte; save the file as UTF-8 text");

@@ -29,7 +29,7 @@ std::string checked_scalar(const std::string& flag, const std::string& name) {
   throw InputError(flag + ": there is no scalar \"" + name + "\"; choose from " + all_scalars());
 }
 
-/// "A,B", or "B" beside the scalar that --scalar names.
+/// Parses "A,B", or "B" as the second scalar next to that of --scalar.
 Pair parse_pair(const std::string& text, const std::string& scalar) {
   const auto comma = text.find(',');
   if (comma == std::string::npos) return {scalar, checked_scalar("--compare", text)};
@@ -203,7 +203,7 @@ void add_diff(CLI::App& app, Arguments& arguments) {
   command->final_callback([&] { arguments.is_right = diff(options); });
 }
 
-/// The first word, of which the parser says nothing better than that a subcommand is required.
+/// Rejects an unknown first word; the parser would only say that a subcommand is required.
 void check_command(const CLI::App& app, int argc, char** argv) {
   const std::string word = argc < 2 ? "" : argv[1];
   if (word == "-h" || word == "--help" || word == "--version") return;

@@ -11,7 +11,7 @@
 namespace detent::cli {
 namespace {
 
-constexpr double largest_size = 1e300;  // no scalar of the tool but double comes near
+constexpr double largest_size = 1e300;  // far above every scalar of the tool except double
 
 Decimal decimal_of(double value) { return Decimal::parse(rounded(value, 6)).value(); }
 

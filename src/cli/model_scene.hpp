@@ -7,8 +7,8 @@
 
 namespace detent::cli {
 
-/// The model on a floor, seen from its front right, from as far as its size asks for; `file` is
-/// what messages call it.
+/// The model on a floor, viewed from its front right at a distance that fits its size; `file` is
+/// its name in messages.
 [[nodiscard]] Scene scene_around(MeshModel mesh, const std::string& file);
 
 }  // namespace detent::cli

@@ -10,8 +10,8 @@
 
 #include "detent/detent.hpp"
 
-// What the tool asks of a scalar beyond arithmetic: a name, a range, text. Here, and only here, it
-// tells the scalars apart.
+// What the tool needs of a scalar beyond arithmetic: a name, a range, text. Only this file
+// distinguishes the scalars.
 
 namespace detent::cli {
 
@@ -33,13 +33,14 @@ inline constexpr std::string_view scalar_name<float> = scalar_names[4];
 template <>
 inline constexpr std::string_view scalar_name<double> = scalar_names[5];
 
-/// The exact decimal of a `Fixed`; of a float the shortest decimal that reads back as it.
+/// The exact decimal of a `Fixed`; for a float the shortest decimal that reads back as the same
+/// value.
 template <Number T>
 [[nodiscard]] std::string text_of(const T& value) {
   if constexpr (is_fixed<T>) {
     return to_string(value);
   } else {
-    if (!std::isfinite(value)) return "null";  // JSON has no word for it
+    if (!std::isfinite(value)) return "null";  // JSON has no such number
     std::array<char, 32> buffer{};
     const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
     return {buffer.data(), result.ptr};

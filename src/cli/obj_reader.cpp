@@ -26,7 +26,7 @@ class Words {
 
   [[nodiscard]] bool has_line() const { return at_ < text_.size(); }
 
-  /// The next word of the line; empty at its end and before a comment.
+  /// The next word of the line; empty at the end of the line or before a comment.
   std::string_view next() {
     while (at_ < text_.size() && (is_blank() || is_continued())) {
       if (is_blank()) {
@@ -50,7 +50,7 @@ class Words {
     line_start_ = at_;
   }
 
-  /// Of the word that came last.
+  /// The position of the last word read.
   [[nodiscard]] Place place() const { return place_; }
 
  private:
@@ -71,14 +71,14 @@ std::optional<double> number(std::string_view word) {
   double value = 0;
   const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (stop != word.data() + word.size() || error == std::errc::invalid_argument) return {};
-  // Too small is 0, too large is infinite.
+  // Underflow gives 0, overflow infinity.
   if (error == std::errc::result_out_of_range)
     value = std::strtod(std::string(word).c_str(), nullptr);
   return value;
 }
 
-/// A word of a face, "3", "3/1", "3//2" or "3/1/2": its first number, at the end of the range where
-/// it is beyond it.
+/// Parses a word of a face, "3", "3/1", "3//2" or "3/1/2": its first number, clamped to the range
+/// of the type.
 std::optional<std::int64_t> vertex_number(std::string_view word) {
   std::optional<std::int64_t> first;
   const char* at = word.data();
@@ -139,7 +139,7 @@ class ObjReader {
                     std::to_string(mesh_.vertices.size()));
   }
 
-  /// Beyond three coordinates there may be a weight and a colour.
+  /// A weight and a colour may follow the three coordinates.
   void read_vertex() {
     std::array<double, 3> vertex{};
     const auto which = [&] { return "vertex " + std::to_string(mesh_.vertices.size() + 1); };
@@ -158,7 +158,7 @@ class ObjReader {
     mesh_.vertices.push_back(vertex);
   }
 
-  /// Negative numbers count back from the last vertex so far; others may name one that comes later.
+  /// Negative numbers count back from the last vertex so far; others may name later vertices.
   void read_face() {
     constexpr std::int64_t most = std::numeric_limits<std::uint32_t>::max();
     Face face{words_.place(), corners_.size(), 0};
@@ -176,7 +176,7 @@ class ObjReader {
     faces_.push_back(face);
   }
 
-  /// A face of fewer than three corners has nothing to be drawn.
+  /// A face with fewer than three corners is skipped.
   void cut(PolygonCutter& cutter, const Face& face) {
     const auto corners = std::span(corners_).subspan(face.first, face.end - face.first);
     for (const auto corner : corners) {
@@ -200,7 +200,7 @@ class ObjReader {
   std::vector<Face> faces_;
 };
 
-/// Halves are taken before sums and differences, which may be beyond the range of a double.
+/// Halves before adding and subtracting: the sums could overflow a double.
 void centre_and_scale(const std::string& file, MeshModel& mesh, std::optional<double> scale) {
   std::array<double, 3> low = mesh.vertices.front();
   std::array<double, 3> high = low;

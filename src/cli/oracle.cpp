@@ -61,7 +61,7 @@ bool within(const Ray& ray, const Time& t) {
   return t.numerator.sign() >= 0 && t.numerator <= ray.max_distance * t.denominator;
 }
 
-/// The part of the ray for which `low <= t * slope <= high`, cut out of [enter, exit].
+/// Clips [enter, exit] to the times for which `low <= t * slope <= high`.
 bool clip(Time& enter, Time& exit, Exact low, Exact high, Exact slope) {
   if (slope.sign() == 0) return low.sign() <= 0 && high.sign() >= 0;
   if (slope.sign() < 0) {
@@ -109,7 +109,7 @@ MaybeTime first_time(const Ray& ray, const Plane& plane) {
   return within(ray, t) ? MaybeTime(t) : std::nullopt;
 }
 
-/// Where the ray meets the segment from p to q, which may be a point.
+/// Where the ray hits the segment from p to q, which may be a point.
 MaybeTime meet_segment(const Ray& ray, const Vector& p, const Vector& q) {
   const Vector to_p = p - ray.origin;
   const Vector edge = q - p;
@@ -130,7 +130,7 @@ MaybeTime meet_segment(const Ray& ray, const Vector& p, const Vector& q) {
   return std::max(first, second) < enter || !within(ray, enter) ? std::nullopt : MaybeTime(enter);
 }
 
-/// Whether a point of the triangle's plane lies in the triangle with this (non-zero) normal.
+/// Whether a point of the triangle's plane is inside the triangle, which has this non-zero normal.
 bool inside(const Triangle& triangle, const Vector& normal, const Vector& point) {
   const auto left_of = [&](const Vector& from, const Vector& to) {
     return dot(cross(to - from, point - from), normal).sign() >= 0;
@@ -146,7 +146,7 @@ MaybeTime first_time(const Ray& ray, const Triangle& triangle) {
   if (slope.sign() != 0) {
     const Time t(height, slope);
     if (!within(ray, t)) return std::nullopt;
-    // The hit point times the denominator, so that no division is needed: the triangle grows too.
+    // Scales the triangle and the hit point by the denominator, which avoids the division.
     const auto grown = [&](const Vector& v) {
       return Vector{v[0] * t.denominator, v[1] * t.denominator, v[2] * t.denominator};
     };
@@ -168,7 +168,7 @@ MaybeTime first_time(const Ray& ray, const Triangle& triangle) {
   return first;
 }
 
-/// a t^2 + 2 b t + c = 0: whether the smaller root is at least `steps` * 2^-distance_frac.
+/// Whether the smaller root of a t^2 + 2 b t + c = 0 is at least `steps` * 2^-distance_frac.
 bool root_at_least(const Exact& a, const Exact& b, const Exact& discriminant,
                    const Integer& steps) {
   const Exact margin = -b - a * Exact(steps, -distance_frac);
@@ -189,7 +189,7 @@ std::optional<Integer> hit_sphere(const Ray& ray, const Sphere& sphere) {
   const Exact excess = -b - a * ray.max_distance;
   if (excess.sign() > 0 && discriminant < excess * excess) return std::nullopt;
 
-  // An estimate from an integer root with 64 bits to spare, then settled by the exact test.
+  // An estimate from an integer root with 64 spare bits, corrected by the exact test.
   const int exponent = discriminant.exponent() - (discriminant.exponent() & 1);
   const Integer radicand = discriminant.mantissa()
                            << static_cast<unsigned>(128 + discriminant.exponent() - exponent);

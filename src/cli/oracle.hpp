@@ -7,21 +7,21 @@
 #include <optional>
 #include <variant>
 
-// A second opinion on every ray: the same definitions of shapes, evaluated in unbounded integers
-// by formulas of its own. It shares no code with the library, so the two can check each other.
-// It takes its time: this is for judging answers, not for giving them.
+// An independent check of every ray: the same definitions of shapes, evaluated in unbounded
+// integers with other formulas. It shares no code with the library, so each can check the other. It
+// is slow.
 
 namespace detent::cli::oracle {
 
-/// Small values stay on the stack; larger ones grow onto the heap.
+/// Small values stay on the stack; larger ones use the heap.
 using Integer = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<512, 0, boost::multiprecision::signed_magnitude,
                                            boost::multiprecision::unchecked,
                                            std::allocator<boost::multiprecision::limb_type>>,
     boost::multiprecision::et_off>;
 
-/// The number mantissa * 2^exponent. Every scalar has such a value, a float included, and sums and
-/// products of such numbers are such numbers again: nothing is ever rounded.
+/// The number mantissa * 2^exponent. Every scalar's value has this form, including floats, and so
+/// have sums and products: nothing is ever rounded.
 class Exact {
  public:
   Exact() = default;
@@ -56,7 +56,7 @@ struct Aabb {
   Vector min;
   Vector max;
 };
-/// {x : |dot(axes[i], x - center)| <= half_extents[i]}, axes as they are.
+/// {x : |dot(axes[i], x - center)| <= half_extents[i]}; the axes are not normalized.
 struct Obb {
   Vector center;
   Vector half_extents;
@@ -79,13 +79,13 @@ struct Ray {
   Exact max_distance;
 };
 
-/// Distances are given in whole steps of 2^-48, rounded down.
+/// Distances are whole steps of 2^-48, rounded down.
 inline constexpr int distance_frac = 48;
 
 /// A distance in those steps.
 [[nodiscard]] Integer steps_of(const Exact& distance);
 
-/// The smallest t in [0, max_distance] at which origin + t * direction lies in the shape, rounded
+/// The smallest t in [0, max_distance] for which origin + t * direction is in the shape, rounded
 /// down; nothing when there is none.
 [[nodiscard]] std::optional<Integer> first_hit(const Ray& ray, const Shape& shape);
 

@@ -12,7 +12,7 @@ namespace {
 using Doubles = std::array<double, 3>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double trusted = 1 << 30;         // beyond it no box dismisses anything
+constexpr double trusted = 1 << 30;         // no box is culled beyond it
 constexpr double margin = 1.0 / (1 << 10);  // on each side of a box
 
 Doubles approximate(const Vector& v) {
@@ -27,9 +27,10 @@ bool is_trusted(const Doubles& point) {
 
 }  // namespace
 
-/// Coordinates below 2^30 and their differences are off by less than 2^-20, and so are the times of
-/// directions that are about one unit long; components of a cross product by less than 2^-20 of what
-/// the margin adds to the other side. Comparisons with infinity or NaN dismiss nothing.
+/// The errors that the margin of a box covers. Coordinates below 2^30 and their differences are off
+/// by less than 2^-20, and so are times along directions about one unit long; components of a cross
+/// product by less than 2^-20 of what the margin adds to the other side. Comparisons with infinity
+/// or NaN cull nothing.
 struct Group::Probe {
   explicit Probe(const Ray& ray)
       : origin(approximate(ray.origin)),
@@ -44,7 +45,7 @@ struct Group::Probe {
     return way;
   }
 
-  /// False if the ray passes the box by, leaves it behind or reaches its limit before it.
+  /// False if the ray misses the box, starts beyond it or ends before it.
   bool may_meet(const Box& box) const {
     if (!is_usable) return true;
     const Doubles way = to_middle(box);
@@ -110,7 +111,7 @@ Group::Group(std::vector<Shape> shapes) : shapes_(std::move(shapes)) {
   if (!items.empty()) build(items, 0, items.size());
 }
 
-/// Halves [begin, end) across the longest side of its box until a single shape is left.
+/// Splits [begin, end) in half along the longest side of its box until one shape is left.
 void Group::build(std::vector<std::pair<Box, std::size_t>>& items, std::size_t begin,
                   std::size_t end) {
   Box whole = items[begin].first;

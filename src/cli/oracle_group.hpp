@@ -10,16 +10,16 @@
 
 namespace detent::cli::oracle {
 
-/// Shapes of which the first one hit counts: the triangles of a mesh, or a shape alone.
+/// Shapes of which only the first hit counts: the triangles of a mesh, or a single shape.
 ///
-/// A tree of boxes in doubles, which shares no code with the library's trees either, says which of
-/// them a ray has to be held against exactly. The boxes are larger than the shapes by far more than
-/// the error of a double, so it never hides a hit.
+/// A tree of boxes in doubles, which shares no code with the library's trees, finds the shapes that
+/// a ray must be tested against exactly. The boxes are larger than the shapes by far more than the
+/// error of a double, so no hit is lost.
 class Group {
  public:
   explicit Group(std::vector<Shape> shapes);
 
-  /// The least of what `first_hit` gives for the shapes.
+  /// The smallest `first_hit` of the shapes.
   [[nodiscard]] std::optional<Integer> first_hit(const Ray& ray) const;
 
  private:
@@ -29,10 +29,10 @@ class Group {
   };
   struct Node {
     Box box;
-    std::size_t shape;   // of a leaf
-    std::size_t second;  // the other child beside the next node; 0 for a leaf
+    std::size_t shape;   // index of a leaf's shape
+    std::size_t second;  // the other child (the first is the next node); 0 for a leaf
   };
-  /// The ray in doubles, and how far it still matters.
+  /// The ray in doubles, and its remaining length.
   struct Probe;
 
   [[nodiscard]] static Box box_around(const Shape& shape);
@@ -40,7 +40,7 @@ class Group {
   void search(std::size_t node, const Ray& ray, Probe& probe) const;
 
   std::vector<Shape> shapes_;
-  std::vector<Node> nodes_;  // a node is followed by all that is below it
+  std::vector<Node> nodes_;  // a node is followed by its whole subtree
 };
 
 }  // namespace detent::cli::oracle

@@ -7,7 +7,7 @@
 #include "oracle_group.hpp"
 #include "world.hpp"
 
-// The way from typed shapes to the oracle's: every scalar has an exact value, so nothing is lost.
+// Converts typed shapes to the oracle's: every scalar has an exact value, so nothing is lost.
 
 namespace detent::cli::oracle {
 
@@ -74,7 +74,7 @@ template <Scalar S>
   return groups;
 }
 
-/// The first distance at which `ray` meets each shape of the scene that it meets, in shape order.
+/// A shape that `ray` hits, and its exact distance; in shape order.
 struct Meeting {
   std::size_t shape;
   Integer distance;

@@ -12,7 +12,7 @@
 namespace detent::cli {
 namespace {
 
-/// A path where a signal handler can read it at any time: it is written before `is_set`.
+/// A path that a signal handler can read at any time: it is written before `is_set`.
 struct Slot {
   std::atomic<bool> is_taken{false};
   std::atomic<bool> is_set{false};
@@ -22,7 +22,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler reads th
 
 std::array<Slot, 8> slots;  // no command has more than three files open
 
-/// The signal has its default action again, so it ends the program once this has returned.
+/// The signal has its default action again, so it ends the program when this returns.
 extern "C" void remove_part_files(int signal) {
   for (const Slot& slot : slots) {
     if (slot.is_set.load()) unlink(slot.path.data());
@@ -30,7 +30,7 @@ extern "C" void remove_part_files(int signal) {
   raise(signal);
 }
 
-/// A signal that the caller had ignored (nohup) stays ignored.
+/// A signal that the caller ignores (nohup) stays ignored.
 bool handle_signals() {
   for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU}) {
     struct sigaction action {};
@@ -39,7 +39,7 @@ bool handle_signals() {
     action.sa_flags = SA_RESETHAND;
     sigaction(signal, &action, nullptr);
   }
-  // A limit on the size of files is reported by write() like a full disk.
+  // Then write() reports a file size limit like a full disk.
   return ::signal(SIGXFSZ, SIG_IGN) != SIG_ERR;
 }
 

@@ -5,7 +5,7 @@
 
 namespace detent::cli {
 
-/// The name of a file that disappears with this object, and when a signal ends the program.
+/// The name of a file that is removed with this object, and when a signal ends the program.
 class PartFile {
  public:
   PartFile() = default;
@@ -13,9 +13,9 @@ class PartFile {
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
 
-  /// Takes charge of a file, which need not be there yet.
+  /// Takes ownership of a file, which need not exist yet.
   void own(const std::string& path);
-  /// Leaves the file, if there is one, to whoever has it now.
+  /// Gives up ownership and keeps the file, if there is one.
   void release();
 
   [[nodiscard]] const std::string& path() const { return path_; }

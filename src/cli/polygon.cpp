@@ -19,12 +19,12 @@ double squared_distance(const Vertex& a, const Vertex& b) {
 
 }  // namespace
 
-/// Positive where a, b, c turn to the left.
+/// Positive when a, b, c turn left.
 double PolygonCutter::turn(const Point& a, const Point& b, const Point& c) {
   return (b.u - a.u) * (c.v - b.v) - (b.v - a.v) * (c.u - b.u);
 }
 
-/// Makes `points_` what is seen from the side from which the corners go round to the left, scaled
+/// Sets `points_` to the corners as seen from the side on which they run counterclockwise, scaled
 /// so that no product overflows.
 void PolygonCutter::project(std::span<const std::uint32_t> corners) {
   double scale = 0;
@@ -109,19 +109,19 @@ void PolygonCutter::clear_reflex(std::size_t corner) {
   --reflex_count_;
 }
 
-/// Whether the triangle of the corner and its neighbours holds no other corner.
+/// Whether the triangle of the corner and its neighbours contains no other corner.
 bool PolygonCutter::is_ear(std::size_t corner) {
   const Point &a = points_[previous_[corner]], &b = points_[corner], &c = points_[next_[corner]];
   const double area = turn(a, b, c);
-  if (!(area > 0)) return area == 0;  // a corner on a straight edge can always go
+  if (!(area > 0)) return area == 0;  // a corner on a straight edge can always be cut
   const Point low{std::min({a.u, b.u, c.u}), std::min({a.v, b.v, c.v})};
   const Point high{std::max({a.u, b.u, c.u}), std::max({a.v, b.v, c.v})};
   if (reflex_count_ == 0) return true;
   if (reflex_count_ < filled_count_ / 4)
-    fill_grid();  // ears grow, and visit as few cells as before
+    fill_grid();  // ears grow, but visit no more cells than before
   if (low.u > high_.u || high.u < low_.u || low.v > high_.v || high.v < low_.v) return true;
-  // Row by row from the first to the last column that the triangle reaches there, and a bit more, so
-  // that rounding puts no corner into a cell that is left out.
+  // Row by row, from the first to the last column that the triangle reaches in the row, plus a
+  // margin for rounding, so that no corner is in a cell that is skipped.
   const double height = (high_.v - low_.v) / static_cast<double>(side_);
   const double margin = (high_.u - low_.u) / static_cast<double>(side_) / 8;
   const std::size_t last_row = cell_of(high.v, low_.v, high_.v);
@@ -158,12 +158,12 @@ void PolygonCutter::remove(std::size_t corner) {
   next_[before] = after;
   previous_[after] = before;
   clear_reflex(corner);
-  // Cutting an ear off never makes a neighbour reflex.
+  // Cutting an ear never makes a neighbour reflex.
   if (!is_reflex(before)) clear_reflex(before);
   if (!is_reflex(after)) clear_reflex(after);
 }
 
-/// Puts the corner into the queue if it is an ear.
+/// Queues the corner if it is an ear.
 void PolygonCutter::look_at(std::size_t corner) {
   ear_[corner] = is_ear(corner);
   if (!ear_[corner] || queued_[corner]) return;

@@ -11,25 +11,26 @@ namespace detent::cli {
 
 /// Cuts polygons in space into triangles, n - 2 for n corners.
 ///
-/// A convex polygon becomes the fan around its first corner, but one of four corners is cut along
-/// its shorter diagonal. Any other loses one ear after the other, as seen along its normal. Where
-/// there is none, as in a polygon that crosses itself, some corner is cut off all the same.
+/// A convex polygon becomes the fan around its first corner, except that one with four corners is
+/// cut along its shorter diagonal. Any other polygon loses one ear after the other, as seen along
+/// its normal. Where there is no ear, as in a polygon that crosses itself, some corner is cut off
+/// anyway.
 ///
-/// source: ear clipping, Meisters, Polygons Have Ears, where only the neighbours of a lost ear are
-///         looked at again; normal by Newell's sums
+/// source: ear clipping, Meisters, Polygons Have Ears; only the neighbours of a cut ear are checked
+///         again; normal by Newell's sums
 class PolygonCutter {
  public:
   using Vertex = std::array<double, 3>;
   using Triangle = std::array<std::uint32_t, 3>;
 
-  /// How many corners are looked at for ears: a few seconds' worth.
+  /// How many corners may be tested for ears: a few seconds' worth.
   static constexpr std::int64_t most_work = std::int64_t{1} << 30;
 
   explicit PolygonCutter(std::span<const Vertex> vertices, std::int64_t work = most_work)
       : vertices_(vertices), work_left_(work) {}
 
-  /// Appends the triangles of the polygon whose corners are these vertices, at least three. False,
-  /// with some of them missing, when all polygons together have taken too much work.
+  /// Appends the triangles of the polygon with these vertices, at least three. Returns false, with
+  /// some triangles missing, when all polygons together have used up `most_work`.
   [[nodiscard]] bool cut(std::span<const std::uint32_t> corners, std::vector<Triangle>& triangles);
 
  private:
@@ -53,14 +54,14 @@ class PolygonCutter {
   std::span<const Vertex> vertices_;
   std::int64_t work_left_;
 
-  // Of the polygon at hand, by corner.
+  // Of the current polygon, by corner.
   std::vector<Point> points_;
   std::vector<std::size_t> previous_, next_;
   std::vector<bool> reflex_, ear_, queued_;
-  std::vector<std::size_t> queue_;  // of ears, with some that are none by now
+  std::vector<std::size_t> queue_;  // ears, some of them outdated
 
-  // Its reflex corners, which alone can lie in an ear, in the cells of a grid; how many there are,
-  // and were when the grid was made.
+  // The reflex corners in the cells of a grid: only they can lie in an ear. Their number now, and
+  // when the grid was filled.
   std::size_t reflex_count_ = 0;
   std::size_t filled_count_ = 0;
   Point low_, high_;

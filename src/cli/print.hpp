@@ -6,7 +6,7 @@
 
 namespace detent::cli {
 
-/// Writes to standard output and makes sure that it arrived.
+/// Writes to standard output and checks that all of it was written.
 void print(const std::string& text);
 
 /// "0x0123456789abcdef"

@@ -15,8 +15,8 @@
 namespace detent::cli {
 namespace {
 
-/// Of standard input, output and error those that are closed would be the next files to be opened,
-/// and be written to as such. In their place stands a file that cannot be written to.
+/// Opens an unwritable file in place of a closed standard input, output or error; otherwise the
+/// next file to be opened would get its descriptor and its output.
 void fill_standard_descriptors() {
   int descriptor = 0;
   while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = open("/dev/null", O_RDONLY);

@@ -47,7 +47,7 @@ void render(const RenderOptions& options) {
     return tracer.picture(options.bias, working(options, "shading", tracer.scalar()));
   };
   if (options.compare) {
-    // Both are made before either is drawn, so that a number out of range is found at once.
+    // Both are built before either is drawn, so that a number out of range is reported at once.
     const auto a = trace(options.compare->first);
     const auto b = trace(options.compare->second);
     const Image picture_a = draw(*a);

@@ -9,8 +9,8 @@
 #include "shade.hpp"
 #include "tracer.hpp"
 
-// What stands behind `Tracer`. Each scalar is compiled in a file of its own, in tracers/, because one
-// file with all of them takes a compiler minutes and more than a gigabyte.
+// The implementation of `Tracer`. Each scalar is compiled in its own file in tracers/: one file
+// with all of them takes a compiler minutes and more than a gigabyte.
 
 namespace detent::cli {
 
@@ -19,7 +19,7 @@ template <class T>
   return '[' + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ']';
 }
 
-/// A string id in quotes, a number from 0 without.
+/// A string id in quotes; a number, counted from 0, without.
 [[nodiscard]] inline std::string json_name(const std::optional<std::string>& id,
                                            std::size_t index) {
   return id ? nlohmann::json(*id).dump() : std::to_string(index);
@@ -121,7 +121,7 @@ class ScalarTracer final : public Tracer {
     for (std::size_t i = 0; i < rays_.size(); i += stride) {
       hits += world_.nearest(rays_[i]) ? 1 : 0;
     }
-    volatile std::size_t sink = hits;  // so that the answers are needed
+    volatile std::size_t sink = hits;  // keeps the results in use
     (void)sink;
   }
 
@@ -155,7 +155,7 @@ class ScalarTracer final : public Tracer {
     }
   }
 
-  /// In runs that are long enough for a thread to be worth it.
+  /// Splits the work into runs long enough to be worth a thread.
   template <class Work>
   void for_each_ray(const Workers& workers, const Work& work) const {
     constexpr std::size_t run = 256;

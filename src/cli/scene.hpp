@@ -13,7 +13,8 @@
 
 namespace detent::cli {
 
-/// A number as the file says it, and where: it becomes a scalar only in world.hpp.
+/// A number as written in the file, and its position; only world_builder.hpp converts it to a
+/// scalar.
 struct Literal {
   Decimal value;
   Place place;
@@ -29,7 +30,7 @@ struct Colour {
   friend bool operator==(const Colour&, const Colour&) = default;
 };
 
-/// Turn about `axis`, or about world x, then y, then z; angles in degrees.
+/// Rotation about `axis`, or about world x, then y, then z; angles in degrees.
 struct AxisAngle {
   Point axis;
   Literal angle;
@@ -62,7 +63,7 @@ struct TriangleModel {
   Point c;
 };
 
-/// Vertices are relative to the middle of the model's bounding box, already scaled.
+/// Vertices are relative to the center of the model's bounding box, already scaled.
 struct MeshModel {
   Point position;
   std::vector<std::array<double, 3>> vertices;
@@ -100,13 +101,13 @@ struct Scene {
   std::vector<RayModel> rays;
 };
 
-/// The point with these decimals.
+/// The point with these decimals as coordinates.
 [[nodiscard]] Point point_of(const char* x, const char* y, const char* z);
 
-/// The name under which answers mention a shape or a ray: its id, or its number from 0.
+/// The name of a shape or a ray in results: its id, or its number from 0.
 [[nodiscard]] std::string name_of(const std::optional<std::string>& id, std::size_t index);
 
-/// A colour for a shape that does not name one.
+/// The colour of a shape that does not name one.
 [[nodiscard]] Colour default_colour(std::size_t index);
 
 }  // namespace detent::cli

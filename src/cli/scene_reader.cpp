@@ -18,7 +18,7 @@ namespace {
 using Kind = JsonNode::Kind;
 using Keys = std::initializer_list<std::string_view>;
 
-/// Long names are cut, so that a message stays readable whatever the file holds.
+/// Truncates long names, so that a message stays readable whatever the file contains.
 std::string in_quotes(std::string_view name) {
   constexpr std::size_t longest = 40;
   return '"' + std::string(name.substr(0, longest)) + (name.size() > longest ? "...\"" : "\"");

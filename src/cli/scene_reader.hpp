@@ -7,10 +7,10 @@
 
 namespace detent::cli {
 
-/// The scene in a JSON file, with the meshes that it names; throws InputError. (docs/tool.md)
+/// The scene in a JSON file and the meshes it names; throws InputError. (docs/tool.md)
 [[nodiscard]] Scene read_scene(const std::string& file);
 
-/// The scene in `content`; `file` is what messages call it and what meshes are found beside.
+/// The scene in `content`; `file` is its name in messages and the base of mesh paths.
 [[nodiscard]] Scene parse_scene(const std::string& file, const std::string& content);
 
 }  // namespace detent::cli

@@ -11,10 +11,10 @@
 
 namespace detent::cli {
 
-/// Colours for answers: a directional light, hard shadows, a checker on planes.
+/// Colours of hits: a directional light, hard shadows, a checker on planes.
 ///
-/// Whatever depends on geometry is computed in the scalar: the point, the normal, the cosine, the
-/// shadow ray. Only what is left, a brightness for the screen, becomes a double.
+/// All geometry is computed in the scalar: the point, the normal, the cosine, the shadow ray. Only
+/// the brightness on the screen is a double.
 template <Scalar S>
 class Shader {
  public:
@@ -48,7 +48,7 @@ class Shader {
                                                                       : colour;
   }
 
-  /// Squares 4 units wide on the two axes other than the plane's steepest.
+  /// Squares 4 units wide, along the two axes other than the steepest of the plane's normal.
   static bool is_light_square(const Vec<S, 3>& point, const Direction<S, 3>& normal) {
     int steepest = 0;
     for (int i = 1; i < 3; ++i) {
@@ -56,7 +56,7 @@ class Shader {
     }
     bool light = true;
     for (int i = 0; i < 3; ++i) {
-      // Exact: a scalar is a double, and a quarter of one.
+      // Exact: every scalar and its quarter are doubles.
       const double square = std::floor(static_cast<double>(point[i]) / 4);
       if (i != steepest && std::fmod(square, 2) != 0) light = !light;
     }
@@ -66,7 +66,7 @@ class Shader {
   static Colour scaled(Colour colour, double factor) { return blend({}, colour, factor); }
 
   static Colour blend(Colour from, Colour to, double factor) {
-    const double share = factor > 0 ? std::min(factor, 1.0) : 0;  // and 0 for a NaN
+    const double share = factor > 0 ? std::min(factor, 1.0) : 0;  // 0 for a NaN
     const auto mixed = [&](std::uint8_t a, std::uint8_t b) {
       return static_cast<std::uint8_t>(std::lround(a + (b - a) * share));
     };

@@ -8,7 +8,7 @@
 namespace detent::cli {
 namespace {
 
-/// The time this thread has been running: a busy machine that suspends it does not count.
+/// This thread's CPU time: time when a busy machine suspends it does not count.
 double thread_nanoseconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -19,7 +19,7 @@ double thread_nanoseconds() {
 
 std::vector<double> time_per_ray(const std::vector<const Tracer*>& tracers) {
   constexpr std::size_t batches = 25;
-  constexpr std::size_t most_rays = 4096;  // in a batch
+  constexpr std::size_t most_rays = 4096;  // per batch
   constexpr double shortest = 1e6;         // nanoseconds
 
   struct Lane {
@@ -45,7 +45,7 @@ std::vector<double> time_per_ray(const std::vector<const Tracer*>& tracers) {
   }
   for (std::size_t batch = 0; batch < batches; ++batch) {
     for (std::size_t turn = 0; turn < lanes.size(); ++turn) {
-      const std::size_t i = (batch + turn) % lanes.size();  // everyone comes first in turn
+      const std::size_t i = (batch + turn) % lanes.size();  // rotates who goes first
       lanes[i].nanoseconds.push_back(time_of(*tracers[i], lanes[i]) /
                                      (lanes[i].rays * lanes[i].repeats));
     }

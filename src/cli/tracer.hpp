@@ -15,16 +15,16 @@
 
 namespace detent::cli {
 
-/// An answer as far as scalars can be compared: which shape, and how far. Every scalar's distance
-/// is a double exactly.
+/// A result in a form that can be compared across scalars: which shape, and how far. Every scalar's
+/// distance is exactly a double.
 struct Found {
   std::size_t shape;
   double distance;
 };
 
-/// How many answers exact arithmetic contradicts, by more than 1/65536.
+/// How many results exact arithmetic contradicts, by more than 1/65536.
 struct Verdict {
-  std::size_t wrong = 0;  // a hit that is none, a missed one, or a shape behind the nearest
+  std::size_t wrong = 0;  // a false hit, a false miss, or not the nearest shape
   std::size_t off = 0;    // the right shape at another distance
 };
 
@@ -33,10 +33,10 @@ struct Size {
   int height;
 };
 
-/// A scene in one scalar, with its rays and their answers.
+/// A scene in one scalar, with its rays and their results.
 ///
-/// Behind this interface is one template for all scalars (scalar_tracer.hpp); the commands that use
-/// it need not know which.
+/// One template implements this interface for all scalars (scalar_tracer.hpp), so the commands need
+/// not know the scalar.
 class Tracer {
  public:
   virtual ~Tracer() = default;
@@ -47,23 +47,23 @@ class Tracer {
   /// Replaces the rays of the scene by those of its camera, row by row.
   virtual void aim_camera(Size size) = 0;
 
-  /// Answers every ray. The functions below report on these answers.
+  /// Casts every ray. The functions below report on the results.
   virtual void cast(const Workers& workers) = 0;
 
   [[nodiscard]] virtual std::vector<std::optional<Found>> found() const = 0;
   [[nodiscard]] virtual std::uint64_t digest() const = 0;
 
-  /// A line of JSON for each ray.
+  /// A line of JSON per ray.
   [[nodiscard]] virtual std::string json_lines() const = 0;
 
-  /// The picture that the rays of the camera make; shadow rays start `bias` above the surface, or
-  /// one step of the scalar where that is more.
+  /// The picture from the camera's rays; shadow rays start `bias` above the surface, or one step of
+  /// the scalar if that is more.
   [[nodiscard]] virtual Image picture(const Decimal& bias, const Workers& workers) const = 0;
 
-  /// Holds every answer against exact arithmetic on the same inputs.
+  /// Checks every result with exact arithmetic on the same inputs.
   [[nodiscard]] virtual Verdict judge(const Workers& workers) const = 0;
 
-  /// Answers every `stride`-th ray once more, for the clock.
+  /// Casts every `stride`-th ray again, for timing.
   virtual void repeat(std::size_t stride) const = 0;
 };
 
@@ -73,8 +73,8 @@ template <Scalar S>
 [[nodiscard]] std::unique_ptr<Tracer> make_tracer(std::string_view scalar, const Scene& scene,
                                                   const Move& move = {});
 
-/// Nanoseconds per ray for each tracer: medians over batches that take turns, so that whatever
-/// else the machine does meets all of them.
+/// Nanoseconds per ray for each tracer: medians over batches that alternate, so that other load on
+/// the machine affects all of them.
 [[nodiscard]] std::vector<double> time_per_ray(const std::vector<const Tracer*>& tracers);
 
 }  // namespace detent::cli

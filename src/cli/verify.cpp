@@ -30,7 +30,7 @@ using verify::Sheet;
 using verify::sheets;
 using Json = nlohmann::ordered_json;
 
-/// A sheet's answers to one row, and the golden digest for them.
+/// A sheet's results for one row, and their golden digest.
 struct Cell {
   std::size_t sheet = 0;
   std::size_t row = 0;  // of the sheet
@@ -65,7 +65,7 @@ struct Row {
   [[nodiscard]] bool is_golden() const {
     return std::all_of(cells.begin(), cells.end(), [](const Cell& c) { return c.is_golden(); });
   }
-  /// How many questions it asks in a corpus of this size.
+  /// The number of questions of the row in a corpus of this size.
   [[nodiscard]] std::uint64_t questions(std::uint32_t size) const {
     return std::accumulate(
         cells.begin(), cells.end(), std::uint64_t{0},
@@ -102,7 +102,7 @@ std::vector<std::string> row_names() {
   return names;
 }
 
-/// The rows that --only names, still without answers.
+/// The rows that --only selects, not yet run.
 std::vector<Row> chosen_rows(const std::string& only) {
   const auto names = row_names();
   std::vector<Row> all(names.size());
@@ -126,7 +126,7 @@ std::vector<Row> chosen_rows(const std::string& only) {
   return chosen;
 }
 
-/// Answers the questions of all rows, on as many threads as allowed.
+/// Runs the questions of all rows, on the given number of threads.
 void answer(std::vector<Row>& rows, std::uint32_t size, bool keep_bytes, int threads) {
   std::vector<std::vector<Cell*>> wanted(sheets().size());
   for (Row& row : rows) {
@@ -155,16 +155,16 @@ std::uint64_t question_count(const std::vector<Row>& rows, std::uint32_t size) {
                          [&](auto sum, const Row& row) { return sum + row.questions(size); });
 }
 
-/// What is known about a row that is not golden.
+/// What is known about a row that differs from golden.
 struct Difference {
   const Row* row;
-  std::vector<const Cell*> cells;    // that differ
+  std::vector<const Cell*> cells;    // those that differ
   const Cell* found_in = nullptr;    // where exact arithmetic disagrees
-  std::optional<Finding> finding;    // with this
+  std::optional<Finding> finding;    // the wrong result there
   bool has_other_questions = false;  // the corpus itself came out different
 };
 
-/// Looks for the first wrong answer among `cells`, in their order.
+/// Looks for the first wrong result in `cells`, in order.
 void find_wrong(Difference& difference, const std::vector<const Cell*>& cells, std::uint32_t size) {
   for (const Cell* cell : cells) {
     difference.finding = verify::first_wrong(cell->sheet, cell->row, size);
@@ -174,7 +174,7 @@ void find_wrong(Difference& difference, const std::vector<const Cell*>& cells, s
   }
 }
 
-/// The rows that differ, and with `exact` also those with a wrong answer behind a golden digest.
+/// The rows that differ; with `exact` also those with a wrong result despite a golden digest.
 std::vector<Difference> differences(const std::vector<Row>& rows, std::uint32_t size, bool exact,
                                     int threads) {
   std::vector<std::optional<Difference>> looked_at(rows.size());
@@ -205,7 +205,7 @@ std::vector<Difference> differences(const std::vector<Row>& rows, std::uint32_t 
   return found;
 }
 
-/// Why the judge found nothing to name.
+/// Why the judge found no wrong result.
 std::string explanation(const Difference& difference) {
   if (difference.has_other_questions) {
     return "the questions themselves came out different: what makes them is plain integer "
@@ -338,7 +338,7 @@ struct Report {
   }
 };
 
-/// The lowest `count` bytes of a word, lowest first.
+/// Appends the lowest `count` bytes of a word, lowest first.
 void append_bytes(std::string& bytes, std::uint64_t word, int count) {
   for (int i = 0; i < count; ++i) bytes += static_cast<char>((word >> (8 * i)) & 0xff);
 }
@@ -380,7 +380,7 @@ std::string golden_array(const std::string& name, const std::vector<std::uint64_
   return text + "};\n";
 }
 
-/// src/verify/golden.hpp for what this program answers.
+/// src/verify/golden.hpp for this program's results.
 std::string golden_header(int threads) {
   std::string text =
       "// SPDX-License-Identifier: MIT\n"
@@ -417,7 +417,7 @@ std::string golden_header(int threads) {
   return text + "\n}  // namespace detent::verify::golden\n";
 }
 
-/// A line for each row: what this version answers to which questions.
+/// A line per row: this version's results, and the digest of the questions.
 std::string results(const std::vector<Row>& rows) {
   std::string text;
   for (const Row& row : rows) {

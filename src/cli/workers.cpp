@@ -15,7 +15,7 @@
 namespace detent::cli {
 namespace {
 
-/// A line on standard error that is redrawn in place and leaves nothing behind.
+/// A line on standard error that is redrawn in place and erased at the end.
 class ProgressBar {
  public:
   ProgressBar(const std::string& label, int total) : label_(label), total_(total) {
@@ -55,7 +55,7 @@ void for_each_index(const Workers& workers, int count, const std::function<void(
   ProgressBar bar(workers.label, count);
   std::atomic<int> next{0};
   std::mutex mutex;
-  std::exception_ptr error;  // the first, which ends the work of all
+  std::exception_ptr error;  // the first error stops all threads
   const auto run = [&] {
     try {
       for (int i = next++; i < count; i = next++) {
@@ -75,7 +75,7 @@ void for_each_index(const Workers& workers, int count, const std::function<void(
     try {
       for (int i = 1; i < threads; ++i) helpers.emplace_back(run);
     } catch (const std::system_error&) {
-      // The system grants no more threads: those that there are do the work.
+      // The system grants no more threads: those that exist do the work.
     }
     run();
   }

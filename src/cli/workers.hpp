@@ -6,14 +6,14 @@
 
 namespace detent::cli {
 
-/// How work is spread over threads, and what the user sees of it.
+/// How work is spread over threads, and the progress display.
 struct Workers {
-  int threads = 0;    // 0 for as many as the machine runs at once
-  std::string label;  // shown beside a bar while standard error is a terminal; "" for none
+  int threads = 0;    // 0 for as many as the machine has
+  std::string label;  // next to a progress bar on a terminal; "" for no bar
 };
 
 /// Calls `work(i)` once for every i in [0, count), on several threads in no particular order.
-/// The caller's `work` writes only to what belongs to i, so the threads cannot show in the result.
+/// `work` must write only to data of index i, so that threads cannot affect the result.
 void for_each_index(const Workers& workers, int count, const std::function<void(int)>& work);
 
 }  // namespace detent::cli

@@ -13,14 +13,14 @@
 
 namespace detent::cli {
 
-/// The answer to a ray: which shape, and where.
+/// The result of a ray: which shape, and where.
 template <Scalar S>
 struct Answer {
   std::size_t shape;
   RayHit<S, 3> hit;
 };
 
-/// The shapes of a scene in one scalar, in the order of the file, and trees to find them by.
+/// The shapes of a scene in one scalar, in file order, and trees to find them.
 template <Scalar S>
 class World {
  public:
@@ -43,7 +43,7 @@ class World {
     constexpr auto none = static_cast<std::size_t>(-1);
     std::size_t best = none;
     S distance{};
-    std::optional<RayHit<S, 3>> mesh_hit;  // found with the distance, unlike the others'
+    std::optional<RayHit<S, 3>> mesh_hit;  // comes with the distance; others' come later
     Ray<S, 3> rest = ray;
     const auto is_nearest = [&](std::size_t shape, const S& to_shape) {
       if (best != none && (distance < to_shape || (distance == to_shape && best < shape))) {
@@ -51,7 +51,7 @@ class World {
       }
       best = shape;
       distance = to_shape;
-      // What lies farther need not be found, but for what rounds down to the same distance.
+      // Culls what is farther, but keeps what rounds down to the same distance.
       rest.max_distance = std::min(ray.max_distance, next_up(to_shape));
       return true;
     };
@@ -82,11 +82,11 @@ class World {
           }
         },
         shapes_[best]);
-    if (!hit) return std::nullopt;  // cannot be for a Fixed: the same ray just hit
+    if (!hit) return std::nullopt;  // not for a Fixed: the same ray just hit
     return Answer<S>{best, *hit};
   }
 
-  /// Whether anything lies on `ray`.
+  /// Whether `ray` hits anything.
   [[nodiscard]] bool is_blocked(const Ray<S, 3>& ray) const {
     return (tree_.size() > 0 && tree_.any(ray)) ||
            std::any_of(list_.begin(), list_.end(), [&](std::size_t shape) {
@@ -95,10 +95,10 @@ class World {
   }
 
  private:
-  /// Up to here asking each shape takes no longer than a tree.
+  /// Up to this many shapes, a list is as fast as a tree.
   static constexpr std::size_t longest_list = 16;
 
-  /// Each under its place in the file, by which the tree decides between equally near ones.
+  /// Each is added under its index in the file, which decides between equally near ones.
   template <class Form>
   bool add_to_tree(const Form& form, std::size_t place) {
     if constexpr (requires { tree_.add(form); }) {
@@ -118,7 +118,7 @@ class World {
 
   std::vector<Shape> shapes_;
   detent::Scene<S, 3, Sphere, Aabb, Obb, Triangle> tree_;
-  std::vector<std::size_t> list_;  // what is not in the tree: planes, meshes, a few shapes
+  std::vector<std::size_t> list_;  // shapes outside the tree: planes, meshes, a few others
 };
 
 }  // namespace detent::cli

@@ -13,7 +13,7 @@
 
 namespace detent::cli {
 
-/// How far a scene is moved before its numbers become scalars; exact decimals, 0 to stay.
+/// How far a scene is moved before its numbers become scalars; exact decimals, 0 for no move.
 struct Move {
   std::array<Decimal, 3> by;
 
@@ -22,7 +22,7 @@ struct Move {
   }
 };
 
-/// Turns the numbers of a scene into a scalar's, each rounded once; throws InputError where one is
+/// Converts the numbers of a scene to a scalar, each rounded once; throws InputError when one is
 /// out of the scalar's range.
 template <Scalar S>
 class WorldBuilder {
@@ -54,7 +54,7 @@ class WorldBuilder {
       fail({}, "the scene has no \"camera\"; add one with a position and a target");
     }
     const CameraModel& model = *scene_.camera;
-    // The view is taken from the decimals, before the positions are rounded.
+    // The view is computed from the decimals, before positions are rounded.
     Point view;
     for (std::size_t i = 0; i < 3; ++i) {
       view[i].value = model.target[i].value - model.position[i].value;
@@ -72,10 +72,10 @@ class WorldBuilder {
   [[nodiscard]] Direction<S, 3> light() const { return direction(scene_.light); }
 
  private:
-  /// Vectors of which only the direction counts are read in this type, scaled by a power of ten so
-  /// that it has room for at least 17 of their digits.
+  /// The type for vectors of which only the direction counts, scaled by a power of ten so that at
+  /// least 17 of their digits fit.
   using Component = std::conditional_t<is_fixed<S>, Fixed<62, 31>, S>;
-  /// A full turn of degrees is out of range for the smallest scalar.
+  /// A full turn in degrees is out of range for the smallest scalar.
   using Degrees = std::conditional_t<is_fixed<S>, q16_16, S>;
 
   [[noreturn]] void fail(Place place, const std::string& what) const {
@@ -124,7 +124,7 @@ class WorldBuilder {
     return {component(0), component(1), component(2)};
   }
 
-  /// Of a vector that the reader has found not to be zero.
+  /// The vector is not zero: the reader has checked that.
   static Direction<S, 3> direction(const Point& point) {
     return detent::direction_of<S>(vector(point)).value();
   }

@@ -17,7 +17,7 @@
 
 namespace detent::cli::accuracy {
 
-/// The distance between a scalar's numbers near `x`.
+/// The spacing of a scalar's numbers near `x`.
 template <Scalar S>
 double spacing_near(double x) {
   if constexpr (is_fixed<S>) {
@@ -27,7 +27,7 @@ double spacing_near(double x) {
   }
 }
 
-/// Whether a rung is within the world of a scalar, and its shapes are not below the scalar's grid.
+/// Whether a rung fits the scalar's range, and its shapes are no smaller than the scalar's grid.
 template <Scalar S>
 bool fits(const Rung& rung) {
   return world_of<S>(rung.frac) >= std::min(rung.reach(), std::ldexp(1, 31 - rung.frac) - 1);
@@ -42,7 +42,7 @@ bool resolves(const Rung& rung) {
   return rung.size >= spacing;
 }
 
-/// Counts answers.
+/// Counts right and wrong results.
 template <Scalar S>
 class Tally {
  public:
@@ -90,7 +90,7 @@ class Tally {
   std::vector<double> errors_;
 };
 
-/// The greatest coordinate or length of a question, in steps of its grid.
+/// The largest coordinate or length of a test case, in steps of its grid.
 template <class Kind>
 double most_of(const typename Kind::Question& question) {
   std::int64_t most = 0;
@@ -101,7 +101,7 @@ double most_of(const typename Kind::Question& question) {
 template <class Kind>
 using Questions = std::vector<std::pair<typename Kind::Question, typename Kind::Truth>>;
 
-/// Questions of one rung, of numbers that a scalar has, and their exact answers.
+/// Test cases of one rung, in numbers that the scalar can represent, with their exact results.
 template <class Kind>
 Questions<Kind> questions(const Numbers& numbers, const Rung& rung, long count,
                           std::uint64_t seed) {
@@ -135,7 +135,7 @@ Cell answered(const Questions<Kind>& all, const Rung& rung, Inputs inputs) {
   return tally.cell();
 }
 
-/// The rung as a scalar can be asked it: the world of q8_8 is too small for its angles.
+/// The rung adapted to a scalar: the range of q8_8 is too small for the angle ladder.
 template <Scalar S>
 Rung rung_for(Rung rung) {
   if (rung.ladder == Ladder::angle && !fits<S>(rung)) {
@@ -145,7 +145,7 @@ Rung rung_for(Rung rung) {
   return rung;
 }
 
-/// Adds the scalars that have a grid of their own; `asked` are questions for all.
+/// Adds the scalars that have a grid of their own; `asked` are the test cases shared by all.
 template <class Kind, Scalar S>
 void add_cells(std::vector<Cell>& cells, const Questions<Kind>& asked, const Rung& given,
                long count, std::uint64_t seed) {
@@ -181,7 +181,7 @@ std::vector<Cell> ask_all(const Rung& rung, long count, std::uint64_t seed) {
   return cells;
 }
 
-/// A sphere has no axis that makes an angle with anything.
+/// A sphere has no axes, so angles do not apply to it.
 template <class Shape>
 inline constexpr bool has_axes = !std::is_same_v<Shape, Sphere<Carrier, 3>>;
 template <class Shape>
@@ -214,8 +214,8 @@ Direction<S, 2> xy(const Direction<S, 3>& d) {
   return Direction<S, 2>::assume_unit({d[0], d[1]});
 }
 
-/// In 2D, shapes and rays where z is 0: as the exact answers see them, for in such a plane a shape
-/// of 3D has the points of the one of 2D. Its form in 2D is what the library is asked about.
+/// The 2D form of a 3D shape or ray with z = 0. The library is tested on the 2D form; the exact
+/// results come from the 3D form, which has the same points in the plane z = 0.
 template <Scalar S>
 Sphere<S, 2> planar(const Sphere<S, 3>& s) {
   return {xy(s.center), s.radius};
@@ -319,7 +319,7 @@ struct Overlap {
   static Question draw(test::Random& random, const Numbers& numbers, const Rung& rung) {
     Stage stage(random, numbers, rung, is_aligned<DrawnA> || is_aligned<DrawnB>, N == 2);
     Question question;
-    // The lattice has a plane through the world's origin, for its offset to be exact.
+    // The lattice contains a plane through the world's origin, so that its offset is exact.
     const double far = stage.on_lattice() || random.coin() ? 1.34 : 4;
     constexpr bool are_thin = is_thin<DrawnA, N> && is_thin<DrawnB, N>;
     const double apart = rung.angle > 0 && are_thin ? far * rung.angle : far;

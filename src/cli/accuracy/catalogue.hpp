@@ -7,7 +7,7 @@
 
 namespace detent::cli::accuracy {
 
-// One function for each source file, since every query is compiled for six scalars.
+// One function per source file, because every query is compiled for six scalars.
 void add_raycasts(std::vector<Query>& queries);
 void add_sphere_overlaps(std::vector<Query>& queries);
 void add_box_overlaps(std::vector<Query>& queries);

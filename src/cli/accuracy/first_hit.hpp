@@ -7,8 +7,8 @@
 #include "oracle.hpp"
 #include "oracle/hull.hpp"
 
-// Where a ray first hits a shape, exactly: by the oracle of the tool, and from its answers for
-// simpler shapes. It counts distances in steps of 2^-48.
+// Where a ray first hits a shape, exactly: from the tool's oracle, or composed from its results for
+// simpler shapes. Distances are in steps of 2^-48.
 
 namespace detent::cli::accuracy {
 
@@ -61,7 +61,7 @@ Distance first_hit(const Ray<Carrier, 3>& ray, const Shape& shape, int frac) {
   return oracle::first_hit(read(ray), read(shape));
 }
 
-/// What the distance of the first is, of several.
+/// Lowers `first` to `other` where that is nearer.
 inline void lower(Distance& first, const Distance& other) {
   if (other && (!first || *other < *first)) first = other;
 }
@@ -73,8 +73,8 @@ inline int sign_beside_root(const Exact& x, const Exact& k, const Exact& d) {
   return x.sign() * (x * x - k * k * d).sign();
 }
 
-/// The least t with a t^2 + 2 b t + c = 0, where a > 0, b < 0 < c, and d = b^2 - a c is not
-/// negative; by bisection, for -b - a t >= sqrt(d) up to there.
+/// The least t with a t^2 + 2 b t + c = 0, where a > 0, b < 0 < c, and d = b^2 - a c >= 0. By
+/// bisection: -b - a t >= sqrt(d) holds up to that t.
 inline Distance first_root(const Exact& a, const Exact& b, const Exact& d, const Exact& limit) {
   const auto is_reached = [&](const Exact& t) {
     const Exact margin = -b - a * t;
@@ -92,8 +92,8 @@ inline Distance first_root(const Exact& a, const Exact& b, const Exact& d, const
   return low;
 }
 
-/// Of the spheres about its ends, and of the tube between them: where that is entered through an
-/// end, a sphere is too.
+/// The nearest of the spheres around the ends and the tube between them. A ray that enters the tube
+/// through an end also hits that end's sphere.
 inline Distance first_hit(const Ray<Carrier, 3>& ray, const Capsule<Carrier, 3>& capsule,
                           int frac) {
   Distance first = first_hit(ray, Sphere{capsule.a, capsule.radius}, frac);
@@ -109,14 +109,14 @@ inline Distance first_hit(const Ray<Carrier, 3>& ray, const Capsule<Carrier, 3>&
   const auto e = minus(read(capsule.b), start), m = minus(read(ray.origin), start);
   const Exact radius = read(capsule.radius), ee = exact_dot(e, e), de = exact_dot(d, e),
               me = exact_dot(m, e);
-  // ee times how far the point at t is outside the tube: a t^2 + 2 b t + c.
+  // ee times (squared distance of the point at t from the axis - radius^2): a t^2 + 2 b t + c.
   const Exact a = exact_dot(d, d) * ee - de * de, b = exact_dot(m, d) * ee - me * de,
               c = (exact_dot(m, m) - radius * radius) * ee - me * me;
   if (radius.sign() < 0 || ee.sign() == 0) return first;
   if (c.sign() <= 0 && me.sign() >= 0 && (me - ee).sign() <= 0) return Steps(0);
   const Exact discriminant = b * b - a * c;
   if (a.sign() == 0 || b.sign() >= 0 || c.sign() <= 0 || discriminant.sign() < 0) return first;
-  // Along the axis, a times the place of the hit is a me - b de - de sqrt(discriminant).
+  // a times the hit's position along the axis is a me - b de - de sqrt(discriminant).
   const Exact place = a * me - b * de;
   if (sign_beside_root(place, de, discriminant) < 0) return first;
   if (sign_beside_root(place - a * ee, de, discriminant) > 0) return first;
@@ -124,7 +124,7 @@ inline Distance first_hit(const Ray<Carrier, 3>& ray, const Capsule<Carrier, 3>&
   return first;
 }
 
-/// 0 inside, else the first of the triangles of its points: they hold its whole surface.
+/// 0 inside, otherwise the first hit among the triangles of its points: they contain its surface.
 inline Distance first_hit(const Ray<Carrier, 3>& ray, const Points<Carrier, 3>& hull, int frac) {
   namespace exact = detent::oracle;
   if (exact::meet(exact::hull_of(as_shape(hull)), exact::hull_of(ray.origin))) return Steps(0);

@@ -15,22 +15,22 @@ inline constexpr Ladder ladders[] = {Ladder::size, Ladder::distance, Ladder::pla
 [[nodiscard]] std::string_view name_of(Ladder ladder);
 [[nodiscard]] std::string_view description_of(Ladder ladder);
 
-/// A scale at which questions are asked; lengths in world units.
+/// The scale of a set of test cases; lengths in world units.
 struct Rung {
   Ladder ladder;
-  double value;      // of what grows
+  double value;      // of the growing quantity
   std::string name;  // the value in words
   double size;       // of the shapes
-  double length;     // how far the rays are from them
-  double place;      // where the shapes are on every axis, away from the world's origin
+  double length;     // distance from the ray origins to the shapes
+  double place;      // coordinate of the shapes on every axis
   double angle;      // between the axes of shapes and rays, in radians; negative for any
   int frac;          // the grid: 2^-frac
 
-  /// All numbers of the questions are below this, but for some that are drawn again.
+  /// All numbers of the test cases are below this, except some that are drawn again.
   [[nodiscard]] double reach() const;
 };
 
-/// The rungs from the least to the greatest. Those of the distance are for rays alone.
+/// The rungs in ascending order. Those of the distance ladder are for rays only.
 [[nodiscard]] const std::vector<Rung>& rungs();
 
 }  // namespace detent::cli::accuracy

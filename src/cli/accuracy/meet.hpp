@@ -12,11 +12,11 @@
 
 namespace detent::cli::accuracy {
 
-// Whether two shapes in the carrier meet, by the oracles of the tests.
+// Whether two shapes in the carrier overlap, by the tests' oracles.
 
 namespace exact = detent::oracle;
 
-/// The shapes whose closest points the oracles know.
+/// For shapes whose closest points the oracles know.
 template <class Shape>
 bool meet(const Sphere<Carrier, 3>& sphere, const Shape& shape) {
   const auto near = exact::nearest(as_shape(shape), sphere.center);
@@ -39,7 +39,7 @@ inline bool meet(const Capsule<Carrier, 3>& a, const Capsule<Carrier, 3>& b) {
          exact::near_segment(Segment{a.a, a.b}, Segment{b.a, b.b},
                              exact::raw(a.radius) + exact::raw(b.radius));
 }
-/// How close the differences of a hull's points and a segment's come to zero.
+/// Compares the distance of their Minkowski difference from 0 with the radius.
 inline bool meet(const Capsule<Carrier, 3>& capsule, const Points<Carrier, 3>& hull) {
   const Segment core{capsule.a, capsule.b};
   if (exact::meet(exact::hull_of(as_shape(hull)), exact::hull_of(core))) return true;
@@ -64,7 +64,7 @@ concept Cornered = requires(const Shape& shape) {
   corners(shape);
 };
 
-/// Whether corners are on both sides of a plane, or one is on it.
+/// Whether there are corners on both sides of the plane or on it.
 template <Cornered Shape>
 bool meet(const Plane<Carrier, 3>& plane, const Shape& shape) {
   const auto hull = corners(shape);
@@ -96,7 +96,7 @@ inline bool meet(const Aabb<Carrier, 3>& a, const Aabb<Carrier, 3>& b) {
 inline bool meet(const Segment<Carrier, 3>& segment, const Sphere<Carrier, 3>& sphere) {
   return meet(sphere, segment);
 }
-/// Rays and segments read a box as its slabs.
+/// For rays and segments an oriented box is three slabs.
 inline bool meet(const Segment<Carrier, 3>& segment, const Obb<Carrier, 3>& box) {
   return exact::meets(segment, box);
 }

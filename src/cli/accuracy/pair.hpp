@@ -20,7 +20,7 @@ Query pair_query(std::string kind, std::string name, int cost) {
           ask_all<Kind>};
 }
 
-/// `cost` is how many times fewer questions are asked because the exact answer takes long.
+/// `cost` divides the number of test cases where the exact result is slow to compute.
 template <class Kind>
 Query overlap_query(std::string name, int cost) {
   return pair_query<Kind>("overlaps", std::move(name), cost);

@@ -13,7 +13,7 @@ struct Line {
   std::string_view scalar;
   Inputs inputs;
   std::string_view label;
-  std::string_view brief;  // beside the lines
+  std::string_view brief;  // next to the lines
   const char* colour;
   const char* dashes;
 };
@@ -32,7 +32,7 @@ constexpr const char* ink = "#22262c";
 constexpr const char* faint = "#d9dce1";
 constexpr const char* soft = "#69707a";
 
-/// "2^-16" with a raised exponent.
+/// "2^-16" with the exponent raised.
 std::string typeset(const std::string& name) {
   static constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴",
                                                       "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -96,7 +96,7 @@ constexpr double panel_width = 205, panel_height = 74, label_width = 84, left = 
 constexpr double column_width = panel_width + label_width + 12;
 constexpr double row_height = 2 * panel_height + 44;
 
-/// A logarithmic axis from `low` up, with a place of its own for what is 0.
+/// A logarithmic axis from `low` up, with a separate position for 0.
 struct Axis {
   double low, high;  // decades
   double from, to;   // on the page: at `low`, at `high`
@@ -128,7 +128,7 @@ struct Label {
   const char* colour;
 };
 
-/// Labels beside their lines, moved apart where they would overlap.
+/// Writes labels next to their lines, moved apart where they would overlap.
 void write(Svg& svg, double x, double low, double high, std::vector<Label> labels) {
   constexpr double step = 9.5;
   std::sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.y < b.y; });
@@ -145,7 +145,7 @@ void write(Svg& svg, double x, double low, double high, std::vector<Label> label
   for (const Label& label : labels) svg.text(x, label.y + 3, label.words, label.colour, "start", 8);
 }
 
-/// One measure of one query on one ladder, a line for each scalar.
+/// One measure of one query on one ladder: a line per scalar.
 void panel(Svg& svg, double x, double y, const std::vector<const Result*>& results,
            bool shows_errors) {
   const double bottom = y + panel_height;
@@ -200,7 +200,7 @@ void rung_names(Svg& svg, double x, double y, const std::vector<const Result*>& 
   }
 }
 
-/// White for none, from yellow to dark red for what is wrong.
+/// White for no errors, then from yellow to dark red.
 std::string heat(const Cell& cell) {
   if (cell.wrong == 0) return "#e4f1e9";
   const double wrong = static_cast<double>(cell.wrong) / static_cast<double>(cell.questions);
@@ -214,7 +214,7 @@ std::string heat(const Cell& cell) {
 
 constexpr double strip = 15;
 
-/// A row for each pair of shapes, a field for each rung.
+/// A row per pair of shapes, a cell per rung.
 double strips(Svg& svg, double y, const Report& report) {
   double x = left + 92;
   std::vector<const Query*> pairs;

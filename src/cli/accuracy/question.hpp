@@ -13,10 +13,10 @@
 #include "detent/detent.hpp"
 #include "detent/shape/hull.hpp"
 
-// Every question of a comparison is carried in raw numbers of one type, in steps of 2^-frac, with
-// directions in Q2.30. Whatever a float makes of such a number is such a number again: below 2^24
-// steps it is itself, and beyond them the spacing of floats is a whole number of steps. So the
-// oracles, which read the raw numbers of a `Fixed`, judge the inputs of every scalar.
+// Every test case is stored in raw numbers of one type, in steps of 2^-frac, with directions in
+// Q2.30. Rounding such a number to float gives such a number again: below 2^24 steps it does not
+// change, and above that the spacing of floats is a whole number of steps. So the oracles, which
+// read the raw numbers of a `Fixed`, can judge the inputs of every scalar.
 
 namespace detent::cli::accuracy {
 
@@ -26,7 +26,7 @@ using Place = std::array<double, 3>;
 
 inline constexpr int direction_frac = direction_component<Carrier>::frac;
 
-/// Points that span a hull.
+/// The points of a hull.
 template <Scalar S, int N>
 struct Points {
   std::array<Vec<S, N>, 6> points;
@@ -70,7 +70,7 @@ struct Segment {
 
 }  // namespace kind
 
-/// What a query is asked about; a hull looks at the points.
+/// The shape that a query takes: a hull is a view of its points.
 template <class Shape>
 const Shape& as_shape(const Shape& shape) {
   return shape;
@@ -80,7 +80,7 @@ ConvexHull<S, N> as_shape(const Points<S, N>& hull) {
   return ConvexHull<S, N>{hull.points};
 }
 
-/// Components that need not make a unit vector of Q2.30: those of a float are off by 2^-24.
+/// Components need not form a unit vector of Q2.30: those of a float are off by 2^-24.
 inline CarriedDirection unchecked(const std::array<std::int32_t, 3>& raw) {
   return std::bit_cast<CarriedDirection>(raw);
 }
@@ -112,7 +112,7 @@ struct Rounded {
   }
 };
 
-/// From a scalar back to the carrier, where nothing is lost.
+/// From a scalar back to the carrier; exact.
 struct Carried {
   int frac;
 
@@ -139,7 +139,7 @@ struct Carried {
   }
 };
 
-/// The greatest coordinate or length of what it is applied to.
+/// Records the largest coordinate or length it is applied to.
 struct Extent {
   std::int64_t& most;
 
@@ -150,7 +150,7 @@ struct Extent {
   CarriedDirection operator()(const CarriedDirection& direction) const { return direction; }
 };
 
-// `f` applied to every number and direction of a shape.
+// Applies `f` to every number and direction of a shape.
 
 template <class F, Scalar S>
 auto changed(const F& f, const Vec<S, 3>& v) {
@@ -199,7 +199,7 @@ auto changed(const F& f, const Ray<S, 3>& ray) {
   return Ray{changed(f, ray.origin), f(ray.direction), f(ray.max_distance)};
 }
 
-/// The greatest whole coordinate that a scalar has, or that questions for a float go to.
+/// The largest whole coordinate of a scalar; for a float, of its test cases.
 template <Scalar S>
 double world_of(int frac) {
   if constexpr (is_fixed<S>) {
@@ -209,9 +209,9 @@ double world_of(int frac) {
   }
 }
 
-/// What numbers a scalar has, for code that need not be compiled for each.
+/// The properties of a scalar's numbers, for code that need not be compiled for each scalar.
 struct Numbers {
-  int direction_bits;  // after the point; of a float those below 1
+  int direction_bits;  // fractional bits; for a float those of components below 1
   double (*world)(int frac);
   Carrier (*nearest)(Carrier, int frac);
   CarriedDirection (*nearest_direction)(const CarriedDirection&);
@@ -229,7 +229,7 @@ inline constexpr Numbers numbers{
     &world_of<S>, [](Carrier x, int frac) { return Carried{frac}(Rounded<S>{frac}(x)); },
     [](const CarriedDirection& d) { return Carried{0}(Rounded<S>{0}(d)); }};
 
-/// The nearest that a scalar has to a number or direction, in the carrier.
+/// The scalar's nearest number or direction, in the carrier.
 struct Snapped {
   const Numbers& numbers;
   int frac;

@@ -8,9 +8,9 @@
 namespace detent::cli::accuracy {
 namespace {
 
-/// The formula of most textbooks, in float: from the squared distance of the center and the
-/// square of how far ahead it is to the squared distance from the ray. It takes the direction's
-/// length for 1.
+/// The formula of most textbooks, in float. It computes the squared distance from the ray out of
+/// the squared distance of the center and the square of its distance along the ray, and assumes a
+/// unit direction.
 ///
 /// source: Akenine-Moeller et al., Real-Time Rendering, 22.6.2
 struct Textbook {

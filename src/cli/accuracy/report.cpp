@@ -10,7 +10,7 @@
 namespace detent::cli::accuracy {
 namespace {
 
-/// Cut after three digits, so that what is below 1 looks so, and a plain 0.
+/// Truncated to three digits, so that a value below 1 prints below 1; 0 prints as "0".
 std::string brief(double value) {
   if (value == 0) return "0";
   const double last_digit = std::pow(10, std::floor(std::log10(value)) - 2);
@@ -38,7 +38,7 @@ struct Who {
 
 enum class Verdict { as_good, less_exact, wrong, none };
 
-/// Float on its own numbers against the fixed scalar with the finest grid of the rung.
+/// Compares float on its own numbers with the fixed-point scalar of the finest grid on this rung.
 Verdict verdict(const Result& result) {
   const Cell* const own = find(result, "float", Inputs::own);
   if (own == nullptr) return Verdict::none;
@@ -96,7 +96,7 @@ std::string totals(const Report& report) {
   return text;
 }
 
-/// On how many rungs float is as good, right but less exact, and wrong.
+/// The number of rungs on which float is as good, right but less exact, and wrong.
 std::string float_table(const Report& report) {
   std::vector<std::string> heads{"query"};
   for (const Ladder ladder : ladders) heads.emplace_back(name_of(ladder));

@@ -10,12 +10,12 @@
 namespace detent::cli::accuracy {
 
 struct Report {
-  std::vector<Result> results;  // query by query, from rung to rung
+  std::vector<Result> results;  // ordered by query, then by rung
   long count = 0;
   std::uint64_t seed = 0;
 };
 
-/// The cell of a scalar, or nothing where the rung is none for it.
+/// The cell of a scalar, or nothing where the rung does not apply to it.
 [[nodiscard]] const Cell* find(const Result& result, std::string_view scalar, Inputs inputs);
 
 /// The results of one query on one ladder.

@@ -40,13 +40,13 @@ inline Place components(const CarriedDirection& direction) {
   return result;
 }
 
-/// Draws shapes of one size about a center, in a frame of its own.
+/// Draws shapes of one size around a center, in a frame of its own.
 ///
-/// On the exact rung all points are on a lattice of the frame {1, 2, 2} / 3, whose axes every scalar
-/// stores exactly but for one common factor: there, faces and edges are exactly parallel, and what
-/// touches does so exactly.
+/// On the exact rung all points lie on a lattice of the frame {1, 2, 2} / 3, whose axes every
+/// scalar stores exactly up to one common factor. Faces and edges are then exactly parallel, and
+/// touching shapes touch exactly.
 ///
-/// A planar stage has all points where z is 0, its third axis along z and the lattice {3, 4} / 5.
+/// A planar stage has z = 0 for all points, its third axis along z, and the lattice {3, 4} / 5.
 class Stage {
  public:
   Stage(test::Random& source, const Numbers& given, const Rung& rung, bool keeps_axes,
@@ -80,17 +80,18 @@ class Stage {
   [[nodiscard]] double size() const { return size_; }
   [[nodiscard]] bool on_lattice() const { return on_lattice_; }
   [[nodiscard]] std::size_t dimension() const { return is_planar_ ? 2 : 3; }
-  /// A place of the frame in which a triangle lies: that of its first and last axis.
+  /// A point of the plane in which triangles lie: along the first and last axis.
   [[nodiscard]] Place level(double x, double y) const {
     return is_planar_ ? Place{x, y, 0} : Place{x, 0, y};
   }
   [[nodiscard]] const CarriedDirection& axis(std::size_t i) const { return axes_[i]; }
 
-  /// Another frame, none of whose axes is related to the old ones.
+  /// Switches to another frame, with no axis related to the old ones.
   void turn() {
     if (!on_lattice_) turn(any_frame());
   }
-  /// The frame turned by `angle` about a random axis that is not its first; either way in a plane.
+  /// Turns the frame by `angle` about a random axis other than its first; in a plane, to either
+  /// side.
   void tilt(double angle) {
     if (on_lattice_) return;
     const double phase = is_planar_ ? (random.coin() ? 0.5 : 1.5) * std::numbers::pi
@@ -125,7 +126,7 @@ class Stage {
     }
     return result;
   }
-  /// center + what is `local` in the frame.
+  /// center + `local`, which is in the frame.
   [[nodiscard]] Place at(const Place& local) const {
     Place result = center;
     for (std::size_t k = 0; k < dimension(); ++k) {
@@ -168,7 +169,7 @@ class Stage {
     const Place first = unit(a), third = unit(cross(a, b));
     return {first, cross(third, first), third};
   }
-  /// {1, 2, 2}, {2, 1, -2}, {2, -2, 1}, turned about and mirrored; {3, 4}, {4, -3} in a plane.
+  /// {1, 2, 2}, {2, 1, -2}, {2, -2, 1}, permuted and mirrored; {3, 4}, {4, -3} in a plane.
   LatticeAxes any_lattice() {
     if (is_planar_) {
       const std::int64_t x = random.coin() ? 3 : -3, y = random.coin() ? 4 : -4;
@@ -188,7 +189,7 @@ class Stage {
     }
     return result;
   }
-  /// The axis over its length, 3 or 5, off by no more than the directions' last bit.
+  /// The axis divided by its length, 3 or 5; off by at most the last bit of a direction.
   [[nodiscard]] CarriedDirection lattice_direction(const std::array<std::int64_t, 3>& axis) const {
     const std::int64_t part = ((std::int64_t{1} << numbers_.direction_bits) + norm_ / 2) / norm_;
     const bool is_unit =
@@ -213,7 +214,7 @@ class Stage {
   std::array<Place, 3> frame_;
 };
 
-// Shapes of a stage.
+// The shapes of a stage.
 
 inline void draw(Stage& stage, Sphere<Carrier, 3>& sphere) {
   sphere = {Stage::rounded(stage.center), Stage::number(stage.reach(0.67, 1))};
@@ -268,7 +269,7 @@ inline void draw(Stage& stage, Points<Carrier, 3>& hull) {
   for (auto& point : hull.points) point = stage.corner(stage.local({1, 1, 1}));
 }
 
-/// What rays are to know about a shape.
+/// What a ray needs to know about a shape.
 enum class Form { solid, surface, endless };
 
 template <class Shape>
@@ -278,10 +279,10 @@ inline constexpr Form form<Triangle<S, 3>> = Form::surface;
 template <Scalar S>
 inline constexpr Form form<Plane<S, 3>> = Form::endless;
 
-/// A ray that may or may not meet what the stage draws.
+/// A ray that may or may not hit what the stage draws.
 ///
-/// With an angle, it runs within that angle of the first axis of the stage; where the ray is to
-/// start at the world's origin, the stage moves.
+/// With an angle, it runs within that angle of the first axis of the stage. Where the ray has to
+/// start at the world's origin, the stage moves instead.
 inline Ray<Carrier, 3> draw_ray(Stage& stage, const Rung& rung, Form form) {
   Stage way = stage;
   rung.angle < 0 ? way.turn() : way.tilt(rung.angle);
@@ -300,12 +301,12 @@ inline Ray<Carrier, 3> draw_ray(Stage& stage, const Rung& rung, Form form) {
   const double length = std::ldexp(rung.length, rung.frac);
   if (rung.ladder == Ladder::distance) stage.center = plus(stage.center, d, length);
   if (rung.angle < 0 || form == Form::solid) {
-    // Nothing passes by a plane, so rays end near it.
+    // No ray misses a plane by passing it, so rays end near it.
     const double reach = form == Form::endless ? std::max(rung.length, rung.size) : enough;
     const auto target = stage.at(stage.local({1.4, 1.4, 1.4}));
     return {Stage::rounded(plus(target, d, -length)), direction, limit(reach)};
   }
-  // From before the surface or behind it, towards a point near enough for the angle.
+  // From either side of the surface, towards a point close enough for the angle.
   const auto target = stage.at(stage.local({1.4, 1.4 * rung.angle, 1.4}));
   return {Stage::rounded(plus(target, d, -length * stage.uniform(0, 2))), direction,
           limit(rung.length)};

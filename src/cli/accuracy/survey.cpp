@@ -31,7 +31,7 @@ const std::vector<Query>& queries() {
 
 namespace {
 
-/// Every rung of every query has random numbers of its own.
+/// Every rung of every query has its own random numbers.
 std::uint64_t seed_for(const Query& query, const Rung& rung, std::uint64_t seed) {
   Digest digest;
   digest.add(seed);

@@ -11,50 +11,51 @@
 
 namespace detent::cli::accuracy {
 
-/// Whose numbers a question consists of, and what its answer is judged by.
+/// Which numbers a test case consists of, and which numbers its result is checked for.
 ///
-/// `own`: drawn on the scalar's own grid and judged for exactly those numbers, so all that is wrong
-/// is the computation. `asked`: drawn on the grid of q16_16 (beyond its world of q24_8), rounded to
-/// the nearest numbers of the scalar, and judged for the numbers before that: so what the scalar
+/// `own`: drawn on the scalar's own grid and checked for exactly those numbers, so every error
+/// comes from the computation. `asked`: drawn on the grid of q16_16 (beyond its range, of q24_8),
+/// rounded to the nearest numbers of the scalar, and checked for the numbers before rounding, so
+/// what the scalar cannot represent counts too.
 /// cannot represent counts too.
 enum class Inputs { own, asked };
 
-/// How a scalar did at one rung. Errors are in units of 2^-16, of questions whose right answer and
-/// whose given one are hits.
+/// The results of a scalar at one rung. Errors are in units of 2^-16, over the test cases where
+/// both the exact and the given result are hits.
 struct Cell {
   std::string scalar;
   Inputs inputs = Inputs::own;
   long questions = 0;
-  long hits = 0;   // by the exact answers
-  long wrong = 0;  // hit for miss, miss for hit, or no number
-  long off = 0;    // of a `Fixed`: distances that are not the exact one rounded down
+  long hits = 0;   // by the exact results
+  long wrong = 0;  // hit for miss, miss for hit, or NaN or infinity
+  long off = 0;    // for a `Fixed`: distances other than the exact one rounded down
   double median = 0;
   double largest = 0;
 };
 
-/// A query of the library as the ladder sees it.
+/// A query of the library, as the ladder runs it.
 struct Query {
   std::string kind;  // "raycast", "overlaps" or "intersects"
   std::string name;  // "raycast/sphere", "overlaps/sphere_aabb", "raycast/sphere_2d"
-  int cost;          // how many times fewer questions than others it is asked
+  int cost;          // divides the number of test cases
   std::function<bool(const Rung&)> applies;
   std::function<std::vector<Cell>(const Rung&, long count, std::uint64_t seed)> ask;
 };
 
-/// Every query of the ladder, those of 3D first, and of each dimension raycasts first.
+/// Every query of the ladder: 3D before 2D, and raycasts first within each.
 [[nodiscard]] const std::vector<Query>& queries();
 
-/// What a rung gave for a query.
+/// The results of a query at one rung.
 struct Result {
   const Query* query;
   const Rung* rung;
   std::vector<Cell> cells;
 };
 
-/// Asks one query at one rung.
+/// Runs one query at one rung.
 ///
-/// Questions are random; half of them are drawn until they are hits, half until they are misses.
-/// Throws std::runtime_error when the share of hits is outside 30 to 70 % nevertheless.
+/// Test cases are random; half of them are drawn until they are hits, half until they are misses.
+/// Throws std::runtime_error when the share of hits is still outside 30 to 70 %.
 [[nodiscard]] Result survey(const Query& query, const Rung& rung, long count, std::uint64_t seed);
 
 }  // namespace detent::cli::accuracy
