@@ -30,8 +30,8 @@ struct TotalResult {
   bool is_golden;
 };
 
-/// Asks `size` questions in every cell of a part (or a `Quarter` of them), calls `report(RowResult)`
-/// for every row, and compares with the golden digests of that size.
+/// Runs `size` questions in every cell of a part (or a `Quarter` of them), calls
+/// `report(RowResult)` for every row, and compares with the golden digests of that size.
 template <class Part = Corpus, class Share = Whole, class Report>
 [[nodiscard]] constexpr TotalResult check(std::uint32_t size,
                                           const std::array<std::uint64_t, count_cells()>& expected,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The compiler is a platform too: it answers the first questions of every cell of the corpus while
-// it compiles this file, and refuses the file when an answer is not the golden one. That is a check
-// for machines whose programs cannot be run:
+// The compiler is a platform too: it evaluates the first questions of every cell of the corpus
+// while it compiles this file, and fails when a result is not golden. This checks machines whose
+// programs cannot be run:
 //
 //     c++ -std=c++20 -Iinclude -Isrc -fsyntax-only src/verify/constant.cpp
 
@@ -36,7 +36,8 @@ struct Running {
   Random random;
   Digest digest;
 };
-/// After the first `Count` answers. Compilers count the steps to each constant by itself.
+/// The state after the first `Count` results. Compilers limit the steps of each constant
+/// separately.
 template <class Group, Scalar S, int N, int Row, std::uint32_t Count>
 inline constexpr Running running = [] {
   Running next = running<Group, S, N, Row, Count - 1>;

@@ -9,14 +9,14 @@
 
 namespace detent::verify {
 
-/// The nearest `float` or `double`, with a single conversion and nothing computed that could come
-/// out differently elsewhere; or another fixed scalar with the same raw bits.
+/// Converts to the nearest `float` or `double` in a single conversion, with no computation that
+/// could differ between machines; or to another fixed scalar with the same raw bits.
 template <Number T, int Bits, int Frac>
 T converted(const Fixed<Bits, Frac>& x) {
   if constexpr (is_fixed<T>) {
     return T::from_raw(static_cast<typename T::raw_type>(x.raw()));
   } else {
-    return static_cast<T>(static_cast<double>(x));  // a double holds x
+    return static_cast<T>(static_cast<double>(x));  // a double represents x exactly
   }
 }
 template <Number T, Number From, int N>

@@ -12,23 +12,24 @@
 #include "verify/noinline.hpp"
 #include "verify/questions.hpp"
 
-// The corpus of `verify`: a fixed list of questions to the library, the same on every machine. It
-// needs no operating system, no heap and no floating point, and a few hundred bytes of memory.
+// The corpus of `verify`: a fixed list of test cases (questions) for the library, the same on every
+// machine. It needs no operating system, no heap, no floating point, and only a few hundred bytes
+// of memory.
 //
-// A *row* is one query, such as raycast/sphere. Its *cells* put it to every scalar and dimension
-// that it has, each with its own seed, so a smaller corpus is the beginning of a larger one. The
-// digest of a cell is XXH64 of its answers' canonical bytes, that of a row XXH64 of its cells'
-// digests, and the digest of all that of the rows' digests.
+// A *row* is one query, such as raycast/sphere. A *cell* of it is one scalar and dimension, with
+// its own seed, so a smaller corpus is a prefix of a larger one. The digest of a cell is XXH64 of
+// its results' canonical bytes, that of a row is XXH64 of its cells' digests, and the total is
+// XXH64 of the rows' digests.
 
 namespace detent::verify {
 
-/// How many questions a cell asks: at a desk, on a microcontroller, and of the compiler. Groups with
-/// a `share` ask that part of them, at least one.
+/// Questions per cell: on a desktop, on a microcontroller, and in the compiler. Groups with a
+/// `share` run that fraction of them, at least one.
 inline constexpr std::uint32_t full_size = 12'000;
 inline constexpr std::uint32_t small_size = 64;
 inline constexpr std::uint32_t constant_size = 3;
 
-/// Row r of a group that asks in `spaces` spaces has the cells first + r * spaces and on.
+/// Row r of a group with `spaces` spaces has the cells from first + r * spaces on.
 [[nodiscard]] constexpr std::size_t cell_index(std::size_t first, std::size_t spaces,
                                                std::size_t row, std::size_t space) noexcept {
   return first + row * spaces + space;
@@ -37,7 +38,7 @@ inline constexpr std::uint32_t constant_size = 3;
 template <class... Items>
 struct List {};
 
-/// A part of the corpus, for who cannot take all of it at once: a compiler, or a chip's flash.
+/// The parts of the corpus, where all of it is too much at once: for a compiler, or a chip's flash.
 struct SolidRays {
   static constexpr std::string_view name = "SolidRays";
   using Groups = List<Spheres, Aabbs, Obbs>;
@@ -166,7 +167,7 @@ constexpr auto groups_of(List<Items...>) {
 
 }  // namespace detail
 
-/// All parts as one.
+/// All parts together.
 struct Corpus {
   static constexpr std::string_view name = "all";
   using Groups = decltype(detail::groups_of(Parts{}));
@@ -190,7 +191,7 @@ inline constexpr std::string_view scalar_name<q24_8> = "q24_8";
 template <>
 inline constexpr std::string_view scalar_name<q8_8> = "q8_8";
 
-/// The place of a scalar among the four.
+/// The index of a scalar among the four.
 template <Scalar S>
 inline constexpr std::uint64_t scalar_index = 0;
 template <>
@@ -228,7 +229,7 @@ constexpr void visit_groups(Visit&& visit) {
   detail::visit(typename Part::Groups{}, visit);
 }
 
-/// Calls `visit(Space<S, N>{})` for every space in which a group asks, in the order of the digests.
+/// Calls `visit(Space<S, N>{})` for every space of a group, in the order of the digests.
 template <class Group, class Visit>
 constexpr void visit_spaces(Visit&& visit) {
   detail::visit_dimensions<Group, q16_16>(visit);
@@ -266,7 +267,7 @@ template <class Part = Corpus>
   visit_groups<Part>([&](auto group) { count += spaces_of<decltype(group)>(); });
   return count;
 }
-/// The place of a part's first cell among the golden values.
+/// The index of a part's first cell among the golden values.
 template <class Part>
 [[nodiscard]] constexpr std::size_t first_cell() noexcept {
   std::size_t before = 0;
@@ -278,7 +279,7 @@ template <class Part>
   return before;
 }
 
-/// A group asks one in so many of the questions.
+/// A group runs one in this many of the questions.
 template <class Group>
 inline constexpr std::uint32_t share_of = [] {
   if constexpr (requires { Group::share; }) {
@@ -287,12 +288,12 @@ inline constexpr std::uint32_t share_of = [] {
     return 1u;
   }
 }();
-/// How many questions a cell with this share asks in a corpus of this size.
+/// The number of questions of a cell with this share in a corpus of this size.
 [[nodiscard]] constexpr std::uint32_t question_count(std::uint32_t size,
                                                      std::uint32_t share) noexcept {
   return size < share ? 1 : size / share;
 }
-/// How many questions all cells of a part ask.
+/// The number of questions in all cells of a part.
 template <class Part = Corpus>
 [[nodiscard]] constexpr std::uint32_t count_questions(std::uint32_t size) noexcept {
   std::size_t count = 0;
@@ -302,7 +303,7 @@ template <class Part = Corpus>
   return static_cast<std::uint32_t>(count);
 }
 
-/// Every cell has its own beginning.
+/// Every cell has its own seed.
 template <class Group, Scalar S, int N>
 [[nodiscard]] constexpr std::uint64_t seed_of() noexcept {
   std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
@@ -316,14 +317,14 @@ template <class Group, Scalar S, int N>
   return hash;
 }
 
-/// All cells: what is asked unless something else is said.
+/// All cells: the default.
 struct Whole {
   template <class Group, Scalar S, int N>
   static constexpr bool has = true;
 };
 
-/// A quarter of the cells, for compilers and emulators that would take long: every query in every
-/// dimension, put to one of the scalars, and all of the scalars in turn.
+/// A quarter of the cells, for slow compilers and emulators: every query in every dimension, each
+/// in one of the four scalars, so that all scalars occur.
 template <int Number>
 struct Quarter {
   static_assert(Number >= 0 && Number < 4);
@@ -332,19 +333,19 @@ struct Quarter {
   static constexpr bool has = (seed_of<Group, q16_16, N>() + scalar_index<S> + N) % 4 == Number;
 };
 
-/// The next case of a group.
+/// Draws the next case of a group.
 template <class Group, Scalar S, int N>
 DETENT_VERIFY_NOINLINE constexpr auto draw(Random& random) noexcept {
   return Group::template draw<S, N>(random);
 }
 
-/// What the library says to row `Row` of a group.
+/// The library's result for row `Row` of a group.
 template <class Group, int Row, class Case>
 DETENT_VERIFY_NOINLINE constexpr auto answer(const Case& c) noexcept {
   return Group::template answer<Row>(c);
 }
 
-/// Calls `ask(c)` for the cases of a group in one space in a corpus of this size.
+/// Calls `ask(c)` for each case of a group in one space in a corpus of this size.
 template <class Group, Scalar S, int N, class Ask>
 constexpr void visit_cases(std::uint32_t size, Ask&& ask) {
   Random random(seed_of<Group, S, N>());
@@ -352,7 +353,7 @@ constexpr void visit_cases(std::uint32_t size, Ask&& ask) {
   for (std::uint32_t i = 0; i < count; ++i) ask(draw<Group, S, N>(random));
 }
 
-/// Adds an answer to a sink. What is large is on the stack no longer than that.
+/// Adds a result to a sink. A large result is on the stack only during the call.
 template <class Group, int Row, class Case, class Taker>
 DETENT_VERIFY_NOINLINE constexpr void add_large(const Case& c, Taker& sink) {
   sink.add(answer<Group, Row>(c));
@@ -366,7 +367,7 @@ constexpr void add_answer(const Case& c, Taker& sink) {
   }
 }
 
-/// Adds the answers of every row of a group to the row's sink, a `Digest` or what looks like one.
+/// Adds the results of every row of a group to the row's sink: a `Digest`, or the same interface.
 template <class Group, class Case, class Sinks>
 constexpr void answer_all(const Case& c, Sinks& sinks) {
   [&]<std::size_t... Row>(std::index_sequence<Row...>) {
@@ -375,7 +376,7 @@ constexpr void answer_all(const Case& c, Sinks& sinks) {
   (std::make_index_sequence<rows_of<Group>()>{});
 }
 
-/// The digests of a group's cells in one space, one for each row.
+/// The digests of a group's cells in one space, one per row.
 template <class Group, Scalar S, int N>
 DETENT_VERIFY_NOINLINE constexpr auto digests_of(std::uint32_t size) noexcept {
   std::array<Digest, rows_of<Group>()> running{};

@@ -7,8 +7,7 @@
 
 #include "verify/questions.hpp"
 
-// Cases and answers in words, for people: every number as its raw bits and as the decimal that it
-// is exactly.
+// Cases and results as text: every number as its raw bits and as its exact decimal.
 
 namespace detent::verify {
 
@@ -81,7 +80,7 @@ std::string words(const MeshNearest<S>& nearest) {
   return "triangle " + std::to_string(nearest.index) + " at " + words(nearest.distance) +
          ", point " + words(nearest.point);
 }
-/// As `detent diff` has it.
+/// The notation of `detent diff`.
 inline std::string words(const ObjectId& id) {
   return std::to_string(id.index) + ":" + std::to_string(id.generation);
 }
@@ -180,7 +179,7 @@ Fields fields_of(const PointCase<S, N, Shape>& c) {
   fields.emplace_back("tolerance", words(c.tolerance));
   return fields;
 }
-/// Of two shapes of one kind, the fields of the other say so.
+/// For two shapes of one kind, the field names of the second start with "other".
 template <Scalar S, int N, class First, class Second>
 Fields fields_of(const PairCase<S, N, First, Second>& c) {
   Fields fields, second;

@@ -5,7 +5,7 @@
 
 #include "verify/describe.hpp"
 
-// Surfaces, scenes and what is found in them, in words.
+// Surfaces, scenes and their results, as text.
 
 namespace detent::verify {
 
@@ -65,7 +65,7 @@ Fields fields_of(const FieldCase<S, N>& c) {
   return fields;
 }
 
-/// A step, and below it the shape that it brings.
+/// A step, followed by its shape if it has one.
 template <Scalar S, int N>
 void add_fields(Fields& fields, const Step<S, N>& step, std::size_t index) {
   const auto object = "object " + std::to_string(step.target);

@@ -9,7 +9,7 @@
 
 namespace detent::verify {
 
-// Cases of a fixed scalar as cases of `float` or `double`.
+// Converts cases of a fixed scalar to `float` or `double`.
 
 template <class F, Scalar S>
 Angle<F> converted(Angle<S> angle) {

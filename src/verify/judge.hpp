@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// What the answers of the corpus should be, from the definitions of the queries in exact integers
-/// and a hundred digits. Wherever a digest differs, this names the question that went wrong.
+/// The expected results of the corpus, computed from the queries' definitions in exact integers and
+/// 100-digit decimals. When a digest differs, this finds the question that went wrong.
 
 #include "verify/judge/meshes.hpp"
 #include "verify/judge/motions.hpp"

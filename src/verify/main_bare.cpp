@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// `detent verify` for a machine that has no more than a way to print: no operating system, heap,
-// floating point or 64-bit word. Call
+// `detent verify` for a machine that can only print: no operating system, heap, floating point or
+// 64-bit word. Call
 //
 //     int status = detent_verify(put);
 //
-// where `put` prints a text that ends in 0. The status is 0 when every digest is the golden one and
-// 1 when one is not. With a hosted compiler this file is a program that does just that:
+// where `put` prints a 0-terminated text. The status is 0 when every digest is golden and 1
+// otherwise. With a hosted compiler this file is a program that does that:
 //
 //     g++ -std=c++20 -O2 -Iinclude -Isrc src/verify/main_bare.cpp -o verify && ./verify
 //
-// DETENT_VERIFY_PART=Rays (or another part of corpus.hpp) asks only that, for small memories.
-// DETENT_VERIFY_QUARTER=0 (to 3) asks every query, but each for one of the four scalars, which is
-// compiled in a quarter of the time; the other quarters ask the rest.
-// DETENT_VERIFY_SMALL asks a microcontroller's share of the questions (seconds at 48 MHz).
+// DETENT_VERIFY_PART=Rays (or another part of corpus.hpp) runs only that part, for small memories.
+// DETENT_VERIFY_QUARTER=0 (to 3) runs every query in one of the four scalars only, which compiles in
+// a quarter of the time; the other quarters run the rest.
+// DETENT_VERIFY_SMALL runs a microcontroller's share of the questions (seconds at 48 MHz).
 // DETENT_VERIFY_NO_MAIN leaves out `main`, for a hosted compiler whose program has its own.
 
 #include "verify/check.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The contrast to main_bare.cpp: the same questions, those of q16_16 in the highest dimension of
-// each, converted to float and put to the same templates in float arithmetic. There are no golden
-// values: the digests are this platform's own. Text takes no part, since the library has none for
-// floats, and surfaces and scenes none, since they ask what the other rows ask.
+// The contrast to main_bare.cpp: the questions of q16_16, in the highest dimension of each,
+// converted to float and run through the same templates in float arithmetic. There are no golden
+// values: the digests are this platform's own. It leaves out text, which the library does not have
+// for floats, and surfaces and scenes, which run the same queries as the other rows.
 //
 //     g++ -std=c++20 -O2 -Iinclude -Isrc src/verify/main_float.cpp -o floats && ./floats
 

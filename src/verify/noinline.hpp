@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Called in several places and compiled once; and a small stack wants the variables of one at a time.
+// Compiled once though called several times; and keeps only one callee's variables on a small
+// stack.
 #if defined(__GNUC__)
 #define DETENT_VERIFY_NOINLINE [[gnu::noinline]]
 #else

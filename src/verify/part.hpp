@@ -7,8 +7,8 @@
 
 namespace detent::verify {
 
-/// What can be done with the sheets of a part, which are counted from 0. Each part is compiled in a
-/// file of its own, in parts/.
+/// The operations on the sheets of a part, counted from 0. Each part is compiled in its own file in
+/// parts/.
 template <class Part>
 struct PartSheets {
   static std::vector<Answers> answer(std::size_t sheet, std::uint32_t size, bool keep_bytes);

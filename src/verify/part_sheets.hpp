@@ -6,19 +6,19 @@
 #include "verify/part.hpp"
 #include "verify/sink.hpp"
 
-// For the files in parts/, which instantiate what is defined here.
+// For the files in parts/, which instantiate these definitions.
 
 namespace detent::verify {
 namespace detail {
 
-/// The digest of the bytes, and the bytes themselves when they are wanted.
+/// The digest of the bytes, and the bytes themselves if requested.
 struct IntoBytes {
   bool keeps_bytes = false;
   Digest digest{};
   std::string bytes;
 
 #if defined(__GNUC__)
-  [[gnu::noinline]]  // what is called for every number of every answer takes long to compile
+  [[gnu::noinline]]  // it is called for every number of every result: inlining it compiles slowly
 #endif
   void
   operator()(std::uint64_t word, int count) {

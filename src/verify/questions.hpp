@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A group draws cases of one kind and puts several questions to each; a question is a row of the
-// report. A group says
-//   names              what the rows are called
-//   asks<N>            in which dimensions it asks; a number has one
-//   draw<S, N>(random) a case: the arguments of a question
-//   answer<Row>(case)  what the library says, as anything that a digest takes
-//   share              where questions are dear: it asks one in so many of what other groups do
-// and for every case type there is `append`, since the questions have a digest too.
+// A group draws cases of one kind and runs several queries on each; every query is a row of the
+// report. A group has
+//   names              the names of the rows
+//   asks<N>            whether it runs in dimension N; numbers run in one
+//   draw<S, N>(random) a case: the arguments of the queries
+//   answer<Row>(case)  the library's result, of any type that a digest takes
+//   share              for slow queries: it runs one in this many of the questions
+// and every case type has an `append`, because the questions have a digest too.
 
 #include "verify/questions/meshes.hpp"
 #include "verify/questions/motions.hpp"

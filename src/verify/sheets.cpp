@@ -27,7 +27,7 @@ std::vector<Sheet> make_sheets() {
   return sheets;
 }
 
-/// Calls `visit(PartSheets<Part>{}, index)` for the part that has this sheet.
+/// Calls `visit(PartSheets<Part>{}, index)` for the part that contains this sheet.
 template <class Visit>
 void visit_part(std::size_t sheet, Visit&& visit) {
   std::size_t first = 0;

@@ -14,8 +14,8 @@
 
 namespace detent::verify {
 
-/// Takes the same bytes as `Digest` and hands them to `put(word, count)`, `count` bytes from the
-/// lowest on. A NaN has only one pattern here: which of them an operation gives is not an answer.
+/// Takes the same bytes as `Digest` and passes them to `put(word, count)`, `count` bytes from the
+/// lowest on. Every NaN is written as one pattern, because the pattern of a NaN is not a result.
 template <class Put>
 class Sink {
  public:

@@ -15,7 +15,7 @@ namespace detent::verify {
 template <Scalar S, int N>
 using SceneShape = detail::OneOf<Sphere<S, N>, Aabb<S, N>, Obb<S, N>>;
 
-/// What happens to a scene.
+/// An event in the history of a scene.
 enum class Deed : std::uint8_t {
   add,
   remove,
@@ -28,13 +28,14 @@ enum class Deed : std::uint8_t {
   remove_frame
 };
 
-/// One event in the life of a scene. Objects and frames are named by how many additions were tried
-/// before theirs, whatever became of them: some names are of what is gone or never came.
+/// One event in the history of a scene. Objects and frames are referred to by the number of
+/// additions attempted before theirs, successful or not, so some references are to removed objects
+/// or to ones that were never added.
 template <Scalar S, int N>
 struct Step {
   Deed deed = Deed::add;
   std::uint8_t target = 0;
-  std::uint8_t frame = 0;  // that an object or frame is added in, counted from 1; 0 is the world
+  std::uint8_t frame = 0;  // of a new object or frame, counted from 1; 0 is the world
   bool is_fixed = false;
   std::uint32_t layers = 0;
   std::uint64_t user = 0;
@@ -51,7 +52,7 @@ constexpr void append(D& digest, const Step<S, N>& step) noexcept {
   digest.add(step.transform);
 }
 
-/// A short life of a scene: the steps before a snapshot is taken, and those before it is restored.
+/// A short history: the steps before a snapshot is taken, then those before it is restored.
 template <Scalar S, int N>
 struct History {
   static constexpr std::size_t capacity = 18;
@@ -65,7 +66,7 @@ constexpr void append(D& digest, const History<S, N>& history) noexcept {
   for (std::size_t i = 0; i < history.count; ++i) digest.add(history.steps[i]);
 }
 
-/// Shapes about one spot and about others near it, and what becomes of them.
+/// Draws shapes around one spot and others near it, and a history of them.
 template <Scalar S, int N>
 class HistoryScene : public ShapeScene<S, N> {
   using Base = ShapeScene<S, N>;
@@ -96,7 +97,7 @@ class HistoryScene : public ShapeScene<S, N> {
     return history;
   }
 
-  /// The next question is about where many objects are, or near there.
+  /// The next question is at a spot with many objects, or near it.
   constexpr void look_around() noexcept {
     Base::go_home();
     if (random.coin()) Base::wander();
@@ -107,7 +108,7 @@ class HistoryScene : public ShapeScene<S, N> {
     return static_cast<std::uint32_t>(random.between(1, 7));
   }
 
-  /// In a frame, about its origin.
+  /// The shape of an object in a frame is around the frame's origin.
   constexpr SceneShape<S, N> shape(bool is_in_frame) noexcept {
     const auto home = home_;
     if (is_in_frame) home_ = Point();
@@ -126,7 +127,7 @@ class HistoryScene : public ShapeScene<S, N> {
 
   constexpr void add_object(Step<S, N>& step) noexcept {
     step.deed = Deed::add;
-    // The first one moves, so that there is one to change at any time.
+    // The first object is a moving one, so that there is always one to change.
     step.is_fixed = objects_ != 0 && !is_later_ && random.one_in(5);
     const bool may_be_in_frame = frames_ != 0 && (!step.is_fixed || random.one_in(8));
     if (may_be_in_frame && random.one_in(3)) step.frame = frame();
@@ -147,8 +148,8 @@ class HistoryScene : public ShapeScene<S, N> {
     ++frames_;
   }
 
-  /// Near the spot or the origin of the frame that it is in: mostly rigid, and as often as not one
-  /// that keeps the grid.
+  /// Near the spot or the origin of the parent frame: mostly rigid, and half the time one that maps
+  /// the grid to itself.
   constexpr Transform<S, N> transform(bool is_in_frame) noexcept {
     Transform<S, N> result;
     auto place = extreme_ ? Base::any_point() : is_in_frame ? Point() : home_;
@@ -169,7 +170,7 @@ class HistoryScene : public ShapeScene<S, N> {
     const auto kind = random.below(8);
     if (kind == 0) return add_object(step);
     step.target = static_cast<std::uint8_t>(random.below(objects_));
-    // What is restored later is what moves.
+    // A restore only concerns moving objects.
     if (is_later_) {
       while ((fixed_ >> step.target & 1u) != 0) --step.target;
     }
@@ -206,7 +207,7 @@ class HistoryScene : public ShapeScene<S, N> {
 
   std::uint32_t objects_ = 0;
   std::uint32_t frames_ = 0;
-  std::uint32_t fixed_ = 0;  // bit i for the object i
+  std::uint32_t fixed_ = 0;  // bit i for object i
   bool is_later_ = false;
 };
 

@@ -11,7 +11,7 @@
 
 namespace detent::verify {
 
-/// Numbers, directions and rotations from the whole domain of a scalar, made with integers alone.
+/// Draws numbers, directions and rotations from the whole domain of a scalar, using integers only.
 template <Scalar S>
 class Numbers {
  public:
@@ -51,8 +51,8 @@ class Numbers {
     return point;
   }
 
-  /// Every direction, along the axes and diagonals and close to them often enough, some of them as
-  /// far from unit length as a direction may be.
+  /// Every kind of direction: often along or close to the axes and diagonals, and some as far from
+  /// unit length as a direction may be.
   template <int N>
   constexpr Raw<N> any_direction() noexcept {
     Raw<N> v;
@@ -70,7 +70,7 @@ class Numbers {
     return is_direction(bent) ? bent : straight;
   }
 
-  /// A quarter of them where sine and cosine are special: at the multiples of 22.5 degrees.
+  /// A quarter at or next to the multiples of 22.5 degrees, where sine and cosine are special.
   constexpr Angle<S> angle() noexcept {
     const auto turn = static_cast<std::uint32_t>(random.next() >> 32);
     switch (random.below(8)) {
@@ -83,8 +83,7 @@ class Numbers {
     }
   }
 
-  /// A frame whose axes have exact directions, its coordinates and axes in any order and of any
-  /// sign.
+  /// A frame whose axes have exact directions, with coordinates and axes permuted and signs random.
   template <int N>
   constexpr Frame<N> frame() noexcept {
     const auto& table = [&]() -> const auto& {
@@ -116,8 +115,8 @@ class Numbers {
     return frame.axes[axis] * steps_per_unit(frame.norm, one);
   }
 
-  /// The axes of a rotation: of a random quaternion (a complex number in 2D), rounded, or
-  /// directions that have nothing to do with one another.
+  /// The axes of a rotation: from a random quaternion (a complex number in 2D), rounded, or
+  /// unrelated directions.
   template <int N>
   constexpr Frame<N> axes() noexcept {
     Frame<N> result{{}, 0};

@@ -5,7 +5,7 @@
 
 namespace detent::verify {
 
-/// A seeded generator of integers, cheap on chips whose word has 32 bits and which cannot divide.
+/// A seeded generator of integers, cheap on 32-bit chips without division.
 ///
 /// source: splitmix64, Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators (2014)
 class Random {
@@ -34,16 +34,17 @@ class Random {
   constexpr bool coin() noexcept { return one_in(2); }
   constexpr std::int64_t sign() noexcept { return coin() ? 1 : -1; }
 
-  /// In (-2^bits, 2^bits), every length of the magnitude alike.
+  /// In (-2^bits, 2^bits), with every bit length of the magnitude equally likely.
   constexpr std::int64_t wide(int bits) noexcept {
-    // One draw a statement, here and everywhere: compilers choose the order within one.
+    // One draw per statement, here and everywhere: the order within a statement is up to the
+    // compiler.
     const auto length = below(static_cast<std::uint64_t>(bits) + 1);
     const auto size = static_cast<std::int64_t>(below(std::uint64_t{1} << length));
     return coin() ? size : -size;
   }
 
-  /// In [-2^bits, 2^bits - 1]: a quarter at or beside an end of the range, a power of two or 0, the
-  /// rest half uniform and half `wide`.
+  /// In [-2^bits, 2^bits - 1]: a quarter at or next to an end of the range, a power of two or 0; of
+  /// the rest half uniform and half `wide`.
   constexpr std::int64_t edgy(int bits) noexcept {
     const auto limit = std::int64_t{1} << bits;
     if (!one_in(4)) return coin() ? between(-limit, limit - 1) : wide(bits);

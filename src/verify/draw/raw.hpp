@@ -6,8 +6,8 @@
 
 namespace detent::verify {
 
-// Inputs are made of plain integers, without the library whose answers they are to judge: where
-// `normalize` is broken, only the rows that call it may differ.
+// Inputs are built from plain integers, without the library under test: if `normalize` is broken,
+// only the rows that call it may differ.
 
 /// A point or vector in raw units, with room for sums and small multiples.
 template <int N>
@@ -54,7 +54,7 @@ constexpr std::uint64_t longest(const Raw<N>& v) noexcept {
   return result;
 }
 
-/// `v` shrunk or magnified by a power of two until its longest component has 31 bits.
+/// `v` scaled by a power of two until its longest component has 31 bits.
 template <int N>
 constexpr Raw<N> levelled(const Raw<N>& v) noexcept {
   const int length = static_cast<int>(std::bit_width(longest(v)));
@@ -74,14 +74,14 @@ constexpr std::uint64_t squared(const Raw<N>& v) noexcept {
   return sum;
 }
 
-/// The length of `v`, rounded down; that of its longest component where it is beyond 2^31.
+/// The length of `v`, rounded down; above 2^31 the length of its longest component.
 template <int N>
 constexpr std::int64_t length(const Raw<N>& v) noexcept {
   const auto size = longest(v);
   return static_cast<std::int64_t>(size < std::uint64_t{1} << 31 ? root(squared(v)) : size);
 }
 
-/// The unit vector along `v` in steps of 1/one, its length off by less than two of them; the x axis
+/// The unit vector along `v` in steps of 1/one, its length off by less than two steps; the x axis
 /// for the zero vector.
 template <int N>
 constexpr Raw<N> unit(const Raw<N>& v, std::int64_t one) noexcept {
@@ -100,10 +100,11 @@ constexpr Raw<N> unit(const Raw<N>& v, std::int64_t one) noexcept {
   return result;
 }
 
-/// Integer axes at right angles, each `norm` long.
+/// Orthogonal integer axes, each of length `norm`.
 ///
-/// Where `norm` divides 2^f - 1, 2^f or 2^f + 1 a multiple of an axis is a direction with f
-/// fractional bits, exactly parallel to it: so tangents, shared edges and parallels come out exact.
+/// Where `norm` divides 2^f - 1, 2^f or 2^f + 1, a multiple of an axis is a direction with f
+/// fractional bits and exactly parallel to it, so that tangents, shared edges and parallels are
+/// exact.
 template <int N>
 struct Frame {
   Raw<N> axes[N];
@@ -119,8 +120,8 @@ inline constexpr Frame<3> frames_3d[] = {
     {{{{2, 3, 6}}, {{3, -6, 2}}, {{6, 2, -3}}}, 7},  {{{{1, 4, 8}}, {{4, 7, -4}}, {{8, -4, 1}}}, 9},
     {{{{2, 6, 9}}, {{6, 7, -6}}, {{9, -6, 2}}}, 11}, {{{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}, 1}};
 
-/// How many steps of 1/one go into one unit of an axis of this norm; 0 when that is not whole to
-/// within one step over the axis.
+/// How many steps of 1/one a unit of an axis of this norm has; 0 when that is not whole to within
+/// one step over the axis.
 constexpr std::int64_t steps_per_unit(std::int64_t norm, std::int64_t one) noexcept {
   for (std::int64_t length = one - 1; length <= one + 1; ++length) {
     if (length % norm == 0 && (norm == 1 ? length == one : true)) return length / norm;

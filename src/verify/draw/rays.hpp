@@ -12,7 +12,7 @@
 
 namespace detent::verify {
 
-/// A ray and a shape in one of its ways.
+/// A ray and a shape, and which sides of the shape count.
 template <Scalar S, int N, class ShapeType>
 struct RayCase {
   using Shape = ShapeType;
@@ -21,10 +21,10 @@ struct RayCase {
   Facing facing = Facing::both;
 };
 
-/// Rays aimed at shapes.
+/// Draws rays aimed at shapes.
 ///
-/// A shape chooses a point to aim at, on its surface, inside or outside, and the ray goes through
-/// that point: exactly, along an axis of an exact frame, or nearly, from anywhere.
+/// A shape picks a target on its surface, inside or outside. The ray goes through the target:
+/// exactly, along an axis of an exact frame, or nearly, from anywhere.
 template <Scalar S, int N>
 class RayScene : public Stage<S, N> {
   using Base = Stage<S, N>;
@@ -58,7 +58,7 @@ class RayScene : public Stage<S, N> {
     }
     auto ray = ray_through(target);
     if (!extreme_ && random.one_in(4)) {
-      // A tangent, or one beside it: the radius stands at a right angle on the ray.
+      // A tangent, or off by one unit: the radius is perpendicular to the ray.
       const auto frame = Base::template frame<N>();
       const auto steps = random.between(0, reach_ / frame.norm);
       radius = steps * frame.norm + random.between(-1, 1);
@@ -107,8 +107,8 @@ class RayScene : public Stage<S, N> {
     begin();
     const auto facing = random.one_in(4) ? Facing::front : Facing::both;
     if (random.one_in(4)) {
-      // Parallel, and in the plane unless an offset of one unit says otherwise: a plane through the
-      // origin has points on it whatever its normal is, another one where its normal is an axis.
+      // Parallel, and in the plane unless the offset differs by a unit. A plane through the origin
+      // contains grid points for every normal; one elsewhere does when its normal is an axis.
       const auto frame = Base::template frame<N>();
       const auto steps = random.between(-reach_, reach_) / frame.norm;
       const auto height = frame.norm == 1 ? random.edgy(Base::bits) : 0;
@@ -130,7 +130,8 @@ class RayScene : public Stage<S, N> {
   constexpr Case<Triangle<S, N>> triangle() noexcept {
     begin();
     const auto facing = N == 3 && random.one_in(6) ? Facing::front : Facing::both;
-    // Corners on a coarse grid about the first make sixteenths of the edges exact points.
+    // Corners on a coarse grid relative to the first, so that sixteenths of the edges are exact
+    // points.
     const std::int64_t grid = random.coin() ? 1 : reach_ >= 16 ? 16 : 1;
     const auto frame = Base::template frame<N>();
     const bool flat = !extreme_ && random.one_in(4);  // in one plane with a ray along the frame
@@ -153,7 +154,7 @@ class RayScene : public Stage<S, N> {
   }
 
  private:
-  /// A point of the plane of two edges: a corner, on an edge, inside or outside.
+  /// A point in the plane of two edges: a corner, on an edge, inside or outside.
   constexpr Point point_of(const Point& b, const Point& c) noexcept {
     auto s = random.one_in(4) ? 16 * random.between(0, 1) : random.between(-1, 17);
     auto t = random.one_in(4) ? (16 - s) * random.between(0, 1) : random.between(-1, 17 - s);
@@ -162,7 +163,7 @@ class RayScene : public Stage<S, N> {
     return point;
   }
 
-  /// The ray along an axis of a frame that goes through `target` exactly, or away from it.
+  /// A ray along an axis of a frame, exactly through `target` or away from it.
   constexpr Ray<S, N> ray_along(const Frame<N>& frame, int axis, const Point& target) noexcept {
     const auto far = 2 * reach_ / frame.norm;
     const auto steps = random.between(-far / 8, far);
@@ -194,7 +195,7 @@ class RayScene : public Stage<S, N> {
     return extreme_ ? Base::template any_point<N>() : center_ + corner(3 * reach_);
   }
 
-  /// Where a ray ends that should meet something after `expected`: beyond, about there, or before.
+  /// The end of a ray expected to hit after `expected`: beyond it, about there, or before.
   constexpr S end(std::int64_t expected) noexcept {
     switch (random.below(16)) {
       case 0:

@@ -11,7 +11,7 @@
 
 namespace detent::verify {
 
-/// The points of a convex hull, which is only a view of them: at most eight.
+/// The points of a convex hull, at most eight; the hull itself is only a view.
 template <Scalar S, int N>
 struct HullPoints {
   std::array<Vec<S, N>, 8> points{};
@@ -23,7 +23,7 @@ constexpr void append(D& digest, const HullPoints<S, N>& hull) noexcept {
   for (int i = 0; i < hull.count; ++i) digest.add(hull.points[static_cast<std::size_t>(i)]);
 }
 
-/// What is drawn as the library takes it.
+/// Converts a drawn shape to the library's type.
 template <class Shape>
 [[nodiscard]] constexpr const Shape& as_shape(const Shape& shape) noexcept {
   return shape;
@@ -33,12 +33,13 @@ template <Scalar S, int N>
   return {std::span(hull.points).first(hull.count)};
 }
 
-/// Shapes about one spot of a stage.
+/// Draws shapes around one spot of a stage.
 ///
-/// Each stands on one side of a plane through the spot, whose normal is an axis of an exact frame,
-/// and its point next to that plane is the spot itself, a whole number of steps before or behind
-/// it, or a unit beside: so two shapes on either side touch exactly, and a point at the spot is on
-/// a surface, as often as not. Some stand anywhere instead, and some are made of extreme numbers.
+/// Each shape is on one side of a plane through the spot, whose normal is an axis of an exact
+/// frame. Its point nearest to that plane is the spot itself, a whole number of steps before or
+/// behind it, or off by a unit. So two shapes on opposite sides often touch exactly, and a point at
+/// the spot is often on a surface. Some shapes are anywhere instead, and some are built from
+/// extreme numbers.
 template <Scalar S, int N>
 class ShapeScene : public Stage<S, N> {
   using Base = Stage<S, N>;
@@ -59,14 +60,14 @@ class ShapeScene : public Stage<S, N> {
     Base::begin();
     frame_ = Base::template frame<N>();
     far_ = reach_ / frame_.norm;
-    // A plane with this normal has points on the grid if it goes through the origin.
+    // A plane with this normal contains grid points when it goes through the origin.
     if (!extreme_ && !random.one_in(4) && frame_.norm > 1) center_ = across(far_);
     home_ = center_;
   }
 
   [[nodiscard]] constexpr Vec<S, N> spot() const noexcept { return Base::vec(center_); }
 
-  /// How far away the last shape may be, or not quite, or anything.
+  /// The gap to the last shape, give or take a unit; or any number.
   constexpr S tolerance() noexcept {
     switch (random.below(8)) {
       case 0:
@@ -80,10 +81,10 @@ class ShapeScene : public Stage<S, N> {
     }
   }
 
-  /// The next shape stands on the other side.
+  /// The next shape is on the other side.
   constexpr void turn() noexcept { side_ = -side_; }
 
-  /// The next shape stands at another spot, whole steps of the frame from the first one.
+  /// The next shape is at another spot, whole steps of the frame from the first one.
   constexpr void wander() noexcept {
     center_ = home_;
     if (extreme_) {
@@ -92,7 +93,7 @@ class ShapeScene : public Stage<S, N> {
     }
     for (int k = 0; k < N; ++k) center_ += frame_.axes[k] * random.between(-far_, far_);
   }
-  /// The next shape stands at the first spot again.
+  /// The next shape is at the first spot again.
   constexpr void go_home() noexcept { center_ = home_; }
 
   constexpr Sphere<S, N> sphere() noexcept {
@@ -151,7 +152,7 @@ class ShapeScene : public Stage<S, N> {
     const bool loose = extreme_ || random.one_in(8);
     const auto normal = loose ? Base::template any_direction<N>() : Base::along(frame_, 0) * side_;
     const auto next = anchor(5);
-    // |next| has components below 1.5 * 2^31, so this is at most |normal| |next| < 2^63.
+    // next| has components below 1.5 * 2^31, so this is at most |normal| |next| < 2^63.
     std::int64_t height = Base::one / 2;
     for (int i = 0; i < N; ++i) height += normal[i] * next[i];
     const auto offset = extreme_ ? random.edgy(Base::bits) : height >> direction_component<S>::frac;
@@ -183,7 +184,7 @@ class ShapeScene : public Stage<S, N> {
     return {Base::vec(a), Base::vec(b)};
   }
 
-  /// One to eight points, now and then none, of which some are the same or in the hull of others.
+  /// One to eight points, rarely none; some are duplicates or inside the hull of the others.
   constexpr HullPoints<S, N> hull() noexcept {
     HullPoints<S, N> result;
     const auto count = random.one_in(64) ? 0 : random.between(1, 8);
@@ -203,7 +204,7 @@ class ShapeScene : public Stage<S, N> {
     return result;
   }
 
-  /// Along the plane or into its side, ending or beginning somewhere near the spot.
+  /// Along the plane or into its side, starting or ending near the spot.
   constexpr Ray<S, N> ray() noexcept {
     if (extreme_ || random.one_in(8)) {
       const auto origin = extreme_ ? any_point() : center_ + corner(reach_);
@@ -217,7 +218,7 @@ class ShapeScene : public Stage<S, N> {
             Base::direction(Base::along(frame_, axis) * sign), end(steps * frame_.norm)};
   }
 
-  /// Through the spot or beside it along an axis of the frame, or towards it from anywhere.
+  /// Along an axis of the frame through the spot or next to it, or towards it from anywhere.
   constexpr Ray<S, N> aimed_ray() noexcept {
     if (random.one_in(4)) {
       const auto origin = extreme_ ? any_point() : center_ + corner(3 * reach_);
@@ -234,7 +235,7 @@ class ShapeScene : public Stage<S, N> {
 
  protected:
   constexpr Point any_point() noexcept { return Base::template any_point<N>(); }
-  /// From the plane through the spot to the side where the shape stands.
+  /// From the plane through the spot to the shape's side.
   [[nodiscard]] constexpr Point inward() const noexcept { return frame_.axes[0] * side_; }
   /// A step along that plane.
   constexpr Point across(std::int64_t far) noexcept {
@@ -248,7 +249,7 @@ class ShapeScene : public Stage<S, N> {
     return step + inward() * random.between(0, far);
   }
 
-  /// Where the shape begins: `at_spot` times in eight at the spot itself.
+  /// The shape's point nearest to the plane: the spot itself `at_spot` times in eight.
   constexpr Point anchor(std::uint64_t at_spot) noexcept {
     const auto pick = random.below(8);
     gap_ = 0;
@@ -260,7 +261,7 @@ class ShapeScene : public Stage<S, N> {
     return center_ + inward() * steps;
   }
 
-  /// Mostly `steps` of the frame, or a unit off, or none, or negative.
+  /// Mostly `steps` of the frame; sometimes off by a unit, 0 or negative.
   constexpr std::int64_t radius_of(std::int64_t steps) noexcept {
     if (random.one_in(64)) return random.between(-2, 0);
     const auto beside = random.one_in(16) ? random.between(-1, 1) : 0;
@@ -268,7 +269,7 @@ class ShapeScene : public Stage<S, N> {
   }
   constexpr S radius(std::int64_t steps) noexcept { return Base::scalar(radius_of(steps)); }
 
-  /// The ends of a segment: away from the anchor, on both sides of it along the plane, or through
+  /// The ends of a segment: inward from the anchor, to both sides of it along the plane, or through
   /// it in any direction.
   constexpr std::array<Point, 2> ends(std::uint64_t at_spot) noexcept {
     if (extreme_) {
@@ -328,7 +329,7 @@ class ShapeScene : public Stage<S, N> {
     }
   }
 
-  /// Where a ray ends whose anchor is at `distance`: mostly never.
+  /// The end of a ray whose anchor is at `distance`: mostly the maximum.
   constexpr S end(std::int64_t distance) noexcept {
     switch (random.below(8)) {
       case 0:
@@ -342,10 +343,10 @@ class ShapeScene : public Stage<S, N> {
   }
 
   Frame<N> frame_{};
-  std::int64_t far_ = 0;  // how many steps of the frame make the reach
+  std::int64_t far_ = 0;  // the reach in steps of the frame
   Point home_{};          // the first spot
   std::int64_t side_ = 1;
-  std::int64_t gap_ = 0;  // from the spot to the shape, where that is known
+  std::int64_t gap_ = 0;  // from the spot to the shape, where known
 };
 
 }  // namespace detent::verify

@@ -5,8 +5,8 @@
 
 namespace detent::verify {
 
-/// Where a case takes place: anywhere in the world, at a scale from a few raw units to the whole
-/// range; one case in eight is made of extreme numbers instead.
+/// The position and size of a case: anywhere in the world, at a scale from a few raw units to the
+/// whole range. One case in eight is built from extreme numbers instead.
 template <Scalar S, int N>
 class Stage : public Numbers<S> {
   using Base = Numbers<S>;
@@ -41,18 +41,18 @@ class Stage : public Numbers<S> {
     return point;
   }
 
-  /// A radius or half extent, sometimes nothing and sometimes negative.
+  /// A radius or half extent, sometimes 0 and sometimes negative.
   constexpr std::int64_t extent() noexcept {
     if (random.one_in(32)) return random.between(-2, 0);
     return extreme_ ? static_cast<std::int64_t>(magnitude(random.edgy(Base::bits)))
                     : random.between(0, reach_);
   }
-  /// Up to `sixteenths` of `length` either way.
+  /// Up to `sixteenths` of `length` in either direction.
   constexpr std::int64_t part(std::int64_t length, std::int64_t sixteenths) noexcept {
     const auto far = length * sixteenths / 16;
     return random.between(-far, far);
   }
-  /// Inside, outside or exactly at the end of an extent, or one unit beside it.
+  /// Inside, outside or exactly at the end of an extent, or one unit off.
   constexpr std::int64_t face_or_part(std::int64_t half) noexcept {
     switch (random.below(8)) {
       case 0:

@@ -10,7 +10,7 @@
 
 namespace detent::verify {
 
-/// The triangles of a mesh as it is given: none to forty, so that some trees have two levels.
+/// The triangles of a mesh in input order: none to forty, so that some trees have two levels.
 template <Scalar S>
 struct MeshTriangles {
   static constexpr std::size_t capacity = 40;
@@ -40,7 +40,7 @@ constexpr void append(D& digest, const FieldSamples<S>& field) noexcept {
   }
 }
 
-/// Surfaces of triangles, and where on them or beside them to ask.
+/// Draws surfaces of triangles, and query positions on and near them.
 template <Scalar S>
 class SurfaceScene : public ShapeScene<S, 3> {
   using Base = ShapeScene<S, 3>;
@@ -107,8 +107,8 @@ class SurfaceScene : public ShapeScene<S, 3> {
     return field;
   }
 
-  /// The next question is about a point of the surface: of a corner, an edge or the inside of one
-  /// of its triangles, and about anywhere near every third time.
+  /// Moves the next question to a point of the surface: a corner, on an edge or inside one of its
+  /// triangles; one time in three to anywhere near.
   constexpr void aim_at(const MeshTriangles<S>& mesh) noexcept {
     if (mesh.count == 0 || random.one_in(3)) return Base::wander();
     const auto& triangle = mesh.triangles[random.below(mesh.count)];
@@ -130,7 +130,7 @@ class SurfaceScene : public ShapeScene<S, 3> {
                 random.coin() ? sample(column, row) : sample(column + 1, row + 1));
   }
 
-  /// A ray at the point aimed at, every fourth time straight down or up.
+  /// A ray at that point; every fourth is straight down or up.
   constexpr Ray<S, 3> upright_ray() noexcept {
     auto ray = Base::aimed_ray();
     if (!random.one_in(4)) return ray;
@@ -152,7 +152,7 @@ class SurfaceScene : public ShapeScene<S, 3> {
   }
 
   /// Half a cell of a grid in the plane through the spot, four cells wide: neighbours share edges,
-  /// and lie in one plane or, with a bump, do not.
+  /// and are coplanar unless there is a bump.
   constexpr Triangle<S, 3> part_of_sheet(std::int64_t i, std::int64_t step,
                                          std::int64_t bump) noexcept {
     const auto column = i / 2 % 4, row = i / 8;
@@ -166,7 +166,7 @@ class SurfaceScene : public ShapeScene<S, 3> {
     return {low, high, corner(column, row + 1)};
   }
 
-  /// One of a few points: triangles of them share corners and edges, cross, repeat and collapse.
+  /// One of a few points, so that triangles share corners and edges, cross, repeat and collapse.
   constexpr Point knot(std::int64_t step) noexcept {
     auto point = home_;
     for (auto& axis : frame_.axes) point += axis * (random.between(-1, 1) * step);

@@ -20,10 +20,10 @@ struct Wrong {
   std::string got;
 };
 
-// Results that the contract leaves a margin are off by so little more than half a unit that only
-// what lies next to a tie has two right answers.
+// Where the contract leaves a margin, errors exceed half a unit by so little that only values next
+// to a tie have two right results.
 
-/// Beyond half a unit, for rotations and for normals of spheres (in thousandths).
+/// The maximum error for rotations, and for normals of spheres (in thousandths).
 inline const Real rotation_margin("0.5001");
 inline constexpr int normal_margin = 501;
 
@@ -42,8 +42,8 @@ T clamped(const Integer& raw) {
   return T::from_raw(static_cast<typename T::raw_type>(inside));
 }
 
-/// What has a scalar of 32 bits as what has a q16_16 of the same raw bits: the oracles of shapes
-/// count in raw units, so they need not be compiled for every scalar.
+/// Converts a 32-bit scalar to the q16_16 with the same raw bits: the oracles of shapes work in raw
+/// units, so they are compiled for one scalar only.
 template <Scalar S, class T>
 auto in_raw_units(const T& x) {
   if constexpr (S::bits > 16) {
@@ -64,13 +64,13 @@ inline Integer scaled(const Integer& x, int bits) {
   return x * (Integer(1) << static_cast<unsigned>(bits));
 }
 
-/// over / under to the nearest integer, ties to even, for a denominator of either sign.
+/// over / under rounded to the nearest integer, ties to even; the denominator may have either sign.
 inline Integer nearest_quotient(const Integer& over, const Integer& under) {
   const auto t = oracle::Moment::fraction(over, under);
   return oracle::nearest_quotient(t.over, t.under);
 }
 
-/// The nearest integer to a number that is no tie.
+/// The nearest integer to a number that is not a tie.
 inline Integer nearest(const Real& x) {
   return static_cast<Integer>(floor(x + Real(0.5)).convert_to<boost::multiprecision::cpp_int>());
 }

@@ -13,7 +13,7 @@
 #include "verify/judge/points.hpp"
 #include "verify/judge/rays.hpp"
 
-// Surfaces are judged by asking each of their triangles, exactly: no tree, no grid.
+// Surfaces are judged triangle by triangle, exactly: no tree, no grid.
 
 namespace detent::verify::judge {
 
@@ -21,7 +21,7 @@ template <Scalar S>
 std::vector<Triangle<S, 3>> triangles_of(const MeshTriangles<S>& mesh) {
   return {mesh.triangles.begin(), mesh.triangles.begin() + mesh.count};
 }
-/// None where the cell is not positive or the far corner out of range.
+/// None when the cell is not positive or the far corner is out of range.
 template <Scalar S>
 std::vector<Triangle<S, 3>> triangles_of(const FieldSamples<S>& field) {
   const auto x = std::int64_t{field.corner.x.raw()}, z = std::int64_t{field.corner.y.raw()};
@@ -57,7 +57,7 @@ Listed<T, Room> listed(std::vector<T> all) {
   return list;
 }
 
-/// All hits, the first one first.
+/// All hits, in order.
 template <Scalar S>
 std::vector<MeshHit<S>> hits_of(const Ray<S, 3>& ray,
                                 const std::vector<Triangle<S, 3>>& triangles) {
@@ -98,7 +98,7 @@ std::optional<MeshNearest<S>> nearest_of(const Vec<S, 3>& point,
   return best;
 }
 
-/// Whether a box holds a triangle, or another box, given as its corners.
+/// Whether a box contains a triangle or another box, given by corners.
 template <Scalar S>
 bool holds(const Aabb<S, 3>& box, std::initializer_list<Vec<S, 3>> corners) {
   for (const auto& corner : corners) {
@@ -109,8 +109,8 @@ bool holds(const Aabb<S, 3>& box, std::initializer_list<Vec<S, 3>> corners) {
   return true;
 }
 
-/// What is wrong with a tree, if anything is: each triangle has to be in one leaf and within all
-/// boxes above it. Which of the trees that are right it is, only the digest says.
+/// Finds a fault in a tree, if there is one: each triangle has to be in one leaf and inside all
+/// boxes above it. Many trees are valid; only the digest checks for the exact one.
 template <Scalar S>
 class TreeInspection {
  public:

@@ -9,7 +9,7 @@
 
 namespace detent::verify::judge {
 
-/// The determinant of the first `Size` rows and columns, along the first row.
+/// The determinant of the first `Size` rows and columns, expanded along the first row.
 template <int Size, std::size_t M>
 Integer expansion(const std::array<std::array<Integer, M>, M>& m) {
   if constexpr (Size == 1) {
@@ -55,7 +55,7 @@ std::optional<Wrong> judge(const MatrixCase<S, N>& c, const Answer& got) {
   }
 }
 
-/// A quaternion's parts in units of its grid, the real one first.
+/// A quaternion's components in raw units, the real one first.
 template <Scalar S>
 std::array<Integer, 4> parts_of(const Quat<S>& q) {
   return {oracle::raw(q.w()), oracle::raw(q.x()), oracle::raw(q.y()), oracle::raw(q.z())};
@@ -74,7 +74,7 @@ inline std::array<Integer, 4> product(const std::array<Integer, 4>& a,
   }
   return result;
 }
-/// The unit vector along real parts (w, x, y, z) as the components x, y, z, w.
+/// Normalizes the real components (w, x, y, z) and returns them as x, y, z, w.
 template <Scalar S>
 std::array<Real, 4> unit_steps(const std::array<Real, 4>& wxyz) {
   Real square = 0;

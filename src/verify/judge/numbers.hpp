@@ -35,7 +35,7 @@ std::optional<Wrong> judge(const QuotientCase<S, N>& c, const Answer& got) {
       got);
 }
 
-/// The number that a decimal text means, times 2^frac and rounded; nothing when it means none.
+/// The value of a decimal text, times 2^frac and rounded; nothing for malformed text.
 inline std::optional<Integer> meaning(const std::string& text, int frac) {
   static const std::regex decimal(R"(([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?\d+))?)");
   std::smatch parts;
@@ -53,7 +53,7 @@ inline std::optional<Integer> meaning(const std::string& text, int frac) {
   return parts[1] == "-" ? Integer(-rounded) : rounded;
 }
 
-/// The decimal that is exactly raw / 2^frac.
+/// The exact decimal of raw / 2^frac.
 inline std::string spelling(std::int64_t raw, int frac) {
   const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
   const auto one = std::uint64_t{1} << frac;

@@ -44,8 +44,8 @@ concept Upright = requires(T shape) {
 template <class T>
 concept Box = Turned<T> || Upright<T>;
 
-/// Whether two shapes share a point. Round ones are a distance from a core; boxes against them and
-/// against segments are slabs, and otherwise the hulls of their corners.
+/// Whether two shapes share a point. Round shapes are tested as a distance from a core. A box
+/// against them or a segment is a set of slabs; otherwise it is the hull of its corners.
 template <class First, class Second>
 bool do_meet(const First& a, const Second& b) {
   if constexpr (Cloud<Second> && (Ball<First> || Pill<First> || Flat<First>)) {

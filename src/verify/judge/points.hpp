@@ -17,8 +17,8 @@ bool is_within(const std::optional<oracle::Nearest<N>>& truth, const Integer& to
   return truth->core.squared.over <= reach * reach * truth->core.squared.under;
 }
 
-/// Coordinate i of the point at `radius` from the core towards the point that leads off by v: the
-/// one of the integers about it that proves to be nearest.
+/// Coordinate i of the point at `radius` from the core in direction v: the neighbouring integer
+/// that is proved to be nearest.
 template <int N>
 Integer nearest_on_surface(const oracle::Nearest<N>& truth, const oracle::Vector<N>& v,
                            std::size_t i) {
@@ -45,7 +45,7 @@ oracle::Vector<N> nearest_point(const std::optional<oracle::Nearest<N>>& truth,
   return result;
 }
 
-/// The distance, rounded down and clamped; the greatest number for an empty shape.
+/// The distance, rounded down and clamped; the maximum for an empty shape.
 template <Scalar S, int N>
 S distance_to(const std::optional<oracle::Nearest<N>>& truth) {
   if (!truth) return S::max();
@@ -54,8 +54,7 @@ S distance_to(const std::optional<oracle::Nearest<N>>& truth) {
   return clamped<S>(beyond < 0 ? Integer(0) : beyond);
 }
 
-/// The weights in units of 2^-frac solve the normal equations by Cramer's rule, in two dimensions
-/// as in three.
+/// The weights in units of 2^-frac solve the normal equations by Cramer's rule, in 2D and in 3D.
 template <Scalar S, int N>
 std::optional<oracle::Vector<3>> weights(const Triangle<S, N>& triangle, const Vec<S, N>& point,
                                          int frac) {

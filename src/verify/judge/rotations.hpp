@@ -29,7 +29,7 @@ std::optional<Wrong> judge(const VectorCase<S, N>& c, const Answer& got) {
   }
 }
 
-/// Columns of exact numbers against the axes of a rotation.
+/// Compares exact columns with the axes of a rotation.
 template <Scalar S, int N>
 std::optional<Wrong> judge_axes(const std::array<std::array<Real, N>, N>& exact,
                                 const std::array<Direction<S, N>, N>& got) {
@@ -110,7 +110,7 @@ std::optional<Wrong> judge(const TurnCase<S, N>& c, const Answer& got) {
   const Real sine = sin(radians(c.angle)), cosine = cos(radians(c.angle));
   std::array<std::array<Real, 3>, 3> exact;
   for (std::size_t k = 0; k < 3; ++k) {
-    // Rodrigues: the unit vector k, turned.
+    // Rodrigues: the unit vector k, rotated.
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
     exact[k][k] = cosine + axis[k] * axis[k] * (1 - cosine);
     exact[k][i] = axis[j] * sine + axis[i] * axis[k] * (1 - cosine);

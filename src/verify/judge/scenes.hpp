@@ -11,9 +11,9 @@
 #include "verify/judge/meshes.hpp"
 #include "verify/sink.hpp"
 
-// Scenes are judged by a plain list of their objects, which lives through the same history and asks
-// each object, exactly. Where frames and movements bring an object is the library's `compose`,
-// `placed` and `translated`; snapshots are written anew, from what snapshot.hpp says of their bytes.
+// Scenes are judged by a plain list of objects with the same history, which tests every object
+// exactly. Frames and movements use the library's `compose`, `placed` and `translated`; snapshots
+// are rebuilt from the byte format described in snapshot.hpp.
 
 namespace detent::verify::judge {
 
@@ -52,7 +52,7 @@ class PlainScene {
     return i < objects_.size() ? std::optional(ObjectId{i, next_}) : std::nullopt;
   }
 
-  /// Calls visit(id, object, shape in the world) for every object in the order of the ids.
+  /// Calls visit(id, object, shape in the world) for every object, in id order.
   template <class Visit>
   void visit(const Visit& visit) const {
     for (std::uint32_t i = 0; i < objects_.size(); ++i) {
@@ -78,7 +78,7 @@ class PlainScene {
     return static_cast<std::uint32_t>(std::find_if_not(items.begin(), items.end(), is_there) -
                                       items.begin());
   }
-  /// What an addition was to be called, if it is still there.
+  /// The object or frame of the addition with this number, if it still exists.
   template <class Items>
   [[nodiscard]] static auto* named(Items& items, const std::vector<Name>& names, std::size_t i) {
     const auto name = i < names.size() ? names[i] : Name();
@@ -167,7 +167,7 @@ class PlainScene {
   std::uint32_t happened_ = 0;
 };
 
-/// Canonical bytes.
+/// Collects canonical bytes.
 struct IntoText {
   std::string bytes;
   void operator()(std::uint64_t word, int count) {
@@ -246,7 +246,7 @@ std::string snapshot_of(const PlainScene<S, N>& scene) {
   return bytes + end.taken().bytes;
 }
 
-/// All objects that have a point in common with the question, as `Scene::all` says.
+/// All objects that share a point with the query shape, as `Scene::all` defines.
 template <Scalar S, int N, class Question>
 std::vector<Found<S>> all_of(const PlainScene<S, N>& scene, const Question& question,
                              std::uint32_t mask) {
@@ -267,7 +267,7 @@ std::vector<Found<S>> all_of(const PlainScene<S, N>& scene, const Question& ques
   return all;
 }
 
-/// The object nearest to a point; an empty one is nowhere.
+/// The object nearest to a point; empty shapes are skipped.
 template <Scalar S, int N>
 std::optional<Found<S>> nearest_of(const PlainScene<S, N>& scene, const Vec<S, N>& point,
                                    std::uint32_t mask) {

@@ -24,14 +24,14 @@ std::optional<Wrong> judge(const CrossingCase<S, N>& c, const Answer& got) {
   return compare(Answer(expected), got);
 }
 
-/// The least whole number that is not below sqrt(square) / 2^bits.
+/// The smallest integer >= sqrt(square) / 2^bits.
 inline Integer root_above(const Integer& square, int bits) {
   Integer root = sqrt(Integer(square >> static_cast<unsigned>(2 * bits)));
   while (scaled(root * root, 2 * bits) < square) ++root;
   return root;
 }
 
-/// The eight corners of a box (or four), in steps of a direction's grid and about its center.
+/// The corners of a box (eight; in 2D four) relative to its center, in steps of a direction's grid.
 template <Scalar S, int N>
 std::vector<oracle::Vector<N>> corners_of(const Obb<S, N>& box) {
   std::vector<oracle::Vector<N>> corners;

@@ -7,7 +7,7 @@
 
 #include "verify/draw/shapes.hpp"
 
-// The kinds of shapes: what one is called in the names of rows, its type, and how one is drawn.
+// The kinds of shapes: the name used in row names, the type, and how one is drawn.
 
 namespace detent::verify {
 
@@ -76,7 +76,7 @@ struct HullKind {
   }
 };
 
-/// The names of rows, put together while the program is compiled: a few words each.
+/// The name of a row, concatenated from a few words at compile time.
 class RowName {
  public:
   template <class... Words>

@@ -11,8 +11,8 @@
 
 namespace detent::verify {
 
-/// The answer of a query that writes the first of its finds to a room and returns how many there
-/// are: both, with a room that some answers do not fit.
+/// The result of a query that writes its first finds to a buffer and returns how many there are.
+/// Some results do not fit the buffer.
 template <class T, std::size_t Room>
 struct Listed {
   std::array<T, Room> first{};
@@ -32,7 +32,8 @@ struct Listed {
   }
 
  private:
-  // Where gcc 12 sees that the room has fewer than 16 places it warns of what sorting would do there.
+  // When gcc 12 sees that the buffer has fewer than 16 entries, it warns about inlined sorting
+  // code.
   template <class Ask>
   DETENT_VERIFY_NOINLINE static constexpr std::uint32_t answer_of(const Ask& ask,
                                                                   std::span<T> room) noexcept {

@@ -12,7 +12,7 @@
 #include "verify/draw/surfaces.hpp"
 #include "verify/questions/listed.hpp"
 
-// Surfaces of triangles, whose answers are those of a loop over the triangles.
+// Surfaces of triangles, whose results equal those of a loop over the triangles.
 
 namespace detent::verify {
 
@@ -30,7 +30,7 @@ constexpr void append(D& digest, const MeshCase<S, N>& c) noexcept {
   digest.add(c.mesh, c.ray, c.point, c.segment, c.sphere, c.obb);
 }
 
-/// A mesh and the storage that it is a view of.
+/// A mesh and the storage it is a view of.
 template <Scalar S>
 class BuiltMesh {
  public:
@@ -55,7 +55,7 @@ class BuiltMesh {
   std::size_t node_count_ = 0;
   std::size_t count_;
 };
-/// As the tree came out: box, nodes and sorted triangles.
+/// The tree as built: box, nodes and sorted triangles.
 template <class D, Scalar S>
 constexpr void append(D& digest, const BuiltMesh<S>& built) noexcept {
   const auto mesh = built.view();
@@ -64,16 +64,15 @@ constexpr void append(D& digest, const BuiltMesh<S>& built) noexcept {
   for (const auto& part : mesh.triangles) digest.add(part);
 }
 
-/// The groups about surfaces ask in space, and a twelfth of the questions, for each builds its
-/// surface anew.
+/// Groups of surfaces run in 3D only and one question in twelve, because each builds its surface.
 struct SurfaceGroup {
   static constexpr std::uint32_t share = 12;
   template <int N>
   static constexpr bool asks = N == 3;
 };
 
-/// The first question of each cell, which compilers answer too, has few triangles: so it came out for
-/// a seed made of the first of these names.
+/// The first of these names seeds the questions. With it the first question of each cell, which
+/// compilers evaluate too, has few triangles.
 struct Meshes : SurfaceGroup {
   static constexpr std::array<std::string_view, 9> names{
       "mesh/raycast_nearest", "mesh/raycast_any",      "mesh/raycast_all",
@@ -138,7 +137,7 @@ constexpr void append(D& digest, const FieldCase<S, N>& c) noexcept {
   digest.add(c.field, c.ray, c.point, c.aabb);
 }
 
-/// Samples that make no field are a field of no triangles.
+/// Invalid samples make a field without triangles.
 struct HeightFields : SurfaceGroup {
   static constexpr std::array<std::string_view, 4> names{
       "height_field/raycast_nearest", "height_field/raycast_all", "height_field/overlaps/aabb",

@@ -16,7 +16,7 @@
 
 namespace detent::verify {
 
-/// A number on the grid of a scalar, in 63 bits.
+/// A 63-bit number on the grid of a scalar.
 template <Number S>
 struct long_of {
   using type = S;
@@ -26,7 +26,7 @@ struct long_of<Fixed<Bits, Frac>> {
   using type = Fixed<63, Frac>;
 };
 
-/// A whole matrix: a quarter of them of a few units, and some singular.
+/// A matrix; a quarter have small entries, and some are singular.
 template <Scalar S, int Size>
 [[nodiscard]] constexpr Mat<S, Size, Size> any_matrix(Numbers<S>& numbers) noexcept {
   Mat<S, Size, Size> m;
@@ -58,7 +58,7 @@ struct Matrices {
     Numbers<S> numbers(random);
     return MatrixCase<S, N>{any_matrix<S, N>(numbers)};
   }
-  /// A determinant is wider than a digest takes: it is rounded to the grid of the scalar.
+  /// A determinant is too wide for a digest, so it is rounded to the grid of the scalar.
   template <int Row, Scalar S, int N>
   [[nodiscard]] static constexpr auto answer(const MatrixCase<S, N>& c) noexcept {
     if constexpr (Row == 0) {
@@ -69,7 +69,7 @@ struct Matrices {
   }
 };
 
-/// A unit quaternion (a complex number, and one in each of its two planes) of plain integers.
+/// A unit quaternion from plain integers: a complex number, and one more in each of its two planes.
 template <Scalar S>
 [[nodiscard]] constexpr Quat<S> any_quat(Numbers<S>& numbers) noexcept {
   const auto outer = numbers.template any_direction<2>();
@@ -168,7 +168,7 @@ constexpr void append(D& digest, const CameraCase<S, N>& c) noexcept {
   digest.add(c.eye, c.target, c.up, c.matrix);
 }
 
-/// Cameras, some of which look at themselves or along what is up.
+/// Cameras; for some the target is the eye or the view is along the up vector.
 struct Cameras {
   static constexpr std::array<std::string_view, 2> names{"look_at", "project_point"};
   template <int N>
@@ -207,7 +207,7 @@ constexpr void append(D& digest, const LensCase<S, N>& c) noexcept {
   digest.add(c.fov.raw(), c.aspect, c.near_distance, c.far_distance);
 }
 
-/// Most of the lenses can be built.
+/// Lenses; most of them are valid.
 struct Lenses {
   static constexpr std::array<std::string_view, 1> names{"perspective"};
   template <int N>
@@ -244,7 +244,7 @@ constexpr void append(D& digest, const VectorsCase<S, N>& c) noexcept {
   digest.add(c.u, c.v, c.normal, c.t);
 }
 
-/// Two vectors, parallel ones and zero among them.
+/// Two vectors; some are parallel and some zero.
 struct VectorPairs {
   static constexpr std::array<std::string_view, 4> names{"angle_between", "project", "reflect",
                                                          "lerp"};

@@ -10,7 +10,7 @@
 
 namespace detent::verify {
 
-/// A few units on the grid of a product of two numbers, or of four.
+/// A small number on the grid of a product of two or four numbers.
 template <Number S, int Factors>
 struct crumb_of {
   using type = S;
@@ -31,7 +31,7 @@ constexpr void append(D& digest, const RootCase<S, N>& c) noexcept {
   digest.add(c.a, c.b, c.beside_square, c.beside_fourth_power);
 }
 
-/// Roots of 64 and of 128 bits, on and just beside squares as often as anywhere.
+/// Roots of 64 and of 128 bits, half of them at or next to squares.
 struct Roots {
   static constexpr std::array<std::string_view, 2> names{"sqrt_floor", "sqrt_floor/wide"};
   template <int N>
@@ -66,7 +66,7 @@ constexpr void append(D& digest, const QuotientCase<S, N>& c) noexcept {
   digest.add(c.a, c.b, c.c, c.d);
 }
 
-/// Quotients of numbers and of products of three by products of two, division by 0 included.
+/// Quotients of numbers, and of products of three by products of two; division by 0 included.
 struct Quotients {
   static constexpr std::array<std::string_view, 4> names{
       "quotient_floor", "quotient_floor/wide", "quotient_nearest", "quotient_nearest/wide"};
@@ -103,8 +103,8 @@ struct Text {
     return {characters.data(), static_cast<std::size_t>(length)};
   }
 };
-/// Characters as ASCII bytes, after their number: `char` is signed on one machine and not on
-/// another, and the same byte on both.
+/// Adds characters as ASCII bytes, after their count: the sign of `char` depends on the machine,
+/// the byte does not.
 template <class D>
 constexpr void append(D& digest, const Text& text) noexcept {
   digest.add(static_cast<std::uint8_t>(text.length));
@@ -121,7 +121,7 @@ constexpr void append(D& digest, const TextCase<S, N>& c) noexcept {
   digest.add(c.text, c.number);
 }
 
-/// Decimals in every spelling, malformed and out of range ones too; and numbers to be spelt.
+/// Decimals in every notation, malformed and out of range ones included; and numbers to print.
 struct Texts {
   static constexpr std::array<std::string_view, 2> names{"parse", "to_chars"};
   template <int N>

@@ -9,7 +9,7 @@
 
 namespace detent::verify {
 
-/// Two shapes; in `intersects` a segment comes first.
+/// Two shapes; for `intersects` a segment comes first.
 template <Scalar S, int N, class First, class Second>
 struct PairCase {
   First a;

@@ -12,7 +12,7 @@
 
 namespace detent::verify {
 
-/// A point and a shape, and how near is near enough.
+/// A point, a shape and a tolerance.
 template <Scalar S, int N, class ShapeType>
 struct PointCase {
   using Shape = ShapeType;
@@ -25,8 +25,8 @@ constexpr void append(D& digest, const PointCase<S, N, Shape>& c) noexcept {
   digest.add(c.shape, c.point, c.tolerance);
 }
 
-/// The square of a length as the digest takes it: rounded down to the grid of the squares of a
-/// scalar and clamped to their range, so that it says nothing of how a fraction is represented.
+/// A squared length for the digest: rounded down to the grid of a scalar's squares and clamped to
+/// their range, so that it does not depend on how a fraction is represented.
 template <Number S>
 struct square_of {
   using type = S;
@@ -44,7 +44,7 @@ template <Scalar S, Number Over, Number Under>
   return quotient_floor<typename square_of<S>::type>(x.numerator, x.denominator);
 }
 
-/// A group's rows are the first of these, as many as there are for its kind of shape.
+/// A group's rows are the first of these, as many as its kind of shape has.
 enum PointRow {
   contains_row,
   on_row,

@@ -15,7 +15,7 @@ template <class D, Scalar S, int N, class Shape>
 constexpr void append(D& digest, const RayCase<S, N, Shape>& c) noexcept {
   digest.add(c.ray, c.shape, c.facing == Facing::front);
 }
-/// A box has no facing, and the digests of its questions have never had one.
+/// A box has no facing, and the digest of its questions has never included one.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const RayCase<S, N, Obb<S, N>>& c) noexcept {
   digest.add(c.ray, c.shape);

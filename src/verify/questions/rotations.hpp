@@ -27,7 +27,7 @@ constexpr void append(D& digest, const VectorCase<S, N>& c) noexcept {
   digest.add(c.vector);
 }
 
-/// Vectors of every length, the zero vector and multiples of integer unit vectors among them.
+/// Vectors of every length, including zero and multiples of integer unit vectors.
 struct Normals {
   static constexpr std::array<std::string_view, 2> names{"normalize", "length"};
   template <int N>
@@ -121,7 +121,7 @@ struct Bearings {
   static constexpr auto draw(Random& random) noexcept {
     Numbers<S> numbers(random);
     const S y = numbers.any();
-    // On and beside the diagonals, where an octant ends.
+    // On and next to the diagonals, where an octant ends.
     const auto beside = static_cast<std::int64_t>(y.raw()) + random.between(-1, 1);
     const S x = random.one_in(8) ? numbers.scalar(beside * random.sign()) : numbers.any();
     return BearingCase<S, N>{y, x};
@@ -132,7 +132,7 @@ struct Bearings {
   }
 };
 
-/// The turn by an angle in the plane.
+/// The rotation by an angle in the plane.
 struct FlatTurns {
   static constexpr std::array<std::string_view, 1> names{"rotation/angle"};
   template <int N>

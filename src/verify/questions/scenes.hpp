@@ -12,15 +12,15 @@
 #include "verify/draw/histories.hpp"
 #include "verify/questions/listed.hpp"
 
-// Scenes after a short life: what they answer, their digests and their snapshots.
+// Scenes after a short history: query results, digests and snapshots.
 
 namespace detent::verify {
 
-/// A scene that lives through a history.
+/// A scene that runs a history.
 template <Scalar S, int N>
 class LivingScene {
  public:
-  /// With fewer places than some histories ask for.
+  /// Smaller than some histories need.
   static constexpr std::size_t capacity = 10;
   static constexpr std::size_t frame_capacity = 2;
 
@@ -38,7 +38,7 @@ class LivingScene {
 
   BoundedScene<Bounded<capacity, frame_capacity>, S, N, Sphere, Aabb, Obb> scene;
 
-  /// Bit i for step i, when it could be done.
+  /// Bit i is set when step i succeeded.
   [[nodiscard]] constexpr std::uint32_t happened() const noexcept { return happened_; }
 
  private:
@@ -88,7 +88,7 @@ class LivingScene {
   std::uint32_t happened_ = 0;
 };
 
-/// Which steps could be done, and what came of them.
+/// Which steps succeeded, and the resulting scene.
 struct Outcome {
   std::uint32_t happened = 0;
   std::uint32_t size = 0;
@@ -101,8 +101,8 @@ constexpr void append(D& digest, const Outcome& outcome) noexcept {
   digest.add(outcome.happened, outcome.size, outcome.digest);
 }
 
-/// A snapshot, and the scene that it was restored into after more had happened to it: whether it
-/// was, its digest, its next id, and what it answers.
+/// A snapshot restored into its scene after more steps: whether that succeeded, and the scene's
+/// digest, next id and nearest object.
 template <Scalar S>
 struct Rollback {
   std::uint32_t byte_count = 0;
@@ -121,7 +121,7 @@ constexpr void append(D& digest, const Rollback<S>& rollback) noexcept {
              rollback.nearest);
 }
 
-/// The groups about scenes ask a twelfth of the questions, for each builds its scene anew.
+/// Groups of scenes run one question in twelve, because each builds its scene.
 struct SceneGroup {
   static constexpr std::uint32_t share = 12;
   template <int N>
@@ -140,7 +140,7 @@ constexpr void append(D& digest, const SceneCase<S, N>& c) noexcept {
   digest.add(c.history, c.mask, c.ray, c.point);
 }
 
-/// What is near, along a ray and around a point, in some layers.
+/// The nearest objects along a ray and to a point, in some layers.
 struct SceneQuestions : SceneGroup {
   static constexpr std::array<std::string_view, 3> names{"scene/nearest/ray", "scene/nearest/point",
                                                          "scene/all/ray"};
@@ -182,7 +182,7 @@ constexpr void append(D& digest, const MeetingCase<S, N>& c) noexcept {
   digest.add(c.history, c.mask, c.sphere);
 }
 
-/// What has a point in common with a sphere in some layers, and all pairs that have one.
+/// The objects that overlap a sphere in some layers, and all overlapping pairs.
 struct SceneMeetings : SceneGroup {
   static constexpr std::array<std::string_view, 3> names{"scene/any/sphere", "scene/all/sphere",
                                                          "scene/overlaps"};
@@ -248,7 +248,7 @@ struct SceneRecords : SceneGroup {
   }
 
  private:
-  /// Room for the snapshot of any history.
+  /// The snapshot size of the largest history.
   template <Scalar S, int N>
   static constexpr std::size_t room_for() noexcept {
     constexpr auto object = 25 + detail::byte_count<Obb<S, N>>;

@@ -7,7 +7,7 @@
 #include "verify/draw/shapes.hpp"
 #include "verify/questions/motions.hpp"
 
-// Where planes meet, how large shapes are, and what bounds them.
+// Intersections of planes, sizes of shapes, and bounding shapes.
 
 namespace detent::verify {
 
@@ -57,7 +57,7 @@ constexpr void append(D& digest, const SizeCase<S, N>& c) noexcept {
   digest.add(c.triangle, c.aabb, c.sphere, c.obb);
 }
 
-/// Areas, and volumes where a shape has one, rounded down to the grid of the scalar.
+/// Areas, and volumes of shapes that have one, rounded down to the grid of the scalar.
 struct Sizes {
   static constexpr std::array<std::string_view, 6> names{
       "measure/triangle", "measure/aabb",        "measure/sphere",
