@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// What the queries say about one shape agrees: the closest point and the point of a hit are on it
-// within their rounding, and a point asks the same as the sphere, capsule, segment, triangle or box
-// that has collapsed to it.
+// The queries agree about each shape: the closest point and a hit's point are on it within their
+// rounding, and a point gives the same result as a sphere, capsule, segment, triangle or box that
+// has collapsed to it.
 //
-// Tolerances, in raw units. Rounding to the grid moves a point by at most sqrt(3)/2 < 1. A hit's
-// distance is rounded down by less than 1 along a direction of length < 1 + 2^-13 on top of that,
-// so its point is off by less than 2. A box is measured in its frame, where the three coordinates
-// of a step of length e along its axes are each at most (1 + 2^-13) e: less than 2 e together.
+// Tolerances, in raw units. Rounding to the grid moves a point by at most sqrt(3)/2 < 1. On top of
+// that, a hit's distance is rounded down by less than 1 along a direction of length < 1 + 2^-13, so
+// its point is off by less than 2. A box is measured in its frame, where the three coordinates of a
+// step of length e along its axes are each at most (1 + 2^-13) e: less than 2 e together.
 //
-// So 8 raw units along the normal, rounding among them, lead out of every convex shape; and where
-// a ball of radius r about c is in the shape, 8 / r of the way to c leads into it, since the balls
-// about the points on the way have radii of up to 8 there.
+// So a step of 8 raw units along the normal, rounding included, leaves every convex shape. If a
+// ball of radius r around c is inside the shape, a step of 8 / r of the way to c enters it, because
+// the shape contains balls of radius up to 8 around the points of that way.
 
 #include <algorithm>
 
@@ -42,7 +42,7 @@ inline constexpr bool is_obb = false;
 template <Scalar S, int N>
 inline constexpr bool is_obb<Obb<S, N>> = true;
 
-/// Whether a shape reads a box as slabs.
+/// Whether a shape treats a box as slabs.
 template <class Shape>
 inline constexpr bool is_round = requires(Shape shape) {
   shape.radius;
@@ -53,7 +53,7 @@ S raw_units(int count) {
   return S::from_raw(static_cast<typename S::raw_type>(count));
 }
 
-/// A ball that is in a solid.
+/// A ball inside a solid.
 template <Scalar S, int N>
 Sphere<S, N> ball_in(const Sphere<S, N>& sphere) {
   return sphere;
@@ -79,7 +79,7 @@ Sphere<S, N> ball_in(const Aabb<S, N>& box) {
   return ball_in(same);
 }
 
-/// Beside the point of a hit, 8 raw units out of the shape; and into it, nearer to the ball.
+/// Moves a hit's point 8 raw units out of the shape; or into it, towards the ball's center.
 template <Scalar S, int N>
 Vec<S, N> nudged_out(const RayHit<S, N>& hit) {
   using D = oracle::Draw<S, N>;
@@ -124,10 +124,10 @@ void check(Source& source) {
             because("not on within less than the distance"));
   }
 
-  // An empty shape gives the point itself. The foot on skewed axes need not be in the box.
+  // An empty shape gives the point itself. On skewed axes the foot need not be in the box.
   const auto closest = closest_point(shape, point);
   if (inside && !is_at_an_end(point) && closest != point) {
-    // A surface's point may be stored beside the shape: only solids keep it.
+    // Only solids return an inside point itself; for a surface it may be rounded off the shape.
     require(on(shape, closest, raw_units<S>(1)), because("closest to itself"));
   }
   if (!is_obb<Shape> && apart < S::max() && !is_at_an_end(closest)) {
@@ -144,7 +144,7 @@ void check(Source& source) {
     require(overlaps(Triangle<S, N>{point, point, point}, shape) == inside,
             because("a triangle of a point"));
     require(overlaps(Aabb<S, N>{point, point}, shape) == inside, because("a box of a point"));
-    // As slabs, a box without size is a point only where its axes are independent.
+    // As slabs, a box of size 0 is a point only if its axes are independent.
     const auto turn = is_round<Shape> ? Rotation<S, N>() : decoder.rotation();
     require(overlaps(Obb<S, N>{point, {}, turn}, shape) == inside,
             because("an oriented box of a point"));

@@ -15,9 +15,9 @@
 
 namespace detent::fuzz {
 
-/// Turns bytes into shapes of which many touch, graze, are parallel, coincide, are tiny or reach
-/// the ends of the domain: where a point, a direction or a length is wanted, bytes mostly choose
-/// how it follows from those read before, and only else its value.
+/// Decodes bytes into shapes, many of which touch, graze, are parallel, coincide, are tiny or reach
+/// the ends of the domain: bytes mostly choose how a point, direction or length follows from
+/// earlier ones, and only otherwise its value.
 template <Scalar S, int N>
 class Decoder {
  public:
@@ -44,7 +44,7 @@ class Decoder {
 
   S number() { return D::scalar(coordinate(0)); }
 
-  /// A radius or a half extent: now and then the distance of two points, to the raw unit.
+  /// A radius or a half extent: sometimes the distance of two points, to the raw unit.
   S reach() {
     switch (source_.below(8)) {
       case 0:
@@ -107,7 +107,7 @@ class Decoder {
     const auto i = static_cast<int>(source_.below(size));
     keep(D::moved(face, box.rotation.axis(i), box.half_extents[i].raw()));
   }
-  /// Through a point, or beside it, or anywhere.
+  /// Through a point, or next to it, or anywhere.
   void read(Plane<S, N>& plane) {
     plane.normal = direction();
     const auto p = raw(point());
@@ -123,7 +123,7 @@ class Decoder {
   void read(Triangle<S, N>& triangle) { triangle = {point(), point(), point()}; }
   void read(Segment<S, N>& segment) { segment = {point(), point()}; }
   void read(Capsule<S, N>& capsule) { capsule = {point(), point(), reach()}; }
-  /// Up to seven points, or the corners of a box, which have faces of four. The decoder keeps them.
+  /// Up to seven points, or the corners of a box, whose faces have four. The decoder owns them.
   void read(ConvexHull<S, N>& hull) {
     auto& points = hulls_.emplace_back();
     const auto count = source_.below(9);
@@ -176,7 +176,7 @@ class Decoder {
   }
   Raw earlier() { return points_[source_.below(points_.size())]; }
 
-  /// At or beside an end of the domain or a power of two.
+  /// At or next to an end of the domain or a power of two.
   std::int64_t corner() {
     const auto power = std::int64_t{1} << source_.below(static_cast<std::size_t>(S::bits) + 1);
     return (source_.below(2) == 0 ? power : -power) + source_.step();
@@ -238,7 +238,7 @@ class Decoder {
         return D::stretched(frame_.axes[i], frame_.norm);
       case 2:
         return source_.below(2) == 0 ? known : -known;
-      case 3: {  // nearly parallel, of a length that may be wrong by as much as one may
+      case 3: {  // nearly parallel, its length off by as much as allowed
         std::array<typename Direction<S, N>::Raw, size> raw{};
         for (std::size_t k = 0; k < size; ++k) {
           raw[k] = static_cast<typename Direction<S, N>::Raw>(raw_of_component(known, k) +
@@ -251,7 +251,7 @@ class Decoder {
         for (auto& component : v) component = source_.bits(15);
         return towards(v);
       }
-      case 5: {  // across
+      case 5: {  // perpendicular
         const auto from = earlier(), to = earlier();
         const auto k = (i + 1) % size;
         Raw v{};
@@ -271,7 +271,7 @@ class Decoder {
     return v == Raw{} ? Direction<S, N>() : D::along(along);
   }
 
-  /// From a quaternion or, in the plane, from one direction.
+  /// From a quaternion; in 2D, from one direction.
   std::array<Direction<S, N>, size> orthonormal() {
     if constexpr (N == 2) {
       const auto d = direction();

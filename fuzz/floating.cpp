@@ -3,20 +3,20 @@
 // Rays, closest points and distances in `float` and in `double`, which run the same source, agree
 // with those in q16_16 within the rounding of both.
 //
-// The fixed answer brackets the one of real arithmetic: a distance is rounded down, a point to
-// nearest (where a ray hits, from a distance rounded down), a normal within 2^-30. How far the
-// floating one may be from there is derived anew for every input, from the operations done for it
-// and the rounding of each: see traced.hpp, which states the rules and proves them. Where a
-// comparison is within the error of its sides, the path is not known to be that of real arithmetic;
-// then the answer has to agree if the path ends, but for rounding, where the fixed one does. Hit or
-// miss has to agree where every comparison is decided.
+// The fixed-point result brackets the real one: a distance is rounded down, a point to nearest (a
+// hit's point from a distance rounded down), a normal within 2^-30. The error bound of the
+// floating-point result is derived for each input, from its operations and the rounding of each:
+// traced.hpp states and proves the rules. If a comparison is within the error of its sides, the
+// floating path may differ from the real one; then the results have to agree only if the path ends,
+// up to rounding, where the fixed one does. Hit or miss has to agree if every comparison is
+// decided.
 //
 // domain: coordinates, radii, half extents, offsets and lengths of rays of at most 24 bits, which a
 //         float holds exactly; directions and axes as stored, in 30 bits, so that a float starts
 //         with their rounding
 //
-// No bound is generous: kept inputs use more than half of each, which the replay of the corpus
-// demands.
+// No bound is loose: the corpus contains inputs that use more than half of each, and its replay
+// checks that.
 
 #include <array>
 #include <cstdio>
@@ -39,11 +39,11 @@ constexpr std::array<const char*, 10> shape_names{"Sphere",   "Aabb",    "Obb", 
                                                   "Triangle", "Capsule", "ConvexHull", "Segment",
                                                   "Ray",      "Compound"};
 
-/// The greatest share of its bound that an answer used: by dimension, shape, question and scalar.
+/// The largest share of its bound that a result used: by dimension, shape, query and scalar.
 using Shares = std::array<std::array<std::array<std::array<double, 2>, 5>, 10>, 2>;
 Shares shares{};
 
-/// A q16_16 cut to 24 bits, or a coordinate or component of a direction in another scalar.
+/// A q16_16 truncated to 24 bits, or a coordinate or component of a direction in another scalar.
 template <class T, class X>
 T number(const X& x) {
   if constexpr (std::is_same_v<T, q16_16>) {
@@ -56,7 +56,7 @@ T number(const X& x) {
   }
 }
 
-/// Shapes with these numbers. It keeps what hulls and compounds name.
+/// Converts shapes to another number type. It owns what hulls and compounds refer to.
 template <class T, int N>
 class Converter {
  public:
@@ -115,7 +115,7 @@ class Converter {
   std::deque<std::vector<Aabb<T, N>>> boxes_;
 };
 
-/// What is asked of one shape in one scalar, and whether all comparisons were decided.
+/// The results for one shape in one scalar, and whether all comparisons were decided.
 template <Scalar S, int N>
 struct Answers {
   std::optional<S> along_ray;
@@ -237,7 +237,7 @@ void examine_one(std::size_t kind, Decoder<q16_16, N>& decoder) {
   examine(kind, ray, cut(decoder.point()), shape);
 }
 
-/// A ball and a box. Which of two parts is nearer, fixed scalars decide on rounded distances.
+/// A ball and a box. Fixed scalars choose the nearer one by rounded distances.
 template <int N>
 void examine_compound(std::size_t kind, Decoder<q16_16, N>& decoder) {
   Converter<q16_16, N> cut;
@@ -281,8 +281,8 @@ void examine_any(Source& source, std::size_t kind) {
   }
 }
 
-/// Whether an answer is rounded at all: a point closest on a box along the axes is not, nor are in
-/// double normals as they are stored (or, for a ray that starts inside, its direction).
+/// Whether a result is rounded at all: the closest point on an axis-aligned box is not, nor are
+/// stored normals in double (nor, for a ray that starts inside, its direction).
 bool is_rounded(std::size_t shape, std::size_t question, bool in_double) {
   const std::string_view name = shape_names[shape];
   if (name == "Ray" && question <= hit_normal) return false;
@@ -292,8 +292,8 @@ bool is_rounded(std::size_t shape, std::size_t question, bool in_double) {
   return !(in_double && question == hit_normal && has_stored_normal);
 }
 
-/// Every bound was used up to more than half, or where long double has no more bits than double,
-/// every bound in float.
+/// Checks that more than half of every bound was used. Where long double has no more bits than
+/// double, only the bounds in float are checked.
 void require_tight_bounds() {
   std::string slack;
   for (int n = 2; n <= 3; ++n) {

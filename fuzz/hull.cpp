@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Points and rays against convex hulls: contains, on, distance, closest_point and the raycasts give
-// the exact answer, rounded as their docstrings say.
+// the exact result, rounded as their docstrings say.
 
 #include "decode.hpp"
-// What describes and solves hulls comes before what looks it up.
+// The hull helpers come before the headers that look them up.
 #include "oracle/hull.hpp"
 #include "oracle/ray_hull.hpp"
 //

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Whatever bytes a scene file holds, reading it gives a value or an error that names the file: the
-// tree's tokens stand where it says, and no other exception leaves the reader.
+// Reading a scene file of any bytes gives a value or an error that names the file: the tokens of
+// the tree are at the positions it gives, and no other exception leaves the reader.
 
 #include <string>
 #include <string_view>
@@ -45,7 +45,7 @@ class Tree {
   }
 
  private:
-  /// Columns count characters, and a byte order mark is none.
+  /// Columns count characters; a byte order mark is not one.
   [[nodiscard]] std::size_t offset(cli::Place place) const {
     std::size_t at = content_.starts_with("\xef\xbb\xbf") ? 3 : 0;
     for (int line = 1; line < place.line; ++line) at = content_.find('\n', at) + 1;
@@ -59,7 +59,7 @@ class Tree {
   std::string_view content_;
 };
 
-/// Whether `read` returns; else it names the file.
+/// Whether `read` returns; if it throws, the error has to name the file.
 template <class Read>
 bool returns(const Read& read) {
   try {
@@ -77,7 +77,7 @@ bool returns(const Read& read) {
 void property(Bytes input) {
   const std::string content(reinterpret_cast<const char*>(input.data()), input.size());
   const bool is_json = returns([&] { Tree(content).check(cli::read_json("f/f", content)); });
-  // A scene may name any file for a mesh; here only one that is not there.
+  // A scene may name any file for a mesh; here only names of missing files are allowed.
   if (content.find('/') != std::string::npos || content.find("\\u") != std::string::npos) return;
   const bool is_scene = returns([&] { (void)cli::parse_scene("f/f", content); });
   require(is_json || !is_scene, [] { return std::string("a scene that is no JSON"); });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Whatever the triangles of a mesh are and wherever it is placed, it answers as a loop over its
-// placed triangles does.
+// A mesh of any triangles at any transform gives the same results as a loop over its transformed
+// triangles.
 
 #include <optional>
 #include <string>
@@ -20,7 +20,7 @@ void require_same(bool same, const char* query) {
   require(same, [&] { return std::string(query) + " is not that of the triangles"; });
 }
 
-/// A mesh and what it should be.
+/// A mesh and the loop over its triangles.
 template <Scalar S>
 struct Subject {
   OwnedMesh<S> owned;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A shape that grows keeps what it contained, hit or overlapped; no distance to it grows, neither
-// from a point nor along a ray; and a ray that reaches further hits the same at the same distance.
+// A shape that grows still contains, is hit by and overlaps what it did before; no distance to it
+// increases, from a point or along a ray; and a longer ray hits the same at the same distance.
 
 #include "decode.hpp"
 #include "detent/query/contains.hpp"
@@ -15,7 +15,7 @@
 namespace detent::fuzz {
 namespace {
 
-/// `length` made longer by a number of raw units, as far as its type goes.
+/// `length` increased by a number of raw units, clamped to its type.
 template <Scalar S>
 S longer(S length, Source& source) {
   const std::int64_t more = source.below(2) == 0 ? source.byte() : source.bits(S::bits);

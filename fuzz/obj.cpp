@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Whatever bytes an OBJ model holds, reading it gives a mesh whose triangles name vertices that are
-// there, finite and no further than 10 units from the origin, or an error that names the file and
-// says what to do. No face that names a vertex by more digits than there can be vertices is read.
+// Reading an OBJ model of any bytes gives a mesh whose triangles refer to existing vertices, finite
+// and at most 10 units from the origin, or an error that names the file and the remedy. A face that
+// names a vertex by more digits than there can be vertices is always rejected.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@
 namespace detent::fuzz {
 namespace {
 
-/// Whether some line is a face with a word that begins with a number of more than nine digits.
+/// Whether some line is a face with a word that starts with a number of more than nine digits.
 bool names_a_far_vertex(const std::string& content) {
   std::istringstream lines(content.substr(0, content.find_first_of("\r\\#")));
   for (std::string line; std::getline(lines, line);) {

@@ -17,7 +17,8 @@ template <Scalar S, int N, class Shape>
 bool meet(const Plane<S, N>& plane, const Shape& shape) {
   return oracle::meet(plane, oracle::hull_of(shape));
 }
-/// Planes are apart where the normals are parallel, n = k m, and the offsets are not in that ratio.
+/// Planes are disjoint when the normals are parallel, n = k m, and the offsets are not in that
+/// ratio.
 template <Scalar S, int N>
 bool meet(const Plane<S, N>& a, const Plane<S, N>& b) {
   const auto n = oracle::widen(oracle::raw(a.normal)), m = oracle::widen(oracle::raw(b.normal));

@@ -17,7 +17,7 @@
 namespace detent::fuzz {
 namespace {
 
-/// Flat shapes are hulls themselves; oracle::meet knows the others.
+/// Flat shapes are hulls themselves; oracle::meet handles the others.
 template <class Shape, class Hull>
 bool expected(const Shape& shape, const Hull& hull) {
   if constexpr (requires { oracle::hull_of(shape); }) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Points and every shape: contains, on, distance and closest_point give the exact answer, rounded
+// Points and every shape: contains, on, distance and closest_point give the exact result, rounded
 // as their docstrings say.
 
 #include "decode.hpp"

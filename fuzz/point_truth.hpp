@@ -24,7 +24,7 @@ bool is_within(const std::optional<Nearest<N>>& truth, const Integer& tolerance)
   return truth->core.squared.over <= reach * reach * truth->core.squared.under;
 }
 
-/// Whether `given` is the distance rounded down, or the largest number where that is less.
+/// Whether `given` is the distance rounded down, or the largest number if that is less.
 template <Scalar S, int N>
 bool is_distance(S given, const std::optional<Nearest<N>>& truth) {
   const bool is_largest = given == S::max();
@@ -55,7 +55,7 @@ bool is_closest(const Vec<S, N>& given, const Vec<S, N>& point,
   return true;
 }
 
-/// Throws unless contains, on, distance and closest_point give what the oracle gives, rounded as
+/// Throws unless contains, on, distance and closest_point give the oracle's result, rounded as
 /// their docstrings say.
 template <class Shape, Scalar S, int N>
 void check_point(const Shape& shape, const Vec<S, N>& point, S tolerance) {

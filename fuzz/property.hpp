@@ -10,20 +10,20 @@ namespace detent::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// Thrown where a property does not hold: the replay reports it, the fuzzing engine crashes on it
+/// Thrown when a property does not hold: the replay reports it; the fuzzing engine crashes on it
 /// and keeps the input.
 class Failure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// What must hold for every input; each file of properties defines one and throws a Failure.
+/// What must hold for every input; each property file defines one, which throws a Failure.
 void property(Bytes input);
 
-/// What must hold once the property has seen every file of its corpus; throws a Failure else.
+/// Called once the property has seen every file of its corpus; throws a Failure if a check fails.
 inline void (*after_corpus)() = [] {};
 
-/// Throws what `message()` returns unless the property `holds`.
+/// Throws `message()` unless the property `holds`.
 template <class Message>
 void require(bool holds, const Message& message) {
   if (!holds) throw Failure(message());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every raycast gives the exact answer, rounded as its docstring says.
+// Every raycast gives the exact result, rounded as its docstring says.
 
 #include "decode.hpp"
 #include "oracle/ask.hpp"

@@ -2,7 +2,7 @@
 //
 // usage: PROPERTY CORPUS COUNT
 // Without the fuzzing engine: the property holds for every file in the folder CORPUS and for COUNT
-// seeded random inputs, of which half are such files with a few bytes changed.
+// seeded random inputs, half of which are such files with a few bytes changed.
 
 #include <algorithm>
 #include <cstdio>
@@ -26,7 +26,7 @@ std::vector<Input> read_corpus(const std::string& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end());  // a folder's own order is not the same everywhere
+  std::sort(files.begin(), files.end());  // the order of a directory differs between systems
   std::vector<Input> corpus;
   for (const auto& file : files) {
     std::ifstream stream(file, std::ios::binary);

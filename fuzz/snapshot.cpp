@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Whatever bytes a snapshot holds, restoring it makes the scene one that has exactly this snapshot
-// and answers as a fresh scene does; or refuses it and leaves the scene as it was. The input gets a
-// right length and checksum first, unless its first byte is odd, so that the parts are reached too;
-// its third bit adds meshes to the scene, or hulls and height fields if its fourth bit is set too.
+// Restoring a snapshot of any bytes gives a scene with exactly this snapshot, which behaves like a
+// fresh scene; or it fails and leaves the scene unchanged. The input's length and checksum are
+// first corrected, unless its first byte is odd, so that the rest of the decoder is reached too.
+// Its third bit adds meshes to the scene, or hulls and height fields if its fourth bit is set too.
 
 #include <array>
 #include <cstdint>
@@ -98,7 +98,7 @@ std::vector<std::byte> bytes_of(const Scene& scene) {
   return bytes;
 }
 
-/// With the length and the checksum that it ought to have.
+/// Sets the right length and checksum.
 void seal(std::vector<std::byte>& bytes) {
   constexpr std::size_t length_at = 36;
   if (bytes.size() < detail::SnapshotHeader::size + detail::SnapshotHeader::checksum_size) return;

@@ -11,8 +11,9 @@ namespace detent::fuzz {
 
 using test::Space;
 
-/// Calls `ask(Space<S, N>())` for a fixed scalar and a dimension that a byte chooses: from all of
-/// them with the fuzzing engine, else from the widest and the narrowest, which compile quickly.
+/// Calls `ask(Space<S, N>())` for a fixed scalar and a dimension chosen by a byte: out of all of
+/// them with the fuzzing engine, otherwise out of the widest and the narrowest, which compile
+/// quickly.
 template <class Ask>
 void in_a_space(Source& source, const Ask& ask) {
   const auto choice = source.below(8);
@@ -37,7 +38,7 @@ void in_a_space(Source& source, const Ask& ask) {
   return choice % 2 == 0 ? ask(Space<q16_16, 3>()) : ask(Space<q8_8, 2>());
 }
 
-/// Calls `check(std::type_identity<Shape>())` for one of the shapes, which a byte chooses.
+/// Calls `check(std::type_identity<Shape>())` for one of the shapes, chosen by a byte.
 template <class... Shapes, class Check>
 void with_one_of(Source& source, const Check& check) {
   const auto choice = source.below(sizeof...(Shapes));

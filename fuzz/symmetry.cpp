@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A scene mirrored, with its axes permuted, moved along the grid, or with the parts of a shape
-// named in another order gives the same answers: decisions, distances and intervals to the bit,
+// A scene that is mirrored, has its axes permuted, is moved along the grid, or has the parts of a
+// shape in another order gives the same results: decisions, distances and intervals to the bit,
 // closest points to the bit once transformed back.
 
 #include "decode.hpp"
@@ -15,8 +15,8 @@
 namespace detent::fuzz {
 namespace {
 
-/// x[i] becomes sign[i] * x[from[i]] + shift[i], the shift for points alone. It is
-/// even: a tie goes to the even number.
+/// x[i] becomes sign[i] * x[from[i]] + shift[i]; the shift applies to points only. It is even, so
+/// that ties still round to the same number.
 template <Scalar S, int N>
 class Isometry {
  public:
@@ -32,8 +32,8 @@ class Isometry {
     }
   }
 
-  /// Whether every point so far was moved without leaving the numbers of S. Two of its numbers do
-  /// not mirror each other: a result at an end of the range may have been clamped there.
+  /// Whether every point so far stayed strictly inside the range of S. Its ends are not mirror
+  /// images, and a result at an end may have been clamped.
   [[nodiscard]] bool stayed_inside() const { return inside_; }
 
   Vec<S, N> operator()(const Vec<S, N>& p) {
@@ -80,7 +80,7 @@ class Isometry {
   Ray<S, N> operator()(const Ray<S, N>& ray) {
     return {(*this)(ray.origin), (*this)(ray.direction), ray.max_distance};
   }
-  /// A shift would change the offset by what need not be on the grid.
+  /// A shift would change the offset by an amount that need not be on the grid.
   Plane<S, N> operator()(const Plane<S, N>& plane) {
     for (const auto shift : shift_) inside_ = inside_ && shift == 0;
     return {(*this)(plane.normal), plane.offset};
@@ -96,7 +96,7 @@ class Isometry {
   bool inside_ = true;
 };
 
-// The same set of points, its parts named in another order.
+// The same set of points with its parts in another order.
 template <Scalar S, int N>
 Sphere<S, N> renamed(const Sphere<S, N>& s) {
   return s;

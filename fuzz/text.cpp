@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Text and numbers: what is printed is parsed back to the same bits, and what is parsed is the
-// decimal's exact value rounded to nearest, ties to even, or was refused for a reason.
+// Printed numbers parse back to the same bits, and parsed text is the decimal's exact value rounded
+// to nearest, ties to even, or is rejected for a reason.
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <string>
@@ -15,7 +15,7 @@ namespace {
 
 using Big = boost::multiprecision::cpp_int;
 
-/// A decimal as digits * 10^exponent, found without looking at the parser under test.
+/// A decimal as digits * 10^exponent, found without the parser under test.
 struct Decimal {
   bool negative = false;
   Big digits = 0;
@@ -63,7 +63,7 @@ std::optional<Decimal> read_decimal(std::string_view text) {
 
 Big power_of_ten(long exponent) { return pow(Big(10), static_cast<unsigned>(exponent)); }
 
-/// The raw number nearest to the decimal, a tie to the even one.
+/// The raw number nearest to the decimal, ties to even.
 template <class T>
 Big nearest(const Decimal& decimal) {
   Big over = decimal.digits << T::frac, under = 1;
@@ -93,12 +93,12 @@ void check_round_trip(T x) {
   require(text.size() <= max_text_length<T>, because);
   const auto back = T::parse(text);
   require(back && back->raw() == x.raw(), because);
-  // The exact decimal: what it denotes is x and not only near it.
+  // The text is the exact decimal of x, not just one that rounds to it.
   const auto decimal = read_decimal(text);
   require(decimal.has_value() && decimal->exponent <= 0, because);
   require((decimal->digits << T::frac) == abs(Big(x.raw())) * power_of_ten(-decimal->exponent),
           because);
-  // A buffer that is one too short is left alone.
+  // A buffer that is one too short stays unchanged.
   std::string buffer(text.size(), '?');
   require(to_chars(buffer.data(), buffer.data() + buffer.size() - 1, x) == nullptr &&
               buffer == std::string(text.size(), '?'),
@@ -113,7 +113,7 @@ void check(Source& source) {
     const auto raw = static_cast<Raw>(source.bits(T::bits));
     return check_round_trip(end == 0 ? T::lowest() : end == 1 ? T::max() : T::from_raw(raw));
   }
-  // Mostly what a number may be made of; the rest as it is.
+  // Mostly characters of numbers; the rest any.
   constexpr std::string_view likely = "0123456789012345678905550000.eE+-";
   std::string text;
   const auto length = source.byte();
@@ -122,7 +122,7 @@ void check(Source& source) {
     text.push_back(byte < 250 ? likely[byte % likely.size()] : static_cast<char>(byte));
   }
   check_parse<T>(text);
-  // A value whose neighbours are near: halfway between two grid points, and beside that.
+  // Values that are hard to round: halfway between two grid points, and next to that.
   const auto half = to_string(Fixed<62, T::frac + 1>::from_raw(source.bits(T::bits + 1)));
   check_parse<T>(half);
   check_parse<T>(half + (half.find('.') == std::string::npos ? ".0001" : "0001"));

@@ -16,13 +16,13 @@
 
 namespace detent::fuzz {
 
-/// A number that computes as F (`float` or `double`) does, to the bit, and keeps account of how far
-/// it may be from the number that the same formula has in real arithmetic.
+/// A number that computes as F (`float` or `double`) does, to the bit, and tracks a bound on its
+/// difference from the same formula in real arithmetic.
 ///
 /// `error` is a bound by running error analysis (Wilkinson; Higham, Accuracy and Stability of
-/// Numerical Algorithms, 3.3). With X, Y for exact operands, |x - X| <= e and |y - Y| <= f, and h
-/// for the rounding of the result z, which is at most half the distance of the neighbours of z, and
-/// 0 where an error-free transformation shows that z is exact:
+/// Numerical Algorithms, 3.3). X, Y are the exact operands, |x - X| <= e and |y - Y| <= f. h bounds
+/// the rounding of the result z: half the distance between the neighbours of z, or 0 if an
+/// error-free transformation shows that z is exact:
 ///
 ///   x + y, x - y   e + f + h
 ///   x * y          |x| f + |y| e + e f + h        XY - xy = x (Y - y) + y (X - x) + (X - x)(Y - y)
@@ -30,11 +30,11 @@ namespace detent::fuzz {
 ///   sqrt(x)        sqrt(x) - sqrt(x - e) + h, for the root is concave; sqrt(x + e) + h if e > x
 ///   an input       h
 ///
-/// No constant is fitted to anything observed. A comparison is decided where the difference exceeds
-/// both bounds together, or where both sides are the same expression; `all_decided` remembers.
+/// No constant is fitted to observations. A comparison is decided if the difference exceeds the sum
+/// of both bounds, or if both sides are the same expression; `all_decided` records it.
 ///
-/// `exact` follows the same path in long double, so it is the number in real arithmetic but for a
-/// small share of the bound where long double has more bits than F.
+/// `exact` follows the same path in long double, so it is the real number up to a small share of
+/// the bound, where long double has more bits than F.
 template <class F>
 struct Traced {
   using Wide = long double;
@@ -42,14 +42,14 @@ struct Traced {
   F value = 0;
   Wide exact = 0;
   Wide error = 0;
-  std::uint64_t expression = 0;  // equal where the same operations were done on the same inputs
+  std::uint64_t expression = 0;  // equal if the same operations were applied to the same inputs
 
   static inline bool all_decided = true;
 
   constexpr Traced() noexcept = default;
   constexpr Traced(int x) noexcept : Traced(static_cast<F>(x), 0) {}  // NOLINT: as for F
 
-  /// A number of the caller's, rounded to an F.
+  /// A caller's number, rounded to an F.
   static Traced input(double x) noexcept {
     Traced result(static_cast<F>(x), 0);
     result.exact = x;
@@ -59,7 +59,7 @@ struct Traced {
     }
     return result;
   }
-  /// A number of F itself.
+  /// A number that F represents.
   constexpr Traced(F x, int) noexcept : value(x), exact(x), expression(of_value(x)) {}
 
   friend constexpr Traced operator-(const Traced& x) noexcept {
@@ -130,7 +130,7 @@ struct Traced {
     if (x == 0) return 0;  // -0 is 0
     return mixed(7, std::bit_cast<std::uint64_t>(static_cast<double>(x)), 0);
   }
-  /// Half the distance between neighbours of z, at a power of two the greater.
+  /// Half the distance between neighbours of z; at a power of two, the larger one.
   static Wide rounding(F z) noexcept {
     if (!std::isfinite(z)) return unbounded();
     int exponent = 0;
@@ -147,7 +147,7 @@ struct Traced {
                      bool is_exact) noexcept {
     Traced result(z, 0);
     result.exact = real;
-    // The bound is itself computed with rounding, of less than 2^-40 in all.
+    // The bound is itself rounded, by less than 2^-40 in all.
     result.error = (bound + (is_exact ? 0 : rounding(z))) * (1 + 0x1p-40L);
     if (result.error == 0) {
       result.exact = z;
@@ -166,7 +166,7 @@ struct Traced {
   }
 };
 
-// What number/floating.hpp and its like have for float and double.
+// The functions that number/floating.hpp and similar headers have for float and double.
 template <class T, class F>
 [[nodiscard]] T floor_to(const Traced<F>& x) noexcept {
   return x;
@@ -223,7 +223,7 @@ template <class F>
 [[nodiscard]] Traced<F> half(const Traced<F>& x) noexcept {
   return x / 2;
 }
-/// |x|, which is off by no more than x, whichever sign it has.
+/// x| has the error of x, whatever its sign.
 template <class F>
 [[nodiscard]] Traced<F> abs(const Traced<F>& x) noexcept {
   return std::signbit(x.value) ? -x : x;

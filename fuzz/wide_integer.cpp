@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The portable wide integers compute what the compiler's 128-bit integer computes and, beyond its
-// width, what Boost does modulo the size.
+// The portable wide integers agree with the compiler's 128-bit integer and, beyond its width, with
+// Boost modulo the size.
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -35,7 +35,7 @@ Wide<Words> reduced(Big x) {
   return Wide<Words>::from_words(words);
 }
 
-/// Words of zeros, of ones and of any bits, so that carries run far.
+/// Words of zeros, of ones or of random bits, so that carries propagate far.
 template <int Words>
 Wide<Words> read(Source& source) {
   std::array<std::uint64_t, Words> words{};
@@ -80,7 +80,7 @@ void check(Source& source) {
   require_that(bit_length(a) == (x == 0 ? 0 : static_cast<int>(msb(x < 0 ? Big(-x) : x)) + 1),
                "bit_length");
   require_that(low_bits_are_zero(a, count) == (down * one == x), "low_bits_are_zero");
-  // The quotient of the least number and -1 has no pattern; nothing divides by a negative number.
+  // The smallest number divided by -1 is not representable; no caller divides by a negative number.
   if (y > 0) {
     const auto division = divide_floor(a, b);
     Big quotient = x / y;

@@ -20,7 +20,7 @@ std::string text(const std::array<std::int64_t, N>& a) {
   return out.str();
 }
 
-/// Which normals are right.
+/// The set of right normals.
 template <int N>
 struct Normal {
   virtual ~Normal() = default;
@@ -38,9 +38,9 @@ struct StoredNormal final : Normal<N> {
   [[nodiscard]] std::string text() const override { return oracle::text(direction); }
 };
 
-/// A normal along an integer vector: every component rounded to the nearest. A tie would need a
-/// vector whose length is even though its components share no factor, and squares modulo 4 forbid
-/// that, so the nearest is one number.
+/// A normal along an integer vector: every component rounded to nearest. There are no ties: a tie
+/// would need a vector of even length whose components have no common factor, which squares modulo
+/// 4 rule out.
 template <int N>
 struct NormalizedNormal final : Normal<N> {
   Vector<N> along;
@@ -71,7 +71,7 @@ struct NormalizedNormal final : Normal<N> {
 template <int N>
 using NormalPointer = std::shared_ptr<const Normal<N>>;
 
-/// The exact answer to all three raycasts, rounded as the contract says.
+/// The exact results of all three raycasts, rounded as the contract says.
 template <int N>
 struct Expected {
   struct Hit {
@@ -83,7 +83,7 @@ struct Expected {
   std::optional<Hit> hit;
 };
 
-/// What the library answered, in raw numbers.
+/// The library's results, in raw numbers.
 template <int N>
 struct Given {
   struct Hit {
@@ -124,16 +124,16 @@ template <int N>
 NormalPointer<N> normalized(Vector<N> along, const Line<N>& line) {
   return std::make_shared<NormalizedNormal<N>>(std::move(along), line.shift);
 }
-/// The normal of a ray that starts inside a solid, or meets a shape without an inside.
+/// The normal when a ray starts inside a solid, or hits a shape without an inside.
 template <int N>
 NormalPointer<N> against(const Line<N>& line) {
   return stored<N>(negated(line.raw_direction));
 }
 
-/// Empty when `given` is right, else a line for each answer that is not.
+/// Empty when `given` is right, otherwise a line per wrong result.
 template <int N>
 std::string mistakes(const Expected<N>& expected, const Given<N>& given) {
-  std::string out;  // no stream, which takes longer than the questions of a small world
+  std::string out;  // no stream: it takes longer than the queries of a small world
   const auto& exact = expected.hit;
   if (given.distance.has_value() != exact.has_value() ||
       (exact && *given.distance != exact->enter)) {

@@ -8,14 +8,14 @@ constexpr std::int64_t unit = 65536;
 constexpr std::int64_t one = std::int64_t{1} << 30;
 using D = Draw<q16_16, 3>;
 
-/// The answer that the comparison accepts, for an exact or correctly rounded normal.
+/// The result that the comparison accepts, for an exact or correctly rounded normal.
 Given<3> right(const Expected<3>& expected, const Raw<3>& normal) {
   const auto& hit = expected.hit.value();
   return {hit.enter, Given<3>::Hit{hit.enter, hit.point, normal}, std::pair{hit.enter, hit.exit}};
 }
 
-/// Moves every number of a right answer by one raw unit, and takes every part of it away: the
-/// comparison must notice each of them.
+/// Changes every number of a right result by one raw unit, and removes every part of it: the
+/// comparison must notice each change.
 void reject_all_but(const Expected<3>& expected, const Given<3>& given, std::int64_t normal_step) {
   CHECK(mistakes(expected, given).empty());
   for (const std::int64_t step : {-1, 1}) {
@@ -96,7 +96,7 @@ TEST_CASE("oracle: it rejects any answer that is off by one raw unit", "[oracle]
     CHECK_FALSE(mistakes(expected, near).empty());
   }
   SECTION("plane, met at a fraction") {
-    // z falls by 2/3 raw unit for every unit of x, nearly: the height 50 is used up after 75 of x.
+    // z falls by nearly 2/3 raw unit per unit of x: the height 50 is used up after 75 of x.
     const Plane<q16_16, 3> plane{D::direction({715827883, 715827883, 357913941}), D::scalar(100)};
     const auto expected = expected_raycast(upwards(0, 0, 0), plane);
     REQUIRE(expected.hit.has_value());
@@ -127,7 +127,7 @@ TEST_CASE("oracle: touching and missing are one raw unit apart", "[oracle]") {
   CHECK(hits(upwards(5, -5, 0), box));
   CHECK_FALSE(hits(upwards(6, -5, 0), box));
 
-  // Along (3, 0, 4) / 5, exactly, past the corner at (5, 5, 20).
+  // Exactly along (3, 0, 4) / 5, past the corner at (5, 5, 20).
   const auto slanted = D::stretched({3, 0, 4}, 5);
   CHECK(hits(Ray<q16_16, 3>{D::vec({2, 5, 16}), slanted, q16_16::max()}, box));
   CHECK(hits(Ray<q16_16, 3>{D::vec({5 - 300, 5, 10 - 400}), slanted, q16_16::max()}, box));

@@ -6,7 +6,7 @@
 
 namespace detent::oracle {
 
-/// The library's answers to the three questions.
+/// The library's results for the three raycasts.
 template <Scalar S, int N, class Shape, class... Facings>
 Given<N> ask(const Ray<S, N>& ray, const Shape& shape, Facings... facing) {
   Given<N> given;

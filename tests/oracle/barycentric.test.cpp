@@ -6,8 +6,8 @@
 namespace detent::oracle {
 namespace {
 
-/// Whether weights are the right ones: they add up to their total, and the corners so weighted meet
-/// the point, or the foot of the perpendicular from it. One set of weights does that.
+/// Whether the weights are right: they add up to their total, and the weighted corners give the
+/// point, or the foot of the perpendicular from it. Only one set of weights does.
 template <Scalar S, int N>
 std::string mistakes(const Triangle<S, N>& triangle, const Vec<S, N>& point) {
   const auto given = barycentric(triangle, point);

@@ -14,18 +14,18 @@
 
 namespace detent::oracle {
 
-/// Where the integer axes of a frame come from: orthogonal, and each of length `norm`.
+/// The integer axes of a frame: orthogonal, and each of length `norm`.
 template <int N>
 struct Frame {
   std::array<Raw<N>, static_cast<std::size_t>(N)> axes;
   std::int64_t norm;
 };
 
-/// The integer frames whose axes can be stored as directions without rounding: `norm` must divide
-/// a length that a direction may have. A quaternion of integers turns into such a frame, of the
-/// norm of its four squares; a complex integer does in the plane.
+/// The integer frames whose axes are exact as stored directions: `norm` must divide a length that a
+/// direction may have. Integer quaternions give such frames, their norm being the sum of the four
+/// squares; in 2D complex integers do.
 ///
-/// They make tangents, shared edges and parallels that are exact and not only close.
+/// They make tangents, shared edges and parallels exact instead of approximate.
 template <Scalar S, int N>
 std::vector<Frame<N>> exact_frames() {
   constexpr std::int64_t one = std::int64_t{1} << direction_component<S>::frac;
@@ -68,7 +68,7 @@ std::vector<Frame<N>> exact_frames() {
   return frames;
 }
 
-/// Random inputs for the queries, all of them in raw numbers.
+/// Random inputs for the queries, all in raw numbers.
 template <Scalar S, int N>
 class Draw {
  public:
@@ -89,7 +89,7 @@ class Draw {
     for (std::size_t i = 0; i < size; ++i) result[static_cast<int>(i)] = scalar(raw[i]);
     return result;
   }
-  /// From components that are known to make a direction.
+  /// From components that are known to form a direction.
   static Direction<S, N> direction(const Raw<N>& raw) {
     std::array<typename direction_component<S>::raw_type, size> components{};
     for (std::size_t i = 0; i < size; ++i) {
@@ -107,14 +107,14 @@ class Draw {
     }
     return direction(raw);
   }
-  /// From one point towards another; any direction when they are the same.
+  /// From one point towards another; any direction if they are equal.
   Direction<S, N> towards(const Raw<N>& from, const Raw<N>& to) {
     std::array<double, size> v{};
     for (std::size_t i = 0; i < size; ++i) v[i] = static_cast<double>(to[i] - from[i]);
     return from == to ? any_direction() : along(v);
   }
 
-  /// A magnitude that the coordinates of one case share: from a few raw units to half the world.
+  /// The magnitude of the coordinates of one case: from a few raw units to half the world.
   std::int64_t scale() { return std::int64_t{1} << random.between(4, bits - 1); }
   Raw<N> point(std::int64_t reach) {
     Raw<N> result{};
@@ -126,7 +126,7 @@ class Draw {
     for (auto& component : base) component += random.between(-reach, reach);
     return base;
   }
-  /// Bits from the whole domain, its ends and powers of two among them.
+  /// Bits from the whole domain, including its ends and powers of two.
   std::int64_t extreme() { return random.edgy(bits); }
   Raw<N> extreme_point() {
     Raw<N> result{};
@@ -134,7 +134,7 @@ class Draw {
     return result;
   }
 
-  /// One of the coordinate axes, either way.
+  /// One of the coordinate axes, in either direction.
   Raw<N> unit() {
     Raw<N> result{};
     result[random.below(size)] = random.coin() ? 1 : -1;
@@ -142,7 +142,7 @@ class Draw {
   }
   Direction<S, N> axis_direction() { return stretched(unit(), 1); }
 
-  /// With a component that is a power of two, so that points fall halfway between grid points.
+  /// With a component that is a power of two, so that points are halfway between grid points.
   Direction<S, N> halving_direction() {
     const auto first = random.below(size);
     const auto second = (first + 1 + random.below(size - 1)) % size;
@@ -151,7 +151,7 @@ class Draw {
     v[second] = std::sqrt(1 - v[first] * v[first]);
     return along(v);
   }
-  /// Uniform enough, and with small or zero components often enough.
+  /// Roughly uniform, with small or zero components often enough.
   Direction<S, N> any_direction() {
     if (random.one_in(16)) return halving_direction();
     std::array<double, size> v{};
@@ -167,7 +167,7 @@ class Draw {
     }
     return random.one_in(4) ? disturbed(along(v)) : along(v);
   }
-  /// A direction whose length is as wrong as a direction's may be.
+  /// A direction whose length is off by as much as allowed.
   Direction<S, N> disturbed(const Direction<S, N>& exact) {
     std::array<typename direction_component<S>::raw_type, size> components{};
     for (int i = 0; i < N; ++i) {
@@ -182,7 +182,7 @@ class Draw {
     static const auto frames = exact_frames<S, N>();
     return frames[random.below(frames.size())];
   }
-  /// `axis` of an exact frame as the direction it is exactly parallel to.
+  /// `axis` of an exact frame as the direction exactly parallel to it.
   static Direction<S, N> stretched(const Raw<N>& axis, std::int64_t norm) {
     Raw<N> raw = axis;
     for (auto& component : raw) component *= (one + norm / 2) / norm;
@@ -195,7 +195,7 @@ class Draw {
     if constexpr (N == 3) axes[2] = stretched(frame.axes[2], frame.norm);
     return Rotation<S, N>::from_axes(axes);
   }
-  /// Orthonormal to the last place, from a random quaternion (or angle).
+  /// Orthonormal to the last bit, from a random quaternion (or angle).
   Rotation<S, N> rotation() {
     std::array<double, 4> q{};
     double norm = 0;
@@ -216,7 +216,7 @@ class Draw {
            along({2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z})});
     }
   }
-  /// Axes that have nothing to do with one another: still a box, as its slabs.
+  /// Unrelated axes: still a box, as the intersection of its slabs.
   Rotation<S, N> skewed() {
     if constexpr (N == 2) {
       return Rotation<S, N>::from_axes({any_direction(), any_direction()});
@@ -225,7 +225,7 @@ class Draw {
     }
   }
 
-  /// The whole ray, or now and then one that is cut short, empty, or a point.
+  /// The maximum, or sometimes a length that cuts the ray short, empties it, or leaves a point.
   S reach(std::int64_t typical) {
     if (!random.one_in(10)) return scalar(limit);
     switch (random.below(4)) {

@@ -12,16 +12,16 @@
 
 namespace detent::oracle {
 
-/// How the numbers of a random shape come about.
+/// How the numbers of a random shape are chosen.
 enum class Kind {
-  general,     // as in a game: about a center, up to a size, at every scale
-  lattice,     // small multiples of the axes of an exact frame: what touches does so exactly
+  general,     // as in a game: around a center, up to a size, at every scale
+  lattice,     // small multiples of the axes of an exact frame: contacts are exact
   tiny,        // a few raw units
   extreme,     // bits from the whole domain
   degenerate,  // on the lattice, collapsed or empty
 };
 
-/// What the shapes of one case share, so that they can meet.
+/// What the shapes of one case have in common, so that they can overlap.
 template <int N>
 struct Setting {
   Kind kind;
@@ -46,7 +46,7 @@ Setting<N> draw_setting(Draw<S, N>& draw, Kind kind, int aim) {
     const auto norm = result.frame.norm;
     result.stride = std::max<std::int64_t>(
         1, (D::limit / 16) / norm >> random.below(static_cast<unsigned>(S::bits)));
-    // Whole norms, so that a plane along the lattice has an offset on the grid.
+    // Multiples of the norm, so that a plane along the lattice has an offset on the grid.
     for (auto& component : result.center) {
       const auto reach = random.coin() ? 0 : D::limit / 4 / norm;
       component = norm * random.between(-reach, reach);
@@ -93,7 +93,7 @@ class Artist {
     return result;
   }
 
-  /// Where a shape is.
+  /// The position of a shape.
   Raw<N> point() {
     switch (setting.kind) {
       case Kind::general:
@@ -107,8 +107,8 @@ class Artist {
     }
   }
 
-  /// The corners of a shape: on the lattice often in one line or plane along it, collapsed often in
-  /// one point or any line.
+  /// The corners of a shape: on the lattice often in one line or plane along it; degenerate ones
+  /// often in one point or any line.
   template <std::size_t Count>
   std::array<Vec<S, N>, Count> corners() {
     std::array<Raw<N>, Count> result;
@@ -139,7 +139,7 @@ class Artist {
     return corner_vecs;
   }
 
-  /// How far a shape reaches: a radius or a half extent.
+  /// The extent of a shape: a radius or a half extent.
   std::int64_t reach() {
     switch (setting.kind) {
       case Kind::general:
@@ -166,7 +166,7 @@ class Artist {
   }
 
  private:
-  /// The same point, or now and then a neighbour on the grid.
+  /// The same point, or sometimes a neighbour on the grid.
   Raw<N> nudged(const Raw<N>& point) { return random.one_in(6) ? draw.near(point, 1) : point; }
 
   /// A frame without volume.

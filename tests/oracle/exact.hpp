@@ -15,20 +15,20 @@
 #include "detent/math/vec.hpp"
 #include "detent/shape/ray.hpp"
 
-/// What the queries are compared with: the definitions of the shapes, evaluated in exact integers
-/// and fractions. Nothing in here may use the library beyond reading the raw numbers of a shape,
-/// and no formula may be the library's own, so that a wrong idea is not checked by itself.
+/// The reference for the queries: the definitions of the shapes, evaluated in exact integers and
+/// fractions. It may use the library only to read the raw numbers of a shape, and none of its
+/// formulas may be the library's own, so that a wrong idea cannot confirm itself.
 namespace detent::oracle {
 
 #ifdef DETENT_ORACLE_SHORT_INTEGERS
 using Integer = ShortInteger;
 
-/// An instant is 2^-38 of the time of a raw unit. A ray and a capsule of three-bit coordinates meet
-/// at a grid time or more than that away from it: beside a grid time, their parabola of integers
-/// below 2^28 * 147 is at least 1, and steeper by no more than the length of the ray.
+/// An instant is 2^-38 of the time of a raw unit. A ray enters a capsule of three-bit coordinates
+/// at a grid time or more than an instant away from one: next to a grid time, their parabola of
+/// integers below 2^28 * 147 is at least 1, and its slope is at most the length of the ray.
 inline constexpr unsigned instant_bits = 38;
 #else
-/// Twice the widest product below; checked, so an overflow would throw and not lie.
+/// Twice the widest product below; checked, so an overflow throws.
 using Integer = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<512, 512, boost::multiprecision::signed_magnitude,
                                            boost::multiprecision::checked, void>,
@@ -75,7 +75,7 @@ bool is_zero(const std::array<Integer, N>& a) {
   return true;
 }
 
-/// A fraction with a positive denominator: a point in time along a ray, counted in raw units.
+/// A fraction with a positive denominator: a time along a ray, in raw units.
 struct Moment {
   Integer over = 0;
   Integer under = 1;
@@ -92,7 +92,7 @@ struct Moment {
   }
 };
 
-/// The largest integer that is at most `over / under`, for under > 0.
+/// The largest integer <= `over / under`, for under > 0.
 inline Integer floor_quotient(const Integer& over, const Integer& under) {
   Integer quotient = over / under;  // towards zero
   if (over.sign() < 0 && quotient * under != over) --quotient;
@@ -103,7 +103,7 @@ inline std::int64_t floor(const Moment& t) {
   return static_cast<std::int64_t>(floor_quotient(t.over, t.under));
 }
 
-/// `over / 2^shift` to the nearest integer, a tie to the even one.
+/// `over / 2^shift` rounded to the nearest integer, ties to even.
 inline Integer nearest_even(const Integer& over, int shift) {
   const Integer one = Integer(1) << static_cast<unsigned>(shift);
   const Integer down = floor_quotient(over, one);

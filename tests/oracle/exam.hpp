@@ -20,7 +20,7 @@ namespace detent::oracle {
 
 using test::Space;
 
-/// Puts random questions to the library and to the oracle, and keeps the first few disagreements.
+/// Runs random queries in the library and in the oracle, and keeps the first few disagreements.
 template <Scalar S, int N>
 class Exam {
  public:
@@ -28,9 +28,8 @@ class Exam {
 
   Draw<S, N> draw;
 
-  /// `count` cases that `generate` draws as a pair of ray and shape, most followed by the same case
-  /// with the ray cut at the hit. Of the cases as drawn, at least `low` and at most `high` percent
-  /// must hit.
+  /// Runs `count` cases, each a ray and a shape from `generate`, most followed by the same case
+  /// with the ray cut at the hit. Of the cases as drawn, `low` to `high` percent must hit.
   template <class Generate>
   void family(const char* name, long count, int low, int high, Generate generate) {
     test::HitRate rate;
@@ -51,7 +50,7 @@ class Exam {
     summary_ << "  " << name << ": " << rate << "\n";
   }
 
-  /// Every disagreement so far, none being the hope; and proof that enough was asked.
+  /// Requires that there was no disagreement and that at least `least` queries were run.
   void finish(long least) {
     INFO(draw.random << "\n" << summary_.str() << first_mistakes_.str());
     CHECK(asked_ >= least);
@@ -87,8 +86,8 @@ class Exam {
 #define DETENT_SANITIZED 0
 #endif
 
-/// How many cases an ordinary run asks: a million where most games live, fewer elsewhere, and a
-/// tenth under sanitizers, where a case takes tens of times as long.
+/// The cases of an ordinary run: a million in the most used space, fewer elsewhere, and a tenth
+/// under sanitizers, where a case takes tens of times as long.
 template <class Space>
 inline constexpr long cases = DETENT_SANITIZED ? 20'000 : 200'000;
 template <>

@@ -8,7 +8,7 @@
 
 namespace detent::oracle {
 
-/// A half-space as a moving point meets it: inside while `start + slope * t <= 0`.
+/// A half-space along a moving point: inside while `start + slope * t <= 0`.
 struct HalfSpace {
   Integer start;
   Integer slope;
@@ -26,9 +26,8 @@ struct Span {
   Moment exit;
 };
 
-/// The times in [0, max] inside all the half-spaces. The ends of that interval are ends of the ray
-/// or crossings, so each of these is tried, and whether the point is inside is asked of the
-/// definition: no interval is ever intersected.
+/// The times in [0, max] inside all half-spaces. The ends of that interval are ends of the ray or
+/// crossings, so each of these is tested by the definition. No intervals are intersected.
 inline std::optional<Span> span(std::span<const HalfSpace> spaces, const Integer& max) {
   if (max < 0) return {};
   std::optional<Span> found;

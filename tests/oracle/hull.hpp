@@ -14,12 +14,12 @@
 #include "oracle/linear.hpp"
 #include "oracle/point.hpp"
 
-/// Convex hulls for the oracles: to be included before what asks about shapes of any kind.
+/// Convex hulls for the oracles: to be included before headers that handle shapes of any kind.
 namespace detent::oracle {
 
 inline constexpr std::size_t most_corners = 8;
 
-/// Room for the points of a hull, until four more hulls have been drawn.
+/// Storage for the points of a hull, valid until four more hulls have been drawn.
 template <Scalar S, int N>
 std::span<Vec<S, N>> room_for_hull(std::size_t count) {
   static std::array<std::array<Vec<S, N>, 3 * most_corners>, 4> rooms;
@@ -27,7 +27,7 @@ std::span<Vec<S, N>> room_for_hull(std::size_t count) {
   return std::span(rooms[next++ % rooms.size()]).first(count);
 }
 
-/// One to eight points, some of them twice; now and then none where shapes degenerate.
+/// One to eight points, some duplicated; sometimes none for degenerate shapes.
 template <Scalar S, int N>
 void draw_shape(Artist<S, N>& artist, ConvexHull<S, N>& hull) {
   auto& random = artist.random;
@@ -42,8 +42,8 @@ void draw_shape(Artist<S, N>& artist, ConvexHull<S, N>& hull) {
   hull = {points};
 }
 
-/// `count` points near the surface of a ball, most of them corners, so that the way to the answer is
-/// long.
+/// `count` points near the surface of a ball, most of them corners, so that the solver needs many
+/// steps.
 template <Scalar S, int N>
 ConvexHull<S, N> round_hull(Draw<S, N>& draw, const Raw<N>& center, std::int64_t radius,
                             std::size_t count) {
@@ -72,7 +72,7 @@ Hull<N> hull_of(const Vec<S, N>& point) {
   return {{raw(point)}};
 }
 
-/// The point of a hull closest to p, which is not in it: on a line or a triangle of its points.
+/// The point of a hull closest to p, which is outside: on a line or a triangle of its points.
 template <int N>
 Place<N> nearest_outside(const std::vector<Vector<N>>& points, const Vector<N>& p) {
   std::vector<Place<N>> candidates;

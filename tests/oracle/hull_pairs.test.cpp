@@ -2,7 +2,7 @@
 #include "detent/query/intersects/hull.hpp"
 #include "detent/query/overlaps/hull_hull.hpp"
 #include "detent/query/overlaps/triangle_hull.hpp"
-// What draws and describes hulls comes before the exam, which looks it up.
+// The hull helpers come before the exam, which looks them up.
 #include "oracle/hull.hpp"
 //
 #include "oracle/pair_exam.hpp"

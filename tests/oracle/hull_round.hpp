@@ -7,8 +7,8 @@
 
 #include "oracle/hull.hpp"
 
-/// Whether a hull meets a sphere, a plane or a capsule: to be included before what asks about
-/// shapes of any kind.
+/// Whether a hull overlaps a sphere, a plane or a capsule: to be included before headers that
+/// handle shapes of any kind.
 namespace detent::oracle {
 
 template <Scalar S, int N>
@@ -18,7 +18,7 @@ bool meet(const Sphere<S, N>& sphere, const ConvexHull<S, N>& hull) {
   return !(Moment{square, 1} < nearest(hull, sphere.center)->core.squared);
 }
 
-/// Whether some weights of the points, none negative, make their heights over the plane 0.
+/// Whether some convex combination of the points' heights over the plane is 0.
 template <Scalar S, int N>
 bool meet(const Plane<S, N>& plane, const ConvexHull<S, N>& hull) {
   const Integer one = Integer(1) << static_cast<unsigned>(direction_component<S>::frac);
@@ -32,8 +32,8 @@ bool meet(const Plane<S, N>& plane, const ConvexHull<S, N>& hull) {
   return weights.is_feasible();
 }
 
-/// The square of the distance between the lines a + s u and b + t v, where they are closest between
-/// the ends of both segments: s and t solve the normal equations by Cramer's rule.
+/// The squared distance between the lines a + s u and b + t v, if they are closest within both
+/// segments, ends included: s and t solve the normal equations by Cramer's rule.
 template <int N>
 std::optional<Moment> between_inner_points(const Vector<N>& a, const Vector<N>& u,
                                            const Vector<N>& b, const Vector<N>& v) {
@@ -44,11 +44,11 @@ std::optional<Moment> between_inner_points(const Vector<N>& a, const Vector<N>& 
   if (whole.is_zero() || s < 0 || s > whole || t < 0 || t > whole) return {};
   Vector<N> apart;
   for (std::size_t i = 0; i < apart.size(); ++i) apart[i] = w[i] * whole + v[i] * t - u[i] * s;
-  return Moment{dot(apart, w), whole};  // w less u and v, to which it is perpendicular
+  return Moment{dot(apart, w), whole};  // w less multiples of u and v, which it is perpendicular to
 }
 
-/// The distance of two sets that are apart is that of an end of the axis from the hull, of the axis
-/// from a point, or of the axis from a segment of two.
+/// The distance of disjoint sets is that of an end of the axis from the hull, of the axis from a
+/// point, or of the axis from a segment of two points.
 template <Scalar S, int N>
 bool meet(const Capsule<S, N>& capsule, const ConvexHull<S, N>& hull) {
   if (capsule.radius < 0 || hull.points.empty()) return false;

@@ -2,7 +2,7 @@
 #include "detent/query/overlaps/capsule_hull.hpp"
 #include "detent/query/overlaps/plane_hull.hpp"
 #include "detent/query/overlaps/sphere_hull.hpp"
-// What draws, describes and solves hulls comes before the exam, which looks it up.
+// The hull helpers come before the exam, which looks them up.
 #include "oracle/hull_round.hpp"
 //
 #include "oracle/pair_exam.hpp"

@@ -10,7 +10,7 @@
 namespace detent::oracle {
 namespace {
 
-/// The exact coordinates times `under` > 0 of the point that N planes share.
+/// The exact coordinates, times `under` > 0, of the common point of N planes.
 template <int N>
 struct Solution {
   Vector<N> over;

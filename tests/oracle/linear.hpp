@@ -9,19 +9,18 @@
 
 namespace detent::oracle {
 
-/// The convex hull of the points over[k] / under, in raw units; without points it is empty.
+/// The convex hull of the points over[k] / under, in raw units; empty without points.
 template <int N>
 struct Hull {
   std::vector<Vector<N>> over;
   Integer under = 1;
 };
 
-/// Whether the equations sum of x[j] * column j = right[i] have a solution without a negative x.
+/// Whether the equations sum of x[j] * column j = right[i] have a solution with all x >= 0.
 ///
-/// The simplex method, first phase: the sum of what the equations still lack is made as small as it
-/// can be, by Bland's rule, which ends. Row i of the tableau says what one basic variable is, and
-/// the last row what is lacking. All numbers are over the last pivot, so they stay integers: minors
-/// of the matrix.
+/// The simplex method, phase one: minimizes the sum of the equations' residuals by Bland's rule,
+/// which terminates. Row i of the tableau gives a basic variable, and the last row the residual.
+/// All numbers have the last pivot as denominator, so they stay integers: minors of the matrix.
 ///
 /// source: Bland, New Finite Pivoting Rules for the Simplex Method (1977); Edmonds, Systems of
 ///         Distinct Representatives and Linear Algebra (1967)
@@ -38,7 +37,7 @@ class Simplex {
   bool is_feasible() {
     auto& lack = table_[rows_];
     for (std::size_t i = 0; i < rows_; ++i) {
-      basis_[i] = columns_ + i;  // what this equation lacks: no column, since it never comes back
+      basis_[i] = columns_ + i;  // artificial: no column, since it never re-enters
       for (std::size_t j = 0; j <= columns_; ++j) {
         if (right(i) < 0 && j < columns_) table_[i][j] = -table_[i][j];
       }
@@ -55,8 +54,8 @@ class Simplex {
   }
 
  private:
-  /// The row that allows the least of `column`; of several, the one of the first variable. There is
-  /// one, since the lack would fall without end.
+  /// The row with the smallest ratio for `column`; of equal ones, that of the first variable. There
+  /// is one, otherwise the residual would fall without bound.
   std::size_t leaving(std::size_t column) const {
     std::size_t best = rows_;
     for (std::size_t i = 0; i < rows_; ++i) {
@@ -91,8 +90,7 @@ class Simplex {
   Integer last_pivot_ = 1;
 };
 
-/// Whether two hulls share a point: weights of the points of one and of the other, none negative
-/// and of sum 1 each, that give the same point.
+/// Whether two hulls share a point: a convex combination of each that gives the same point.
 template <int N>
 bool meet(const Hull<N>& a, const Hull<N>& b) {
   if (a.over.empty() || b.over.empty()) return false;
@@ -113,7 +111,7 @@ bool meet(const Hull<N>& a, const Hull<N>& b) {
   return simplex.is_feasible();
 }
 
-/// Whether a plane meets a hull: not all points are on one side of it.
+/// Whether a plane meets a hull: not all points are strictly on one side.
 template <Scalar S, int N>
 bool meet(const Plane<S, N>& plane, const Hull<N>& hull) {
   const Integer one = Integer(1) << static_cast<unsigned>(direction_component<S>::frac);
@@ -127,8 +125,8 @@ bool meet(const Plane<S, N>& plane, const Hull<N>& hull) {
   return is_above && is_below;
 }
 
-/// Whether two planes meet: two equations for a point, whose coordinates are differences of two that
-/// are not negative.
+/// Whether two planes meet: two equations for a point, with each coordinate a difference of two
+/// non-negative variables.
 template <Scalar S, int N>
 bool meet(const Plane<S, N>& a, const Plane<S, N>& b) {
   Simplex simplex(2, 2 * static_cast<std::size_t>(N));
@@ -188,7 +186,7 @@ Hull<N> hull_of(const Aabb<S, N>& box) {
   return corners<N>(center, edges, 2);
 }
 
-/// The box as its edges span it.
+/// The box as spanned by its edges.
 template <Scalar S, int N>
 Hull<N> hull_of(const Obb<S, N>& box) {
   const Integer one = Integer(1) << static_cast<unsigned>(direction_component<S>::frac);

@@ -7,9 +7,9 @@
 
 #include "oracle/point.hpp"
 
-/// Which shapes come within a distance of a segment: each a finite number of candidates, among them
-/// the closest point, each judged by the definition of distance. So no question is asked about
-/// regions or about where the closest point should be.
+/// Whether a shape is within a distance of a segment. Each shape has finitely many candidates that
+/// include the closest point, and each candidate is tested by the definition of distance. No
+/// regions, no reasoning about where the closest point is.
 namespace detent::oracle {
 
 template <int N>
@@ -69,8 +69,8 @@ inline Integer determinant(const Vector<3>& a, const Vector<3>& b, const Vector<
   return dot(a, cross(b, c));
 }
 
-/// Edges and ends, and in space the point where the line pierces the plane: start + t along =
-/// a + u (b - a) + v (c - a), by Cramer's rule.
+/// Edges and ends, and in 3D the point where the line crosses the plane: start + t along = a + u (b
+/// - a) + v (c - a), by Cramer's rule.
 template <Scalar S, int N>
 bool near_segment(const Triangle<S, N>& triangle, const Segment<S, N>& segment,
                   const Integer& reach) {
@@ -108,16 +108,16 @@ bool near_segment(const Plane<S, N>& plane, const Segment<S, N>& segment, const 
   return near_point(plane, segment.start, reach) || near_point(plane, segment.end, reach);
 }
 
-/// Slabs from `low` to `high`, the place on them at time 0, and the way to time 1. All lengths are
-/// in units of which a raw unit has `one`.
+/// Slabs from `low` to `high`, the position relative to them at time 0, and the movement until time
+/// 1. Lengths are in steps of 1 / `one` raw unit.
 template <int N>
 struct Slabs {
   Vector<N> low, high, start, along;
   Integer one;
 };
 
-/// Whether the place at the time over / under, if that is in [0, 1], is within `reach` of the
-/// slabs.
+/// Whether the position at time over / under is within `reach` of the slabs; false for times
+/// outside [0, 1].
 template <int N>
 bool near_at(const Slabs<N>& slabs, const Integer& over, const Integer& under,
              const Integer& reach) {
@@ -133,8 +133,8 @@ bool near_at(const Slabs<N>& slabs, const Integer& over, const Integer& under,
   return squared <= most * most;
 }
 
-/// For every choice of a side or the inside on each axis, the distance to the planes chosen is a
-/// quadratic in time: one of them is least where the distance is.
+/// For every choice of a side or the inside on each axis, the squared distance to the chosen planes
+/// is quadratic in time. The minimum of one of these is the minimum distance.
 template <int N>
 bool near_slabs(const Slabs<N>& slabs, const Integer& reach) {
   for (std::size_t i = 0; i < slabs.low.size(); ++i) {
@@ -151,7 +151,7 @@ bool near_slabs(const Slabs<N>& slabs, const Integer& reach) {
       under += slabs.along[i] * slabs.along[i];
     }
     if (!under.is_zero() && near_at(slabs, over, under, reach)) return true;
-    // Where all that moves is inside, it is so from the time it enters.
+    // If every moving coordinate gets inside, that begins at a crossing.
     const auto axis = static_cast<std::size_t>(choice / 3) % slabs.low.size();
     const Integer& bound = choice % 3 == 1 ? slabs.low[axis] : slabs.high[axis];
     const auto t = Moment::fraction(bound - slabs.start[axis], slabs.along[axis]);

@@ -10,7 +10,7 @@ namespace {
 template <Scalar S, int N>
 void examine(std::uint64_t seed, long count) {
   const auto truth = [](const auto& a, const auto& b) { return meet(hull_of(a), hull_of(b)); };
-  // Frames whose axes repeat one another, so that even those of both together may not span space.
+  // Frames with repeated axes, so that even the axes of both together may not span space.
   const auto more = [count](auto& exam) {
     auto& draw = exam.draw;
     auto& random = draw.random;

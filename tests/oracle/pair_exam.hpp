@@ -14,7 +14,7 @@
 
 namespace detent::oracle {
 
-/// Whether the library says that two shapes meet, as it is asked for a segment or another shape.
+/// The library's decision whether two shapes overlap; segments have a query of their own.
 template <class A, class B>
 bool ask(const A& a, const B& b) {
   return overlaps(a, b);
@@ -24,7 +24,7 @@ bool ask(const Segment<S, N>& segment, const B& shape) {
   return intersects(segment, shape);
 }
 
-/// Whether the question can be asked the other way round too; a segment comes first.
+/// Whether the arguments may be swapped; a segment comes first.
 template <class A, class B>
 inline constexpr bool is_symmetric = true;
 template <Scalar S, int N, class B>
@@ -32,8 +32,8 @@ inline constexpr bool is_symmetric<Segment<S, N>, B> = false;
 template <Scalar S, int N>
 inline constexpr bool is_symmetric<Segment<S, N>, Segment<S, N>> = true;
 
-/// Puts pairs of shapes to the library, in both orders, and to the oracle `truth`, and keeps the
-/// first few disagreements.
+/// Runs pairs of shapes through the library, in both orders, and through the oracle `truth`, and
+/// keeps the first few disagreements.
 template <Scalar S, int N, class Truth>
 class PairExam {
  public:
@@ -41,8 +41,8 @@ class PairExam {
 
   Draw<S, N> draw;
 
-  /// `count` cases that `generate` draws as a pair of shapes; of these, at least `low` and at most
-  /// `high` percent must meet.
+  /// Runs `count` cases, each a pair of shapes from `generate`; of these, `low` to `high` percent
+  /// must overlap.
   template <class Generate>
   void family(const char* name, long count, int low, int high, Generate generate) {
     test::HitRate rate;
@@ -77,11 +77,11 @@ class PairExam {
   std::ostringstream first_mistakes_;
 };
 
-/// How many cases an ordinary run asks in each space.
+/// The cases of an ordinary run in each space.
 inline constexpr long pair_cases = 20'000;
 
-/// What makes random shapes of two kinds meet in about half of the cases: the spread of their
-/// centers in percent of their size. And how often they do, in percent.
+/// The spread of centers, in percent of the shapes' size, at which about half of the random pairs
+/// overlap; and the bounds on that rate, in percent.
 struct Aim {
   int spread = 70;
   int low = 30;
@@ -96,8 +96,8 @@ struct SpaceOf<Shape<S, N>> {
   using type = test::Space<S, N>;
 };
 
-/// Asks `count` random questions of every kind about pairs of the shapes A and B; `truth(a, b)` is
-/// the oracle, and `more(exam)` adds families of its own.
+/// Runs `count` random queries of every kind on pairs of the shapes A and B; `truth(a, b)` is the
+/// oracle, and `more(exam)` adds its own families.
 template <class A, class B, class Truth, class More>
 void examine_pair(std::uint64_t seed, long count, const Truth& truth, Aim aim, const More& more) {
   using S = typename SpaceOf<A>::type::scalar;

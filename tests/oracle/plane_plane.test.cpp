@@ -30,7 +30,7 @@ void examine(std::uint64_t seed, long count) {
     return std::pair{Plane<S, N>{normal, D::scalar(offset)},
                      Plane<S, N>{-normal, D::scalar(-other)}};
   });
-  // Normals on one axis whose lengths differ: the same plane where the offsets do as much.
+  // Normals on one axis with different lengths: the same plane if the offsets differ by that ratio.
   exam.family("proportional", count * 2 / 10, 10, 90, [&] {
     const auto axis = draw.unit();
     const auto times = random.between(0, D::limit / D::one);

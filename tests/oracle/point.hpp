@@ -9,8 +9,8 @@
 
 namespace detent::oracle {
 
-/// A point whose coordinates are over[i] / under raw units, and the square of its distance from
-/// the point asked about. Denominators are positive.
+/// A point with the coordinates over[i] / under raw units, and its squared distance from the query
+/// point. Denominators are positive.
 template <int N>
 struct Place {
   Vector<N> over;
@@ -18,14 +18,14 @@ struct Place {
   Moment squared;
 };
 
-/// What there is to know about a point and a shape, nothing for an empty one: the points of the
-/// shape are those within `radius` of a core (of points, lines, faces or boxes) whose closest point
-/// is `core`.
+/// The result for a point and a shape, nothing for an empty shape. The shape is all points within
+/// `radius` of its core (points, lines, faces or boxes), and `core` is the closest point of the
+/// core.
 template <int N>
 struct Nearest {
   Place<N> core;
   Integer radius = 0;
-  /// Whether the closest point is given as the point itself where it is inside.
+  /// Whether a point inside is its own closest point.
   bool keeps_inside = false;
 };
 
@@ -35,7 +35,7 @@ Place<N> place_at(const Vector<N>& p, const Vector<N>& corner) {
   return {corner, 1, {dot(apart, apart), 1}};
 }
 
-/// The candidate of least squared distance, so no question about regions is asked.
+/// The candidate with the least squared distance, so no regions are needed.
 template <int N>
 const Place<N>& least(const std::vector<Place<N>>& candidates) {
   const Place<N>* best = &candidates.front();
@@ -45,7 +45,7 @@ const Place<N>& least(const std::vector<Place<N>>& candidates) {
   return *best;
 }
 
-/// Adds the foot of the perpendicular from p on the line through `start` along `e`, where it is at
+/// Adds the foot of the perpendicular from p to the line through `start` along `e`, if it is at
 /// start + t e with 0 <= t <= limit. Its squared distance is a quotient of Gram determinants.
 template <int N>
 void add_foot(std::vector<Place<N>>& candidates, const Vector<N>& p, const Vector<N>& start,
@@ -66,8 +66,8 @@ void add_segment(std::vector<Place<N>>& candidates, const Vector<N>& p, const Ve
   add_foot<N>(candidates, p, a, difference(b, a), {1, 1});
 }
 
-/// Adds the foot of the perpendicular on a triangle's plane where it is in the triangle: its
-/// weights solve the normal equations by Cramer's rule, in two dimensions as in three.
+/// Adds the foot of the perpendicular to a triangle's plane if it is in the triangle: its weights
+/// solve the normal equations by Cramer's rule, in 2D and in 3D.
 template <int N>
 void add_face(std::vector<Place<N>>& candidates, const Vector<N>& p, const Vector<N>& a,
               const Vector<N>& b, const Vector<N>& c) {
@@ -159,7 +159,7 @@ std::optional<Nearest<N>> nearest(const Ray<S, N>& ray, const Vec<S, N>& point) 
   if (line.max < 0) return {};
   const auto p = raw(point);
   std::vector<Place<N>> candidates{place_at<N>(p, line.origin)};
-  // In steps of one raw unit over `one`, so that the end is on the grid too.
+  // In steps of 1 / `one` raw unit, so that the end is on the grid too.
   Vector<N> end, from_end;
   for (std::size_t i = 0; i < end.size(); ++i) {
     end[i] = line.origin[i] * line.one + line.max * line.direction[i];

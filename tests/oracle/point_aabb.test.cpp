@@ -13,7 +13,7 @@ void examine(std::uint64_t seed, long count) {
   const auto question = [](const Raw<N>& min, const Raw<N>& max, const Raw<N>& point) {
     return std::pair{Aabb<S, N>{D::vec(min), D::vec(max)}, D::vec(point)};
   };
-  // A box about `center`, with sides up to twice `reach` that may be flat or, rarely, inverted.
+  // A box around `center` with sides up to twice `reach`, which may be flat or, rarely, inverted.
   const auto around = [&](const Raw<N>& center, std::int64_t reach, const Raw<N>& point) {
     auto min = center, max = center;
     for (std::size_t i = 0; i < D::size; ++i) {

@@ -16,7 +16,7 @@
 
 namespace detent::oracle {
 
-/// `x`, the square of a length of scalar S, in squares of raw units.
+/// `x`, the square of a length of scalar S, in squared raw units.
 template <Scalar S, int B, int F>
 Moment in_raw_units(const Fixed<B, F>& x) {
   return {whole(x.raw()), Integer(1) << static_cast<unsigned>(F - 2 * S::frac)};
@@ -67,12 +67,12 @@ bool is_closest(const Vec<S, N>& given, const Vec<S, N>& point,
   return true;
 }
 
-/// Empty when the library gives the right answers to every question about the point and the shape,
-/// else a line for each that is wrong. `on` is asked with each tolerance.
+/// Empty when all of the library's point queries are right for the point and the shape, otherwise a
+/// line per wrong result. `on` is tested with each tolerance.
 template <class Shape, Scalar S, int N, class Tolerances>
 std::string point_mistakes(const Shape& shape, const Vec<S, N>& point,
                            const std::optional<Nearest<N>>& truth, const Tolerances& tolerances) {
-  std::string out;  // no stream, which takes longer than all the questions
+  std::string out;  // no stream: it takes longer than all the queries
   const bool inside = truth && is_within(*truth, 0);
   if (contains(shape, point) != inside) out += "  contains\n";
   if constexpr (requires { on(shape, point); }) {

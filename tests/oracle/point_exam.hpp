@@ -15,7 +15,8 @@
 
 namespace detent::oracle {
 
-/// Puts points and shapes to the library and to the oracle, and keeps the first few disagreements.
+/// Runs points and shapes through the library and the oracle, and keeps the first few
+/// disagreements.
 template <Scalar S, int N>
 class PointExam {
  public:
@@ -23,8 +24,8 @@ class PointExam {
 
   Draw<S, N> draw;
 
-  /// `count` cases that `generate` draws as a pair of shape and point; of these, at least `low` and
-  /// at most `high` percent must be inside or on the shape.
+  /// Runs `count` cases, each a shape and a point from `generate`; of these, `low` to `high`
+  /// percent must be inside or on the shape.
   template <class Generate>
   void family(const char* name, long count, int low, int high, Generate generate) {
     test::HitRate rate;
@@ -63,7 +64,7 @@ class PointExam {
   std::ostringstream first_mistakes_;
 };
 
-/// How many cases an ordinary run asks in each space.
+/// The cases of an ordinary run in each space.
 inline constexpr long point_cases = 50'000;
 
 }  // namespace detent::oracle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What draws, describes and solves hulls comes before the exam, which looks it up.
+// The hull helpers come before the exam, which looks them up.
 #include "oracle/hull.hpp"
 //
 #include "oracle/point_exam.hpp"
@@ -20,7 +20,7 @@ void examine(std::uint64_t seed, long count) {
       draw_shape(artist, hull);
       const auto reach = kind == Kind::general ? setting.size / (N == 2 ? 2 : 10) : 0;
       auto point = Draw<S, N>::vec(draw.near(artist.point(), reach));
-      // On the hull, on the line or in the plane of some of its points, to the raw unit.
+      // On the hull, or on the line or in the plane of some of its points, to the raw unit.
       if (kind != Kind::general && hull.points.size() > 1 && random.one_in(3)) {
         const auto a = raw(hull.points[0]), b = raw(hull.points[1]), c = raw(hull.points.back());
         const auto s = random.between(-1, 5), t = random.coin() ? 0 : random.between(-1, 5);

@@ -27,7 +27,7 @@ void examine(std::uint64_t seed, long count) {
     const auto scale = draw.scale();
     return question(draw.any_direction(), random.between(-scale, scale), draw.point(scale));
   });
-  // Through the point along an axis of the world, or beside it by a raw unit.
+  // Through the point along an axis of the world, or off by a raw unit.
   exam.family("on an axis", count * 2 / 10, 30, 70, [&] {
     const auto point = draw.point(draw.scale());
     const auto normal = draw.axis_direction();

@@ -22,7 +22,7 @@ void examine(std::uint64_t seed, long count) {
                                          : draw.towards(origin, draw.near(point, scale / 8 + 1));
     return question(origin, direction, draw.reach(scale), point);
   });
-  // Directions that integers are exactly parallel to, and points that are on them.
+  // Directions exactly parallel to integer vectors, and points exactly on them.
   exam.family("on the line", count * 3 / 10, 30, 80, [&] {
     const auto& frame = draw.frame();
     const auto steps = std::max<std::int64_t>(

@@ -18,7 +18,7 @@ void examine(std::uint64_t seed, long count) {
     const auto scale = draw.scale();
     return question(draw.point(scale), draw.point(scale), draw.point(scale));
   });
-  // Whole multiples of one vector, or a raw unit beside them.
+  // Integer multiples of one vector, or a raw unit off.
   exam.family("on the line", count * 3 / 10, 30, 70, [&] {
     const auto step = draw.point(random.coin() ? 3 : 15);
     const auto times =

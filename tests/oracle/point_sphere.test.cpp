@@ -20,7 +20,7 @@ void examine(std::uint64_t seed, long count) {
     return question(center, random.between(0, scale), draw.near(center, scale * 2 / 3));
   });
 
-  // The surface passes the point, to the raw unit.
+  // The surface goes through the point, to the raw unit.
   exam.family("touching", count * 2 / 10, 30, 70, [&] {
     const auto scale = draw.scale();
     const auto center = draw.point(scale), point = draw.near(center, scale);
@@ -32,7 +32,7 @@ void examine(std::uint64_t seed, long count) {
     return question(center, radius, point);
   });
 
-  // Along an axis of an exact frame distances are integers, and halves are met exactly.
+  // Along an axis of an exact frame distances are integers, so halves occur exactly.
   exam.family("exact", count * 2 / 10, 20, 70, [&] {
     const auto& frame = draw.frame();
     const auto steps = std::max<std::int64_t>(

@@ -18,7 +18,7 @@ void examine(std::uint64_t seed, long count) {
     const auto scale = draw.scale();
     return question(draw.point(scale), draw.point(scale), draw.point(scale), draw.point(scale));
   });
-  // Whole sums of two vectors: in the plane of the triangle, on edges and corners often.
+  // Integer combinations of two vectors: in the triangle's plane, often on edges and corners.
   exam.family("in the plane", count * 3 / 10, 30, 70, [&] {
     const auto times =
         std::max<std::int64_t>(1, D::limit / 128 >> random.below(static_cast<unsigned>(S::bits)));
@@ -36,7 +36,7 @@ void examine(std::uint64_t seed, long count) {
     if (random.one_in(6)) return question(any(), any(), any(), any());
     return question(origin, grid(times, 0), grid(0, times), point);
   });
-  // Corners in one line, and corners that are equal.
+  // Collinear corners, and equal ones.
   exam.family("collapsed", count * 2 / 10, 10, 80, [&] {
     const auto times =
         std::max<std::int64_t>(1, D::limit / 64 >> random.below(static_cast<unsigned>(S::bits)));

@@ -48,7 +48,7 @@ void examine(std::uint64_t seed, long count) {
     return question(origin, direction, draw.reach(scale), b.min, b.max);
   });
 
-  // Aimed at an edge or a corner, which the grid lets it miss by a raw unit or so.
+  // Aimed at an edge or a corner; rounding to the grid may make it miss by a raw unit or so.
   exam.family("grazing", count * 20 / 100, 30, 80, [&] {
     const auto scale = draw.scale();
     const auto b = box(scale);
@@ -58,8 +58,8 @@ void examine(std::uint64_t seed, long count) {
     return question(origin, direction, draw.reach(scale), b.min, b.max);
   });
 
-  // Exactly through a point of an edge or a corner, or that point moved by a raw unit; the exact
-  // directions include the axes, so that rays run in the planes of the faces.
+  // Exactly through a point of an edge or a corner, or through that point moved by a raw unit; the
+  // exact directions include the axes, so that rays run in the planes of the faces.
   exam.family("tangent", count * 20 / 100, 30, 90, [&] {
     const auto& frame = draw.frame();
     const auto scale = std::min(draw.scale(), D::limit / 4);
@@ -82,7 +82,7 @@ void examine(std::uint64_t seed, long count) {
     return question(origin, direction, draw.reach(scale), b.min, b.max);
   });
 
-  // Flat in some directions and inverted in others.
+  // Flat on some axes and inverted on others.
   exam.family("degenerate", count * 8 / 100, 15, 80, [&] {
     const auto& frame = draw.frame();
     const auto scale = std::min(draw.scale(), D::limit / 4);

@@ -7,8 +7,8 @@
 
 namespace detent::oracle {
 
-/// A box is 2N half-spaces: first the lower, then the upper one of every axis. The face that is hit
-/// is the first whose half-space is entered at the very moment of the hit.
+/// A box is 2N half-spaces: for every axis the lower, then the upper one. The face hit is the first
+/// whose half-space is entered exactly at the time of the hit.
 template <int N>
 Expected<N> raycast_box(const Line<N>& line,
                         const std::array<HalfSpace, static_cast<std::size_t>(2 * N)>& faces,

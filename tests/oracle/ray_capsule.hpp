@@ -12,15 +12,15 @@
 
 namespace detent::oracle {
 
-/// A ray against a capsule, by the distance from the axis: a convex function of time, compared with
-/// the radius at any fraction of time. No cylinder, no plane and no root.
+/// A ray against a capsule by the distance from the axis, a convex function of time, which is
+/// compared with the radius at any rational time. No cylinder, no plane and no root.
 template <int N>
 struct NearAxis {
   Line<N> line;
   Vector<N> start, along;
   Integer radius;
 
-  /// The sign of the distance at time t less the radius.
+  /// The sign of (distance from the axis at time t - radius).
   [[nodiscard]] int sign_at(const Moment& t) const {
     const Integer unit = line.one * t.under;
     Vector<N> apart;  // from the start of the axis, in steps of 1 / unit
@@ -38,8 +38,8 @@ struct NearAxis {
     return Integer(dot(apart, apart) - reach * reach).sign();
   }
 
-  /// Times among which is one of least distance: the ends of the ray, where it passes the ends of
-  /// the axis, and where the two lines are closest, by Cramer's rule.
+  /// Times that include one of least distance: the ends of the ray, where it passes the ends of the
+  /// axis, and where the two lines are closest, by Cramer's rule.
   [[nodiscard]] std::vector<Moment> candidates() const {
     std::vector<Moment> times{{0, 1}, {line.max, 1}};
     const auto& d = line.direction;
@@ -53,7 +53,7 @@ struct NearAxis {
     return times;
   }
 
-  /// A time in the ray at which it is in the capsule, and not on its surface if there is such.
+  /// A time at which the ray is in the capsule; strictly inside if there is such a time.
   [[nodiscard]] std::optional<Moment> inside() const {
     std::optional<Moment> touching;
     for (const auto& t : candidates()) {
@@ -66,9 +66,9 @@ struct NearAxis {
   }
 };
 
-/// The normal where a ray enters: away from the axis, so that component i is
-/// (offset[i] + t slope[i] / one) / length at the time t of entry. Each given component is turned
-/// into bounds on t, and on which side of a bound the entry lies is a question to the distance.
+/// The normal where a ray enters points away from the axis: component i is (offset[i] + t slope[i]
+/// / one) / length at the time t of entry. Each given component becomes bounds on t; the distance
+/// decides on which side of a bound the entry is.
 template <int N>
 struct CapsuleNormal final : Normal<N> {
   NearAxis<N> near;
@@ -111,8 +111,8 @@ struct CapsuleNormal final : Normal<N> {
   }
 };
 
-/// The normal for the part of the axis that is closest where the ray enters: its start, its end,
-/// or what is between, for which both the ray's origin and its direction lose their part along it.
+/// The normal for the part of the axis closest to the entry: its start, its end, or the segment
+/// between, for which the ray's origin and direction are projected perpendicular to the axis.
 template <int N>
 NormalPointer<N> capsule_normal(const NearAxis<N>& near, const Moment& inside) {
   auto normal = std::make_shared<CapsuleNormal<N>>();
@@ -122,7 +122,7 @@ NormalPointer<N> capsule_normal(const NearAxis<N>& near, const Moment& inside) {
   const auto& d = near.line.direction;
   const auto apart = difference(near.line.origin, near.start);
   const Integer ee = dot(e, e), way = dot(apart, e) * near.line.one, rate = dot(d, e);
-  // The way along the axis at the entry is way + t rate, in steps of 1 / one: is it beyond `mark`?
+  // The position along the axis at the entry is way + t rate, in steps of 1 / one; is it > `mark`?
   const auto is_beyond = [&](const Integer& mark) {
     if (rate.is_zero()) return way > mark;
     const auto t = Moment::fraction(mark - way, rate);
@@ -157,7 +157,7 @@ Expected<N> expected_raycast(const Ray<S, N>& ray, const Capsule<S, N>& capsule)
   const auto is_outside = [&](std::int64_t t) { return near.sign_at({t, 1}) > 0; };
   const bool starts_inside = !is_outside(0);
 
-  // The last raw number before the entry; or the next, where the ray has not entered just before.
+  // The last raw number before the entry; or the next one, if the ray enters exactly there.
   std::int64_t enter = 0;
   if (!starts_inside) {
     for (std::int64_t beyond = within + 1; beyond - enter > 1;) {
@@ -168,7 +168,7 @@ Expected<N> expected_raycast(const Ray<S, N>& ray, const Capsule<S, N>& capsule)
     const Moment just_before{(Integer(enter) + 1) * parts - 1, parts};
     if (enter < within && near.sign_at(just_before) > 0) ++enter;
   }
-  // The last raw number that is not yet past the exit.
+  // The last raw number not past the exit.
   const auto max = static_cast<std::int64_t>(near.line.max);
   std::int64_t exit = within;
   if (!is_outside(max)) exit = max;

@@ -32,8 +32,8 @@ void examine(std::uint64_t seed, long count) {
                     b, radius);
   });
 
-  // Everything along the axes of an exact frame: parallel to the axis and at the radius from it,
-  // across it and touching the side, the ends, or where they join; then a unit more or less.
+  // Everything along the axes of an exact frame: parallel to the axis at the radius from it, or
+  // across it, touching the side, the ends, or where they join; then a unit more or less.
   exam.family("frame", count * 25 / 100, 20, 90, [&] {
     const auto& frame = draw.frame();
     const auto steps = std::max<std::int64_t>(
@@ -55,7 +55,7 @@ void examine(std::uint64_t seed, long count) {
     return question(origin, direction, draw.reach(4 * steps), a, b, radius);
   });
 
-  // Nearly along the axis, so that the cylinder's quadratic has next to no leading term.
+  // Nearly along the axis, so that the leading term of the cylinder's quadratic almost vanishes.
   exam.family("along", count * 10 / 100, 20, 90, [&] {
     const auto scale = draw.scale();
     const auto origin = draw.point(scale);
@@ -117,7 +117,7 @@ TEMPLATE_TEST_CASE("ray against capsule: many more answers are exact", "[oracle]
   }
 }
 
-// The other side of the bound on normals, 0.501 units: some are off by more than 0.499.
+// The bound on normals, 0.501 units, is tight: some are off by more than 0.499.
 TEMPLATE_TEST_CASE("ray against capsule: a normal may be off by nearly half a unit", "[oracle]",
                    (test::Space<q16_16, 3>), (test::Space<q8_8, 3>)) {
   using S = typename TestType::scalar;

@@ -12,10 +12,11 @@
 #include "oracle/half_spaces.hpp"
 #include "oracle/ray_triangle.hpp"
 
-/// Rays against convex hulls: to be included before what asks about rays and shapes of any kind.
+/// Rays against convex hulls: to be included before headers that handle rays and shapes of any
+/// kind.
 namespace detent::oracle {
 
-/// {x : normal . (x - point) <= 0}, and whether its boundary holds a face.
+/// {x : normal . (x - point) <= 0}, and whether its boundary contains a face.
 template <int N>
 struct Facet {
   Vector<N> normal;
@@ -23,7 +24,7 @@ struct Facet {
   bool is_face;
 };
 
-/// A normal that is any of several.
+/// A normal that may be any of several.
 template <int N>
 struct OneOfNormals final : Normal<N> {
   std::vector<NormalPointer<N>> choices;
@@ -45,7 +46,8 @@ Vector<N> opposite(Vector<N> v) {
   return v;
 }
 
-/// Every half-space through `corner` at right angles to `normal` that holds all points, or both.
+/// The half-spaces bounded at `corner` perpendicular to `normal` that contain all points: up to
+/// two.
 template <int N>
 void add_supporting(std::vector<Facet<N>>& facets, const std::vector<Vector<N>>& points,
                     const Vector<N>& normal, const Vector<N>& corner, bool is_face) {
@@ -60,9 +62,9 @@ void add_supporting(std::vector<Facet<N>>& facets, const std::vector<Vector<N>>&
   if (!some_below) facets.push_back({opposite<N>(normal), corner, is_face});
 }
 
-/// The half-spaces whose intersection is the hull of `points`: those that touch it along any of
-/// their lines and planes, and for points of one plane (in 2D, line) those within it. None for
-/// points of one line (in 2D, for equal ones).
+/// The half-spaces whose intersection is the hull of `points`: those supported by any of their
+/// lines and planes; for coplanar points (in 2D, collinear ones) also those within the plane. None
+/// for collinear points (in 2D, for equal ones).
 inline std::vector<Facet<2>> facets_of(const std::vector<Vector<2>>& points) {
   std::vector<Facet<2>> facets;
   for (const auto& p : points) {
@@ -103,7 +105,7 @@ inline std::vector<Facet<3>> facets_of(const std::vector<Vector<3>>& points) {
   return facets;
 }
 
-/// Points of one line, which may be one point, are the segment between two of them.
+/// Collinear points, or a single one, are the segment between two of them.
 template <int N>
 Expected<N> raycast_line_of_points(const Line<N>& line, const std::vector<Vector<N>>& points) {
   Vector<N> first = points[0], last = points[0];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/raycast/hull.hpp"
-// What draws, describes and solves hulls comes before the exam, which looks it up.
+// The hull helpers come before the exam, which looks them up.
 #include "oracle/hull.hpp"
 #include "oracle/ray_hull.hpp"
 //
@@ -15,7 +15,7 @@ void examine(std::uint64_t seed, long count) {
   auto& draw = exam.draw;
   auto& random = draw.random;
   using D = Draw<S, N>;
-  // A point of the hull's lines, planes or inside, and somewhat beyond, on the grid.
+  // A grid point on the hull's lines and planes, inside, or somewhat outside.
   const auto among = [&](const ConvexHull<S, N>& hull, int corners) {
     const auto size = hull.points.size();
     if (size == 0) return Raw<N>{};
@@ -43,7 +43,7 @@ void examine(std::uint64_t seed, long count) {
       draw_shape(artist, hull);
       const auto& frame = setting.frame;
       if (kind == Kind::lattice || kind == Kind::degenerate) {
-        // Through corners, through points of edges, along edges and faces, or beside them, exactly.
+        // Exactly through corners, through points of edges, along edges and faces, or next to them.
         const bool is_turned = !random.one_in(4);
         const auto axis = is_turned ? frame.axes[random.below(D::size)] : draw.unit();
         const auto direction = D::stretched(axis, is_turned ? frame.norm : 1);

@@ -24,8 +24,8 @@ void examine(std::uint64_t seed, long count) {
     for (auto& half : result.half) half = random.one_in(12) ? 0 : random.between(0, scale / 2);
     return result;
   };
-  // A corner with up to `loose` of its local coordinates anywhere between the faces instead, in the
-  // world and on the grid.
+  // A corner with up to `loose` of its local coordinates anywhere between the faces instead, in
+  // world coordinates and on the grid.
   const auto on_edge = [&](const Box& b, std::size_t loose) {
     Raw<N> local{};
     for (auto i = 0U; i < D::size; ++i) local[i] = random.coin() ? b.half[i] : -b.half[i];
@@ -59,7 +59,7 @@ void examine(std::uint64_t seed, long count) {
     return question(origin, direction, draw.reach(scale), b);
   });
 
-  // An exactly orthogonal box, one of whose axes the ray follows, at or beside a face.
+  // An exactly orthogonal box and a ray along one of its axes, at or next to a face.
   exam.family("parallel", count * 12 / 100, 20, 80, [&] {
     const auto& frame = draw.frame();
     const auto scale = std::min(draw.scale(), D::limit / 4);
@@ -80,8 +80,8 @@ void examine(std::uint64_t seed, long count) {
     return question(origin, random.coin() ? draw.any_direction() : along, draw.reach(scale), b);
   });
 
-  // A box that is flat along some of its exact axes, met exactly in its plane, line or point; some
-  // of them with a negative extent.
+  // A box that is flat along some of its exact axes, hit exactly in its plane, line or point; some
+  // have a negative extent.
   exam.family("degenerate", count * 10 / 100, 15, 85, [&] {
     const auto& frame = draw.frame();
     const auto scale = std::min(draw.scale(), D::limit / 4);
@@ -103,7 +103,7 @@ void examine(std::uint64_t seed, long count) {
     return question(origin, D::stretched(axis, frame.norm), draw.reach(scale), b);
   });
 
-  // Slabs that are not at right angles, or the same slab twice.
+  // Slabs that are not perpendicular, or the same slab twice.
   exam.family("skewed", count * 6 / 100, 15, 95, [&] {
     const auto scale = draw.scale();
     auto b = box(scale);

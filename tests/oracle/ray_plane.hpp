@@ -6,7 +6,7 @@
 
 namespace detent::oracle {
 
-/// The plane as the meeting of its two half-spaces.
+/// The plane as the intersection of its two half-spaces.
 template <Scalar S, int N>
 Expected<N> expected_raycast(const Ray<S, N>& ray, const Plane<S, N>& plane) {
   const auto line = oracle::line(ray);
@@ -21,7 +21,7 @@ Expected<N> expected_raycast(const Ray<S, N>& ray, const Plane<S, N>& plane) {
              stored<N>(speed > 0 ? negated(normal) : normal));
 }
 
-/// Whether the ray leads against the normal: what Facing::front asks for.
+/// Whether the ray runs against the normal, as Facing::front requires.
 template <Scalar S, int N>
 bool meets_front(const Ray<S, N>& ray, const Plane<S, N>& plane) {
   return dot(widen(raw(plane.normal)), widen(raw(ray.direction))) < 0;

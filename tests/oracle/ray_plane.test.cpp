@@ -31,7 +31,7 @@ void examine(std::uint64_t seed, long count) {
                     draw.any_direction(), random.between(-scale, scale));
   });
 
-  // Starts on the plane, or as near to it as the grid allows.
+  // Starts on the plane, or as close to it as the grid allows.
   exam.family("touching", count * 15 / 100, 30, 80, [&] {
     const auto scale = draw.scale();
     const auto origin = draw.point(scale);
@@ -41,7 +41,7 @@ void examine(std::uint64_t seed, long count) {
                     offset_of(normal, origin) + random.between(-1, 1));
   });
 
-  // The angle between ray and plane is a few units of the last place, so the hit is far away.
+  // The angle between ray and plane is a few units in the last place, so the hit is far away.
   exam.family("grazing", count * 15 / 100, 20, 80, [&] {
     const auto scale = draw.scale();
     const auto origin = draw.near(draw.point(scale), 4);
@@ -54,7 +54,7 @@ void examine(std::uint64_t seed, long count) {
         offset_of(normal, origin) + (random.coin() ? 0 : random.between(-reach, reach)));
   });
 
-  // Parallel exactly; in the plane exactly, or a raw unit beside it.
+  // Exactly parallel; exactly in the plane, or a raw unit off.
   exam.family("parallel", count * 20 / 100, 20, 80, [&] {
     const auto& frame = draw.frame();
     if (random.coin()) {

@@ -22,7 +22,7 @@ void examine(std::uint64_t seed, long count) {
         1, reach / frame.norm >> random.below(static_cast<unsigned>(S::bits)));
   };
 
-  // In space a random ray meets a random segment only in the plane of both.
+  // In 3D a random ray hits a random segment only if both are coplanar.
   exam.family("random", count * 2 / 10, N == 2 ? 30 : 0, 70, [&] {
     const auto scale = draw.scale();
     const auto origin = draw.point(scale), start = draw.point(scale), end = draw.point(scale);
@@ -31,7 +31,7 @@ void examine(std::uint64_t seed, long count) {
     for (std::size_t i = 0; i < D::size; ++i) target[i] += (end[i] - start[i]) / 256 * along;
     return question(origin, draw.towards(origin, target), draw.reach(scale), start, end);
   });
-  // The segment has a point of an exact ray in it, or its end there, or a neighbour of it.
+  // A point of an exact ray is inside the segment, at its end, or next to it.
   exam.family("across", count * 5 / 10, 30, 90, [&] {
     const auto& frame = draw.frame();
     const auto steps = steps_of(frame, D::limit / 8);
@@ -43,7 +43,7 @@ void examine(std::uint64_t seed, long count) {
     return question(origin, D::stretched(frame.axes[0], frame.norm), draw.reach(steps),
                     D::plus(crossing, way, -before), D::plus(crossing, way, after));
   });
-  // In the line of the ray, or parallel to it, or one point.
+  // On the ray's line, or parallel to it, or a single point.
   exam.family("along", count * 2 / 10, 20, 90, [&] {
     const auto& frame = draw.frame();
     const auto steps = steps_of(frame, D::limit / 4);

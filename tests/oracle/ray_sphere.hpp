@@ -8,7 +8,7 @@
 
 namespace detent::oracle {
 
-/// How far outside the sphere the ray is, as a squared length: a parabola over time.
+/// Squared distance of the ray from the center less radius^2: a parabola over time.
 template <int N>
 struct Outside {
   Integer a, b, c;  // a t^2 + 2 b t + c
@@ -27,9 +27,9 @@ struct Outside {
   }
 };
 
-/// A sphere's normal, whose exact components are irrational: the ray enters at the time t, and
-/// component i is `(apart[i] * one + t * direction[i]) / radius`. Each given component is turned
-/// into bounds on t, and on which side of a bound t lies is a question to the parabola.
+/// A sphere's normal has irrational components: the ray enters at the time t, and component i is
+/// `(apart[i] * one + t * direction[i]) / radius`. Each given component becomes bounds on t; the
+/// parabola decides on which side of a bound t is.
 template <int N>
 struct SphereNormal final : Normal<N> {
   Line<N> line;
@@ -70,8 +70,8 @@ struct SphereNormal final : Normal<N> {
   [[nodiscard]] std::string text() const override { return "within one unit of the sphere's"; }
 };
 
-/// No root is taken: the moment of closest approach decides, and the distances are found by
-/// bisection over the raw numbers, on which the parabola falls before that moment and rises after.
+/// No root is taken: the time of closest approach decides, and the distances come from bisection
+/// over the raw numbers, on which the parabola falls before that time and rises after it.
 template <Scalar S, int N>
 Expected<N> expected_raycast(const Ray<S, N>& ray, const Sphere<S, N>& sphere) {
   const auto line = oracle::line(ray);
@@ -91,13 +91,13 @@ Expected<N> expected_raycast(const Ray<S, N>& ray, const Sphere<S, N>& sphere) {
   const std::int64_t bottom = closest.over <= 0               ? 0
                               : Moment{line.max, 1} < closest ? max
                                                               : floor(closest);
-  // The last raw number that is not yet past the entry.
+  // The last raw number not past the entry.
   std::int64_t enter = 0;
   for (std::int64_t beyond = bottom + 1; !inside && beyond - enter > 1;) {
     const std::int64_t middle = enter + (beyond - enter) / 2;
     (outside.sign_at(middle) >= 0 ? enter : beyond) = middle;
   }
-  // The last raw number that is not yet past the exit.
+  // The last raw number not past the exit.
   std::int64_t exit = bottom;
   if (outside.sign_at(max) <= 0) exit = max;
   for (std::int64_t beyond = max; beyond - exit > 1;) {

@@ -26,7 +26,7 @@ void examine(std::uint64_t seed, long count) {
     return question(origin, direction, draw.reach(scale), center, radius);
   });
 
-  // The radius is the distance between centre and line, to the raw unit.
+  // The radius is the distance between center and line, to the raw unit.
   exam.family("grazing", count * 20 / 100, 30, 70, [&] {
     const auto scale = draw.scale();
     const auto origin = draw.point(scale);
@@ -47,8 +47,8 @@ void examine(std::uint64_t seed, long count) {
     return question(origin, direction, draw.reach(scale), center, radius);
   });
 
-  // A tangent of integers: origin, direction and the radius to the point of contact lie along the
-  // axes of an exact frame. Then one unit more and one less.
+  // An integer tangent: origin, direction and the radius to the contact point are along the axes of
+  // an exact frame. Then a unit more or less.
   exam.family("tangent", count * 15 / 100, 30, 90, [&] {
     const auto& frame = draw.frame();
     const auto steps = std::max<std::int64_t>(
@@ -62,7 +62,7 @@ void examine(std::uint64_t seed, long count) {
                     radius);
   });
 
-  // On the surface exactly (or one unit off), or inside, looking anywhere.
+  // Exactly on the surface (or one unit off), or inside, in any direction.
   exam.family("inside", count * 12 / 100, 50, 100, [&] {
     const auto& frame = draw.frame();
     const auto steps = std::max<std::int64_t>(
@@ -77,9 +77,9 @@ void examine(std::uint64_t seed, long count) {
     return question(origin, direction, draw.reach(steps), center, radius);
   });
 
-  // Roots that only just differ from an integer, or are one: with the radius n + 1 and the centre
-  // off an axis-parallel ray by the root of 2 n - delta, the half chord squared is n^2 + 1 + delta.
-  // Or the direction itself, added once to the origin, is a point of the surface.
+  // Roots that are integers or barely not: with radius n + 1 and the center's distance from an
+  // axis-parallel ray being the root of 2 n - delta, the squared half chord is n^2 + 1 + delta. Or
+  // origin + direction is a point of the surface.
   exam.family("roots", count * 5 / 100, 35, 100, [&] {
     const auto sign = random.coin() ? 1 : -1;
     if (random.coin()) {
@@ -110,7 +110,7 @@ void examine(std::uint64_t seed, long count) {
                     D::plus(surface, frame.axes[0], sign * steps), steps * frame.norm);
   });
 
-  // Points, and spheres that are empty.
+  // Points, and empty spheres.
   exam.family("degenerate", count * 6 / 100, 20, 80, [&] {
     const auto& frame = draw.frame();
     const auto steps = std::max<std::int64_t>(
@@ -123,7 +123,7 @@ void examine(std::uint64_t seed, long count) {
                     radius);
   });
 
-  // A few raw units of everything, where coincidences are the rule.
+  // Everything a few raw units large, so that coincidences are common.
   exam.family("tiny", count * 6 / 100, 10, 90, [&] {
     const auto& frame = draw.frame();
     const auto origin = draw.point(4);
@@ -159,9 +159,9 @@ TEMPLATE_TEST_CASE("ray against sphere: many more answers are exact", "[oracle][
   }
 }
 
-// The other side of the bound on normals, one unit: some are off by more than half of it, which
-// correct rounding would never be. Beside 16-bit scalars a few in a hundred thousand; beside 32-bit
-// ones, whose root is 2^16 times as fine, none that a test could find.
+// The bound on normals, one unit, could not be half a unit: some are off by more than half, unlike
+// correctly rounded ones. With 16-bit scalars a few in a hundred thousand; with 32-bit ones, whose
+// root is 2^16 times as fine, none that a test could find.
 TEMPLATE_TEST_CASE("ray against sphere: a normal may be off by more than half a unit", "[oracle]",
                    (test::Space<q8_8, 3>), (test::Space<q8_8, 2>)) {
   using S = typename TestType::scalar;

@@ -16,7 +16,7 @@ inline Vector<2> without(const Vector<3>& v, std::size_t axis) {
                      : Vector<2>{v[0], v[1]};
 }
 
-/// The moving point `start + t * velocity / one` against the three edges of a flat triangle of any
+/// The moving point `start + t * velocity / one` against the three edges of a 2D triangle of either
 /// winding, by the sign of the area it spans with each.
 inline std::array<HalfSpace, 3> edges(const std::array<Vector<2>, 3>& corners,
                                       const Vector<2>& start, const Vector<2>& velocity,
@@ -32,15 +32,15 @@ inline std::array<HalfSpace, 3> edges(const std::array<Vector<2>, 3>& corners,
   return spaces;
 }
 
-/// The times at which `line` is on the segment p q, a point included: the ends of the segment span
-/// its times when the line runs along it, otherwise the crossing must fall between them.
+/// The times at which `line` is on the segment p q, which may be a point. If the line runs along
+/// the segment, these are between its ends; otherwise the crossing must be between them.
 template <int N>
 std::optional<Span> on_segment(const Line<N>& line, const Vector<N>& p, const Vector<N>& q) {
   const auto& d = line.direction;
   std::size_t k = 0;
   while (d[k].is_zero()) ++k;
-  // Where the line passes the coordinate k of a point, times the point's other coordinates: zero
-  // for all of them when the point is on the line.
+  // The offset of a point from the line at the point's coordinate k, scaled: zero in every
+  // coordinate if the point is on the line.
   const auto aside = [&](const Vector<N>& point) {
     const auto w = difference(point, line.origin);
     Vector<N> result;
@@ -125,9 +125,9 @@ Expected<2> expected_raycast(const Ray<S, 2>& ray, const Triangle<S, 2>& triangl
   return hit(line, floor(inside->enter), floor(inside->exit), normal);
 }
 
-/// The plane is met at a fraction of time, and the point there is tried against the edges in the
-/// flat picture along an axis that the triangle is not parallel to. In the plane, the ray itself
-/// is drawn into that picture.
+/// The ray crosses the plane at a rational time. The point there is tested against the edges,
+/// projected along an axis that is not parallel to the triangle. If the ray is in the plane, the
+/// ray itself is projected.
 template <Scalar S>
 Expected<3> expected_raycast(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle) {
   const auto line = oracle::line(ray);
@@ -162,8 +162,8 @@ Expected<3> expected_raycast(const Ray<S, 3>& ray, const Triangle<S, 3>& triangl
   return hit(line, floor(t), floor(t), normalized(facing, line));
 }
 
-/// Whether the ray leads against the normal: what Facing::front asks for. By Cramer's rule, so that
-/// it is not the cross product's word again.
+/// Whether the ray runs against the normal, as Facing::front requires. By Cramer's rule, so that it
+/// does not reuse the cross product.
 template <Scalar S>
 bool meets_front(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle) {
   const auto a = raw(triangle.a), d = widen(raw(ray.direction));

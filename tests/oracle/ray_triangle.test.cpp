@@ -40,7 +40,7 @@ void examine(std::uint64_t seed, long count) {
     return question(origin, draw.towards(origin, target), draw.reach(scale), t);
   });
 
-  // At a corner or at a point of an edge, which the grid lets it miss by a raw unit or so.
+  // At a corner or a point of an edge; rounding to the grid may make it miss by a raw unit or so.
   exam.family("grazing", count * 20 / 100, 25, 80, [&] {
     const auto scale = draw.scale();
     const Corners t{draw.point(scale), draw.point(scale), draw.point(scale)};
@@ -51,7 +51,7 @@ void examine(std::uint64_t seed, long count) {
     return question(origin, direction, draw.reach(scale), t);
   });
 
-  // Exactly through a corner, or through a point that divides an edge into whole numbers.
+  // Exactly through a corner, or through a point that divides an edge into integer parts.
   exam.family("tangent", count * 15 / 100, 30, 95, [&] {
     const auto& frame = draw.frame();
     const auto scale = std::min(draw.scale(), D::limit / 4);
@@ -67,8 +67,8 @@ void examine(std::uint64_t seed, long count) {
     return question(origin, D::stretched(axis, norm), draw.reach(scale), t);
   });
 
-  // Ray and triangle in one plane exactly, or a corner or the ray's start a raw unit out of it. In
-  // 2D that is another way to draw rays along edges.
+  // Ray and triangle exactly coplanar, or a corner or the ray's start a raw unit off. In 2D that is
+  // another way to draw rays along edges.
   exam.family("coplanar", count * 12 / 100, 15, 90, [&] {
     const auto& frame = draw.frame();
     const auto steps = std::max<std::int64_t>(
@@ -89,7 +89,7 @@ void examine(std::uint64_t seed, long count) {
                     draw.reach(steps), t);
   });
 
-  // A segment or a point, met exactly, crossed or followed, or missed by a raw unit.
+  // A segment or a point that is hit exactly, crossed, followed, or missed by a raw unit.
   exam.family("collapsed", count * 12 / 100, 15, 90, [&] {
     const auto& frame = draw.frame();
     const auto steps = std::max<std::int64_t>(
@@ -106,7 +106,7 @@ void examine(std::uint64_t seed, long count) {
     return question(origin, D::stretched(frame.axes[0], frame.norm), draw.reach(steps), t);
   });
 
-  // Nearly along an edge, at angles to it and to the triangle's plane that go down to the last bit.
+  // Nearly along an edge, at angles to it and to the triangle's plane down to the last bit.
   exam.family("shallow", count * 6 / 100, 10, 90, [&] {
     const auto scale = draw.scale();
     const Corners t{draw.point(scale), draw.point(scale), draw.point(scale)};
@@ -151,8 +151,8 @@ void examine(std::uint64_t seed, long count) {
   exam.finish(count);
 }
 
-/// An integer vector one component of which, once normalised, is all but halfway between two
-/// grid points: its slope is a convergent of the continued fraction of the exact slope.
+/// An integer vector with a component that, once normalised, is almost halfway between two grid
+/// points: its slope is a convergent of the continued fraction of the exact slope.
 Raw<2> near_tie(test::Random& random, int frac, std::int64_t limit) {
   // cosine = c / 2^(frac + 1) for an odd c, slope = sqrt(4^(frac + 1) - c^2) / c.
   const Integer c = 2 * random.between(1, (std::int64_t{1} << frac) - 1) + 1;

@@ -7,7 +7,7 @@
 
 namespace detent::oracle {
 
-/// `over / under` to the nearest integer, a tie to the even one.
+/// `over / under` rounded to the nearest integer, ties to even.
 inline Integer nearest_quotient(const Integer& over, const Integer& under) {
   const Integer down = floor_quotient(over, under);
   const Integer twice_rest = 2 * (over - down * under);
@@ -23,8 +23,8 @@ inline int sign_of_difference(const Integer& x, const Integer& y, const Integer&
   return x_sign < 0 ? -excess.sign() : excess.sign();
 }
 
-/// Whether `given` is core + radius * v / |v| on one axis, rounded to nearest, ties to even, for
-/// the vector v that leads on from the core.
+/// Whether `given` is core + radius * v / |v| on one axis, rounded to nearest, ties to even; v
+/// points away from the core.
 template <int N>
 bool is_rounded(const Integer& given, const Place<N>& core, std::size_t axis, const Integer& radius,
                 const Vector<N>& v) {

@@ -9,7 +9,7 @@
 
 namespace detent::oracle {
 
-/// The seeds of a run on demand: twenty rounds, which DETENT_ORACLE_SEED turns into other ones.
+/// The seeds of a run on demand: twenty rounds; DETENT_ORACLE_SEED changes them.
 inline std::array<std::uint64_t, 20> demanded_seeds() {
   const char* text = std::getenv("DETENT_ORACLE_SEED");
   test::Random random(text == nullptr ? 0x5eed : std::strtoull(text, nullptr, 0));

@@ -8,8 +8,8 @@
 
 namespace detent::oracle {
 
-/// Whether the segment has a point in all the half-spaces a x <= b, given for every axis of a box
-/// as the place and the step of the segment's point along it and the ends of the slab.
+/// Whether the segment has a point in all slabs of a box. For every axis: the start's coordinate,
+/// the change from start to end, and the ends of the slab.
 template <int N>
 bool meets_slabs(const Vector<N>& start, const Vector<N>& step, const Vector<N>& low,
                  const Vector<N>& high) {
@@ -27,7 +27,7 @@ bool meets(const Segment<S, N>& segment, const Aabb<S, N>& box) {
   return meets_slabs<N>(start, difference(raw(segment.end), start), raw(box.min), raw(box.max));
 }
 
-/// The box as slabs, in steps of one raw unit over that of a direction.
+/// The box as slabs, in units of a raw unit times the step of a direction.
 template <Scalar S, int N>
 bool meets(const Segment<S, N>& segment, const Obb<S, N>& box) {
   const auto from_center = difference(raw(segment.start), raw(box.center));

@@ -10,7 +10,7 @@ namespace {
 template <Scalar S, int N>
 void examine(std::uint64_t seed, long count) {
   const auto truth = [](const auto& a, const auto& b) { return meet(hull_of(a), hull_of(b)); };
-  // Through a common point, or past it by one raw unit.
+  // Through a common point, or missing it by one raw unit.
   const auto more = [count](auto& exam) {
     auto& draw = exam.draw;
     auto& random = draw.random;

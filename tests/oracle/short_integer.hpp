@@ -9,8 +9,8 @@
 
 namespace detent::oracle {
 
-/// An integer of 128 bits for the oracles of small worlds: checked, so an overflow throws and does
-/// not lie, and much faster than one of 512.
+/// A 128-bit integer for the oracles of small worlds: checked, so an overflow throws, and much
+/// faster than one of 512 bits.
 class ShortInteger {
   __extension__ using Value = __int128;
 

@@ -14,7 +14,7 @@ struct Space {
 
 }  // namespace detent::test
 
-/// The arguments of TEMPLATE_TEST_CASE: a list of types there would lose their names.
+/// The arguments of TEMPLATE_TEST_CASE; with a type list, the test names would lose the types.
 #define DETENT_FIXED_SPACES                                                               \
   (detent::test::Space<detent::q16_16, 3>), (detent::test::Space<detent::q16_16, 2>),     \
       (detent::test::Space<detent::q14_16, 3>), (detent::test::Space<detent::q14_16, 2>), \
