@@ -10,14 +10,14 @@
 
 namespace detent::bench {
 
-/// How far the answers of a scalar are from the exact ones to the same questions. Decisions are
-/// compared with those of q16_16, lengths with those in double where they are within a step of
-/// q16_16's. What the scalar cannot hold of a question (directions in float and q8_8) counts too.
+/// The errors of a scalar's results against the exact ones. Decisions are compared with those of
+/// q16_16; lengths with those in double, if these are within a step of q16_16's. Inputs that the
+/// scalar cannot represent (directions in float and q8_8) count too.
 struct Accuracy {
   std::size_t asked = 0;
   std::size_t wrong = 0;        // hit instead of miss, or the reverse
-  double error = 0;             // the largest of a distance or coordinate, in units
-  std::size_t close_asked = 0;  // about shapes one step of 1/256 from touching or parting
+  double error = 0;             // the largest error of a distance or coordinate, in units
+  std::size_t close_asked = 0;  // for shapes one step of 1/256 from touching or separating
   std::size_t close_wrong = 0;
 };
 
@@ -28,7 +28,7 @@ double value_of(const S& x) {
   return static_cast<double>(x);
 }
 
-/// The numbers of an answer that are lengths.
+/// The components of a result that are lengths.
 template <class Visit>
 void visit_lengths(bool, const Visit&) {}
 template <Scalar S, class Visit>
@@ -60,7 +60,7 @@ std::vector<double> lengths_of(const Answer& answer) {
   return lengths;
 }
 
-/// The rounded lengths with the digits that double knows beyond them.
+/// Replaces rounded lengths by the more precise ones of double.
 inline void refine(std::vector<double>& rounded, const std::vector<double>& finer) {
   for (std::size_t i = 0; i < rounded.size() && rounded.size() == finer.size(); ++i) {
     if (std::abs(finer[i] - rounded[i]) * 65536 <= 1) rounded[i] = finer[i];
@@ -80,8 +80,8 @@ bool is_wrong(const Q& query, const typename Q::template Question<double>& drawn
   }
 }
 
-/// Moves the second shape of a question that is a hit until it is none, and visits the last hit and
-/// the first miss: they are a step apart.
+/// Moves the second shape of a hit until it is a miss, and visits the last hit and the first miss,
+/// which are one step apart.
 template <class Q, class Visit>
 void visit_close_calls(const Q& query, const typename Q::template Question<double>& hit, int axis,
                        const Visit& visit) {

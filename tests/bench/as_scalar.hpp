@@ -13,7 +13,7 @@ template <Scalar S, int N>
 struct Rock {
   std::array<Vec<S, N>, 12> points{};
 };
-/// What queries take: a view of a rock's hull, or the shape itself.
+/// The type that queries take: a view of a rock's hull, or the shape itself.
 template <Scalar S, int N>
 ConvexHull<S, N> as_shape(const Rock<S, N>& rock) {
   return {rock.points};
@@ -23,8 +23,8 @@ const Shape& as_shape(const Shape& shape) {
   return shape;
 }
 
-// A scene is drawn in double, on a grid that every scalar has: `as<S>` is the same scene in S. It
-// rounds to nearest what S cannot hold: components of directions.
+// A scene is drawn in double on a grid that every scalar has: `as<S>` is the same scene in S. It
+// rounds to nearest what S cannot represent: components of directions.
 
 template <Number T>
 T as_number(double x) {

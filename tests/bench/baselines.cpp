@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user might pick instead, on the same questions in the same run.
+// Alternatives that a user might choose, on the same inputs in the same run.
 
 #include "bench/plain.hpp"
 #include "bench/suite.hpp"
@@ -14,7 +14,7 @@ namespace {
 template <class T>
 using Pairs = std::vector<std::pair<T, T>>;
 
-/// Numbers of the whole grid of q16_16 whose product and quotient are in range.
+/// Numbers over the whole range of q16_16 whose product and quotient are in range.
 Pairs<q16_16> draw_numbers(std::uint64_t seed) {
   test::Random random(seed);
   Pairs<q16_16> pairs(question_count);
@@ -33,8 +33,8 @@ Pairs<T> convert(const Pairs<q16_16>& pairs, const Convert& to) {
   return result;
 }
 
-/// Times one operation and compares its results with `exact`: wrong are those that miss it by a
-/// whole step of 2^-16 or more.
+/// Times one operation and compares its results with `exact`: a result is wrong if it is off by a
+/// step of 2^-16 or more.
 template <class T, class Operation, class Value, class Exact>
 void add_operation(Suite& suite, const std::string& name, const std::string& scalar,
                    const Pairs<q16_16>& numbers, const Pairs<T>& questions,
@@ -56,7 +56,8 @@ template <class Multiply, class Divide, class Root, class T, class Value>
 void add_arithmetic(Suite& suite, const std::string& scalar, const Pairs<q16_16>& numbers,
                     const Pairs<T>& questions, const Multiply& multiply, const Divide& divide,
                     const Root& root, const Value& value) {
-  // 48 bits of product and quotients of 23-bit numbers: double is exact enough to judge by.
+  // Products have 48 bits and quotients are of 23-bit numbers: double is precise enough as
+  // reference.
   add_operation(suite, "number/multiply", scalar, numbers, questions, multiply, value,
                 [](double a, double b) { return a * b; });
   add_operation(suite, "number/divide", scalar, numbers, questions, divide, value,
@@ -96,7 +97,7 @@ void add_numbers(Suite& suite) {
 #endif
 }
 
-/// The root of 62 random bits, beside that of the processor.
+/// The root of 62 random bits, next to that of the processor.
 void add_long_roots(Suite& suite) {
   using Square = Fixed<62, 32>;
   test::Random random(suite.seed());

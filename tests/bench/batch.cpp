@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One ray against 4096 shapes, and 4096 rays against one shape, in nanoseconds a pair.
+// One ray against 4096 shapes, and 4096 rays against one shape, in nanoseconds per pair.
 
 #include "bench/suite.hpp"
 
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t probe_count = 64;
 
-/// The rays and the shapes of a query's questions, with their batches.
+/// The rays and the shapes of a query's inputs, with their batches.
 template <class S, template <class, int> class Shape>
 struct Scene {
   using Rays = std::vector<Ray<S, 3>>;
@@ -50,7 +50,7 @@ std::size_t count(const std::vector<std::optional<S>>& answers) {
       std::count_if(answers.begin(), answers.end(), [](const auto& a) { return a.has_value(); }));
 }
 
-/// Adds `ask(k)`, which answers 4096 questions about ray or shape k.
+/// Adds `ask(k)`, which runs 4096 queries with ray or shape k.
 template <class Ask>
 void add(Suite& suite, const std::string& query, const std::string& scalar, const Ask& ask) {
   std::size_t k = 0;
@@ -91,7 +91,7 @@ void add_shape(Suite& suite, const std::string& shape_name) {
       }
       return scene->answers[k].has_value();
     };
-    // Every number is that of a loop over exact queries.
+    // Every count equals that of a loop over exact queries.
     std::size_t hits = 0, first_hits = 0, ray_hits = 0;
     std::size_t expected = 0, first_expected = 0, ray_expected = 0;
     for (std::size_t k = 0; k < probe_count; ++k) {

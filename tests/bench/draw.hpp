@@ -14,14 +14,14 @@ struct Scale {
   int reach;
 };
 inline constexpr Scale ordinary{4096};
-/// What fits 8 bits before the point.
+/// Coordinates that fit in 8 bits before the point.
 inline constexpr Scale small{64};
 
-/// What lengths are multiples of: a step that every scalar has.
+/// The step of all lengths, which every scalar has.
 inline constexpr double grid_step = 1.0 / 256;
 
-/// Draws shapes in double whose lengths are multiples of 1/256, which every scalar holds, float
-/// too; directions are unit vectors of Q2.30.
+/// Draws shapes in double whose lengths are multiples of 1/256, which every scalar represents,
+/// including float; directions are unit vectors of Q2.30.
 template <int N = 3>
 class Artist {
  public:
@@ -29,7 +29,7 @@ class Artist {
 
   [[nodiscard]] bool coin() { return random_.coin(); }
 
-  /// Starts a scene: the next shapes lie about a common place.
+  /// Starts a scene: the next shapes lie around a common point.
   void next_scene() { place_ = vec(reach_ / 2); }
 
   void draw(Vec<double, N>& v) { v = nearby(); }

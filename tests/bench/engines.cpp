@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ray tests of two physics engines against single shapes, on the same questions in the same run.
-// They answer in float or double as they were built, and find normals too.
+// Ray tests of two physics engines against single shapes, on the same inputs in the same run. They
+// work in float or double, depending on how they were built, and compute normals too.
 
 #include "bench/suite.hpp"
 #if DETENT_BENCH_BULLET
@@ -15,7 +15,7 @@ namespace detent::bench {
 
 namespace {
 
-/// Times `ask`, which gives a distance or a negative number, and compares it with exact answers.
+/// Times `ask`, which returns a distance or a negative number, and compares it with exact results.
 template <class Q, class Question, class Ask>
 void add_engine(Suite& suite, const Q& query, const std::string& engine,
                 const std::vector<typename Q::template Question<double>>& drawn,
@@ -26,7 +26,7 @@ void add_engine(Suite& suite, const Q& query, const std::string& engine,
     const auto truth = query.template operator()<q16_16>(
         std::pair{as<q16_16>(drawn[i].first), as<q16_16>(drawn[i].second)});
     const float distance = ask(questions[i]);
-    // Of a ray that starts inside, engines give the end or nothing: they mean another question.
+    // For a ray that starts inside, engines return the exit or nothing: their definition differs.
     if (truth == q16_16(0)) continue;
     ++accuracy.asked;
     accuracy.wrong += truth.has_value() != (distance >= 0) ? 1u : 0u;
@@ -48,7 +48,7 @@ btVector3 as_bullet(const Vec<double, 3>& v) {
   return {static_cast<btScalar>(v.x), static_cast<btScalar>(v.y), static_cast<btScalar>(v.z)};
 }
 
-/// A shape where it is: Bullet keeps the place apart.
+/// A shape and its transform: Bullet keeps them apart.
 struct BulletShape {
   std::shared_ptr<btCollisionShape> shape;
   btTransform place = btTransform::getIdentity();
@@ -80,8 +80,8 @@ struct BulletQuestion {
   std::shared_ptr<btCollisionObject> object;
 };
 
-/// Convex shapes by one of Bullet's two casts: the quick one, which is what it uses unless told, or
-/// the one by the Gilbert-Johnson-Keerthi algorithm.
+/// Convex shapes by one of Bullet's two casts: the quick one, which is its default, or the one by
+/// the Gilbert-Johnson-Keerthi algorithm.
 template <class Q>
 void add_bullet(Suite& suite, const Q& query, const std::string& name, unsigned flags) {
   const auto drawn = draw_questions(query, suite.seed(), ordinary);
@@ -107,7 +107,7 @@ void add_bullet(Suite& suite, const Q& query, const std::string& name, unsigned 
   });
 }
 
-/// Bullet's triangles are those of meshes: as convex shapes they would have a margin of 0.04 around.
+/// Bullet's triangles belong to meshes: as convex shapes they would have a margin of 0.04.
 struct BulletTriangle {
   btVector3 from, to;
   float length;
@@ -173,7 +173,7 @@ dGeomID as_ode(const Plane<double, 3>& plane) {
                       as_ode(plane.normal[2]), as_ode(plane.offset));
 }
 
-/// Geometries live as long as the program.
+/// Geometries live until the program ends.
 struct OdeQuestion {
   dGeomID ray;
   dGeomID shape;

@@ -6,8 +6,8 @@
 
 namespace detent::bench {
 
-/// How many of a query's questions are hits, in every fixed scalar: a benchmark that got another
-/// number would be fast by being wrong.
+/// How many of a query's inputs are hits, in every fixed scalar: a benchmark with another count
+/// would be fast by being wrong.
 struct Golden {
   std::string_view query;
   std::size_t ordinary;
@@ -116,7 +116,7 @@ inline constexpr Golden golden_hits[] = {
     {"2D intersects/segment", 2058, 2092},
 };
 
-/// The golden numbers of a query, or null for one that has none yet.
+/// The golden counts of a query, or null for one that has none yet.
 constexpr const Golden* golden_for(std::string_view query) {
   for (const auto& golden : golden_hits) {
     if (golden.query == query) return &golden;

@@ -9,7 +9,7 @@ using namespace detent::bench;
 
 namespace {
 
-// What the benchmarks compare their hits with, without the benchmarks.
+// The hit counts that the benchmarks compare with, without the benchmarks.
 const auto check = [](const auto& query) {
   const Golden* const golden = golden_for(query.name);
   INFO(query.name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs float and fixed interleaved in one process and prints what exactness costs. Options that it
-// does not know are Google Benchmark's: --benchmark_filter=raycast --benchmark_repetitions=5
+// Runs float and fixed interleaved in one process and prints the cost of exactness. Options that it
+// does not know go to Google Benchmark: --benchmark_filter=raycast --benchmark_repetitions=5
 
 #include <cstdlib>
 #include <ctime>
@@ -24,14 +24,15 @@ constexpr std::string_view usage =
 Useful of Google Benchmark: --benchmark_filter=REGEX, --benchmark_repetitions=N
 )";
 
-/// Prints nothing: the times are gathered turn by turn.
+/// Prints nothing: the times are collected turn by turn.
 class Silence : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>&) override {}
 };
 
-/// Has all of `row` take turns, as often as Google Benchmark asks, and keeps their times.
+/// Runs the turns of `row` alternately, as often as Google Benchmark requests, and keeps their
+/// times.
 void add_benchmark(const Row& row, Results& results) {
   benchmark::RegisterBenchmark((row.query + '|' + name_of(row.manner)).c_str(),
                                [&row, &results](benchmark::State& state) {
@@ -68,7 +69,7 @@ Results::Machine this_machine() {
   return {processor_name(), compiler + " " DETENT_BENCH_FLAGS, date.data()};
 }
 
-/// Whether every exact scalar hit as often as it has to; says so where not.
+/// Whether every exact scalar had the expected number of hits; prints those that did not.
 bool hits_are_right(const std::vector<Record>& records) {
   bool all_right = true;
   for (const auto& record : records) {

@@ -2,11 +2,11 @@
 //
 // usage: detent-bench-meshes MODEL.ply [RAYS]
 //
-// Nearest hits of rays on a mesh and building its tree, on one thread: detent in q16_16 and in
-// float from the same source, Embree in robust mode, and Bullet. The model is scaled to 200 units;
-// rays start on a sphere of radius 300 and aim at points of the inner box. All engines see the same
-// corners and rays, in turn, and the times are those of the thread's own clock. That detent and
-// Embree hit equally often, within one ray in 10,000, is checked.
+// Nearest hits of rays on a mesh and the time to build its tree, on one thread: detent in q16_16
+// and in float from the same source, Embree in robust mode, and Bullet. The model is scaled to 200
+// units; rays start on a sphere of radius 300 and aim at points of the inner box. All engines get
+// the same corners and rays, alternately, and times are CPU time of the thread. The hit counts of
+// detent and Embree must agree within one ray in 10,000.
 
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 #include <btBulletCollisionCommon.h>
@@ -33,7 +33,7 @@ namespace {
 
 using detent::q16_16;
 
-/// Nanoseconds that this thread has run.
+/// This thread's CPU time in nanoseconds.
 double now() {
   timespec time;
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -83,7 +83,7 @@ Model load(const char* path) {
   return model;
 }
 
-/// Storage as a game would give it: in large pages, where the system has them.
+/// Storage as a game would provide it: in large pages, if the system has them.
 template <class T>
 class Storage {
  public:
@@ -256,7 +256,7 @@ Rays draw_rays(const Model& model, std::size_t count) {
   return rays;
 }
 
-/// Time and hits of one engine.
+/// The time and hits of one engine.
 struct Tally {
   double time = 0;
   std::size_t rays = 0, hits = 0;

@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-// A baseline, not a part of detent: Q16.16 as it is usually written. Numbers are 32 bits, products
-// are 64 bits on the way and shifted back, and formulas are those for float. What overflows wraps.
+// A baseline, not a part of detent: Q16.16 as it is usually written. Numbers have 32 bits, products
+// have 64 bits and are shifted back, and the formulas are those for float. Overflow wraps.
 
 namespace detent::bench::plain {
 
@@ -36,7 +36,7 @@ struct Number {
   friend constexpr auto operator<=>(Number a, Number b) = default;
 };
 
-/// Digit by digit, as the libraries of the field do.
+/// Digit by digit, as other fixed-point libraries do.
 inline Number sqrt(Number x) {
   if (x.raw <= 0) return {};
   std::uint64_t rest = static_cast<std::uint64_t>(x.raw) << 16, root = 0;

@@ -50,7 +50,7 @@ class Panel {
     line(x_.start, y_.at(y), x_.end, y_.at(y), "#dddddd");
     text(x_.start - 6, y_.at(y) + 4, "end", name);
   }
-  /// Points of one place are set apart by `nudge`, so that each shows.
+  /// Points at the same position are separated by `nudge`, so that each is visible.
   void point(double x, double y, double nudge, const char* color, const std::string& name) {
     std::fprintf(out_,
                  "<circle cx='%.1f' cy='%.1f' r='3.5' fill='%s' fill-opacity='0.75'><title>%s: "
@@ -71,7 +71,7 @@ class Panel {
   Axis y_;
 };
 
-/// Calls visit(record, ratio) for what the plot shows of a scalar.
+/// Calls visit(record, ratio) for every point of a scalar.
 template <class Visit>
 void visit_points(const Results& results, const std::string& scalar, const Visit& visit) {
   for (const auto& record : results.records) {
@@ -129,7 +129,7 @@ void write_plot(std::FILE* out, const Results& results) {
           if (accuracy.close_asked != 0) {
             const double wrong = static_cast<double>(accuracy.close_wrong) /
                                  static_cast<double>(accuracy.close_asked);
-            // Scalars without wrong answers get a line each.
+            // Each scalar without wrong results gets its own line.
             const double nudge =
                 wrong > 0 ? 0 : 7 * static_cast<double>(&scalar_series - series.data()) - 40;
             decisions.point(ratio, std::max(wrong, 0.0004), nudge, color, name);

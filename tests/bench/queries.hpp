@@ -5,7 +5,7 @@
 
 namespace detent::bench {
 
-// What is measured: a new query is a line here and one in golden.hpp.
+// The measured queries: a new one is a line here and one in golden.hpp.
 
 template <Scalar S, int N>
 using Point = Vec<S, N>;
@@ -148,7 +148,7 @@ void visit_hulls(const Visit& visit) {
   visit(query<Segment, Rock>("intersects/hull", ask_intersects));
 }
 
-// Circles, rectangles, lines and triangles of the plane.
+// Circles, rectangles, lines and triangles in 2D.
 template <class Visit>
 void visit_planar(const Visit& visit) {
   visit(query<Ray, Sphere, 2>("2D raycast/sphere", ask_raycast));

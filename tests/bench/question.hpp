@@ -45,13 +45,13 @@ template <class T>
 bool is_hit(const std::optional<T>& answer) {
   return answer.has_value();
 }
-/// Distances and closest points have no misses: they count where there is a way to go.
+/// Distances and closest points have no misses: a hit is a distance > 0.
 template <Scalar S>
 bool is_hit(const S& distance) {
   return distance > 0;
 }
 
-/// Whether the answer to `question` is a hit.
+/// Whether the result for `question` is a hit.
 template <class S, class Q>
 bool hits(const Q& query, const typename Q::template Question<S>& question) {
   const auto answer = query.template operator()<S>(question);
@@ -62,8 +62,8 @@ bool hits(const Q& query, const typename Q::template Question<S>& question) {
   }
 }
 
-/// The questions for `query`, in double: about half of them hits, as double answers, where shapes
-/// without volume do not make hits improbable.
+/// The inputs for `query`, in double: about half of them hits in double, except where shapes
+/// without volume make hits improbable.
 template <class Q>
 std::vector<typename Q::template Question<double>> draw_questions(const Q& query,
                                                                   std::uint64_t seed, Scale scale) {

@@ -14,11 +14,11 @@
 
 namespace detent::bench {
 
-/// Nanoseconds a question, or their ratios, one for each turn.
+/// Nanoseconds per query, or their ratios, one per turn.
 class Times {
  public:
   Times() = default;
-  /// The times of turns as multiples of those of the same turns of `base`.
+  /// The times of turns as multiples of the same turns of `base`.
   Times(const Times& times, const Times& base) {
     const std::size_t count = std::min(times.values_.size(), base.values_.size());
     for (std::size_t i = 0; i < count; ++i) add(times.values_[i] / base.values_[i]);
@@ -44,7 +44,7 @@ class Times {
   std::vector<double> values_;
 };
 
-/// Everything that a run found out.
+/// All results of a run.
 struct Results {
   struct Machine {
     std::string processor;
@@ -53,7 +53,7 @@ struct Results {
   };
   struct Ratio {
     double median;
-    double spread;  // half the distance of the quartiles
+    double spread;  // half the interquartile range
   };
 
   Machine machine;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: detent-bench-scenes
-// Scenes of random spheres and boxes: rays, pairs after a tenth has moved, snapshots. Beside Bullet
-// on the same shapes and rays, and the same source in float. Prints tables in Markdown; fails when
-// a q16_16 answer is not the golden one.
+// Scenes of random spheres and boxes: rays, pairs after a tenth of them moved, snapshots. Compared
+// with Bullet on the same shapes and rays, and with the same source in float. Prints tables in
+// Markdown; fails when a q16_16 result is not golden.
 
 #include <time.h>
 
@@ -26,7 +26,7 @@ namespace {
 constexpr int ray_count = 2000, rounds = 15;
 constexpr double reach = 1000;  // coordinates of centers
 
-/// The least processor time of a few runs, in microseconds.
+/// The minimum CPU time of a few runs, in microseconds.
 class Timer {
  public:
   template <class F>
@@ -47,7 +47,7 @@ class Timer {
   double least_ = 1e12;
 };
 
-/// What is drawn, on a grid that every scalar has.
+/// The drawn scene, on a grid that every scalar has.
 struct Drawn {
   struct Item {
     Obb<double, 3> box;  // its first half extent is the radius of a ball
@@ -55,9 +55,9 @@ struct Drawn {
   };
   std::vector<Item> items;
   std::vector<Ray<double, 3>> rays;
-  std::vector<std::vector<std::pair<std::uint32_t, Vec<double, 3>>>> moves;  // for every round
+  std::vector<std::vector<std::pair<std::uint32_t, Vec<double, 3>>>> moves;  // per round
 
-  /// Objects fill the same part of the world however many there are.
+  /// Objects fill the same fraction of the world, whatever their number.
   Drawn(int count, std::uint64_t seed) : random_(seed) {
     const double size = 0.7 * reach / std::cbrt(count);
     for (int i = 0; i < count; ++i) {
@@ -256,7 +256,7 @@ void measure_snapshots() {
               save.least(), load.least(), copy.least(), early.size(), is_right ? "" : "; WRONG");
 }
 
-/// Hits and overlaps of q16_16.
+/// The hits and overlaps of q16_16.
 struct Golden {
   int count;
   std::size_t hits, overlaps;

@@ -33,14 +33,14 @@ inline const std::string scalar_name<q24_8> = "q24_8";
 template <>
 inline const std::string scalar_name<q8_8> = "q8_8";
 
-/// What a processor does of itself: the base of what has no counterpart in float.
+/// Double in hardware: the baseline of operations without a counterpart in float.
 inline const std::string hardware = "double in hardware";
 
-/// How questions are asked.
+/// The order in which queries run.
 enum class Manner {
-  shuffled,  // independent questions, hits and misses mixed in an order that changes every pass
-  sorted,    // independent questions, hits first, so that the processor predicts every branch
-  chained,   // shuffled, and where each question is found depends on the answer before it
+  shuffled,  // independent queries, hits and misses mixed in an order that changes every pass
+  sorted,    // independent queries, hits first, so that the processor predicts every branch
+  chained,   // shuffled, and the position of each input depends on the previous result
 };
 inline constexpr Manner manners[] = {Manner::shuffled, Manner::sorted, Manner::chained};
 inline std::string name_of(Manner manner) {
@@ -52,17 +52,17 @@ inline std::string benchmark_name(const std::string& query, const std::string& s
   return query + '|' + scalar + '|' + name_of(manner);
 }
 
-/// What a suite knows of one query in one scalar besides its time.
+/// The data of one query in one scalar, except its times.
 struct Record {
   std::string query;
   std::string scalar;
   std::size_t hits;
-  std::size_t expected;  // hits of the exact answers
-  bool is_exact;         // has to give the expected number
+  std::size_t expected;  // hits of the exact results
+  bool is_exact;         // must have the expected number
   Accuracy accuracy;
 };
 
-/// The low bits of an answer: what a chain of questions waits for.
+/// The low bits of a result, on which the next query of a chain depends.
 template <class Answer>
 std::uint32_t bits_of_answer(const Answer& answer) {
   std::uint32_t bits = 0;
@@ -70,13 +70,13 @@ std::uint32_t bits_of_answer(const Answer& answer) {
   return bits;
 }
 
-/// Zero, which no compiler knows.
+/// Zero, unknown to the compiler.
 inline volatile std::uint32_t always_zero = 0;
 
-/// Some passes over all questions; how many nanoseconds a question took.
+/// Some passes over all inputs; returns nanoseconds per query.
 using Turn = std::function<double()>;
 
-/// Calls `pass` once to warm up, and twice to be timed.
+/// Calls `pass` once to warm up, then twice for timing.
 template <class Pass>
 double take_turn(const Pass& pass) {
   constexpr int passes = 2;
@@ -88,19 +88,19 @@ double take_turn(const Pass& pass) {
   return time.count() / (passes * question_count);
 }
 
-/// Turns of `ask(questions[i])` for all of them in the manner given.
+/// Turns of `ask(questions[i])` over all inputs in the given manner.
 template <class Question, class Ask>
 Turn turn_of(std::shared_ptr<const std::vector<Question>> questions, const Ask& ask,
              Manner manner) {
   static_assert((question_count & (question_count - 1)) == 0);
   constexpr std::uint32_t mask = question_count - 1;
-  // An odd stride visits every question once. A new one each pass keeps the processor from learning
-  // the answers by heart.
+  // An odd stride visits every input once. A new one each pass keeps the branch predictor from
+  // learning the results.
   std::uint32_t stride = 1, first = 0;
   return [questions, ask, manner, stride, first]() mutable {
     return take_turn([&] {
       if (manner != Manner::sorted) stride = (stride * 1664525 + 1013904223) | 1;
-      // In registers, which what is captured is not.
+      // Copied to registers: captured variables are not in registers.
       const Question* const from = questions->data();
       const std::uint32_t step = stride, zero = always_zero;
       std::uint32_t at = first;
@@ -120,15 +120,15 @@ Turn turn_of(std::shared_ptr<const std::vector<Question>> questions, const Ask& 
   };
 }
 
-/// Everyone's turns at one query, which they take one after the other, so that whatever slows the
-/// machine down slows all of them.
+/// The turns of all contestants at one query; they alternate, so that whatever slows the machine
+/// down slows all of them.
 struct Row {
   std::string query;
   Manner manner;
-  std::vector<std::pair<std::string, Turn>> turns;  // of a scalar, or of somebody else
+  std::vector<std::pair<std::string, Turn>> turns;  // of a scalar, or of another library
 };
 
-/// The queries of a run, and what is known of them.
+/// The queries of a run and their data.
 class Suite {
  public:
   explicit Suite(std::uint64_t seed) : seed_(seed) {}
@@ -167,7 +167,7 @@ class Suite {
     add_scalar(q8_8());
   }
 
-  /// Adds a function of our own or of others under the name of a query and a scalar.
+  /// Adds a function, ours or another library's, under the names of a query and a scalar.
   void add_record(const Record& record) { records_.push_back(record); }
   template <class Question, class Ask, class IsHit>
   void add(const std::string& query, const std::string& scalar, std::vector<Question> questions,
@@ -195,8 +195,8 @@ class Suite {
   std::vector<Row> rows_;
 };
 
-// Each in a source file of its own, because the compiler needs some time for every query, and
-// inlines only so much of a large source.
+// Each in its own source file, because every query takes the compiler some time, and it inlines
+// only so much of a large source.
 void add_raycasts(Suite& suite);
 void add_raycast_hits(Suite& suite);
 void add_contains(Suite& suite);

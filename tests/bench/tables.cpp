@@ -54,7 +54,7 @@ void write_ratios(std::FILE* out, const Results& results, Manner manner) {
   }
 }
 
-/// A count of wrong answers: `0` for none, else of how many.
+/// The percentage of wrong results, or `0` for none.
 std::string share(std::size_t wrong, std::size_t asked) {
   if (asked == 0) return "";
   if (wrong == 0) return "0";
@@ -84,7 +84,7 @@ void write_accuracy(std::FILE* out, const Results& results) {
     const auto& [single, twice, exact, coarse, tiny] = records;
     const auto& a = single->accuracy;
     const bool decides = a.close_asked != 0;
-    if (!decides && a.error == 0) continue;  // no columns but those of times
+    if (!decides && a.error == 0) continue;  // it would have no columns except times
     const auto wrong = [&](const Record& record) {
       return decides ? share(record.accuracy.wrong, record.accuracy.asked) : std::string();
     };

@@ -3,8 +3,8 @@
 # usage: snippets.sh COMPILER [PAGE...]
 # Compiles and runs every ```cpp block of the pages, by default README.md and those of docs/. A block
 # without `main` is a fragment: its #include lines stay on top, and the rest becomes the body of a
-# `main` that knows all of detent. What a block is compiled with besides, such as another source
-# file, stands in a comment on the line before it: <!-- compile with: ARGUMENT... -->.
+# `main` that includes all of detent. Further compiler arguments for a block, such as another source
+# file, are in a comment on the line before it: <!-- compile with: ARGUMENT... -->.
 set -euo pipefail
 
 compiler=$1
@@ -14,7 +14,7 @@ if [[ ${#pages[@]} -eq 0 ]]; then pages=(README.md docs/*.md); fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# One file for each block, named by its page and line; #line makes errors point to the page.
+# One file per block, named by its page and line; #line makes errors point to the page.
 for page in "${pages[@]}"; do
   awk -v work="$work" -v page="$page" '
     BEGIN { stem = page; gsub(/\//, ".", stem) }

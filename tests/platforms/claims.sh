@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: claims.sh [--write]
-# What README.md and docs/platforms.md say of the platforms, between their "platforms" comments,
-# comes from tests/platforms/results, which a whole run has written. Without --write, fails where a
-# page says something else.
+# The text of README.md and docs/platforms.md between their "platforms" comments is generated from
+# tests/platforms/results, which a full run writes. Without --write, fails if a page differs.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -14,7 +13,7 @@ trap 'rm -rf "$work"' EXIT
 
 value() { sed -n "s/^$1|//p" "$results"; }
 
-# Prints the results as a block for the page: "summary" for the README, else with more figures.
+# Prints the results as a block for the page: a summary for the README, more figures for the others.
 block() {
   awk -F'|' -v page="$1" -v date="$(value date)" -v version="$(value results_version)" \
     -v seconds="$(value seconds)" -v floats="$(value float)" \

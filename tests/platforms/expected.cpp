@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: expected full|small|parts|names, or for a quarter full.N|small.N|parts.N
-// Prints what the verification program has to print, from the golden digests alone: no question is
-// asked. The host compiles it, so a target that miscompiles the comparison cannot pass. With
-// `parts` it prints what one program for each part of the small corpus has to, one after the other,
-// and with `names` the parts.
+// Prints the expected output of the verification program, from the golden digests alone, without
+// running any queries. The host compiles it, so a target that miscompiles the comparison cannot
+// pass. `parts` prints the expected output of one program per part of the small corpus, one after
+// the other; `names` prints the parts.
 
 #include <cinttypes>
 #include <cstdio>

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# What `run` says of platforms that are right, wrong, silent, endless, broken or absent.
+# The reports of `run` on platforms that are right, wrong, silent, endless, broken or missing.
 set -euo pipefail
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
-# A project of its own, with a program whose answers its flags decide.
+# A project with a program whose results depend on its flags.
 project=$(mktemp -d)
 trap 'rm -rf "$project"' EXIT
 cd "$project"
@@ -110,7 +110,7 @@ complain() {
   failures=$((failures + 1))
 }
 
-# run STATUS ARGUMENT...; what it prints is for `says`.
+# run STATUS ARGUMENT...; `says` checks the output.
 run() {
   local status=0
   tests/platforms/run "${@:2}" >printed 2>&1 || status=$?

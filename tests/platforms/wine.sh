@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: wine.sh PROGRAM
-# Runs the 64-bit PROGRAM.exe (the compiler adds that ending) in a Wine home of its own.
+# Runs the 64-bit PROGRAM.exe (the compiler adds that ending) in a separate Wine home.
 set -eu
 export WINEPREFIX=$DETENT_PLATFORMS_WORK/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml='
 PATH=$PATH:/usr/lib/wine
 
 mkdir -p "$WINEPREFIX"
-# Two programs must not make the home at once; what Wine leaves running must not keep the lock.
+# Two programs must not create the home at once; Wine's background processes must not keep the lock.
 exec {lock}>"$WINEPREFIX/lock"
 flock "$lock"
 [[ -e $WINEPREFIX/system.reg ]] || wine64 wineboot --init >/dev/null 2>&1 {lock}>&-

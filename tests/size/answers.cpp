@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Answers the questions of a group of queries on a microcontroller and prints what questions.cpp
-// printed. A `yield` before and after each answer is for count_instructions.c. Wants the macros
-// SCALAR, GROUP (visit_raycasts, ...) and QUESTIONS, the file with the questions.
+// Runs a group of queries on a microcontroller and prints what questions.cpp printed. A `yield`
+// before and after each query is for count_instructions.c. Needs the macros SCALAR, GROUP
+// (visit_raycasts, ...) and QUESTIONS, the file with the inputs.
 
 #include "size/queries.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A program that asks whether any two of spheres, AABBs and OBBs overlap.
+// A program that tests any two of spheres, AABBs and OBBs for overlap.
 
 #include "detent/query/overlaps/aabb_aabb.hpp"
 #include "detent/query/overlaps/aabb_obb.hpp"

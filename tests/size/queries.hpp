@@ -12,7 +12,7 @@ namespace detent::size {
 
 using bench::query;
 
-/// How many questions of each query a microcontroller answers: what its flash has room for.
+/// The inputs per query on a microcontroller: as many as its flash has room for.
 inline constexpr int question_count = 64;
 
 inline constexpr auto ask_raycast = [](const auto& ray, const auto& shape) {
@@ -20,7 +20,7 @@ inline constexpr auto ask_raycast = [](const auto& ray, const auto& shape) {
 };
 inline constexpr auto ask_overlaps = [](const auto& a, const auto& b) { return overlaps(a, b); };
 
-// What is counted, in groups small enough for one program each.
+// The measured queries, in groups small enough for one program each.
 
 template <class Visit>
 void visit_raycasts(const Visit& visit) {
@@ -65,11 +65,11 @@ void visit_others(const Visit& visit) {
   visit(query<Capsule, Capsule>("overlaps/capsule_capsule", ask_overlaps));
 }
 
-/// Room for `count` questions, and for the next to begin at a word.
+/// Storage for `count` inputs, padded so that the next begins at a word.
 template <class Question>
 inline constexpr std::size_t size_of_questions = (sizeof(Question) * question_count + 3) / 4 * 4;
 
-/// A stored number or a yes or no as 32 bits.
+/// A stored number or a bool as 32 bits.
 template <class T>
 constexpr std::uint32_t pattern_of(const T& x) {
   if constexpr (is_fixed<T>) {
@@ -81,7 +81,7 @@ constexpr std::uint32_t pattern_of(const T& x) {
   }
 }
 
-/// The answers to some questions, for comparing machines.
+/// The results of some queries, for comparing machines.
 struct Tally {
   std::uint32_t hits = 0;
   std::uint32_t digest = 2166136261;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A program that asks one query and nothing else. Wants the macros HEADER, OPERATION, FIRST and
-// SECOND (shapes), SCALAR.
+// A program with a single query. Needs the macros HEADER, OPERATION, FIRST and SECOND (shapes),
+// SCALAR.
 
 #include HEADER
 

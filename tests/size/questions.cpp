@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: questions SCALAR GROUP FILE [SEED]
-// Writes the questions of a group of queries to FILE as they lie in the memory of a little-endian
-// machine, and prints the name of each query with this machine's answers.
+// Writes the inputs of a group of queries to FILE in the memory layout of a little-endian machine,
+// and prints the name of each query with this machine's results.
 
 #include <cstdio>
 #include <cstdlib>

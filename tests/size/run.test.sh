@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# What `run` says of options that it does not know, of compilers that are not there, and how much
-# stack it finds in a program whose stack is known.
+# The reports of `run` on unknown options and missing compilers, and the stack it finds in a program
+# whose stack is known.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 

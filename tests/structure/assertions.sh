@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: assertions.sh COMPILER
-# Assertions are on in debug builds and where DETENT_ASSERTIONS=1 asks for them, and a broken promise
-# ends the program with its text.
+# Assertions are on in debug builds and with DETENT_ASSERTIONS=1, and a failed one ends the program
+# with its text.
 set -euo pipefail
 
 compiler=$1
@@ -20,7 +20,7 @@ int main(int argc, char**) {
 }
 END
 
-# run STATUS FLAG...: the program, compiled so, ends with that status.
+# run STATUS FLAG...: the program, compiled with the flags, exits with that status.
 run() {
   "$compiler" -std=c++20 -Iinclude "${@:2}" "$work/promise.cpp" -o "$work/promise"
   local status=0

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: batch_is_vectors.sh COMPILER
-# The loop over the columns of a batch is vectors of 16-bit integers, eight to a register of the
-# oldest x86-64 processor: 12 multiplications that keep the upper halves in 3D.
+# The loop over the columns of a batch is compiled to vectors of 16-bit integers, eight per register
+# on the oldest x86-64 processor: 12 high-half multiplications in 3D.
 set -euo pipefail
 
 command -v "$1" >/dev/null || { echo "skipped: no $1"; exit 77; }

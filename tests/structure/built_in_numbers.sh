@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Right of number/ no header names a built-in number type, <cmath> or a limit: only number/ rounds.
+# No header right of number/ names a built-in number type, <cmath> or a limit: only number/ rounds.
 set -euo pipefail
 
 words='float|double|int64_t|numeric_limits|std::sqrt|std::reduce|std::transform_reduce|epsilon'
@@ -9,7 +9,7 @@ for layer in math shape query scene dynamics; do
   if [[ -d include/detent/$layer ]]; then layers+=("include/detent/$layer"); fi
 done
 
-# Comments may speak of floats; awk takes them out and keeps the line numbers.
+# Comments may mention floats; awk removes them and keeps the line numbers.
 found=$(find "${layers[@]}" -name '*.hpp' -exec \
           awk '{ sub(/\/\/.*/, ""); print FILENAME ":" FNR ":" $0 }' {} + |
         grep -E "(\b($words)\b)|<cmath>|<math\.h>|<limits>" || true)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# `./dev COMMAND --help` explains each command that ./dev knows, and neither builds nor installs.
+# `./dev COMMAND --help` explains every command of ./dev, and neither builds nor installs anything.
 set -euo pipefail
 
 work=$(mktemp -d)
@@ -11,7 +11,7 @@ for tool in "${tools[@]}"; do
   chmod +x "$work/$tool"
 done
 
-# The commands are what the last `case` of ./dev lists.
+# The commands are those of the last `case` in ./dev.
 commands=$(sed -n '/^case \${1:-help} in$/,$p' dev | sed -n 's/^  \([a-z| ]*\)).*/\1/p' | tr -d '|')
 count=0
 for command in $commands; do

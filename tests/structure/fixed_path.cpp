@@ -178,7 +178,7 @@ DETENT_MEASURE(q8_8, 2);
 DETENT_MEASURE(q8_8, 3);
 DETENT_MEET(q8_8, 2);
 
-// A mesh in storage of its own, and terrain.
+// A mesh that owns its storage, and terrain.
 template <Scalar S>
 struct Surfaces {
   std::array<MeshTriangle<S>, 40> triangles;
@@ -199,7 +199,7 @@ struct Surfaces {
 };
 template struct Surfaces<q16_16>;
 
-// A scene that a sync test plays, and what a ray hits in it.
+// A scene for a sync test, and a ray's hit in it.
 using Arena = BoundedScene<Bounded<8, 2>, q16_16, 3, Sphere>;
 std::size_t play(SyncTest<Arena, q16_16, 4>& test, Arena& arena, q16_16 push,
                  const Ray<q16_16, 3>& ray, std::span<ObjectHit<q16_16, 3>> hits) noexcept {

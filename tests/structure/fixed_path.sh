@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: fixed_path.sh COMPILER [FLAG...]
-# The fixed-point path compiles for a bare machine, and what it leaves to the linker is at most
-# integer helpers and the memory functions that compilers assume: no soft float, no heap, no throw.
+# The fixed-point path compiles for a bare machine, and needs from the linker only integer helpers
+# and the memory functions that compilers assume: no soft float, no heap, no throw.
 set -euo pipefail
 
 if ! command -v "$1" >/dev/null; then

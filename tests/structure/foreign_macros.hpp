@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Macros of other people's headers, for foreign_macros.sh. `min` and `max` take arguments, as in
-// windows.h: public names such as `Aabb::min` survive those, because nothing in the headers calls a
-// `min` or `max` in a way that the preprocessor takes for the macro. An object-like `min` would
-// rename the public member, so it is not among them.
+// Macros of third-party headers, for foreign_macros.sh. `min` and `max` are function-like, as in
+// windows.h: public names such as `Aabb::min` survive those, because nothing in the headers calls
+// `min` or `max` in a form that the macro would expand. An object-like `min` would rename the
+// public member, so it is not included here.
 
 // windows.h
 #define near

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: foreign_macros.sh COMPILER
-# Every header compiles after the macros of windows.h, Arduino.h and their like. The standard headers
+# Every header compiles after the macros of windows.h, Arduino.h and similar. The standard headers
 # come before the macros, because many do not survive those themselves.
 set -euo pipefail
 

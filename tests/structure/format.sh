@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Every C++ source is as clang-format 14 leaves it. Other versions disagree about details.
+# Every C++ source is formatted by clang-format 14. Other versions differ in details.
 set -euo pipefail
 
 for formatter in clang-format-14 clang-format; do

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: header_pairs.sh COMPILER
-# Headers do not depend on the order in which they are included, the umbrella has them all, and a
-# surface and a query of it compile from their two headers, in either order.
+# Headers may be included in any order, the umbrella includes all of them, and a surface and one of
+# its queries compile from their two headers, in either order.
 set -euo pipefail
 
 compile=("$1" -std=c++20 -fsyntax-only -Wall -Wextra -Werror -Iinclude)
@@ -23,7 +23,7 @@ all() { find include -name '*.hpp' -printf '#include "%P"\n' | sort "$@"; }
 all | expect_to_compile 'all headers in the order of their names'
 all -r | expect_to_compile 'all headers in the reverse order'
 
-# instantiations.hpp is for a library that is compiled.
+# instantiations.hpp is only for the compiled library.
 missing=$(comm -13 <("$1" -std=c++20 -Iinclude -M -x c++ include/detent/detent.hpp |
                        grep -oE 'include/detent/[^ ]+' | sort -u) \
                    <(find include -name '*.hpp' | grep -vx 'include/detent/instantiations.hpp' | sort))
@@ -32,7 +32,7 @@ if [[ -n $missing ]]; then
   exit 1
 fi
 
-# A header with a type of surface, the type; a header with queries, what it is for.
+# A header with a type of surface, and the type; a header with queries, and what they are for.
 surfaces=('mesh/mesh.hpp Mesh' 'mesh/placed.hpp PlacedMesh'
   'height_field/height_field.hpp HeightField')
 queries=('mesh/raycast.hpp raycast_nearest(ray, surface)'

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# A header includes its own layer and layers to its left, by the full path "detent/...".
+# A header includes only its own layer and layers to its left, by the full path "detent/...".
 set -euo pipefail
 
 layers=(number math shape query scene dynamics)

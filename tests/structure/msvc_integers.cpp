@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What multiplies, divides and takes roots in 128 bits, for msvc_integers.sh.
+// The functions that multiply, divide and take roots in 128 bits, for msvc_integers.sh.
 
 #include "detent/number/number.hpp"
 #include "detent/query/raycast/sphere.hpp"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: msvc_integers.sh COMPILER
-# Where _MSC_VER is defined, 128-bit integers are our own: Microsoft's runtime library has none of
+# If _MSC_VER is defined, we use our own 128-bit integers: Microsoft's runtime library has none of
 # the functions that divide the compiler's, although clang-cl defines __SIZEOF_INT128__.
 set -euo pipefail
 
@@ -11,8 +11,8 @@ source=tests/structure/msvc_integers.cpp
 "$1" -std=c++20 -fsyntax-only -Iinclude -D_MSC_VER=1930 "$source"
 echo "with _MSC_VER the portable integers are chosen"
 
-# The object that clang-cl would make, but for the standard library, which is the GNU one here: its
-# headers take a `long` of 32 bits if they are told that the processor is in its 32-bit mode.
+# Builds the object that clang-cl would build, except that the standard library is the GNU one: its
+# headers accept a 32-bit `long` if they believe that the processor is in 32-bit mode.
 if ! command -v clang++ >/dev/null; then
 echo "clang is not installed, so no object for Windows was looked at"
 exit 0

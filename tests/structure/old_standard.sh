@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: old_standard.sh COMPILER
-# A header under an older standard gives one sentence that names the flag, and a few lines around it.
+# Under an older standard, a header gives one sentence that names the flag, with few lines around
+# it.
 set -euo pipefail
 
 most_lines=17
@@ -23,7 +24,7 @@ for header in detent.hpp scene/scene.hpp query/raycast/sphere.hpp version.hpp; d
   fi
 done
 
-# What is parsed first is a header that includes no other of ours, so those have the sentence.
+# A header that includes no other of ours is parsed first, so those contain the sentence.
 silent=$(grep -rL '#include "detent/' include | grep -v '/require_cxx20.hpp$' || true)
 if [[ -n $silent ]]; then
   echo "these include nothing of ours, so they need detent/number/require_cxx20.hpp:"

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: MIT
 # usage: query_matrix.sh COMPILER [--write] FILE
 #
-# The tables of FILE between its two "query matrix" comments: which queries there are, each linked
-# to its header, and the widest number that it computes with. That is read off the code itself: a
-# call in q16_16 and 3D is compiled without optimisation, and the symbols of the object name every
-# Fixed<Bits, ...> that a function takes or returns. Without --write, fails if FILE says otherwise.
+# Writes the tables of FILE between its two "query matrix" comments: the queries, each linked to its
+# header, and the widest number that it computes with. The width comes from the code itself: a call
+# in q16_16 and 3D is compiled without optimisation, and the symbols of the object name every
+# Fixed<Bits, ...> that a function takes or returns. Without --write, fails if FILE differs.
 set -euo pipefail
 
 compiler=$1
@@ -24,7 +24,7 @@ shapes=(Sphere Aabb Obb Plane Triangle Capsule ConvexHull)
 declare -A stem=([Sphere]=sphere [Aabb]=aabb [Obb]=obb [Plane]=plane [Triangle]=triangle
                  [Capsule]=capsule [ConvexHull]=hull [Segment]=segment [Ray]=ray)
 
-# A cell is a program with one call; its name is the header's path with dots.
+# A cell is a program with one call, named by the header's path with dots.
 cell() { # header first-argument-type second-argument-type calls...
   local header=$1 first=$2 second=$3
   shift 3

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a game may use, compiled by warnings.sh as in a project that lets no warning pass.
+// Typical game code, compiled by warnings.sh with the flags of a strict project.
 
 #include <array>
 #include <cstdio>

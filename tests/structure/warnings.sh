@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: warnings.sh COMPILER... [-O...]
-# A user's source gives no warning with the flags of a strict project. With several compilers or
-# levels it tries them all and prints a table:
+# A user's source compiles without warnings under the flags of a strict project. With several
+# compilers or levels it tries them all and prints a table:
 #
 #   tests/structure/warnings.sh g++-11 g++-12 clang++-13 clang++-14 clang++-19 -O0 -O1 -O2 -O3
 set -euo pipefail

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # usage: wrong_calls.sh COMPILER
 # Each line of wrong_calls.cpp that ends in a comment is an error of a few lines with that sentence,
-# and no other line is one.
+# and no other line is an error.
 set -euo pipefail
 
 most_lines=12
@@ -21,7 +21,8 @@ if "$1" -std=c++20 -fsyntax-only "$limit" -w -Iinclude "$source" 2>"$errors"; th
   exit 1
 fi
 
-# The first input is the source, the second what the compiler says: an error begins with its place.
+# The first input is the source, the second the compiler's output: an error begins with its
+# position.
 awk -v file="$source" -v most="$most_lines" '
   FNR == NR {
     if (match($0, /;  +\/\/ /)) { wanted[FNR] = substr($0, RSTART + RLENGTH); ++count }

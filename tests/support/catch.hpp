@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Catch2 3 split its single header; everything else a test needs has kept its name.
+// Catch2 3 split its single header; everything else that a test needs kept its name.
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
 #else
@@ -14,13 +14,13 @@
 
 namespace detent::test {
 
-/// `INFO(random)` puts the seed into every failure message of the scope.
+/// `INFO(random)` adds the seed to every failure message of the scope.
 inline std::ostream& operator<<(std::ostream& out, const Random& random) {
   return out << "seed " << random.seed();
 }
 
-/// Counts how often a random test saw each answer, so that it cannot pass by asking only one kind
-/// of question. Write `CHECK(rate.is_balanced())` at the end of the sweep.
+/// Counts how often a random test saw each result, so that it cannot pass on one-sided inputs.
+/// Write `CHECK(rate.is_balanced())` at the end of the sweep.
 class HitRate {
  public:
   void count(bool hit) {

@@ -8,8 +8,8 @@ namespace detent::test {
 /// A seeded generator that gives the same integers on every machine.
 ///
 /// The standard library fixes its engines but not its distributions, so the distributions are here.
-/// Random inputs alone rarely reach the ends of a domain or the neighbourhood of zero: `wide` draws
-/// the magnitude's bit length first, and `edgy` mixes in the corner values.
+/// Uniform inputs rarely reach the ends of a domain or the neighbourhood of zero: `wide` draws the
+/// magnitude's bit length first, and `edgy` mixes in corner values.
 ///
 /// source: splitmix64, Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, 2014
 class Random {
@@ -41,7 +41,8 @@ class Random {
   /// True once in `count` calls.
   constexpr bool one_in(std::uint64_t count) noexcept { return below(count) == 0; }
 
-  /// Signed, |result| < 2^bits, every magnitude's bit length from 0 to `bits` (at most 63) alike.
+  /// Signed, |result| < 2^bits; every bit length of the magnitude from 0 to `bits` (at most 63) is
+  /// equally likely.
   constexpr std::int64_t wide(int bits) noexcept {
     const int length = static_cast<int>(below(static_cast<std::uint64_t>(bits) + 1));
     if (length == 0) return 0;
@@ -51,7 +52,7 @@ class Random {
   }
 
   /// Signed in [-2^bits, 2^bits - 1] (bits up to 62): one in four is an end of the range, a power
-  /// of two or one beside it, or near zero; the rest is half uniform, half `wide`.
+  /// of two or one off, or near zero; the rest is half uniform, half `wide`.
   constexpr std::int64_t edgy(int bits) noexcept {
     const auto limit = std::int64_t{1} << bits;
     if (!one_in(4)) return coin() ? between(-limit, limit - 1) : wide(bits);

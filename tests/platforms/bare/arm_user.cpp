@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Start-up of a classic Arm core (ARMv4T: no Cortex, no division, no unaligned loads) under
-// qemu-arm, which emulates such cores only in user mode. No system call is made but semihosting.
+// qemu-arm, which emulates such cores only in user mode. Semihosting is the only system call.
 
 #include "semihosting.hpp"
 
@@ -18,7 +18,7 @@ std::intptr_t semihost(std::intptr_t operation, const void* argument) {
 
 extern "C" [[noreturn, gnu::used]] void run() { verify_and_leave(); }
 
-// The loader enters in Arm state; bx changes to Thumb where `run` was compiled for it.
+// The loader enters in Arm state; bx switches to Thumb if `run` was compiled for it.
 __asm__(
     ".arm\n"
     ".global _start\n"

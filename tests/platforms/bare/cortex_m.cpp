@@ -17,7 +17,7 @@ extern std::uint32_t data_image[], data_begin[], data_end[], bss_begin[], bss_en
 
 [[noreturn]] void reset() {
 #ifdef __ARM_FP
-  // Without access to coprocessors 10 and 11 the first floating-point instruction is a fault.
+  // Without access to coprocessors 10 and 11 the first floating-point instruction faults.
   auto* const coprocessor_access = reinterpret_cast<volatile std::uint32_t*>(0xe000ed88);
   *coprocessor_access = *coprocessor_access | 0x00f00000;
   __asm__ volatile("dsb\n\tisb");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What compilers take for granted even without a standard library: four functions, and strlen,
-// which headers call. They are compiled with -fno-tree-loop-distribute-patterns, or the compiler
-// would turn a loop into a call of the function that it is in.
+// The functions that compilers assume even without a standard library: four memory functions, and
+// strlen, which headers call. Compiled with -fno-tree-loop-distribute-patterns; otherwise the
+// compiler would turn a function's loop into a call of that same function.
 
 #include <cstddef>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Start-up of a RISC-V core: in machine mode on qemu's `virt` board (with
-// -DMACHINE_MODE), or as a program of qemu-riscv32 that makes no system call but semihosting.
+// Start-up of a RISC-V core: in machine mode on qemu's `virt` board (with -DMACHINE_MODE), or as a
+// program of qemu-riscv32 whose only system call is semihosting.
 
 #include "semihosting.hpp"
 

@@ -14,5 +14,5 @@ std::intptr_t semihost(std::intptr_t operation, const void* argument);
 /// Runs the program under test and ends the emulation with its status.
 [[noreturn]] void verify_and_leave();
 
-/// Says that the processor gave up, and ends the emulation.
+/// Reports a processor fault and ends the emulation.
 [[noreturn]] void report_fault();
