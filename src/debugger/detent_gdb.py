@@ -31,7 +31,7 @@ def integer(value):
         return result - (1 << size) if result >> (size - 1) else result
     if kind.sizeof <= 8:
         return int(value)
-    # Older versions of gdb cut off what is wider.
+    # Older versions of gdb truncate wider values.
     memory = gdb.selected_inferior().read_memory(value.address, kind.sizeof)
     order = "big" if is_big_endian() else "little"
     return int.from_bytes(bytes(memory), order, signed=True)

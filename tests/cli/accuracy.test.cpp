@@ -48,7 +48,7 @@ TEST_CASE("accuracy: fixed-point answers are exact on every rung of every query"
       }
     }
   }
-  // Errors are in units of 2^-16: below one of the scalar's own steps, and nearly that large.
+  // Errors, in units of 2^-16, are below one of the scalar's own steps, and nearly that large.
   for (const auto& [scalar, step] :
        std::map<std::string, double>{{"q16_16", 1}, {"q14_16", 1}, {"q24_8", 256}, {"q8_8", 256}}) {
     INFO(scalar);

@@ -12,7 +12,7 @@
 #include "detent/scene/snapshot.hpp"
 #include "support/catch.hpp"
 
-// The built program, run as a user runs it.
+// The built program, run like a user runs it.
 
 namespace {
 
@@ -23,7 +23,7 @@ std::string content_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// A directory of its own, which disappears with the test.
+/// A temporary directory, deleted at the end of the test.
 class Workshop {
  public:
   Workshop()
@@ -54,7 +54,7 @@ class Workshop {
     return run_script("\"$DETENT\" " + arguments);
   }
 
-  /// Runs a script of the shell inside the directory, for which $DETENT is the program.
+  /// Runs a shell script inside the directory; $DETENT is the program.
   [[nodiscard]] Result run_script(const std::string& script) const {
     const fs::path out = path_ / "out";
     const fs::path err = path_ / "err";
@@ -73,7 +73,7 @@ class Workshop {
   fs::path path_;
 };
 
-/// Exit code 2, exactly one line on standard error that starts so, nothing on standard output.
+/// Exit code 2, exactly one line on standard error with this start, nothing on standard output.
 bool refuses(const Workshop::Result& result, const std::string& start) {
   return result.code == 2 && result.out.empty() && result.err.starts_with("detent: " + start) &&
          result.err.find("; ") != std::string::npos &&
@@ -91,7 +91,7 @@ const std::string seen_scene =
     " {\"type\": \"plane\", \"normal\": [0, 1, 0], \"offset\": 0},\n"
     " {\"type\": \"sphere\", \"center\": [0, 1, 0], \"radius\": 1}]}";
 
-/// An OBJ model of 800 triangles: hills on a grid, level here and there.
+/// An OBJ model of 800 triangles: hills on a grid, partly level.
 std::string hills() {
   constexpr int side = 21;
   std::ostringstream model;
@@ -165,7 +165,7 @@ TEST_CASE("detent cast: a scene of many shapes and meshes gives its golden diges
   shop.write("hills.obj", hills());
   std::ostringstream scene;
   scene << "{\"shapes\": [\n";
-  // Meshes, planes, boxes and triangles whose faces coincide: the first in the file is hit.
+  // Meshes, planes, boxes and triangles with coinciding faces: the first in the file is hit.
   const std::string hills_at = "{\"type\": \"mesh\", \"file\": \"hills.obj\", \"scale\": 0.5, ";
   for (int i = 0; i < 30; ++i) {
     const int x = i % 6 * 4 - 10, y = i / 6 * 4 - 8, z = i * 7 % 9;
@@ -476,7 +476,7 @@ TEST_CASE("detent: a full disk is called that") {
   const Workshop shop;
   shop.write("ball.json", ball_scene);
   shop.write("seen.json", seen_scene);
-  // A limit on the size of files, of one block, stands for a disk with so much room.
+  // A file size limit of one block stands for a nearly full disk.
   CHECK(refuses(shop.run_script("ulimit -f 1; \"$DETENT\" render seen.json -o x.png --size 99x99"),
                 "x.png: cannot be written: File too large; free some space"));
   CHECK(shop.file_count() == 2);
@@ -560,7 +560,7 @@ TEST_CASE("detent: a signal that ends it leaves no part of a file behind") {
   shop.write("answers", "precious");
   for (const auto& [signal, number] :
        {std::pair{"TERM", 15}, {"HUP", 1}, {"XCPU", 24}, {"PIPE", 13}}) {
-    // It opens its output, and then waits for a scene that never comes.
+    // It opens its output, then waits for a scene that never comes.
     const auto result = shop.run_script(
         "mkfifo scene\n"
         "\"$DETENT\" cast scene --out answers & program=$!\n"

@@ -154,14 +154,14 @@ TEST_CASE("diff: bytes that are no snapshot are refused by name") {
 
 namespace {
 
-/// What `restore` says of the bytes for an empty scene of such shapes.
+/// The status of `restore` for the bytes and an empty scene of this type.
 template <class Scene>
 Restored restored(const std::string& bytes) {
   Scene scene;
   return restore(scene, std::as_bytes(std::span(bytes)));
 }
 
-/// The bytes with the checksum that belongs to them.
+/// The bytes with a valid checksum.
 std::string sealed(std::string bytes) {
   constexpr auto size = detail::SnapshotHeader::checksum_size;
   Digest digest;
@@ -172,7 +172,7 @@ std::string sealed(std::string bytes) {
   return bytes;
 }
 
-/// Changes every byte but those that say which scenes the snapshot is for, and asks both.
+/// Changes every byte except those that identify the kind of scene, and compares both verdicts.
 template <class Scene>
 void check_same_verdicts(const Scene& scene) {
   const auto right = bytes_of(scene);
@@ -187,7 +187,7 @@ void check_same_verdicts(const Scene& scene) {
       bytes = sealed(bytes);
       INFO("byte " << i << " of " << bytes.size() << " changed by " << change);
       const auto verdict = restored<Scene>(bytes);
-      if (verdict == Restored::no_room) continue;  // another scene may have it
+      if (verdict == Restored::no_room) continue;  // a larger scene may have room
       const bool is_restored = verdict == Restored::yes;
       const auto refused = refusal(bytes, right);
       CHECK(refused.empty() == is_restored);
@@ -227,7 +227,7 @@ TEST_CASE("diff: refuses the bytes that restore refuses, and no others") {
 
 TEST_CASE("diff: refuses sets of shapes that no scene has, and shapes that are not in the set") {
   const auto right = bytes_of(toys());
-  constexpr std::size_t shapes = 10;  // the two bytes of the header
+  constexpr std::size_t shapes = 10;  // the header's two bytes
   for (const int set : {0, 1, 0x0b, 0x02, 0x08, 0x100, 0x800a}) {
     auto bytes = right;
     bytes[shapes] = static_cast<char>(set);

@@ -69,7 +69,7 @@ TEST_CASE("obj: numbers of vertices do not wrap, whatever their size") {
     INFO(number);
     CHECK(error_of(vertices + "f 1 2 " + number + "\n").starts_with("f:4:"));
     CHECK(error_of(vertices + "f 1 2 " + number + "\n").find(number) != std::string::npos);
-    // Texture coordinates and normals are not used, but have to be numbers.
+    // Texture coordinates and normals are ignored, but have to be numbers.
     CHECK(error_of(vertices + "f 1 2 3/" + number + "\n") == "none");
   }
 }

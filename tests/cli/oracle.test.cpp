@@ -14,7 +14,7 @@ using oracle::Vector;
 
 constexpr int steps_per_unit = 1 << 16;
 
-/// A value in 1/65536, rounded down like the distances of q16_16.
+/// A distance in 1/65536, rounded down like those of q16_16.
 std::optional<std::int64_t> raw_distance(const oracle::Ray& ray, const oracle::Shape& shape) {
   const auto hit = oracle::first_hit(ray, shape);
   if (!hit) return std::nullopt;
@@ -61,7 +61,7 @@ TEST_CASE("oracle: a double has an exact value") {
 
 namespace {
 
-/// Coordinates over several sizes of scene, on the grid of the scalar.
+/// Coordinates over several scene sizes, on the scalar's grid.
 template <class S>
 S coordinate(test::Random& random, int bits) {
   return S::from_raw(static_cast<typename S::raw_type>(random.wide(std::min(bits, S::bits))));
@@ -79,7 +79,7 @@ Direction<S, 3> some_direction(test::Random& random) {
   }
 }
 
-/// A ray aimed at somewhere near `target`.
+/// A ray aimed near `target`.
 template <class S>
 Ray<S, 3> ray_towards(test::Random& random, const Vec<S, 3>& target, int bits) {
   const Vec<S, 3> origin = point<S>(random, bits);

@@ -16,7 +16,7 @@ using Triangles = std::vector<PolygonCutter::Triangle>;
 
 namespace {
 
-/// The triangles of the polygon with these vertices, cut with so much work.
+/// The triangles of the polygon with these vertices, within this much work.
 Triangles cut(const Vertices& vertices, std::int64_t work = PolygonCutter::most_work) {
   std::vector<std::uint32_t> corners(vertices.size());
   std::iota(corners.begin(), corners.end(), 0u);
@@ -26,7 +26,7 @@ Triangles cut(const Vertices& vertices, std::int64_t work = PolygonCutter::most_
   return triangles;
 }
 
-/// The point at this place of the xy plane, seen in a plane that stands askew.
+/// The point of the xy plane mapped to an oblique plane.
 PolygonCutter::Vertex askew(double x, double y) { return {100 + x, 200 + 2 * y, 300 + x - y}; }
 constexpr double askew_area = 3;  // the length of the normal, (1, 0, 1) x (0, 2, -1) = (-2, 1, 2)
 
@@ -40,7 +40,7 @@ std::array<double, 3> area_of(const Vertices& vertices, const PolygonCutter::Tri
   return area;
 }
 
-/// The areas of the triangles add up to the polygon's: they cover it, and nothing else, once.
+/// The areas of the triangles add up to the polygon's, so they cover exactly it, once.
 void check_cover(const Vertices& vertices, double area,
                  std::int64_t work = PolygonCutter::most_work) {
   const auto triangles = cut(vertices, work);
@@ -84,7 +84,7 @@ TEST_CASE("polygon: a convex one is a fan, one of four corners is cut along the 
 
 TEST_CASE("polygon: the triangles cover it, wherever it lies and whichever way round it goes") {
   const Vertices shapes[] = {
-      {{0, 0, 0}, {8, 1, 0}, {0, 2, 0}, {7, 1, 0}},                        // an arrow head
+      {{0, 0, 0}, {8, 1, 0}, {0, 2, 0}, {7, 1, 0}},                        // an arrowhead
       {{1, 1, 0}, {0, 0, 0}, {4, 0, 0}, {3, 1, 0}, {2, 4, 0}, {2, 1, 0}},  // corners on an edge
       {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {3, 4, 0}, {3, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}},
   };

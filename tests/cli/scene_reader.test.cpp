@@ -7,7 +7,7 @@ using namespace detent::cli;
 
 namespace {
 
-/// The message for a scene with this line among its shapes, without the file name.
+/// The error message for a scene with this content, without the file name.
 std::string error_of(const std::string& content) {
   try {
     (void)parse_scene("f", content);

@@ -9,7 +9,7 @@ using cli::World;
 
 namespace {
 
-/// Whole numbers in a small cube, so that much touches, coincides and is degenerate.
+/// Integers in a small cube, so that many shapes touch, coincide and are degenerate.
 template <class S>
 Vec<S, 3> point(test::Random& random) {
   const auto coordinate = [&] { return S(static_cast<int>(random.between(-8, 8))); };
@@ -56,7 +56,7 @@ Ray<S, 3> some_ray(test::Random& random) {
           S(static_cast<int>(random.between(0, 12)))};
 }
 
-/// What a loop over all shapes finds, and over all triangles of a mesh in the order of the file.
+/// The result of a loop over all shapes, and over all triangles of a mesh in file order.
 template <class S>
 std::optional<Answer<S>> nearest_of_all(const std::vector<typename World<S>::Shape>& shapes,
                                         const std::vector<std::vector<Triangle<S, 3>>>& meshes,

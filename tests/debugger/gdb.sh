@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: gdb.sh COMPILER
-# With src/debugger/detent_gdb.py gdb shows the values of values.cpp as decimals, with the compiler's
-# 128-bit integers and with ours.
+# With src/debugger/detent_gdb.py, gdb shows the values of values.cpp as decimals, both with the
+# compiler's 128-bit integers and with ours.
 set -euo pipefail
 
 if ! command -v gdb >/dev/null || ! gdb -nx -batch -ex 'python pass' >/dev/null 2>&1; then
@@ -37,7 +37,7 @@ sphere = {center = (1, 2, 3), radius = 0.125 (raw 8192)}
 box = {center = (1, 2), half_extents = (3, 4), rotation = axes (1, 0), (0, 1)}
 END
 
-# Without a run, from the program's file: no right to trace processes is needed.
+# From the program's file without running it, which needs no permission to trace processes.
 shown() {
   local commands=(-ex "source $printers") name
   while read -r name _; do
@@ -55,7 +55,7 @@ raw=$(gdb -nx -batch -ex "source $printers" -ex 'print/r shown::number' "$work/v
 [[ $raw == *'raw_ = 212992'* ]] || { echo "print/r says: $raw"; exit 1; }
 echo "$(wc -l <"$work/expected") values are shown as decimals"
 
-# Locals of a running program, in the optionals of the standard library.
+# Locals of a running program, in std::optional.
 line=$(grep -n 'the debugger stops here' "$source" | cut -d : -f 1)
 gdb -nx -batch -ex "source $printers" -ex "break values.cpp:$line" -ex run -ex 'print distance' \
   -ex 'print point' "$work/values0" >"$work/run" 2>&1 || true

@@ -16,7 +16,7 @@ using S = q16_16;
 
 namespace shown {
 
-// Not const, so that they are in memory whatever becomes of them; initialised before the program runs.
+// Not const, so that they are always in memory; initialised before the program runs.
 constinit S number = S::from_raw(212992);
 constinit S least = S::lowest();
 constinit S step = S::from_raw(-1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A rollback loop: play on with a guess of the other player's input; when the true one arrives for
-// an earlier frame, go back to that frame and play it again.
+// A rollback loop: play on with a guess of the other player's input; when the real input for an
+// earlier frame arrives, go back to that frame and play it again.
 #include <array>
 
 #include <detent/scene/sync_test.hpp>
@@ -23,7 +23,7 @@ int main() {
   Arena truth = arena;
   std::vector<Arena> saved;  // the arena before each frame
   std::vector<Inputs> inputs;
-  constexpr int delay = 3;  // frames until the other player's input is here
+  constexpr int delay = 3;  // frames until the other player's input arrives
   const auto other = [](int frame) { return frame % 5 == 0 ? -2 : 0; };
   for (int frame = 0; frame < 30; ++frame) {
     if (const int late = frame - delay; late >= 0 && other(late) != 0) {
@@ -35,7 +35,7 @@ int main() {
       }
     }
     saved.push_back(arena);
-    inputs.push_back({1, 0});  // the guess is that he stands still
+    inputs.push_back({1, 0});  // guess: he stands still
     simulate(arena, inputs.back());
     simulate(truth, {1, frame < 30 - delay ? other(frame) : 0});
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene: objects, some of them in a frame; what a ray hits; and ids that are safe to use where
-// there may be no room for an object.
+// A scene: objects, some of them in a frame; a ray's hit; and ids that are safe to use when there
+// may be no room for an object.
 #include <detent/scene/snapshot.hpp>
 using namespace detent;
 
@@ -16,7 +16,7 @@ int main() {
   if (!arena.move(ball, at(0, 0, 1))) return 1;
 
   const FrameId ship = arena.add_frame({.translation = at(20, 0, 0)}).value_or(no_frame);
-  const Obb<q16_16, 3> cabin{at(0, 0, 2), at(1, 1, 1), {}};  // given in the frame of the ship
+  const Obb<q16_16, 3> cabin{at(0, 0, 2), at(1, 1, 1), {}};  // in the coordinates of the ship
   const ObjectId box = arena.add(cabin, {.layers = 2, .frame = ship}).value_or(no_object);
   arena.move_frame(ship, {.translation = at(30, 0, 0)});
   if (arena.local_shape<Obb<q16_16, 3>>(box) != cabin) return 2;

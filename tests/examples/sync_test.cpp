@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the game keep all that counts in its scene? A sync test plays every frame several times, as
-// a rollback would, and names the first frame, object and field that come out otherwise.
+// Does the game keep its whole state in its scene? A sync test plays every frame several times, as
+// a rollback would, and names the first frame, object and field that differ.
 #include <detent/scene/sync_test.hpp>
 using namespace detent;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A world of the game's own in a sync test: a scene, and velocities beside it. All that counts is a
-// field of the world, so it is saved, brought back and compared; a desync names the field.
+// A game's own world in a sync test: a scene and velocities. All state is in fields of the world,
+// so it is saved, restored and compared; a desync names the field.
 #include <array>
 
 #include <detent/scene/sync_test.hpp>
@@ -30,7 +30,7 @@ int main() {
     if (push > 0) world.velocity[1].y = q16_16(++wind);
     for (std::size_t i = 0; i < 2; ++i) world.scene.move(balls[i], world.velocity[i]);
   };
-  SyncTest<Game, q16_16, 8> test;  // no heap: it keeps its eight frames inside itself
+  SyncTest<Game, q16_16, 8> test;  // no heap: it stores its eight frames inside itself
   if (test.step(game, q16_16(0), simulate)) return 1;
   const auto desync = test.step(game, q16_16(1), simulate);
   // The ball that the wind moved comes first.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Place a child in its parent, and a point of it in the world and back.
+// Transform a child by its parent, and a point into the world and back.
 #include <detent/math/math.hpp>
 using namespace detent;
 

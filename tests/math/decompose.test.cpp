@@ -97,7 +97,7 @@ TEMPLATE_TEST_CASE("decompose: the rounded matrix of a motion gives it back with
   for (int k = 0; k < 3'000; ++k) {
     Transform<Sc, N> t{random_vec<Sc, N>(random), random_rotation<Sc, N>(random),
                        random_vec<Sc, 2>(random).x};
-    if (N == 2 && t.scale < 0) t.scale = Sc(1);  // there it is half a turn
+    if (N == 2 && t.scale < 0) t.scale = Sc(1);  // in 2D a negative scale is half a turn
     if (abs(t.scale) < Sc::from_raw(16)) continue;
     const auto m = nearest_to<Sc>(to_mat(t));
     const auto found = decompose(m);
@@ -111,7 +111,7 @@ TEMPLATE_TEST_CASE("decompose: the rounded matrix of a motion gives it back with
         worst = std::max(worst, std::abs(std::int64_t{again(i, j).raw()} - m(i, j).raw()));
       }
     }
-    // A column that is longer by far more is that of no motion.
+    // A matrix with a column of clearly different length is not a similarity.
     auto stretched = m;
     stretched(0, 0) = nearest_to<Sc>(m(0, 0) + Sc::from_raw(m(0, 0) < 0 ? 40 : -40));
     if (abs(t.scale) > Sc::from_raw(200) && decompose(stretched)) ++wrong;

@@ -38,7 +38,7 @@ static_assert(!Direction<q8_8, 2>::from_raw({16384, 257}), "longer by more than 
 static_assert(Direction<q8_8, 2>::from_raw({16384, 256}));
 static_assert(!Direction<q8_8, 2>::from_raw({16381, 0}));
 
-// Cauchy-Schwarz keeps products with a direction in fewer bits than their parts would need.
+// Cauchy-Schwarz: products with a direction need fewer bits than their terms would.
 using Offset = Vec<Fixed<32, 16>, 3>;
 static_assert(std::is_same_v<decltype(dot(Offset(), D())), Fixed<63, 46>>);
 static_assert(std::is_same_v<decltype(dot(D(), D())), Fixed<61, 60>>);
@@ -67,7 +67,7 @@ bool is_rounded(const Vec<T, N>& v) {
       return false;
     }
   }
-  // What a query may rely on: the invariant that raw bits are checked for.
+  // The invariant that queries rely on: raw bits are checked for it.
   using Raw = typename Direction<S, N>::Raw;
   std::array<Raw, N> raw;
   for (int i = 0; i < N; ++i) raw[static_cast<std::size_t>(i)] = (*direction)[i].raw();
@@ -90,7 +90,7 @@ TEMPLATE_TEST_CASE("normalize: every component is the exact one rounded to neare
   CHECK(wrong == 0);
 }
 
-// A difference has the direction of its scalars, also where a scalar could not hold it.
+// A difference has the direction type of its scalars, even where a scalar could not represent it.
 template <class S>
 using V3 = Vec<S, 3>;
 static_assert(std::is_same_v<decltype(normalize(V3<q16_16>() - V3<q16_16>())),
@@ -100,7 +100,7 @@ static_assert(std::is_same_v<decltype(normalize<q14_16>(V3<q14_16>() - V3<q14_16
 static_assert(normalize(V3<q16_16>{q16_16::max()} - V3<q16_16>{q16_16::lowest()}) ==
               Direction<q16_16, 3>::along(0));
 
-// A distance along a direction, exactly; what makes no sense is refused.
+// A distance along a direction, exactly; meaningless operations are rejected.
 constexpr auto diagonal = *normalize(V3<q16_16>{q16_16(1), q16_16(2), q16_16(-2)});
 static_assert(diagonal * q16_16(3) == diagonal.vec() * q16_16(3) &&
               q16_16(3) * diagonal == diagonal * q16_16(3) &&
@@ -155,7 +155,7 @@ TEMPLATE_TEST_CASE("unit_vector: four components have no ties either", "", q16_1
   Random random(20261124);
   int wrong = 0;
   for (int i = 0; i < 60'000; ++i) {
-    // Small ones and ones of equal parts: only there could a length be a multiple of 4.
+    // Small vectors and ones of equal components: only there could a length be a multiple of 4.
     std::array<Fixed<64, 32>, 4> v;
     const int bits = random.coin() ? 3 : 62;
     for (auto& c : v) c = Fixed<64, 32>::from_raw(random.edgy(bits));

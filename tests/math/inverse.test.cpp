@@ -31,7 +31,7 @@ static_assert(inverse(make_mat<2, 2>([](int i, int j) {
               }))->row(0) == Vec<S, 2>{S::max(), n(0)},
               "clamped");
 
-// Hadamard: 16 * 2^124 for 4x4 of 32-bit scalars, reached by a matrix of signs.
+// Hadamard: 16 * 2^124 for 4x4 of 32-bit scalars, attained by a matrix of signs.
 static_assert(std::is_same_v<decltype(determinant(Mat<S, 4, 4>{})), Fixed<128, 64>>);
 static_assert(std::is_same_v<decltype(determinant(m3)), Fixed<96, 48>>);
 static_assert(std::is_same_v<decltype(determinant(m2)), Fixed<64, 32>>);

@@ -33,7 +33,7 @@ struct Elimination {
   std::array<std::array<BigRational, N>, N> inverse;  // where the determinant is not 0
 };
 
-/// Gauss and Jordan's elimination.
+/// Gauss-Jordan elimination.
 template <std::size_t N>
 Elimination<N> eliminate(std::array<std::array<BigRational, N>, N> m) {
   Elimination<N> result;
@@ -68,7 +68,7 @@ Elimination<N> eliminate(std::array<std::array<BigRational, N>, N> m) {
   return result;
 }
 
-/// Components of one magnitude, often corners of the domain; one in four is singular.
+/// Components of one magnitude, often ends of the domain; one matrix in four is singular.
 template <Scalar S, int R, int C>
 Mat<S, R, C> random_mat(Random& random, int most_bits = S::bits) {
   const int bits = static_cast<int>(random.below(static_cast<std::uint64_t>(most_bits) + 1));

@@ -59,7 +59,7 @@ TEMPLATE_TEST_CASE("project, reject, reflect, lerp: the exact quotient rounded t
   int wrong = 0;
   for (int i = 0; i < 1'500; ++i) {
     const auto draw = [&] {
-      const int bits = static_cast<int>(random.below(S::bits + 1));  // tiny ones meet ties
+      const int bits = static_cast<int>(random.below(S::bits + 1));  // tiny ones are often ties
       return make_vec<N>(
           [&](int) { return S::from_raw(static_cast<typename S::raw_type>(random.edgy(bits))); });
     };

@@ -75,7 +75,7 @@ TEMPLATE_TEST_CASE("look_at: the axes are correctly rounded", "", q16_16, q14_16
     auto above = random_vec<T, 3>(random);
     if (random.one_in(8)) above = nearest_to<T>(eye - target);
     const auto found = look_at(eye, target, above);
-    // y is `above` less its part along z, and x is across both.
+    // y is `above` minus its component along z, and x is perpendicular to both.
     std::array<BigInteger, 3> z, u, x, y;
     BigInteger zz = 0, uz = 0;
     for (int i = 0; i < 3; ++i) {

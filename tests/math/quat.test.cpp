@@ -79,7 +79,7 @@ TEMPLATE_TEST_CASE("quat: an axis and an angle are within 0.5 + 2^-27 units, and
     const auto e = four<Real>(any);
     const Real turned_by = 2 * atan2(sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]), e[3]);
     const Real found = ldexp(Real(angle_of(any).raw()) * pi(), -31);
-    // One turn is as good as none.
+    // A full turn makes no difference.
     worst_angle = std::max(
         worst_angle, std::min(ulps(found, turned_by, 31), ulps(found + 2 * pi(), turned_by, 31)));
   }

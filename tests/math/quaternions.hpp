@@ -37,8 +37,7 @@ inline Four<Real> unit(const Four<Real>& q) {
   return {q[0] / length, q[1] / length, q[2] / length, q[3] / length};
 }
 
-/// The greatest error of a component in units of its last place; float's and double's are not
-/// counted.
+/// The largest error of a component in units in the last place; not for float and double.
 template <Scalar S>
 double worst_ulps(const Quat<S>& q, const Four<Real>& exact) {
   const auto found = four<Real>(q);
@@ -49,7 +48,7 @@ double worst_ulps(const Quat<S>& q, const Four<Real>& exact) {
   return worst;
 }
 
-/// Whether every component of `q` is that of `exact`, normalised, rounded to nearest.
+/// Whether every component of `q` is that of `exact`, normalised and rounded to nearest.
 template <Scalar S>
 bool is_nearest_unit(const Quat<S>& q, const Four<BigInteger>& exact) {
   BigInteger squared = 0;
@@ -71,7 +70,7 @@ Angle<S> random_angle(Random& random) {
                                              : static_cast<std::uint32_t>(random.edgy(31)));
 }
 
-/// By normalising numbers of any size, or one of those that are only nearly of length 1.
+/// From numbers of any size by normalising, or one whose length is only nearly 1.
 template <Scalar S>
 Quat<S> random_quat(Random& random) {
   using Raw = typename Quat<S>::Raw;

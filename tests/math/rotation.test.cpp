@@ -34,7 +34,7 @@ static_assert(Solid::from_euler(A(), A(), A()) == Solid());
 static_assert(!Solid::from_quaternion(q16_16(), q16_16(), q16_16(), q16_16()));
 static_assert(Solid::from_quaternion(q16_16(), q16_16(), q16_16(), q16_16(-7)) == Solid());
 
-// The third of a turn about the diagonal takes x to y to z to x.
+// A third of a turn about the diagonal maps x to y to z to x.
 constexpr auto cycle = *Solid::from_quaternion(q16_16(1), q16_16(1), q16_16(1), q16_16(1));
 static_assert(cycle == Solid::from_axes({D::along(1), D::along(2), D::along(0)}));
 static_assert(rotate(cycle, Vec<q16_16, 3>{q16_16(1), q16_16(2), q16_16(3)}) ==
@@ -56,7 +56,7 @@ Matrix<T, N> product(const Matrix<T, N>& a, const Matrix<T, N>& b) {
   return result;
 }
 
-/// The turn about one of the axes.
+/// The rotation about one of the axes.
 Matrix<Real, 3> turn_about(std::size_t axis, const Real& radians) {
   const std::size_t j = (axis + 1) % 3, k = (axis + 2) % 3;
   Matrix<Real, 3> m{};
@@ -90,7 +90,7 @@ Real radians(Angle<S> angle) {
   }
 }
 
-/// The largest error of a component, in units of its last place; for float and double in 2^-24 and
+/// The largest error of a component, in units in the last place; for float and double in 2^-24 and
 /// 2^-53.
 template <Scalar S, int N>
 double worst_ulps(const Rotation<S, N>& rotation,
@@ -107,7 +107,7 @@ double worst_ulps(const Rotation<S, N>& rotation,
   return worst;
 }
 
-/// Whether every axis is one that a Direction may be.
+/// Whether every axis is a valid Direction.
 template <Scalar S, int N>
 bool has_unit_axes(const Rotation<S, N>& rotation) {
   for (int i = 0; i < N; ++i) {
@@ -149,7 +149,7 @@ Vec<S, N> random_vec(Random& random) {
   return make_vec<N>([&random](int) { return random_scalar<S>(random); });
 }
 
-/// A direction by normalising, or one of those that are only nearly of length 1.
+/// A normalised direction, or one whose length is only nearly 1.
 template <Scalar S>
 Direction<S, 3> random_direction(Random& random) {
   while (true) {
@@ -306,7 +306,7 @@ TEMPLATE_TEST_CASE("rotation: vectors turn into the world and back, rounded once
   std::uint64_t wrong = 0;
   for (int i = 0; i < 5'000; ++i) {
     std::array<Direction<S, N>, N> axes;
-    for (auto& axis : axes) {  // nothing says that they are perpendicular
+    for (auto& axis : axes) {  // the axes need not be perpendicular
       const auto direction = normalize(random_vec<S, N>(random));
       axis = direction ? *direction : Direction<S, N>::along(1);
     }

@@ -43,7 +43,7 @@ static_assert(transform_point(T{{low, low, low}, R(), S(1)}, V{high, high, high}
                   V{S::from_raw(-1), S::from_raw(-1), S::from_raw(-1)},
               "no intermediate is clamped");
 
-// A negative scale mirrors, directions included; a scale of 0 leaves nothing to go back from.
+// A negative scale mirrors, directions included; a scale of 0 has no inverse.
 constexpr T mirror{V{}, R(), S(-1)}, flat{v3(1, 2, 3), R(), S()};
 static_assert(transform_point(mirror, v3(1, -2, 3)) == v3(-1, 2, -3));
 static_assert(transform_direction(mirror, D::along(0)) == -D::along(0));
@@ -135,7 +135,7 @@ TEMPLATE_TEST_CASE("transform: there and back moves a point by less than 8 units
   std::int64_t worst = 0;
   for (int k = 0; k < 20'000; ++k) {
     const Transform<Sc, N> t{{}, random_rotation<Sc, N>(random), Sc(1)};
-    const auto limit = std::int64_t{Sc::max().raw()} * 4 / 7;  // rotated, it stays in range
+    const auto limit = std::int64_t{Sc::max().raw()} * 4 / 7;  // stays in range when rotated
     const auto p = make_vec<N>([&](int) {
       return Sc::from_raw(static_cast<typename Sc::raw_type>(random.between(-limit, limit)));
     });

@@ -29,7 +29,7 @@ TEST_CASE("rough_along: each component is within 2^-13 steps and a little") {
       BigInteger squared = 0;
       for (const auto& c : v) squared += big_raw(c) * big_raw(c);
       for (std::size_t k = 0; k < 3; ++k) {
-        // (|part| -+ margin)^2 |v|^2 on either side of (length v)^2.
+        // (|part| -+ margin)^2 |v|^2 are on either side of (length v)^2.
         const BigInteger exact = (big_raw(length) * big_raw(v[k])) << 30;
         const BigInteger part = abs(big_raw(parts[k])),
                          margin = power_of_two(17) + power_of_two(10);

@@ -29,7 +29,7 @@ static_assert(sizeof(Angle<double>) == sizeof(double));
 static_assert(A().raw() == 0 && A::turn(1, 4).raw() == 0x40000000u);
 static_assert(A::turn(3, 4) + A::turn(1, 2) == A::turn(1, 4) && -A::turn(1, 2) == A::turn(1, 2));
 
-// A third of a turn is no binary angle: the nearest one.
+// A third of a turn is not a binary angle: this is the nearest one.
 static_assert(A::turn(1, 3).raw() == 0x55555555u && A::turn(-1, 3).raw() == 0xaaaaaaabu);
 static_assert(A::turn(2, -3) == A::turn(1, 3) && A::turn(least, -1) == A());
 static_assert(A::turn(least, greatest) == A::turn(-1, greatest));
@@ -57,17 +57,16 @@ static_assert(atan2(q16_16(0), q16_16(-1)).raw() == half_turn);
 static_assert(atan2(q16_16(-1), q16_16(1)) == A::turn(-1, 8));
 static_assert(atan2(q8_8::lowest(), q8_8::lowest()) == Angle<q8_8>::turn(-3, 8));
 static_assert(binary_angle(3, 4) == 439875013 && binary_angle(1, greatest) == 0);
-// The vector that comes closest to a tie: 61810632.50000000000000000025.
+// The vector closest to a tie: 61810632.50000000000000000025.
 static_assert(binary_angle(26232283, 289312344) == 61810633);
 
-/// MPFR's answer.
+/// The result of MPFR.
 std::uint32_t exact_binary_angle(std::int32_t y, std::int32_t x) {
   const Real turns = atan2(Real(y), Real(x)) / (2 * pi());
   return static_cast<std::uint32_t>(nearest_integer(ldexp(turns, 32)));
 }
 
-/// The sine or cosine in the table, rounded to `frac` bits: the first quarter turn, then by
-/// quarters.
+/// A sine or cosine from the table, rounded to `frac` bits.
 std::int64_t rounded(Word128 magnitude, int frac) {
   return static_cast<std::int64_t>(((magnitude >> (126 - frac)) + 1) >> 1);
 }
@@ -110,7 +109,7 @@ TEST_CASE("sine and cosine: correctly rounded to 8, 16 and 30 fractional bits") 
     if (!right(q8_8()) || !right(q16_16()) || !right(q2_30())) ++wrong;
     ++angles;
   };
-  // One in 4096, in the neighbourhood of the quarters too; a different one in every row of 4096.
+  // One in 4096, different in every row of 4096, and the neighbourhood of the quarters.
   for (std::uint64_t row = 0; row < 1u << 20; ++row) {
     for (int k = 0; k < 4; ++k) check(static_cast<std::uint32_t>((row << 12) + random.below(4096)));
   }
@@ -162,7 +161,7 @@ TEST_CASE("arc tangent: correctly rounded for vectors short and long, steep and 
     if (x == 0 && y == 0) continue;
     const std::uint32_t angle = binary_angle(y, x);
     if (angle != exact_binary_angle(y, x)) ++wrong;
-    // The diagonal of INT_MIN included: -2^31 has no positive counterpart.
+    // Including the diagonal of INT_MIN: -2^31 has no positive counterpart.
     if (y != least && binary_angle(-y, x) != 0 - angle) ++wrong;
     const auto along = static_cast<std::uint64_t>(std::abs(std::int64_t{x}));
     const auto up = static_cast<std::uint64_t>(std::abs(std::int64_t{y}));
@@ -190,14 +189,14 @@ TEST_CASE("arc tangent: correctly rounded for every vector with components up to
 TEST_CASE("arc tangent: correctly rounded beside the nearest ties of a ray") {
   Random random(24);
   std::uint64_t wrong = 0;
-  HitRate fine;  // how often the phase alone cannot tell
+  HitRate fine;  // how often the phase alone does not decide
   for (int i = 0; i < 20'000; ++i) {
     const auto whole = static_cast<std::uint32_t>(random.below(1u << 29));
     const NearTie tie = nearest_tie(whole);
     const std::uint32_t expected = tie.above ? whole + 1 : whole;
     const std::uint64_t fraction = detail::octant_phase(tie.b, tie.a) & 0xffffffffu;
     fine.count(fraction - (half_turn - 4) <= 8);
-    // In the third quarter, where -2^31 is a component.
+    // In the third quarter, where -2^31 can be a component.
     const auto x = static_cast<std::int32_t>(-static_cast<std::int64_t>(tie.a));
     const auto y = static_cast<std::int32_t>(-static_cast<std::int64_t>(tie.b));
     if (binary_angle(y, x) != half_turn + expected) ++wrong;
@@ -223,14 +222,14 @@ TEST_CASE("arc tangent: exact along the axes and the diagonals") {
   CHECK(binary_angle(0, least) == half_turn);
   CHECK(binary_angle(least, 0) == 0xc0000000u);
   CHECK(binary_angle(least, least) == 0xa0000000u);
-  // So flat that the nearest binary angle is the axis.
+  // So flat that the nearest binary angle is on the axis.
   CHECK(binary_angle(-1, least) == half_turn);
   CHECK(binary_angle(1, least) == half_turn);
 }
 
 namespace {
 
-/// The least distance of n * x to an integer for 1 <= n <= 2^32.
+/// The least distance of n * x from an integer for 1 <= n <= 2^32.
 Real least_distance_to_integers(const Real& x) {
   Real whole = floor(x), rest = x - whole;
   BigInteger before = 0, q = 1;
@@ -251,9 +250,9 @@ Real least_distance_to_integers(const Real& x) {
 
 }  // namespace
 
-// A product n x is halfway between two integers when 2n x is an odd one; so the least distance of
-// the multiples up to 2n from integers, halved, is more than the product with the constant may be
-// off.
+// A product n x is halfway between two integers when 2n x is an odd integer. So half the least
+// distance of the multiples up to 2n from integers exceeds the allowed error of a product with the
+// constant.
 TEST_CASE("angle: constants have the bits that their roundings need") {
   const Real off = abs(real(detail::two_pi) - 2 * pi());
   const Real inverse_off = abs(real(detail::turns_per_radian) - 1 / (2 * pi()));
@@ -321,7 +320,7 @@ TEMPLATE_TEST_CASE("angle: reads the same for every scalar", "", q16_16, q14_16,
                    double) {
   using S = TestType;
   using Any = Angle<S>;
-  // 1/256 is the coarsest scalar's half unit and more.
+  // More than half a unit of the coarsest scalar.
   const auto close = [](const auto& a, double b) {
     return std::abs(static_cast<double>(a) - b) < 1.0 / 256;
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The sweeps behind the claims of angle.hpp: every binary angle, and for the arc tangent every ray
-// on which its rounding turns. Four minutes on two cores.
+// at which its rounding changes. Four minutes on two cores.
 
 #include <algorithm>
 #include <atomic>
@@ -23,8 +23,8 @@ using namespace detent::test;
 
 namespace {
 
-/// Calls sweep(state, i) for every i in [0, count), on all cores, each with a State of its own;
-/// returns their sum. Says on stderr how far it is.
+/// Calls sweep(state, i) for every i in [0, count), on all cores, each with its own State; returns
+/// their sum. Prints progress to stderr.
 template <class State, class Sweep>
 State sweep_all(const std::string& what, std::uint64_t count, const Sweep& sweep) {
   constexpr std::uint64_t chunk = 1u << 20;
@@ -59,7 +59,7 @@ double log2_of(Word128 x) { return std::log2(static_cast<double>(x)) - 127; }
 
 constexpr Word128 one = Word128{1} << 127;
 
-/// The distance of a sine (units of 2^-127) to the nearest tie of a grid: an odd multiple of half
+/// The distance of a sine (units of 2^-127) from the nearest tie of a grid: an odd multiple of half
 /// its step.
 Word128 distance_to_tie(Word128 sine, int frac) {
   const Word128 step = Word128{1} << (127 - frac);
@@ -83,14 +83,14 @@ struct SineSweep {
     return *this;
   }
 
-  /// `kernel` in units of 2^-62 and `exact` in units of 2^-127 for the same sine.
+  /// Compares `kernel` in units of 2^-62 with `exact` in units of 2^-127, for the same sine.
   void compare(std::int64_t kernel, Word128 exact, bool negative) {
     const auto magnitude = static_cast<std::uint64_t>(negative ? -kernel : kernel);
     const Word128 found = Word128{magnitude} << 65;
     const double off = static_cast<double>(found > exact ? found - exact : exact - found);
     worst = std::max(worst, std::ldexp(off, -65));
-    // Ties of any grid of up to 30 fractional bits are multiples of 2^-31 in (0, 1). A kernel that
-    // is strictly between the same two of them as the exact sine is rounded as the exact one is.
+    // Ties of every grid of up to 30 fractional bits are multiples of 2^-31 in (0, 1). A kernel
+    // strictly between the same two of them as the exact sine is rounded like the exact one.
     const auto cell = [](Word128 x) { return std::min(x, one - 1) >> 96; };
     const bool is_exact = exact == 0 || exact == one;
     const bool on_tie = magnitude << 33 == 0 && magnitude != std::uint64_t{1} << 62;
@@ -160,8 +160,8 @@ struct TieSweep {
 
 }  // namespace
 
-// What decides the rounding of an arc tangent is the sign of b cos - a sin on the ray halfway
-// between two binary angles. This is how small that number can get; octant_angle computes it with
+// The rounding of an arc tangent depends on the sign of b cos - a sin on the ray halfway between
+// two binary angles. This is the smallest magnitude of that number; octant_angle computes it with
 // an error below 2^-80.
 TEST_CASE("arc tangent: no vector comes nearer to a tie than 2^-59.7", "[.demand]") {
   const auto total = sweep_all<TieSweep>(

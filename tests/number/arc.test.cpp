@@ -36,7 +36,7 @@ TEST_CASE("arc: the phase of any ratio is off by less than 3 units of 2^-64 turn
   Random random(50);
   double worst = 0;
   for (int i = 0; i < 40'000; ++i) {
-    // Squares up to 2^132, some from sides and some not; sides of like and of unlike length.
+    // Squares up to 2^132, some of them from sides; sides of similar and of different length.
     const int length = static_cast<int>(random.below(132));
     const auto square = Square::assume_raw(
         integer_from<Square::raw_type>(abs(big(random_wide<3>(random))) >> (191 - length)));

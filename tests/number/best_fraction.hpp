@@ -7,13 +7,13 @@
 
 namespace detent::test {
 
-/// The vector (a, b), 0 < a <= 2^31, that comes closest to the ray halfway between the binary
-/// angles `whole` and `whole` + 1, both in the first octant.
+/// The vector (a, b), 0 < a <= 2^31, closest to the ray halfway between the binary angles `whole`
+/// and `whole` + 1, both in the first octant.
 struct NearTie {
   std::uint64_t a;
   std::uint64_t b;
-  /// |b cos - a sin| of that ray, in units of 2^-127 and off by less than 2^-85: the least for any
-  /// vector with components up to 2^31.
+  /// b cos - a sin| of that ray, in units of 2^-127 and off by less than 2^-85: the least of all
+  /// vectors with components up to 2^31.
   Word128 distance;
   bool above;
 };

@@ -11,7 +11,7 @@
 
 namespace detent::test {
 
-/// The oracle of the number layer: integers of any size that share no code with ours.
+/// The oracle of the number layer: unbounded integers that share no code with ours.
 using BigInteger = boost::multiprecision::cpp_int;
 using BigRational = boost::multiprecision::cpp_rational;
 
@@ -58,7 +58,7 @@ inline BigInteger floor_of(const BigInteger& numerator, const BigInteger& denomi
 
 inline BigInteger floor_of(const BigRational& x) { return floor_of(numerator(x), denominator(x)); }
 
-/// To nearest, ties to even.
+/// Rounded to nearest, ties to even.
 inline BigInteger nearest_of(const BigRational& x) {
   const BigInteger below = floor_of(x);
   const BigRational rest = x - below;
@@ -67,7 +67,7 @@ inline BigInteger nearest_of(const BigRational& x) {
   return up ? BigInteger(below + 1) : below;
 }
 
-/// The residue of x modulo 2^bits in [-2^(bits-1), 2^(bits-1)): what two's complement keeps.
+/// The residue of x modulo 2^bits in [-2^(bits-1), 2^(bits-1)), as two's complement keeps it.
 inline BigInteger wrapped(const BigInteger& x, int bits) {
   const BigInteger modulus = power_of_two(bits);
   BigInteger residue = x % modulus;
@@ -75,7 +75,7 @@ inline BigInteger wrapped(const BigInteger& x, int bits) {
   return residue >= modulus / 2 ? BigInteger(residue - modulus) : residue;
 }
 
-/// The integer type's pattern for x, which fits.
+/// The bits of x in the integer type, which x fits.
 template <class I>
 I integer_from(const BigInteger& x) {
   BigInteger rest = x < 0 ? BigInteger(x + power_of_two(384)) : x;
@@ -91,7 +91,7 @@ I integer_from(const BigInteger& x) {
   }
 }
 
-/// The number with this raw integer, held to what |raw| <= 2^Bits and its container allow.
+/// The number with this raw integer, clamped to |raw| <= 2^Bits and to its container.
 template <class F>
 F fixed_from(BigInteger raw) {
   const BigInteger low = -power_of_two(F::bits);
@@ -112,7 +112,7 @@ BigRational on_grid(const BigRational& x) {
   }
 }
 
-/// Whether T can hold this number.
+/// Whether T can represent this number.
 template <class T>
 bool fits(const BigRational& x) {
   const BigRational raw = on_grid<T>(x);
@@ -120,7 +120,7 @@ bool fits(const BigRational& x) {
          numerator(raw) <= big(T::max().raw());
 }
 
-/// The raw integer of x on the grid of T, rounded as told and clamped to its range.
+/// The raw integer clamped to the range of T.
 template <class T>
 BigInteger clamped(const BigInteger& raw) {
   if (raw > big(T::max().raw())) return big(T::max().raw());
@@ -128,7 +128,8 @@ BigInteger clamped(const BigInteger& raw) {
   return raw;
 }
 
-/// A pattern whose magnitude has any bit length alike, often an extreme or beside a power of two.
+/// Bits whose magnitude has any bit length with equal probability, often an extreme or next to a
+/// power of two.
 template <int Words>
 Wide<Words> random_wide(Random& random) {
   std::array<std::uint64_t, Words> words{};
@@ -149,7 +150,7 @@ Wide<Words> random_wide(Random& random) {
   }
 }
 
-/// Any value of an integer type, drawn as `random_wide` draws.
+/// Any value of an integer type, distributed like `random_wide`.
 template <class I>
 I random_integer(Random& random) {
   if constexpr (sizeof(I) <= 8) {
@@ -174,15 +175,15 @@ I random_integer(Random& random) {
   }
 }
 
-/// Any value of a Fixed type, ends of its range and neighbours of powers of two often; +2^Bits too,
-/// which only arithmetic gives.
+/// Any value of a Fixed type, often an end of its range or next to a power of two; also +2^Bits,
+/// which only arithmetic produces.
 template <class F>
 F random_fixed(Random& random) {
   if constexpr (!detail::fills_container(F::bits)) {
     if (random.one_in(20)) return fixed_from<F>(power_of_two(F::bits));
   }
   const F x = F::from_raw(random_integer<typename F::raw_type>(random));
-  // Budgets well below their container would nearly always be clamped: scale those down.
+  // With far fewer bits than the container nearly every value would be clamped: scale it down.
   constexpr int spare = value_bits<typename F::raw_type> - F::bits;
   if (spare == 0 || random.one_in(8)) return x;
   return F::from_raw(shift_right_floor(random_integer<typename F::raw_type>(random), spare));

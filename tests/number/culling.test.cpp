@@ -31,7 +31,7 @@ TEMPLATE_TEST_CASE("culling: the ends of the range have no end, and are enclosed
                    q16_16, q14_16, q24_8, q8_8) {
   using S = TestType;
   using Grid = detail::Culling<S>;
-  // While compiling, an overflow would be an error.
+  // At compile time an overflow is an error.
   constexpr auto lowest_above = Grid::above(S::lowest());
   constexpr auto greatest_below = Grid::below(S::max());
   STATIC_REQUIRE(lowest_above == S::lowest().raw() >> Grid::shift);
@@ -54,7 +54,7 @@ TEMPLATE_TEST_CASE("culling: what reaches out of the range is not cut off there"
     const std::int64_t raw = x.raw(), reach = length.raw();
     const auto padded = Grid::padded(length, length);
     constexpr std::int64_t step = std::int64_t{1} << Grid::shift;
-    // In 2^-8 of a raw unit: length + 2^-8 length, rounded up to less than a step more.
+    // In 2^-8 of a raw unit: length + 2^-8 length, rounded up by less than a step.
     REQUIRE(256 * step * padded >= 257 * reach);
     REQUIRE(256 * step * (padded - 1) < 257 * reach);
     REQUIRE(256 * step * Grid::below(x, padded) <= 256 * raw - 257 * reach);

@@ -20,7 +20,7 @@ using namespace detent::test;
 
 namespace other {
 
-// An aggregate of another namespace that has not seen digest.hpp when it is written.
+// An aggregate of another namespace, defined before digest.hpp is included.
 struct Pair {
   q16_16 first;
   std::optional<bool> second;
@@ -44,7 +44,7 @@ constexpr std::uint64_t digest_of_text(std::string_view text, std::uint64_t seed
   return running.value();
 }
 
-// Published values of XXH64; the rest is compared with the reference implementation below.
+// Published values of XXH64; other inputs are compared with the reference implementation below.
 static_assert(Digest().value() == 0xef46db3751d8e999u);
 static_assert(std::array<Digest, 2>{}[1].value() == Digest().value());
 static_assert(!std::is_convertible_v<std::uint64_t, Digest>);
@@ -80,7 +80,7 @@ static_assert(digest(std::optional(other::Pair{})) == digest_of_bytes(1, 0, 0, 0
 static_assert(digest(other::Id{0x102}) == digest_of_bytes(2, 1));
 static_assert(Digestible<other::Pair> && !Digestible<other::Opaque> && !Digestible<const char*>);
 
-// 127 bits are two words, 200 are four: the same bytes whichever 128-bit integer is in use.
+// 127 bits are two words, 200 are four: the same bytes with either 128-bit integer.
 static_assert(digest(Fixed<127, 0>(-2)) ==
               digest(std::array{~std::uint64_t{1}, ~std::uint64_t{0}}));
 static_assert(digest(Fixed<200, 64>(3)) == digest(std::array<std::uint64_t, 4>{0, 3, 0, 0}));
@@ -141,7 +141,7 @@ TEST_CASE("digest: does not depend on how the bytes were cut", "[number]") {
         }
       }
       at += count;
-      if (random.one_in(3)) {  // looking does not disturb
+      if (random.one_in(3)) {  // reading the value does not change the state
         REQUIRE(running.value() == XXH64(bytes.data(), at, 0));
       }
     }

@@ -31,7 +31,7 @@ static_assert(small_quotients_are_right<Wide<2>>());
 static_assert(small_quotients_are_right<Wide<4>>());
 static_assert(small_quotients_are_right<Wide<5>>());
 
-// Digits in base 2^32 that lead long division to guesses that are one or two too large.
+// Base 2^32 digits for which long division first guesses one or two too high.
 template <class I>
 I random_digits(Random& random) {
   if constexpr (sizeof(I) <= 8) {
@@ -54,7 +54,7 @@ I random_digits(Random& random) {
 TEMPLATE_TEST_CASE("divide: quotients are the exact ones rounded down", "[number]", std::int32_t,
                    std::int64_t, Int128, Wide<2>, Wide<3>, Wide<4>, Wide<5>) {
   using I = TestType;
-  // Where numerator and denominator are far apart, only a few digits are computed.
+  // If numerator and denominator differ much in length, only a few digits are computed.
   Random random(0xd17);
   INFO(random);
   int large = 0;
@@ -62,8 +62,8 @@ TEMPLATE_TEST_CASE("divide: quotients are the exact ones rounded down", "[number
     I n = random.coin() ? random_integer<I>(random) : random_digits<I>(random);
     I d = random.coin() ? random_integer<I>(random) : random_digits<I>(random);
     if (sign_of(d) < 0) d = wrapping_subtract<I>(I(0), d);
-    if (sign_of(d) <= 0) continue;  // zero, or the one whose negative does not exist
-    if (random.one_in(3)) {         // a multiple or beside one: remainders of 0, 1 and d - 1
+    if (sign_of(d) <= 0) continue;  // zero, or the value without a negative
+    if (random.one_in(3)) {         // a multiple or next to one: remainders of 0, 1 and d - 1
       n = integer_from<I>(wrapped(floor_of(big(n), big(d)) * big(d) + random.between(-1, 1),
                                   8 * static_cast<int>(sizeof(I))));
     }

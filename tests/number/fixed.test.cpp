@@ -43,7 +43,7 @@ static_assert(std::is_trivially_copyable_v<q16_16> && std::is_trivially_copyable
 static_assert(std::is_nothrow_default_constructible_v<q16_16> && q16_16().raw() == 0);
 static_assert(q16_16::bits == 31 && q16_16::frac == 16);
 
-// The types of results: enough bits, and +2^Bits where the operands can give it.
+// The types of results: enough bits, and room for +2^Bits if the operands can produce it.
 static_assert(Is<Sum<q16_16, q16_16>, 32, 16> && Is<Sum<q14_16, q14_16>, 30, 16>);
 static_assert(Is<Sum<Fixed<30, 16>, Fixed<30, 16>>, 32, 16>, "31 fills its container");
 static_assert(Is<Sum<q16_16, Fixed<30, 30>>, 46, 30> && Is<Sum<q8_8, q16_16>, 32, 16>);
@@ -57,7 +57,7 @@ static_assert(-q16_16::lowest() == 32768 && abs(q16_16::lowest()) == 32768);
 static_assert(-q14_16::lowest() == 8192 && q14_16::lowest() * q14_16::lowest() == 67108864);
 static_assert(q16_16::lowest() * q16_16::lowest() == 1073741824);
 
-// What would lose bits does not compile.
+// Conversions that lose bits do not compile.
 static_assert(!std::is_convertible_v<Product<q16_16, q16_16>, q16_16>);
 static_assert(!std::is_constructible_v<q16_16, Product<q16_16, q16_16>>);
 static_assert(!std::is_assignable_v<q16_16&, Sum<q16_16, q16_16>>);
@@ -66,7 +66,7 @@ static_assert(!std::is_constructible_v<q14_16, q16_16> &&
               !std::is_constructible_v<Fixed<31, 30>, q16_16>);
 static_assert(!std::is_constructible_v<q16_16, decltype(-q16_16())>);
 static_assert(!std::is_constructible_v<Fixed<31, 16>, Fixed<30, 15>>, "2^30 doubled is out");
-// What loses nothing is implicit, except from integers, whose unit is easily mistaken.
+// Lossless conversions are implicit, except from integers, whose unit is easily mistaken.
 static_assert(std::is_convertible_v<q14_16, q16_16> && std::is_convertible_v<q8_8, q16_16>);
 static_assert(std::is_convertible_v<q16_16, Fixed<63, 32>> && std::is_convertible_v<q8_8, q24_8>);
 static_assert(std::is_convertible_v<Fixed<15, 0>, Fixed<31, 16>>);
@@ -76,7 +76,7 @@ static_assert(std::is_constructible_v<double, q16_16> && !std::is_constructible_
 static_assert(!std::is_constructible_v<bool, q16_16>);
 static_assert(!std::is_assignable_v<q16_16&, double> && !std::is_convertible_v<float, q16_16>);
 
-// Numbers from outside stop at the ends of the range.
+// Conversions from other types clamp to the range.
 static_assert(q16_16::max().raw() == std::numeric_limits<std::int32_t>::max());
 static_assert(q16_16::lowest().raw() == std::numeric_limits<std::int32_t>::min());
 static_assert(q14_16::max().raw() == (1 << 29) - 1 && q14_16::lowest().raw() == -(1 << 29));
@@ -91,7 +91,7 @@ static_assert(q8_8(true) == 1 && q8_8('\x05') == 5 && q16_16(std::int8_t{-7}) ==
 static_assert(saturate_to<Fixed<14, 14>>(1) == Fixed<14, 14>::max(),
               "+2^Bits comes from arithmetic only");
 
-// Comparisons are of numbers, not of patterns.
+// Comparisons compare values, not bits.
 static_assert(q16_16(1) == q8_8(1) && q16_16(1) == 1 && 1 == q16_16(1) && q16_16(2) > 1);
 static_assert(q16_16(-1) < 0u && q16_16(-1) < std::numeric_limits<std::uint64_t>::max());
 static_assert(0 < q16_16::from_raw(1) && q16_16::from_raw(-1) < 0 && q16_16::from_raw(65537) > 1);
@@ -99,7 +99,7 @@ static_assert(q16_16::max() < 32768 && q16_16::lowest() == -32768 && q16_16(1) !
 static_assert((q16_16(1) <=> q24_8(2)) == std::strong_ordering::less);
 static_assert((q24_8(2) <=> q16_16(1)) == std::strong_ordering::greater);
 static_assert(std::is_same_v<decltype(q16_16() <=> 0), std::strong_ordering>);
-// 350 bits apart: no integer holds both.
+// 350 bits apart: no integer type fits both.
 static_assert(Fixed<300, 0>(1) > Fixed<300, 300>::max() && Fixed<300, 0>() < Fixed<20, 319>::max());
 static_assert(Fixed<319, 0>::lowest() < Fixed<319, 319>::lowest() &&
               Fixed<9, 0>() == Fixed<9, 319>());
@@ -113,7 +113,7 @@ static_assert(plus(q16_16(2), 3) == 5 && plus(q8_8(100), -300 + 200) == 0);
 static_assert([] {
   q16_16 position(3);
   const q16_16 velocity = q16_16::from_raw(3 << 15), dt = q16_16::from_raw(65536 / 64);
-  position += velocity * dt;  // as a game writes it
+  position += velocity * dt;  // typical game code
   position -= q16_16::from_raw(1);
   position *= q16_16::from_raw(1 << 15);
   return position.raw() == ((3 * 65536 + 1536 - 1) / 2 + 1);  // the tie goes to the even 99072
@@ -125,14 +125,14 @@ struct Two {
   using Second = B;
 };
 
-// Over 255 bits a product may not compile, so some pairs are only compared and added.
+// Products over 255 bits may not compile, so some pairs are only compared and added.
 template <class A, class B>
 inline constexpr bool has_product = A::bits + B::bits <= 318;
 template <class A, class B>
 inline constexpr bool has_sum =
     std::max(A::bits - A::frac, B::bits - B::frac) + std::max(A::frac, B::frac) <= 317;
 
-// Compared in one go, since an assertion costs more than what it asserts.
+// Compared in one assertion, because an assertion costs more than its condition.
 template <class A, class B>
 bool order_is(const A& a, const B& b, std::strong_ordering order) {
   return (a <=> b) == order && (b <=> a) == (0 <=> order) && (a == b) == (order == 0) &&
@@ -174,7 +174,7 @@ TEMPLATE_TEST_CASE("Fixed: sums, differences and products are exact", "[number]"
   for (int i = 0; i < 50'000; ++i) {
     const A a = random_fixed<A>(random);
     const B b = random_fixed<B>(random);
-    // Both in units of the finer grid, where the oracle needs no fractions.
+    // Both in units of the finer grid, so that the oracle needs no fractions.
     constexpr int frac = std::max(A::frac, B::frac);
     const BigInteger x = big_raw(a) << (frac - A::frac), y = big_raw(b) << (frac - B::frac);
     const auto is = [](const auto& result, const BigInteger& expected) {
@@ -205,7 +205,7 @@ TEMPLATE_TEST_CASE("Fixed: comparisons between types are exact", "[number]", DET
   for (int i = 0; i < 50'000; ++i) {
     const A a = random_fixed<A>(random);
     const BigRational x = rational(a);
-    // Half of the time the closest B, or one beside it.
+    // Half the time the closest B, or one next to it.
     const bool beside = random.coin();
     const B b = beside ? fixed_from<B>(floor_of(on_grid<B>(x)) + random.between(-1, 1))
                        : random_fixed<B>(random);
@@ -250,7 +250,7 @@ TEMPLATE_TEST_CASE("Fixed: an implicit conversion keeps the number", "[number]",
                    (Two<Fixed<62, 0>, Fixed<63, 1>>), (Two<Fixed<63, 0>, Fixed<64, 1>>)) {
   using A = typename TestType::First;
   using B = typename TestType::Second;
-  // Convertible exactly when every number of one type is one of the other, +2^Bits included.
+  // Convertible exactly when every value of one type is one of the other, +2^Bits included.
   const auto convertible = []<class From, class To>(From, To) {
     const BigRational low = rational(fixed_from<From>(-power_of_two(From::bits)));
     const BigRational high = rational(fixed_from<From>(power_of_two(From::bits)));
@@ -287,7 +287,7 @@ TEMPLATE_TEST_CASE("Fixed: an integer becomes itself, or an end of the range", "
         FAIL(BigInteger(value));
       }
 #if DETENT_ASSERTIONS
-      if (detail::is_out_of_range<TestType>(value)) continue;  // asserted to be a mistake
+      if (detail::is_out_of_range<TestType>(value)) continue;  // an assertion rejects it
 #endif
       if (big_raw(TestType(value)) != clamped<TestType>(exact)) FAIL(BigInteger(value));
     }
@@ -327,7 +327,7 @@ TEMPLATE_TEST_CASE("Fixed: compound assignment rounds the exact result once", "[
     const bool fits = exact >= rational(A::lowest()) && exact <= rational(A::max());
     in_range.count(fits);
 #if DETENT_ASSERTIONS
-    if (!fits) return;  // asserted to be the caller's mistake; the release build clamps
+    if (!fits) return;  // an assertion rejects it; the release build clamps
 #endif
     A result = assigned;
     const A& same = assign(result);
@@ -384,7 +384,8 @@ TEMPLATE_TEST_CASE("Fixed: a double becomes the nearest number", "[number]", q8_
   for (int i = 0; i < 20'000; ++i) {
     double value = std::bit_cast<double>(random.next());
     if (!random.one_in(4)) {
-      // In the range of F: a few bits are often a tie, many bits lie beside one.
+      // In the range of F: values with few bits are often ties, those with many bits are next to
+      // one.
       const double step = std::ldexp(1.0, -F::frac - 1);
       value = static_cast<double>(random.wide(F::bits < 53 ? F::bits + 2 : 62)) * step;
       if (random.coin()) value = std::nextafter(value, random.coin() ? 1e300 : -1e300);

@@ -30,7 +30,7 @@ TEST_CASE("fraction: two are compared by whole parts, then by what is left", "[n
       }
     }
   }
-  // 2^300 / 3 and its neighbours: cross-multiplied, they need more than the widest integer.
+  // 2^300 / 3 and its neighbours: cross-multiplying needs more than the widest integer.
   using Vast = Fixed<310, 0>;
   using Large = Fixed<60, 0>;
   const auto vast = Vast::from_raw(Wide<5>(1) << 300);

@@ -12,8 +12,8 @@ using namespace detent::test;
 
 namespace {
 
-/// The least square from which over^2 / under leaves that of a root of so many bits, or one beside
-/// it: for it, what the leg is.
+/// The least `square` with square - over^2 / under >= root^2 for a random root, or one off; and its
+/// leg.
 struct Triangle {
   BigInteger square, leg;
 };

@@ -9,7 +9,7 @@
 namespace detent::test {
 namespace {
 
-/// 5 (t - first) (t - last), whose discriminant is (5 (last - first) / 2)^2, for even roots.
+/// 5 (t - first) (t - last), whose discriminant is (5 (last - first) / 2)^2 for even roots.
 constexpr auto with_roots(std::int64_t first, std::int64_t last) {
   constexpr auto number = [](std::int64_t x) { return Fixed<34, 0>(x); };
   constexpr auto five = Fixed<3, 0>(5);

@@ -15,7 +15,7 @@ using detent::Fixed, detent::q14_16, detent::q16_16, detent::q24_8, detent::q8_8
 
 namespace {
 
-// The type holds every number of both, and no more.
+// The type represents every number of both, and no more.
 static_assert(std::same_as<detent::common_fixed<q16_16, q14_16>, q16_16>);
 static_assert(std::same_as<detent::common_fixed<q8_8, q16_16>, q16_16>);
 static_assert(std::same_as<detent::common_fixed<q16_16, q24_8>, Fixed<39, 16>>);
@@ -23,14 +23,14 @@ static_assert(std::same_as<detent::common_fixed<Fixed<32, 16>, q16_16>, Fixed<32
 static_assert(std::same_as<detent::common_fixed<Fixed<30, 15>, q16_16>, Fixed<32, 16>>, "2^31");
 static_assert(std::same_as<decltype(detent::min(q16_16(), q16_16())), q16_16>);
 
-// An end of another type than the number decides the type; a finer grid is kept.
+// An end of another type than the number determines the type; a finer grid is kept.
 static_assert(std::same_as<decltype(detent::clamp(Fixed<48, 16>(), q16_16(), q14_16())), q16_16>);
 static_assert(
     std::same_as<decltype(detent::clamp(Fixed<62, 32>(), q16_16(), q16_16())), Fixed<47, 32>>);
 static_assert(detent::clamp(q16_16::max() * 2_q16_16, -1_q16_16, 1.5_q16_16) == 1.5_q16_16);
 static_assert(detent::clamp(1_q8_8, 2_q16_16, 40_q16_16) == 2);
 
-// A user who takes in both namespaces gets ours for our numbers and either for others.
+// With `using namespace` for both, our numbers get ours and other types get either.
 namespace both {
 using namespace std;
 using namespace detent;

@@ -17,7 +17,7 @@ using namespace detent::test;
 
 namespace {
 
-// An integer counts with all the bits of its type.
+// An integer counts with all bits of its type.
 static_assert(std::same_as<decltype(q16_16() * 2), Fixed<62, 16>>);
 static_assert(std::same_as<decltype(2 * q16_16()), Fixed<62, 16>>);
 static_assert(std::same_as<decltype(1 + q16_16()), Fixed<48, 16>>);
@@ -34,7 +34,7 @@ static_assert([] {
   return x;
 }() == 5.5_q16_16);
 
-// What has no exact result, and what would bring in floating point, is refused.
+// Operations without an exact result, or with floating point, are rejected.
 template <class A, class B>
 concept Divides = requires(A a, B b) {
   a / b;

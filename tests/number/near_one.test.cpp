@@ -16,7 +16,7 @@ using Numerator = Fixed<63, 46>;
 using Denominator = Fixed<61, 60>;
 constexpr std::int64_t one = std::int64_t{1} << 60;
 
-// `quotient_floor` knows no fast way.
+// `quotient_floor` has no fast path.
 void check(std::int64_t n, std::int64_t d, int unknown_bits) {
   const auto numerator = Numerator::from_raw(n);
   const auto denominator = Denominator::from_raw(d);
@@ -35,7 +35,7 @@ TEST_CASE("divide_near_one: the quotient is right however near 1 the denominator
     const std::int64_t n = std::abs(random.edgy(62));
     const std::int64_t e = random.coin() ? random.wide(33) : random.wide(59);
     check(n, one + e, static_cast<int>(random.below(33)));
-    // A multiple of the denominator on the grid of the result, and its neighbours.
+    // A multiple of the denominator on the result's grid, and its neighbours.
     const std::int64_t multiple = random.between(0, (std::int64_t{1} << 31) - 1) << 30;
     for (const int k : {-1, 0, 1}) check(std::max<std::int64_t>(multiple + k, 0), one, i % 33);
   }

@@ -7,7 +7,7 @@
 namespace detent::test {
 namespace {
 
-/// a b against c d where they are equal, or a few units in one factor apart, or anything.
+/// a b against c d: equal, a few units apart in one factor, or random.
 template <class A, class B, class C, class D, int Bits>
 int count_wrong(std::uint64_t seed) {
   Random random(seed);

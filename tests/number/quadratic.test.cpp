@@ -22,7 +22,7 @@ TEMPLATE_TEST_CASE("Quadratic: digit by digit the first root is the same", "[num
     const auto aim = (center - origin) + beside;
     const auto direction = direction_of<S>(aim);
     if (!direction) continue;
-    // Spheres through the point aimed at touch most rays nearly.
+    // Spheres through the target nearly touch most rays.
     auto radius = random.coin() ? length(beside) : draw(bits);
     if (random.coin()) radius = nearest_to<S>(radius + S::from_raw(1));
     const detail::RaySphere<S, 3> meeting(Ray<S, 3>{origin, *direction}, {center, radius});

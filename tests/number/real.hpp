@@ -32,12 +32,12 @@ inline Real radians_of(std::uint32_t binary_angle) {
   return ldexp((Real(value) + 1) * pi(), -31);
 }
 
-/// The distance of `x` from `exact` in units of 2^-frac.
+/// The distance from `x` to `exact` in units of 2^-frac.
 inline double ulps(const Real& x, const Real& exact, int frac) {
   return static_cast<double>(ldexp(abs(x - exact), frac));
 }
 
-/// The integer nearest to `x`, which the caller knows not to be halfway between two.
+/// The integer nearest to `x`; the caller knows that `x` is not a tie.
 inline std::int64_t nearest_integer(const Real& x) {
   return static_cast<std::int64_t>(floor(x + Real(0.5)));
 }

@@ -22,7 +22,7 @@ static_assert(square_root_floor(1, 0) == 0x100000000 && square_root_floor(ones, 
 static_assert(square_root_floor(ones - 1, 1) == ones, "the largest square");
 static_assert(square_root_floor(ones - 1, 0) == ones - 1);
 
-// root^2 <= n < (root + 1)^2, without a root of anybody's.
+// root^2 <= n < (root + 1)^2, without computing a root.
 bool is_root(std::uint64_t root, std::uint64_t n) {
   const std::uint64_t square = root * root;
   return root <= 0xffffffff && square <= n && n - square <= 2 * root;
@@ -34,7 +34,7 @@ bool is_root(std::uint64_t root, const Wide<2>& n) {
   return square <= value && value < next;
 }
 
-// Millions of assertions would take longer than the roots: this one speaks up on a fault only.
+// Millions of assertions would take longer than the roots: this asserts only on a fault.
 class Examiner {
  public:
   void check(std::uint64_t n) {
@@ -80,7 +80,7 @@ TEST_CASE("root: 64-bit roots are the floor of the real ones", "[number]") {
 
 TEST_CASE("root: 64-bit roots are right at both ends of every chord", "[number]") {
   Examiner exam;
-  // Where the first guess is worst: the ends of the table's steps, in every position of the shift.
+  // Where the first guess is worst: at the ends of the table's steps, for every shift.
   for (std::uint64_t entry = 64; entry <= 256; ++entry) {
     for (int shift = 0; shift < 56; ++shift) {
       for (std::int64_t distance = -200; distance <= 200; ++distance) {
@@ -137,12 +137,12 @@ TEST_CASE("root: 128-bit roots are right beside squares", "[number]") {
 TEST_CASE("root: the reciprocal of a root is off by less than 2^-44 of it", "[number]") {
   Random random(20261131);
   const auto is_close = [](std::uint64_t a) {
-    // 2^188 / a (1 - 2^-43) < r^2 < 2^188 / a (1 + 2^-43), of which the ends are within the bound.
+    // 2^188 / a (1 - 2^-43) < r^2 < 2^188 / a (1 + 2^-43); its ends are within the bound.
     const BigInteger r = detail::reciprocal_root(a), squared = r * r * a;
     return abs(squared - power_of_two(188)) < power_of_two(188 - 43);
   };
   int wrong = 0;
-  for (std::uint64_t chord = 64; chord < 256; ++chord) {  // each end, and between
+  for (std::uint64_t chord = 64; chord < 256; ++chord) {  // both ends, and between
     const std::uint64_t first = chord << 56, last = first + ((std::uint64_t{1} << 56) - 1);
     for (int i = 0; i < 300; ++i) {
       if (!is_close(first + (random.next() >> 8))) ++wrong;

@@ -9,8 +9,8 @@ namespace {
 
 BigInteger magnitude(std::int64_t x) { return BigInteger(x < 0 ? -x : x); }
 
-/// Quotients for a radius of up to `Bits` bits and a direction of `Frac` bits after the point, as a
-/// ray and a sphere make them: none may be wrong, and few left open.
+/// Quotients for a radius of up to `Bits` bits and a direction with `Frac` fractional bits, as for
+/// a ray and a sphere: none may be wrong, and few undecided.
 template <int Bits, int Frac>
 void examine(std::uint64_t seed) {
   using T = Fixed<Frac + 1, Frac>;
@@ -27,7 +27,7 @@ void examine(std::uint64_t seed) {
     const std::int64_t y = random.between(-(std::int64_t{1} << Frac), std::int64_t{1} << Frac);
     const BigInteger x = (length * random.between(-1000, 1000)) / 1000;
 
-    // With many more bits than the answer has.
+    // With many more bits than the result.
     constexpr int finer = 200;
     const BigInteger root = sqrt(BigInteger(d << (2 * finer)));
     const BigInteger over = (x << finer) - root * y;

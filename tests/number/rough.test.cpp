@@ -53,7 +53,7 @@ TEST_CASE("rough: sums, products, quotients and roots keep their leading bits") 
 }
 
 TEST_CASE("rough: zero is added to numbers of any length") {
-  // By the compiler, to which a shift by a negative number is no constant.
+  // At compile time a shift by a negative number is an error.
   constexpr Rough zero(Fixed<62, 44>(0)), least(Fixed<62, 60>::from_raw(1));
   constexpr auto is_least = [=](const Rough& x) {
     return x.word == least.word && x.exponent == least.exponent;
@@ -72,7 +72,7 @@ TEST_CASE("rough: a floor is the floor of every number within the error, or left
     ++asked;
     if (!floor) ++open;
     if (floor && floor->raw() != step) ++wrong;
-    // A step itself, and what is off by less than the error, is never decided.
+    // A step itself, and numbers off by less than the error, are never decided.
     const BigInteger exact = BigInteger(step) << 84, error = exact >> 45;
     if (floor_of<T>(Rough(fixed<Long>(exact)))) ++wrong;
     if (floor_of<T>(Rough(fixed<Long>(exact - error)))) ++wrong;
@@ -118,7 +118,7 @@ TEST_CASE("rough: vectors are compared with a length exactly") {
   Random random(0x5004);
   int wrong = 0;
   for (int i = 0; i < 20'000; ++i) {
-    // 2 3 6 and 7, scaled, and beside it.
+    // The vector 2 3 6 and its length 7, scaled, and off by a unit.
     const BigInteger unit = draw(random) % power_of_two(90);
     const std::array near{BigInteger(2 * unit), BigInteger(3 * unit), BigInteger(-6 * unit)};
     BigInteger length = 7 * unit + random.between(-1, 1);

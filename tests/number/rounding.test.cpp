@@ -20,11 +20,11 @@ namespace {
 
 using Whole = Fixed<31, 0>;
 
-// Down, also below zero.
+// Down, for negative numbers too.
 static_assert(floor_to<Whole>(1.75_q16_16) == 1 && floor_to<Whole>(-1.25_q16_16) == -2);
 static_assert(floor_to<q8_8>(q16_16::from_raw(-1)) == q8_8::from_raw(-1));
 static_assert(floor_to<q16_16>(1.5_q8_8) == 1.5_q16_16, "a finer grid changes nothing");
-// Up, also below zero.
+// Up, for negative numbers too.
 static_assert(ceil_to<Whole>(1.25_q16_16) == 2 && ceil_to<Whole>(-1.75_q16_16) == -1);
 static_assert(ceil_to<Whole>(3_q16_16) == 3 && ceil_to<q16_16>(-1.5_q8_8) == q16_16(-1.5_q8_8));
 static_assert(ceil_to<q8_8>(-q8_8::lowest()) == q8_8::max());
@@ -113,8 +113,7 @@ struct Ratio {
   BigInteger denominator;
 };
 
-// A number of A whose value lies at or beside a multiple of half a step of T, when that is
-// possible.
+// A number of A at or next to a multiple of half a step of T, if possible.
 template <class A, class T>
 A random_beside(Random& random) {
   if (random.coin()) return random_fixed<A>(random);
@@ -186,7 +185,7 @@ TEMPLATE_TEST_CASE("rounding: to built-in integers, stopping at their ends", "[n
   sweep(std::uint64_t{});
 }
 
-// What <cmath> says of the double, which is exact; beyond the integer's range it stops.
+// The result of <cmath> for the double, which is exact; clamped to the integer's range.
 TEMPLATE_TEST_CASE("rounding: float and double to built-in integers", "[number]", float, double) {
   static_assert(floor_to<int>(TestType(-1.5)) == -2 && ceil_to<int>(TestType(-1.5)) == -1);
   static_assert(nearest_to<int>(TestType(2.5)) == 2 && nearest_to<int>(TestType(3.5)) == 4);
@@ -328,7 +327,7 @@ TEMPLATE_TEST_CASE(
   for (int i = 0; i < 60'000; ++i) {
     const D d = random_fixed<D>(random);
     N n = random_fixed<N>(random);
-    if (random.coin()) {  // n / d at or beside a multiple of half a step of the result
+    if (random.coin()) {  // n / d at or next to a multiple of half a step of the result
       const BigInteger half_steps = 2 * big_raw(random_fixed<T>(random)) + random.between(0, 1);
       n = fixed_from<N>(Ratio(half_steps * big_raw(d), 1, -shift - 1).floor() +
                         random.between(-1, 1));
@@ -372,7 +371,7 @@ TEMPLATE_TEST_CASE("rounding: square roots are the exact ones rounded down and u
   int inside = 0;
   for (int i = 0; i < 60'000; ++i) {
     A x = random_fixed<A>(random);
-    if (random.coin()) {  // a square of a result, or beside one
+    if (random.coin()) {  // a square of a result, or next to one
       const BigInteger root = big_raw(random_fixed<T>(random));
       x = fixed_from<A>(Ratio(root * root, 1, -shift).floor() + random.between(-1, 1));
     }
@@ -381,7 +380,7 @@ TEMPLATE_TEST_CASE("rounding: square roots are the exact ones rounded down and u
       REQUIRE(result == 0);
       continue;
     }
-    // result^2 <= raw * 2^shift < (result + 1)^2, unless the root is beyond the range of T.
+    // result^2 <= raw * 2^shift < (result + 1)^2, unless the root is out of the range of T.
     const Ratio square(big_raw(x), 1, shift);
     const BigInteger above = (result + 1) * (result + 1);
     const bool reaches = result * result * square.denominator <= square.numerator;

@@ -13,7 +13,7 @@ namespace {
 static_assert(Scalar<q16_16> && Scalar<q14_16> && Scalar<q24_8> && Scalar<q8_8>);
 static_assert(Scalar<float> && Scalar<double>);
 
-// From the shortest to 31 bits, with no bit after the point to all but one.
+// From 1 to 31 bits, with 0 to all but one of them fractional.
 static_assert(Scalar<Fixed<1, 0>> && Scalar<Fixed<2, 1>> && Scalar<Fixed<31, 0>>);
 static_assert(Scalar<Fixed<31, 30>> && Scalar<Fixed<30, 29>> && Scalar<Fixed<14, 13>>);
 static_assert(!Scalar<Fixed<32, 16>> && !Scalar<Fixed<62, 32>> && !Scalar<int> && !Scalar<bool>);
@@ -26,7 +26,7 @@ static_assert(!Number<int> && !Number<std::int64_t> && !Number<Int128> && !Numbe
 
 static_assert(bits_of<q16_16> == 31 && bits_of<Fixed<126, 92>> == 126 && bits_of<double> == 0);
 
-// A direction's component takes the room of a coordinate, and holds 1 and -1 exactly.
+// A direction's component has the size of a coordinate, and represents 1 and -1 exactly.
 static_assert(sizeof(direction_component<q16_16>) == 4 && sizeof(direction_component<q8_8>) == 2);
 static_assert(direction_component<q16_16>::frac == 30 && direction_component<q8_8>::frac == 14);
 static_assert(std::same_as<direction_component<q14_16>, direction_component<q16_16>>);

@@ -11,7 +11,7 @@ using namespace detent::test;
 
 namespace {
 
-// What a processor of 32 bits does has to work in a constant expression, too.
+// The path for 32-bit processors has to work in constant expressions too.
 static_assert(multiply_halves_portable(-1, 0xffffffffu) == 0xffffffff00000001u);
 static_assert(divide_halves_portable(0xfffffffeffffffff, 0xffffffff).quotient == 0xffffffff);
 static_assert(multiply_by_half<2>(Wide<2>(-1), -3) == Wide<2>(3));

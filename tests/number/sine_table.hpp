@@ -11,9 +11,9 @@ namespace detent::test {
 
 __extension__ typedef unsigned __int128 Word128;
 
-/// Sines and cosines of binary angles in the first quarter turn within 2^-120, fast enough to ask
-/// for all of them: tables by MPFR for the upper and lower halves of the angle, and the addition
-/// theorems. A polynomial, as the library has it, is nowhere in sight.
+/// Sines and cosines of binary angles in the first quarter turn within 2^-120, fast enough for all
+/// of them: tables by MPFR for the upper and lower halves of the angle, and the addition theorems.
+/// It shares no polynomial with the library.
 class SineTable {
  public:
   /// In units of 2^-127.
@@ -32,7 +32,7 @@ class SineTable {
     return sum(upper_[angle >> 15], lower_[angle % 32768]);
   }
 
-  /// The sum of two angles that stay within the quarter turn.
+  /// The sum of two angles that stays within the quarter turn.
   static Pair sum(const Pair& a, const Pair& b) {
     return {product(a.sine, b.cosine) + product(a.cosine, b.sine),
             product(a.cosine, b.cosine) - product(a.sine, b.sine)};

@@ -34,7 +34,7 @@ TEMPLATE_TEST_CASE("plane grid: a byte encloses a coordinate, outward", "[slab_t
     REQUIRE(grid.plane(below) <= x);
     REQUIRE(grid.plane(above) >= x);
     REQUIRE(above - below <= 1);
-    // As fine as a byte allows: half as far apart, the planes would not reach.
+    // As fine as a byte allows: at half the spacing, the planes would not reach.
     const auto size = std::int64_t{greatest.raw()} - least.raw();
     REQUIRE((grid.step() == 1 || 255 * (grid.step() / 2) < size));
   }
@@ -96,11 +96,11 @@ TEMPLATE_TEST_CASE("slab times: no part of the ray between the planes is left ou
                                    ? Integer(1) << 62
                                    : ((Integer(grid.step()) * 65536 * one / fast) >> clock.shift());
     if (step_ticks > (1 << 21) + 1) {
-      // Turned: what is more than four steps ahead of the origin is not reached.
+      // Nearly parallel: a plane more than four steps ahead of the origin is not reached.
       if (ahead > 4 * Integer(grid.step())) REQUIRE(enter > clock.time(clock.longest()));
       ++turned;
     } else if (fast >= one / 64) {
-      // Not much more is let in: two parts in 2^14 of the distances, and what steps are rounded.
+      // The excess is small: two parts in 2^14 of the distances, and the rounding of the steps.
       const Integer time = (ahead * 65536 * one / fast) >> clock.shift();
       REQUIRE(time - enter <= ((Integer(reach.raw()) * 65536 * 64 / 8192) >> clock.shift()) + 258);
       ++tight;

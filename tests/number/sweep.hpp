@@ -12,8 +12,8 @@
 
 namespace detent::test {
 
-/// Calls sweep(state, i) for every i in [0, count), on all cores, each with a State of its own;
-/// returns their sum. Says on stderr how far it is.
+/// Calls sweep(state, i) for every i in [0, count), on all cores, each with its own State; returns
+/// their sum. Prints progress to stderr.
 template <class State, class Sweep>
 State sweep_all(const std::string& what, std::uint64_t count, const Sweep& sweep) {
   constexpr std::uint64_t chunk = 1u << 20;

@@ -52,19 +52,19 @@ static_assert(parses("1e0", 65536) && parses("1e-0", 65536) &&
 static_assert(parses("32767.9999847412109375", std::numeric_limits<std::int32_t>::max()));
 static_assert(parses("-32768", std::numeric_limits<std::int32_t>::min()));
 
-// Ties to even, either way and either sign; the smallest change beside a tie decides.
+// Ties to even, in both directions and signs; the smallest change next to a tie decides.
 static_assert(parses("0.00000762939453125", 0) && parses("0.00002288818359375", 2));
 static_assert(parses("-0.00000762939453125", 0) && parses("-0.00002288818359375", -2));
 static_assert(parses("0.000007629394531250000000000000000000000000000000000000001", 1));
 static_assert(parses("0.000022888183593749999999999999999999999999999999999999999", 1));
 
-// Range is judged after rounding: the last tie belongs to the even neighbour, which is outside.
+// The range is checked after rounding: the last tie goes to the even neighbour, which is outside.
 static_assert(parses("32767.99999237060546874999", std::numeric_limits<std::int32_t>::max()));
 static_assert(refuses("32767.99999237060546875") && refuses("32768") && refuses("99999999999999"));
 static_assert(parses("-32768.00000762939453125", std::numeric_limits<std::int32_t>::min()));
 static_assert(refuses("-32768.000007629394531250001") && refuses("-32769"));
 
-// Exponents far outside of any number.
+// Exponents far out of range of any number.
 static_assert(parses("1e-99999999999", 0) && parses("-1e-99999999999999999999999999999", 0));
 static_assert(refuses("1e99999999999") && refuses("-1e99999999999999999999999999999999999999"));
 static_assert(parses("0e99999999999999999999999999", 0) && parses("0.000e-9999999999999999999", 0));
@@ -95,7 +95,8 @@ static_assert(text_is(Fixed<14, 14>(-1), "-1") && text_is(Fixed<31, 0>::max(), "
 static_assert(text_is(-q14_16::lowest(), "8192"), "a result beyond max() is written too");
 static_assert(text_is(Fixed<15, 30>::from_raw(-1), "-0.000000000931322574615478515625"));
 
-// The bound on the length is met: its two parts are those of the number closest to lowest().
+// The bound on the length is attained: the number closest to lowest() has both parts at full
+// length.
 static_assert(max_text_length<q16_16> == 23 &&
               text_is(raw(-2147483647), "-32767.9999847412109375"));
 static_assert(max_text_length<q8_8> == 13 && text_is(q8_8::from_raw(-32767), "-127.99609375"));
@@ -110,7 +111,7 @@ static_assert(127.5_q8_8 == q8_8::from_raw(32640) && 1e2_q8_8 == q8_8(100));
 static_assert(std::is_same_v<std::remove_cvref_t<decltype(1_q14_16)>, q14_16> &&
               std::is_same_v<std::remove_cvref_t<decltype(1_q24_8)>, q24_8>);
 
-// A minus sign keeps the type of a literal, and reaches lowest(); of other values it widens.
+// A minus sign keeps the type of a literal, so it reaches lowest(); for other values it widens.
 template <class Literal, class Negative>
 inline constexpr bool keeps_type = std::is_same_v<std::remove_cv_t<Literal>, Negative>;
 static_assert(keeps_type<decltype(2_q16_16), decltype(-2_q16_16)> &&
@@ -127,7 +128,7 @@ static_assert(std::is_same_v<decltype(-q16_16(2)), Fixed<32, 16>> &&
               std::is_same_v<decltype(-std::declval<const q16_16&>()), Fixed<32, 16>> &&
               std::is_same_v<decltype(-(-2_q16_16)), Fixed<32, 16>> && -(-2_q16_16) == 2);
 
-// Literals do all that other numbers do, wherever a type is deduced from them.
+// Literals behave like other numbers wherever a type is deduced from them.
 static_assert([] {
   struct Point {
     q16_16 x, y;
@@ -152,7 +153,7 @@ static_assert([] {
          square(-3_q16_16) == 9 && 1.5_q16_16 * copy == 1.875_q16_16 && -1_q16_16 < 1_q8_8;
 }());
 
-/// A decimal text and, exactly, the number it denotes.
+/// A decimal text and the exact number it denotes.
 struct Sample {
   std::string text;
   BigRational value;
@@ -160,7 +161,7 @@ struct Sample {
 
 BigInteger power_of_ten(unsigned exponent) { return pow(BigInteger(10), exponent); }
 
-/// digits * 10^-decimals, spelt with a point and an exponent chosen at random.
+/// digits * 10^-decimals, written with a random decimal point and exponent.
 Sample spell(Random& random, const BigInteger& magnitude, unsigned decimals, bool negative) {
   std::string digits = magnitude.str();
   const auto exponent = static_cast<int>(random.one_in(2) ? 0 : random.between(-40, 40));
@@ -205,7 +206,7 @@ TEMPLATE_TEST_CASE("text: a random decimal gives the nearest number", "[number]"
   INFO(random);
   HitRate in_range;
   for (int i = 0; i < 20'000; ++i) {
-    // A point of the grid of half steps (so ties are frequent), plus something far below it.
+    // A multiple of half a step (so ties are frequent), plus something far below it.
     const BigInteger half_steps = big(random_wide<5>(random) >> (319 - F::bits - 2));
     const auto decimals = static_cast<unsigned>(F::frac + 1);
     BigInteger magnitude = abs(half_steps) * pow(BigInteger(5), decimals);
@@ -213,7 +214,7 @@ TEMPLATE_TEST_CASE("text: a random decimal gives the nearest number", "[number]"
     switch (random.below(4)) {
       case 0:
         break;
-      case 1:  // beside a tie, at a far digit
+      case 1:  // next to a tie, at a far digit
         extra = 1 + static_cast<unsigned>(random.below(60));
         magnitude = magnitude * power_of_ten(extra) + random.between(-2, 2);
         break;
@@ -263,7 +264,7 @@ TEMPLATE_TEST_CASE("text: what is written is exact, shortest, and read back", "[
                           (whole == "0" || (!whole.empty() && whole.front() != '0')) &&
                           (point == std::string::npos || !fraction.empty()) &&
                           (fraction.empty() || fraction.back() != '0');
-    // Read as an integer behind a 1, which keeps its leading zeros from meaning octal.
+    // Read as an integer after a 1, so that leading zeros do not mean octal.
     const auto digits = static_cast<unsigned>(whole.size() + fraction.size());
     const BigInteger units = BigInteger("1" + whole + fraction) - power_of_ten(digits);
     const BigRational value(negative ? BigInteger(-units) : units,
@@ -290,7 +291,7 @@ TEST_CASE("text: a digit thousands of places away breaks a tie", "[number]") {
   const std::string below = "0.00002288818359374";
   CHECK(q16_16::parse(below + std::string(5'000, '9')) == raw(1));
   CHECK(q16_16::parse("0.00002288818359375" + zeros) == raw(2));
-  // The same numbers, spelt from the other end of the exponent.
+  // The same numbers, with the opposite sign of the exponent.
   CHECK(q16_16::parse("762939453125" + zeros + "1e-5018") == raw(1));
   CHECK(q16_16::parse("762939453125" + zeros + "0e-5018") == raw(0));
   CHECK(q16_16::parse("0." + zeros + "762939453125e4995") == raw(0));

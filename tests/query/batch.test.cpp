@@ -14,7 +14,7 @@ using namespace detent::test;
 
 namespace {
 
-// Batches in vectors; their blocks are a caller's business.
+// Batches with their blocks in vectors; normally the caller owns the blocks.
 template <class Shape>
 struct Shapes {
   explicit Shapes(const std::vector<Shape>& list, std::size_t block_count)
@@ -30,7 +30,7 @@ struct Rays {
   RayBatch<S, N> batch;
 };
 
-/// Whether the answers of batches are those of loops, and how many of them are hits.
+/// Whether batches give the results of loops; counts the hits.
 template <Scalar S, int N, class Shape>
 bool batches_are_loops(const std::vector<Ray<S, N>>& rays, const std::vector<Shape>& shapes,
                        const Aabb<S, N>& frame, HitRate& rate) {
@@ -65,7 +65,7 @@ bool batches_are_loops(const std::vector<Ray<S, N>>& rays, const std::vector<Sha
   return is_right;
 }
 
-/// Shapes of several kinds and scenes, and rays from one to another.
+/// Tests shapes of several kinds and scenes, and rays from one to another.
 template <class Shape, Scalar S, int N>
 bool examine(std::uint64_t seed, int rounds, HitRate& rate) {
   using oracle::Draw, oracle::Kind;
@@ -206,8 +206,9 @@ TEMPLATE_TEST_CASE("batch: most that miss are not even asked", "", (Sphere<doubl
   check(q16_16());
 }
 
-/// Specks within `reach` raw units, each of `size` more than a raw unit, and rays aimed at them, of
-/// which every other one ends as soon as it has entered: what the coarse numbers err by decides.
+/// Specks within `reach` raw units, each a raw unit wide plus `size` on each side, and rays aimed
+/// at them, every other one ending just after it enters: so the error of the quantized numbers
+/// decides.
 template <Scalar S, int N>
 void examine_specks(std::int64_t reach, std::int64_t size) {
   using Drawn = oracle::Draw<S, N>;
@@ -242,7 +243,7 @@ TEMPLATE_TEST_CASE("batch: rays aimed at specks all over the world", "", (Space<
   examine_specks<typename TestType::scalar, TestType::dimension>(1 << 13, 0);
 }
 
-/// Whether `ray` meets `shape`, alone and in a batch of its own.
+/// Whether `ray` hits `shape`, alone and in a batch.
 template <class Shape>
 bool is_hit_in_both(const Ray<q16_16, 2>& ray, const Shape& shape) {
   const std::vector<Shape> only{shape};
@@ -270,7 +271,7 @@ TEST_CASE("batch: the slabs of a skewed box reach beyond its edges") {
 
 TEST_CASE("batch: slabs along skewed axes end outside the box around the edges") {
   using S = q8_8;
-  // Less than a unit outside, where the box that a batch looks at is no larger.
+  // Less than a unit outside, where the bounding box that a batch tests is no larger.
   Random random(20261122);
   INFO("seed " << random.seed());
   const auto number = [](std::int64_t raw) { return S::from_raw(static_cast<std::int16_t>(raw)); };
@@ -285,7 +286,7 @@ TEST_CASE("batch: slabs along skewed axes end outside the box around the edges")
         Obb<S, 2>{{}, {number(size), number(size)}, Rotation<S, 2>::from_axes({*skewed, up})}};
     const Vec<S, 2> origin{number(size - random.between(1, 40)),
                            number(random.between(-size - 40, -size - 1))};
-    // To up to an eighth of a unit beside the corner.
+    // Up to an eighth of a unit next to the corner.
     const auto direction =
         normalize(Vec<S, 2>{number(64 * (size - origin.x.raw()) + random.between(0, 8)),
                             number(64 * (-size - origin.y.raw()))});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Questions to points, pairs and segments that the float code of a textbook answers wrongly, though
-// float represents every input. Those to rays are in raycast/book.test.cpp.
+// Point, pair and segment queries that textbook float code gets wrong, though float represents
+// every input. The ray queries are in raycast/book.test.cpp.
 
 #include <array>
 #include <cmath>
@@ -91,7 +91,7 @@ TEMPLATE_TEST_CASE("book: three planes meet in the point that they name", "[book
   CHECK(intersection(plane(0, 1), plane(1, 2), plane(2, 3)) == v<S>(1, 2, 3));
 }
 
-// Not half a unit whatever the distance.
+// Not half a unit at every distance.
 TEMPLATE_TEST_CASE("book: unit spheres overlap by what the distance lacks of two", "[book]", q16_16,
                    q14_16, float, double) {
   using S = TestType;

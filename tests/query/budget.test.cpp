@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // How many bits the widest intermediates of the queries have, from their types; and inputs that use
-// more than half of a range that `narrow` was told is enough.
+// more than half of a range given to `narrow`.
 
 #include "detent/query/distance.hpp"
 #include "detent/query/raycast.hpp"
@@ -36,13 +36,13 @@ static_assert(bits<decltype(Feature<q16_16>::numerator)> <= 198);
 static_assert(bits<decltype(Feature<q16_16>::denominator)> <= 132);
 static_assert(bits<decltype(Feature<q8_8>::numerator)> <= 102);
 
-// The far corners of the domain, and the direction from one to the other.
+// The opposite corners of the domain, and the direction from one to the other.
 template <Scalar S>
 constexpr Vec<S, 3> low_corner{S::lowest(), S::lowest(), S::lowest()};
 template <Scalar S>
 constexpr Vec<S, 3> high_corner{S::max(), S::max(), S::max()};
 
-/// Whether more than half of the magnitudes that the type of `x` has are needed for it.
+/// Whether `x` needs more than half of the magnitudes of its type.
 template <int B, int F>
 constexpr bool fills(const Fixed<B, F>& x) {
   return bit_length(x.raw()) >= B;

@@ -59,7 +59,7 @@ TEMPLATE_TEST_CASE("compound: the first listed of equally near parts counts", "[
   CHECK(digest(compound) != digest(Compound{boxes, spheres}));
 }
 
-/// What `compound` answers, beside what a loop over all parts finds.
+/// Compares the results of `compound` with those of a loop over all its shapes.
 TEMPLATE_TEST_CASE("compound: answers as its parts do", "[compound]", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -76,7 +76,7 @@ TEMPLATE_TEST_CASE("compound: answers as its parts do", "[compound]", DETENT_FIX
     for (auto& triangle : triangles) triangle = {point(), point(), point()};
     const Compound compound{spheres, triangles};
     const auto query = point();
-    // Most rays are aimed at a part.
+    // Most rays are aimed at one of the shapes.
     const auto origin = draw.point(scale);
     auto target = draw.point(scale);
     if (draw.random.one_in(3)) {

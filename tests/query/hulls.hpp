@@ -24,7 +24,7 @@ constexpr auto diamond() {
   return points;
 }
 
-/// A square at z = 0, in 2D a segment at y = 0, and its center: from -4 to 4 on the other axes.
+/// A square at z = 0 and its center, from -4 to 4 on the other axes; in 2D a segment at y = 0.
 template <Scalar S, int N>
 constexpr auto flat() {
   if constexpr (N == 2) {
@@ -35,8 +35,8 @@ constexpr auto flat() {
   }
 }
 
-/// f(hull) for the points as they are, which must not change when they come in other orders, some
-/// of them twice.
+/// f(hull) for the points; checks that it is the same with the points in other orders and
+/// duplicated.
 template <Scalar S, int N, std::size_t Count, class F>
 auto in_every_order(const Points<S, N, Count>& points, const F& f) {
   const auto answer = f(ConvexHull<S, N>{points});

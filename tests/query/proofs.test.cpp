@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What `narrow` was told is no more than need be: for each bound from geometry an input that
-// reaches at least half of it. The functions are called with those inputs too, and their assertions
-// hold. Bounds that a type makes, such as those of a sum of so many terms or of a number turned
-// negative, are tested with the type; `budget.test.cpp` has those of rays, planes and spheres.
+// The bounds given to `narrow` are tight: for each bound from geometry there is an input that
+// reaches at least half of it. The functions also run with those inputs, and their assertions hold.
+// Bounds that follow from a type, such as a sum of a number of terms or a negated number, are
+// tested with the type; `budget.test.cpp` has those of rays, planes and spheres.
 
 #include "detent/math/angle_between.hpp"
 #include "detent/math/inverse.hpp"
@@ -25,7 +25,7 @@ namespace {
 
 using namespace detent;
 
-/// Whether more than half of the magnitudes of the type of `x` are needed for it.
+/// Whether `x` needs more than half of the magnitudes of its type.
 template <int B, int F>
 constexpr bool fills(const Fixed<B, F>& x) {
   return bit_length(x.raw()) >= B;
@@ -44,13 +44,13 @@ template <Scalar S>
 constexpr S low = S::lowest();
 template <Scalar S>
 constexpr S high = S::max();
-/// The greatest difference of coordinates, as its type has it.
+/// The type of a difference of coordinates, and its largest value.
 template <Scalar S>
 using Offset = decltype(S() - S());
 template <Scalar S>
 constexpr Offset<S> far = low<S> - high<S>;
 
-/// (0, 1, -1) and (2, -1, -1), made directions.
+/// (0, 1, -1) and (2, -1, -1), normalised.
 template <Scalar S>
 const Direction<S, 3> diagonal = *normalize(Vec<S, 3>{S(0), S(1), S(-1)});
 template <Scalar S>
@@ -112,7 +112,7 @@ TEMPLATE_TEST_CASE("proofs: a line against two offsets needs the bits that they 
   CHECK(fills(narrow_dot<bits_of<Offset<S>> + along + 1>(e, cross(third<S>, w))));
   CHECK(fills(detail::narrow_square<2 * along>(moment)));
 
-  // Of three corners of the world, 2 sqrt(3) of the 3 |w| |e| of free vectors, halved.
+  // For three corners of the world, 2 sqrt(3) of the 3 |w| |e| of free vectors, halved.
   constexpr S l = low<S>, h = high<S>;
   const Vec<S, 3> a{l, l, l}, b{h, h, l}, c{l, h, h};
   const auto across = *normalize(Vec<S, 3>{S(1), S(-1), S(1)});
@@ -143,7 +143,7 @@ TEMPLATE_TEST_CASE("proofs: a point beside an edge is as far as the lengths allo
   CHECK(is_half_of(over, squared_length(e) * squared_length(w)));
   CHECK_FALSE(detail::is_near_edge(e, w, high<S>));
 
-  // An excess as long as the tolerance.
+  // An excess equal to the tolerance.
   const Obb<S, 3> point{};
   CHECK(on(point, Vec<S, 3>{high<S>, S(0), S(0)}, high<S>));
   const auto excess = detail::excess(point, Vec<S, 3>{high<S>, S(0), S(0)});
@@ -169,7 +169,7 @@ TEMPLATE_TEST_CASE("proofs: a line that grazes a wide capsule uses the bits of i
   using S = TestType;
   constexpr S l = low<S>, h = high<S>;
   const Capsule<S, 3> capsule{{l, l, l}, {h, h, h}, h};
-  // Towards the axis' side, all but a hundredth of the radius beside it.
+  // To the side of the axis, off by the radius less about a hundredth of it.
   const auto beside = nearest_to<S>(h * third<S>[0]), below = nearest_to<S>(h * third<S>[1]);
   const auto back = S::from_raw(static_cast<typename S::raw_type>(h.raw() / 2));
   const S step = S::from_raw(static_cast<typename S::raw_type>(h.raw() / 128));
@@ -178,7 +178,7 @@ TEMPLATE_TEST_CASE("proofs: a line that grazes a wide capsule uses the bits of i
   const auto hit = raycast_hit(Ray<S, 3>{origin, diagonal<S>}, capsule);
   REQUIRE(hit);
   CHECK(dot(hit->normal, third<S>) > 0);
-  // |m . k| k of radius |k|^2, as it was in one component: sqrt(2 / 3).
+  // m . k| k out of radius |k|^2, in one component: sqrt(2 / 3).
   const auto e = capsule.b - capsule.a;
   const auto k = cross(diagonal<S>, e);
   const auto m = origin - capsule.a;

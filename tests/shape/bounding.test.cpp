@@ -61,7 +61,7 @@ TEMPLATE_TEST_CASE("bounding_box: stops at the ends of the scalar", "[bounding]"
   CHECK(bounding_sphere(Aabb{low, high}).radius == S::max());
 }
 
-/// Points of which a shape is the hull, in steps of `one` to a raw unit.
+/// Points whose hull is the shape, in steps of 1 / `one` raw unit.
 template <int N>
 struct Outline {
   std::vector<oracle::Vector<N>> points;
@@ -91,7 +91,7 @@ Outline<N> outline(const Obb<S, N>& box) {
   return result;
 }
 
-/// Empty when both bounds reach every point and a smaller one on the grid would not.
+/// Empty when both bounds contain every point and a smaller bound on the grid would not.
 template <Scalar S, int N, class Shape>
 std::string mistakes(const Shape& shape) {
   using oracle::Integer;
@@ -159,7 +159,7 @@ TEMPLATE_TEST_CASE("bounding_sphere: of round shapes and boxes reach all of them
   CHECK(bounding_sphere(ball) == ball);
   CHECK(bounding_sphere(Aabb{at<S, N>(0, 0), at<S, N>(6, 8)}) == Sphere{at<S, N>(3, 4), num<S>(5)});
 
-  // From the middle, rounded to even, one end may be farther than the other.
+  // The center is rounded to even, so one end may be farther from it than the other.
   const auto raw = [](std::int64_t x) { return filled<S, N>(oracle::Draw<S, N>::scalar(x)); };
   for (std::int64_t low = 0; low < 2; ++low) {
     const auto odd = bounding_sphere(Aabb<S, N>{raw(low), raw(low + 1)});

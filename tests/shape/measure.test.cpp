@@ -57,7 +57,7 @@ TEMPLATE_TEST_CASE("area: of any triangle in space, rounded down", "[measure][or
 }
 
 /// Whether `given` steps of 2^-frac are the nearest to raw * numerator pi / denominator, where raw
-/// counts steps of 2^-(frac + shift): pi lies between two fractions of 2^-160.
+/// counts steps of 2^-(frac + shift): pi is bounded by two fractions of 2^-160.
 bool is_nearest_to_pi(const oracle::Integer& given, const oracle::Integer& raw, int numerator,
                       int denominator, int shift) {
   const oracle::Integer below("0x3243f6a8885a308d313198a2e03707344a4093822");

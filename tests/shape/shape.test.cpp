@@ -15,7 +15,7 @@ using D = Direction<q16_16, 3>;
 constexpr V origin{};
 constexpr V corner{q16_16(1), q16_16(2), q16_16(3)};
 
-// Plain data: what a game sends or saves is what it sees.
+// Plain data: a game can send or save it as it is.
 template <class Shape>
 constexpr bool is_plain = std::is_aggregate_v<Shape>&& std::is_trivially_copyable_v<Shape>;
 static_assert(is_plain<Sphere<q16_16, 3>> && sizeof(Sphere<q16_16, 3>) == 16);
@@ -26,7 +26,7 @@ static_assert(is_plain<Triangle<q8_8, 2>> && sizeof(Triangle<q8_8, 2>) == 12);
 static_assert(is_plain<Segment<float, 2>> && is_plain<Ray<double, 3>>);
 static_assert(is_plain<Capsule<q14_16, 3>>);
 
-// Scalar and dimension follow from the parts.
+// Scalar and dimension are deduced from the fields.
 static_assert(std::is_same_v<decltype(Sphere{origin, q16_16(1)}), Sphere<q16_16, 3>>);
 static_assert(std::is_same_v<decltype(Aabb{origin, corner}), Aabb<q16_16, 3>>);
 static_assert(std::is_same_v<decltype(Plane{D(), q16_16(1)}), Plane<q16_16, 3>>);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: constant.sh COMPILER ARGUMENT...
-# The compiler itself gives the golden answers.
+# The compiler itself computes the golden results.
 set -euo pipefail
 
 if ! command -v "$1" >/dev/null; then

@@ -19,7 +19,7 @@ using namespace detent::verify;
 
 namespace {
 
-/// A sink that counts in place of the digest.
+/// A sink that counts hits instead of computing a digest.
 struct Yes {
   test::HitRate rate;
 
@@ -37,7 +37,7 @@ std::string name_of(const Sheet& sheet, std::size_t row) {
          std::to_string(sheet.dimension) + "D";
 }
 
-/// Exact arithmetic about the first `size` answers of every cell.
+/// Checks the first `size` results of every cell with exact arithmetic.
 void confirm(std::uint32_t size) {
   for (std::size_t i = 0; i < sheets().size(); ++i) {
     for (std::size_t row = 0; row < sheets()[i].rows.size(); ++row) {
@@ -50,7 +50,7 @@ void confirm(std::uint32_t size) {
   }
 }
 
-/// How often the corpus asks what random questions would not.
+/// How often the corpus has special cases that random inputs would miss.
 struct Occasions {
   std::uint32_t starts_inside = 0, touches = 0, ends_at_hit = 0, along_axis = 0;
   std::uint32_t at_ends_of_range = 0;
@@ -74,7 +74,7 @@ Occasions occasions() {
   return seen;
 }
 
-/// Rows whose answers are yes and no, or something and nothing, and ought to be in balance.
+/// Rows with yes-or-no or optional results, which should be balanced.
 bool asks_yes_or_no(std::string_view row) {
   for (const std::string_view query :
        {"raycast", "contains/", "on/", "overlaps/", "intersects/", "mesh/raycast_nearest",
@@ -86,7 +86,7 @@ bool asks_yes_or_no(std::string_view row) {
   return false;
 }
 
-/// How often a point is exactly where a distance begins to count.
+/// How often a point is exactly on a surface or at its tolerance.
 struct Verges {
   std::uint32_t at_tolerance = 0, at_surface = 0, at_ends_of_range = 0, empty = 0;
 };
@@ -123,7 +123,7 @@ TEST_CASE("corpus: it has millions of questions, and a share of them for microco
   CHECK(count_questions(full_size) >= 10'000'000);
   CHECK(count_questions(small_size) >= 30'000);
   CHECK(count_questions(small_size) <= 70'000);
-  // What the documents say.
+  // The number in the documentation.
   CHECK(count_rows() == 169);
   CHECK(count_questions(full_size) == 13'124'000);
   CHECK(count_questions(small_size) == 69'956);
@@ -277,7 +277,7 @@ TEST_CASE("corpus: the parts give the golden digests of their rows") {
 
 TEST_CASE("corpus: a quarter asks every query in every dimension, and four quarters ask it all") {
   visit_groups([]<class Group>(Group) {
-    // For each dimension, the scalars of each quarter, a bit each.
+    // For each dimension, the scalars of each quarter as a bit mask.
     std::array<std::array<int, 4>, 4> scalars{};
     visit_spaces<Group>([&]<class S, int N>(Space<S, N>) {
       const auto add = [&](std::size_t quarter, bool has) {

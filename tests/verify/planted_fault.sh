@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: planted_fault.sh LIBRARY COMPILER [FLAG...]
-# A copy of the library in which a ray query and a point query give one wrong bit now and then:
-# `detent verify` must name the queries, the scalars, the dimensions and the questions. LIBRARY holds what
-# the command needs besides.
+# In a copy of the library, a ray query and a point query sometimes get one wrong bit: `detent
+# verify` must name the queries, the scalars, the dimensions and the questions. LIBRARY contains
+# what else the command needs.
 set -euo pipefail
 
 library=$1
@@ -29,17 +29,17 @@ plant() {
 # In one of 64 intervals the last bit of the exit is wrong.
 plant include/detent/query/raycast/sphere.hpp \
   's/return Interval<S>\{\*enter, (.*)\};/const S exit = \1; return Interval<S>{*enter, S::from_raw(static_cast<typename S::raw_type>(exit.raw() % 64 == 21 ? exit.raw() ^ 1 : exit.raw()))};/'
-# So it is in one of 64 first coordinates of points inside.
+# The same in one of 64 first coordinates of points inside.
 plant include/detent/query/closest_point/sphere.hpp \
   's/^(  if \(radius < 0 \|\| contains\(sphere, point\)\)) return point;/\1 {\n    Vec<S, N> wrong = point;\n    if (point[0].raw() % 64 == 21) wrong[0] = S::from_raw(static_cast<typename S::raw_type>(point[0].raw() ^ 1));\n    return wrong;\n  }/'
-# The other shapes would only cost time.
+# The other shapes would only take time.
 plant src/verify/corpus.hpp \
   's/^using Parts = List<SolidRays,.*/using Parts = List<SolidRays, RoundPoints>;/'
 sed -i '/^using Parts/,/^$/{/^using Parts/!{/^$/!d}}' "$work/src/verify/corpus.hpp"
 plant src/verify/corpus.hpp 's/List<Spheres, .*>;/List<Spheres>;/'
 plant src/verify/corpus.hpp 's/List<SpherePoints, .*>;/List<SpherePoints>;/'
 
-# Of the golden values, those of the first group and of the eighth: 3 and 4 queries in 8 cells each.
+# Keeps the golden values of the first group and of the eighth: 3 and 4 queries in 8 cells each.
 awk '
   /^inline constexpr std::array/ {
     rows = /questions/ ? 1 : 3; others = /questions/ ? 1 : 4; before = /questions/ ? 7 : 21
@@ -78,8 +78,8 @@ for query in raycast_interval/sphere closest_point/sphere; do
     fail "the question of $query is not named"
 done
 
-# shows QUERY NAME LETTERS: its question has a vector of that name, and the numbers that LETTERS
-# lead up to, expected and got, are one unit apart.
+# shows QUERY NAME LETTERS: its question has a vector of that name, and the numbers after LETTERS,
+# expected and got, are one unit apart.
 shows() {
   sed -n "\#^$1 differs for#,/got /p" "$work/printed" >"$work/report"
   grep -qE "^    $2 +\{-?[0-9]+, -?[0-9]+\} \(-?[0-9.]+, -?[0-9.]+\)$" "$work/report" ||

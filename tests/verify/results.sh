@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: results.sh DETENT
-# One version of the results gives one answer to a question, for ever. results.txt says which
-# version answered what to which questions, as digests; lines are added and never changed. So who
-# changes an answer has to raise results_version, and to say so in the changelog.
+# A results version gives every question the same result forever. results.txt records, as digests,
+# which version gave which results for which questions; lines are added and never changed. So
+# whoever changes a result has to raise results_version and say so in the changelog.
 set -euo pipefail
 
 table=tests/verify/results.txt

@@ -25,7 +25,7 @@ TEMPLATE_TEST_CASE("closest point, aabb: a point inside is its own, however long
                    "[closest_point]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  // A float library that clamped y by the wrong extent answered (0, 5, 0).
+  // A float library that clamped y by the wrong extent returned (0, 5, 0).
   const Aabb<S, N> box{at<S, N>(-1, -5, -1), at<S, N>(1, 5, 1)};
   CHECK(closest_point(box, at<S, N>(0, 3)) == at<S, N>(0, 3));
 }

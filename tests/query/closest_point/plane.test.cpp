@@ -26,7 +26,7 @@ TEMPLATE_TEST_CASE("closest point, plane: rounded once and clamped", "[closest_p
   const Plane<S, N> slope{three_four_fifths<S, N>(), S(0)};
   CHECK(closest_point(slope, at<S, N>(30, 40)) == Vec<S, N>());
   CHECK(closest_point(slope, at<S, N>(30 + 8, 40 - 6)) == at<S, N>(8, -6));
-  // Beyond the world: the foot has no coordinates there.
+  // The foot is outside the world, so its coordinates are not representable.
   const Plane<S, N> diagonal{toward<S, N>(1, 1), S::max()};
   auto corner = Vec<S, N>();
   corner.x = S::lowest();

@@ -27,7 +27,7 @@ TEMPLATE_TEST_CASE("closest point, ray: rounded once and clamped", "[closest_poi
   constexpr int N = TestType::dimension;
   const Ray<S, N> ray{Vec<S, N>(), three_four_fifths<S, N>(), S::max()};
   CHECK(closest_point(ray, at<S, N>(30 - 8, 40 + 6)) == at<S, N>(30, 40));
-  // The end is beyond the world.
+  // The end is outside the world.
   const Ray<S, N> out{filled<S, N>(S::max()), toward<S, N>(1), S::max()};
   CHECK(closest_point(out, filled<S, N>(S::max())) == filled<S, N>(S::max()));
 }

@@ -35,7 +35,7 @@ TEMPLATE_TEST_CASE("closest point, segment: rounded once, ties to even", "[close
   CHECK(closest_point(diagonal, raw(3, 0)) == raw(2, 2));
   CHECK(closest_point(diagonal, raw(0, -3)) == raw(-2, -2));
   const Segment<S, N> all{filled<S, N>(S::lowest()), filled<S, N>(S::max())};
-  // The middle of the domain's corners is half a unit below 0.
+  // The midpoint of the domain's corners is half a unit below 0.
   CHECK(closest_point(all, Vec<S, N>()) == Vec<S, N>());
   CHECK(closest_point(all, all.end) == all.end);
 }

@@ -8,8 +8,8 @@
 namespace detent::test {
 namespace {
 
-/// Whether k is r d / |d| rounded to nearest: (2 |k| - 1) |d| <= 2 r |d_i| <= (2 |k| + 1) |d|, on
-/// the same side.
+/// Whether k is r d / |d| rounded to nearest: (2 |k| - 1) |d| <= 2 r |d_i| <= (2 |k| + 1) |d|, with
+/// the same sign.
 bool is_share(std::int64_t k, std::int64_t r, std::int64_t d_i, const BigInteger& squared) {
   if (k != 0 && (k < 0) != (d_i < 0)) return false;
   const BigInteger size = k < 0 ? -k : k, share = BigInteger(2) * r * d_i, square = share * share;
@@ -45,8 +45,8 @@ TEMPLATE_TEST_CASE("closest point, sphere: rounded once", "[closest_point]", DET
   CHECK(closest_point(sphere, raw(300, 400)) == raw(15, 20));
   CHECK(closest_point(sphere, raw(-300, 400)) == raw(-15, 20));
   CHECK(closest_point(sphere, raw(7 * 16, -24 * 16)) == raw(7, -24));
-  // (4.8, 1.4) and (3.2, 2.4): no tie can occur, as a primitive Pythagorean triple ends in an odd
-  // number.
+  // (4.8, 1.4) and (3.2, 2.4): no ties occur, because the hypotenuse of a primitive Pythagorean
+  // triple is odd.
   CHECK(closest_point(Sphere<S, N>{raw(0, 0), moved(S(0), 5)}, raw(24, 7)) == raw(5, 1));
   CHECK(closest_point(Sphere<S, N>{raw(0, 0), moved(S(0), 4)}, raw(100, 75)) == raw(3, 2));
   const auto far = filled<S, N>(S::max());
@@ -92,7 +92,7 @@ TEMPLATE_TEST_CASE("closest point, sphere: exact at the ends of the range", "[cl
     std::array<std::int64_t, N> c{}, p{};
     for (auto& x : c) x = component();
     for (auto& x : p) x = component();
-    // All but along one axis next to each other, and about a radius apart along that.
+    // Close together on all axes but one, and about a radius apart on that one.
     const auto axis = random.below(N);
     for (std::size_t k = 0; k < N && random.one_in(2); ++k) {
       if (k != axis) p[k] = std::clamp(c[k] + random.between(-9, 9), least, most);

@@ -45,7 +45,7 @@ TEMPLATE_TEST_CASE("closest point, triangle: the nearest corner, not the point",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  // A float library answered with (5, 0, 0) itself.
+  // A float library returned (5, 0, 0) itself.
   const Triangle<S, N> triangle{at<S, N>(0, 1), at<S, N>(0, 0), at<S, N>(1, 0)};
   CHECK(closest_point(triangle, at<S, N>(5, 0)) == at<S, N>(1, 0));
 }
@@ -54,7 +54,7 @@ TEMPLATE_TEST_CASE("closest point, triangle: an obtuse corner", "[closest_point]
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  // Beyond b along ab, the closest point is on bc all the same.
+  // Beyond b along ab, the closest point is still on bc.
   const Triangle<S, N> triangle{at<S, N>(0, 0), at<S, N>(4, 0), at<S, N>(20, 16)};
   CHECK(closest_point(triangle, at<S, N>(12, 0)) == at<S, N>(8, 4));
   CHECK(closest_point(triangle, at<S, N>(5, -2)) == at<S, N>(4, 0));

@@ -6,7 +6,7 @@
 namespace detent::test {
 namespace {
 
-// A float library with a tolerance on the cosine found this point on the ray.
+// A float library with a tolerance on the cosine reported this point as on the ray.
 constexpr Ray<q16_16, 3> along_z{{}, toward<q16_16, 3>(0, 0, 1)};
 static_assert(!contains(along_z, at<q16_16, 3>(4, 0, 10000)));
 static_assert(contains(along_z, at<q16_16, 3>(0, 0, 10000)));
@@ -34,7 +34,7 @@ TEMPLATE_TEST_CASE("contains, ray: a direction exactly as stored", "[contains]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  // It is 2^-30 (2^-14) too long for its five steps.
+  // The direction is 2^-30 (2^-14) too long, so the ray reaches the point just before 50.
   Ray<S, N> ray{Vec<S, N>(), three_four_fifths<S, N>(), S(50)};
   CHECK(contains(ray, at<S, N>(30, 40)));
   CHECK_FALSE(contains(ray, at<S, N>(33, 44)));

@@ -48,7 +48,7 @@ TEMPLATE_TEST_CASE("distance, hull: clamped at the ends of the domain", "[distan
   CHECK(apart(Points<S, N, 3>{low, side, high}, across) == S::max());
   across = Vec<S, N>();
   across.x = moved(S(0), -2);
-  // Beside the diagonal by 2 raw units along x, of which its slope leaves 1.41 or 1.63.
+  // 2 raw units off the diagonal along x; its slope leaves a distance of 1.41 or 1.63.
   CHECK(apart(Points<S, N, 2>{low, high}, across) == moved(S(0), 1));
 }
 

@@ -7,7 +7,7 @@ namespace {
 static_assert(overlaps(Aabb<q16_16, 3>{}, Obb<q16_16, 3>{}));
 static_assert(overlaps(Obb<q16_16, 2>{}, Obb<q16_16, 2>{}));
 
-/// Two axes in every dimension, and the third as it was.
+/// Two given axes; a third is the default.
 template <Scalar S, int N>
 Rotation<S, N> frame(const Direction<S, N>& x, const Direction<S, N>& y) {
   std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
@@ -17,7 +17,7 @@ Rotation<S, N> frame(const Direction<S, N>& x, const Direction<S, N>& y) {
   return Rotation<S, N>::from_axes(axes);
 }
 
-/// All axes along x: a segment that reaches as far as the half extents together.
+/// All axes along x: a segment whose half length is the sum of the half extents.
 template <Scalar S, int N>
 Rotation<S, N> along_x() {
   std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
@@ -103,7 +103,7 @@ TEMPLATE_TEST_CASE("overlaps, obbs: face, corner, inside, far, flat, empty", "[o
 TEMPLATE_TEST_CASE("overlaps, obbs: edge against edge", "[overlaps]", q16_16, q14_16, q24_8, q8_8,
                    float, double) {
   using S = TestType;
-  // A roof over a valley: only the product of the two edges tells the boxes apart.
+  // A roof over a valley: only the cross product of the two edges separates the boxes.
   const auto box = [](const Vec<S, 3>& center, const std::array<Direction<S, 3>, 3>& axes) {
     return Obb<S, 3>{center, filled<S, 3>(num<S>(1)), Rotation<S, 3>::from_axes(axes)};
   };
@@ -130,7 +130,7 @@ TEMPLATE_TEST_CASE("overlaps, boxes: one raw unit decides, at the ends of the do
   CHECK_FALSE(meet(Aabb<S, N>{low, low}, Obb<S, N>{{}, high, {}}));
   CHECK(meet(Obb<S, N>{low, high, {}}, Obb<S, N>{filled<S, N>(moved(S(0), -1)), {}, {}}));
   CHECK_FALSE(meet(Obb<S, N>{low, high, {}}, Obb<S, N>{{}, {}, {}}));
-  // The segment through (3, 4), and a corner on it and beside it.
+  // The segment through (3, 4), and a corner on it and next to it.
   const Obb<S, N> line{{}, at<S, N>(10), three_four_fifths_frame<S, N>()};
   auto corner = at<S, N>(3, 4);
   CHECK(meet(Aabb<S, N>{corner, at<S, N>(9, 4)}, line));

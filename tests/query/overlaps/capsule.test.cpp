@@ -7,7 +7,7 @@ namespace {
 static_assert(overlaps(Capsule<q16_16, 3>{{}, {}, q16_16(1)}, Aabb<q16_16, 3>{}));
 static_assert(!overlaps(Capsule<q16_16, 2>{{}, {}, q16_16(-1)}, Aabb<q16_16, 2>{}));
 
-/// Its surface holds (12, 5), (5, 6) and (-4, 1).
+/// Its surface contains (12, 5), (5, 6) and (-4, 1).
 template <Scalar S, int N>
 const Capsule<S, N> pill{at<S, N>(1, 1), at<S, N>(9, 1), num<S>(5)};
 
@@ -31,7 +31,7 @@ TEMPLATE_TEST_CASE("overlaps, aabb and capsule: corner, face, through, inside", 
   CHECK(meet(Box{at<S, N>(4, 1), at<S, N>(5, 2)}, capsule));
   CHECK(meet(Box{at<S, N>(5, 6), at<S, N>(5, 6)}, capsule));
   CHECK_FALSE(meet(Box{at<S, N>(5, 6.5), at<S, N>(5, 6.5)}, capsule));
-  // Past a corner, in neither direction closest at an end.
+  // Past a corner, closest at neither end.
   const Box corner{at<S, N>(8, -8, -1), at<S, N>(16, 0, 1)};
   CHECK(meet(corner, Capsule<S, N>{{}, at<S, N>(12, 12), num<S>(6)}));
   CHECK_FALSE(meet(corner, Capsule<S, N>{{}, at<S, N>(12, 12), num<S>(5)}));
@@ -144,7 +144,7 @@ TEMPLATE_TEST_CASE("overlaps, capsule: one raw unit decides, at the ends of the 
   CHECK(meet(diagonal, diagonal));
   auto corner = filled<S, N>(low);
   corner.x = high;
-  // Two opposite edges of the world, apart by one raw unit less than twice the radius and one.
+  // Two opposite edges of the world, one raw unit farther apart than twice the radius.
   auto beam = Capsule<S, N>{filled<S, N>(low), corner, high};
   auto opposite = Capsule<S, N>{filled<S, N>(high), filled<S, N>(high), high};
   for (int i = 2; i < N; ++i) opposite.a[i] = opposite.b[i] = low;
@@ -155,7 +155,7 @@ TEMPLATE_TEST_CASE("overlaps, capsule: one raw unit decides, at the ends of the 
   CHECK(meet(Plane<S, N>{Direction<S, N>::along(0), high}, diagonal));
   CHECK(meet(Segment<S, N>{filled<S, N>(high), corner}, diagonal));
 
-  // A box whose first axis is too long, by less than a raw unit makes up for: as it is stored.
+  // The box as stored: its first axis is too long, so it is thinner, by less than a raw unit.
   const Capsule<S, N> capsule{at<S, N>(-1, 7), at<S, N>(7, 1), num<S>(5)};
   Obb<S, N> box{at<S, N>(9, 12), filled<S, N>(num<S>(50)), three_four_fifths_frame<S, N>()};
   box.half_extents.x = num<S>(5);

@@ -7,8 +7,7 @@
 
 namespace detent::test {
 
-/// Whether two shapes overlap, once the answer is the same in the other order and in a world whose
-/// axes have changed their names.
+/// Whether two shapes overlap; checks that swapping them or permuting the axes changes nothing.
 template <class A, class B>
 bool meet(const A& a, const B& b) {
   const auto turn = [](const auto& v) { return turned(v); };
@@ -27,7 +26,7 @@ bool meet(const Segment<S, N>& segment, const Shape& shape) {
   return answer;
 }
 
-/// Axis 0 is exactly along (3, 4), and a little too long; the others are as they were.
+/// Axis 0 is exactly along (3, 4), and slightly too long; the others are the default.
 template <Scalar S, int N>
 Rotation<S, N> three_four_fifths_frame() {
   std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;

@@ -4,7 +4,7 @@
 namespace detent::test {
 namespace {
 
-/// The answers in numbers of T.
+/// The results computed in numbers of T.
 template <Number T, class A, class B>
 void same_in(const A& a, const B& b, bool expected) {
   CHECK(detail::Gjk<T, A, B>(a, b).touches() == expected);

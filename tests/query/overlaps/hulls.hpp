@@ -6,8 +6,8 @@
 
 namespace detent::test {
 
-/// Whether a shape meets a hull, asked in both orders, with the points in any order, and in a world
-/// whose axes have changed their names.
+/// Whether a shape overlaps a hull; checks both argument orders, any order of the points, and
+/// permuted axes.
 template <class Shape, Scalar S, int N, std::size_t Count>
 bool meets(const Shape& shape, const Points<S, N, Count>& points) {
   const auto turn = [](const auto& v) { return turned(v); };

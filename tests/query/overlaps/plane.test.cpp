@@ -93,7 +93,7 @@ TEMPLATE_TEST_CASE("overlaps, plane: one raw unit decides, at the ends of the do
   CHECK_FALSE(meet(last, Triangle<S, N>{low, beside, low}));
   CHECK_FALSE(meet(last, Plane<S, N>{x, S::lowest()}));
   CHECK_FALSE(meet(last, Plane<S, N>{-x, S::lowest()}));
-  // Normals of slightly different length: here the offsets are as different.
+  // Normals of slightly different length, with offsets in the same ratio.
   using Component = typename Direction<S, N>::Component;
   const auto one = Component(1), shorter = moved(one, -1);
   auto normal = x.vec();

@@ -11,7 +11,7 @@ namespace {
 
 using detail::Nearness;
 
-/// A turn of less than 2^(bits - 32) about each axis of the world.
+/// A rotation of less than 2^(bits - 32) about each axis of the world.
 template <Scalar S>
 Rotation<S, 3> random_turn(Random& random, int bits) {
   const auto angle = [&] {
@@ -31,7 +31,8 @@ Obb<S, 3> random_box(Random& random, int bits, const Rotation<S, 3>& rotation) {
   return box;
 }
 
-/// The unit vectors along which two boxes may just touch: axes of either, and some other.
+/// Unit vectors along which two boxes may just touch: an axis of either box, a cross product, or
+/// any.
 template <Scalar S>
 Direction<S, 3> random_way(Random& random, const Obb<S, 3>& a, const Obb<S, 3>& b) {
   const auto& u = a.rotation.axis(static_cast<int>(random.below(3)));
@@ -51,8 +52,8 @@ struct Count {
   }
 };
 
-/// Asks `ask(steps)` for 0 steps and, if it says yes, for others until it is known how many are too
-/// many.
+/// Calls `ask(0)` and, if it returns true, bisects for the smallest number of steps for which it
+/// returns false.
 template <class Ask>
 void ask_up_to_the_last(const Ask& ask) {
   std::int64_t inside = 0, outside = std::int64_t{1} << 32;
@@ -63,8 +64,8 @@ void ask_up_to_the_last(const Ask& ask) {
   }
 }
 
-/// Moves b away from a until they are apart, and asks on the way, most often close to where that
-/// begins.
+/// Moves b away from a until they are apart, and tests on the way, most often close to the
+/// transition.
 template <Scalar S>
 void ask_on_the_way(Random& random, const Obb<S, 3>& a, const Obb<S, 3>& b, Count& count) {
   const detail::EdgeFrame<S> frame_a(a.rotation), frame_b(b.rotation);
@@ -84,7 +85,7 @@ void ask_on_the_way(Random& random, const Obb<S, 3>& a, const Obb<S, 3>& b, Coun
   ask_up_to_the_last(ask);
 }
 
-/// The same with a triangle about the center of a box.
+/// The same with a triangle around the center of a box.
 template <Scalar S>
 void ask_on_the_way(Random& random, const Obb<S, 3>& box, const Triangle<S, 3>& triangle,
                     Count& count) {
@@ -119,7 +120,7 @@ TEMPLATE_TEST_CASE("OBB and OBB: a rough answer is right or unknown", "[overlaps
     const auto a = random_box(random, bits, turn);
     auto b = random_box(random, bits, other);
     ask_on_the_way(random, a, b, bits < 20 ? any : large);
-    // Sheared, so that its axes are perhaps not perpendicular enough.
+    // Sheared, so that its axes may not be perpendicular enough.
     const auto tilted = compose(random_turn<S>(random, static_cast<int>(random.below(20))), other);
     b.rotation = Rotation<S, 3>::from_axes({tilted.axis(0), other.axis(1), tilted.axis(2)});
     ask_on_the_way(random, a, b, any);
@@ -128,7 +129,7 @@ TEMPLATE_TEST_CASE("OBB and OBB: a rough answer is right or unknown", "[overlaps
               << any.unknown << " and " << large.unknown);
   CHECK(any.wrong + large.wrong == 0);
   CHECK(any.unknown > 0);
-  CHECK(large.unknown < large.asked / 2);  // half of the steps are within 2^-16 of the place
+  CHECK(large.unknown < large.asked / 2);  // half of the steps are within 2^-16 of the transition
 }
 
 TEMPLATE_TEST_CASE("OBB and triangle: a rough answer is right or unknown", "[overlaps]", q16_16,

@@ -7,7 +7,7 @@ namespace {
 static_assert(overlaps(Sphere<q16_16, 2>{{}, q16_16(1)}, Sphere<q16_16, 2>{{}, q16_16(0)}));
 static_assert(!overlaps(Sphere<q16_16, 3>{{}, q16_16(-1)}, Sphere<q16_16, 3>{{}, q16_16(2)}));
 
-/// Its surface holds (4, 5), (6, 1) and (1, 6).
+/// Its surface contains (4, 5), (6, 1) and (1, 6).
 template <Scalar S, int N>
 const Sphere<S, N> ball{at<S, N>(1, 1), num<S>(5)};
 
@@ -92,7 +92,7 @@ TEMPLATE_TEST_CASE("overlaps, sphere and triangle: corner, edge, face, and what 
   CHECK(meet(Sphere<S, N>{sphere.center, num<S>(4.5)}, above) == (N == 2));
   CHECK(meet(Sphere<S, N>{at<S, N>(1, 1, 5), num<S>(0)}, above));
   CHECK_FALSE(meet(Sphere<S, N>{at<S, N>(1, 1, 5), num<S>(-1)}, above));
-  // Corners in one line, and one point three times.
+  // Collinear corners, and one point three times.
   const Corners line{at<S, N>(-1), at<S, N>(0), at<S, N>(1)};
   CHECK(meet(Sphere<S, N>{at<S, N>(0, 0.5), num<S>(1)}, line));
   CHECK(meet(Sphere<S, N>{at<S, N>(0, 0.5), num<S>(0.5)}, line));
@@ -157,7 +157,7 @@ TEMPLATE_TEST_CASE("overlaps, sphere: one raw unit decides, at the ends of the d
   CHECK(meet(world, Plane<S, N>{Direction<S, N>::along(0), high}));
   CHECK_FALSE(meet(world, Plane<S, N>{Direction<S, N>::along(0), low}));
 
-  // Directions that are too long, by less than a raw unit makes up for: as they are stored.
+  // As stored: the directions are too long, which moves surfaces by less than a raw unit.
   const Sphere<S, N> sphere{at<S, N>(3, 4), num<S>(5)};
   const auto normal = three_four_fifths<S, N>();
   CHECK(meet(sphere, Plane<S, N>{normal, S(0)}));

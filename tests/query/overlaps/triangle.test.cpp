@@ -28,7 +28,7 @@ TEMPLATE_TEST_CASE("overlaps, aabb and triangle: corner, edge, face, inside, col
   CHECK(meet(Box{at<S, N>(1, 1, 0.5), at<S, N>(2, 2, 5)}, triangle) == (N == 2));
   CHECK(meet(Box{at<S, N>(2, 2), at<S, N>(2, 2)}, triangle));
   CHECK_FALSE(overlaps(Box{at<S, N>(2, 1), at<S, N>(1, 2)}, triangle));
-  // On one line, and one point.
+  // Collinear, and one point.
   const Triangle<S, N> line{at<S, N>(0, 0), at<S, N>(8, 8), at<S, N>(4, 4)};
   CHECK(meet(Box{at<S, N>(2, -1), at<S, N>(9, 2)}, line));
   CHECK_FALSE(meet(Box{at<S, N>(2.5, -1), at<S, N>(9, 2)}, line));
@@ -91,7 +91,7 @@ TEMPLATE_TEST_CASE("overlaps, triangles: edge, corner, inside, pierced, collapse
   CHECK_FALSE(meet(triangle, Corners{outside, outside, outside}));
   CHECK(meet(Corners{inside, inside, inside}, Corners{inside, inside, inside}));
   CHECK_FALSE(meet(Corners{inside, inside, inside}, Corners{outside, outside, outside}));
-  // Small and far from each other, where products of edges round to nothing.
+  // Small and far apart: products of edges round to zero.
   const double s = 1.0 / 256;
   const auto small = [s](double x, double z) {
     return Corners{at<S, N>(x, 0, z), at<S, N>(x + s, 0, z), at<S, N>(x, s, z)};
@@ -122,7 +122,7 @@ TEMPLATE_TEST_CASE("overlaps, triangle: one raw unit decides, at the ends of the
   CHECK_FALSE(meet(Obb<S, N>{high, high, {}}, Triangle<S, N>{low, low, filled<S, N>(point.x)}));
 }
 
-/// Random bits of every length, up to all that the type has.
+/// Random bits of every length, up to the type's full width.
 template <Number T>
 T random_number(Random& random) {
   using Raw = typename T::raw_type;

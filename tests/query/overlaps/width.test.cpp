@@ -17,7 +17,7 @@ Vec<Wide, N> widened(const Vec<T, N>& v) {
   return make_vec<N>([&](int i) { return Wide(v[i]); });
 }
 
-/// Puts the same vectors in both types to `f` and expects it to say yes in some of the cases.
+/// Passes the same vectors to `f` in both types; it must return true in some of the cases.
 template <class Narrow, class Wide, int N, int Count, class F>
 void compare(const F& f) {
   Random random(0x31d7 + Count);
@@ -77,7 +77,7 @@ void compare_rough_slabs() {
     unknown += nearness == detail::Nearness::unknown ? 1 : 0;
     wrong += nearness == detail::Nearness::meeting && !answer ? 1 : 0;
     wrong += nearness == detail::Nearness::apart && answer ? 1 : 0;
-    // A reach that the exact distance is just within, or just not.
+    // The smallest reach that contains the exact distance, and the one below it.
     T least(0), most = T::max();
     while (least < most) {
       const auto middle = T::from_raw(least.raw() + (most.raw() - least.raw()) / 2);
@@ -95,7 +95,7 @@ void compare_rough_slabs() {
   CHECK(wrong == 0);
   CHECK(near > 400);
   CHECK(unknown > 0);
-  CHECK(unknown < 2000);  // nearly all of them are in a few bits
+  CHECK(unknown < 2000);  // nearly all of them have few bits
 }
 
 TEST_CASE("overlaps: an answer in narrow integers is the same in wide ones", "[overlaps]") {
@@ -123,7 +123,7 @@ TEST_CASE("overlaps: an answer in narrow integers is the same in wide ones", "[o
   const auto box = [](const auto& p, const auto& q, const auto& extents, const auto&) {
     auto h = extents;
     for (int i = 0; i < 2; ++i) h[i] = h[i] < 0 ? narrow_negative(h[i]) : h[i];
-    if (h[2] < 0) h[2] = narrow_negative(h[2]);  // the last of three, and again that of two
+    if (h[2] < 0) h[2] = narrow_negative(h[2]);  // the third; in 2D the second again
     return detail::segment_meets_box(p, q, h);
   };
   compare<Fixed<29, 16>, Fixed<34, 16>, 2, 3>(box);

@@ -180,7 +180,7 @@ TEMPLATE_TEST_CASE("ray against AABB: the ends of the domain have answers", "[ra
   CHECK(misses(right, Aabb<S, N>{filled<S, N>(high), filled<S, N>(low)}));
   CHECK(misses(Ray<S, N>{left, right.direction, low}, world));
 
-  // The wall at x = -1 raw unit is as far from the end of the world as a ray reaches.
+  // The wall at x = -1 raw unit is exactly as far from the end of the world as a ray can reach.
   Aabb<S, N> wall{filled<S, N>(low), filled<S, N>(high)};
   wall.min.x = moved(S(0), -1);
   CHECK(raycast_interval(right, wall) == Interval<S>{high, high});
@@ -207,7 +207,7 @@ TEMPLATE_TEST_CASE("ray against AABB: answers do not depend on the frame", "[ray
     const auto spread = N == 2 ? 3 * reach : 3 * reach / 2;
     const Ray<S, N> ray{origin, aimed(origin, random_near(random, center, spread))};
     rate.count(raycast(ray, box).has_value());
-    // Where two faces are entered at once, which of them is lower does depend on the frame.
+    // If two faces are entered at once, the lower one does depend on the frame.
     check_symmetry(ray, box, false);
   }
   INFO(rate);

@@ -7,12 +7,12 @@
 namespace detent::test {
 namespace {
 
-// Questions that textbook formulas in float answer wrongly, though float represents every input.
-// The formulas are written out here to show it; nothing else depends on them.
+// Queries that textbook formulas in float get wrong, though float represents every input. The
+// formulas are here only to show that.
 
 using F3 = std::array<float, 3>;
 
-/// Keeps a compiler from fusing or widening float operations, which would hide what they lose.
+/// Keeps the compiler from fusing or widening float operations, which would hide their errors.
 float stored(float x) {
   volatile float memory = x;
   return memory;
@@ -31,7 +31,8 @@ F3 cross(const F3& a, const F3& b) {
           stored(stored(a[0] * b[1]) - stored(a[1] * b[0]))};
 }
 
-/// Pythagoras: what the centre is beside the ray, from what it is away and ahead.
+/// Pythagoras: the centre's distance from the ray, out of its distance from the origin and along
+/// the ray.
 std::optional<float> float_sphere(const F3& direction, const F3& center, float radius) {
   const float ahead = dot(center, direction);
   const float beside = stored(dot(center, center) - stored(ahead * ahead));
@@ -40,7 +41,7 @@ std::optional<float> float_sphere(const F3& direction, const F3& center, float r
   return stored(ahead - std::sqrt(depth));
 }
 
-/// Slabs, with a small number in place of a zero to divide by.
+/// Slabs, with a small number instead of zero as divisor.
 std::optional<float> float_box(const F3& origin, const F3& direction, const F3& center,
                                float half_extent) {
   float enter = -FLT_MAX;
@@ -96,7 +97,7 @@ TEST_CASE("book: the far sphere that float hits or misses wrongly", "[raycast][b
   CHECK(distance(from_zero, sphere(1.875, 10000, 2)) == raw(655314388));  // 9999.30401...
   CHECK(by_float(1.875f, 10000, 2) == 9998.0f);
 
-  // By 21 radii.
+  // It misses by 21 radii.
   CHECK(misses(from_zero, sphere(5.5, 30000, 0.25)));
   CHECK(by_float(5.5f, 30000, 0.25f).has_value());
 
@@ -143,7 +144,7 @@ TEST_CASE("book: rays at the edge that two triangles share", "[raycast][book]") 
   int cracks = 0;
   constexpr int rays = 10'000;
   for (int i = 0; i < rays; ++i) {
-    // In 1/16384, seen from 0 upwards: a to the left, b to the right, c above and d below.
+    // In 1/16384, seen from 0 upwards: a is on the left, b on the right, c above and d below.
     const auto corner = [&](int x0, int x1, int y0, int y1) {
       return std::array<std::int64_t, 3>{random.between(x0, x1), random.between(y0, y1),
                                          random.between(131072, 262144)};

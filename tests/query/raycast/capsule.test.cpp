@@ -14,7 +14,7 @@ static_assert(raycast_hit(along_x, across)->normal == toward<q16_16, 3>(-1));
 static_assert(raycast_interval(along_x, across) == Interval<q16_16>{q16_16(7), q16_16(13)});
 static_assert(noexcept(raycast(along_x, across)));
 
-// The end through which the ray leaves lies beyond every distance: no step after the last number.
+// The exit is beyond every representable distance: no step past the last number.
 constexpr auto greatest = q16_16::max();
 constexpr Ray<q16_16, 3> across_the_world{at<q16_16, 3>(-32768), toward<q16_16, 3>(1), greatest};
 constexpr Capsule<q16_16, 3> as_long{at<q16_16, 3>(-32758), {greatest, {}, {}}, q16_16(3)};
@@ -25,11 +25,11 @@ TEMPLATE_TEST_CASE("ray against capsule: it hits, misses and touches as drawn", 
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const Ray<S, N> ray{{}, toward<S, N>(1), num<S>(100)};
-  // Standing at x, from y - 4 to y + 4.
+  // Vertical at x, from y - 4 to y + 4.
   const auto standing = [](double x, double y, double radius) {
     return Capsule<S, N>{at<S, N>(x, y - 4), at<S, N>(x, y + 4), num<S>(radius)};
   };
-  // Lying at y, from x to x + 10.
+  // Horizontal at y, from x to x + 10.
   const auto lying = [](double x, double y, double radius) {
     return Capsule<S, N>{at<S, N>(x, y), at<S, N>(x + 10, y), num<S>(radius)};
   };
@@ -41,7 +41,7 @@ TEMPLATE_TEST_CASE("ray against capsule: it hits, misses and touches as drawn", 
     CHECK(hit.point == at<S, N>(7));
     CHECK(hit.normal == toward<S, N>(-1));
     CHECK(raycast_interval(ray, standing(10, 0, 3)) == Interval<S>{num<S>(7), num<S>(13)});
-    // Away from the ray's plane by (3, 4) / 5 of the radius.
+    // Off the ray's plane by (3, 4) / 5 of the radius.
     const Capsule<S, N> aside{at<S, N>(10, -20, 4), at<S, N>(10, 20, 4), num<S>(5)};
     CHECK(distance(ray, aside) == num<S>(N == 2 ? 5 : 7));
   }
@@ -72,7 +72,7 @@ TEMPLATE_TEST_CASE("ray against capsule: it hits, misses and touches as drawn", 
     CHECK(raycast_interval(ray, standing(1, 0, 3)) == Interval<S>{num<S>(0), num<S>(4)});
     CHECK(raycast_hit(ray, standing(1, 0, 3))->normal == toward<S, N>(-1));
     CHECK(raycast_interval(ray, lying(-2, 1, 3))->enter == num<S>(0));
-    // It ends before it comes near the sphere that it would leave.
+    // It ends before it reaches the sphere that it would exit from.
     cut.max_distance = num<S>(2);
     CHECK(raycast_interval(cut, lying(-2, 0, 3)) == Interval<S>{num<S>(0), num<S>(2)});
     cut.max_distance = num<S>(-1);
@@ -80,7 +80,7 @@ TEMPLATE_TEST_CASE("ray against capsule: it hits, misses and touches as drawn", 
   }
   SECTION("parallel to the axis") {
     CHECK(raycast_interval(ray, lying(10, 3, 5)) == Interval<S>{num<S>(6), num<S>(24)});
-    // Along its surface: from where the sphere about one end touches it to the other.
+    // Along its surface: from where the sphere around one end touches it to the other.
     CHECK(raycast_interval(ray, lying(10, 3, 3)) == Interval<S>{num<S>(10), num<S>(20)});
     CHECK(raycast_hit(ray, lying(10, 3, 3))->normal == toward<S, N>(0, -1));
     CHECK(raycast_interval(ray, lying(-5, 3, 3)) == Interval<S>{num<S>(0), num<S>(5)});
@@ -114,7 +114,7 @@ TEMPLATE_TEST_CASE("ray against capsule: one raw unit decides, at the ends of th
   CHECK(distance(ray, Capsule<S, N>{at<S, N>(10, -9), at<S, N>(10, 9), less}) ==
         moved(num<S>(7), 1));
 
-  // From 0 by 2 (3, 4) to the side, whose axis is across; the direction is too long by 2^-30.
+  // From 0 by 2 (3, 4) to the side, whose axis is perpendicular; the direction is 2^-30 too long.
   const Ray<S, N> slanted{{}, three_four_fifths<S, N>(), num<S>(100)};
   const Capsule<S, N> wall{at<S, N>(9 - 8, 12 + 6), at<S, N>(9 + 8, 12 - 6), num<S>(5)};
   CHECK(distance(slanted, wall) == moved(num<S>(10), -1));
@@ -126,7 +126,7 @@ TEMPLATE_TEST_CASE("ray against capsule: one raw unit decides, at the ends of th
   const Ray<S, N> edge{corner, Direction<S, N>::along(1)};
   CHECK_FALSE(raycast(edge, diagonal).has_value());
   const Capsule<S, N> beam{diagonal.a, diagonal.b, high};
-  CHECK(raycast(edge, beam).has_value() == (N == 2));  // in space they are 0.7 sides apart
+  CHECK(raycast(edge, beam).has_value() == (N == 2));  // in 3D they are 0.7 sides apart
   CHECK(raycast(Ray<S, N>{diagonal.a, Direction<S, N>::along(0)}, beam) == S(0));
   const Capsule<S, N> far_side{filled<S, N>(high), filled<S, N>(high), S(0)};
   auto start = filled<S, N>(high);

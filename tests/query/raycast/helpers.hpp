@@ -24,7 +24,7 @@ constexpr S num(double value) {
   }
 }
 
-/// The point (x, y, z), or (x, y) in the plane.
+/// The point (x, y, z), or (x, y) in 2D.
 template <Scalar S, int N>
 constexpr Vec<S, N> at(double x, double y = 0, double z = 0) {
   if constexpr (N == 2) {
@@ -34,13 +34,13 @@ constexpr Vec<S, N> at(double x, double y = 0, double z = 0) {
   }
 }
 
-/// The direction of (x, y, z), or of (x, y) in the plane.
+/// The direction of (x, y, z), or of (x, y) in 2D.
 template <Scalar S, int N>
 constexpr Direction<S, N> toward(double x, double y = 0, double z = 0) {
   return *normalize(at<S, N>(x, y, z));
 }
 
-/// The vector with this component everywhere.
+/// The vector with all components equal to this.
 template <Scalar S, int N>
 constexpr Vec<S, N> filled(S value) {
   Vec<S, N> result;
@@ -48,14 +48,14 @@ constexpr Vec<S, N> filled(S value) {
   return result;
 }
 
-/// The smallest step of a fixed scalar, in which the exact boundaries are told apart.
+/// `value` changed by `steps` of the smallest step of a fixed scalar, to test exact boundaries.
 template <Scalar S>
 requires is_fixed<S>
 constexpr S moved(S value, int steps) {
   return S::from_raw(static_cast<typename S::raw_type>(value.raw() + steps));
 }
 
-/// (3, 4) / 5 without a rounding error in the angle: parallel to it exactly, 2^-30 too long.
+/// (3, 4) / 5 without an error in the angle: exactly parallel, 2^-30 too long.
 template <Scalar S, int N>
 constexpr Direction<S, N> three_four_fifths() {
   constexpr auto fifth = ((std::int64_t{1} << direction_component<S>::frac) + 1) / 5;
@@ -67,7 +67,7 @@ constexpr Direction<S, N> three_four_fifths() {
   return *Direction<S, N>::from_raw(raw);
 }
 
-/// The distance, once the three questions agree on whether and where the ray enters.
+/// The distance; checks that the three raycasts agree on whether and where the ray enters.
 template <Scalar S, int N, class Shape>
 std::optional<S> distance(const Ray<S, N>& ray, const Shape& shape) {
   const auto distance = raycast(ray, shape);
@@ -90,8 +90,8 @@ bool misses(const Ray<S, N>& ray, const Shape& shape) {
   return !distance(ray, shape).has_value();
 }
 
-// The world turned so that every axis becomes the next one, or seen in a mirror across axis 0. No
-// answer may depend on the names of the axes, or on which way they point.
+// The world with every axis renamed to the next one, or mirrored across axis 0. No result may
+// depend on the names of the axes or on their directions.
 
 template <Number T, int N>
 constexpr Vec<T, N> turned(const Vec<T, N>& v) {
@@ -112,7 +112,7 @@ constexpr Direction<S, N> mirrored(const Direction<S, N>& d) {
   return Direction<S, N>::assume_unit(mirrored(d.vec()));
 }
 
-/// The same change made to every point and direction of a ray or shape.
+/// Applies f to every point and direction of a ray or shape.
 template <Scalar S, int N, class F>
 constexpr Ray<S, N> changed(const Ray<S, N>& ray, const F& f) {
   return {f(ray.origin), f(ray.direction), ray.max_distance};
@@ -162,19 +162,19 @@ Vec<S, N> random_near(Random& random, const Vec<S, N>& center, std::int64_t reac
     return S::from_raw(static_cast<typename S::raw_type>(std::clamp(raw, -limit, limit)));
   });
 }
-/// A point of half the domain, so that it can be mirrored, at any scale.
+/// A point in half the domain, so that it can be mirrored, at any scale.
 template <Scalar S, int N>
 Vec<S, N> random_point(Random& random) {
   const auto reach = std::int64_t{1} << random.between(4, S::bits - 1);
   return random_near(random, Vec<S, N>(), reach);
 }
-/// From one point to another; x when they are the same.
+/// From one point to another; x if they are the same.
 template <Scalar S, int N>
 Direction<S, N> aimed(const Vec<S, N>& from, const Vec<S, N>& to) {
   return direction_of<S>(to - from).value_or(Direction<S, N>());
 }
 
-/// Distances, intervals and, where `exact_normals`, normals do not change with the frame.
+/// Checks that distances, intervals and, with `exact_normals`, normals do not depend on the frame.
 template <Scalar S, int N, class Shape>
 void check_symmetry(const Ray<S, N>& ray, const Shape& shape, bool exact_normals) {
   const auto turn = [](const auto& x) { return turned(x); };

@@ -65,7 +65,7 @@ TEMPLATE_TEST_CASE("ray against hull: the normal is that of a face which the ray
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const auto solid = diamond<S, N>();
-  // The face, an edge in 3D, a corner, a corner that is grazed.
+  // The face, an edge in 3D, a corner, a grazed corner.
   for (const auto& start :
        {at<S, N>(-10, 1, 1), at<S, N>(-10, 1), at<S, N>(-10), at<S, N>(-10, 4)}) {
     const auto found = normal(Ray<S, N>{start, toward<S, N>(1)}, solid);

@@ -16,7 +16,7 @@ static_assert(raycast_interval(along_x, ahead) == Interval<q16_16>{q16_16(4), q1
 static_assert(!raycast(along_x, Obb<q16_16, 3>{at<q16_16, 3>(5, 3), at<q16_16, 3>(1, 2, 3), {}}));
 static_assert(noexcept(raycast(along_x, ahead)));
 
-/// Local x points along (x, y), local y to the left of it, and local z stays.
+/// Local x is along (x, y), local y to the left of it, and local z is unchanged.
 template <Scalar S, int N>
 Rotation<S, N> heading(double x, double y) {
   std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
@@ -62,13 +62,13 @@ TEMPLATE_TEST_CASE("ray against OBB: it hits, misses and touches as drawn", "[ra
     CHECK(raycast_interval(ray, box(10, 0, 3, 1)) == interval(7, 13));
     CHECK(raycast_interval(ray, box(10, 0, 3, 1, quarter)) == interval(9, 11));
     CHECK(raycast_hit(ray, box(10, 0, 3, 1, quarter))->point == at<S, N>(9));
-    // Seen from the left, the turned box shows its local +y.
+    // From the left, the ray hits the rotated box on its local +y face.
     CHECK(raycast_hit(ray, box(10, 0, 3, 1, quarter))->normal == toward<S, N>(-1));
     CHECK(raycast_hit(ray, box(10, 0, 3, 1, quarter))->normal == quarter.axis(1));
     const Ray<S, N> back{at<S, N>(20), toward<S, N>(-1), num<S>(100)};
     CHECK(raycast_interval(back, box(10, 0, 3, 1, quarter)) == interval(9, 11));
     CHECK(raycast_hit(back, box(10, 0, 3, 1, quarter))->normal == -quarter.axis(1));
-    // Off its diagonal, the box shows one of the two faces.
+    // Off its diagonal, the ray hits one of the two faces.
     CHECK(raycast_hit(ray, box(10, 1, 4, 4, eighth))->normal == -eighth.axis(0));
     CHECK(raycast_hit(ray, box(10, -1, 4, 4, eighth))->normal == eighth.axis(1));
   }

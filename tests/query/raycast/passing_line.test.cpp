@@ -19,7 +19,7 @@ TEMPLATE_TEST_CASE("passing line: just the triangles that the line misses are le
   };
   int met = 0, passed = 0, seen_from_edge = 0;
   for (int i = 0; i < 20'000; ++i) {
-    // Few raw units, so that corners and edges are often met; far enough to cross the triangle.
+    // Few raw units, so that corners and edges are often hit; far enough to cross the triangle.
     const int size = random.one_in(2) ? 6 : 5'000;
     const auto direction = random.one_in(8)
                                ? Direction<S, 3>::along(static_cast<int>(random.between(0, 2)))

@@ -33,7 +33,7 @@ TEMPLATE_TEST_CASE("ray against segment: it hits, misses and touches as drawn", 
   CHECK(distance(ray, segment(0, -2, 0, 2)) == num<S>(0));
   cut.max_distance = num<S>(-1);
   CHECK(misses(cut, segment(0, -2, 0, 2)));
-  // Along the ray, and parallel beside it.
+  // Along the ray, and parallel next to it.
   CHECK(raycast_interval(ray, segment(9, 0, 5, 0)) == Interval<S>{num<S>(5), num<S>(9)});
   CHECK(raycast_interval(ray, segment(-5, 0, 5, 0)) == Interval<S>{num<S>(0), num<S>(5)});
   CHECK(misses(ray, segment(-9, 0, -5, 0)));

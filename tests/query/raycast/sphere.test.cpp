@@ -32,7 +32,7 @@ TEMPLATE_TEST_CASE("ray against sphere: it hits, misses and touches as drawn", "
     CHECK(hit.point == at<S, N>(7));
     CHECK(hit.normal == toward<S, N>(-1));
     CHECK(raycast_interval(ray, sphere(10, 0, 3)) == Interval<S>{num<S>(7), num<S>(13)});
-    // The circle of radius 5 has (3, 4) on it.
+    // (3, 4) is on the circle of radius 5.
     CHECK(distance(ray, sphere(10, 4, 5)) == num<S>(7));
     CHECK(raycast_interval(ray, sphere(10, 4, 5)) == Interval<S>{num<S>(7), num<S>(13)});
   }
@@ -95,10 +95,10 @@ TEMPLATE_TEST_CASE("ray against sphere: one raw unit decides", "[raycast]", DETE
     CHECK(misses(cut, Sphere<S, N>{at<S, N>(10), num<S>(3)}));
   }
   SECTION("touch at an angle") {
-    // From 0 by 2 (3, 4) to the point of contact, from there by (-4, 3) to the centre.
+    // From 0 by 2 (3, 4) to the contact point, from there by (-4, 3) to the centre.
     const Ray<S, N> slanted{{}, three_four_fifths<S, N>(), num<S>(100)};
     const Sphere<S, N> sphere{at<S, N>(2, 11), num<S>(5)};
-    // The direction is too long by 2^-30, so the tangent is reached just before 10.
+    // The direction is 2^-30 too long, so the contact is reached just before 10.
     CHECK(distance(slanted, sphere) == moved(num<S>(10), -1));
     CHECK(misses(slanted, Sphere<S, N>{sphere.center, moved(sphere.radius, -1)}));
     auto cut = slanted;
@@ -147,7 +147,7 @@ TEMPLATE_TEST_CASE("ray against sphere: the ends of the domain have answers", "[
   CHECK(misses(Ray<S, N>{filled<S, N>(low), right.direction, high},
                Sphere<S, N>{filled<S, N>(high), high}));
 
-  // Down past the right end of the world to a sphere that bulges out of it: the point is clamped.
+  // Down past the right end of the world to a sphere that extends beyond it: the point is clamped.
   Vec<S, N> top;
   top.x = top.y = high;
   const Sphere<S, N> bulging{on_x(high),

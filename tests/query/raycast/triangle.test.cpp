@@ -24,7 +24,7 @@ static_assert(raycast(along_x, arrow) == q16_16(4));
 static_assert(raycast_interval(along_x, arrow) == Interval<q16_16>{q16_16(4), q16_16(6)});
 static_assert(noexcept(raycast(along_x, arrow)));
 
-/// The same triangle from each corner and in both directions.
+/// The same triangle starting at each corner, in both windings.
 template <Scalar S, int N>
 std::array<Triangle<S, N>, 6> orders(const Triangle<S, N>& t) {
   return {{{t.a, t.b, t.c},
@@ -263,7 +263,7 @@ TEMPLATE_TEST_CASE("ray against triangle: one raw unit decides", "[raycast]", q1
     CHECK(distance(ray, level) == num<S>(1));
     ray.origin.z = moved(ray.origin.z, 1);
     CHECK(misses(ray, level));
-    // A corner a raw unit higher: the ray meets the tilted plane where that is as high as the ray.
+    // A corner is a raw unit higher: the ray hits the tilted plane where it is as high as the ray.
     auto tilted = level;
     tilted.c.z = moved(tilted.c.z, 1);
     CHECK(misses(ray, tilted));
@@ -329,7 +329,7 @@ TEMPLATE_TEST_CASE("ray against triangle: answers do not depend on frame and ord
     const auto reach = std::int64_t{1} << random.between(4, S::bits - 2);
     const Triangle<S, N> triangle{a, random_near(random, a, reach), random_near(random, a, reach)};
     const auto origin = random_point<S, N>(random);
-    // u and v reach beyond the triangle, in 2D farther: there the ray may still cross it.
+    // u and v extend beyond the triangle, more in 2D: there the ray may still cross it.
     const int slack = N == 2 ? 150 : 10;
     const auto u = random.between(-slack, 90 + slack);
     const auto v = random.between(-slack, 90 + slack);

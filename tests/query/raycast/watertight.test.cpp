@@ -10,8 +10,8 @@
 namespace detent::test {
 namespace {
 
-// What meshes need of the raycast against triangles: where they meet there is no way through. Exact
-// answers give that for free; these tests ask the rays that rounding would let slip.
+// Meshes need raycasts against triangles to be watertight: no ray passes where triangles meet.
+// Exact results guarantee that; these tests cast the rays that rounding would let through.
 
 using oracle::cross;
 using oracle::difference;
@@ -23,7 +23,7 @@ using oracle::widen;
 template <Scalar S>
 using Draw = oracle::Draw<S, 3>;
 
-/// Six times the volume of the tetrahedron a b c d, positive for d on the left of a b c.
+/// Six times the volume of the tetrahedron a b c d, positive if d is on the left of a b c.
 Integer volume(const Raw<3>& a, const Raw<3>& b, const Raw<3>& c, const Raw<3>& d) {
   return dot(cross(difference(widen(b), widen(a)), difference(widen(c), widen(a))),
              difference(widen(d), widen(a)));
@@ -80,7 +80,7 @@ TEMPLATE_TEST_CASE("ray against triangles: no ray escapes from a tetrahedron", "
     }
   }
   CHECK(escaped == 0);
-  // Some rays did meet two faces at once, so the edges were asked.
+  // Some rays hit two faces at once, so edges were tested.
   INFO(sharp << " rays met an edge");
   CHECK(sharp > 0);
 }
@@ -100,8 +100,8 @@ TEMPLATE_TEST_CASE("ray against triangles: none slips between two that share an 
     const auto b = draw.point(scale);
     const auto c = draw.point(scale);
     const auto d = draw.point(scale);
-    // From far enough to be before all of both triangles, through the middle half of the edge, off
-    // by at most a raw unit or two for the grid.
+    // From in front of both triangles, through the middle half of the edge, off by at most a raw
+    // unit or two because of the grid.
     Raw<3> middle = a;
     const auto part = random.between(16, 48);
     for (std::size_t i = 0; i < 3; ++i) middle[i] += (b[i] - a[i]) * part / 64;
@@ -109,9 +109,9 @@ TEMPLATE_TEST_CASE("ray against triangles: none slips between two that share an 
     const auto origin = Draw<S>::moved(middle, direction, -4 * scale);
     const Ray<S, 3> ray{Draw<S>::vec(origin), direction};
 
-    // Seen along the ray, c and d are 16 raw units or more to either side of the edge and not
-    // beyond its ends, and the edge is 16 units or longer: then the ray is well within both
-    // together.
+    // Seen along the ray, c and d are at least 16 raw units to either side of the edge and not
+    // beyond its ends, and the edge is at least 16 units long: then the ray is well inside the
+    // union of both.
     const auto along = widen(oracle::raw(direction));
     const auto seen = [&](const Raw<3>& from, const Raw<3>& to) {
       return cross(along, difference(widen(to), widen(from)));
@@ -147,8 +147,8 @@ TEMPLATE_TEST_CASE("ray against triangles: a shared edge or corner is hit by all
   INFO(random);
   long missed = 0;
   for (int n = 0; n < 50'000; ++n) {
-    // Exactly through the common corner, or a point of the common edge: the ray leads along an axis
-    // of integers.
+    // Exactly through the common corner, or a point of the common edge: the ray is along an axis of
+    // an integer frame.
     const auto& frame = draw.frame();
     const auto scale = std::int64_t{1} << random.between(3, S::bits - 3);
     const auto corner = draw.point(scale);
@@ -169,8 +169,8 @@ TEMPLATE_TEST_CASE("ray against triangles: a shared edge or corner is hit by all
   CHECK(missed == 0);
 }
 
-/// A closed mesh: an octahedron, each face cut in four, and its corners shaken. Corners are
-/// multiples of 64 raw units from the center, so that edges have grid points on them.
+/// A closed mesh: an octahedron, each face divided in four, with perturbed corners. Corners are
+/// multiples of 64 raw units from the center, so that edges contain grid points.
 struct ClosedMesh {
   std::vector<Raw<3>> corners;
   std::vector<std::array<std::size_t, 3>> faces;
@@ -207,8 +207,8 @@ ClosedMesh closed_mesh(Draw<S>& draw) {
   return mesh;
 }
 
-/// Casts `count` rays that lead exactly through corners and points of edges of closed meshes, from
-/// inside and outside; how many reach their target without a hit.
+/// Casts `count` rays exactly through corners and points of edges of closed meshes, from inside and
+/// outside; returns how many reach their target without a hit.
 template <Scalar S>
 long lost_rays(std::uint64_t seed, long count) {
   Draw<S> draw(seed);
@@ -231,7 +231,7 @@ long lost_rays(std::uint64_t seed, long count) {
       const auto& frame = draw.frame();
       const auto steps = random.between(1, (std::int64_t{1} << (S::bits - 2)) / frame.norm);
       const auto origin = Draw<S>::plus(target, frame.axes[0], -steps);
-      // As stored, a direction is at most 2^-29 (2^-13) too short to get there.
+      // As stored, a direction is at most 2^-29 (2^-13) too short to reach it.
       const Ray<S, 3> ray{Draw<S>::vec(origin), Draw<S>::stretched(frame.axes[0], frame.norm),
                           Draw<S>::scalar(steps * frame.norm + steps * frame.norm / 4096 + 4)};
       const bool is_hit = std::any_of(triangles.begin(), triangles.end(),
