@@ -223,7 +223,7 @@ template <class F>
 [[nodiscard]] Traced<F> half(const Traced<F>& x) noexcept {
   return x / 2;
 }
-/// x| has the error of x, whatever its sign.
+/// |x| has the error of x, whatever its sign.
 template <class F>
 [[nodiscard]] Traced<F> abs(const Traced<F>& x) noexcept {
   return std::signbit(x.value) ? -x : x;

@@ -14,7 +14,7 @@ def is_big_endian():
 
 
 def elements(array):
-    """Of a std::array, in every standard library its only field."""
+    """The elements of a std::array, whose only field is the array in every standard library."""
     fields = array.type.strip_typedefs().fields()
     data = array[fields[0]]
     low, high = data.type.strip_typedefs().range()
@@ -106,7 +106,7 @@ class AnglePrinter(Printer):
         raw = self.value["raw_"]
         if raw.type.strip_typedefs().code == gdb.TYPE_CODE_FLT:
             return "%s radians" % raw
-        # As degrees() has it, from above -180 to 180.
+        # In (-180, 180], like degrees().
         signed = int(raw) - 2**32 if int(raw) > 2**31 else int(raw)
         return "%s degrees (raw %d)" % (decimal(360 * signed, 32), int(raw))
 

@@ -12,7 +12,7 @@ namespace detent::test {
 struct NearTie {
   std::uint64_t a;
   std::uint64_t b;
-  /// b cos - a sin| of that ray, in units of 2^-127 and off by less than 2^-85: the least of all
+  /// |b cos - a sin| of that ray, in units of 2^-127 and off by less than 2^-85: the least of all
   /// vectors with components up to 2^31.
   Word128 distance;
   bool above;

@@ -47,7 +47,7 @@ TEST_CASE("ratio: a product with any ratio is rounded once, halves to even") {
     const auto x = X::from_raw(random.wide(length));
     const std::int64_t n = std::max<std::int64_t>(std::abs(random.wide(length)), std::abs(x.raw()));
     const auto under = fixed_from<Under>(std::max(BigInteger(n) * n, BigInteger(1)));
-    // x over / under| < 2^33 because |x| <= n; often a half.
+    // |x over / under| < 2^33 because |x| <= n; often a half.
     auto over = BigInteger(n) * random.wide(random.coin() ? 33 : 4);
     if (random.one_in(4)) over = over / 2 * 2 + n / 2;
     check_product(base, x, make_ratio(fixed_from<Over>(over), under));

@@ -178,7 +178,7 @@ TEMPLATE_TEST_CASE("proofs: a line that grazes a wide capsule uses the bits of i
   const auto hit = raycast_hit(Ray<S, 3>{origin, diagonal<S>}, capsule);
   REQUIRE(hit);
   CHECK(dot(hit->normal, third<S>) > 0);
-  // m . k| k out of radius |k|^2, in one component: sqrt(2 / 3).
+  // |m . k| k out of radius |k|^2, in one component: sqrt(2 / 3).
   const auto e = capsule.b - capsule.a;
   const auto k = cross(diagonal<S>, e);
   const auto m = origin - capsule.a;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * A plugin of qemu that counts the instructions a program executes between two `yield`s, of which
- * Thumb compilers make no use of their own. usage: -plugin count_instructions.so,to=FILE
+ * A plugin of qemu that counts the instructions a program executes between two `yield`s, which
+ * Thumb compilers never emit on their own. usage: -plugin count_instructions.so,to=FILE
  *
- * Debian has no header of qemu's plugin interface, so what is used of its version 1 is declared
+ * Debian has no header of qemu's plugin interface, so the parts used of its version 1 are declared
  * here.
  *
  * source: QEMU 7.2, docs/devel/tcg-plugins.rst */

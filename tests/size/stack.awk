@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 #
 # usage: awk -f stack.awk GRAPH.ci... - <DISASSEMBLY
-# Prints the bytes of stack that `ask` needs at most: the deepest path of the compiler's call graphs
-# (-fcallgraph-info=su), into functions of its runtime as far as their disassembly tells.
+# Prints the maximum stack in bytes that `ask` needs: the deepest path of the compiler's call graphs
+# (-fcallgraph-info=su), and into runtime functions as far as their disassembly shows it.
 
 function call(from, to) { if (from != to) callees[from] = callees[from] " " to }
 

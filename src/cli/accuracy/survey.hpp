@@ -17,7 +17,6 @@ namespace detent::cli::accuracy {
 /// comes from the computation. `asked`: drawn on the grid of q16_16 (beyond its range, of q24_8),
 /// rounded to the nearest numbers of the scalar, and checked for the numbers before rounding, so
 /// what the scalar cannot represent counts too.
-/// cannot represent counts too.
 enum class Inputs { own, asked };
 
 /// The results of a scalar at one rung. Errors are in units of 2^-16, over the test cases where

@@ -152,7 +152,7 @@ class ShapeScene : public Stage<S, N> {
     const bool loose = extreme_ || random.one_in(8);
     const auto normal = loose ? Base::template any_direction<N>() : Base::along(frame_, 0) * side_;
     const auto next = anchor(5);
-    // next| has components below 1.5 * 2^31, so this is at most |normal| |next| < 2^63.
+    // |next| has components below 1.5 * 2^31, so this is at most |normal| |next| < 2^63.
     std::int64_t height = Base::one / 2;
     for (int i = 0; i < N; ++i) height += normal[i] * next[i];
     const auto offset = extreme_ ? random.edgy(Base::bits) : height >> direction_component<S>::frac;
