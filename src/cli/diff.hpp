@@ -5,7 +5,8 @@
 
 namespace detent::cli {
 
-/// The difference between two snapshots of scenes: a line per number, and whether there is none.
+/// The difference between two snapshots of scenes: a line per number that differs, and whether there
+/// are none.
 struct SnapshotDifference {
   std::string text;
   bool is_none = true;
