@@ -43,16 +43,17 @@ block() {
       }
     }
     END {
-      printf "On %s **%d platforms gave the golden digests and %s another**, each for ", date, equal,
-             different ? different " gave" : "none gave"
-      if (fewest != golden) printf "%s of what are now ", most == fewest ? most : fewest " to " most
-      print golden " queries (results_version " version ")."
+      printf "On %s **%d platforms gave the golden digests and %s differed**. ", date, equal,
+             different ? different : "none"
+      if (fewest == golden) ran = "all " golden
+      else ran = (most == fewest ? most : fewest " to " most) " of the present " golden
+      print "Each ran " ran " queries (results_version " version ")."
       if (failed != "") print "Not equal: " failed "."
-      if (compiled) print compiled " more were compiled only, and the compiler gave the golden answers."
+      if (compiled) print compiled " more were not run: the compiler evaluated the check and gave the golden answers."
       print floats
       if (page != "README.md") {
-        printf "\nOf the equal ones %d are big-endian, %d have 32-bit words, %d use our own 128-bit integer and %d have no\n", big, short, ours, soft
-        printf "floating-point unit. The run took %d seconds of one processor, compiling included.\n", seconds
+        printf "\nOf the %d platforms, %d are big-endian, %d have 32-bit words, %d use our own 128-bit integer and %d have no\n", equal, big, short, ours, soft
+        printf "floating-point unit. The run took %d seconds on one processor, compiling included.\n", seconds
       }
       print "\n| platforms | |\n|---|---|"
       for (i = 1; i <= known; ++i) print "| " groups[i] " | " count[groups[i]] ": " names[groups[i]] " |"
