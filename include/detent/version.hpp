@@ -3,6 +3,11 @@
 
 #include "detent/number/require_cxx20.hpp"
 
+/// The version of the library, by the rules of Semantic Versioning; CMake reads it here.
+#define DETENT_VERSION_MAJOR 0
+#define DETENT_VERSION_MINOR 1
+#define DETENT_VERSION_PATCH 0
+
 namespace detent {
 
 /// Changes whenever the result of any query changes in any bit for any input. Then, and only then,
