@@ -247,7 +247,8 @@ void step(Historian<S, 3>& history, World& scene, Plain& plain, const FrameId& f
   if (object.traits.motion == Motion::fixed) return;
   if (random.coin()) {
     object.local = draw_local(history, plain.stock);
-    REQUIRE(std::visit([&](const auto& s) { return scene.replace(object.id, s); }, object.local));
+    REQUIRE(
+        std::visit([&](const auto& s) { return scene.replace_local(object.id, s); }, object.local));
   } else {
     const auto by = nearest_to<S>(history.point() - history.point());
     REQUIRE(scene.move(object.id, by));
