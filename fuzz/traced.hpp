@@ -10,8 +10,8 @@
 #include <optional>
 #include <utility>
 
-#include "detent/number/long_quadratic.hpp"
-#include "detent/number/root_ratio.hpp"
+#include "detent/number/filter/long_quadratic.hpp"
+#include "detent/number/filter/root_ratio.hpp"
 #include "detent/number/unit.hpp"
 
 namespace detent::fuzz {

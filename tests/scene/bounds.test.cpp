@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "detent/scene/bounds.hpp"
+#include "detent/cull/bounds.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 # A header includes only its own layer and layers to its left, by the full path "detent/...".
 set -euo pipefail
 
-layers=(number math shape query scene dynamics)
+layers=(number math shape cull query scene)
 bad=0
 
 for i in "${!layers[@]}"; do

@@ -45,7 +45,7 @@ place() {
   fi
   path=${path%%:+([0-9])}
   case $path in
-    detent/* | @(number|math|shape|query|scene)/*.hpp) path=include/detent/${path#detent/} ;;
+    detent/* | @(number|math|shape|cull|query|scene)/*.hpp) path=include/detent/${path#detent/} ;;
     @(include|src|tests|fuzz|docs|.github|.ci)/*) ;;
     *) return ;;
   esac

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "detent/number/near_one.hpp"
+#include "detent/number/filter/near_one.hpp"
 
 namespace detent {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "detent/query/raycast/planar.hpp"
+#include "detent/query/kernel/planar.hpp"
 #include "detent/shape/triangle.hpp"
 
 namespace detent {

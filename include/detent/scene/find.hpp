@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <utility>
 
+#include "detent/cull/prefetch.hpp"
+#include "detent/cull/search.hpp"
 #include "detent/scene/found.hpp"
 #include "detent/scene/mesh/raycast.hpp"
-#include "detent/scene/prefetch.hpp"
 #include "detent/scene/question.hpp"
-#include "detent/scene/search.hpp"
 #include "detent/scene/store.hpp"
 
 namespace detent::detail {

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "detent/scene/list.hpp"
+#include "detent/cull/list.hpp"
+#include "detent/cull/tree.hpp"
 #include "detent/scene/object.hpp"
-#include "detent/scene/tree.hpp"
 #include "detent/shape/moved.hpp"
 
 namespace detent::detail {

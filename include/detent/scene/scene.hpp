@@ -6,9 +6,9 @@
 #include <optional>
 #include <span>
 
+#include "detent/cull/keep_first.hpp"
 #include "detent/scene/contents.hpp"
 #include "detent/scene/find.hpp"
-#include "detent/scene/keep_first.hpp"
 
 namespace detent {
 

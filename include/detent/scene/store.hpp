@@ -8,13 +8,13 @@
 #include <optional>
 #include <type_traits>
 
+#include "detent/cull/list.hpp"
+#include "detent/cull/tree.hpp"
 #include "detent/number/digest.hpp"
 #include "detent/scene/frames.hpp"
-#include "detent/scene/list.hpp"
 #include "detent/scene/object.hpp"
 #include "detent/scene/one_of.hpp"
 #include "detent/scene/shape_tag.hpp"
-#include "detent/scene/tree.hpp"
 
 namespace detent::detail {
 

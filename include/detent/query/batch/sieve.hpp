@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "detent/number/coarse.hpp"
+#include "detent/cull/coarse.hpp"
 #include "detent/query/raycast/aabb.hpp"
 
 // Conservative culling of many boxes and rays, quantized to columns of small numbers. Compilers

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "detent/number/ratio.hpp"
+#include "detent/number/filter/ratio.hpp"
 #include "detent/query/closest_point/sphere.hpp"
 #include "detent/query/contains/capsule.hpp"
 

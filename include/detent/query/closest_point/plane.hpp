@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/closest_point/line.hpp"
+#include "detent/query/kernel/line.hpp"
 #include "detent/shape/plane.hpp"
 
 namespace detent {

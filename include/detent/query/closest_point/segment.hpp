@@ -2,7 +2,7 @@
 #pragma once
 
 #include "detent/math/width.hpp"
-#include "detent/query/closest_point/line.hpp"
+#include "detent/query/kernel/line.hpp"
 #include "detent/shape/segment.hpp"
 
 namespace detent {

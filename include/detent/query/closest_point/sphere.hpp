@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/number/along.hpp"
-#include "detent/number/near_half.hpp"
+#include "detent/number/filter/along.hpp"
+#include "detent/number/filter/near_half.hpp"
 #include "detent/query/contains/sphere.hpp"
 
 namespace detent {

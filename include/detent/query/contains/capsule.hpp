@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/overlaps/near_segment.hpp"
+#include "detent/query/kernel/near_segment.hpp"
 #include "detent/shape/capsule.hpp"
 
 namespace detent {

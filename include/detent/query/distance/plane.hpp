@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/number/filter/near_one.hpp"
 #include "detent/number/fraction.hpp"
-#include "detent/number/near_one.hpp"
 #include "detent/query/closest_point/plane.hpp"
 
 namespace detent {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/number/leg.hpp"
+#include "detent/number/filter/leg.hpp"
 #include "detent/query/distance/segment.hpp"
 #include "detent/shape/ray.hpp"
 

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "detent/math/width.hpp"
-#include "detent/number/leg.hpp"
+#include "detent/number/filter/leg.hpp"
 #include "detent/shape/segment.hpp"
 
 namespace detent {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/closest_point/feature.hpp"
 #include "detent/query/distance/segment.hpp"
+#include "detent/query/kernel/feature.hpp"
 
 namespace detent {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "detent/math/vec.hpp"
-#include "detent/query/overlaps/nearness.hpp"
+#include "detent/query/kernel/nearness.hpp"
 
 namespace detent::detail {
 

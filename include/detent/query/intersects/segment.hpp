@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "detent/query/contains/parallel.hpp"
+#include "detent/query/kernel/parallel.hpp"
 #include "detent/shape/segment.hpp"
 
 namespace detent {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "detent/query/intersects/reversed.hpp"
-#include "detent/query/overlaps/near_segment.hpp"
+#include "detent/query/kernel/near_segment.hpp"
 #include "detent/shape/sphere.hpp"
 
 namespace detent {

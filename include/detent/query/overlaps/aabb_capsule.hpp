@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/overlaps/near_slabs.hpp"
+#include "detent/query/kernel/near_slabs.hpp"
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/capsule.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/overlaps/box.hpp"
-#include "detent/query/overlaps/rough_boxes.hpp"
-#include "detent/query/overlaps/separation.hpp"
+#include "detent/query/kernel/box.hpp"
+#include "detent/query/kernel/rough_boxes.hpp"
+#include "detent/query/kernel/separation.hpp"
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/obb.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/overlaps/box.hpp"
-#include "detent/query/overlaps/separation.hpp"
+#include "detent/query/kernel/box.hpp"
+#include "detent/query/kernel/separation.hpp"
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/triangle.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/distance/gjk.hpp"
+#include "detent/query/kernel/gjk.hpp"
 
 namespace detent {
 

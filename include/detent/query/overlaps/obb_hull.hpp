@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "detent/math/orthonormal.hpp"
-#include "detent/query/distance/gjk.hpp"
-#include "detent/query/overlaps/nearness.hpp"
+#include "detent/query/kernel/gjk.hpp"
+#include "detent/query/kernel/nearness.hpp"
 #include "detent/shape/obb.hpp"
 
 namespace detent {

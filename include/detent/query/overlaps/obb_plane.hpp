@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "detent/query/overlaps/nearness.hpp"
+#include "detent/query/kernel/nearness.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/plane.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "detent/query/overlaps/box.hpp"
-#include "detent/query/overlaps/rough_triangle.hpp"
-#include "detent/query/overlaps/separation.hpp"
+#include "detent/query/kernel/box.hpp"
+#include "detent/query/kernel/rough_triangle.hpp"
+#include "detent/query/kernel/separation.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/triangle.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/overlaps/near_triangle.hpp"
+#include "detent/query/kernel/near_triangle.hpp"
 #include "detent/shape/sphere.hpp"
 
 namespace detent {

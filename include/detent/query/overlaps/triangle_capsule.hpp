@@ -2,7 +2,7 @@
 #pragma once
 
 #include "detent/query/intersects/triangle.hpp"
-#include "detent/query/overlaps/near_triangle.hpp"
+#include "detent/query/kernel/near_triangle.hpp"
 #include "detent/shape/capsule.hpp"
 
 namespace detent {

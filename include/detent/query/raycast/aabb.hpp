@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "detent/query/raycast/clip.hpp"
+#include "detent/query/kernel/clip.hpp"
 #include "detent/shape/aabb.hpp"
 
 namespace detent {

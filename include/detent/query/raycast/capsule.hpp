@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "detent/math/width.hpp"
-#include "detent/number/long_quadratic.hpp"
-#include "detent/query/overlaps/near_segment.hpp"
+#include "detent/number/filter/long_quadratic.hpp"
+#include "detent/query/kernel/near_segment.hpp"
 #include "detent/query/raycast/sphere.hpp"
 #include "detent/shape/capsule.hpp"
 

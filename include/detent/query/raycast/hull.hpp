@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "detent/query/raycast/stab.hpp"
+#include "detent/query/kernel/stab.hpp"
 #include "detent/shape/hull.hpp"
 
 namespace detent {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "detent/math/width.hpp"
-#include "detent/query/raycast/clip.hpp"
+#include "detent/query/kernel/clip.hpp"
 #include "detent/shape/obb.hpp"
 
 namespace detent {

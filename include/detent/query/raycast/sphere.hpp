@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "detent/number/filter/root_ratio.hpp"
 #include "detent/number/quadratic.hpp"
-#include "detent/number/root_ratio.hpp"
 #include "detent/query/raycast/hit.hpp"
 #include "detent/shape/sphere.hpp"
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "detent/number/bins.hpp"
+#include "detent/cull/bins.hpp"
 #include "detent/scene/mesh/surface.hpp"
 
 namespace detent {

@@ -6,13 +6,15 @@
 #include <optional>
 #include <span>
 
+#include "detent/cull/static_tree/along.hpp"
+#include "detent/cull/static_tree/around.hpp"
+#include "detent/cull/static_tree/build.hpp"
+#include "detent/cull/static_tree/crossing.hpp"
+#include "detent/cull/static_tree/parts.hpp"
+#include "detent/cull/static_tree/within.hpp"
+#include "detent/query/distance/aabb.hpp"
+#include "detent/scene/mesh/may_cross.hpp"
 #include "detent/scene/mesh/surface.hpp"
-#include "detent/scene/static_tree/along.hpp"
-#include "detent/scene/static_tree/around.hpp"
-#include "detent/scene/static_tree/build.hpp"
-#include "detent/scene/static_tree/crossing.hpp"
-#include "detent/scene/static_tree/parts.hpp"
-#include "detent/scene/static_tree/within.hpp"
 
 namespace detent {
 
@@ -84,12 +86,16 @@ constexpr bool visit_within(const Mesh<S>& mesh, const Aabb<S, 3>& box,
 template <Scalar S, class Visit>
 constexpr bool visit_crossing(const Mesh<S>& mesh, const Segment<S, 3>& segment,
                               const Visit& visit) noexcept {
-  return visit_crossing(mesh.tree, mesh.triangles, segment, visit);
+  return visit_crossing(
+      mesh.tree, mesh.triangles, bounding_box(segment),
+      [&](const Aabb<S, 3>& box) { return detail::may_cross(segment, box); }, visit);
 }
 template <Scalar S, class Visit>
 constexpr void visit_around(const Mesh<S>& mesh, const Vec<S, 3>& point,
                             const Visit& visit) noexcept {
-  visit_around(mesh.tree, mesh.triangles, point, visit);
+  visit_around(
+      mesh.tree, mesh.triangles, [&](const Aabb<S, 3>& box) { return distance(box, point); },
+      visit);
 }
 
 /// The parts of a mesh: those of its tree, see mesh/parts.hpp.

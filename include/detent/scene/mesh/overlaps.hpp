@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 
+#include "detent/cull/keep_first.hpp"
 #include "detent/query/intersects/triangle.hpp"
 #include "detent/query/overlaps/aabb_plane.hpp"
 #include "detent/query/overlaps/aabb_triangle.hpp"
@@ -16,7 +17,6 @@
 #include "detent/query/overlaps/triangle_capsule.hpp"
 #include "detent/query/overlaps/triangle_hull.hpp"
 #include "detent/query/overlaps/triangle_triangle.hpp"
-#include "detent/scene/keep_first.hpp"
 #include "detent/scene/mesh/parts.hpp"
 
 namespace detent {

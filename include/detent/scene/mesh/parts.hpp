@@ -7,11 +7,11 @@
 #include <optional>
 #include <span>
 
+#include "detent/cull/static_tree/along.hpp"
 #include "detent/query/distance/aabb.hpp"
 #include "detent/query/overlaps/aabb_aabb.hpp"
+#include "detent/scene/mesh/may_cross.hpp"
 #include "detent/scene/mesh/surface.hpp"
-#include "detent/scene/static_tree/along.hpp"
-#include "detent/scene/static_tree/crossing.hpp"
 
 // A surface as a tree of parts, each with a box; a leaf is a few triangles. It has
 //   whole_of(surface)                -> the root part, in bounding_box(surface)

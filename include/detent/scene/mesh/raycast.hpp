@@ -7,10 +7,10 @@
 #include <optional>
 #include <span>
 
+#include "detent/cull/keep_first.hpp"
 #include "detent/number/next_up.hpp"
-#include "detent/query/raycast/passing_line.hpp"
+#include "detent/query/kernel/passing_line.hpp"
 #include "detent/query/raycast/triangle.hpp"
-#include "detent/scene/keep_first.hpp"
 #include "detent/scene/mesh/surface.hpp"
 
 namespace detent {

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "detent/cull/bounds.hpp"
+
+namespace detent::detail {
+
+inline constexpr std::uint32_t nowhere = 0xffffffffu;
+
+/// A node of the broad phase: up to eight boxes, side by side so that one loop tests them all.
+template <Scalar S, int N>
+struct alignas(64) TreeNode {
+  static constexpr std::size_t width = 8;
+  using Box = CullingBox<S, N>;
+  using Lane = std::array<typename Box::Coordinate, width>;
+  using Mask = std::uint32_t;  // bit i for box i
+
+  std::array<Lane, static_cast<std::size_t>(N)> low;
+  std::array<Lane, static_cast<std::size_t>(N)> high;
+  std::array<std::uint32_t, width> child;  // an object in a leaf, else a node
+  std::uint32_t parent = nowhere;
+  std::uint16_t level = 0;  // 0 for a leaf
+  std::uint16_t count = 0;
+
+  constexpr TreeNode() noexcept {
+    for (std::size_t i = 0; i < width; ++i) clear(i);
+  }
+
+  /// Sets an empty box, which overlaps nothing and does not enlarge `bounds`.
+  constexpr void clear(std::size_t i) noexcept {
+    for (auto& lane : low) lane[i] = Culling<S>::beyond;
+    for (auto& lane : high) lane[i] = -Culling<S>::beyond;
+    child[i] = nowhere;
+  }
+  constexpr void set(std::size_t i, const Box& box) noexcept {
+    for (std::size_t axis = 0; axis < low.size(); ++axis) {
+      low[axis][i] = box.low[axis];
+      high[axis][i] = box.high[axis];
+    }
+  }
+  [[nodiscard]] constexpr Box box(std::size_t i) const noexcept {
+    Box result;
+    for (std::size_t axis = 0; axis < low.size(); ++axis) {
+      result.low[axis] = low[axis][i];
+      result.high[axis] = high[axis][i];
+    }
+    return result;
+  }
+  [[nodiscard]] constexpr std::size_t place_of(std::uint32_t id) const noexcept {
+    std::size_t i = 0;
+    while (child[i] != id) ++i;
+    return i;
+  }
+
+  /// The box around all boxes.
+  [[nodiscard]] constexpr Box bounds() const noexcept {
+    Box result;
+    for (std::size_t axis = 0; axis < low.size(); ++axis) {
+      auto least = low[axis][0], most = high[axis][0];
+      for (std::size_t i = 1; i < width; ++i) {
+        least = (std::min)(least, low[axis][i]);
+        most = (std::max)(most, high[axis][i]);
+      }
+      result.low[axis] = least;
+      result.high[axis] = most;
+    }
+    return result;
+  }
+
+  /// Which boxes overlap `box`.
+  [[nodiscard]] constexpr Mask meeting(const Box& box) const noexcept {
+    // All ones where two boxes are disjoint: loops that compilers vectorise.
+    std::array<std::int32_t, width> apart{};
+    for (std::size_t axis = 0; axis < low.size(); ++axis) {
+      const auto least = box.low[axis], most = box.high[axis];
+      for (std::size_t i = 0; i < width; ++i) {
+        apart[i] |= (low[axis][i] > most ? -1 : 0) | (high[axis][i] < least ? -1 : 0);
+      }
+    }
+    std::int32_t together = 0;
+    for (std::size_t i = 0; i < width; ++i) together |= ~apart[i] & (1 << i);
+    const auto mask = static_cast<Mask>(together);
+    return mask & ((1u << count) - 1);  // a box that is everywhere overlaps empty boxes too
+  }
+};
+
+/// One entry: a child and its box.
+template <Scalar S, int N>
+struct TreeEntry {
+  CullingBox<S, N> box;
+  std::uint32_t child = nowhere;
+};
+
+}  // namespace detent::detail

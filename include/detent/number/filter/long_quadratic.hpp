@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <optional>
+
+#include "detent/number/filter/rough.hpp"
+
+namespace detent {
+
+/// The leading bits of a square root: `root` * 2^-scale, rounded down.
+template <Number T>
+struct LeadingRoot {
+  T root;
+  int scale;
+};
+
+/// The square root of x >= 0 rounded down to 62 bits or more, with a relative error below 2^-61;
+/// for numbers too wide for `sqrt_floor`. `scale` is at most 63.
+template <int B, int F>
+[[nodiscard]] constexpr auto leading_root(const Fixed<B, F>& x) noexcept {
+  static_assert(F % 2 == 0);
+  using Root = Fixed<(std::max)((B + 1) / 2, 63), F / 2>;
+  using Raw = typename Root::raw_type;
+  using Long = Wide<(std::max)(4, static_cast<int>(sizeof(x.raw()) / 8))>;
+  // Shifted by an even count, x has 125 or 126 bits, and its root has 63.
+  int excess = bit_length(x.raw()) - 126;
+  excess += excess & 1;
+  const auto raw = integer_cast<Long>(x.raw());
+  const Long leading = excess < 0 ? raw << -excess : raw >> excess;
+  const Wide<2> root(square_root_floor(leading.word(1), leading.word(0)));
+  return LeadingRoot<Root>{
+      Root::assume_raw(shift_left(integer_cast<Raw>(root), (std::max)(excess, 0) / 2)),
+      (std::max)(-excess, 0) / 2};
+}
+template <std::floating_point T>
+[[nodiscard]] constexpr auto leading_root(T x) noexcept {
+  return LeadingRoot<T>{sqrt_floor<T>(x), 0};
+}
+
+/// The roots of a t^2 + 2 b t + c = 0 with a > 0, for numbers too wide for `Quadratic`. The caller
+/// has its own formula for b^2 - a c >= 0, as a product d e.
+///
+/// Filter: the leading bits of a root are used wherever they decide how it is rounded.
+template <Number A, Number B, Number C, Number D, Number E>
+class LongQuadratic {
+ public:
+  constexpr LongQuadratic(const A& a, const B& b, const C& c, const D& d, const E& e) noexcept
+      : a_(a), b_(b), c_(c), d_(d), e_(e) {
+    if constexpr (is_fixed<D>) root_ = sqrt(Rough(d) * Rough(e));
+  }
+
+  /// The leading bits of the root that `first_root` rounds.
+  [[nodiscard]] constexpr Rough rough_first() const noexcept {
+    return Rough(c_) / (Rough(-b_) + root_);
+  }
+  /// The leading bits of the root that `last_root` rounds.
+  [[nodiscard]] constexpr Rough rough_last() const noexcept {
+    if (b_ <= 0) return (Rough(-b_) + root_) / Rough(a_);
+    return Rough(-c_) / (Rough(b_) + root_);
+  }
+
+  /// The lesser root rounded down, or nothing when the exact root is greater than `limit`. Requires
+  /// b < 0 < c, so that both roots are positive.
+  ///
+  /// The root is c / (-b + sqrt(d e)). The denominator is a sum of positive numbers, and its square
+  /// root is too small by a relative error below 2^-61. T has at most 31 bits, so the quotient
+  /// exceeds the exact one by less than a step of T and rounds down to the same number or the next.
+  /// The sign of the polynomial decides which.
+  template <Scalar T>
+  [[nodiscard]] constexpr std::optional<T> first_root(const T& limit) const noexcept {
+    if constexpr (is_fixed<T>) {
+      if (const auto root = floor_of<T>(rough_first())) {
+        return *root < limit ? root : std::nullopt;
+      }
+    }
+    if (sign_at(limit) > 0 && slope_at(limit) < 0) return std::nullopt;
+    const auto [root, scale] = leading_root(d_ * e_);
+    T t = quotient_floor<T>(scaled(c_, scale), root - scaled(b_, scale));
+    if constexpr (is_fixed<T>) {
+      if (sign_at(t) < 0 || slope_at(t) > 0) t = step(t, -1);
+      DETENT_ASSERT(sign_at(t) >= 0 && slope_at(t) <= 0);
+    }
+    return t;
+  }
+
+  /// The greater root rounded down, or `limit` when the root is greater. The root must not be
+  /// negative.
+  ///
+  /// Again no sum cancels, and the quotient is off by at most one step.
+  template <Scalar T>
+  [[nodiscard]] constexpr T last_root(const T& limit) const noexcept {
+    if constexpr (is_fixed<T>) {
+      if (const auto root = floor_of<T>(rough_last())) return (std::min)(*root, limit);
+    }
+    if (!is_beyond(limit)) return limit;
+    const auto [root, scale] = leading_root(d_ * e_);
+    T t = b_ <= 0 ? quotient_floor<T>(root - scaled(b_, scale), scaled(a_, scale))
+                  : quotient_floor<T>(-scaled(c_, scale), root + scaled(b_, scale));
+    if constexpr (is_fixed<T>) {
+      if (is_beyond(t)) {
+        t = step(t, -1);
+      } else if (const T after = step(t, 1); !is_beyond(after)) {
+        t = after;
+      }
+      DETENT_ASSERT(!is_beyond(t) && is_beyond(step(t, 1)));
+    }
+    return t;
+  }
+
+ private:
+  /// x * 2^scale.
+  template <Number T>
+  [[nodiscard]] static constexpr auto scaled(const T& x, int scale) noexcept {
+    return scale_up<bits_of<T> + 63>(x, scale);
+  }
+  template <class T>
+  [[nodiscard]] static constexpr T step(const T& t, int count) noexcept {
+    return T::assume_raw(static_cast<typename T::raw_type>(t.raw() + count));
+  }
+
+  /// The sign of the polynomial at t.
+  template <Number T>
+  [[nodiscard]] constexpr int sign_at(const T& t) const noexcept {
+    const auto rising = (a_ * t + b_ + b_) * t;
+    const auto level = -c_;
+    return (rising > level) - (rising < level);
+  }
+  /// The sign of the polynomial's slope at t.
+  template <Number T>
+  [[nodiscard]] constexpr int slope_at(const T& t) const noexcept {
+    const auto slope = a_ * t + b_;
+    return (slope > 0) - (slope < 0);
+  }
+  template <Number T>
+  [[nodiscard]] constexpr bool is_beyond(const T& t) const noexcept {
+    return sign_at(t) > 0 && slope_at(t) > 0;
+  }
+
+  A a_;
+  B b_;
+  C c_;
+  D d_;
+  E e_;
+  Rough root_;  // sqrt(d e)
+};
+
+}  // namespace detent

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "detent/number/filter/leading.hpp"
+#include "detent/number/rounding.hpp"
+
+namespace detent {
+
+/// over / under, divided once and then multiplied by several numbers (`add_product`). For `float`
+/// and `double`, the two numbers.
+template <Number Over, Number Under>
+struct Ratio {
+  Over over;
+  Under under;
+  // Of the raw numbers: factor * 2^-shift is over / under with a relative error below 2^-56.
+  std::int64_t factor = 0;
+  int shift = 0;
+};
+
+/// A ratio of known magnitude, with a fixed binary point: factor * 2^-Shift is over / under within
+/// 2^Unknown steps.
+template <Number Over, Number Under, int Shift, int Unknown>
+struct FixedRatio {
+  Over over;
+  Under under;
+  std::int64_t factor = 0;
+};
+
+/// over / under for under > 0.
+template <Number Over, Number Under>
+[[nodiscard]] constexpr Ratio<Over, Under> make_ratio(const Over& over,
+                                                      const Under& under) noexcept {
+  if constexpr (!is_fixed<Over>) {
+    return {over, under};
+  } else {
+    using Magnitude = IntegerFor<(std::max)(Over::bits, 63)>;
+    const auto raw = integer_cast<Magnitude>(over.raw());
+    if (raw == Magnitude(0)) return {over, under};
+    const bool negative = is_negative(raw);
+    const auto magnitude = negative ? wrapping_subtract<Magnitude>(Magnitude(0), raw) : raw;
+    const int over_length = positive_bit_length(magnitude);
+    const int under_length = positive_bit_length(under.raw());
+    const auto factor = static_cast<std::int64_t>(
+        multiply_words(detail::leading_word(magnitude, over_length),
+                       detail::reciprocal(detail::leading_word(under.raw(), under_length)))
+            .high);
+    return {over, under, negative ? -factor : factor, 62 + under_length - over_length};
+  }
+}
+
+/// over / under for 0 < over < under. base + x * ratio lies between base and base + x, so both must
+/// be in range.
+template <Number Over, Number Under>
+[[nodiscard]] constexpr FixedRatio<Over, Under, 63, 7> make_ratio_below_one(
+    const Over& over, const Under& under) noexcept {
+  if constexpr (!is_fixed<Over>) {
+    return {over, under};
+  } else {
+    using Positive = IntegerFor<(std::max)({Over::bits, Under::bits, 63})>;
+    const int length = positive_bit_length(under.raw());
+    const auto leading = [length](const auto& x) {
+      return detail::leading_word(integer_cast<Positive>(x.raw()), length);
+    };
+    // The reciprocal is never too large, so this stays below 2^63.
+    const auto factor = 2 * multiply_words(leading(over), detail::reciprocal(leading(under))).high;
+    return {over, under, static_cast<std::int64_t>(factor)};
+  }
+}
+
+/// over / under without a division, for an `under` that is the squared length of a direction: 1
+/// within 2^-28, or 2^-12 in 16 bits.
+///
+/// 1 / (1 + e) = 1 - e + ...: the rest of the series is e^2 < 2^-56 (2^-24), and |over| < 2^63
+/// (2^31).
+template <Number Over, Number Under>
+[[nodiscard]] constexpr auto make_ratio_near_one(const Over& over, const Under& under) noexcept {
+  if constexpr (!is_fixed<Over>) {
+    return FixedRatio<Over, Under, 0, 0>{over, under};
+  } else {
+    constexpr int frac = Under::frac;
+    static_assert(Over::bits <= frac + 3);
+    using Product = IntegerFor<Over::bits + frac / 2 + 2>;
+    const auto excess = wrapping_subtract<std::int64_t>(under.raw(), std::int64_t{1} << frac);
+    DETENT_ASSERT(detail::is_within<frac / 2 + 2>(excess));
+    const auto correction = integer_cast<std::int64_t>(
+        shift_right_floor(wrapping_multiply<Product>(over.raw(), excess), frac));
+    return FixedRatio<Over, Under, frac, 8>{over, under, over.raw() - correction};
+  }
+}
+
+namespace detail {
+
+/// base + x * over / under rounded to nearest, ties to even, and clamped. `whole` is
+/// floor(x * over / under), computed from a quotient with an error below a half.
+///
+/// The remainder is small enough to be computed modulo its integer's size. It shows on which side
+/// of a half the exact quotient is.
+template <class S, class T, class Over, class Under>
+[[nodiscard]] constexpr S add_quotient(const S& base, const T& x, const Over& over,
+                                       const Under& under, std::int64_t whole) noexcept {
+  using Rest = IntegerFor<(std::max)(Under::bits + 1, 63)>;
+  const auto rest = wrapping_subtract<Rest>(wrapping_multiply<Rest>(x.raw(), over.raw()),
+                                            wrapping_multiply<Rest>(whole, under.raw()));
+  const auto beyond_half = wrapping_subtract<Rest>(shift_left(rest, 1), under.raw());
+  const std::int64_t sum = std::int64_t{base.raw()} + whole;
+  const bool up = wrapping_add<Rest>(beyond_half, sum & 1) > Rest(0);  // a tie: up if sum is odd
+  return clamp_raw<S>(sum + (up ? 1 : 0));
+}
+
+}  // namespace detail
+
+/// base + x * ratio rounded to nearest, ties to even, and clamped; |x * ratio| must be below 2^34
+/// steps of S.
+template <Scalar S, Number T, Number Over, Number Under>
+[[nodiscard]] constexpr S add_product(const S& base, const T& x,
+                                      const Ratio<Over, Under>& ratio) noexcept {
+  if constexpr (!is_fixed<S>) {
+    return (base * ratio.under + x * ratio.over) / ratio.under;
+  } else if constexpr (T::bits > 63) {
+    return quotient_nearest<S>(base * ratio.under + x * ratio.over, ratio.under);
+  } else {
+    static_assert(T::frac + Over::frac - Under::frac == S::frac);
+    const auto product = wrapping_multiply<Int128>(x.raw(), ratio.factor);
+    const auto whole = integer_cast<std::int64_t>(shift_right_floor(product, ratio.shift));
+    return detail::add_quotient(base, x, ratio.over, ratio.under, whole);
+  }
+}
+
+template <Scalar S, Number T, Number Over, Number Under, int Shift, int Unknown>
+[[nodiscard]] constexpr S add_product(
+    const S& base, const T& x, const FixedRatio<Over, Under, Shift, Unknown>& ratio) noexcept {
+  if constexpr (!is_fixed<S>) {
+    return (base * ratio.under + x * ratio.over) / ratio.under;
+  } else {
+    static_assert(T::frac + Over::frac - Under::frac == S::frac);
+    static_assert(T::bits + 64 - Shift < 63);
+    // The product's whole part is in the high word, its fraction in the low one.
+    const std::int64_t scaled = std::int64_t{x.raw()} * (std::int64_t{1} << (64 - Shift));
+    const Wide<2> product(wrapping_multiply<Int128>(scaled, ratio.factor));
+    constexpr std::uint64_t half = std::uint64_t{1} << 63;
+    constexpr std::uint64_t margin = std::uint64_t{1} << (T::bits + 64 - Shift + Unknown);
+    const auto whole = static_cast<std::int64_t>(product.word(1));
+    const std::uint64_t fraction = product.word(0);
+    if (fraction - (half - margin) <= 2 * margin) {
+      return detail::add_quotient(base, x, ratio.over, ratio.under, whole);
+    }
+    const std::int64_t nearest = base.raw() + whole + (fraction > half ? 1 : 0);
+    if constexpr (Shift == 63) {
+      return S::assume_raw(static_cast<typename S::raw_type>(nearest));
+    } else {
+      return detail::clamp_raw<S>(nearest);
+    }
+  }
+}
+
+/// x * ratio with 30 more fractional bits than x, off by less than 2^-22 steps of x.
+template <int B, int F, Number Over, Number Under>
+[[nodiscard]] constexpr Fixed<B + 30, F + 30> rough_product(
+    const Fixed<B, F>& x, const FixedRatio<Over, Under, 63, 7>& ratio) noexcept {
+  static_assert(B <= 32);  // 2^7 steps of 2^-63 in the ratio
+  const auto product = wrapping_multiply<Int128>(x.raw(), ratio.factor);
+  return Fixed<B + 30, F + 30>::assume_raw(
+      integer_cast<typename Fixed<B + 30, F + 30>::raw_type>(shift_right_floor(product, 33)));
+}
+
+}  // namespace detent

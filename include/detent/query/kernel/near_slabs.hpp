@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <type_traits>
+
+#include "detent/math/width.hpp"
+#include "detent/query/kernel/nearness.hpp"
+#include "detent/query/kernel/planar.hpp"
+
+namespace detent::detail {
+
+/// By how much `x` is below `low` (negative) or above `high`; 0 between them.
+template <Number X, Number T>
+[[nodiscard]] constexpr auto excess(const X& x, const T& low, const T& high) noexcept {
+  using Excess = decltype(x - low);
+  return x < low ? Excess(x - low) : x > high ? Excess(x - high) : Excess();
+}
+template <Number X, Number T, int N>
+[[nodiscard]] constexpr auto excess(const Vec<X, N>& x, const Vec<T, N>& low,
+                                    const Vec<T, N>& high) noexcept {
+  return make_vec<N>([&](int i) { return excess(x[i], low[i], high[i]); });
+}
+
+/// Calls `within` with the least squared distance of the points t d, t in [0, 1], from the box from
+/// `low` to `high`, as a number or as a numerator and a denominator, and returns its result.
+/// Returns `Answer()` if all points are found to be farther away than `limit`.
+///
+/// The squared distance from the box is the sum of the squares of the excesses: a convex function
+/// f(t) of quadratic pieces, which change where the point enters or leaves a slab. If f is still
+/// falling there, its minimum comes later. So each axis yields the side of its slab on which the
+/// minimum lies. If the axes outside their slabs have the excesses g[i] + t d[i], the minimum is
+/// |g x d|^2 / d^2.
+template <Number T, Number D, Number R, int N, class Within>
+[[nodiscard]] constexpr auto compare_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
+                                           const Vec<D, N>& d, const R& limit,
+                                           const Within& within) noexcept {
+  using Answer = decltype(within(squared_length(low)));
+  bool is_far = false;
+  for (int i = 0; i < N; ++i) {
+    is_far = (low[i] > limit && low[i] - d[i] > limit) || is_far;
+    is_far = (high[i] < -limit && high[i] - d[i] < -limit) || is_far;
+  }
+  if (is_far) return Answer();
+  const auto at_start = excess(Vec<T, N>(), low, high), at_end = excess(d, low, high);
+  if (dot(d, at_start) >= 0) return within(squared_length(at_start));
+  if (dot(d, at_end) <= 0) return within(squared_length(at_end));
+
+  const auto is_falling_at = [&](const T& over, const D& under) {
+    return dot(d, excess(over * d, under * low, under * high)) < 0;
+  };
+  Vec<T, N> g;
+  Vec<D, N> speed;
+  for (int i = 0; i < N; ++i) {
+    const bool rises = d[i] >= 0;
+    const auto& enter = rises ? low[i] : high[i];
+    const auto& leave = rises ? high[i] : low[i];
+    const auto is_past = [&](const T& bound) {
+      if (d[i] == 0) return bound < 0;
+      return rises ? is_falling_at(bound, d[i])
+                   : is_falling_at(narrow_negative(bound), narrow_negative(d[i]));
+    };
+    if (!is_past(enter)) {
+      g[i] = narrow_negative(enter);
+    } else if (is_past(leave)) {
+      g[i] = narrow_negative(leave);
+    } else {
+      continue;
+    }
+    speed[i] = d[i];
+  }
+  if (is_zero(speed)) return within(squared_length(g));
+  const auto area = cross(g, speed);
+  if constexpr (N == 2) {
+    return within(square(area), squared_length(speed));
+  } else {
+    return within(squared_length(area), squared_length(speed));
+  }
+}
+
+/// Whether the point t d, for some t in [0, 1], is within `reach` >= 0 of the box from `low` to
+/// `high`.
+template <Number T, Number D, Number R, int N>
+[[nodiscard]] constexpr bool is_near_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
+                                           const Vec<D, N>& d, const R& reach) noexcept {
+  const auto squared_reach = square(reach);
+  return compare_slabs(low, high, d, reach, [&](const auto& over, const auto&... under) {
+    return over <= (squared_reach * ... * under);
+  });
+}
+
+/// Filter for `is_near_slabs` on the leading 28 bits of all numbers.
+///
+/// Each is too small by less than one step, so faces and points are off by less than sqrt(3) steps
+/// each, a distance by less than 4, and the reach by less than 1.
+template <Number T, Number D, Number R, int N>
+[[nodiscard]] constexpr Nearness roughly_near_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
+                                                    const Vec<D, N>& d, const R& reach) noexcept {
+  constexpr int kept = 28, bits = kept + 1;  // room for a few steps more
+  int dropped = bits_of<R> - headroom(reach);
+  for (int i = 0; i < N; ++i) {
+    dropped = (std::max)(dropped, bits_of<T> - headroom(low[i]));
+    dropped = (std::max)(dropped, bits_of<T> - headroom(high[i]));
+    dropped = (std::max)(dropped, bits_of<D> - headroom(d[i]));
+  }
+  dropped = (std::max)(dropped - kept, 0);
+  const auto cut = [&](const auto& v) {
+    return make_vec<N>([&](int i) { return scale_down<bits>(v[i], dropped); });
+  };
+  using Reach = Fixed<bits, R::frac>;
+  const Reach rough = scale_down<bits>(reach, dropped);
+  const auto steps = [](int count) { return Reach::from_raw(count); };
+  const auto least = narrow<bits>(rough - steps(4)), most = narrow<bits>(rough + steps(5));
+  const auto least_square = square(least), most_square = square(most);
+  return compare_slabs(
+      cut(low), cut(high), cut(d), most, [&](const auto& over, const auto&... under) {
+        if (over > (most_square * ... * under)) return Nearness::apart;
+        return least >= 0 && over <= (least_square * ... * under) ? Nearness::meeting
+                                                                  : Nearness::unknown;
+      });
+}
+
+}  // namespace detent::detail

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/contains/triangle.hpp"
+#include "detent/query/kernel/near_segment.hpp"
+
+namespace detent::detail {
+
+/// Where the point `p` projects onto the triangle 0, `b`, `c` along its normal n = b x c: its
+/// barycentric weights times n^2, which is 0 for a collapsed triangle.
+///
+/// n . (b x p), n . (p x c) and n^2 are computed by Lagrange's identity.
+///
+/// source: Ericson, Real-Time Collision Detection, 5.1.5
+template <Number T, Number P>
+struct PlaceOverFace {
+  constexpr PlaceOverFace(const Vec<T, 3>& b, const Vec<T, 3>& c, const Vec<P, 3>& p) noexcept {
+    const auto bb = squared_length(b), cc = squared_length(c), bc = dot(b, c);
+    const auto bp = dot(b, p), cp = dot(c, p);
+    of_b = cc * bp - bc * cp;
+    of_c = bb * cp - bc * bp;
+    const auto whole = bb * cc - bc * bc;
+    of_a = whole - of_b - of_c;
+    is_flat = !(whole > 0);
+  }
+
+  /// Whether the point is straight above or below the face, where no edge is closer.
+  [[nodiscard]] constexpr bool is_over() const noexcept {
+    return !is_flat && of_a >= 0 && of_b >= 0 && of_c >= 0;
+  }
+
+  using Product = decltype(dot(Vec<T, 3>(), Vec<P, 3>()) * dot(Vec<T, 3>(), Vec<T, 3>()));
+  using Weight = decltype(Product() - Product());
+  decltype(Weight() - Weight() - Weight()) of_a;
+  Weight of_b, of_c;
+  bool is_flat;
+};
+
+/// Whether the point `p` is within `reach` >= 0 of the triangle 0, `b`, `c`: of its face, or of an
+/// edge that it is beyond.
+template <Number T, Number R>
+[[nodiscard]] constexpr bool is_near_corners(const Vec<T, 3>& b, const Vec<T, 3>& c,
+                                             const Vec<T, 3>& p, const R& reach) noexcept {
+  const PlaceOverFace place(b, c, p);
+  if (place.is_over()) return is_near_level(b, c, p, reach);
+  const auto is_beyond = [&](const auto& weight) { return place.is_flat || weight < 0; };
+  return (is_beyond(place.of_c) && is_near_edge(b, p, reach)) ||
+         (is_beyond(place.of_b) && is_near_edge(c, p, reach)) ||
+         (is_beyond(place.of_a) && is_near_edge(c - b, p - b, reach));
+}
+
+/// Whether the point `p` is straight above or below the triangle and within `reach` of it.
+template <Number T, Number R>
+[[nodiscard]] constexpr bool is_near_face(const Vec<T, 3>& b, const Vec<T, 3>& c,
+                                          const Vec<T, 3>& p, const R& reach) noexcept {
+  return PlaceOverFace(b, c, p).is_over() && is_near_level(b, c, p, reach);
+}
+
+/// Whether `point` is straight above or below the face of `triangle`, where no edge is closer, and
+/// within `reach` >= 0 of it; in 2D, whether it is in the triangle.
+template <Scalar S, Number R>
+[[nodiscard]] constexpr bool is_near_face(const Triangle<S, 2>& triangle, const Vec<S, 2>& point,
+                                          const R&) noexcept {
+  return contains(triangle, point);
+}
+template <Scalar S, Number R>
+[[nodiscard]] constexpr bool is_near_face(const Triangle<S, 3>& triangle, const Vec<S, 3>& point,
+                                          const R& reach) noexcept {
+  const auto& [a, b, c] = triangle;
+  return by_width<29>([](const auto&... x) { return is_near_face(x...); }, b - a, c - a, point - a,
+                      reach);
+}
+
+/// Whether `point` is within `reach` >= 0 of `triangle`.
+template <Scalar S, int N, Number R>
+[[nodiscard]] constexpr bool is_near(const Triangle<S, N>& triangle, const Vec<S, N>& point,
+                                     const R& reach) noexcept {
+  const auto& [a, b, c] = triangle;
+  if (are_apart(Bounds(a, b, c), Bounds(point), reach)) return false;
+  if constexpr (N == 2) {
+    return contains(triangle, point) || is_near(Segment{a, b}, point, reach) ||
+           is_near(Segment{b, c}, point, reach) || is_near(Segment{c, a}, point, reach);
+  } else {
+    return by_width<29>([](const auto&... x) { return is_near_corners(x...); }, b - a, c - a,
+                        point - a, reach);
+  }
+}
+
+}  // namespace detent::detail

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/shape/ray.hpp"
+#include "detent/shape/triangle.hpp"
+
+namespace detent::detail {
+
+/// Filter for the line of a ray: rules out triangles that it misses, in less time than `raycast`
+/// takes.
+///
+/// Projected along the line, a corner with the offset (x, y, z) from the line's origin lies at
+/// (x, y, z) d.z - z d, which has two coordinates. The line meets the triangle only if the
+/// projected one does not have the origin on an outer side: if no two edges turn about it in
+/// different ways. Every number is exact, so no triangle that the line touches is ruled out.
+/// (tests/query/kernel/passing_line.test.cpp)
+///
+/// source: Woop, Benthin and Wald, Watertight Ray/Triangle Intersection (2013), without division
+template <Scalar S>
+class PassingLine {
+ public:
+  explicit constexpr PassingLine(const Ray<S, 3>& ray) noexcept
+      : origin_(ray.origin), direction_(ray.direction) {}
+
+  /// Whether the line is found to miss `triangle`. Always false for scalars that round, which could
+  /// only guess, and for directions without z, which project all corners onto one line.
+  [[nodiscard]] constexpr bool passes(const Triangle<S, 3>& triangle) const noexcept {
+    if constexpr (is_fixed<S>) {
+      const auto a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
+      const auto ab = turn(a, b), bc = turn(b, c), ca = turn(c, a);
+      const bool left = int{ab > 0} + int{bc > 0} + int{ca > 0} != 0;
+      const bool right = int{ab < 0} + int{bc < 0} + int{ca < 0} != 0;
+      return left && right;
+    } else {
+      return false;
+    }
+  }
+
+  [[nodiscard]] constexpr auto seen(const Vec<S, 3>& corner) const noexcept {
+    const auto w = corner - origin_;
+    const auto& d = direction_.vec();
+    return Vec{narrow_cross<seen_bits>(Vec{w.x, w.z}, Vec{d.x, d.z}),
+               narrow_cross<seen_bits>(Vec{w.y, w.z}, Vec{d.y, d.z})};
+  }
+  /// d.z times the volume w_a x w_b . d
+  template <Number T>
+  [[nodiscard]] static constexpr auto turn(const Vec<T, 2>& a, const Vec<T, 2>& b) noexcept {
+    return narrow_cross<turn_bits>(a, b);
+  }
+
+ private:
+  // For offsets w with components up to m: at most sqrt(2) m |d|, and at most |d|^2 times
+  // sqrt(3) m^2, twice the area of the largest triangle in a cube.
+  static constexpr int seen_bits = bits_of<decltype(S() - S())> + direction_component<S>::frac + 1;
+  static constexpr int turn_bits = 2 * seen_bits - 1;
+
+  Vec<S, 3> origin_;
+  Direction<S, 3> direction_;
+};
+
+}  // namespace detent::detail

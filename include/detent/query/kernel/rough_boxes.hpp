@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <type_traits>
+
+#include "detent/math/orthonormal.hpp"
+#include "detent/query/kernel/box.hpp"
+#include "detent/query/kernel/nearness.hpp"
+
+namespace detent::detail {
+
+/// The cosine of the angle between two axes, truncated to 28 bits so that products with 32-bit
+/// coordinates fit 64.
+using RoughCosine = Fixed<29, 28>;
+
+/// The axes of a rotation as the edges of a box, without the normals of its faces.
+template <Scalar S, int N>
+class RoughFrame {
+ public:
+  explicit constexpr RoughFrame(const Rotation<S, N>& rotation) noexcept : rotation_(rotation) {}
+
+  [[nodiscard]] constexpr const Rotation<S, N>& rotation() const noexcept { return rotation_; }
+  [[nodiscard]] constexpr const auto& edge(int i) const noexcept { return rotation_.axis(i); }
+  template <Number T>
+  [[nodiscard]] constexpr auto along(int i, const Vec<T, N>& v) const noexcept {
+    return dot(edge(i), v);
+  }
+
+ private:
+  const Rotation<S, N>& rotation_;
+};
+
+/// Whether any two axes are perpendicular within 2^-26.
+constexpr bool is_square(const WorldFrame&) noexcept { return true; }
+template <Scalar S, int N>
+constexpr bool is_square(const RoughFrame<S, N>& frame) noexcept {
+  return are_perpendicular<26>(frame.rotation());
+}
+
+/// The margin for half extents with the sum `sum`: 2^-18 of that, plus 8 steps.
+template <Number Sum>
+[[nodiscard]] constexpr auto rough_margin(const Sum& sum) noexcept {
+  return narrow<34>(scale_down<34>(sum, 18) + Fixed<34, Sum::frac>::from_raw(8));
+}
+
+/// The least f(i) over N axes i. `f` takes i as a constant, so that compilers make no loop of it.
+template <int N, class F>
+[[nodiscard]] constexpr auto least_of(const F& f) noexcept {
+  const auto x = f(std::integral_constant<int, 0>()), y = f(std::integral_constant<int, 1>());
+  if constexpr (N == 2) {
+    return (std::min)(x, y);
+  } else {
+    return (std::min)((std::min)(x, y), f(std::integral_constant<int, 2>()));
+  }
+}
+
+/// Filter in 64 bits: whether two boxes overlap; `apart` leads from one center to the other. Each
+/// length may be too small by up to half a step.
+///
+/// Frames that are square within 2^-26 are within 2^-25.8 of orthonormal ones. Within 2^-22.7 of
+/// those are frames for which each pair of edges that is called parallel here is exactly parallel.
+/// The difference of two boxes with such frames has every face along a face of one or along two
+/// edges that are not parallel. So the ball of radius r about `apart` is in it if each of these has
+/// a slack of r. Then, with r = 2^-22.5 H for the sum H of all half extents, `apart` is in the
+/// difference of the given boxes. Projections and reaches by the cosines of either frames differ by
+/// less than 11 * 2^-22.5 H, and by less than 5 steps from truncated lengths, projections and
+/// margin. So the margin is enough to call them meeting. It is also enough to call them apart,
+/// where an axis as stored or the sum of two, times cosines as they are here, separates them.
+///
+/// source: separating axes by cosines, Ericson, Real-Time Collision Detection, 4.4.1
+template <class Frame, Scalar S, Number H, Number T, int N>
+[[nodiscard]] constexpr Nearness roughly_boxes_overlap(const Frame& a, const Vec<H, N>& half_a,
+                                                       const RoughFrame<S, N>& b,
+                                                       const Vec<H, N>& half_b,
+                                                       const Vec<T, N>& apart) noexcept {
+  constexpr auto size = static_cast<std::size_t>(N);
+  if (!is_square(a)) return Nearness::unknown;
+  using Place = Fixed<34, T::frac>;
+  using Slack = Fixed<63, T::frac + RoughCosine::frac>;
+  constexpr int bits = 62;  // of all sums of two or three products: they are below 2^61
+  auto sum = narrow<36>(half_a[0] + half_b[0]);
+  for (int i = 1; i < N; ++i) sum = narrow<36>(sum + half_a[i] + half_b[i]);
+  const Slack margin = rough_margin(sum);
+  const Slack least = narrow_negative(margin);
+  const auto slack = [](const auto& reach, const auto& place) -> Slack {
+    return narrow_difference<63>(reach, abs(place));
+  };
+
+  std::array<Vec<RoughCosine, N>, size> cosines, lengths;  // [j][i]: edge j of b, edge i of a
+  Vec<Place, N> along_a;
+  for (int j = 0; j < N; ++j) {
+    const auto k = static_cast<std::size_t>(j);
+    cosines[k] =
+        make_vec<N>([&](int i) { return narrow_floor<RoughCosine>(a.along(i, b.edge(j).vec())); });
+    lengths[k] = make_vec<N>([&](int i) { return abs(cosines[k][i]); });
+  }
+  const auto faces_a = least_of<N>([&](auto i) {
+    const auto row = make_vec<N>([&](int j) { return lengths[static_cast<std::size_t>(j)][i]; });
+    along_a[i] = narrow_floor<Place>(a.along(i, apart));
+    return slack(narrow_sum<bits>(half_a[i], narrow_dot<bits>(half_b, row)), along_a[i]);
+  });
+  if (faces_a < least) return Nearness::apart;  // whatever the axes of b are
+  if (!is_square(b)) return Nearness::unknown;
+  const auto faces_b = least_of<N>([&](auto j) {
+    const auto along_b = narrow_floor<Place>(b.along(j, apart));
+    return slack(narrow_sum<bits>(half_b[j], narrow_dot<bits>(half_a, lengths[j])), along_b);
+  });
+  if (faces_b < least) return Nearness::apart;
+  auto inside = (std::min)(faces_a, faces_b);
+  if constexpr (N == 3) {
+    const auto edges = least_of<3>([&](auto j) {
+      return least_of<3>([&](auto i) {
+        constexpr int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+        const auto reach_a =
+            narrow_dot<bits>(Vec{half_a[i1], half_a[i2]}, Vec{lengths[j][i2], lengths[j][i1]});
+        const auto reach_b =
+            narrow_dot<bits>(Vec{half_b[j1], half_b[j2]}, Vec{lengths[j2][i], lengths[j1][i]});
+        const auto place =
+            narrow_cross<bits>(Vec{cosines[j][i1], cosines[j][i2]}, Vec{along_a[i1], along_a[i2]});
+        const bool is_parallel = lengths[j][i1] + lengths[j][i2] <= RoughCosine::from_raw(8);
+        return is_parallel ? margin : slack(narrow_sum<bits>(reach_a, reach_b), place);
+      });
+    });
+    if (edges < least) return Nearness::apart;
+    inside = (std::min)(inside, edges);
+  }
+  return inside >= margin ? Nearness::meeting : Nearness::unknown;
+}
+
+}  // namespace detent::detail

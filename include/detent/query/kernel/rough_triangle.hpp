@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "detent/query/kernel/rough_boxes.hpp"
+
+namespace detent::detail {
+
+/// Filter: whether a box meets a triangle with these corners, given relative to its center. It uses
+/// projections onto the axes of the box, truncated by less than one step.
+///
+/// The axes alone decide if all corners lie beyond one side (apart) or one corner lies within all
+/// (meeting). If axes are perpendicular within 2^-26, a box reaches along each axis its own half
+/// extent and at most 2^-25 H more, for the sum H of all, and a corner with projections c has the
+/// coordinates c within 2^-23 H. The margin is more.
+///
+/// Otherwise, if they fit 29 bits, the projections serve as coordinates along the edges of the box.
+/// The error is within 2^-24 of 2^29 steps, plus one: less than 64. So the triangle with the
+/// projections as corners is within 64 steps of the given one along each axis. Its edges take one
+/// bit more.
+template <Scalar S, Number H, Number T>
+[[nodiscard]] constexpr Nearness roughly_box_meets_triangle(
+    const RoughFrame<S, 3>& box, const Vec<H, 3>& half_extents,
+    const std::array<Vec<T, 3>, 3>& corners) noexcept {
+  if (!is_square(box)) return Nearness::unknown;
+  using Place = Fixed<34, T::frac>;
+  const Place margin = rough_margin(half_extents.x + half_extents.y + half_extents.z);
+  std::array<Vec<Place, 3>, 3> places;
+  std::array<bool, 3> within{true, true, true};
+  for (int i = 0; i < 3; ++i) {
+    const Place most = narrow_sum<34>(half_extents[i], margin);
+    const Place least = narrow_difference<34>(half_extents[i], margin);
+    int above = 0, below = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto place = narrow_floor<Place>(box.along(i, corners[k]));
+      above += place > most ? 1 : 0;
+      below += place < narrow_negative(most) ? 1 : 0;
+      within[k] = within[k] && abs(place) <= least;
+      places[k][i] = place;
+    }
+    if (above == 3 || below == 3) return Nearness::apart;
+  }
+  if (within[0] || within[1] || within[2]) return Nearness::meeting;
+
+  constexpr int bits = 29;
+  using Coordinate = Fixed<bits, T::frac>;
+  constexpr auto error = Coordinate::from_raw(64);
+  const auto longer = make_vec<3>([&](int i) { return half_extents[i] + error; });
+  const auto shorter = make_vec<3>([&](int i) { return half_extents[i] - error; });
+  if (!fits<bits>(places[0]) || !fits<bits>(places[1]) || !fits<bits>(places[2]) ||
+      !fits<bits>(longer)) {
+    return Nearness::unknown;
+  }
+  const auto meets = [&](const auto& extents) {
+    const auto corner = [&](std::size_t k) { return at_most<bits + 1>(places[k]); };
+    return box_meets_triangle<bits + 1>(WorldFrame(), at_most<bits>(extents), corner(0), corner(1),
+                                        corner(2));
+  };
+  if (shorter.x >= 0 && shorter.y >= 0 && shorter.z >= 0 && meets(shorter))
+    return Nearness::meeting;
+  return meets(longer) ? Nearness::unknown : Nearness::apart;
+}
+
+}  // namespace detent::detail

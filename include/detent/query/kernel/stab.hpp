@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include "detent/number/patience.hpp"
+#include "detent/query/kernel/planar.hpp"
+
+namespace detent::detail {
+
+/// Finds N points of a hull whose simplex (a triangle, in 2D a segment) a ray's line stabs, and
+/// then such a simplex that it stabs first or last.
+///
+/// This is a linear program: find nonnegative weights of the points, with the sum 1, that give the
+/// point of the line at the least distance. A basis has N columns: points and, at first, directions
+/// across the line that make up for what the points lack. A point in front of the plane of the
+/// basis enters, and the column whose weight is the first to fall to 0 leaves, so the line stabs
+/// the new basis too.
+///
+/// With w from the ray's origin to a point, the weights of a, b, c are the volumes d . (w_b x w_c),
+/// d . (w_c x w_a), d . (w_a x w_b) over their sum. The rates at which they fall are sums of such
+/// volumes. The sign of the volume of the third column and the entering point decides whether a or
+/// b falls to 0 first: it is the side on which the line passes their edge. A degenerate step is
+/// followed by steps that take the first point and the first column that qualify, until one moves.
+/// So no basis repeats, and the search ends.
+///
+/// source: Dantzig's simplex method; Bland, New Finite Pivoting Rules for the Simplex Method (1977)
+template <Scalar S, int N>
+class Stab {
+ public:
+  using Points = std::span<const Vec<S, N>>;
+  using Offset = decltype(Vec<S, N>() - Vec<S, N>());
+
+  /// `points` must not be empty.
+  constexpr Stab(const Ray<S, N>& ray, const Points& points) noexcept
+      : origin_(ray.origin), direction_(ray.direction), points_(points) {
+    at(0) = column(0);
+    // From the first point towards the line, along each axis except the line's longest.
+    const auto& offset = at(0).offset;
+    const int k = longest_axis(direction_.vec());
+    for (int i = 1; i < N; ++i) {
+      const int j = (k + i) % N;
+      const auto place = offset[j] * direction_[k];
+      const auto place_of_line = offset[k] * direction_[j];
+      const bool is_beyond = direction_[k] > 0 ? place > place_of_line : place < place_of_line;
+      at(i) = {Offset(), no_point};
+      at(i).offset[j] = decltype(offset.x)(is_beyond ? -1 : 1);
+    }
+    orient();
+  }
+
+  /// Whether the line meets the hull. If so, the basis has only points from then on, except for
+  /// directions across the line in which the hull has no extent.
+  [[nodiscard]] constexpr bool meets() noexcept {
+    descend([this] { return lack(); });
+    const auto weight = weights();
+    for (int i = 0; i < N; ++i) {
+      if (!is_point(i) && weight[index(i)] > 0) return false;
+    }
+    while (replace_direction()) {
+    }
+    return true;
+  }
+
+  /// Moves to a simplex that the line stabs first, or last.
+  constexpr void go_to_first() noexcept {
+    descend([this] { return normal(); });
+  }
+  constexpr void go_to_last() noexcept {
+    descend([this] { return narrow_negative(normal()); });
+  }
+
+  /// The distance along the ray, of either sign, at which its line stabs the simplex.
+  [[nodiscard]] constexpr auto distance() const noexcept {
+    const auto along = normal();
+    return Fraction{dot(along, at(point()).offset), dot(along, direction_)};
+  }
+
+  /// Whether the simplex is part of a face.
+  [[nodiscard]] constexpr bool is_face() const noexcept {
+    for (int i = 0; i < N; ++i) {
+      if (!is_point(i)) return false;
+    }
+    return true;
+  }
+
+  /// A vector perpendicular to the basis, pointing along the ray.
+  [[nodiscard]] constexpr auto normal() const noexcept {
+    const int i = point();
+    if constexpr (N == 2) {
+      const auto e = edge(1 - i);
+      const Vec across{narrow_negative(e.y), e.x};
+      return i == 0 ? across : narrow_negative(across);
+    } else {
+      return cross(edge((i + 1) % 3), edge((i + 2) % 3));
+    }
+  }
+
+ private:
+  using Index = std::ptrdiff_t;
+  static constexpr Index no_point = -1;
+
+  /// A point relative to the ray's origin, or a direction across the line.
+  struct Column {
+    Offset offset;
+    Index index = no_point;
+  };
+
+  static constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
+  [[nodiscard]] constexpr Column& at(int i) noexcept { return basis_[index(i)]; }
+  [[nodiscard]] constexpr const Column& at(int i) const noexcept { return basis_[index(i)]; }
+  [[nodiscard]] constexpr const Vec<S, N>& point_at(Index i) const noexcept {
+    return points_[static_cast<std::size_t>(i)];
+  }
+  [[nodiscard]] constexpr Column column(Index i) const noexcept {
+    return {point_at(i) - origin_, i};
+  }
+  [[nodiscard]] constexpr bool is_point(int i) const noexcept { return at(i).index != no_point; }
+
+  /// The first column that is a point. There is one, because the weights of points have the sum 1.
+  [[nodiscard]] constexpr int point() const noexcept {
+    int i = 0;
+    while (!is_point(i)) ++i;
+    return i;
+  }
+
+  /// From the first point of the basis to column i, or column i itself if it is a direction.
+  [[nodiscard]] constexpr Offset edge(int i) const noexcept {
+    if (!is_point(i)) return at(i).offset;
+    return point_at(at(i).index) - point_at(at(point()).index);
+  }
+
+  /// d . (v x w), in 2D d x v: the side on which the line passes the edge from v to w, or the
+  /// point v.
+  [[nodiscard]] constexpr auto side(const Offset& v) const noexcept requires(N == 2) {
+    return cross(direction_, v);
+  }
+  [[nodiscard]] constexpr auto side(const Offset& v, const Offset& w) const noexcept
+      requires(N == 3) {
+    const auto moment = cross(direction_, v);
+    // |d| |v| |w| < 3 2^(2B) (1 + 2^-13) for vectors whose components have B bits.
+    constexpr int bits = bits_of<decltype(moment.x)> + bits_of<decltype(w.x)> + 1;
+    return narrow_dot<bits>(w, moment);
+  }
+
+  /// The weights of the columns, times a common positive factor.
+  [[nodiscard]] constexpr auto weights() const noexcept {
+    if constexpr (N == 2) {
+      return std::array{narrow_negative(side(at(1).offset)), side(at(0).offset)};
+    } else {
+      return std::array{side(at(1).offset, at(2).offset), side(at(2).offset, at(0).offset),
+                        side(at(0).offset, at(1).offset)};
+    }
+  }
+
+  /// Makes the common factor of the weights, normal . direction, positive.
+  constexpr void orient() noexcept {
+    if (dot(normal(), direction_) < 0) std::swap(at(N - 2), at(N - 1));
+  }
+
+  /// A vector g for a column i that is a direction: as a point p moves by v, the amount of the
+  /// direction that makes up for p falls by g . v, times that common factor.
+  [[nodiscard]] constexpr auto gradient(int i) const noexcept {
+    const int first = point();
+    if constexpr (N == 2) {
+      const Vec across{direction_[1], narrow_negative(direction_[0])};
+      return first == 0 ? across : narrow_negative(across);
+    } else {
+      const int other = (first + 1) % 3 == i ? (first + 2) % 3 : (first + 1) % 3;
+      const auto across = cross(direction_, edge(other));
+      return other == (first + 1) % 3 ? across : narrow_negative(across);
+    }
+  }
+
+  /// The negated vector along which points make up for more of the directions of the basis.
+  [[nodiscard]] constexpr auto lack() const noexcept {
+    using Sum = decltype(gradient(0) + gradient(0));
+    constexpr int bits = bits_of<decltype(Sum::x)>;
+    Sum sum;
+    for (int i = 0; i < N; ++i) {
+      if (!is_point(i)) sum = narrow<bits>(sum - gradient(i));  // at most two of them
+    }
+    return sum;
+  }
+
+  /// Lets points enter that lie against the vector `gradient_of()` of the basis, until there is
+  /// none.
+  template <class GradientOf>
+  constexpr void descend(const GradientOf& gradient_of) noexcept {
+    bool moved = true;
+    for (Patience<S> patience; patience.step();) {
+      const Index entering = least(gradient_of(), !moved);
+      if (entering == no_point) return;
+      moved = enter(entering);
+    }
+  }
+
+  /// The point that lies farthest against v, or with `first` the first one that lies against it;
+  /// `no_point` if none does.
+  template <Number V>
+  [[nodiscard]] constexpr Index least(const Vec<V, N>& v, bool first) const noexcept {
+    const auto& from = point_at(at(point()).index);
+    Index best = no_point;
+    auto depth = dot(v, Offset());
+    for (Index i = 0; i < static_cast<Index>(points_.size()); ++i) {
+      const auto here = dot(v, point_at(i) - from);
+      if (here < depth) {
+        best = i;
+        depth = here;
+        if (first) return best;
+      }
+    }
+    return best;
+  }
+
+  /// Adds a point to the basis. Returns whether that changed where the line stabs it.
+  constexpr bool enter(Index entering) noexcept {
+    const auto added = column(entering);
+    const auto weight = weights();
+    using Weight = typename decltype(weight)::value_type;
+    std::array<Weight, static_cast<std::size_t>(N)> sides{};
+    for (int i = 0; i < N; ++i) {
+      if constexpr (N == 2) {
+        sides[index(i)] = i == 0 ? narrow_negative(side(added.offset)) : side(added.offset);
+      } else {
+        sides[index(i)] = side(added.offset, at(i).offset);
+      }
+    }
+    // How fast weight i falls as that of the new point grows, and which weight reaches 0 first.
+    const auto fall = [&](int i) {
+      const auto part = [&](int other, int of) {
+        return is_point(other) ? sides[index(of)] : Weight(0);
+      };
+      if constexpr (N == 2) {
+        return weight[index(i)] - part(1 - i, i);
+      } else {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        return weight[index(i)] + part(k, j) - part(j, k);
+      }
+    };
+    const auto is_before = [&](int i, int j) {
+      const auto& third = sides[index(N == 2 ? i : 3 - i - j)];
+      if (third == 0) return at(i).index < at(j).index;
+      return (N == 2 || j == (i + 1) % 3) == (third < 0);
+    };
+    int leaving = 0;
+    bool leaves = false;
+    for (int i = 0; i < N; ++i) {
+      if (!(fall(i) > 0) || (leaves && !is_before(i, leaving))) continue;
+      leaving = i;
+      leaves = true;
+    }
+    if (!leaves) return false;  // by rounding: the falls of points have the sum 1
+    at(leaving) = added;
+    return weight[index(leaving)] > 0;
+  }
+
+  /// Replaces a direction of weight 0 that some point needs by that point. Returns whether it did.
+  constexpr bool replace_direction() noexcept {
+    for (int i = 0; i < N; ++i) {
+      if (is_point(i)) continue;
+      const auto across = gradient(i);
+      const auto& from = point_at(at(point()).index);
+      for (Index p = 0; p < static_cast<Index>(points_.size()); ++p) {
+        if (dot(across, point_at(p) - from) == 0) continue;
+        at(i) = column(p);
+        orient();
+        return true;
+      }
+    }
+    return false;
+  }
+
+  Vec<S, N> origin_;
+  Direction<S, N> direction_;
+  Points points_;
+  std::array<Column, static_cast<std::size_t>(N)> basis_{};
+};
+
+}  // namespace detent::detail

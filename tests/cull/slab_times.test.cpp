@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "detent/cull/slab_times.hpp"
+
+#include <array>
+#include <utility>
+
+#include "detent/cull/bins.hpp"
+#include "detent/number/next_up.hpp"
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+namespace detent::test {
+namespace {
+
+using Integer = __int128;
+
+template <class S>
+S raw(std::int64_t x) {
+  return S::from_raw(static_cast<typename S::raw_type>(x));
+}
+
+TEMPLATE_TEST_CASE("plane grid: a byte encloses a coordinate, outward", "[slab_times]", q16_16,
+                   q24_8, q8_8) {
+  using S = TestType;
+  Random random(0x9121d);
+  for (int i = 0; i < 20'000; ++i) {
+    const auto a = raw<S>(random.edgy(S::bits)), b = raw<S>(random.edgy(S::bits));
+    const auto least = std::min(a, b), greatest = std::max(a, b);
+    const PlaneGrid<S> grid(least, greatest);
+    REQUIRE(grid.below(least) == 0);
+    REQUIRE(grid.plane(grid.above(greatest)) >= greatest);
+    const auto x = raw<S>(random.between(least.raw(), greatest.raw()));
+    const auto below = grid.below(x), above = grid.above(x);
+    REQUIRE(grid.plane(below) <= x);
+    REQUIRE(grid.plane(above) >= x);
+    REQUIRE(above - below <= 1);
+    // As fine as a byte allows: at half the spacing, the planes would not reach.
+    const auto size = std::int64_t{greatest.raw()} - least.raw();
+    REQUIRE((grid.step() == 1 || 255 * (grid.step() / 2) < size));
+  }
+}
+
+TEMPLATE_TEST_CASE("slab times: no part of the ray between the planes is left out", "[slab_times]",
+                   q16_16, q14_16, q24_8, q8_8) {
+  using S = TestType;
+  using Component = direction_component<S>;
+  using Lanes = detail::ArrayLanes<std::int32_t>;
+  constexpr std::int64_t one = std::int64_t{1} << Component::frac;
+  constexpr std::int64_t low = S::lowest().raw(), high = S::max().raw();
+  Random random(0x51ab);
+  int tight = 0, turned = 0;
+  for (int i = 0; i < 60'000; ++i) {
+    // A point of the ray, and planes on either side of it.
+    const auto length = [&] { return random.wide(S::bits) & high; };
+    const auto origin = raw<S>(random.one_in(3) ? random.edgy(S::bits) : random.wide(S::bits - 1));
+    const std::int64_t speed =
+        random.one_in(3) ? random.between(-one, one) : random.wide(Component::frac - 1);
+    const auto limit = raw<S>(length());
+    const auto distance = raw<S>(random.between(0, limit.raw()));
+    const Integer at = Integer(origin.raw()) * one + Integer(speed) * distance.raw();
+    const auto below = static_cast<std::int64_t>(at >> Component::frac);
+    const auto above = static_cast<std::int64_t>(-(-at >> Component::frac));
+    if (below < low || above > high) continue;
+    const auto x = raw<S>(std::max(low, random.one_in(2) ? below : below - length()));
+    const auto y = raw<S>(std::min(high, random.one_in(2) ? above : above + length()));
+    const auto least = raw<S>(std::max(low, x.raw() - length()));
+    const auto greatest = raw<S>(std::min(high, y.raw() + length()));
+
+    const auto reach = SlabTimes<S>::reach(origin, least, greatest);
+    const SlabClock<S> clock(reach, limit);
+    if (distance > clock.longest()) continue;
+    const SlabTimes<S> slab(clock, origin, raw<Component>(speed), least, greatest);
+    const PlaneGrid<S> grid(least, greatest);
+    const auto planes = slab.on_grid(grid);
+    const auto times = [&](std::uint8_t plane) {
+      std::array<std::uint8_t, 8> bytes{};
+      std::array<std::int32_t, 8> enter{}, leave{};
+      bytes[3] = plane;
+      planes.template enter<Lanes>(bytes).store(enter);
+      planes.template leave<Lanes>(bytes).store(leave);
+      return std::pair(enter[3], leave[3]);
+    };
+    const bool back = speed < 0;
+    const auto near = back ? grid.above(y) : grid.below(x);
+    const auto far = back ? grid.below(x) : grid.above(y);
+    const auto enter = times(near).first;
+    REQUIRE(enter <= clock.time(distance));
+    REQUIRE(times(far).second >= clock.time(distance));
+    REQUIRE(slab.enter(back ? y : x) <= clock.time(distance));
+    REQUIRE(slab.leave(back ? x : y) >= clock.time(distance));
+
+    const Integer plane = grid.origin() + near * grid.step();
+    const Integer fast = back ? -speed : speed;
+    const Integer ahead = back ? origin.raw() - plane : plane - origin.raw();
+    const Integer step_ticks = fast == 0
+                                   ? Integer(1) << 62
+                                   : ((Integer(grid.step()) * 65536 * one / fast) >> clock.shift());
+    if (step_ticks > (1 << 21) + 1) {
+      // Nearly parallel: a plane more than four steps ahead of the origin is not reached.
+      if (ahead > 4 * Integer(grid.step())) REQUIRE(enter > clock.time(clock.longest()));
+      ++turned;
+    } else if (fast >= one / 64) {
+      // The excess is small: two parts in 2^14 of the distances, and the rounding of the steps.
+      const Integer time = (ahead * 65536 * one / fast) >> clock.shift();
+      REQUIRE(time - enter <= ((Integer(reach.raw()) * 65536 * 64 / 8192) >> clock.shift()) + 258);
+      ++tight;
+    }
+  }
+  CHECK(tight > 1'000);
+  CHECK(turned > 1'000);
+}
+
+TEMPLATE_TEST_CASE("bins: in order, and at least nine of sixteen", "[slab_times]", q16_16, q8_8,
+                   float) {
+  using S = TestType;
+  Random random(0xb125);
+  const auto number = [&] {
+    if constexpr (is_fixed<S>) {
+      return raw<S>(random.edgy(S::bits));
+    } else {
+      return static_cast<S>(random.between(-1'000'000, 1'000'000));
+    }
+  };
+  for (int i = 0; i < 5'000; ++i) {
+    const S a = number(), b = number(), x = number(), y = number();
+    const S least = std::min({a, b, x, y}), greatest = std::max({a, b, x, y});
+    const Bins<S> bins(least, greatest);
+    REQUIRE(bins(least) == 0);
+    REQUIRE(bins(greatest) < bin_count);
+    REQUIRE(bins(std::min(x, y)) <= bins(std::max(x, y)));
+    if (least < greatest) REQUIRE(bins(greatest) > 0);
+  }
+  for (int i = 0; i < 1'000; ++i) {
+    std::array<S, 8> a{}, b{};
+    for (auto& x : a) x = number();
+    for (auto& x : b) x = number();
+    auto least = a;
+    lower(least, b);
+    for (std::size_t k = 0; k < 8; ++k) {
+      REQUIRE(least[k] == std::min(a[k], b[k]));
+      REQUIRE(reversed(reversed(a[k])) == a[k]);
+      REQUIRE((reversed(a[k]) < reversed(b[k])) == (b[k] < a[k]));
+      const auto middle = rough_middle(least[k], std::max(a[k], b[k]));
+      REQUIRE(middle <= std::max(a[k], b[k]));
+      if constexpr (is_fixed<S>) REQUIRE(next_up(next_up(middle)) >= least[k]);
+    }
+  }
+  const Bins<q16_16> wide(q16_16(0), q16_16(1));
+  CHECK(wide(q16_16(1)) == 8);
+  CHECK(Coarse<q16_16>(q16_16::from_raw(16'384))(q16_16::from_raw(16'383)) == 8'191);
+}
+
+}  // namespace
+}  // namespace detent::test

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "detent/number/filter/ratio.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "number/big_integer.hpp"
+#include "support/catch.hpp"
+
+using namespace detent;
+using namespace detent::test;
+
+namespace {
+
+template <class S, class T, class R>
+void check_product(const S& base, const T& x, const R& ratio) {
+  const BigRational exact =
+      rational(base) + rational(x) * rational(ratio.over) / rational(ratio.under);
+  CHECK(big_raw(add_product(base, x, ratio)) == clamped<S>(nearest_of(on_grid<S>(exact))));
+}
+
+}  // namespace
+
+TEST_CASE("ratio: a reciprocal is not too large, and within 2^-58") {
+  Random random(20260701);
+  INFO(random);
+  for (int i = 0; i < 20000; ++i) {
+    const auto top = std::uint64_t{1} << 63;
+    const auto x = static_cast<std::uint64_t>(random.edgy(62)) * 2 | top;
+    const BigInteger product = BigInteger(detail::reciprocal(x)) * x;
+    CHECK(product < power_of_two(126));
+    CHECK(product > power_of_two(126) - power_of_two(68));
+  }
+  CHECK(BigInteger(detail::reciprocal(std::uint64_t{1} << 63)) < power_of_two(63));
+}
+
+TEST_CASE("ratio: a product with any ratio is rounded once, halves to even") {
+  // A triangle's normal n, n . w and n^2, and smaller values.
+  using X = Fixed<61, 32>;
+  using Over = Fixed<95, 48>;
+  using Under = Fixed<124, 64>;
+  Random random(20260702);
+  INFO(random);
+  for (int i = 0; i < 20000; ++i) {
+    const auto base = q16_16::from_raw(static_cast<std::int32_t>(random.edgy(31)));
+    const int length = static_cast<int>(random.between(2, 60));
+    const auto x = X::from_raw(random.wide(length));
+    const std::int64_t n = std::max<std::int64_t>(std::abs(random.wide(length)), std::abs(x.raw()));
+    const auto under = fixed_from<Under>(std::max(BigInteger(n) * n, BigInteger(1)));
+    // |x over / under| < 2^33 because |x| <= n; often a half.
+    auto over = BigInteger(n) * random.wide(random.coin() ? 33 : 4);
+    if (random.one_in(4)) over = over / 2 * 2 + n / 2;
+    check_product(base, x, make_ratio(fixed_from<Over>(over), under));
+  }
+}
+
+TEST_CASE("ratio: a product with one below 1 is rounded once, in any width") {
+  Random random(20260703);
+  INFO(random);
+  const auto check = [&](auto over_type, auto x_type, int length) {
+    using Over = decltype(over_type);
+    using X = decltype(x_type);
+    for (int i = 0; i < 20000; ++i) {
+      const auto start = q16_16::from_raw(static_cast<std::int32_t>(random.edgy(31)));
+      auto end = q16_16::from_raw(static_cast<std::int32_t>(random.edgy(31)));
+      if constexpr (X::bits == 30) {
+        end = q16_16::from_raw(start.raw() / 2 + static_cast<std::int32_t>(random.wide(28)));
+      }
+      const BigInteger under =
+          (BigInteger(std::abs(random.edgy(length - 6))) << random.below(5)) + 2;
+      BigInteger over = under / (random.one_in(8) ? 2 : 1 + random.below(9)) - random.below(2);
+      over = std::clamp(over, BigInteger(1), BigInteger(under - 1));
+      const auto ratio = make_ratio_below_one(fixed_from<Over>(over), fixed_from<Over>(under));
+      const auto x =
+          X::from_raw(static_cast<typename X::raw_type>(std::int64_t{end.raw()} - start.raw()));
+      if (x.raw() != std::int64_t{end.raw()} - start.raw()) continue;
+      check_product(start, x, ratio);
+      const BigRational error =
+          rational(rough_product(x, ratio)) - rational(x) * BigRational(over, under);
+      CHECK(abs(on_grid<q16_16>(error)) < BigRational(1, power_of_two(22)));
+    }
+  };
+  check(Fixed<62, 32>(), Fixed<30, 16>(), 61);
+  check(Fixed<66, 32>(), Fixed<32, 16>(), 66);
+}
+
+TEST_CASE("ratio: a product with one over nearly 1 needs no division") {
+  Random random(20260704);
+  INFO(random);
+  for (int i = 0; i < 20000; ++i) {
+    const auto base = q16_16::from_raw(static_cast<std::int32_t>(random.edgy(31)));
+    const auto x = Fixed<31, 30>::from_raw(static_cast<std::int32_t>(random.edgy(30)));
+    const auto over = Fixed<63, 46>::from_raw(random.edgy(62));
+    const std::int64_t excess = random.one_in(8) ? 0 : random.edgy(32);
+    check_product(
+        base, x,
+        make_ratio_near_one(over, Fixed<61, 60>::from_raw((std::int64_t{1} << 60) + excess)));
+    const auto small_base = q8_8::from_raw(static_cast<std::int16_t>(random.edgy(15)));
+    const auto small_x = Fixed<15, 14>::from_raw(static_cast<std::int16_t>(random.edgy(14)));
+    const auto small_over = Fixed<31, 22>::from_raw(static_cast<std::int32_t>(random.edgy(30)));
+    const auto small_excess = static_cast<std::int32_t>(random.edgy(16));
+    check_product(
+        small_base, small_x,
+        make_ratio_near_one(small_over, Fixed<29, 28>::from_raw((1 << 28) + small_excess)));
+  }
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/kernel/passing_line.hpp"
+
+#include "detent/query/raycast/triangle.hpp"
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+namespace detent::test {
+namespace {
+
+TEMPLATE_TEST_CASE("passing line: just the triangles that the line misses are left out", "", q16_16,
+                   q14_16, q24_8, q8_8) {
+  using S = TestType;
+  Random random(0x9a55);
+  const auto point = [&](int size) {
+    return make_vec<3>([&](int) {
+      return S::from_raw(static_cast<typename S::raw_type>(random.between(-size, size)));
+    });
+  };
+  int met = 0, passed = 0, seen_from_edge = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    // Few raw units, so that corners and edges are often hit; far enough to cross the triangle.
+    const int size = random.one_in(2) ? 6 : 5'000;
+    const auto direction = random.one_in(8)
+                               ? Direction<S, 3>::along(static_cast<int>(random.between(0, 2)))
+                               : normalize(point(size));
+    if (!direction) continue;
+    Triangle<S, 3> triangle{point(size), point(size), point(size)};
+    if (random.one_in(20)) triangle.c = triangle.b;
+    const Ray<S, 3> ray{random.one_in(2) ? triangle.a : point(size), *direction, S::max()};
+    const Ray<S, 3> back{ray.origin, -*direction, S::max()};
+    const bool meets = raycast(ray, triangle) || raycast(back, triangle);
+    const bool passes = detail::PassingLine<S>(ray).passes(triangle);
+    INFO(i);
+    if (passes) REQUIRE_FALSE(meets);
+    const bool is_edge_on = detail::RayTriangle<S>(ray, triangle).det == 0;
+    seen_from_edge += is_edge_on ? 1 : 0;
+    if (is_edge_on || direction->vec().z == 0) continue;
+    REQUIRE(passes != meets);
+    ++(passes ? passed : met);
+  }
+  CHECK(met > 2'000);
+  CHECK(passed > 2'000);
+  CHECK(seen_from_edge > 200);
+}
+
+TEST_CASE("passing line: float and double leave nothing out") {
+  const auto passes = []<class S>(S) {
+    const Ray<S, 3> ray{{S(0), S(0), S(0)}, Direction<S, 3>::along(2), S(9)};
+    return detail::PassingLine<S>(ray).passes(
+        {{S(5), S(5), S(1)}, {S(6), S(5), S(1)}, {S(5), S(6), S(1)}});
+  };
+  CHECK_FALSE(passes(0.0F));
+  CHECK_FALSE(passes(0.0));
+  CHECK(passes(q16_16()));
+}
+
+}  // namespace
+}  // namespace detent::test

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/kernel/rough_boxes.hpp"
+
+#include "detent/query/kernel/rough_triangle.hpp"
+#include "detent/shape/obb.hpp"
+#include "detent/shape/triangle.hpp"
+#include "query/overlaps/helpers.hpp"
+
+namespace detent::test {
+namespace {
+
+using detail::Nearness;
+
+/// A rotation of less than 2^(bits - 32) about each axis of the world.
+template <Scalar S>
+Rotation<S, 3> random_turn(Random& random, int bits) {
+  const auto angle = [&] {
+    return Angle<S>::from_raw(static_cast<std::uint32_t>(random.wide(bits)));
+  };
+  const auto x = angle(), y = angle();
+  return Rotation<S, 3>::from_euler(x, y, angle());
+}
+
+template <Scalar S>
+Obb<S, 3> random_box(Random& random, int bits, const Rotation<S, 3>& rotation) {
+  Obb<S, 3> box{{}, {}, rotation};
+  for (int i = 0; i < 3; ++i) {
+    const auto half = random.one_in(8) ? 0 : random.below(std::uint64_t{1} << bits);
+    box.half_extents[i] = S::from_raw(static_cast<std::int32_t>(half));
+  }
+  return box;
+}
+
+/// Unit vectors along which two boxes may just touch: an axis of either box, a cross product, or
+/// any.
+template <Scalar S>
+Direction<S, 3> random_way(Random& random, const Obb<S, 3>& a, const Obb<S, 3>& b) {
+  const auto& u = a.rotation.axis(static_cast<int>(random.below(3)));
+  const auto& v = b.rotation.axis(static_cast<int>(random.below(3)));
+  if (random.one_in(3)) return random.coin() ? u : v;
+  const auto across = direction_of<S>(cross(u, v.vec()));
+  return across && random.coin() ? *across : random_turn<S>(random, 32).axis(0);
+}
+
+struct Count {
+  int asked = 0, unknown = 0, wrong = 0;
+
+  void add(Nearness nearness, bool answer) {
+    ++asked;
+    unknown += nearness == Nearness::unknown ? 1 : 0;
+    wrong += nearness == (answer ? Nearness::apart : Nearness::meeting) ? 1 : 0;
+  }
+};
+
+/// Calls `ask(0)` and, if it returns true, bisects for the smallest number of steps for which it
+/// returns false.
+template <class Ask>
+void ask_up_to_the_last(const Ask& ask) {
+  std::int64_t inside = 0, outside = std::int64_t{1} << 32;
+  if (!ask(inside)) return;
+  while (outside - inside > 1) {
+    const auto middle = (inside + outside) / 2;
+    (ask(middle) ? inside : outside) = middle;
+  }
+}
+
+/// Moves b away from a until they are apart, and tests on the way, most often close to the
+/// transition.
+template <Scalar S>
+void ask_on_the_way(Random& random, const Obb<S, 3>& a, const Obb<S, 3>& b, Count& count) {
+  const detail::EdgeFrame<S> frame_a(a.rotation), frame_b(b.rotation);
+  if (frame_a.is_flat() && frame_b.is_flat()) return;
+  const auto way = random_way(random, a, b);
+  const auto ask = [&](std::int64_t steps) {
+    const auto apart = make_vec<3>([&](int i) {
+      return Fixed<32, S::frac>::from_raw((std::int64_t{way[i].raw()} * steps) >> 30);
+    });
+    const bool answer =
+        detail::boxes_overlap(frame_a, a.half_extents, frame_b, b.half_extents, apart);
+    count.add(detail::roughly_boxes_overlap(detail::RoughFrame(a.rotation), a.half_extents,
+                                            detail::RoughFrame(b.rotation), b.half_extents, apart),
+              answer);
+    return answer;
+  };
+  ask_up_to_the_last(ask);
+}
+
+/// The same with a triangle around the center of a box.
+template <Scalar S>
+void ask_on_the_way(Random& random, const Obb<S, 3>& box, const Triangle<S, 3>& triangle,
+                    Count& count) {
+  const detail::EdgeFrame<S> frame(box.rotation);
+  if (frame.is_flat()) return;
+  const auto way = random_way(random, box, box);
+  ask_up_to_the_last([&](std::int64_t steps) {
+    const auto seen = [&](const Vec<S, 3>& corner) {
+      return make_vec<3>([&](int i) {
+        const std::int64_t step = (std::int64_t{way[i].raw()} * steps) >> 31;
+        return Fixed<32, S::frac>::from_raw(corner[i].raw() + step);
+      });
+    };
+    const auto a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
+    const bool answer = detail::box_meets_triangle<S::bits + 1>(frame, box.half_extents, a, b, c);
+    count.add(detail::roughly_box_meets_triangle(detail::RoughFrame(box.rotation), box.half_extents,
+                                                 std::array{a, b, c}),
+              answer);
+    return answer;
+  });
+}
+
+TEMPLATE_TEST_CASE("OBB and OBB: a rough answer is right or unknown", "[overlaps]", q16_16, q14_16,
+                   q24_8) {
+  using S = TestType;
+  Random random(0x0bb5);
+  Count any, large;
+  for (int i = 0; i < 2000; ++i) {
+    const int bits = 4 + i % (S::bits - 4);
+    const auto turn = random.coin() ? random_turn<S>(random, 32) : Rotation<S, 3>();
+    auto other = compose(random_turn<S>(random, static_cast<int>(random.below(33))), turn);
+    const auto a = random_box(random, bits, turn);
+    auto b = random_box(random, bits, other);
+    ask_on_the_way(random, a, b, bits < 20 ? any : large);
+    // Sheared, so that its axes may not be perpendicular enough.
+    const auto tilted = compose(random_turn<S>(random, static_cast<int>(random.below(20))), other);
+    b.rotation = Rotation<S, 3>::from_axes({tilted.axis(0), other.axis(1), tilted.axis(2)});
+    ask_on_the_way(random, a, b, any);
+  }
+  INFO(random << ": of " << any.asked << " and " << large.asked << " questions, unknown are "
+              << any.unknown << " and " << large.unknown);
+  CHECK(any.wrong + large.wrong == 0);
+  CHECK(any.unknown > 0);
+  CHECK(large.unknown < large.asked / 2);  // half of the steps are within 2^-16 of the transition
+}
+
+TEMPLATE_TEST_CASE("OBB and triangle: a rough answer is right or unknown", "[overlaps]", q16_16,
+                   q14_16, q24_8) {
+  using S = TestType;
+  Random random(0x0b73);
+  Count any, large;
+  for (int i = 0; i < 1000; ++i) {
+    const int bits = 4 + i % (S::bits - 5);
+    const auto turn = random_turn<S>(random, static_cast<int>(random.below(33)));
+    auto box = random_box(random, bits, turn);
+    const auto corner = [&] {
+      return make_vec<3>(
+          [&](int) { return S::from_raw(static_cast<typename S::raw_type>(random.wide(bits))); });
+    };
+    const Triangle<S, 3> triangle{corner(), corner(), corner()};
+    ask_on_the_way(random, box, triangle, bits < 20 ? any : large);
+    const auto tilted = compose(random_turn<S>(random, static_cast<int>(random.below(20))), turn);
+    box.rotation = Rotation<S, 3>::from_axes({tilted.axis(0), turn.axis(1), tilted.axis(2)});
+    ask_on_the_way(random, box, triangle, any);
+  }
+  INFO(random << ": of " << any.asked << " and " << large.asked << " questions, unknown are "
+              << any.unknown << " and " << large.unknown);
+  CHECK(any.wrong + large.wrong == 0);
+  CHECK(any.unknown > 0);
+  CHECK(large.unknown < large.asked * 3 / 4);
+}
+
+}  // namespace
+}  // namespace detent::test
