@@ -8,7 +8,7 @@
 #include <span>
 #include <tuple>
 
-#include "detent/scene/height_field/height_field.hpp"
+#include "detent/scene/height_field/view.hpp"
 
 namespace detent::detail {
 
