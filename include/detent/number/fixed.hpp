@@ -67,6 +67,14 @@ known_integer_is_out_of_range() noexcept;
 
 }  // namespace detail
 
+// Arguments of this constructor are constants nearly always: inlined, its checks and clamps cost
+// nothing, and a compiler that minds code size would call it.  (tests/size: raycast/aabb)
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
+#define DETENT_INLINE_CONSTANT __attribute__((always_inline))
+#else
+#define DETENT_INLINE_CONSTANT
+#endif
+
 /// clang checks the constant arguments of a call at every optimization level.
 #if defined(__clang__)
 #define DETENT_REFUSE_IF(condition, reason) __attribute__((diagnose_if(condition, reason, "error")))
@@ -99,7 +107,7 @@ class Fixed {
   /// the argument is a constant, in GCC where -O1 or higher finds it to be one. Elsewhere it is
   /// asserted, then clamped.
   template <std::integral Int>
-  explicit constexpr Fixed(Int value) noexcept DETENT_REFUSE_IF(
+  DETENT_INLINE_CONSTANT explicit constexpr Fixed(Int value) noexcept DETENT_REFUSE_IF(
       detail::is_out_of_range<Fixed>(value),
       "detent: this integer is out of the number's range: saturate_to<T>(n) clamps it");
 
