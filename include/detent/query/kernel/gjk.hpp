@@ -20,10 +20,9 @@ inline constexpr bool is_fine = bits_of<T> > 48;
 /// It keeps a simplex of differences of corners, reduced to the feature that holds its closest
 /// point p. Each step takes the corner w with the least p . w. If p . w >= p . p, no difference is
 /// closer than p. Otherwise w is added, and the new simplex reaches closer to the origin than the
-/// old one. The distance falls with every step and belongs to a simplex of corners, of which there
-/// are finitely many, so the search ends. No new corner lies in the span of the feature, where
-/// p . x = p . p, so the simplex is never flat. All decisions are signs of integers, which are
-/// exact.
+/// old one. The search ends, because the distance falls with every step and the corners make only
+/// finitely many simplices. No new corner lies in the span of the feature, where p . x = p . p, so
+/// the simplex is never flat. All decisions are signs of integers, which are exact.
 ///
 /// source: Gilbert, Johnson, Keerthi, A Fast Procedure for Computing the Distance Between Complex
 ///         Objects in Three-Dimensional Space (1988); Ericson, Real-Time Collision Detection, 9.5
