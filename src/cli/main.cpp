@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "accuracy.hpp"
 #include "commands.hpp"
 #include "demo_command.hpp"
 #include "diff.hpp"
@@ -55,15 +54,6 @@ Move parse_move(const std::string& text) {
   return move;
 }
 
-std::uint64_t parse_seed(const std::string& text) {
-  std::uint64_t seed = 0;
-  const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, seed);
-  if (read.ec == std::errc() && read.ptr == end) return seed;
-  throw InputError("--seed: \"" + text +
-                   "\" is not a number from 0 below 2^64; write, for example, 2");
-}
-
 Decimal parse_bias(const std::string& text) {
   const auto bias = Decimal::parse(text);
   if (bias && !bias->is_negative()) return *bias;
@@ -76,14 +66,12 @@ struct Arguments {
   RenderOptions render;
   DemoArguments demo;
   VerifyOptions verify;
-  AccuracyOptions accuracy;
   DiffOptions diff;
   bool is_right = true;
   std::string compare;
   std::string size = "640x360";
   std::string offset = "0,0,0";
   std::string bias = default_bias;
-  std::string seed = "1";
   double scale = 0;
 };
 
@@ -174,26 +162,6 @@ void add_verify(CLI::App& app, Arguments& arguments) {
   command->final_callback([&] { arguments.is_right = verify(options); });
 }
 
-void add_accuracy(CLI::App& app, Arguments& arguments) {
-  AccuracyOptions& options = arguments.accuracy;
-  CLI::App* const command = app.add_subcommand(
-      "accuracy",
-      "Count wrong answers and measure errors of every scalar along a ladder of scales");
-  command->add_option("--markdown", options.markdown, "Write the tables to this file")
-      ->check(check_name);
-  command->add_option("--json", options.json, "Write every number to this file")->check(check_name);
-  command->add_option("--svg", options.svg, "Draw the results to this file")->check(check_name);
-  command->add_option("--only", options.only, "Only queries whose name begins so");
-  command->add_option("--count", options.count, "Questions at every rung")
-      ->capture_default_str()
-      ->check(CLI::Range(100, 1000000));
-  command->add_option("--seed", arguments.seed, "Of the random questions")->capture_default_str();
-  command->final_callback([&] {
-    options.seed = parse_seed(arguments.seed);
-    arguments.is_right = measure_accuracy(options);
-  });
-}
-
 void add_diff(CLI::App& app, Arguments& arguments) {
   DiffOptions& options = arguments.diff;
   CLI::App* const command =
@@ -229,7 +197,6 @@ int run(int argc, char** argv) {
       *app.add_subcommand("demo", "Draw the arena near and far from the origin, and count errors"),
       arguments.demo);
   add_verify(app, arguments);
-  add_accuracy(app, arguments);
   add_diff(app, arguments);
   check_command(app, argc, argv);
   if (!parse(app, argc, argv)) return 0;

@@ -1,83 +1,27 @@
 // SPDX-License-Identifier: MIT
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <random>
 #include <sstream>
 
 #include "detent/scene/snapshot.hpp"
 #include "support/catch.hpp"
+#include "support/workshop.hpp"
 
 // The built program, run like a user runs it.
 
 namespace {
 
 namespace fs = std::filesystem;
+using detent::test::content_of;
 
-std::string content_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// A temporary directory, deleted at the end of the test.
-class Workshop {
- public:
-  Workshop()
-      : path_(fs::temp_directory_path() / ("detent-" + std::to_string(std::random_device()()))) {
-    fs::create_directories(path_ / "work");
-  }
-  ~Workshop() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
-
-  void write(const std::string& name, const std::string& content) const {
-    std::ofstream(path_ / "work" / name, std::ios::binary) << content;
-  }
-
-  [[nodiscard]] fs::path path(const std::string& name = "") const { return path_ / "work" / name; }
-
-  struct Result {
-    int code;
-    std::string out;
-    std::string err;
-  };
-
-  /// Runs `detent ARGUMENTS` inside the directory.
-  [[nodiscard]] Result run(const std::string& arguments) const {
-    return run_script("\"$DETENT\" " + arguments);
-  }
-
-  /// Runs a shell script inside the directory; $DETENT is the program.
-  [[nodiscard]] Result run_script(const std::string& script) const {
-    const fs::path out = path_ / "out";
-    const fs::path err = path_ / "err";
-    const std::string command = "DETENT='" DETENT_TOOL "'; cd '" + (path_ / "work").string() +
-                                "' && { " + script + "\n} >'" + out.string() + "' 2>'" +
-                                err.string() + "'";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
-  }
-
-  [[nodiscard]] std::size_t file_count() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_ / "work"), {}));
-  }
-
- private:
-  fs::path path_;
+struct Workshop : detent::test::Workshop {
+  Workshop() : detent::test::Workshop(DETENT_TOOL) {}
 };
 
-/// Exit code 2, exactly one line on standard error with this start, nothing on standard output.
 bool refuses(const Workshop::Result& result, const std::string& start) {
-  return result.code == 2 && result.out.empty() && result.err.starts_with("detent: " + start) &&
-         result.err.find("; ") != std::string::npos &&
-         std::count(result.err.begin(), result.err.end(), '\n') == 1 && result.err.back() == '\n';
+  return is_one_line_of_error(result, "detent: " + start);
 }
 
 const std::string ball_scene =
@@ -377,9 +321,6 @@ TEST_CASE("detent: a bad command line is one line and writes nothing") {
                                       "cast ball.json --compare float,half",
                                       "cast ball.json --compare ,",
                                       "cast ball.json --compare ''",
-                                      "accuracy --seed -1",
-                                      "accuracy --seed 18446744073709551616",
-                                      "accuracy --seed ''",
                                       "cast ball.json --fast",
                                       "render seen.json",
                                       "render seen.json -o x.png --size 0x10",
@@ -405,9 +346,10 @@ TEST_CASE("detent: a bad command line is one line and writes nothing") {
 
 TEST_CASE("detent: a first word that is no command is named") {
   const Workshop shop;
-  const std::string known = "; there are cast, render, demo, verify, accuracy, diff, and ";
+  const std::string known = "; there are cast, render, demo, verify, diff, and ";
   CHECK(refuses(shop.run(""), "no command" + known));
   CHECK(refuses(shop.run("foo"), "unknown command 'foo'" + known));
+  CHECK(refuses(shop.run("accuracy"), "unknown command 'accuracy'" + known));
   CHECK(refuses(shop.run("foo --help"), "unknown command 'foo'" + known));
   CHECK(refuses(shop.run("''"), "unknown command ''" + known));
   CHECK(refuses(shop.run("--foo"), "unknown option '--foo'" + known));
@@ -431,9 +373,6 @@ TEST_CASE("detent: an empty name is refused, whatever it is the name of") {
   refused("demo --out ''", "--out");
   refused("demo --mesh ''", "--mesh");
   refused("verify --dump ''", "--dump");
-  refused("accuracy --json ''", "--json");
-  refused("accuracy --markdown ''", "--markdown");
-  refused("accuracy --svg ''", "--svg");
   refused("diff '' ball.json", "a");
   refused("diff ball.json ''", "b");
   shop.write("ball.json", "{\"shapes\": [{\"type\": \"mesh\", \"file\": \"\"}], \"rays\": []}");
@@ -672,33 +611,4 @@ TEST_CASE("detent: models that cannot be used are refused") {
                       "ELF\x02\x01\0\0\0",
                       9),
           "has no triangles");
-}
-
-TEST_CASE("detent accuracy: tables, numbers and a plot, or the tables on standard output") {
-  const Workshop shop;
-  const std::string plane = "accuracy --only raycast/plane --count 100";
-  const auto result = shop.run(plane + " --markdown t.md --json t.json --svg t.svg");
-  CHECK(result.code == 0);
-  CHECK(result.out.empty());
-  CHECK(result.err == "accuracy 1/2 raycast/plane\naccuracy 2/2 raycast/plane_2d\n");
-  const auto tables = content_of(shop.path("t.md"));
-  CHECK(tables.find("\n### raycast/plane, angle\n") != std::string::npos);
-  CHECK(tables.find("\n| parallel | 0 ") != std::string::npos);
-  CHECK(content_of(shop.path("t.json")).find("\"seed\": 1,") != std::string::npos);
-  const auto plot = content_of(shop.path("t.svg"));
-  CHECK(plot.starts_with("<svg "));
-  CHECK(plot.ends_with("</svg>\n"));
-  CHECK(plot.find(">plane</text>") != std::string::npos);
-
-  const auto printed = shop.run(plane).out;
-  CHECK(printed.substr(printed.find("## Raycasts")) == tables.substr(tables.find("## Raycasts")));
-  CHECK(shop.run(plane + " --seed 2").out.find(", seed 2, ") != std::string::npos);
-}
-
-TEST_CASE("detent accuracy: what it cannot do is refused") {
-  const Workshop shop;
-  CHECK(refuses(shop.run("accuracy --only raycast/torus"), "--only: "));
-  CHECK(refuses(shop.run("accuracy --count 0"), "--count: "));
-  CHECK(refuses(shop.run("accuracy --json no/such/place.json"), "no/such/place.json: "));
-  CHECK(shop.file_count() == 0);
 }

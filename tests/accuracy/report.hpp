@@ -7,7 +7,7 @@
 
 #include "accuracy/survey.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 struct Report {
   std::vector<Result> results;  // ordered by query, then by rung
@@ -29,4 +29,4 @@ struct Report {
 [[nodiscard]] std::string json(const Report& report);
 [[nodiscard]] std::string plot(const Report& report);
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

@@ -6,7 +6,7 @@
 #include "detent/query/overlaps/triangle_capsule.hpp"
 #include "detent/query/overlaps/triangle_triangle.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 void add_flat_overlaps(std::vector<Query>& queries) {
   queries.push_back(
@@ -19,4 +19,4 @@ void add_flat_overlaps(std::vector<Query>& queries) {
       overlap_query<Overlap<kind::Triangle, kind::Capsule>>("overlaps/triangle_capsule", 8));
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

@@ -5,7 +5,7 @@
 #include "accuracy/report.hpp"
 #include "support/catch.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 namespace {
 
 constexpr std::uint64_t seed = 0xacc;
@@ -114,4 +114,4 @@ TEST_CASE("accuracy: a rung whose hit rate is outside 30 to 70 % is an error") {
   }
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

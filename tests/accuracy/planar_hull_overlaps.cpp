@@ -9,7 +9,7 @@
 #include "detent/query/overlaps/sphere_hull.hpp"
 #include "detent/query/overlaps/triangle_hull.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 void add_planar_hull_overlaps(std::vector<Query>& queries) {
   queries.push_back(
@@ -25,4 +25,4 @@ void add_planar_hull_overlaps(std::vector<Query>& queries) {
   queries.push_back(overlap_query<Overlap<kind::Hull, kind::Hull, 2>>("overlaps/hull_hull_2d", 8));
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

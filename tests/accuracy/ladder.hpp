@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 /// What grows from rung to rung.
 enum class Ladder { size, distance, place, angle };
@@ -33,4 +33,4 @@ struct Rung {
 /// The rungs in ascending order. Those of the distance ladder are for rays only.
 [[nodiscard]] const std::vector<Rung>& rungs();
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

@@ -7,7 +7,7 @@
 #include "accuracy/catalogue.hpp"
 #include "detent/number/digest.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 const std::vector<Query>& queries() {
   static const std::vector<Query> all = [] {
@@ -55,4 +55,4 @@ Result survey(const Query& query, const Rung& rung, long count, std::uint64_t se
   return result;
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

@@ -11,7 +11,7 @@
 #include "detent/query/overlaps/obb_plane.hpp"
 #include "detent/query/overlaps/obb_triangle.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 void add_box_overlaps(std::vector<Query>& queries) {
   queries.push_back(overlap_query<Overlap<kind::Aabb, kind::Aabb>>("overlaps/aabb_aabb", 2));
@@ -26,4 +26,4 @@ void add_box_overlaps(std::vector<Query>& queries) {
   queries.push_back(overlap_query<Overlap<kind::Obb, kind::Capsule>>("overlaps/obb_capsule", 8));
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

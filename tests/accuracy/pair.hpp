@@ -3,7 +3,7 @@
 
 #include "accuracy/asking.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 template <class Kind>
 Query ray_query(std::string name, int cost, bool has_angles = true) {
@@ -30,4 +30,4 @@ Query segment_query(std::string name, int cost) {
   return pair_query<Kind>("intersects", std::move(name), cost);
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

@@ -5,7 +5,7 @@
 
 #include "accuracy/survey.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 // One function per source file, because every query is compiled for six scalars.
 void add_raycasts(std::vector<Query>& queries);
@@ -23,4 +23,4 @@ void add_planar_flat_overlaps(std::vector<Query>& queries);
 void add_planar_hull_overlaps(std::vector<Query>& queries);
 void add_planar_segments(std::vector<Query>& queries);
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

@@ -7,7 +7,7 @@
 #include "detent/query/overlaps/plane_hull.hpp"
 #include "detent/query/overlaps/triangle_hull.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 void add_hull_overlaps(std::vector<Query>& queries) {
   queries.push_back(overlap_query<Overlap<kind::Aabb, kind::Hull>>("overlaps/aabb_hull", 8));
@@ -18,4 +18,4 @@ void add_hull_overlaps(std::vector<Query>& queries) {
   queries.push_back(overlap_query<Overlap<kind::Hull, kind::Hull>>("overlaps/hull_hull", 8));
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

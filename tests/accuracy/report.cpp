@@ -7,7 +7,7 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 namespace {
 
 /// Truncated to three digits, so that a value below 1 prints below 1; 0 prints as "0".
@@ -262,4 +262,4 @@ std::string json(const Report& report) {
   return all.dump(1) + "\n";
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

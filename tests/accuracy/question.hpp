@@ -18,7 +18,7 @@
 // change, and above that the spacing of floats is a whole number of steps. So the oracles, which
 // read the raw numbers of a `Fixed`, can judge the inputs of every scalar.
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 using Carrier = q16_16;
 using CarriedDirection = Direction<Carrier, 3>;
@@ -240,4 +240,4 @@ struct Snapped {
   }
 };
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

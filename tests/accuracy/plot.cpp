@@ -6,7 +6,7 @@
 
 #include "accuracy/report.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 namespace {
 
 struct Line {
@@ -311,9 +311,9 @@ std::string plot(const Report& report) {
     y += row_height;
   }
   y = strips(svg, y + 24, report);
-  svg.text(left - 44, y + 6, "Measured " + circumstances(report) + "; detent accuracy", soft,
+  svg.text(left - 44, y + 6, "Measured " + circumstances(report) + "; ./dev accuracy", soft,
            "start", 9);
   return svg.page(left + 4 * column_width + 8, y + 20);
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

@@ -9,7 +9,7 @@
 #include "detent/query/overlaps/sphere_sphere.hpp"
 #include "detent/query/overlaps/sphere_triangle.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 void add_sphere_overlaps(std::vector<Query>& queries) {
   queries.push_back(
@@ -24,4 +24,4 @@ void add_sphere_overlaps(std::vector<Query>& queries) {
   queries.push_back(overlap_query<Overlap<kind::Sphere, kind::Hull>>("overlaps/sphere_hull", 8));
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

@@ -4,7 +4,7 @@
 #include "detent/query/overlaps/capsule_capsule.hpp"
 #include "detent/query/overlaps/capsule_hull.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 void add_capsule_overlaps(std::vector<Query>& queries) {
   queries.push_back(
@@ -12,4 +12,4 @@ void add_capsule_overlaps(std::vector<Query>& queries) {
   queries.push_back(overlap_query<Overlap<kind::Capsule, kind::Hull>>("overlaps/capsule_hull", 8));
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

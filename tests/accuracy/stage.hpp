@@ -9,7 +9,7 @@
 #include "accuracy/question.hpp"
 #include "support/random.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 inline double dot(const Place& a, const Place& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -312,4 +312,4 @@ inline Ray<Carrier, 3> draw_ray(Stage& stage, const Rung& rung, Form form) {
           limit(rung.length)};
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

@@ -10,7 +10,7 @@
 #include "detent/query/intersects/sphere.hpp"
 #include "detent/query/intersects/triangle.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 void add_planar_segments(std::vector<Query>& queries) {
   queries.push_back(
@@ -28,4 +28,4 @@ void add_planar_segments(std::vector<Query>& queries) {
       segment_query<Overlap<kind::Segment, kind::Segment, 2>>("intersects/segment_2d", 8));
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

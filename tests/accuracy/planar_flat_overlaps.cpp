@@ -11,7 +11,7 @@
 #include "detent/query/overlaps/plane_triangle.hpp"
 #include "detent/query/overlaps/triangle_triangle.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 void add_planar_flat_overlaps(std::vector<Query>& queries) {
   queries.push_back(overlap_query<Overlap<kind::Aabb, kind::Aabb, 2>>("overlaps/aabb_aabb_2d", 2));
@@ -30,4 +30,4 @@ void add_planar_flat_overlaps(std::vector<Query>& queries) {
       "overlaps/triangle_triangle_2d", 8));
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

@@ -10,7 +10,7 @@
 #include "oracle/point.hpp"
 #include "oracle/segment_box.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 // Whether two shapes in the carrier overlap, by the tests' oracles.
 
@@ -101,4 +101,4 @@ inline bool meet(const Segment<Carrier, 3>& segment, const Obb<Carrier, 3>& box)
   return exact::meets(segment, box);
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

@@ -5,7 +5,7 @@
 #include "detent/query/raycast/capsule.hpp"
 #include "detent/query/raycast/hull.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 void add_planar_raycasts(std::vector<Query>& queries) {
   queries.push_back(ray_query<Raycast<kind::Sphere, NoBaseline, 2>>("raycast/sphere_2d", 1, false));
@@ -17,4 +17,4 @@ void add_planar_raycasts(std::vector<Query>& queries) {
   queries.push_back(ray_query<Raycast<kind::Hull, NoBaseline, 2>>("raycast/hull_2d", 8));
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

@@ -9,7 +9,7 @@
 #include "detent/query/intersects/sphere.hpp"
 #include "detent/query/intersects/triangle.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 void add_segments(std::vector<Query>& queries) {
   queries.push_back(segment_query<Overlap<kind::Segment, kind::Sphere>>("intersects/sphere", 2));
@@ -22,4 +22,4 @@ void add_segments(std::vector<Query>& queries) {
   queries.push_back(segment_query<Overlap<kind::Segment, kind::Hull>>("intersects/hull", 8));
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

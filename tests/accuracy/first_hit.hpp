@@ -10,8 +10,9 @@
 // Where a ray first hits a shape, exactly: from the tool's oracle, or composed from its results for
 // simpler shapes. Distances are in steps of 2^-48.
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
+namespace oracle = cli::oracle;
 using oracle::Exact;
 using Steps = oracle::Integer;
 
@@ -140,4 +141,4 @@ inline Distance first_hit(const Ray<Carrier, 3>& ray, const Points<Carrier, 3>& 
   return first;
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 namespace {
 
 constexpr double any_angle = -1;
@@ -76,4 +76,4 @@ const std::vector<Rung>& rungs() {
   return all;
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

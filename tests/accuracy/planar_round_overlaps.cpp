@@ -13,7 +13,7 @@
 #include "detent/query/overlaps/sphere_triangle.hpp"
 #include "detent/query/overlaps/triangle_capsule.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 void add_planar_round_overlaps(std::vector<Query>& queries) {
   queries.push_back(
@@ -40,4 +40,4 @@ void add_planar_round_overlaps(std::vector<Query>& queries) {
       overlap_query<Overlap<kind::Capsule, kind::Capsule, 2>>("overlaps/capsule_capsule_2d", 2));
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

@@ -15,7 +15,7 @@
 #include "accuracy/survey.hpp"
 #include "numbers.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 /// The spacing of a scalar's numbers near `x`.
 template <Scalar S>
@@ -127,7 +127,7 @@ Questions<Kind> questions(const Numbers& numbers, const Rung& rung, long count,
 
 template <class Kind, Scalar S>
 Cell answered(const Questions<Kind>& all, const Rung& rung, Inputs inputs) {
-  Tally<S> tally(inputs, std::string(scalar_name<S>));
+  Tally<S> tally(inputs, std::string(cli::scalar_name<S>));
   for (const auto& [question, truth] : all) {
     if (most_of<Kind>(question) > std::ldexp(world_of<S>(rung.frac), rung.frac)) continue;
     tally.count(truth, Kind::answer(Kind::change(Rounded<S>{rung.frac}, question)));
@@ -346,4 +346,4 @@ struct Overlap {
   static void add_baseline(std::vector<Cell>&, const All&, const Rung&, Inputs) {}
 };
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

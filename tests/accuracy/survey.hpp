@@ -9,7 +9,7 @@
 
 #include "accuracy/ladder.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 
 /// Which numbers a test case consists of, and which numbers its result is checked for.
 ///
@@ -57,4 +57,4 @@ struct Result {
 /// Throws std::runtime_error when the share of hits is still outside 30 to 70 %.
 [[nodiscard]] Result survey(const Query& query, const Rung& rung, long count, std::uint64_t seed);
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy

@@ -5,7 +5,7 @@
 #include "detent/query/raycast/capsule.hpp"
 #include "detent/query/raycast/hull.hpp"
 
-namespace detent::cli::accuracy {
+namespace detent::accuracy {
 namespace {
 
 /// The formula of most textbooks, in float. It computes the squared distance from the ray out of
@@ -52,4 +52,4 @@ void add_raycasts(std::vector<Query>& queries) {
   queries.push_back(ray_query<Raycast<kind::Hull>>("raycast/hull", 8));
 }
 
-}  // namespace detent::cli::accuracy
+}  // namespace detent::accuracy
