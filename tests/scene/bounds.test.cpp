@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "detent/cull/bounds.hpp"
+#include "detent/cull/quantized_box.hpp"
 
 #include <algorithm>
 #include <array>
@@ -175,7 +175,7 @@ bool both_meet(const Ray<S, N>& ray, const B& b) {
 
 template <class A, class B>
 bool boxes_meet(const A& a, const B& b) {
-  const auto box = detail::culling_box(a), other = detail::culling_box(b);
+  const auto box = detail::quantized_box(a), other = detail::quantized_box(b);
   for (std::size_t i = 0; i < box.low.size(); ++i) {
     if (box.low[i] > other.high[i] || other.low[i] > box.high[i]) return false;
   }
@@ -184,7 +184,7 @@ bool boxes_meet(const A& a, const B& b) {
 template <Scalar S, int N, class B>
 bool boxes_meet(const Ray<S, N>& ray, const B& b) {
   detail::TreeNode<S, N> node;
-  node.set(0, detail::culling_box(b));
+  node.set(0, detail::quantized_box(b));
   node.count = 1;
   typename detail::RayProbe<S, N>::Key most{};
   std::array<decltype(most), decltype(node)::width> keys;

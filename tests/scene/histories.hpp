@@ -61,7 +61,7 @@ class PlainScene {
     std::optional<Found<S>> best;
     for (const auto& [index, object] : objects) {
       const bool none = std::visit(
-          [](const auto& shape) { return detail::culling_box(shape).is_empty(); }, object.shape);
+          [](const auto& shape) { return detail::quantized_box(shape).is_empty(); }, object.shape);
       if (none || (object.traits.layers & mask) == 0) continue;
       const Found<S> found{
           std::visit([&](const auto& shape) { return distance(shape, point); }, object.shape),

@@ -264,7 +264,7 @@ class Exam {
             if (distance) expected[count++] = {*distance, ids[i]};
             if constexpr (is_point<Question>) {
               // `nearest` skips empty objects.
-              if (detail::culling_box(shape).is_empty()) return;
+              if (detail::quantized_box(shape).is_empty()) return;
               const S here{detent::distance(shape, question), ids[i]};
               if (!nearest || here < *nearest) nearest = here;
             }

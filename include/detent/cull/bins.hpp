@@ -58,14 +58,14 @@ class Bins<F> {
 ///
 /// `longest` is the greatest size.
 template <Number T>
-class Coarse;
+class QuantizedSize;
 
 template <int Bits, int Frac>
-class Coarse<Fixed<Bits, Frac>> {
+class QuantizedSize<Fixed<Bits, Frac>> {
   using T = Fixed<Bits, Frac>;
 
  public:
-  explicit constexpr Coarse(const T& longest) noexcept
+  explicit constexpr QuantizedSize(const T& longest) noexcept
       : shift_((std::max)(bit_length(longest.raw()) - 14, 0)) {}
 
   [[nodiscard]] constexpr Fixed<14, 0> operator()(const T& size) const noexcept {
@@ -78,10 +78,10 @@ class Coarse<Fixed<Bits, Frac>> {
 
 template <Number F>
 requires std::floating_point<F>
-class Coarse<F> {
+class QuantizedSize<F> {
  public:
-  // cppcheck-suppress uninitMemberVar  // false positive: the members of the other Coarse
-  explicit constexpr Coarse(F) noexcept {}
+  // cppcheck-suppress uninitMemberVar  // false positive: the members of the other QuantizedSize
+  explicit constexpr QuantizedSize(F) noexcept {}
   [[nodiscard]] constexpr F operator()(F size) const noexcept { return size; }
 };
 
@@ -100,7 +100,7 @@ constexpr void lower(std::array<T, Size>& a, const std::array<T, Size>& b) noexc
 
 /// The mean of two numbers, within one step of their grid; monotone in both.
 template <Number T>
-[[nodiscard]] constexpr T rough_middle(const T& a, const T& b) noexcept {
+[[nodiscard]] constexpr T mean(const T& a, const T& b) noexcept {
   if constexpr (is_fixed<T>) {
     return T::assume_raw(static_cast<typename T::raw_type>((a.raw() >> 1) + (b.raw() >> 1)));
   } else {

@@ -19,7 +19,7 @@ namespace detent::detail {
 template <Scalar S, int N>
 class RayProbe {
  public:
-  using Key = typename Culling<S>::Time;
+  using Key = typename Grid<S>::Time;
 
   explicit constexpr RayProbe(const Ray<S, N>& ray) noexcept {
     for (int i = 0; i < N; ++i) {
@@ -30,7 +30,7 @@ class RayProbe {
 
   /// From now on, only boxes that may lie within `distance`.
   constexpr void shorten(const S& distance) noexcept {
-    limit_ = Key{Culling<S>::above(distance)} + CullingAxis<S>::slack;
+    limit_ = Key{Grid<S>::above(distance)} + CullingAxis<S>::slack;
   }
   [[nodiscard]] constexpr bool reaches(Key key) const noexcept { return key <= limit_; }
 
@@ -65,14 +65,14 @@ class RayProbe {
 template <Scalar S, int N>
 class PointProbe {
  public:
-  using Key = typename Culling<S>::Area;
+  using Key = typename Grid<S>::Area;
 
-  explicit constexpr PointProbe(const Vec<S, N>& point) noexcept : box_(culling_box(point)) {}
+  explicit constexpr PointProbe(const Vec<S, N>& point) noexcept : box_(quantized_box(point)) {}
 
   constexpr void shorten(const S& distance) noexcept {
     if (distance >= largest<S>) return;  // greater distances are clamped to it
     is_limited_ = true;
-    const auto limit = static_cast<Key>(Culling<S>::above(distance)) + Key(1);  // rounded down
+    const auto limit = static_cast<Key>(Grid<S>::above(distance)) + Key(1);  // rounded down
     limit_ = limit * limit;
   }
   /// A distance measured in the frame of a box may be 2^-8 less (bounds.hpp).
@@ -98,12 +98,12 @@ class PointProbe {
   }
 
  private:
-  using Coordinate = typename Culling<S>::Coordinate;
+  using Coordinate = typename Grid<S>::Coordinate;
   static constexpr Key extent(Coordinate low, Coordinate high) noexcept {
     return static_cast<Key>(high) - static_cast<Key>(low);
   }
 
-  CullingBox<S, N> box_;
+  QuantizedBox<S, N> box_;
   Key limit_{};
   bool is_limited_ = false;
 };

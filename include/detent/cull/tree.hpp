@@ -19,8 +19,8 @@ template <class Storage, Scalar S, int N>
 class Tree {
  public:
   using Node = TreeNode<S, N>;
-  using Box = CullingBox<S, N>;
-  using Area = typename Culling<S>::Area;
+  using Box = QuantizedBox<S, N>;
+  using Area = typename Grid<S>::Area;
   static constexpr std::size_t width = Node::width;
   static constexpr std::size_t least = 3;
   /// With three children or more per node, it is at most this deep for 2^32 objects.

@@ -12,4 +12,3 @@
 #include "detent/query/batch/bounds.hpp"
 #include "detent/query/batch/rays.hpp"
 #include "detent/query/batch/shapes.hpp"
-#include "detent/query/batch/sieve.hpp"

@@ -31,7 +31,7 @@ class Finder {
   constexpr void visit_meeting(const Question& question, const Filter& filter,
                                const Visit& visit) const {
     if constexpr (is_question<SceneRegion<Question, S, N>>()) {
-      const auto box = culling_box(question);
+      const auto box = quantized_box(question);
       visit_trees([&](const auto& tree) {
         return detail::visit_meeting(tree, box, [&](Index i) {
           return filter(store_.info(i)) &&

@@ -27,7 +27,7 @@ template <class Storage, Scalar S, int N, class... Shapes>
 class Store {
  public:
   using Shape = OneOf<Shapes...>;
-  using Box = CullingBox<S, N>;
+  using Box = QuantizedBox<S, N>;
 
   struct Record {
     Shape shape{};  // in the world
@@ -231,7 +231,7 @@ class Store {
  private:
   static constexpr std::size_t attachment_capacity = Storage::frame_capacity == 0 ? 0 : capacity;
 
-  static constexpr Box empty() noexcept { return culling_box_of(no_box<Aabb<S, N>>); }
+  static constexpr Box empty() noexcept { return quantized_box_of(no_box<Aabb<S, N>>); }
 
   static constexpr std::uint64_t motion_bit(std::uint32_t i) noexcept {
     return std::uint64_t{1} << (i % 64);
@@ -265,7 +265,7 @@ class Store {
       attachments_[record.attachment].local = shape;
       place(attachments_[record.attachment]);
     }
-    set_box(i, record.shape.visit([](const auto& s) -> Box { return culling_box(s); }));
+    set_box(i, record.shape.visit([](const auto& s) -> Box { return quantized_box(s); }));
   }
 
   constexpr void place(const Attachment& attachment) noexcept {

@@ -12,7 +12,7 @@
 
 #include "detent/cull/lanes.hpp"
 #include "detent/cull/prefetch.hpp"
-#include "detent/cull/slab_times.hpp"
+#include "detent/cull/slabs.hpp"
 #include "detent/cull/static_tree/node.hpp"
 #include "detent/cull/static_tree/stack.hpp"
 #include "detent/shape/ray.hpp"

@@ -57,13 +57,14 @@ class BoxCost {
   using Size = decltype(S() - S());
 
  public:
-  constexpr BoxCost() noexcept : coarse_(Size()) {}
-  explicit constexpr BoxCost(const GrowingBox<S, N>& whole) noexcept : coarse_(longest(whole)) {}
+  constexpr BoxCost() noexcept : quantized_(Size()) {}
+  explicit constexpr BoxCost(const GrowingBox<S, N>& whole) noexcept : quantized_(longest(whole)) {}
 
   [[nodiscard]] constexpr auto operator()(const GrowingBox<S, N>& box,
                                           std::uint32_t count) const noexcept {
-    const auto size = make_vec<N>(
-        [&](int i) { return coarse_((std::max)(Size(), Size(box.greatest(i) - box.least(i)))); });
+    const auto size = make_vec<N>([&](int i) {
+      return quantized_((std::max)(Size(), Size(box.greatest(i) - box.least(i))));
+    });
     if constexpr (N == 2) {
       return times(size.x + size.y, count);
     } else {
@@ -78,7 +79,7 @@ class BoxCost {
     return most;
   }
 
-  Coarse<Size> coarse_;
+  QuantizedSize<Size> quantized_;
 };
 
 /// Builds the nodes of a tree from the root down, reordering the items as it goes.
@@ -203,7 +204,7 @@ class StaticBuilder {
   }
 
   [[nodiscard]] static constexpr S middle(const Aabb<S, N>& box, int axis) noexcept {
-    return rough_middle(box.min[axis], box.max[axis]);
+    return mean(box.min[axis], box.max[axis]);
   }
 
   struct Bin {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "detent/cull/plane_grid.hpp"
+#include "detent/cull/byte_grid.hpp"
 #include "detent/shape/bounding_box.hpp"
 
 namespace detent {
@@ -21,7 +21,7 @@ template <Scalar S, int N>
 struct alignas(64) StaticNode {
   static constexpr std::size_t width = 8;
 
-  std::array<PlaneGrid<S>, std::size_t{N}> grids;
+  std::array<ByteGrid<S>, std::size_t{N}> grids;
   /// sides[2 * axis] is the least coordinate of each child's box on an axis, sides[2 * axis + 1]
   /// the greatest.
   std::array<std::array<std::uint8_t, width>, 2 * std::size_t{N}> sides{};
@@ -36,7 +36,7 @@ struct alignas(64) StaticNode {
   /// A node without children whose box is `bounds`.
   explicit constexpr StaticNode(const Aabb<S, N>& bounds) noexcept {
     for (int i = 0; i < N; ++i) {
-      grids[static_cast<std::size_t>(i)] = PlaneGrid<S>(bounds.min[i], bounds.max[i]);
+      grids[static_cast<std::size_t>(i)] = ByteGrid<S>(bounds.min[i], bounds.max[i]);
     }
   }
 

@@ -12,8 +12,8 @@
 namespace detent::detail {
 
 template <Scalar S, int N>
-[[nodiscard]] constexpr bool is_within(const CullingBox<S, N>& inner,
-                                       const CullingBox<S, N>& outer) noexcept {
+[[nodiscard]] constexpr bool is_within(const QuantizedBox<S, N>& inner,
+                                       const QuantizedBox<S, N>& outer) noexcept {
   bool is = true;
   for (std::size_t axis = 0; axis < inner.low.size(); ++axis) {
     is &= outer.low[axis] <= inner.low[axis] && inner.high[axis] <= outer.high[axis];
@@ -22,9 +22,9 @@ template <Scalar S, int N>
 }
 
 template <Scalar S, int N>
-[[nodiscard]] constexpr CullingBox<S, N> hull_of(const CullingBox<S, N>& a,
-                                                 const CullingBox<S, N>& b) noexcept {
-  CullingBox<S, N> result;
+[[nodiscard]] constexpr QuantizedBox<S, N> hull_of(const QuantizedBox<S, N>& a,
+                                                   const QuantizedBox<S, N>& b) noexcept {
+  QuantizedBox<S, N> result;
   for (std::size_t axis = 0; axis < a.low.size(); ++axis) {
     result.low[axis] = (std::min)(a.low[axis], b.low[axis]);
     result.high[axis] = (std::max)(a.high[axis], b.high[axis]);
@@ -35,10 +35,8 @@ template <Scalar S, int N>
 /// A measure of how often rays and boxes hit `box`: half its surface plus its extents; in 2D half
 /// its perimeter.
 template <Scalar S, int N>
-[[nodiscard]] constexpr auto half_area(const CullingBox<S, N>& box) noexcept {
-  const auto extent = [&](std::size_t i) {
-    return Culling<S>::area_extent(box.low[i], box.high[i]);
-  };
+[[nodiscard]] constexpr auto half_area(const QuantizedBox<S, N>& box) noexcept {
+  const auto extent = [&](std::size_t i) { return Grid<S>::area_extent(box.low[i], box.high[i]); };
   if constexpr (N == 2) {
     return extent(0) + extent(1);
   } else {
@@ -50,9 +48,9 @@ template <Scalar S, int N>
 /// The box of a node that grows least in area when extended by `box`; of equals, the smallest.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::size_t best_place(const TreeNode<S, N>& node,
-                                               const CullingBox<S, N>& box) noexcept {
+                                               const QuantizedBox<S, N>& box) noexcept {
   std::size_t best = 0;
-  typename Culling<S>::Area best_growth{}, best_area{};
+  typename Grid<S>::Area best_growth{}, best_area{};
   for (std::size_t i = 0; i < node.count; ++i) {
     const auto area = half_area(node.box(i));
     const auto growth = half_area(hull_of(node.box(i), box)) - area;
@@ -67,7 +65,7 @@ template <Scalar S, int N>
 
 /// Twice the center.
 template <Scalar S, int N>
-[[nodiscard]] constexpr auto center(const CullingBox<S, N>& box) noexcept {
+[[nodiscard]] constexpr auto center(const QuantizedBox<S, N>& box) noexcept {
   auto result = box.low;
   for (std::size_t axis = 0; axis < result.size(); ++axis) result[axis] += box.high[axis];
   return result;
@@ -98,8 +96,8 @@ constexpr void arrange(TreeEntry<S, N>* first, std::size_t count) {
     }
     std::size_t axis = 0;
     for (std::size_t i = 1; i < lowest.size(); ++i) {
-      if (Culling<S>::area_extent(lowest[i], highest[i]) >
-          Culling<S>::area_extent(lowest[axis], highest[axis])) {
+      if (Grid<S>::area_extent(lowest[i], highest[i]) >
+          Grid<S>::area_extent(lowest[axis], highest[axis])) {
         axis = i;
       }
     }
@@ -116,10 +114,10 @@ template <Scalar S, int N, std::size_t Count>
                                                std::size_t least) noexcept {
   auto best = entries;
   std::size_t best_cut = 0;
-  typename Culling<S>::Area best_cost{};
+  typename Grid<S>::Area best_cost{};
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(N); ++axis) {
     std::sort(entries.begin(), entries.end(), by_center(axis));
-    std::array<CullingBox<S, N>, Count> rest;  // rest[i] is around the entries from i on
+    std::array<QuantizedBox<S, N>, Count> rest;  // rest[i] is around the entries from i on
     rest[Count - 1] = entries[Count - 1].box;
     for (std::size_t i = Count - 1; i-- > 0;) rest[i] = hull_of(entries[i].box, rest[i + 1]);
     auto first = entries[0].box;

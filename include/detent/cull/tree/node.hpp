@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "detent/cull/bounds.hpp"
+#include "detent/cull/quantized_box.hpp"
 
 namespace detent::detail {
 
@@ -16,7 +16,7 @@ inline constexpr std::uint32_t nowhere = 0xffffffffu;
 template <Scalar S, int N>
 struct alignas(64) TreeNode {
   static constexpr std::size_t width = 8;
-  using Box = CullingBox<S, N>;
+  using Box = QuantizedBox<S, N>;
   using Lane = std::array<typename Box::Coordinate, width>;
   using Mask = std::uint32_t;  // bit i for box i
 
@@ -33,8 +33,8 @@ struct alignas(64) TreeNode {
 
   /// Sets an empty box, which overlaps nothing and does not enlarge `bounds`.
   constexpr void clear(std::size_t i) noexcept {
-    for (auto& lane : low) lane[i] = Culling<S>::beyond;
-    for (auto& lane : high) lane[i] = -Culling<S>::beyond;
+    for (auto& lane : low) lane[i] = Grid<S>::beyond;
+    for (auto& lane : high) lane[i] = -Grid<S>::beyond;
     child[i] = nowhere;
   }
   constexpr void set(std::size_t i, const Box& box) noexcept {
@@ -92,7 +92,7 @@ struct alignas(64) TreeNode {
 /// One entry: a child and its box.
 template <Scalar S, int N>
 struct TreeEntry {
-  CullingBox<S, N> box;
+  QuantizedBox<S, N> box;
   std::uint32_t child = nowhere;
 };
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "detent/cull/columns.hpp"
 #include "detent/math/orthonormal.hpp"
+#include "detent/query/raycast/aabb.hpp"
 #include "detent/shape/bounding_box.hpp"
 #include "detent/shape/plane.hpp"
 
@@ -49,6 +51,17 @@ template <Scalar S, int N>
     around.max[i] = ceil_to<S>(around.max[i] + more);
   }
   return within_range(around);
+}
+
+/// The part of a ray in the region of a batch, quantized, or nothing.
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<LaneRay<S, N>> quantized_part(
+    const Ray<S, N>& ray, const BatchGrid<S, N>& grid) noexcept {
+  if (is_empty(grid.region())) return std::nullopt;
+  const auto inside = raycast_interval(ray, grid.region());
+  if (!inside) return std::nullopt;
+  return grid.quantize(Segment<S, N>{point_at(ray, inside->enter), point_at(ray, inside->exit)},
+                       ray.direction);
 }
 
 }  // namespace detent::detail

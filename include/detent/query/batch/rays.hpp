@@ -21,16 +21,16 @@ namespace detent {
 template <Scalar S, int N>
 class RayBatch {
  public:
-  using Block = detail::CoarseRays<S, N>;
+  using Block = detail::RayColumns<S, N>;
 
   constexpr RayBatch(std::span<const Ray<S, N>> rays, const Aabb<S, N>& frame,
                      std::span<Block> blocks) noexcept
       : rays_(rays),
         blocks_(blocks.first((std::min)(blocks.size(), batch_blocks(size())))),
-        frame_(frame) {
+        grid_(frame) {
     for (std::size_t i = 0; i < blocks_.size() * detail::batch_lanes; ++i) {
-      auto ray = detail::CoarseRay<S, N>::nowhere();
-      if (i < size()) ray = frame_.coarsen(rays[i]).value_or(ray);
+      auto ray = detail::LaneRay<S, N>::nowhere();
+      if (i < size()) ray = detail::quantized_part(rays[i], grid_).value_or(ray);
       blocks[i / detail::batch_lanes].set(i % detail::batch_lanes, ray);
     }
   }
@@ -46,9 +46,9 @@ class RayBatch {
   constexpr void visit_candidates(const Shape& shape, const Visit& visit) const noexcept {
     std::size_t asked = 0;
     const auto bounds = detail::ray_bounds(shape);
-    if (bounds && frame_.holds(*bounds)) {
-      const auto boxes = detail::repeated<detail::CoarseBoxes<S, N>>(frame_.coarsen(*bounds));
-      const auto slack = frame_.slack();
+    if (bounds && grid_.holds(*bounds)) {
+      const auto boxes = detail::repeated<detail::BoxColumns<S, N>>(grid_.quantize(*bounds));
+      const auto slack = grid_.slack();
       detail::Candidates candidates;
       for (std::size_t b = 0; b < blocks_.size(); ++b, asked += detail::batch_lanes) {
         const auto& block = blocks_[b];
@@ -64,7 +64,7 @@ class RayBatch {
  private:
   std::span<const Ray<S, N>> rays_;
   std::span<const Block> blocks_;
-  detail::CoarseFrame<S, N> frame_;
+  detail::BatchGrid<S, N> grid_;
 };
 
 /// Whether any ray of a batch touches `shape`.

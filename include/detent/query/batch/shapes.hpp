@@ -7,7 +7,6 @@
 #include <span>
 
 #include "detent/query/batch/bounds.hpp"
-#include "detent/query/batch/sieve.hpp"
 
 namespace detent {
 
@@ -31,7 +30,7 @@ class ShapeBatch;
 template <template <Scalar, int> class Shape, Scalar S, int N>
 class ShapeBatch<Shape<S, N>> {
  public:
-  using Block = detail::CoarseBoxes<S, N>;
+  using Block = detail::BoxColumns<S, N>;
 
   constexpr ShapeBatch(std::span<const Shape<S, N>> shapes, std::span<Block> blocks) noexcept
       : shapes_(shapes), blocks_(blocks.first((std::min)(blocks.size(), batch_blocks(size())))) {
@@ -40,12 +39,12 @@ class ShapeBatch<Shape<S, N>> {
       const auto bounds = detail::ray_bounds(shape);
       if (bounds) around = bounding_box(around, *bounds);
     }
-    frame_ = detail::CoarseFrame<S, N>(around);
+    grid_ = detail::BatchGrid<S, N>(around);
     for (std::size_t i = 0; i < blocks_.size() * detail::batch_lanes; ++i) {
-      auto box = detail::CoarseBox<S, N>::nowhere();
+      auto box = detail::LaneBox<S, N>::nowhere();
       if (i < size()) {
         const auto bounds = detail::ray_bounds(shapes[i]);
-        box = bounds ? frame_.coarsen(*bounds) : detail::CoarseBox<S, N>::anywhere();
+        box = bounds ? grid_.quantize(*bounds) : detail::LaneBox<S, N>::anywhere();
       }
       blocks[i / detail::batch_lanes].set(i % detail::batch_lanes, box);
     }
@@ -60,18 +59,18 @@ class ShapeBatch<Shape<S, N>> {
   /// max_distance. `visit` returns the new max_distance, or a negative number to stop.
   template <class Visit>
   constexpr void visit_candidates(Ray<S, N> ray, const Visit& visit) const noexcept {
-    detail::CoarseRays<S, N> rays;
+    detail::RayColumns<S, N> rays;
     const auto look = [&] {
-      const auto coarse_ray = frame_.coarsen(ray);
-      if (coarse_ray) rays = detail::repeated<detail::CoarseRays<S, N>>(*coarse_ray);
-      return coarse_ray.has_value();
+      const auto quantized_ray = detail::quantized_part(ray, grid_);
+      if (quantized_ray) rays = detail::repeated<detail::RayColumns<S, N>>(*quantized_ray);
+      return quantized_ray.has_value();
     };
-    bool is_in_frame = look();
+    bool is_in_region = look();
     detail::Candidates candidates;
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       const auto& block = blocks_[b];
-      if (is_in_frame) {
-        const auto slack = frame_.slack();
+      if (is_in_region) {
+        const auto slack = grid_.slack();
         candidates.assign([&](std::size_t l) { return !is_apart(block, rays, l, slack); });
       } else {
         candidates.assign([&](std::size_t l) { return block.is_anywhere(l); });
@@ -82,7 +81,7 @@ class ShapeBatch<Shape<S, N>> {
         return ray.max_distance >= 0;
       });
       if (!goes_on) return;
-      if (ray.max_distance != reach) is_in_frame = look();
+      if (ray.max_distance != reach) is_in_region = look();
     }
     for (std::size_t i = blocks_.size() * detail::batch_lanes; i < size(); ++i) {
       if (visit(i) < 0) return;
@@ -92,7 +91,7 @@ class ShapeBatch<Shape<S, N>> {
  private:
   std::span<const Shape<S, N>> shapes_;
   std::span<const Block> blocks_;
-  detail::CoarseFrame<S, N> frame_{detail::no_box<Aabb<S, N>>};
+  detail::BatchGrid<S, N> grid_{detail::no_box<Aabb<S, N>>};
 };
 
 /// The first hit of a ray in a batch.

@@ -5,12 +5,12 @@
 #include <array>
 #include <cstddef>
 
-#include "detent/cull/culling.hpp"
+#include "detent/cull/grid.hpp"
 #include "detent/math/orthonormal.hpp"
 #include "detent/shape/bounding_box.hpp"
 #include "detent/shape/plane.hpp"
 
-// Broad-phase boxes, on the grid of cull/culling.hpp: if a query finds that two shapes overlap,
+// Broad-phase boxes, on the grid of cull/grid.hpp: if a query finds that two shapes overlap,
 // their boxes overlap too.
 //
 // A box around the points of each shape is not enough: round shapes measure distances to an `Obb`
@@ -28,89 +28,89 @@ namespace detent::detail {
 
 /// A box of the grid; empty when low > high.
 template <Scalar S, int N>
-struct CullingBox {
-  using Coordinate = typename Culling<S>::Coordinate;
+struct QuantizedBox {
+  using Coordinate = typename Grid<S>::Coordinate;
   std::array<Coordinate, static_cast<std::size_t>(N)> low;
   std::array<Coordinate, static_cast<std::size_t>(N)> high;
 
-  [[nodiscard]] friend constexpr bool operator==(const CullingBox&,
-                                                 const CullingBox&) noexcept = default;
+  [[nodiscard]] friend constexpr bool operator==(const QuantizedBox&,
+                                                 const QuantizedBox&) noexcept = default;
   [[nodiscard]] constexpr bool is_empty() const noexcept { return low[0] > high[0]; }
 };
 
 template <Scalar S, int N>
-[[nodiscard]] constexpr CullingBox<S, N> culling_box_of(const Aabb<S, N>& box) noexcept {
-  CullingBox<S, N> result;
+[[nodiscard]] constexpr QuantizedBox<S, N> quantized_box_of(const Aabb<S, N>& box) noexcept {
+  QuantizedBox<S, N> result;
   const bool none = is_empty(box);
   for (int i = 0; i < N; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    result.low[at] = none ? Culling<S>::beyond : Culling<S>::below(box.min[i]);
-    result.high[at] = none ? -Culling<S>::beyond : Culling<S>::above(box.max[i]);
+    result.low[at] = none ? Grid<S>::beyond : Grid<S>::below(box.min[i]);
+    result.high[at] = none ? -Grid<S>::beyond : Grid<S>::above(box.max[i]);
   }
   return result;
 }
 
 template <Scalar S, int N>
-[[nodiscard]] constexpr CullingBox<S, N> everywhere() noexcept {
-  CullingBox<S, N> result;
-  result.low.fill(-Culling<S>::beyond);
-  result.high.fill(Culling<S>::beyond);
+[[nodiscard]] constexpr QuantizedBox<S, N> everywhere() noexcept {
+  QuantizedBox<S, N> result;
+  result.low.fill(-Grid<S>::beyond);
+  result.high.fill(Grid<S>::beyond);
   return result;
 }
 
 /// The box around all points within `reach` of `box`, which must not be empty.
 template <Scalar S, int N>
-[[nodiscard]] constexpr CullingBox<S, N> culling_box_around(
-    const Aabb<S, N>& box, const typename Culling<S>::Length& reach) noexcept {
-  CullingBox<S, N> result;
+[[nodiscard]] constexpr QuantizedBox<S, N> quantized_box_around(
+    const Aabb<S, N>& box, const typename Grid<S>::Length& reach) noexcept {
+  QuantizedBox<S, N> result;
   for (int i = 0; i < N; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    result.low[at] = Culling<S>::below(box.min[i], reach);
-    result.high[at] = Culling<S>::above(box.max[i], reach);
+    result.low[at] = Grid<S>::below(box.min[i], reach);
+    result.high[at] = Grid<S>::above(box.max[i], reach);
   }
   return result;
 }
 
 template <Scalar S, int N>
-[[nodiscard]] constexpr CullingBox<S, N> culling_box(const Vec<S, N>& point) noexcept {
-  return culling_box_of(Aabb<S, N>{point, point});
+[[nodiscard]] constexpr QuantizedBox<S, N> quantized_box(const Vec<S, N>& point) noexcept {
+  return quantized_box_of(Aabb<S, N>{point, point});
 }
 template <class Shape>
-[[nodiscard]] constexpr auto culling_box(const Shape& shape) noexcept {
-  return culling_box_of(bounding_box(shape));
+[[nodiscard]] constexpr auto quantized_box(const Shape& shape) noexcept {
+  return quantized_box_of(bounding_box(shape));
 }
 template <Scalar S, int N>
-[[nodiscard]] constexpr CullingBox<S, N> culling_box(const Capsule<S, N>& capsule) noexcept {
-  if (capsule.radius < 0) return culling_box_of(no_box<Aabb<S, N>>);
-  return culling_box_around(bounding_box(Segment{capsule.a, capsule.b}),
-                            Culling<S>::padded(capsule.radius, capsule.radius));
+[[nodiscard]] constexpr QuantizedBox<S, N> quantized_box(const Capsule<S, N>& capsule) noexcept {
+  if (capsule.radius < 0) return quantized_box_of(no_box<Aabb<S, N>>);
+  return quantized_box_around(bounding_box(Segment{capsule.a, capsule.b}),
+                              Grid<S>::padded(capsule.radius, capsule.radius));
 }
 template <Scalar S, int N>
-[[nodiscard]] constexpr CullingBox<S, N> culling_box(const Sphere<S, N>& sphere) noexcept {
-  return culling_box(Capsule<S, N>{sphere.center, sphere.center, sphere.radius});
+[[nodiscard]] constexpr QuantizedBox<S, N> quantized_box(const Sphere<S, N>& sphere) noexcept {
+  return quantized_box(Capsule<S, N>{sphere.center, sphere.center, sphere.radius});
 }
 template <Scalar S, int N>
-[[nodiscard]] constexpr CullingBox<S, N> culling_box(const Plane<S, N>&) noexcept {
+[[nodiscard]] constexpr QuantizedBox<S, N> quantized_box(const Plane<S, N>&) noexcept {
   return everywhere<S, N>();
 }
 
 template <Scalar S, int N>
-[[nodiscard]] constexpr CullingBox<S, N> culling_box(const Obb<S, N>& box) noexcept {
-  if (is_empty(box)) return culling_box_of(no_box<Aabb<S, N>>);
+[[nodiscard]] constexpr QuantizedBox<S, N> quantized_box(const Obb<S, N>& box) noexcept {
+  if (is_empty(box)) return quantized_box_of(no_box<Aabb<S, N>>);
   if (!are_perpendicular<10>(box.rotation)) return everywhere<S, N>();
   S greatest = box.half_extents[0];
   for (int i = 1; i < N; ++i) greatest = (std::max)(greatest, box.half_extents[i]);
-  std::array<typename Culling<S>::Length, static_cast<std::size_t>(N)> extents;
+  std::array<typename Grid<S>::Length, static_cast<std::size_t>(N)> extents;
   for (int i = 0; i < N; ++i) {
-    extents[static_cast<std::size_t>(i)] = Culling<S>::padded(box.half_extents[i], greatest);
+    extents[static_cast<std::size_t>(i)] = Grid<S>::padded(box.half_extents[i], greatest);
   }
-  CullingBox<S, N> result;
+  QuantizedBox<S, N> result;
   for (int j = 0; j < N; ++j) {
     const auto row = make_vec<N>([&](int i) { return box.rotation.axis(i)[j]; });
-    const auto reach = Culling<S>::reach(extents, to_array(row));
+    const auto reach = Grid<S>::reach(extents, to_array(row));
     const auto at = static_cast<std::size_t>(j);
-    result.low[at] = Culling<S>::below(box.center[j], reach);
-    result.high[at] = Culling<S>::above(box.center[j], reach);
+    result.low[at] = Grid<S>::below(box.center[j], reach);
+    result.high[at] = Grid<S>::above(box.center[j], reach);
   }
   return result;
 }

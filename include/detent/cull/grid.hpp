@@ -12,11 +12,10 @@
 
 namespace detent::detail {
 
-/// The numbers of a broad phase: coordinates on a grid coarse enough that their differences fit 32
-/// bits, rounded outward. Conservative: what it separates is disjoint, what it lets through is
-/// tested exactly.
+/// The grid of a scene's boxes: coordinates quantized so that their differences fit 32 bits, rounded
+/// outward. Conservative: what it separates is disjoint, what it lets through is tested exactly.
 template <Scalar S>
-struct Culling {
+struct Grid {
   using Coordinate = S;
   using Time = S;
   using Area = S;
@@ -52,7 +51,7 @@ struct Culling {
 /// never in the scalar, whose range would cut the margin off. Sums are clamped to +-2^30. Clamping
 /// keeps the order: boxes with a common point still have one, and rays end within 2^29.
 template <int Bits, int Frac>
-struct Culling<Fixed<Bits, Frac>> {
+struct Grid<Fixed<Bits, Frac>> {
   using S = Fixed<Bits, Frac>;
   using Coordinate = std::int32_t;
   using Time = std::int64_t;
@@ -113,9 +112,8 @@ struct Culling<Fixed<Bits, Frac>> {
 template <Scalar S>
 class CullingAxis {
  public:
-  using Grid = Culling<S>;
-  using Coordinate = typename Grid::Coordinate;
-  using Time = typename Grid::Time;
+  using Coordinate = typename Grid<S>::Coordinate;
+  using Time = typename Grid<S>::Time;
   static constexpr Time slack = Time(is_fixed<S> ? 4 : 0);
 
   CullingAxis() noexcept = default;
@@ -133,7 +131,7 @@ class CullingAxis {
           raw == 0 ? Time{1} << 31 : static_cast<Time>((std::uint64_t{1} << (30 + width)) / raw);
       shift_ = raw == 0 ? 0 : 30 + width - direction_component<S>::frac;
       factor_ = is_negative_ ? -m : m;
-      const Coordinate start = Coordinate{origin.raw()} >> Grid::shift;
+      const Coordinate start = Coordinate{origin.raw()} >> Grid<S>::shift;
       enter_from_ = is_negative_ ? start - 1 : start + 1;
       exit_from_ = is_negative_ ? start + 1 : start - 1;
     } else {

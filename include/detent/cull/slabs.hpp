@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdint>
 
+#include "detent/cull/byte_grid.hpp"
 #include "detent/cull/lanes.hpp"
-#include "detent/cull/plane_grid.hpp"
 #include "detent/number/integer.hpp"
 
 namespace detent {
@@ -22,7 +22,7 @@ class SlabClock;
 /// of the ray between two planes is never cut, but may be extended a little. For culling; the
 /// shapes themselves decide.
 ///
-/// Every plane is in [least, greatest].                    (tests/cull/slab_times.test.cpp)
+/// Every plane is in [least, greatest].                    (tests/cull/slabs.test.cpp)
 template <Scalar S>
 class SlabTimes;
 
@@ -138,7 +138,7 @@ class SlabTimes<Fixed<Bits, Frac>> {
   /// A step is at most 2^21 ticks, so 255 steps are less than 2^29. A ray with longer steps is so
   /// nearly parallel to the planes that it crosses less than four steps in the 2^23 ticks that
   /// matter. It is turned to have steps of exactly 2^21 ticks, and four steps are added.
-  [[nodiscard]] constexpr GridTimes<Time> on_grid(const PlaneGrid<S>& grid) const noexcept {
+  [[nodiscard]] constexpr GridTimes<Time> on_grid(const ByteGrid<S>& grid) const noexcept {
     constexpr std::int64_t longest_step = 1 << 21;
     const std::int64_t step = (grid.step() * factor_) >> shift_;
     if (-longest_step <= step && step <= longest_step) {
@@ -207,7 +207,7 @@ class SlabTimes<F> {
     return (plane - origin_) * factor_ - leave_;
   }
 
-  [[nodiscard]] constexpr GridTimes<F> on_grid(const PlaneGrid<F>& grid) const noexcept {
+  [[nodiscard]] constexpr GridTimes<F> on_grid(const ByteGrid<F>& grid) const noexcept {
     return {enter(grid.origin()), leave(grid.origin()), grid.step() * factor_};
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include "detent/cull/culling.hpp"
+#include "detent/cull/grid.hpp"
 
 #include <cstdint>
 
@@ -14,7 +14,7 @@ using namespace detent;
 TEMPLATE_TEST_CASE("culling: numbers lie between the steps of the grid beside them", "[culling]",
                    q16_16, q14_16, q24_8, q8_8) {
   using S = TestType;
-  using Grid = detail::Culling<S>;
+  using Grid = detail::Grid<S>;
   test::Random random(0xc011);
   for (int i = 0; i < 10'000; ++i) {
     const auto raw =
@@ -30,7 +30,7 @@ TEMPLATE_TEST_CASE("culling: numbers lie between the steps of the grid beside th
 TEMPLATE_TEST_CASE("culling: the ends of the range have no end, and are enclosed", "[culling]",
                    q16_16, q14_16, q24_8, q8_8) {
   using S = TestType;
-  using Grid = detail::Culling<S>;
+  using Grid = detail::Grid<S>;
   // At compile time an overflow is an error.
   constexpr auto lowest_above = Grid::above(S::lowest());
   constexpr auto greatest_below = Grid::below(S::max());
@@ -43,7 +43,7 @@ TEMPLATE_TEST_CASE("culling: the ends of the range have no end, and are enclosed
 TEMPLATE_TEST_CASE("culling: what reaches out of the range is not cut off there", "[culling]",
                    q16_16, q14_16, q24_8, q8_8) {
   using S = TestType;
-  using Grid = detail::Culling<S>;
+  using Grid = detail::Grid<S>;
   test::Random random(0xc012);
   for (int i = 0; i < 10'000; ++i) {
     const auto draw = [&](bool is_length) {

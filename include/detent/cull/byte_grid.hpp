@@ -10,18 +10,18 @@ namespace detent {
 
 /// Up to 256 equally spaced planes perpendicular to one axis, the first at `least`. They enclose
 /// [least, greatest]. A coordinate between them is quantized to one byte, rounded down or up.
-///                                                        (tests/cull/slab_times.test.cpp)
+///                                                        (tests/cull/slabs.test.cpp)
 template <Scalar S>
-class PlaneGrid;
+class ByteGrid;
 
 /// The spacing is the least power of two of raw units that suffices.
 template <int Bits, int Frac>
-class PlaneGrid<Fixed<Bits, Frac>> {
+class ByteGrid<Fixed<Bits, Frac>> {
   using S = Fixed<Bits, Frac>;
 
  public:
-  constexpr PlaneGrid() noexcept = default;
-  constexpr PlaneGrid(const S& least, const S& greatest) noexcept : origin_(least) {
+  constexpr ByteGrid() noexcept = default;
+  constexpr ByteGrid(const S& least, const S& greatest) noexcept : origin_(least) {
     const auto size = offset(greatest);
     while (ceiling(size) > 255) ++shift_;
   }
@@ -43,10 +43,10 @@ class PlaneGrid<Fixed<Bits, Frac>> {
   [[nodiscard]] constexpr std::int64_t origin() const noexcept { return origin_.raw(); }
   [[nodiscard]] constexpr std::int64_t step() const noexcept { return std::int64_t{1} << shift_; }
 
-  [[nodiscard]] friend constexpr bool operator==(const PlaneGrid&,
-                                                 const PlaneGrid&) noexcept = default;
+  [[nodiscard]] friend constexpr bool operator==(const ByteGrid&,
+                                                 const ByteGrid&) noexcept = default;
   template <class D>
-  friend constexpr void append(D& digest, const PlaneGrid& grid) noexcept {
+  friend constexpr void append(D& digest, const ByteGrid& grid) noexcept {
     digest.add(grid.origin_, grid.shift_);
   }
 
@@ -68,10 +68,10 @@ class PlaneGrid<Fixed<Bits, Frac>> {
 #if __STDC_HOSTED__
 template <Scalar F>
 requires std::floating_point<F>
-class PlaneGrid<F> {
+class ByteGrid<F> {
  public:
-  constexpr PlaneGrid() noexcept = default;
-  constexpr PlaneGrid(F least, F greatest) noexcept
+  constexpr ByteGrid() noexcept = default;
+  constexpr ByteGrid(F least, F greatest) noexcept
       : origin_(least), step_(greatest / 254 - least / 254) {}
 
   [[nodiscard]] constexpr std::uint8_t below(F x) const noexcept {
@@ -85,10 +85,10 @@ class PlaneGrid<F> {
   [[nodiscard]] constexpr F origin() const noexcept { return origin_; }
   [[nodiscard]] constexpr F step() const noexcept { return step_; }
 
-  [[nodiscard]] friend constexpr bool operator==(const PlaneGrid&,
-                                                 const PlaneGrid&) noexcept = default;
+  [[nodiscard]] friend constexpr bool operator==(const ByteGrid&,
+                                                 const ByteGrid&) noexcept = default;
   template <class D>
-  friend constexpr void append(D& digest, const PlaneGrid& grid) noexcept {
+  friend constexpr void append(D& digest, const ByteGrid& grid) noexcept {
     digest.add(grid.origin_, grid.step_);
   }
 

@@ -6,10 +6,11 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
-#include "detent/cull/coarse.hpp"
-#include "detent/query/raycast/aabb.hpp"
+#include "detent/cull/quantized.hpp"
+#include "detent/math/direction.hpp"
+#include "detent/shape/aabb.hpp"
+#include "detent/shape/segment.hpp"
 
 // Conservative culling of many boxes and rays, quantized to columns of small numbers. Compilers
 // turn the loop over them into vectors. Candidates that remain are tested exactly. What is culled
@@ -32,52 +33,52 @@ using Columns = std::array<std::array<T, batch_lanes>, static_cast<std::size_t>(
 
 /// The quantized bounding box of a shape, from center - extent to center + extent.
 template <Scalar S, int N>
-struct CoarseBox {
-  Vec<coarse<S>, N> center, extent;
+struct LaneBox {
+  Vec<quantized<S>, N> center, extent;
 
   /// The box of no shape, and of a shape that may be anywhere.
-  [[nodiscard]] static constexpr CoarseBox nowhere() noexcept {
-    return {{}, make_vec<N>([](int) { return narrow_negative(coarse_limit<S>); })};
+  [[nodiscard]] static constexpr LaneBox nowhere() noexcept {
+    return {{}, make_vec<N>([](int) { return narrow_negative(quantized_limit<S>); })};
   }
-  [[nodiscard]] static constexpr CoarseBox anywhere() noexcept {
-    return {{}, make_vec<N>([](int) { return coarse_limit<S>; })};
+  [[nodiscard]] static constexpr LaneBox anywhere() noexcept {
+    return {{}, make_vec<N>([](int) { return quantized_limit<S>; })};
   }
 };
 
 /// A quantized part of a ray, in the box from middle - reach to middle + reach; `slope` is half the
 /// direction.
 template <Scalar S, int N>
-struct CoarseRay {
-  Vec<coarse<S>, N> middle, reach;
-  Vec<coarse_slope<S>, N> slope;
+struct LaneRay {
+  Vec<quantized<S>, N> middle, reach;
+  Vec<quantized_slope<S>, N> slope;
 
   /// A ray that meets nothing.
-  [[nodiscard]] static constexpr CoarseRay nowhere() noexcept {
-    return {{}, CoarseBox<S, N>::nowhere().extent, {}};
+  [[nodiscard]] static constexpr LaneRay nowhere() noexcept {
+    return {{}, LaneBox<S, N>::nowhere().extent, {}};
   }
 };
 
 template <Scalar S, int N>
-struct CoarseBoxes {
-  Columns<coarse<S>, N> center{}, extent{};
+struct BoxColumns {
+  Columns<quantized<S>, N> center{}, extent{};
 
-  constexpr void set(std::size_t l, const CoarseBox<S, N>& box) noexcept {
+  constexpr void set(std::size_t l, const LaneBox<S, N>& box) noexcept {
     for (int i = 0; i < N; ++i) {
       center[static_cast<std::size_t>(i)][l] = box.center[i];
       extent[static_cast<std::size_t>(i)][l] = box.extent[i];
     }
   }
   [[nodiscard]] constexpr bool is_anywhere(std::size_t l) const noexcept {
-    return extent[0][l] == coarse_limit<S>;
+    return extent[0][l] == quantized_limit<S>;
   }
 };
 
 template <Scalar S, int N>
-struct CoarseRays {
-  Columns<coarse<S>, N> middle{}, reach{};
-  Columns<coarse_slope<S>, N> slope{};
+struct RayColumns {
+  Columns<quantized<S>, N> middle{}, reach{};
+  Columns<quantized_slope<S>, N> slope{};
 
-  constexpr void set(std::size_t l, const CoarseRay<S, N>& ray) noexcept {
+  constexpr void set(std::size_t l, const LaneRay<S, N>& ray) noexcept {
     for (int i = 0; i < N; ++i) {
       middle[static_cast<std::size_t>(i)][l] = ray.middle[i];
       reach[static_cast<std::size_t>(i)][l] = ray.reach[i];
@@ -104,35 +105,35 @@ template <class Block, class Item>
 ///
 /// source: separating axes, Ericson, Real-Time Collision Detection, 5.3.3
 template <Scalar S, int N>
-[[nodiscard]] constexpr bool is_apart(const CoarseBoxes<S, N>& box, const CoarseRays<S, N>& ray,
-                                      std::size_t l, const coarse<S>& slack) noexcept {
-  constexpr int bits = bits_of<coarse<S>>;
+[[nodiscard]] constexpr bool is_apart(const BoxColumns<S, N>& box, const RayColumns<S, N>& ray,
+                                      std::size_t l, const quantized<S>& slack) noexcept {
+  constexpr int bits = bits_of<quantized<S>>;
   constexpr std::size_t size = N;
-  std::array<coarse<S>, size> w{}, extent{};
-  std::array<coarse_slope<S>, size> slope{};
+  std::array<quantized<S>, size> w{}, extent{};
+  std::array<quantized_slope<S>, size> slope{};
   bool result = false;
   for (std::size_t i = 0; i < size; ++i) {
     w[i] = narrow_difference<bits>(box.center[i][l], ray.middle[i][l]);
     extent[i] = box.extent[i][l];
     slope[i] = ray.slope[i][l];
-    result |= narrow_difference<bits>(coarse_abs(w[i]), ray.reach[i][l]) > extent[i];
+    result |= narrow_difference<bits>(quantized_abs(w[i]), ray.reach[i][l]) > extent[i];
   }
   for (std::size_t i = N == 2 ? 2 : 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    const auto across =
-        narrow_difference<bits>(coarse_product(w[j], slope[k]), coarse_product(w[k], slope[j]));
-    const auto reach = narrow_sum<bits>(coarse_product(extent[j], coarse_abs(slope[k])),
-                                        coarse_product(extent[k], coarse_abs(slope[j])));
-    result |= coarse_abs(across) > narrow_sum<bits>(reach, slack);
+    const auto across = narrow_difference<bits>(quantized_product(w[j], slope[k]),
+                                                quantized_product(w[k], slope[j]));
+    const auto reach = narrow_sum<bits>(quantized_product(extent[j], quantized_abs(slope[k])),
+                                        quantized_product(extent[k], quantized_abs(slope[j])));
+    result |= quantized_abs(across) > narrow_sum<bits>(reach, slack);
   }
   return result;
 }
 
-/// The region in which boxes and rays are culled, and its quantized grid.
+/// The region in which boxes and rays are culled, and the grid to which they are quantized.
 template <Scalar S, int N>
-class CoarseFrame {
+class BatchGrid {
  public:
-  explicit constexpr CoarseFrame(const Aabb<S, N>& box) noexcept : box_(box) {
+  explicit constexpr BatchGrid(const Aabb<S, N>& box) noexcept : box_(box) {
     if (is_empty(box)) return;
     auto size = box.max[0] - box.min[0];
     auto reach = abs(box.max[0]);
@@ -141,14 +142,15 @@ class CoarseFrame {
       reach = (std::max)({reach, abs(box.min[i]), abs(box.max[i])});
       center_[i] = floor_to<S>(half(box.min[i] + box.max[i]));
     }
-    shift_ = coarse_shift(size);
-    step_ = coarse_steps(1, reach);
-    margin_ = coarse_steps(4, reach);
-    slack_ = coarse_steps(8, reach);
+    shift_ = quantized_shift(size);
+    step_ = quantized_steps(1, reach);
+    margin_ = quantized_steps(4, reach);
+    slack_ = quantized_steps(8, reach);
   }
 
-  [[nodiscard]] constexpr const coarse<S>& slack() const noexcept { return slack_; }
+  [[nodiscard]] constexpr const quantized<S>& slack() const noexcept { return slack_; }
 
+  [[nodiscard]] constexpr const Aabb<S, N>& region() const noexcept { return box_; }
   [[nodiscard]] constexpr bool holds(const Aabb<S, N>& box) const noexcept {
     for (int i = 0; i < N; ++i) {
       if (box.min[i] < box_.min[i] || box.max[i] > box_.max[i]) return false;
@@ -156,11 +158,11 @@ class CoarseFrame {
     return true;
   }
 
-  /// A box in the frame, or an empty one. Its extent is larger than the least by the possible error
+  /// A box in the region, or an empty one. Its extent is larger than the least by the possible error
   /// of a ray's position: 1.5 at its start and 2.5 at its end, and 0.5 in their middle.
-  [[nodiscard]] constexpr CoarseBox<S, N> coarsen(const Aabb<S, N>& box) const noexcept {
-    if (is_empty(box)) return CoarseBox<S, N>::nowhere();
-    CoarseBox<S, N> result;
+  [[nodiscard]] constexpr LaneBox<S, N> quantize(const Aabb<S, N>& box) const noexcept {
+    if (is_empty(box)) return LaneBox<S, N>::nowhere();
+    LaneBox<S, N> result;
     for (int i = 0; i < N; ++i) {
       const auto low = floor(box.min[i], i);
       const auto high = narrow_sum<bits>(floor(box.max[i], i), step_);
@@ -173,38 +175,35 @@ class CoarseFrame {
     return result;
   }
 
-  /// The part of a ray in the frame, or nothing.
-  [[nodiscard]] constexpr std::optional<CoarseRay<S, N>> coarsen(
-      const Ray<S, N>& ray) const noexcept {
-    if (is_empty(box_)) return std::nullopt;
-    const auto inside = raycast_interval(ray, box_);
-    if (!inside) return std::nullopt;
-    const auto enter = point_at(ray, inside->enter), exit = point_at(ray, inside->exit);
-    CoarseRay<S, N> result;
+  /// A part of a ray with this direction, in the region.
+  [[nodiscard]] constexpr LaneRay<S, N> quantize(const Segment<S, N>& part,
+                                                 const Direction<S, N>& direction) const noexcept {
+    LaneRay<S, N> result;
     for (int i = 0; i < N; ++i) {
-      const auto from = floor(enter[i], i), to = floor(exit[i], i);
+      const auto from = floor(part.start[i], i), to = floor(part.end[i], i);
       result.middle[i] = middle(from, to);
-      result.reach[i] = (std::max)(coarse_abs(narrow_difference<bits>(from, result.middle[i])),
-                                   coarse_abs(narrow_difference<bits>(to, result.middle[i])));
-      result.slope[i] = coarse_half<S>(ray.direction[i]);
+      result.reach[i] = (std::max)(quantized_abs(narrow_difference<bits>(from, result.middle[i])),
+                                   quantized_abs(narrow_difference<bits>(to, result.middle[i])));
+      result.slope[i] = quantized_half<S>(direction[i]);
     }
     return result;
   }
 
  private:
-  static constexpr int bits = bits_of<coarse<S>>;
+  static constexpr int bits = bits_of<quantized<S>>;
 
-  [[nodiscard]] constexpr coarse<S> floor(const S& x, int i) const noexcept {
-    return coarse_floor<S>(x - center_[i], shift_);
+  [[nodiscard]] constexpr quantized<S> floor(const S& x, int i) const noexcept {
+    return quantized_floor<S>(x - center_[i], shift_);
   }
-  [[nodiscard]] static constexpr coarse<S> middle(const coarse<S>& a, const coarse<S>& b) noexcept {
-    return floor_to<coarse<S>>(half(a + b));
+  [[nodiscard]] static constexpr quantized<S> middle(const quantized<S>& a,
+                                                     const quantized<S>& b) noexcept {
+    return floor_to<quantized<S>>(half(a + b));
   }
 
   Aabb<S, N> box_;
   Vec<S, N> center_;
   int shift_ = 0;
-  coarse<S> step_{}, margin_{}, slack_{};
+  quantized<S> step_{}, margin_{}, slack_{};
 };
 
 /// The lanes of a block that are not culled.

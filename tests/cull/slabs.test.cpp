@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "detent/cull/slab_times.hpp"
+#include "detent/cull/slabs.hpp"
 
 #include <array>
 #include <utility>
@@ -19,14 +19,14 @@ S raw(std::int64_t x) {
   return S::from_raw(static_cast<typename S::raw_type>(x));
 }
 
-TEMPLATE_TEST_CASE("plane grid: a byte encloses a coordinate, outward", "[slab_times]", q16_16,
-                   q24_8, q8_8) {
+TEMPLATE_TEST_CASE("plane grid: a byte encloses a coordinate, outward", "[slabs]", q16_16, q24_8,
+                   q8_8) {
   using S = TestType;
   Random random(0x9121d);
   for (int i = 0; i < 20'000; ++i) {
     const auto a = raw<S>(random.edgy(S::bits)), b = raw<S>(random.edgy(S::bits));
     const auto least = std::min(a, b), greatest = std::max(a, b);
-    const PlaneGrid<S> grid(least, greatest);
+    const ByteGrid<S> grid(least, greatest);
     REQUIRE(grid.below(least) == 0);
     REQUIRE(grid.plane(grid.above(greatest)) >= greatest);
     const auto x = raw<S>(random.between(least.raw(), greatest.raw()));
@@ -40,7 +40,7 @@ TEMPLATE_TEST_CASE("plane grid: a byte encloses a coordinate, outward", "[slab_t
   }
 }
 
-TEMPLATE_TEST_CASE("slab times: no part of the ray between the planes is left out", "[slab_times]",
+TEMPLATE_TEST_CASE("slab times: no part of the ray between the planes is left out", "[slabs]",
                    q16_16, q14_16, q24_8, q8_8) {
   using S = TestType;
   using Component = direction_component<S>;
@@ -70,7 +70,7 @@ TEMPLATE_TEST_CASE("slab times: no part of the ray between the planes is left ou
     const SlabClock<S> clock(reach, limit);
     if (distance > clock.longest()) continue;
     const SlabTimes<S> slab(clock, origin, raw<Component>(speed), least, greatest);
-    const PlaneGrid<S> grid(least, greatest);
+    const ByteGrid<S> grid(least, greatest);
     const auto planes = slab.on_grid(grid);
     const auto times = [&](std::uint8_t plane) {
       std::array<std::uint8_t, 8> bytes{};
@@ -110,8 +110,7 @@ TEMPLATE_TEST_CASE("slab times: no part of the ray between the planes is left ou
   CHECK(turned > 1'000);
 }
 
-TEMPLATE_TEST_CASE("bins: in order, and at least nine of sixteen", "[slab_times]", q16_16, q8_8,
-                   float) {
+TEMPLATE_TEST_CASE("bins: in order, and at least nine of sixteen", "[slabs]", q16_16, q8_8, float) {
   using S = TestType;
   Random random(0xb125);
   const auto number = [&] {
@@ -140,14 +139,14 @@ TEMPLATE_TEST_CASE("bins: in order, and at least nine of sixteen", "[slab_times]
       REQUIRE(least[k] == std::min(a[k], b[k]));
       REQUIRE(reversed(reversed(a[k])) == a[k]);
       REQUIRE((reversed(a[k]) < reversed(b[k])) == (b[k] < a[k]));
-      const auto middle = rough_middle(least[k], std::max(a[k], b[k]));
+      const auto middle = mean(least[k], std::max(a[k], b[k]));
       REQUIRE(middle <= std::max(a[k], b[k]));
       if constexpr (is_fixed<S>) REQUIRE(next_up(next_up(middle)) >= least[k]);
     }
   }
   const Bins<q16_16> wide(q16_16(0), q16_16(1));
   CHECK(wide(q16_16(1)) == 8);
-  CHECK(Coarse<q16_16>(q16_16::from_raw(16'384))(q16_16::from_raw(16'383)) == 8'191);
+  CHECK(QuantizedSize<q16_16>(q16_16::from_raw(16'384))(q16_16::from_raw(16'383)) == 8'191);
 }
 
 }  // namespace
