@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "detent/query/kernel/planar.hpp"
 #include "detent/shape/triangle.hpp"
 
 namespace detent {

@@ -5,8 +5,17 @@
 //   on(shape, point)            -> bool   exactly on a plane, segment, ray, triangle or hull
 //   on(shape, point, tolerance) -> bool   within `tolerance` of any shape
 
-#include "detent/query/contains.hpp"
-#include "detent/query/distance.hpp"
+#include "detent/query/kernel/near_segment.hpp"
+#include "detent/query/kernel/near_triangle.hpp"
+#include "detent/query/kernel/point_aabb.hpp"
+#include "detent/query/kernel/point_hull.hpp"
+#include "detent/query/kernel/point_obb.hpp"
+#include "detent/query/kernel/point_plane.hpp"
+#include "detent/query/kernel/point_ray.hpp"
+#include "detent/query/kernel/point_segment.hpp"
+#include "detent/query/kernel/point_sphere.hpp"
+#include "detent/query/kernel/point_triangle.hpp"
+#include "detent/shape/compound.hpp"
 
 namespace detent {
 
@@ -14,23 +23,23 @@ namespace detent {
 /// `contains`.
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Plane<S, N>& plane, const Vec<S, N>& point) noexcept {
-  return contains(plane, point);
+  return detail::holds(plane, point);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Segment<S, N>& segment, const Vec<S, N>& point) noexcept {
-  return contains(segment, point);
+  return detail::holds(segment, point);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Ray<S, N>& ray, const Vec<S, N>& point) noexcept {
-  return contains(ray, point);
+  return detail::holds(ray, point);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Triangle<S, N>& triangle, const Vec<S, N>& point) noexcept {
-  return contains(triangle, point);
+  return detail::holds(triangle, point);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool on(const ConvexHull<S, N>& hull, const Vec<S, N>& point) noexcept {
-  return contains(hull, point);
+  return detail::holds(hull, point);
 }
 
 /// Whether the distance from `point` to `shape` is at most `tolerance`. For an `Obb` it is measured
@@ -42,33 +51,7 @@ template <Scalar S, int N>
 template <class Shape, Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Shape& shape, const Vec<S, N>& point,
                                 const S& tolerance) noexcept {
-  return tolerance >= 0 && squared_distance(shape, point) <= square(tolerance);
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr bool on(const Sphere<S, N>& sphere, const Vec<S, N>& point,
-                                const S& tolerance) noexcept {
-  if (sphere.radius < 0 || tolerance < 0) return false;
-  const auto reach = sphere.radius + tolerance;
-  return squared_distance(point, sphere.center) <= square(reach);
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr bool on(const Capsule<S, N>& capsule, const Vec<S, N>& point,
-                                const S& tolerance) noexcept {
-  return capsule.radius >= 0 && tolerance >= 0 &&
-         detail::is_near(Segment{capsule.a, capsule.b}, point, capsule.radius + tolerance);
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr bool on(const Obb<S, N>& box, const Vec<S, N>& point,
-                                const S& tolerance) noexcept {
-  if (is_empty(box) || tolerance < 0) return false;
-  const auto excess = detail::excess(box, point);
-  for (int i = 0; i < N; ++i) {
-    if (excess[i] > tolerance || excess[i] < -tolerance) return false;
-  }
-  // No component exceeds `tolerance`, on the grid of products with a direction, whose 1 is
-  // 2^(b - 1).
-  constexpr int bits = bits_of<S> - 1 + bits_of<direction_component<S>>;
-  return squared_length(narrow<bits>(excess)) <= square(tolerance);
+  return tolerance >= 0 && detail::is_near(shape, point, tolerance);
 }
 template <class... Shapes, Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Compound<Shapes...>& compound, const Vec<S, N>& point,

@@ -3,7 +3,15 @@
 
 #include <type_traits>
 
-#include "detent/shape/shape.hpp"
+#include "detent/shape/aabb.hpp"
+#include "detent/shape/capsule.hpp"
+#include "detent/shape/hull.hpp"
+#include "detent/shape/obb.hpp"
+#include "detent/shape/plane.hpp"
+#include "detent/shape/ray.hpp"
+#include "detent/shape/segment.hpp"
+#include "detent/shape/sphere.hpp"
+#include "detent/shape/triangle.hpp"
 
 // Overloads that catch wrong calls: the error is one sentence that says what to write instead.
 // Every query is a better match, so they change no correct call, and a concept that checks for such

@@ -3,11 +3,11 @@
 
 #include <concepts>
 
-#include "detent/query/contains.hpp"
-#include "detent/query/distance.hpp"
-#include "detent/query/intersects.hpp"
-#include "detent/query/overlaps.hpp"
-#include "detent/query/raycast.hpp"
+#include "detent/shape/aabb.hpp"
+#include "detent/shape/capsule.hpp"
+#include "detent/shape/obb.hpp"
+#include "detent/shape/segment.hpp"
+#include "detent/shape/sphere.hpp"
 
 // Query shapes of a scene other than rays: a point, segment, sphere, box or capsule finds the
 // objects that it overlaps. Distances are measured from one reference point of the query shape.

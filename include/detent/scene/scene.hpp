@@ -7,6 +7,11 @@
 #include <span>
 
 #include "detent/cull/keep_first.hpp"
+#include "detent/query/contains.hpp"
+#include "detent/query/distance.hpp"
+#include "detent/query/intersects.hpp"
+#include "detent/query/overlaps.hpp"
+#include "detent/query/raycast.hpp"
 #include "detent/scene/contents.hpp"
 #include "detent/scene/find.hpp"
 

@@ -34,4 +34,22 @@ template <Scalar S, int N>
   return nearest_to<S>(ray.origin + distance * ray.direction.vec());
 }
 
+/// The part of a ray inside a shape, as distances from the origin, each rounded down.
+///
+/// `enter` is 0 when the ray starts inside, and `exit` is max_distance when it ends inside.
+template <Scalar S>
+struct Interval {
+  S enter{};
+  S exit{};
+
+  [[nodiscard]] friend constexpr bool operator==(const Interval&,
+                                                 const Interval&) noexcept = default;
+};
+
+/// Appends to a digest: the fields in order.
+template <class D, Scalar S>
+constexpr void append(D& digest, const Interval<S>& interval) noexcept {
+  digest.add(interval.enter, interval.exit);
+}
+
 }  // namespace detent

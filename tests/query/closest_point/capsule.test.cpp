@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/closest_point/capsule.hpp"
+#include "detent/query/contains/capsule.hpp"
 
 #include "query/raycast/helpers.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tuple>
 
-#include "detent/query/intersects/box.hpp"
+#include "detent/query/kernel/segment_box.hpp"
 #include "query/overlaps/helpers.hpp"
 
 namespace detent::test {

@@ -6,7 +6,7 @@
 
 #include "detent/cull/columns.hpp"
 #include "detent/math/orthonormal.hpp"
-#include "detent/query/raycast/aabb.hpp"
+#include "detent/query/kernel/clip.hpp"
 #include "detent/shape/bounding_box.hpp"
 #include "detent/shape/plane.hpp"
 
@@ -58,7 +58,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<LaneRay<S, N>> quantized_part(
     const Ray<S, N>& ray, const BatchGrid<S, N>& grid) noexcept {
   if (is_empty(grid.region())) return std::nullopt;
-  const auto inside = raycast_interval(ray, grid.region());
+  const auto inside = clip(ray, grid.region()).interval();
   if (!inside) return std::nullopt;
   return grid.quantize(Segment<S, N>{point_at(ray, inside->enter), point_at(ray, inside->exit)},
                        ray.direction);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/shape/aabb.hpp"
+#include "detent/query/kernel/point_aabb.hpp"
 
 namespace detent {
 
@@ -14,13 +14,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point(const Aabb<S, N>& box,
                                                 const Vec<S, N>& point) noexcept {
-  if (is_empty(box)) return point;
-  return make_vec<N>([&](int i) {
-    // On copies, which clang selects without a branch.
-    const S x = point[i], low = box.min[i], high = box.max[i];
-    const S raised = x < low ? low : x;
-    return raised > high ? high : raised;
-  });
+  return is_empty(box) ? point : detail::clamp_to(box, point);
 }
 
 }  // namespace detent

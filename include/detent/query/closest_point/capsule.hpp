@@ -8,7 +8,8 @@
 
 #include "detent/number/filter/ratio.hpp"
 #include "detent/query/closest_point/sphere.hpp"
-#include "detent/query/contains/capsule.hpp"
+#include "detent/query/kernel/near_segment.hpp"
+#include "detent/shape/capsule.hpp"
 
 namespace detent {
 
@@ -62,7 +63,7 @@ template <Scalar S, int N, Number T, Number Along, Number Whole>
                        radius, narrow_square<area_bits>(cross(from_a, axis))};
   };
   if constexpr (!is_fixed<S>) {
-    if (contains(capsule, point)) return point;
+    if (holds(capsule, point)) return point;
     const auto outward = make_vec<N>([&](int i) { return side(i).outward; });
     // With scalars that round, a point off the axis may appear to be on it.
     const auto unit = unit_vector<S>(to_array(outward)).value_or(to_array(Vec<S, N>()));
@@ -79,7 +80,7 @@ template <Scalar S, int N, Number T, Number Along, Number Whole>
     constexpr auto margin = Fixed<14, 2 * S::frac>::from_raw(1 << 13);
     const auto excess = narrow_difference<126>(narrow_dot<126>(outward, outward), square(radius));
     const bool is_close = -margin <= excess && excess <= margin;
-    if (is_close ? contains(capsule, point) : excess < 0) return point;
+    if (is_close ? holds(capsule, point) : excess < 0) return point;
     const auto steps = rough_along(radius, to_array(outward));
     return make_vec<N>([&](int i) {
       const auto sum =

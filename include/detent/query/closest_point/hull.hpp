@@ -2,7 +2,7 @@
 #pragma once
 
 #include "detent/query/closest_point/triangle.hpp"
-#include "detent/query/contains/hull.hpp"
+#include "detent/query/kernel/point_hull.hpp"
 
 namespace detent {
 

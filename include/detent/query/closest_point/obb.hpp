@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/contains/obb.hpp"
+#include "detent/query/kernel/point_obb.hpp"
 
 namespace detent {
-
-namespace detail {
-
-/// `along`, a coordinate in the frame of a box, clamped to [-half_extent, half_extent].
-template <Number T, Scalar S>
-[[nodiscard]] constexpr T clamp_to(const T& along, const S& half_extent) noexcept {
-  const T high(half_extent), low(-half_extent);
-  const T lowered = along > high ? high : along;
-  return lowered < low ? low : lowered;
-}
-
-}  // namespace detail
 
 /// The point of `box` closest to `point` in the frame of the box; `point` itself if inside.
 ///
@@ -33,7 +21,7 @@ template <Number T, Scalar S>
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point(const Obb<S, N>& box,
                                                 const Vec<S, N>& point) noexcept {
-  if (is_empty(box) || contains(box, point)) return point;
+  if (is_empty(box) || detail::holds(box, point)) return point;
   const auto from_center = point - box.center;
   const auto clamped = make_vec<N>([&](int i) {
     return detail::clamp_to(dot(box.rotation.axis(i), from_center), box.half_extents[i]);

@@ -2,23 +2,9 @@
 #pragma once
 
 #include "detent/query/kernel/line.hpp"
-#include "detent/shape/plane.hpp"
+#include "detent/query/kernel/point_plane.hpp"
 
 namespace detent {
-
-namespace detail {
-
-/// dot(normal, point) - offset: the distance to the plane times the length of the normal, positive
-/// on the side that the normal points to.
-template <Scalar S, int N>
-[[nodiscard]] constexpr auto height_above(const Plane<S, N>& plane,
-                                          const Vec<S, N>& point) noexcept {
-  // sqrt(3) 2^B (1 + 2^-13) + 2^B < 2^(B + 2), in units where a direction's component 1 is 2^0.
-  constexpr int bits = bits_of<S> + bits_of<direction_component<S>> + 1;
-  return narrow_difference<bits>(dot(plane.normal, point), plane.offset);
-}
-
-}  // namespace detail
 
 /// The point of `plane` closest to `point`: point - n (dot(n, point) - offset) / dot(n, n), with
 /// the normal n exactly as stored.

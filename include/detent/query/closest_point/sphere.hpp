@@ -3,7 +3,7 @@
 
 #include "detent/number/filter/along.hpp"
 #include "detent/number/filter/near_half.hpp"
-#include "detent/query/contains/sphere.hpp"
+#include "detent/shape/sphere.hpp"
 
 namespace detent {
 
@@ -33,9 +33,9 @@ template <Scalar S, int N>
                                                 const Vec<S, N>& point) noexcept {
   const auto center = sphere.center;
   const auto radius = sphere.radius;
-  if (radius < 0 || contains(sphere, point)) return point;
   const auto from_center = point - center;
   const auto squared = squared_length(from_center);
+  if (radius < 0 || squared <= square(radius)) return point;
   if constexpr (!is_fixed<S>) {
     return make_vec<N>([&](int i) {
       const auto product = radius * from_center[i];

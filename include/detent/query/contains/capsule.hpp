@@ -2,7 +2,6 @@
 #pragma once
 
 #include "detent/query/kernel/near_segment.hpp"
-#include "detent/shape/capsule.hpp"
 
 namespace detent {
 
@@ -13,8 +12,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool contains(const Capsule<S, N>& capsule,
                                       const Vec<S, N>& point) noexcept {
-  return capsule.radius >= 0 &&
-         detail::is_near(Segment{capsule.a, capsule.b}, point, capsule.radius);
+  return detail::holds(capsule, point);
 }
 
 }  // namespace detent

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/shape/obb.hpp"
+#include "detent/query/kernel/point_obb.hpp"
 
 namespace detent {
 
@@ -13,12 +13,7 @@ namespace detent {
 /// exact:  yes or no exact                                       (tests/oracle/point_obb.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool contains(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {
-  const auto from_center = point - box.center;
-  for (int i = 0; i < N; ++i) {
-    const auto along = dot(box.rotation.axis(i), from_center);
-    if (along < -box.half_extents[i] || along > box.half_extents[i]) return false;
-  }
-  return true;
+  return detail::holds(box, point);
 }
 
 }  // namespace detent

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/shape/plane.hpp"
+#include "detent/query/kernel/point_plane.hpp"
 
 namespace detent {
 
@@ -11,7 +11,7 @@ namespace detent {
 /// exact:  yes or no exact                                     (tests/oracle/point_plane.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool contains(const Plane<S, N>& plane, const Vec<S, N>& point) noexcept {
-  return dot(plane.normal, point) == plane.offset;
+  return detail::holds(plane, point);
 }
 
 }  // namespace detent

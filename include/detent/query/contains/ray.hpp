@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/kernel/parallel.hpp"
-#include "detent/shape/ray.hpp"
+#include "detent/query/kernel/point_ray.hpp"
 
 namespace detent {
 
@@ -12,11 +11,7 @@ namespace detent {
 /// exact:  yes or no exact                                       (tests/oracle/point_ray.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool contains(const Ray<S, N>& ray, const Vec<S, N>& point) noexcept {
-  const auto from_origin = point - ray.origin;
-  if (!detail::are_parallel(ray.direction, from_origin)) return false;
-  const int i = detail::longest_axis(ray.direction.vec());
-  const auto distance = make_fraction(from_origin[i], ray.direction[i]);
-  return distance.numerator >= 0 && distance <= ray.max_distance;
+  return detail::holds(ray, point);
 }
 
 }  // namespace detent

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/kernel/parallel.hpp"
-#include "detent/shape/segment.hpp"
+#include "detent/query/kernel/point_segment.hpp"
 
 namespace detent {
 
@@ -13,12 +12,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool contains(const Segment<S, N>& segment,
                                       const Vec<S, N>& point) noexcept {
-  const auto& [start, end] = segment;
-  for (int i = 0; i < N; ++i) {
-    if (point[i] < start[i] && point[i] < end[i]) return false;
-    if (point[i] > start[i] && point[i] > end[i]) return false;
-  }
-  return detail::are_parallel(end - start, point - start);
+  return detail::holds(segment, point);
 }
 
 }  // namespace detent

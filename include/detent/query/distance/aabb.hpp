@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/closest_point/aabb.hpp"
+#include "detent/query/kernel/point_aabb.hpp"
 
 namespace detent {
 
@@ -14,7 +14,7 @@ template <Scalar S, int N>
                                               const Vec<S, N>& point) noexcept {
   using Squared = decltype(squared_distance(point, point));
   if (is_empty(box)) return largest<Squared>;
-  return squared_distance(point, closest_point(box, point));
+  return squared_distance(point, detail::clamp_to(box, point));
 }
 
 /// The distance from `point` to `box`, 0 inside.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/contains/capsule.hpp"
-#include "detent/query/distance/segment.hpp"
+#include "detent/query/kernel/near_segment.hpp"
+#include "detent/query/kernel/point_segment.hpp"
+#include "detent/shape/capsule.hpp"
 
 namespace detent {
 
@@ -15,7 +16,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Capsule<S, N>& capsule, const Vec<S, N>& point) noexcept {
   if (capsule.radius < 0) return largest<S>;
   if constexpr (!is_fixed<S>) {
-    if (contains(capsule, point)) return S(0);
+    if (detail::holds(capsule, point)) return S(0);
   }
   // The radius is on the grid, so it may be subtracted after the distance to the axis is rounded.
   // That distance is below 2 sqrt(3) times the greatest coordinate. Inside, the difference is at

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/contains/hull.hpp"
+#include "detent/query/kernel/point_hull.hpp"
 
 namespace detent {
 
@@ -13,9 +13,8 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto squared_distance(const ConvexHull<S, N>& hull,
                                               const Vec<S, N>& point) noexcept {
-  const detail::HullBody a(hull), b(detail::hull_of(point));
-  using Result = decltype(detail::squared_distance_between(a, b));
-  if (!is_empty(hull)) return detail::squared_distance_between(a, b);
+  using Result = decltype(detail::squared_distance_from_hull(hull, point));
+  if (!is_empty(hull)) return detail::squared_distance_from_hull(hull, point);
   using Under = decltype(Result::denominator);
   return Result{largest<decltype(Result::numerator)>, Under(1)};
 }

@@ -2,26 +2,9 @@
 #pragma once
 
 #include "detent/math/width.hpp"
-#include "detent/query/closest_point/obb.hpp"
+#include "detent/query/kernel/point_obb.hpp"
 
 namespace detent {
-
-namespace detail {
-
-/// By how much |dot(axis(i), point - center)| exceeds half_extents[i] on each axis (0 if it does
-/// not), with the sign of the dot product. The box must not be empty.
-template <Scalar S, int N>
-[[nodiscard]] constexpr auto excess(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {
-  const auto from_center = point - box.center;
-  using Along = decltype(dot(box.rotation.axis(0), from_center));
-  return make_vec<N>([&](int i) {
-    const Along along = dot(box.rotation.axis(i), from_center);
-    // Subtracting 0 <= half_extents[i] <= |along| from |along| leaves a number that fits its bits.
-    return narrow_difference<bits_of<Along>>(along, clamp_to(along, box.half_extents[i]));
-  });
-}
-
-}  // namespace detail
 
 /// The squared distance from `point` to `box`, 0 inside, measured in the frame of the box: the sum
 /// of the squares of the excess of |dot(axis(i), point - center)| over half_extents[i].

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "detent/number/filter/near_one.hpp"
-#include "detent/number/fraction.hpp"
-#include "detent/query/closest_point/plane.hpp"
+#include "detent/query/kernel/point_plane.hpp"
 
 namespace detent {
 

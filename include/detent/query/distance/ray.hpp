@@ -2,8 +2,7 @@
 #pragma once
 
 #include "detent/number/filter/leg.hpp"
-#include "detent/query/distance/segment.hpp"
-#include "detent/shape/ray.hpp"
+#include "detent/query/kernel/point_ray.hpp"
 
 namespace detent {
 
@@ -15,21 +14,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto squared_distance(const Ray<S, N>& ray,
                                               const Vec<S, N>& point) noexcept {
-  const auto from_origin = point - ray.origin;
-  const auto along = dot(from_origin, ray.direction);
-  const auto whole = squared_length(ray.direction);
-  // The closest point is no farther than the origin, so |w|^2 |d|^2 bounds every numerator.
-  constexpr int bits = 2 * detail::along_bits<S, decltype(S() - S())>;
-  using Over = decltype(narrow_product<bits>(along, along));
-  using Under = decltype(squared_length(ray.direction));
-  using Result = Fraction<Over, Under>;
-  if (ray.max_distance < 0) return Result{largest<Over>, Under(1)};
-  if (along <= 0) return Result{Over(squared_length(from_origin)), Under(1)};
-  if (along >= ray.max_distance * whole) {
-    const auto from_end = from_origin - ray.max_distance * ray.direction.vec();
-    return Result{narrow_dot<bits>(from_end, from_end), Under(1)};
-  }
-  return Result{detail::narrow_square<bits>(cross(ray.direction, from_origin)), whole};
+  return detail::squared_distance_from_ray(ray, point);
 }
 
 /// The distance from `point` to `ray`.

@@ -1,48 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <concepts>
-#include <type_traits>
-
-#include "detent/math/width.hpp"
-#include "detent/number/filter/leg.hpp"
-#include "detent/shape/segment.hpp"
+#include "detent/query/kernel/point_segment.hpp"
 
 namespace detent {
-
-namespace detail {
-
-/// The squared length of a cross product (a number in 2D); the caller guarantees that it fits
-/// `Bits`.
-template <int Bits, Number T>
-[[nodiscard]] constexpr auto narrow_square(const T& x) noexcept {
-  return narrow_product<Bits>(x, x);
-}
-template <int Bits, Number T, int N>
-[[nodiscard]] constexpr auto narrow_square(const Vec<T, N>& x) noexcept {
-  return narrow_dot<Bits>(x, x);
-}
-
-/// The squared distance from the point `w` to the segment from 0 to `e`.
-template <Number T, int N>
-[[nodiscard]] constexpr auto squared_distance_from_edge(const Vec<T, N>& e,
-                                                        const Vec<T, N>& w) noexcept {
-  const auto along = dot(w, e);
-  const auto whole = squared_length(e);
-  using Under = decltype(squared_length(e));
-  // |w x e|^2 <= |w|^2 |e|^2; the sum type also holds |w|^2 where the grid has hardly any integer
-  // bits.
-  using Product = decltype(whole * whole);
-  using Square = decltype(squared_length(w - e));
-  using Over = std::conditional_t<std::convertible_to<Square, Product>, Product,
-                                  decltype(Product() + Square())>;
-  using Result = Fraction<Over, Under>;
-  if (along <= 0) return Result{Over(squared_length(w)), Under(1)};
-  if (along >= whole) return Result{Over(squared_length(w - e)), Under(1)};
-  return Result{narrow_square<bits_of<Over>>(cross(w, e)), whole};
-}
-
-}  // namespace detail
 
 /// The squared distance from `point` to `segment`: |w x e|^2 / |e|^2 where the point projects
 /// between the ends, with w from the start to the point and e along the segment.
@@ -55,34 +16,6 @@ template <Scalar S, int N>
                                               const Vec<S, N>& point) noexcept {
   return detail::squared_distance_from_edge(segment.end - segment.start, point - segment.start);
 }
-
-namespace detail {
-
-/// The distance from the point `w` to the segment from 0 to `e`, rounded down.
-template <Number Distance, Number T, int N>
-[[nodiscard]] constexpr Distance distance_from_edge(const Vec<T, N>& e,
-                                                    const Vec<T, N>& w) noexcept {
-  if constexpr (!is_fixed<Distance>) {
-    return sqrt_floor<Distance>(squared_distance_from_edge(e, w));
-  } else {
-    const auto along = dot(w, e);
-    const auto whole = squared_length(e);
-    if (along <= 0) return sqrt_floor<Distance>(squared_length(w));
-    if (along >= whole) return sqrt_floor<Distance>(squared_length(w - e));
-    return leg_floor<Distance>(squared_length(w), make_ratio_below_one(along, whole),
-                               [&] { return squared_distance_from_edge(e, w); });
-  }
-}
-
-/// `distance` to a segment, in a result type that may differ from its coordinates.
-template <Number Distance, Scalar S, int N>
-[[nodiscard]] constexpr Distance distance_to(const Segment<S, N>& segment,
-                                             const Vec<S, N>& point) noexcept {
-  return by_width<30>([](const auto&... x) { return distance_from_edge<Distance>(x...); },
-                      segment.end - segment.start, point - segment.start);
-}
-
-}  // namespace detail
 
 /// The distance from `point` to `segment`.
 ///

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/contains/sphere.hpp"
+#include "detent/shape/sphere.hpp"
 
 namespace detent {
 
@@ -13,11 +13,12 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Sphere<S, N>& sphere, const Vec<S, N>& point) noexcept {
   if (sphere.radius < 0) return largest<S>;
-  if (contains(sphere, point)) return S(0);
+  const auto squared = squared_distance(point, sphere.center);
+  if (squared <= square(sphere.radius)) return S(0);
   // The radius is on the grid, so it may be subtracted after the distance to the center is rounded.
   // That distance is below 2 sqrt(3) times the greatest coordinate.
   using Length = decltype(S() + S() + S());
-  return floor_to<S>(sqrt_floor<Length>(squared_distance(point, sphere.center)) - sphere.radius);
+  return floor_to<S>(sqrt_floor<Length>(squared) - sphere.radius);
 }
 
 }  // namespace detent

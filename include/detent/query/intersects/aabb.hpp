@@ -4,8 +4,8 @@
 #include <type_traits>
 
 #include "detent/math/width.hpp"
-#include "detent/query/intersects/box.hpp"
 #include "detent/query/intersects/reversed.hpp"
+#include "detent/query/kernel/segment_box.hpp"
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/segment.hpp"
 

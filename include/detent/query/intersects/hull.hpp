@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+
 #include "detent/query/intersects/reversed.hpp"
-#include "detent/query/overlaps/hull_hull.hpp"
+#include "detent/query/kernel/gjk.hpp"
 #include "detent/shape/segment.hpp"
 
 namespace detent {
@@ -15,7 +17,8 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool intersects(const Segment<S, N>& segment,
                                         const ConvexHull<S, N>& hull) noexcept {
   const std::array ends{segment.start, segment.end};
-  return overlaps(ConvexHull{ends}, hull);
+  return !is_empty(hull) &&
+         detail::bodies_overlap(detail::HullBody(ConvexHull{ends}), detail::HullBody(hull));
 }
 
 }  // namespace detent

@@ -3,8 +3,8 @@
 
 #include <type_traits>
 
-#include "detent/query/intersects/box.hpp"
 #include "detent/query/intersects/reversed.hpp"
+#include "detent/query/kernel/segment_box.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/segment.hpp"
 

@@ -3,7 +3,9 @@
 
 #include <optional>
 
-#include "detent/query/raycast/hit.hpp"
+#include "detent/number/fraction.hpp"
+#include "detent/shape/aabb.hpp"
+#include "detent/shape/ray.hpp"
 
 namespace detent::detail {
 
@@ -73,5 +75,18 @@ class RayClip {
   Distance exit_;
   int entered_ = no_slab;
 };
+
+/// The part of `ray` in `box`.
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto clip(const Ray<S, N>& ray, const Aabb<S, N>& box) noexcept {
+  using Speed = direction_component<S>;
+  using Gap = decltype(box.min.x - ray.origin.x);
+  // No component of a direction exceeds 1, which takes one bit less than its type has.
+  RayClip<S, Gap, Speed, bits_of<Gap> + bits_of<Speed> - 1> clip(ray.max_distance);
+  for (int i = 0; i < N; ++i) {
+    clip.keep(i, box.min[i] - ray.origin[i], box.max[i] - ray.origin[i], ray.direction[i]);
+  }
+  return clip;
+}
 
 }  // namespace detent::detail

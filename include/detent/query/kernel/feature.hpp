@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/math/components.hpp"
 #include "detent/math/width.hpp"
-#include "detent/query/kernel/parallel.hpp"
+#include "detent/query/kernel/collapsed.hpp"
 #include "detent/shape/triangle.hpp"
 
 namespace detent::detail {

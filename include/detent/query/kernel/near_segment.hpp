@@ -3,8 +3,9 @@
 
 #include "detent/math/width.hpp"
 #include "detent/number/filter/products.hpp"
-#include "detent/query/distance/segment.hpp"
-#include "detent/query/intersects/segment.hpp"
+#include "detent/query/kernel/point_segment.hpp"
+#include "detent/query/kernel/segment_segment.hpp"
+#include "detent/shape/capsule.hpp"
 
 namespace detent::detail {
 
@@ -100,6 +101,20 @@ template <Scalar S, int N, Number R>
                       segment.end - segment.start, point - segment.start, reach);
 }
 
+/// Whether `point` is in `capsule`.
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool holds(const Capsule<S, N>& capsule, const Vec<S, N>& point) noexcept {
+  return capsule.radius >= 0 && is_near(Segment{capsule.a, capsule.b}, point, capsule.radius);
+}
+
+/// Whether `point` is within `reach` >= 0 of `capsule`.
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool is_near(const Capsule<S, N>& capsule, const Vec<S, N>& point,
+                                     const S& reach) noexcept {
+  return capsule.radius >= 0 &&
+         is_near(Segment{capsule.a, capsule.b}, point, capsule.radius + reach);
+}
+
 /// Whether two segments come within `reach` >= 0 of each other: at an end of one, or at the two
 /// points between the ends where their lines are closest.
 template <Scalar S, int N, Number R>
@@ -108,7 +123,7 @@ template <Scalar S, int N, Number R>
   if (are_apart(Bounds(a.start, a.end), Bounds(b.start, b.end), reach)) return false;
   if constexpr (N == 2) {
     return is_near(a, b.start, reach) || is_near(a, b.end, reach) || is_near(b, a.start, reach) ||
-           is_near(b, a.end, reach) || intersects(a, b);
+           is_near(b, a.end, reach) || segments_meet(a, b);
   } else {
     return by_width<29>([](const auto&... x) { return are_near(x...); }, a.end - a.start,
                         b.end - b.start, b.start - a.start, reach);

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "detent/math/components.hpp"
 #include "detent/math/width.hpp"
 #include "detent/query/kernel/nearness.hpp"
-#include "detent/query/kernel/planar.hpp"
 
 namespace detent::detail {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/contains/triangle.hpp"
 #include "detent/query/kernel/near_segment.hpp"
+#include "detent/query/kernel/point_triangle.hpp"
 
 namespace detent::detail {
 
@@ -61,7 +61,7 @@ template <Number T, Number R>
 template <Scalar S, Number R>
 [[nodiscard]] constexpr bool is_near_face(const Triangle<S, 2>& triangle, const Vec<S, 2>& point,
                                           const R&) noexcept {
-  return contains(triangle, point);
+  return holds(triangle, point);
 }
 template <Scalar S, Number R>
 [[nodiscard]] constexpr bool is_near_face(const Triangle<S, 3>& triangle, const Vec<S, 3>& point,
@@ -78,7 +78,7 @@ template <Scalar S, int N, Number R>
   const auto& [a, b, c] = triangle;
   if (are_apart(Bounds(a, b, c), Bounds(point), reach)) return false;
   if constexpr (N == 2) {
-    return contains(triangle, point) || is_near(Segment{a, b}, point, reach) ||
+    return holds(triangle, point) || is_near(Segment{a, b}, point, reach) ||
            is_near(Segment{b, c}, point, reach) || is_near(Segment{c, a}, point, reach);
   } else {
     return by_width<29>([](const auto&... x) { return is_near_corners(x...); }, b - a, c - a,

@@ -4,7 +4,8 @@
 #include <array>
 #include <optional>
 
-#include "detent/query/raycast/hit.hpp"
+#include "detent/math/components.hpp"
+#include "detent/query/kernel/span.hpp"
 #include "detent/shape/segment.hpp"
 #include "detent/shape/triangle.hpp"
 
@@ -12,30 +13,6 @@ namespace detent::detail {
 
 // A line against a flat shape in the same plane: the 2D case, and in 3D the case of a ray within
 // the plane of a triangle or against a collapsed triangle.
-
-/// A vector without component `axis`, in an order that keeps orientation.
-template <Number T>
-[[nodiscard]] constexpr Vec<T, 2> without(const Vec<T, 3>& v, int axis) noexcept {
-  return {v[(axis + 1) % 3], v[(axis + 2) % 3]};
-}
-
-/// The axis of the component of greatest magnitude, the first if several.
-template <Number T, int N>
-[[nodiscard]] constexpr int longest_axis(const Vec<T, N>& v) noexcept {
-  int longest = 0;
-  for (int i = 1; i < N; ++i) {
-    if (abs(v[i]) > abs(v[longest])) longest = i;
-  }
-  return longest;
-}
-
-template <Number T, int N>
-[[nodiscard]] constexpr bool is_zero(const Vec<T, N>& v) noexcept {
-  for (int i = 0; i < N; ++i) {
-    if (v[i] != 0) return false;
-  }
-  return true;
-}
 
 /// A line through `origin` along `direction` in a plane, and the exact predicates on it.
 ///
@@ -129,24 +106,6 @@ template <Scalar S>
                          *corners[static_cast<std::size_t>((edge + 1) % 3)]);
   };
   return TriangleSpan<S>{{crossing(enter), crossing(exit)}, enter};
-}
-
-/// The segment that a collapsed triangle is.
-template <Scalar S, int N>
-[[nodiscard]] constexpr Segment<S, N> collapsed(const Triangle<S, N>& triangle) noexcept {
-  // On one line the lexicographic order of coordinates is the order along the line.
-  const auto before = [](const Vec<S, N>& p, const Vec<S, N>& q) {
-    for (int i = 0; i < N; ++i) {
-      if (p[i] != q[i]) return p[i] < q[i];
-    }
-    return false;
-  };
-  Segment<S, N> ends{triangle.a, triangle.a};
-  for (const auto& corner : {triangle.b, triangle.c}) {
-    if (before(corner, ends.start)) ends.start = corner;
-    if (before(ends.end, corner)) ends.end = corner;
-  }
-  return ends;
 }
 
 /// The part of a ray's line in a segment.

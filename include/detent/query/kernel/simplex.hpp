@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "detent/math/components.hpp"
 #include "detent/number/fraction.hpp"
-#include "detent/query/kernel/planar.hpp"
 
 namespace detent::detail {
 

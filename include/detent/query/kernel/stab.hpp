@@ -6,8 +6,10 @@
 #include <span>
 #include <utility>
 
+#include "detent/math/components.hpp"
+#include "detent/number/fraction.hpp"
 #include "detent/number/patience.hpp"
-#include "detent/query/kernel/planar.hpp"
+#include "detent/shape/ray.hpp"
 
 namespace detent::detail {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/on.hpp"
+#include "detent/query/kernel/point_plane.hpp"
+#include "detent/shape/capsule.hpp"
 
 namespace detent {
 
@@ -16,7 +17,8 @@ template <Scalar S, int N>
   if (capsule.radius < 0) return false;
   const auto a = detail::height_above(plane, capsule.a), b = detail::height_above(plane, capsule.b);
   if ((a < 0 && b > 0) || (a > 0 && b < 0)) return true;
-  return on(plane, capsule.a, capsule.radius) || on(plane, capsule.b, capsule.radius);
+  return detail::is_near(plane, capsule.a, capsule.radius) ||
+         detail::is_near(plane, capsule.b, capsule.radius);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Capsule<S, N>& capsule,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/kernel/parallel.hpp"
+#include "detent/math/components.hpp"
 #include "detent/shape/plane.hpp"
 
 namespace detent {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "detent/query/kernel/near_segment.hpp"
-#include "detent/shape/capsule.hpp"
 #include "detent/shape/sphere.hpp"
 
 namespace detent {
@@ -14,9 +13,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere,
                                       const Capsule<S, N>& capsule) noexcept {
-  return sphere.radius >= 0 && capsule.radius >= 0 &&
-         detail::is_near(Segment{capsule.a, capsule.b}, sphere.center,
-                         sphere.radius + capsule.radius);
+  return sphere.radius >= 0 && detail::is_near(capsule, sphere.center, sphere.radius);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Capsule<S, N>& capsule,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/distance/hull.hpp"
+#include "detent/query/kernel/point_hull.hpp"
 #include "detent/shape/sphere.hpp"
 
 namespace detent {
@@ -13,8 +13,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere,
                                       const ConvexHull<S, N>& hull) noexcept {
-  if (sphere.radius < 0 || is_empty(hull)) return false;
-  return squared_distance(hull, sphere.center) <= sphere.radius * sphere.radius;
+  return sphere.radius >= 0 && detail::is_near(hull, sphere.center, sphere.radius);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const ConvexHull<S, N>& hull,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/on.hpp"
+#include "detent/query/kernel/point_obb.hpp"
+#include "detent/shape/sphere.hpp"
 
 namespace detent {
 
@@ -14,7 +15,7 @@ namespace detent {
 /// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere, const Obb<S, N>& box) noexcept {
-  return on(box, sphere.center, sphere.radius);
+  return sphere.radius >= 0 && detail::is_near(box, sphere.center, sphere.radius);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Obb<S, N>& box, const Sphere<S, N>& sphere) noexcept {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/on.hpp"
+#include "detent/query/kernel/point_plane.hpp"
+#include "detent/shape/sphere.hpp"
 
 namespace detent {
 
@@ -14,7 +15,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere,
                                       const Plane<S, N>& plane) noexcept {
-  return on(plane, sphere.center, sphere.radius);
+  return sphere.radius >= 0 && detail::is_near(plane, sphere.center, sphere.radius);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Plane<S, N>& plane,

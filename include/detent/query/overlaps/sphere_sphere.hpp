@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/on.hpp"
+#include "detent/query/kernel/point_sphere.hpp"
 
 namespace detent {
 
@@ -11,7 +11,7 @@ namespace detent {
 /// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& a, const Sphere<S, N>& b) noexcept {
-  return on(a, b.center, b.radius);
+  return b.radius >= 0 && detail::is_near(a, b.center, b.radius);
 }
 
 }  // namespace detent

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/intersects/triangle.hpp"
 #include "detent/query/kernel/near_triangle.hpp"
+#include "detent/query/kernel/segment_triangle.hpp"
 #include "detent/shape/capsule.hpp"
 
 namespace detent {
@@ -23,7 +23,8 @@ template <Scalar S, int N>
   if (detail::are_apart(detail::Bounds(a, b, c), detail::Bounds(axis.start, axis.end), radius)) {
     return false;
   }
-  return intersects(axis, triangle) || detail::is_near_face(triangle, axis.start, radius) ||
+  return detail::segment_meets(axis, triangle) ||
+         detail::is_near_face(triangle, axis.start, radius) ||
          detail::is_near_face(triangle, axis.end, radius) ||
          detail::is_near(Segment{a, b}, axis, radius) ||
          detail::is_near(Segment{b, c}, axis, radius) ||

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/intersects/triangle.hpp"
+#include "detent/query/kernel/segment_triangle.hpp"
 
 namespace detent {
 
@@ -35,9 +35,9 @@ template <Scalar S>
 template <Scalar S, Number T>
 [[nodiscard]] constexpr bool edge_meets(const Triangle<S, 3>& a, const Vec<T, 3>& over_b,
                                         const Triangle<S, 3>& b) noexcept {
-  return (!same_side(over_b.x, over_b.y) && intersects(Segment{a.a, a.b}, b)) ||
-         (!same_side(over_b.y, over_b.z) && intersects(Segment{a.b, a.c}, b)) ||
-         (!same_side(over_b.z, over_b.x) && intersects(Segment{a.c, a.a}, b));
+  return (!same_side(over_b.x, over_b.y) && segment_meets(Segment{a.a, a.b}, b)) ||
+         (!same_side(over_b.y, over_b.z) && segment_meets(Segment{a.b, a.c}, b)) ||
+         (!same_side(over_b.z, over_b.x) && segment_meets(Segment{a.c, a.a}, b));
 }
 
 }  // namespace detail
@@ -49,8 +49,8 @@ template <Scalar S, Number T>
 template <Scalar S>
 [[nodiscard]] constexpr bool overlaps(const Triangle<S, 2>& a, const Triangle<S, 2>& b) noexcept {
   const auto area_a = cross(a.b - a.a, a.c - a.a), area_b = cross(b.b - b.a, b.c - b.a);
-  if (area_a == 0) return intersects(detail::collapsed(a), b);
-  if (area_b == 0) return intersects(detail::collapsed(b), a);
+  if (area_a == 0) return detail::segment_meets(detail::collapsed(a), b);
+  if (area_b == 0) return detail::segment_meets(detail::collapsed(b), a);
   return !detail::edge_separates(a, area_a, b) && !detail::edge_separates(b, area_b, a);
 }
 

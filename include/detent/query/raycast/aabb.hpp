@@ -4,25 +4,9 @@
 #include <optional>
 
 #include "detent/query/kernel/clip.hpp"
-#include "detent/shape/aabb.hpp"
+#include "detent/query/raycast/hit.hpp"
 
 namespace detent {
-
-namespace detail {
-
-template <Scalar S, int N>
-[[nodiscard]] constexpr auto clip(const Ray<S, N>& ray, const Aabb<S, N>& box) noexcept {
-  using Speed = direction_component<S>;
-  using Gap = decltype(box.min.x - ray.origin.x);
-  // No component of a direction exceeds 1, which takes one bit less than its type has.
-  RayClip<S, Gap, Speed, bits_of<Gap> + bits_of<Speed> - 1> clip(ray.max_distance);
-  for (int i = 0; i < N; ++i) {
-    clip.keep(i, box.min[i] - ray.origin[i], box.max[i] - ray.origin[i], ray.direction[i]);
-  }
-  return clip;
-}
-
-}  // namespace detail
 
 /// Distance along `ray` at which it first touches `box`, or nothing.
 ///

@@ -8,6 +8,7 @@
 #include "detent/math/width.hpp"
 #include "detent/number/filter/long_quadratic.hpp"
 #include "detent/query/kernel/near_segment.hpp"
+#include "detent/query/raycast/hit.hpp"
 #include "detent/query/raycast/sphere.hpp"
 #include "detent/shape/capsule.hpp"
 

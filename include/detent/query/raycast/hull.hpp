@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "detent/query/kernel/stab.hpp"
+#include "detent/query/raycast/hit.hpp"
 #include "detent/shape/hull.hpp"
 
 namespace detent {

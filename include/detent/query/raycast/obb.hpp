@@ -5,6 +5,7 @@
 
 #include "detent/math/width.hpp"
 #include "detent/query/kernel/clip.hpp"
+#include "detent/query/raycast/hit.hpp"
 #include "detent/shape/obb.hpp"
 
 namespace detent {

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "detent/query/kernel/span.hpp"
 #include "detent/query/raycast/hit.hpp"
 #include "detent/shape/plane.hpp"
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "detent/query/kernel/planar.hpp"
+#include "detent/query/raycast/hit.hpp"
 
 namespace detent {
 

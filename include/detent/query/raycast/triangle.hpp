@@ -3,7 +3,9 @@
 
 #include <optional>
 
+#include "detent/query/kernel/collapsed.hpp"
 #include "detent/query/kernel/planar.hpp"
+#include "detent/query/raycast/hit.hpp"
 
 namespace detent {
 

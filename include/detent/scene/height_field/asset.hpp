@@ -4,7 +4,8 @@
 #include <cstdint>
 
 #include "detent/number/digest.hpp"
-#include "detent/scene/height_field/height_field.hpp"
+#include "detent/scene/height_field/view.hpp"
+#include "detent/scene/height_field/walk.hpp"
 
 namespace detent {
 

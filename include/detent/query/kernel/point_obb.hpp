@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/shape/obb.hpp"
+
+namespace detent::detail {
+
+// A point in the frame of a box has the coordinates dot(axis(i), point - center), with the axes
+// exactly as stored.
+
+/// Whether `point` is in `box`.
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool holds(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {
+  const auto from_center = point - box.center;
+  for (int i = 0; i < N; ++i) {
+    const auto along = dot(box.rotation.axis(i), from_center);
+    if (along < -box.half_extents[i] || along > box.half_extents[i]) return false;
+  }
+  return true;
+}
+
+/// `along`, a coordinate in the frame of a box, clamped to [-half_extent, half_extent].
+template <Number T, Scalar S>
+[[nodiscard]] constexpr T clamp_to(const T& along, const S& half_extent) noexcept {
+  const T high(half_extent), low(-half_extent);
+  const T lowered = along > high ? high : along;
+  return lowered < low ? low : lowered;
+}
+
+/// By how much |dot(axis(i), point - center)| exceeds half_extents[i] on each axis (0 if it does
+/// not), with the sign of the dot product. The box must not be empty.
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto excess(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {
+  const auto from_center = point - box.center;
+  using Along = decltype(dot(box.rotation.axis(0), from_center));
+  return make_vec<N>([&](int i) {
+    const Along along = dot(box.rotation.axis(i), from_center);
+    // Subtracting 0 <= half_extents[i] <= |along| from |along| leaves a number that fits its bits.
+    return narrow_difference<bits_of<Along>>(along, clamp_to(along, box.half_extents[i]));
+  });
+}
+
+/// Whether `point` is within `reach` >= 0 of `box`, measured in the frame of the box.
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool is_near(const Obb<S, N>& box, const Vec<S, N>& point,
+                                     const S& reach) noexcept {
+  if (is_empty(box)) return false;
+  const auto beyond = excess(box, point);
+  for (int i = 0; i < N; ++i) {
+    if (beyond[i] > reach || beyond[i] < -reach) return false;
+  }
+  // No component exceeds `reach`, on the grid of products with a direction, whose 1 is 2^(b - 1).
+  constexpr int bits = bits_of<S> - 1 + bits_of<direction_component<S>>;
+  return squared_length(narrow<bits>(beyond)) <= square(reach);
+}
+
+}  // namespace detent::detail

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/number/fraction.hpp"
+#include "detent/shape/plane.hpp"
+
+namespace detent::detail {
+
+/// dot(normal, point) - offset: the distance to the plane times the length of the normal, positive
+/// on the side that the normal points to.
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto height_above(const Plane<S, N>& plane,
+                                          const Vec<S, N>& point) noexcept {
+  // sqrt(3) 2^B (1 + 2^-13) + 2^B < 2^(B + 2), in units where a direction's component 1 is 2^0.
+  constexpr int bits = bits_of<S> + bits_of<direction_component<S>> + 1;
+  return narrow_difference<bits>(dot(plane.normal, point), plane.offset);
+}
+
+/// Whether `point` lies in `plane`: dot(normal, point) = offset, with the normal exactly as stored.
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool holds(const Plane<S, N>& plane, const Vec<S, N>& point) noexcept {
+  return dot(plane.normal, point) == plane.offset;
+}
+
+/// Whether `point` is within `reach` >= 0 of `plane`: height^2 <= reach^2 n^2, with the normal n
+/// exactly as stored.
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool is_near(const Plane<S, N>& plane, const Vec<S, N>& point,
+                                     const S& reach) noexcept {
+  const auto height = height_above(plane, point);
+  return Fraction{height * height, squared_length(plane.normal)} <= square(reach);
+}
+
+}  // namespace detent::detail
