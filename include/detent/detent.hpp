@@ -24,3 +24,5 @@
 #endif
 
 #include "detent/version.hpp"
+
+#undef DETENT_INLINE_WHEN_SHORT  // for number/ alone

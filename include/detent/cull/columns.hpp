@@ -235,3 +235,5 @@ class Candidates {
 };
 
 }  // namespace detent::detail
+
+#undef DETENT_INLINE_CALLS

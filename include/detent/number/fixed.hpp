@@ -405,3 +405,6 @@ struct std::hash<detent::Fixed<Bits, Frac>> {
     return std::hash<typename detent::Fixed<Bits, Frac>::raw_type>()(x.raw());
   }
 };
+
+#undef DETENT_INLINE_CONSTANT
+#undef DETENT_REFUSE_IF

@@ -17,6 +17,7 @@
 #ifndef DETENT_PORTABLE_INT128
 #define DETENT_PORTABLE_INT128 0
 #endif
+// DETENT_NATIVE_INT128 is 1 where 128-bit integers are those of the compiler.
 #if defined(__SIZEOF_INT128__) && !defined(_MSC_VER) && !DETENT_PORTABLE_INT128
 #define DETENT_NATIVE_INT128 1
 #else
