@@ -5,7 +5,7 @@ set -euo pipefail
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-tools=(apt-get sudo cmake ctest ninja g++ clang++ clang-format clang-tidy cppcheck npm)
+tools=(apt-get sudo cmake ctest ninja g++ clang++ clang-format clang-tidy cppcheck doxygen npm)
 for tool in "${tools[@]}"; do
   printf '#!/bin/sh\necho "%s $*" >>"%s"\nexit 1\n' "$tool" "$work/called" >"$work/$tool"
   chmod +x "$work/$tool"

@@ -84,6 +84,7 @@ class Direction {
   Vec<Component, N> components_;
 };
 
+/// Appends to a digest: the components.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const Direction<S, N>& direction) noexcept {
   digest.add(direction.vec());
@@ -143,10 +144,14 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr auto dot(const Direction<S, N>& a, const Direction<S, N>& b) noexcept {
   return narrow_dot<detail::cosine_bits<S>>(a.vec(), b.vec());
 }
+
+/// The squared length, exactly: 1 within the rounding of the components.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto squared_length(const Direction<S, N>& d) noexcept {
   return dot(d, d);
 }
+
+/// The cross product, exactly.
 template <Scalar S, Number T, int N>
 [[nodiscard]] constexpr auto cross(const Direction<S, N>& d, const Vec<T, N>& v) noexcept {
   return narrow_cross<detail::along_bits<S, T>>(d.vec(), v);

@@ -27,9 +27,11 @@ struct Mat {
     return rows[static_cast<std::size_t>(row)][column];
   }
 
+  /// Row `i`, from 0.
   [[nodiscard]] constexpr const Vec<T, C>& row(int i) const noexcept {
     return rows[static_cast<std::size_t>(i)];
   }
+  /// Column `j`, from 0.
   [[nodiscard]] constexpr Vec<T, R> column(int j) const noexcept {
     return make_vec<R>([&](int i) { return (*this)(i, j); });
   }
@@ -61,6 +63,7 @@ template <int R, int C, class F>
   return m;
 }
 
+/// The identity matrix.
 template <Number T, int N>
 [[nodiscard]] constexpr Mat<T, N, N> identity() noexcept {
   return make_mat<N, N>([](int i, int j) { return T(i == j ? 1 : 0); });
@@ -97,6 +100,7 @@ template <Number A, Number B, int R, int C>
   return make_vec<R>([&](int i) { return dot(m.row(i), v); });
 }
 
+/// The transposed matrix.
 template <Number T, int R, int C>
 [[nodiscard]] constexpr Mat<T, C, R> transpose(const Mat<T, R, C>& m) noexcept {
   return make_mat<C, R>([&](int i, int j) { return m(j, i); });
@@ -122,6 +126,7 @@ template <Number T, int R, int C>
   return to_row_major(transpose(m));
 }
 
+/// The matrix with these components, row by row.
 template <int R, int C, Number T>
 [[nodiscard]] constexpr Mat<T, R, C> from_row_major(
     const std::array<T, static_cast<std::size_t>(R* C)>& components) noexcept {
@@ -129,6 +134,7 @@ template <int R, int C, Number T>
       [&](int i, int j) { return components[static_cast<std::size_t>(i * C + j)]; });
 }
 
+/// The matrix with these components, column by column.
 template <int R, int C, Number T>
 [[nodiscard]] constexpr Mat<T, R, C> from_column_major(
     const std::array<T, static_cast<std::size_t>(R* C)>& components) noexcept {

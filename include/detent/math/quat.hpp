@@ -46,6 +46,7 @@ class Quat {
   [[nodiscard]] static constexpr std::optional<Quat> normalize(S x, S y, S z, S w) noexcept {
     return along(Vec<S, 4>{x, y, z, w});
   }
+  /// The same for a vector of any number type.
   template <Number T>
   [[nodiscard]] static constexpr std::optional<Quat> along(const Vec<T, 4>& xyzw) noexcept {
     const auto unit = unit_vector<Component>(to_array(xyzw));
@@ -116,6 +117,7 @@ class Quat {
     return q;
   }
 
+  /// The component of i; `y`, `z` and `w` are those of j, k and 1.
   [[nodiscard]] constexpr Component x() const noexcept { return xyzw_.x; }
   [[nodiscard]] constexpr Component y() const noexcept { return xyzw_.y; }
   [[nodiscard]] constexpr Component z() const noexcept { return xyzw_.z; }
@@ -150,6 +152,8 @@ template <Scalar S>
 [[nodiscard]] constexpr auto dot(const Quat<S>& p, const Quat<S>& q) noexcept {
   return narrow_dot<detail::cosine_bits<S>>(p.vec(), q.vec());
 }
+
+/// The squared length, exactly: 1 within the rounding of the components.
 template <Scalar S>
 [[nodiscard]] constexpr auto squared_length(const Quat<S>& q) noexcept {
   return dot(q, q);

@@ -185,6 +185,7 @@ template <Number T, int N>
   return make_vec<N>([&](int i) { return narrow_negative(v[i]); });
 }
 
+/// The dot product, exactly.
 template <Number A, Number B, int N>
 [[nodiscard]] constexpr auto dot(const Vec<A, N>& a, const Vec<B, N>& b) noexcept {
   if constexpr (N == 2) {
@@ -218,6 +219,7 @@ template <int Bits, Number A, Number B, int N>
   }
 }
 
+/// The cross product, exactly.
 template <Number A, Number B>
 [[nodiscard]] constexpr auto cross(const Vec<A, 3>& a, const Vec<B, 3>& b) noexcept {
   return Vec{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -242,6 +244,7 @@ template <int Bits, Number A, Number B>
   });
 }
 
+/// The squared length, exactly.
 template <Number T, int N>
 [[nodiscard]] constexpr auto squared_length(const Vec<T, N>& v) noexcept {
   return dot(v, v);

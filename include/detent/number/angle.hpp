@@ -83,6 +83,7 @@ class Angle<Fixed<Bits, Frac>> {
     return from_turns(nearest_to<Turns>(radians * detail::turns_per_radian));
   }
 
+  /// The angle in units of 2^-32 turn, from 0 to a turn.
   [[nodiscard]] constexpr raw_type raw() const noexcept { return raw_; }
 
   // Names in parentheses are safe from the macros of Arduino.h; callers next to those macros write
@@ -154,6 +155,7 @@ class Angle<S> {
     return from_raw(std::remainder(radians, two_pi));
   }
 
+  /// The angle in radians; `radians` is the same, `degrees` converts.
   [[nodiscard]] constexpr S raw() const noexcept { return raw_; }
   [[nodiscard]] constexpr S(degrees)() const noexcept { return raw_ * (360 / two_pi); }
   [[nodiscard]] constexpr S(radians)() const noexcept { return raw_; }
@@ -247,6 +249,8 @@ template <int B, int F>
 }
 
 #if __STDC_HOSTED__
+
+/// Sine, cosine and arc tangent of `float` and `double`: those of `<cmath>`.
 template <class To = void, std::floating_point F>
 [[nodiscard]] constexpr auto sin(Angle<F> angle) noexcept {
   return static_cast<detail::to_or_own<To, F>>(std::sin(angle.raw()));

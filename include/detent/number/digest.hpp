@@ -25,6 +25,7 @@ namespace detent {
 class Digest {
  public:
   constexpr Digest() noexcept : Digest(0) {}
+  /// A digest that starts from `seed`; 0 by default.
   explicit constexpr Digest(std::uint64_t seed) noexcept
       : seed_(seed), lanes_{seed + p1 + p2, seed + p2, seed, seed - p1} {}
 
@@ -46,6 +47,7 @@ class Digest {
     if (lane == 3) mix_stripe();
   }
 
+  /// Appends bytes as they are.
   constexpr void add_bytes(std::span<const std::byte> bytes) noexcept {
     if (length_ % 32 == 0) {
       // Whole stripes at once.

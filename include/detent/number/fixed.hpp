@@ -153,11 +153,14 @@ class Fixed {
   /// The nearest double; exact up to 53 significant bits. For tools and tests.
   [[nodiscard]] explicit constexpr operator double() const noexcept;
 
+  /// The integer that is stored: the number times 2^Frac.
   [[nodiscard]] constexpr raw_type raw() const noexcept { return raw_; }
 
+  /// The greatest number from outside: (2^Bits - 1) / 2^Frac.
   [[nodiscard]] static constexpr Fixed(max)() noexcept {
     return Fixed(wrapping_subtract<raw_type>(shift_left(raw_type(1), Bits), raw_type(1)), RawTag{});
   }
+  /// The least number: -2^Bits / 2^Frac.
   [[nodiscard]] static constexpr Fixed lowest() noexcept {
     return Fixed(wrapping_subtract<raw_type>(raw_type(0), shift_left(raw_type(1), Bits)), RawTag{});
   }
@@ -274,6 +277,7 @@ template <int B, int F>
   return Fixed<B, F>::assume_raw(integer_cast<typename Fixed<B, F>::raw_type>((-x).raw()));
 }
 
+/// The magnitude, exactly.
 template <int B, int F>
 [[nodiscard]] constexpr auto abs(const Fixed<B, F>& x) noexcept {
   using Magnitude = Fixed<detail::result_bits(B), F>;
@@ -398,6 +402,7 @@ constexpr Fixed<Bits, Frac>::operator double() const noexcept {
 
 }  // namespace detent
 
+/// For `std::unordered_map`; the hash of the raw integer.
 template <int Bits, int Frac>
 struct std::hash<detent::Fixed<Bits, Frac>> {
   [[nodiscard]] std::size_t operator()(const detent::Fixed<Bits, Frac>& x) const noexcept

@@ -17,6 +17,7 @@ class Quadratic {
  public:
   static constexpr int product_bits = 2 * bits_of<B>;
 
+  /// The polynomial a t^2 + 2 b t + c.
   constexpr Quadratic(const A& a, const B& b, const C& c) noexcept
       : a_(a), b_(b), c_(c), square_(b * b), product_(narrow_product<product_bits>(a, c)) {}
 

@@ -196,7 +196,6 @@ template <int Bits, int Bits1, int Frac1, int Bits2, int Frac2>
   DETENT_ASSERT(a * b == narrow<Bits>(a * b));
   return Fixed<Bits, Frac1 + Frac2>::assume_raw(wrapping_multiply<Raw>(a.raw(), b.raw()));
 }
-
 template <int Bits, int Bits1, int Frac1, int Bits2, int Frac2>
 [[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto narrow_sum(
     const Fixed<Bits1, Frac1>& a, const Fixed<Bits2, Frac2>& b) noexcept {
@@ -206,7 +205,6 @@ template <int Bits, int Bits1, int Frac1, int Bits2, int Frac2>
   return Sum::assume_raw(wrapping_add<Raw>(detail::aligned_raw<Raw, Sum::frac>(a),
                                            detail::aligned_raw<Raw, Sum::frac>(b)));
 }
-
 template <int Bits, int Bits1, int Frac1, int Bits2, int Frac2>
 [[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr auto narrow_difference(
     const Fixed<Bits1, Frac1>& a, const Fixed<Bits2, Frac2>& b) noexcept {

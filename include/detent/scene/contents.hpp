@@ -62,6 +62,7 @@ class SceneContents {
   }
   constexpr ~SceneContents() = default;
 
+  /// The number of objects.
   [[nodiscard]] constexpr std::size_t size() const noexcept { return store_.size(); }
 
   /// Adds an object at the lowest free index. On failure, `value_or(no_object)` gives an id on
@@ -93,6 +94,7 @@ class SceneContents {
     return true;
   }
 
+  /// Removes an object. Its id never refers to another one.
   constexpr bool remove(const ObjectId& id) {
     if (!contains(id)) return false;
     store_.remove(id.index);
@@ -120,11 +122,13 @@ class SceneContents {
     }));
     return true;
   }
+  /// Sets the layers that filters read.
   constexpr bool set_layers(const ObjectId& id, std::uint32_t layers) noexcept {
     if (!contains(id)) return false;
     store_.set_layers(id.index, layers);
     return true;
   }
+  /// Sets the number that the caller keeps with an object.
   constexpr bool set_user(const ObjectId& id, std::uint64_t user) noexcept {
     if (!contains(id)) return false;
     store_.set_user(id.index, user);
@@ -136,9 +140,11 @@ class SceneContents {
   /// changes a result.
   constexpr void optimize() { store_.rebuild(); }
 
+  /// Whether the object exists.
   [[nodiscard]] constexpr bool contains(const ObjectId& id) const noexcept {
     return store_.find(id) != nullptr;
   }
+  /// What filters see of an object.
   [[nodiscard]] constexpr std::optional<ObjectInfo> info(const ObjectId& id) const noexcept {
     if (!contains(id)) return std::nullopt;
     return store_.info(id.index);

@@ -17,11 +17,13 @@ class FieldName {
   static constexpr std::size_t capacity = 119;
 
   constexpr FieldName() noexcept = default;
+  /// The name that a string literal spells.
   template <std::size_t Size>
   explicit constexpr FieldName(const char (&literal)[Size]) noexcept {
     add(literal);
   }
 
+  /// Appends text; what exceeds `capacity` is dropped.
   template <std::size_t Size>
   constexpr FieldName& add(const char (&literal)[Size]) noexcept {
     return add(std::string_view(literal, Size - 1));
@@ -32,6 +34,7 @@ class FieldName {
     }
     return *this;
   }
+  /// Appends a number in decimal.
   constexpr FieldName& add_number(std::uint64_t number) noexcept {
     if (number >= 10) add_number(number / 10);
     const char digit = static_cast<char>('0' + number % 10);
@@ -46,6 +49,7 @@ class FieldName {
     if (size_ == 0) return add(part);
     return is_separated ? add(part) : add(".").add(part);
   }
+  /// Keeps the first `size` characters.
   constexpr void cut(std::size_t size) noexcept {
     while (size_ > size) text_[--size_] = 0;
   }

@@ -21,6 +21,7 @@
 
 namespace detent {
 
+/// Calls f(name, part) for each named part of a value, in the order of its fields.
 template <Number T, int N, class F>
 constexpr void for_each_field(const Vec<T, N>& v, const F& f) {
   for (int i = 0; i < N; ++i) f(std::string_view(&"xyz"[i], 1), v[i]);

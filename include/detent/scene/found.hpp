@@ -45,14 +45,19 @@ struct Overlap {
                                                   const Overlap&) noexcept = default;
 };
 
+/// Appends to a digest: the fields in order.
 template <class D, Scalar S>
 constexpr void append(D& digest, const Found<S>& found) noexcept {
   digest.add(found.distance, found.id);
 }
+
+/// Appends to a digest: the fields in order.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const ObjectHit<S, N>& hit) noexcept {
   digest.add(hit.distance, hit.id, hit.point, hit.normal, hit.triangle);
 }
+
+/// Appends to a digest: the fields in order.
 template <class D>
 constexpr void append(D& digest, const Overlap& overlap) noexcept {
   digest.add(overlap.first, overlap.second);

@@ -51,6 +51,7 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
   using List = typename Storage::template List<T, 0>;
   using Base::is_growing;
 
+  /// The first of `all`: the least distance, then the least id.
   template <class Question, ObjectFilter Filter = Everything>
   [[nodiscard]] constexpr std::optional<Found<S>> nearest(const Question& question,
                                                           const Filter& filter = {}) const {
@@ -65,6 +66,7 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
     return best;
   }
 
+  /// Whether `all` has any object.
   template <class Question, ObjectFilter Filter = Everything>
   [[nodiscard]] constexpr bool any(const Question& question, const Filter& filter = {}) const {
     bool is_found = false;
@@ -72,6 +74,7 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
     return is_found;
   }
 
+  /// Every object that overlaps the query shape, by distance, then id.
   template <class Question, ObjectFilter Filter = Everything>
   [[nodiscard]] List<Found<S>> all(const Question& question, const Filter& filter = {}) const
       requires(is_growing) {
@@ -92,6 +95,7 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
     return count;
   }
 
+  /// All pairs of overlapping objects, except pairs of fixed ones, sorted.
   template <PairFilter Filter = Everything>
   [[nodiscard]] List<Overlap> overlaps(const Filter& filter = {}) const requires(is_growing) {
     List<Overlap> list;

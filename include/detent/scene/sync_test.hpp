@@ -42,6 +42,7 @@ struct Desync {
 template <RollbackWorld World, std::copyable Input, std::size_t Window = 0>
 class SyncTest {
  public:
+  /// A test that goes back by `window` frames, at least one.
   explicit SyncTest(std::size_t window) requires(Window == 0)
       : window_((std::max)(window, std::size_t{1})) {}
   SyncTest() requires(Window != 0) = default;

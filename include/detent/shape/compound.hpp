@@ -19,6 +19,7 @@ struct Compound {
   std::tuple<std::span<const Shapes>...> parts;
 
   constexpr Compound() noexcept = default;
+  /// The union of the shapes in `lists`.
   explicit constexpr Compound(std::span<const Shapes>... lists) noexcept
       requires(sizeof...(Shapes) > 0)
       : parts(lists...) {}
@@ -27,6 +28,7 @@ struct Compound {
 template <class... Lists>
 explicit Compound(const Lists&...) -> Compound<typename Lists::value_type...>;
 
+/// Whether `T` is a `Compound`.
 template <class T>
 inline constexpr bool is_compound = false;
 template <class... Shapes>

@@ -90,6 +90,8 @@ template <Scalar S>
 [[nodiscard]] constexpr auto area(const Obb<S, 2>& box) noexcept {
   return detail::size(box);
 }
+
+/// The volume of a box, exactly; 0 for an empty one.
 template <Scalar S>
 [[nodiscard]] constexpr auto volume(const Aabb<S, 3>& box) noexcept {
   return detail::size(box);

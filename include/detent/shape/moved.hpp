@@ -22,6 +22,7 @@
 
 namespace detent {
 
+/// `shape` moved by a vector.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Sphere<S, N> translated(const Sphere<S, N>& sphere,
                                                 const Vec<S, N>& by) noexcept {
@@ -64,6 +65,7 @@ template <Scalar S, int N>
 
 }  // namespace detail
 
+/// `shape`, from a local frame, in the world.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Sphere<S, N> placed(const Transform<S, N>& transform,
                                             const Sphere<S, N>& sphere) noexcept {

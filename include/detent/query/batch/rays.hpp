@@ -23,6 +23,7 @@ class RayBatch {
  public:
   using Block = detail::RayColumns<S, N>;
 
+  /// A batch of `rays` that start in or near `frame`, with columns in `blocks`.
   constexpr RayBatch(std::span<const Ray<S, N>> rays, const Aabb<S, N>& frame,
                      std::span<Block> blocks) noexcept
       : rays_(rays),

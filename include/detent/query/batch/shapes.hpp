@@ -27,11 +27,13 @@ namespace detent {
 template <class Shape>
 class ShapeBatch;
 
+/// For shapes of one scalar and dimension.
 template <template <Scalar, int> class Shape, Scalar S, int N>
 class ShapeBatch<Shape<S, N>> {
  public:
   using Block = detail::BoxColumns<S, N>;
 
+  /// A batch of `shapes`, with columns in `blocks`: see `batch_blocks`.
   constexpr ShapeBatch(std::span<const Shape<S, N>> shapes, std::span<Block> blocks) noexcept
       : shapes_(shapes), blocks_(blocks.first((std::min)(blocks.size(), batch_blocks(size())))) {
     auto around = detail::no_box<Aabb<S, N>>;

@@ -34,6 +34,7 @@ struct HeightField {
 template <>
 inline constexpr bool is_surface<HeightField> = true;
 
+/// The smallest box around the field.
 template <Scalar S>
 [[nodiscard]] constexpr Aabb<S, 3> bounding_box(const HeightField<S>& field) noexcept {
   return field.bounds;

@@ -110,6 +110,7 @@ class HullPoints {
 
 }  // namespace detail
 
+/// Queries of a placed hull: those of the convex hull of its transformed points, each rounded.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Aabb<S, N> bounding_box(const PlacedHull<S, N>& placed) noexcept {
   return bounding_box(detail::HullPoints(placed).hull());
@@ -157,6 +158,7 @@ concept MeetsHulls =
   { overlaps(shape, hull) } -> std::same_as<bool>;
 };
 
+/// Whether a placed hull and another shape overlap.
 template <Scalar S, int N, MeetsHulls<S, N> Shape>
 [[nodiscard]] constexpr bool overlaps(const PlacedHull<S, N>& placed, const Shape& shape) noexcept {
   return overlaps(detail::HullPoints(placed).hull(), shape);

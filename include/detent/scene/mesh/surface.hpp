@@ -26,6 +26,7 @@ constexpr void append(D& digest, const MeshTriangle<S>& part) noexcept {
   digest.add(part.triangle, part.index);
 }
 
+/// The smallest box around the triangle.
 template <Scalar S>
 [[nodiscard]] constexpr Aabb<S, 3> bounding_box(const MeshTriangle<S>& part) noexcept {
   return bounding_box(part.triangle);
