@@ -4,6 +4,7 @@
 // The number layer: exact fixed point, rounding by name, angles, text and digests.
 
 #include "detent/number/angle.hpp"
+#include "detent/number/angle_range.hpp"
 #include "detent/number/arc.hpp"
 #include "detent/number/assert.hpp"
 #include "detent/number/digest.hpp"
