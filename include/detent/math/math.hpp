@@ -7,6 +7,7 @@
 #include "detent/math/decompose.hpp"
 #include "detent/math/direction.hpp"
 #include "detent/math/inverse.hpp"
+#include "detent/math/lens.hpp"
 #include "detent/math/mat.hpp"
 #include "detent/math/project.hpp"
 #include "detent/math/projection.hpp"
