@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+#include "detent/math/lens.hpp"
+#include "detent/shape/frustum.hpp"
+#include "detent/shape/ray.hpp"
+
+// Cameras, in 3D only: a point of the world to the screen and back, and the ray under the mouse.
+//
+// Screen coordinates x and y are in [-1, 1], from left to right and from bottom to top, however
+// many pixels the image has. With a `Viewport` they are pixels, counted from the top left.
+// The depth of a point is its distance in front of the camera along the line of sight, in world
+// units, not along the ray and not the nonlinear depth of a depth buffer.
+
+namespace detent {
+
+/// A lens in the world. The pose is that of `look_at`: x to the right, y up, looking along -z; its
+/// scale is ignored.
+///
+/// With the axes exactly as stored, the point at screen coordinates x, y and depth d is
+///   position + x w axis(0) + y h axis(1) - d axis(2),
+/// where w and h are half the width and height that the lens sees at d. `unproject` is this point,
+/// `project` is the exact inverse, `pick_ray` the line of these points for one x and y, and
+/// `Frustum` has the eight at x = +-1, y = +-1, d = near or far.
+template <Scalar S>
+struct Camera {
+  Transform<S, 3> pose;
+  Lens<S> lens;
+
+  [[nodiscard]] friend constexpr bool operator==(const Camera&, const Camera&) noexcept = default;
+};
+
+template <Scalar S>
+Camera(Transform<S, 3>, Lens<S>) -> Camera<S>;
+
+/// Appends to a digest: the pose, then the lens.
+template <class D, Scalar S>
+constexpr void append(D& digest, const Camera<S>& camera) noexcept {
+  digest.add(camera.pose, camera.lens);
+}
+
+/// The size of an image in pixels. Columns count from the left, rows from the top; all four numbers
+/// are clamped to less than 2^24.
+struct Viewport {
+  std::int32_t width;
+  std::int32_t height;
+
+  [[nodiscard]] friend constexpr bool operator==(const Viewport&,
+                                                 const Viewport&) noexcept = default;
+};
+
+/// A point of the screen and its depth.
+template <Number T, Scalar S>
+struct ScreenPoint {
+  T x, y;
+  S depth;
+
+  [[nodiscard]] friend constexpr bool operator==(const ScreenPoint&,
+                                                 const ScreenPoint&) noexcept = default;
+};
+
+/// Appends to a digest: the fields in order.
+template <class D, Number T, Scalar S>
+constexpr void append(D& digest, const ScreenPoint<T, S>& point) noexcept {
+  digest.add(point.x, point.y, point.depth);
+}
+
+namespace detail {
+
+/// Pixels are counted in 24 bits, so that the directions of rays fit their integers.
+template <Scalar S>
+using PixelCount = std::conditional_t<is_fixed<S>, Fixed<24, 0>, S>;
+template <Scalar S>
+[[nodiscard]] constexpr PixelCount<S> pixel_count(std::int32_t n) noexcept {
+  if constexpr (is_fixed<S>) {
+    return saturate_to<PixelCount<S>>(n);
+  } else {
+    return as_operand<S>(n);
+  }
+}
+
+/// The number 1 in the shortest type.
+template <Scalar S>
+inline constexpr auto one = std::conditional_t<is_fixed<S>, Fixed<1, 0>, S>(1);
+
+/// The screen coordinates (x / unit, y / unit), with unit > 0.
+template <Number X, Number Unit>
+struct OnScreen {
+  X x, y;
+  Unit unit;
+};
+
+/// The middle of a pixel; that of the image if it has none.
+template <Scalar S>
+[[nodiscard]] constexpr auto on_screen(const Viewport& viewport, std::int32_t column,
+                                       std::int32_t row) noexcept {
+  const auto width = pixel_count<S>(viewport.width), height = pixel_count<S>(viewport.height);
+  const auto left = pixel_count<S>(column), top = pixel_count<S>(row);
+  const auto x = (left + left + one<S> - width) * height;
+  const auto y = (height - one<S> - (top + top)) * width;
+  using Result = OnScreen<decltype(x + y), decltype(width * height)>;
+  if (!(width > 0 && height > 0)) return Result{{}, {}, one<S> * one<S>};
+  constexpr int bits = bits_of<decltype(x + y)>;
+  return Result{narrow_sum<bits>(x, decltype(y)()), narrow_sum<bits>(y, decltype(x)()),
+                width * height};
+}
+
+/// From the eye to the point at depth `depth`, times the unit of the screen coordinates;
+/// half_size(i) is half the width or height of what is seen there.
+template <Scalar S, Number X, Number Unit, class F, Number D>
+[[nodiscard]] constexpr auto seen(const Rotation<S, 3>& frame, const OnScreen<X, Unit>& at,
+                                  const F& half_size, const D& depth) noexcept {
+  return at.x * half_size(0) * frame.axis(0).vec() + at.y * half_size(1) * frame.axis(1).vec() -
+         at.unit * depth * frame.axis(2).vec();
+}
+template <Scalar S, Number X, Number Unit>
+[[nodiscard]] constexpr auto seen(const Camera<S>& camera, const OnScreen<X, Unit>& at,
+                                  const S& depth) noexcept {
+  const auto& lens = camera.lens;
+  const auto half_size = [&](int i) { return lens.slope(i) * depth + lens.extent(i); };
+  return seen(camera.pose.rotation, at, half_size, depth);
+}
+
+template <Scalar S, Number X, Number Unit>
+[[nodiscard]] constexpr Ray<S, 3> pick_ray(const Camera<S>& camera,
+                                           const OnScreen<X, Unit>& at) noexcept {
+  const auto& eye = camera.pose.translation;
+  const auto& frame = camera.pose.rotation;
+  const auto ahead = -frame.axis(2);
+  if (camera.lens.has_perspective()) {
+    const auto slope = [&](int i) { return camera.lens.slope(i); };
+    return {eye, direction_of<S>(seen(frame, at, slope, one<S>)).value_or(ahead)};
+  }
+  const auto offset = seen(camera, at, camera.lens.near_distance());
+  return {quotient_nearest<S>(eye * at.unit + offset, at.unit), ahead};
+}
+
+/// The determinants of Cramer's rule for the coordinates of a point in a camera's frame: right / whole,
+/// up / whole, and the depth / whole, with whole >= 0.
+template <Number T, Number W>
+struct FrameCoordinates {
+  T right, up, depth;
+  W whole;
+};
+
+template <Scalar S>
+[[nodiscard]] constexpr auto frame_coordinates(const Camera<S>& camera,
+                                               const Vec<S, 3>& point) noexcept {
+  const auto& frame = camera.pose.rotation;
+  const auto volume = [&](const auto& v, int i) {
+    return dot(v, cross(frame.axis((i + 1) % 3), frame.axis((i + 2) % 3).vec()));
+  };
+  const auto offset = point - camera.pose.translation;
+  const auto right = volume(offset, 0), up = volume(offset, 1), depth = -volume(offset, 2);
+  const auto whole = volume(frame.axis(0).vec(), 0);
+  using Result = FrameCoordinates<decltype(-depth), decltype(-whole)>;
+  if (whole < 0) return Result{-right, -up, -depth, -whole};
+  return Result{right, up, depth, whole};
+}
+
+/// Calls f(right, half_width, up, half_height) with the screen coordinates as fractions, x = right /
+/// half_width, unless the point is behind a camera with perspective.
+template <class T, Scalar S, class F>
+[[nodiscard]] constexpr std::optional<ScreenPoint<T, S>> project_by(const Camera<S>& camera,
+                                                                    const Vec<S, 3>& point,
+                                                                    const F& f) noexcept {
+  const auto at = frame_coordinates(camera, point);
+  if (!(at.whole > 0)) return std::nullopt;
+  if (camera.lens.has_perspective() && !(at.depth > 0)) return std::nullopt;
+  const auto half_size = [&](int i) {
+    return camera.lens.slope(i) * at.depth + camera.lens.extent(i) * at.whole;
+  };
+  const auto [x, y] = f(at.right, half_size(0), at.up, half_size(1));
+  return ScreenPoint<T, S>{x, y, quotient_nearest<S>(at.depth, at.whole)};
+}
+
+}  // namespace detail
+
+/// Where `camera` sees `point`: screen coordinates, in [-1, 1] inside the image, and depth.
+/// Coordinates are scalars, or of a given type: `project<T>(camera, point)`.
+///
+/// domain: nothing for a point beside or behind a camera with perspective (depth 0 or less), and
+///         if the pose's axes lie in a plane
+/// result: points nearer than near and farther than far too
+/// exact:  each number is the exact quotient rounded to nearest, ties to even, and clamped
+///         (tests/shape/camera.test.cpp)
+template <class To = void, Scalar S>
+[[nodiscard]] constexpr auto project(const Camera<S>& camera, const Vec<S, 3>& point) noexcept {
+  using T = detail::to_or_own<To, S>;
+  return detail::project_by<T>(
+      camera, point, [](const auto& x, const auto& w, const auto& y, const auto& h) {
+        return Vec<T, 2>{quotient_nearest<T>(x, w), quotient_nearest<T>(y, h)};
+      });
+}
+
+/// The same in pixels: (0, 0) is the top left corner of the image, (0.5, 0.5) the middle of its
+/// first pixel. `project<q16_16>` holds any screen where the scalar is too short.
+///
+/// exact:  as above                                          (tests/shape/camera.test.cpp)
+template <class To = void, Scalar S>
+[[nodiscard]] constexpr auto project(const Camera<S>& camera, const Viewport& viewport,
+                                     const Vec<S, 3>& point) noexcept {
+  using T = detail::to_or_own<To, S>;
+  const auto width = detail::pixel_count<S>(viewport.width);
+  const auto height = detail::pixel_count<S>(viewport.height);
+  return detail::project_by<T>(camera, point,
+                               [&](const auto& x, const auto& w, const auto& y, const auto& h) {
+                                 return Vec<T, 2>{quotient_nearest<T>((w + x) * width, w + w),
+                                                  quotient_nearest<T>((h - y) * height, h + h)};
+                               });
+}
+
+/// The point at screen coordinates `x` and `y`, of any number type, and `depth`.
+///
+/// domain: every x, y and depth, outside the image and behind the camera too
+/// exact:  each coordinate is the exact one rounded to nearest, ties to even, and clamped
+///         (tests/shape/camera.test.cpp)
+template <Scalar S, Number X>
+[[nodiscard]] constexpr Vec<S, 3> unproject(const Camera<S>& camera, const X& x, const X& y,
+                                            const S& depth) noexcept {
+  const auto offset = detail::seen(camera, detail::OnScreen{x, y, detail::one<S>}, depth);
+  return nearest_to<S>(camera.pose.translation + offset);
+}
+
+/// The same for the middle of a pixel; for that of the image if the viewport has no pixel.
+template <Scalar S>
+[[nodiscard]] constexpr Vec<S, 3> unproject(const Camera<S>& camera, const Viewport& viewport,
+                                            std::int32_t column, std::int32_t row,
+                                            const S& depth) noexcept {
+  const auto at = detail::on_screen<S>(viewport, column, row);
+  const auto offset = detail::seen(camera, at, depth);
+  return quotient_nearest<S>(camera.pose.translation * at.unit + offset, at.unit);
+}
+
+/// The ray of the points that `camera` sees at screen coordinates `x` and `y`, of any number type:
+/// from the eye, or without perspective from the near plane.
+///
+/// domain: every x and y, outside the image too; straight ahead where the pose's axes give no
+///         direction
+/// result: max_distance is the greatest scalar; objects nearer than the near plane are hit too
+/// exact:  each component of the direction is the exact one rounded to nearest; the eye is exact, a
+///         point of the near plane rounded as by `unproject`       (tests/shape/camera.test.cpp)
+template <Scalar S, Number X>
+[[nodiscard]] constexpr Ray<S, 3> pick_ray(const Camera<S>& camera, const X& x,
+                                           const X& y) noexcept {
+  return detail::pick_ray(camera, detail::OnScreen{x, y, detail::one<S>});
+}
+
+/// The same for the middle of a pixel; for that of the image if the viewport has no pixel.
+template <Scalar S>
+[[nodiscard]] constexpr Ray<S, 3> pick_ray(const Camera<S>& camera, const Viewport& viewport,
+                                           std::int32_t column, std::int32_t row) noexcept {
+  return detail::pick_ray(camera, detail::on_screen<S>(viewport, column, row));
+}
+
+namespace detail {
+
+template <Scalar S>
+[[nodiscard]] constexpr auto corners_of(const Camera<S>& camera) noexcept {
+  const auto sign = [](bool is_positive) { return is_positive ? one<S> : narrow_negative(one<S>); };
+  typename Frustum<S>::Corners corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto& depth = (i & 4) != 0 ? camera.lens.far_distance() : camera.lens.near_distance();
+    corners[i] = unproject(camera, sign((i & 1) != 0), sign((i & 2) != 0), depth);
+  }
+  return corners;
+}
+
+}  // namespace detail
+
+template <Scalar S>
+constexpr Frustum<S>::Frustum(const Camera<S>& camera) noexcept
+    : Frustum(detail::corners_of(camera)) {}
+
+}  // namespace detent
