@@ -69,6 +69,28 @@ TEMPLATE_TEST_CASE("wrong calls: there are none, and all right ones are left", "
   STATIC_REQUIRE(all_take_right_calls_only<TestType, 3>());
 }
 
+template <Scalar S>
+constexpr bool frusta_take_right_calls_only() {
+  using Body = Frustum<S>;
+  using Other = Frustum<std::conditional_t<std::same_as<S, q8_8>, q16_16, q8_8>>;
+  using Ball = Sphere<S, 3>;
+  using Disc = Sphere<S, 2>;
+  using Bar = Segment<S, 3>;
+  using Line = Ray<S, 3>;
+  using Point = Vec<S, 3>;
+  return Overlapping<Body, Ball> && Overlapping<Ball, Body> && Overlapping<Body, Body> &&
+         !Asked<Body, Line> && !Asked<Point, Body> && !Asked<Body, Bar> && !Asked<Body, Other> &&
+         !Asked<Disc, Body> && Containing<Body, Point> && !Containing<Point, Body> &&
+         !Containing<Other, Point> && Intersecting<Bar, Body> && Intersecting<Body, Bar> &&
+         !Intersecting<Body, Ball> && !Intersecting<Bar, Other> && Casting<Line, Body> &&
+         !Casting<Body, Line> && !Casting<Line, Other> && Distant<Body, Point> &&
+         !Distant<Point, Body>;
+}
+
+TEMPLATE_TEST_CASE("wrong calls: with a frustum too", "[query]", q8_8, q16_16, float) {
+  STATIC_REQUIRE(frusta_take_right_calls_only<TestType>());
+}
+
 TEMPLATE_TEST_CASE("intersects: takes a segment and a shape in either order", "[query]", q16_16,
                    float) {
   using S = TestType;

@@ -7,6 +7,7 @@
 #include "detent/query/closest_point/aabb.hpp"
 #include "detent/query/closest_point/capsule.hpp"
 #include "detent/query/closest_point/compound.hpp"
+#include "detent/query/closest_point/frustum.hpp"
 #include "detent/query/closest_point/hull.hpp"
 #include "detent/query/closest_point/obb.hpp"
 #include "detent/query/closest_point/plane.hpp"

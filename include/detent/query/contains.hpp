@@ -7,6 +7,7 @@
 #include "detent/query/contains/aabb.hpp"
 #include "detent/query/contains/capsule.hpp"
 #include "detent/query/contains/compound.hpp"
+#include "detent/query/contains/frustum.hpp"
 #include "detent/query/contains/hull.hpp"
 #include "detent/query/contains/obb.hpp"
 #include "detent/query/contains/plane.hpp"

@@ -9,6 +9,7 @@
 #include "detent/query/distance/aabb.hpp"
 #include "detent/query/distance/capsule.hpp"
 #include "detent/query/distance/compound.hpp"
+#include "detent/query/distance/frustum.hpp"
 #include "detent/query/distance/hull.hpp"
 #include "detent/query/distance/obb.hpp"
 #include "detent/query/distance/plane.hpp"

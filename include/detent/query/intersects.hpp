@@ -7,6 +7,7 @@
 #include "detent/query/intersects/aabb.hpp"
 #include "detent/query/intersects/capsule.hpp"
 #include "detent/query/intersects/compound.hpp"
+#include "detent/query/intersects/frustum.hpp"
 #include "detent/query/intersects/hull.hpp"
 #include "detent/query/intersects/obb.hpp"
 #include "detent/query/intersects/plane.hpp"

@@ -41,6 +41,10 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool on(const ConvexHull<S, N>& hull, const Vec<S, N>& point) noexcept {
   return detail::holds(hull, point);
 }
+template <Scalar S>
+[[nodiscard]] constexpr bool on(const Frustum<S>& frustum, const Vec<S, 3>& point) noexcept {
+  return contains(frustum, point);
+}
 
 /// Whether the distance from `point` to `shape` is at most `tolerance`. For an `Obb` it is measured
 /// in the frame of the box.

@@ -13,6 +13,7 @@
 #include "detent/query/overlaps/capsule_capsule.hpp"
 #include "detent/query/overlaps/capsule_hull.hpp"
 #include "detent/query/overlaps/compound.hpp"
+#include "detent/query/overlaps/frustum.hpp"
 #include "detent/query/overlaps/hull_hull.hpp"
 #include "detent/query/overlaps/obb_capsule.hpp"
 #include "detent/query/overlaps/obb_hull.hpp"

@@ -9,6 +9,7 @@
 #include "detent/query/raycast/aabb.hpp"
 #include "detent/query/raycast/capsule.hpp"
 #include "detent/query/raycast/compound.hpp"
+#include "detent/query/raycast/frustum.hpp"
 #include "detent/query/raycast/hit.hpp"
 #include "detent/query/raycast/hull.hpp"
 #include "detent/query/raycast/obb.hpp"

@@ -27,6 +27,9 @@
 
 namespace detent {
 
+template <Scalar S>
+class Frustum;
+
 namespace detail {
 
 /// The kind of a query argument.
@@ -54,6 +57,8 @@ template <Scalar S, int N>
 inline constexpr Argument argument<Capsule<S, N>> = Argument::shape;
 template <Scalar S, int N>
 inline constexpr Argument argument<ConvexHull<S, N>> = Argument::shape;
+template <Scalar S>
+inline constexpr Argument argument<Frustum<S>> = Argument::shape;
 
 /// The point type of an argument.
 template <class T>
@@ -61,6 +66,10 @@ struct PointOf;
 template <template <class, int> class T, class S, int N>
 struct PointOf<T<S, N>> {
   using type = Vec<S, N>;
+};
+template <Scalar S>
+struct PointOf<Frustum<S>> {
+  using type = Vec<S, 3>;
 };
 
 template <class T>

@@ -5,12 +5,13 @@
 
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/capsule.hpp"
+#include "detent/shape/frustum.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/segment.hpp"
 #include "detent/shape/sphere.hpp"
 
-// Query shapes of a scene other than rays: a point, segment, sphere, box or capsule finds the
-// objects that it overlaps. Distances are measured from one reference point of the query shape.
+// Query shapes of a scene other than rays: a point, segment, sphere, box, capsule or frustum finds
+// the objects that it overlaps. Distances are measured from one reference point of the query shape.
 
 namespace detent {
 
@@ -53,6 +54,12 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> reference(const Capsule<S, N>& capsule) noexcept {
   return capsule.a;
 }
+/// The middle of the near corners, rounded to nearest.
+template <Scalar S>
+[[nodiscard]] constexpr Vec<S, 3> reference(const Frustum<S>& frustum) noexcept {
+  const auto& corners = frustum.corners();
+  return nearest_to<S>(half(half((corners[0] + corners[1]) + (corners[2] + corners[3]))));
+}
 
 }  // namespace detail
 
@@ -74,9 +81,10 @@ concept SceneRegion = SceneQuestion<Question, S, N> || requires(const Question& 
 /// errors.
 template <bool IsQuestion>
 [[nodiscard]] constexpr bool is_question() noexcept {
-  static_assert(IsQuestion,
-                "detent: ask a scene with a ray, point, segment, sphere, box or capsule of its own "
-                "scalar and dimension");
+  static_assert(
+      IsQuestion,
+      "detent: ask a scene with a ray, point, segment, sphere, box, capsule or frustum of "
+      "its own scalar and dimension");
   return IsQuestion;
 }
 

@@ -24,7 +24,7 @@ namespace detent {
 /// Results and digests depend on the objects and their ids, never on the order in which objects
 /// were added, moved and removed.
 ///
-/// Query with rays, points, segments, spheres, boxes and capsules:
+/// Query with rays, points, segments, spheres, boxes, capsules and, in 3D, frusta:
 ///
 /// * `nearest(question, filter)`, the first of `all`, without finding the others. For a point, the
 ///   nearest object at any distance. None of these functions ever finds an empty object (such as a
@@ -34,7 +34,8 @@ namespace detent {
 /// * `all(question, filter)`, each object that overlaps the query shape, sorted by distance, then
 ///   by id. For a ray, that is the distance at which it first touches the object; otherwise it is
 ///   the distance of the object from the point, the start of a segment, the center of a sphere or
-///   box (of an `Aabb`, rounded to nearest) or end `a` of a capsule;
+///   box (of an `Aabb`, rounded to nearest), end `a` of a capsule, or the middle of the near side
+///   of a frustum (rounded to nearest);
 /// * `nearest_hit(ray, filter)` and `all_hits(ray, filter)`, the same with points and normals;
 /// * `overlaps(filter)`, all pairs of overlapping objects, except pairs of fixed ones.
 ///
