@@ -9,6 +9,7 @@
 #include "detent/math/components.hpp"
 #include "detent/number/fraction.hpp"
 #include "detent/number/patience.hpp"
+#include "detent/query/kernel/pivot.hpp"
 #include "detent/shape/ray.hpp"
 
 namespace detent::detail {
@@ -18,18 +19,13 @@ namespace detent::detail {
 ///
 /// This is a linear program: find nonnegative weights of the points, with the sum 1, that give the
 /// point of the line at the least distance. A basis has N columns: points and, at first, directions
-/// across the line that make up for what the points lack. A point in front of the plane of the
-/// basis enters, and the column whose weight is the first to fall to 0 leaves, so the line stabs
-/// the new basis too.
+/// across the line that make up for what the points lack. Points enter it and columns leave by the
+/// rule of pivot.hpp.
 ///
 /// With w from the ray's origin to a point, the weights of a, b, c are the volumes d . (w_b x w_c),
-/// d . (w_c x w_a), d . (w_a x w_b) over their sum. The rates at which they fall are sums of such
-/// volumes. The sign of the volume of the third column and the entering point decides whether a or
-/// b falls to 0 first: it is the side on which the line passes their edge. A degenerate step is
-/// followed by steps that take the first point and the first column that qualify, until one moves.
-/// So no basis repeats, and the search ends.
+/// d . (w_c x w_a), d . (w_a x w_b) over their sum.
 ///
-/// source: Dantzig's simplex method; Bland, New Finite Pivoting Rules for the Simplex Method (1977)
+/// source: Dantzig's simplex method
 template <Scalar S, int N>
 class Stab {
  public:
@@ -102,22 +98,19 @@ class Stab {
   }
 
  private:
-  using Index = std::ptrdiff_t;
-  static constexpr Index no_point = -1;
-
   /// A point relative to the ray's origin, or a direction across the line.
   struct Column {
     Offset offset;
-    Index index = no_point;
+    PointIndex index = no_point;
   };
 
   static constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
   [[nodiscard]] constexpr Column& at(int i) noexcept { return basis_[index(i)]; }
   [[nodiscard]] constexpr const Column& at(int i) const noexcept { return basis_[index(i)]; }
-  [[nodiscard]] constexpr const Vec<S, N>& point_at(Index i) const noexcept {
+  [[nodiscard]] constexpr const Vec<S, N>& point_at(PointIndex i) const noexcept {
     return points_[static_cast<std::size_t>(i)];
   }
-  [[nodiscard]] constexpr Column column(Index i) const noexcept {
+  [[nodiscard]] constexpr Column column(PointIndex i) const noexcept {
     return {point_at(i) - origin_, i};
   }
   [[nodiscard]] constexpr bool is_point(int i) const noexcept { return at(i).index != no_point; }
@@ -194,68 +187,29 @@ class Stab {
   constexpr void descend(const GradientOf& gradient_of) noexcept {
     bool moved = true;
     for (Patience<S> patience; patience.step();) {
-      const Index entering = least(gradient_of(), !moved);
+      const auto& from = point_at(at(point()).index);
+      const auto entering = entering_point(points_, gradient_of(), from, !moved);
       if (entering == no_point) return;
       moved = enter(entering);
     }
   }
 
-  /// The point that lies farthest against v, or with `first` the first one that lies against it;
-  /// `no_point` if none does.
-  template <Number V>
-  [[nodiscard]] constexpr Index least(const Vec<V, N>& v, bool first) const noexcept {
-    const auto& from = point_at(at(point()).index);
-    Index best = no_point;
-    auto depth = dot(v, Offset());
-    for (Index i = 0; i < static_cast<Index>(points_.size()); ++i) {
-      const auto here = dot(v, point_at(i) - from);
-      if (here < depth) {
-        best = i;
-        depth = here;
-        if (first) return best;
-      }
-    }
-    return best;
-  }
-
   /// Adds a point to the basis. Returns whether that changed where the line stabs it.
-  constexpr bool enter(Index entering) noexcept {
+  constexpr bool enter(PointIndex entering) noexcept {
     const auto added = column(entering);
     const auto weight = weights();
-    using Weight = typename decltype(weight)::value_type;
-    std::array<Weight, static_cast<std::size_t>(N)> sides{};
+    Pivot<typename decltype(weight)::value_type, N> pivot{weight, {}, {}};
     for (int i = 0; i < N; ++i) {
+      pivot.indices[index(i)] = at(i).index;
       if constexpr (N == 2) {
-        sides[index(i)] = i == 0 ? narrow_negative(side(added.offset)) : side(added.offset);
+        const auto passed = side(added.offset);
+        pivot.sides[index(i)] = i == 0 ? narrow_negative(passed) : passed;
       } else {
-        sides[index(i)] = side(added.offset, at(i).offset);
+        pivot.sides[index(i)] = side(added.offset, at(i).offset);
       }
     }
-    // How fast weight i falls as that of the new point grows, and which weight reaches 0 first.
-    const auto fall = [&](int i) {
-      const auto part = [&](int other, int of) {
-        return is_point(other) ? sides[index(of)] : Weight(0);
-      };
-      if constexpr (N == 2) {
-        return weight[index(i)] - part(1 - i, i);
-      } else {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        return weight[index(i)] + part(k, j) - part(j, k);
-      }
-    };
-    const auto is_before = [&](int i, int j) {
-      const auto& third = sides[index(N == 2 ? i : 3 - i - j)];
-      if (third == 0) return at(i).index < at(j).index;
-      return (N == 2 || j == (i + 1) % 3) == (third < 0);
-    };
-    int leaving = 0;
-    bool leaves = false;
-    for (int i = 0; i < N; ++i) {
-      if (!(fall(i) > 0) || (leaves && !is_before(i, leaving))) continue;
-      leaving = i;
-      leaves = true;
-    }
-    if (!leaves) return false;  // by rounding: the falls of points have the sum 1
+    const int leaving = pivot.leaving();
+    if (leaving == N) return false;
     at(leaving) = added;
     return weight[index(leaving)] > 0;
   }
@@ -266,7 +220,7 @@ class Stab {
       if (is_point(i)) continue;
       const auto across = gradient(i);
       const auto& from = point_at(at(point()).index);
-      for (Index p = 0; p < static_cast<Index>(points_.size()); ++p) {
+      for (PointIndex p = 0; p < static_cast<PointIndex>(points_.size()); ++p) {
         if (dot(across, point_at(p) - from) == 0) continue;
         at(i) = column(p);
         orient();

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "detent/math/vec.hpp"
+
+// The pivot rule of the linear program in stab.hpp: which point enters the basis, and which column
+// leaves.
+//
+// A point in front of the plane of the basis enters: the farthest. The column whose weight is the
+// first to fall to 0 leaves, so the line stabs the new basis too. A step that moves nothing, since
+// that weight was 0 already, is degenerate: it is followed by steps that take the first point and
+// the first column that qualify, until one moves. So no basis repeats, and the search ends.
+//
+// source: Dantzig's simplex method; Bland, New Finite Pivoting Rules for the Simplex Method (1977)
+
+namespace detent::detail {
+
+using PointIndex = std::ptrdiff_t;
+
+/// The index of a column that is a direction.
+inline constexpr PointIndex no_point = -1;
+
+/// The point that lies farthest against v from `from`, or with `first` the first one that lies
+/// against it; `no_point` if none does.
+template <Number V, Scalar S, int N>
+[[nodiscard]] constexpr PointIndex entering_point(std::span<const Vec<S, N>> points,
+                                                  const Vec<V, N>& v, const Vec<S, N>& from,
+                                                  bool first) noexcept {
+  PointIndex best = no_point;
+  auto depth = dot(v, from - from);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto here = dot(v, points[i] - from);
+    if (here < depth) {
+      best = static_cast<PointIndex>(i);
+      depth = here;
+      if (first) return best;
+    }
+  }
+  return best;
+}
+
+/// A basis and a point w that enters it.
+///
+/// The line has the direction d and passes through 0. The weights of columns a, b, c are the
+/// volumes d . (b x c), d . (c x a), d . (a x b), and the sides of w are d . (w x a), d . (w x b),
+/// d . (w x c). In 2D the weights of a and b are b x d and d x a, and the sides of w are w x d and
+/// d x w.
+template <Number Weight, int N>
+struct Pivot {
+  std::array<Weight, static_cast<std::size_t>(N)> weights;
+  std::array<Weight, static_cast<std::size_t>(N)> sides;
+  std::array<PointIndex, static_cast<std::size_t>(N)> indices;
+
+  /// The column that leaves, the one of the least index if several weights reach 0 first; N if no
+  /// weight falls. The falls of points have the sum of the weights, so only rounding allows that.
+  [[nodiscard]] constexpr int leaving() const noexcept {
+    int result = N;
+    for (int i = 0; i < N; ++i) {
+      if (fall(i) > 0 && (result == N || is_before(i, result))) result = i;
+    }
+    return result;
+  }
+
+ private:
+  /// How fast weight i falls as that of w grows.
+  [[nodiscard]] constexpr auto fall(int i) const noexcept {
+    // A direction has no part in the sum of the weights, which stays 1.
+    const auto part = [&](int other, int of) {
+      return indices[at(other)] != no_point ? sides[at(of)] : Weight(0);
+    };
+    if constexpr (N == 2) {
+      return weights[at(i)] - part(1 - i, i);
+    } else {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      return weights[at(i)] + part(k, j) - part(j, k);
+    }
+  }
+
+  /// Whether weight i reaches 0 before weight j. The sign of the volume of the third column and w
+  /// decides: it is the side on which the line passes their edge.
+  [[nodiscard]] constexpr bool is_before(int i, int j) const noexcept {
+    const auto& third = sides[at(N == 2 ? i : 3 - i - j)];
+    if (third == 0) return indices[at(i)] < indices[at(j)];
+    return (N == 2 || j == (i + 1) % 3) == (third < 0);
+  }
+
+  [[nodiscard]] static constexpr std::size_t at(int i) noexcept {
+    return static_cast<std::size_t>(i);
+  }
+};
+
+}  // namespace detent::detail
