@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # usage: query_matrix.sh COMPILER [--write] FILE
 #
-# Writes the tables of FILE between its two "query matrix" comments: the queries, each linked to its
-# header, and the widest number that it computes with. The width comes from the code itself: a call
+# Writes the tables of FILE between its two "query matrix" comments: for each query the bits of the
+# widest number that it computes with. The width comes from the code itself: a call
 # in q16_16 and 3D is compiled without optimisation, and the symbols of the object name every
 # Fixed<Bits, ...> that a function takes or returns. Without --write, fails if FILE differs.
 set -euo pipefail
@@ -64,50 +64,52 @@ widest() {
   nm -C "$1" | grep -oE 'Fixed<[0-9]+' | grep -oE '[0-9]+' | sort -n | tail -n 1
 }
 
-link() { # header
+bits() { # header
   local object=$work/${1//\//.}.o
-  if [[ -f $object ]]; then
-    echo "[$(widest "$object")](include/detent/query/$1.hpp)"
-  else
-    echo '–'
-  fi
+  if [[ -f $object ]]; then widest "$object"; else echo -; fi
+}
+
+# A row of the first and the second table: a name, then numbers under the names of the columns.
+row() { # name cells...
+  local name=$1 width i
+  shift
+  printf '| %-12s |' "$name"
+  for ((i = 1; i <= $#; ++i)); do
+    width=${#columns[i - 1]}
+    printf ' %*s |' "$width" "${!i}"
+  done
+  echo
+}
+
+rule() {
+  local column line='|:-------------|'
+  for column in "${columns[@]}"; do line+=$(printf '%*s' $((${#column} + 1)) '' | tr ' ' -):'|'; done
+  echo "$line"
 }
 
 matrix() {
-  local operations=(contains closest_point distance raycast intersects) operation shape i j
-  local line='| |' rule='|---|'
-  for operation in "${operations[@]}"; do
-    line+=" [\`$operation\`](include/detent/query/$operation.hpp) |"
-    rule+='---|'
-  done
-  echo "$line"
-  echo "$rule"
+  local columns shape i j cells operation
+  columns=('`contains`' '`closest_point`' '`distance`' '`raycast`' '`intersects`')
+  row '' "${columns[@]}"
+  rule
   for shape in "${shapes[@]}" Segment Ray; do
-    line="| [\`$shape\`](include/detent/shape/${stem[$shape]}.hpp) |"
-    for operation in "${operations[@]}"; do
-      line+=" $(link "$operation/${stem[$shape]}") |"
-    done
-    echo "$line"
+    cells=()
+    for operation in "${columns[@]//\`/}"; do cells+=("$(bits "$operation/${stem[$shape]}")"); done
+    row "\`$shape\`" "${cells[@]}"
   done
   echo
-  line='| [`overlaps`](include/detent/query/overlaps.hpp) |'
-  rule='|---|'
-  for shape in "${shapes[@]}"; do
-    line+=" \`$shape\` |"
-    rule+='---|'
-  done
-  echo "$line"
-  echo "$rule"
+  columns=("${shapes[@]/#/\`}")
+  columns=("${columns[@]/%/\`}")
+  row '`overlaps`' "${columns[@]}"
+  rule
   for ((i = 0; i < ${#shapes[@]}; ++i)); do
-    line="| \`${shapes[i]}\` |"
+    cells=()
     for ((j = 0; j < ${#shapes[@]}; ++j)); do
-      if ((j < i)); then
-        line+=' |'
-      else
-        line+=" $(link "overlaps/${stem[${shapes[i]}]}_${stem[${shapes[j]}]}") |"
+      if ((j < i)); then cells+=(''); else
+        cells+=("$(bits "overlaps/${stem[${shapes[i]}]}_${stem[${shapes[j]}]}")")
       fi
     done
-    echo "$line"
+    row "\`${shapes[i]}\`" "${cells[@]}"
   done
 }
 
