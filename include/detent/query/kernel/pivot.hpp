@@ -56,7 +56,7 @@ struct Pivot {
   std::array<PointIndex, static_cast<std::size_t>(N)> indices;
 
   /// The column that leaves, the one of the least index if several weights reach 0 first; N if no
-  /// weight falls. The falls of points have the sum of the weights, so only rounding allows that.
+  /// weight falls. The falls have the sum of the weights, so only rounding allows that.
   [[nodiscard]] constexpr int leaving() const noexcept {
     int result = N;
     for (int i = 0; i < N; ++i) {
@@ -66,17 +66,14 @@ struct Pivot {
   }
 
  private:
-  /// How fast weight i falls as that of w grows.
+  /// How fast weight i falls as that of w grows and the sum of all stays the same. With another sum
+  /// that stays the same, such as that of points, weights fall faster or slower in proportion to
+  /// themselves, and reach 0 in the same order.
   [[nodiscard]] constexpr auto fall(int i) const noexcept {
-    // A direction has no part in the sum of the weights, which stays 1.
-    const auto part = [&](int other, int of) {
-      return indices[at(other)] != no_point ? sides[at(of)] : Weight(0);
-    };
     if constexpr (N == 2) {
-      return weights[at(i)] - part(1 - i, i);
+      return weights[at(i)] - sides[at(i)];
     } else {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      return weights[at(i)] + part(k, j) - part(j, k);
+      return weights[at(i)] + sides[at((i + 1) % 3)] - sides[at((i + 2) % 3)];
     }
   }
 
