@@ -15,24 +15,24 @@ bool refuses(const Workshop::Result& result, const std::string& start) {
 
 }  // namespace
 
-TEST_CASE("detent-accuracy: tables, numbers and a plot, or the tables on standard output") {
+TEST_CASE("detent-accuracy: a summary, numbers and a plot") {
   const Workshop shop(DETENT_ACCURACY);
   const std::string plane = "--only raycast/plane --count 100";
-  const auto result = shop.run(plane + " --markdown t.md --json t.json --svg t.svg");
+  const auto result = shop.run(plane + " --csv t.csv --svg t.svg");
   CHECK(result.code == 0);
-  CHECK(result.out.empty());
   CHECK(result.err == "accuracy 1/2 raycast/plane\naccuracy 2/2 raycast/plane_2d\n");
-  const auto tables = content_of(shop.path("t.md"));
-  CHECK(tables.find("\n### raycast/plane, angle\n") != std::string::npos);
-  CHECK(tables.find("\n| parallel | 0 ") != std::string::npos);
-  CHECK(content_of(shop.path("t.json")).find("\"seed\": 1,") != std::string::npos);
+  CHECK(result.out.find("\n| q16_16 | own | ") != std::string::npos);
+  CHECK(result.out.find("\n| raycast in 2D | ") != std::string::npos);
+  const auto data = content_of(shop.path("t.csv"));
+  CHECK(data.find(", seed 1, ") != std::string::npos);
+  CHECK(data.find("\nquery,ladder,rung,q16_16 wrong %,q16_16 largest,") != std::string::npos);
+  CHECK(data.find("\nraycast/plane,angle,parallel,0,") != std::string::npos);
   const auto plot = content_of(shop.path("t.svg"));
   CHECK(plot.starts_with("<svg "));
   CHECK(plot.ends_with("</svg>\n"));
   CHECK(plot.find(">plane</text>") != std::string::npos);
 
-  const auto printed = shop.run(plane).out;
-  CHECK(printed.substr(printed.find("## Raycasts")) == tables.substr(tables.find("## Raycasts")));
+  CHECK(shop.run(plane).out == result.out);
   CHECK(shop.run(plane + " --seed 2").out.find(", seed 2, ") != std::string::npos);
 }
 
@@ -40,12 +40,11 @@ TEST_CASE("detent-accuracy: what it cannot do is refused") {
   const Workshop shop(DETENT_ACCURACY);
   CHECK(refuses(shop.run("--only raycast/torus"), "--only: "));
   CHECK(refuses(shop.run("--count 0"), "--count: "));
-  CHECK(refuses(shop.run("--json no/such/place.json"), "no/such/place.json: "));
+  CHECK(refuses(shop.run("--csv no/such/place.csv"), "no/such/place.csv: "));
   CHECK(refuses(shop.run("--seed -1"), "--seed: "));
   CHECK(refuses(shop.run("--seed 18446744073709551616"), "--seed: "));
   CHECK(refuses(shop.run("--seed ''"), "--seed: "));
-  CHECK(refuses(shop.run("--markdown ''"), "--markdown: the name is empty; "));
-  CHECK(refuses(shop.run("--json ''"), "--json: the name is empty; "));
+  CHECK(refuses(shop.run("--csv ''"), "--csv: the name is empty; "));
   CHECK(refuses(shop.run("--svg ''"), "--svg: the name is empty; "));
   CHECK(refuses(shop.run("--fast"), ""));
   CHECK(shop.file_count() == 0);

@@ -20,8 +20,7 @@ namespace {
 using cli::InputError;
 
 struct Options {
-  std::string markdown;  // files to write; empty for none
-  std::string json;
+  std::string csv;  // files to write; empty for none
   std::string svg;
   std::string only;  // only queries whose name starts with this
   int count = 2000;
@@ -57,7 +56,6 @@ class Output {
   explicit Output(const std::string& path) {
     if (!path.empty()) file_.emplace(path);
   }
-  [[nodiscard]] bool is_wanted() const { return file_.has_value(); }
   void write(const std::string& text) {
     if (!file_) return;
     file_->write(text);
@@ -79,10 +77,9 @@ bool is_exact(const Report& report) {
   return true;
 }
 
-/// Without a file to write, the tables go to standard output. Returns whether every fixed-point
-/// result was the exact one, rounded once.
+/// Prints the summary. Returns whether every fixed-point result was the exact one, rounded once.
 bool measure(const Options& options) {
-  Output markdown(options.markdown), json(options.json), svg(options.svg);
+  Output csv(options.csv), svg(options.svg);
   std::vector<const Query*> chosen;
   for (const auto& query : queries()) {
     if (query.name.starts_with(options.only)) chosen.push_back(&query);
@@ -102,12 +99,9 @@ bool measure(const Options& options) {
       }
     }
   }
-  markdown.write(accuracy::markdown(report));
-  json.write(accuracy::json(report));
+  csv.write(accuracy::csv(report));
   svg.write(plot(report));
-  if (!markdown.is_wanted() && !json.is_wanted() && !svg.is_wanted()) {
-    cli::print(accuracy::markdown(report));
-  }
+  cli::print(summary(report));
   return is_exact(report);
 }
 
@@ -126,9 +120,7 @@ int run(int argc, char** argv) {
   CLI::App app(
       "detent: count wrong answers and measure errors of every scalar along a ladder of scales",
       "detent-accuracy");
-  app.add_option("--markdown", options.markdown, "Write the tables to this file")
-      ->check(cli::check_name);
-  app.add_option("--json", options.json, "Write every number to this file")->check(cli::check_name);
+  app.add_option("--csv", options.csv, "Write every number to this file")->check(cli::check_name);
   app.add_option("--svg", options.svg, "Draw the results to this file")->check(cli::check_name);
   app.add_option("--only", options.only, "Only queries whose name starts with this");
   app.add_option("--count", options.count, "Inputs at every rung")

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <nlohmann/json.hpp>
 
 namespace detent::accuracy {
 namespace {
@@ -25,16 +24,21 @@ std::string percent(const Cell& cell) {
   return brief(100.0 * static_cast<double>(cell.wrong) / static_cast<double>(cell.questions));
 }
 
-std::string text_of(const Cell* cell) {
-  if (cell == nullptr) return " ";
-  return percent(*cell) + " · " + brief(cell->largest) + " (" + brief(cell->median) + ")";
-}
-
-/// What a column of a table shows.
+/// Whose answers a column shows.
 struct Who {
   std::string_view scalar;
   Inputs inputs;
 };
+constexpr std::array<Who, 10> all{{{"q16_16", Inputs::own},
+                                   {"q14_16", Inputs::own},
+                                   {"q24_8", Inputs::own},
+                                   {"q8_8", Inputs::own},
+                                   {"double", Inputs::own},
+                                   {"float", Inputs::own},
+                                   {"textbook float", Inputs::own},
+                                   {"float", Inputs::asked},
+                                   {"q24_8", Inputs::asked},
+                                   {"q8_8", Inputs::asked}}};
 
 enum class Verdict { as_good, less_exact, wrong, none };
 
@@ -48,8 +52,7 @@ Verdict verdict(const Result& result) {
 }
 
 std::string text_of(Verdict verdict) {
-  static constexpr std::array<const char*, 4> texts{"**as good**", "right, less exact", "wrong",
-                                                    "has no such numbers"};
+  static constexpr std::array<const char*, 4> texts{"as good", "right but less exact", "wrong", ""};
   return texts[static_cast<std::size_t>(verdict)];
 }
 
@@ -65,16 +68,6 @@ std::string ruler(std::size_t columns) {
 }
 
 std::string totals(const Report& report) {
-  static constexpr std::array<Who, 10> all{{{"q16_16", Inputs::own},
-                                            {"q14_16", Inputs::own},
-                                            {"q24_8", Inputs::own},
-                                            {"q8_8", Inputs::own},
-                                            {"double", Inputs::own},
-                                            {"float", Inputs::own},
-                                            {"textbook float", Inputs::own},
-                                            {"float", Inputs::asked},
-                                            {"q24_8", Inputs::asked},
-                                            {"q8_8", Inputs::asked}}};
   std::string text = row_of({"scalar", "inputs", "questions", "wrong decisions", "wrong in %",
                              "distances not the exact one rounded down"}) +
                      ruler(6);
@@ -96,80 +89,45 @@ std::string totals(const Report& report) {
   return text;
 }
 
-/// The number of rungs on which float is as good, right but less exact, and wrong.
+/// The number of rungs on which float is as good, right but less exact, and wrong: a row for each
+/// kind of query.
 std::string float_table(const Report& report) {
-  std::vector<std::string> heads{"query"};
+  std::vector<std::string> heads{"queries"};
   for (const Ladder ladder : ladders) heads.emplace_back(name_of(ladder));
   std::string text = row_of(heads) + ruler(heads.size());
-  for (const Query& query : queries()) {
-    std::vector<std::string> cells{query.name};
-    bool is_asked = false;
-    for (const Ladder ladder : ladders) {
-      std::array<int, 4> counts{};
-      for (const Result* const result : column(report, query, ladder)) {
-        ++counts[static_cast<std::size_t>(verdict(*result))];
-        is_asked = true;
+  for (const bool is_planar : {false, true}) {
+    for (const std::string_view kind : {"raycast", "overlaps", "intersects"}) {
+      std::vector<std::string> cells{std::string(kind) + (is_planar ? " in 2D" : " in 3D")};
+      bool has_any = false;
+      for (const Ladder ladder : ladders) {
+        std::array<int, 4> counts{};
+        for (const Query& query : queries()) {
+          if (query.kind != kind || query.name.ends_with("_2d") != is_planar) continue;
+          for (const Result* const result : column(report, query, ladder)) {
+            ++counts[static_cast<std::size_t>(verdict(*result))];
+          }
+        }
+        const bool is_asked = counts[0] + counts[1] + counts[2] > 0;
+        has_any = has_any || is_asked;
+        cells.push_back(is_asked ? std::to_string(counts[0]) + " / " + std::to_string(counts[1]) +
+                                       " / " + std::to_string(counts[2])
+                                 : " ");
       }
-      const bool has_any = counts[0] + counts[1] + counts[2] > 0;
-      cells.push_back(has_any ? std::to_string(counts[0]) + " / " + std::to_string(counts[1]) +
-                                    " / " + std::to_string(counts[2])
-                              : " ");
+      if (has_any) text += row_of(cells);
     }
-    if (is_asked) text += row_of(cells);
   }
   return text;
 }
 
-std::string raycast_table(const Report& report, const Query& query, Ladder ladder) {
-  const auto results = column(report, query, ladder);
-  if (results.empty()) return {};
-  std::vector<Who> columns{{"q16_16", Inputs::own}, {"q14_16", Inputs::own},
-                           {"q24_8", Inputs::own},  {"q8_8", Inputs::own},
-                           {"double", Inputs::own}, {"float", Inputs::own}};
-  if (find(*results.front(), "textbook float", Inputs::asked) != nullptr) {
-    columns.push_back({"textbook float", Inputs::own});
-  }
-  for (const auto scalar : {"float", "q24_8", "q8_8"}) columns.push_back({scalar, Inputs::asked});
-  std::vector<std::string> heads{std::string(name_of(ladder))};
-  for (const Who& who : columns) {
-    heads.push_back(std::string(who.scalar) + (who.inputs == Inputs::own ? "" : " as asked"));
-  }
-  heads.emplace_back("float is");
-  std::string text = row_of(heads) + ruler(heads.size());
-  for (const Result* const result : results) {
-    std::vector<std::string> cells{result->rung->name};
-    for (const Who& who : columns) cells.push_back(text_of(find(*result, who.scalar, who.inputs)));
-    cells.push_back(text_of(verdict(*result)));
-    text += row_of(cells);
-  }
-  return text + "\n";
-}
-
-/// Pairs of shapes down, rungs across.
-std::string decision_table(const Report& report, Ladder ladder, Who who) {
-  std::vector<const Rung*> columns;
-  for (const Rung& rung : rungs()) {
-    if (rung.ladder == ladder) columns.push_back(&rung);
-  }
-  std::vector<std::string> heads{std::string(name_of(ladder))};
-  for (const Rung* const rung : columns) heads.push_back(rung->name);
-  std::string text = row_of(heads) + ruler(heads.size());
-  bool is_empty = true;
-  for (const Query& query : queries()) {
-    const auto results = column(report, query, ladder);
-    if (query.kind == "raycast" || results.empty()) continue;
-    std::vector<std::string> cells{query.name};
-    for (const Rung* const rung : columns) {
-      const Cell* cell = nullptr;
-      for (const Result* const result : results) {
-        if (result->rung == rung) cell = find(*result, who.scalar, who.inputs);
-      }
-      cells.push_back(cell == nullptr ? " " : percent(*cell));
-      is_empty = is_empty && cell == nullptr;
-    }
-    text += row_of(cells);
-  }
-  return is_empty ? "" : text + "\n";
+/// The cells of a row of the data. Raycasts have errors for everyone; of yes or no only `float` and
+/// `double` are shown, because a fixed scalar that is wrong fails the run.
+std::string data_of(const Result& result, const Who& who) {
+  const bool is_raycast = result.query->kind == "raycast";
+  const bool is_shown = is_raycast || who.scalar == "float" || who.scalar == "double";
+  const Cell* const cell = is_shown ? find(result, who.scalar, who.inputs) : nullptr;
+  if (cell == nullptr) return ",,,";
+  return "," + percent(*cell) +
+         (is_raycast ? "," + brief(cell->largest) + "," + brief(cell->median) : ",,");
 }
 
 }  // namespace
@@ -204,62 +162,29 @@ std::string circumstances(const Report& report) {
          ", " + std::to_string(report.count) + " questions a rung (fewer where the judge is slow)";
 }
 
-std::string markdown(const Report& report) {
-  std::string text = "## All together\n\nMeasured " + circumstances(report) + ".\n\n" +
-                     totals(report) +
-                     "\nOn how many rungs float is as good as the fixed scalars / right but less "
-                     "exact / wrong, on its own numbers:\n\n" +
-                     float_table(report) + "\n## The ladders\n\n";
-  for (const Ladder ladder : ladders) {
-    text += "- " + std::string(name_of(ladder)) + ": " + std::string(description_of(ladder)) + "\n";
-  }
-  text +=
-      "\n## Raycasts\n\nWrong decisions in % · largest (median) error of the distance in units " +
-      std::string("of 2^-16.\n\n");
-  for (const Query& query : queries()) {
-    if (query.kind != "raycast") continue;
-    for (const Ladder ladder : ladders) {
-      const auto table = raycast_table(report, query, ladder);
-      if (table.empty()) continue;
-      text += "### " + query.name + ", " + std::string(name_of(ladder)) + "\n\n" + table;
-    }
-  }
-  text += "## Overlaps and segments\n\nWrong decisions in %.\n\n";
-  static constexpr std::array<Who, 3> shown{
-      {{"float", Inputs::own}, {"float", Inputs::asked}, {"double", Inputs::own}}};
-  for (const Ladder ladder : ladders) {
-    for (const Who& who : shown) {
-      const auto table = decision_table(report, ladder, who);
-      if (table.empty()) continue;
-      text += "### " + std::string(who.scalar) + (who.inputs == Inputs::own ? "" : " as asked") +
-              ", " + std::string(name_of(ladder)) + "\n\n" + table;
-    }
-  }
-  return text;
+std::string summary(const Report& report) {
+  return "Measured " + circumstances(report) + ".\n\n" + totals(report) +
+         "\nOn how many rungs float is as good as the fixed scalars / right but less exact / "
+         "wrong, "
+         "on its own numbers:\n\n" +
+         float_table(report);
 }
 
-std::string json(const Report& report) {
-  nlohmann::ordered_json all;
-  all["measured"] = circumstances(report);
-  all["seed"] = report.seed;
-  all["cells"] = nlohmann::ordered_json::array();
-  for (const Result& result : report.results) {
-    for (const Cell& cell : result.cells) {
-      all["cells"].push_back({{"query", result.query->name},
-                              {"ladder", name_of(result.rung->ladder)},
-                              {"rung", result.rung->name},
-                              {"value", result.rung->value},
-                              {"scalar", cell.scalar},
-                              {"inputs", cell.inputs == Inputs::own ? "own" : "asked"},
-                              {"questions", cell.questions},
-                              {"hits", cell.hits},
-                              {"wrong", cell.wrong},
-                              {"not_rounded_down", cell.off},
-                              {"median_error", cell.median},
-                              {"largest_error", cell.largest}});
+std::string csv(const Report& report) {
+  std::string text = "# " + circumstances(report) + "\nquery,ladder,rung";
+  for (const Who& who : all) {
+    for (const auto what : {" wrong %", " largest", " median"}) {
+      text += "," + std::string(who.scalar) + (who.inputs == Inputs::own ? "" : " as asked") + what;
     }
   }
-  return all.dump(1) + "\n";
+  text += ",float is\n";
+  for (const Result& result : report.results) {
+    text += result.query->name + "," + std::string(name_of(result.rung->ladder)) + "," +
+            result.rung->name;
+    for (const Who& who : all) text += data_of(result, who);
+    text += "," + text_of(verdict(result)) + "\n";
+  }
+  return text;
 }
 
 }  // namespace detent::accuracy

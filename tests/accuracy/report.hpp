@@ -25,8 +25,10 @@ struct Report {
 /// "2026-11-21, g++ 12.2.0, seed 1, 2000 questions"
 [[nodiscard]] std::string circumstances(const Report& report);
 
-[[nodiscard]] std::string markdown(const Report& report);
-[[nodiscard]] std::string json(const Report& report);
+/// The two tables of docs/accuracy.md, in Markdown.
+[[nodiscard]] std::string summary(const Report& report);
+/// Every rung: docs/data/accuracy.csv.
+[[nodiscard]] std::string csv(const Report& report);
 [[nodiscard]] std::string plot(const Report& report);
 
 }  // namespace detent::accuracy
