@@ -74,12 +74,12 @@ class PartReader {
     for (std::uint32_t i = 0; i < header.object_count; ++i) {
       detail::ObjectHeader object;
       object.read(in_);
-      if (in_.has_failed() || object.tag >= std::size(types) ||
+      if (in_.has_failed() || object.tag >= std::size(detail::shape_names) ||
           (header.shapes >> object.tag) % 2 == 0 ||
           (object.frame != nowhere && !contents.frames.contains(object.frame))) {
         fail();
       }
-      Part part{object.generation, types[object.tag], {}};
+      Part part{object.generation, detail::shape_names[object.tag], {}};
       part.fields.push_back({"type", part.type});
       part.fields.push_back({"layers", hexadecimal(object.layers)});
       part.fields.push_back({"user", hexadecimal(object.user)});
@@ -98,12 +98,9 @@ class PartReader {
 
   static constexpr std::uint32_t nowhere = 0xffffffffu;
 
-  /// Indexed by tag.
-  static constexpr const char* types[] = {"",         "sphere",  "aabb", "obb",  "plane",
-                                          "triangle", "capsule", "mesh", "hull", "height field"};
   /// A bit for each tag: meshes and height fields are in 3D.
   static constexpr unsigned known_types =
-      (1u << std::size(types)) - 2 -
+      (1u << std::size(detail::shape_names)) - 2 -
       (N == 2 ? 1u << detail::shape_tag<PlacedMesh<S>> | 1u << detail::shape_tag<PlacedField<S>>
               : 0u);
 

@@ -28,4 +28,10 @@ inline constexpr std::uint8_t shape_tag<Triangle<S, N>> = 5;
 template <Scalar S, int N>
 inline constexpr std::uint8_t shape_tag<Capsule<S, N>> = 6;
 
+/// The names of shapes in the lists of differences, by their numbers; those that only some scenes
+/// have are in mesh/, hull/ and height_field/.
+inline constexpr const char* shape_names[] = {"shape", "sphere",      "aabb",    "obb",
+                                              "plane", "triangle",    "capsule", "mesh",
+                                              "hull",  "height field"};
+
 }  // namespace detent::detail

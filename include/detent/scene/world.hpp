@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string_view>
 #include <type_traits>
 
 #include "detent/scene/fields.hpp"
@@ -38,13 +37,6 @@ concept RollbackWorld = std::copyable<T> && detail::Field<T>;
 
 namespace detail {
 
-/// The name of a shape type in a `Desync`, by its number in snapshots.
-[[nodiscard]] constexpr std::string_view shape_name(std::uint8_t tag) noexcept {
-  constexpr std::string_view names[] = {"shape",    "sphere",  "aabb", "obb",  "plane",
-                                        "triangle", "capsule", "mesh", "hull", "height field"};
-  return names[tag < std::size(names) ? tag : 0];
-}
-
 /// An object of a scene, as a field of the scene.
 template <class Store>
 struct ObjectField {
@@ -62,7 +54,7 @@ constexpr void for_each_field(const ObjectField<Store>& object, const F& f) {
   const auto& record = store[object.index];
   store.local_shape(record).visit([&]<class Shape>(const Shape& shape) {
     const auto with_type = [&](const PartName& name, const auto& field) {
-      f(FieldName(" (").add(shape_name(shape_tag<Shape>)).add(") ").add(name.view()), field);
+      f(FieldName(" (").add(shape_names[shape_tag<Shape>]).add(") ").add(name.view()), field);
     };
     f("", true);  // it exists
     f(" type", shape_tag<Shape>);

@@ -4,8 +4,8 @@
 #include <type_traits>
 
 #include "detent/query/intersects/reversed.hpp"
+#include "detent/query/kernel/point_obb.hpp"
 #include "detent/query/kernel/segment_box.hpp"
-#include "detent/shape/obb.hpp"
 #include "detent/shape/segment.hpp"
 
 namespace detent {
@@ -20,11 +20,8 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool intersects(const Segment<S, N>& segment,
                                         const Obb<S, N>& box) noexcept {
   if (is_empty(box)) return false;
-  const auto seen_from_box = [&](const Vec<S, N>& point) {
-    const auto from_center = point - box.center;
-    return make_vec<N>([&](int i) { return dot(box.rotation.axis(i), from_center); });
-  };
-  const auto start = seen_from_box(segment.start), end = seen_from_box(segment.end);
+  const auto start = detail::in_frame(box, segment.start - box.center);
+  const auto end = detail::in_frame(box, segment.end - box.center);
   using Along = std::remove_cvref_t<decltype(start.x)>;
   const auto half_extents = make_vec<N>([&](int i) { return Along(box.half_extents[i]); });
   return detail::segment_meets_box(start, end, half_extents);

@@ -5,8 +5,12 @@
 
 namespace detent::detail {
 
-// A point in the frame of a box has the coordinates dot(axis(i), point - center), with the axes
-// exactly as stored.
+/// The components of a vector in the frame of `box`: dot(axis(i), v), with the axes exactly as
+/// stored.
+template <Scalar S, Number T, int N>
+[[nodiscard]] constexpr auto in_frame(const Obb<S, N>& box, const Vec<T, N>& v) noexcept {
+  return make_vec<N>([&](int i) { return dot(box.rotation.axis(i), v); });
+}
 
 /// Whether `point` is in `box`.
 template <Scalar S, int N>
@@ -31,12 +35,11 @@ template <Number T, Scalar S>
 /// not), with the sign of the dot product. The box must not be empty.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto excess(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {
-  const auto from_center = point - box.center;
-  using Along = decltype(dot(box.rotation.axis(0), from_center));
+  const auto seen = in_frame(box, point - box.center);
+  // Subtracting 0 <= half_extents[i] <= |seen[i]| from |seen[i]| leaves a number that fits its bits.
+  constexpr int bits = bits_of<decltype(seen.x)>;
   return make_vec<N>([&](int i) {
-    const Along along = dot(box.rotation.axis(i), from_center);
-    // Subtracting 0 <= half_extents[i] <= |along| from |along| leaves a number that fits its bits.
-    return narrow_difference<bits_of<Along>>(along, clamp_to(along, box.half_extents[i]));
+    return narrow_difference<bits>(seen[i], clamp_to(seen[i], box.half_extents[i]));
   });
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "detent/query/kernel/near_slabs.hpp"
+#include "detent/query/kernel/point_obb.hpp"
 #include "detent/shape/capsule.hpp"
-#include "detent/shape/obb.hpp"
 
 namespace detent {
 
@@ -19,10 +19,7 @@ template <Scalar S, int N>
   const auto& [a, b, radius] = capsule;
   if (is_empty(box) || radius < 0) return false;
   const auto& half = box.half_extents;
-  const auto in_frame = [&](const auto& v) {
-    return make_vec<N>([&](int i) { return dot(box.rotation.axis(i), v); });
-  };
-  const auto center = in_frame(box.center - a), along = in_frame(b - a);
+  const auto center = detail::in_frame(box, box.center - a), along = detail::in_frame(box, b - a);
   const auto low = center - half, high = center + half;
   if constexpr (is_fixed<S>) {
     using Place = decltype(low.x);
