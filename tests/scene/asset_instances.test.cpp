@@ -304,6 +304,7 @@ void live(std::uint64_t seed, int checks, HitRate& rate) {
         ask(scene, plain, history.draw<Aabb<S, 3>>(), rate);
         ask(scene, plain, history.draw<Obb<S, 3>>(), rate);
         ask(scene, plain, history.draw<Capsule<S, 3>>(), rate);
+        ask(scene, plain, history.frustum(), rate);
       }
       auto other = fresh(plain, frame, copies);
       REQUIRE(digest(scene) == digest(other));

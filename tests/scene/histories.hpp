@@ -9,6 +9,7 @@
 
 #include "detent/scene/snapshot.hpp"
 #include "oracle/draw_shape.hpp"
+#include "oracle/frustum.hpp"
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
 
@@ -131,6 +132,10 @@ class Historian {
       default:
         return draw<Capsule<S, N>>();
     }
+  }
+  Frustum<S> frustum() requires(N == 3) {
+    oracle::Artist<S, 3> artist(draw_, setting_);
+    return oracle::draw_frustum(artist);
   }
   Ray<S, N> ray() {
     Ray<S, N> ray{point(), draw_.any_direction(), largest<S>};

@@ -48,6 +48,10 @@ void check(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain, Historian
     found += ask(scene, plain, history.template draw<Aabb<S, N>>(), mask);
     found += ask(scene, plain, history.template draw<Obb<S, N>>(), mask);
     found += ask(scene, plain, history.template draw<Capsule<S, N>>(), mask);
+    if constexpr (N == 3) {
+      ++asked;
+      found += ask(scene, plain, history.frustum(), mask);
+    }
   }
   auto fresh = plain.fresh();
   CHECK(digest(scene) == digest(fresh));
