@@ -21,6 +21,8 @@ static_assert(std::same_as<IntegerFor<32>, std::int64_t> &&
               std::same_as<IntegerFor<63>, std::int64_t>);
 static_assert(std::same_as<IntegerFor<64>, Int128> && std::same_as<IntegerFor<127>, Int128>);
 static_assert(std::same_as<IntegerFor<128>, Wide<4>> && std::same_as<IntegerFor<255>, Wide<4>>);
+static_assert(std::same_as<IntegerFor<320>, Wide<7>> && std::same_as<IntegerFor<447>, Wide<7>>);
+static_assert(std::same_as<IntegerFor<448>, Wide<10>> && std::same_as<IntegerFor<639>, Wide<10>>);
 static_assert(std::same_as<IntegerFor<256>, Wide<5>> && std::same_as<IntegerFor<319>, Wide<5>>);
 static_assert(value_bits<std::int16_t> == 15 && value_bits<Int128> == 127 &&
               value_bits<Wide<5>> == 319);

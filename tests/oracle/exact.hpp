@@ -28,9 +28,15 @@ using Integer = ShortInteger;
 /// integers below 2^28 * 147 is at least 1, and its slope is at most the length of the ray.
 inline constexpr unsigned instant_bits = 38;
 #else
-/// Twice the widest product below; checked, so an overflow throws.
+/// More than the widest product below; checked, so an overflow throws.
+#ifdef DETENT_ORACLE_LONG_INTEGERS
+inline constexpr unsigned integer_bits = 1024;
+#else
+inline constexpr unsigned integer_bits = 512;
+#endif
 using Integer = boost::multiprecision::number<
-    boost::multiprecision::cpp_int_backend<512, 512, boost::multiprecision::signed_magnitude,
+    boost::multiprecision::cpp_int_backend<integer_bits, integer_bits,
+                                           boost::multiprecision::signed_magnitude,
                                            boost::multiprecision::checked, void>,
     boost::multiprecision::et_off>;
 

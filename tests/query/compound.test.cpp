@@ -28,6 +28,8 @@ TEMPLATE_TEST_CASE("compound: no parts are nothing", "[compound]", DETENT_EVERY_
   CHECK_FALSE(raycast_hit(Ray{origin, toward<S, N>(1)}, nothing));
   CHECK_FALSE(raycast_interval(Ray{origin, toward<S, N>(1)}, nothing));
   CHECK(distance(nothing, origin) == largest<S>);
+  CHECK(distance(nothing, nothing) == largest<S>);
+  CHECK(distance(Sphere{origin, num<S>(9)}, nothing) == largest<S>);
   CHECK(closest_point(nothing, at<S, N>(1, 2)) == at<S, N>(1, 2));
 }
 
@@ -56,6 +58,8 @@ TEMPLATE_TEST_CASE("compound: the first listed of equally near parts counts", "[
   const std::array inner{compound};
   CHECK(contains(Compound{inner}, at<S, N>(3.5)));
   CHECK(overlaps(compound, Compound{inner}));
+  CHECK(distance(compound, Compound{inner}) == S(0));
+  CHECK(distance(Compound{inner}, Aabb{at<S, N>(6), at<S, N>(7)}) == num<S>(2));
   CHECK(digest(compound) != digest(Compound{boxes, spheres}));
 }
 
@@ -97,7 +101,7 @@ TEMPLATE_TEST_CASE("compound: answers as its parts do", "[compound]", DETENT_FIX
     const Sphere<S, N> ball{point(), size()};
 
     bool contained = false, touched = false, crossed = false;
-    S least = largest<S>;
+    S least = largest<S>, from_ball = largest<S>;
     std::optional<S> first;
     std::optional<Interval<S>> whole;
     const auto visit = [&](const auto& part) {
@@ -105,6 +109,7 @@ TEMPLATE_TEST_CASE("compound: answers as its parts do", "[compound]", DETENT_FIX
       touched = touched || overlaps(ball, part);
       crossed = crossed || intersects(segment, part);
       least = std::min(least, distance(part, query));
+      from_ball = std::min(from_ball, distance(part, ball));
       if (const auto interval = raycast_interval(ray, part)) {
         first = first ? std::min(*first, interval->enter) : interval->enter;
         whole = {*first, whole ? std::max(whole->exit, interval->exit) : interval->exit};
@@ -115,12 +120,13 @@ TEMPLATE_TEST_CASE("compound: answers as its parts do", "[compound]", DETENT_FIX
     rate.count(first.has_value());
 
     const auto hit = raycast_hit(ray, compound);
-    const bool right = contains(compound, query) == contained &&
-                       overlaps(compound, ball) == touched && overlaps(ball, compound) == touched &&
-                       intersects(segment, compound) == crossed &&
-                       distance(compound, query) == least && raycast(ray, compound) == first &&
-                       raycast_interval(ray, compound) == whole &&
-                       hit.has_value() == first.has_value() && (!hit || hit->distance == *first);
+    const bool right =
+        contains(compound, query) == contained && overlaps(compound, ball) == touched &&
+        overlaps(ball, compound) == touched && intersects(segment, compound) == crossed &&
+        distance(compound, query) == least && distance(compound, ball) == from_ball &&
+        distance(ball, compound) == from_ball && raycast(ray, compound) == first &&
+        raycast_interval(ray, compound) == whole && hit.has_value() == first.has_value() &&
+        (!hit || hit->distance == *first);
     if (!right) FAIL("case " << i);
   }
   INFO(rate);

@@ -52,7 +52,8 @@ constexpr bool takes_right_calls_only() {
          !Intersecting<Line, Body> && !Intersecting<Bar, Other> && Casting<Line, Body> &&
          !Casting<Body, Line> && !Casting<Line, Other> && !Casting<Line, Point> &&
          Distant<Body, Point> && Distant<Point, Point> && !Distant<Point, Body> &&
-         !Distant<Other, Point>;
+         !Distant<Other, Point> && Distant<Body, Ball> && Distant<Bar, Body> &&
+         !Distant<Body, Line> && !Distant<Other, Body>;
 }
 
 template <Scalar S, int N>

@@ -10,14 +10,14 @@
 namespace detent {
 
 /// The most value bits that a result may have; wider results do not compile.
-inline constexpr int widest_bits = 319;
+inline constexpr int widest_bits = 639;
 
 namespace detail {
 
 template <int Bits>
 constexpr auto container_for() noexcept {
   static_assert(Bits >= 1 && Bits <= widest_bits,
-                "detent: this result does not fit the widest integer (320 bits): narrow<Bits>() an "
+                "detent: this result does not fit the widest integer (640 bits): narrow<Bits>() an "
                 "operand whose range you can prove, or round one with nearest_to<T>()");
   if constexpr (Bits <= 15) {
     return std::int16_t{};
@@ -29,8 +29,12 @@ constexpr auto container_for() noexcept {
     return Int128{};
   } else if constexpr (Bits <= 255) {
     return Wide<4>{};
-  } else {
+  } else if constexpr (Bits <= 319) {
     return Wide<5>{};
+  } else if constexpr (Bits <= 447) {
+    return Wide<7>{};
+  } else {
+    return Wide<10>{};
   }
 }
 

@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <type_traits>
-
-#include "detent/shape/aabb.hpp"
-#include "detent/shape/capsule.hpp"
-#include "detent/shape/hull.hpp"
-#include "detent/shape/obb.hpp"
-#include "detent/shape/plane.hpp"
-#include "detent/shape/ray.hpp"
-#include "detent/shape/segment.hpp"
-#include "detent/shape/sphere.hpp"
-#include "detent/shape/triangle.hpp"
+#include "detent/query/kernel/argument.hpp"
 
 // Overloads that catch wrong calls: the error is one sentence that says what to write instead.
 // Every query is a better match, so they change no correct call, and a concept that checks for such
@@ -27,67 +17,7 @@
 
 namespace detent {
 
-template <Scalar S>
-class Frustum;
-
 namespace detail {
-
-/// The kind of a query argument.
-enum class Argument { none, point, segment, ray, shape };
-
-template <class T>
-inline constexpr Argument argument = Argument::none;
-template <Scalar S, int N>
-inline constexpr Argument argument<Vec<S, N>> = Argument::point;
-template <Scalar S, int N>
-inline constexpr Argument argument<Segment<S, N>> = Argument::segment;
-template <Scalar S, int N>
-inline constexpr Argument argument<Ray<S, N>> = Argument::ray;
-template <Scalar S, int N>
-inline constexpr Argument argument<Sphere<S, N>> = Argument::shape;
-template <Scalar S, int N>
-inline constexpr Argument argument<Aabb<S, N>> = Argument::shape;
-template <Scalar S, int N>
-inline constexpr Argument argument<Obb<S, N>> = Argument::shape;
-template <Scalar S, int N>
-inline constexpr Argument argument<Plane<S, N>> = Argument::shape;
-template <Scalar S, int N>
-inline constexpr Argument argument<Triangle<S, N>> = Argument::shape;
-template <Scalar S, int N>
-inline constexpr Argument argument<Capsule<S, N>> = Argument::shape;
-template <Scalar S, int N>
-inline constexpr Argument argument<ConvexHull<S, N>> = Argument::shape;
-template <Scalar S>
-inline constexpr Argument argument<Frustum<S>> = Argument::shape;
-
-/// The point type of an argument.
-template <class T>
-struct PointOf;
-template <template <class, int> class T, class S, int N>
-struct PointOf<T<S, N>> {
-  using type = Vec<S, N>;
-};
-template <Scalar S>
-struct PointOf<Frustum<S>> {
-  using type = Vec<S, 3>;
-};
-
-template <class T>
-concept IsArgument = (argument<T> != Argument::none);
-template <class T>
-concept IsPoint = (argument<T> == Argument::point);
-template <class T>
-concept IsSegment = (argument<T> == Argument::segment);
-template <class T>
-concept IsRay = (argument<T> == Argument::ray);
-template <class T>
-concept IsShape = (argument<T> == Argument::shape);
-
-template <class A, class B>
-concept Arguments = IsArgument<A> && IsArgument<B>;
-template <class A, class B>
-concept MixedArguments =
-    Arguments<A, B> && !std::is_same_v<typename PointOf<A>::type, typename PointOf<B>::type>;
 
 template <class A, class B>
 concept PointFirst = Arguments<A, B> && IsPoint<A> && !IsPoint<B>;
@@ -95,6 +25,11 @@ template <class A, class B>
 concept NoPoint = Arguments<A, B> && !IsPoint<A> && !IsPoint<B>;
 template <class A, class B>
 concept MixedWithPoint = MixedArguments<A, B> && IsPoint<B>;
+
+template <class A, class B>
+concept RayAndOther = NoPoint<A, B> &&(IsRay<A> || IsRay<B>);
+template <class A, class B>
+concept MixedDistance = MixedArguments<A, B> && !PointFirst<A, B> && !RayAndOther<A, B>;
 
 template <class A, class B>
 concept RayLast = Arguments<A, B> && !IsRay<A> && IsRay<B>;
@@ -156,9 +91,9 @@ void closest_point(const A&, const B&) DETENT_INSTEAD("give both the same scalar
 
 template <class A, class B> requires detail::PointFirst<A, B>
 void distance(const A&, const B&) DETENT_INSTEAD("swap them: distance(shape, point)");
-template <class A, class B> requires detail::NoPoint<A, B>
-void distance(const A&, const B&) DETENT_INSTEAD("no point: it takes a shape and a point");
-template <class A, class B> requires detail::MixedWithPoint<A, B>
+template <class A, class B> requires detail::RayAndOther<A, B>
+void distance(const A&, const B&) DETENT_INSTEAD("a ray: it takes a ray and a point, or two shapes");
+template <class A, class B> requires detail::MixedDistance<A, B>
 void distance(const A&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
 
 template <class A, class B> requires detail::RayLast<A, B>

@@ -27,7 +27,8 @@ void calls(const Sphere<q16_16, 3>& ball, const Ray<q16_16, 3>& ray, const Vec<q
   closest_point(ball, ball);        // no point: it takes a shape and a point
   closest_point(small, point);      // give both the same scalar and dimension
   distance(point, ball);            // swap them: distance(shape, point)
-  distance(ball, ball);             // no point: it takes a shape and a point
+  distance(ball, ray);              // a ray: it takes a ray and a point, or two shapes
+  distance(ball, small);            // give both the same scalar and dimension
   distance(point, flat);            // give both the same scalar and dimension
   raycast(ball, ray);               // swap them: raycast(ray, shape)
   raycast(mesh, ray);               // swap them: raycast(ray, shape)

@@ -22,6 +22,17 @@ template <Number X, Number T, int N>
   return make_vec<N>([&](int i) { return excess(x[i], low[i], high[i]); });
 }
 
+/// |a x b|^2.
+template <Number A, Number B, int N>
+[[nodiscard]] constexpr auto squared_area(const Vec<A, N>& a, const Vec<B, N>& b) noexcept {
+  const auto area = cross(a, b);
+  if constexpr (N == 2) {
+    return square(area);
+  } else {
+    return squared_length(area);
+  }
+}
+
 /// Calls `within` with the least squared distance of the points t d, t in [0, 1], from the box from
 /// `low` to `high`, as a number or as a numerator and a denominator, and returns its result.
 /// Returns `Answer()` if all points are found to be farther away than `limit`.
@@ -70,12 +81,26 @@ template <Number T, Number D, Number R, int N, class Within>
     speed[i] = d[i];
   }
   if (is_zero(speed)) return within(squared_length(g));
-  const auto area = cross(g, speed);
-  if constexpr (N == 2) {
-    return within(square(area), squared_length(speed));
-  } else {
-    return within(squared_length(area), squared_length(speed));
-  }
+  return within(squared_area(g, speed), squared_length(speed));
+}
+
+/// The least squared distance of the points t d, t in [0, 1], from the box from `low` to `high`, as
+/// a `Fraction`.
+template <Number T, Number D, int N>
+[[nodiscard]] constexpr auto squared_distance_from_slabs(const Vec<T, N>& low,
+                                                         const Vec<T, N>& high,
+                                                         const Vec<D, N>& d) noexcept {
+  using Over = decltype(squared_area(low, d));
+  using Under = decltype(squared_length(d));
+  using Result = Fraction<Over, Under>;
+  const auto make = [](const auto& over, const auto&... under) {
+    if constexpr (sizeof...(under) == 0) {
+      return Result{Over(over), Under(1)};
+    } else {
+      return Result{over, under...};
+    }
+  };
+  return compare_slabs(low, high, d, largest<decltype(low.x - d.x)>, make);
 }
 
 /// Whether the point t d, for some t in [0, 1], is within `reach` >= 0 of the box from `low` to

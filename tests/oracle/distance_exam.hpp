@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include "detent/query/distance/pair.hpp"
+// The helpers for shapes come before what looks them up.
+#include "oracle/apart.hpp"
+//
+#include "oracle/pair_exam.hpp"
+
+namespace detent::oracle {
+
+/// Compares the distances of random pairs of shapes with the oracle's.
+template <Scalar S, int N>
+class DistanceExam {
+ public:
+  explicit DistanceExam(std::uint64_t seed) : draw_(seed) {}
+
+  template <class A, class B>
+  void examine(long count) {
+    long apart = 0;
+    for (long i = 0; i < count; ++i) {
+      const auto kind =
+          std::array{Kind::general, Kind::general, Kind::lattice,
+                     Kind::tiny,    Kind::extreme, Kind::degenerate}[draw_.random.below(6)];
+      const auto setting = draw_setting(draw_, kind, 150);
+      const auto a = draw_shape<A>(draw_, setting);
+      const auto b = draw_shape<B>(draw_, setting);
+      const auto exact = distance_floor(a, b);
+      const Integer most = raw(S::max());
+      const Integer expected = exact ? std::min(*exact, most) : most;
+      if (exact && *exact > 0) ++apart;
+      if (raw(distance(a, b)) == expected && raw(distance(b, a)) == expected) continue;
+      FAIL_CHECK(draw_.random << ": " << describe(a) << "; " << describe(b) << "; expected "
+                              << expected.str() << ", found " << distance(a, b).raw() << " and "
+                              << distance(b, a).raw());
+      return;
+    }
+    INFO(draw_.random);
+    CHECK(apart >= (std::is_same_v<A, Plane<S, N>> && std::is_same_v<A, B> ? 1 : count / 10));
+  }
+
+  template <template <Scalar, int> class A, template <Scalar, int> class... Rest>
+  void examine_all(long count) {
+    examine<A<S, N>, A<S, N>>(count);
+    (examine<A<S, N>, Rest<S, N>>(count), ...);
+    if constexpr (sizeof...(Rest) > 0) examine_all<Rest...>(count);
+  }
+
+ private:
+  Draw<S, N> draw_;
+};
+
+/// `count` pairs of every two kinds of shapes.
+template <Scalar S, int N>
+void examine_distances(std::uint64_t seed, long count) {
+  DistanceExam<S, N>(seed)
+      .template examine_all<Sphere, Aabb, Obb, Plane, Triangle, Capsule, Segment, ConvexHull>(
+          count);
+}
+
+}  // namespace detent::oracle

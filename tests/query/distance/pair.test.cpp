@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/distance/pair.hpp"
+
+#include <array>
+
+#include "query/raycast/helpers.hpp"
+
+namespace detent::test {
+namespace {
+
+/// Shapes that reach from x - 1 to x + 1 on the x axis, and whose nearest points lie there.
+template <Scalar S, int N, class Visit>
+void visit_shapes(double x, const Visit& visit) {
+  const auto one = num<S>(1);
+  const auto left = at<S, N>(x - 1), right = at<S, N>(x + 1);
+  visit(Sphere<S, N>{at<S, N>(x), one});
+  visit(Aabb<S, N>{at<S, N>(x - 1, -1, -1), at<S, N>(x + 1, 1, 1)});
+  visit(Obb<S, N>{at<S, N>(x), filled<S, N>(one), {}});
+  visit(Triangle<S, N>{left, right, at<S, N>(x, 1)});
+  visit(Capsule<S, N>{at<S, N>(x), at<S, N>(x), one});
+  visit(Segment<S, N>{left, right});
+  const std::array corners{left, at<S, N>(x, 1), right, at<S, N>(x, -1), at<S, N>(x, 0, 1)};
+  visit(ConvexHull<S, N>{corners});
+}
+
+TEMPLATE_TEST_CASE("distance of two shapes: between every two kinds of shapes", "[distance]",
+                   DETENT_EVERY_SPACE) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  visit_shapes<S, N>(-3, [](const auto& a) {
+    visit_shapes<S, N>(4, [&](const auto& b) {
+      CHECK(distance(a, b) == num<S>(5));
+      CHECK(distance(b, a) == num<S>(5));
+    });
+    visit_shapes<S, N>(-1, [&](const auto& b) { CHECK(distance(a, b) == S(0)); });
+    visit_shapes<S, N>(-3, [&](const auto& b) { CHECK(distance(b, a) == S(0)); });
+    const Plane<S, N> plane{toward<S, N>(1), num<S>(4)};
+    CHECK(distance(a, plane) == num<S>(6));
+    CHECK(distance(plane, a) == num<S>(6));
+    CHECK(distance(Plane<S, N>{toward<S, N>(1), num<S>(-3)}, a) == S(0));
+  });
+}
+
+TEMPLATE_TEST_CASE("distance of two shapes: planes are apart only if parallel", "[distance]",
+                   DETENT_EVERY_SPACE) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const Plane<S, N> plane{toward<S, N>(0, 1), num<S>(3)};
+  CHECK(distance(plane, Plane<S, N>{toward<S, N>(0, 1), num<S>(-2)}) == num<S>(5));
+  CHECK(distance(plane, Plane<S, N>{toward<S, N>(0, -1), num<S>(-3)}) == S(0));
+  CHECK(distance(plane, Plane<S, N>{toward<S, N>(0, -1), num<S>(1)}) == num<S>(4));
+  CHECK(distance(plane, Plane<S, N>{toward<S, N>(1, 8), num<S>(-2)}) == S(0));
+}
+
+TEMPLATE_TEST_CASE("distance of two shapes: an empty one is as far as can be expressed",
+                   "[distance]", DETENT_EVERY_SPACE) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const Sphere<S, N> none{Vec<S, N>(), num<S>(-1)};
+  const Aabb<S, N> inverted{at<S, N>(1), at<S, N>(-1)};
+  visit_shapes<S, N>(0, [&](const auto& shape) {
+    CHECK(distance(shape, none) == largest<S>);
+    CHECK(distance(inverted, shape) == largest<S>);
+    CHECK(distance(shape, ConvexHull<S, N>()) == largest<S>);
+  });
+}
+
+TEMPLATE_TEST_CASE("distance of two shapes: clamped at the ends of the domain", "[distance]",
+                   DETENT_FIXED_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const auto low = filled<S, N>(S::lowest()), high = filled<S, N>(S::max());
+  CHECK(distance(Segment<S, N>{low, low}, Segment<S, N>{high, high}) == S::max());
+  // The centers are farther apart than a scalar can express, the surfaces are not.
+  Vec<S, N> left = Vec<S, N>(), right = Vec<S, N>();
+  left[0] = S::lowest();
+  right[0] = S::max();
+  const Sphere<S, N> a{left, S::max()}, b{right, num<S>(1)};
+  CHECK(distance(a, b) == nearest_to<S>(-S::lowest() - num<S>(1)));
+}
+
+TEMPLATE_TEST_CASE("distance of two shapes: boxes are slabs to round shapes, edges to others",
+                   "[distance]", DETENT_FIXED_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  // All axes are the same: the slabs hold a whole plane, the edges span a segment.
+  const auto x = toward<S, N>(1);
+  const auto flat = [&] {
+    if constexpr (N == 2) {
+      return Rotation<S, N>::from_axes({x, x});
+    } else {
+      return Rotation<S, N>::from_axes({x, x, x});
+    }
+  }();
+  const Obb<S, N> box{Vec<S, N>(), filled<S, N>(num<S>(1)), flat};
+  CHECK(distance(box, Sphere<S, N>{at<S, N>(0, 9), num<S>(1)}) == S(0));
+  CHECK(distance(box, Segment<S, N>{at<S, N>(0, 9), at<S, N>(0, 12)}) == S(0));
+  const Triangle<S, N> triangle{at<S, N>(0, 9), at<S, N>(0, 12), at<S, N>(1, 12)};
+  CHECK(distance(box, triangle) == num<S>(9));
+}
+
+}  // namespace
+}  // namespace detent::test
