@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "detent/shape/frustum.hpp"
 #include "query/raycast/helpers.hpp"
 
 namespace detent::test {
@@ -63,6 +64,23 @@ TEMPLATE_TEST_CASE("distance of two shapes: an empty one is as far as can be exp
     CHECK(distance(inverted, shape) == largest<S>);
     CHECK(distance(shape, ConvexHull<S, N>()) == largest<S>);
   });
+}
+
+TEMPLATE_TEST_CASE("distance of two shapes: a frustum is the hull of its corners", "[distance]",
+                   q16_16, q8_8, float) {
+  using S = TestType;
+  std::array<Vec<S, 3>, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double size = i < 4 ? 1 : 2;
+    corners[i] = at<S, 3>(i & 1 ? size : -size, i & 2 ? size : -size, size);
+  }
+  const Frustum<S> frustum(corners);
+  visit_shapes<S, 3>(6, [&](const auto& shape) {
+    CHECK(distance(frustum, shape) == distance(frustum.hull(), shape));
+    CHECK(distance(shape, frustum) == distance(frustum, shape));
+    CHECK(distance(frustum, shape) > S(0));
+  });
+  CHECK(distance(frustum, frustum) == S(0));
 }
 
 TEMPLATE_TEST_CASE("distance of two shapes: clamped at the ends of the domain", "[distance]",
