@@ -22,9 +22,10 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point(const Obb<S, N>& box,
                                                 const Vec<S, N>& point) noexcept {
   if (is_empty(box) || detail::holds(box, point)) return point;
-  const auto seen = detail::in_frame(box, point - box.center);
-  const auto clamped =
-      make_vec<N>([&](int i) { return detail::clamp_to(seen[i], box.half_extents[i]); });
+  const auto from_center = point - box.center;
+  const auto clamped = make_vec<N>([&](int i) {
+    return detail::clamp_to(dot(box.rotation.axis(i), from_center), box.half_extents[i]);
+  });
   return make_vec<N>([&](int j) {
     const auto row = make_vec<N>([&](int i) { return box.rotation.axis(i)[j]; });
     return nearest_to<S>(box.center[j] + dot(row, clamped));

@@ -35,11 +35,12 @@ template <Number T, Scalar S>
 /// not), with the sign of the dot product. The box must not be empty.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto excess(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {
-  const auto seen = in_frame(box, point - box.center);
-  // Subtracting 0 <= half_extents[i] <= |seen[i]| from |seen[i]| leaves a number that fits its bits.
-  constexpr int bits = bits_of<decltype(seen.x)>;
+  const auto from_center = point - box.center;
+  using Along = decltype(dot(box.rotation.axis(0), from_center));
   return make_vec<N>([&](int i) {
-    return narrow_difference<bits>(seen[i], clamp_to(seen[i], box.half_extents[i]));
+    const Along along = dot(box.rotation.axis(i), from_center);
+    // Subtracting 0 <= half_extents[i] <= |along| from |along| leaves a number that fits its bits.
+    return narrow_difference<bits_of<Along>>(along, clamp_to(along, box.half_extents[i]));
   });
 }
 
