@@ -15,9 +15,9 @@ namespace detent::bench {
 namespace {
 
 constexpr std::string_view usage =
-    R"(usage: detent-bench [--json FILE] [--plot FILE] [--seed N] [BENCHMARK OPTION...]
+    R"(usage: detent-bench [--csv FILE] [--plot FILE] [--seed N] [BENCHMARK OPTION...]
 
-  --json FILE   writes every time, ratio and accuracy
+  --csv FILE    writes every time, ratio and accuracy
   --plot FILE   writes speed against accuracy as SVG
   --seed N      asks other questions; golden hit counts exist for the default only
 
@@ -94,7 +94,7 @@ void write_file(const std::string& path, const Write& write) {
 }
 
 int run(int count, char** arguments) {
-  std::string json, plot;
+  std::string csv, plot;
   std::uint64_t seed = default_seed;
   std::vector<std::string> rest{"detent-bench", "--benchmark_enable_random_interleaving=true",
                                 "--benchmark_repetitions=5", "--benchmark_min_time=0.1"};
@@ -111,8 +111,8 @@ int run(int count, char** arguments) {
       }
       return std::string(arguments[++i]);
     };
-    if (argument == "--json") {
-      json = value();
+    if (argument == "--csv") {
+      csv = value();
     } else if (argument == "--plot") {
       plot = value();
     } else if (argument == "--seed") {
@@ -154,7 +154,7 @@ int run(int count, char** arguments) {
   benchmark::RunSpecifiedBenchmarks(&silence);
 
   write_tables(stdout, results);
-  write_file(json, [&](std::FILE* file) { write_json(file, results); });
+  write_file(csv, [&](std::FILE* file) { write_csv(file, results); });
   write_file(plot, [&](std::FILE* file) { write_plot(file, results); });
   return 0;
 }

@@ -74,7 +74,8 @@ struct Results {
 };
 
 void write_tables(std::FILE* out, const Results& results);
-void write_json(std::FILE* out, const Results& results);
+/// docs/data/speed.csv.
+void write_csv(std::FILE* out, const Results& results);
 void write_plot(std::FILE* out, const Results& results);
 
 }  // namespace detent::bench

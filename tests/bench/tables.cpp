@@ -54,14 +54,19 @@ void write_ratios(std::FILE* out, const Results& results, Manner manner) {
   }
 }
 
-/// The percentage of wrong results, or `0` for none.
-std::string share(std::size_t wrong, std::size_t asked) {
+/// How many of a hundred results are wrong, or nothing where none was asked for.
+std::string percent(std::size_t wrong, std::size_t asked) {
   if (asked == 0) return "";
-  if (wrong == 0) return "0";
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g %%",
+  std::snprintf(text.data(), text.size(), "%.3g",
                 100.0 * static_cast<double>(wrong) / static_cast<double>(asked));
   return text.data();
+}
+
+/// The same with its unit, except for 0.
+std::string share(std::size_t wrong, std::size_t asked) {
+  const auto text = percent(wrong, asked);
+  return text.empty() || wrong == 0 ? text : text + " %";
 }
 
 std::string length(double x) {
@@ -142,37 +147,32 @@ void write_tables(std::FILE* out, const Results& results) {
   write_baselines(out, results);
 }
 
-void write_json(std::FILE* out, const Results& results) {
-  std::fprintf(out,
-               "{\"processor\": \"%s\", \"compiler\": \"%s\", \"date\": \"%s\", \"seed\": %llu, "
-               "\"questions\": %zu,\n \"results\": [",
-               results.machine.processor.c_str(), results.machine.compiler.c_str(),
-               results.machine.date.c_str(), static_cast<unsigned long long>(results.seed),
-               question_count);
-  const char* separator = "\n";
+void write_csv(std::FILE* out, const Results& results) {
+  std::fprintf(out, "# %s; %s; %s; seed %llu\nquery,scalar", results.machine.processor.c_str(),
+               results.machine.compiler.c_str(), results.machine.date.c_str(),
+               static_cast<unsigned long long>(results.seed));
+  for (const Manner manner : manners) {
+    const auto name = name_of(manner);
+    std::fprintf(out, ",%s ns,%s multiple,%s ±", name.c_str(), name.c_str(), name.c_str());
+  }
+  std::fprintf(out, ",wrong %%,close wrong %%,largest error\n");
   for (const auto& record : results.records) {
-    std::fprintf(out,
-                 "%s  {\"query\": \"%s\", \"scalar\": \"%s\", \"hits\": %zu, \"exact_hits\": %zu, "
-                 "\"asked\": %zu, \"wrong\": %zu, \"close_asked\": %zu, \"close_wrong\": %zu, "
-                 "\"error\": %.6g",
-                 separator, record.query.c_str(), record.scalar.c_str(), record.hits,
-                 record.expected, record.accuracy.asked, record.accuracy.wrong,
-                 record.accuracy.close_asked, record.accuracy.close_wrong, record.accuracy.error);
-    separator = ",\n";
+    std::fprintf(out, "%s,\"%s\"", record.query.c_str(), record.scalar.c_str());
     for (const Manner manner : manners) {
       const Times* const time = results.find(record.query, record.scalar, manner);
-      if (time == nullptr) continue;
-      std::fprintf(out, ", \"%s\": {\"ns\": [%.4g, %.4g, %.4g]", name_of(manner).c_str(),
-                   time->low(), time->median(), time->high());
-      if (const Times* const base = results.find(record.query, "float", manner)) {
-        const auto ratio = results.ratio(*time, *base);
-        std::fprintf(out, ", \"ratio\": %.4g, \"spread\": %.2g", ratio.median, ratio.spread);
+      const Times* base = results.find(record.query, "float", manner);
+      if (base == nullptr) base = results.find(record.query, hardware, manner);
+      if (time == nullptr || base == nullptr) {
+        std::fprintf(out, ",,,");
+        continue;
       }
-      std::fprintf(out, "}");
+      const auto ratio = results.ratio(*time, *base);
+      std::fprintf(out, ",%.1f,%.2f,%.2f", time->median(), ratio.median, ratio.spread);
     }
-    std::fprintf(out, "}");
+    const auto& accuracy = record.accuracy;
+    std::fprintf(out, ",%s,%s,%.1e\n", percent(accuracy.wrong, accuracy.asked).c_str(),
+                 percent(accuracy.close_wrong, accuracy.close_asked).c_str(), accuracy.error);
   }
-  std::fprintf(out, "\n]}\n");
 }
 
 }  // namespace detent::bench
