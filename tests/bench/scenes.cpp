@@ -221,8 +221,8 @@ Measured measure_bullet(const Drawn& drawn) {
 #endif
 
 void print(int count, const char* who, const Measured& m) {
-  std::printf("| %d | %s | %zu | %.0f | %.1f | %.0f | %.0f | %zu |\n", count, who, m.hits, m.ray,
-              m.build / 1000, m.move, m.pairs, m.overlaps);
+  std::printf("%d,%s,%zu,%.0f,%.1f,%.0f,%.0f,%zu\n", count, who, m.hits, m.ray, m.build / 1000,
+              m.move, m.pairs, m.overlaps);
 }
 
 /// Saves 1,000 moving spheres and restores them eight frames later.
@@ -252,7 +252,7 @@ void measure_snapshots() {
     auto other = scene;
     copy.time([&] { other = before; });
   }
-  std::printf("\n1,000 moving spheres: save %.1f us, restore %.1f us; copy %.1f us; %zu bytes%s\n",
+  std::printf("# 1,000 moving spheres: save %.1f us, restore %.1f us; copy %.1f us; %zu bytes%s\n",
               save.least(), load.least(), copy.least(), early.size(), is_right ? "" : "; WRONG");
 }
 
@@ -270,9 +270,7 @@ constexpr Golden golden[] = {
 int main() {
   using namespace detent::bench;
   bool is_right = true;
-  std::printf(
-      "| objects | | hits of 2,000 | ns/ray | build, ms | move 10 %%, us | pairs, us | "
-      "pairs |\n|---|---|---|---|---|---|---|---|\n");
+  std::printf("objects,engine,hits of 2000,ns per ray,build ms,move a tenth us,pairs us,pairs\n");
   for (const auto& [count, hits, overlaps] : golden) {
     const Drawn drawn(count, 42);
     const auto fixed = measure<detent::q16_16>(drawn);
