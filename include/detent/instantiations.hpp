@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// For programs that link `detent::detent`: they use its raycasts, compiled once for the predefined
-// scalars, instead of compiling them again in every source file. This changes no result.
+// What `detent::detent` compiles once for direct calls: raycasts in `q16_16`. query/raycast.hpp
+// includes this header in programs that link the library (DETENT_USE_LIBRARY). It changes no result
+// and no type.
 
 #include <optional>
 
 #include "detent/query/raycast.hpp"
 
-// src/instantiations.cpp includes this header too, without the `extern`.
+// src/instantiations/ includes this header too, without the `extern`.
 #ifndef DETENT_INSTANTIATION
 #define DETENT_INSTANTIATION extern template
 #endif
@@ -36,11 +37,6 @@
 namespace detent {
 
 DETENT_INSTANTIATE_SCALAR(q16_16)
-DETENT_INSTANTIATE_SCALAR(q14_16)
-DETENT_INSTANTIATE_SCALAR(q24_8)
-DETENT_INSTANTIATE_SCALAR(q8_8)
-DETENT_INSTANTIATE_SCALAR(float)
-DETENT_INSTANTIATE_SCALAR(double)
 
 }  // namespace detent
 

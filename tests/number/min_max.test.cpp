@@ -5,7 +5,7 @@
 #include <concepts>
 #include <type_traits>
 
-#include "detent/number/literals.hpp"
+#include "detent/number/text.hpp"
 #include "number/big_integer.hpp"
 #include "support/catch.hpp"
 

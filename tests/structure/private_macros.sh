@@ -15,7 +15,8 @@ macros() { "$compiler" -std=c++20 -I"$include" -E -dM -x c++ - <<<"$1" | cut -d 
 
 ours=$(comm -13 <(macros "$system") <(macros "$system
 #include \"detent/detent.hpp\"
-#include \"detent/instantiations.hpp\"") | sed 's/(.*//')
+#include \"detent/instantiations.hpp\"
+#include \"detent/scene/instantiations.hpp\"") | sed 's/(.*//')
 bad=0
 for macro in $ours; do
   if [[ " ${documented//$'\n'/ } " != *" $macro "* ]]; then

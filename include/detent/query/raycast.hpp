@@ -18,3 +18,8 @@
 #include "detent/query/raycast/sphere.hpp"
 #include "detent/query/raycast/triangle.hpp"
 #include "detent/query/wrong_call.hpp"
+
+// In programs that link `detent::detent`.
+#if defined(DETENT_USE_LIBRARY) && DETENT_USE_LIBRARY
+#include "detent/instantiations.hpp"
+#endif

@@ -5,13 +5,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include "detent/cull/prefetch.hpp"
-#include "detent/cull/search.hpp"
 #include "detent/scene/found.hpp"
 #include "detent/scene/mesh/raycast.hpp"
 #include "detent/scene/question.hpp"
+#include "detent/scene/separate.hpp"
 #include "detent/scene/store.hpp"
 
 namespace detent::detail {
@@ -32,12 +33,10 @@ class Finder {
                                const Visit& visit) const {
     if constexpr (is_question<SceneRegion<Question, S, N>>()) {
       const auto box = quantized_box(question);
-      visit_trees([&](const auto& tree) {
-        return detail::visit_meeting(tree, box, [&](Index i) {
-          return filter(store_.info(i)) &&
-                 store_[i].shape.visit([&](const auto& shape) { return meets(question, shape); }) &&
-                 visit(i);
-        });
+      visit_trees<VisitMeeting>(box, [&](Index i) {
+        return filter(store_.info(i)) &&
+               store_[i].shape.visit([&](const auto& shape) { return meets(question, shape); }) &&
+               visit(i);
       });
     }
   }
@@ -62,14 +61,12 @@ class Finder {
   constexpr void visit_found(const Ray<S, N>& ray, const Filter& filter, const Visit& visit) const {
     if (ray.max_distance < 0) return;
     RayProbe<S, N> probe(ray);
-    visit_trees([&](const auto& tree) {
-      return visit_nearest(tree, probe, [&](Index i) {
-        if (!filter(store_.info(i))) return false;
-        const auto distance =
-            store_[i].shape.visit([&](const auto& shape) { return raycast(ray, shape); });
-        return distance && visit(Found<S>{*distance, store_.info(i).id},
-                                 [&](const S& limit) { probe.shorten(limit); });
-      });
+    visit_trees<VisitNearest>(probe, [&](Index i) {
+      if (!filter(store_.info(i))) return false;
+      const auto distance =
+          store_[i].shape.visit([&](const auto& shape) { return separately<Raycast>(ray, shape); });
+      return distance && visit(Found<S>{*distance, store_.info(i).id},
+                               [&](const S& limit) { probe.shorten(limit); });
     });
   }
   /// For a point, visits every object that is not empty, for `Scene::nearest`: an empty one has no
@@ -78,11 +75,9 @@ class Finder {
   constexpr void visit_found(const Vec<S, N>& point, const Filter& filter,
                              const Visit& visit) const {
     PointProbe<S, N> probe(point);
-    visit_trees([&](const auto& tree) {
-      return visit_nearest(tree, probe, [&](Index i) {
-        return filter(store_.info(i)) &&
-               visit(found_at(i, point), [&](const S& limit) { probe.shorten(limit); });
-      });
+    visit_trees<VisitNearest>(probe, [&](Index i) {
+      return filter(store_.info(i)) &&
+             visit(found_at(i, point), [&](const S& limit) { probe.shorten(limit); });
     });
   }
 
@@ -112,7 +107,7 @@ class Finder {
           result.triangle = first->hit.index;
         }
       } else {
-        take(raycast_hit(ray, shape));
+        take(separately<RaycastHit>(ray, shape));
       }
       return result;
     });
@@ -124,7 +119,7 @@ class Finder {
     const auto ask = [&](Index i, Index j) {
       if (!filter(store_.info(i), store_.info(j))) return;
       const bool meet = store_[i].shape.visit([&](const auto& a) {
-        return store_[j].shape.visit([&](const auto& b) { return overlaps(a, b); });
+        return store_[j].shape.visit([&](const auto& b) { return separately<Overlaps>(a, b); });
       });
       if (meet) add(Overlap{store_.info(i).id, store_.info(j).id});
     };
@@ -140,10 +135,11 @@ class Finder {
     };
     const auto& moving = store_.tree(Motion::moving);
     const auto& fixed = store_.tree(Motion::fixed);
-    if (moving.is_empty()) return;
-    visit_pairs(moving, moving.root(), visit);
-    if (!fixed.is_empty()) {
-      visit_pairs_below(moving, moving.root(), fixed, fixed.root(), visit);
+    if (__builtin_is_constant_evaluated()) {
+      VisitPairs()(moving, fixed, visit);
+    } else {
+      const PairVisitor visitor(visit);
+      separately<VisitPairs>(moving, fixed, visitor);
     }
     for (std::size_t i = 0; i < (std::min)(count, waiting.size()); ++i) {
       ask(waiting[i].first, waiting[i].second);
@@ -151,13 +147,23 @@ class Finder {
   }
 
  private:
-  template <class Visit>
-  constexpr void visit_trees(const Visit& visit) const {
-    if (!visit(store_.tree(Motion::moving))) visit(store_.tree(Motion::fixed));
+  /// Visits the objects of both trees that `Walk` finds, until `visit` returns true.
+  template <class Walk, class Target, class Visit>
+  constexpr void visit_trees(Target& target, const Visit& visit) const {
+    const auto& moving = store_.tree(Motion::moving);
+    const auto& fixed = store_.tree(Motion::fixed);
+    if (__builtin_is_constant_evaluated()) {
+      static_cast<void>(Walk()(moving, target, visit) || Walk()(fixed, target, visit));
+    } else {
+      const ObjectVisitor visitor(visit);
+      static_cast<void>(separately<Walk>(moving, target, visitor) ||
+                        separately<Walk>(fixed, target, visitor));
+    }
   }
 
   constexpr Found<S> found_at(std::size_t i, const Vec<S, N>& point) const noexcept {
-    return {store_[i].shape.visit([&](const auto& shape) { return distance(shape, point); }),
+    return {store_[i].shape.visit(
+                [&](const auto& shape) { return separately<Distance>(shape, point); }),
             store_.info(i).id};
   }
 

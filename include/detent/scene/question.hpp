@@ -19,15 +19,15 @@ namespace detail {
 
 template <class Shape, Scalar S, int N>
 [[nodiscard]] constexpr bool meets(const Vec<S, N>& point, const Shape& shape) noexcept {
-  return contains(shape, point);
+  return separately<Contains>(shape, point);
 }
 template <class Shape, Scalar S, int N>
 [[nodiscard]] constexpr bool meets(const Segment<S, N>& segment, const Shape& shape) noexcept {
-  return intersects(segment, shape);
+  return separately<Intersects>(segment, shape);
 }
 template <class Question, class Shape>
 [[nodiscard]] constexpr bool meets(const Question& question, const Shape& shape) noexcept {
-  return overlaps(question, shape);
+  return separately<Overlaps>(question, shape);
 }
 
 template <Scalar S, int N>

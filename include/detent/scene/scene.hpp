@@ -164,3 +164,8 @@ template <class Bounds, Scalar S, int N, template <Scalar, int> class... Shapes>
 using BoundedScene = BasicScene<Bounds, S, N, Shapes<S, N>...>;
 
 }  // namespace detent
+
+// In programs that link `detent::detent`.
+#if defined(DETENT_USE_LIBRARY) && DETENT_USE_LIBRARY
+#include "detent/scene/instantiations.hpp"
+#endif

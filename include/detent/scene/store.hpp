@@ -14,6 +14,7 @@
 #include "detent/scene/frames.hpp"
 #include "detent/scene/object.hpp"
 #include "detent/scene/one_of.hpp"
+#include "detent/scene/separate.hpp"
 #include "detent/scene/shape_tag.hpp"
 
 namespace detent::detail {
@@ -82,9 +83,7 @@ class Store {
     const Record& record = records_[i];
     out.add(static_cast<std::uint32_t>(i), record.generation, record.layers, record.user,
             frame_of(record));
-    local_shape(record).visit([&](const auto& shape) {
-      out.add(shape_tag<std::remove_cvref_t<decltype(shape)>>, shape);
-    });
+    local_shape(record).visit([&](const auto& shape) { separately<Describe>(out, shape); });
   }
   /// Identifies the set of fixed objects: the sum of their digests.
   [[nodiscard]] constexpr std::uint64_t fixed_digest() const noexcept { return fixed_digest_; }
@@ -182,8 +181,8 @@ class Store {
     return id;
   }
 
-  constexpr void move_frame(std::uint32_t i, const Transform<S, N>& transform) {
-    frames_.move(i, transform);
+  constexpr void move_frame(const std::uint32_t& i, const Transform<S, N>& transform) {
+    separately<MoveFrame>(frames_, i, transform);
     for (std::size_t k = 0; k < attachments_.size(); ++k) {
       if (frames_.has_moved(attachments_[k].frame)) {
         const auto local = attachments_[k].local;
@@ -205,8 +204,8 @@ class Store {
   constexpr void end_bulk() noexcept { moving_.end_bulk(); }
 
   constexpr void rebuild() {
-    moving_.rebuild();
-    fixed_.rebuild();
+    separately<Rebuild>(moving_);
+    separately<Rebuild>(fixed_);
   }
 
   /// Leaves the store as if nothing had ever been added.
@@ -237,8 +236,8 @@ class Store {
     return std::uint64_t{1} << (i % 64);
   }
 
-  constexpr void set_box(std::uint32_t i, const Box& box) {
-    (records_[i].motion == Motion::moving ? moving_ : fixed_).set(i, box);
+  constexpr void set_box(const std::uint32_t& i, const Box& box) {
+    separately<SetBox>(records_[i].motion == Motion::moving ? moving_ : fixed_, i, box);
   }
 
   constexpr void count_in(std::uint32_t i) noexcept {
@@ -271,7 +270,7 @@ class Store {
   constexpr void place(const Attachment& attachment) noexcept {
     const auto& world = frames_[attachment.frame].world;
     records_[attachment.object].shape =
-        attachment.local.visit([&](const auto& s) { return Shape(placed(world, s)); });
+        attachment.local.visit([&](const auto& s) { return Shape(separately<Place>(world, s)); });
   }
 
   constexpr void attach(std::uint32_t i, std::uint32_t frame) {

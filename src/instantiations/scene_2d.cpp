@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+#define DETENT_INSTANTIATION template
+#define DETENT_INSTANTIATED_DIMENSION 2
+#include "detent/scene/instantiations.hpp"
