@@ -19,7 +19,9 @@ void add_demo_options(CLI::App& command, DemoArguments& arguments) {
                   "An OBJ model to show as well, half a unit long, in mesh.png")
       ->check(check_name);
   command.add_option("--size", arguments.size, "Of each picture, in pixels")->capture_default_str();
-  command.add_option("--threads", arguments.options.threads, "0 for all of the machine's")
+  command
+      .add_option("--threads", arguments.options.threads,
+                  "Number of threads; 0 for one per processor")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
   command.final_callback([&arguments] {
@@ -42,7 +44,7 @@ Size parse_size(const std::string& text) {
     if (valid) return size;
   }
   throw InputError("--size: \"" + text + "\" is not WIDTHxHEIGHT with at most " +
-                   std::to_string(most_pixels) + " pixels and a sum below " +
+                   std::to_string(most_pixels) + " pixels and sides that add up to less than " +
                    std::to_string(largest_image) + "; write, for example, 640x360");
 }
 

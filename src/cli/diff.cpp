@@ -23,7 +23,7 @@ namespace {
 using detail::Reader;
 using detail::SnapshotHeader;
 
-constexpr const char* remedy = "; write it anew with snapshot(scene)";
+constexpr const char* remedy = "; take a new one with snapshot(scene)";
 
 /// A named number of a snapshot, as text.
 struct Field {
@@ -93,7 +93,7 @@ class PartReader {
 
  private:
   [[noreturn]] void fail() const {
-    throw InputError(file_, {}, "its parts are not those of a snapshot" + std::string(remedy));
+    throw InputError(file_, {}, "its contents are not those of a snapshot" + std::string(remedy));
   }
 
   static constexpr std::uint32_t nowhere = 0xffffffffu;

@@ -28,7 +28,7 @@ std::string last_error() { return std::strerror(errno); }
 void check_name(const std::string& path, const char* what) {
   if (path.empty()) throw InputError(std::string(what) + " has no name; give it one");
   if (path.find('\0') != std::string::npos) {
-    throw InputError(path, {}, "has a zero byte in its name, which no file can; correct the name");
+    throw InputError(path, {}, "has a zero byte in its name; correct the name");
   }
 }
 
@@ -72,7 +72,7 @@ std::string read_file(const std::string& path) {
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
-    throw InputError(path, {}, "cannot be opened: " + last_error() + "; check its rights");
+    throw InputError(path, {}, "cannot be opened: " + last_error() + "; check its permissions");
 
   std::string content;
   std::array<char, 1 << 16> buffer{};
@@ -131,7 +131,7 @@ void OutputFile::fail(const std::string& what) const {
   const bool is_full = errno == ENOSPC || errno == EDQUOT || errno == EFBIG;
   throw InputError(
       path_, {},
-      what + ": " + last_error() + (is_full ? "; free some space" : "; choose another place"));
+      what + ": " + last_error() + (is_full ? "; free some space" : "; choose another path"));
 }
 
 }  // namespace detent::cli

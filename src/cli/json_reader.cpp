@@ -130,7 +130,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     }
     std::string reason(what);
     std::replace(reason.begin(), reason.end(), ';', ',');
-    fail(places_.at(error_start(what)), "malformed JSON: " + reason + "; correct the text here");
+    fail(places_.at(error_start(what)), "malformed JSON: " + reason + "; correct the file here");
     return false;
   }
 

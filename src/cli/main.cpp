@@ -83,7 +83,7 @@ void add_cast(CLI::App& app, Arguments& arguments) {
   command->add_option("--scalar", arguments.cast.scalar, all_scalars())->capture_default_str();
   CLI::Option* const compare = command->add_option(
       "--compare", arguments.compare,
-      "Report on two scalars, A,B or B beside --scalar, instead of the answers");
+      "Report on two scalars, A,B or B next to --scalar, instead of the answers");
   command->add_option("-o,--out", arguments.cast.out, "Write to this file, not to standard output")
       ->check(check_name);
   command->final_callback([&arguments, compare] {
@@ -107,7 +107,7 @@ void add_render(CLI::App& app, Arguments& arguments) {
   CLI::Option* const compare =
       command
           ->add_option("--compare", arguments.compare,
-                       "Draw two scalars, A,B or B beside --scalar (float if none is named), and "
+                       "Draw two scalars, A,B or B next to --scalar (float by default), and "
                        "where they differ")
           ->expected(0, 1)
           ->default_str("float");
@@ -117,7 +117,9 @@ void add_render(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
   CLI::Option* const scale = command->add_option(
       "--scale", arguments.scale, "Scale of an OBJ model (without: its longest side is 20 units)");
-  command->add_option("--threads", arguments.render.threads, "0 for all of the machine's")
+  command
+      ->add_option("--threads", arguments.render.threads,
+                   "Number of threads; 0 for one per processor")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
   command->final_callback([&arguments, compare, scale] {
@@ -151,11 +153,11 @@ void add_verify(CLI::App& app, Arguments& arguments) {
   command->add_flag("--json", options.json, "Print the report in JSON");
   command->add_option("--dump", options.dump, "Write the answers to this file, byte for byte")
       ->check(check_name);
-  command->add_option("--threads", options.threads, "0 for all of the machine's")
+  command->add_option("--threads", options.threads, "Number of threads; 0 for one per processor")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
   CLI::Option* const golden =
-      command->add_flag("--golden", options.golden, "Print src/verify/golden.hpp anew");
+      command->add_flag("--golden", options.golden, "Print a new src/verify/golden.hpp");
   CLI::Option* const results = command->add_flag("--results", options.results,
                                                  "Print the lines of tests/verify/results.txt");
   golden->excludes(results);

@@ -24,7 +24,8 @@ Scene scene_around(MeshModel mesh, const std::string& file) {
   }
   const double size = std::max({reach[0], reach[1], reach[2], 1e-3});
   if (size > largest_size) {
-    throw InputError(file, {}, "is too large for a camera to stand back from; use a smaller scale");
+    throw InputError(file, {},
+                     "is so large that its camera would be out of range; use a smaller scale");
   }
   const auto at = [&](double x, double y, double z) {
     return Point{Literal{decimal_of(x * size), {}}, Literal{decimal_of(y * size), {}},

@@ -149,7 +149,7 @@ class ObjReader {
       const auto value = number(word);
       if (!value) {
         fail(words_.place(), which() + (word.empty() ? " has fewer than three coordinates"
-                                                     : " has a coordinate that is no number"));
+                                                     : " has a coordinate that is not a number"));
       }
       if (i >= 3) continue;
       if (!std::isfinite(*value)) fail(words_.place(), which() + " is not finite");
@@ -165,7 +165,8 @@ class ObjReader {
     for (auto word = words_.next(); !word.empty(); word = words_.next()) {
       const auto number = vertex_number(word);
       if (!number)
-        fail(words_.place(), "the face has a corner that is not like 1, 1/2, 1//3 or 1/2/3");
+        fail(words_.place(),
+             "the face has a corner that is not written like 1, 1/2, 1//3 or 1/2/3");
       const auto seen = static_cast<std::int64_t>(mesh_.vertices.size());
       if (*number == 0 || *number < -seen || *number > most) {
         fail_vertex(words_.place(), std::string(word.substr(0, word.find('/'))));

@@ -15,7 +15,7 @@ void print(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
     throw InputError(
         "standard output", {},
-        std::string("cannot be written: ") + std::strerror(errno) + "; send it to another place");
+        std::string("cannot be written: ") + std::strerror(errno) + "; redirect it elsewhere");
   }
 }
 

@@ -51,8 +51,7 @@ bool parse(CLI::App& app, int argc, char** argv) {
     print(text.str());
     return false;
   } catch (const CLI::ParseError& error) {
-    throw InputError(std::string(error.what()) + "; " + app.get_name() +
-                     " --help lists what there is");
+    throw InputError(std::string(error.what()) + "; see " + app.get_name() + " --help");
   }
   return true;
 }

@@ -219,7 +219,7 @@ class SceneReader {
     const JsonNode& file = need(node, "file", Kind::string, owner);
     if (file.text.empty()) fail(file, "file is empty; name a model in OBJ");
     if (file.text.find('\0') != std::string::npos) {
-      fail(file, "file has a zero byte, which no name of a file can have; take it out");
+      fail(file, "file contains a zero byte, which file names cannot; remove it");
     }
     std::optional<double> scale;
     if (const JsonNode* const text = find(node, "scale")) {

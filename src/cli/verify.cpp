@@ -208,8 +208,8 @@ std::vector<Difference> differences(const std::vector<Row>& rows, std::uint32_t 
 /// Why the judge found no wrong result.
 std::string explanation(const Difference& difference) {
   if (difference.has_other_questions) {
-    return "the questions themselves came out different: what makes them is plain integer "
-           "arithmetic, so suspect the compiler";
+    return "the queries themselves differ: they are generated with integer arithmetic alone, so "
+           "suspect the compiler";
   }
   return "no answer is wrong by exact arithmetic: what differs may be the last bit of a normal or "
          "of a rotation, or this program was built from other sources than its golden values; "
@@ -448,9 +448,9 @@ bool verify(const VerifyOptions& options) {
   if (verify::golden::results_version != results_version) {
     throw InputError("src/verify/golden.hpp", {},
                      "holds version " + std::to_string(verify::golden::results_version) +
-                         " of the results, and the library answers version " +
+                         " of the results, but the library has version " +
                          std::to_string(results_version) +
-                         "; write it anew with detent verify --golden");
+                         "; write a new one with detent verify --golden");
   }
   std::optional<OutputFile> file;
   if (!options.dump.empty()) file.emplace(options.dump);

@@ -133,7 +133,7 @@ class WorldBuilder {
     const auto value = degrees.value.to<Degrees>();
     if (!value) {
       fail_range(degrees.value, degrees.place, name,
-                 "degrees (" + range_of<Degrees>() + "); take whole turns of 360 off");
+                 "degrees (" + range_of<Degrees>() + "); subtract whole turns of 360");
     }
     return Angle<S>::from_raw(Angle<Degrees>::from_degrees(*value).raw());
   }
@@ -193,7 +193,7 @@ class WorldBuilder {
     const auto coordinate = [&](double relative, std::size_t i) {
       const double value = middle[i] + relative;
       if (!(value <= limit && value >= -limit)) {
-        fail(owner.place, "the mesh reaches out of the range of " + std::string(scalar_name<S>) +
+        fail(owner.place, "the mesh is partly out of the range of " + std::string(scalar_name<S>) +
                               " (" + range_of<S>() + "); scale or place it differently");
       }
       if constexpr (is_fixed<S>) {

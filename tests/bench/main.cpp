@@ -19,7 +19,7 @@ constexpr std::string_view usage =
 
   --csv FILE    writes every time, ratio and accuracy
   --plot FILE   writes speed against accuracy as SVG
-  --seed N      asks other questions; golden hit counts exist for the default only
+  --seed N      draws other inputs; golden hit counts exist for the default only
 
 Useful of Google Benchmark: --benchmark_filter=REGEX, --benchmark_repetitions=N
 )";
@@ -106,7 +106,7 @@ int run(int count, char** arguments) {
     }
     const auto value = [&] {
       if (i + 1 == count) {
-        std::fprintf(stderr, "%s wants a value\n", argument.c_str());
+        std::fprintf(stderr, "%s needs a value\n", argument.c_str());
         std::exit(2);
       }
       return std::string(arguments[++i]);

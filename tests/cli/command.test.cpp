@@ -385,7 +385,7 @@ TEST_CASE("detent: a zero byte in a name does not cut it") {
   shop.write("s.json",
              "{\"shapes\": [{\"type\": \"mesh\", \"file\": \"tent.obj\\u0000.png\"}],"
              " \"rays\": [{\"origin\": [0, 0, 0], \"direction\": [0, 0, 1]}]}");
-  CHECK(refuses(shop.run("cast s.json"), "s.json:1:38: file has a zero byte"));
+  CHECK(refuses(shop.run("cast s.json"), "s.json:1:38: file contains a zero byte"));
   shop.write("s.json", "{\"shapes\": [], \"sun\\u0000\": 1}");
   CHECK(refuses(shop.run("cast s.json"), "s.json:1:16: unknown key \"sun \" in the scene; "));
 }

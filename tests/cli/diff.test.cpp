@@ -233,8 +233,8 @@ TEST_CASE("diff: refuses sets of shapes that no scene has, and shapes that are n
     bytes[shapes] = static_cast<char>(set);
     bytes[shapes + 1] = static_cast<char>(set >> 8);
     INFO(set);
-    CHECK(
-        refusal(sealed(bytes), right).starts_with("a.snap: its parts are not those of a snapshot"));
+    CHECK(refusal(sealed(bytes), right)
+              .starts_with("a.snap: its contents are not those of a snapshot"));
   }
   CHECK(refusal(sealed(right), right).empty());
 }

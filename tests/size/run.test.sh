@@ -21,11 +21,11 @@ run 2 'usage: ./dev size TABLE'
 run 2 "^size: unknown table 'speed'" speed
 run 2 "^size: unknown option '--loud'" flash --loud
 run 2 "^size: unknown option '--loud'" compile --loud
-run 2 "^size: --loud wants a value, or is unknown" instructions --loud
+run 2 "^size: --loud needs a value, or is unknown" instructions --loud
 run 2 "^size: unknown option '--loud'" instructions --loud 7
-run 2 "^size: --seed wants a number, not 'x'" instructions --seed x
+run 2 "^size: --seed needs a number, not 'x'" instructions --seed x
 run 2 "^size: no core 'm1'; there are: m0 m3 m4f" instructions --core m1
-run 2 "^size: --optimise wants 0 to 3 or s" instructions --optimise fast
+run 2 "^size: --optimise needs 0 to 3 or s" instructions --optimise fast
 
 # An empty folder has no compilers.
 nowhere=$(mktemp -d)

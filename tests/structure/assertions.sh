@@ -26,7 +26,7 @@ run() {
   local status=0
   said=$(ulimit -c 0 && exec "$work/promise" 2>&1) || status=$?
   if [[ $status -ne $1 ]]; then
-    echo "with '${*:2}' a broken promise ends with status $status, not $1: $said"
+    echo "with '${*:2}' a failed assertion ends with status $status, not $1: $said"
     exit 1
   fi
 }
@@ -53,8 +53,8 @@ expect 1 -O2 -ffreestanding -DDETENT_ASSERTIONS=1
 
 run 1 -O1
 run 134 -O1 -DNDEBUG -DDETENT_ASSERTIONS=1
-if [[ $said != *rounding.hpp:*:\ detent:\ broken\ promise:* ]]; then
-  echo "a broken promise says only: $said"
+if [[ $said != *rounding.hpp:*:\ detent:\ assertion\ failed:* ]]; then
+  echo "a failed assertion prints only: $said"
   exit 1
 fi
 run 7 -O1 -DOWN_HANDLER

@@ -30,9 +30,9 @@
 namespace detent::detail {
 
 // Not assert(), which NDEBUG turns off.
-[[noreturn]] inline void report_broken_promise(const char* promise, const char* file,
-                                               int line) noexcept {
-  std::fprintf(stderr, "%s:%d: detent: broken promise: %s\n", file, line, promise);
+[[noreturn]] inline void report_failed_assertion(const char* promise, const char* file,
+                                                 int line) noexcept {
+  std::fprintf(stderr, "%s:%d: detent: assertion failed: %s\n", file, line, promise);
   std::abort();
 }
 
@@ -40,6 +40,6 @@ namespace detent::detail {
 
 #define DETENT_ASSERT(...)              \
   ((__VA_ARGS__) ? static_cast<void>(0) \
-                 : ::detent::detail::report_broken_promise(#__VA_ARGS__, __FILE__, __LINE__))
+                 : ::detent::detail::report_failed_assertion(#__VA_ARGS__, __FILE__, __LINE__))
 #endif
 #endif

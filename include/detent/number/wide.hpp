@@ -78,7 +78,7 @@ template <int Result, int A, int B>
 /// `Fixed` tracks the bits; this class only computes. Words run from low to high.
 template <int Words>
 class Wide {
-  static_assert(Words >= 2, "one word is std::int64_t");
+  static_assert(Words >= 2, "detent: one word is a std::int64_t");
 
  public:
   constexpr Wide() noexcept = default;

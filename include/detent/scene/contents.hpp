@@ -41,7 +41,7 @@ class SceneContents {
   static_assert((... && (shape_tag<Shapes> != 0)),
                 "detent: a scene holds shapes, named as templates: Scene<q16_16, 3, Sphere, Obb>; "
                 "hulls, meshes and height fields are HullInstance, MeshInstance and "
-                "FieldInstance; rays, segments and points are questions to it");
+                "FieldInstance; rays, segments and points are queries, not objects");
 
  public:
   static constexpr bool is_growing = requires { requires Storage::is_growing; };

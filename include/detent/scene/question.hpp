@@ -83,7 +83,7 @@ template <bool IsQuestion>
 [[nodiscard]] constexpr bool is_question() noexcept {
   static_assert(
       IsQuestion,
-      "detent: ask a scene with a ray, point, segment, sphere, box, capsule or frustum of "
+      "detent: query a scene with a ray, point, segment, sphere, box, capsule or frustum of "
       "its own scalar and dimension");
   return IsQuestion;
 }
