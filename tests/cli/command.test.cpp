@@ -268,10 +268,10 @@ TEST_CASE("detent demo: a model that cannot be shown is refused with file and li
   refused("# 1e400\nv 0 0 0\nv 1 0 0\nv 0 1e400 0\nf 1 2 3\n",
           "m.obj:4:5: vertex 3 is not finite; ");
   refused("v 0 0 0\nv 1 0 0\nv 0 x 0\nf 1 2 3\n",
-          "m.obj:3:5: vertex 3 has a coordinate that is no");
+          "m.obj:3:5: vertex 3 has a coordinate that is not a number");
   refused("v 0 0 0\n", "has no triangles; ");
   shop.write("m.obj", "v 0 0 0\nv 1e305 0 0\nv 0 1e305 0\nf 1 2 3\n");
-  CHECK(refuses(shop.run("render m.obj -o x.png --scale 1"), "m.obj: is too large "));
+  CHECK(refuses(shop.run("render m.obj -o x.png --scale 1"), "m.obj: is so large "));
   CHECK(refuses(shop.run("demo --out pictures --mesh no.obj"), "no.obj: no such file"));
   CHECK(refuses(shop.run("demo --out pictures --mesh pictures"), "pictures: is a directory"));
 }
@@ -572,8 +572,8 @@ TEST_CASE("detent: bad scenes are refused with file, line and column") {
   for (const char* const scalar : {"q16_16", "q14_16", "q24_8", "q8_8"}) {
     const std::string arguments = std::string("cast s.json --scalar ") + scalar;
     const std::string range =
-        " = 40000 is out of range for degrees (-32768 to 32767.9999847412109375); take whole "
-        "turns ";
+        " = 40000 is out of range for degrees (-32768 to 32767.9999847412109375); subtract "
+        "whole turns ";
     refused(turned("{\"axis\": [0, 0, 1], \"angle\": 40000}"), "s.json:2:42: angle" + range,
             arguments);
     refused(turned("{\"euler\": [0, 40000, 1]}"), "s.json:2:27: euler" + range, arguments);

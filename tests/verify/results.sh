@@ -28,7 +28,7 @@ done < <("$1" verify --results)
 version=$(sed -nE 's/.*results_version = ([0-9]+);.*/\1/p' include/detent/version.hpp)
 newest=$(awk '!/^#/ { print $1 }' "$table" | sort -n | tail -n 1)
 [[ $newest == "$version" ]] ||
-  complain "$table ends with version $newest, and the library answers version $version"
+  complain "$table ends with version $newest, but the library has version $version"
 grep -qE "\*RES\*.*results_version $version\b" CHANGELOG.md ||
   complain "CHANGELOG.md has no line with *RES* and \"results_version $version\""
 
