@@ -10,8 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "detent/number/filter/components.hpp"
 #include "detent/number/filter/long_quadratic.hpp"
-#include "detent/number/filter/root_ratio.hpp"
 #include "detent/number/unit.hpp"
 
 namespace detent::fuzz {
@@ -270,8 +270,8 @@ class RootRatio<T, fuzz::Traced<F>, Length> {
  public:
   RootRatio(const fuzz::Traced<F>& d, const Length& length) noexcept
       : root_(root(d)), length_(length) {}
-  [[nodiscard]] std::optional<T> nearest(const T& x, const T& y) const noexcept {
-    return (x - root_ * y) / length_;
+  [[nodiscard]] Decided<T> decide_nearest(const T& x, const T& y) const noexcept {
+    return {(x - root_ * y) / length_, true};
   }
 
  private:

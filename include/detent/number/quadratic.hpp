@@ -4,7 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "detent/number/filter/near_one.hpp"
+#include "detent/number/filter/leading.hpp"
+#include "detent/number/filter/unit_length.hpp"
 
 namespace detent {
 
@@ -32,24 +33,18 @@ class Quadratic {
   /// The lesser root rounded down, or nothing when the exact root is greater than `limit`. Requires
   /// b < 0 < c, so that both roots are positive, and -b within the range of b.
   ///
-  /// Filter: with s the leading bits of sqrt(D), (-b - s) / a exceeds the root by a known amount.
-  /// Mostly that is less than the remainder of rounding down to the grid of T. Then the root rounds
-  /// down to the same number.
-  ///
-  /// Otherwise let s = floor(sqrt(D)) on the grid of b. The quotient exceeds the root by less than
-  /// one step of T, so it rounds down to the same number or to one more. It stays below the other
-  /// root, (-b + sqrt(D)) / a, and between the roots the polynomial is negative: its sign decides.
+  /// The leading bits of sqrt(D) decide, or else all of it and the sign of the polynomial
+  /// (docs/filters.md, lemma 3).
   template <Scalar T>
   [[nodiscard]] constexpr std::optional<T> first_root(const T& limit) const noexcept {
     if constexpr (is_fixed<T>) {
 #if DETENT_SMALL_CODE
       return first_root_by_digits<T>(limit);
 #else
-      const auto [root, unknown_bits] = sqrt_rough<B>(discriminant());
-      auto [t, is_close] = divide_near_one<T>(first_numerator(root), a_, unknown_bits);
-      if (is_close) [[unlikely]] {
-        t = close_root<T>();
-      }
+      const auto root = sqrt_leading<B>(discriminant());
+      const Approximate numerator{first_numerator(root.value), root.error};
+      const T t =
+          or_exact(decide_quotient_floor<T>(numerator, a_), [&] { return exact_first_root<T>(); });
       if (t >= limit && !(t == limit && sign_at(t) == 0)) return std::nullopt;
       return t;
 #endif
@@ -117,7 +112,7 @@ class Quadratic {
   }
 
   template <Scalar T>
-  [[nodiscard]] constexpr T close_root() const noexcept {
+  [[nodiscard]] constexpr T exact_first_root() const noexcept {
     const T t = quotient_floor<T>(first_numerator(root()), a_);
     return sign_at(t) < 0 ? previous(t) : t;
   }

@@ -82,22 +82,6 @@ constexpr std::uint64_t at_most_root(std::uint64_t root, std::uint64_t n) noexce
   return static_cast<std::uint32_t>(detail::at_most_root(root, n));
 }
 
-/// A number in [root, root + 2^unknown_bits).
-struct RoughRoot {
-  std::uint64_t root;
-  int unknown_bits;
-};
-
-/// The leading 32 bits of sqrt(high * 2^64 + low), or the whole root if high is 0.
-[[nodiscard]] constexpr RoughRoot square_root_rough(std::uint64_t high,
-                                                    std::uint64_t low) noexcept {
-  if (high == 0) return {square_root_floor(low), 0};
-  const int shift = std::countl_zero(high) & ~1;
-  if (shift != 0) high = (high << shift) | (low >> (64 - shift));
-  const int unknown_bits = 32 - shift / 2;
-  return {detail::at_most_root(detail::root_or_next(high), high) << unknown_bits, unknown_bits};
-}
-
 /// floor(sqrt(high * 2^64 + low)), exactly.
 ///
 /// source: Zimmermann, Karatsuba Square Root, INRIA RR-3805 (1999), one step: the remainder of the

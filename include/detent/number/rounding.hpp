@@ -334,27 +334,6 @@ template <class T, int B, int F>
   }
 }
 
-/// A square root in [root, root + 2^unknown_bits) steps of T.
-template <class T>
-struct RoughSqrt {
-  T root;
-  int unknown_bits;
-};
-
-/// The leading bits of the square root of x >= 0, which must fit `T`: at least 31 bits, or all of a
-/// shorter root.
-template <class T, int B, int F>
-[[nodiscard]] constexpr RoughSqrt<T> sqrt_rough(const Fixed<B, F>& x) noexcept {
-  static_assert(F == 2 * T::frac);
-  if constexpr (B <= 63) {
-    return {sqrt_floor<T>(x), 0};
-  } else {
-    const Wide<2> n(integer_cast<Int128>(x.raw()));
-    const auto [root, unknown_bits] = square_root_rough(n.word(1), n.word(0));
-    return {T::assume_raw(static_cast<typename T::raw_type>(root)), unknown_bits};
-  }
-}
-
 /// The square root of `x`, rounded up to the grid of `T` and clamped; 0 for a negative `x`.
 template <class T, int B, int F>
 [[nodiscard]] constexpr T sqrt_ceil(const Fixed<B, F>& x) noexcept {

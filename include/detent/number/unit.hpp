@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 
-#include "detent/number/rounding.hpp"
+#include "detent/number/filter/components.hpp"
 
 namespace detent {
 
@@ -56,72 +54,31 @@ template <int Bits, int Frac, class Magnitude, std::size_t N>
          wrapping_multiply<Exact>(wrapping_multiply<Exact>(odd, odd), squared);
 }
 
-template <class Magnitude, int B, int F, std::size_t N>
-[[nodiscard]] constexpr std::array<Magnitude, N> magnitudes(
-    const std::array<Fixed<B, F>, N>& v) noexcept {
-  std::array<Magnitude, N> result;
-  for (std::size_t i = 0; i < N; ++i) {
-    const auto raw = integer_cast<Magnitude>(v[i].raw());
-    result[i] = is_negative(raw) ? wrapping_subtract<Magnitude>(Magnitude(0), raw) : raw;
-  }
-  return result;
-}
-
-/// 2^62 m[i] / |m|, off by less than 2^18 + 2^9; 0 where m is 0.
-///
-/// Every m[i] is scaled by the same power of two, the longest to 62 bits. Then the high words of
-/// the squares lack less than 2^-54 of the whole, and scaling down drops less than 2^-59 of the
-/// length. The rest is the error of `reciprocal_root`.
-template <class Magnitude, std::size_t N>
-[[nodiscard]] constexpr std::array<std::uint64_t, N> rough_shares(
-    const std::array<Magnitude, N>& m) noexcept {
-  Magnitude longest(0);
-  for (const auto& c : m) longest = (std::max)(longest, c);
-  const int scale = 62 - positive_bit_length(longest);
-  std::array<std::uint64_t, N> shares;
-  std::uint64_t squared = 1;  // at least 2^58 unless m is 0
-  for (std::size_t i = 0; i < N; ++i) {
-    shares[i] = integer_cast<std::uint64_t>(scale >= 0 ? shift_left(m[i], scale)
-                                                       : shift_right_floor(m[i], -scale));
-    squared += multiply_words(shares[i], shares[i]).high;
-  }
-  const int shift = std::countl_zero(squared) & ~1;
-  const std::uint64_t reciprocal = reciprocal_root(squared << shift);
-  for (auto& share : shares) share = multiply_words(share, reciprocal).high << (shift / 2);
-  return shares;
-}
-
 }  // namespace detail
 
 /// The unit vector along `v`, or nothing for the zero vector.
 ///
 /// exact:  each component is the exact one rounded to nearest    (tests/math/direction.test.cpp)
 ///
-/// Filter: a component is a share of `rough_shares`. It is compared exactly only where its fraction
-/// is so close to one half that the error could change the rounding.
+/// A component is compared exactly only where its share is so close to a midpoint that the error
+/// could change the rounding.
 template <class Component, int B, int F, std::size_t N>
 [[nodiscard]] constexpr std::optional<std::array<Component, N>> unit_vector(
     const std::array<Fixed<B, F>, N>& v) noexcept {
   using Magnitude = IntegerFor<(std::max)(detail::result_bits(B), 62)>;
   const auto magnitude = detail::magnitudes<Magnitude>(v);
   if (magnitude == std::array<Magnitude, N>{}) return std::nullopt;
-  const auto shares = detail::rough_shares(magnitude);
-
-  constexpr int guard = 62 - Component::frac;
-  static_assert(guard >= 21, "detent: the margin has to be less than half a step");
-  constexpr std::uint64_t half = std::uint64_t{1} << (guard - 1);
-  constexpr std::uint64_t margin = std::uint64_t{1} << 19;
+  const auto shares = detail::shares(magnitude);
+  static_assert(detail::Share::frac - Component::frac >= 21, "detent: less than half a step");
   std::array<Component, N> unit;
   for (std::size_t i = 0; i < N; ++i) {
-    std::uint64_t rounded = (shares[i] + half) >> guard;
-    const std::uint64_t next = (shares[i] + half + margin) >> guard;
-    if (next != (shares[i] + half - margin) >> guard) [[unlikely]] {
-      const bool is_above = detail::is_above_half<B, Component::frac>(magnitude, i, next - 1);
-      rounded = is_above ? next : next - 1;
-    }
-    const auto value = static_cast<std::int64_t>(rounded);
-    unit[i] = Component::assume_raw(
-        static_cast<typename Component::raw_type>(is_negative(v[i].raw()) ? -value : value));
+    const auto nearest = decide_nearest<Component>(Approximate{shares.value[i], shares.error});
+    const auto share = or_exact(nearest, [&](const Component& upper) {
+      const auto below = static_cast<std::uint64_t>(upper.raw()) - 1;
+      const bool is_above = detail::is_above_half<B, Component::frac>(magnitude, i, below);
+      return nearest_at_midpoint(upper, is_above ? 1 : -1);
+    });
+    unit[i] = is_negative(v[i].raw()) ? narrow_negative(share) : share;
   }
   return unit;
 }

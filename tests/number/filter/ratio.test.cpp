@@ -19,6 +19,30 @@ void check_product(const S& base, const T& x, const R& ratio) {
   CHECK(big_raw(add_product(base, x, ratio)) == clamped<S>(nearest_of(on_grid<S>(exact))));
 }
 
+/// The least `square` with square - over^2 / under >= root^2 for a random root, or a number close to it; and the
+/// other side.
+struct Triangle {
+  BigInteger square, side;
+};
+Triangle draw(Random& random, const BigInteger& over, const BigInteger& under) {
+  const BigInteger root = std::abs(random.wide(30));
+  BigInteger square = (root * root * under + over * over + under - 1) / under;
+  square +=
+      random.coin() ? random.between(-1, 1) : random.wide(static_cast<int>(random.between(1, 30)));
+  const BigInteger least = (over * over + under - 1) / under;
+  if (square < least) square = least;
+  return {square, sqrt(BigInteger((square * under - over * over) / under))};
+}
+
+template <class Square, class R>
+void check_side(const Triangle& triangle, const R& ratio, int& unsure) {
+  if (triangle.square > big_raw(Square::max())) return;
+  const auto square = fixed_from<Square>(triangle.square);
+  const auto side = decide_side_floor<q16_16>(square, ratio);
+  if (side.is_sure) CHECK(big_raw(side.value) == clamped<q16_16>(triangle.side));
+  unsure += side.is_sure ? 0 : 1;
+}
+
 }  // namespace
 
 TEST_CASE("ratio: a reciprocal is not too large, and within 2^-58") {
@@ -76,7 +100,7 @@ TEST_CASE("ratio: a product with one below 1 is rounded once, in any width") {
       if (x.raw() != std::int64_t{end.raw()} - start.raw()) continue;
       check_product(start, x, ratio);
       const BigRational error =
-          rational(rough_product(x, ratio)) - rational(x) * BigRational(over, under);
+          rational(approximate_product(x, ratio).value) - rational(x) * BigRational(over, under);
       CHECK(abs(on_grid<q16_16>(error)) < BigRational(1, power_of_two(22)));
     }
   };
@@ -94,13 +118,46 @@ TEST_CASE("ratio: a product with one over nearly 1 needs no division") {
     const std::int64_t excess = random.one_in(8) ? 0 : random.edgy(32);
     check_product(
         base, x,
-        make_ratio_near_one(over, Fixed<61, 60>::from_raw((std::int64_t{1} << 60) + excess)));
+        make_ratio_to_unit(over, Fixed<61, 60>::from_raw((std::int64_t{1} << 60) + excess)));
     const auto small_base = q8_8::from_raw(static_cast<std::int16_t>(random.edgy(15)));
     const auto small_x = Fixed<15, 14>::from_raw(static_cast<std::int16_t>(random.edgy(14)));
     const auto small_over = Fixed<31, 22>::from_raw(static_cast<std::int32_t>(random.edgy(30)));
     const auto small_excess = static_cast<std::int32_t>(random.edgy(16));
     check_product(
         small_base, small_x,
-        make_ratio_near_one(small_over, Fixed<29, 28>::from_raw((1 << 28) + small_excess)));
+        make_ratio_to_unit(small_over, Fixed<29, 28>::from_raw((1 << 28) + small_excess)));
   }
+}
+
+TEST_CASE("decide_side_floor: both widths round down the exact root, or are unsure") {
+  using Narrow = Fixed<62, 32>;
+  using Full = Fixed<66, 32>;
+  Random random(20260721);
+  INFO(random);
+  int unsure = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const std::int64_t under = std::abs(random.wide(static_cast<int>(random.between(2, 60)))) + 2;
+    const std::int64_t over = random.between(1, under - 1);
+    const auto triangle = draw(random, over, under);
+    const auto a = Narrow::from_raw(over), b = Narrow::from_raw(under);
+    check_side<Narrow>(triangle, make_ratio_below_one(a, b), unsure);
+    check_side<Full>(triangle, make_ratio_below_one(Full(a), Full(b)), unsure);
+  }
+  CHECK(unsure > 100);
+  CHECK(unsure < 37'000);  // of 40,000
+}
+
+TEST_CASE("decide_side_floor: along a direction, too") {
+  Random random(20260722);
+  INFO(random);
+  int unsure = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const std::int64_t under = (std::int64_t{1} << 60) + random.edgy(32);
+    const std::int64_t over = std::abs(random.wide(62));
+    check_side<Fixed<66, 32>>(
+        draw(random, over, under),
+        make_ratio_to_unit(Fixed<63, 46>::from_raw(over), Fixed<61, 60>::from_raw(under)), unsure);
+  }
+  CHECK(unsure > 100);
+  CHECK(unsure < 19'000);
 }

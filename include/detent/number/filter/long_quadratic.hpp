@@ -5,7 +5,7 @@
 #include <concepts>
 #include <optional>
 
-#include "detent/number/filter/rough.hpp"
+#include "detent/number/filter/leading.hpp"
 
 namespace detent {
 
@@ -42,37 +42,38 @@ template <std::floating_point T>
 /// The roots of a t^2 + 2 b t + c = 0 with a > 0, for numbers too wide for `Quadratic`. The caller
 /// has its own formula for b^2 - a c >= 0, as a product d e.
 ///
-/// Filter: the leading bits of a root are used wherever they decide how it is rounded.
+/// The leading bits of a root decide how it is rounded, or else the sign of the polynomial does
+/// (docs/filters.md, lemma 4).
 template <Number A, Number B, Number C, Number D, Number E>
 class LongQuadratic {
  public:
   constexpr LongQuadratic(const A& a, const B& b, const C& c, const D& d, const E& e) noexcept
       : a_(a), b_(b), c_(c), d_(d), e_(e) {
-    if constexpr (is_fixed<D>) root_ = sqrt(Rough(d) * Rough(e));
+    if constexpr (is_fixed<D>) root_ = sqrt(Leading(d) * Leading(e));
   }
 
+  /// The error of the next two, which have a square root in them.
+  static constexpr Relative error{42};
+
   /// The leading bits of the root that `first_root` rounds.
-  [[nodiscard]] constexpr Rough rough_first() const noexcept {
-    return Rough(c_) / (Rough(-b_) + root_);
+  [[nodiscard]] constexpr Leading leading_first() const noexcept {
+    return Leading(c_) / (Leading(-b_) + root_);
   }
   /// The leading bits of the root that `last_root` rounds.
-  [[nodiscard]] constexpr Rough rough_last() const noexcept {
-    if (b_ <= 0) return (Rough(-b_) + root_) / Rough(a_);
-    return Rough(-c_) / (Rough(b_) + root_);
+  [[nodiscard]] constexpr Leading leading_last() const noexcept {
+    if (b_ <= 0) return (Leading(-b_) + root_) / Leading(a_);
+    return Leading(-c_) / (Leading(b_) + root_);
   }
 
   /// The lesser root rounded down, or nothing when the exact root is greater than `limit`. Requires
   /// b < 0 < c, so that both roots are positive.
-  ///
-  /// The root is c / (-b + sqrt(d e)). The denominator is a sum of positive numbers, and its square
-  /// root is too small by a relative error below 2^-61. T has at most 31 bits, so the quotient
-  /// exceeds the exact one by less than a step of T and rounds down to the same number or the next.
-  /// The sign of the polynomial decides which.
   template <Scalar T>
   [[nodiscard]] constexpr std::optional<T> first_root(const T& limit) const noexcept {
     if constexpr (is_fixed<T>) {
-      if (const auto root = floor_of<T>(rough_first())) {
-        return *root < limit ? root : std::nullopt;
+      if (const auto [root, is_sure] = decide_floor<T>(Approximate{leading_first(), error});
+          is_sure) {
+        if (root >= limit) return std::nullopt;
+        return root;
       }
     }
     if (sign_at(limit) > 0 && slope_at(limit) < 0) return std::nullopt;
@@ -87,12 +88,13 @@ class LongQuadratic {
 
   /// The greater root rounded down, or `limit` when the root is greater. The root must not be
   /// negative.
-  ///
-  /// Again no sum cancels, and the quotient is off by at most one step.
   template <Scalar T>
   [[nodiscard]] constexpr T last_root(const T& limit) const noexcept {
     if constexpr (is_fixed<T>) {
-      if (const auto root = floor_of<T>(rough_last())) return (std::min)(*root, limit);
+      if (const auto [root, is_sure] = decide_floor<T>(Approximate{leading_last(), error});
+          is_sure) {
+        return (std::min)(root, limit);
+      }
     }
     if (!is_beyond(limit)) return limit;
     const auto [root, scale] = leading_root(d_ * e_);
@@ -143,7 +145,7 @@ class LongQuadratic {
   C c_;
   D d_;
   E e_;
-  Rough root_;  // sqrt(d e)
+  Leading root_;  // sqrt(d e)
 };
 
 }  // namespace detent

@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "detent/number/filter/leading.hpp"
-#include "detent/number/rounding.hpp"
 
 namespace detent {
 
@@ -20,13 +19,13 @@ struct Ratio {
   int shift = 0;
 };
 
-/// A ratio of known magnitude, with a fixed binary point: factor * 2^-Shift is over / under within
-/// 2^Unknown steps.
-template <Number Over, Number Under, int Shift, int Unknown>
-struct FixedRatio {
+/// A ratio of known magnitude, with the approximate quotient of the raw numbers. For `float` and
+/// `double`, the two numbers.
+template <Number Over, Number Under, int Frac, class Error>
+struct BoundedRatio {
   Over over;
   Under under;
-  std::int64_t factor = 0;
+  Approximate<Fixed<63, Frac>, Error> quotient{};
 };
 
 /// over / under for under > 0.
@@ -54,7 +53,7 @@ template <Number Over, Number Under>
 /// over / under for 0 < over < under. base + x * ratio lies between base and base + x, so both must
 /// be in range.
 template <Number Over, Number Under>
-[[nodiscard]] constexpr FixedRatio<Over, Under, 63, 7> make_ratio_below_one(
+[[nodiscard]] constexpr BoundedRatio<Over, Under, 63, Steps<128>> make_ratio_below_one(
     const Over& over, const Under& under) noexcept {
   if constexpr (!is_fixed<Over>) {
     return {over, under};
@@ -65,8 +64,9 @@ template <Number Over, Number Under>
       return detail::leading_word(integer_cast<Positive>(x.raw()), length);
     };
     // The reciprocal is never too large, so this stays below 2^63.
-    const auto factor = 2 * multiply_words(leading(over), detail::reciprocal(leading(under))).high;
-    return {over, under, static_cast<std::int64_t>(factor)};
+    const auto quotient =
+        2 * multiply_words(leading(over), detail::reciprocal(leading(under))).high;
+    return {over, under, {Fixed<63, 63>::assume_raw(static_cast<std::int64_t>(quotient)), {}}};
   }
 }
 
@@ -76,9 +76,9 @@ template <Number Over, Number Under>
 /// 1 / (1 + e) = 1 - e + ...: the rest of the series is e^2 < 2^-56 (2^-24), and |over| < 2^63
 /// (2^31).
 template <Number Over, Number Under>
-[[nodiscard]] constexpr auto make_ratio_near_one(const Over& over, const Under& under) noexcept {
+[[nodiscard]] constexpr auto make_ratio_to_unit(const Over& over, const Under& under) noexcept {
   if constexpr (!is_fixed<Over>) {
-    return FixedRatio<Over, Under, 0, 0>{over, under};
+    return BoundedRatio<Over, Under, 0, Steps<0>>{over, under};
   } else {
     constexpr int frac = Under::frac;
     static_assert(Over::bits <= frac + 3);
@@ -87,7 +87,8 @@ template <Number Over, Number Under>
     DETENT_ASSERT(detail::is_within<frac / 2 + 2>(excess));
     const auto correction = integer_cast<std::int64_t>(
         shift_right_floor(wrapping_multiply<Product>(over.raw(), excess), frac));
-    return FixedRatio<Over, Under, frac, 8>{over, under, over.raw() - correction};
+    return BoundedRatio<Over, Under, frac, Steps<256>>{
+        over, under, {Fixed<63, frac>::assume_raw(over.raw() - correction), {}}};
   }
 }
 
@@ -129,41 +130,69 @@ template <Scalar S, Number T, Number Over, Number Under>
   }
 }
 
-template <Scalar S, Number T, Number Over, Number Under, int Shift, int Unknown>
+template <Scalar S, Number T, Number Over, Number Under, int Frac, class Error>
 [[nodiscard]] constexpr S add_product(
-    const S& base, const T& x, const FixedRatio<Over, Under, Shift, Unknown>& ratio) noexcept {
+    const S& base, const T& x, const BoundedRatio<Over, Under, Frac, Error>& ratio) noexcept {
   if constexpr (!is_fixed<S>) {
     return (base * ratio.under + x * ratio.over) / ratio.under;
   } else {
     static_assert(T::frac + Over::frac - Under::frac == S::frac);
-    static_assert(T::bits + 64 - Shift < 63);
+    static_assert(T::bits + 64 - Frac < 63);
     // The product's whole part is in the high word, its fraction in the low one.
-    const std::int64_t scaled = std::int64_t{x.raw()} * (std::int64_t{1} << (64 - Shift));
-    const Wide<2> product(wrapping_multiply<Int128>(scaled, ratio.factor));
+    const auto [value, error] = ratio.quotient;
+    const std::int64_t scaled = std::int64_t{x.raw()} * (std::int64_t{1} << (64 - Frac));
+    const Wide<2> product(wrapping_multiply<Int128>(scaled, value.raw()));
     constexpr std::uint64_t half = std::uint64_t{1} << 63;
-    constexpr std::uint64_t margin = std::uint64_t{1} << (T::bits + 64 - Shift + Unknown);
+    const auto margin = static_cast<std::uint64_t>(error.raw()) << (T::bits + 64 - Frac);
     const auto whole = static_cast<std::int64_t>(product.word(1));
     const std::uint64_t fraction = product.word(0);
-    if (fraction - (half - margin) <= 2 * margin) {
-      return detail::add_quotient(base, x, ratio.over, ratio.under, whole);
-    }
     const std::int64_t nearest = base.raw() + whole + (fraction > half ? 1 : 0);
-    if constexpr (Shift == 63) {
-      return S::assume_raw(static_cast<typename S::raw_type>(nearest));
+    const bool is_sure = fraction - (half - margin) > 2 * margin;
+    const auto exact = [&] {
+      return detail::add_quotient(base, x, ratio.over, ratio.under, whole);
+    };
+    if constexpr (Frac == 63) {
+      return or_exact(
+          Decided<S>{S::assume_raw(static_cast<typename S::raw_type>(nearest)), is_sure}, exact);
     } else {
-      return detail::clamp_raw<S>(nearest);
+      return or_exact(Decided<S>{detail::clamp_raw<S>(nearest), is_sure}, exact);
     }
   }
 }
 
-/// x * ratio with 30 more fractional bits than x, off by less than 2^-22 steps of x.
+/// x * ratio with 30 more fractional bits than x.
 template <int B, int F, Number Over, Number Under>
-[[nodiscard]] constexpr Fixed<B + 30, F + 30> rough_product(
-    const Fixed<B, F>& x, const FixedRatio<Over, Under, 63, 7>& ratio) noexcept {
-  static_assert(B <= 32);  // 2^7 steps of 2^-63 in the ratio
-  const auto product = wrapping_multiply<Int128>(x.raw(), ratio.factor);
-  return Fixed<B + 30, F + 30>::assume_raw(
-      integer_cast<typename Fixed<B + 30, F + 30>::raw_type>(shift_right_floor(product, 33)));
+[[nodiscard]] constexpr auto approximate_product(
+    const Fixed<B, F>& x, const BoundedRatio<Over, Under, 63, Steps<128>>& ratio) noexcept {
+  static_assert(B <= 32);  // 2^32 times 2^7 steps of 2^-63, and one for the floor
+  using Product = Fixed<B + 30, F + 30>;
+  using Raw = typename Product::raw_type;
+  const auto product = wrapping_multiply<Int128>(x.raw(), ratio.quotient.value.raw());
+  return Approximate{Product::assume_raw(integer_cast<Raw>(shift_right_floor(product, 33))),
+                     Steps<256>()};
+}
+
+/// sqrt(square - over^2 / under) >= 0 rounded down to the grid of `T` and clamped: a side of a
+/// right triangle, given the ratio over / under.
+///
+/// Only the ratio has an error. Its product is off by less than half of `margin`, so the filter is
+/// unsure where that might cross another square.
+template <Number T, Number Square, Number Over, Number Under, int Frac, class Error>
+[[nodiscard]] constexpr Decided<T> decide_side_floor(
+    const Square& square, const BoundedRatio<Over, Under, Frac, Error>& ratio) noexcept {
+  static_assert(Square::frac == 2 * T::frac && 2 * Over::frac - Under::frac == Square::frac);
+  if (shift_right_floor(square.raw(), 62) != typename Square::raw_type(0)) return {T(), false};
+  const auto [value, error] = ratio.quotient;
+  constexpr int up = (std::max)(Over::bits - Frac, 0), down = (std::max)(Frac - Over::bits, 0);
+  const auto margin = 2 * (std::max)(shift_right_floor(error.raw() << up, down), std::int64_t{1});
+  const auto product = wrapping_multiply<Int128>(ratio.over.raw(), value.raw());
+  const auto rest = integer_cast<std::int64_t>(square.raw()) -
+                    integer_cast<std::int64_t>(shift_right_floor(product, Frac));
+  const std::int64_t root =
+      square_root_floor(static_cast<std::uint64_t>(std::max<std::int64_t>(rest, 0)));
+  const std::int64_t beyond = rest - root * root;
+  return {detail::clamp_root<T>(static_cast<std::uint64_t>(root)),
+          margin <= beyond && beyond <= 2 * root - margin};
 }
 
 }  // namespace detent

@@ -70,23 +70,27 @@ template <Scalar S, int N, Number T, Number Along, Number Whole>
     return make_vec<N>(
         [&](int i) { return side(i).over / whole + radius * unit[static_cast<std::size_t>(i)]; });
   } else {
-    // Off by less than 2^-21 steps of S, as is the distance from the axis. That distance is below
-    // 2^33 steps and at least the radius, so its square is off by less than 2^13 steps^2, and no
-    // component of a step outward is off by more than the distance.
+    // The distance from the axis is off by less than 2^-21 steps of S. It is below 2^33 steps and at
+    // least the radius, so its square is off by less than 2^13 steps^2, and no component of a step
+    // outward is off by more than the distance. So no coordinate is off by 2^-12 steps.
     const auto ratio = make_ratio_below_one(along, whole);
-    const auto to_axis = make_vec<N>([&](int i) { return rough_product(axis[i], ratio); });
+    const auto to_axis =
+        make_vec<N>([&](int i) { return approximate_product(axis[i], ratio).value; });
     const auto outward =
         make_vec<N>([&](int i) { return narrow_difference<63>(from_a[i], to_axis[i]); });
-    constexpr auto margin = Fixed<14, 2 * S::frac>::from_raw(1 << 13);
-    const auto excess = narrow_difference<126>(narrow_dot<126>(outward, outward), square(radius));
-    const bool is_close = -margin <= excess && excess <= margin;
-    if (is_close ? holds(capsule, point) : excess < 0) return point;
-    const auto steps = rough_along(radius, to_array(outward));
+    constexpr auto squared_error = Fixed<14, 2 * S::frac>::from_raw(1 << 13);
+    const Approximate excess{
+        narrow_difference<126>(narrow_dot<126>(outward, outward), square(radius)), squared_error};
+    if (!or_exact(decide(excess), [&] { return !holds(capsule, point); })) return point;
+    const auto steps = step_along(radius, to_array(outward));
+    constexpr Steps<1 << 18> error;
     return make_vec<N>([&](int i) {
-      const auto sum =
-          narrow_sum<62>(narrow_sum<62>(a[i], to_axis[i]), steps[static_cast<std::size_t>(i)]);
-      return nearest_by<S>(sum,
-                           [&](const auto& middle) { return side(i).sign_of_difference(middle); });
+      const auto sum = narrow_sum<62>(narrow_sum<62>(a[i], to_axis[i]),
+                                      steps.value[static_cast<std::size_t>(i)]);
+      const auto nearest = decide_nearest<S>(Approximate{sum, error});
+      return or_exact(nearest, [&](const S& upper) {
+        return nearest_at_midpoint(upper, side(i).sign_of_difference(midpoint_below(upper)));
+      });
     });
   }
 }

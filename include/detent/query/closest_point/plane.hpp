@@ -19,7 +19,7 @@ template <Scalar S, int N>
                                                 const Vec<S, N>& point) noexcept {
   const auto depth = narrow_negative(detail::height_above(plane, point));
   return detail::point_on_line(point, plane.normal.vec(),
-                               make_ratio_near_one(depth, squared_length(plane.normal)));
+                               make_ratio_to_unit(depth, squared_length(plane.normal)));
 }
 
 }  // namespace detent

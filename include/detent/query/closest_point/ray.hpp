@@ -22,7 +22,7 @@ template <Scalar S, int N>
   const auto whole = squared_length(ray.direction);
   if (along <= 0) return ray.origin;
   if (along >= ray.max_distance * whole) return point_at(ray, ray.max_distance);
-  return detail::point_on_line(ray.origin, ray.direction.vec(), make_ratio_near_one(along, whole));
+  return detail::point_on_line(ray.origin, ray.direction.vec(), make_ratio_to_unit(along, whole));
 }
 
 }  // namespace detent

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/number/filter/along.hpp"
-#include "detent/number/filter/near_half.hpp"
+#include "detent/number/filter/components.hpp"
 #include "detent/shape/sphere.hpp"
 
 namespace detent {
@@ -43,16 +42,20 @@ template <Scalar S, int N>
       return from_center[i] < 0 ? center[i] - step : center[i] + step;
     });
   } else {
-    const auto steps = rough_along(radius, to_array(from_center));
+    const auto steps = step_along(radius, to_array(from_center));
     return make_vec<N>([&](int i) {
       // Between center and point, except for the error of a step, which may take it past the lowest
       // or the greatest number.
-      const auto sum =
-          narrow_sum<bits_of<finer<S, 30>> + 1>(center[i], steps[static_cast<std::size_t>(i)]);
+      const auto sum = narrow_sum<bits_of<finer<S, 30>> + 1>(
+          center[i], steps.value[static_cast<std::size_t>(i)]);
+      const auto nearest = decide_nearest<S>(Approximate{sum, steps.error});
       // The sign of radius d / |d| - (x - center). If both terms have one sign, it is the sign of
       // the difference of their squares.
-      return nearest_by<S>(sum, [&](const auto& middle) {
-        return detail::compare_with_quotient(radius * from_center[i], squared, middle - center[i]);
+      return or_exact(nearest, [&](const S& upper) {
+        const auto middle = midpoint_below(upper);
+        return nearest_at_midpoint(
+            upper,
+            detail::compare_with_quotient(radius * from_center[i], squared, middle - center[i]));
       });
     });
   }

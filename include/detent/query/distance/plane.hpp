@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/number/filter/near_one.hpp"
+#include "detent/number/filter/unit_length.hpp"
 #include "detent/query/kernel/point_plane.hpp"
 
 namespace detent {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/number/filter/leg.hpp"
+#include "detent/number/filter/ratio.hpp"
 #include "detent/query/kernel/point_ray.hpp"
 
 namespace detent {
@@ -32,8 +32,9 @@ template <Scalar S, int N>
     const auto along = dot(from_origin, ray.direction);
     const auto whole = squared_length(ray.direction);
     if (along > 0 && along < ray.max_distance * whole) {
-      return leg_floor<S>(squared_length(from_origin), make_ratio_near_one(along, whole),
-                          [&] { return squared_distance(ray, point); });
+      const auto side =
+          decide_side_floor<S>(squared_length(from_origin), make_ratio_to_unit(along, whole));
+      return or_exact(side, [&] { return sqrt_floor<S>(squared_distance(ray, point)); });
     }
   }
   return sqrt_floor<S>(squared_distance(ray, point));

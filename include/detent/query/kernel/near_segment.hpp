@@ -2,7 +2,7 @@
 #pragma once
 
 #include "detent/math/width.hpp"
-#include "detent/number/filter/products.hpp"
+#include "detent/number/filter/leading.hpp"
 #include "detent/query/kernel/point_segment.hpp"
 #include "detent/query/kernel/segment_segment.hpp"
 #include "detent/shape/capsule.hpp"

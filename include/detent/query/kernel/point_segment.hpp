@@ -6,7 +6,8 @@
 
 #include "detent/math/components.hpp"
 #include "detent/math/width.hpp"
-#include "detent/number/filter/leg.hpp"
+#include "detent/number/filter/ratio.hpp"
+#include "detent/number/fraction.hpp"
 #include "detent/shape/segment.hpp"
 
 namespace detent::detail {
@@ -63,8 +64,9 @@ template <Number Distance, Number T, int N>
     const auto whole = squared_length(e);
     if (along <= 0) return sqrt_floor<Distance>(squared_length(w));
     if (along >= whole) return sqrt_floor<Distance>(squared_length(w - e));
-    return leg_floor<Distance>(squared_length(w), make_ratio_below_one(along, whole),
-                               [&] { return squared_distance_from_edge(e, w); });
+    const auto side =
+        decide_side_floor<Distance>(squared_length(w), make_ratio_below_one(along, whole));
+    return or_exact(side, [&] { return sqrt_floor<Distance>(squared_distance_from_edge(e, w)); });
   }
 }
 

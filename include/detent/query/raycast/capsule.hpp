@@ -65,8 +65,7 @@ class RayCapsule {
   [[nodiscard]] constexpr CapsulePart left() const noexcept {
     if (a_ == 0) return CapsulePart::last_end;
     if constexpr (is_fixed<S>) {
-      const auto part = part_at(side().rough_last());
-      if (part != CapsulePart::none) return part;
+      if (const auto part = part_at(side().leading_last()); part.is_sure) return part.value;
     }
     const auto first = plane_through(m_);
     if (first.after_closest > 0 && first.outside > 0) return CapsulePart::first_end;
@@ -105,13 +104,13 @@ class RayCapsule {
     using Component = direction_component<S>;
     const auto back = make_vec<N>([&](int i) { return ee_ * d_[i] - de_ * e_[i]; });
     if constexpr (is_fixed<S>) {
-      const auto area = Rough(a_) * Rough(radius_), across = Rough(ee_);
-      const auto beside = Rough(abs(det_)) / area;
-      const auto behind = sqrt(Rough(reach()) * across) / (area * across);
+      const auto area = Leading(a_) * Leading(radius_), across = Leading(ee_);
+      const auto beside = Leading(abs(det_)) / area;
+      const auto behind = sqrt(Leading(reach()) * across) / (area * across);
       return make_vec<N>([&](int i) {
-        const auto difference = nearest_difference<Component>(
+        const auto nearest = decide_nearest_difference<Component>(
             beside, det_ < 0 ? narrow_negative(k_[i]) : k_[i], behind, back[i]);
-        return difference ? *difference : component(i, back[i]);
+        return or_exact(nearest, [&] { return component(i, back[i]); });
       });
     } else {
       return make_vec<N>([&](int i) { return component(i, back[i]); });
@@ -174,25 +173,26 @@ class RayCapsule {
     return square(radius_) * a_ - square(det_);
   }
 
-  /// The part that the ray is at for t, by its distance along the axis, m . e + t d . e; `none` if
-  /// that is too close to an end to decide.
-  [[nodiscard]] constexpr CapsulePart part_at(const Rough& t) const noexcept {
+  /// The part that the ray is at for t, by its distance along the axis, m . e + t d . e.
+  [[nodiscard]] constexpr Decided<CapsulePart> part_at(const Leading& t) const noexcept {
     const auto me = dot(m_, e_);
     const auto to_last = ee_ - me;
-    const auto passed = t * Rough(de_);
-    const int first = me > 0 ? 1 : Rough::compare<42>(passed, Rough(abs(me)));
-    const int last = to_last < 0 ? 1 : Rough::compare<42>(passed, Rough(abs(to_last)));
-    if (first < 0) return CapsulePart::first_end;
-    if (last > 0) return CapsulePart::last_end;
-    return first > 0 && last < 0 ? CapsulePart::side : CapsulePart::none;
+    const auto passed = t * Leading(de_);
+    const auto is_past = [&](const auto& end) {
+      return decide(difference(passed, Leading(abs(end)), Relative{42}));
+    };
+    const Filtered first = me > 0 ? Filtered::yes : is_past(me);
+    const Filtered last = to_last < 0 ? Filtered::yes : is_past(to_last);
+    if (first == Filtered::no) return {CapsulePart::first_end, true};
+    if (last == Filtered::yes) return {CapsulePart::last_end, true};
+    return {CapsulePart::side, first == Filtered::yes && last == Filtered::no};
   }
 
   /// The part of the surface where the line enters the cylinder, ahead of the ray's origin.
   template <class Side>
   [[nodiscard]] constexpr CapsulePart entered(const Side& side) const noexcept {
     if constexpr (is_fixed<S>) {
-      const auto part = part_at(side.rough_first());
-      if (part != CapsulePart::none) return part;
+      if (const auto part = part_at(side.leading_first()); part.is_sure) return part.value;
     }
     const auto at_first = plane_through(m_);
     if (at_first.after_closest > 0 || at_first.outside < 0) return CapsulePart::first_end;

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "detent/number/filter/root_ratio.hpp"
+#include "detent/number/filter/components.hpp"
 #include "detent/number/quadratic.hpp"
 #include "detent/query/raycast/hit.hpp"
 #include "detent/shape/sphere.hpp"
@@ -42,8 +42,8 @@ struct RaySphere {
     const auto ratio = root_ratio<direction_component<S>>(discriminant, a * radius);
     return Direction<S, N>::assume_unit(make_vec<N>([&](int i) {
       const auto closest = narrow<closest_bits>(a * m[i] - b * direction[i]);
-      const auto component = ratio.nearest(closest, direction[i]);
-      return component ? *component : settled(closest, direction[i], discriminant, radius);
+      return or_exact(ratio.decide_nearest(closest, direction[i]),
+                      [&] { return component(closest, direction[i], discriminant, radius); });
     }));
   }
 
@@ -55,13 +55,14 @@ struct RaySphere {
   decltype(inside_distance(squared_length(Offset()), S())) c;
 
  private:
-  /// A component of the normal that is close to a tie. Scaling the scene by 2^k keeps the direction
+  /// A component of the normal, in long integers. Scaling the scene by 2^k keeps the direction
   /// and makes r as long as its type allows. So the error of the root, below 1, is below 2^-28
   /// steps of the result (2^-12 in 16 bits), however small the sphere is.
   template <Number Closest, Number Discriminant>
-  [[nodiscard]] constexpr auto settled(const Closest& closest, const direction_component<S>& along,
-                                       const Discriminant& discriminant,
-                                       const S& radius) const noexcept {
+  [[nodiscard]] constexpr auto component(const Closest& closest,
+                                         const direction_component<S>& along,
+                                         const Discriminant& discriminant,
+                                         const S& radius) const noexcept {
     using Component = direction_component<S>;
     constexpr int root_bits = bits_of<S> + bits_of<Component>;  // |d| r
     const int k = headroom(radius);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "detent/number/filter/near_one.hpp"
+#include "detent/number/filter/unit_length.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -17,18 +17,20 @@ using Denominator = Fixed<61, 60>;
 constexpr std::int64_t one = std::int64_t{1} << 60;
 
 // `quotient_floor` has no fast path.
-void check(std::int64_t n, std::int64_t d, int unknown_bits) {
+void check(std::int64_t n, std::int64_t d, int error_bits) {
   const auto numerator = Numerator::from_raw(n);
   const auto denominator = Denominator::from_raw(d);
-  const auto [quotient, is_close] = divide_near_one<q16_16>(numerator, denominator, unknown_bits);
-  const auto least = std::max<std::int64_t>(n - (std::int64_t{1} << unknown_bits), 0);
+  const auto error = Numerator::from_raw(std::int64_t{1} << error_bits);
+  const auto [quotient, is_sure] =
+      decide_quotient_floor<q16_16>(Approximate{numerator, error}, denominator);
+  const auto least = std::max<std::int64_t>(n - error.raw(), 0);
   CHECK(quotient == quotient_floor<q16_16>(numerator, denominator));
-  if (!is_close) CHECK(quotient_floor<q16_16>(Numerator::from_raw(least), denominator) == quotient);
+  if (is_sure) CHECK(quotient_floor<q16_16>(Numerator::from_raw(least), denominator) == quotient);
 }
 
 }  // namespace
 
-TEST_CASE("divide_near_one: the quotient is right however near 1 the denominator is") {
+TEST_CASE("decide_quotient_floor: the quotient is right however near 1 the denominator is") {
   Random random(20260601);
   INFO(random);
   for (int i = 0; i < 20000; ++i) {

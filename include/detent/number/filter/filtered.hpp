@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "detent/number/rounding.hpp"
+
+namespace detent {
+
+// Filtered predicates: a cheap value with a proved error decides, or the exact number does.
+// docs/filters.md describes the protocol and every filter.
+//
+// source: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+//         Predicates (1997); the name is CGAL's
+
+/// The answer of a filter: of a yes or no question, or the sign of a number.
+enum class Filtered : int { no = -1, unsure = 0, yes = 1 };
+
+/// A cheap value of an exact number: they differ by less than `error`. In an array or a vector, each
+/// component does.
+template <class T, class Error = T>
+struct Approximate {
+  T value;
+  Error error;
+};
+
+template <class T, class Error>
+Approximate(T, Error) -> Approximate<T, Error>;
+
+/// An error known at compile time, in steps of the value's grid.
+template <std::int64_t Count>
+struct Steps {
+  [[nodiscard]] static constexpr std::int64_t raw() noexcept { return Count; }
+};
+
+/// What a filter makes of its question: `value`, if it is sure.
+template <class T>
+struct Decided {
+  T value;
+  alignas(std::uintptr_t) bool is_sure;  // packed with a short value, GCC 12 masks it out again
+};
+
+/// Whether the exact number is positive; `no` if it is negative.
+template <Number T, Number Error>
+[[nodiscard]] constexpr Filtered decide(const Approximate<T, Error>& x) noexcept {
+  if (x.value >= x.error) return Filtered::yes;
+  return x.value <= narrow_negative(x.error) ? Filtered::no : Filtered::unsure;
+}
+
+/// The exact number rounded down to the grid of `T`, which must be able to hold it. Unsure, the
+/// result is `value` or the step below it, if the error is at most half a step.
+template <class T, int B, int F, class Error>
+[[nodiscard]] constexpr Decided<T> decide_floor(const Approximate<Fixed<B, F>, Error>& x) noexcept {
+  constexpr int shift = F - T::frac;
+  static_assert(0 < shift && shift < 63 && B <= 63);
+  const std::int64_t highest = std::int64_t{x.value.raw()} + x.error.raw();
+  const std::int64_t fraction = highest & ((std::int64_t{1} << shift) - 1);
+  return {T::assume_raw(static_cast<typename T::raw_type>(shift_right_floor(highest, shift))),
+          fraction >= 2 * std::int64_t{x.error.raw()}};
+}
+
+/// The exact number rounded to nearest on the grid of `T`, which must be able to hold it. Unsure,
+/// it is so close to the midpoint below `value` that the error may take it across.
+template <class T, int B, int F, class Error>
+[[nodiscard]] constexpr Decided<T> decide_nearest(
+    const Approximate<Fixed<B, F>, Error>& x) noexcept {
+  constexpr int shift = F - T::frac;
+  const std::int64_t raised = std::int64_t{x.value.raw()} + (std::int64_t{1} << (shift - 1));
+  return decide_floor<T>(Approximate{Fixed<63, F>::assume_raw(raised), x.error});
+}
+
+/// The midpoint between `x` and the step below it.
+template <class T>
+[[nodiscard]] constexpr auto midpoint_below(const T& x) noexcept {
+  using Middle = Fixed<T::bits + 1, T::frac + 1>;
+  const std::int64_t raw = 2 * std::int64_t{x.raw()} - 1;
+  return Middle::assume_raw(static_cast<typename Middle::raw_type>(raw));
+}
+
+/// A number near the midpoint below `x`, rounded to nearest, ties to even. `sign` is that of the
+/// number minus the midpoint.
+template <class T>
+[[nodiscard]] constexpr T nearest_at_midpoint(const T& x, int sign) noexcept {
+  const bool is_up = sign > 0 || (sign == 0 && (x.raw() & 1) == 0);
+  return T::assume_raw(static_cast<typename T::raw_type>(x.raw() - (is_up ? 0 : 1)));
+}
+
+/// The filter's answer, or else that of `exact()`, which may take the value of which it is unsure.
+template <class Exact>
+[[nodiscard]] constexpr bool or_exact(Filtered filtered, const Exact& exact) noexcept {
+  if (filtered != Filtered::unsure) return filtered == Filtered::yes;
+  return exact();
+}
+template <class T, class Exact>
+[[nodiscard]] constexpr T or_exact(Decided<T> decided, const Exact& exact) noexcept {
+  if (decided.is_sure) return decided.value;
+  if constexpr (std::is_invocable_v<const Exact&, const T&>) {
+    const T value = decided.value;
+    return exact(value);
+  } else {
+    return exact();
+  }
+}
+
+/// The sign that the filter finds, or else that of `exact()`, which may be 0.
+template <class Exact>
+[[nodiscard]] constexpr int sign_or_exact(Filtered filtered, const Exact& exact) noexcept {
+  if (filtered != Filtered::unsure) return static_cast<int>(filtered);
+  return exact();
+}
+
+}  // namespace detent
