@@ -12,7 +12,7 @@
 # Where the declaration of a function, a class or a variable begins.
 function begins(i) {
   return line[i] ~ /^ *(template|\[\[nodiscard\]\]|constexpr|inline|explicit|static|struct|class) ?/ &&
-         (line[i - 1] ~ /^ *$|[;{}]$|^ *(public|private):$|^ *\/\/|= delete;/ || line[i - 1] ~ /^ *\/\/\//)
+         (line[i - 1] ~ /^ *$|^#|[;{}]$|^ *(public|private):$|^ *\/\/|= delete;/ || line[i - 1] ~ /^ *\/\/\//)
 }
 
 # Its name: what stands before the first parenthesis or brace.

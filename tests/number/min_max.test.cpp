@@ -5,7 +5,7 @@
 #include <concepts>
 #include <type_traits>
 
-#include "detent/number/text.hpp"
+#include "detent/number/literals.hpp"
 #include "number/big_integer.hpp"
 #include "support/catch.hpp"
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "detent/number/literals.hpp"
 #include "detent/number/rounding.hpp"
-#include "detent/number/text.hpp"
 #include "number/big_integer.hpp"
 #include "support/catch.hpp"
 

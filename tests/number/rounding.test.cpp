@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "detent/number/literals.hpp"
 #include "detent/number/text.hpp"
 #include "number/big_integer.hpp"
 #include "support/catch.hpp"

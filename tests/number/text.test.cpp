@@ -15,6 +15,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "detent/number/literals.hpp"
 #include "detent/number/rounding.hpp"
 #include "number/big_integer.hpp"
 #include "support/catch.hpp"

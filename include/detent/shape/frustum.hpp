@@ -35,6 +35,7 @@ class Frustum {
  public:
   using Corners = std::array<Vec<S, 3>, 8>;
 
+  /// The frustum with these corners.
   explicit constexpr Frustum(const Corners& corners) noexcept : corners_(corners) {
     for (std::size_t i = 0; i < planes_.size(); ++i) planes_[i] = plane(i);
   }
@@ -91,6 +92,7 @@ constexpr void append(D& digest, const Frustum<S>& frustum) noexcept {
   for (const auto& corner : frustum.corners()) digest.add(corner);
 }
 
+/// The smallest box around a frustum, exactly.
 template <Scalar S>
 [[nodiscard]] constexpr Aabb<S, 3> bounding_box(const Frustum<S>& frustum) noexcept {
   return bounding_box(frustum.hull());
