@@ -125,7 +125,7 @@ says '^small .* equal$'
 says '^parts .* equal$'
 says '^constant .* compiles$'
 says ': 3 equal, 0 different, 0 did not run, 0 not installed, 1 compiled only;'
-says 'float: 3 builds, 2 different digests; they part at second \(right against small\)\.'
+says 'float: 3 builds, 2 different digests; they first differ at second \(right against small\)\.'
 
 run 1 --no-install
 says '^admitted .* DIFFERENT at second \(q8_8 3D\)$'
