@@ -6,6 +6,7 @@
 
 #include "detent/math/components.hpp"
 #include "detent/math/width.hpp"
+#include "detent/number/fraction.hpp"
 #include "detent/query/kernel/nearness.hpp"
 
 namespace detent::detail {
