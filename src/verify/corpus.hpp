@@ -128,9 +128,13 @@ struct Extents {
   using Groups = List<Crossings, Sizes>;
 };
 
-struct Surfaces {
-  static constexpr std::string_view name = "Surfaces";
-  using Groups = List<Meshes, HeightFields>;
+struct MeshAnswers {
+  static constexpr std::string_view name = "MeshAnswers";
+  using Groups = List<Meshes>;
+};
+struct FieldAnswers {
+  static constexpr std::string_view name = "FieldAnswers";
+  using Groups = List<HeightFields>;
 };
 struct SceneAnswers {
   static constexpr std::string_view name = "SceneAnswers";
@@ -147,8 +151,8 @@ struct Snapshots {
 
 using Parts = List<SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints, FlatPoints, LinePoints,
                    SphereOverlaps, AabbOverlaps, ObbOverlaps, FlatOverlaps, Intersections, Hulls,
-                   HullOverlaps, HullMeetings, Turns, Arithmetic, Moves, Extents, Surfaces,
-                   SceneAnswers, SceneContacts, Snapshots>;
+                   HullOverlaps, HullMeetings, Turns, Arithmetic, Moves, Extents, MeshAnswers,
+                   FieldAnswers, SceneAnswers, SceneContacts, Snapshots>;
 
 namespace detail {
 
