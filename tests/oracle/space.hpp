@@ -15,6 +15,11 @@ struct Space {
 }  // namespace detent::test
 
 /// The arguments of TEMPLATE_TEST_CASE; with a type list, the test names would lose the types.
+/// Everyday runs use the widest and the narrowest scalar, one in each dimension; DETENT_TEST_ALL
+/// uses every scalar in both.
+#if DETENT_TEST_ALL
+#define DETENT_FIXED_SCALARS detent::q16_16, detent::q14_16, detent::q24_8, detent::q8_8
+#define DETENT_EVERY_SCALAR DETENT_FIXED_SCALARS, float, double
 #define DETENT_FIXED_SPACES                                                               \
   (detent::test::Space<detent::q16_16, 3>), (detent::test::Space<detent::q16_16, 2>),     \
       (detent::test::Space<detent::q14_16, 3>), (detent::test::Space<detent::q14_16, 2>), \
@@ -23,3 +28,10 @@ struct Space {
 #define DETENT_EVERY_SPACE                                                               \
   DETENT_FIXED_SPACES, (detent::test::Space<float, 3>), (detent::test::Space<float, 2>), \
       (detent::test::Space<double, 3>), (detent::test::Space<double, 2>)
+#else
+#define DETENT_FIXED_SCALARS detent::q16_16, detent::q8_8
+#define DETENT_EVERY_SCALAR DETENT_FIXED_SCALARS, float
+#define DETENT_FIXED_SPACES \
+  (detent::test::Space<detent::q16_16, 3>), (detent::test::Space<detent::q8_8, 2>)
+#define DETENT_EVERY_SPACE DETENT_FIXED_SPACES, (detent::test::Space<float, 3>)
+#endif

@@ -10,8 +10,6 @@
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
 
-#define DETENT_FIXED_SCALARS detent::q16_16, detent::q14_16, detent::q24_8, detent::q8_8
-
 namespace detent::test {
 
 /// Kinds of meshes.
