@@ -6,13 +6,10 @@
 #include <type_traits>
 
 #include "detent/cull/search.hpp"
-#include "detent/query/contains.hpp"
-#include "detent/query/distance.hpp"
-#include "detent/query/intersects.hpp"
-#include "detent/query/overlaps.hpp"
-#include "detent/query/raycast.hpp"
+#include "detent/query/raycast/hit.hpp"
 #include "detent/scene/shape_tag.hpp"
 #include "detent/shape/moved.hpp"
+#include "detent/shape/segment.hpp"
 
 // What scenes call as functions of their own, neither inline nor constexpr. Programs that link
 // `detent::detent` take them from it, for the types that scene/instantiations.hpp lists; elsewhere
