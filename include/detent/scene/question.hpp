@@ -3,6 +3,7 @@
 
 #include <concepts>
 
+#include "detent/scene/separate.hpp"
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/capsule.hpp"
 #include "detent/shape/frustum.hpp"
