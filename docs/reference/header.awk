@@ -6,8 +6,8 @@
 # * A deleted function is documented by the comment that says what to write instead.
 # * A function without a docstring refers to the one above it, if that has its name or no blank line
 #   is between them.
-# * Deduction guides are left out, and `detail::SceneContents` becomes public, for its functions are
-#   those of a scene.
+# * Deduction guides and macros that force inlining are left out; `detail::SceneContents` becomes
+#   public, because its functions are those of a scene.
 
 # Where the declaration of a function, a class or a variable begins.
 function begins(i) {
@@ -69,6 +69,7 @@ FNR == 1 {
   gsub(/\(max\)\(/, " max(")
   gsub(/\(clamp\)\(/, " clamp(")
   gsub(/detail::SceneContents/, "SceneContents")
+  if (!/^#/) gsub(/DETENT_[A-Z_]*INLINE[A-Z_]* /, "")
   if (path ~ /scene\/contents\.hpp$/ && /namespace detail/) $0 = ""
   line[FNR] = $0
 }
