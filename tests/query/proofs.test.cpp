@@ -12,8 +12,8 @@
 #include "detent/math/transform.hpp"
 #include "detent/query/closest_point.hpp"
 #include "detent/query/intersects.hpp"
-#include "detent/query/kernel/near_segment.hpp"
-#include "detent/query/kernel/passing_line.hpp"
+#include "detent/query/kernel/line_filter.hpp"
+#include "detent/query/kernel/within_segment.hpp"
 #include "detent/query/on.hpp"
 #include "detent/query/raycast.hpp"
 #include "detent/query/raycast/capsule.hpp"
@@ -129,8 +129,8 @@ TEMPLATE_TEST_CASE("proofs: corners seen along a line, and how they turn about i
   constexpr S l = low<S>, h = high<S>;
   const auto along = [](S x, S y, S z) { return *normalize(Vec<S, 3>{x, y, z}); };
   const Ray<S, 3> level{{l, l, l}, along(S(1), S(0), S(-1)), h};
-  CHECK(fills(detail::PassingLine<S>(level).seen({h, h, h}).x));
-  const detail::PassingLine<S> line({{l, l, l}, along(S(3), S(-3), S(7)), h});
+  CHECK(fills(detail::LineFilter<S>(level).seen({h, h, h}).x));
+  const detail::LineFilter<S> line({{l, l, l}, along(S(3), S(-3), S(7)), h});
   CHECK(fills(line.turn(line.seen({h, h, l}), line.seen({l, h, h}))));
 }
 
@@ -141,7 +141,7 @@ TEMPLATE_TEST_CASE("proofs: a point beside an edge is as far as the lengths allo
   const Vec<Offset<S>, 3> w{m, m, m}, e{m, m, narrow_negative(m)};
   const auto over = detail::squared_distance_from_edge(e, w).numerator;
   CHECK(is_half_of(over, squared_length(e) * squared_length(w)));
-  CHECK_FALSE(detail::is_near_edge(e, w, high<S>));
+  CHECK_FALSE(detail::within_edge(e, w, high<S>));
 
   // An excess equal to the tolerance.
   const Obb<S, 3> point{};

@@ -5,8 +5,6 @@
 //   on(shape, point)            -> bool   exactly on a plane, segment, ray, triangle or hull
 //   on(shape, point, tolerance) -> bool   within `tolerance` of any shape
 
-#include "detent/query/kernel/near_segment.hpp"
-#include "detent/query/kernel/near_triangle.hpp"
 #include "detent/query/kernel/point_aabb.hpp"
 #include "detent/query/kernel/point_hull.hpp"
 #include "detent/query/kernel/point_obb.hpp"
@@ -15,6 +13,8 @@
 #include "detent/query/kernel/point_segment.hpp"
 #include "detent/query/kernel/point_sphere.hpp"
 #include "detent/query/kernel/point_triangle.hpp"
+#include "detent/query/kernel/within_segment.hpp"
+#include "detent/query/kernel/within_triangle.hpp"
 #include "detent/shape/compound.hpp"
 
 namespace detent {
@@ -55,7 +55,7 @@ template <Scalar S>
 template <class Shape, Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Shape& shape, const Vec<S, N>& point,
                                 const S& tolerance) noexcept {
-  return tolerance >= 0 && detail::is_near(shape, point, tolerance);
+  return tolerance >= 0 && detail::within_reach(shape, point, tolerance);
 }
 template <class... Shapes, Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Compound<Shapes...>& compound, const Vec<S, N>& point,

@@ -58,9 +58,9 @@ TEMPLATE_TEST_CASE("overlaps, box and hull: rounded edges decide only what they 
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  using detail::Nearness;
+
   Random random(0x0bb41);
-  int near = 0, unknown = 0, apart = 0;
+  int near = 0, unsure = 0, apart = 0;
   for (int round = 0; round < 2'000; ++round) {
     const std::int64_t reach = std::int64_t{1} << random.between(2, S::bits - 4);
     Points<S, N, 4> points;
@@ -77,15 +77,15 @@ TEMPLATE_TEST_CASE("overlaps, box and hull: rounded edges decide only what they 
       box.center = make_vec<N>(
           [&](int i) { return moved(S(0), static_cast<int>(way[i].raw() * middle / 64)); });
       const bool meet = detail::bodies_overlap(detail::edge_body(box), hull);
-      const auto nearness = detail::roughly_overlap(box, hull);
-      REQUIRE(nearness != (meet ? Nearness::apart : Nearness::meeting));
-      ++(nearness == Nearness::meeting ? near : nearness == Nearness::apart ? apart : unknown);
+      const auto filtered = detail::decide_overlap(box, hull);
+      REQUIRE(filtered != (meet ? Filtered::no : Filtered::yes));
+      ++(filtered == Filtered::yes ? near : filtered == Filtered::no ? apart : unsure);
       (meet ? inside : outside) = middle;
     }
   }
   CHECK(near > 2'000);
   CHECK(apart > 2'000);
-  CHECK(unknown > 40);
+  CHECK(unsure > 40);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ void compare_slabs() {
     for (int i = 0; i < N; ++i) {
       if (low[i] > high[i]) std::swap(low[i], high[i]);
     }
-    return detail::is_near_slabs(low, high, d, reach);
+    return detail::within_slabs(low, high, d, reach);
   };
   compare<Fixed<30, 16>, Fixed<32, 16>, N, 3>(f);
   compare<Fixed<30, 16>, Fixed<62, 16>, N, 3>(f);
@@ -58,10 +58,10 @@ void compare_slabs() {
 }
 
 template <int N>
-void compare_rough_slabs() {
+void compare_filtered_slabs() {
   using T = Fixed<62, 16>;
   Random random(0x31d6);
-  int wrong = 0, unknown = 0, near = 0;
+  int wrong = 0, unsure = 0, near = 0;
   for (int i = 0; i < 8000; ++i) {
     const int bits = 2 + i % 59;
     auto low = random_vec<T, N>(random, bits), high = random_vec<T, N>(random, bits);
@@ -71,54 +71,54 @@ void compare_rough_slabs() {
     }
     const auto reach =
         T::from_raw(static_cast<std::int64_t>(random.below(std::uint64_t{1} << random.below(60))));
-    const auto nearness = detail::roughly_near_slabs(low, high, d, reach);
-    const bool answer = detail::is_near_slabs(low, high, d, reach);
+    const auto filtered = detail::decide_within_slabs(low, high, d, reach);
+    const bool answer = detail::within_slabs(low, high, d, reach);
     near += answer ? 1 : 0;
-    unknown += nearness == detail::Nearness::unknown ? 1 : 0;
-    wrong += nearness == detail::Nearness::meeting && !answer ? 1 : 0;
-    wrong += nearness == detail::Nearness::apart && answer ? 1 : 0;
+    unsure += filtered == Filtered::unsure ? 1 : 0;
+    wrong += filtered == Filtered::yes && !answer ? 1 : 0;
+    wrong += filtered == Filtered::no && answer ? 1 : 0;
     // The smallest reach that contains the exact distance, and the one below it.
     T least(0), most = T::max();
     while (least < most) {
       const auto middle = T::from_raw(least.raw() + (most.raw() - least.raw()) / 2);
-      if (detail::is_near_slabs(low, high, d, middle)) {
+      if (detail::within_slabs(low, high, d, middle)) {
         most = middle;
       } else {
         least = T::from_raw(middle.raw() + 1);
       }
     }
-    wrong += detail::roughly_near_slabs(low, high, d, most) == detail::Nearness::apart ? 1 : 0;
+    wrong += detail::decide_within_slabs(low, high, d, most) == Filtered::no ? 1 : 0;
     if (most == 0) continue;
     const auto below = T::from_raw(most.raw() - 1);
-    wrong += detail::roughly_near_slabs(low, high, d, below) == detail::Nearness::meeting ? 1 : 0;
+    wrong += detail::decide_within_slabs(low, high, d, below) == Filtered::yes ? 1 : 0;
   }
   CHECK(wrong == 0);
   CHECK(near > 400);
-  CHECK(unknown > 0);
-  CHECK(unknown < 2000);  // nearly all of them have few bits
+  CHECK(unsure > 0);
+  CHECK(unsure < 2000);  // nearly all of them have few bits
 }
 
 TEST_CASE("overlaps: an answer in narrow integers is the same in wide ones", "[overlaps]") {
   const auto edge = [](const auto& e, const auto& w, const auto& reach) {
-    return detail::is_near_edge(e, w, reach);
+    return detail::within_edge(e, w, reach);
   };
   compare<Fixed<30, 16>, Fixed<32, 16>, 2, 2>(edge);
   compare<Fixed<30, 16>, Fixed<32, 16>, 3, 2>(edge);
   compare<Fixed<29, 16>, Fixed<32, 16>, 3, 3>(
       [](const auto& d, const auto& e, const auto& m, const auto& reach) {
-        return detail::are_near(d, e, m, reach);
+        return detail::within_segments(d, e, m, reach);
       });
   compare<Fixed<29, 16>, Fixed<32, 16>, 3, 3>(
       [](const auto& d, const auto& e, const auto& m, const auto& reach) {
-        return detail::is_near_level(d, e, m, reach);
+        return detail::within_level(d, e, m, reach);
       });
   compare<Fixed<29, 16>, Fixed<32, 16>, 3, 3>(
       [](const auto& b, const auto& c, const auto& p, const auto& reach) {
-        return detail::is_near_corners(b, c, p, reach);
+        return detail::within_corners(b, c, p, reach);
       });
   compare<Fixed<29, 16>, Fixed<32, 16>, 3, 3>(
       [](const auto& b, const auto& c, const auto& p, const auto& reach) {
-        return detail::is_near_face(b, c, p, reach);
+        return detail::within_face(b, c, p, reach);
       });
   const auto box = [](const auto& p, const auto& q, const auto& extents, const auto&) {
     auto h = extents;
@@ -130,8 +130,8 @@ TEST_CASE("overlaps: an answer in narrow integers is the same in wide ones", "[o
   compare<Fixed<29, 16>, Fixed<34, 16>, 3, 3>(box);
   compare_slabs<2>();
   compare_slabs<3>();
-  compare_rough_slabs<2>();
-  compare_rough_slabs<3>();
+  compare_filtered_slabs<2>();
+  compare_filtered_slabs<3>();
 }
 
 }  // namespace

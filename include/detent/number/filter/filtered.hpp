@@ -17,6 +17,10 @@ namespace detent {
 /// The answer of a filter: of a yes or no question, or the sign of a number.
 enum class Filtered : int { no = -1, unsure = 0, yes = 1 };
 
+/// Whether a filter pays before the full products of coordinates with this scalar; it adds code.
+template <Scalar S>
+inline constexpr bool filter_pays = bits_of<S> > 15 && DETENT_SMALL_CODE == 0;
+
 /// A cheap value of an exact number: they differ by less than `error`. In an array or a vector, each
 /// component does.
 template <class T, class Error = T>

@@ -8,7 +8,7 @@
 
 #include "detent/number/filter/ratio.hpp"
 #include "detent/query/closest_point/sphere.hpp"
-#include "detent/query/kernel/near_segment.hpp"
+#include "detent/query/kernel/within_segment.hpp"
 #include "detent/shape/capsule.hpp"
 
 namespace detent {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/kernel/near_segment.hpp"
+#include "detent/query/kernel/within_segment.hpp"
 
 namespace detent {
 

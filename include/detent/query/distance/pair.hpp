@@ -11,7 +11,7 @@
 #include "detent/query/kernel/argument.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/gjk.hpp"
-#include "detent/query/kernel/near_slabs.hpp"
+#include "detent/query/kernel/within_slabs.hpp"
 
 namespace detent {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "detent/query/intersects/reversed.hpp"
-#include "detent/query/kernel/near_segment.hpp"
+#include "detent/query/kernel/within_segment.hpp"
 #include "detent/shape/capsule.hpp"
 
 namespace detent {
@@ -15,7 +15,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool intersects(const Segment<S, N>& segment,
                                         const Capsule<S, N>& capsule) noexcept {
   return capsule.radius >= 0 &&
-         detail::is_near(segment, Segment{capsule.a, capsule.b}, capsule.radius);
+         detail::within_reach(segment, Segment{capsule.a, capsule.b}, capsule.radius);
 }
 
 }  // namespace detent

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "detent/query/intersects/reversed.hpp"
-#include "detent/query/kernel/near_segment.hpp"
+#include "detent/query/kernel/within_segment.hpp"
 #include "detent/shape/sphere.hpp"
 
 namespace detent {
@@ -14,7 +14,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool intersects(const Segment<S, N>& segment,
                                         const Sphere<S, N>& sphere) noexcept {
-  return sphere.radius >= 0 && detail::is_near(segment, sphere.center, sphere.radius);
+  return sphere.radius >= 0 && detail::within_reach(segment, sphere.center, sphere.radius);
 }
 
 }  // namespace detent

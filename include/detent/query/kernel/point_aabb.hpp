@@ -19,8 +19,8 @@ template <Scalar S, int N>
 
 /// Whether `point` is within `reach` >= 0 of `box`.
 template <Scalar S, int N>
-[[nodiscard]] constexpr bool is_near(const Aabb<S, N>& box, const Vec<S, N>& point,
-                                     const S& reach) noexcept {
+[[nodiscard]] constexpr bool within_reach(const Aabb<S, N>& box, const Vec<S, N>& point,
+                                          const S& reach) noexcept {
   return !is_empty(box) && squared_distance(point, clamp_to(box, point)) <= square(reach);
 }
 

@@ -28,8 +28,8 @@ template <Scalar S, int N>
 
 /// Whether `point` is within `reach` >= 0 of `hull`.
 template <Scalar S, int N>
-[[nodiscard]] constexpr bool is_near(const ConvexHull<S, N>& hull, const Vec<S, N>& point,
-                                     const S& reach) noexcept {
+[[nodiscard]] constexpr bool within_reach(const ConvexHull<S, N>& hull, const Vec<S, N>& point,
+                                          const S& reach) noexcept {
   return !is_empty(hull) && squared_distance_from_hull(hull, point) <= square(reach);
 }
 

@@ -46,8 +46,8 @@ template <Scalar S, int N>
 
 /// Whether `point` is within `reach` >= 0 of `box`, measured in the frame of the box.
 template <Scalar S, int N>
-[[nodiscard]] constexpr bool is_near(const Obb<S, N>& box, const Vec<S, N>& point,
-                                     const S& reach) noexcept {
+[[nodiscard]] constexpr bool within_reach(const Obb<S, N>& box, const Vec<S, N>& point,
+                                          const S& reach) noexcept {
   if (is_empty(box)) return false;
   const auto beyond = excess(box, point);
   for (int i = 0; i < N; ++i) {

@@ -25,8 +25,8 @@ template <Scalar S, int N>
 /// Whether `point` is within `reach` >= 0 of `plane`: height^2 <= reach^2 n^2, with the normal n
 /// exactly as stored.
 template <Scalar S, int N>
-[[nodiscard]] constexpr bool is_near(const Plane<S, N>& plane, const Vec<S, N>& point,
-                                     const S& reach) noexcept {
+[[nodiscard]] constexpr bool within_reach(const Plane<S, N>& plane, const Vec<S, N>& point,
+                                          const S& reach) noexcept {
   const auto height = height_above(plane, point);
   return Fraction{height * height, squared_length(plane.normal)} <= square(reach);
 }

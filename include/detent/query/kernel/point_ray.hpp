@@ -42,8 +42,8 @@ template <Scalar S, int N>
 
 /// Whether `point` is within `reach` >= 0 of `ray`.
 template <Scalar S, int N>
-[[nodiscard]] constexpr bool is_near(const Ray<S, N>& ray, const Vec<S, N>& point,
-                                     const S& reach) noexcept {
+[[nodiscard]] constexpr bool within_reach(const Ray<S, N>& ray, const Vec<S, N>& point,
+                                          const S& reach) noexcept {
   return squared_distance_from_ray(ray, point) <= square(reach);
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "detent/math/vec.hpp"
-#include "detent/query/kernel/nearness.hpp"
+#include "detent/number/filter/filtered.hpp"
 
 namespace detent::detail {
 
@@ -14,9 +14,9 @@ namespace detent::detail {
 /// Each number is too small by less than one step, so a product with it is off by less than the
 /// other factor plus a step. No end is farther out than the sum of half extent and length.
 template <Number T, int N>
-[[nodiscard]] constexpr Nearness roughly_meets_box(const Vec<T, N>& p, const Vec<T, N>& q,
-                                                   const Vec<T, N>& length,
-                                                   const Vec<T, N>& half_extents) noexcept {
+[[nodiscard]] constexpr Filtered decide_line_meets_box(const Vec<T, N>& p, const Vec<T, N>& q,
+                                                       const Vec<T, N>& length,
+                                                       const Vec<T, N>& half_extents) noexcept {
   constexpr int bits = 62;
   using Slack = Fixed<63, 2 * T::frac>;
   Slack least = (Slack::max)();
@@ -32,8 +32,8 @@ template <Number T, int N>
     least = slack < least ? slack : least;
   }
   const Slack margin = narrow_product<bits>(size, steps);
-  if (least < narrow_negative(margin)) return Nearness::apart;
-  return least >= margin ? Nearness::meeting : Nearness::unknown;
+  if (least < narrow_negative(margin)) return Filtered::no;
+  return least >= margin ? Filtered::yes : Filtered::unsure;
 }
 
 /// Whether the segment from `p` to `q` has a point in the box {x : |x[i]| <= half_extents[i]},
@@ -70,8 +70,8 @@ template <Number T, int N>
     const auto cut = [](const auto& v) {
       return make_vec<N>([&](int i) { return scale_down<kept>(v[i], dropped); });
     };
-    const auto nearness = roughly_meets_box(cut(p), cut(q), cut(length), cut(h));
-    if (nearness != Nearness::unknown) return nearness == Nearness::meeting;
+    const auto filtered = decide_line_meets_box(cut(p), cut(q), cut(length), cut(h));
+    if (filtered != Filtered::unsure) return filtered == Filtered::yes;
   }
   for (int j = 0, last = N == 2 ? 1 : 3; j < last; ++j) {
     const int k = (j + 1) % N;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/kernel/near_slabs.hpp"
+#include "detent/query/kernel/within_slabs.hpp"
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/capsule.hpp"
 
@@ -16,7 +16,7 @@ template <Scalar S, int N>
                                       const Capsule<S, N>& capsule) noexcept {
   const auto& [a, b, radius] = capsule;
   if (is_empty(box) || radius < 0) return false;
-  return by_width<30>([](const auto&... x) { return detail::is_near_slabs(x...); }, box.min - a,
+  return by_width<30>([](const auto&... x) { return detail::within_slabs(x...); }, box.min - a,
                       box.max - a, b - a, radius);
 }
 template <Scalar S, int N>

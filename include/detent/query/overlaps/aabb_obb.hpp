@@ -2,7 +2,7 @@
 #pragma once
 
 #include "detent/query/kernel/box.hpp"
-#include "detent/query/kernel/rough_boxes.hpp"
+#include "detent/query/kernel/box_filter.hpp"
 #include "detent/query/kernel/separation.hpp"
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/obb.hpp"
@@ -24,14 +24,14 @@ template <Scalar S, int N>
   const auto half_a = a.max - a.min;
   const auto half_b = b.half_extents + b.half_extents;
   const auto apart = b.center + b.center - (a.min + a.max);
-  if constexpr (detail::looks_first<S>) {
+  if constexpr (filter_pays<S>) {
     const auto halved = [](const auto& v) {
       return make_vec<N>([&](int i) { return scale_down<bits_of<S> + 1>(v[i], 1); });
     };
-    const auto nearness = detail::roughly_boxes_overlap(detail::WorldFrame(), halved(half_a),
-                                                        detail::RoughFrame(b.rotation),
-                                                        halved(half_b), halved(apart));
-    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::meeting;
+    const auto filtered =
+        detail::decide_boxes_overlap(detail::WorldFrame(), halved(half_a),
+                                     detail::AxisFrame(b.rotation), halved(half_b), halved(apart));
+    if (filtered != Filtered::unsure) return filtered == Filtered::yes;
   }
   if constexpr (N == 2) {
     return !detail::are_apart(std::array{apart}, detail::edges_along(Rotation<S, N>(), half_a),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/kernel/near_segment.hpp"
+#include "detent/query/kernel/within_segment.hpp"
 #include "detent/shape/capsule.hpp"
 
 namespace detent {
@@ -13,7 +13,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Capsule<S, N>& a, const Capsule<S, N>& b) noexcept {
   return a.radius >= 0 && b.radius >= 0 &&
-         detail::is_near(Segment{a.a, a.b}, Segment{b.a, b.b}, a.radius + b.radius);
+         detail::within_reach(Segment{a.a, a.b}, Segment{b.a, b.b}, a.radius + b.radius);
 }
 
 }  // namespace detent

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/kernel/near_slabs.hpp"
 #include "detent/query/kernel/point_obb.hpp"
+#include "detent/query/kernel/within_slabs.hpp"
 #include "detent/shape/capsule.hpp"
 
 namespace detent {
@@ -23,10 +23,10 @@ template <Scalar S, int N>
   const auto low = center - half, high = center + half;
   if constexpr (is_fixed<S>) {
     using Place = decltype(low.x);
-    const auto nearness = detail::roughly_near_slabs(low, high, along, Place(radius));
-    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::meeting;
+    const auto filtered = detail::decide_within_slabs(low, high, along, Place(radius));
+    if (filtered != Filtered::unsure) return filtered == Filtered::yes;
   }
-  return detail::is_near_slabs(low, high, along, radius);
+  return detail::within_slabs(low, high, along, radius);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Capsule<S, N>& capsule, const Obb<S, N>& box) noexcept {

@@ -5,9 +5,9 @@
 #include <cstddef>
 
 #include "detent/math/orthonormal.hpp"
+#include "detent/number/filter/filtered.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/gjk.hpp"
-#include "detent/query/kernel/nearness.hpp"
 
 namespace detent {
 
@@ -16,7 +16,7 @@ namespace detail {
 /// `edge_body` with half extents `longer` steps longer and edges rounded to the grid of the
 /// coordinates.
 template <Scalar S, int N>
-[[nodiscard]] constexpr auto rough_edge_body(const Obb<S, N>& box, int longer) noexcept {
+[[nodiscard]] constexpr auto short_edge_body(const Obb<S, N>& box, int longer) noexcept {
   using Edge = Fixed<S::bits + 1, S::frac>;
   using Body = SpannedBody<Edge, Edge, N>;
   typename Body::template Each<Edge> edges;
@@ -37,14 +37,14 @@ template <Scalar S, int N>
 /// perpendicular within 2^-10. So with m = 3 the longer box reaches as far as `box` along every d,
 /// and with -3 the shorter one no farther. (tests/query/overlaps/hull_boxes.test.cpp)
 template <Scalar S, int N>
-[[nodiscard]] constexpr Nearness roughly_overlap(const Obb<S, N>& box,
-                                                 const HullBody<S, N>& hull) noexcept {
+[[nodiscard]] constexpr Filtered decide_overlap(const Obb<S, N>& box,
+                                                const HullBody<S, N>& hull) noexcept {
   constexpr int margin = 3;
-  if (!are_perpendicular<10>(box.rotation)) return Nearness::unknown;
+  if (!are_perpendicular<10>(box.rotation)) return Filtered::unsure;
   bool is_thick = true;
   for (int i = 0; i < N; ++i) is_thick = is_thick && box.half_extents[i].raw() >= margin;
-  if (is_thick && bodies_overlap(rough_edge_body(box, -margin), hull)) return Nearness::meeting;
-  return bodies_overlap(rough_edge_body(box, margin), hull) ? Nearness::unknown : Nearness::apart;
+  if (is_thick && bodies_overlap(short_edge_body(box, -margin), hull)) return Filtered::yes;
+  return bodies_overlap(short_edge_body(box, margin), hull) ? Filtered::unsure : Filtered::no;
 }
 
 }  // namespace detail
@@ -60,9 +60,9 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Obb<S, N>& box, const ConvexHull<S, N>& hull) noexcept {
   if (is_empty(box) || is_empty(hull)) return false;
   const detail::HullBody body(hull);
-  if constexpr (detail::looks_first<S>) {
-    const auto nearness = detail::roughly_overlap(box, body);
-    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::meeting;
+  if constexpr (filter_pays<S>) {
+    const auto filtered = detail::decide_overlap(box, body);
+    if (filtered != Filtered::unsure) return filtered == Filtered::yes;
   }
   return detail::bodies_overlap(detail::edge_body(box), body);
 }

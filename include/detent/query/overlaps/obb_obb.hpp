@@ -2,7 +2,7 @@
 #pragma once
 
 #include "detent/query/kernel/box.hpp"
-#include "detent/query/kernel/rough_boxes.hpp"
+#include "detent/query/kernel/box_filter.hpp"
 #include "detent/query/kernel/separation.hpp"
 #include "detent/shape/obb.hpp"
 
@@ -19,11 +19,11 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Obb<S, N>& a, const Obb<S, N>& b) noexcept {
   if (is_empty(a) || is_empty(b)) return false;
   const auto apart = b.center - a.center;
-  if constexpr (detail::looks_first<S>) {
-    const auto nearness =
-        detail::roughly_boxes_overlap(detail::RoughFrame(a.rotation), a.half_extents,
-                                      detail::RoughFrame(b.rotation), b.half_extents, apart);
-    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::meeting;
+  if constexpr (filter_pays<S>) {
+    const auto filtered =
+        detail::decide_boxes_overlap(detail::AxisFrame(a.rotation), a.half_extents,
+                                     detail::AxisFrame(b.rotation), b.half_extents, apart);
+    if (filtered != Filtered::unsure) return filtered == Filtered::yes;
   }
   if constexpr (N == 3) {
     const detail::EdgeFrame<S> frame_a(a.rotation), frame_b(b.rotation);

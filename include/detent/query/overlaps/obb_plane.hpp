@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "detent/query/kernel/nearness.hpp"
+#include "detent/number/filter/filtered.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/plane.hpp"
 
@@ -24,7 +24,7 @@ template <Scalar S, int N>
   const auto height = narrow_difference<bits>(dot(plane.normal, box.center), plane.offset);
   const auto along =
       make_vec<N>([&](int i) { return abs(dot(plane.normal, box.rotation.axis(i))); });
-  if constexpr (detail::looks_first<S>) {
+  if constexpr (filter_pays<S>) {
     // Truncated to the bits of an axis, cosines are too small by less than one unit.
     using Cosine = direction_component<S>;
     const auto rough = make_vec<N>([&](int i) { return narrow_floor<Cosine>(along[i]); });

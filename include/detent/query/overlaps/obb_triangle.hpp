@@ -4,7 +4,7 @@
 #include <array>
 
 #include "detent/query/kernel/box.hpp"
-#include "detent/query/kernel/rough_triangle.hpp"
+#include "detent/query/kernel/box_triangle_filter.hpp"
 #include "detent/query/kernel/separation.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/triangle.hpp"
@@ -25,10 +25,10 @@ template <Scalar S, int N>
   const auto a = triangle.a - box.center;
   const auto b = triangle.b - box.center;
   const auto c = triangle.c - box.center;
-  if constexpr (N == 3 && detail::looks_first<S>) {
-    const auto nearness = detail::roughly_box_meets_triangle(detail::RoughFrame(box.rotation),
-                                                             box.half_extents, std::array{a, b, c});
-    if (nearness != detail::Nearness::unknown) return nearness == detail::Nearness::meeting;
+  if constexpr (N == 3 && filter_pays<S>) {
+    const auto filtered = detail::decide_box_meets_triangle(detail::AxisFrame(box.rotation),
+                                                            box.half_extents, std::array{a, b, c});
+    if (filtered != Filtered::unsure) return filtered == Filtered::yes;
   }
   if constexpr (N == 3) {
     const detail::EdgeFrame<S> frame(box.rotation);

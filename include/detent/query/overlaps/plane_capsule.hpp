@@ -17,8 +17,8 @@ template <Scalar S, int N>
   if (capsule.radius < 0) return false;
   const auto a = detail::height_above(plane, capsule.a), b = detail::height_above(plane, capsule.b);
   if ((a < 0 && b > 0) || (a > 0 && b < 0)) return true;
-  return detail::is_near(plane, capsule.a, capsule.radius) ||
-         detail::is_near(plane, capsule.b, capsule.radius);
+  return detail::within_reach(plane, capsule.a, capsule.radius) ||
+         detail::within_reach(plane, capsule.b, capsule.radius);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Capsule<S, N>& capsule,

@@ -14,7 +14,7 @@ namespace detent {
 /// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere, const Aabb<S, N>& box) noexcept {
-  return sphere.radius >= 0 && detail::is_near(box, sphere.center, sphere.radius);
+  return sphere.radius >= 0 && detail::within_reach(box, sphere.center, sphere.radius);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Aabb<S, N>& box, const Sphere<S, N>& sphere) noexcept {

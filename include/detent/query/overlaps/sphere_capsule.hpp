@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/kernel/near_segment.hpp"
+#include "detent/query/kernel/within_segment.hpp"
 #include "detent/shape/sphere.hpp"
 
 namespace detent {
@@ -13,7 +13,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere,
                                       const Capsule<S, N>& capsule) noexcept {
-  return sphere.radius >= 0 && detail::is_near(capsule, sphere.center, sphere.radius);
+  return sphere.radius >= 0 && detail::within_reach(capsule, sphere.center, sphere.radius);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Capsule<S, N>& capsule,

@@ -13,7 +13,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere,
                                       const ConvexHull<S, N>& hull) noexcept {
-  return sphere.radius >= 0 && detail::is_near(hull, sphere.center, sphere.radius);
+  return sphere.radius >= 0 && detail::within_reach(hull, sphere.center, sphere.radius);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const ConvexHull<S, N>& hull,

@@ -15,7 +15,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere,
                                       const Plane<S, N>& plane) noexcept {
-  return sphere.radius >= 0 && detail::is_near(plane, sphere.center, sphere.radius);
+  return sphere.radius >= 0 && detail::within_reach(plane, sphere.center, sphere.radius);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Plane<S, N>& plane,

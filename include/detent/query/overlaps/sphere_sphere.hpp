@@ -11,7 +11,7 @@ namespace detent {
 /// exact:  yes or no exact; touching counts                  (tests/oracle/sphere_pairs.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& a, const Sphere<S, N>& b) noexcept {
-  return b.radius >= 0 && detail::is_near(a, b.center, b.radius);
+  return b.radius >= 0 && detail::within_reach(a, b.center, b.radius);
 }
 
 }  // namespace detent

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/kernel/near_triangle.hpp"
+#include "detent/query/kernel/within_triangle.hpp"
 #include "detent/shape/sphere.hpp"
 
 namespace detent {
@@ -14,7 +14,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Sphere<S, N>& sphere,
                                       const Triangle<S, N>& triangle) noexcept {
-  return sphere.radius >= 0 && detail::is_near(triangle, sphere.center, sphere.radius);
+  return sphere.radius >= 0 && detail::within_reach(triangle, sphere.center, sphere.radius);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Triangle<S, N>& triangle,

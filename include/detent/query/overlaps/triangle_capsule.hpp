@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/kernel/near_triangle.hpp"
 #include "detent/query/kernel/segment_triangle.hpp"
+#include "detent/query/kernel/within_triangle.hpp"
 #include "detent/shape/capsule.hpp"
 
 namespace detent {
@@ -24,11 +24,11 @@ template <Scalar S, int N>
     return false;
   }
   return detail::segment_meets(axis, triangle) ||
-         detail::is_near_face(triangle, axis.start, radius) ||
-         detail::is_near_face(triangle, axis.end, radius) ||
-         detail::is_near(Segment{a, b}, axis, radius) ||
-         detail::is_near(Segment{b, c}, axis, radius) ||
-         detail::is_near(Segment{c, a}, axis, radius);
+         detail::within_face(triangle, axis.start, radius) ||
+         detail::within_face(triangle, axis.end, radius) ||
+         detail::within_reach(Segment{a, b}, axis, radius) ||
+         detail::within_reach(Segment{b, c}, axis, radius) ||
+         detail::within_reach(Segment{c, a}, axis, radius);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Capsule<S, N>& capsule,

@@ -7,7 +7,7 @@
 
 #include "detent/math/width.hpp"
 #include "detent/number/filter/long_quadratic.hpp"
-#include "detent/query/kernel/near_segment.hpp"
+#include "detent/query/kernel/within_segment.hpp"
 #include "detent/query/raycast/hit.hpp"
 #include "detent/query/raycast/sphere.hpp"
 #include "detent/shape/capsule.hpp"
@@ -48,7 +48,7 @@ class RayCapsule {
   /// Where the ray enters the capsule, at a distance up to `limit`.
   [[nodiscard]] constexpr CapsuleEntry<S> entry(const S& limit) const noexcept {
     if (is_far()) return {CapsulePart::none};
-    if (is_near_edge(e_, m_, radius_)) return {CapsulePart::inside, S(0)};
+    if (within_edge(e_, m_, radius_)) return {CapsulePart::inside, S(0)};
     const auto b = approach();
     const auto c = start();
     if (c <= 0) return {dot(m_, e_) < 0 ? CapsulePart::first_end : CapsulePart::last_end};

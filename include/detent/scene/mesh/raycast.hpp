@@ -9,7 +9,7 @@
 
 #include "detent/cull/keep_first.hpp"
 #include "detent/number/next_up.hpp"
-#include "detent/query/kernel/passing_line.hpp"
+#include "detent/query/kernel/line_filter.hpp"
 #include "detent/query/raycast/triangle.hpp"
 #include "detent/scene/mesh/surface.hpp"
 
@@ -41,11 +41,11 @@ namespace detail {
 template <template <class> class Surface, Scalar S, class Visit>
 constexpr void visit_hits(const Ray<S, 3>& ray, const Surface<S>& surface,
                           const Visit& visit) noexcept {
-  const PassingLine<S> line(ray);
+  const LineFilter<S> line(ray);
   auto shorter = ray;
   visit_along(surface, ray, [&](std::span<const MeshTriangle<S>> parts) {
     for (const auto& part : parts) {
-      if (line.passes(part.triangle)) continue;
+      if (line.meets(part.triangle) == Filtered::no) continue;
       const auto distance = raycast(shorter, part.triangle);
       if (distance) shorter.max_distance = visit(part, *distance);
       if (shorter.max_distance < 0) break;

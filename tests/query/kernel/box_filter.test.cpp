@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "detent/query/kernel/rough_boxes.hpp"
+#include "detent/query/kernel/box_filter.hpp"
 
-#include "detent/query/kernel/rough_triangle.hpp"
+#include "detent/query/kernel/box_triangle_filter.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/triangle.hpp"
 #include "query/overlaps/helpers.hpp"
 
 namespace detent::test {
 namespace {
-
-using detail::Nearness;
 
 /// A rotation of less than 2^(bits - 32) about each axis of the world.
 template <Scalar S>
@@ -43,12 +41,12 @@ Direction<S, 3> random_way(Random& random, const Obb<S, 3>& a, const Obb<S, 3>& 
 }
 
 struct Count {
-  int asked = 0, unknown = 0, wrong = 0;
+  int asked = 0, unsure = 0, wrong = 0;
 
-  void add(Nearness nearness, bool answer) {
+  void add(Filtered filtered, bool answer) {
     ++asked;
-    unknown += nearness == Nearness::unknown ? 1 : 0;
-    wrong += nearness == (answer ? Nearness::apart : Nearness::meeting) ? 1 : 0;
+    unsure += filtered == Filtered::unsure ? 1 : 0;
+    wrong += filtered == (answer ? Filtered::no : Filtered::yes) ? 1 : 0;
   }
 };
 
@@ -77,8 +75,8 @@ void ask_on_the_way(Random& random, const Obb<S, 3>& a, const Obb<S, 3>& b, Coun
     });
     const bool answer =
         detail::boxes_overlap(frame_a, a.half_extents, frame_b, b.half_extents, apart);
-    count.add(detail::roughly_boxes_overlap(detail::RoughFrame(a.rotation), a.half_extents,
-                                            detail::RoughFrame(b.rotation), b.half_extents, apart),
+    count.add(detail::decide_boxes_overlap(detail::AxisFrame(a.rotation), a.half_extents,
+                                           detail::AxisFrame(b.rotation), b.half_extents, apart),
               answer);
     return answer;
   };
@@ -101,14 +99,14 @@ void ask_on_the_way(Random& random, const Obb<S, 3>& box, const Triangle<S, 3>& 
     };
     const auto a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
     const bool answer = detail::box_meets_triangle<S::bits + 1>(frame, box.half_extents, a, b, c);
-    count.add(detail::roughly_box_meets_triangle(detail::RoughFrame(box.rotation), box.half_extents,
-                                                 std::array{a, b, c}),
+    count.add(detail::decide_box_meets_triangle(detail::AxisFrame(box.rotation), box.half_extents,
+                                                std::array{a, b, c}),
               answer);
     return answer;
   });
 }
 
-TEMPLATE_TEST_CASE("OBB and OBB: a rough answer is right or unknown", "[overlaps]", q16_16, q14_16,
+TEMPLATE_TEST_CASE("OBB and OBB: the filter is right or unsure", "[overlaps]", q16_16, q14_16,
                    q24_8) {
   using S = TestType;
   Random random(0x0bb5);
@@ -125,15 +123,15 @@ TEMPLATE_TEST_CASE("OBB and OBB: a rough answer is right or unknown", "[overlaps
     b.rotation = Rotation<S, 3>::from_axes({tilted.axis(0), other.axis(1), tilted.axis(2)});
     ask_on_the_way(random, a, b, any);
   }
-  INFO(random << ": of " << any.asked << " and " << large.asked << " questions, unknown are "
-              << any.unknown << " and " << large.unknown);
+  INFO(random << ": of " << any.asked << " and " << large.asked << " questions, unsure are "
+              << any.unsure << " and " << large.unsure);
   CHECK(any.wrong + large.wrong == 0);
-  CHECK(any.unknown > 0);
-  CHECK(large.unknown < large.asked / 2);  // half of the steps are within 2^-16 of the transition
+  CHECK(any.unsure > 0);
+  CHECK(large.unsure < large.asked / 2);  // half of the steps are within 2^-16 of the transition
 }
 
-TEMPLATE_TEST_CASE("OBB and triangle: a rough answer is right or unknown", "[overlaps]", q16_16,
-                   q14_16, q24_8) {
+TEMPLATE_TEST_CASE("OBB and triangle: the filter is right or unsure", "[overlaps]", q16_16, q14_16,
+                   q24_8) {
   using S = TestType;
   Random random(0x0b73);
   Count any, large;
@@ -151,11 +149,11 @@ TEMPLATE_TEST_CASE("OBB and triangle: a rough answer is right or unknown", "[ove
     box.rotation = Rotation<S, 3>::from_axes({tilted.axis(0), turn.axis(1), tilted.axis(2)});
     ask_on_the_way(random, box, triangle, any);
   }
-  INFO(random << ": of " << any.asked << " and " << large.asked << " questions, unknown are "
-              << any.unknown << " and " << large.unknown);
+  INFO(random << ": of " << any.asked << " and " << large.asked << " questions, unsure are "
+              << any.unsure << " and " << large.unsure);
   CHECK(any.wrong + large.wrong == 0);
-  CHECK(any.unknown > 0);
-  CHECK(large.unknown < large.asked * 3 / 4);
+  CHECK(any.unsure > 0);
+  CHECK(large.unsure < large.asked * 3 / 4);
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 #include "detent/math/components.hpp"
 #include "detent/math/width.hpp"
+#include "detent/number/filter/filtered.hpp"
 #include "detent/number/fraction.hpp"
-#include "detent/query/kernel/nearness.hpp"
 
 namespace detent::detail {
 
@@ -34,26 +34,30 @@ template <Number A, Number B, int N>
   }
 }
 
+/// Whether all points t d, t in [0, 1], are on one axis farther away than `limit` from the box from
+/// `low` to `high`.
+template <Number T, Number D, Number R, int N>
+[[nodiscard]] constexpr bool are_beyond_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
+                                              const Vec<D, N>& d, const R& limit) noexcept {
+  bool any = false;
+  for (int i = 0; i < N; ++i) {
+    any = (low[i] > limit && low[i] - d[i] > limit) || any;
+    any = (high[i] < -limit && high[i] - d[i] < -limit) || any;
+  }
+  return any;
+}
+
 /// Calls `within` with the least squared distance of the points t d, t in [0, 1], from the box from
 /// `low` to `high`, as a number or as a numerator and a denominator, and returns its result.
-/// Returns `Answer()` if all points are found to be farther away than `limit`.
 ///
 /// The squared distance from the box is the sum of the squares of the excesses: a convex function
 /// f(t) of quadratic pieces, which change where the point enters or leaves a slab. If f is still
 /// falling there, its minimum comes later. So each axis yields the side of its slab on which the
 /// minimum lies. If the axes outside their slabs have the excesses g[i] + t d[i], the minimum is
 /// |g x d|^2 / d^2.
-template <Number T, Number D, Number R, int N, class Within>
+template <Number T, Number D, int N, class Within>
 [[nodiscard]] constexpr auto compare_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
-                                           const Vec<D, N>& d, const R& limit,
-                                           const Within& within) noexcept {
-  using Answer = decltype(within(squared_length(low)));
-  bool is_far = false;
-  for (int i = 0; i < N; ++i) {
-    is_far = (low[i] > limit && low[i] - d[i] > limit) || is_far;
-    is_far = (high[i] < -limit && high[i] - d[i] < -limit) || is_far;
-  }
-  if (is_far) return Answer();
+                                           const Vec<D, N>& d, const Within& within) noexcept {
   const auto at_start = excess(Vec<T, N>(), low, high), at_end = excess(d, low, high);
   if (dot(d, at_start) >= 0) return within(squared_length(at_start));
   if (dot(d, at_end) <= 0) return within(squared_length(at_end));
@@ -101,27 +105,28 @@ template <Number T, Number D, int N>
       return Result{over, under...};
     }
   };
-  return compare_slabs(low, high, d, largest<decltype(low.x - d.x)>, make);
+  return compare_slabs(low, high, d, make);
 }
 
 /// Whether the point t d, for some t in [0, 1], is within `reach` >= 0 of the box from `low` to
 /// `high`.
 template <Number T, Number D, Number R, int N>
-[[nodiscard]] constexpr bool is_near_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
-                                           const Vec<D, N>& d, const R& reach) noexcept {
+[[nodiscard]] constexpr bool within_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
+                                          const Vec<D, N>& d, const R& reach) noexcept {
   const auto squared_reach = square(reach);
-  return compare_slabs(low, high, d, reach, [&](const auto& over, const auto&... under) {
-    return over <= (squared_reach * ... * under);
-  });
+  return !are_beyond_slabs(low, high, d, reach) &&
+         compare_slabs(low, high, d, [&](const auto& over, const auto&... under) {
+           return over <= (squared_reach * ... * under);
+         });
 }
 
-/// Filter for `is_near_slabs` on the leading 28 bits of all numbers.
+/// Filter for `within_slabs` on the leading 28 bits of all numbers.
 ///
 /// Each is too small by less than one step, so faces and points are off by less than sqrt(3) steps
 /// each, a distance by less than 4, and the reach by less than 1.
 template <Number T, Number D, Number R, int N>
-[[nodiscard]] constexpr Nearness roughly_near_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
-                                                    const Vec<D, N>& d, const R& reach) noexcept {
+[[nodiscard]] constexpr Filtered decide_within_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
+                                                     const Vec<D, N>& d, const R& reach) noexcept {
   constexpr int kept = 28, bits = kept + 1;  // room for a few steps more
   int dropped = bits_of<R> - headroom(reach);
   for (int i = 0; i < N; ++i) {
@@ -134,16 +139,17 @@ template <Number T, Number D, Number R, int N>
     return make_vec<N>([&](int i) { return scale_down<bits>(v[i], dropped); });
   };
   using Reach = Fixed<bits, R::frac>;
-  const Reach rough = scale_down<bits>(reach, dropped);
+  const Reach shorter = scale_down<bits>(reach, dropped);
   const auto steps = [](int count) { return Reach::from_raw(count); };
-  const auto least = narrow<bits>(rough - steps(4)), most = narrow<bits>(rough + steps(5));
+  const auto least = narrow<bits>(shorter - steps(4)), most = narrow<bits>(shorter + steps(5));
   const auto least_square = square(least), most_square = square(most);
-  return compare_slabs(
-      cut(low), cut(high), cut(d), most, [&](const auto& over, const auto&... under) {
-        if (over > (most_square * ... * under)) return Nearness::apart;
-        return least >= 0 && over <= (least_square * ... * under) ? Nearness::meeting
-                                                                  : Nearness::unknown;
-      });
+  const auto short_low = cut(low), short_high = cut(high);
+  const auto short_d = cut(d);
+  if (are_beyond_slabs(short_low, short_high, short_d, most)) return Filtered::no;
+  return compare_slabs(short_low, short_high, short_d, [&](const auto& over, const auto&... under) {
+    if (over > (most_square * ... * under)) return Filtered::no;
+    return least >= 0 && over <= (least_square * ... * under) ? Filtered::yes : Filtered::unsure;
+  });
 }
 
 }  // namespace detent::detail

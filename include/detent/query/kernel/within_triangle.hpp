@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/kernel/near_segment.hpp"
 #include "detent/query/kernel/point_triangle.hpp"
+#include "detent/query/kernel/within_segment.hpp"
 
 namespace detent::detail {
 
@@ -39,49 +39,49 @@ struct PlaceOverFace {
 /// Whether the point `p` is within `reach` >= 0 of the triangle 0, `b`, `c`: of its face, or of an
 /// edge that it is beyond.
 template <Number T, Number R>
-[[nodiscard]] constexpr bool is_near_corners(const Vec<T, 3>& b, const Vec<T, 3>& c,
-                                             const Vec<T, 3>& p, const R& reach) noexcept {
+[[nodiscard]] constexpr bool within_corners(const Vec<T, 3>& b, const Vec<T, 3>& c,
+                                            const Vec<T, 3>& p, const R& reach) noexcept {
   const PlaceOverFace place(b, c, p);
-  if (place.is_over()) return is_near_level(b, c, p, reach);
+  if (place.is_over()) return within_level(b, c, p, reach);
   const auto is_beyond = [&](const auto& weight) { return place.is_flat || weight < 0; };
-  return (is_beyond(place.of_c) && is_near_edge(b, p, reach)) ||
-         (is_beyond(place.of_b) && is_near_edge(c, p, reach)) ||
-         (is_beyond(place.of_a) && is_near_edge(c - b, p - b, reach));
+  return (is_beyond(place.of_c) && within_edge(b, p, reach)) ||
+         (is_beyond(place.of_b) && within_edge(c, p, reach)) ||
+         (is_beyond(place.of_a) && within_edge(c - b, p - b, reach));
 }
 
 /// Whether the point `p` is straight above or below the triangle and within `reach` of it.
 template <Number T, Number R>
-[[nodiscard]] constexpr bool is_near_face(const Vec<T, 3>& b, const Vec<T, 3>& c,
-                                          const Vec<T, 3>& p, const R& reach) noexcept {
-  return PlaceOverFace(b, c, p).is_over() && is_near_level(b, c, p, reach);
+[[nodiscard]] constexpr bool within_face(const Vec<T, 3>& b, const Vec<T, 3>& c, const Vec<T, 3>& p,
+                                         const R& reach) noexcept {
+  return PlaceOverFace(b, c, p).is_over() && within_level(b, c, p, reach);
 }
 
 /// Whether `point` is straight above or below the face of `triangle`, where no edge is closer, and
 /// within `reach` >= 0 of it; in 2D, whether it is in the triangle.
 template <Scalar S, Number R>
-[[nodiscard]] constexpr bool is_near_face(const Triangle<S, 2>& triangle, const Vec<S, 2>& point,
-                                          const R&) noexcept {
+[[nodiscard]] constexpr bool within_face(const Triangle<S, 2>& triangle, const Vec<S, 2>& point,
+                                         const R&) noexcept {
   return holds(triangle, point);
 }
 template <Scalar S, Number R>
-[[nodiscard]] constexpr bool is_near_face(const Triangle<S, 3>& triangle, const Vec<S, 3>& point,
-                                          const R& reach) noexcept {
+[[nodiscard]] constexpr bool within_face(const Triangle<S, 3>& triangle, const Vec<S, 3>& point,
+                                         const R& reach) noexcept {
   const auto& [a, b, c] = triangle;
-  return by_width<29>([](const auto&... x) { return is_near_face(x...); }, b - a, c - a, point - a,
+  return by_width<29>([](const auto&... x) { return within_face(x...); }, b - a, c - a, point - a,
                       reach);
 }
 
 /// Whether `point` is within `reach` >= 0 of `triangle`.
 template <Scalar S, int N, Number R>
-[[nodiscard]] constexpr bool is_near(const Triangle<S, N>& triangle, const Vec<S, N>& point,
-                                     const R& reach) noexcept {
+[[nodiscard]] constexpr bool within_reach(const Triangle<S, N>& triangle, const Vec<S, N>& point,
+                                          const R& reach) noexcept {
   const auto& [a, b, c] = triangle;
   if (are_apart(Bounds(a, b, c), Bounds(point), reach)) return false;
   if constexpr (N == 2) {
-    return holds(triangle, point) || is_near(Segment{a, b}, point, reach) ||
-           is_near(Segment{b, c}, point, reach) || is_near(Segment{c, a}, point, reach);
+    return holds(triangle, point) || within_reach(Segment{a, b}, point, reach) ||
+           within_reach(Segment{b, c}, point, reach) || within_reach(Segment{c, a}, point, reach);
   } else {
-    return by_width<29>([](const auto&... x) { return is_near_corners(x...); }, b - a, c - a,
+    return by_width<29>([](const auto&... x) { return within_corners(x...); }, b - a, c - a,
                         point - a, reach);
   }
 }

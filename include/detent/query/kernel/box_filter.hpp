@@ -7,20 +7,20 @@
 #include <type_traits>
 
 #include "detent/math/orthonormal.hpp"
+#include "detent/number/filter/filtered.hpp"
 #include "detent/query/kernel/box.hpp"
-#include "detent/query/kernel/nearness.hpp"
 
 namespace detent::detail {
 
 /// The cosine of the angle between two axes, truncated to 28 bits so that products with 32-bit
 /// coordinates fit 64.
-using RoughCosine = Fixed<29, 28>;
+using ShortCosine = Fixed<29, 28>;
 
 /// The axes of a rotation as the edges of a box, without the normals of its faces.
 template <Scalar S, int N>
-class RoughFrame {
+class AxisFrame {
  public:
-  explicit constexpr RoughFrame(const Rotation<S, N>& rotation) noexcept : rotation_(rotation) {}
+  explicit constexpr AxisFrame(const Rotation<S, N>& rotation) noexcept : rotation_(rotation) {}
 
   [[nodiscard]] constexpr const Rotation<S, N>& rotation() const noexcept { return rotation_; }
   [[nodiscard]] constexpr const auto& edge(int i) const noexcept { return rotation_.axis(i); }
@@ -36,13 +36,13 @@ class RoughFrame {
 /// Whether any two axes are perpendicular within 2^-26.
 constexpr bool is_square(const WorldFrame&) noexcept { return true; }
 template <Scalar S, int N>
-constexpr bool is_square(const RoughFrame<S, N>& frame) noexcept {
+constexpr bool is_square(const AxisFrame<S, N>& frame) noexcept {
   return are_perpendicular<26>(frame.rotation());
 }
 
 /// The margin for half extents with the sum `sum`: 2^-18 of that, plus 8 steps.
 template <Number Sum>
-[[nodiscard]] constexpr auto rough_margin(const Sum& sum) noexcept {
+[[nodiscard]] constexpr auto box_error(const Sum& sum) noexcept {
   return narrow<34>(scale_down<34>(sum, 18) + Fixed<34, Sum::frac>::from_raw(8));
 }
 
@@ -72,29 +72,29 @@ template <int N, class F>
 ///
 /// source: separating axes by cosines, Ericson, Real-Time Collision Detection, 4.4.1
 template <class Frame, Scalar S, Number H, Number T, int N>
-[[nodiscard]] constexpr Nearness roughly_boxes_overlap(const Frame& a, const Vec<H, N>& half_a,
-                                                       const RoughFrame<S, N>& b,
-                                                       const Vec<H, N>& half_b,
-                                                       const Vec<T, N>& apart) noexcept {
+[[nodiscard]] constexpr Filtered decide_boxes_overlap(const Frame& a, const Vec<H, N>& half_a,
+                                                      const AxisFrame<S, N>& b,
+                                                      const Vec<H, N>& half_b,
+                                                      const Vec<T, N>& apart) noexcept {
   constexpr auto size = static_cast<std::size_t>(N);
-  if (!is_square(a)) return Nearness::unknown;
+  if (!is_square(a)) return Filtered::unsure;
   using Place = Fixed<34, T::frac>;
-  using Slack = Fixed<63, T::frac + RoughCosine::frac>;
+  using Slack = Fixed<63, T::frac + ShortCosine::frac>;
   constexpr int bits = 62;  // of all sums of two or three products: they are below 2^61
   auto sum = narrow<36>(half_a[0] + half_b[0]);
   for (int i = 1; i < N; ++i) sum = narrow<36>(sum + half_a[i] + half_b[i]);
-  const Slack margin = rough_margin(sum);
+  const Slack margin = box_error(sum);
   const Slack least = narrow_negative(margin);
   const auto slack = [](const auto& reach, const auto& place) -> Slack {
     return narrow_difference<63>(reach, abs(place));
   };
 
-  std::array<Vec<RoughCosine, N>, size> cosines, lengths;  // [j][i]: edge j of b, edge i of a
+  std::array<Vec<ShortCosine, N>, size> cosines, lengths;  // [j][i]: edge j of b, edge i of a
   Vec<Place, N> along_a;
   for (int j = 0; j < N; ++j) {
     const auto k = static_cast<std::size_t>(j);
     cosines[k] =
-        make_vec<N>([&](int i) { return narrow_floor<RoughCosine>(a.along(i, b.edge(j).vec())); });
+        make_vec<N>([&](int i) { return narrow_floor<ShortCosine>(a.along(i, b.edge(j).vec())); });
     lengths[k] = make_vec<N>([&](int i) { return abs(cosines[k][i]); });
   }
   const auto faces_a = least_of<N>([&](auto i) {
@@ -102,13 +102,13 @@ template <class Frame, Scalar S, Number H, Number T, int N>
     along_a[i] = narrow_floor<Place>(a.along(i, apart));
     return slack(narrow_sum<bits>(half_a[i], narrow_dot<bits>(half_b, row)), along_a[i]);
   });
-  if (faces_a < least) return Nearness::apart;  // whatever the axes of b are
-  if (!is_square(b)) return Nearness::unknown;
+  if (faces_a < least) return Filtered::no;  // whatever the axes of b are
+  if (!is_square(b)) return Filtered::unsure;
   const auto faces_b = least_of<N>([&](auto j) {
     const auto along_b = narrow_floor<Place>(b.along(j, apart));
     return slack(narrow_sum<bits>(half_b[j], narrow_dot<bits>(half_a, lengths[j])), along_b);
   });
-  if (faces_b < least) return Nearness::apart;
+  if (faces_b < least) return Filtered::no;
   auto inside = (std::min)(faces_a, faces_b);
   if constexpr (N == 3) {
     const auto edges = least_of<3>([&](auto j) {
@@ -120,14 +120,14 @@ template <class Frame, Scalar S, Number H, Number T, int N>
             narrow_dot<bits>(Vec{half_b[j1], half_b[j2]}, Vec{lengths[j2][i], lengths[j1][i]});
         const auto place =
             narrow_cross<bits>(Vec{cosines[j][i1], cosines[j][i2]}, Vec{along_a[i1], along_a[i2]});
-        const bool is_parallel = lengths[j][i1] + lengths[j][i2] <= RoughCosine::from_raw(8);
+        const bool is_parallel = lengths[j][i1] + lengths[j][i2] <= ShortCosine::from_raw(8);
         return is_parallel ? margin : slack(narrow_sum<bits>(reach_a, reach_b), place);
       });
     });
-    if (edges < least) return Nearness::apart;
+    if (edges < least) return Filtered::no;
     inside = (std::min)(inside, edges);
   }
-  return inside >= margin ? Nearness::meeting : Nearness::unknown;
+  return inside >= margin ? Filtered::yes : Filtered::unsure;
 }
 
 }  // namespace detent::detail

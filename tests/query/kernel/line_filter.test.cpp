@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "detent/query/kernel/passing_line.hpp"
+#include "detent/query/kernel/line_filter.hpp"
 
 #include "detent/query/raycast/triangle.hpp"
 #include "support/catch.hpp"
@@ -8,7 +8,7 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("passing line: just the triangles that the line misses are left out", "", q16_16,
+TEMPLATE_TEST_CASE("line filter: just the triangles that the line misses are left out", "", q16_16,
                    q14_16, q24_8, q8_8) {
   using S = TestType;
   Random random(0x9a55);
@@ -17,7 +17,7 @@ TEMPLATE_TEST_CASE("passing line: just the triangles that the line misses are le
       return S::from_raw(static_cast<typename S::raw_type>(random.between(-size, size)));
     });
   };
-  int met = 0, passed = 0, seen_from_edge = 0;
+  int met = 0, missed = 0, seen_from_edge = 0;
   for (int i = 0; i < 20'000; ++i) {
     // Few raw units, so that corners and edges are often hit; far enough to cross the triangle.
     const int size = random.one_in(2) ? 6 : 5'000;
@@ -30,29 +30,29 @@ TEMPLATE_TEST_CASE("passing line: just the triangles that the line misses are le
     const Ray<S, 3> ray{random.one_in(2) ? triangle.a : point(size), *direction, S::max()};
     const Ray<S, 3> back{ray.origin, -*direction, S::max()};
     const bool meets = raycast(ray, triangle) || raycast(back, triangle);
-    const bool passes = detail::PassingLine<S>(ray).passes(triangle);
+    const bool misses = detail::LineFilter<S>(ray).meets(triangle) == Filtered::no;
     INFO(i);
-    if (passes) REQUIRE_FALSE(meets);
+    if (misses) REQUIRE_FALSE(meets);
     const bool is_edge_on = detail::RayTriangle<S>(ray, triangle).det == 0;
     seen_from_edge += is_edge_on ? 1 : 0;
     if (is_edge_on || direction->vec().z == 0) continue;
-    REQUIRE(passes != meets);
-    ++(passes ? passed : met);
+    REQUIRE(misses != meets);
+    ++(misses ? missed : met);
   }
   CHECK(met > 2'000);
-  CHECK(passed > 2'000);
+  CHECK(missed > 2'000);
   CHECK(seen_from_edge > 200);
 }
 
-TEST_CASE("passing line: float and double leave nothing out") {
-  const auto passes = []<class S>(S) {
+TEST_CASE("line filter: float and double leave nothing out") {
+  const auto misses = []<class S>(S) {
     const Ray<S, 3> ray{{S(0), S(0), S(0)}, Direction<S, 3>::along(2), S(9)};
-    return detail::PassingLine<S>(ray).passes(
-        {{S(5), S(5), S(1)}, {S(6), S(5), S(1)}, {S(5), S(6), S(1)}});
+    return detail::LineFilter<S>(ray).meets(
+               {{S(5), S(5), S(1)}, {S(6), S(5), S(1)}, {S(5), S(6), S(1)}}) == Filtered::no;
   };
-  CHECK_FALSE(passes(0.0F));
-  CHECK_FALSE(passes(0.0));
-  CHECK(passes(q16_16()));
+  CHECK_FALSE(misses(0.0F));
+  CHECK_FALSE(misses(0.0));
+  CHECK(misses(q16_16()));
 }
 
 }  // namespace

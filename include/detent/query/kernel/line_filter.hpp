@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/number/filter/filtered.hpp"
 #include "detent/shape/ray.hpp"
 #include "detent/shape/triangle.hpp"
 
@@ -13,26 +14,26 @@ namespace detent::detail {
 /// (x, y, z) d.z - z d, which has two coordinates. The line meets the triangle only if the
 /// projected one does not have the origin on an outer side: if no two edges turn about it in
 /// different ways. Every number is exact, so no triangle that the line touches is ruled out.
-/// (tests/query/kernel/passing_line.test.cpp)
+/// (tests/query/kernel/line_filter.test.cpp)
 ///
 /// source: Woop, Benthin and Wald, Watertight Ray/Triangle Intersection (2013), without division
 template <Scalar S>
-class PassingLine {
+class LineFilter {
  public:
-  explicit constexpr PassingLine(const Ray<S, 3>& ray) noexcept
+  explicit constexpr LineFilter(const Ray<S, 3>& ray) noexcept
       : origin_(ray.origin), direction_(ray.direction) {}
 
-  /// Whether the line is found to miss `triangle`. Always false for scalars that round, which could
-  /// only guess, and for directions without z, which project all corners onto one line.
-  [[nodiscard]] constexpr bool passes(const Triangle<S, 3>& triangle) const noexcept {
+  /// Whether the line meets `triangle`: `no` or `unsure`. Always unsure for scalars that round, which
+  /// could only guess, and for directions without z, which project all corners onto one line.
+  [[nodiscard]] constexpr Filtered meets(const Triangle<S, 3>& triangle) const noexcept {
     if constexpr (is_fixed<S>) {
       const auto a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
       const auto ab = turn(a, b), bc = turn(b, c), ca = turn(c, a);
       const bool left = int{ab > 0} + int{bc > 0} + int{ca > 0} != 0;
       const bool right = int{ab < 0} + int{bc < 0} + int{ca < 0} != 0;
-      return left && right;
+      return left && right ? Filtered::no : Filtered::unsure;
     } else {
-      return false;
+      return Filtered::unsure;
     }
   }
 

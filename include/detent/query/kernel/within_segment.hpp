@@ -14,8 +14,8 @@ namespace detent::detail {
 ///
 /// source: Ericson, Real-Time Collision Detection, 5.1.2.1
 template <Number T, Number W, Number R, int N>
-[[nodiscard]] constexpr bool is_near_edge(const Vec<T, N>& e, const Vec<W, N>& w,
-                                          const R& reach) noexcept {
+[[nodiscard]] constexpr bool within_edge(const Vec<T, N>& e, const Vec<W, N>& w,
+                                         const R& reach) noexcept {
   const auto along = dot(w, e);
   const auto whole = squared_length(e);
   if (along <= 0) return squared_length(w) <= square(reach);
@@ -28,8 +28,8 @@ template <Number T, Number W, Number R, int N>
 /// (n . m)^2 <= reach^2 n^2. That is also the distance between the lines along `d` through 0 and
 /// along `e` through `m`.
 template <Number T, Number M, Number R>
-[[nodiscard]] constexpr bool is_near_level(const Vec<T, 3>& d, const Vec<T, 3>& e,
-                                           const Vec<M, 3>& m, const R& reach) noexcept {
+[[nodiscard]] constexpr bool within_level(const Vec<T, 3>& d, const Vec<T, 3>& e,
+                                          const Vec<M, 3>& m, const R& reach) noexcept {
   const auto n = cross(d, e);
   const auto volume = abs(dot(n, m));
   return compare_products(volume, volume, square(reach), squared_length(n)) <= 0;
@@ -44,21 +44,21 @@ template <Number T, Number M, Number R>
 ///
 /// source: Ericson, Real-Time Collision Detection, 5.1.9
 template <Number T, Number R>
-[[nodiscard]] constexpr bool are_near(const Vec<T, 3>& d, const Vec<T, 3>& e, const Vec<T, 3>& m,
-                                      const R& reach) noexcept {
+[[nodiscard]] constexpr bool within_segments(const Vec<T, 3>& d, const Vec<T, 3>& e,
+                                             const Vec<T, 3>& m, const R& reach) noexcept {
   const auto dd = squared_length(d), ee = squared_length(e), de = dot(d, e);
   const auto md = dot(m, d), me = dot(m, e);
   const auto whole = dd * ee - de * de;  // |d x e|^2
   // s d - m - t e is perpendicular to both; these are s and t times `whole`.
   const auto s = md * ee - me * de, t = md * de - me * dd;
   if (whole > 0 && s >= 0 && s <= whole && t >= 0 && t <= whole) {
-    return is_near_level(d, e, m, reach);
+    return within_level(d, e, m, reach);
   }
   const bool any = !(whole > 0);
-  return ((any || t < 0) && is_near_edge(d, m, reach)) ||
-         ((any || t > whole) && is_near_edge(d, m + e, reach)) ||
-         ((any || s < 0) && is_near_edge(e, -m, reach)) ||
-         ((any || s > whole) && is_near_edge(e, d - m, reach));
+  return ((any || t < 0) && within_edge(d, m, reach)) ||
+         ((any || t > whole) && within_edge(d, m + e, reach)) ||
+         ((any || s < 0) && within_edge(e, -m, reach)) ||
+         ((any || s > whole) && within_edge(e, d - m, reach));
 }
 
 /// The bounding box of some corners.
@@ -95,37 +95,37 @@ template <Scalar S, int N, Number R>
 
 /// Whether `point` is within `reach` >= 0 of `segment`.
 template <Scalar S, int N, Number R>
-[[nodiscard]] constexpr bool is_near(const Segment<S, N>& segment, const Vec<S, N>& point,
-                                     const R& reach) noexcept {
-  return by_width<30>([](const auto&... x) { return is_near_edge(x...); },
+[[nodiscard]] constexpr bool within_reach(const Segment<S, N>& segment, const Vec<S, N>& point,
+                                          const R& reach) noexcept {
+  return by_width<30>([](const auto&... x) { return within_edge(x...); },
                       segment.end - segment.start, point - segment.start, reach);
 }
 
 /// Whether `point` is in `capsule`.
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool holds(const Capsule<S, N>& capsule, const Vec<S, N>& point) noexcept {
-  return capsule.radius >= 0 && is_near(Segment{capsule.a, capsule.b}, point, capsule.radius);
+  return capsule.radius >= 0 && within_reach(Segment{capsule.a, capsule.b}, point, capsule.radius);
 }
 
 /// Whether `point` is within `reach` >= 0 of `capsule`.
 template <Scalar S, int N>
-[[nodiscard]] constexpr bool is_near(const Capsule<S, N>& capsule, const Vec<S, N>& point,
-                                     const S& reach) noexcept {
+[[nodiscard]] constexpr bool within_reach(const Capsule<S, N>& capsule, const Vec<S, N>& point,
+                                          const S& reach) noexcept {
   return capsule.radius >= 0 &&
-         is_near(Segment{capsule.a, capsule.b}, point, capsule.radius + reach);
+         within_reach(Segment{capsule.a, capsule.b}, point, capsule.radius + reach);
 }
 
 /// Whether two segments come within `reach` >= 0 of each other: at an end of one, or at the two
 /// points between the ends where their lines are closest.
 template <Scalar S, int N, Number R>
-[[nodiscard]] constexpr bool is_near(const Segment<S, N>& a, const Segment<S, N>& b,
-                                     const R& reach) noexcept {
+[[nodiscard]] constexpr bool within_reach(const Segment<S, N>& a, const Segment<S, N>& b,
+                                          const R& reach) noexcept {
   if (are_apart(Bounds(a.start, a.end), Bounds(b.start, b.end), reach)) return false;
   if constexpr (N == 2) {
-    return is_near(a, b.start, reach) || is_near(a, b.end, reach) || is_near(b, a.start, reach) ||
-           is_near(b, a.end, reach) || segments_meet(a, b);
+    return within_reach(a, b.start, reach) || within_reach(a, b.end, reach) ||
+           within_reach(b, a.start, reach) || within_reach(b, a.end, reach) || segments_meet(a, b);
   } else {
-    return by_width<29>([](const auto&... x) { return are_near(x...); }, a.end - a.start,
+    return by_width<29>([](const auto&... x) { return within_segments(x...); }, a.end - a.start,
                         b.end - b.start, b.start - a.start, reach);
   }
 }

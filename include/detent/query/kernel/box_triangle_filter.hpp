@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "detent/query/kernel/rough_boxes.hpp"
+#include "detent/query/kernel/box_filter.hpp"
 
 namespace detent::detail {
 
@@ -21,12 +21,12 @@ namespace detent::detail {
 /// projections as corners is within 64 steps of the given one along each axis. Its edges take one
 /// bit more.
 template <Scalar S, Number H, Number T>
-[[nodiscard]] constexpr Nearness roughly_box_meets_triangle(
-    const RoughFrame<S, 3>& box, const Vec<H, 3>& half_extents,
+[[nodiscard]] constexpr Filtered decide_box_meets_triangle(
+    const AxisFrame<S, 3>& box, const Vec<H, 3>& half_extents,
     const std::array<Vec<T, 3>, 3>& corners) noexcept {
-  if (!is_square(box)) return Nearness::unknown;
+  if (!is_square(box)) return Filtered::unsure;
   using Place = Fixed<34, T::frac>;
-  const Place margin = rough_margin(half_extents.x + half_extents.y + half_extents.z);
+  const Place margin = box_error(half_extents.x + half_extents.y + half_extents.z);
   std::array<Vec<Place, 3>, 3> places;
   std::array<bool, 3> within{true, true, true};
   for (int i = 0; i < 3; ++i) {
@@ -40,9 +40,9 @@ template <Scalar S, Number H, Number T>
       within[k] = within[k] && abs(place) <= least;
       places[k][i] = place;
     }
-    if (above == 3 || below == 3) return Nearness::apart;
+    if (above == 3 || below == 3) return Filtered::no;
   }
-  if (within[0] || within[1] || within[2]) return Nearness::meeting;
+  if (within[0] || within[1] || within[2]) return Filtered::yes;
 
   constexpr int bits = 29;
   using Coordinate = Fixed<bits, T::frac>;
@@ -51,16 +51,15 @@ template <Scalar S, Number H, Number T>
   const auto shorter = make_vec<3>([&](int i) { return half_extents[i] - error; });
   if (!fits<bits>(places[0]) || !fits<bits>(places[1]) || !fits<bits>(places[2]) ||
       !fits<bits>(longer)) {
-    return Nearness::unknown;
+    return Filtered::unsure;
   }
   const auto meets = [&](const auto& extents) {
     const auto corner = [&](std::size_t k) { return at_most<bits + 1>(places[k]); };
     return box_meets_triangle<bits + 1>(WorldFrame(), at_most<bits>(extents), corner(0), corner(1),
                                         corner(2));
   };
-  if (shorter.x >= 0 && shorter.y >= 0 && shorter.z >= 0 && meets(shorter))
-    return Nearness::meeting;
-  return meets(longer) ? Nearness::unknown : Nearness::apart;
+  if (shorter.x >= 0 && shorter.y >= 0 && shorter.z >= 0 && meets(shorter)) return Filtered::yes;
+  return meets(longer) ? Filtered::unsure : Filtered::no;
 }
 
 }  // namespace detent::detail
