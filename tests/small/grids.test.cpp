@@ -28,11 +28,3 @@ TEST_CASE("small worlds: 31 bits, one before the point", "[small]") {
 TEST_CASE("small worlds: 31 bits, none after the point", "[small]") {
   ask_all<Fixed<31, 0>, 2>(40'625, 48'000, 90'000);
 }
-
-TEST_CASE("small worlds: 30 bits, one before the point", "[small]") {
-  ask_all<Fixed<30, 29>, 3>(225'000, 48'000, 90'000);
-}
-
-TEST_CASE("small worlds: 14 bits, one before the point", "[small]") {
-  ask_all<Fixed<14, 13>, 2>(40'625, 48'000, 90'000);
-}
