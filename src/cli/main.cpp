@@ -76,15 +76,16 @@ struct Arguments {
 };
 
 void add_cast(CLI::App& app, Arguments& arguments) {
-  CLI::App* const command = app.add_subcommand("cast", "Answer the rays of a scene");
+  CLI::App* const command = app.add_subcommand("cast", "Cast the rays of a scene");
   command->add_option("scene", arguments.cast.scene, "A scene in JSON")
       ->required()
       ->check(check_name);
   command->add_option("--scalar", arguments.cast.scalar, all_scalars())->capture_default_str();
   CLI::Option* const compare = command->add_option(
       "--compare", arguments.compare,
-      "Report on two scalars, A,B or B next to --scalar, instead of the answers");
-  command->add_option("-o,--out", arguments.cast.out, "Write to this file, not to standard output")
+      "Compare scalars A,B, or --scalar with B, instead of printing the answers");
+  command
+      ->add_option("-o,--out", arguments.cast.out, "Write to this file instead of standard output")
       ->check(check_name);
   command->final_callback([&arguments, compare] {
     CastOptions& options = arguments.cast;
@@ -102,21 +103,24 @@ void add_render(CLI::App& app, Arguments& arguments) {
   command->add_option("-o,--out", arguments.render.out, "The PNG file to write")
       ->required()
       ->check(check_name);
-  command->add_option("--size", arguments.size, "In pixels")->capture_default_str();
+  command->add_option("--size", arguments.size, "Size in pixels")->capture_default_str();
   command->add_option("--scalar", arguments.render.scalar, all_scalars())->capture_default_str();
   CLI::Option* const compare =
       command
           ->add_option("--compare", arguments.compare,
-                       "Draw two scalars, A,B or B next to --scalar (float by default), and "
-                       "where they differ")
+                       "Draw in scalars A,B, or in --scalar and B (float), and show where they "
+                       "differ")
           ->expected(0, 1)
           ->default_str("float");
   command->add_option("--offset", arguments.offset, "Move the scene and its camera by X,Y,Z")
       ->capture_default_str();
-  command->add_option("--bias", arguments.bias, "How far above a surface its shadow rays start")
+  command
+      ->add_option("--bias", arguments.bias,
+                   "Height above a surface at which its shadow rays start")
       ->capture_default_str();
-  CLI::Option* const scale = command->add_option(
-      "--scale", arguments.scale, "Scale of an OBJ model (without: its longest side is 20 units)");
+  CLI::Option* const scale =
+      command->add_option("--scale", arguments.scale,
+                          "Scale of an OBJ model; by default its longest side becomes 20 units");
   command
       ->add_option("--threads", arguments.render.threads,
                    "Number of threads; 0 for one per processor")
@@ -146,12 +150,12 @@ void add_render(CLI::App& app, Arguments& arguments) {
 void add_verify(CLI::App& app, Arguments& arguments) {
   VerifyOptions& options = arguments.verify;
   CLI::App* const command = app.add_subcommand(
-      "verify", "Answer a fixed corpus of queries and compare with the golden digests");
+      "verify", "Run a fixed corpus of queries and compare the results with the golden digests");
   command->add_flag("--small", options.small, "The corpus for microcontrollers");
-  command->add_option("--only", options.only, "Only queries whose name begins so");
-  command->add_flag("--exact", options.exact, "Check every answer by exact arithmetic as well");
+  command->add_option("--only", options.only, "Only queries whose names begin with this");
+  command->add_flag("--exact", options.exact, "Also check every result in exact arithmetic");
   command->add_flag("--json", options.json, "Print the report in JSON");
-  command->add_option("--dump", options.dump, "Write the answers to this file, byte for byte")
+  command->add_option("--dump", options.dump, "Write the results to this file, byte for byte")
       ->check(check_name);
   command->add_option("--threads", options.threads, "Number of threads; 0 for one per processor")
       ->capture_default_str()
