@@ -48,26 +48,11 @@ void ask_each(Verdict& verdict, const First& first, const Rest&... rest) {
 template <Scalar S, int N>
 void ask_every_pair(std::size_t most, long expected) {
   Verdict verdict;
-  const auto all = points<S, N>();
-  const auto corners = some(N == 2 ? 16 : 9, all);
-  const Hulls<S, N> lists(corners, N == 2 ? 4 : 5);
-  const auto balls = some(most, spheres<S, N>());
-  const auto upright = some(most, boxes(all));
-  const auto turned = some(most, turned_boxes(all, all, rotations<S, N>()));
-  const auto flat = some(most, planes(directions<S, N>(2)));
-  const auto faces = some(most, triangles(all, all));
-  const auto pills = some(most, capsules(all));
-  const auto hulls = some(most, lists.all());
-  const auto lines = some(most, segments(all));
-  ask_each(verdict, balls, upright, turned, flat, faces, pills, hulls);
-  ask_pairs(verdict, lines, balls);
-  ask_pairs(verdict, lines, upright);
-  ask_pairs(verdict, lines, turned);
-  ask_pairs(verdict, lines, flat);
-  ask_pairs(verdict, lines, faces);
-  ask_pairs(verdict, lines, pills);
-  ask_pairs(verdict, lines, hulls);
-  ask_pairs(verdict, lines, lines);
+  with_some(most, all_parts<S, N>(), [&](const auto& segments, const auto&... shapes) {
+    ask_each(verdict, shapes...);
+    (ask_pairs(verdict, segments, shapes), ...);
+    ask_pairs(verdict, segments, segments);
+  });
   verdict.finish(expected);
 }
 

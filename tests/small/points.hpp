@@ -28,19 +28,10 @@ void ask_points(Verdict& verdict, const std::vector<Shape>& shapes,
 template <Scalar S, int N>
 void ask_every_point(std::size_t most, long expected) {
   Verdict verdict;
-  const auto all = points<S, N>();
-  const auto ways = directions<S, N>(2);
-  const auto corners = some(N == 2 ? 16 : 9, all);
-  ask_points(verdict, some(most, spheres<S, N>()), all);
-  ask_points(verdict, some(most, boxes(all)), all);
-  ask_points(verdict, some(most, turned_boxes(all, all, rotations<S, N>())), all);
-  ask_points(verdict, some(most, planes(ways)), all);
-  ask_points(verdict, some(most, triangles(all, all)), all);
-  ask_points(verdict, some(most, capsules(all)), all);
-  ask_points(verdict, some(most, segments(all)), all);
-  ask_points(verdict, some(most, rays(all, ways, numbers<S>())), all);
-  const Hulls<S, N> hulls(corners, N == 2 ? 4 : 5);
-  ask_points(verdict, some(most, hulls.all()), all);
+  const auto parts = all_parts<S, N>();
+  with_some(most, parts,
+            [&](const auto&... shapes) { (ask_points(verdict, shapes, parts.points), ...); });
+  ask_points(verdict, some<Ray<S, N>>(most, parts), parts.points);
   verdict.finish(expected);
 }
 

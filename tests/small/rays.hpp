@@ -43,19 +43,9 @@ void ask_rays(Verdict& verdict, const std::vector<Ray<S, N>>& rays,
 template <Scalar S, int N>
 void ask_every_ray(std::size_t most_rays, std::size_t most, long expected) {
   Verdict verdict;
-  const auto all = points<S, N>();
-  const auto ways = directions<S, N>(2);
-  const auto corners = some(N == 2 ? 16 : 9, all);
-  const auto cast = some(most_rays, rays(all, directions<S, N>(3), numbers<S>()));
-  ask_rays(verdict, cast, some(most, spheres<S, N>()));
-  ask_rays(verdict, cast, some(most, boxes(all)));
-  ask_rays(verdict, cast, some(most, turned_boxes(all, all, rotations<S, N>())));
-  ask_rays(verdict, cast, some(most, planes(ways)));
-  ask_rays(verdict, cast, some(most, triangles(all, all)));
-  ask_rays(verdict, cast, some(most, capsules(all)));
-  ask_rays(verdict, cast, some(most, segments(all)));
-  const Hulls<S, N> hulls(corners, N == 2 ? 4 : 5);
-  ask_rays(verdict, cast, some(most, hulls.all()));
+  const auto rays = some<Ray<S, N>>(most_rays, all_parts<S, N>(3));
+  with_some(most, all_parts<S, N>(),
+            [&](const auto&... shapes) { (ask_rays(verdict, rays, shapes), ...); });
   verdict.finish(expected);
 }
 

@@ -10,8 +10,7 @@
 
 #include "detent/scene/mesh.hpp"
 #include "detent/scene/mesh/owned.hpp"
-#include "oracle/space.hpp"
-#include "support/catch.hpp"
+#include "small/world.hpp"
 
 // Scenes of one, two and three objects in worlds of so few numbers that every query can be run on
 // every object. The results are those of a plain loop over the queries on single shapes.
@@ -19,36 +18,17 @@
 namespace detent::small {
 namespace {
 
-/// The parts of a world, which has every combination of them.
+/// Small enough that scenes can hold every shape.
 template <Scalar S, int N>
-struct Atoms {
-  std::vector<S> coordinates, lengths;
-  std::vector<Direction<S, N>> directions;
-  std::vector<Rotation<S, N>> rotations;
-
-  [[nodiscard]] std::vector<Vec<S, N>> points() const { return points_of(coordinates); }
-
-  static std::vector<Vec<S, N>> points_of(const std::vector<S>& numbers) {
-    std::vector<Vec<S, N>> all{Vec<S, N>{}};
-    for (int i = 0; i < N; ++i) {
-      std::vector<Vec<S, N>> longer;
-      for (auto point : all) {
-        for (const S& x : numbers) {
-          point[i] = x;
-          longer.push_back(point);
-        }
-      }
-      all = longer;
-    }
-    return all;
-  }
-};
-
-template <Scalar S, int N>
-Atoms<S, N> atoms(const std::vector<S>& coordinates) {
+Parts<S, N> parts(const std::vector<S>& coordinates) {
   const auto unit = S::from_raw(1);
-  Atoms<S, N> all{coordinates, {S::from_raw(-1), S(0), unit, S::max()}, {}, {Rotation<S, N>()}};
-  for (const auto& way : Atoms<S, N>::points_of({S::from_raw(-1), S(0), unit})) {
+  Parts<S, N> all{points_of<N>(coordinates),
+                  points_of<N>(std::vector{S(0), S::max()}),
+                  {S::from_raw(-1), S(0), unit, S::max()},
+                  coordinates,
+                  {},
+                  {Rotation<S, N>()}};
+  for (const auto& way : points_of<N>(std::vector{S::from_raw(-1), S(0), unit})) {
     if (const auto direction = normalize(way)) all.directions.push_back(*direction);
   }
   for (const int degrees : {45, 30, 201}) {
@@ -72,71 +52,9 @@ Atoms<S, N> atoms(const std::vector<S>& coordinates) {
   return all;
 }
 
-/// Every shape of a type.
-template <Scalar S, int N>
-void list(const Atoms<S, N>& atoms, std::vector<Vec<S, N>>& out) {
-  out = atoms.points();
-}
-template <Scalar S, int N>
-void list(const Atoms<S, N>& atoms, std::vector<Segment<S, N>>& out) {
-  for (const auto& a : atoms.points()) {
-    for (const auto& b : atoms.points()) out.push_back({a, b});
-  }
-}
-template <Scalar S, int N>
-void list(const Atoms<S, N>& atoms, std::vector<Ray<S, N>>& out) {
-  for (const auto& origin : atoms.points()) {
-    for (const auto& direction : atoms.directions) {
-      for (const S& length : atoms.lengths) out.push_back({origin, direction, length});
-    }
-  }
-}
-template <Scalar S, int N>
-void list(const Atoms<S, N>& atoms, std::vector<Sphere<S, N>>& out) {
-  for (const auto& center : atoms.points()) {
-    for (const S& radius : atoms.lengths) out.push_back({center, radius});
-  }
-}
-template <Scalar S, int N>
-void list(const Atoms<S, N>& atoms, std::vector<Aabb<S, N>>& out) {
-  for (const auto& a : atoms.points()) {
-    for (const auto& b : atoms.points()) out.push_back({a, b});
-  }
-}
-template <Scalar S, int N>
-void list(const Atoms<S, N>& atoms, std::vector<Obb<S, N>>& out) {
-  for (const auto& center : atoms.points()) {
-    for (const auto& half : Atoms<S, N>::points_of({S(0), S::max()})) {
-      for (const auto& rotation : atoms.rotations) out.push_back({center, half, rotation});
-    }
-  }
-}
-template <Scalar S, int N>
-void list(const Atoms<S, N>& atoms, std::vector<Plane<S, N>>& out) {
-  for (const auto& normal : atoms.directions) {
-    for (const S& offset : atoms.coordinates) out.push_back({normal, offset});
-  }
-}
-template <Scalar S, int N>
-void list(const Atoms<S, N>& atoms, std::vector<Triangle<S, N>>& out) {
-  for (const auto& a : atoms.points()) {
-    for (const auto& b : atoms.points()) {
-      for (const auto& c : atoms.points()) out.push_back({a, b, c});
-    }
-  }
-}
-template <Scalar S, int N>
-void list(const Atoms<S, N>& atoms, std::vector<Capsule<S, N>>& out) {
-  for (const auto& a : atoms.points()) {
-    for (const auto& b : atoms.points()) {
-      for (const S& radius : atoms.lengths) out.push_back({a, b, radius});
-    }
-  }
-}
-
 /// Meshes of one and two triangles, at every end of the range, and rotated out of it.
 template <Scalar S>
-void list(const Atoms<S, 3>& atoms, std::vector<PlacedMesh<S>>& out) {
+void list(const Parts<S, 3>& parts, std::vector<PlacedMesh<S>>& out) {
   const S low = S::lowest(), zero{}, high = S::max();
   static const std::array triangles{
       Triangle<S, 3>{{low, low, low}, {high, low, zero}, {zero, high, high}},
@@ -145,8 +63,8 @@ void list(const Atoms<S, 3>& atoms, std::vector<PlacedMesh<S>>& out) {
   static const OwnedMesh<S> two{std::span<const Triangle<S, 3>>(triangles)};
   static const std::array assets{MeshAsset<S>(1, one.view()), MeshAsset<S>(2, two.view())};
   for (const auto& asset : assets) {
-    for (const auto& by : atoms.points()) {
-      for (const auto& rotation : atoms.rotations) {
+    for (const auto& by : parts.points) {
+      for (const auto& rotation : parts.rotations) {
         for (const S& scale : {S(1), S::lowest()})
           out.push_back({&asset, Transform<S, 3>{by, rotation, scale}});
       }
@@ -179,29 +97,21 @@ struct World {
   std::vector<Shape> shapes;
   std::vector<Question> questions;
 
-  explicit World(const Atoms<S, N>& atoms) {
-    append_all(atoms, shapes);
-    append_all(atoms, questions);
+  explicit World(const Parts<S, N>& parts) {
+    append_all(parts, shapes);
+    append_all(parts, questions);
   }
 
  private:
   template <class... Types>
-  static void append_all(const Atoms<S, N>& atoms, std::vector<std::variant<Types...>>& out) {
+  static void append_all(const Parts<S, N>& parts, std::vector<std::variant<Types...>>& out) {
     const auto append = [&](auto all) {
-      list(atoms, all);
+      list(parts, all);
       out.insert(out.end(), all.begin(), all.end());
     };
     (append(std::vector<Types>()), ...);
   }
 };
-
-/// Every `count`th element of a list.
-template <class T>
-std::vector<T> one_in(std::size_t count, const std::vector<T>& all) {
-  std::vector<T> result;
-  for (std::size_t i = count / 2; i < all.size(); i += count) result.push_back(all[i]);
-  return result;
-}
 
 template <class T>
 constexpr bool is_point = false;
@@ -324,6 +234,9 @@ template <Scalar S, int N>
 void examine_groups(Exam& exam, const World<S, N>& world, std::size_t size, std::size_t shape_step,
                     std::size_t question_step) {
   using Shape = typename World<S, N>::Shape;
+  const auto one_in = [](std::size_t step, const auto& all) {
+    return some((all.size() + (step - 1) / 2) / step, all);
+  };
   const auto shapes = one_in(shape_step, world.shapes);
   const auto questions = one_in(question_step, world.questions);
   const auto examine = [&](const std::vector<Shape>& group) {
@@ -354,12 +267,12 @@ const std::vector<Tiny> ends_and_middle{Tiny::lowest(), Tiny(0), Tiny::max()};
 
 TEST_CASE("small scene: one object in 2D, whatever is asked", "[scene]") {
   Exam exam;
-  examine_single(exam, World<Tiny, 2>(atoms<Tiny, 2>(ends_and_middle)));
+  examine_single(exam, World<Tiny, 2>(parts<Tiny, 2>(ends_and_middle)));
   exam.finish(1'459'350);
 }
 
 TEST_CASE("small scene: two and three objects in 2D", "[scene]") {
-  const World<Tiny, 2> world(atoms<Tiny, 2>(ends_and_middle));
+  const World<Tiny, 2> world(parts<Tiny, 2>(ends_and_middle));
   Exam exam;
   examine_groups(exam, world, 2, 12, 24);
   examine_groups(exam, world, 3, 50, 24);
@@ -368,12 +281,12 @@ TEST_CASE("small scene: two and three objects in 2D", "[scene]") {
 
 TEST_CASE("small scene: one object in 3D, whatever is asked", "[scene]") {
   Exam exam;
-  examine_single(exam, World<Tiny, 3>(atoms<Tiny, 3>(ends)));
+  examine_single(exam, World<Tiny, 3>(parts<Tiny, 3>(ends)));
   exam.finish(2'448'520);
 }
 
 TEST_CASE("small scene: two and three objects in 3D", "[scene]") {
-  const World<Tiny, 3> world(atoms<Tiny, 3>(ends));
+  const World<Tiny, 3> world(parts<Tiny, 3>(ends));
   Exam exam;
   examine_groups(exam, world, 2, 12, 40);
   examine_groups(exam, world, 3, 60, 40);
@@ -384,12 +297,12 @@ TEST_CASE("small scene: one object in 2D, with one number more", "[scene][.deman
   Exam exam;
   examine_single(
       exam,
-      World<Tiny, 2>(atoms<Tiny, 2>({Tiny::lowest(), Tiny::from_raw(-1), Tiny(0), Tiny::max()})));
+      World<Tiny, 2>(parts<Tiny, 2>({Tiny::lowest(), Tiny::from_raw(-1), Tiny(0), Tiny::max()})));
   exam.finish(14'710'272);
 }
 
 TEST_CASE("small scene: every two objects in 2D, and many more threes", "[scene][.demand]") {
-  const World<Tiny, 2> world(atoms<Tiny, 2>(ends_and_middle));
+  const World<Tiny, 2> world(parts<Tiny, 2>(ends_and_middle));
   Exam exam;
   examine_groups(exam, world, 2, 1, 400);
   examine_groups(exam, world, 3, 20, 100);
@@ -397,7 +310,7 @@ TEST_CASE("small scene: every two objects in 2D, and many more threes", "[scene]
 }
 
 TEST_CASE("small scene: more pairs and threes in 3D", "[scene][.demand]") {
-  const World<Tiny, 3> world(atoms<Tiny, 3>(ends));
+  const World<Tiny, 3> world(parts<Tiny, 3>(ends));
   Exam exam;
   examine_groups(exam, world, 2, 2, 400);
   examine_groups(exam, world, 3, 25, 100);

@@ -71,14 +71,14 @@ std::vector<T> some(std::size_t most, const std::vector<T>& all) {
   return result;
 }
 
-/// Every point.
-template <Scalar S, int N>
-std::vector<Vec<S, N>> points() {
+/// Every point with these coordinates.
+template <int N, Scalar S>
+std::vector<Vec<S, N>> points_of(const std::vector<S>& coordinates) {
   std::vector<Vec<S, N>> all{Vec<S, N>{}};
   for (int i = 0; i < N; ++i) {
     std::vector<Vec<S, N>> longer;
     for (auto point : all) {
-      for (const S& x : numbers<S>()) {
+      for (const S& x : coordinates) {
         point[i] = x;
         longer.push_back(point);
       }
@@ -152,87 +152,89 @@ std::vector<Rotation<S, N>> rotations() {
   return all;
 }
 
+/// The parts of a world, which has every shape that can be made of them.
 template <Scalar S, int N>
-std::vector<Sphere<S, N>> spheres() {
-  std::vector<Sphere<S, N>> all;
-  for (const auto& center : points<S, N>()) {
-    for (const S& radius : numbers<S>()) all.push_back({center, radius});
-  }
-  return all;
+struct Parts {
+  std::vector<Vec<S, N>> points, half_extents;
+  std::vector<S> lengths, offsets;  // of spheres, capsules and rays; of planes
+  std::vector<Direction<S, N>> directions;
+  std::vector<Rotation<S, N>> rotations;
+};
+
+/// All numbers of a scalar, and the directions of integers up to `most`.
+template <Scalar S, int N>
+Parts<S, N> all_parts(int most = 2) {
+  const auto all = points_of<N>(numbers<S>());
+  return {all, all, numbers<S>(), numbers<S>(), directions<S, N>(most), rotations<S, N>()};
 }
 
-/// The shape of every pair of points.
+template <Scalar S, int N>
+void list(const Parts<S, N>& parts, std::vector<Vec<S, N>>& out) {
+  out = parts.points;
+}
+template <Scalar S, int N>
+void list(const Parts<S, N>& parts, std::vector<Sphere<S, N>>& out) {
+  for (const auto& center : parts.points) {
+    for (const S& radius : parts.lengths) out.push_back({center, radius});
+  }
+}
+template <Scalar S, int N>
+void list(const Parts<S, N>& parts, std::vector<Aabb<S, N>>& out) {
+  for (const auto& min : parts.points) {
+    for (const auto& max : parts.points) out.push_back({min, max});
+  }
+}
+template <Scalar S, int N>
+void list(const Parts<S, N>& parts, std::vector<Obb<S, N>>& out) {
+  for (const auto& rotation : parts.rotations) {
+    for (const auto& center : parts.points) {
+      for (const auto& half : parts.half_extents) out.push_back({center, half, rotation});
+    }
+  }
+}
+template <Scalar S, int N>
+void list(const Parts<S, N>& parts, std::vector<Plane<S, N>>& out) {
+  for (const auto& normal : parts.directions) {
+    for (const S& offset : parts.offsets) out.push_back({normal, offset});
+  }
+}
+template <Scalar S, int N>
+void list(const Parts<S, N>& parts, std::vector<Triangle<S, N>>& out) {
+  for (const auto& a : parts.points) {
+    for (const auto& b : parts.points) {
+      for (const auto& c : parts.points) out.push_back({a, b, c});
+    }
+  }
+}
+template <Scalar S, int N>
+void list(const Parts<S, N>& parts, std::vector<Segment<S, N>>& out) {
+  for (const auto& start : parts.points) {
+    for (const auto& end : parts.points) out.push_back({start, end});
+  }
+}
+template <Scalar S, int N>
+void list(const Parts<S, N>& parts, std::vector<Capsule<S, N>>& out) {
+  for (const auto& a : parts.points) {
+    for (const auto& b : parts.points) {
+      for (const S& radius : parts.lengths) out.push_back({a, b, radius});
+    }
+  }
+}
+template <Scalar S, int N>
+void list(const Parts<S, N>& parts, std::vector<Ray<S, N>>& out) {
+  for (const auto& origin : parts.points) {
+    for (const auto& direction : parts.directions) {
+      for (const S& most : parts.lengths) out.push_back({origin, direction, most});
+    }
+  }
+}
+
+/// Up to `most` of every shape of a type.
 template <class Shape, Scalar S, int N>
-std::vector<Shape> pairs_of_points(const std::vector<Vec<S, N>>& ends) {
+std::vector<Shape> some(std::size_t most, const Parts<S, N>& parts) {
   std::vector<Shape> all;
-  for (const auto& a : ends) {
-    for (const auto& b : ends) all.push_back({a, b});
-  }
-  return all;
-}
-template <Scalar S, int N>
-std::vector<Aabb<S, N>> boxes(const std::vector<Vec<S, N>>& corners) {
-  return pairs_of_points<Aabb<S, N>>(corners);
-}
-template <Scalar S, int N>
-std::vector<Segment<S, N>> segments(const std::vector<Vec<S, N>>& ends) {
-  return pairs_of_points<Segment<S, N>>(ends);
-}
-
-template <Scalar S, int N>
-std::vector<Capsule<S, N>> capsules(const std::vector<Vec<S, N>>& ends) {
-  std::vector<Capsule<S, N>> all;
-  for (const auto& segment : segments(ends)) {
-    for (const S& radius : numbers<S>()) all.push_back({segment.start, segment.end, radius});
-  }
-  return all;
-}
-
-template <Scalar S, int N>
-std::vector<Triangle<S, N>> triangles(const std::vector<Vec<S, N>>& first,
-                                      const std::vector<Vec<S, N>>& others) {
-  std::vector<Triangle<S, N>> all;
-  for (const auto& a : first) {
-    for (const auto& b : others) {
-      for (const auto& c : others) all.push_back({a, b, c});
-    }
-  }
-  return all;
-}
-
-template <Scalar S, int N>
-std::vector<Plane<S, N>> planes(const std::vector<Direction<S, N>>& normals) {
-  std::vector<Plane<S, N>> all;
-  for (const auto& normal : normals) {
-    for (const S& offset : numbers<S>()) all.push_back({normal, offset});
-  }
-  return all;
-}
-
-template <Scalar S, int N>
-std::vector<Obb<S, N>> turned_boxes(const std::vector<Vec<S, N>>& centers,
-                                    const std::vector<Vec<S, N>>& half_extents,
-                                    const std::vector<Rotation<S, N>>& rotations) {
-  std::vector<Obb<S, N>> all;
-  for (const auto& rotation : rotations) {
-    for (const auto& center : centers) {
-      for (const auto& half : half_extents) all.push_back({center, half, rotation});
-    }
-  }
-  return all;
-}
-
-template <Scalar S, int N>
-std::vector<Ray<S, N>> rays(const std::vector<Vec<S, N>>& origins,
-                            const std::vector<Direction<S, N>>& directions,
-                            const std::vector<S>& max_distances) {
-  std::vector<Ray<S, N>> all;
-  for (const auto& origin : origins) {
-    for (const auto& direction : directions) {
-      for (const S& most : max_distances) all.push_back({origin, direction, most});
-    }
-  }
-  return all;
+  list(parts, all);
+  return some(most, all);
 }
 
 /// The hulls of every choice of up to `most` of `corners`, with repetition; only the first is
@@ -273,5 +275,14 @@ class Hulls {
 
   std::vector<std::vector<Vec<S, N>>> lists_;
 };
+
+/// Calls `f` with up to `most` segments, and with as many of every other shape, a list for each type.
+template <Scalar S, int N, class F>
+void with_some(std::size_t most, const Parts<S, N>& parts, F f) {
+  const Hulls<S, N> hulls(some(N == 2 ? 16 : 9, parts.points), N == 2 ? 4 : 5);
+  f(some<Segment<S, N>>(most, parts), some<Sphere<S, N>>(most, parts),
+    some<Aabb<S, N>>(most, parts), some<Obb<S, N>>(most, parts), some<Plane<S, N>>(most, parts),
+    some<Triangle<S, N>>(most, parts), some<Capsule<S, N>>(most, parts), some(most, hulls.all()));
+}
 
 }  // namespace detent::small
