@@ -2,14 +2,11 @@
 //
 // The distance of two shapes is the exact one rounded down, in both orders, and 0 if they overlap.
 
-// The squared distances of two oriented boxes are compared in 650 bits.
-#define DETENT_ORACLE_LONG_INTEGERS
-
 #include "decode.hpp"
 #include "detent/query/distance/pair.hpp"
 #include "detent/query/intersects.hpp"
 #include "detent/query/overlaps.hpp"
-#include "oracle/apart.hpp"
+#include "oracle/hull.hpp"
 #include "spaces.hpp"
 
 namespace detent::fuzz {

@@ -5,8 +5,7 @@
 
 #include "decode.hpp"
 // The hull helpers come before the headers that look them up.
-#include "oracle/hull_round.hpp"
-#include "oracle/ray_hull.hpp"
+#include "oracle/hull.hpp"
 //
 #include "detent/query/contains/frustum.hpp"
 #include "detent/query/intersects/frustum.hpp"
@@ -24,12 +23,7 @@ template <class Shape, Scalar S>
 void check_pair(const Shape& shape, const Frustum<S>& frustum) {
   const auto hull = frustum.hull();
   const auto because = [&] { return oracle::describe(shape) + "; " + oracle::describe(hull); };
-  bool truth = false;
-  if constexpr (requires { oracle::hull_of(shape); }) {
-    truth = oracle::meet(oracle::hull_of(shape), oracle::hull_of(hull));
-  } else {
-    truth = oracle::meet(shape, hull);
-  }
+  const bool truth = oracle::meet(shape, hull);
   if constexpr (requires { overlaps(shape, frustum); }) {
     require(overlaps(shape, frustum) == truth && overlaps(frustum, shape) == truth, because);
   } else {
@@ -80,7 +74,7 @@ void check(Source& source, Decoder<S, 3>& decoder) {
   check_pair(decoder.template shape<ConvexHull<S, 3>>(), frustum);
   const auto point = decoder.point();
   const auto hull = frustum.hull();
-  require(contains(frustum, point) == oracle::meet(oracle::hull_of(hull), oracle::hull_of(point)),
+  require(contains(frustum, point) == oracle::meet(hull, point),
           [&] { return oracle::describe(point) + "; " + oracle::describe(hull); });
   const auto ray = decoder.template shape<Ray<S, 3>>();
   const auto found = mistakes(oracle::expected_raycast(ray, hull), oracle::ask(ray, frustum));

@@ -6,7 +6,6 @@
 #include "decode.hpp"
 // The hull helpers come before the headers that look them up.
 #include "oracle/hull.hpp"
-#include "oracle/ray_hull.hpp"
 //
 #include "detent/query/closest_point/hull.hpp"
 #include "detent/query/contains/hull.hpp"

@@ -7,40 +7,16 @@
 #include "decode.hpp"
 #include "detent/query/overlaps.hpp"
 #include "oracle/describe.hpp"
-#include "oracle/linear.hpp"
 #include "spaces.hpp"
 
 namespace detent::fuzz {
 namespace {
 
-template <Scalar S, int N, class Shape>
-bool meet(const Plane<S, N>& plane, const Shape& shape) {
-  return oracle::meet(plane, oracle::hull_of(shape));
-}
-/// Planes are disjoint when the normals are parallel, n = k m, and the offsets are not in that
-/// ratio.
-template <Scalar S, int N>
-bool meet(const Plane<S, N>& a, const Plane<S, N>& b) {
-  const auto n = oracle::widen(oracle::raw(a.normal)), m = oracle::widen(oracle::raw(b.normal));
-  for (std::size_t i = 0; i < n.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (n[i] * m[j] != n[j] * m[i]) return true;
-    }
-  }
-  std::size_t i = 0;
-  while (m[i].is_zero()) ++i;
-  return oracle::raw(a.offset) * m[i] == oracle::raw(b.offset) * n[i];
-}
-template <class A, class B>
-bool meet(const A& a, const B& b) {
-  return oracle::meet(oracle::hull_of(a), oracle::hull_of(b));
-}
-
 template <class A, class B, Scalar S, int N>
 void check(Decoder<S, N>& decoder) {
   const auto a = decoder.template shape<A>();
   const auto b = decoder.template shape<B>();
-  const bool expected = meet(a, b);
+  const bool expected = oracle::meet(a, b);
   require(overlaps(a, b) == expected && overlaps(b, a) == expected,
           [&] { return oracle::describe(a) + "; " + oracle::describe(b); });
 }

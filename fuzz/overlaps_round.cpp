@@ -5,40 +5,16 @@
 #include "decode.hpp"
 #include "detent/query/overlaps.hpp"
 #include "oracle/describe.hpp"
-#include "oracle/near_segment.hpp"
 #include "spaces.hpp"
 
 namespace detent::fuzz {
 namespace {
 
-template <class Shape, Scalar S, int N>
-bool meet(const Sphere<S, N>& sphere, const Shape& shape) {
-  const auto place = oracle::nearest(shape, sphere.center);
-  if (!place || sphere.radius < 0) return false;
-  const oracle::Integer reach = oracle::raw(sphere.radius) + place->radius;
-  return place->core.squared.over <= reach * reach * place->core.squared.under;
-}
-template <class Shape, Scalar S, int N>
-bool meet(const Capsule<S, N>& capsule, const Shape& shape) {
-  return capsule.radius >= 0 &&
-         oracle::near_segment(shape, Segment{capsule.a, capsule.b}, oracle::raw(capsule.radius));
-}
-template <Scalar S, int N>
-bool meet(const Capsule<S, N>& capsule, const Sphere<S, N>& sphere) {
-  return meet(sphere, capsule);
-}
-template <Scalar S, int N>
-bool meet(const Capsule<S, N>& a, const Capsule<S, N>& b) {
-  return a.radius >= 0 && b.radius >= 0 &&
-         oracle::near_segment(Segment{a.a, a.b}, Segment{b.a, b.b},
-                              oracle::raw(a.radius) + oracle::raw(b.radius));
-}
-
 template <class Round, class Shape, Scalar S, int N>
 void check(Decoder<S, N>& decoder) {
   const auto shape = decoder.template shape<Shape>();
   const auto round = decoder.template shape<Round>();
-  const bool expected = meet(round, shape);
+  const bool expected = oracle::meet(round, shape);
   require(overlaps(round, shape) == expected && overlaps(shape, round) == expected,
           [&] { return oracle::describe(round) + "; " + oracle::describe(shape); });
 }

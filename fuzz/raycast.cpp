@@ -5,11 +5,6 @@
 #include "decode.hpp"
 #include "oracle/ask.hpp"
 #include "oracle/describe.hpp"
-#include "oracle/ray_box.hpp"
-#include "oracle/ray_capsule.hpp"
-#include "oracle/ray_plane.hpp"
-#include "oracle/ray_sphere.hpp"
-#include "oracle/ray_triangle.hpp"
 #include "spaces.hpp"
 
 namespace detent::fuzz {

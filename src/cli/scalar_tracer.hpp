@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "oracle_world.hpp"
+#include "exact_world.hpp"
 #include "shade.hpp"
 #include "tracer.hpp"
 
@@ -105,10 +105,10 @@ class ScalarTracer final : public Tracer {
   }
 
   Verdict judge(const Workers& workers) const override {
-    const auto exact = oracle::exact(world_);
+    const auto groups = exact(world_);
     std::vector<Fault> faults(rays_.size());
     for_each_ray(workers, [&](std::size_t i) {
-      faults[i] = fault_of(answers_[i], oracle::meetings(exact, oracle::exact(rays_[i])));
+      faults[i] = fault_of(answers_[i], meetings(groups, exact(rays_[i])));
     });
     const auto count = [&](Fault fault) {
       return static_cast<std::size_t>(std::count(faults.begin(), faults.end(), fault));
@@ -129,19 +129,19 @@ class ScalarTracer final : public Tracer {
   enum class Fault : char { none, wrong, off };
 
   static Fault fault_of(const std::optional<Answer<S>>& answer,
-                        const std::vector<oracle::Meeting>& meetings) {
+                        const std::vector<Meeting>& meetings) {
     if (!answer || meetings.empty()) {
       return answer.has_value() != meetings.empty() ? Fault::none : Fault::wrong;
     }
-    const oracle::Meeting* chosen = nullptr;
-    const oracle::Meeting* nearest = &meetings.front();
-    for (const oracle::Meeting& meeting : meetings) {
+    const Meeting* chosen = nullptr;
+    const Meeting* nearest = &meetings.front();
+    for (const Meeting& meeting : meetings) {
       if (meeting.shape == answer->shape) chosen = &meeting;
       if (meeting.distance < nearest->distance) nearest = &meeting;
     }
-    const auto tolerance = oracle::Integer(1) << (oracle::distance_frac - 16);
+    const auto tolerance = Integer(1) << (distance_frac - 16);
     if (!chosen || chosen->distance - nearest->distance > tolerance) return Fault::wrong;
-    const auto distance = oracle::steps_of(oracle::exact(answer->hit.distance));
+    const auto distance = exact(answer->hit.distance).steps(distance_frac);
     return abs(distance - chosen->distance) > tolerance ? Fault::off : Fault::none;
   }
 

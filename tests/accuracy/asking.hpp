@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "accuracy/first_hit.hpp"
-#include "accuracy/meet.hpp"
 #include "accuracy/stage.hpp"
 #include "accuracy/survey.hpp"
 #include "numbers.hpp"
@@ -62,11 +61,12 @@ class Tally {
     count(right.has_value(), answer.has_value());
     if (!right || !answer) return;
     const auto given = static_cast<double>(*answer);
-    const Exact error = Exact::of(given) - Exact(*right, -oracle::distance_frac);
-    errors_.push_back(std::ldexp(std::abs(error.approximate()), 16));
+    constexpr int finer = 80;  // steps of 2^-80, of which a double drops no more than its error
+    const Steps error = Exact::of(given).steps(finer) - (*right << (finer - distance_frac));
+    errors_.push_back(std::ldexp(std::abs(error.convert_to<double>()), 16 - finer));
     if constexpr (is_fixed<S>) {
       if (cell_.inputs == Inputs::asked) return;
-      const Steps rounded_down = *right >> static_cast<unsigned>(oracle::distance_frac - S::frac);
+      const Steps rounded_down = *right >> static_cast<unsigned>(distance_frac - S::frac);
       if (rounded_down != static_cast<std::int64_t>(answer->raw())) ++cell_.off;
     }
   }

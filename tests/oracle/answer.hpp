@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
 
+#include "oracle/crossing.hpp"
 #include "oracle/exact.hpp"
 
 namespace detent::oracle {
@@ -19,57 +20,6 @@ std::string text(const std::array<std::int64_t, N>& a) {
   out << "}";
   return out.str();
 }
-
-/// The set of right normals.
-template <int N>
-struct Normal {
-  virtual ~Normal() = default;
-  [[nodiscard]] virtual bool allows(const Raw<N>& given) const = 0;
-  [[nodiscard]] virtual std::string text() const = 0;
-};
-
-/// A normal that is one of the stored directions.
-template <int N>
-struct StoredNormal final : Normal<N> {
-  Raw<N> direction;
-
-  explicit StoredNormal(const Raw<N>& exact) : direction(exact) {}
-  [[nodiscard]] bool allows(const Raw<N>& given) const override { return given == direction; }
-  [[nodiscard]] std::string text() const override { return oracle::text(direction); }
-};
-
-/// A normal along an integer vector: every component rounded to nearest. There are no ties: a tie
-/// would need a vector of even length whose components have no common factor, which squares modulo
-/// 4 rule out.
-template <int N>
-struct NormalizedNormal final : Normal<N> {
-  Vector<N> along;
-  int shift;
-
-  NormalizedNormal(Vector<N> exact, int frac) : along(std::move(exact)), shift(frac) {}
-  [[nodiscard]] bool allows(const Raw<N>& given) const override {
-    const Integer length_squared = dot(along, along);
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      const int sign = along[i].sign();
-      const Integer magnitude = sign < 0 ? Integer(-given[i]) : Integer(given[i]);
-      if (magnitude < 0 || (sign == 0 && magnitude != 0)) return false;
-      const Integer twice = (along[i] * along[i]) << static_cast<unsigned>(2 * shift + 2);
-      const Integer above = 2 * magnitude + 1;
-      const Integer below = 2 * magnitude - 1;
-      if (twice > above * above * length_squared) return false;
-      if (magnitude > 0 && twice < below * below * length_squared) return false;
-    }
-    return true;
-  }
-  [[nodiscard]] std::string text() const override {
-    std::string out = "along";
-    for (const auto& component : along) out += " " + component.str();
-    return out;
-  }
-};
-
-template <int N>
-using NormalPointer = std::shared_ptr<const Normal<N>>;
 
 /// The exact results of all three raycasts, rounded as the contract says.
 template <int N>
@@ -97,37 +47,44 @@ struct Given {
 };
 
 /// `origin + distance * direction`, rounded to nearest even and clamped to the scalar's range.
-template <int N>
-Raw<N> point_at(const Line<N>& line, std::int64_t distance) {
+template <Scalar S, int N>
+Raw<N> point_at(const Ray<S, N>& ray, const Integer& distance) {
+  const auto line = exact(ray);
+  const Integer lowest = raw(S::lowest()), highest = raw(S::max());
   Raw<N> point{};
   for (std::size_t i = 0; i < point.size(); ++i) {
-    const Integer exact = line.origin[i] * line.one + distance * line.direction[i];
-    const auto nearest = static_cast<std::int64_t>(nearest_even(exact, line.shift));
-    point[i] = nearest < line.lowest    ? line.lowest
-               : nearest > line.highest ? line.highest
-                                        : nearest;
+    const Integer along = line.origin[i] * line.one + distance * line.direction[i];
+    point[i] =
+        static_cast<std::int64_t>(std::clamp(nearest_quotient(along, line.one), lowest, highest));
   }
   return point;
 }
 
-template <int N>
-Expected<N> hit(const Line<N>& line, std::int64_t enter, std::int64_t exit,
-                NormalPointer<N> normal) {
-  return {typename Expected<N>::Hit{enter, exit, point_at(line, enter), std::move(normal)}};
+template <Scalar S, int N, Readable Shape>
+Expected<N> expected_raycast(const Ray<S, N>& ray, const Shape& shape) {
+  const auto found = crossing(exact(ray), exact(shape));
+  if (!found) return {};
+  return {typename Expected<N>::Hit{static_cast<std::int64_t>(found->enter),
+                                    static_cast<std::int64_t>(found->exit),
+                                    point_at(ray, found->enter), found->normal}};
 }
 
-template <int N>
-NormalPointer<N> stored(const Raw<N>& direction) {
-  return std::make_shared<StoredNormal<N>>(direction);
+/// Whether the ray runs against the normal, as Facing::front requires.
+template <Scalar S, int N>
+bool meets_front(const Ray<S, N>& ray, const Plane<S, N>& plane) {
+  return dot(widen(raw(plane.normal)), widen(raw(ray.direction))) < 0;
 }
-template <int N>
-NormalPointer<N> normalized(Vector<N> along, const Line<N>& line) {
-  return std::make_shared<NormalizedNormal<N>>(std::move(along), line.shift);
-}
-/// The normal when a ray starts inside a solid, or hits a shape without an inside.
-template <int N>
-NormalPointer<N> against(const Line<N>& line) {
-  return stored<N>(negated(line.raw_direction));
+/// By Cramer's rule, so that it does not reuse the cross product.
+template <Scalar S>
+bool meets_front(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle) {
+  const auto a = raw(triangle.a), d = widen(raw(ray.direction));
+  const auto u = difference(raw(triangle.b), a), v = difference(raw(triangle.c), a);
+  Integer determinant = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    determinant += u[i] * v[j] * d[k] - u[i] * v[k] * d[j];
+  }
+  return determinant < 0;
 }
 
 /// Empty when `given` is right, otherwise a line per wrong result.

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/overlaps/aabb_capsule.hpp"
 #include "detent/query/overlaps/obb_capsule.hpp"
-#include "oracle/near_segment.hpp"
 #include "oracle/pair_exam.hpp"
 
 namespace detent::oracle {
 namespace {
 
-constexpr auto meet = [](const auto& box, const auto& capsule) {
-  return capsule.radius >= 0 &&
-         near_segment(box, Segment{capsule.a, capsule.b}, raw(capsule.radius));
-};
-
 template <Scalar S, int N>
 void examine(std::uint64_t seed, long count) {
-  examine_pair<Aabb<S, N>, Capsule<S, N>>(seed, count, meet);
-  examine_pair<Obb<S, N>, Capsule<S, N>>(seed, count, meet);
+  examine_pair<Aabb<S, N>, Capsule<S, N>>(seed, count);
+  examine_pair<Obb<S, N>, Capsule<S, N>>(seed, count);
 }
 
 TEMPLATE_TEST_CASE("capsules and boxes: every answer is the exact one", "[oracle]",

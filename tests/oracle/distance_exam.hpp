@@ -4,8 +4,8 @@
 #include <array>
 
 #include "detent/query/distance/pair.hpp"
-// The helpers for shapes come before what looks them up.
-#include "oracle/apart.hpp"
+// The hulls come before what looks them up.
+#include "oracle/hull.hpp"
 //
 #include "oracle/pair_exam.hpp"
 

@@ -3,18 +3,14 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "detent/shape/hull.hpp"
 #include "oracle/describe.hpp"
 #include "oracle/draw_shape.hpp"
-#include "oracle/linear.hpp"
-#include "oracle/point.hpp"
 
-/// Convex hulls for the oracles: to be included before headers that handle shapes of any kind.
+/// Random convex hulls: to be included before headers that handle shapes of any kind.
 namespace detent::oracle {
 
 inline constexpr std::size_t most_corners = 8;
@@ -59,40 +55,6 @@ std::string describe(const ConvexHull<S, N>& hull) {
   std::string out = "hull";
   for (const auto& point : hull.points) out += " " + describe(point);
   return out;
-}
-
-template <Scalar S, int N>
-Hull<N> hull_of(const ConvexHull<S, N>& hull) {
-  Hull<N> result;
-  for (const auto& point : hull.points) result.over.push_back(raw(point));
-  return result;
-}
-template <Scalar S, int N>
-Hull<N> hull_of(const Vec<S, N>& point) {
-  return {{raw(point)}};
-}
-
-/// The point of a hull closest to p, which is outside: on a line or a triangle of its points.
-template <int N>
-Place<N> nearest_outside(const std::vector<Vector<N>>& points, const Vector<N>& p) {
-  std::vector<Place<N>> candidates;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    candidates.push_back(place_at<N>(p, points[i]));
-    for (std::size_t j = 0; j < i; ++j) {
-      add_foot<N>(candidates, p, points[i], difference(points[j], points[i]), {1, 1});
-      for (std::size_t k = 0; N == 3 && k < j; ++k) {
-        add_face<N>(candidates, p, points[i], points[j], points[k]);
-      }
-    }
-  }
-  return least<N>(candidates);
-}
-
-template <Scalar S, int N>
-std::optional<Nearest<N>> nearest(const ConvexHull<S, N>& hull, const Vec<S, N>& point) {
-  if (hull.points.empty()) return {};
-  if (meet(hull_of(hull), hull_of(point))) return Nearest<N>{{raw(point), 1, {}}, 0, true};
-  return Nearest<N>{nearest_outside<N>(hull_of(hull).over, raw(point)), 0, true};
 }
 
 }  // namespace detent::oracle

@@ -32,12 +32,12 @@ inline constexpr bool is_symmetric<Segment<S, N>, B> = false;
 template <Scalar S, int N>
 inline constexpr bool is_symmetric<Segment<S, N>, Segment<S, N>> = true;
 
-/// Runs pairs of shapes through the library, in both orders, and through the oracle `truth`, and
-/// keeps the first few disagreements.
-template <Scalar S, int N, class Truth>
+/// Runs pairs of shapes through the library, in both orders, and through the oracle, and keeps the
+/// first few disagreements.
+template <Scalar S, int N>
 class PairExam {
  public:
-  PairExam(std::uint64_t seed, const Truth& truth) : draw(seed), truth_(truth) {}
+  explicit PairExam(std::uint64_t seed) : draw(seed) {}
 
   Draw<S, N> draw;
 
@@ -48,7 +48,7 @@ class PairExam {
     test::HitRate rate;
     for (long i = 0; i < count; ++i) {
       const auto [a, b] = generate();
-      const bool expected = truth_(a, b);
+      const bool expected = meet(a, b);
       rate.count(expected);
       ++asked_;
       bool is_right = ask(a, b) == expected;
@@ -71,7 +71,6 @@ class PairExam {
   }
 
  private:
-  Truth truth_;
   long asked_ = 0;
   long wrong_ = 0;
   std::ostringstream first_mistakes_;
@@ -96,13 +95,13 @@ struct SpaceOf<Shape<S, N>> {
   using type = test::Space<S, N>;
 };
 
-/// Runs `count` random queries of every kind on pairs of the shapes A and B; `truth(a, b)` is the
-/// oracle, and `more(exam)` adds its own families.
-template <class A, class B, class Truth, class More>
-void examine_pair(std::uint64_t seed, long count, const Truth& truth, Aim aim, const More& more) {
+/// Runs `count` random queries of every kind on pairs of the shapes A and B; `more(exam)` adds its
+/// own families.
+template <class A, class B, class More>
+void examine_pair(std::uint64_t seed, long count, Aim aim, const More& more) {
   using S = typename SpaceOf<A>::type::scalar;
   constexpr int N = SpaceOf<A>::type::dimension;
-  PairExam<S, N, Truth> exam(seed, truth);
+  PairExam<S, N> exam(seed);
   const auto family = [&](const char* name, Kind kind, int percent, int low, int high) {
     exam.family(name, count * percent / 100, low, high, [&] {
       const auto setting = draw_setting(exam.draw, kind, aim.spread);
@@ -119,9 +118,9 @@ void examine_pair(std::uint64_t seed, long count, const Truth& truth, Aim aim, c
   more(exam);
   exam.finish();
 }
-template <class A, class B, class Truth>
-void examine_pair(std::uint64_t seed, long count, const Truth& truth, Aim aim = {}) {
-  examine_pair<A, B>(seed, count, truth, aim, [](auto&) {});
+template <class A, class B>
+void examine_pair(std::uint64_t seed, long count, Aim aim = {}) {
+  examine_pair<A, B>(seed, count, aim, [](auto&) {});
 }
 
 }  // namespace detent::oracle

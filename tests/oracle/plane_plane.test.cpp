@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/overlaps/plane_plane.hpp"
 
-#include "oracle/linear.hpp"
 #include "oracle/pair_exam.hpp"
 
 namespace detent::oracle {
@@ -9,8 +8,7 @@ namespace {
 
 template <Scalar S, int N>
 void examine(std::uint64_t seed, long count) {
-  const auto truth = [](const auto& a, const auto& b) { return meet(a, b); };
-  PairExam<S, N, decltype(truth)> exam(seed, truth);
+  PairExam<S, N> exam(seed);
   auto& draw = exam.draw;
   auto& random = draw.random;
   using D = Draw<S, N>;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -11,8 +9,7 @@
 #include "detent/query/distance.hpp"
 #include "detent/query/on.hpp"
 #include "oracle/describe.hpp"
-#include "oracle/point.hpp"
-#include "oracle/rounding.hpp"
+#include "oracle/exact.hpp"
 
 namespace detent::oracle {
 
@@ -28,64 +25,26 @@ Moment in_raw_units(const Fraction<Over, Under>& x) {
   return {whole(x.numerator.raw()), whole(x.denominator.raw()) << static_cast<unsigned>(shift)};
 }
 
-/// Whether the point is within `tolerance` of the shape.
-template <int N>
-bool is_within(const Nearest<N>& truth, const Integer& tolerance) {
-  const Integer reach = truth.radius + tolerance;
-  return truth.core.squared.over <= reach * reach * truth.core.squared.under;
-}
-
-/// Whether given = floor(max(0, sqrt(squared) - radius)), clamped.
-template <Scalar S, int N>
-bool is_distance(const S& distance, const std::optional<Nearest<N>>& truth) {
-  const Integer given = raw(distance), limit = raw(S::max());
-  if (!truth) return given == limit;
-  if (given < 0) return false;
-  const Integer reach = truth->radius + given;
-  const auto& [over, under] = truth->core.squared;
-  if (given > 0 && over < reach * reach * under) return false;
-  return given == limit || over < (reach + 1) * (reach + 1) * under;
-}
-
-/// Whether the point `given` is the closest one, rounded and clamped.
-template <Scalar S, int N>
-bool is_closest(const Vec<S, N>& given, const Vec<S, N>& point,
-                const std::optional<Nearest<N>>& truth) {
-  if (!truth || (truth->keeps_inside && is_within(*truth, 0))) return given == point;
-  const auto closest = raw(given), p = raw(point);
-  const auto& core = truth->core;
-  Vector<N> v;
-  for (std::size_t i = 0; i < v.size(); ++i) v[i] = p[i] * core.under - core.over[i];
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    if (!truth->radius.is_zero()) {
-      if (!is_rounded<N>(closest[i], core, i, truth->radius, v)) return false;
-    } else {
-      const Integer exact = nearest_quotient(core.over[i], core.under);
-      if (closest[i] != std::clamp(exact, raw(S::lowest()), raw(S::max()))) return false;
-    }
-  }
-  return true;
-}
-
 /// Empty when all of the library's point queries are right for the point and the shape, otherwise a
 /// line per wrong result. `on` is tested with each tolerance.
 template <class Shape, Scalar S, int N, class Tolerances>
 std::string point_mistakes(const Shape& shape, const Vec<S, N>& point,
                            const std::optional<Nearest<N>>& truth, const Tolerances& tolerances) {
   std::string out;  // no stream: it takes longer than all the queries
-  const bool inside = truth && is_within(*truth, 0);
+  const bool inside = is_within(truth, 0);
   if (contains(shape, point) != inside) out += "  contains\n";
   if constexpr (requires { on(shape, point); }) {
     if (on(shape, point) != inside) out += "  on\n";
   }
   for (const S& tolerance : tolerances) {
-    const bool expected = truth && tolerance >= 0 && is_within(*truth, raw(tolerance));
+    const bool expected = is_within(truth, raw(tolerance));
     if (on(shape, point, tolerance) != expected) {
       out += "  on with tolerance " + std::to_string(tolerance.raw()) + "\n";
     }
   }
   const S given = distance(shape, point);
-  if (!is_distance(given, truth)) out += "  distance: got " + std::to_string(given.raw()) + "\n";
+  if (!is_distance(raw(given), truth, raw(S::max())))
+    out += "  distance: got " + std::to_string(given.raw()) + "\n";
   if constexpr (requires { squared_distance(shape, point); }) {
     const auto squared = squared_distance(shape, point);
     if (truth && !(in_raw_units<S>(squared) == truth->core.squared)) {
@@ -98,7 +57,7 @@ std::string point_mistakes(const Shape& shape, const Vec<S, N>& point,
     }
   }
   const auto closest = closest_point(shape, point);
-  if (!is_closest(closest, point, truth)) {
+  if (!is_closest<N>(raw(closest), raw(point), truth, raw(S::lowest()), raw(S::max()))) {
     out += "  closest_point: got " + describe(closest) + "\n";
   }
   return out;

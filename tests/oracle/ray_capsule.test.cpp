@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/ray_capsule.hpp"
 
 #include "detent/query/raycast/capsule.hpp"
+#include "oracle/crossing_round.hpp"
 #include "oracle/exam.hpp"
 
 namespace detent::oracle {

@@ -2,7 +2,6 @@
 #include "detent/query/raycast/hull.hpp"
 // The hull helpers come before the exam, which looks them up.
 #include "oracle/hull.hpp"
-#include "oracle/ray_hull.hpp"
 //
 #include "oracle/exam.hpp"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "oracle/crossing_round.hpp"
 #include "oracle/exam.hpp"
 
 namespace detent::oracle {
@@ -177,10 +178,8 @@ TEMPLATE_TEST_CASE("ray against sphere: a normal may be off by more than half a 
     const Sphere<S, N> sphere{D::vec(center), D::scalar(draw.random.between(1, 4096))};
     const auto hit = detent::raycast_hit(ray, sphere);
     if (!hit || hit->distance == 0) continue;
-    const auto line = oracle::line(ray);
-    const auto apart = difference(line.origin, raw(sphere.center));
-    const Integer radius = raw(sphere.radius);
-    const SphereNormal<N> normal(line, apart, radius, Outside<N>(line, apart, radius));
+    const auto expected = expected_raycast(ray, sphere);
+    const auto& normal = dynamic_cast<const SphereNormal<N>&>(*expected.hit->normal);
     REQUIRE(normal.allows(raw(hit->normal)));
     beyond_half += normal.within(raw(hit->normal), 1, 2) ? 0 : 1;
   }

@@ -124,7 +124,7 @@ Counts count_boxes(Random& random, const V& away, int cameras, int boxes, const 
       const bool kept = overlaps(frustum, box);
       counts.exact.add(kept, visible);
       if (b % 8 == 0) {
-        counts.rounded.add(kept, meet(oracle::hull_of(box), oracle::hull_of(frustum.hull())));
+        counts.rounded.add(kept, oracle::meet(box, frustum));
       }
       counts.in_float.add(overlaps(rough, other), visible);
       counts.six_planes.add(planes.keeps(other), visible);

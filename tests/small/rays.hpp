@@ -3,12 +3,6 @@
 
 #include "oracle/ask.hpp"
 #include "oracle/hull.hpp"
-#include "oracle/ray_box.hpp"
-#include "oracle/ray_capsule.hpp"
-#include "oracle/ray_hull.hpp"
-#include "oracle/ray_plane.hpp"
-#include "oracle/ray_sphere.hpp"
-#include "oracle/ray_triangle.hpp"
 #include "small/world.hpp"
 
 /// Rays of a small world against every shape, or every shape of an exhaustive set: raycast,

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# usage: planted_fault.sh LIBRARY COMPILER [FLAG...]
+# usage: planted_fault.sh LIBRARY ORACLE COMPILER [FLAG...]
 # In a copy of the library, a ray query and a point query sometimes get one wrong bit: `detent
 # verify` must name the queries, the scalars, the dimensions and the questions. LIBRARY contains
-# what else the command needs.
+# what else the command needs, ORACLE its judge.
 set -euo pipefail
 
-library=$1
-shift
+library=$1 oracle=$2
+shift 2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/src"
@@ -61,7 +61,7 @@ awk '
 
 "$@" -std=c++20 -O1 -I"$work/include" -I"$work/src" -Isrc/cli -Itests -Itests/verify \
   tests/verify/planted_fault.cpp src/cli/verify.cpp "$work/src/verify/sheets.cpp" \
-  "$work/src/verify/parts/solid_rays.cpp" "$work/src/verify/parts/round_points.cpp" "$library" -pthread -o "$work/faulty"
+  "$work/src/verify/parts/solid_rays.cpp" "$work/src/verify/parts/round_points.cpp" "$library" "$oracle" -pthread -o "$work/faulty"
 
 status=0
 "$work/faulty" >"$work/printed" || status=$?

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "oracle/exact.hpp"
-#include "oracle/rounding.hpp"
 #include "verify/converted.hpp"
 #include "verify/describe.hpp"
 

@@ -77,7 +77,7 @@ std::vector<std::uint32_t> met_by(const Shape& shape,
                                   const std::vector<Triangle<S, 3>>& triangles) {
   std::vector<std::uint32_t> met;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (do_meet(in_raw_units<S>(shape), in_raw_units<S>(triangles[i]))) {
+    if (oracle::meet(in_raw_units<S>(shape), in_raw_units<S>(triangles[i]))) {
       met.push_back(static_cast<std::uint32_t>(i));
     }
   }

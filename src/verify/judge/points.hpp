@@ -3,19 +3,9 @@
 
 #include <optional>
 
-#include "oracle/hull.hpp"
-#include "oracle/point.hpp"
-#include "oracle/rounding.hpp"
 #include "verify/judge/exact.hpp"
 
 namespace detent::verify::judge {
-
-template <int N>
-bool is_within(const std::optional<oracle::Nearest<N>>& truth, const Integer& tolerance) {
-  if (!truth || tolerance < 0) return false;
-  const Integer reach = truth->radius + tolerance;
-  return truth->core.squared.over <= reach * reach * truth->core.squared.under;
-}
 
 /// Coordinate i of the point at `radius` from the core in direction v: the neighbouring integer
 /// that is proved to be nearest.
@@ -34,7 +24,7 @@ Integer nearest_on_surface(const oracle::Nearest<N>& truth, const oracle::Vector
 template <int N>
 oracle::Vector<N> nearest_point(const std::optional<oracle::Nearest<N>>& truth,
                                 const oracle::Vector<N>& p) {
-  if (!truth || (truth->keeps_inside && is_within(truth, 0))) return p;
+  if (!truth || (truth->keeps_inside && oracle::is_within(truth, 0))) return p;
   const auto& core = truth->core;
   oracle::Vector<N> v, result;
   for (std::size_t i = 0; i < v.size(); ++i) v[i] = p[i] * core.under - core.over[i];
@@ -84,9 +74,9 @@ std::optional<Wrong> judge(const PointCase<S, N, Shape>& c, const Answer& got) {
   } else {
     const auto truth = oracle::nearest(as_shape(shape), point);
     if constexpr (Row == contains_row) {
-      return compare(is_within(truth, 0), got);
+      return compare(oracle::is_within(truth, 0), got);
     } else if constexpr (Row == on_row) {
-      return compare(is_within(truth, oracle::raw(c.tolerance)), got);
+      return compare(oracle::is_within(truth, oracle::raw(c.tolerance)), got);
     } else if constexpr (Row == closest_point_row) {
       return compare(clamped<S>(nearest_point<N>(truth, oracle::raw(c.point))), got);
     } else if constexpr (Row == distance_row) {

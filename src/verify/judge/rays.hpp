@@ -4,12 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "oracle/ray_box.hpp"
-#include "oracle/ray_capsule.hpp"
-#include "oracle/ray_hull.hpp"
-#include "oracle/ray_plane.hpp"
-#include "oracle/ray_sphere.hpp"
-#include "oracle/ray_triangle.hpp"
+#include "oracle/answer.hpp"
+#include "oracle/crossing_round.hpp"
 #include "verify/judge/exact.hpp"
 
 namespace detent::verify::judge {
@@ -18,19 +14,10 @@ template <Scalar S, int N, class Shape>
 bool is_hidden(const RayCase<S, N, Shape>&) {
   return false;
 }
-template <Scalar S, int N>
-bool is_hidden(const RayCase<S, N, Plane<S, N>>& c) {
-  if (c.facing == Facing::both) return false;
-  return oracle::dot(oracle::widen(oracle::raw(c.shape.normal)),
-                     oracle::widen(oracle::raw(c.ray.direction))) >= 0;
-}
-template <Scalar S>
-bool is_hidden(const RayCase<S, 3, Triangle<S, 3>>& c) {
-  if (c.facing == Facing::both) return false;
-  const auto a = oracle::raw(c.shape.a);
-  const auto across = oracle::cross(oracle::difference(oracle::raw(c.shape.b), a),
-                                    oracle::difference(oracle::raw(c.shape.c), a));
-  return oracle::dot(across, oracle::widen(oracle::raw(c.ray.direction))) >= 0;
+template <Scalar S, int N, class Shape>
+requires requires(const Ray<S, N>& ray, const Shape& shape) { oracle::meets_front(ray, shape); }
+bool is_hidden(const RayCase<S, N, Shape>& c) {
+  return c.facing == Facing::front && !oracle::meets_front(c.ray, c.shape);
 }
 
 template <int N>

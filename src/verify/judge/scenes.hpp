@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -253,8 +254,8 @@ std::vector<Found<S>> all_of(const PlainScene<S, N>& scene, const Question& ques
   std::vector<Found<S>> all;
   scene.visit([&](const ObjectId& id, const auto& object, const auto& shape) {
     if ((object.traits.layers & mask) == 0) return;
-    if constexpr (Ball<Question>) {
-      if (!do_meet(in_raw_units<S>(question), in_raw_units<S>(shape))) return;
+    if constexpr (std::same_as<Question, Sphere<S, N>>) {
+      if (!oracle::meet(in_raw_units<S>(question), in_raw_units<S>(shape))) return;
       const auto from = in_raw_units<S>(question.center);
       all.push_back({distance_to<S>(oracle::nearest(in_raw_units<S>(shape), from)), id});
     } else {
@@ -289,7 +290,7 @@ std::vector<Overlap> pairs_of(const PlainScene<S, N>& scene) {
       const bool rest =
           first.traits.motion == Motion::fixed && second.traits.motion == Motion::fixed;
       if (!(a < b) || rest) return;
-      if (do_meet(in_raw_units<S>(shape), in_raw_units<S>(other))) pairs.push_back({a, b});
+      if (oracle::meet(in_raw_units<S>(shape), in_raw_units<S>(other))) pairs.push_back({a, b});
     });
   });
   return pairs;

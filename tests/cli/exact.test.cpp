@@ -1,33 +1,37 @@
 // SPDX-License-Identifier: MIT
-#include "oracle.hpp"
+#include "exact.hpp"
 
-#include "oracle_world.hpp"
+#include "exact_world.hpp"
 #include "support/catch.hpp"
 
 using namespace detent;
-namespace oracle = detent::cli::oracle;
 
 namespace {
 
-using oracle::Exact;
-using oracle::Vector;
+using cli::Exact;
+using cli::exact;
+using cli::ExactGroup;
+using cli::ExactShape;
+using cli::first_hit;
+using cli::Integer;
 
 constexpr int steps_per_unit = 1 << 16;
 
 /// A distance in 1/65536, rounded down like those of q16_16.
-std::optional<std::int64_t> raw_distance(const oracle::Ray& ray, const oracle::Shape& shape) {
-  const auto hit = oracle::first_hit(ray, shape);
+std::optional<std::int64_t> raw_distance(const ExactShape& ray, const ExactShape& shape) {
+  const auto hit = first_hit(ray, shape);
   if (!hit) return std::nullopt;
-  return static_cast<std::int64_t>(oracle::Integer(*hit >> (oracle::distance_frac - 16)));
+  return static_cast<std::int64_t>(Integer(*hit >> (cli::distance_frac - 16)));
 }
 
-oracle::Ray along_z() { return {{0, 0, 0}, {0, 0, 1}, 32767}; }
+Ray<double, 3> up() { return {{0, 0, 0}, Direction<double, 3>::along(2), 32767}; }
+ExactShape along_z() { return exact(up()); }
 
 }  // namespace
 
-TEST_CASE("oracle: decides the classic cases in which float errs") {
+TEST_CASE("exact rays: decides the classic cases in which float errs") {
   const auto sphere = [](double x, double z, double radius) {
-    return oracle::Sphere{{Exact::of(x), 0, Exact::of(z)}, Exact::of(radius)};
+    return exact(Sphere<double, 3>{{x, 0, z}, radius});
   };
   CHECK_FALSE(raw_distance(along_z(), sphere(0.75, 10000, 0.5)));
   CHECK(raw_distance(along_z(), sphere(2.25, 10000, 2.5)) == 655288583);  // 9998.91027...
@@ -38,22 +42,22 @@ TEST_CASE("oracle: decides the classic cases in which float errs") {
   CHECK_FALSE(raw_distance(along_z(), sphere(0, -5, 1)));
 }
 
-TEST_CASE("oracle: degenerate triangles are the segments and points that they span") {
-  const oracle::Triangle segment{{-1, 0, 5}, {0, 0, 5}, {1, 0, 5}};
+TEST_CASE("exact rays: degenerate triangles are the segments and points that they span") {
+  const auto segment = exact(Triangle<double, 3>{{-1, 0, 5}, {0, 0, 5}, {1, 0, 5}});
   CHECK(raw_distance(along_z(), segment) == 5 * steps_per_unit);
-  const oracle::Triangle along{{0, 0, 9}, {0, 0, 7}, {0, 0, 8}};
+  const auto along = exact(Triangle<double, 3>{{0, 0, 9}, {0, 0, 7}, {0, 0, 8}});
   CHECK(raw_distance(along_z(), along) == 7 * steps_per_unit);
-  const oracle::Triangle point{{0, 0, 3}, {0, 0, 3}, {0, 0, 3}};
+  const auto point = exact(Triangle<double, 3>{{0, 0, 3}, {0, 0, 3}, {0, 0, 3}});
   CHECK(raw_distance(along_z(), point) == 3 * steps_per_unit);
-  const oracle::Triangle beside{{1, 0, 3}, {1, 0, 3}, {1, 0, 3}};
+  const auto beside = exact(Triangle<double, 3>{{1, 0, 3}, {1, 0, 3}, {1, 0, 3}});
   CHECK_FALSE(raw_distance(along_z(), beside));
-  const oracle::Triangle edge_on{{0, -1, 4}, {0, 1, 4}, {0, 0, 6}};
+  const auto edge_on = exact(Triangle<double, 3>{{0, -1, 4}, {0, 1, 4}, {0, 0, 6}});
   CHECK(raw_distance(along_z(), edge_on) == 4 * steps_per_unit);
-  const oracle::Triangle around{{0, -1, -1}, {0, 1, -1}, {0, 0, 6}};
+  const auto around = exact(Triangle<double, 3>{{0, -1, -1}, {0, 1, -1}, {0, 0, 6}});
   CHECK(raw_distance(along_z(), around) == 0);
 }
 
-TEST_CASE("oracle: a double has an exact value") {
+TEST_CASE("exact rays: a double has an exact value") {
   for (const double value : {0.0, 1.0, -0.1, 28000.001953125, 0x1p-149, 0x1.fffffep127}) {
     CHECK(Exact::of(value).approximate() == value);
   }
@@ -91,15 +95,15 @@ Ray<S, 3> ray_towards(test::Random& random, const Vec<S, 3>& target, int bits) {
 template <class S, class Shape>
 bool agrees(const Ray<S, 3>& ray, const Shape& shape, test::HitRate& rate) {
   const auto found = raycast(ray, shape);
-  const auto expected = oracle::first_hit(oracle::exact(ray), oracle::exact(shape));
+  const auto expected = first_hit(exact(ray), exact(shape));
   rate.count(found.has_value());
   if (found.has_value() != expected.has_value()) return false;
-  return !found || oracle::Integer(*expected >> (oracle::distance_frac - S::frac)) == found->raw();
+  return !found || Integer(*expected >> (cli::distance_frac - S::frac)) == found->raw();
 }
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("oracle: agrees with the library", "", q16_16, q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("exact rays: agrees with the library", "", q16_16, q14_16, q24_8, q8_8) {
   using S = TestType;
   test::Random random(20240917);
   INFO(random);
@@ -131,7 +135,7 @@ TEMPLATE_TEST_CASE("oracle: agrees with the library", "", q16_16, q14_16, q24_8,
   CHECK(rate.is_balanced());
 }
 
-TEST_CASE("oracle: the box around a shape never hides a hit") {
+TEST_CASE("exact rays: the box around a shape never hides a hit") {
   using S = q16_16;
   test::Random random(77);
   INFO(random);
@@ -139,22 +143,22 @@ TEST_CASE("oracle: the box around a shape never hides a hit") {
   for (int i = 0; i < 2000; ++i) {
     const int bits = static_cast<int>(random.between(8, 31));
     const Vec<S, 3> center = point<S>(random, bits);
-    const auto ray = oracle::exact(ray_towards(random, center, bits));
+    const auto ray = exact(ray_towards(random, center, bits));
     const auto offset = [&] { return nearest_to<S>(center + point<S>(random, bits - 2)); };
-    const std::array<oracle::Shape, 3> shapes{
-        oracle::exact(Sphere<S, 3>{center, abs(coordinate<S>(random, bits - 4)) > 0
-                                               ? S::from_raw(1 << (bits / 2))
-                                               : S(0)}),
-        oracle::exact(Triangle<S, 3>{offset(), offset(), offset()}),
-        oracle::exact(Obb<S, 3>{center, {S(1), S(2), S(3)}, {}})};
+    const std::array<ExactShape, 3> shapes{
+        exact(Sphere<S, 3>{center, abs(coordinate<S>(random, bits - 4)) > 0
+                                       ? S::from_raw(1 << (bits / 2))
+                                       : S(0)}),
+        exact(Triangle<S, 3>{offset(), offset(), offset()}),
+        exact(Obb<S, 3>{center, {S(1), S(2), S(3)}, {}})};
     for (const auto& shape : shapes) {
-      hidden += oracle::Group({shape}).first_hit(ray) == oracle::first_hit(ray, shape) ? 0 : 1;
+      hidden += ExactGroup({shape}).first_hit(ray) == first_hit(ray, shape) ? 0 : 1;
     }
   }
   CHECK(hidden == 0);
 }
 
-TEMPLATE_TEST_CASE("oracle: of a group the first hit of all is found", "", q16_16, float) {
+TEMPLATE_TEST_CASE("exact rays: of a group the first hit of all is found", "", q16_16, float) {
   using S = TestType;
   test::Random random(4711);
   INFO(random);
@@ -172,20 +176,20 @@ TEMPLATE_TEST_CASE("oracle: of a group the first hit of all is found", "", q16_1
   int wrong = 0;
   test::HitRate rate;
   for (int scene = 0; scene < 20; ++scene) {
-    std::vector<oracle::Shape> triangles;
+    std::vector<ExactShape> triangles;
     for (int i = 0; i < 60; ++i) {
       const Vec<S, 3> a = random_point(1000);
       const auto near_a = [&] { return nearest_to<S>(a + (random_point(500) - random_point(0))); };
-      triangles.push_back(oracle::exact(Triangle<S, 3>{a, near_a(), near_a()}));
+      triangles.push_back(exact(Triangle<S, 3>{a, near_a(), near_a()}));
     }
-    const oracle::Group group(triangles);
+    const ExactGroup group(triangles);
     for (int i = 0; i < 40; ++i) {
       const Vec<S, 3> origin = random_point(2000);
       const auto direction = direction_of<S>(random_point(900) - origin);
-      const auto ray = oracle::exact(Ray<S, 3>{origin, direction.value_or(Direction<S, 3>())});
-      std::optional<oracle::Integer> first;
+      const auto ray = exact(Ray<S, 3>{origin, direction.value_or(Direction<S, 3>())});
+      std::optional<Integer> first;
       for (const auto& triangle : triangles) {
-        const auto hit = oracle::first_hit(ray, triangle);
+        const auto hit = first_hit(ray, triangle);
         if (hit && (!first || *hit < *first)) first = hit;
       }
       rate.count(first.has_value());

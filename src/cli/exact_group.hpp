@@ -6,21 +6,21 @@
 #include <optional>
 #include <vector>
 
-#include "oracle.hpp"
+#include "exact.hpp"
 
-namespace detent::cli::oracle {
+namespace detent::cli {
 
 /// Shapes of which only the first hit counts: the triangles of a mesh, or a single shape.
 ///
 /// A tree of boxes in doubles, which shares no code with the library's trees, finds the shapes that
 /// a ray must be tested against exactly. The boxes are larger than the shapes by far more than the
 /// error of a double, so no hit is lost.
-class Group {
+class ExactGroup {
  public:
-  explicit Group(std::vector<Shape> shapes);
+  explicit ExactGroup(std::vector<ExactShape> shapes);
 
   /// The smallest `first_hit` of the shapes.
-  [[nodiscard]] std::optional<Integer> first_hit(const Ray& ray) const;
+  [[nodiscard]] std::optional<Integer> first_hit(const ExactShape& ray) const;
 
  private:
   struct Box {
@@ -35,12 +35,12 @@ class Group {
   /// The ray in doubles, and its remaining length.
   struct Probe;
 
-  [[nodiscard]] static Box box_around(const Shape& shape);
+  [[nodiscard]] static Box box_around(const ExactShape& shape);
   void build(std::vector<std::pair<Box, std::size_t>>& items, std::size_t begin, std::size_t end);
-  void search(std::size_t node, const Ray& ray, Probe& probe) const;
+  void search(std::size_t node, const ExactShape& ray, Probe& probe) const;
 
-  std::vector<Shape> shapes_;
+  std::vector<ExactShape> shapes_;
   std::vector<Node> nodes_;  // a node is followed by its whole subtree
 };
 
-}  // namespace detent::cli::oracle
+}  // namespace detent::cli

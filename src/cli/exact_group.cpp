@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "oracle_group.hpp"
+#include "exact_group.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-namespace detent::cli::oracle {
+namespace detent::cli {
 namespace {
 
 using Doubles = std::array<double, 3>;
@@ -15,8 +15,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double trusted = 1 << 30;         // no box is culled beyond it
 constexpr double margin = 1.0 / (1 << 10);  // on each side of a box
 
-Doubles approximate(const Vector& v) {
-  return {v[0].approximate(), v[1].approximate(), v[2].approximate()};
+/// Three numbers of a list, from the `place`th three on.
+Doubles approximate(const std::vector<Exact>& numbers, std::size_t place) {
+  return {numbers[3 * place].approximate(), numbers[3 * place + 1].approximate(),
+          numbers[3 * place + 2].approximate()};
 }
 
 double dot(const Doubles& a, const Doubles& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -31,12 +33,12 @@ bool is_trusted(const Doubles& point) {
 /// by less than 2^-20, and so are times along directions about one unit long; components of a cross
 /// product by less than 2^-20 of what the margin adds to the other side. Comparisons with infinity
 /// or NaN cull nothing.
-struct Group::Probe {
-  explicit Probe(const Ray& ray)
-      : origin(approximate(ray.origin)),
-        direction(approximate(ray.direction)),
+struct ExactGroup::Probe {
+  explicit Probe(const ExactShape& ray)
+      : origin(approximate(ray.lengths, 0)),
+        direction(approximate(ray.directions, 0)),
         squared_length(dot(direction, direction)),
-        limit(ray.max_distance.approximate()),
+        limit(ray.lengths[3].approximate()),
         is_usable(is_trusted(origin)) {}
 
   Doubles to_middle(const Box& box) const {
@@ -75,21 +77,22 @@ struct Group::Probe {
   std::optional<Integer> best{};
 };
 
-Group::Box Group::box_around(const Shape& shape) {
+ExactGroup::Box ExactGroup::box_around(const ExactShape& shape) {
   std::vector<Doubles> points;
   double radius = margin;
-  if (const auto* const sphere = std::get_if<Sphere>(&shape)) {
-    points = {approximate(sphere->center)};
-    radius += std::abs(sphere->radius.approximate());
-  } else if (const auto* const box = std::get_if<Aabb>(&shape)) {
-    points = {approximate(box->min), approximate(box->max)};
-  } else if (const auto* const turned = std::get_if<Obb>(&shape)) {
-    points = {approximate(turned->center)};
+  using Form = ExactShape::Form;
+  if (shape.form == Form::ball) {
+    points = {approximate(shape.lengths, 0)};
+    radius += std::abs(shape.lengths[3].approximate());
+  } else if (shape.form == Form::turned_box) {
+    points = {approximate(shape.lengths, 0)};
     // Axes are within 1e-3 of unit length in every scalar.
-    const Doubles half = approximate(turned->half_extents);
+    const Doubles half = approximate(shape.lengths, 1);
     radius += 1.01 * std::sqrt(dot(half, half));
-  } else if (const auto* const triangle = std::get_if<Triangle>(&shape)) {
-    points = {approximate(triangle->a), approximate(triangle->b), approximate(triangle->c)};
+  } else if (shape.form == Form::box || shape.form == Form::face) {
+    for (std::size_t i = 0; 3 * i < shape.lengths.size(); ++i) {
+      points.push_back(approximate(shape.lengths, i));
+    }
   }
 
   Box result{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
@@ -105,15 +108,15 @@ Group::Box Group::box_around(const Shape& shape) {
   return result;
 }
 
-Group::Group(std::vector<Shape> shapes) : shapes_(std::move(shapes)) {
+ExactGroup::ExactGroup(std::vector<ExactShape> shapes) : shapes_(std::move(shapes)) {
   std::vector<std::pair<Box, std::size_t>> items;
-  for (const Shape& shape : shapes_) items.emplace_back(box_around(shape), items.size());
+  for (const ExactShape& shape : shapes_) items.emplace_back(box_around(shape), items.size());
   if (!items.empty()) build(items, 0, items.size());
 }
 
 /// Splits [begin, end) in half along the longest side of its box until one shape is left.
-void Group::build(std::vector<std::pair<Box, std::size_t>>& items, std::size_t begin,
-                  std::size_t end) {
+void ExactGroup::build(std::vector<std::pair<Box, std::size_t>>& items, std::size_t begin,
+                       std::size_t end) {
   Box whole = items[begin].first;
   for (std::size_t i = begin + 1; i < end; ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -141,17 +144,17 @@ void Group::build(std::vector<std::pair<Box, std::size_t>>& items, std::size_t b
   build(items, middle, end);
 }
 
-std::optional<Integer> Group::first_hit(const Ray& ray) const {
+std::optional<Integer> ExactGroup::first_hit(const ExactShape& ray) const {
   Probe probe(ray);
   if (!nodes_.empty()) search(0, ray, probe);
   return probe.best;
 }
 
-void Group::search(std::size_t node, const Ray& ray, Probe& probe) const {
+void ExactGroup::search(std::size_t node, const ExactShape& ray, Probe& probe) const {
   const auto& [box, shape, second] = nodes_[node];
   if (!probe.may_meet(box)) return;
   if (second == 0) {
-    const auto hit = oracle::first_hit(ray, shapes_[shape]);
+    const auto hit = cli::first_hit(ray, shapes_[shape]);
     if (!hit || (probe.best && *probe.best <= *hit)) return;
     probe.best = *hit;
     probe.limit = std::ldexp(hit->convert_to<double>(), -distance_frac);
@@ -167,4 +170,4 @@ void Group::search(std::size_t node, const Ray& ray, Probe& probe) const {
   search(far, ray, probe);
 }
 
-}  // namespace detent::cli::oracle
+}  // namespace detent::cli

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
-#pragma once
-
 #include <algorithm>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
-#include "detent/shape/hull.hpp"
-#include "oracle/half_spaces.hpp"
-#include "oracle/ray_triangle.hpp"
+#include "oracle/crossing_parts.hpp"
 
-/// Rays against convex hulls: to be included before headers that handle rays and shapes of any
-/// kind.
 namespace detent::oracle {
+namespace {
 
 /// {x : normal . (x - point) <= 0}, and whether its boundary contains a face.
 template <int N>
@@ -40,12 +31,6 @@ struct OneOfNormals final : Normal<N> {
   }
 };
 
-template <int N>
-Vector<N> opposite(Vector<N> v) {
-  for (auto& component : v) component = -component;
-  return v;
-}
-
 /// The half-spaces bounded at `corner` perpendicular to `normal` that contain all points: up to
 /// two.
 template <int N>
@@ -59,13 +44,13 @@ void add_supporting(std::vector<Facet<N>>& facets, const std::vector<Vector<N>>&
     some_below = some_below || height < 0;
   }
   if (!some_above) facets.push_back({normal, corner, is_face});
-  if (!some_below) facets.push_back({opposite<N>(normal), corner, is_face});
+  if (!some_below) facets.push_back({negated(normal), corner, is_face});
 }
 
 /// The half-spaces whose intersection is the hull of `points`: those supported by any of their
 /// lines and planes; for coplanar points (in 2D, collinear ones) also those within the plane. None
 /// for collinear points (in 2D, for equal ones).
-inline std::vector<Facet<2>> facets_of(const std::vector<Vector<2>>& points) {
+std::vector<Facet<2>> facets_of(const std::vector<Vector<2>>& points) {
   std::vector<Facet<2>> facets;
   for (const auto& p : points) {
     for (const auto& q : points) {
@@ -80,7 +65,7 @@ inline std::vector<Facet<2>> facets_of(const std::vector<Vector<2>>& points) {
   }
   return facets;
 }
-inline std::vector<Facet<3>> facets_of(const std::vector<Vector<3>>& points) {
+std::vector<Facet<3>> facets_of(const std::vector<Vector<3>>& points) {
   std::vector<Facet<3>> facets;
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -105,28 +90,17 @@ inline std::vector<Facet<3>> facets_of(const std::vector<Vector<3>>& points) {
   return facets;
 }
 
-/// Collinear points, or a single one, are the segment between two of them.
+}  // namespace
+
 template <int N>
-Expected<N> raycast_line_of_points(const Line<N>& line, const std::vector<Vector<N>>& points) {
-  Vector<N> first = points[0], last = points[0];
-  for (const auto& p : points) {
-    first = std::min(first, p);
-    last = std::max(last, p);
-  }
-  const auto inside = on_segment<N>(line, first, last);
-  if (!inside) return {};
-  return hit<N>(line, floor(inside->enter), floor(inside->exit), against(line));
-}
-
-template <Scalar S, int N>
-Expected<N> expected_raycast(const Ray<S, N>& ray, const ConvexHull<S, N>& hull) {
-  const auto line = oracle::line(ray);
-  std::vector<Vector<N>> points;
-  for (const auto& point : hull.points) points.push_back(raw(point));
-  if (line.max < 0 || points.empty()) return {};
+MaybeCrossing<N> crossing_of(const Line<N>& line, const Cloud<N>& cloud) {
+  const auto& points = cloud.points;
+  if (points.empty()) return {};
   const auto facets = facets_of(points);
-  if (facets.empty()) return raycast_line_of_points<N>(line, points);
-
+  if (facets.empty()) {  // collinear points, or one
+    const auto [first, last] = std::minmax_element(points.begin(), points.end());
+    return crossing_of(line, Edge<N>{*first, *last});
+  }
   std::vector<HalfSpace> spaces;
   spaces.reserve(facets.size());
   for (const auto& facet : facets) {
@@ -142,7 +116,10 @@ Expected<N> expected_raycast(const Ray<S, N>& ray, const ConvexHull<S, N>& hull)
   }
   NormalPointer<N> normal = entered;
   if (inside_at_start(spaces) || entered->choices.empty()) normal = against(line);
-  return hit<N>(line, floor(inside->enter), floor(inside->exit), normal);
+  return crossing_at<N>(*inside, normal);
 }
+
+template MaybeCrossing<2> crossing_of(const Line<2>&, const Cloud<2>&);
+template MaybeCrossing<3> crossing_of(const Line<3>&, const Cloud<3>&);
 
 }  // namespace detent::oracle

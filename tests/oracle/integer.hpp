@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#ifdef DETENT_ORACLE_SHORT_INTEGERS
+#include "oracle/short_integer.hpp"
+#else
+// GCC sees a union's other member destroyed where an integer is made in one of two branches.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+#include <boost/multiprecision/cpp_int.hpp>
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
+#endif
+
+/// The oracle: the definitions of the shapes, evaluated in exact integers and fractions. It includes
+/// nothing of the library, and none of its formulas may be the library's own, so that a wrong idea
+/// cannot confirm itself. `exact.hpp` reads the library's shapes.
+namespace detent::oracle {
+
+#ifdef DETENT_ORACLE_SHORT_INTEGERS
+using Integer = ShortInteger;
+#else
+/// Any length; up to 512 bits without the heap.
+using Integer = boost::multiprecision::number<
+    boost::multiprecision::cpp_int_backend<512, 0, boost::multiprecision::signed_magnitude,
+                                           boost::multiprecision::checked,
+                                           std::allocator<boost::multiprecision::limb_type>>,
+    boost::multiprecision::et_off>;
+#endif
+
+template <int N>
+using Vector = std::array<Integer, static_cast<std::size_t>(N)>;
+
+template <int N>
+using Raw = std::array<std::int64_t, static_cast<std::size_t>(N)>;
+
+template <std::size_t N>
+Integer dot(const std::array<Integer, N>& a, const std::array<Integer, N>& b) {
+  Integer sum = 0;
+  for (std::size_t i = 0; i < N; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+template <std::size_t N>
+std::array<Integer, N> difference(const std::array<Integer, N>& a,
+                                  const std::array<Integer, N>& b) {
+  std::array<Integer, N> result;
+  for (std::size_t i = 0; i < N; ++i) result[i] = a[i] - b[i];
+  return result;
+}
+
+inline Vector<3> cross(const Vector<3>& a, const Vector<3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline Integer cross(const Vector<2>& a, const Vector<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+inline bool is_zero(const Integer& a) { return a.is_zero(); }
+
+template <std::size_t N>
+bool is_zero(const std::array<Integer, N>& a) {
+  for (const auto& component : a) {
+    if (!component.is_zero()) return false;
+  }
+  return true;
+}
+
+template <std::size_t N>
+std::array<Integer, N> widen(const std::array<std::int64_t, N>& a) {
+  std::array<Integer, N> result;
+  for (std::size_t i = 0; i < N; ++i) result[i] = a[i];
+  return result;
+}
+
+template <class T, std::size_t N>
+std::array<T, N> negated(std::array<T, N> a) {
+  for (auto& component : a) component = -component;
+  return a;
+}
+
+/// A fraction with a positive denominator: a time along a ray, in raw units.
+struct Moment {
+  Integer over = 0;
+  Integer under = 1;
+
+  static Moment fraction(const Integer& over, const Integer& under) {
+    return under.sign() < 0 ? Moment{-over, -under} : Moment{over, under};
+  }
+
+  friend bool operator<(const Moment& a, const Moment& b) {
+    return a.over * b.under < b.over * a.under;
+  }
+  friend bool operator==(const Moment& a, const Moment& b) {
+    return a.over * b.under == b.over * a.under;
+  }
+};
+
+/// The largest integer <= `over / under`, for under > 0.
+inline Integer floor_quotient(const Integer& over, const Integer& under) {
+  Integer quotient = over / under;  // towards zero
+  if (over.sign() < 0 && quotient * under != over) --quotient;
+  return quotient;
+}
+
+inline Integer floor(const Moment& t) { return floor_quotient(t.over, t.under); }
+
+/// `over / under` rounded to the nearest integer, ties to even, for under > 0.
+inline Integer nearest_quotient(const Integer& over, const Integer& under) {
+  const Integer down = floor_quotient(over, under);
+  const Integer twice_rest = 2 * (over - down * under);
+  const bool odd = (down % 2) != 0;
+  return twice_rest > under || (twice_rest == under && odd) ? Integer(down + 1) : down;
+}
+
+/// `over / 2^shift` rounded to the nearest integer, ties to even.
+inline Integer nearest_even(const Integer& over, int shift) {
+  return nearest_quotient(over, Integer(1) << static_cast<unsigned>(shift));
+}
+
+}  // namespace detent::oracle
