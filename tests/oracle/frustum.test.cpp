@@ -9,6 +9,7 @@
 #include "detent/query/contains/frustum.hpp"
 #include "detent/query/distance/frustum.hpp"
 #include "detent/query/intersects/frustum.hpp"
+#include "detent/query/on.hpp"
 #include "detent/query/overlaps/frustum.hpp"
 #include "detent/query/raycast/frustum.hpp"
 // The hull helpers come before the exam, which looks them up.
@@ -85,6 +86,10 @@ TEMPLATE_TEST_CASE("frustum, points and rays: every answer is that of the hull o
     if (contains(frustum, point) != is_inside) ++wrong;
     if (distance(frustum, point) != distance(hull, point)) ++wrong;
     if (closest_point(frustum, point) != closest_point(hull, point)) ++wrong;
+    if (on(frustum, point) != is_inside) ++wrong;
+    const auto away = distance(hull, point);
+    if (away < largest<S> && !on(frustum, point, nearest_to<S>(away + S::from_raw(1)))) ++wrong;
+    if (away > 0 && on(frustum, point, nearest_to<S>(away - S::from_raw(1)))) ++wrong;
 
     const auto direction = random.one_in(3) ? draw.axis_direction() : draw.any_direction();
     const auto back = Draw<S, 3>::scalar(random.between(0, 4 * setting.size));

@@ -9,7 +9,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "detent/query/overlaps.hpp"
+#include "detent/scene/scene.hpp"
+#include "detent/shape/camera.hpp"
 #include "oracle/hull.hpp"
 #include "oracle/view.hpp"
 #include "support/catch.hpp"
@@ -220,6 +221,22 @@ TEST_CASE("frustum: of boxes at its border it decides all that are a rounded cor
     CHECK(counts.six_planes.culled_visible > 4 * counts.exact.culled_visible);
     CHECK(counts.six_planes.kept_invisible > 4 * counts.exact.kept_invisible);
   }
+}
+
+TEST_CASE("frustum: a scene measures distances from the middle of its near side", "[scene]") {
+  const auto pose = look_at(V{}, V{S(0), S(0), S(-1)}, V{S(0), S(1), S(0)});
+  const auto lens = Lens<S>::perspective(Angle<S>::turn(1, 4), S(2), S(3), S(100));
+  const Frustum frustum{Camera<S>{pose.value(), lens.value()}};
+  Scene<S, 3, Sphere> scene;
+  const auto near = scene.add(Sphere{V{S(0), S(0), S(-50)}, S(1)});
+  const auto beside = scene.add(Sphere{V{S(60), S(0), S(-60)}, S(1)});
+  scene.add(Sphere{V{S(0), S(0), S(2)}, S(1)});
+  const auto found = scene.all(frustum);
+  REQUIRE(found.size() == 2);
+  CHECK(found[0] == Found<S>{S(46), near.value()});
+  CHECK(found[1].id == beside.value());
+  CHECK(found[1].distance == distance(Sphere{V{S(60), S(0), S(-60)}, S(1)}, V{S(0), S(0), S(-3)}));
+  CHECK(scene.nearest(frustum) == found[0]);
 }
 
 }  // namespace detent::test

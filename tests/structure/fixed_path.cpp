@@ -137,6 +137,29 @@ void move(const Vec<S, 3>& u, const Vec<S, 3>& v, Angle<S> angle, S t, const Qua
   angles[1] = angle_of(q);
 }
 
+/// Cameras, and frusta as shapes.
+template <Scalar S>
+int look(const OrbitCamera<S>& orbit, Angle<S> fov, S aspect, const Vec<S, 3>& point,
+         const Obb<S, 3>& box, Measures<S, 3>& measures, Ray<S, 3>* rays) noexcept {
+  auto moving = orbit;
+  moving.rotate(fov, fov);
+  moving.zoom(aspect);
+  moving.pan(aspect, aspect);
+  moving.lens = Lens<S>::perspective(fov, aspect, S(1), point.x).value_or(orbit.lens);
+  const auto camera = moving.camera();
+  const Viewport screen{640, 480};
+  const auto seen = project(camera, screen, point);
+  rays[0] = pick_ray(camera, aspect, aspect);
+  rays[1] = pick_ray(camera, screen, 1, 2);
+  const Frustum frustum{camera};
+  measures = measure(frustum, unproject(camera, screen, 1, 2, point.x));
+  return project(camera, point).has_value() + seen.has_value() + overlaps(frustum, box) +
+         raycast(rays[0], frustum).has_value();
+}
+
+#define DETENT_LOOK(S)                                                                      \
+  template int look(const OrbitCamera<S>&, Angle<S>, S, const Vec<S, 3>&, const Obb<S, 3>&, \
+                    Measures<S, 3>&, Ray<S, 3>*) noexcept
 #define DETENT_MEASURE(S, N)                                                              \
   template void measure_all(const Vec<S, N>&, const Sphere<S, N>&, const Aabb<S, N>&,     \
                             const Obb<S, N>&, const Plane<S, N>&, const Triangle<S, N>&,  \
@@ -163,6 +186,7 @@ void move(const Vec<S, 3>& u, const Vec<S, 3>& v, Angle<S> angle, S t, const Qua
 
 DETENT_USE(q16_16);
 DETENT_MOVE(q16_16);
+DETENT_LOOK(q16_16);
 DETENT_MEASURE(q16_16, 2);
 DETENT_MEASURE(q16_16, 3);
 DETENT_MEET(q16_16, 3);
@@ -174,6 +198,7 @@ DETENT_MEASURE(q24_8, 2);
 DETENT_MEASURE(q24_8, 3);
 DETENT_USE(q8_8);
 DETENT_MOVE(q8_8);
+DETENT_LOOK(q8_8);
 DETENT_MEASURE(q8_8, 2);
 DETENT_MEASURE(q8_8, 3);
 DETENT_MEET(q8_8, 2);

@@ -22,11 +22,13 @@ trap 'rm -rf "$work"' EXIT
 
 shapes=(Sphere Aabb Obb Plane Triangle Capsule ConvexHull)
 declare -A stem=([Sphere]=sphere [Aabb]=aabb [Obb]=obb [Plane]=plane [Triangle]=triangle
-                 [Capsule]=capsule [ConvexHull]=hull [Segment]=segment [Ray]=ray)
+                 [Capsule]=capsule [ConvexHull]=hull [Segment]=segment [Ray]=ray
+                 [Frustum]=frustum)
 
-# A cell is a program with one call, named by the header's path with dots.
-cell() { # header first-argument-type second-argument-type calls...
-  local header=$1 first=$2 second=$3
+# A cell is a program with one call, named by the header's path with dots; where one header has
+# several cells, by the shape too.
+cell() { # header[+shape] first-argument-type second-argument-type calls...
+  local name=$1 header=${1%+*} first=$2 second=$3
   shift 3
   [[ -f include/detent/query/$header.hpp ]] || return 0
   {
@@ -38,16 +40,21 @@ cell() { # header first-argument-type second-argument-type calls...
       echo "  return detent::$call(a, b);"
       echo '}'
     done
-  } >"$work/${header//\//.}.cpp"
+  } >"$work/${name//\//.}.cpp"
 }
 
-for shape in "${shapes[@]}" Segment Ray; do
+for shape in "${shapes[@]}" Segment Ray Frustum; do
   name=${stem[$shape]}
-  cell "contains/$name" "$shape<S, 3>" 'Vec<S, 3>' contains
-  cell "closest_point/$name" "$shape<S, 3>" 'Vec<S, 3>' closest_point
-  cell "distance/$name" "$shape<S, 3>" 'Vec<S, 3>' distance
-  cell "raycast/$name" 'Ray<S, 3>' "$shape<S, 3>" raycast raycast_hit raycast_interval
-  cell "intersects/$name" 'Segment<S, 3>' "$shape<S, 3>" intersects
+  type="$shape<S, 3>"
+  [[ $shape != Frustum ]] || type='Frustum<S>'
+  cell "contains/$name" "$type" 'Vec<S, 3>' contains
+  cell "closest_point/$name" "$type" 'Vec<S, 3>' closest_point
+  cell "distance/$name" "$type" 'Vec<S, 3>' distance
+  cell "raycast/$name" 'Ray<S, 3>' "$type" raycast raycast_hit raycast_interval
+  cell "intersects/$name" 'Segment<S, 3>' "$type" intersects
+done
+for shape in "${shapes[@]}"; do
+  cell "overlaps/frustum+$shape" "$shape<S, 3>" 'Frustum<S>' overlaps
 done
 for ((i = 0; i < ${#shapes[@]}; ++i)); do
   for ((j = i; j < ${#shapes[@]}; ++j)); do
@@ -92,13 +99,13 @@ matrix() {
   columns=('`contains`' '`closest_point`' '`distance`' '`raycast`' '`intersects`')
   row '' "${columns[@]}"
   rule
-  for shape in "${shapes[@]}" Segment Ray; do
+  for shape in "${shapes[@]}" Segment Ray Frustum; do
     cells=()
     for operation in "${columns[@]//\`/}"; do cells+=("$(bits "$operation/${stem[$shape]}")"); done
     row "\`$shape\`" "${cells[@]}"
   done
   echo
-  columns=("${shapes[@]/#/\`}")
+  columns=("${shapes[@]/#/\`}" '`Frustum')
   columns=("${columns[@]/%/\`}")
   row '`overlaps`' "${columns[@]}"
   rule
@@ -109,6 +116,7 @@ matrix() {
         cells+=("$(bits "overlaps/${stem[${shapes[i]}]}_${stem[${shapes[j]}]}")")
       fi
     done
+    cells+=("$(bits "overlaps/frustum+${shapes[i]}")")
     row "\`${shapes[i]}\`" "${cells[@]}"
   done
 }

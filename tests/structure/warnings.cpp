@@ -54,6 +54,20 @@ struct Numbers {
            ask(hull, ray, point) + meet(segment, sphere, aabb, obb, plane, triangle, capsule, hull);
   }
 
+  [[nodiscard]] int view() const {
+    const auto lens = Lens<S>::perspective(angle, S(1), S(1), S(9));
+    if (!lens) return 0;
+    OrbitCamera<S> orbit{*lens, point, S(9)};
+    orbit.rotate(angle, angle);
+    orbit.zoom(S(2));
+    const auto camera = orbit.camera();
+    const Frustum frustum{camera};
+    const Ray<S, 3> ray = pick_ray(camera, Viewport{8, 6}, 1, 2);
+    const Segment<S, 3> segment{point, unproject(camera, S(0), S(1), S(2))};
+    return ask(frustum, ray, point) + meet(segment, frustum, Sphere<S, 3>{point, S(1)}) +
+           (project(camera, point) ? 1 : 0);
+  }
+
   [[nodiscard]] int flat() const {
     const Vec<S, 2> spot{point.x, point.z};
     const Ray<S, 2> ray{spot, Direction<S, 2>::along(0)};
@@ -138,7 +152,7 @@ int main(int argc, char** argv) {
   Numbers<q16_16> numbers{{*x, 1_q16_16, 2_q16_16}, *forward, Angle<q16_16>::from_degrees(*x)};
   numbers.point += numbers.forward.vec() * *x;
   const Numbers<float> rough{{static_cast<float>(argc), 1, 2}, Direction<float, 3>::along(0), {}};
-  int sum = numbers.queries() + numbers.flat() + numbers.motions() + rough.flat();
+  int sum = numbers.queries() + numbers.flat() + numbers.motions() + numbers.view() + rough.flat();
 
   BoundedScene<Bounded<16>, q16_16, 3, Sphere> bounded;
   BoundedScene<Bounded<16, 2>, q16_16, 3, Sphere, Obb, Capsule> framed;

@@ -39,9 +39,8 @@ class Lens {
   /// domain: nothing unless `fov` is in (0, 1/2) turn, aspect > 0,
   ///         0 < near_distance < far_distance, and both slopes, rounded, are above 0 and below 8
   ///         (a field of view below 165.7 degrees)
-  /// exact:  slope(1) is tan(fov / 2) rounded to nearest (tests/number/angle_exhaustive.cpp);
-  ///         slope(0) is aspect * slope(1) rounded to nearest, ties to even
-  ///         (tests/math/lens.test.cpp)
+  /// exact:  slope(1) is tan(fov / 2) rounded to nearest, for every `fov`; slope(0) is
+  ///         aspect * slope(1) rounded to nearest, ties to even       (tests/math/lens.test.cpp)
   [[nodiscard]] static constexpr std::optional<Lens> perspective(Angle<S> fov, S aspect,
                                                                  S near_distance,
                                                                  S far_distance) noexcept {

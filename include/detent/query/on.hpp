@@ -16,6 +16,7 @@
 #include "detent/query/kernel/within_segment.hpp"
 #include "detent/query/kernel/within_triangle.hpp"
 #include "detent/shape/compound.hpp"
+#include "detent/shape/frustum.hpp"
 
 namespace detent {
 
@@ -43,7 +44,7 @@ template <Scalar S, int N>
 }
 template <Scalar S>
 [[nodiscard]] constexpr bool on(const Frustum<S>& frustum, const Vec<S, 3>& point) noexcept {
-  return contains(frustum, point);
+  return on(frustum.hull(), point);
 }
 
 /// Whether the distance from `point` to `shape` is at most `tolerance`. For an `Obb` it is measured
@@ -56,6 +57,11 @@ template <class Shape, Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Shape& shape, const Vec<S, N>& point,
                                 const S& tolerance) noexcept {
   return tolerance >= 0 && detail::within_reach(shape, point, tolerance);
+}
+template <Scalar S>
+[[nodiscard]] constexpr bool on(const Frustum<S>& frustum, const Vec<S, 3>& point,
+                                const S& tolerance) noexcept {
+  return on(frustum.hull(), point, tolerance);
 }
 template <class... Shapes, Scalar S, int N>
 [[nodiscard]] constexpr bool on(const Compound<Shapes...>& compound, const Vec<S, N>& point,
