@@ -84,6 +84,9 @@ TEMPLATE_TEST_CASE("frustum, points and rays: every answer is that of the hull o
     const bool is_inside = is_within(nearest(hull, point), 0);
     inside.count(is_inside);
     if (contains(frustum, point) != is_inside) ++wrong;
+    if (on(frustum, point) != is_inside) ++wrong;
+    const auto reach = Draw<S, 3>::scalar(random.between(0, setting.size));
+    if (on(frustum, point, reach) != (squared_distance(hull, point) <= square(reach))) ++wrong;
     if (distance(frustum, point) != distance(hull, point)) ++wrong;
     if (closest_point(frustum, point) != closest_point(hull, point)) ++wrong;
     if (on(frustum, point) != is_inside) ++wrong;

@@ -6,6 +6,8 @@
 //   on(shape, point, tolerance) -> bool   within `tolerance` of any shape
 
 #include "detent/query/kernel/point_aabb.hpp"
+#include "detent/query/kernel/point_capsule.hpp"
+#include "detent/query/kernel/point_frustum.hpp"
 #include "detent/query/kernel/point_hull.hpp"
 #include "detent/query/kernel/point_obb.hpp"
 #include "detent/query/kernel/point_plane.hpp"
@@ -44,7 +46,7 @@ template <Scalar S, int N>
 }
 template <Scalar S>
 [[nodiscard]] constexpr bool on(const Frustum<S>& frustum, const Vec<S, 3>& point) noexcept {
-  return on(frustum.hull(), point);
+  return detail::holds(frustum, point);
 }
 
 /// Whether the distance from `point` to `shape` is at most `tolerance`. For an `Obb` it is measured

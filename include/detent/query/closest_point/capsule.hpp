@@ -8,8 +8,7 @@
 
 #include "detent/number/filter/ratio.hpp"
 #include "detent/query/closest_point/sphere.hpp"
-#include "detent/query/kernel/within_segment.hpp"
-#include "detent/shape/capsule.hpp"
+#include "detent/query/kernel/point_capsule.hpp"
 
 namespace detent {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/kernel/within_segment.hpp"
+#include "detent/query/kernel/point_capsule.hpp"
 
 namespace detent {
 

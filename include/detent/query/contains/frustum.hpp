@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/query/contains/hull.hpp"
-#include "detent/query/kernel/beyond.hpp"
+#include "detent/query/kernel/point_frustum.hpp"
 
 namespace detent {
 
@@ -12,7 +11,7 @@ namespace detent {
 /// exact:  yes or no exact, for the hull of the corners             (tests/oracle/frustum.test.cpp)
 template <Scalar S>
 [[nodiscard]] constexpr bool contains(const Frustum<S>& frustum, const Vec<S, 3>& point) noexcept {
-  return !detail::is_beyond(frustum, point) && contains(frustum.hull(), point);
+  return detail::holds(frustum, point);
 }
 
 }  // namespace detent

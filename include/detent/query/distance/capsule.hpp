@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/query/kernel/point_capsule.hpp"
 #include "detent/query/kernel/point_segment.hpp"
-#include "detent/query/kernel/within_segment.hpp"
-#include "detent/shape/capsule.hpp"
 
 namespace detent {
 

@@ -5,7 +5,6 @@
 #include "detent/number/filter/leading.hpp"
 #include "detent/query/kernel/point_segment.hpp"
 #include "detent/query/kernel/segment_segment.hpp"
-#include "detent/shape/capsule.hpp"
 
 namespace detent::detail {
 
@@ -99,20 +98,6 @@ template <Scalar S, int N, Number R>
                                           const R& reach) noexcept {
   return by_width<30>([](const auto&... x) { return within_edge(x...); },
                       segment.end - segment.start, point - segment.start, reach);
-}
-
-/// Whether `point` is in `capsule`.
-template <Scalar S, int N>
-[[nodiscard]] constexpr bool holds(const Capsule<S, N>& capsule, const Vec<S, N>& point) noexcept {
-  return capsule.radius >= 0 && within_reach(Segment{capsule.a, capsule.b}, point, capsule.radius);
-}
-
-/// Whether `point` is within `reach` >= 0 of `capsule`.
-template <Scalar S, int N>
-[[nodiscard]] constexpr bool within_reach(const Capsule<S, N>& capsule, const Vec<S, N>& point,
-                                          const S& reach) noexcept {
-  return capsule.radius >= 0 &&
-         within_reach(Segment{capsule.a, capsule.b}, point, capsule.radius + reach);
 }
 
 /// Whether two segments come within `reach` >= 0 of each other: at an end of one, or at the two
