@@ -37,17 +37,15 @@ class Quadratic {
   /// (docs/filters.md, lemma 3).
   template <Scalar T>
   [[nodiscard]] constexpr std::optional<T> first_root(const T& limit) const noexcept {
-    if constexpr (is_fixed<T>) {
-#if DETENT_SMALL_CODE
+    if constexpr (is_fixed<T> && !has_filters) {
       return first_root_by_digits<T>(limit);
-#else
+    } else if constexpr (is_fixed<T>) {
       const auto root = sqrt_leading<B>(discriminant());
       const Approximate numerator{first_numerator(root.value), root.error};
       const T t =
           or_exact(decide_quotient_floor<T>(numerator, a_), [&] { return exact_first_root<T>(); });
       if (t >= limit && !(t == limit && sign_at(t) == 0)) return std::nullopt;
       return t;
-#endif
     } else {
       const T t = first_numerator(root()) / a_;
       if (t > limit) return std::nullopt;

@@ -23,16 +23,6 @@
 #define DETENT_INLINE_WHEN_SHORT
 #endif
 
-// Define DETENT_SMALL_CODE to choose between two ways to the same results: 0 is faster, 1 is less
-// code. The default is 1 on such a machine with -Os, otherwise 0.
-#ifndef DETENT_SMALL_CODE
-#if DETENT_SHORT_WORDS && defined(__OPTIMIZE_SIZE__)
-#define DETENT_SMALL_CODE 1
-#else
-#define DETENT_SMALL_CODE 0
-#endif
-#endif
-
 namespace detent {
 
 /// Whether the processor keeps only 32 bits of a product and has no division: Cortex-M0, M0+, M1.

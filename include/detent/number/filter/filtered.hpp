@@ -6,6 +6,17 @@
 
 #include "detent/number/rounding.hpp"
 
+// Define DETENT_SMALL_CODE to choose between two ways to the same results: 0 is faster, 1 is less
+// code, without filters that cost more code than an exact number alone. The default is 1 where
+// registers have 32 bits, with -Os, otherwise 0.
+#ifndef DETENT_SMALL_CODE
+#if DETENT_SHORT_WORDS && defined(__OPTIMIZE_SIZE__)
+#define DETENT_SMALL_CODE 1
+#else
+#define DETENT_SMALL_CODE 0
+#endif
+#endif
+
 namespace detent {
 
 // Filtered predicates: a cheap value with a proved error decides, or the exact number does.
@@ -17,9 +28,12 @@ namespace detent {
 /// The answer of a filter: of a yes or no question, or the sign of a number.
 enum class Filtered : int { no = -1, unsure = 0, yes = 1 };
 
-/// Whether a filter pays before the full products of coordinates with this scalar; it adds code.
+/// Whether to filter where an exact number alone would do with less code.
+inline constexpr bool has_filters = DETENT_SMALL_CODE == 0;
+
+/// Whether a filter pays before the full products of coordinates with this scalar.
 template <Scalar S>
-inline constexpr bool filter_pays = bits_of<S> > 15 && DETENT_SMALL_CODE == 0;
+inline constexpr bool filter_pays = bits_of<S> > 15 && has_filters;
 
 /// A cheap value of an exact number: they differ by less than `error`. In an array or a vector, each
 /// component does.
@@ -48,8 +62,8 @@ struct Decided {
 /// Whether the exact number is positive; `no` if it is negative.
 template <Number T, Number Error>
 [[nodiscard]] constexpr Filtered decide(const Approximate<T, Error>& x) noexcept {
-  if (x.value >= x.error) return Filtered::yes;
-  return x.value <= narrow_negative(x.error) ? Filtered::no : Filtered::unsure;
+  // Branchless: yes or no is unpredictable.
+  return static_cast<Filtered>(int{x.value >= x.error} - int{x.value <= narrow_negative(x.error)});
 }
 
 /// The exact number rounded down to the grid of `T`, which must be able to hold it. Unsure, the

@@ -69,9 +69,7 @@ template <Scalar S, int N, Number T, Number Along, Number Whole>
     return make_vec<N>(
         [&](int i) { return side(i).over / whole + radius * unit[static_cast<std::size_t>(i)]; });
   } else {
-    // The distance from the axis is off by less than 2^-21 steps of S. It is below 2^33 steps and at
-    // least the radius, so its square is off by less than 2^13 steps^2, and no component of a step
-    // outward is off by more than the distance. So no coordinate is off by 2^-12 steps.
+    // Errors: docs/filters.md, lemma 10.
     const auto ratio = make_ratio_below_one(along, whole);
     const auto to_axis =
         make_vec<N>([&](int i) { return approximate_product(axis[i], ratio).value; });

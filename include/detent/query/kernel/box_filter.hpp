@@ -40,7 +40,7 @@ constexpr bool is_square(const AxisFrame<S, N>& frame) noexcept {
   return are_perpendicular<26>(frame.rotation());
 }
 
-/// The margin for half extents with the sum `sum`: 2^-18 of that, plus 8 steps.
+/// The error of slacks for half extents with the sum `sum`: 2^-18 of that, plus 8 steps.
 template <Number Sum>
 [[nodiscard]] constexpr auto box_error(const Sum& sum) noexcept {
   return narrow<34>(scale_down<34>(sum, 18) + Fixed<34, Sum::frac>::from_raw(8));
@@ -58,17 +58,7 @@ template <int N, class F>
 }
 
 /// Filter in 64 bits: whether two boxes overlap; `apart` leads from one center to the other. Each
-/// length may be too small by up to half a step.
-///
-/// Frames that are square within 2^-26 are within 2^-25.8 of orthonormal ones. Within 2^-22.7 of
-/// those are frames for which each pair of edges that is called parallel here is exactly parallel.
-/// The difference of two boxes with such frames has every face along a face of one or along two
-/// edges that are not parallel. So the ball of radius r about `apart` is in it if each of these has
-/// a slack of r. Then, with r = 2^-22.5 H for the sum H of all half extents, `apart` is in the
-/// difference of the given boxes. Projections and reaches by the cosines of either frames differ by
-/// less than 11 * 2^-22.5 H, and by less than 5 steps from truncated lengths, projections and
-/// margin. So the margin is enough to call them meeting. It is also enough to call them apart,
-/// where an axis as stored or the sum of two, times cosines as they are here, separates them.
+/// length may be too small by up to half a step (docs/filters.md, lemma 5).
 ///
 /// source: separating axes by cosines, Ericson, Real-Time Collision Detection, 4.4.1
 template <class Frame, Scalar S, Number H, Number T, int N>
@@ -83,8 +73,10 @@ template <class Frame, Scalar S, Number H, Number T, int N>
   constexpr int bits = 62;  // of all sums of two or three products: they are below 2^61
   auto sum = narrow<36>(half_a[0] + half_b[0]);
   for (int i = 1; i < N; ++i) sum = narrow<36>(sum + half_a[i] + half_b[i]);
-  const Slack margin = box_error(sum);
-  const Slack least = narrow_negative(margin);
+  const Slack error = box_error(sum);
+  const auto separates = [&](const Slack& least) {
+    return decide(Approximate{least, error}) == Filtered::no;
+  };
   const auto slack = [](const auto& reach, const auto& place) -> Slack {
     return narrow_difference<63>(reach, abs(place));
   };
@@ -102,14 +94,14 @@ template <class Frame, Scalar S, Number H, Number T, int N>
     along_a[i] = narrow_floor<Place>(a.along(i, apart));
     return slack(narrow_sum<bits>(half_a[i], narrow_dot<bits>(half_b, row)), along_a[i]);
   });
-  if (faces_a < least) return Filtered::no;  // whatever the axes of b are
+  if (separates(faces_a)) return Filtered::no;  // whatever the axes of b are
   if (!is_square(b)) return Filtered::unsure;
   const auto faces_b = least_of<N>([&](auto j) {
     const auto along_b = narrow_floor<Place>(b.along(j, apart));
     return slack(narrow_sum<bits>(half_b[j], narrow_dot<bits>(half_a, lengths[j])), along_b);
   });
-  if (faces_b < least) return Filtered::no;
-  auto inside = (std::min)(faces_a, faces_b);
+  if (separates(faces_b)) return Filtered::no;
+  auto least = (std::min)(faces_a, faces_b);
   if constexpr (N == 3) {
     const auto edges = least_of<3>([&](auto j) {
       return least_of<3>([&](auto i) {
@@ -121,13 +113,12 @@ template <class Frame, Scalar S, Number H, Number T, int N>
         const auto place =
             narrow_cross<bits>(Vec{cosines[j][i1], cosines[j][i2]}, Vec{along_a[i1], along_a[i2]});
         const bool is_parallel = lengths[j][i1] + lengths[j][i2] <= ShortCosine::from_raw(8);
-        return is_parallel ? margin : slack(narrow_sum<bits>(reach_a, reach_b), place);
+        return is_parallel ? error : slack(narrow_sum<bits>(reach_a, reach_b), place);
       });
     });
-    if (edges < least) return Filtered::no;
-    inside = (std::min)(inside, edges);
+    least = (std::min)(least, edges);
   }
-  return inside >= margin ? Filtered::yes : Filtered::unsure;
+  return decide(Approximate{least, error});
 }
 
 }  // namespace detent::detail

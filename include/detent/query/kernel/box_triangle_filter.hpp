@@ -9,29 +9,20 @@
 namespace detent::detail {
 
 /// Filter: whether a box meets a triangle with these corners, given relative to its center. It uses
-/// projections onto the axes of the box, truncated by less than one step.
-///
-/// The axes alone decide if all corners lie beyond one side (apart) or one corner lies within all
-/// (meeting). If axes are perpendicular within 2^-26, a box reaches along each axis its own half
-/// extent and at most 2^-25 H more, for the sum H of all, and a corner with projections c has the
-/// coordinates c within 2^-23 H. The margin is more.
-///
-/// Otherwise, if they fit 29 bits, the projections serve as coordinates along the edges of the box.
-/// The error is within 2^-24 of 2^29 steps, plus one: less than 64. So the triangle with the
-/// projections as corners is within 64 steps of the given one along each axis. Its edges take one
-/// bit more.
+/// projections onto the axes of the box, truncated by less than one step (docs/filters.md, lemma
+/// 6): the axes alone decide, or the projections serve as coordinates.
 template <Scalar S, Number H, Number T>
 [[nodiscard]] constexpr Filtered decide_box_meets_triangle(
     const AxisFrame<S, 3>& box, const Vec<H, 3>& half_extents,
     const std::array<Vec<T, 3>, 3>& corners) noexcept {
   if (!is_square(box)) return Filtered::unsure;
   using Place = Fixed<34, T::frac>;
-  const Place margin = box_error(half_extents.x + half_extents.y + half_extents.z);
+  const Place error = box_error(half_extents.x + half_extents.y + half_extents.z);
   std::array<Vec<Place, 3>, 3> places;
   std::array<bool, 3> within{true, true, true};
   for (int i = 0; i < 3; ++i) {
-    const Place most = narrow_sum<34>(half_extents[i], margin);
-    const Place least = narrow_difference<34>(half_extents[i], margin);
+    const Place most = narrow_sum<34>(half_extents[i], error);
+    const Place least = narrow_difference<34>(half_extents[i], error);
     int above = 0, below = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto place = narrow_floor<Place>(box.along(i, corners[k]));
@@ -46,9 +37,9 @@ template <Scalar S, Number H, Number T>
 
   constexpr int bits = 29;
   using Coordinate = Fixed<bits, T::frac>;
-  constexpr auto error = Coordinate::from_raw(64);
-  const auto longer = make_vec<3>([&](int i) { return half_extents[i] + error; });
-  const auto shorter = make_vec<3>([&](int i) { return half_extents[i] - error; });
+  constexpr auto corner_error = Coordinate::from_raw(64);
+  const auto longer = make_vec<3>([&](int i) { return half_extents[i] + corner_error; });
+  const auto shorter = make_vec<3>([&](int i) { return half_extents[i] - corner_error; });
   if (!fits<bits>(places[0]) || !fits<bits>(places[1]) || !fits<bits>(places[2]) ||
       !fits<bits>(longer)) {
     return Filtered::unsure;

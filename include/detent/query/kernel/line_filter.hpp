@@ -8,13 +8,7 @@
 namespace detent::detail {
 
 /// Filter for the line of a ray: rules out triangles that it misses, in less time than `raycast`
-/// takes.
-///
-/// Projected along the line, a corner with the offset (x, y, z) from the line's origin lies at
-/// (x, y, z) d.z - z d, which has two coordinates. The line meets the triangle only if the
-/// projected one does not have the origin on an outer side: if no two edges turn about it in
-/// different ways. Every number is exact, so no triangle that the line touches is ruled out.
-/// (tests/query/kernel/line_filter.test.cpp)
+/// takes, by their corners projected along the line (docs/filters.md, lemma 11).
 ///
 /// source: Woop, Benthin and Wald, Watertight Ray/Triangle Intersection (2013), without division
 template <Scalar S>

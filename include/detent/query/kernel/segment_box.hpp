@@ -9,10 +9,8 @@
 namespace detent::detail {
 
 /// Filter in 64 bits: whether the line through `p` and `q`, `length` apart along each axis, meets
-/// the box with these half extents. No axis of the box may separate box and segment.
-///
-/// Each number is too small by less than one step, so a product with it is off by less than the
-/// other factor plus a step. No end is farther out than the sum of half extent and length.
+/// the box with these half extents. No axis of the box may separate box and segment
+/// (docs/filters.md, lemma 8).
 template <Number T, int N>
 [[nodiscard]] constexpr Filtered decide_line_meets_box(const Vec<T, N>& p, const Vec<T, N>& q,
                                                        const Vec<T, N>& length,
@@ -31,9 +29,7 @@ template <Number T, int N>
     const Slack slack = narrow_difference<63>(reaches, abs(passes));
     least = slack < least ? slack : least;
   }
-  const Slack margin = narrow_product<bits>(size, steps);
-  if (least < narrow_negative(margin)) return Filtered::no;
-  return least >= margin ? Filtered::yes : Filtered::unsure;
+  return decide(Approximate{least, Slack(narrow_product<bits>(size, steps))});
 }
 
 /// Whether the segment from `p` to `q` has a point in the box {x : |x[i]| <= half_extents[i]},
@@ -64,23 +60,25 @@ template <Number T, int N>
   constexpr int length_bits = (std::max)(bits_of<T>, 32);
   const auto length =
       make_vec<N>([&](int i) { return narrow_abs(narrow_difference<length_bits>(q[i], p[i])); });
-  constexpr bool is_long = 32 < bits_of<T>;
-  if constexpr (is_long && DETENT_SMALL_CODE == 0) {
+  const auto exact = [&] {
+    for (int j = 0, last = N == 2 ? 1 : 3; j < last; ++j) {
+      const int k = (j + 1) % N;
+      const auto passes = narrow_cross<product_bits>(Vec{p[j], p[k]}, Vec{q[j], q[k]});
+      const auto reaches = narrow_sum<product_bits>(narrow_product<product_bits>(length[j], h[k]),
+                                                    narrow_product<product_bits>(length[k], h[j]));
+      if (abs(passes) > reaches) return false;
+    }
+    return true;
+  };
+  if constexpr (has_filters && 32 < bits_of<T>) {
     constexpr int kept = 30, dropped = length_bits - kept;
     const auto cut = [](const auto& v) {
       return make_vec<N>([&](int i) { return scale_down<kept>(v[i], dropped); });
     };
-    const auto filtered = decide_line_meets_box(cut(p), cut(q), cut(length), cut(h));
-    if (filtered != Filtered::unsure) return filtered == Filtered::yes;
+    return or_exact(decide_line_meets_box(cut(p), cut(q), cut(length), cut(h)), exact);
+  } else {
+    return exact();
   }
-  for (int j = 0, last = N == 2 ? 1 : 3; j < last; ++j) {
-    const int k = (j + 1) % N;
-    const auto passes = narrow_cross<product_bits>(Vec{p[j], p[k]}, Vec{q[j], q[k]});
-    const auto reaches = narrow_sum<product_bits>(narrow_product<product_bits>(length[j], h[k]),
-                                                  narrow_product<product_bits>(length[k], h[j]));
-    if (abs(passes) > reaches) return false;
-  }
-  return true;
 }
 
 }  // namespace detent::detail

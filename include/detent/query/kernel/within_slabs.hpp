@@ -120,10 +120,7 @@ template <Number T, Number D, Number R, int N>
          });
 }
 
-/// Filter for `within_slabs` on the leading 28 bits of all numbers.
-///
-/// Each is too small by less than one step, so faces and points are off by less than sqrt(3) steps
-/// each, a distance by less than 4, and the reach by less than 1.
+/// Filter for `within_slabs` on the leading 28 bits of all numbers (docs/filters.md, lemma 7).
 template <Number T, Number D, Number R, int N>
 [[nodiscard]] constexpr Filtered decide_within_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
                                                      const Vec<D, N>& d, const R& reach) noexcept {
@@ -139,14 +136,14 @@ template <Number T, Number D, Number R, int N>
     return make_vec<N>([&](int i) { return scale_down<bits>(v[i], dropped); });
   };
   using Reach = Fixed<bits, R::frac>;
-  const Reach shorter = scale_down<bits>(reach, dropped);
-  const auto steps = [](int count) { return Reach::from_raw(count); };
-  const auto least = narrow<bits>(shorter - steps(4)), most = narrow<bits>(shorter + steps(5));
+  const Approximate cut_reach{Reach(scale_down<bits>(reach, dropped)), Reach::from_raw(5)};
+  const auto least = narrow<bits>(cut_reach.value - cut_reach.error);
+  const auto most = narrow<bits>(cut_reach.value + cut_reach.error);
   const auto least_square = square(least), most_square = square(most);
-  const auto short_low = cut(low), short_high = cut(high);
-  const auto short_d = cut(d);
-  if (are_beyond_slabs(short_low, short_high, short_d, most)) return Filtered::no;
-  return compare_slabs(short_low, short_high, short_d, [&](const auto& over, const auto&... under) {
+  const auto cut_low = cut(low), cut_high = cut(high);
+  const auto cut_d = cut(d);
+  if (are_beyond_slabs(cut_low, cut_high, cut_d, most)) return Filtered::no;
+  return compare_slabs(cut_low, cut_high, cut_d, [&](const auto& over, const auto&... under) {
     if (over > (most_square * ... * under)) return Filtered::no;
     return least >= 0 && over <= (least_square * ... * under) ? Filtered::yes : Filtered::unsure;
   });

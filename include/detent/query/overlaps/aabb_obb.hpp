@@ -24,21 +24,25 @@ template <Scalar S, int N>
   const auto half_a = a.max - a.min;
   const auto half_b = b.half_extents + b.half_extents;
   const auto apart = b.center + b.center - (a.min + a.max);
+  const auto exact = [&] {
+    if constexpr (N == 2) {
+      return !detail::are_apart(std::array{apart}, detail::edges_along(Rotation<S, N>(), half_a),
+                                detail::edges_along(b.rotation, half_b));
+    } else {
+      return detail::boxes_overlap(detail::WorldFrame(), half_a, detail::EdgeFrame<S>(b.rotation),
+                                   half_b, apart);
+    }
+  };
   if constexpr (filter_pays<S>) {
     const auto halved = [](const auto& v) {
       return make_vec<N>([&](int i) { return scale_down<bits_of<S> + 1>(v[i], 1); });
     };
-    const auto filtered =
+    return or_exact(
         detail::decide_boxes_overlap(detail::WorldFrame(), halved(half_a),
-                                     detail::AxisFrame(b.rotation), halved(half_b), halved(apart));
-    if (filtered != Filtered::unsure) return filtered == Filtered::yes;
-  }
-  if constexpr (N == 2) {
-    return !detail::are_apart(std::array{apart}, detail::edges_along(Rotation<S, N>(), half_a),
-                              detail::edges_along(b.rotation, half_b));
+                                     detail::AxisFrame(b.rotation), halved(half_b), halved(apart)),
+        exact);
   } else {
-    return detail::boxes_overlap(detail::WorldFrame(), half_a, detail::EdgeFrame<S>(b.rotation),
-                                 half_b, apart);
+    return exact();
   }
 }
 

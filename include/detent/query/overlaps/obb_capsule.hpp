@@ -23,10 +23,11 @@ template <Scalar S, int N>
   const auto low = center - half, high = center + half;
   if constexpr (is_fixed<S>) {
     using Place = decltype(low.x);
-    const auto filtered = detail::decide_within_slabs(low, high, along, Place(radius));
-    if (filtered != Filtered::unsure) return filtered == Filtered::yes;
+    return or_exact(detail::decide_within_slabs(low, high, along, Place(radius)),
+                    [&] { return detail::within_slabs(low, high, along, radius); });
+  } else {
+    return detail::within_slabs(low, high, along, radius);
   }
-  return detail::within_slabs(low, high, along, radius);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Capsule<S, N>& capsule, const Obb<S, N>& box) noexcept {

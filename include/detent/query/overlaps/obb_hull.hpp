@@ -29,22 +29,16 @@ template <Scalar S, int N>
 }
 
 /// Filter for `overlaps` with coordinates of half the bits: tests a box that contains `box` and one
-/// that `box` contains.
-///
-/// A rounded edge is off by at most sqrt(N) / 2 steps, and N of them by less than 2.6. Half extents
-/// that are m longer extend the reach of a body along a unit vector d by m sum |d . a_i|. That is
-/// at least m |A d| for the matrix A of the axes a_i, which is 0.998 m or more if these are
-/// perpendicular within 2^-10. So with m = 3 the longer box reaches as far as `box` along every d,
-/// and with -3 the shorter one no farther. (tests/query/overlaps/hull_boxes.test.cpp)
+/// that `box` contains (docs/filters.md, lemma 9).
 template <Scalar S, int N>
 [[nodiscard]] constexpr Filtered decide_overlap(const Obb<S, N>& box,
                                                 const HullBody<S, N>& hull) noexcept {
-  constexpr int margin = 3;
+  constexpr int error = 3;  // of edges, in steps
   if (!are_perpendicular<10>(box.rotation)) return Filtered::unsure;
   bool is_thick = true;
-  for (int i = 0; i < N; ++i) is_thick = is_thick && box.half_extents[i].raw() >= margin;
-  if (is_thick && bodies_overlap(short_edge_body(box, -margin), hull)) return Filtered::yes;
-  return bodies_overlap(short_edge_body(box, margin), hull) ? Filtered::unsure : Filtered::no;
+  for (int i = 0; i < N; ++i) is_thick = is_thick && box.half_extents[i].raw() >= error;
+  if (is_thick && bodies_overlap(short_edge_body(box, -error), hull)) return Filtered::yes;
+  return bodies_overlap(short_edge_body(box, error), hull) ? Filtered::unsure : Filtered::no;
 }
 
 }  // namespace detail
@@ -60,11 +54,12 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Obb<S, N>& box, const ConvexHull<S, N>& hull) noexcept {
   if (is_empty(box) || is_empty(hull)) return false;
   const detail::HullBody body(hull);
+  const auto exact = [&] { return detail::bodies_overlap(detail::edge_body(box), body); };
   if constexpr (filter_pays<S>) {
-    const auto filtered = detail::decide_overlap(box, body);
-    if (filtered != Filtered::unsure) return filtered == Filtered::yes;
+    return or_exact(detail::decide_overlap(box, body), exact);
+  } else {
+    return exact();
   }
-  return detail::bodies_overlap(detail::edge_body(box), body);
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const ConvexHull<S, N>& hull, const Obb<S, N>& box) noexcept {

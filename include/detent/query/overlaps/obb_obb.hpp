@@ -19,22 +19,26 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Obb<S, N>& a, const Obb<S, N>& b) noexcept {
   if (is_empty(a) || is_empty(b)) return false;
   const auto apart = b.center - a.center;
-  if constexpr (filter_pays<S>) {
-    const auto filtered =
-        detail::decide_boxes_overlap(detail::AxisFrame(a.rotation), a.half_extents,
-                                     detail::AxisFrame(b.rotation), b.half_extents, apart);
-    if (filtered != Filtered::unsure) return filtered == Filtered::yes;
-  }
-  if constexpr (N == 3) {
-    const detail::EdgeFrame<S> frame_a(a.rotation), frame_b(b.rotation);
-    if (!frame_a.is_flat() || !frame_b.is_flat()) {
-      return detail::boxes_overlap(frame_a, a.half_extents, frame_b, b.half_extents, apart);
+  const auto exact = [&] {
+    if constexpr (N == 3) {
+      const detail::EdgeFrame<S> frame_a(a.rotation), frame_b(b.rotation);
+      if (!frame_a.is_flat() || !frame_b.is_flat()) {
+        return detail::boxes_overlap(frame_a, a.half_extents, frame_b, b.half_extents, apart);
+      }
     }
+    // The stored axes may all lie in one plane. Together with the world's own they span space.
+    return !detail::are_apart(std::array{apart}, detail::edges_along(Rotation<S, N>(), Vec<S, N>()),
+                              detail::edges_along(a.rotation, a.half_extents),
+                              detail::edges_along(b.rotation, b.half_extents));
+  };
+  if constexpr (filter_pays<S>) {
+    using detail::AxisFrame;
+    return or_exact(detail::decide_boxes_overlap(AxisFrame(a.rotation), a.half_extents,
+                                                 AxisFrame(b.rotation), b.half_extents, apart),
+                    exact);
+  } else {
+    return exact();
   }
-  // The stored axes may all lie in one plane. Together with the world's own they span space.
-  return !detail::are_apart(std::array{apart}, detail::edges_along(Rotation<S, N>(), Vec<S, N>()),
-                            detail::edges_along(a.rotation, a.half_extents),
-                            detail::edges_along(b.rotation, b.half_extents));
 }
 
 }  // namespace detent

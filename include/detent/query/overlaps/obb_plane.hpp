@@ -24,20 +24,19 @@ template <Scalar S, int N>
   const auto height = narrow_difference<bits>(dot(plane.normal, box.center), plane.offset);
   const auto along =
       make_vec<N>([&](int i) { return abs(dot(plane.normal, box.rotation.axis(i))); });
+  const auto exact = [&] { return narrow_abs(height) <= dot(box.half_extents, along); };
   if constexpr (filter_pays<S>) {
     // Truncated to the bits of an axis, cosines are too small by less than one unit.
     using Cosine = direction_component<S>;
-    const auto rough = make_vec<N>([&](int i) { return narrow_floor<Cosine>(along[i]); });
+    const auto cosines = make_vec<N>([&](int i) { return narrow_floor<Cosine>(along[i]); });
     const auto unit = make_vec<N>([](int) { return Cosine::from_raw(1); });
-    const auto least = narrow_dot<bits>(box.half_extents, rough);
+    const auto reach = narrow_dot<bits>(box.half_extents, cosines);
     // std::max, because GCC 12 makes a branch of a magnitude that is compared.
-    const auto slack = narrow_difference<bits>(least, (std::max)(height, narrow_negative(height)));
-    const bool is_near = slack >= 0;
-    if (is_near == (slack > narrow_negative(narrow_dot<bits>(box.half_extents, unit)))) {
-      return is_near;
-    }
+    const auto slack = narrow_difference<bits>(reach, (std::max)(height, narrow_negative(height)));
+    return or_exact(decide(Approximate{slack, narrow_dot<bits>(box.half_extents, unit)}), exact);
+  } else {
+    return exact();
   }
-  return narrow_abs(height) <= dot(box.half_extents, along);
 }
 
 template <Scalar S, int N>

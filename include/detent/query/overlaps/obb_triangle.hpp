@@ -25,20 +25,25 @@ template <Scalar S, int N>
   const auto a = triangle.a - box.center;
   const auto b = triangle.b - box.center;
   const auto c = triangle.c - box.center;
-  if constexpr (N == 3 && filter_pays<S>) {
-    const auto filtered = detail::decide_box_meets_triangle(detail::AxisFrame(box.rotation),
-                                                            box.half_extents, std::array{a, b, c});
-    if (filtered != Filtered::unsure) return filtered == Filtered::yes;
-  }
-  if constexpr (N == 3) {
-    const detail::EdgeFrame<S> frame(box.rotation);
-    if (!frame.is_flat()) {
-      return detail::box_meets_triangle<bits_of<S> + 1>(frame, box.half_extents, a, b, c);
+  const auto exact = [&] {
+    if constexpr (N == 3) {
+      const detail::EdgeFrame<S> frame(box.rotation);
+      if (!frame.is_flat()) {
+        return detail::box_meets_triangle<bits_of<S> + 1>(frame, box.half_extents, a, b, c);
+      }
     }
+    // The stored axes may all lie in one plane. Together with the world's own they span space.
+    return !detail::are_apart(std::array{a, b, c},
+                              detail::edges_along(Rotation<S, N>(), Vec<S, N>()),
+                              detail::edges_along(box.rotation, box.half_extents));
+  };
+  if constexpr (N == 3 && filter_pays<S>) {
+    return or_exact(detail::decide_box_meets_triangle(detail::AxisFrame(box.rotation),
+                                                      box.half_extents, std::array{a, b, c}),
+                    exact);
+  } else {
+    return exact();
   }
-  // The stored axes may all lie in one plane. Together with the world's own they span space.
-  return !detail::are_apart(std::array{a, b, c}, detail::edges_along(Rotation<S, N>(), Vec<S, N>()),
-                            detail::edges_along(box.rotation, box.half_extents));
 }
 
 template <Scalar S, int N>
