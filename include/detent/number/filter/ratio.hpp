@@ -143,11 +143,12 @@ template <Scalar S, Number T, Number Over, Number Under, int Frac, class Error>
     const std::int64_t scaled = std::int64_t{x.raw()} * (std::int64_t{1} << (64 - Frac));
     const Wide<2> product(wrapping_multiply<Int128>(scaled, value.raw()));
     constexpr std::uint64_t half = std::uint64_t{1} << 63;
-    const auto margin = static_cast<std::uint64_t>(error.raw()) << (T::bits + 64 - Frac);
+    // |x| is at most 2^T::bits.
+    const auto product_error = static_cast<std::uint64_t>(error.raw()) << (T::bits + 64 - Frac);
     const auto whole = static_cast<std::int64_t>(product.word(1));
     const std::uint64_t fraction = product.word(0);
     const std::int64_t nearest = base.raw() + whole + (fraction > half ? 1 : 0);
-    const bool is_sure = fraction - (half - margin) > 2 * margin;
+    const bool is_sure = fraction - (half - product_error) > 2 * product_error;
     const auto exact = [&] {
       return detail::add_quotient(base, x, ratio.over, ratio.under, whole);
     };
@@ -175,8 +176,8 @@ template <int B, int F, Number Over, Number Under>
 /// sqrt(square - over^2 / under) >= 0 rounded down to the grid of `T` and clamped: a side of a
 /// right triangle, given the ratio over / under.
 ///
-/// Only the ratio has an error. Its product is off by less than half of `margin`, so the filter is
-/// unsure where that might cross another square.
+/// Only the ratio has an error: times `over`, and one step for the floor of their product. The
+/// filter is unsure where that might cross another square.
 template <Number T, Number Square, Number Over, Number Under, int Frac, class Error>
 [[nodiscard]] constexpr Decided<T> decide_side_floor(
     const Square& square, const BoundedRatio<Over, Under, Frac, Error>& ratio) noexcept {
@@ -184,7 +185,8 @@ template <Number T, Number Square, Number Over, Number Under, int Frac, class Er
   if (shift_right_floor(square.raw(), 62) != typename Square::raw_type(0)) return {T(), false};
   const auto [value, error] = ratio.quotient;
   constexpr int up = (std::max)(Over::bits - Frac, 0), down = (std::max)(Frac - Over::bits, 0);
-  const auto margin = 2 * (std::max)(shift_right_floor(error.raw() << up, down), std::int64_t{1});
+  const auto rest_error =
+      2 * (std::max)(shift_right_floor(error.raw() << up, down), std::int64_t{1});
   const auto product = wrapping_multiply<Int128>(ratio.over.raw(), value.raw());
   const auto rest = integer_cast<std::int64_t>(square.raw()) -
                     integer_cast<std::int64_t>(shift_right_floor(product, Frac));
@@ -192,7 +194,7 @@ template <Number T, Number Square, Number Over, Number Under, int Frac, class Er
       square_root_floor(static_cast<std::uint64_t>(std::max<std::int64_t>(rest, 0)));
   const std::int64_t beyond = rest - root * root;
   return {detail::clamp_root<T>(static_cast<std::uint64_t>(root)),
-          margin <= beyond && beyond <= 2 * root - margin};
+          rest_error <= beyond && beyond <= 2 * root - rest_error};
 }
 
 }  // namespace detent
