@@ -11,8 +11,8 @@ namespace {
 
 using namespace detent;
 
-TEMPLATE_TEST_CASE("culling: numbers lie between the steps of the grid beside them", "[culling]",
-                   q16_16, q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("grid: numbers lie between the steps of the grid beside them", "[grid]", q16_16,
+                   q14_16, q24_8, q8_8) {
   using S = TestType;
   using Grid = detail::Grid<S>;
   test::Random random(0xc011);
@@ -27,8 +27,8 @@ TEMPLATE_TEST_CASE("culling: numbers lie between the steps of the grid beside th
   }
 }
 
-TEMPLATE_TEST_CASE("culling: the ends of the range have no end, and are enclosed", "[culling]",
-                   q16_16, q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("grid: the ends of the range have no end, and are enclosed", "[grid]", q16_16,
+                   q14_16, q24_8, q8_8) {
   using S = TestType;
   using Grid = detail::Grid<S>;
   // At compile time an overflow is an error.
@@ -40,8 +40,8 @@ TEMPLATE_TEST_CASE("culling: the ends of the range have no end, and are enclosed
   STATIC_REQUIRE(Grid::above(S::max()) == Grid::beyond);
 }
 
-TEMPLATE_TEST_CASE("culling: what reaches out of the range is not cut off there", "[culling]",
-                   q16_16, q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("grid: what reaches out of the range is not cut off there", "[grid]", q16_16,
+                   q14_16, q24_8, q8_8) {
   using S = TestType;
   using Grid = detail::Grid<S>;
   test::Random random(0xc012);
@@ -52,11 +52,11 @@ TEMPLATE_TEST_CASE("culling: what reaches out of the range is not cut off there"
     };
     const auto x = draw(false), length = draw(true);
     const std::int64_t raw = x.raw(), reach = length.raw();
-    const auto padded = Grid::padded(length, length);
+    const detail::Reach<S> padded(length, length);
     constexpr std::int64_t step = std::int64_t{1} << Grid::shift;
     // In 2^-8 of a raw unit: length + 2^-8 length, rounded up by less than a step.
-    REQUIRE(256 * step * padded >= 257 * reach);
-    REQUIRE(256 * step * (padded - 1) < 257 * reach);
+    REQUIRE(256 * step * padded.steps() >= 257 * reach);
+    REQUIRE(256 * step * (padded.steps() - 1) < 257 * reach);
     REQUIRE(256 * step * Grid::below(x, padded) <= 256 * raw - 257 * reach);
     REQUIRE(256 * step * (Grid::below(x, padded) + 2) > 256 * raw - 257 * reach);
     REQUIRE(256 * step * Grid::above(x, padded) >= 256 * raw + 257 * reach);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "detent/cull/bins.hpp"
+#include "detent/cull/grid.hpp"
 #include "detent/number/next_up.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
@@ -40,8 +41,8 @@ TEMPLATE_TEST_CASE("plane grid: a byte encloses a coordinate, outward", "[slabs]
   }
 }
 
-TEMPLATE_TEST_CASE("slab times: no part of the ray between the planes is left out", "[slabs]",
-                   q16_16, q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("slabs: no part of the ray between the planes is left out", "[slabs]", q16_16,
+                   q14_16, q24_8, q8_8) {
   using S = TestType;
   using Component = direction_component<S>;
   using Lanes = detail::ArrayLanes<std::int32_t>;
@@ -66,10 +67,11 @@ TEMPLATE_TEST_CASE("slab times: no part of the ray between the planes is left ou
     const auto least = raw<S>(std::max(low, x.raw() - length()));
     const auto greatest = raw<S>(std::min(high, y.raw() + length()));
 
-    const auto reach = SlabTimes<S>::reach(origin, least, greatest);
-    const SlabClock<S> clock(reach, limit);
-    if (distance > clock.longest()) continue;
-    const SlabTimes<S> slab(clock, origin, raw<Component>(speed), least, greatest);
+    using Reach = typename Ticks<S>::Reach;
+    const auto reach = std::max(Reach(abs(least - origin)), Reach(abs(greatest - origin)));
+    const Ticks<S> ticks(reach, limit);
+    if (distance > ticks.longest()) continue;
+    const RaySlab<S> slab(origin, raw<Component>(speed), ticks);
     const ByteGrid<S> grid(least, greatest);
     const auto planes = slab.on_grid(grid);
     const auto times = [&](std::uint8_t plane) {
@@ -84,30 +86,72 @@ TEMPLATE_TEST_CASE("slab times: no part of the ray between the planes is left ou
     const auto near = back ? grid.above(y) : grid.below(x);
     const auto far = back ? grid.below(x) : grid.above(y);
     const auto enter = times(near).first;
-    REQUIRE(enter <= clock.time(distance));
-    REQUIRE(times(far).second >= clock.time(distance));
-    REQUIRE(slab.enter(back ? y : x) <= clock.time(distance));
-    REQUIRE(slab.leave(back ? x : y) >= clock.time(distance));
+    REQUIRE(enter <= ticks.time(distance));
+    REQUIRE(times(far).second >= ticks.time(distance));
+    REQUIRE(slab.enter(back ? y : x) <= ticks.time(distance));
+    REQUIRE(slab.leave(back ? x : y) >= ticks.time(distance));
 
     const Integer plane = grid.origin() + near * grid.step();
     const Integer fast = back ? -speed : speed;
     const Integer ahead = back ? origin.raw() - plane : plane - origin.raw();
-    const Integer step_ticks = fast == 0
-                                   ? Integer(1) << 62
-                                   : ((Integer(grid.step()) * 65536 * one / fast) >> clock.shift());
-    if (step_ticks > (1 << 21) + 1) {
+    const auto in_ticks = [&](Integer raws) {  // along the ray
+      return fast == 0 ? Integer(1) << 62 : (raws * 65536 * one / fast) >> (16 + ticks.exponent());
+    };
+    if (in_ticks(Integer(grid.step())) > (1 << 21) + 1) {
       // Nearly parallel: a plane more than four steps ahead of the origin is not reached.
-      if (ahead > 4 * Integer(grid.step())) REQUIRE(enter > clock.time(clock.longest()));
+      if (ahead > 4 * Integer(grid.step())) REQUIRE(enter > ticks.time(ticks.longest()));
       ++turned;
     } else if (fast >= one / 64) {
-      // The excess is small: two parts in 2^14 of the distances, and the rounding of the steps.
-      const Integer time = (ahead * 65536 * one / fast) >> clock.shift();
-      REQUIRE(time - enter <= ((Integer(reach.raw()) * 65536 * 64 / 8192) >> clock.shift()) + 258);
+      // The excess is small: a raw unit on the axis, and the rounding of the steps.
+      REQUIRE(in_ticks(ahead) - enter <= in_ticks(1) + 260);
       ++tight;
     }
   }
   CHECK(tight > 1'000);
   CHECK(turned > 1'000);
+}
+
+TEMPLATE_TEST_CASE("slabs: on the grid of a scene, too, rays are in time and lose little",
+                   "[slabs]", q16_16, q24_8, q8_8) {
+  using S = TestType;
+  using Grid = detail::Grid<S>;
+  using Component = direction_component<S>;
+  constexpr std::int64_t one = std::int64_t{1} << Component::frac;
+  constexpr std::int64_t low = S::lowest().raw(), high = S::max().raw();
+  constexpr std::int64_t size = std::int64_t{1} << Grid::shift;
+  Random random(0x51ac);
+  int exact = 0, parallel = 0, tight = 0;
+  for (int i = 0; i < 60'000; ++i) {
+    const auto origin = raw<S>(random.one_in(3) ? random.edgy(S::bits) : random.wide(S::bits - 1));
+    const std::int64_t speed = random.one_in(8)   ? 0
+                               : random.one_in(3) ? random.between(-one, one)
+                                                  : random.wide(Component::frac - 1);
+    const std::int64_t distance = random.wide(S::bits) & high;
+    const Integer at = Integer(origin.raw()) * one + Integer(speed) * distance;
+    const auto below = static_cast<std::int64_t>(at >> Component::frac);
+    const auto above = static_cast<std::int64_t>(-(-at >> Component::frac));
+    if (below <= low || above >= high) continue;
+    // The narrowest slab of the grid around a point of the ray.
+    const std::int64_t least = Grid::below(raw<S>(below)), greatest = Grid::above(raw<S>(above));
+    const RaySlab<S> slab(Grid::step(origin), raw<Component>(speed), Ticks<S>());
+    const bool back = speed < 0;
+    REQUIRE(slab.is_backward() == back);
+    const auto enter = slab.enter(back ? greatest : least);
+    const auto leave = slab.leave(back ? least : greatest);
+    REQUIRE(std::max<Integer>(enter, 0) * size <= distance);
+    REQUIRE(Integer(leave) * size >= distance);
+    exact += above == below && above % size == 0;
+    parallel += speed == 0;
+    // A slab five steps away is behind the ray, or not yet reached.
+    const std::int64_t fast = back ? -speed : speed;
+    if (fast < one / 64) continue;
+    REQUIRE(Integer(slab.leave(back ? greatest + 5 : least - 5)) * size <= distance + size);
+    REQUIRE(Integer(slab.enter(back ? least - 5 : greatest + 5)) * size > distance);
+    ++tight;
+  }
+  CHECK(exact > 1'000);
+  CHECK(parallel > 1'000);
+  CHECK(tight > 1'000);
 }
 
 TEMPLATE_TEST_CASE("bins: in order, and at least nine of sixteen", "[slabs]", q16_16, q8_8, float) {

@@ -186,16 +186,16 @@ TEMPLATE_TEST_CASE("batch: most that miss are not even asked", "", (Sphere<doubl
     std::size_t asked = 0;
     const Shapes<Shape> many(own_shapes, batch_blocks(own_shapes.size()));
     for (const auto& ray : own_rays) {
-      many.batch.visit_candidates(ray, [&](std::size_t) {
+      many.batch.visit_candidates(ray, [&](std::size_t, S&) {
         ++asked;
-        return ray.max_distance;
+        return Walk::go_on;
       });
     }
     const Rays<S, 3> many_rays(own_rays, frame, batch_blocks(own_rays.size()));
     for (const auto& shape : own_shapes) {
       many_rays.batch.visit_candidates(shape, [&](std::size_t) {
         ++asked;
-        return true;
+        return Walk::go_on;
       });
     }
     INFO(rate << ", asked " << asked);

@@ -16,7 +16,7 @@ namespace detent {
 
 namespace test {
 
-/// A surface that counts the triangles that its traversals visit.
+/// A surface that counts the triangles that its walks visit.
 template <Scalar S>
 struct Counted {
   const Mesh<S>* mesh = nullptr;
@@ -24,9 +24,9 @@ struct Counted {
   const PlacedMesh<S>* placed = nullptr;
   std::size_t asked = 0;
 
-  template <class Walk>
-  bool walk(const Walk& walk) const {
-    return mesh ? walk(*mesh) : field ? walk(*field) : walk(*placed);
+  template <class Go>
+  Walk walk(const Go& go) const {
+    return mesh ? go(*mesh) : field ? go(*field) : go(*placed);
   }
 };
 
@@ -37,7 +37,7 @@ inline constexpr bool is_surface<test::Counted> = true;
 
 namespace test {
 
-/// Wraps visit(triangles) of a traversal, to count.
+/// Wraps visit(triangles) of a walk, to count.
 template <Scalar S, class Visit>
 auto counting(const Counted<S>& surface, const Visit& visit) {
   return [&](auto triangles) {
@@ -46,12 +46,12 @@ auto counting(const Counted<S>& surface, const Visit& visit) {
   };
 }
 template <Scalar S, class Visit>
-bool visit_within(const Counted<S>& surface, const Aabb<S, 3>& box, const Visit& visit) noexcept {
+Walk visit_within(const Counted<S>& surface, const Aabb<S, 3>& box, const Visit& visit) noexcept {
   return surface.walk(
       [&](const auto& s) { return visit_within(s, box, counting(surface, visit)); });
 }
 template <Scalar S, class Visit>
-bool visit_crossing(const Counted<S>& surface, const Segment<S, 3>& segment,
+Walk visit_crossing(const Counted<S>& surface, const Segment<S, 3>& segment,
                     const Visit& visit) noexcept {
   return surface.walk(
       [&](const auto& s) { return visit_crossing(s, segment, counting(surface, visit)); });
@@ -202,7 +202,7 @@ Count cells_along(const HeightField<S>& field, const Segment<S, 3>& segment) {
       .visit_strips([](const auto& ahead, const auto& size) { return ahead > size; },
                     [&](const auto& strip, const auto&) {
                       count.add(strip);
-                      return false;
+                      return Walk::go_on;
                     });
   return count;
 }
@@ -265,9 +265,9 @@ TEST_CASE("height field: a tower makes nobody ask the triangles of the plain", "
 
   std::size_t asked = 0;
   const Ray ray{over.start, *normalize(nearest_to<S>(over.end - over.start)), largest<S>};
-  visit_along(field, ray, [&](auto triangles) {
+  visit_along(field, ray, [&](auto triangles, S&) {
     asked += triangles.size();
-    return largest<S>;
+    return Walk::go_on;
   });
   CHECK(asked <= 8);
 }
@@ -283,17 +283,17 @@ TEST_CASE("height field: the nearest triangle is sought no farther than it can b
     Count sides;
     rings.visit_sides([&](const detail::FieldCells& side) {
       sides.add(side);
-      return detail::HeightReach<S>(point.y, limit, rings.squared_gap(point, side)).is_any;
+      return stop_if(
+          !detail::HeightReach<S>(point.y, limit, rings.squared_gap(point, side)).is_any);
     });
     return sides.cells;
   };
   const auto asked = [&](const Vec<S, 3>& point) {
     std::size_t triangles_asked = 0;
-    S best = largest<S>;
-    visit_around(field, point, [&](auto triangles) {
-      for (const auto& part : triangles) best = std::min(best, distance(part.triangle, point));
+    visit_around(field, point, [&](auto triangles, S& limit) {
+      for (const auto& part : triangles) limit = std::min(limit, distance(part.triangle, point));
       triangles_asked += triangles.size();
-      return best;
+      return Walk::go_on;
     });
     return triangles_asked;
   };

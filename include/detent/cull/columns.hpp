@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "detent/cull/quantized.hpp"
+#include "detent/cull/walk.hpp"
 #include "detent/math/direction.hpp"
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/segment.hpp"
@@ -215,18 +216,18 @@ class Candidates {
     for (std::size_t l = 0; l < batch_lanes; ++l) kept_[l] = keep(l);
   }
 
-  /// Calls visit(l) for each in order, until it returns false. Returns whether it never did.
+  /// Visits the lanes in order: calls visit(l).
   template <class Visit>
-  constexpr bool for_each(const Visit& visit) const noexcept {
+  constexpr Walk walk(const Visit& visit) const noexcept {
     for (std::size_t first = 0; first < batch_lanes; first += group) {
       std::array<bool, group> lanes{};
       for (std::size_t l = 0; l < group; ++l) lanes[l] = kept_[first + l];
       if (std::bit_cast<std::uint64_t>(lanes) == 0) continue;
       for (std::size_t l = 0; l < group; ++l) {
-        if (lanes[l] && !visit(first + l)) return false;
+        if (lanes[l] && visit(first + l) == Walk::stop) return Walk::stop;
       }
     }
-    return true;
+    return Walk::go_on;
   }
 
  private:

@@ -8,30 +8,42 @@
 #include <cstdint>
 
 #include "detent/cull/prefetch.hpp"
+#include "detent/cull/slabs.hpp"
 #include "detent/cull/tree.hpp"
+#include "detent/cull/walk.hpp"
 #include "detent/shape/ray.hpp"
 
 // Traversals of a tree of boxes. They only cull; exact queries on the objects decide.
 
 namespace detent::detail {
 
+/// A node of a tree, or an object.
+struct TreePart {
+  std::uint32_t at;
+  bool is_object;
+
+  /// The most parts that wait in a walk: seven of each level.
+  static constexpr std::size_t room = 7 * tree_depth;
+
+  [[nodiscard]] constexpr bool is_leaf() const noexcept { return is_object; }
+};
+
 /// Which boxes a ray may reach, and lower bounds on the times when it does.
 template <Scalar S, int N>
 class RayProbe {
  public:
-  using Key = typename Grid<S>::Time;
+  using Key = typename RaySlab<S>::Time;
 
   explicit constexpr RayProbe(const Ray<S, N>& ray) noexcept {
     for (int i = 0; i < N; ++i) {
-      axes_[static_cast<std::size_t>(i)] = CullingAxis<S>(ray.origin[i], ray.direction[i]);
+      slabs_[static_cast<std::size_t>(i)] =
+          RaySlab<S>(Grid<S>::step(ray.origin[i]), ray.direction[i], Ticks<S>());
     }
     shorten(ray.max_distance);
   }
 
   /// From now on, only boxes that may lie within `distance`.
-  constexpr void shorten(const S& distance) noexcept {
-    limit_ = Key{Grid<S>::above(distance)} + CullingAxis<S>::slack;
-  }
+  constexpr void shorten(const S& distance) noexcept { limit_ = Key{Grid<S>::above(distance)}; }
   [[nodiscard]] constexpr bool reaches(Key key) const noexcept { return key <= limit_; }
 
   constexpr auto keys(const TreeNode<S, N>& node,
@@ -40,24 +52,24 @@ class RayProbe {
     std::array<Key, width> exits;
     keys.fill(Key(0));
     exits.fill(limit_);
-    for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
-      const auto& line = axes_[axis];
-      const auto& front = line.is_negative() ? node.high[axis] : node.low[axis];
-      const auto& back = line.is_negative() ? node.low[axis] : node.high[axis];
+    for (std::size_t axis = 0; axis < slabs_.size(); ++axis) {
+      const auto& slab = slabs_[axis];
+      const auto& front = slab.is_backward() ? node.high[axis] : node.low[axis];
+      const auto& back = slab.is_backward() ? node.low[axis] : node.high[axis];
       for (std::size_t i = 0; i < width; ++i) {
-        keys[i] = (std::max)(keys[i], line.enter(front[i]));
-        exits[i] = (std::min)(exits[i], line.exit(back[i]));
+        keys[i] = (std::max)(keys[i], slab.enter(front[i]));
+        exits[i] = (std::min)(exits[i], slab.leave(back[i]));
       }
     }
     typename TreeNode<S, N>::Mask mask = 0;
     for (std::size_t i = 0; i < width; ++i) {
-      mask |= keys[i] <= exits[i] + CullingAxis<S>::slack ? 1u << i : 0u;
+      mask |= keys[i] <= exits[i] ? 1u << i : 0u;
     }
     return mask & ((1u << node.count) - 1);
   }
 
  private:
-  std::array<CullingAxis<S>, static_cast<std::size_t>(N)> axes_;
+  std::array<RaySlab<S>, static_cast<std::size_t>(N)> slabs_;
   Key limit_{};
 };
 
@@ -108,52 +120,46 @@ class PointProbe {
   bool is_limited_ = false;
 };
 
-/// Calls visit(object) for the objects whose boxes `probe` reaches, nearer boxes first, until it
-/// returns true. `visit` may shorten the probe.
-template <class Tree, class Probe, class Visit>
-constexpr bool visit_nearest(const Tree& tree, Probe& probe, const Visit& visit) {
-  struct Step {
-    typename Probe::Key key;
-    std::uint32_t at;
-  };
-  if (tree.is_empty()) return false;
-  std::array<Step, Tree::depth*(Tree::width - 1) + 1> stack;
-  std::size_t size = 0;
-  stack[size++] = {{}, tree.root()};
-  std::array<typename Probe::Key, Tree::width> keys;
-  while (size > 0) {
-    const auto [key, at] = stack[--size];
-    if (!probe.reaches(key)) continue;
-    const auto& node = tree.node(at);
-    // The farthest first: they are pushed on the stack, or visited from the back, in a leaf.
-    std::array<Step, Tree::width> sorted;
-    std::size_t count = 0;
-    for (auto mask = probe.keys(node, keys); mask != 0; mask &= mask - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(mask));
-      auto place = count++;
-      for (; place > 0 && sorted[place - 1].key < keys[i]; --place)
-        sorted[place] = sorted[place - 1];
-      sorted[place] = {keys[i], node.child[i]};
-    }
-    if (node.level > 0) {
-      for (std::size_t i = 0; i < count; ++i) {
-        prefetch(&tree.node(sorted[i].at), sizeof(node));
-        stack[size++] = sorted[i];
-      }
-    } else {
-      while (count-- > 0) {
-        if (probe.reaches(sorted[count].key) && visit(sorted[count].at)) return true;
-      }
-    }
+/// A tree as a probe walks it.
+template <class Tree, class Probe>
+struct TreeSearch {
+  using Key = typename Probe::Key;
+  using Part = TreePart;
+  using Node = typename Tree::Node;
+  static constexpr std::size_t most_children = Tree::width, room = Part::room;
+
+  const Tree& tree;
+  const Probe& probe;
+
+  [[nodiscard]] constexpr const Node& node(const Part& part) const noexcept {
+    return tree.node(part.at);
   }
-  return false;
+  [[nodiscard]] constexpr std::uint32_t meets(const Node& node,
+                                              std::array<Key, most_children>& keys) const noexcept {
+    return probe.keys(node, keys);
+  }
+  [[nodiscard]] constexpr Part child(const Node& node, std::size_t k) const noexcept {
+    if (node.level > 0) prefetch(&tree.node(node.child[k]), sizeof(node));
+    return {node.child[k], node.level == 0};
+  }
+  [[nodiscard]] constexpr bool reaches(const Key& key) const noexcept { return probe.reaches(key); }
+};
+
+/// Visits the objects whose boxes `probe` reaches, nearer boxes first: calls visit(object), which may
+/// shorten the probe.
+template <class Tree, class Probe, class Visit>
+constexpr Walk visit_nearest(const Tree& tree, const Probe& probe, const Visit& visit) {
+  if (tree.is_empty()) return Walk::go_on;
+  const TreeSearch<Tree, Probe> search{tree, probe};
+  return visit_nearest_first({tree.root(), false}, search,
+                             [&](const TreePart& object) { return visit(object.at); });
 }
 
-/// Calls visit(object) for the objects whose boxes overlap `box`, until it returns true.
+/// Visits the objects whose boxes overlap `box`: calls visit(object).
 template <class Tree, class Visit>
-constexpr bool visit_meeting(const Tree& tree, const typename Tree::Box& box, const Visit& visit) {
-  if (tree.is_empty() || box.is_empty()) return false;
-  std::array<std::uint32_t, Tree::depth*(Tree::width - 1) + 1> stack;
+constexpr Walk visit_meeting(const Tree& tree, const typename Tree::Box& box, const Visit& visit) {
+  if (tree.is_empty() || box.is_empty()) return Walk::go_on;
+  std::array<std::uint32_t, TreePart::room + 1> stack;
   std::size_t size = 0;
   stack[size++] = tree.root();
   while (size > 0) {
@@ -162,26 +168,26 @@ constexpr bool visit_meeting(const Tree& tree, const typename Tree::Box& box, co
       const auto child = node.child[static_cast<std::size_t>(std::countr_zero(mask))];
       if (node.level > 0) {
         stack[size++] = child;
-      } else if (visit(child)) {
-        return true;
+      } else if (visit(child) == Walk::stop) {
+        return Walk::stop;
       }
     }
   }
-  return false;
+  return Walk::go_on;
 }
 
-/// Calls visit(a, b) for the pairs of objects with overlapping boxes, one below node `a` of one
+/// Calls add(a, b) for the pairs of objects with overlapping boxes, one below node `a` of one
 /// tree and one below node `b` of another.
-template <class Tree, class Visit>
+template <class Tree, class Add>
 constexpr void visit_pairs_below(const Tree& first, std::uint32_t a, const Tree& second,
-                                 std::uint32_t b, const Visit& visit) {
+                                 std::uint32_t b, const Add& add) {
   const auto& node_a = first.node(a);
   const auto& node_b = second.node(b);
   if (node_a.level < node_b.level) {
     const auto bounds = node_a.bounds();
     for (auto mask = node_b.meeting(bounds); mask != 0; mask &= mask - 1) {
       const auto j = static_cast<std::size_t>(std::countr_zero(mask));
-      visit_pairs_below(first, a, second, node_b.child[j], visit);
+      visit_pairs_below(first, a, second, node_b.child[j], add);
     }
     return;
   }
@@ -189,7 +195,7 @@ constexpr void visit_pairs_below(const Tree& first, std::uint32_t a, const Tree&
     const auto bounds = node_b.bounds();
     for (auto mask = node_a.meeting(bounds); mask != 0; mask &= mask - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(mask));
-      visit_pairs_below(first, node_a.child[i], second, b, visit);
+      visit_pairs_below(first, node_a.child[i], second, b, add);
     }
     return;
   }
@@ -198,30 +204,30 @@ constexpr void visit_pairs_below(const Tree& first, std::uint32_t a, const Tree&
     for (auto mask = node_b.meeting(node_a.box(i)); mask != 0; mask &= mask - 1) {
       const auto j = static_cast<std::size_t>(std::countr_zero(mask));
       if (node_a.level == 0) {
-        visit(node_a.child[i], node_b.child[j]);
+        add(node_a.child[i], node_b.child[j]);
       } else {
-        visit_pairs_below(first, node_a.child[i], second, node_b.child[j], visit);
+        visit_pairs_below(first, node_a.child[i], second, node_b.child[j], add);
       }
     }
   }
 }
 
-/// Calls visit(a, b) once for each pair of objects below node `at` whose boxes overlap.
-template <class Tree, class Visit>
-constexpr void visit_pairs(const Tree& tree, std::uint32_t at, const Visit& visit) {
+/// Calls add(a, b) once for each pair of objects below node `at` whose boxes overlap.
+template <class Tree, class Add>
+constexpr void visit_pairs(const Tree& tree, std::uint32_t at, const Add& add) {
   const auto& node = tree.node(at);
   if (node.level > 0) {
     for (std::size_t i = 0; i < node.count; ++i) prefetch(&tree.node(node.child[i]), sizeof(node));
   }
   for (std::size_t i = 0; i < node.count; ++i) {
-    if (node.level > 0) visit_pairs(tree, node.child[i], visit);
+    if (node.level > 0) visit_pairs(tree, node.child[i], add);
     const auto later = node.meeting(node.box(i)) & ~((2u << i) - 1);
     for (auto mask = later; mask != 0; mask &= mask - 1) {
       const auto j = static_cast<std::size_t>(std::countr_zero(mask));
       if (node.level == 0) {
-        visit(node.child[i], node.child[j]);
+        add(node.child[i], node.child[j]);
       } else {
-        visit_pairs_below(tree, node.child[i], tree, node.child[j], visit);
+        visit_pairs_below(tree, node.child[i], tree, node.child[j], add);
       }
     }
   }

@@ -3,28 +3,30 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #include "detent/cull/byte_grid.hpp"
 #include "detent/cull/lanes.hpp"
 #include "detent/number/integer.hpp"
+#include "detent/number/scalar.hpp"
+
+// A ray against the slabs of boxes. All that culls rays by trees, of scenes and of meshes, takes its
+// distances from here.
 
 namespace detent {
 
-/// The unit of ray distance during a tree traversal: a 32-bit number, so that a vector instruction
-/// compares many.
+/// The unit of distance along a ray while boxes are culled.
 ///
 /// No distance past `longest` matters: the ray has left all planes, or has ended.
 template <Scalar S>
-class SlabClock;
+class Ticks;
 
-/// The distances at which a ray crosses planes perpendicular to one axis, rounded outward: the part
-/// of the ray between two planes is never cut, but may be extended a little. For culling; the
-/// shapes themselves decide.
-///
-/// Every plane is in [least, greatest].                    (tests/cull/slabs.test.cpp)
+/// One axis of a ray: the distances at which it enters and leaves slabs, in ticks, rounded outward.
+/// The constructor adds the margin, so the part of the ray between two planes is never cut, but may
+/// be extended a little. For culling; the shapes themselves decide.  (tests/cull/slabs.test.cpp)
 template <Scalar S>
-class SlabTimes;
+class RaySlab;
 
 /// The distances at which a ray enters and leaves through planes of a grid. A plane is encoded as a
 /// byte b: its distance is that of plane 0 plus b steps.
@@ -49,162 +51,173 @@ class GridTimes {
   Time enter_, leave_, step_;
 };
 
-/// Times are in ticks of 2^shift / 2^16 raw units. The shift keeps `longest` below 2^23 ticks. It
-/// keeps the margins of `SlabTimes`, at most four times 2^-16 of the reach and 2^14 raw units,
-/// below 2^28.
+/// A tick is 2^exponent steps of the coordinates, and at least 2^-23 of `longest`: times of 32 bits,
+/// of which one vector instruction compares eight.
 template <int Bits, int Frac>
-class SlabClock<Fixed<Bits, Frac>> {
+class Ticks<Fixed<Bits, Frac>> {
   using S = Fixed<Bits, Frac>;
 
  public:
   using Time = std::int32_t;
   using Reach = Fixed<63, Frac>;
 
+  /// Ticks of one step, for rays of any length in 64 bits.
+  constexpr Ticks() noexcept = default;
   /// For planes at most `reach` away, summed over the axes; a direction is longer than 1 - 2^-12.
-  constexpr SlabClock(const Reach& reach, const S& limit) noexcept
+  constexpr Ticks(const Reach& reach, const S& limit) noexcept
       : longest_((std::min)(limit, detail::clamp_raw<S>(reach.raw() + (reach.raw() >> 8) + 1))),
-        shift_((std::max)(
-            {bit_length(longest_.raw()) + inverse_frac - 23, bit_length(reach.raw()) - 26, 4})) {}
+        exponent_((std::max)(bit_length(longest_.raw()) - 23, -finest)),
+        margin_(1 + (std::int64_t{3} << (std::max)(exponent_, 0))) {}
 
   [[nodiscard]] constexpr const S& longest() const noexcept { return longest_; }
+  [[nodiscard]] constexpr int exponent() const noexcept { return exponent_; }
+  /// A step, and as many as take three ticks or more.
+  [[nodiscard]] constexpr std::int64_t margin() const noexcept { return margin_; }
   [[nodiscard]] constexpr Time time(const S& distance) const noexcept {
     const std::int64_t raw = (std::min)(distance, longest_).raw();
-    return static_cast<Time>((raw * (std::int64_t{1} << inverse_frac)) >> shift_);
+    return static_cast<Time>((raw * (std::int64_t{1} << finest)) >> (exponent_ + finest));
   }
 
-  [[nodiscard]] constexpr int shift() const noexcept { return shift_; }
+  /// A time clamped here is still beyond `longest`, or behind the origin, with 2^29 added.
+  [[nodiscard]] static constexpr Time clamp(std::int64_t time) noexcept {
+    constexpr std::int64_t most = std::int64_t{1} << 30;
+    return static_cast<Time>(std::clamp(time, -most, most));
+  }
 
  private:
-  friend SlabTimes<S>;
-  static constexpr int inverse_frac = 16;
+  static constexpr int finest = 12;
 
-  /// A distance clamped here is still beyond `longest`, or behind the origin, with 2^29 added.
-  [[nodiscard]] static constexpr Time clamp(std::int64_t ticks) noexcept {
-    constexpr std::int64_t most = std::int64_t{1} << 30;
-    return static_cast<Time>(std::clamp(ticks, -most, most));
-  }
-
-  S longest_;
-  int shift_ = 0;
+  S longest_ = largest<S>;
+  int exponent_ = 0;
+  std::int64_t margin_ = 4;
 };
 
-/// One product of 32-bit integers per plane, for vectors of them.
+/// m / 2^shift ticks a step is 1 / |d|, rounded down by less than one part in 2^29. Below 2^29
+/// ticks, the product and its own rounding lose less than two. So a plane is entered a step early,
+/// and left a step and three ticks late: `margin`.
 ///
-/// With d the component of the direction and i = floor(2^16 / |d|) / 2^16, a distance x / |d| ahead
-/// is in [x i, x i + x / 2^16): `margin`. Components shorter than 2^-14 would make i too large, so
-/// they are lengthened to 2^-14. This moves no point of the ray by more than
-/// `drift` = longest / 2^14, and only ahead. A distance is less than 2^32 2^30, and less than 2^49
-/// is added to it.
+/// A direction of 0 counts as the least one. A ray along a side of a box is then in the box from
+/// before its start, and beyond its end: the margin of four steps takes longer than any ray.
+///
+/// Coordinates are in steps of a grid; |plane - origin| <= 2^32, so products fit 64 bits.
 template <int Bits, int Frac>
-class SlabTimes<Fixed<Bits, Frac>> {
+class RaySlab<Fixed<Bits, Frac>> {
   using S = Fixed<Bits, Frac>;
   using Component = direction_component<S>;
 
  public:
-  using Clock = SlabClock<S>;
-  using Time = typename Clock::Time;
+  using Time = std::int64_t;
 
-  /// An upper bound of the distance from `origin` to the planes.
-  [[nodiscard]] static constexpr typename Clock::Reach reach(const S& origin, const S& least,
-                                                             const S& greatest) noexcept {
-    using Reach = typename Clock::Reach;
-    return (std::max)(Reach(abs(least - origin)), Reach(abs(greatest - origin)));
-  }
-
-  constexpr SlabTimes(const Clock& clock, const S& origin, const Component& direction,
-                      const S& least, const S& greatest) noexcept
-      : origin_(origin.raw()), shift_(clock.shift()) {
-    constexpr std::int64_t shortest = std::int64_t{1} << (std::max)(Component::frac - 14, 0);
+  constexpr RaySlab() noexcept = default;
+  /// For planes on a grid; `origin` is the last step that is not above the origin of the ray.
+  constexpr RaySlab(std::int64_t origin, const Component& direction,
+                    const Ticks<S>& ticks) noexcept {
     const std::int64_t speed = direction.raw();
-    const std::int64_t size = speed < 0 ? -speed : speed;
-    const std::int64_t inverse =
-        (std::int64_t{1} << (Component::frac + Clock::inverse_frac)) / (std::max)(size, shortest);
-    const std::int64_t drift =
-        size < shortest ? (std::max<std::int64_t>(clock.longest().raw(), 0) >> 14) + 1 : 0;
-    const std::int64_t margin = reach(origin, least, greatest).raw() + drift;
+    const auto size =
+        static_cast<std::uint64_t>(std::max<std::int64_t>(speed < 0 ? -speed : speed, 1));
+    const auto width = static_cast<int>(std::bit_width(size));
+    const auto inverse = static_cast<std::int64_t>((std::uint64_t{1} << (29 + width)) / size);
+    const std::int64_t later = ticks.margin();
+    shift_ = (std::max)(29 + width - Component::frac + ticks.exponent(), 0);
     factor_ = speed < 0 ? -inverse : inverse;
-    between_ = static_cast<Time>((margin + drift * inverse) >> shift_) + 1;
+    enter_from_ = speed < 0 ? origin - 1 : origin + 1;
+    leave_from_ = speed < 0 ? origin + later : origin - later;
+    between_ = static_cast<typename Ticks<S>::Time>(
+        (std::min)((((1 + later) * inverse) >> shift_) + 1, std::int64_t{1} << 28));
   }
+  /// For planes whose coordinates are scalars.
+  constexpr RaySlab(const S& origin, const Component& direction, const Ticks<S>& ticks) noexcept
+      : RaySlab(std::int64_t{origin.raw()}, direction, ticks) {}
+
+  /// Whether the ray enters a slab at its greatest coordinate.
+  [[nodiscard]] constexpr bool is_backward() const noexcept { return factor_ < 0; }
 
   /// A lower bound of the distance at which the ray enters through a plane, and an upper bound of
   /// the distance at which it leaves through one.
-  [[nodiscard]] constexpr Time enter(const S& plane) const noexcept { return ticks(plane.raw()); }
-  [[nodiscard]] constexpr Time leave(const S& plane) const noexcept {
-    return enter(plane) + between_;
+  [[nodiscard]] constexpr Time enter(std::int64_t plane) const noexcept {
+    return ((plane - enter_from_) * factor_) >> shift_;
   }
+  [[nodiscard]] constexpr Time leave(std::int64_t plane) const noexcept {
+    return ((plane - leave_from_) * factor_) >> shift_;
+  }
+  [[nodiscard]] constexpr Time enter(const S& plane) const noexcept { return enter(plane.raw()); }
+  [[nodiscard]] constexpr Time leave(const S& plane) const noexcept { return leave(plane.raw()); }
 
-  /// The same for planes of a grid.
+  /// The same for planes of a grid, in 32 bits.
   ///
   /// A step is at most 2^21 ticks, so 255 steps are less than 2^29. A ray with longer steps is so
   /// nearly parallel to the planes that it crosses less than four steps in the 2^23 ticks that
   /// matter. It is turned to have steps of exactly 2^21 ticks, and four steps are added.
-  [[nodiscard]] constexpr GridTimes<Time> on_grid(const ByteGrid<S>& grid) const noexcept {
+  [[nodiscard]] constexpr auto on_grid(const ByteGrid<S>& grid) const noexcept {
+    using Short = typename Ticks<S>::Time;
     constexpr std::int64_t longest_step = 1 << 21;
     const std::int64_t step = (grid.step() * factor_) >> shift_;
     if (-longest_step <= step && step <= longest_step) {
-      const Time enter = ticks(grid.origin());
+      const Short first = Ticks<S>::clamp(enter(grid.origin()));
       // The step is rounded down, and it is added up to 255 times.
-      return {enter, enter + between_ + 255, static_cast<Time>(step)};
+      return GridTimes<Short>(first, first + between_ + 255, static_cast<Short>(step));
     }
+    const std::int64_t origin = is_backward() ? enter_from_ + 1 : enter_from_ - 1;
     const std::int64_t turned = step < 0 ? -longest_step : longest_step;
-    const Time enter = Clock::clamp(((grid.origin() - origin_) * turned) / grid.step() - 1);
-    return {enter, enter + static_cast<Time>(4 * longest_step + 2), static_cast<Time>(turned)};
+    const Short first = Ticks<S>::clamp(((grid.origin() - origin) * turned) / grid.step() - 1);
+    return GridTimes<Short>(first, first + static_cast<Short>(4 * longest_step + 2),
+                            static_cast<Short>(turned));
   }
 
  private:
-  [[nodiscard]] constexpr Time ticks(std::int64_t plane) const noexcept {
-    return Clock::clamp(((plane - origin_) * factor_) >> shift_);
-  }
-
-  std::int64_t origin_ = 0, factor_ = 0;
-  Time between_ = 0;
+  std::int64_t factor_ = 0, enter_from_ = 0, leave_from_ = 0;
+  typename Ticks<S>::Time between_ = 0;
   int shift_ = 0;
 };
 
 #if __STDC_HOSTED__
 template <Scalar F>
 requires std::floating_point<F>
-class SlabClock<F> {
+class Ticks<F> {
  public:
   using Time = F;
   using Reach = F;
 
-  constexpr SlabClock(F reach, F limit) noexcept : longest_((std::min)(limit, reach * 2)) {}
+  /// For planes at any distance: times get no margin but their own rounding.
+  constexpr Ticks() noexcept = default;
+  constexpr Ticks(F reach, F limit) noexcept
+      : reach_(reach), longest_((std::min)(limit, reach * 2)), shortest_(F{1} / (1 << 14)) {}
 
+  [[nodiscard]] constexpr F reach() const noexcept { return reach_; }
   [[nodiscard]] constexpr F longest() const noexcept { return longest_; }
+  /// Shorter components of a direction are lengthened.
+  [[nodiscard]] constexpr F shortest() const noexcept { return shortest_; }
   [[nodiscard]] constexpr F time(F distance) const noexcept { return distance; }
 
  private:
-  F longest_;
+  F reach_ = 0, longest_ = 0, shortest_ = 0;
 };
 
 template <Scalar F>
 requires std::floating_point<F>
-class SlabTimes<F> {
+class RaySlab<F> {
  public:
-  using Clock = SlabClock<F>;
   using Time = F;
 
-  [[nodiscard]] static constexpr F reach(F origin, F least, F greatest) noexcept {
-    return (std::max)(abs(least - origin), abs(greatest - origin));
+  constexpr RaySlab() noexcept = default;
+  constexpr RaySlab(F origin, F direction, const Ticks<F>& ticks) noexcept
+      : origin_(origin), is_backward_(direction < 0) {
+    const F size = (std::max)(abs(direction), ticks.shortest());
+    const F drift = abs(direction) < ticks.shortest() ? ticks.longest() * ticks.shortest() : 0;
+    const F margin = (ticks.reach() + drift) / (1 << 20);
+    factor_ = is_backward_ ? -1 / size : 1 / size;
+    if (margin > 0) {
+      enter_ = margin / size;
+      leave_ = (margin + drift) / size;
+    }
   }
 
-  constexpr SlabTimes(const Clock& clock, F origin, F direction, F least, F greatest) noexcept
-      : origin_(origin) {
-    constexpr F shortest = F{1} / (1 << 14), error = F{1} / (1 << 20);
-    const F size = (std::max)(abs(direction), shortest);
-    const F drift = abs(direction) < shortest ? clock.longest() * shortest : 0;
-    const F margin = (reach(origin, least, greatest) + drift) / size * error;
-    factor_ = direction < 0 ? -1 / size : 1 / size;
-    enter_ = margin;
-    leave_ = -margin - drift / size;
-  }
-
+  [[nodiscard]] constexpr bool is_backward() const noexcept { return is_backward_; }
   [[nodiscard]] constexpr F enter(F plane) const noexcept {
     return (plane - origin_) * factor_ - enter_;
   }
   [[nodiscard]] constexpr F leave(F plane) const noexcept {
-    return (plane - origin_) * factor_ - leave_;
+    return (plane - origin_) * factor_ + leave_;
   }
 
   [[nodiscard]] constexpr GridTimes<F> on_grid(const ByteGrid<F>& grid) const noexcept {
@@ -212,7 +225,8 @@ class SlabTimes<F> {
   }
 
  private:
-  F origin_, factor_, enter_, leave_;
+  F origin_ = 0, factor_ = 0, enter_ = 0, leave_ = 0;
+  bool is_backward_ = false;
 };
 #endif
 

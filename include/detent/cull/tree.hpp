@@ -23,8 +23,6 @@ class Tree {
   using Area = typename Grid<S>::Area;
   static constexpr std::size_t width = Node::width;
   static constexpr std::size_t least = 3;
-  /// With three children or more per node, it is at most this deep for 2^32 objects.
-  static constexpr std::size_t depth = 21;
 
   [[nodiscard]] constexpr bool is_empty() const noexcept { return root_ == nowhere; }
   [[nodiscard]] constexpr std::uint32_t root() const noexcept { return root_; }

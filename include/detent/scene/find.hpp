@@ -27,46 +27,50 @@ class Finder {
   explicit constexpr Finder(const Store<Storage, S, N, Shapes...>& store) noexcept
       : store_(store) {}
 
-  /// Calls visit(index) for the objects that overlap the query shape, until it returns true.
+  /// Visits the objects that overlap the query shape: calls visit(index).
   template <class Question, class Filter, class Visit>
   constexpr void visit_meeting(const Question& question, const Filter& filter,
                                const Visit& visit) const {
     if constexpr (is_question<SceneRegion<Question, S, N>>()) {
       const auto box = quantized_box(question);
       visit_trees<VisitMeeting>(box, [&](Index i) {
-        return filter(store_.info(i)) &&
-               store_[i].shape.visit([&](const auto& shape) { return meets(question, shape); }) &&
-               visit(i);
+        const bool is_met = filter(store_.info(i)) && store_[i].shape.visit([&](const auto& shape) {
+          return meets(question, shape);
+        });
+        if (!is_met) return Walk::go_on;
+        return visit(i);
       });
     }
   }
   template <class Filter, class Visit>
   constexpr void visit_meeting(const Ray<S, N>& ray, const Filter& filter,
                                const Visit& visit) const {
-    visit_found(ray, filter, [&](const Found<S>& found, auto) { return visit(found.id.index); });
+    visit_found(ray, filter, [&](const Found<S>& found, S&) { return visit(found.id.index); });
   }
 
-  /// Calls visit(found, shorten) for each object that `Scene::all` lists. After shorten(distance),
-  /// farther objects may be skipped.
+  /// Visits each object that `Scene::all` lists: calls visit(found, limit).
   template <class Question, class Filter, class Visit>
   constexpr void visit_found(const Question& question, const Filter& filter,
                              const Visit& visit) const {
     if constexpr (is_question<SceneQuestion<Question, S, N>>()) {
-      visit_meeting(question, filter, [&](std::size_t i) {
-        return visit(found_at(i, reference(question)), [](const S&) {});
-      });
+      S limit = largest<S>;
+      visit_meeting(question, filter,
+                    [&](std::size_t i) { return visit(found_at(i, reference(question)), limit); });
     }
   }
   template <class Filter, class Visit>
   constexpr void visit_found(const Ray<S, N>& ray, const Filter& filter, const Visit& visit) const {
     if (ray.max_distance < 0) return;
     RayProbe<S, N> probe(ray);
+    S limit = ray.max_distance;
     visit_trees<VisitNearest>(probe, [&](Index i) {
-      if (!filter(store_.info(i))) return false;
+      if (!filter(store_.info(i))) return Walk::go_on;
       const auto distance =
           store_[i].shape.visit([&](const auto& shape) { return separately<Raycast>(ray, shape); });
-      return distance && visit(Found<S>{*distance, store_.info(i).id},
-                               [&](const S& limit) { probe.shorten(limit); });
+      if (!distance) return Walk::go_on;
+      const Walk walk = visit(Found<S>{*distance, store_.info(i).id}, limit);
+      probe.shorten(limit);
+      return walk;
     });
   }
   /// For a point, visits every object that is not empty, for `Scene::nearest`: an empty one has no
@@ -75,20 +79,25 @@ class Finder {
   constexpr void visit_found(const Vec<S, N>& point, const Filter& filter,
                              const Visit& visit) const {
     PointProbe<S, N> probe(point);
+    S limit = largest<S>;
     visit_trees<VisitNearest>(probe, [&](Index i) {
-      return filter(store_.info(i)) &&
-             visit(found_at(i, point), [&](const S& limit) { probe.shorten(limit); });
+      if (!filter(store_.info(i))) return Walk::go_on;
+      const Walk walk = visit(found_at(i, point), limit);
+      probe.shorten(limit);
+      return walk;
     });
   }
 
   /// Calls add(found) for each object that `Scene::all` lists.
   template <class Question, class Filter, class Add>
   constexpr void collect(const Question& question, const Filter& filter, const Add& add) const {
-    visit_found(question, filter, [&](const Found<S>& found, auto) { return add(found), false; });
+    visit_found(question, filter,
+                [&](const Found<S>& found, S&) { return add(found), Walk::go_on; });
   }
   template <class Filter, class Add>
   constexpr void collect(const Vec<S, N>& point, const Filter& filter, const Add& add) const {
-    visit_meeting(point, filter, [&](std::size_t i) { return add(found_at(i, point)), false; });
+    visit_meeting(point, filter,
+                  [&](std::size_t i) { return add(found_at(i, point)), Walk::go_on; });
   }
 
   /// The hit of a ray on an object that it is known to hit.
@@ -147,17 +156,18 @@ class Finder {
   }
 
  private:
-  /// Visits the objects of both trees that `Walk` finds, until `visit` returns true.
-  template <class Walk, class Target, class Visit>
+  /// Visits the objects of both trees that `Job` finds.
+  template <class Job, class Target, class Visit>
   constexpr void visit_trees(Target& target, const Visit& visit) const {
     const auto& moving = store_.tree(Motion::moving);
     const auto& fixed = store_.tree(Motion::fixed);
     if (__builtin_is_constant_evaluated()) {
-      static_cast<void>(Walk()(moving, target, visit) || Walk()(fixed, target, visit));
+      if (Job()(moving, target, visit) == Walk::go_on) Job()(fixed, target, visit);
     } else {
       const ObjectVisitor visitor(visit);
-      static_cast<void>(separately<Walk>(moving, target, visitor) ||
-                        separately<Walk>(fixed, target, visitor));
+      if (separately<Job>(moving, target, visitor) == Walk::go_on) {
+        separately<Job>(fixed, target, visitor);
+      }
     }
   }
 

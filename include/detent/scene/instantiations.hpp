@@ -44,11 +44,11 @@
   DETENT_INSTANTIATION void call_separate<MoveFrame, void>(                           \
       Frames<Growing, S, N>&, const std::uint32_t&, const Transform<S, N>&);          \
   DETENT_INSTANTIATION void call_separate<PlaceFrames, void>(Frames<Growing, S, N>&); \
-  DETENT_INSTANTIATION bool call_separate<VisitNearest, bool>(                        \
+  DETENT_INSTANTIATION Walk call_separate<VisitNearest, Walk>(                        \
       const Tree<Growing, S, N>&, RayProbe<S, N>&, const ObjectVisitor&);             \
-  DETENT_INSTANTIATION bool call_separate<VisitNearest, bool>(                        \
+  DETENT_INSTANTIATION Walk call_separate<VisitNearest, Walk>(                        \
       const Tree<Growing, S, N>&, PointProbe<S, N>&, const ObjectVisitor&);           \
-  DETENT_INSTANTIATION bool call_separate<VisitMeeting, bool>(                        \
+  DETENT_INSTANTIATION Walk call_separate<VisitMeeting, Walk>(                        \
       const Tree<Growing, S, N>&, const QuantizedBox<S, N>&, const ObjectVisitor&);   \
   DETENT_INSTANTIATION void call_separate<VisitPairs, void>(                          \
       const Tree<Growing, S, N>&, const Tree<Growing, S, N>&, const PairVisitor&);

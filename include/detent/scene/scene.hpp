@@ -57,12 +57,12 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
   [[nodiscard]] constexpr std::optional<Found<S>> nearest(const Question& question,
                                                           const Filter& filter = {}) const {
     std::optional<Found<S>> best;
-    finder().visit_found(question, filter, [&](const Found<S>& found, auto shorten) {
+    finder().visit_found(question, filter, [&](const Found<S>& found, S& limit) {
       if (!best || found < *best) {
         best = found;
-        shorten(found.distance);
+        limit = found.distance;
       }
-      return false;
+      return Walk::go_on;
     });
     return best;
   }
@@ -71,7 +71,10 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
   template <class Question, ObjectFilter Filter = Everything>
   [[nodiscard]] constexpr bool any(const Question& question, const Filter& filter = {}) const {
     bool is_found = false;
-    finder().visit_meeting(question, filter, [&](std::size_t) { return is_found = true; });
+    finder().visit_meeting(question, filter, [&](std::size_t) {
+      is_found = true;
+      return Walk::stop;
+    });
     return is_found;
   }
 

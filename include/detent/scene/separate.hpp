@@ -33,7 +33,7 @@ constexpr auto separately(Args&... args) noexcept(noexcept(Job()(args...)))
   return call_separate<Job, decltype(Job()(args...))>(args...);
 }
 
-/// A reference to a function object, so that a traversal is compiled once for all of them.
+/// A reference to a function object, so that a walk is compiled once for all of them.
 template <class Result, class... Args>
 class FunctionRef {
  public:
@@ -48,7 +48,7 @@ class FunctionRef {
   const void* object_;
   Result (*call_)(const void*, Args...);
 };
-using ObjectVisitor = FunctionRef<bool, std::uint32_t>;
+using ObjectVisitor = FunctionRef<Walk, std::uint32_t>;
 using PairVisitor = FunctionRef<void, std::uint32_t, std::uint32_t>;
 
 struct Raycast {
@@ -134,13 +134,13 @@ struct PlaceFrames {
 };
 struct VisitNearest {
   template <class Tree, class Probe, class Visit>
-  constexpr bool operator()(const Tree& tree, Probe& probe, const Visit& visit) const {
+  constexpr Walk operator()(const Tree& tree, Probe& probe, const Visit& visit) const {
     return visit_nearest(tree, probe, visit);
   }
 };
 struct VisitMeeting {
   template <class Tree, class Visit>
-  constexpr bool operator()(const Tree& tree, const typename Tree::Box& box,
+  constexpr Walk operator()(const Tree& tree, const typename Tree::Box& box,
                             const Visit& visit) const {
     return visit_meeting(tree, box, visit);
   }

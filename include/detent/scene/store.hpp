@@ -146,7 +146,7 @@ class Store {
 
   constexpr void remove(std::uint32_t i) {
     count_out(i);
-    set_box(i, empty());
+    set_box(i, Box::none());
     detach(i);
     records_[i] = Record();
     is_moving_[i / 64] &= ~motion_bit(i);
@@ -229,8 +229,6 @@ class Store {
 
  private:
   static constexpr std::size_t attachment_capacity = Storage::frame_capacity == 0 ? 0 : capacity;
-
-  static constexpr Box empty() noexcept { return quantized_box_of(no_box<Aabb<S, N>>); }
 
   static constexpr std::uint64_t motion_bit(std::uint32_t i) noexcept {
     return std::uint64_t{1} << (i % 64);

@@ -3,18 +3,17 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <type_traits>
-#include <utility>
 
 #include "detent/cull/lanes.hpp"
 #include "detent/cull/prefetch.hpp"
 #include "detent/cull/slabs.hpp"
-#include "detent/cull/static_tree/node.hpp"
-#include "detent/cull/static_tree/stack.hpp"
+#include "detent/cull/static_tree/parts.hpp"
+#include "detent/cull/walk.hpp"
 #include "detent/shape/ray.hpp"
 
 namespace detent {
@@ -25,18 +24,17 @@ namespace detail {
 template <Scalar S, int N>
 class StaticRay {
   using Node = StaticNode<S, N>;
-  using Slab = SlabTimes<S>;
 
  public:
-  using Time = typename Slab::Time;
+  using Time = typename Ticks<S>::Time;
   using Times = std::array<Time, Node::width>;
 
   constexpr StaticRay(const Ray<S, N>& ray, const Aabb<S, N>& bounds) noexcept
-      : StaticRay(ray, bounds, typename Slab::Clock(reach(ray, bounds), ray.max_distance)) {}
+      : StaticRay(ray, Ticks<S>(reach(ray, bounds), ray.max_distance)) {}
 
-  /// A distance along the ray in units of `Time`, clamped where it no longer matters.
+  /// A distance along the ray in ticks, clamped where it no longer matters.
   [[nodiscard]] constexpr Time time(const S& distance) const noexcept {
-    return clock_.time(distance);
+    return ticks_.time(distance);
   }
 
   /// Which children's boxes the ray may enter before `limit`, a bit for each, and lower bounds on
@@ -53,19 +51,18 @@ class StaticRay {
   /// A lower bound on the distance at which the ray enters a box, if it may before `limit`.
   [[nodiscard]] constexpr std::optional<Time> meets(const Aabb<S, N>& box,
                                                     const Time& limit) const noexcept {
-    Time enter{}, leave = limit;
+    typename RaySlab<S>::Time enter{}, leave = limit;
     for (std::size_t i = 0; i < N; ++i) {
       const int axis = static_cast<int>(i);
-      const bool backward = near_side_[i] % 2 != 0;
-      enter = (std::max)(enter, slabs_[i].enter(backward ? box.max[axis] : box.min[axis]));
-      leave = (std::min)(leave, slabs_[i].leave(backward ? box.min[axis] : box.max[axis]));
+      const auto& slab = slabs_[i];
+      enter = (std::max)(enter, slab.enter(slab.is_backward() ? box.max[axis] : box.min[axis]));
+      leave = (std::min)(leave, slab.leave(slab.is_backward() ? box.min[axis] : box.max[axis]));
     }
-    return enter <= leave ? std::optional(enter) : std::nullopt;
+    return enter <= leave ? std::optional(static_cast<Time>(enter)) : std::nullopt;
   }
 
  private:
-  using Clock = typename Slab::Clock;
-  using Reach = typename Clock::Reach;
+  using Reach = typename Ticks<S>::Reach;
 
   template <class Lanes>
   [[nodiscard]] constexpr std::uint32_t meets(const Node& node, Time limit,
@@ -80,28 +77,25 @@ class StaticRay {
     return in.up_to(out);
   }
 
-  constexpr StaticRay(const Ray<S, N>& ray, const Aabb<S, N>& bounds, const Clock& clock) noexcept
-      : clock_(clock), slabs_(make_slabs(ray, bounds, clock)) {
-    for (std::size_t i = 0; i < N; ++i) {
-      near_side_[i] = 2 * i + (ray.direction[static_cast<int>(i)] < 0 ? 1 : 0);
-    }
+  constexpr StaticRay(const Ray<S, N>& ray, const Ticks<S>& ticks) noexcept
+      : ticks_(ticks), slabs_(make_slabs(ray, ticks)) {
+    for (std::size_t i = 0; i < N; ++i) near_side_[i] = 2 * i + (slabs_[i].is_backward() ? 1 : 0);
   }
 
   [[nodiscard]] static constexpr Reach reach(const Ray<S, N>& ray,
                                              const Aabb<S, N>& bounds) noexcept {
     Reach sum{};
     for (int i = 0; i < N; ++i) {
-      const auto side = Slab::reach(ray.origin[i], bounds.min[i], bounds.max[i]);
-      sum = narrow_sum<bits_of<Reach>>(sum, side);  // at most 3 2^32
+      const Reach least(abs(bounds.min[i] - ray.origin[i]));
+      const Reach greatest(abs(bounds.max[i] - ray.origin[i]));
+      sum = narrow_sum<bits_of<Reach>>(sum, (std::max)(least, greatest));  // at most 3 2^32
     }
     return sum;
   }
 
-  [[nodiscard]] static constexpr std::array<Slab, std::size_t{N}> make_slabs(
-      const Ray<S, N>& ray, const Aabb<S, N>& bounds, const Clock& clock) noexcept {
-    const auto slab = [&](int i) {
-      return Slab(clock, ray.origin[i], ray.direction[i], bounds.min[i], bounds.max[i]);
-    };
+  [[nodiscard]] static constexpr std::array<RaySlab<S>, std::size_t{N}> make_slabs(
+      const Ray<S, N>& ray, const Ticks<S>& ticks) noexcept {
+    const auto slab = [&](int i) { return RaySlab<S>(ray.origin[i], ray.direction[i], ticks); };
     if constexpr (N == 2) {
       return {slab(0), slab(1)};
     } else {
@@ -109,64 +103,53 @@ class StaticRay {
     }
   }
 
-  Clock clock_;
-  std::array<Slab, std::size_t{N}> slabs_;
+  Ticks<S> ticks_;
+  std::array<RaySlab<S>, std::size_t{N}> slabs_;
   std::array<std::size_t, std::size_t{N}> near_side_{};
+};
+
+/// A static tree as a ray walks it.
+template <Scalar S, int N, class Item>
+struct TreeAlong : StaticParts<typename Ticks<S>::Time, S, N> {
+  using Base = StaticParts<typename Ticks<S>::Time, S, N>;
+  using Key = typename Base::Key;
+  using Node = StaticNode<S, N>;
+
+  std::span<const Item> items;
+  const StaticRay<S, N>& ray;
+  Key last;
+
+  [[nodiscard]] constexpr std::uint32_t meets(const Node& node,
+                                              std::array<Key, Node::width>& keys) const noexcept {
+    return ray.meets(node, last, keys);
+  }
+  [[nodiscard]] constexpr StaticPart child(const Node& node, std::size_t k) const noexcept {
+    const auto part = Base::child(node, k);
+    const void* at = part.is_leaf() ? static_cast<const void*>(&items[part.first])
+                                    : &this->tree.nodes[part.first];
+    prefetch(at, sizeof(Node));  // for items, too, as many bytes as a node has
+    return part;
+  }
+  [[nodiscard]] constexpr bool reaches(const Key& enter) const noexcept { return enter <= last; }
 };
 
 }  // namespace detail
 
-/// Visits the items whose boxes `ray` may touch, roughly nearest first: calls visit(part) for parts
-/// of the tree's list of items. visit returns the distance along the ray up to which anything still
-/// matters, never more than before; a negative distance stops the traversal.
-///
-/// Every item whose box the ray touches within that distance is visited; others may be.
+/// Visits the items whose boxes `ray` may touch, roughly nearest first: calls visit(part, limit) for
+/// parts of the tree's list of items. `limit` is a distance along the ray.
 template <Scalar S, int N, class Item, class Visit>
-constexpr void visit_along(const StaticTree<S, N>& tree, std::span<const Item> items,
+constexpr Walk visit_along(const StaticTree<S, N>& tree, std::span<const Item> items,
                            const Ray<S, N>& ray, const Visit& visit) noexcept {
-  if (tree.nodes.empty() || ray.max_distance < 0) return;
+  if (tree.nodes.empty() || ray.max_distance < 0) return Walk::go_on;
   const detail::StaticRay<S, N> prepared(ray, tree.bounds);
-  using Stack = detail::StaticStack<typename SlabTimes<S>::Time>;
-  Stack stack;
-  typename Stack::Entry next{{}, 0, 0};
-  auto limit = prepared.time(ray.max_distance);
-  const auto prefetch = [&](const auto& entry) {  // for items, too, as many bytes as a node has
-    const void* at =
-        entry.count == 0 ? static_cast<const void*>(&tree.nodes[entry.first]) : &items[entry.first];
-    detail::prefetch(at, sizeof(StaticNode<S, N>));
-  };
-  while (true) {
-    if (next.count != 0) {
-      const S left = visit(items.subspan(next.first, next.count));
-      if (left < 0) return;
-      limit = prepared.time(left);
-    } else {
-      const auto& node = tree.nodes[next.first];
-      typename detail::StaticRay<S, N>::Times enters;
-      auto met = prepared.meets(node, limit, enters);
-      const auto take = [&]() -> typename Stack::Entry {
-        const auto child = static_cast<std::size_t>(std::countr_zero(met));
-        met &= met - 1;
-        return {enters[child], node.first[child], node.count[child]};
-      };
-      if (met != 0) {  // the nearest child is next; the others wait
-        next = take();
-        const std::size_t base = stack.size();
-        while (met != 0) {
-          auto other = take();
-          if (other.key < next.key) std::swap(next, other);
-          prefetch(other);
-          stack.insert(base, other);
-        }
-        prefetch(next);
-        continue;
-      }
-    }
-    do {
-      if (stack.empty()) return;
-      next = stack.pop();
-    } while (next.key > limit);
-  }
+  S limit = ray.max_distance;
+  detail::TreeAlong<S, N, Item> along{{tree}, items, prepared, prepared.time(limit)};
+  return detail::visit_nearest_first(
+      detail::whole_tree, along, [&](const detail::StaticPart& leaf) {
+        const Walk walk = visit(items.subspan(leaf.first, leaf.count), limit);
+        along.last = prepared.time(limit);
+        return walk;
+      });
 }
 
 }  // namespace detent

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "detent/cull/static_tree/node.hpp"
+#include "detent/cull/walk.hpp"
 
 namespace detent {
 
@@ -13,22 +14,42 @@ namespace detail {
 
 /// A part of a static tree: the node with index `first`, or `count` items from `first` on.
 struct StaticPart {
-  std::uint32_t first = 0;
-  std::uint32_t count = 0;
+  std::uint32_t first;
+  std::uint32_t count;
 
-  /// The most parts that wait in a traversal: seven of each level above and the eight of the last.
-  static constexpr std::size_t room = 7 * (static_tree_depth - 1) + 8;
+  static constexpr std::size_t most_children = 8;
+  /// The most parts that wait in a walk: seven of each level.
+  static constexpr std::size_t room = (most_children - 1) * static_tree_depth;
 
   [[nodiscard]] constexpr bool is_leaf() const noexcept { return count != 0; }
 };
 
+inline constexpr StaticPart whole_tree{0, 0};
+
+/// A static tree as walks take it; `KeyOf` is how near a part is.
+template <class KeyOf, Scalar S, int N>
+struct StaticParts {
+  using Key = KeyOf;
+  using Part = StaticPart;
+  static constexpr std::size_t most_children = Part::most_children, room = Part::room;
+
+  const StaticTree<S, N>& tree;
+
+  [[nodiscard]] constexpr const StaticNode<S, N>& node(const Part& part) const noexcept {
+    return tree.nodes[part.first];
+  }
+  [[nodiscard]] constexpr Part child(const StaticNode<S, N>& node, std::size_t k) const noexcept {
+    return {node.first[k], node.count[k]};
+  }
+};
+
 }  // namespace detail
 
-/// Whether test(child, box) is true for any child of a node of the tree; stops at the first. `box`
-/// is the box of the child, clipped to the bounds of the tree.
-template <Scalar S, int N, class Test>
-constexpr bool any_child(const StaticTree<S, N>& tree, const detail::StaticPart& part,
-                         const Test& test) noexcept {
+/// Visits the children of a node: calls visit(child, box), where `box` is the box of the child,
+/// clipped to the bounds of the tree.
+template <Scalar S, int N, class Visit>
+constexpr Walk visit_children(const StaticTree<S, N>& tree, const detail::StaticPart& part,
+                              const Visit& visit) noexcept {
   const auto& node = tree.nodes[part.first];
   for (std::size_t k = 0; k < node.children; ++k) {
     auto box = node.box(k);
@@ -36,9 +57,10 @@ constexpr bool any_child(const StaticTree<S, N>& tree, const detail::StaticPart&
       box.min[i] = (std::max)(box.min[i], tree.bounds.min[i]);
       box.max[i] = (std::min)(box.max[i], tree.bounds.max[i]);
     }
-    if (test(detail::StaticPart{node.first[k], node.count[k]}, box)) return true;
+    const Walk walk = visit(detail::StaticPart{node.first[k], node.count[k]}, box);
+    if (walk == Walk::stop) return Walk::stop;
   }
-  return false;
+  return Walk::go_on;
 }
 
 }  // namespace detent

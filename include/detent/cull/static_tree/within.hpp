@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
-#include "detent/cull/static_tree/stack.hpp"
+#include "detent/cull/static_tree/parts.hpp"
+#include "detent/cull/walk.hpp"
 
 namespace detent {
 
@@ -27,31 +30,58 @@ template <Scalar S, int N>
   return met;
 }
 
+/// A static tree as a search in a box walks it.
+template <Scalar S, int N, class MayTouch>
+struct TreeWithin : StaticParts<Unordered, S, N> {
+  using Node = StaticNode<S, N>;
+
+  const Aabb<S, N>& around;
+  const MayTouch& may_touch;
+
+  [[nodiscard]] constexpr std::uint32_t meets(
+      const Node& node, std::array<Unordered, Node::width>& /*keys*/) const noexcept {
+    std::uint32_t met = 0;
+    for (auto near = touching(node, around); near != 0; near &= near - 1) {
+      if (may_touch(node, static_cast<std::size_t>(std::countr_zero(near)))) {
+        met |= near & (~near + 1);
+      }
+    }
+    return met;
+  }
+  [[nodiscard]] constexpr bool reaches(const Unordered&) const noexcept { return true; }
+};
+
+template <Scalar S, int N, class Item, class MayTouch, class Visit>
+constexpr Walk visit_touching(const StaticTree<S, N>& tree, std::span<const Item> items,
+                              const Aabb<S, N>& around, const MayTouch& may_touch,
+                              const Visit& visit) noexcept {
+  if (tree.nodes.empty() || is_empty(around)) return Walk::go_on;
+  const TreeWithin<S, N, MayTouch> within{{tree}, around, may_touch};
+  return visit_nearest_first(whole_tree, within, [&](const StaticPart& leaf) {
+    return visit(items.subspan(leaf.first, leaf.count));
+  });
+}
+
 }  // namespace detail
 
-/// Visits the items whose boxes may touch `box`: calls visit(part) for parts of the tree's list of
-/// items, until it returns true. Returns whether it did.
-///
-/// Every item whose box touches it is visited; others may be.
+/// Visits the items whose boxes may touch something in the box `around`: calls visit(part) for parts
+/// of the tree's list of items. may_touch(box) returns whether the contents of a box that meets
+/// `around` may matter.
+template <Scalar S, int N, class Item, class MayTouch, class Visit>
+constexpr Walk visit_crossing(const StaticTree<S, N>& tree, std::span<const Item> items,
+                              const Aabb<S, N>& around, const MayTouch& may_touch,
+                              const Visit& visit) noexcept {
+  return detail::visit_touching(
+      tree, items, around,
+      [&](const StaticNode<S, N>& node, std::size_t k) { return may_touch(node.box(k)); }, visit);
+}
+
+/// Visits the items whose boxes may touch `box`.
 template <Scalar S, int N, class Item, class Visit>
-constexpr bool visit_within(const StaticTree<S, N>& tree, std::span<const Item> items,
+constexpr Walk visit_within(const StaticTree<S, N>& tree, std::span<const Item> items,
                             const Aabb<S, N>& box, const Visit& visit) noexcept {
-  if (tree.nodes.empty() || is_empty(box)) return false;
-  detail::StaticStack<bool> stack;
-  stack.insert(0, {false, 0, 0});
-  while (!stack.empty()) {
-    const auto [key, first, count] = stack.pop();
-    if (count != 0) {
-      if (visit(items.subspan(first, count))) return true;
-      continue;
-    }
-    const auto& node = tree.nodes[first];
-    for (auto met = detail::touching(node, box); met != 0; met &= met - 1) {
-      const auto child = static_cast<std::size_t>(std::countr_zero(met));
-      stack.insert(stack.size(), {false, node.first[child], node.count[child]});
-    }
-  }
-  return false;
+  return detail::visit_touching(
+      tree, items, box, [](const auto&, std::size_t) { return true; }, visit);
 }
 
 }  // namespace detent

@@ -12,6 +12,9 @@ namespace detent::detail {
 
 inline constexpr std::uint32_t nowhere = 0xffffffffu;
 
+/// The most levels of a tree: with three children or more per node, enough for 2^32 objects.
+inline constexpr std::size_t tree_depth = 21;
+
 /// A node of the broad phase: up to eight boxes, side by side so that one loop tests them all.
 template <Scalar S, int N>
 struct alignas(64) TreeNode {

@@ -41,10 +41,10 @@ class RayBatch {
     return rays_[i];
   }
 
-  /// Calls visit(i), in ascending order, for every ray that may touch `shape`, until it returns
-  /// false.
+  /// Visits every ray that may touch `shape`, in ascending order: calls visit(i), which returns
+  /// whether to go on (cull/walk.hpp).
   template <class Shape, class Visit>
-  constexpr void visit_candidates(const Shape& shape, const Visit& visit) const noexcept {
+  constexpr Walk visit_candidates(const Shape& shape, const Visit& visit) const noexcept {
     std::size_t asked = 0;
     const auto bounds = detail::ray_bounds(shape);
     if (bounds && grid_.holds(*bounds)) {
@@ -54,12 +54,14 @@ class RayBatch {
       for (std::size_t b = 0; b < blocks_.size(); ++b, asked += detail::batch_lanes) {
         const auto& block = blocks_[b];
         candidates.assign([&](std::size_t l) { return !is_apart(boxes, block, l, slack); });
-        if (!candidates.for_each([&](std::size_t l) { return visit(asked + l); })) return;
+        const Walk walk = candidates.walk([&](std::size_t l) { return visit(asked + l); });
+        if (walk == Walk::stop) return Walk::stop;
       }
     }
     for (std::size_t i = asked; i < size(); ++i) {
-      if (!visit(i)) return;
+      if (visit(i) == Walk::stop) return Walk::stop;
     }
+    return Walk::go_on;
   }
 
  private:
@@ -78,7 +80,7 @@ template <Scalar S, int N, class Shape, class... Options>
   bool any = false;
   batch.visit_candidates(shape, [&](std::size_t i) {
     any = raycast(batch[i], shape, options...).has_value();
-    return !any;
+    return stop_if(any);
   });
   return any;
 }
@@ -90,9 +92,9 @@ constexpr void raycast_each(const RayBatch<S, N>& batch, const Shape& shape,
                             const Options&... options) noexcept {
   for (auto& answer : answers) answer.reset();
   batch.visit_candidates(shape, [&](std::size_t i) {
-    if (i >= answers.size()) return false;
+    if (i >= answers.size()) return Walk::stop;
     answers[i] = raycast(batch[i], shape, options...);
-    return true;
+    return Walk::go_on;
   });
 }
 

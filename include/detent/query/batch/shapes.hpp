@@ -57,10 +57,10 @@ class ShapeBatch<Shape<S, N>> {
     return shapes_[i];
   }
 
-  /// Calls visit(i), in ascending order, for every shape that `ray` may touch within its
-  /// max_distance. `visit` returns the new max_distance, or a negative number to stop.
+  /// Visits every shape that `ray` may touch within its max_distance, in ascending order: calls
+  /// visit(i, limit), which returns whether to go on and may lower the limit (cull/walk.hpp).
   template <class Visit>
-  constexpr void visit_candidates(Ray<S, N> ray, const Visit& visit) const noexcept {
+  constexpr Walk visit_candidates(Ray<S, N> ray, const Visit& visit) const noexcept {
     detail::RayColumns<S, N> rays;
     const auto look = [&] {
       const auto quantized_ray = detail::quantized_part(ray, grid_);
@@ -78,16 +78,15 @@ class ShapeBatch<Shape<S, N>> {
         candidates.assign([&](std::size_t l) { return block.is_anywhere(l); });
       }
       const S reach = ray.max_distance;
-      const bool goes_on = candidates.for_each([&](std::size_t l) {
-        ray.max_distance = visit(b * detail::batch_lanes + l);
-        return ray.max_distance >= 0;
-      });
-      if (!goes_on) return;
+      const Walk walk = candidates.walk(
+          [&](std::size_t l) { return visit(b * detail::batch_lanes + l, ray.max_distance); });
+      if (walk == Walk::stop) return Walk::stop;
       if (ray.max_distance != reach) is_in_region = look();
     }
     for (std::size_t i = blocks_.size() * detail::batch_lanes; i < size(); ++i) {
-      if (visit(i) < 0) return;
+      if (visit(i, ray.max_distance) == Walk::stop) return Walk::stop;
     }
+    return Walk::go_on;
   }
 
  private:
@@ -116,13 +115,13 @@ template <Scalar S, int N, class Shape, class... Options>
 [[nodiscard]] constexpr std::optional<BatchHit<S>> raycast_first(
     const Ray<S, N>& ray, const ShapeBatch<Shape>& batch, const Options&... options) noexcept {
   std::optional<BatchHit<S>> first;
-  batch.visit_candidates(ray, [&](std::size_t i) {
+  batch.visit_candidates(ray, [&](std::size_t i, S& limit) {
     const auto distance = raycast(ray, batch[i], options...);
     if (distance && (!first || *distance < first->distance)) {
       first = BatchHit<S>{i, *distance};
-      if (first->distance == 0) return S(-1);
+      limit = *distance;
     }
-    return first ? first->distance : ray.max_distance;
+    return stop_if(first && first->distance == 0);
   });
   return first;
 }
@@ -132,9 +131,9 @@ template <Scalar S, int N, class Shape, class... Options>
 [[nodiscard]] constexpr bool raycast_any(const Ray<S, N>& ray, const ShapeBatch<Shape>& batch,
                                          const Options&... options) noexcept {
   bool any = false;
-  batch.visit_candidates(ray, [&](std::size_t i) {
+  batch.visit_candidates(ray, [&](std::size_t i, S&) {
     any = raycast(ray, batch[i], options...).has_value();
-    return any ? S(-1) : ray.max_distance;
+    return stop_if(any);
   });
   return any;
 }
@@ -145,10 +144,10 @@ constexpr void raycast_each(const Ray<S, N>& ray, const ShapeBatch<Shape>& batch
                             std::span<std::optional<S>> answers,
                             const Options&... options) noexcept {
   for (auto& answer : answers) answer.reset();
-  batch.visit_candidates(ray, [&](std::size_t i) {
-    if (i >= answers.size()) return S(-1);
+  batch.visit_candidates(ray, [&](std::size_t i, S&) {
+    if (i >= answers.size()) return Walk::stop;
     answers[i] = raycast(ray, batch[i], options...);
-    return ray.max_distance;
+    return Walk::go_on;
   });
 }
 

@@ -16,8 +16,9 @@ namespace detent::detail {
 struct FieldCells {
   std::uint32_t column, row, columns, rows;
 
-  /// The most rectangles that wait in a traversal: one of two halves for each time that 2^32
-  /// columns and 2^32 rows can be halved.
+  static constexpr std::size_t most_children = 2;
+  /// The most rectangles that wait in a walk: one of two halves for each time that 2^32 columns and
+  /// 2^32 rows can be halved.
   static constexpr std::size_t room = 66;
 
   [[nodiscard]] constexpr bool is_leaf() const noexcept { return columns == 1 && rows == 1; }
@@ -51,10 +52,10 @@ template <Scalar S>
   return box;
 }
 
-/// Calls visit(column, row) for each of `cells` whose lowest and highest sample satisfy meets(low,
-/// high), until visit returns true. Returns whether it did.
+/// Visits each of `cells` whose lowest and highest sample satisfy meets(low, high): calls
+/// visit(column, row).
 template <Scalar S, class Meets, class Visit>
-constexpr bool visit_cells(const HeightField<S>& field, const FieldCells& cells, const Meets& meets,
+constexpr Walk visit_cells(const HeightField<S>& field, const FieldCells& cells, const Meets& meets,
                            const Visit& visit) noexcept {
   for (auto row = cells.row; row < cells.row + cells.rows; ++row) {
     const auto upper = field.heights.subspan(std::size_t{row} * field.columns);
@@ -64,11 +65,11 @@ constexpr bool visit_cells(const HeightField<S>& field, const FieldCells& cells,
       const auto right = std::minmax({upper[column + 1], lower[column + 1]});
       const bool is_met =
           meets((std::min)(left.first, right.first), (std::max)(left.second, right.second));
-      if (is_met && visit(column, row)) return true;
+      if (is_met && visit(column, row) == Walk::stop) return Walk::stop;
       left = right;
     }
   }
-  return false;
+  return Walk::go_on;
 }
 
 /// The first number in [0, count) for which `test` fails, or `count`. A binary search: once `test`

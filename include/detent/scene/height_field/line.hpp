@@ -56,12 +56,12 @@ class FieldLine {
     if (is_vertical_) size_ = T::from_raw(1);  // the line stays in its strip, at any height
   }
 
-  /// Calls visit(cells, meets) for the strips that the line crosses, in order, until it returns
-  /// true. `cells` are the cells of the strip that it crosses; meets(low, high) returns whether it
-  /// may touch samples between these heights there. ends(ahead, size) returns whether the line ends
-  /// before a strip that begins there.
+  /// Visits the strips that the line crosses, in order: calls visit(cells, meets). `cells` are the
+  /// cells of the strip that it crosses; meets(low, high) returns whether it may touch samples
+  /// between these heights there. ends(ahead, size) returns whether the line ends before a strip
+  /// that begins there.
   template <class Ends, class Visit>
-  constexpr void visit_strips(const Ends& ends, const Visit& visit) const noexcept {
+  constexpr Walk visit_strips(const Ends& ends, const Visit& visit) const noexcept {
     const auto far_side = side_.ahead(side_.count) * size_;
     const auto far_rise = bounds_.most * size_;
     std::uint32_t first = 0;
@@ -70,8 +70,8 @@ class FieldLine {
       const auto start = main_.ahead(i), end = main_.ahead(i + 1);
       const auto from = start * side_speed_, to = end * side_speed_;
       const auto rise_from = start * rise_speed_, rise_to = end * rise_speed_;
-      if (ends(start, size_) || from > far_side) return;
-      if (!is_vertical_ && rise_from > far_rise) return;
+      if (ends(start, size_) || from > far_side) return Walk::go_on;
+      if (!is_vertical_ && rise_from > far_rise) return Walk::go_on;
       const auto is_before = [&](std::uint32_t cell) {
         return side_.ahead(cell + 1) * size_ < from;
       };
@@ -85,8 +85,9 @@ class FieldLine {
         const auto [least, most] = rises(low, high);
         return least * size_ <= rise_to && most * size_ >= rise_from;
       };
-      if (visit(strip(i, first, last - first + 1), meets)) return;
+      if (visit(strip(i, first, last - first + 1), meets) == Walk::stop) return Walk::stop;
     }
+    return Walk::go_on;
   }
 
  private:

@@ -23,8 +23,8 @@ class FieldRings {
             (std::min)(first_up_to(field.corner.x, field.cell, columns_, point.x), columns_ - 1)),
         row_((std::min)(first_up_to(field.corner.y, field.cell, rows_, point.z), rows_ - 1)) {}
 
-  /// Calls visit(cells) for each side, a rectangle of cells. visit returns whether any of them
-  /// matters; if none does, no farther side in that direction is visited.
+  /// Visits the sides, rectangles of cells: calls visit(cells). If it returns Walk::stop, no farther
+  /// side in that direction is visited.
   template <class Visit>
   constexpr void visit_sides(const Visit& visit) const noexcept {
     visit(FieldCells{column_, row_, 1, 1});
@@ -35,7 +35,7 @@ class FieldRings {
       const auto top = row_ - (std::min)(row_, ring - 1);
       const auto bottom = row_ + (std::min)(rows_ - 1 - row_, ring - 1);
       const auto side = [&](bool& open, bool exists, const FieldCells& cells) {
-        open = open && exists && visit(cells);
+        open = open && exists && visit(cells) == Walk::go_on;
       };
       side(is_open[0], ring <= row_, {left, row_ - ring, right - left + 1, 1});
       side(is_open[1], ring < rows_ - row_, {left, row_ + ring, right - left + 1, 1});

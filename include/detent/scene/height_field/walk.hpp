@@ -17,14 +17,15 @@ template <Scalar S>
 [[nodiscard]] constexpr detail::FieldCells whole_of(const HeightField<S>& field) noexcept {
   return {0, 0, field.columns - 1, field.rows - 1};
 }
-template <Scalar S, class Test>
-constexpr bool any_child(const HeightField<S>& field, const detail::FieldCells& cells,
-                         const Test& test) noexcept {
+template <Scalar S, class Visit>
+constexpr Walk visit_children(const HeightField<S>& field, const detail::FieldCells& cells,
+                              const Visit& visit) noexcept {
   const auto halves = cells.halves();
-  return test(halves[0], box_of(field, halves[0])) || test(halves[1], box_of(field, halves[1]));
+  if (visit(halves[0], box_of(field, halves[0])) == Walk::stop) return Walk::stop;
+  return visit(halves[1], box_of(field, halves[1]));
 }
 template <Scalar S, class Visit>
-constexpr bool at_leaf(const HeightField<S>& field, const detail::FieldCells& cell,
+constexpr Walk at_leaf(const HeightField<S>& field, const detail::FieldCells& cell,
                        const Visit& visit) noexcept {
   const auto triangles = cell_triangles(field, cell.column, cell.row);
   return visit(std::span<const MeshTriangle<S>>(triangles));
@@ -32,49 +33,45 @@ constexpr bool at_leaf(const HeightField<S>& field, const detail::FieldCells& ce
 
 namespace detail {
 
-/// Calls visit(triangles) for the cells that a line may touch, in order of its strips, until it
-/// returns true. Returns whether it did. `ends` is as for FieldLine.
+/// Visits the cells that a line may touch, in order of its strips: calls visit(triangles). `ends` is
+/// as for FieldLine.
 template <Scalar S, Number T, class Ends, class Visit>
-constexpr bool visit_line(const HeightField<S>& field, const Vec<S, 3>& origin,
+constexpr Walk visit_line(const HeightField<S>& field, const Vec<S, 3>& origin,
                           const Vec<T, 3>& direction, const Ends& ends,
                           const Visit& visit) noexcept {
-  bool is_done = false;
-  FieldLine<S, T>(field, origin, direction)
+  return FieldLine<S, T>(field, origin, direction)
       .visit_strips(ends, [&](const FieldCells& strip, const auto& meets) {
-        return is_done = visit_cells(field, strip, meets, [&](auto column, auto row) {
-                 return at_leaf(field, {column, row, 1, 1}, visit);
-               });
+        return visit_cells(field, strip, meets, [&](auto column, auto row) {
+          return at_leaf(field, {column, row, 1, 1}, visit);
+        });
       });
-  return is_done;
 }
 
 }  // namespace detail
 
-/// The traversals of a height field step from cell to cell, without a tree, and skip cells whose
+/// The walks of a height field step from cell to cell, without a tree, and skip cells whose
 /// samples are all too high or too low, so one tall sample makes none of them longer.
-/// Floating-point scalars use the traversals through its parts.
+/// Floating-point scalars use the walks through its parts.
 template <Scalar S, class Visit>
-constexpr void visit_along(const HeightField<S>& field, const Ray<S, 3>& ray,
+constexpr Walk visit_along(const HeightField<S>& field, const Ray<S, 3>& ray,
                            const Visit& visit) noexcept {
   if constexpr (!is_fixed<S>) {
-    visit_along<HeightField>(field, ray, visit);
+    return detail::visit_parts_along(field, ray, visit);
   } else {
-    if (ray.max_distance < 0 || field.heights.empty()) return;
+    if (ray.max_distance < 0 || field.heights.empty()) return Walk::go_on;
     S limit = ray.max_distance;
     const auto ends = [&](const auto& ahead, const auto& size) { return ahead > limit * size; };
-    detail::visit_line(field, ray.origin, ray.direction.vec(), ends, [&](auto triangles) {
-      limit = visit(triangles);
-      return limit < 0;
-    });
+    return detail::visit_line(field, ray.origin, ray.direction.vec(), ends,
+                              [&](auto triangles) { return visit(triangles, limit); });
   }
 }
 template <Scalar S, class Visit>
-constexpr bool visit_crossing(const HeightField<S>& field, const Segment<S, 3>& segment,
+constexpr Walk visit_crossing(const HeightField<S>& field, const Segment<S, 3>& segment,
                               const Visit& visit) noexcept {
   if constexpr (!is_fixed<S>) {
-    return visit_crossing<HeightField>(field, segment, visit);
+    return detail::visit_parts_crossing(field, segment, visit);
   } else {
-    if (field.heights.empty()) return false;
+    if (field.heights.empty()) return Walk::go_on;
     const auto ends = [](const auto& ahead, const auto& size) { return ahead > size; };
     return by_width<30>(
         [&](const auto& along) {
@@ -84,9 +81,9 @@ constexpr bool visit_crossing(const HeightField<S>& field, const Segment<S, 3>& 
   }
 }
 template <Scalar S, class Visit>
-constexpr bool visit_within(const HeightField<S>& field, const Aabb<S, 3>& box,
+constexpr Walk visit_within(const HeightField<S>& field, const Aabb<S, 3>& box,
                             const Visit& visit) noexcept {
-  if (field.heights.empty() || !overlaps(field.bounds, box)) return false;
+  if (field.heights.empty() || !overlaps(field.bounds, box)) return Walk::go_on;
   const auto range = [&](const S& corner, std::uint32_t count, const S& least, const S& most) {
     const auto first = detail::first_up_to(corner, field.cell, count, least);
     const auto end = detail::first_where_not(count, [&](std::uint32_t i) {
@@ -104,33 +101,32 @@ constexpr bool visit_within(const HeightField<S>& field, const Aabb<S, 3>& box,
   });
 }
 template <Scalar S, class Visit>
-constexpr void visit_around(const HeightField<S>& field, const Vec<S, 3>& point,
+constexpr Walk visit_around(const HeightField<S>& field, const Vec<S, 3>& point,
                             const Visit& visit) noexcept {
   if constexpr (!is_fixed<S>) {
-    visit_around<HeightField>(field, point, visit);
+    return detail::visit_parts_around(field, point, visit);
   } else {
-    if (field.heights.empty()) return;
+    if (field.heights.empty()) return Walk::go_on;
     S limit = largest<S>;
+    Walk walk = Walk::go_on;
     const detail::FieldRings<S> rings(field, point);
     rings.visit_sides([&](const detail::FieldCells& side) {
       const auto gap = rings.squared_gap(point, side);
       detail::HeightReach<S> reach(point.y, limit, gap);
-      if (!reach.is_any) return false;
+      if (!reach.is_any || walk == Walk::stop) return Walk::stop;
       const auto meets = [&](const S& low, const S& high) {
         return low <= reach.high && high >= reach.low;
       };
       detail::visit_cells(field, side, meets, [&](auto column, auto row) {
         const detail::FieldCells cell{column, row, 1, 1};
-        if (distance(box_of(field, cell), point) > limit) return false;
-        at_leaf(field, cell, [&](auto triangles) {
-          limit = visit(triangles);
-          return false;
-        });
+        if (distance(box_of(field, cell), point) > limit) return Walk::go_on;
+        walk = at_leaf(field, cell, [&](auto triangles) { return visit(triangles, limit); });
         reach = detail::HeightReach<S>(point.y, limit, gap);
-        return !reach.is_any;
+        return reach.is_any ? walk : Walk::stop;
       });
-      return true;
+      return Walk::go_on;
     });
+    return walk;
   }
 }
 

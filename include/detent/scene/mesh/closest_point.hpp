@@ -43,7 +43,7 @@ requires is_surface<Surface>
     const Surface<S>& surface, const Vec<S, 3>& point) noexcept {
   std::optional<MeshTriangle<S>> best;
   S least = largest<S>;
-  visit_around(surface, point, [&](std::span<const MeshTriangle<S>> parts) {
+  visit_around(surface, point, [&](std::span<const MeshTriangle<S>> parts, S& limit) {
     for (const auto& part : parts) {
       const S to_part = distance(part.triangle, point);
       const bool nearer =
@@ -52,7 +52,8 @@ requires is_surface<Surface>
       best = part;
       least = to_part;
     }
-    return least;
+    limit = least;
+    return Walk::go_on;
   });
   if (!best) return std::nullopt;
   return MeshNearest<S>{least, best->index, closest_point(best->triangle, point)};

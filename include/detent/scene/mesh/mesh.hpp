@@ -9,7 +9,6 @@
 #include "detent/cull/static_tree/along.hpp"
 #include "detent/cull/static_tree/around.hpp"
 #include "detent/cull/static_tree/build.hpp"
-#include "detent/cull/static_tree/crossing.hpp"
 #include "detent/cull/static_tree/parts.hpp"
 #include "detent/cull/static_tree/within.hpp"
 #include "detent/query/distance/aabb.hpp"
@@ -73,27 +72,27 @@ template <Scalar S>
   return mesh.tree.bounds;
 }
 
-/// The traversals of a mesh: those of its tree.
+/// The walks of a mesh: those of its tree.
 template <Scalar S, class Visit>
-constexpr void visit_along(const Mesh<S>& mesh, const Ray<S, 3>& ray, const Visit& visit) noexcept {
-  visit_along(mesh.tree, mesh.triangles, ray, visit);
+constexpr Walk visit_along(const Mesh<S>& mesh, const Ray<S, 3>& ray, const Visit& visit) noexcept {
+  return visit_along(mesh.tree, mesh.triangles, ray, visit);
 }
 template <Scalar S, class Visit>
-constexpr bool visit_within(const Mesh<S>& mesh, const Aabb<S, 3>& box,
+constexpr Walk visit_within(const Mesh<S>& mesh, const Aabb<S, 3>& box,
                             const Visit& visit) noexcept {
   return visit_within(mesh.tree, mesh.triangles, box, visit);
 }
 template <Scalar S, class Visit>
-constexpr bool visit_crossing(const Mesh<S>& mesh, const Segment<S, 3>& segment,
+constexpr Walk visit_crossing(const Mesh<S>& mesh, const Segment<S, 3>& segment,
                               const Visit& visit) noexcept {
   return visit_crossing(
       mesh.tree, mesh.triangles, bounding_box(segment),
       [&](const Aabb<S, 3>& box) { return detail::may_cross(segment, box); }, visit);
 }
 template <Scalar S, class Visit>
-constexpr void visit_around(const Mesh<S>& mesh, const Vec<S, 3>& point,
+constexpr Walk visit_around(const Mesh<S>& mesh, const Vec<S, 3>& point,
                             const Visit& visit) noexcept {
-  visit_around(
+  return visit_around(
       mesh.tree, mesh.triangles, [&](const Aabb<S, 3>& box) { return distance(box, point); },
       visit);
 }
@@ -101,15 +100,15 @@ constexpr void visit_around(const Mesh<S>& mesh, const Vec<S, 3>& point,
 /// The parts of a mesh: those of its tree, see mesh/parts.hpp.
 template <Scalar S>
 [[nodiscard]] constexpr detail::StaticPart whole_of(const Mesh<S>&) noexcept {
-  return {};
-}
-template <Scalar S, class Test>
-constexpr bool any_child(const Mesh<S>& mesh, const detail::StaticPart& part,
-                         const Test& test) noexcept {
-  return any_child(mesh.tree, part, test);
+  return detail::whole_tree;
 }
 template <Scalar S, class Visit>
-constexpr bool at_leaf(const Mesh<S>& mesh, const detail::StaticPart& leaf,
+constexpr Walk visit_children(const Mesh<S>& mesh, const detail::StaticPart& part,
+                              const Visit& visit) noexcept {
+  return visit_children(mesh.tree, part, visit);
+}
+template <Scalar S, class Visit>
+constexpr Walk at_leaf(const Mesh<S>& mesh, const detail::StaticPart& leaf,
                        const Visit& visit) noexcept {
   return visit(mesh.triangles.subspan(leaf.first, leaf.count));
 }

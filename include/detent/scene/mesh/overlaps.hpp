@@ -59,7 +59,7 @@ requires is_surface<Surface>
     for (const auto& part : parts) {
       if (overlaps(part.triangle, shape)) detail::keep_first(out, count++, part.index);
     }
-    return false;
+    return Walk::go_on;
   });
   detail::sort_kept(out, count);
   return count;
@@ -72,11 +72,13 @@ template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
 [[nodiscard]] constexpr bool overlaps(const Surface<S>& surface,
                                       const Plane<S, 3>& plane) noexcept {
-  return detail::visit_parts_where(
+  const auto walk = detail::visit_parts_where(
       surface, [&](const Aabb<S, 3>& box) { return overlaps(box, plane); },
       [&](std::span<const MeshTriangle<S>> parts) {
-        return detail::any_triangle(parts, [&](const auto& part) { return overlaps(part, plane); });
+        return stop_if(
+            detail::any_triangle(parts, [&](const auto& part) { return overlaps(part, plane); }));
       });
+  return walk == Walk::stop;
 }
 template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
@@ -92,9 +94,11 @@ template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
 [[nodiscard]] constexpr bool intersects(const Segment<S, 3>& segment,
                                         const Surface<S>& surface) noexcept {
-  return visit_crossing(surface, segment, [&](std::span<const MeshTriangle<S>> parts) {
-    return detail::any_triangle(parts, [&](const auto& part) { return intersects(segment, part); });
+  const auto walk = visit_crossing(surface, segment, [&](std::span<const MeshTriangle<S>> parts) {
+    return stop_if(
+        detail::any_triangle(parts, [&](const auto& part) { return intersects(segment, part); }));
   });
+  return walk == Walk::stop;
 }
 
 }  // namespace detent

@@ -36,17 +36,18 @@ template <class A, class PartA, class B, class PartB, class Box>
   if (!overlaps(box_a, box_b)) return false;
   if (of_a.is_leaf() && of_b.is_leaf()) {
     return at_leaf(a, of_a, [&](const auto& ours) {
-      return at_leaf(b, of_b, [&](const auto& theirs) { return any_meet(ours, theirs); });
-    });
+             return at_leaf(b, of_b,
+                            [&](const auto& theirs) { return stop_if(any_meet(ours, theirs)); });
+           }) == Walk::stop;
   }
   if (of_b.is_leaf() || (!of_a.is_leaf() && longest_side(box_a) > longest_side(box_b))) {
-    return any_child(a, of_a, [&](const PartA& child, const Box& box) {
-      return parts_meet(a, child, box, b, of_b, box_b);
-    });
+    return visit_children(a, of_a, [&](const PartA& child, const Box& box) {
+             return stop_if(parts_meet(a, child, box, b, of_b, box_b));
+           }) == Walk::stop;
   }
-  return any_child(b, of_b, [&](const PartB& child, const Box& box) {
-    return parts_meet(a, of_a, box_a, b, child, box);
-  });
+  return visit_children(b, of_b, [&](const PartB& child, const Box& box) {
+           return stop_if(parts_meet(a, of_a, box_a, b, child, box));
+         }) == Walk::stop;
 }
 
 }  // namespace detail

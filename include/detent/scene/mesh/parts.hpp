@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "detent/cull/static_tree/along.hpp"
 #include "detent/query/distance/aabb.hpp"
@@ -14,124 +15,123 @@
 #include "detent/scene/mesh/surface.hpp"
 
 // A surface as a tree of parts, each with a box; a leaf is a few triangles. It has
-//   whole_of(surface)                -> the root part, in bounding_box(surface)
-//   any_child(surface, part, test)   -> whether test(child, box) is true for any child of a part
-//   at_leaf(surface, part, visit)    -> visit(triangles) for a part that is_leaf()
-// and Part::room, the most parts that wait in a traversal. They are never called for an empty
-// surface.
+//   whole_of(surface)                       -> the root part, in bounding_box(surface)
+//   visit_children(surface, part, visit)    calls visit(child, box) for the children of a part
+//   at_leaf(surface, part, visit)           returns visit(triangles) for a part that is_leaf()
+// and Part::most_children, and Part::room, the most parts that wait in a walk. They are never called
+// for an empty surface.
 //
-// The traversals here use these, for surfaces that have no faster ones.
+// The walks here use these, for surfaces that have no faster ones.
 
-namespace detent {
+namespace detent::detail {
 
-namespace detail {
-
-/// Visits triangles of a surface, roughly nearest first. key_of(box) returns how near a box is, as
-/// a Key, or nothing if it does not matter; matters(key) returns whether it still does when its
-/// turn comes; visit(triangles) returns whether to go on.
-template <class Key, class Surface, class KeyOf, class Matters, class Visit>
-constexpr void visit_parts(const Surface& surface, const KeyOf& key_of, const Matters& matters,
-                           const Visit& visit) noexcept {
-  using Part = decltype(whole_of(surface));
-  struct Entry {
-    Key key;
-    Part part;
+/// A surface as a walk takes it. key_of(box) returns how near a box is, or nothing if it does not
+/// matter; still(key) returns whether it still does when its turn comes.
+template <class KeyType, class Surface, class KeyOf, class Still>
+struct SurfaceParts {
+  using Key = KeyType;
+  using Part = decltype(whole_of(std::declval<const Surface&>()));
+  static constexpr std::size_t most_children = Part::most_children, room = Part::room;
+  struct Node {
+    std::array<Part, most_children> children;
+    std::array<Key, most_children> keys;
+    std::uint32_t met;
   };
-  const auto bounds = bounding_box(surface);
-  if (is_empty(bounds)) return;
-  std::array<Entry, Part::room> stack;
-  std::size_t used = 0;
-  if (const auto key = key_of(bounds)) stack[used++] = {*key, whole_of(surface)};
-  while (used != 0) {
-    const auto [key, part] = stack[--used];
-    if (!matters(key)) continue;
-    if (part.is_leaf()) {
-      if (!at_leaf(surface, part, visit)) return;
-      continue;
-    }
-    const auto base = used;
-    any_child(surface, part, [&](const Part& child, const auto& box) {
-      const auto child_key = key_of(box);
-      if (!child_key) return false;
-      auto place = used++;
-      for (; place > base && stack[place - 1].key < *child_key; --place) {
-        stack[place] = stack[place - 1];
+
+  const Surface& surface;
+  const KeyOf& key_of;
+  const Still& still;
+
+  [[nodiscard]] constexpr Node node(const Part& part) const noexcept {
+    Node result{};
+    std::size_t count = 0;
+    visit_children(surface, part, [&](const Part& child, const auto& box) {
+      if (const auto key = key_of(box)) {
+        result.children[count] = child;
+        result.keys[count++] = *key;
       }
-      stack[place] = {*child_key, child};
-      return false;
+      return Walk::go_on;
     });
+    result.met = (std::uint32_t{1} << count) - 1;
+    return result;
   }
-}
+  [[nodiscard]] constexpr std::uint32_t meets(const Node& node,
+                                              std::array<Key, most_children>& keys) const noexcept {
+    keys = node.keys;
+    return node.met;
+  }
+  [[nodiscard]] constexpr Part child(const Node& node, std::size_t k) const noexcept {
+    return node.children[k];
+  }
+  [[nodiscard]] constexpr bool reaches(const Key& key) const noexcept { return still(key); }
+};
 
-/// Visits the triangles of the parts whose boxes satisfy matters(box), until visit(triangles)
-/// returns true. Returns whether it did.
-template <class Surface, class Matters, class Visit>
-constexpr bool visit_parts_where(const Surface& surface, const Matters& matters,
-                                 const Visit& visit) noexcept {
-  bool found = false;
-  visit_parts<bool>(
-      surface, [&](const auto& box) { return matters(box) ? std::optional(false) : std::nullopt; },
-      [](bool) { return true; },
-      [&](auto triangles) {
-        found = visit(triangles);
-        return !found;
-      });
-  return found;
-}
-
-}  // namespace detail
-
-template <template <class> class Surface, Scalar S, class Visit>
-requires is_surface<Surface>
-constexpr void visit_along(const Surface<S>& surface, const Ray<S, 3>& ray,
+/// Visits triangles of a surface, the nearest parts first: calls visit(triangles).
+template <class Key, class Surface, class KeyOf, class Still, class Visit>
+constexpr Walk visit_parts(const Surface& surface, const KeyOf& key_of, const Still& still,
                            const Visit& visit) noexcept {
   const auto bounds = bounding_box(surface);
-  if (ray.max_distance < 0 || is_empty(bounds)) return;
-  using Time = typename SlabTimes<S>::Time;
-  const detail::StaticRay<S, 3> prepared(ray, bounds);
-  auto limit = prepared.time(ray.max_distance);
-  detail::visit_parts<Time>(
-      surface, [&](const Aabb<S, 3>& box) { return prepared.meets(box, limit); },
-      [&](const Time& enter) { return enter <= limit; },
+  if (is_empty(bounds) || !key_of(bounds)) return Walk::go_on;
+  const SurfaceParts<Key, Surface, KeyOf, Still> parts{surface, key_of, still};
+  return visit_nearest_first(whole_of(surface), parts,
+                             [&](const auto& leaf) { return at_leaf(surface, leaf, visit); });
+}
+
+/// Visits the triangles of the parts whose boxes satisfy matters(box).
+template <class Surface, class Matters, class Visit>
+constexpr Walk visit_parts_where(const Surface& surface, const Matters& matters,
+                                 const Visit& visit) noexcept {
+  return visit_parts<Unordered>(
+      surface,
+      [&](const auto& box) { return matters(box) ? std::optional(Unordered()) : std::nullopt; },
+      [](const Unordered&) { return true; }, visit);
+}
+
+template <template <class> class Surface, Scalar S, class Visit>
+constexpr Walk visit_parts_along(const Surface<S>& surface, const Ray<S, 3>& ray,
+                                 const Visit& visit) noexcept {
+  const auto bounds = bounding_box(surface);
+  if (ray.max_distance < 0 || is_empty(bounds)) return Walk::go_on;
+  using Time = typename Ticks<S>::Time;
+  const StaticRay<S, 3> prepared(ray, bounds);
+  S limit = ray.max_distance;
+  auto last = prepared.time(limit);
+  return visit_parts<Time>(
+      surface, [&](const Aabb<S, 3>& box) { return prepared.meets(box, last); },
+      [&](const Time& enter) { return enter <= last; },
       [&](std::span<const MeshTriangle<S>> triangles) {
-        const S left = visit(triangles);
-        limit = prepared.time(left);
-        return left >= 0;
+        const Walk walk = visit(triangles, limit);
+        last = prepared.time(limit);
+        return walk;
       });
 }
 
 template <template <class> class Surface, Scalar S, class Visit>
-requires is_surface<Surface>
-constexpr bool visit_within(const Surface<S>& surface, const Aabb<S, 3>& box,
-                            const Visit& visit) noexcept {
-  return detail::visit_parts_where(
+constexpr Walk visit_parts_within(const Surface<S>& surface, const Aabb<S, 3>& box,
+                                  const Visit& visit) noexcept {
+  return visit_parts_where(
       surface, [&](const Aabb<S, 3>& part) { return overlaps(part, box); }, visit);
 }
 
 template <template <class> class Surface, Scalar S, class Visit>
-requires is_surface<Surface>
-constexpr bool visit_crossing(const Surface<S>& surface, const Segment<S, 3>& segment,
-                              const Visit& visit) noexcept {
-  return detail::visit_parts_where(
-      surface, [&](const Aabb<S, 3>& part) { return detail::may_cross(segment, part); }, visit);
+constexpr Walk visit_parts_crossing(const Surface<S>& surface, const Segment<S, 3>& segment,
+                                    const Visit& visit) noexcept {
+  return visit_parts_where(
+      surface, [&](const Aabb<S, 3>& part) { return may_cross(segment, part); }, visit);
 }
 
 template <template <class> class Surface, Scalar S, class Visit>
-requires is_surface<Surface>
-constexpr void visit_around(const Surface<S>& surface, const Vec<S, 3>& point,
-                            const Visit& visit) noexcept {
+constexpr Walk visit_parts_around(const Surface<S>& surface, const Vec<S, 3>& point,
+                                  const Visit& visit) noexcept {
   S limit = largest<S>;
-  detail::visit_parts<S>(
+  return visit_parts<S>(
       surface,
       [&](const Aabb<S, 3>& part) {
         const S to_part = distance(part, point);
         return to_part <= limit ? std::optional(to_part) : std::nullopt;
       },
       [&](const S& to_part) { return to_part <= limit; },
-      [&](std::span<const MeshTriangle<S>> triangles) {
-        limit = visit(triangles);
-        return true;
-      });
+      [&](std::span<const MeshTriangle<S>> triangles) { return visit(triangles, limit); });
 }
 
-}  // namespace detent
+}  // namespace detent::detail

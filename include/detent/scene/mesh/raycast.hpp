@@ -36,21 +36,21 @@ constexpr void append(D& digest, const MeshHit<S>& hit) noexcept {
 
 namespace detail {
 
-/// Calls visit(part, distance) for the triangles of `surface` that `ray` touches, roughly nearest
-/// first. visit returns the distance up to which hits still matter, or a negative number to stop.
+/// Visits the triangles of `surface` that `ray` touches, roughly nearest first: calls
+/// visit(part, distance, limit).
 template <template <class> class Surface, Scalar S, class Visit>
 constexpr void visit_hits(const Ray<S, 3>& ray, const Surface<S>& surface,
                           const Visit& visit) noexcept {
   const LineFilter<S> line(ray);
   auto shorter = ray;
-  visit_along(surface, ray, [&](std::span<const MeshTriangle<S>> parts) {
+  visit_along(surface, ray, [&](std::span<const MeshTriangle<S>> parts, S& limit) {
     for (const auto& part : parts) {
       if (line.meets(part.triangle) == Filtered::no) continue;
       const auto distance = raycast(shorter, part.triangle);
-      if (distance) shorter.max_distance = visit(part, *distance);
-      if (shorter.max_distance < 0) break;
+      if (distance && visit(part, *distance, shorter.max_distance) == Walk::stop) return Walk::stop;
     }
-    return shorter.max_distance;
+    limit = shorter.max_distance;
+    return Walk::go_on;
   });
 }
 
@@ -65,11 +65,12 @@ template <template <class> class Surface, Scalar S>
 [[nodiscard]] constexpr std::optional<FoundOnSurface<S>> first_on_surface(
     const Ray<S, 3>& ray, const Surface<S>& surface) noexcept {
   std::optional<FoundOnSurface<S>> best;
-  visit_hits(ray, surface, [&](const MeshTriangle<S>& part, const S& distance) {
+  visit_hits(ray, surface, [&](const MeshTriangle<S>& part, const S& distance, S& limit) {
     const MeshHit<S> hit{distance, part.index};
     if (!best || hit < best->hit) best = FoundOnSurface<S>{hit, part.triangle};
     // Of hits that round down to the same distance, the least index wins.
-    return (std::min)(ray.max_distance, next_up(best->hit.distance));
+    limit = (std::min)(ray.max_distance, next_up(best->hit.distance));
+    return Walk::go_on;
   });
   return best;
 }
@@ -99,9 +100,9 @@ template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
 [[nodiscard]] constexpr bool raycast_any(const Ray<S, 3>& ray, const Surface<S>& surface) noexcept {
   bool any = false;
-  detail::visit_hits(ray, surface, [&](const MeshTriangle<S>&, const S&) {
+  detail::visit_hits(ray, surface, [&](const MeshTriangle<S>&, const S&, S&) {
     any = true;
-    return S(-1);
+    return Walk::stop;
   });
   return any;
 }
@@ -115,9 +116,9 @@ requires is_surface<Surface>
 [[nodiscard]] constexpr std::size_t raycast_all(const Ray<S, 3>& ray, const Surface<S>& surface,
                                                 std::span<MeshHit<S>> out) noexcept {
   std::size_t count = 0;
-  detail::visit_hits(ray, surface, [&](const MeshTriangle<S>& part, const S& distance) {
+  detail::visit_hits(ray, surface, [&](const MeshTriangle<S>& part, const S& distance, S&) {
     detail::keep_first(out, count++, MeshHit<S>{distance, part.index});
-    return ray.max_distance;
+    return Walk::go_on;
   });
   detail::sort_kept(out, count);
   return count;

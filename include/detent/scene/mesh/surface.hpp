@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "detent/cull/walk.hpp"
 #include "detent/query/wrong_call.hpp"
 #include "detent/shape/bounding_box.hpp"
 
@@ -35,8 +36,9 @@ template <Scalar S>
 /// Whether a template is a surface of triangles, which the queries of this folder take: a `Mesh` or
 /// a `HeightField`. A surface has a `bounding_box`, parts as described in parts.hpp, and
 ///   visit_along(surface, ray, visit), visit_within(surface, box, visit),
-///   visit_crossing(surface, segment, visit), visit_around(surface, point, visit)
-/// as described in static_tree/, where `visit` takes a std::span<const MeshTriangle<S>>.
+///   visit_crossing(surface, segment, visit), visit_around(surface, point, visit),
+/// walks (cull/walk.hpp) whose items are a std::span<const MeshTriangle<S>>; the first and the last
+/// have a limit.
 template <template <class> class Surface>
 inline constexpr bool is_surface = false;
 
@@ -73,8 +75,8 @@ requires is_surface<Surface>
 [[nodiscard]] constexpr bool any_triangle_within(const Surface<S>& surface, const Aabb<S, 3>& box,
                                                  const Test& test) noexcept {
   return visit_within(surface, box, [&](std::span<const MeshTriangle<S>> parts) {
-    return any_triangle(parts, test);
-  });
+           return stop_if(any_triangle(parts, test));
+         }) == Walk::stop;
 }
 
 }  // namespace detail
