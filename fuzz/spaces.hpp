@@ -16,26 +16,15 @@ using test::Space;
 /// quickly.
 template <class Ask>
 void in_a_space(Source& source, const Ask& ask) {
-  const auto choice = source.below(8);
+  const auto choice = source.below(2 * support::FixedScalars::size);
 #if DETENT_FUZZ_EVERY_SPACE
-  switch (choice) {
-    case 2:
-      return ask(Space<q16_16, 2>());
-    case 3:
-      return ask(Space<q8_8, 3>());
-    case 4:
-      return ask(Space<q14_16, 3>());
-    case 5:
-      return ask(Space<q14_16, 2>());
-    case 6:
-      return ask(Space<q24_8, 3>());
-    case 7:
-      return ask(Space<q24_8, 2>());
-    default:
-      break;
-  }
+  support::for_each_scalar(support::FixedScalars(), [&]<Scalar S>(S) {
+    if (choice / 2 != support::scalar_index<S>) return;
+    choice % 2 == 0 ? ask(Space<S, 3>()) : ask(Space<S, 2>());
+  });
+#else
+  choice % 2 == 0 ? ask(Space<q16_16, 3>()) : ask(Space<q8_8, 2>());
 #endif
-  return choice % 2 == 0 ? ask(Space<q16_16, 3>()) : ask(Space<q8_8, 2>());
 }
 
 /// Calls `check(std::type_identity<Shape>())` for one of the shapes, chosen by a byte.

@@ -207,8 +207,9 @@ bool with_scalar(const SnapshotHeader& header, const F& f) {
   const auto try_one = [&](auto scalar) {
     return is_in<decltype(scalar)>(header) && (f(scalar), true);
   };
-  return try_one(q16_16()) || try_one(q14_16()) || try_one(q24_8()) || try_one(q8_8()) ||
-         try_one(0.0f) || try_one(0.0);
+  return [&]<class... S>(support::ScalarList<S...>) {
+    return (try_one(S()) || ...);
+  }(support::AllScalars());
 }
 
 std::span<const std::byte> as_bytes(const std::string& text) {

@@ -9,29 +9,14 @@
 #include <string_view>
 
 #include "detent/detent.hpp"
+#include "support/scalars.hpp"
 
-// What the tool needs of a scalar beyond arithmetic: a name, a range, text. Only this file
-// distinguishes the scalars.
+// What the tool needs of a scalar beyond arithmetic: a name, a range, text.
 
 namespace detent::cli {
 
-inline constexpr std::array<std::string_view, 6> scalar_names{"q16_16", "q14_16", "q24_8",
-                                                              "q8_8",   "float",  "double"};
-
-template <Scalar S>
-inline constexpr std::string_view scalar_name;
-template <>
-inline constexpr std::string_view scalar_name<q16_16> = scalar_names[0];
-template <>
-inline constexpr std::string_view scalar_name<q14_16> = scalar_names[1];
-template <>
-inline constexpr std::string_view scalar_name<q24_8> = scalar_names[2];
-template <>
-inline constexpr std::string_view scalar_name<q8_8> = scalar_names[3];
-template <>
-inline constexpr std::string_view scalar_name<float> = scalar_names[4];
-template <>
-inline constexpr std::string_view scalar_name<double> = scalar_names[5];
+using support::scalar_name;
+using support::scalar_names;
 
 /// The exact decimal of a `Fixed`; for a float the shortest decimal that reads back as the same
 /// value.

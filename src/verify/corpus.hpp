@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "detent/number/digest.hpp"
+#include "support/scalars.hpp"
 #include "verify/noinline.hpp"
 #include "verify/questions.hpp"
 
@@ -184,26 +185,8 @@ struct Space {
   static constexpr int dimension = N;
 };
 
-template <Scalar S>
-inline constexpr std::string_view scalar_name;
-template <>
-inline constexpr std::string_view scalar_name<q16_16> = "q16_16";
-template <>
-inline constexpr std::string_view scalar_name<q14_16> = "q14_16";
-template <>
-inline constexpr std::string_view scalar_name<q24_8> = "q24_8";
-template <>
-inline constexpr std::string_view scalar_name<q8_8> = "q8_8";
-
-/// The index of a scalar among the four.
-template <Scalar S>
-inline constexpr std::uint64_t scalar_index = 0;
-template <>
-inline constexpr std::uint64_t scalar_index<q14_16> = 1;
-template <>
-inline constexpr std::uint64_t scalar_index<q24_8> = 2;
-template <>
-inline constexpr std::uint64_t scalar_index<q8_8> = 3;
+using support::scalar_index;
+using support::scalar_name;
 
 namespace detail {
 
@@ -236,10 +219,8 @@ constexpr void visit_groups(Visit&& visit) {
 /// Calls `visit(Space<S, N>{})` for every space of a group, in the order of the digests.
 template <class Group, class Visit>
 constexpr void visit_spaces(Visit&& visit) {
-  detail::visit_dimensions<Group, q16_16>(visit);
-  detail::visit_dimensions<Group, q14_16>(visit);
-  detail::visit_dimensions<Group, q24_8>(visit);
-  detail::visit_dimensions<Group, q8_8>(visit);
+  support::for_each_scalar(support::FixedScalars(),
+                           [&]<Scalar S>(S) { detail::visit_dimensions<Group, S>(visit); });
 }
 
 template <class Group>

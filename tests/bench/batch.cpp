@@ -125,10 +125,7 @@ void add_shape(Suite& suite, const std::string& shape_name) {
   };
   add_scalar(float());
   add_scalar(double());
-  add_scalar(q16_16());
-  add_scalar(q14_16());
-  add_scalar(q24_8());
-  add_scalar(q8_8());
+  support::for_each_scalar(support::FixedScalars(), add_scalar);
 }
 
 }  // namespace

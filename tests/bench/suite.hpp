@@ -17,21 +17,12 @@
 #include "bench/accuracy.hpp"
 #include "bench/golden.hpp"
 #include "bench/queries.hpp"
+#include "support/scalars.hpp"
 
 namespace detent::bench {
 
 template <class S>
-inline const std::string scalar_name = "float";
-template <>
-inline const std::string scalar_name<double> = "double";
-template <>
-inline const std::string scalar_name<q16_16> = "q16_16";
-template <>
-inline const std::string scalar_name<q14_16> = "q14_16";
-template <>
-inline const std::string scalar_name<q24_8> = "q24_8";
-template <>
-inline const std::string scalar_name<q8_8> = "q8_8";
+inline const std::string scalar_name{support::scalar_name<S>};
 
 /// Double in hardware: the baseline of operations without a counterpart in float.
 inline const std::string hardware = "double in hardware";
@@ -161,10 +152,7 @@ class Suite {
     };
     add_scalar(float());
     add_scalar(double());
-    add_scalar(q16_16());
-    add_scalar(q14_16());
-    add_scalar(q24_8());
-    add_scalar(q8_8());
+    support::for_each_scalar(support::FixedScalars(), add_scalar);
   }
 
   /// Adds a function, ours or another library's, under the names of a query and a scalar.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "detent/number/scalar.hpp"
+#include "support/scalars.hpp"
 
 namespace detent::test {
 
@@ -18,13 +19,11 @@ struct Space {
 /// Everyday runs use the widest and the narrowest scalar, one in each dimension; DETENT_TEST_ALL
 /// uses every scalar in both.
 #if DETENT_TEST_ALL
-#define DETENT_FIXED_SCALARS detent::q16_16, detent::q14_16, detent::q24_8, detent::q8_8
+#define DETENT_FIXED_SCALARS DETENT_EACH_FIXED_SCALAR(DETENT_SCALAR_TYPE)
 #define DETENT_EVERY_SCALAR DETENT_FIXED_SCALARS, float, double
-#define DETENT_FIXED_SPACES                                                               \
-  (detent::test::Space<detent::q16_16, 3>), (detent::test::Space<detent::q16_16, 2>),     \
-      (detent::test::Space<detent::q14_16, 3>), (detent::test::Space<detent::q14_16, 2>), \
-      (detent::test::Space<detent::q24_8, 3>), (detent::test::Space<detent::q24_8, 2>),   \
-      (detent::test::Space<detent::q8_8, 3>), (detent::test::Space<detent::q8_8, 2>)
+#define DETENT_SPACES_OF(name) \
+  (detent::test::Space<detent::name, 3>), (detent::test::Space<detent::name, 2>)
+#define DETENT_FIXED_SPACES DETENT_EACH_FIXED_SCALAR(DETENT_SPACES_OF)
 #define DETENT_EVERY_SPACE                                                               \
   DETENT_FIXED_SPACES, (detent::test::Space<float, 3>), (detent::test::Space<float, 2>), \
       (detent::test::Space<double, 3>), (detent::test::Space<double, 2>)

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "size/queries.hpp"
+#include "support/scalars.hpp"
 
 namespace detent::size {
 namespace {
@@ -53,12 +54,11 @@ bool write(const std::string& group, std::FILE* file, std::uint64_t seed) {
 
 bool write(const std::string& scalar, const std::string& group, std::FILE* file,
            std::uint64_t seed) {
-  if (scalar == "float") return write<float>(group, file, seed);
-  if (scalar == "q16_16") return write<q16_16>(group, file, seed);
-  if (scalar == "q14_16") return write<q14_16>(group, file, seed);
-  if (scalar == "q24_8") return write<q24_8>(group, file, seed);
-  if (scalar == "q8_8") return write<q8_8>(group, file, seed);
-  return false;
+  bool is_known = false;
+  support::for_each_scalar(support::AllScalars(), [&]<Scalar S>(S) {
+    if (scalar == support::scalar_name<S>) is_known = write<S>(group, file, seed);
+  });
+  return is_known;
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ void ask_points(Verdict& verdict, const std::vector<Shape>& shapes,
   for (const auto& shape : shapes) {
     for (const auto& point : points) {
       const auto truth = oracle::nearest(shape, point);
-      verdict.count(truth && oracle::is_within(*truth, 0));
+      verdict.count(oracle::is_within(truth, 0));
       verdict.judge(oracle::point_mistakes(shape, point, truth, tolerances),
                     [&] { return oracle::describe(shape) + "; point " + oracle::describe(point); });
     }
