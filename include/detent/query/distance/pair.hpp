@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 
 #include "detent/query/distance/aabb.hpp"
@@ -95,6 +96,16 @@ template <Scalar S, int N>
                   square(b.normal[i]) * squared_length(a.normal)};
 }
 
+/// The squared distance of two boxes, which have a gap or none along each axis.
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto squared_gap_of_boxes(const Aabb<S, N>& a,
+                                                  const Aabb<S, N>& b) noexcept {
+  using Gap = decltype(S() - S());
+  return squared_length(make_vec<N>([&](int i) {
+    return (std::max)({Gap(), Gap(a.min[i] - b.max[i]), Gap(b.min[i] - a.max[i])});
+  }));
+}
+
 /// The squared distance from a box to a segment, in the frame of the box, which is its slabs.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto squared_gap_in_frame(const Obb<S, N>& box,
@@ -124,6 +135,8 @@ template <class A, class B>
     return squared_gap_to_body(a, body_of(b));
   } else if constexpr (is_kind<A, Obb> && is_kind<B, Segment>) {
     return squared_gap_in_frame(a, b);
+  } else if constexpr (is_kind<A, Aabb> && is_kind<B, Aabb>) {
+    return squared_gap_of_boxes(a, b);
   } else {
     return squared_distance_between(body_of(a), body_of(b));
   }
