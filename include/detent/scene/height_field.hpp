@@ -13,6 +13,7 @@
 #include "detent/scene/height_field/walk.hpp"
 #include "detent/scene/mesh/closest_point.hpp"
 #include "detent/scene/mesh/contains.hpp"
+#include "detent/scene/mesh/distance.hpp"
 #include "detent/scene/mesh/overlaps.hpp"
 #include "detent/scene/mesh/pairs.hpp"
 #include "detent/scene/mesh/raycast.hpp"

@@ -17,6 +17,7 @@
 #include "detent/scene/mesh/asset.hpp"
 #include "detent/scene/mesh/closest_point.hpp"
 #include "detent/scene/mesh/contains.hpp"
+#include "detent/scene/mesh/distance.hpp"
 #include "detent/scene/mesh/instance.hpp"
 #include "detent/scene/mesh/mesh.hpp"
 #include "detent/scene/mesh/overlaps.hpp"

@@ -23,10 +23,12 @@ inline constexpr bool is_kind = false;
 template <template <class, int> class Shape, class S, int N>
 inline constexpr bool is_kind<Shape<S, N>, Shape> = true;
 
+template <class T>
+concept HasDistances = (IsShape<T> || IsSegment<T>)&&is_convex<T>;
 template <class A, class B>
-concept HaveDistance = (IsShape<A> || IsSegment<A>)&&(
-    IsShape<B> ||
-    IsSegment<B>)&&std::is_same_v<typename PointOf<A>::type, typename PointOf<B>::type>;
+concept HaveDistance =
+    HasDistances<A> && HasDistances<B> && std::is_same_v < typename PointOf<A>::type,
+typename PointOf<B>::type > ;
 
 // A shape is all points within its radius of its core: a sphere's center, a capsule's axis, or the
 // shape itself.

@@ -48,6 +48,10 @@ inline constexpr Argument argument<ConvexHull<S, N>> = Argument::shape;
 template <Scalar S>
 inline constexpr Argument argument<Frustum<S>> = Argument::shape;
 
+/// Whether an argument is convex; surfaces of triangles are not.
+template <class T>
+inline constexpr bool is_convex = argument<T> != Argument::none;
+
 /// The point type of an argument.
 template <class T>
 struct PointOf;

@@ -55,6 +55,9 @@ requires is_surface<Surface>
 inline constexpr Argument argument<Surface<S>> = Argument::shape;
 template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
+inline constexpr bool is_convex<Surface<S>> = false;
+template <template <class> class Surface, Scalar S>
+requires is_surface<Surface>
 struct PointOf<Surface<S>> {
   using type = Vec<S, 3>;
 };
