@@ -150,10 +150,15 @@ struct Snapshots {
   using Groups = List<SceneRecords>;
 };
 
+struct Sights {
+  static constexpr std::string_view name = "Sights";
+  using Groups = List<Views>;
+};
+
 using Parts = List<SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints, FlatPoints, LinePoints,
                    SphereOverlaps, AabbOverlaps, ObbOverlaps, FlatOverlaps, Intersections, Hulls,
                    HullOverlaps, HullMeetings, Turns, Arithmetic, Moves, Extents, MeshAnswers,
-                   FieldAnswers, SceneAnswers, SceneContacts, Snapshots>;
+                   FieldAnswers, SceneAnswers, SceneContacts, Snapshots, Sights>;
 
 namespace detail {
 

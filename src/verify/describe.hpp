@@ -71,6 +71,15 @@ template <Scalar S, int N>
 std::string words(const Sphere<S, N>& sphere) {
   return words(sphere.center) + ", radius " + words(sphere.radius);
 }
+template <Number T, Scalar S>
+std::string words(const ScreenPoint<T, S>& point) {
+  return "x " + words(point.x) + ", y " + words(point.y) + ", depth " + words(point.depth);
+}
+template <Scalar S, int N>
+std::string words(const Ray<S, N>& ray) {
+  return "origin " + words(ray.origin) + ", direction " + words(ray.direction) + ", max_distance " +
+         words(ray.max_distance);
+}
 template <Scalar S>
 std::string words(const MeshHit<S>& hit) {
   return "triangle " + std::to_string(hit.index) + " at " + words(hit.distance);
@@ -247,6 +256,21 @@ Fields fields_of(const LensCase<S, N>& c) {
           {"aspect", words(c.aspect)},
           {"near_distance", words(c.near_distance)},
           {"far_distance", words(c.far_distance)}};
+}
+template <Scalar S, int N>
+Fields fields_of(const ViewCase<S, N>& c) {
+  return {{"pose", words(c.pose)},
+          {"perspective", words(c.narrows)},
+          {"fov", words(c.fov)},
+          {"aspect, or half width", words(c.width)},
+          {"half height", words(c.height)},
+          {"near_distance", words(c.near_distance)},
+          {"far_distance", words(c.far_distance)},
+          {"point", words(c.point)},
+          {"x", words(c.x)},
+          {"y", words(c.y)},
+          {"depth", words(c.depth)},
+          {"box", words(c.box)}};
 }
 template <Scalar S, int N>
 Fields fields_of(const VectorsCase<S, N>& c) {

@@ -96,6 +96,22 @@ LensCase<F, N> in_float(const LensCase<S, N>& c) {
           converted<F>(c.far_distance)};
 }
 template <class F, Scalar S, int N>
+ViewCase<F, N> in_float(const ViewCase<S, N>& c) {
+  return {
+      {converted<F>(c.pose.translation), converted<F>(c.pose.rotation), converted<F>(c.pose.scale)},
+      c.narrows,
+      converted<F>(c.fov),
+      converted<F>(c.width),
+      converted<F>(c.height),
+      converted<F>(c.near_distance),
+      converted<F>(c.far_distance),
+      converted<F>(c.point),
+      converted<F>(c.x),
+      converted<F>(c.y),
+      converted<F>(c.depth),
+      converted<F>(c.box)};
+}
+template <class F, Scalar S, int N>
 VectorsCase<F, N> in_float(const VectorsCase<S, N>& c) {
   return {converted<F>(c.u), converted<F>(c.v), converted<F>(c.normal), converted<F>(c.t)};
 }

@@ -12,7 +12,7 @@ namespace detent::verify::golden {
 
 inline constexpr int results_version = 2;
 
-inline constexpr std::array<std::uint64_t, 1200> full{
+inline constexpr std::array<std::uint64_t, 1220> full{
     0x97ae3c39ec4fd127u, 0x117e9eac14b96f24u, 0x0268b959be17a001u, 0x3b2f10e93b59eb5bu,
     0x16beca3a93e07cecu, 0xbff2d97703cca403u, 0xa422a1749b6337dau, 0x858521be50ba99bbu,
     0xfbbf9b048e41645cu, 0x2e89f89bc2559801u, 0xd4626146231a0f9fu, 0xfe5012d8667d6780u,
@@ -312,9 +312,14 @@ inline constexpr std::array<std::uint64_t, 1200> full{
     0x7e669dbdd8a033a4u, 0xf49b0ef7f2574b7fu, 0x158fbe9879c81cf0u, 0x1b8be0db50ff0db8u,
     0x052651b7434e70e2u, 0x5272e4c0d279aed4u, 0x98204282f8ecd0bbu, 0x4063b55295644b6fu,
     0x2c42e21d00a1736cu, 0xad9bde24b73cefb0u, 0xd355bcdc75c66c8au, 0xcdcb272cf8dbe1acu,
-    0x3bd01540e4c57ddfu, 0xd2c39cf29ba9a5f5u, 0xb006a17af0609868u, 0x4f6100a58bfcbf3fu,};
+    0x3bd01540e4c57ddfu, 0xd2c39cf29ba9a5f5u, 0xb006a17af0609868u, 0x4f6100a58bfcbf3fu,
+    0xc2ea3e9e823d15b8u, 0x3287ebd6af78eca5u, 0x6126f9eae47620e0u, 0xbabdcf1a286ee049u,
+    0x3a2438dcebfcf77au, 0x0886a99b2c8f2f0du, 0xcea81471670007ecu, 0xa81611a41dd4f57bu,
+    0xfaeaa10d75d591e9u, 0x4b4ae5a37eacd242u, 0x7dcd090c455f2314u, 0x76db4e553d651f86u,
+    0x7fd138081d9d315fu, 0x77a27efc40ed4ec3u, 0x46d600177ce2ba68u, 0x28c7ba7e17125b91u,
+    0x8f4360948d97c7b1u, 0x89440bdaf8878024u, 0x7389824d7f4f87acu, 0x603969d5a22a36aeu,};
 
-inline constexpr std::array<std::uint64_t, 1200> small{
+inline constexpr std::array<std::uint64_t, 1220> small{
     0x6a508b1352a203c5u, 0xab982a9cccbec08du, 0x92592ef254b60b60u, 0x7d5325eee9de80b9u,
     0x077060a270c20f04u, 0xe0dcfbcb76a2ebc9u, 0x5fbe626dafbb6d5cu, 0xfd70028b42642aceu,
     0xd2aa0f0f4747260du, 0x34d5682aab0ad0b3u, 0xd088fbe32274c866u, 0xaca42b96d686f2c3u,
@@ -614,9 +619,14 @@ inline constexpr std::array<std::uint64_t, 1200> small{
     0x3f9c10688c4c8160u, 0xd9d86887f37bb12bu, 0xfc9f298ab1dcdf92u, 0xbd0118c3d34fa402u,
     0x4ea113b23a91684fu, 0x4c7d3cb846d79d9bu, 0x149507611aa99a28u, 0x0ac3860e9940d906u,
     0x5886d6bd337db347u, 0x01184686a46e1809u, 0x0fe47678eecb48f4u, 0x3629991615aa6a52u,
-    0xbedaf0726a4b5f9bu, 0xb71515439dc858bbu, 0x04872b92818984cbu, 0xada951268646408bu,};
+    0xbedaf0726a4b5f9bu, 0xb71515439dc858bbu, 0x04872b92818984cbu, 0xada951268646408bu,
+    0x14b850680dcffa9cu, 0x9aaba41ffa2da101u, 0x3505aee17200cb39u, 0x9aaba41ffa2da101u,
+    0x806673e65c285a85u, 0x628a035717b121c7u, 0x07fb88eb4c7f619au, 0xb33df50b4c26475du,
+    0x049b2fa9917b7cdau, 0x5fc56a57a3fb57efu, 0xc87bb1a6c45a2311u, 0x6265237dcb27ff05u,
+    0xd7b2d78967003876u, 0x9a730302c41b3d7du, 0x0f586abdcb0c8c15u, 0x3d73652a6c52fce9u,
+    0x4865a00ba85b7cd6u, 0x52fc4823a13c997au, 0x4865a00ba85b7cd6u, 0xdd8f621dbf7f57f1u,};
 
-inline constexpr std::array<std::uint64_t, 1200> constant{
+inline constexpr std::array<std::uint64_t, 1220> constant{
     0x37b03ed6ca8838feu, 0x31886f2e7daf8ca4u, 0x31886f2e7daf8ca4u, 0xa98d17e89491ad47u,
     0x1c7d9551a5a5e6d9u, 0x6a326aea128c70adu, 0x2f3bcf22fa9dde67u, 0x3c7036a01f2b1cd2u,
     0xfa83f2e44ac50c40u, 0x31886f2e7daf8ca4u, 0x31886f2e7daf8ca4u, 0x9a46568bf739527eu,
@@ -916,10 +926,15 @@ inline constexpr std::array<std::uint64_t, 1200> constant{
     0x64d0abb05d8db0c6u, 0x532a92b0e930b25cu, 0xf9a678a2fc6cb4fau, 0x01beea115536e059u,
     0xf2f17e5917f45f9du, 0xa76a242c22db6822u, 0xb7309ad1ee1cd805u, 0x64b87a4817d2caefu,
     0x28659a9504bfe7ccu, 0x18cf0539420c76e4u, 0xa59bb08ad2f02d9du, 0xb4df53e9e1f6673fu,
-    0xd42f3e3b1e1285cau, 0xe595daef41e997fcu, 0x78ffe72f5265396au, 0x91cb95b8bfc98f68u,};
+    0xd42f3e3b1e1285cau, 0xe595daef41e997fcu, 0x78ffe72f5265396au, 0x91cb95b8bfc98f68u,
+    0xa072d1972897c0cfu, 0xe934a84adb052768u, 0x5b550b7902912e22u, 0xe934a84adb052768u,
+    0x7fabadf2a50fbf3au, 0x6b2623f24c9d4878u, 0x5021533fa5821e34u, 0x3befd2d84af16050u,
+    0x3f6ed5ccdf22cc2bu, 0x450e56bde9dd30fdu, 0x9cd702b6cef5473fu, 0xb8fca1b4bcc526dfu,
+    0x050e0bc16b73c5eau, 0x15589c1e4dbce658u, 0x9598be39bc7c8adbu, 0xdb7c7c5b2d800444u,
+    0xe934a84adb052768u, 0x8a4127811b21e730u, 0xe934a84adb052768u, 0x8a4127811b21e730u,};
 
 // Of the questions themselves.
-inline constexpr std::array<std::uint64_t, 560> questions{
+inline constexpr std::array<std::uint64_t, 564> questions{
     0xd6e495fc0ca9f931u, 0xabf233a9b0f071eau, 0x1d2ee6ed9e68766eu, 0xb632ac25ead4788bu,
     0x454afac212e2924eu, 0x717aaf5a060d4d20u, 0x03ba1ae0610ec5f6u, 0xbd7c0c78fd1b76efu,
     0xd0ba0259ce286d04u, 0x387096d6c14e587eu, 0x2722f861fc29ceafu, 0x4c073e8a3dcc8a5bu,
@@ -1059,6 +1074,7 @@ inline constexpr std::array<std::uint64_t, 560> questions{
     0xc04a8604b2a3cd08u, 0x4829d4e4cbbebb57u, 0x79039a690edb95b7u, 0x0518752000d0c147u,
     0xa3fc444d1dadced8u, 0xf75c4ae23a30f4a0u, 0x0a519ee572f99330u, 0x8f3b55b2e5b7e4b9u,
     0x0da1c9b5ad035290u, 0x0dfcdc5ba5fc5e47u, 0x4cc521e13fbb14e7u, 0xe48b4054af691cebu,
-    0x74229d03782a26b9u, 0xf439b862b9cd9c7au, 0xb5c8d891244c2b7au, 0x4a60f5201956f51au,};
+    0x74229d03782a26b9u, 0xf439b862b9cd9c7au, 0xb5c8d891244c2b7au, 0x4a60f5201956f51au,
+    0x22689301c6d5994au, 0xb0ac800c03a33dcdu, 0x6d7daee18e29bc23u, 0x1e8e403df90d1e1eu,};
 
 }  // namespace detent::verify::golden

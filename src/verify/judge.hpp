@@ -13,3 +13,4 @@
 #include "verify/judge/rotations.hpp"
 #include "verify/judge/scenes.hpp"
 #include "verify/judge/sizes.hpp"
+#include "verify/judge/views.hpp"

@@ -19,3 +19,4 @@
 #include "verify/questions/rotations.hpp"
 #include "verify/questions/scenes.hpp"
 #include "verify/questions/sizes.hpp"
+#include "verify/questions/views.hpp"

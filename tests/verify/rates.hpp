@@ -39,8 +39,8 @@ inline bool asks_yes_or_no(std::string_view row) {
   for (const std::string_view query :
        {"raycast", "contains/", "on/", "overlaps/", "intersects/", "mesh/raycast_nearest",
         "mesh/raycast_any", "mesh/raycast_hit", "mesh/overlaps/", "mesh/intersects",
-        "height_field/raycast_nearest", "height_field/overlaps/", "scene/nearest/ray",
-        "scene/any/"}) {
+        "height_field/raycast_nearest", "height_field/overlaps/", "scene/nearest/ray", "scene/any/",
+        "camera/project", "frustum/overlaps"}) {
     if (row.starts_with(query)) return true;
   }
   return false;

@@ -2,5 +2,5 @@
 #include "rates.hpp"
 
 std::size_t detent::verify::rates_of_numbers() {
-  return check_rates<Turns, Arithmetic, Moves, Extents>();
+  return check_rates<Turns, Arithmetic, Moves, Extents, Sights>();
 }
