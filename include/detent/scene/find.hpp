@@ -33,7 +33,7 @@ class Finder {
                                const Visit& visit) const {
     if constexpr (is_question<SceneRegion<Question, S, N>>()) {
       const auto box = quantized_box(question);
-      visit_trees<VisitMeeting>(box, [&](Index i) {
+      visit_trees<job::VisitMeeting>(box, [&](Index i) {
         const bool is_met = filter(store_.info(i)) && store_[i].shape.visit([&](const auto& shape) {
           return meets(question, shape);
         });
@@ -63,10 +63,10 @@ class Finder {
     if (ray.max_distance < 0) return;
     RayProbe<S, N> probe(ray);
     S limit = ray.max_distance;
-    visit_trees<VisitNearest>(probe, [&](Index i) {
+    visit_trees<job::VisitNearest>(probe, [&](Index i) {
       if (!filter(store_.info(i))) return Walk::go_on;
-      const auto distance =
-          store_[i].shape.visit([&](const auto& shape) { return separately<Raycast>(ray, shape); });
+      const auto distance = store_[i].shape.visit(
+          [&](const auto& shape) { return separately<job::Raycast>(ray, shape); });
       if (!distance) return Walk::go_on;
       const Walk walk = visit(Found<S>{*distance, store_.info(i).id}, limit);
       probe.shorten(limit);
@@ -80,7 +80,7 @@ class Finder {
                              const Visit& visit) const {
     PointProbe<S, N> probe(point);
     S limit = largest<S>;
-    visit_trees<VisitNearest>(probe, [&](Index i) {
+    visit_trees<job::VisitNearest>(probe, [&](Index i) {
       if (!filter(store_.info(i))) return Walk::go_on;
       const Walk walk = visit(found_at(i, point), limit);
       probe.shorten(limit);
@@ -116,7 +116,7 @@ class Finder {
           result.triangle = first->hit.index;
         }
       } else {
-        take(separately<RaycastHit>(ray, shape));
+        take(separately<job::RaycastHit>(ray, shape));
       }
       return result;
     });
@@ -128,7 +128,8 @@ class Finder {
     const auto ask = [&](Index i, Index j) {
       if (!filter(store_.info(i), store_.info(j))) return;
       const bool meet = store_[i].shape.visit([&](const auto& a) {
-        return store_[j].shape.visit([&](const auto& b) { return separately<Overlaps>(a, b); });
+        return store_[j].shape.visit(
+            [&](const auto& b) { return separately<job::Overlaps>(a, b); });
       });
       if (meet) add(Overlap{store_.info(i).id, store_.info(j).id});
     };
@@ -145,10 +146,10 @@ class Finder {
     const auto& moving = store_.tree(Motion::moving);
     const auto& fixed = store_.tree(Motion::fixed);
     if (__builtin_is_constant_evaluated()) {
-      VisitPairs()(moving, fixed, visit);
+      job::VisitPairs()(moving, fixed, visit);
     } else {
       const PairVisitor visitor(visit);
-      separately<VisitPairs>(moving, fixed, visitor);
+      separately<job::VisitPairs>(moving, fixed, visitor);
     }
     for (std::size_t i = 0; i < (std::min)(count, waiting.size()); ++i) {
       ask(waiting[i].first, waiting[i].second);
@@ -173,7 +174,7 @@ class Finder {
 
   constexpr Found<S> found_at(std::size_t i, const Vec<S, N>& point) const noexcept {
     return {store_[i].shape.visit(
-                [&](const auto& shape) { return separately<Distance>(shape, point); }),
+                [&](const auto& shape) { return separately<job::Distance>(shape, point); }),
             store_.info(i).id};
   }
 

@@ -20,15 +20,15 @@ namespace detail {
 
 template <class Shape, Scalar S, int N>
 [[nodiscard]] constexpr bool meets(const Vec<S, N>& point, const Shape& shape) noexcept {
-  return separately<Contains>(shape, point);
+  return separately<job::Contains>(shape, point);
 }
 template <class Shape, Scalar S, int N>
 [[nodiscard]] constexpr bool meets(const Segment<S, N>& segment, const Shape& shape) noexcept {
-  return separately<Intersects>(segment, shape);
+  return separately<job::Intersects>(segment, shape);
 }
 template <class Question, class Shape>
 [[nodiscard]] constexpr bool meets(const Question& question, const Shape& shape) noexcept {
-  return separately<Overlaps>(question, shape);
+  return separately<job::Overlaps>(question, shape);
 }
 
 template <Scalar S, int N>

@@ -51,6 +51,9 @@ class FunctionRef {
 using ObjectVisitor = FunctionRef<Walk, std::uint32_t>;
 using PairVisitor = FunctionRef<void, std::uint32_t, std::uint32_t>;
 
+/// Function objects, in a namespace of their own because kernels use the same names.
+namespace job {
+
 struct Raycast {
   template <Scalar S, int N, class Shape>
   [[nodiscard]] constexpr std::optional<S> operator()(const Ray<S, N>& ray,
@@ -154,5 +157,7 @@ struct VisitPairs {
     if (!other.is_empty()) visit_pairs_below(tree, tree.root(), other, other.root(), visit);
   }
 };
+
+}  // namespace job
 
 }  // namespace detent::detail

@@ -220,7 +220,7 @@ constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<cons
     in.get(transform);
     store.frames().set({frame.index, frame.generation}, transform, frame.parent);
   }
-  separately<PlaceFrames>(store.frames());
+  separately<job::PlaceFrames>(store.frames());
   std::size_t first = 0;
   const auto remove_until = [&](std::size_t end) {
     for (auto i = store.next_moving(first); i < end; i = store.next_moving(i + 1)) {

@@ -83,7 +83,7 @@ class Store {
     const Record& record = records_[i];
     out.add(static_cast<std::uint32_t>(i), record.generation, record.layers, record.user,
             frame_of(record));
-    local_shape(record).visit([&](const auto& shape) { separately<Describe>(out, shape); });
+    local_shape(record).visit([&](const auto& shape) { separately<job::Describe>(out, shape); });
   }
   /// Identifies the set of fixed objects: the sum of their digests.
   [[nodiscard]] constexpr std::uint64_t fixed_digest() const noexcept { return fixed_digest_; }
@@ -182,7 +182,7 @@ class Store {
   }
 
   constexpr void move_frame(const std::uint32_t& i, const Transform<S, N>& transform) {
-    separately<MoveFrame>(frames_, i, transform);
+    separately<job::MoveFrame>(frames_, i, transform);
     for (std::size_t k = 0; k < attachments_.size(); ++k) {
       if (frames_.has_moved(attachments_[k].frame)) {
         const auto local = attachments_[k].local;
@@ -204,8 +204,8 @@ class Store {
   constexpr void end_bulk() noexcept { moving_.end_bulk(); }
 
   constexpr void rebuild() {
-    separately<Rebuild>(moving_);
-    separately<Rebuild>(fixed_);
+    separately<job::Rebuild>(moving_);
+    separately<job::Rebuild>(fixed_);
   }
 
   /// Leaves the store as if nothing had ever been added.
@@ -235,7 +235,7 @@ class Store {
   }
 
   constexpr void set_box(const std::uint32_t& i, const Box& box) {
-    separately<SetBox>(records_[i].motion == Motion::moving ? moving_ : fixed_, i, box);
+    separately<job::SetBox>(records_[i].motion == Motion::moving ? moving_ : fixed_, i, box);
   }
 
   constexpr void count_in(std::uint32_t i) noexcept {
@@ -267,8 +267,8 @@ class Store {
 
   constexpr void place(const Attachment& attachment) noexcept {
     const auto& world = frames_[attachment.frame].world;
-    records_[attachment.object].shape =
-        attachment.local.visit([&](const auto& s) { return Shape(separately<Place>(world, s)); });
+    records_[attachment.object].shape = attachment.local.visit(
+        [&](const auto& s) { return Shape(separately<job::Place>(world, s)); });
   }
 
   constexpr void attach(std::uint32_t i, std::uint32_t frame) {
