@@ -25,4 +25,6 @@
 
 #include "detent/version.hpp"
 
-#undef DETENT_INLINE_WHEN_SHORT  // for number/ alone
+// For the headers alone.
+#undef DETENT_INLINE_TINY
+#undef DETENT_INLINE_WHEN_SHORT

@@ -54,11 +54,12 @@ class RayProbe {
     exits.fill(limit_);
     for (std::size_t axis = 0; axis < slabs_.size(); ++axis) {
       const auto& slab = slabs_[axis];
-      const auto& front = slab.is_backward() ? node.high[axis] : node.low[axis];
-      const auto& back = slab.is_backward() ? node.low[axis] : node.high[axis];
+      const auto* const front = (slab.is_backward() ? node.high : node.low)[axis].data();
+      const auto* const back = (slab.is_backward() ? node.low : node.high)[axis].data();
+      auto *const enter = keys.data(), *const leave = exits.data();
       for (std::size_t i = 0; i < width; ++i) {
-        keys[i] = (std::max)(keys[i], slab.enter(front[i]));
-        exits[i] = (std::min)(exits[i], slab.leave(back[i]));
+        enter[i] = (std::max)(enter[i], slab.enter(front[i]));
+        leave[i] = (std::min)(leave[i], slab.leave(back[i]));
       }
     }
     typename TreeNode<S, N>::Mask mask = 0;

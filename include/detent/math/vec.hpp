@@ -22,8 +22,12 @@ template <Number T>
 struct Vec<T, 2> {
   T x{}, y{};
 
-  [[nodiscard]] constexpr T& operator[](int i) noexcept { return i == 0 ? x : y; }
-  [[nodiscard]] constexpr const T& operator[](int i) const noexcept { return i == 0 ? x : y; }
+  [[nodiscard]] DETENT_INLINE_TINY constexpr T& operator[](int i) noexcept {
+    return i == 0 ? x : y;
+  }
+  [[nodiscard]] DETENT_INLINE_TINY constexpr const T& operator[](int i) const noexcept {
+    return i == 0 ? x : y;
+  }
   [[nodiscard]] friend constexpr bool operator==(const Vec&, const Vec&) noexcept = default;
 };
 
@@ -31,8 +35,10 @@ template <Number T>
 struct Vec<T, 3> {
   T x{}, y{}, z{};
 
-  [[nodiscard]] constexpr T& operator[](int i) noexcept { return i == 0 ? x : i == 1 ? y : z; }
-  [[nodiscard]] constexpr const T& operator[](int i) const noexcept {
+  [[nodiscard]] DETENT_INLINE_TINY constexpr T& operator[](int i) noexcept {
+    return i == 0 ? x : i == 1 ? y : z;
+  }
+  [[nodiscard]] DETENT_INLINE_TINY constexpr const T& operator[](int i) const noexcept {
     return i == 0 ? x : i == 1 ? y : z;
   }
   [[nodiscard]] friend constexpr bool operator==(const Vec&, const Vec&) noexcept = default;
@@ -42,10 +48,10 @@ template <Number T>
 struct Vec<T, 4> {
   T x{}, y{}, z{}, w{};
 
-  [[nodiscard]] constexpr T& operator[](int i) noexcept {
+  [[nodiscard]] DETENT_INLINE_TINY constexpr T& operator[](int i) noexcept {
     return i == 0 ? x : i == 1 ? y : i == 2 ? z : w;
   }
-  [[nodiscard]] constexpr const T& operator[](int i) const noexcept {
+  [[nodiscard]] DETENT_INLINE_TINY constexpr const T& operator[](int i) const noexcept {
     return i == 0 ? x : i == 1 ? y : i == 2 ? z : w;
   }
   [[nodiscard]] friend constexpr bool operator==(const Vec&, const Vec&) noexcept = default;

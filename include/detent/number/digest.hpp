@@ -103,8 +103,8 @@ class Digest {
   std::uint64_t seed_;
   std::uint64_t length_ = 0;   // bytes added
   std::uint64_t partial_ = 0;  // the last length_ % 8 of them
-  std::array<std::uint64_t, 4> stripe_{};
-  std::array<std::uint64_t, 4> lanes_;
+  std::uint64_t stripe_[4] = {};
+  std::uint64_t lanes_[4];
 };
 
 /// An integer contributes the bytes of its own type. For a digest that two platforms share, name a

@@ -99,7 +99,7 @@ class Fixed {
   static constexpr int bits = Bits;
   static constexpr int frac = Frac;
 
-  constexpr Fixed() noexcept = default;
+  DETENT_INLINE_TINY constexpr Fixed() noexcept = default;
 
   /// The integer `value`, which must be in [lowest(), max()]; `saturate_to<T>(n)` clamps others.
   ///
@@ -113,8 +113,8 @@ class Fixed {
 
   /// The same number in a type that holds every number of the old one.
   template <int B, int F>
-  requires detail::KeepsEveryNumber<B, F, Bits, Frac>
-  constexpr Fixed(const Fixed<B, F>& other) noexcept
+  requires detail::KeepsEveryNumber<B, F, Bits, Frac> DETENT_INLINE_TINY constexpr Fixed(
+      const Fixed<B, F>& other) noexcept
       : raw_(shift_left(integer_cast<raw_type>(other.raw()), Frac - F)) {}
 
   // Deleted: compilers show the line with the name.
@@ -127,7 +127,7 @@ class Fixed {
   // clang-format on
 
   /// The number with these raw bits, clamped to [lowest(), max()].
-  [[nodiscard]] static constexpr Fixed from_raw(raw_type raw) noexcept {
+  [[nodiscard]] DETENT_INLINE_TINY static constexpr Fixed from_raw(raw_type raw) noexcept {
     if constexpr (!detail::fills_container(Bits)) {
       if (raw > (max)().raw_) return (max)();
       if (raw < lowest().raw_) return lowest();
@@ -136,10 +136,8 @@ class Fixed {
   }
 
   /// The number with these raw bits, which the caller knows to be within the budget.
-  [[nodiscard]] static constexpr Fixed assume_raw(raw_type raw) noexcept {
-    DETENT_ASSERT(
-        detail::fills_container(Bits) ||
-        (raw >= lowest().raw_ && integer_cast<raw_type>(raw - raw_type(1)) <= (max)().raw_));
+  [[nodiscard]] DETENT_INLINE_TINY static constexpr Fixed assume_raw(raw_type raw) noexcept {
+    DETENT_ASSERT(is_in_budget(raw));
     return Fixed(raw, RawTag{});
   }
 
@@ -154,14 +152,14 @@ class Fixed {
   [[nodiscard]] explicit constexpr operator double() const noexcept;
 
   /// The integer that is stored: the number times 2^Frac.
-  [[nodiscard]] constexpr raw_type raw() const noexcept { return raw_; }
+  [[nodiscard]] DETENT_INLINE_TINY constexpr raw_type raw() const noexcept { return raw_; }
 
   /// The greatest number from outside: (2^Bits - 1) / 2^Frac.
-  [[nodiscard]] static constexpr Fixed(max)() noexcept {
+  [[nodiscard]] DETENT_INLINE_TINY static constexpr Fixed(max)() noexcept {
     return Fixed(wrapping_subtract<raw_type>(shift_left(raw_type(1), Bits), raw_type(1)), RawTag{});
   }
   /// The least number: -2^Bits / 2^Frac.
-  [[nodiscard]] static constexpr Fixed lowest() noexcept {
+  [[nodiscard]] DETENT_INLINE_TINY static constexpr Fixed lowest() noexcept {
     return Fixed(wrapping_subtract<raw_type>(raw_type(0), shift_left(raw_type(1), Bits)), RawTag{});
   }
 
@@ -178,7 +176,18 @@ class Fixed {
 
  private:
   struct RawTag {};
-  constexpr Fixed(raw_type raw, RawTag) noexcept : raw_(raw) {}
+  DETENT_INLINE_TINY constexpr Fixed(raw_type raw, RawTag) noexcept : raw_(raw) {}
+
+  static DETENT_INLINE_TINY constexpr bool is_in_budget(const raw_type& raw) noexcept {
+    if constexpr (detail::fills_container(Bits)) {
+      return true;
+    } else {
+      constexpr raw_type limit = shift_left(raw_type(1), Bits);
+      constexpr raw_type least = wrapping_subtract<raw_type>(raw_type(0), limit);
+      constexpr raw_type most = wrapping_subtract<raw_type>(limit, raw_type(1));
+      return raw >= least && integer_cast<raw_type>(raw - raw_type(1)) <= most;
+    }
+  }
 
   raw_type raw_ = raw_type(0);
 };
@@ -195,11 +204,11 @@ using q8_8 = Fixed<15, 8>;
 namespace detail {
 
 template <int B, int F>
-constexpr const Fixed<B, F>& as_fixed(const Fixed<B, F>& x) noexcept {
+DETENT_INLINE_TINY constexpr const Fixed<B, F>& as_fixed(const Fixed<B, F>& x) noexcept {
   return x;
 }
 template <std::integral Int>
-constexpr auto as_fixed(Int x) noexcept {
+DETENT_INLINE_TINY constexpr auto as_fixed(Int x) noexcept {
   using Whole = Fixed<integral_bits<Int>, 0>;
   return Whole::assume_raw(integer_cast<typename Whole::raw_type>(x));
 }
@@ -217,7 +226,7 @@ inline constexpr int sum_bits = result_bits((std::max)(aligned_bits<A, common_fr
                                                        aligned_bits<B, common_frac<A, B>>)+1);
 
 template <class Raw, int Frac, class A>
-constexpr Raw aligned_raw(const A& a) noexcept {
+DETENT_INLINE_TINY constexpr Raw aligned_raw(const A& a) noexcept {
   constexpr int shift = Frac - A::frac;
   if constexpr (shift > value_bits<Raw>) {
     return Raw(0);  // modulo the size of Raw

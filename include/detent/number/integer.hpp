@@ -64,7 +64,7 @@ inline constexpr int value_bits = static_cast<int>(sizeof(Int) * 8 - 1);
 
 /// `x` in another integer type: sign-extended, or its low bits.
 template <class To, class From>
-[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr To integer_cast(const From& x) noexcept {
+[[nodiscard]] DETENT_INLINE_TINY constexpr To integer_cast(const From& x) noexcept {
   if constexpr (std::is_same_v<To, From>) {
     return x;
   } else {
@@ -93,7 +93,7 @@ using unsigned_of_t = typename unsigned_of<Int>::type;
 /// a + b, a - b and a * b in the integer type `To`, modulo its size: correct whenever the exact
 /// result fits. The operands may be of any integer types.
 template <class To, class A, class B>
-[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr To wrapping_add(const A& a, const B& b) noexcept {
+[[nodiscard]] DETENT_INLINE_TINY constexpr To wrapping_add(const A& a, const B& b) noexcept {
   if constexpr (detail::is_wide<To>) {
     return integer_cast<To>(a) + integer_cast<To>(b);
   } else {
@@ -104,8 +104,7 @@ template <class To, class A, class B>
 }
 
 template <class To, class A, class B>
-[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr To wrapping_subtract(const A& a,
-                                                                      const B& b) noexcept {
+[[nodiscard]] DETENT_INLINE_TINY constexpr To wrapping_subtract(const A& a, const B& b) noexcept {
   if constexpr (detail::is_wide<To>) {
     return integer_cast<To>(a) - integer_cast<To>(b);
   } else {
@@ -116,8 +115,7 @@ template <class To, class A, class B>
 }
 
 template <class To, class A, class B>
-[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr To wrapping_multiply(const A& a,
-                                                                      const B& b) noexcept {
+[[nodiscard]] DETENT_INLINE_TINY constexpr To wrapping_multiply(const A& a, const B& b) noexcept {
   if constexpr (detail::is_wide<To>) {
     // Operands keep their own widths: shorter ones need fewer word products.
     constexpr int a_words = detail::words_of<A>, b_words = detail::words_of<B>;
@@ -154,7 +152,7 @@ template <class To, class A, class B>
 
 /// x * 2^count modulo the size of `Int`; `count` in [0, width of Int).
 template <class Int>
-[[nodiscard]] constexpr Int shift_left(const Int& x, int count) noexcept {
+[[nodiscard]] DETENT_INLINE_TINY constexpr Int shift_left(const Int& x, int count) noexcept {
   if constexpr (detail::is_wide<Int>) {
     return x << count;
   } else {
@@ -164,7 +162,7 @@ template <class Int>
 
 /// floor(x / 2^count) for any count >= 0.
 template <class Int>
-[[nodiscard]] constexpr Int shift_right_floor(const Int& x, int count) noexcept {
+[[nodiscard]] DETENT_INLINE_TINY constexpr Int shift_right_floor(const Int& x, int count) noexcept {
   constexpr int last = value_bits<Int>;
   return static_cast<Int>(x >> (count < last ? count : last));
 }
@@ -190,7 +188,7 @@ template <class Int>
 
 /// -1, 0 or 1.
 template <class Int>
-[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr int sign_of(const Int& x) noexcept {
+[[nodiscard]] DETENT_INLINE_TINY constexpr int sign_of(const Int& x) noexcept {
   if constexpr (detail::is_wide<Int>) {
     return x.is_negative() ? -1 : (x == Int(0) ? 0 : 1);
   } else {
@@ -200,7 +198,7 @@ template <class Int>
 
 /// Whether x < 0. GCC 12 does not reduce `sign_of(x) < 0` to this.
 template <class Int>
-[[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr bool is_negative(const Int& x) noexcept {
+[[nodiscard]] DETENT_INLINE_TINY constexpr bool is_negative(const Int& x) noexcept {
   if constexpr (detail::is_wide<Int>) {
     return x.is_negative();
   } else {

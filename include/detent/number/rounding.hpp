@@ -41,7 +41,7 @@ constexpr T clamp_root(std::uint64_t root) noexcept {
 /// Whether a `Fixed` of `Bits` bits can hold `raw`: |raw| <= 2^Bits, and its integer has a pattern
 /// for it.
 template <int Bits, class Int>
-constexpr bool is_within(const Int& raw) noexcept {
+DETENT_INLINE_TINY constexpr bool is_within(const Int& raw) noexcept {
   if constexpr (Bits <= 62 && value_bits<Int> <= 63) {  // one addition and one comparison
     constexpr auto limit = std::uint64_t{1} << Bits;
     constexpr auto highest = 2 * limit - (fills_container(Bits) ? 1 : 0);
@@ -193,7 +193,7 @@ template <int Bits, int Bits1, int Frac1, int Bits2, int Frac2>
 [[nodiscard]] DETENT_INLINE_WHEN_SHORT constexpr Fixed<Bits, Frac1 + Frac2> narrow_product(
     const Fixed<Bits1, Frac1>& a, const Fixed<Bits2, Frac2>& b) noexcept {
   using Raw = typename Fixed<Bits, Frac1 + Frac2>::raw_type;
-  DETENT_ASSERT(a * b == narrow<Bits>(a * b));
+  DETENT_ASSERT(detail::is_within<Bits>((a * b).raw()));
   return Fixed<Bits, Frac1 + Frac2>::assume_raw(wrapping_multiply<Raw>(a.raw(), b.raw()));
 }
 template <int Bits, int Bits1, int Frac1, int Bits2, int Frac2>
@@ -201,7 +201,7 @@ template <int Bits, int Bits1, int Frac1, int Bits2, int Frac2>
     const Fixed<Bits1, Frac1>& a, const Fixed<Bits2, Frac2>& b) noexcept {
   using Sum = Fixed<Bits, (std::max)(Frac1, Frac2)>;
   using Raw = typename Sum::raw_type;
-  DETENT_ASSERT(a + b == narrow<Bits>(a + b));
+  DETENT_ASSERT(detail::is_within<Bits>((a + b).raw()));
   return Sum::assume_raw(wrapping_add<Raw>(detail::aligned_raw<Raw, Sum::frac>(a),
                                            detail::aligned_raw<Raw, Sum::frac>(b)));
 }
@@ -210,7 +210,7 @@ template <int Bits, int Bits1, int Frac1, int Bits2, int Frac2>
     const Fixed<Bits1, Frac1>& a, const Fixed<Bits2, Frac2>& b) noexcept {
   using Difference = Fixed<Bits, (std::max)(Frac1, Frac2)>;
   using Raw = typename Difference::raw_type;
-  DETENT_ASSERT(a - b == narrow<Bits>(a - b));
+  DETENT_ASSERT(detail::is_within<Bits>((a - b).raw()));
   return Difference::assume_raw(
       wrapping_subtract<Raw>(detail::aligned_raw<Raw, Difference::frac>(a),
                              detail::aligned_raw<Raw, Difference::frac>(b)));

@@ -119,7 +119,9 @@ class Wide {
   }
 
   /// Word `i`, counted from the low end.
-  [[nodiscard]] constexpr std::uint64_t word(int i) const noexcept { return words_[index(i)]; }
+  [[nodiscard]] DETENT_INLINE_TINY constexpr std::uint64_t word(int i) const noexcept {
+    return words_[index(i)];
+  }
   [[nodiscard]] constexpr bool is_negative() const noexcept { return (words_.back() >> 63) != 0; }
 
   /// The low bits, as in a conversion between built-in integers.
@@ -222,7 +224,9 @@ class Wide {
   }
 
  private:
-  static constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
+  static DETENT_INLINE_TINY constexpr std::size_t index(int i) noexcept {
+    return static_cast<std::size_t>(i);
+  }
 
   constexpr void fill_from(int first, bool negative) noexcept {
     for (int i = first; i < Words; ++i) words_[index(i)] = negative ? ~std::uint64_t{0} : 0;

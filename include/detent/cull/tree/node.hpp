@@ -64,10 +64,11 @@ struct alignas(64) TreeNode {
   [[nodiscard]] constexpr Box bounds() const noexcept {
     Box result;
     for (std::size_t axis = 0; axis < low.size(); ++axis) {
-      auto least = low[axis][0], most = high[axis][0];
+      const auto *const lows = low[axis].data(), *const highs = high[axis].data();
+      auto least = lows[0], most = highs[0];
       for (std::size_t i = 1; i < width; ++i) {
-        least = (std::min)(least, low[axis][i]);
-        most = (std::max)(most, high[axis][i]);
+        least = lows[i] < least ? lows[i] : least;
+        most = highs[i] > most ? highs[i] : most;
       }
       result.low[axis] = least;
       result.high[axis] = most;
@@ -78,11 +79,12 @@ struct alignas(64) TreeNode {
   /// Which boxes overlap `box`.
   [[nodiscard]] constexpr Mask meeting(const Box& box) const noexcept {
     // All ones where two boxes are disjoint: loops that compilers vectorise.
-    std::array<std::int32_t, width> apart{};
+    std::int32_t apart[width] = {};
     for (std::size_t axis = 0; axis < low.size(); ++axis) {
       const auto least = box.low[axis], most = box.high[axis];
+      const auto *const lows = low[axis].data(), *const highs = high[axis].data();
       for (std::size_t i = 0; i < width; ++i) {
-        apart[i] |= (low[axis][i] > most ? -1 : 0) | (high[axis][i] < least ? -1 : 0);
+        apart[i] |= (lows[i] > most ? -1 : 0) | (highs[i] < least ? -1 : 0);
       }
     }
     std::int32_t together = 0;
