@@ -27,6 +27,7 @@
 
 #include "decode.hpp"
 #include "detent/query/query.hpp"
+#include "support/shapes.hpp"
 #include "traced.hpp"
 
 namespace detent::fuzz {
@@ -70,29 +71,13 @@ class Converter {
       return Direction<T, N>::assume_unit(make_vec<N>([&](int i) { return number<T>(d[i]); }));
     }
   }
-  Sphere<T, N> operator()(const Sphere<q16_16, N>& x) const {
-    return {(*this)(x.center), number<T>(x.radius)};
+  T operator()(const q16_16& x) const { return number<T>(x); }
+  Rotation<T, N> operator()(const Rotation<q16_16, N>& rotation) const {
+    return support::mapped_axes<T>(rotation, *this);
   }
-  Aabb<T, N> operator()(const Aabb<q16_16, N>& x) const { return {(*this)(x.min), (*this)(x.max)}; }
-  Obb<T, N> operator()(const Obb<q16_16, N>& x) const {
-    std::array<Direction<T, N>, static_cast<std::size_t>(N)> axes;
-    for (int i = 0; i < N; ++i) axes[static_cast<std::size_t>(i)] = (*this)(x.rotation.axis(i));
-    return {(*this)(x.center), (*this)(x.half_extents), Rotation<T, N>::from_axes(axes)};
-  }
-  Plane<T, N> operator()(const Plane<q16_16, N>& x) const {
-    return {(*this)(x.normal), number<T>(x.offset)};
-  }
-  Triangle<T, N> operator()(const Triangle<q16_16, N>& x) const {
-    return {(*this)(x.a), (*this)(x.b), (*this)(x.c)};
-  }
-  Capsule<T, N> operator()(const Capsule<q16_16, N>& x) const {
-    return {(*this)(x.a), (*this)(x.b), number<T>(x.radius)};
-  }
-  Segment<T, N> operator()(const Segment<q16_16, N>& x) const {
-    return {(*this)(x.start), (*this)(x.end)};
-  }
-  Ray<T, N> operator()(const Ray<q16_16, N>& x) const {
-    return {(*this)(x.origin), (*this)(x.direction), number<T>(x.max_distance)};
+  template <support::Mappable Shape>
+  auto operator()(const Shape& shape) const {
+    return support::mapped(shape, *this);
   }
   ConvexHull<T, N> operator()(const ConvexHull<q16_16, N>& x) {
     return {listed(points_, x.points)};

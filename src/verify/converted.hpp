@@ -5,6 +5,7 @@
 
 #include "detent/math/rotation.hpp"
 #include "detent/shape/shape.hpp"
+#include "support/shapes.hpp"
 #include "verify/draw/shapes.hpp"
 
 namespace detent::verify {
@@ -29,42 +30,12 @@ Direction<T, N> converted(const Direction<S, N>& direction) {
 }
 template <Scalar T, Scalar S, int N>
 Rotation<T, N> converted(const Rotation<S, N>& rotation) {
-  std::array<Direction<T, N>, N> axes;
-  for (int i = 0; i < N; ++i) axes[static_cast<std::size_t>(i)] = converted<T>(rotation.axis(i));
-  return Rotation<T, N>::from_axes(axes);
+  return support::mapped_axes<T>(rotation, [](const auto& axis) { return converted<T>(axis); });
 }
 
-template <Scalar T, Scalar S, int N>
-Sphere<T, N> converted(const Sphere<S, N>& s) {
-  return {converted<T>(s.center), converted<T>(s.radius)};
-}
-template <Scalar T, Scalar S, int N>
-Aabb<T, N> converted(const Aabb<S, N>& s) {
-  return {converted<T>(s.min), converted<T>(s.max)};
-}
-template <Scalar T, Scalar S, int N>
-Obb<T, N> converted(const Obb<S, N>& s) {
-  return {converted<T>(s.center), converted<T>(s.half_extents), converted<T>(s.rotation)};
-}
-template <Scalar T, Scalar S, int N>
-Plane<T, N> converted(const Plane<S, N>& s) {
-  return {converted<T>(s.normal), converted<T>(s.offset)};
-}
-template <Scalar T, Scalar S, int N>
-Triangle<T, N> converted(const Triangle<S, N>& s) {
-  return {converted<T>(s.a), converted<T>(s.b), converted<T>(s.c)};
-}
-template <Scalar T, Scalar S, int N>
-Ray<T, N> converted(const Ray<S, N>& ray) {
-  return {converted<T>(ray.origin), converted<T>(ray.direction), converted<T>(ray.max_distance)};
-}
-template <Scalar T, Scalar S, int N>
-Capsule<T, N> converted(const Capsule<S, N>& s) {
-  return {converted<T>(s.a), converted<T>(s.b), converted<T>(s.radius)};
-}
-template <Scalar T, Scalar S, int N>
-Segment<T, N> converted(const Segment<S, N>& s) {
-  return {converted<T>(s.start), converted<T>(s.end)};
+template <Scalar T, support::Mappable Shape>
+auto converted(const Shape& shape) {
+  return support::mapped(shape, [](const auto& field) { return converted<T>(field); });
 }
 template <Scalar T, Scalar S, int N>
 HullPoints<T, N> converted(const HullPoints<S, N>& hull) {

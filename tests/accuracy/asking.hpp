@@ -214,40 +214,20 @@ Direction<S, 2> xy(const Direction<S, 3>& d) {
   return Direction<S, 2>::assume_unit({d[0], d[1]});
 }
 
+template <Scalar S>
+S xy(const S& number) {
+  return number;
+}
+template <Scalar S>
+Rotation<S, 2> xy(const Rotation<S, 3>& rotation) {
+  return Rotation<S, 2>::from_axes({xy(rotation.axis(0)), xy(rotation.axis(1))});
+}
+
 /// The 2D form of a 3D shape or ray with z = 0. The library is tested on the 2D form; the exact
 /// results come from the 3D form, which has the same points in the plane z = 0.
-template <Scalar S>
-Sphere<S, 2> planar(const Sphere<S, 3>& s) {
-  return {xy(s.center), s.radius};
-}
-template <Scalar S>
-Aabb<S, 2> planar(const Aabb<S, 3>& box) {
-  return {xy(box.min), xy(box.max)};
-}
-template <Scalar S>
-Obb<S, 2> planar(const Obb<S, 3>& box) {
-  return {xy(box.center), xy(box.half_extents),
-          Rotation<S, 2>::from_axes({xy(box.rotation.axis(0)), xy(box.rotation.axis(1))})};
-}
-template <Scalar S>
-Plane<S, 2> planar(const Plane<S, 3>& plane) {
-  return {xy(plane.normal), plane.offset};
-}
-template <Scalar S>
-Triangle<S, 2> planar(const Triangle<S, 3>& t) {
-  return {xy(t.a), xy(t.b), xy(t.c)};
-}
-template <Scalar S>
-Capsule<S, 2> planar(const Capsule<S, 3>& c) {
-  return {xy(c.a), xy(c.b), c.radius};
-}
-template <Scalar S>
-Segment<S, 2> planar(const Segment<S, 3>& s) {
-  return {xy(s.start), xy(s.end)};
-}
-template <Scalar S>
-Ray<S, 2> planar(const Ray<S, 3>& ray) {
-  return {xy(ray.origin), xy(ray.direction), ray.max_distance};
+template <support::Mappable Shape>
+auto planar(const Shape& shape) {
+  return support::mapped(shape, [](const auto& field) { return xy(field); });
 }
 template <Scalar S>
 Points<S, 2> planar(const Points<S, 3>& hull) {

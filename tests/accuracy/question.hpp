@@ -12,6 +12,7 @@
 
 #include "detent/detent.hpp"
 #include "detent/shape/hull.hpp"
+#include "support/shapes.hpp"
 
 // Every test case is stored in raw numbers of one type, in steps of 2^-frac, with directions in
 // Q2.30. Rounding such a number to float gives such a number again: below 2^24 steps it does not
@@ -157,31 +158,18 @@ auto changed(const F& f, const Vec<S, 3>& v) {
   return Vec{f(v.x), f(v.y), f(v.z)};
 }
 template <class F, Scalar S>
-auto changed(const F& f, const Sphere<S, 3>& sphere) {
-  return Sphere{changed(f, sphere.center), f(sphere.radius)};
+auto changed(const F& f, const Rotation<S, 3>& rotation) {
+  return support::mapped_axes<decltype(f(S()))>(rotation, f);
 }
-template <class F, Scalar S>
-auto changed(const F& f, const Aabb<S, 3>& box) {
-  return Aabb{changed(f, box.min), changed(f, box.max)};
-}
-template <class F, Scalar S>
-auto changed(const F& f, const Obb<S, 3>& box) {
-  using T = decltype(f(S()));
-  return Obb{changed(f, box.center), changed(f, box.half_extents),
-             Rotation<T, 3>::from_axes(
-                 {f(box.rotation.axis(0)), f(box.rotation.axis(1)), f(box.rotation.axis(2))})};
-}
-template <class F, Scalar S>
-auto changed(const F& f, const Plane<S, 3>& plane) {
-  return Plane{f(plane.normal), f(plane.offset)};
-}
-template <class F, Scalar S>
-auto changed(const F& f, const Triangle<S, 3>& t) {
-  return Triangle<decltype(f(S())), 3>{changed(f, t.a), changed(f, t.b), changed(f, t.c)};
-}
-template <class F, Scalar S>
-auto changed(const F& f, const Capsule<S, 3>& capsule) {
-  return Capsule{changed(f, capsule.a), changed(f, capsule.b), f(capsule.radius)};
+template <class F, support::Mappable Shape>
+auto changed(const F& f, const Shape& shape) {
+  return support::mapped(shape, [&]<class Field>(const Field& field) {
+    if constexpr (requires { f(field); }) {
+      return f(field);
+    } else {
+      return changed(f, field);
+    }
+  });
 }
 template <class F, Scalar S>
 auto changed(const F& f, const Points<S, 3>& hull) {
@@ -189,14 +177,6 @@ auto changed(const F& f, const Points<S, 3>& hull) {
   std::transform(hull.points.begin(), hull.points.end(), result.points.begin(),
                  [&](const auto& point) { return changed(f, point); });
   return result;
-}
-template <class F, Scalar S>
-auto changed(const F& f, const Segment<S, 3>& segment) {
-  return Segment{changed(f, segment.start), changed(f, segment.end)};
-}
-template <class F, Scalar S>
-auto changed(const F& f, const Ray<S, 3>& ray) {
-  return Ray{changed(f, ray.origin), f(ray.direction), f(ray.max_distance)};
 }
 
 /// The largest whole coordinate of a scalar; for a float, of its test cases.

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "detent/detent.hpp"
+#include "support/shapes.hpp"
 
 namespace detent::bench {
 
@@ -48,43 +49,17 @@ template <Scalar S, int N>
 Direction<S, N> as(const Direction<double, N>& d) {
   return Direction<S, N>::assume_unit(as_vec<direction_component<S>>(d.vec()));
 }
+template <Scalar S>
+S as(const double& x) {
+  return as_number<S>(x);
+}
 template <Scalar S, int N>
 Rotation<S, N> as(const Rotation<double, N>& rotation) {
-  std::array<Direction<S, N>, N> axes;
-  for (int i = 0; i < N; ++i) axes[static_cast<std::size_t>(i)] = as<S>(rotation.axis(i));
-  return Rotation<S, N>::from_axes(axes);
+  return support::mapped_axes<S>(rotation, [](const auto& axis) { return as<S>(axis); });
 }
-template <Scalar S, int N>
-Ray<S, N> as(const Ray<double, N>& ray) {
-  return {as<S>(ray.origin), as<S>(ray.direction), as_number<S>(ray.max_distance)};
-}
-template <Scalar S, int N>
-Segment<S, N> as(const Segment<double, N>& segment) {
-  return {as<S>(segment.start), as<S>(segment.end)};
-}
-template <Scalar S, int N>
-Sphere<S, N> as(const Sphere<double, N>& sphere) {
-  return {as<S>(sphere.center), as_number<S>(sphere.radius)};
-}
-template <Scalar S, int N>
-Aabb<S, N> as(const Aabb<double, N>& box) {
-  return {as<S>(box.min), as<S>(box.max)};
-}
-template <Scalar S, int N>
-Obb<S, N> as(const Obb<double, N>& box) {
-  return {as<S>(box.center), as<S>(box.half_extents), as<S>(box.rotation)};
-}
-template <Scalar S, int N>
-Plane<S, N> as(const Plane<double, N>& plane) {
-  return {as<S>(plane.normal), as_number<S>(plane.offset)};
-}
-template <Scalar S, int N>
-Triangle<S, N> as(const Triangle<double, N>& triangle) {
-  return {as<S>(triangle.a), as<S>(triangle.b), as<S>(triangle.c)};
-}
-template <Scalar S, int N>
-Capsule<S, N> as(const Capsule<double, N>& capsule) {
-  return {as<S>(capsule.a), as<S>(capsule.b), as_number<S>(capsule.radius)};
+template <Scalar S, support::Mappable Shape>
+auto as(const Shape& shape) {
+  return support::mapped(shape, [](const auto& field) { return as<S>(field); });
 }
 template <Scalar S, int N>
 Rock<S, N> as(const Rock<double, N>& rock) {
