@@ -52,14 +52,25 @@ class AssetLists {
   std::tuple<const Lists&...> lists_;
 };
 
-/// Reads the reference to a shape's asset, and the pose.
-template <class Assets, class Asset, class Pose>
-[[nodiscard]] constexpr Restored read_reference(Reader& in, const Assets& assets,
-                                                const Asset*& asset, Pose& pose) noexcept {
+/// A shape that refers to an asset, and has a transform or a translation.
+template <class Shape>
+concept HasAsset = requires(const Shape& shape) {
+  shape.asset->id();
+  shape.asset->digest();
+};
+
+/// Reads a shape whose asset has the id and the digest of one of `assets`.
+template <HasAsset Shape, class Assets>
+[[nodiscard]] constexpr Restored read_shape(Reader& in, Shape& shape,
+                                            const Assets& assets) noexcept {
   std::uint32_t id = 0;
   std::uint64_t digest = 0;
-  in.get(id, digest, pose);
-  return assets.find(id, digest, asset);
+  if constexpr (requires { shape.transform; }) {
+    in.get(id, digest, shape.transform);
+  } else {
+    in.get(id, digest, shape.translation);
+  }
+  return assets.find(id, digest, shape.asset);
 }
 
 }  // namespace detail

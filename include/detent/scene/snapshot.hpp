@@ -94,8 +94,8 @@ constexpr void finish(std::span<std::byte> bytes, const SnapshotHeader& header) 
   store_word(bytes.data() + length, digest.value());
 }
 
-template <class Shape>
-[[nodiscard]] constexpr Restored read_shape(Reader& in, Shape& shape, const auto&) noexcept {
+template <class Shape, class Assets>
+[[nodiscard]] constexpr Restored read_shape(Reader& in, Shape& shape, const Assets&) noexcept {
   in.get(shape);
   return Restored::yes;
 }

@@ -18,15 +18,4 @@ namespace detent {
 template <Scalar S, int N>
 using FieldInstance = std::enable_if_t<N == 3, PlacedField<S>>;
 
-namespace detail {
-
-/// Reads a field whose id and digest are those of one of `assets`.
-template <Scalar S, class Assets>
-[[nodiscard]] constexpr Restored read_shape(Reader& in, PlacedField<S>& shape,
-                                            const Assets& assets) noexcept {
-  return read_reference(in, assets, shape.asset, shape.translation);
-}
-
-}  // namespace detail
-
 }  // namespace detent

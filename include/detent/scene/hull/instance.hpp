@@ -11,15 +11,4 @@ namespace detent {
 template <Scalar S, int N>
 using HullInstance = PlacedHull<S, N>;
 
-namespace detail {
-
-/// Reads a hull whose id and digest are those of one of `assets`.
-template <Scalar S, int N, class Assets>
-[[nodiscard]] constexpr Restored read_shape(Reader& in, PlacedHull<S, N>& shape,
-                                            const Assets& assets) noexcept {
-  return read_reference(in, assets, shape.asset, shape.transform);
-}
-
-}  // namespace detail
-
 }  // namespace detent

@@ -18,15 +18,4 @@ namespace detent {
 template <Scalar S, int N>
 using MeshInstance = std::enable_if_t<N == 3, PlacedMesh<S>>;
 
-namespace detail {
-
-/// Reads a mesh whose id and digest are those of one of `assets`.
-template <Scalar S, class Assets>
-[[nodiscard]] constexpr Restored read_shape(Reader& in, PlacedMesh<S>& shape,
-                                            const Assets& assets) noexcept {
-  return read_reference(in, assets, shape.asset, shape.transform);
-}
-
-}  // namespace detail
-
 }  // namespace detent
