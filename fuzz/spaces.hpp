@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "detent/shape/shape.hpp"
 #include "oracle/space.hpp"
 #include "source.hpp"
 
@@ -33,6 +34,13 @@ void with_one_of(Source& source, const Check& check) {
   const auto choice = source.below(sizeof...(Shapes));
   std::size_t i = 0;
   ((i++ == choice ? check(std::type_identity<Shapes>()) : void()), ...);
+}
+
+/// The same for one of the shapes that scenes hold, or of `More`.
+template <Scalar S, int N, class... More, class Check>
+void with_one_shape(Source& source, const Check& check) {
+  with_one_of<Sphere<S, N>, Aabb<S, N>, Obb<S, N>, Plane<S, N>, Triangle<S, N>, Capsule<S, N>,
+              More...>(source, check);
 }
 
 }  // namespace detent::fuzz
