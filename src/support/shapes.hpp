@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 #include "detent/math/rotation.hpp"
 #include "detent/shape/shape.hpp"
@@ -16,37 +17,70 @@ template <Scalar S, int N, class F>
 constexpr auto mapped(const Sphere<S, N>& sphere, F&& f) {
   return Sphere{f(sphere.center), f(sphere.radius)};
 }
+template <Scalar S, int N>
+constexpr std::string_view name_of(const Sphere<S, N>&) {
+  return "sphere";
+}
 template <Scalar S, int N, class F>
 constexpr auto mapped(const Aabb<S, N>& box, F&& f) {
   return Aabb{f(box.min), f(box.max)};
+}
+template <Scalar S, int N>
+constexpr std::string_view name_of(const Aabb<S, N>&) {
+  return "aabb";
 }
 template <Scalar S, int N, class F>
 constexpr auto mapped(const Obb<S, N>& box, F&& f) {
   return Obb{f(box.center), f(box.half_extents), f(box.rotation)};
 }
+template <Scalar S, int N>
+constexpr std::string_view name_of(const Obb<S, N>&) {
+  return "obb";
+}
 template <Scalar S, int N, class F>
 constexpr auto mapped(const Plane<S, N>& plane, F&& f) {
   return Plane{f(plane.normal), f(plane.offset)};
 }
+template <Scalar S, int N>
+constexpr std::string_view name_of(const Plane<S, N>&) {
+  return "plane";
+}
 template <Scalar S, int N, class F>
 constexpr auto mapped(const Triangle<S, N>& triangle, F&& f) {
-  const auto make = []<Scalar T, int M>(const Vec<T, M>& a, const Vec<T, M>& b,
-                                        const Vec<T, M>& c) {
-    return Triangle<T, M>{a, b, c};
+  const auto a = f(triangle.a), b = f(triangle.b), c = f(triangle.c);
+  const auto make = []<Scalar T, int M>(const Vec<T, M>& p, const Vec<T, M>& q,
+                                        const Vec<T, M>& r) {
+    return Triangle<T, M>{p, q, r};
   };
-  return make(f(triangle.a), f(triangle.b), f(triangle.c));
+  return make(a, b, c);
+}
+template <Scalar S, int N>
+constexpr std::string_view name_of(const Triangle<S, N>&) {
+  return "triangle";
 }
 template <Scalar S, int N, class F>
 constexpr auto mapped(const Capsule<S, N>& capsule, F&& f) {
   return Capsule{f(capsule.a), f(capsule.b), f(capsule.radius)};
 }
+template <Scalar S, int N>
+constexpr std::string_view name_of(const Capsule<S, N>&) {
+  return "capsule";
+}
 template <Scalar S, int N, class F>
 constexpr auto mapped(const Segment<S, N>& segment, F&& f) {
   return Segment{f(segment.start), f(segment.end)};
 }
+template <Scalar S, int N>
+constexpr std::string_view name_of(const Segment<S, N>&) {
+  return "segment";
+}
 template <Scalar S, int N, class F>
 constexpr auto mapped(const Ray<S, N>& ray, F&& f) {
   return Ray{f(ray.origin), f(ray.direction), f(ray.max_distance)};
+}
+template <Scalar S, int N>
+constexpr std::string_view name_of(const Ray<S, N>&) {
+  return "ray";
 }
 
 template <class Shape>

@@ -7,6 +7,7 @@
 #include "detent/shape/shape.hpp"
 #include "oracle/answer.hpp"
 #include "oracle/exact.hpp"
+#include "support/shapes.hpp"
 
 /// Shapes in raw numbers, for the messages of failed tests.
 namespace detent::oracle {
@@ -17,40 +18,29 @@ std::string describe(const Vec<S, N>& v) {
   for (int i = 0; i < N; ++i) components[static_cast<std::size_t>(i)] = v[i].raw();
   return text(components);
 }
-template <Scalar S, int N>
-std::string describe(const Sphere<S, N>& s) {
-  return "sphere " + describe(s.center) + " radius " + raw(s.radius).str();
+template <Scalar S>
+std::string describe(const S& number) {
+  return raw(number).str();
 }
 template <Scalar S, int N>
-std::string describe(const Aabb<S, N>& box) {
-  return "aabb " + describe(box.min) + " " + describe(box.max);
+std::string describe(const Direction<S, N>& direction) {
+  return text(raw(direction));
 }
 template <Scalar S, int N>
-std::string describe(const Obb<S, N>& box) {
-  auto out = "obb " + describe(box.center) + " half extents " + describe(box.half_extents);
-  for (int i = 0; i < N; ++i) out += " " + text(raw(box.rotation.axis(i)));
+std::string describe(const Rotation<S, N>& rotation) {
+  std::string out;
+  for (int i = 0; i < N; ++i) out += (i == 0 ? "" : " ") + text(raw(rotation.axis(i)));
   return out;
 }
-template <Scalar S, int N>
-std::string describe(const Plane<S, N>& plane) {
-  return "plane " + text(raw(plane.normal)) + " offset " + raw(plane.offset).str();
-}
-template <Scalar S, int N>
-std::string describe(const Segment<S, N>& s) {
-  return "segment " + describe(s.start) + " " + describe(s.end);
-}
-template <Scalar S, int N>
-std::string describe(const Ray<S, N>& ray) {
-  return "ray " + describe(ray.origin) + " direction " + text(raw(ray.direction)) +
-         " max_distance " + raw(ray.max_distance).str();
-}
-template <Scalar S, int N>
-std::string describe(const Triangle<S, N>& t) {
-  return "triangle " + describe(t.a) + " " + describe(t.b) + " " + describe(t.c);
-}
-template <Scalar S, int N>
-std::string describe(const Capsule<S, N>& c) {
-  return "capsule " + describe(c.a) + " " + describe(c.b) + " radius " + raw(c.radius).str();
+/// "sphere {0, 0, 0} 1": the fields in their order.
+template <support::Mappable Shape>
+std::string describe(const Shape& shape) {
+  std::string out(support::name_of(shape));
+  static_cast<void>(support::mapped(shape, [&](const auto& field) {
+    out += " " + describe(field);
+    return field;
+  }));
+  return out;
 }
 
 }  // namespace detent::oracle
