@@ -2,7 +2,7 @@
 #pragma once
 
 // What `detent::detent` compiles once for scenes in `q16_16`, whatever shapes they list: queries on
-// a shape or a pair, trees and their traversals. scene/scene.hpp includes this header in programs
+// a shape or a pair, trees and their walks. scene/scene.hpp includes this header in programs
 // that link the library (DETENT_USE_LIBRARY). It changes no result and no type.
 
 #include <cstdint>

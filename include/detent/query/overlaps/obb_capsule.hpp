@@ -16,7 +16,9 @@ namespace detent {
 /// exact:  yes or no exact; touching counts                 (tests/oracle/capsule_boxes.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Obb<S, N>& box, const Capsule<S, N>& capsule) noexcept {
-  const auto& [a, b, radius] = capsule;
+  const auto& a = capsule.a;
+  const auto& b = capsule.b;
+  const auto& radius = capsule.radius;  // older compilers do not capture structured bindings
   if (is_empty(box) || radius < 0) return false;
   const auto& half = box.half_extents;
   const auto center = detail::in_frame(box, box.center - a), along = detail::in_frame(box, b - a);
