@@ -26,8 +26,8 @@ template <Scalar S, int N, Number L, Number R>
     return decide(difference(passed, Leading(abs(end)), Relative{42}));
   };
   const Filtered first = me > 0 ? Filtered::yes : is_past(me);
-  const Filtered last = to_last < 0 ? Filtered::yes : is_past(to_last);
   if (first == Filtered::no) return {CapsulePart::first_end, true};
+  const Filtered last = to_last < 0 ? Filtered::yes : is_past(to_last);
   if (last == Filtered::yes) return {CapsulePart::last_end, true};
   return {CapsulePart::side, first == Filtered::yes && last == Filtered::no};
 }
