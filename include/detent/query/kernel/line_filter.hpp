@@ -17,8 +17,8 @@ class LineFilter {
   explicit constexpr LineFilter(const Ray<S, 3>& ray) noexcept
       : origin_(ray.origin), direction_(ray.direction) {}
 
-  /// Whether the line meets `triangle`: `no` or `unsure`. Always unsure for scalars that round, which
-  /// could only guess, and for directions without z, which project all corners onto one line.
+  /// Whether the line meets `triangle`: `no` or `unsure`. Always unsure for scalars that round,
+  /// which could only guess, and for directions without z, which project all corners onto one line.
   [[nodiscard]] constexpr Filtered meets(const Triangle<S, 3>& triangle) const noexcept {
     if constexpr (is_fixed<S>) {
       const auto a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
