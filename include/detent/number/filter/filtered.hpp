@@ -35,8 +35,8 @@ inline constexpr bool has_filters = DETENT_SMALL_CODE == 0;
 template <Scalar S>
 inline constexpr bool filter_pays = bits_of<S> > 15 && has_filters;
 
-/// A cheap value of an exact number: they differ by less than `error`. In an array or a vector, that
-/// holds for each component.
+/// A cheap value of an exact number: they differ by less than `error`. In an array or a vector,
+/// each component does.
 template <class T, class Error = T>
 struct Approximate {
   T value;
