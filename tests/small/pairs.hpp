@@ -36,7 +36,7 @@ void ask_pairs(Verdict& verdict, const std::vector<A>& some, const std::vector<B
 }
 
 /// Every list against itself and against each later list.
-void ask_each(Verdict&) {}
+inline void ask_each(Verdict&) {}
 template <class First, class... Rest>
 void ask_each(Verdict& verdict, const First& first, const Rest&... rest) {
   ask_pairs(verdict, first, first);
