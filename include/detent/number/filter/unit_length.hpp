@@ -71,7 +71,8 @@ template <class T, int BN, int FN, int BD, int FD>
   const auto floor = decide_floor<Candidate>(Approximate{quotient, Steps<64>()});
   const auto exact = [&](const Candidate& above) {
     const bool is_reached = narrow_product<2 * BN>(square(above), d) <= square(n);
-    return Candidate::assume_raw(above.raw() - (is_reached ? 0 : 1));
+    using Raw = typename Candidate::raw_type;
+    return Candidate::assume_raw(static_cast<Raw>(above.raw() - (is_reached ? 0 : 1)));
   };
   return detail::clamp_raw<T>(or_exact(floor, exact).raw());
 }
