@@ -31,7 +31,7 @@ plant include/detent/query/raycast/sphere.hpp \
   's/return Interval<S>\{\*enter, (.*)\};/const S exit = \1; return Interval<S>{*enter, S::from_raw(static_cast<typename S::raw_type>(exit.raw() % 64 == 21 ? exit.raw() ^ 1 : exit.raw()))};/'
 # The same in one of 64 first coordinates of points inside.
 plant include/detent/query/closest_point/sphere.hpp \
-  's/^(  if \(radius < 0 \|\| contains\(sphere, point\)\)) return point;/\1 {\n    Vec<S, N> wrong = point;\n    if (point[0].raw() % 64 == 21) wrong[0] = S::from_raw(static_cast<typename S::raw_type>(point[0].raw() ^ 1));\n    return wrong;\n  }/'
+  's/^(  if \(radius < 0 \|\| squared <= square\(radius\)\)) return point;/\1 {\n    Vec<S, N> wrong = point;\n    if (point[0].raw() % 64 == 21) wrong[0] = S::from_raw(static_cast<typename S::raw_type>(point[0].raw() ^ 1));\n    return wrong;\n  }/'
 # The other shapes would only take time.
 plant src/verify/corpus.hpp \
   's/^using Parts = List<SolidRays,.*/using Parts = List<SolidRays, RoundPoints>;/'

@@ -94,6 +94,8 @@ struct OnScreen {
   X x, y;
   Unit unit;
 };
+template <Number X, Number Unit>
+OnScreen(X, X, Unit) -> OnScreen<X, Unit>;
 
 /// The middle of a pixel; that of the image if it has none.
 template <Scalar S>

@@ -16,7 +16,7 @@ std::optional<Wrong> judge(const VectorCase<S, N>& c, const Answer& got) {
   if constexpr (Row == 0) {
     if (oracle::is_zero(v)) return compare(Answer(), got);
     using Component = direction_component<S>;
-    const oracle::NormalizedNormal<N> exact(v, Component::frac);
+    const oracle::NormalizedNormal<N> exact(v, scaled(1, Component::frac));
     if (got && exact.allows(oracle::raw(*got))) return std::nullopt;
     Vec<Component, N> expected;
     for (int i = 0; i < N; ++i) {
