@@ -79,7 +79,7 @@ class PartReader {
           (object.frame != nowhere && !contents.frames.contains(object.frame))) {
         fail();
       }
-      Part part{object.generation, detail::shape_names[object.tag], {}};
+      Part part{object.generation, std::string(detail::shape_names[object.tag]), {}};
       part.fields.push_back({"type", part.type});
       part.fields.push_back({"layers", hexadecimal(object.layers)});
       part.fields.push_back({"user", hexadecimal(object.user)});

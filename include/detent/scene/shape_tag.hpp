@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/capsule.hpp"
@@ -30,8 +31,8 @@ inline constexpr std::uint8_t shape_tag<Capsule<S, N>> = 6;
 
 /// The names of shapes in the lists of differences, by their numbers; those that only some scenes
 /// have are in mesh/, hull/ and height_field/.
-inline constexpr const char* shape_names[] = {"shape", "sphere",      "aabb",    "obb",
-                                              "plane", "triangle",    "capsule", "mesh",
-                                              "hull",  "height field"};
+inline constexpr std::string_view shape_names[] = {"shape", "sphere",      "aabb",    "obb",
+                                                   "plane", "triangle",    "capsule", "mesh",
+                                                   "hull",  "height field"};
 
 }  // namespace detent::detail

@@ -41,9 +41,9 @@ struct TreeWithin : StaticParts<Unordered, S, N> {
   [[nodiscard]] constexpr std::uint32_t meets(
       const Node& node, std::array<Unordered, Node::width>& /*keys*/) const noexcept {
     std::uint32_t met = 0;
-    for (auto near = touching(node, around); near != 0; near &= near - 1) {
-      if (may_touch(node, static_cast<std::size_t>(std::countr_zero(near)))) {
-        met |= near & (~near + 1);
+    for (auto left = touching(node, around); left != 0; left &= left - 1) {
+      if (may_touch(node, static_cast<std::size_t>(std::countr_zero(left)))) {
+        met |= left & (~left + 1);
       }
     }
     return met;
