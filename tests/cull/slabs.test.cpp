@@ -154,6 +154,64 @@ TEMPLATE_TEST_CASE("slabs: on the grid of a scene, too, rays are in time and los
   CHECK(tight > 1'000);
 }
 
+TEMPLATE_TEST_CASE("slabs: no part of a box's way between the planes is left out", "[slabs]",
+                   q16_16, q14_16, q24_8, q8_8) {
+  using S = TestType;
+  using Component = direction_component<S>;
+  constexpr std::int64_t one = std::int64_t{1} << Component::frac;
+  constexpr std::int64_t high = S::max().raw();
+  Random random(0x51ad);
+  int tight = 0, touching = 0;
+  for (int i = 0; i < 60'000; ++i) {
+    // A box that has moved by `distance`, and a slab that it meets there. Boxes reach beyond the
+    // scalar's range, planes do not.
+    const std::int64_t size = random.wide(S::bits) & high;
+    const std::int64_t left = random.wide(S::bits) - size, right = left + 2 * size;
+    const std::int64_t speed =
+        random.one_in(3) ? random.between(-one, one) : random.wide(Component::frac - 1);
+    const auto limit = raw<S>(random.wide(S::bits) & high);
+    const auto distance = raw<S>(random.between(0, limit.raw()));
+    const Integer moved = Integer(speed) * distance.raw();
+    const auto floor = static_cast<std::int64_t>(moved >> Component::frac);
+    const auto ceiling = static_cast<std::int64_t>(-(-moved >> Component::frac));
+    const bool back = speed < 0;
+    const std::int64_t inner = random.one_in(2) ? 0 : random.wide(S::bits) & high;
+    const std::int64_t width = random.one_in(2) ? 0 : random.wide(S::bits) & high;
+    // It touches a plane with its front, or another with its back, or is deep in the slab.
+    const bool by_front = random.coin();
+    const std::int64_t least = by_front != back ? right + floor - inner : left + ceiling - width;
+    const std::int64_t greatest = by_front != back ? right + floor + width : left + ceiling + inner;
+    if (least < -high || greatest > high) continue;
+    if (greatest < left + floor || least > right + ceiling) continue;
+    ++touching;
+
+    using Reach = typename Ticks<S>::Reach;
+    const auto farthest =
+        std::max({least - left, right - least, greatest - left, right - greatest});
+    const Ticks<S> ticks(Reach::from_raw(farthest), limit);
+    if (distance > ticks.longest()) continue;
+    const RaySlab<S> slab(left, right, raw<Component>(speed), ticks);
+    REQUIRE(slab.is_backward() == back);
+    const auto enter = slab.enter(back ? greatest : least);
+    const auto leave = slab.leave(back ? least : greatest);
+    REQUIRE(enter <= ticks.time(distance));
+    REQUIRE(leave >= ticks.time(distance));
+    const std::int64_t fast = back ? -speed : speed;
+    if (fast < one / 64) continue;
+    // Two steps sooner, or margin and two steps later, it is not there.
+    const auto in_ticks = [&](Integer raws) {
+      return (raws * 65536 * one / fast) >> (16 + ticks.exponent());
+    };
+    const std::int64_t ahead = back ? left - greatest : least - right;
+    const std::int64_t behind = back ? right - least : greatest - left;
+    REQUIRE(in_ticks(ahead) - enter <= in_ticks(2) + 4);
+    REQUIRE(leave - in_ticks(behind) <= in_ticks(ticks.margin() + 1) + 4);
+    ++tight;
+  }
+  CHECK(touching > 10'000);
+  CHECK(tight > 1'000);
+}
+
 TEMPLATE_TEST_CASE("bins: in order, and at least nine of sixteen", "[slabs]", q16_16, q8_8, float) {
   using S = TestType;
   Random random(0xb125);

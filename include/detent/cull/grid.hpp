@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "detent/number/rounding.hpp"
 #include "detent/number/scalar.hpp"
 
 namespace detent::detail {
@@ -27,6 +28,8 @@ struct Grid {
   static constexpr Coordinate below(const S& x) noexcept { return x; }
   static constexpr Coordinate above(const S& x) noexcept { return x; }
   static constexpr S step(const S& x) noexcept { return x; }
+  static constexpr S plane(Coordinate x) noexcept { return x; }
+  static constexpr S scalar(Coordinate x) noexcept { return x; }
   static constexpr Area area_extent(Coordinate low, Coordinate high) noexcept { return high - low; }
 
   /// More than the rounding error of sums near `x` is added.
@@ -61,6 +64,14 @@ struct Grid<Fixed<Bits, Frac>> {
   }
   /// The last step that is not above x.
   static constexpr std::int64_t step(const S& x) noexcept { return x.raw() >> shift; }
+  /// A coordinate as a raw number, for `RaySlab`. What no scalar plus a distance reaches is clamped,
+  /// to be less than 2^33 from every scalar.
+  static constexpr std::int64_t plane(Coordinate x) noexcept {
+    constexpr std::int64_t most = std::int64_t{11} << 29;
+    return std::clamp(std::int64_t{x} * (std::int64_t{1} << shift), -most, most);
+  }
+  /// The scalar at a coordinate, clamped to the range.
+  static constexpr S scalar(Coordinate x) noexcept { return clamp_raw<S>(plane(x)); }
   /// At most 2^30, so that twelve products of two of them fit 64 bits.
   static constexpr Area area_extent(Coordinate low, Coordinate high) noexcept {
     return (static_cast<Area>(high) - static_cast<Area>(low)) >> 1;

@@ -21,6 +21,7 @@ class FixedList {
   [[nodiscard]] constexpr T& operator[](std::size_t i) noexcept { return elements_[i]; }
   [[nodiscard]] constexpr const T& operator[](std::size_t i) const noexcept { return elements_[i]; }
   [[nodiscard]] constexpr T& back() noexcept { return elements_[size_ - 1]; }
+  [[nodiscard]] constexpr const T* data() const noexcept { return elements_.data(); }
 
   constexpr void push_back(const T& value) noexcept {
     DETENT_ASSERT(size_ < Capacity);
@@ -47,6 +48,7 @@ class FixedList<T, 0> {
   [[nodiscard]] constexpr std::size_t size() const noexcept { return 0; }
   [[nodiscard]] constexpr T& operator[](std::size_t) const noexcept { return none(); }
   [[nodiscard]] constexpr T& back() const noexcept { return none(); }
+  [[nodiscard]] constexpr const T* data() const noexcept { return nullptr; }
   constexpr void push_back(const T&) const noexcept { DETENT_ASSERT(size() != 0); }
   constexpr void pop_back() const noexcept {}
   constexpr void clear() const noexcept {}

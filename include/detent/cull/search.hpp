@@ -28,7 +28,7 @@ struct TreePart {
   [[nodiscard]] constexpr bool is_leaf() const noexcept { return is_object; }
 };
 
-/// Which boxes a ray may reach, and lower bounds on the times when it does.
+/// Which boxes a ray or a moving box may reach, and lower bounds on the times when it does.
 template <Scalar S, int N>
 class RayProbe {
  public:
@@ -40,6 +40,15 @@ class RayProbe {
           RaySlab<S>(Grid<S>::step(ray.origin[i]), ray.direction[i], Ticks<S>());
     }
     shorten(ray.max_distance);
+  }
+  /// For what is in `box`, which is not empty, and moves: as a ray, it ends within 2^29 steps.
+  constexpr RayProbe(const QuantizedBox<S, N>& box, const Direction<S, N>& direction,
+                     const S& max_distance) noexcept {
+    for (int i = 0; i < N; ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      slabs_[axis] = RaySlab<S>(box.low[axis], box.high[axis], direction[i], Ticks<S>());
+    }
+    shorten(max_distance);
   }
 
   /// From now on, only boxes that may lie within `distance`.

@@ -99,7 +99,8 @@ class Ticks<Fixed<Bits, Frac>> {
 /// A direction of 0 counts as the least one. A ray along a side of a box is then in the box from
 /// before its start, and beyond its end: the margin of four steps takes longer than any ray.
 ///
-/// Coordinates are in steps of a grid; |plane - origin| <= 2^32, so products fit 64 bits.
+/// Coordinates are in steps of a grid; planes are less than 2^33 from the origin or from the sides of
+/// a moving box, so products fit 64 bits.
 template <int Bits, int Frac>
 class RaySlab<Fixed<Bits, Frac>> {
   using S = Fixed<Bits, Frac>;
@@ -110,7 +111,11 @@ class RaySlab<Fixed<Bits, Frac>> {
 
   constexpr RaySlab() noexcept = default;
   /// For planes on a grid; `origin` is the last step that is not above the origin of the ray.
-  constexpr RaySlab(std::int64_t origin, const Component& direction,
+  constexpr RaySlab(std::int64_t origin, const Component& direction, const Ticks<S>& ticks) noexcept
+      : RaySlab(origin, origin, direction, ticks) {}
+  /// For a moving box, whose sides start at `low` and `high`: it enters a slab when its front does,
+  /// and leaves it when its back does.
+  constexpr RaySlab(std::int64_t low, std::int64_t high, const Component& direction,
                     const Ticks<S>& ticks) noexcept {
     const std::int64_t speed = direction.raw();
     const auto size =
@@ -120,8 +125,8 @@ class RaySlab<Fixed<Bits, Frac>> {
     const std::int64_t later = ticks.margin();
     shift_ = (std::max)(29 + width - Component::frac + ticks.exponent(), 0);
     factor_ = speed < 0 ? -inverse : inverse;
-    enter_from_ = speed < 0 ? origin - 1 : origin + 1;
-    leave_from_ = speed < 0 ? origin + later : origin - later;
+    enter_from_ = speed < 0 ? low - 1 : high + 1;
+    leave_from_ = speed < 0 ? high + later : low - later;
     between_ = static_cast<typename Ticks<S>::Time>(
         (std::min)((((1 + later) * inverse) >> shift_) + 1, std::int64_t{1} << 28));
   }
@@ -143,7 +148,7 @@ class RaySlab<Fixed<Bits, Frac>> {
   [[nodiscard]] constexpr Time enter(const S& plane) const noexcept { return enter(plane.raw()); }
   [[nodiscard]] constexpr Time leave(const S& plane) const noexcept { return leave(plane.raw()); }
 
-  /// The same for planes of a grid, in 32 bits.
+  /// The same for planes of a grid, in 32 bits; not for a moving box.
   ///
   /// A step is at most 2^21 ticks, so 255 steps are less than 2^29. A ray with longer steps is so
   /// nearly parallel to the planes that it crosses less than four steps in the 2^23 ticks that
@@ -201,7 +206,11 @@ class RaySlab<F> {
 
   constexpr RaySlab() noexcept = default;
   constexpr RaySlab(F origin, F direction, const Ticks<F>& ticks) noexcept
-      : origin_(origin), is_backward_(direction < 0) {
+      : RaySlab(origin, origin, direction, ticks) {}
+  constexpr RaySlab(F low, F high, F direction, const Ticks<F>& ticks) noexcept
+      : enter_from_(direction < 0 ? low : high),
+        leave_from_(direction < 0 ? high : low),
+        is_backward_(direction < 0) {
     const F size = (std::max)(abs(direction), ticks.shortest());
     const F drift = abs(direction) < ticks.shortest() ? ticks.longest() * ticks.shortest() : 0;
     const F margin = (ticks.reach() + drift) / (1 << 20);
@@ -214,10 +223,10 @@ class RaySlab<F> {
 
   [[nodiscard]] constexpr bool is_backward() const noexcept { return is_backward_; }
   [[nodiscard]] constexpr F enter(F plane) const noexcept {
-    return (plane - origin_) * factor_ - enter_;
+    return (plane - enter_from_) * factor_ - enter_;
   }
   [[nodiscard]] constexpr F leave(F plane) const noexcept {
-    return (plane - origin_) * factor_ + leave_;
+    return (plane - leave_from_) * factor_ + leave_;
   }
 
   [[nodiscard]] constexpr GridTimes<F> on_grid(const ByteGrid<F>& grid) const noexcept {
@@ -225,7 +234,7 @@ class RaySlab<F> {
   }
 
  private:
-  F origin_ = 0, factor_ = 0, enter_ = 0, leave_ = 0;
+  F enter_from_ = 0, leave_from_ = 0, factor_ = 0, enter_ = 0, leave_ = 0;
   bool is_backward_ = false;
 };
 #endif

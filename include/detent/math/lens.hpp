@@ -30,7 +30,7 @@ struct slope_of<Fixed<Bits, Frac>> {
 template <Scalar S>
 class Lens {
  public:
-  /// Q3.28 for every `Fixed`; `float` and `double` themselves.
+  /// Q3.28 for every `Fixed`, otherwise the scalar itself.
   using Slope = typename detail::slope_of<S>::type;
 
   /// The lens with a field of view of `fov` from top to bottom; `aspect` is the width of the image

@@ -14,6 +14,7 @@
 #include "detent/math/quat.hpp"
 #include "detent/math/rotation.hpp"
 #include "detent/math/slerp.hpp"
+#include "detent/math/sweep.hpp"
 #include "detent/math/transform.hpp"
 #include "detent/math/vec.hpp"
 #include "detent/math/width.hpp"

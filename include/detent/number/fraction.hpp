@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "detent/number/next_up.hpp"
 #include "detent/number/rounding.hpp"
 
 namespace detent {
@@ -83,6 +84,17 @@ template <Number T, Number N, Number D>
   } else {
     using Square = Fixed<2 * T::bits + 1, 2 * T::frac>;  // one bit more than T can hold: it clamps
     return sqrt_floor<T>(quotient_floor<Square>(x.numerator, x.denominator));
+  }
+}
+
+/// The square root of a non-negative fraction, rounded up to the grid of `T` and clamped.
+template <Number T, Number N, Number D>
+[[nodiscard]] constexpr T sqrt_ceil(const Fraction<N, D>& x) noexcept {
+  const auto root = sqrt_floor<T>(x);
+  if constexpr (!is_fixed<T>) {
+    return root;
+  } else {
+    return x <= square(root) ? root : next_up(root);
   }
 }
 

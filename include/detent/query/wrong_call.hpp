@@ -2,6 +2,7 @@
 #pragma once
 
 #include "detent/query/kernel/argument.hpp"
+#include "detent/query/kernel/core.hpp"
 
 // Overloads that catch wrong calls: the error is one sentence that says what to write instead.
 // Every query is a better match, so they change no correct call, and a concept that checks for such
@@ -51,7 +52,17 @@ concept MixedSegment = MixedArguments<A, B> && HaveSegment<A, B>;
 template <class A, class B>
 concept TwoShapes = IsShape<A> && IsShape<B>;
 template <class A, class B>
+concept MixedBodies = MixedArguments<A, B> && NoRay<A, B> && NoPoint<A, B>;
+template <class A, class B>
 concept MixedShapes = MixedArguments<A, B> && TwoShapes<A, B>;
+template <class A, class B>
+concept MixedSolids = MixedArguments<A, B> && NoRay<A, B> && NoPoint<A, B>;
+template <class A, class B>
+concept HavePlane = TwoShapes<A, B> &&(is_kind<A, Plane> || is_kind<B, Plane>);
+template <class A, class B>
+concept PlaneFirst = Arguments<A, B> && NoRay<A, B> && NoPoint<A, B> && is_kind<A, Plane>;
+template <class A, class B>
+concept NotTwoShapes = Arguments<A, B> && !TwoShapes<A, B>;
 
 }  // namespace detail
 
@@ -89,12 +100,26 @@ void closest_point(const A&, const B&) DETENT_INSTEAD("no point: it takes a shap
 template <class A, class B> requires detail::MixedWithPoint<A, B>
 void closest_point(const A&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
 
+template <class A, class B> requires detail::HaveRay<A, B>
+void closest_points(const A&, const B&) DETENT_INSTEAD("a ray: it takes two shapes or segments");
+template <class A, class B> requires detail::HavePoint<A, B>
+void closest_points(const A&, const B&) DETENT_INSTEAD("a point: use closest_point(shape, point)");
+template <class A, class B> requires detail::MixedSolids<A, B>
+void closest_points(const A&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
+
 template <class A, class B> requires detail::PointFirst<A, B>
 void distance(const A&, const B&) DETENT_INSTEAD("swap them: distance(shape, point)");
 template <class A, class B> requires detail::RayAndOther<A, B>
 void distance(const A&, const B&) DETENT_INSTEAD("a ray: it takes a ray and a point, or two shapes");
 template <class A, class B> requires detail::MixedDistance<A, B>
 void distance(const A&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
+
+template <class A, class B> requires detail::HaveRay<A, B>
+void contact(const A&, const B&) DETENT_INSTEAD("a ray: use raycast_hit(ray, shape)");
+template <class A, class B> requires detail::HavePoint<A, B>
+void contact(const A&, const B&) DETENT_INSTEAD("a point: give a sphere of radius 0");
+template <class A, class B> requires detail::MixedBodies<A, B>
+void contact(const A&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
 
 template <class A, class B> requires detail::RayLast<A, B>
 void raycast(const A&, const B&) DETENT_INSTEAD("swap them: raycast(ray, shape)");
@@ -122,6 +147,22 @@ template <class A, class B> requires detail::RayAndPoint<A, B>
 void raycast_interval(const A&, const B&) DETENT_INSTEAD("a point: use contains(ray, point)");
 template <class A, class B> requires detail::MixedWithRay<A, B>
 void raycast_interval(const A&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
+
+template <class A, class D, class T, class B> requires detail::HaveRay<A, B>
+void cast(const A&, const D&, const T&, const B&) DETENT_INSTEAD("a ray: use raycast_hit(ray, shape)");
+template <class A, class D, class T, class B> requires detail::HavePoint<A, B>
+void cast(const A&, const D&, const T&, const B&) DETENT_INSTEAD("a point: give a sphere of radius 0");
+template <class A, class D, class T, class B> requires detail::PlaneFirst<A, B>
+void cast(const A&, const D&, const T&, const B&) DETENT_INSTEAD("a plane rests: give it as the target");
+template <class A, class D, class T, class B> requires detail::MixedBodies<A, B>
+void cast(const A&, const D&, const T&, const B&) DETENT_INSTEAD("give both the same scalar and dimension");
+
+template <class A, class SweepA, class B, class SweepB> requires detail::HavePlane<A, B>
+void time_of_impact(const A&, const SweepA&, const B&, const SweepB&) DETENT_INSTEAD("a plane rests: use time_of_impact(a, sweep, plane)");
+template <class A, class SweepA, class B, class SweepB> requires detail::NotTwoShapes<A, B>
+void time_of_impact(const A&, const SweepA&, const B&, const SweepB&) DETENT_INSTEAD("no shape: use a Sphere or Capsule of radius 0");
+template <class A, class SweepA, class B, class SweepB> requires detail::MixedShapes<A, B>
+void time_of_impact(const A&, const SweepA&, const B&, const SweepB&) DETENT_INSTEAD("give both shapes the same scalar and dimension");
 
 // clang-format on
 

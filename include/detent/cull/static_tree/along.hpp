@@ -11,6 +11,7 @@
 
 #include "detent/cull/lanes.hpp"
 #include "detent/cull/prefetch.hpp"
+#include "detent/cull/quantized_box.hpp"
 #include "detent/cull/slabs.hpp"
 #include "detent/cull/static_tree/parts.hpp"
 #include "detent/cull/walk.hpp"
@@ -20,7 +21,7 @@ namespace detent {
 
 namespace detail {
 
-/// A ray prepared for tests against the boxes of a tree.
+/// A ray, or a moving box, prepared for tests against the boxes of a tree.
 template <Scalar S, int N>
 class StaticRay {
   using Node = StaticNode<S, N>;
@@ -31,6 +32,15 @@ class StaticRay {
 
   constexpr StaticRay(const Ray<S, N>& ray, const Aabb<S, N>& bounds) noexcept
       : StaticRay(ray, Ticks<S>(reach(ray, bounds), ray.max_distance)) {}
+  /// For what is in `box`, which is not empty, and moves.
+  constexpr StaticRay(const QuantizedBox<S, N>& box, const Direction<S, N>& direction,
+                      const S& max_distance, const Aabb<S, N>& bounds) noexcept
+      : ticks_(reach(box, bounds), max_distance) {
+    for (std::size_t i = 0; i < N; ++i) {
+      slabs_[i] = RaySlab<S>(Grid<S>::plane(box.low[i]), Grid<S>::plane(box.high[i]),
+                             direction[static_cast<int>(i)], ticks_);
+    }
+  }
 
   /// A distance along the ray in ticks, clamped where it no longer matters.
   [[nodiscard]] constexpr Time time(const S& distance) const noexcept {
@@ -89,6 +99,26 @@ class StaticRay {
       const Reach least(abs(bounds.min[i] - ray.origin[i]));
       const Reach greatest(abs(bounds.max[i] - ray.origin[i]));
       sum = narrow_sum<bits_of<Reach>>(sum, (std::max)(least, greatest));  // at most 3 2^32
+    }
+    return sum;
+  }
+
+  /// At most 3 2^33.
+  [[nodiscard]] static constexpr Reach reach(const QuantizedBox<S, N>& box,
+                                             const Aabb<S, N>& bounds) noexcept {
+    const auto side = [](const auto& x) {
+      if constexpr (is_fixed<S>) {
+        return Reach::from_raw(Grid<S>::plane(x));
+      } else {
+        return Reach(x);
+      }
+    };
+    Reach sum{};
+    for (int i = 0; i < N; ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      const auto ahead = abs(bounds.max[i] - side(box.low[axis]));
+      const auto behind = abs(side(box.high[axis]) - bounds.min[i]);
+      sum = narrow_sum<bits_of<Reach>>(sum, narrow<bits_of<Reach>>((std::max)(ahead, behind)));
     }
     return sum;
   }

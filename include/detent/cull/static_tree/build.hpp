@@ -29,7 +29,7 @@ class GrowingBox {
   explicit constexpr GrowingBox(const Aabb<S, N>& box) noexcept {
     for (std::size_t i = 0; i < axes; ++i) {
       sides_[i] = box.min[static_cast<int>(i)];
-      sides_[4 + i] = reversed(box.max[static_cast<int>(i)]);
+      sides_[4 + i] = detent::reversed(box.max[static_cast<int>(i)]);
     }
   }
   constexpr void grow(const GrowingBox& other) noexcept { lower(sides_, other.sides_); }
@@ -38,7 +38,7 @@ class GrowingBox {
     return sides_[static_cast<std::size_t>(axis)];
   }
   [[nodiscard]] constexpr S greatest(int axis) const noexcept {
-    return reversed(sides_[4 + static_cast<std::size_t>(axis)]);
+    return detent::reversed(sides_[4 + static_cast<std::size_t>(axis)]);
   }
   [[nodiscard]] constexpr Aabb<S, N> box() const noexcept {
     return {make_vec<N>([&](int i) { return least(i); }),

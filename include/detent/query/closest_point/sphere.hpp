@@ -2,24 +2,10 @@
 #pragma once
 
 #include "detent/number/filter/components.hpp"
+#include "detent/query/kernel/rounded_point.hpp"
 #include "detent/shape/sphere.hpp"
 
 namespace detent {
-
-namespace detail {
-
-/// The sign of x / sqrt(square) - y, exactly.
-template <Number X, Number Square, Number Y>
-[[nodiscard]] constexpr int compare_with_quotient(const X& x, const Square& square,
-                                                  const Y& y) noexcept {
-  const int x_sign = (x > 0) - (x < 0), y_sign = (y > 0) - (y < 0);
-  if (x_sign != y_sign) return x_sign > y_sign ? 1 : -1;
-  const auto left = x * x;
-  const auto right = y * y * square;
-  return x_sign * ((left > right) - (left < right));
-}
-
-}  // namespace detail
 
 /// The point of `sphere` closest to `point`; `point` itself if inside.
 ///

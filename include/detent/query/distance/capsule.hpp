@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/query/kernel/length.hpp"
 #include "detent/query/kernel/point_capsule.hpp"
 #include "detent/query/kernel/point_segment.hpp"
 
@@ -17,13 +18,9 @@ template <Scalar S, int N>
   if constexpr (!is_fixed<S>) {
     if (detail::holds(capsule, point)) return S(0);
   }
-  // The radius is on the grid, so it may be subtracted after the distance to the axis is rounded.
-  // That distance is below 2 sqrt(3) times the greatest coordinate. Inside, the difference is at
-  // most 0.
-  using Length = decltype(S() + S() + S());
-  const auto to_axis = detail::distance_to<Length>(Segment{capsule.a, capsule.b}, point);
-  const auto beyond = to_axis - capsule.radius;
-  return beyond > 0 ? floor_to<S>(beyond) : S(0);
+  const Segment axis{capsule.a, capsule.b};
+  return detail::less_radius<S>(detail::distance_to<detail::Length<S>>(axis, point),
+                                capsule.radius);
 }
 
 }  // namespace detent

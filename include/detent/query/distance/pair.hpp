@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <type_traits>
 
 #include "detent/query/distance/aabb.hpp"
@@ -11,63 +10,21 @@
 #include "detent/query/distance/triangle.hpp"
 #include "detent/query/kernel/argument.hpp"
 #include "detent/query/kernel/convex_body.hpp"
+#include "detent/query/kernel/core.hpp"
 #include "detent/query/kernel/gjk.hpp"
+#include "detent/query/kernel/length.hpp"
+#include "detent/query/kernel/point_obb.hpp"
+#include "detent/query/kernel/touch_witness.hpp"
 #include "detent/query/kernel/within_slabs.hpp"
 
 namespace detent {
 
 namespace detail {
 
-template <class T, template <class, int> class Shape>
-inline constexpr bool is_kind = false;
-template <template <class, int> class Shape, class S, int N>
-inline constexpr bool is_kind<Shape<S, N>, Shape> = true;
-
 template <class T>
 concept HasDistances = (IsShape<T> || IsSegment<T>)&&is_convex<T>;
 template <class A, class B>
-concept HaveDistance =
-    HasDistances<A> && HasDistances<B> && std::is_same_v < typename PointOf<A>::type,
-typename PointOf<B>::type > ;
-
-// A shape is all points within its radius of its core: a sphere's center, a capsule's axis, or the
-// shape itself.
-
-template <class Shape>
-[[nodiscard]] constexpr const Shape& core_of(const Shape& shape) noexcept {
-  return shape;
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr const Vec<S, N>& core_of(const Sphere<S, N>& sphere) noexcept {
-  return sphere.center;
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr Segment<S, N> core_of(const Capsule<S, N>& capsule) noexcept {
-  return {capsule.a, capsule.b};
-}
-
-template <Scalar S>
-[[nodiscard]] constexpr ConvexHull<S, 3> core_of(const Frustum<S>& frustum) noexcept {
-  return frustum.hull();
-}
-
-template <class Shape>
-[[nodiscard]] constexpr auto radius_of(const Shape& shape) noexcept {
-  if constexpr (requires { shape.radius; }) {
-    return shape.radius;
-  } else {
-    return decltype(PointOf<Shape>::type::x)(0);
-  }
-}
-
-template <class Shape>
-[[nodiscard]] constexpr bool has_points(const Shape& shape) noexcept {
-  if constexpr (requires { is_empty(shape); }) {
-    return !is_empty(shape);
-  } else {
-    return !(radius_of(shape) < 0);
-  }
-}
+concept HaveDistance = HasDistances<A> && HasDistances<B> && !MixedArguments<A, B>;
 
 /// The squared distance from `plane` to a body: that of its nearer extreme corner, 0 between them.
 template <Scalar S, int N, class Body>
@@ -98,36 +55,21 @@ template <Scalar S, int N>
                   square(b.normal[i]) * squared_length(a.normal)};
 }
 
-/// The squared distance of two boxes, which have a gap or none along each axis.
-template <Scalar S, int N>
-[[nodiscard]] constexpr auto squared_gap_of_boxes(const Aabb<S, N>& a,
-                                                  const Aabb<S, N>& b) noexcept {
-  using Gap = decltype(S() - S());
-  return squared_length(make_vec<N>([&](int i) {
-    return (std::max)({Gap(), Gap(a.min[i] - b.max[i]), Gap(b.min[i] - a.max[i])});
-  }));
-}
-
 /// The squared distance from a box to a segment, in the frame of the box, which is its slabs.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto squared_gap_in_frame(const Obb<S, N>& box,
                                                   const Segment<S, N>& segment) noexcept {
-  const auto in_frame = [&](const auto& v) {
-    return make_vec<N>([&](int i) { return dot(box.rotation.axis(i), v); });
-  };
-  const auto center = in_frame(box.center - segment.start);
-  const auto along = in_frame(segment.end - segment.start);
-  const auto low = center - box.half_extents, high = center + box.half_extents;
-  return squared_distance_from_slabs(low, high, along);
+  const auto center = in_frame(box, box.center - segment.start);
+  const auto along = in_frame(box, segment.end - segment.start);
+  return squared_distance_from_slabs(center - box.half_extents, center + box.half_extents, along);
 }
 
 /// The squared distance of two cores that have points, as a `Fixed` or a `Fraction`.
 template <class A, class B>
 [[nodiscard]] constexpr auto squared_gap(const A& a, const B& b) noexcept {
-  if constexpr (is_kind<A, Vec> && is_kind<B, Vec>) {
-    return squared_distance(a, b);
-  } else if constexpr (is_kind<A, Vec> || (is_kind<B, Plane> && !is_kind<A, Plane>) ||
-                       (is_kind<A, Segment> && is_kind<B, Obb>)) {
+  if constexpr ((is_kind<A, Vec> && !is_kind<B, Vec>) ||
+                (is_kind<B, Plane> && !is_kind<A, Plane>) ||
+                (is_kind<A, Segment> && is_kind<B, Obb>)) {
     return squared_gap(b, a);
   } else if constexpr (is_kind<B, Vec>) {
     return squared_distance(a, b);
@@ -138,10 +80,36 @@ template <class A, class B>
   } else if constexpr (is_kind<A, Obb> && is_kind<B, Segment>) {
     return squared_gap_in_frame(a, b);
   } else if constexpr (is_kind<A, Aabb> && is_kind<B, Aabb>) {
-    return squared_gap_of_boxes(a, b);
+    // From the origin to the box of differences.
+    const auto low = a.min - b.max, high = a.max - b.min;
+    return squared_length(excess(std::remove_cvref_t<decltype(low)>(), low, high));
   } else {
     return squared_distance_between(body_of(a), body_of(b));
   }
+}
+
+/// Whether the gap of two cores is that of two bodies: see `squared_gap`.
+template <class A, class B>
+inline constexpr bool has_gap_of_bodies = [] {
+  if (is_kind<A, Vec> || is_kind<B, Vec> || is_kind<A, Plane> || is_kind<B, Plane>) return false;
+  if (is_kind<A, Aabb> && is_kind<B, Aabb>) return false;
+  return !(is_kind<A, Obb> && is_kind<B, Segment>)&&!(is_kind<A, Segment> && is_kind<B, Obb>);
+}();
+
+/// The distance of two cores that have points, rounded down.
+template <Scalar S, class A, class B>
+[[nodiscard]] constexpr Length<S> gap_floor(const A& a, const B& b) noexcept {
+  if constexpr (filter_pays<S> && has_gap_of_bodies<A, B>) {
+    const auto body_a = body_of(a);
+    const auto body_b = body_of(b);
+    using BodyA = std::remove_cvref_t<decltype(body_a)>;
+    using BodyB = std::remove_cvref_t<decltype(body_b)>;
+    using Way = Vec<direction_component<S>, BodyA::dimension>;
+    TouchWitness<BodyA, BodyB, direction_component<S>, S, S> witness(body_a, body_b, Way(), S(0));
+    const auto distance = witness.template distance_floor<Length<S>>();
+    if (distance.is_sure) return distance.value;
+  }
+  return sqrt_floor<Length<S>>(squared_gap(a, b));
 }
 
 }  // namespace detail
@@ -160,14 +128,8 @@ requires detail::HaveDistance<A, B>
 [[nodiscard]] constexpr auto distance(const A& a, const B& b) noexcept {
   using S = decltype(detail::radius_of(a));
   if (!detail::has_points(a) || !detail::has_points(b)) return largest<S>;
-  // Radii are on the grid, so they may be subtracted after the distance of the cores is rounded.
-  // Both cores have a point in the range, so that distance is below 2 sqrt(3) times the greatest
-  // coordinate.
-  using Length = decltype(S() + S() + S());
-  const auto apart =
-      sqrt_floor<Length>(detail::squared_gap(detail::core_of(a), detail::core_of(b)));
-  const auto beyond = apart - (detail::radius_of(a) + detail::radius_of(b));
-  return beyond > 0 ? floor_to<S>(beyond) : S(0);
+  const auto gap = detail::gap_floor<S>(detail::core_of(a), detail::core_of(b));
+  return detail::less_radius<S>(gap, detail::radius_of(a) + detail::radius_of(b));
 }
 
 }  // namespace detent

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/query/kernel/length.hpp"
 #include "detent/shape/sphere.hpp"
 
 namespace detent {
@@ -15,10 +16,7 @@ template <Scalar S, int N>
   if (sphere.radius < 0) return largest<S>;
   const auto squared = squared_distance(point, sphere.center);
   if (squared <= square(sphere.radius)) return S(0);
-  // The radius is on the grid, so it may be subtracted after the distance to the center is rounded.
-  // That distance is below 2 sqrt(3) times the greatest coordinate.
-  using Length = decltype(S() + S() + S());
-  return floor_to<S>(sqrt_floor<Length>(squared) - sphere.radius);
+  return detail::less_radius<S>(sqrt_floor<detail::Length<S>>(squared), sphere.radius);
 }
 
 }  // namespace detent

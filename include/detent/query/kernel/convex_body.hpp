@@ -12,27 +12,96 @@
 
 namespace detent::detail {
 
-/// A nonempty box as a convex body for GJK.
-template <Scalar S, int N>
+/// On each axis, the end of a box that is extreme along v: the upper, the lower, or, where v is
+/// perpendicular, both. Calls f with every choice of ends: an array, true for the upper one.
+template <int N, class AlongV, class F>
+constexpr void for_each_extreme_end(const AlongV& along, bool farthest, const F& f) noexcept {
+  std::array<bool, static_cast<std::size_t>(N)> is_upper{};
+  for (int choice = 0; choice < 1 << N; ++choice) {
+    bool is_new = true;
+    for (int i = 0; i < N; ++i) {
+      const bool bit = (choice >> i & 1) != 0;
+      const auto here = along(i);
+      is_upper[static_cast<std::size_t>(i)] = here == 0 ? bit : (here > 0) == farthest;
+      is_new = is_new && (here == 0 || !bit);
+    }
+    if (is_new) f(is_upper);
+  }
+}
+
+/// The corners of a box, corner(sides) for all choices of sides: bit i is set on the upper side of
+/// axis i.
+template <int N, class Corner>
+[[nodiscard]] constexpr auto corners_by_sides(const Corner& corner) noexcept {
+  std::array<decltype(corner(0)), std::size_t{1} << N> corners{};
+  for (std::size_t sides = 0; sides < corners.size(); ++sides) corners[sides] = corner(sides);
+  return corners;
+}
+
+/// A positive number of few bits on the grid of T.
+template <Number T>
+[[nodiscard]] constexpr auto least_of() noexcept {
+  if constexpr (is_fixed<T>) {
+    return Fixed<1, T::frac>::from_raw(1);
+  } else {
+    return T(1);
+  }
+}
+
+/// A nonempty box, from `low` to `high`, as a convex body for GJK.
+template <Number S, int N>
 class AabbBody {
  public:
   static constexpr int dimension = N;
 
-  explicit constexpr AabbBody(const Aabb<S, N>& box) noexcept : box_(box) {}
+  constexpr AabbBody(const Vec<S, N>& low, const Vec<S, N>& high) noexcept
+      : low_(low), high_(high) {}
+  template <class Box>
+  explicit constexpr AabbBody(const Box& box) noexcept : low_(box.min), high_(box.max) {}
 
-  [[nodiscard]] constexpr const Vec<S, N>& some() const noexcept { return box_.min; }
-  [[nodiscard]] constexpr const Vec<S, N>& low() const noexcept { return box_.min; }
-  [[nodiscard]] constexpr const Vec<S, N>& high() const noexcept { return box_.max; }
+  [[nodiscard]] constexpr auto corners() const noexcept {
+    return corners_by_sides<N>([this](std::size_t sides) {
+      return make_vec<N>([&](int i) { return (sides >> i & 1) != 0 ? high_[i] : low_[i]; });
+    });
+  }
+  [[nodiscard]] constexpr const Vec<S, N>& some() const noexcept { return low_; }
+  [[nodiscard]] constexpr const Vec<S, N>& low() const noexcept { return low_; }
+  [[nodiscard]] constexpr const Vec<S, N>& high() const noexcept { return high_; }
+
+  static constexpr bool has_few_edges() noexcept { return true; }
+  using Edge = Vec<decltype(least_of<S>()), N>;
+  template <class F>
+  static constexpr void for_each_edge(const F& f) noexcept {
+    for (int i = 0; i < N; ++i) {
+      Edge edge{};
+      edge[i] = least_of<S>();
+      f(edge);
+    }
+  }
 
   template <int, Number V, Number T>
   [[nodiscard]] constexpr Vec<S, N> extreme(const Vec<V, N>& v, const Vec<T, N>&,
                                             bool farthest) const noexcept {
-    return make_vec<N>([&](int i) { return (v[i] > 0) == farthest ? box_.max[i] : box_.min[i]; });
+    return make_vec<N>([&](int i) { return (v[i] > 0) == farthest ? high_[i] : low_[i]; });
+  }
+
+  template <int, Number V, Number T, class F>
+  constexpr void for_each_extreme(const Vec<V, N>& v, const Vec<T, N>&, bool farthest,
+                                  const F& f) const noexcept {
+    const auto along = [&](int i) { return v[i]; };
+    for_each_extreme_end<N>(along, farthest, [&](const auto& is_upper) {
+      f(make_vec<N>(
+          [&](int i) { return is_upper[static_cast<std::size_t>(i)] ? high_[i] : low_[i]; }));
+    });
   }
 
  private:
-  Aabb<S, N> box_;
+  Vec<S, N> low_, high_;
 };
+template <Scalar S, int N>
+AabbBody(const Aabb<S, N>&) -> AabbBody<S, N>;
+template <Number S, int N>
+AabbBody(const Vec<S, N>&, const Vec<S, N>&) -> AabbBody<S, N>;
 
 /// The body {center + sum s_i edges[i] : |s_i| <= 1}; `senses[i]` points the same way as edges[i].
 ///
@@ -52,6 +121,11 @@ class SpannedBody {
         edges_(edges),
         senses_(senses) {}
 
+  [[nodiscard]] constexpr auto corners() const noexcept {
+    return corners_by_sides<N>([this](std::size_t sides) {
+      return corner([&](int i, int) { return (sides >> i & 1) != 0; });
+    });
+  }
   [[nodiscard]] constexpr auto some() const noexcept {
     return corner([](int, int) { return true; });
   }
@@ -62,6 +136,13 @@ class SpannedBody {
     return corner([this](int i, int j) { return edge(i)[j] > 0; });
   }
 
+  static constexpr bool has_few_edges() noexcept { return true; }
+  using Edge = Vec<V, N>;
+  template <class F>
+  constexpr void for_each_edge(const F& f) const noexcept {
+    for (const auto& sense : senses_) f(sense);
+  }
+
   template <int, Number D, class From>
   [[nodiscard]] constexpr auto extreme(const Vec<D, N>& v, const From&,
                                        bool farthest) const noexcept {
@@ -70,6 +151,18 @@ class SpannedBody {
       is_added[i] = (dot(v, senses_[i]) > 0) == farthest;
     }
     return corner([&](int i, int) { return is_added[static_cast<std::size_t>(i)]; });
+  }
+
+  template <int, Number D, class From, class F>
+  constexpr void for_each_extreme(const Vec<D, N>& v, const From&, bool farthest,
+                                  const F& f) const noexcept {
+    const auto along =
+        make_vec<N>([&](int i) { return dot(v, senses_[static_cast<std::size_t>(i)]); });
+    for_each_extreme_end<N>(
+        [&](int i) { return along[i]; }, farthest,
+        [&](const auto& is_added) {
+          f(corner([&](int i, int) { return is_added[static_cast<std::size_t>(i)]; }));
+        });
   }
 
  private:
@@ -115,9 +208,13 @@ template <Scalar S, int N>
   return Body(box.center, edges, senses);
 }
 
-// body_of(shape): a nonempty polytope as a convex body for GJK (see support.hpp). An oriented box
+// body_of(shape): a point or a nonempty polytope as a convex body for GJK (see support.hpp). An oriented box
 // is what its edges span.
 
+template <Number S, int N>
+[[nodiscard]] constexpr auto body_of(const Vec<S, N>& point) noexcept {
+  return HullBody(std::array{point});
+}
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto body_of(const Segment<S, N>& segment) noexcept {
   return HullBody(std::array{segment.start, segment.end});

@@ -29,6 +29,8 @@ inline constexpr bool is_fine = bits_of<T> > 48;
 template <Number T, class A, class B, int N = A::dimension>
 class Gjk {
  public:
+  using Difference = T;
+
   constexpr Gjk(const A& a, const B& b) noexcept : a_(a), b_(b) {
     feature_.add(narrow<bits_of<T>>(a.some() - b.some()));
   }

@@ -26,7 +26,7 @@ inline constexpr PointIndex no_point = -1;
 
 /// The point that lies farthest against v from `from`, or with `first` the first one that lies
 /// against it; `no_point` if none does.
-template <Number V, Scalar S, int N>
+template <Number V, Number S, int N>
 [[nodiscard]] constexpr PointIndex entering_point(std::span<const Vec<S, N>> points,
                                                   const Vec<V, N>& v, const Vec<S, N>& from,
                                                   bool first) noexcept {

@@ -12,6 +12,17 @@ template <Scalar S, Number T, int N>
   return make_vec<N>([&](int i) { return dot(box.rotation.axis(i), v); });
 }
 
+/// The vector sum v[i] axis(i) in the world, for a vector in a turned frame.
+template <Scalar S, Number T, int N>
+[[nodiscard]] constexpr auto from_frame(const Rotation<S, N>& frame, const Vec<T, N>& v) noexcept {
+  return make_vec<N>(
+      [&](int j) { return dot(make_vec<N>([&](int i) { return frame.axis(i)[j]; }), v); });
+}
+template <Scalar S, Number T, int N>
+[[nodiscard]] constexpr auto from_frame(const Obb<S, N>& box, const Vec<T, N>& v) noexcept {
+  return from_frame(box.rotation, v);
+}
+
 /// Whether `point` is in `box`.
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool holds(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {

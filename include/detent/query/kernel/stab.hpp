@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -25,20 +26,25 @@ namespace detent::detail {
 /// With w from the ray's origin to a point, the weights of a, b, c are the volumes d . (w_b x w_c),
 /// d . (w_c x w_a), d . (w_a x w_b) over their sum.
 ///
+/// `Points` is a span, or has `size()`, `operator[]` and an `entering_point` as in pivot.hpp. `Way`
+/// is a direction, or a vector not longer than sqrt(3) in units where a component of 1 fills it.
+///
 /// source: Dantzig's simplex method
-template <Scalar S, int N>
+template <Number T, int N, class Points = std::span<const Vec<T, N>>, class Way = Direction<T, N>>
 class Stab {
  public:
-  using Points = std::span<const Vec<S, N>>;
-  using Offset = decltype(Vec<S, N>() - Vec<S, N>());
+  using Offset = decltype(Vec<T, N>() - Vec<T, N>());
 
   /// `points` must not be empty.
+  template <Scalar S>
   constexpr Stab(const Ray<S, N>& ray, const Points& points) noexcept
-      : origin_(ray.origin), direction_(ray.direction), points_(points) {
+      : Stab(ray.origin, ray.direction, points) {}
+  constexpr Stab(const Vec<T, N>& origin, const Way& way, const Points& points) noexcept
+      : origin_(origin), direction_(way), points_(points) {
     at(0) = column(0);
     // From the first point towards the line, along each axis except the line's longest.
     const auto& offset = at(0).offset;
-    const int k = longest_axis(direction_.vec());
+    const int k = longest_axis(make_vec<N>([&](int i) { return direction_[i]; }));
     for (int i = 1; i < N; ++i) {
       const int j = (k + i) % N;
       const auto place = offset[j] * direction_[k];
@@ -107,7 +113,7 @@ class Stab {
   static constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
   [[nodiscard]] constexpr Column& at(int i) noexcept { return basis_[index(i)]; }
   [[nodiscard]] constexpr const Column& at(int i) const noexcept { return basis_[index(i)]; }
-  [[nodiscard]] constexpr const Vec<S, N>& point_at(PointIndex i) const noexcept {
+  [[nodiscard]] constexpr decltype(auto) point_at(PointIndex i) const noexcept {
     return points_[static_cast<std::size_t>(i)];
   }
   [[nodiscard]] constexpr Column column(PointIndex i) const noexcept {
@@ -186,7 +192,7 @@ class Stab {
   template <class GradientOf>
   constexpr void descend(const GradientOf& gradient_of) noexcept {
     bool moved = true;
-    for (Patience<S> patience; patience.step();) {
+    for (Patience<T> patience; patience.step();) {
       const auto& from = point_at(at(point()).index);
       const auto entering = entering_point(points_, gradient_of(), from, !moved);
       if (entering == no_point) return;
@@ -230,10 +236,35 @@ class Stab {
     return false;
   }
 
-  Vec<S, N> origin_;
-  Direction<S, N> direction_;
+  Vec<T, N> origin_;
+  Way direction_;
   Points points_;
   std::array<Column, static_cast<std::size_t>(N)> basis_{};
 };
+
+/// The distance at which a ray enters a hull, rounded down, and whether it is 0 because the ray
+/// starts inside.
+template <Scalar S>
+struct HullEntry {
+  S distance;
+  bool starts_inside;
+};
+
+/// Where a ray enters the hull of the points in `stab`. Leaves `stab` at the simplex that the ray
+/// enters through, unless the ray starts inside.
+template <Scalar S, class Stab>
+[[nodiscard]] constexpr std::optional<HullEntry<S>> entry(Stab& stab, const S& limit) noexcept {
+  if (limit < 0 || !stab.meets()) return std::nullopt;
+  stab.go_to_first();
+  const auto enter = stab.distance();
+  if (enter.numerator > 0) {
+    const auto distance = floor_within(enter, limit);
+    if (!distance) return std::nullopt;
+    return HullEntry<S>{*distance, false};
+  }
+  stab.go_to_last();
+  if (stab.distance().numerator < 0) return std::nullopt;
+  return HullEntry<S>{S(0), true};
+}
 
 }  // namespace detent::detail

@@ -47,20 +47,21 @@ template <Number T, Number D, Number R, int N>
   return any;
 }
 
-/// Calls `within` with the least squared distance of the points t d, t in [0, 1], from the box from
-/// `low` to `high`, as a number or as a numerator and a denominator, and returns its result.
+/// Calls `visit` with the shortest vector from the box from `low` to `high` to the points t d, t in
+/// [0, 1], and returns its result. The vector is given as such or, if it is perpendicular to
+/// `speed`, as g and `speed`: g - speed (g . speed) / speed^2.
 ///
 /// The squared distance from the box is the sum of the squares of the excesses: a convex function
 /// f(t) of quadratic pieces, which change where the point enters or leaves a slab. If f is still
 /// falling there, its minimum comes later. So each axis yields the side of its slab on which the
 /// minimum lies. If the axes outside their slabs have the excesses g[i] + t d[i], the minimum is
 /// |g x d|^2 / d^2.
-template <Number T, Number D, int N, class Within>
-[[nodiscard]] constexpr auto compare_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
-                                           const Vec<D, N>& d, const Within& within) noexcept {
+template <Number T, Number D, int N, class Visit>
+[[nodiscard]] constexpr auto nearest_of_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
+                                              const Vec<D, N>& d, const Visit& visit) noexcept {
   const auto at_start = excess(Vec<T, N>(), low, high), at_end = excess(d, low, high);
-  if (dot(d, at_start) >= 0) return within(squared_length(at_start));
-  if (dot(d, at_end) <= 0) return within(squared_length(at_end));
+  if (dot(d, at_start) >= 0) return visit(at_start);
+  if (dot(d, at_end) <= 0) return visit(at_end);
 
   const auto is_falling_at = [&](const T& over, const D& under) {
     return dot(d, excess(over * d, under * low, under * high)) < 0;
@@ -85,8 +86,22 @@ template <Number T, Number D, int N, class Within>
     }
     speed[i] = d[i];
   }
-  if (is_zero(speed)) return within(squared_length(g));
-  return within(squared_area(g, speed), squared_length(speed));
+  if (is_zero(speed)) return visit(g);
+  return visit(g, speed);
+}
+
+/// Calls `within` with the least squared distance of the points t d, t in [0, 1], from the box from
+/// `low` to `high`, as a number or as a numerator and a denominator, and returns its result.
+template <Number T, Number D, int N, class Within>
+[[nodiscard]] constexpr auto compare_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
+                                           const Vec<D, N>& d, const Within& within) noexcept {
+  return nearest_of_slabs(low, high, d, [&](const auto& g, const auto&... speed) {
+    if constexpr (sizeof...(speed) == 0) {
+      return within(squared_length(g));
+    } else {
+      return within(squared_area(g, speed...), squared_length(speed...));
+    }
+  });
 }
 
 /// The least squared distance of the points t d, t in [0, 1], from the box from `low` to `high`, as

@@ -9,36 +9,6 @@
 
 namespace detent {
 
-namespace detail {
-
-/// The distance at which a ray enters a hull, rounded down, and whether it is 0 because the ray
-/// starts inside.
-template <Scalar S>
-struct HullEntry {
-  S distance;
-  bool starts_inside;
-};
-
-/// Where a ray enters the hull of the points in `stab`. Leaves `stab` at the simplex that the ray
-/// enters through, unless the ray starts inside.
-template <Scalar S, int N>
-[[nodiscard]] constexpr std::optional<HullEntry<S>> entry(Stab<S, N>& stab,
-                                                          const S& limit) noexcept {
-  if (limit < 0 || !stab.meets()) return std::nullopt;
-  stab.go_to_first();
-  const auto enter = stab.distance();
-  if (enter.numerator > 0) {
-    const auto distance = floor_within(enter, limit);
-    if (!distance) return std::nullopt;
-    return HullEntry<S>{*distance, false};
-  }
-  stab.go_to_last();
-  if (stab.distance().numerator < 0) return std::nullopt;
-  return HullEntry<S>{S(0), true};
-}
-
-}  // namespace detail
-
 /// Distance along `ray` at which it first touches `hull`, or nothing.
 ///
 /// units:  lengths in world units; direction is unit length

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/query/kernel/argument.hpp"
+
+namespace detent {
+
+/// Where a moving shape first touches a target.
+///
+/// `distance` is how far it has moved, rounded down. `point` is the point of the target closest to
+/// the shape moved that far; of several, the one with the least x, then y, then z; if they share a
+/// point there, the one that `closest_points(target, shape)` gives. `normal` is that of the target
+/// where they touch, and faces the shape. If they share a point at the start, the distance is 0,
+/// `point` the shape's first point (a center, end `a` or first corner) and `normal` the opposite of
+/// the direction, as for a ray that starts inside a solid.
+template <Scalar S, int N>
+struct CastHit {
+  S distance{};
+  Vec<S, N> point;
+  Direction<S, N> normal;
+
+  [[nodiscard]] friend constexpr bool operator==(const CastHit&, const CastHit&) noexcept = default;
+};
+
+/// Appends to a digest: the fields in order.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const CastHit<S, N>& hit) noexcept {
+  digest.add(hit.distance, hit.point, hit.normal);
+}
+
+}  // namespace detent

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <type_traits>
+
+#include "detent/number/filter/leading.hpp"
+#include "detent/query/cast/touch.hpp"
+#include "detent/shape/plane.hpp"
+
+namespace detent::detail {
+
+/// The first touch of a shape that moves along `direction` with a plane: of the corner of its core
+/// that is closest to the plane.
+///
+/// At the height h over the plane, times the length of its normal n, falling by s = -n . d, it
+/// touches where (h - s t)^2 = r^2 n^2 first.
+template <bool WithNormal, class A, Scalar S, int N>
+[[nodiscard]] constexpr std::optional<Touch<S, N>> first_touch(const A& a,
+                                                               const Direction<S, N>& direction,
+                                                               const S& limit,
+                                                               const Plane<S, N>& plane) noexcept {
+  if (limit < 0 || !has_points(a)) return std::nullopt;
+  const auto body = body_of(core_of(a));
+  const auto& n = plane.normal.vec();
+  constexpr int bits = bits_of<std::remove_cvref_t<decltype(body.some().x)>> + 1;
+  const auto height_of = [&](bool farthest) {
+    return dot(n, body.template extreme<bits>(n, body.some(), farthest)) - plane.offset;
+  };
+  const auto lowest = height_of(false), highest = height_of(true);
+  const bool is_above = lowest > 0;
+  using Height = std::remove_cvref_t<decltype(lowest)>;
+  const Height height = is_above      ? lowest
+                        : highest < 0 ? Height(narrow_negative(highest))
+                                      : Height();
+  const auto radius = radius_of(a);
+  const auto nn = squared_length(plane.normal);
+  const auto beyond = square(height) - square(radius) * nn;
+  if (!(height > 0) || beyond <= 0) return Touch<S, N>{S(0), std::nullopt};
+  const auto along = dot(plane.normal, direction);
+  const auto speed = is_above ? along : narrow_negative(along);  // negative if it falls
+  if (!(speed < 0)) return std::nullopt;
+  // Whether the body reaches the plane at t, or not before t.
+  const auto left = [&](const S& t) { return height + speed * t; };
+  const auto distance = [&]() -> std::optional<S> {
+    if constexpr (is_fixed<S>) {
+      const auto sign_at = [&](const S& t) {
+        const auto rest = left(t);
+        return rest < 0
+                   ? -1
+                   : (square(rest) > square(radius) * nn) - (square(rest) < square(radius) * nn);
+      };
+      if (sign_at(limit) > 0) return std::nullopt;
+      const Leading rr = Leading(radius) * Leading(radius) * Leading(nn);
+      const Leading reach = Leading(height) + sqrt(rr);
+      const S below = floor_below<S>(Leading(beyond) / reach / Leading(narrow_negative(speed)));
+      if (below == limit) return below;
+      const S above = S::assume_raw(static_cast<typename S::raw_type>(below.raw() + 1));
+      return sign_at(above) >= 0 ? above : below;
+    } else {
+      const S t = (height - radius * sqrt_floor<S>(nn)) / -speed;
+      if (t > limit) return std::nullopt;
+      return t;
+    }
+  }();
+  if (!distance) return std::nullopt;
+  return Touch<S, N>{*distance, is_above ? plane.normal : -plane.normal};
+}
+}  // namespace detent::detail

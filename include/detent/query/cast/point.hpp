@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <type_traits>
+#include <utility>
+
+#include "detent/query/cast/motion.hpp"
+#include "detent/query/kernel/closest_in_frame.hpp"
+#include "detent/query/kernel/common_point.hpp"
+#include "detent/query/kernel/directions.hpp"
+#include "detent/query/kernel/least_common_point.hpp"
+#include "detent/query/kernel/point_plane.hpp"
+#include "detent/query/kernel/rounded_point.hpp"
+#include "detent/query/kernel/swept_body.hpp"
+#include "detent/query/kernel/touch_witness.hpp"
+#include "detent/query/kernel/weights.hpp"
+
+// The point of a target closest to a shape that has moved. A moved pose is exact on a finer grid.
+
+namespace detent::detail {
+
+/// The point of the body `b`, grown by `radius`, closest to `a`; both are where they are. If they
+/// share a point, as `common_point` chooses.
+template <Scalar S, class A, class B, int N = A::dimension>
+[[nodiscard]] constexpr Vec<S, N> closest_point_of_body(const A& a, const B& b,
+                                                        const S& radius) noexcept {
+  return with_gjk(b, a, [&](auto search) {
+    if (search.touches()) return common_point<S>(b, a);
+    const auto& feature = search.closest_feature();
+    using T = std::remove_cvref_t<decltype(feature[0].x)>;
+    using V = typename Directions<T, N>::type;
+    const auto v = with_direction(feature, [](const auto& u) { return on_grid_of<V>(u); });
+    if constexpr (!is_fixed<S>) {
+      Vec<S, N> p, q;
+      find_by_weights(b, a, feature, p, q);
+      return nearly_rounded_beyond(RationalPoint{p, S(1)}, radius, narrow_negative(v));
+    } else {
+      // Differences between the bodies fit T, and those within a body twice as much.
+      using Corner = std::remove_cvref_t<decltype(T() + T())>;
+      const auto origin = a.some();  // the grid of the moved body is the finer one
+      const auto features = with_direction(feature, [&](const auto& u) {
+        return std::pair{extreme_corners<Corner>(b, u, v, false, origin),
+                         extreme_corners<Corner>(a, u, v, true, origin)};
+      });
+      return least_common_point(features.first, features.second, [&](const auto& p, const auto&) {
+        return nearly_rounded_beyond(RationalPoint{origin * p.under + p.over, p.under}, radius,
+                                     narrow_negative(v));
+      });
+    }
+  });
+}
+
+/// The point of a plane closest to the body `a`, which is on one side of it: the foot of the closest
+/// corner, of several that of the least one.
+template <class A, Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> closest_point_of_plane(const A& a,
+                                                         const Plane<S, N>& plane) noexcept {
+  const auto& n = plane.normal.vec();
+  const auto from = a.some();
+  constexpr int bits = bits_of<std::remove_cvref_t<decltype(from.x)>> + 1;
+  const auto height = [&](const auto& corner) { return dot(n, corner) - plane.offset; };
+  const bool is_above = height(from) > 0;
+  auto nearest = a.template extreme<bits>(n, from, !is_above);
+  a.template for_each_extreme<bits>(n, from, !is_above, [&](const auto& corner) {
+    if (is_before(corner, nearest)) nearest = corner;
+  });
+  const auto whole = squared_length(plane.normal);
+  return rounded<S>(RationalPoint{nearest * whole - n * height(nearest), whole});
+}
+
+/// Returns f(on_box, on_thin, v) for an oriented box and a point, which is at `place` in the frame
+/// of the box: rational points of both, in the frame of the box and in the world, and a vector from
+/// the latter to the former in the world.
+template <Scalar S, int N, Number T, class F>
+[[nodiscard]] constexpr auto with_closest_in_frame(const Obb<S, N>& box, const Vec<S, N>& center,
+                                                   const Vec<T, N>& place, const F& f) noexcept {
+  const auto clamped = make_vec<N>([&](int i) { return clamp_to(place[i], box.half_extents[i]); });
+  using One = std::remove_cvref_t<decltype(S() + S())>;
+  return f(RationalPoint{clamped * One(1), One(1)}, RationalPoint{center * One(1), One(1)},
+           from_frame(box, clamped - place));
+}
+/// The same for a segment, which starts at `place` in the frame of the box. Of several closest
+/// points of the segment, the least.
+template <Scalar S, int N, Number T, class F>
+[[nodiscard]] constexpr auto with_closest_in_frame(const Obb<S, N>& box,
+                                                   const Segment<S, N>& segment,
+                                                   const Vec<T, N>& place, const F& f) noexcept {
+  const auto along = segment.end - segment.start;
+  const auto d = in_frame(box, along);
+  const auto low = -place - box.half_extents, high = -place + box.half_extents;
+  const auto t = closest_time(low, high, d, !is_before(segment.end, segment.start));
+  const auto& whole = t.denominator;
+  const auto offset = d * t.numerator + place * whole;
+  using Offset = std::remove_cvref_t<decltype(offset.x)>;
+  const auto clamped = make_vec<N>([&](int i) {
+    const Offset extent(box.half_extents[i] * whole);
+    return offset[i] > extent ? extent : offset[i] < -extent ? narrow_negative(extent) : offset[i];
+  });
+  return f(RationalPoint{clamped, whole},
+           RationalPoint{segment.start * whole + along * t.numerator, whole},
+           from_frame(box, clamped - offset));
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr const Vec<S, N>& start_of(const Vec<S, N>& point) noexcept {
+  return point;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr const Vec<S, N>& start_of(const Segment<S, N>& segment) noexcept {
+  return segment.start;
+}
+
+/// Where the start of a thin core is in the frame of a box, after it moved along `direction`; a
+/// negative distance is the box's.
+template <class Thin, Scalar S, int N, Number D>
+[[nodiscard]] constexpr auto place_in_frame(const Obb<S, N>& box, const Thin& thin,
+                                            const Direction<S, N>& direction,
+                                            const D& distance) noexcept {
+  return in_frame(box, start_of(thin) - box.center) + way_in_frame(box, direction) * distance;
+}
+
+/// The point of `target` closest to `shape` moved by `distance`; both have points.
+template <class A, class B, Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> closest_point_of_target(const A& shape, const B& target,
+                                                          const Direction<S, N>& direction,
+                                                          const S& distance) noexcept {
+  const auto& a = core_of(shape);
+  const auto& b = core_of(target);
+  using CoreA = std::remove_cvref_t<decltype(a)>;
+  using CoreB = std::remove_cvref_t<decltype(b)>;
+  const S radius = radius_of(target);
+  if constexpr (is_thin<CoreA> && is_kind<CoreB, Obb>) {
+    return with_closest_in_frame(
+        b, a, place_in_frame(b, a, direction, distance),
+        [&](const auto& on_box, const auto&, const auto&) {
+          return rounded<S>(
+              RationalPoint{b.center * on_box.under + from_frame(b, on_box.over), on_box.under});
+        });
+  } else if constexpr (is_kind<CoreA, Obb> && is_thin<CoreB>) {
+    return with_closest_in_frame(a, b, place_in_frame(a, b, direction, -distance),
+                                 [&](const auto&, const auto& on_thin, const auto& v) {
+                                   return nearly_rounded_beyond(on_thin, radius, v);
+                                 });
+  } else {
+    const auto body = body_of(a);
+    if constexpr (filter_pays<S> && is_thin<CoreA> && !is_kind<CoreB, Plane>) {
+      const auto reach = radius_of(shape) + radius;
+      if (radius == 0 && reach > 0) {
+        const auto other = body_of(b);
+        using Body = std::remove_cvref_t<decltype(body)>;
+        using Other = std::remove_cvref_t<decltype(other)>;
+        using Reach = std::remove_cvref_t<decltype(reach)>;
+        TouchWitness<Body, Other, direction_component<S>, S, Reach> witness(body, other,
+                                                                            direction.vec(), reach);
+        if (const auto point = witness.closest_point(distance)) return *point;
+      }
+    }
+    const auto offset = direction.vec() * distance;
+    using Offset = std::remove_cvref_t<decltype(offset.x)>;
+    const SweptBody<std::remove_cvref_t<decltype(body)>, Offset, 0> moved(body, 0, offset, offset);
+    if constexpr (is_kind<CoreB, Plane>) {
+      return closest_point_of_plane(moved, b);
+    } else {
+      return closest_point_of_body(moved, body_of(b), radius);
+    }
+  }
+}
+
+}  // namespace detent::detail

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <type_traits>
+
+#include "detent/number/quadratic.hpp"
+#include "detent/query/cast/motion.hpp"
+#include "detent/query/kernel/approach.hpp"
+#include "detent/query/kernel/clip.hpp"
+#include "detent/query/kernel/differences.hpp"
+#include "detent/query/kernel/stab.hpp"
+#include "detent/query/kernel/touch_witness.hpp"
+
+// The first touch of a moving body and a target, for each kind of body.
+
+namespace detent::detail {
+
+/// How far a shape moves before it touches a target, and the normal there, unless they share a
+/// point at the start.
+template <Scalar S, int N>
+struct Touch {
+  S distance;
+  std::optional<Direction<S, N>> normal;
+};
+
+/// The way of a body clipped to the times at which its box, grown by `radius`, meets the box around
+/// another body.
+template <class A, class B, class Way, Number R, Scalar S>
+[[nodiscard]] constexpr auto clip_of_boxes(const A& a, const B& b, const Way& way, const R& radius,
+                                           const S& limit) noexcept {
+  const auto low = b.low() - a.high(), high = b.high() - a.low();
+  using Gap = std::remove_cvref_t<decltype(high.x + radius)>;
+  using Speed = std::remove_cvref_t<decltype(way[0])>;
+  RayClip<S, Gap, Speed, bits_of<Gap> + bits_of<Speed>> clip(limit);
+  for (int i = 0; i < A::dimension; ++i) {
+    clip.keep(i, low[i] - radius, high[i] + radius, way[i]);
+  }
+  return clip;
+}
+
+/// A distance of at most `limit`, rounded down, before which bodies are not within `radius`: until
+/// then the boxes around them are farther apart along some axis. Nothing if they stay so.
+template <class A, class B, class Way, Number R, Scalar S>
+[[nodiscard]] constexpr std::optional<S> boxes_within(const A& a, const B& b, const Way& way,
+                                                      const R& radius, const S& limit) noexcept {
+  return clip_of_boxes(a, b, way, radius, limit).first_distance();
+}
+
+/// The first touch of two boxes with the same axes; the normal is that of the lowest axis on which
+/// they are the last to meet.
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<Touch<S, N>> touch_of_boxes(const Aabb<S, N>& a,
+                                                                  const Aabb<S, N>& b,
+                                                                  const Direction<S, N>& direction,
+                                                                  const S& limit) noexcept {
+  const auto clip = clip_of_boxes(AabbBody(a), AabbBody(b), direction, S(0), limit);
+  const auto distance = clip.first_distance();
+  if (!distance) return std::nullopt;
+  const int axis = clip.entered();
+  if (axis == clip.no_slab) return Touch<S, N>{S(0), std::nullopt};
+  const auto outward = Direction<S, N>::along(axis);
+  return Touch<S, N>{*distance, direction[axis] > 0 ? -outward : outward};
+}
+
+/// The first touch of two polytopes: where the ray from 0 along `way` enters the differences of
+/// their points.
+template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S, int N>
+[[nodiscard]] constexpr std::optional<Touch<S, N>> touch_of_polytopes(
+    const A& a, const B& b, const Way& way, const ToWorld& to_world,
+    const Direction<S, N>& direction, const S& limit) noexcept {
+  if (!boxes_within(a, b, way, S(0), limit)) return std::nullopt;
+  if (is_zero(make_vec<N>([&](int i) { return way[i]; }))) {  // in a frame whose axes are parallel
+    if (!bodies_overlap(a, b)) return std::nullopt;
+    return Touch<S, N>{S(0), std::nullopt};
+  }
+  const auto points = differences(a, b);
+  using Point = std::remove_cvref_t<decltype(points[0])>;
+  using Component = std::remove_cvref_t<decltype(Point().x)>;
+  Stab<Component, N, std::remove_cvref_t<decltype(points)>, Way> stab(Point(), way, points);
+  const auto entered = entry(stab, limit);
+  if (!entered) return std::nullopt;
+  Touch<S, N> touch{entered->distance, std::nullopt};
+  if constexpr (WithNormal) {
+    if (!entered->starts_inside) {
+      touch.normal = -direction;
+      if (stab.is_face()) {
+        const auto along = direction_of<S>(to_world(stab.normal()));
+        touch.normal = -along.value_or(direction);
+      }
+    }
+  }
+  return touch;
+}
+
+/// By how many bits a grid of time is finer on which a normal turns by less than an eighth of its
+/// own step; at most `Most`, which is enough for any radius.
+template <int Most, Number R>
+[[nodiscard]] constexpr int finer_by(const R& radius) noexcept {
+  return (std::max)(Most + 1 - bits_of<R> + headroom(radius), 0);
+}
+
+/// How far a point moves before it is within `radius` > 0 of another one: a ray against a ball.
+template <Scalar S, int N, Number R>
+[[nodiscard]] constexpr std::optional<S> distance_to_ball(const Vec<S, N>& point,
+                                                          const Vec<S, N>& center,
+                                                          const Direction<S, N>& direction,
+                                                          const S& limit,
+                                                          const R& radius) noexcept {
+  const auto m = point - center;
+  const auto squared = squared_length(m);
+  const auto beyond = squared - square(radius);
+  if (beyond <= 0) return S(0);
+  const auto b = dot(m, direction);
+  if (!(b < 0)) return std::nullopt;
+  const Quadratic quadratic(squared_length(direction), b,
+                            narrow<bits_of<std::remove_cvref_t<decltype(squared)>>>(beyond));
+  if (!quadratic.has_roots()) return std::nullopt;
+  return quadratic.first_root(limit);
+}
+
+/// The first touch of bodies within `radius` > 0.
+///
+/// The normal is that of the closest points less than two steps of a grid of time before, in which
+/// it turns by less than 2 steps / radius: less than a quarter of its own step.
+template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S, int N, Number R>
+[[nodiscard]] constexpr std::optional<Touch<S, N>> touch_of_round(
+    const A& a, const B& b, const Way& way, const ToWorld& to_world,
+    const Direction<S, N>& direction, const S& limit, const R& radius) noexcept {
+  const auto steps = make_vec<N>([&](int i) { return way[i]; });
+  using Component = std::remove_cvref_t<decltype(steps.x)>;
+  using Search = Approach<A, B, Component, S, 0>;
+  const Search search(a, b, steps, radius, 0);
+
+  constexpr int most = is_fixed<S> ? bits_of<direction_component<S>> + 2 : 0;
+  using FineSearch = Approach<A, B, Component, S, most>;
+  const auto outward = [&](const auto& v) {
+    return direction_of<S>(to_world(shortened<240>(v))).value_or(direction);
+  };
+  const auto normal_after = [&](const S& distance) -> std::optional<Direction<S, N>> {
+    if constexpr (WithNormal) {
+      const FineSearch fine(a, b, steps, radius, finer_by<most>(radius));
+      return -fine.with_touch(fine.scaled(distance), fine.scaled(limit), outward);
+    } else {
+      return std::nullopt;
+    }
+  };
+  const auto normal_on = [&](const auto& feature, const S& distance) {
+    if (feature.is_facet()) {
+      const auto normal = facet_normal(feature.simplex());
+      return dot(normal, steps) > 0 ? -outward(normal) : outward(normal);
+    }
+    const FineSearch fine(a, b, steps, radius, finer_by<most>(radius));
+    return -fine.with_touch_on(feature, fine.scaled(distance), fine.scaled(limit), outward);
+  };
+  const auto start = boxes_within(a, b, steps, radius, limit);
+  if (!start) return std::nullopt;
+  if constexpr (filter_pays<S>) {
+    TouchWitness<A, B, Component, S, R> witness(a, b, steps, radius);
+    const auto decided = witness.first(*start, limit);
+    if (decided.is_sure) {
+      if (!decided.value) return std::nullopt;
+      const S& distance = *decided.value;
+      if constexpr (WithNormal) {
+        if (const auto feature = witness.feature_from(distance)) {
+          return Touch<S, N>{distance, normal_on(*feature, distance)};
+        }
+      }
+      return Touch<S, N>{distance, normal_after(distance)};
+    }
+  }
+  if (!(*start > 0) && search.lead_at(S(0)).clearance != Clearance::apart) {
+    return Touch<S, N>{S(0), std::nullopt};
+  }
+  const auto distance = search.first(*start, limit);
+  if (!distance) return std::nullopt;
+  return Touch<S, N>{*distance, normal_after(*distance)};
+}
+
+}  // namespace detent::detail

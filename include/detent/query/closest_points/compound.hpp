@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+
+#include "detent/query/kernel/argument.hpp"
+#include "detent/shape/compound.hpp"
+
+namespace detent {
+
+/// The closest points of the part of `compound` nearest to `shape`, which may be a compound itself.
+/// Also include `query/closest_points/pair.hpp`, `query/distance/pair.hpp` and
+/// `query/distance/compound.hpp`.
+///
+/// units:  world units
+/// domain: every input; a compound without parts gives the origin twice
+/// result: of parts with equal `distance`s, if only by rounding or clamping, the first counts
+/// exact:  the part is the nearest within 1 ULP of the scalar; each coordinate is rounded as
+///         `closest_points` of the part says       (tests/query/closest_points/compound.test.cpp)
+template <class First, class... Rest, class Shape>
+requires(!detail::IsPoint<Shape>)
+    [[nodiscard]] constexpr auto closest_points(const Compound<First, Rest...>& compound,
+                                                const Shape& shape) noexcept {
+  using Points = decltype(closest_points(std::declval<const First&>(), shape));
+  using S = decltype(distance(std::declval<const First&>(), shape));
+  Points points;
+  S least = largest<S>;
+  bool is_first = true;
+  for_each_part(compound, [&](const auto& part) {
+    const S to_part = distance(part, shape);
+    if (!is_first && to_part >= least) return;
+    is_first = false;
+    least = to_part;
+    points = closest_points(part, shape);
+  });
+  return points;
+}
+template <class Shape, class... Shapes>
+requires(!is_compound<Shape> && !detail::IsPoint<Shape>)
+    [[nodiscard]] constexpr auto closest_points(const Shape& shape,
+                                                const Compound<Shapes...>& compound) noexcept {
+  const auto points = closest_points(compound, shape);
+  return std::pair{points.second, points.first};
+}
+
+}  // namespace detent

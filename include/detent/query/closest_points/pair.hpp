@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "detent/query/closest_points/bodies.hpp"
+#include "detent/query/closest_points/plane.hpp"
+#include "detent/query/kernel/argument.hpp"
+#include "detent/query/kernel/closest_in_frame.hpp"
+#include "detent/query/kernel/convex_body.hpp"
+#include "detent/query/kernel/core.hpp"
+
+namespace detent {
+
+namespace detail {
+
+template <class T>
+inline constexpr bool is_round = requires(const T& shape) {
+  shape.radius;
+};
+
+template <class T>
+concept HasClosestPoints = (IsShape<T> || IsSegment<T>)&&is_convex<T>;
+template <class A, class B>
+concept HaveClosestPoints = HasClosestPoints<A> && HasClosestPoints<B> && !MixedArguments<A, B>;
+
+/// The closest points of two boxes that are apart: on each axis their ends if they are apart there,
+/// or else the first common place.
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_of_boxes(
+    const Aabb<S, N>& a, const Aabb<S, N>& b) noexcept {
+  const auto nearest = [](const Aabb<S, N>& box, const Aabb<S, N>& other) {
+    return make_vec<N>([&](int i) {
+      const S common = (std::max)(box.min[i], other.min[i]);
+      return box.max[i] < common ? box.max[i] : common;
+    });
+  };
+  return {nearest(a, b), nearest(b, a)};
+}
+
+/// The closest points of two shapes with the cores a and b, which have points.
+template <bool AreRound, Scalar S, class A, class B>
+[[nodiscard]] constexpr auto closest_points_of_cores(const A& a, const B& b, const S& radius_a,
+                                                     const S& radius_b) noexcept {
+  constexpr bool is_frame_first = is_kind<A, Obb> && (is_kind<B, Vec> || is_kind<B, Segment>);
+  constexpr bool is_frame_last = is_kind<B, Obb> && (is_kind<A, Vec> || is_kind<A, Segment>);
+  if constexpr ((is_kind<B, Plane> && !is_kind<A, Plane>) || is_frame_last) {
+    const auto points = closest_points_of_cores<AreRound>(b, a, radius_b, radius_a);
+    return std::pair{points.second, points.first};
+  } else if constexpr (is_kind<B, Plane>) {
+    return closest_points_of_planes(a, b);
+  } else if constexpr (is_kind<A, Plane>) {
+    return closest_points_to_plane(a, body_of(b), radius_b);
+  } else if constexpr (is_frame_first) {
+    return closest_points_in_frame(a, b, radius_b);
+  } else {
+    if constexpr (is_kind<A, Aabb> && is_kind<B, Aabb>) {
+      const auto points = closest_points_of_boxes(a, b);
+      if (points.first != points.second) return points;
+    }
+    const auto body_a = body_of(a);
+    const auto body_b = body_of(b);
+    using Search = ClosestPoints<S, AreRound, std::remove_cvref_t<decltype(body_a)>,
+                                 std::remove_cvref_t<decltype(body_b)>>;
+    return Search(body_a, body_b, radius_a, radius_b).find();
+  }
+}
+
+}  // namespace detail
+
+/// The closest points of two shapes or segments, as a pair: the point of `a` and the point of `b`.
+/// Where the shapes meet, both are the same point.
+///
+/// Of several closest pairs, it is the one whose point of `a` has the least x, then y, then z. The
+/// core of a sphere is its center, that of a capsule its axis, that of another shape itself; the
+/// points of round shapes are where the segment between those of the cores, p and q, leaves them.
+///
+/// Where cores share a point, the common point is the first corner of a's core that is in b's, in
+/// the order of the shape's fields (of a box, the lower end first on each axis, x fastest; of a
+/// hull, its points); or else the first corner of b's core in a's; or else where the first segment
+/// between two corners of a's core, in lexicographic order, enters b's core; or else the same with
+/// b's corners. Round shapes with cores apart meet on the segment from p to q: at q if that is in
+/// `a`, otherwise where it leaves `a`.
+///
+/// Planes have no corners: where one is parallel to the other, and where they meet, the points are
+/// those closest to the origin. An oriented box is its slabs, measured in its frame, where the other
+/// shape is a segment, a sphere or a capsule: of several closest pairs, it is then the one with the
+/// least point of the axis, and where that enters the box, it is the common point. To other shapes
+/// it is the box that its edges span.
+///
+/// units:  world units
+/// domain: every input; the origin twice if a shape is empty
+/// exact:  each coordinate is the exact one rounded to nearest, ties to even, and clamped; only the
+///         point of a capsule next to an oriented box is within 1/2 + 2^-12 ULP of the exact one
+///         (tests/oracle/closest_points.test.cpp)
+/// source: Gilbert, Johnson, Keerthi (1988), for polytopes: see query/kernel/gjk.hpp
+template <class A, class B>
+requires detail::HaveClosestPoints<A, B>
+[[nodiscard]] constexpr auto closest_points(const A& a, const B& b) noexcept {
+  using Point = typename detail::PointOf<A>::type;
+  if (!detail::has_points(a) || !detail::has_points(b)) return std::pair<Point, Point>();
+  constexpr bool are_round = detail::is_round<A> || detail::is_round<B>;
+  return detail::closest_points_of_cores<are_round>(detail::core_of(a), detail::core_of(b),
+                                                    detail::radius_of(a), detail::radius_of(b));
+}
+
+}  // namespace detent

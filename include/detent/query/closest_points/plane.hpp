@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <type_traits>
+#include <utility>
+
+#include "detent/query/kernel/common_point.hpp"
+#include "detent/query/kernel/least_common_point.hpp"
+#include "detent/query/kernel/point_plane.hpp"
+#include "detent/query/kernel/rounded_point.hpp"
+#include "detent/query/kernel/support.hpp"
+
+namespace detent::detail {
+
+/// Where a plane cuts a body that it meets: at the first corner in the plane, or else between the
+/// first two corners on different sides of it.
+template <Scalar S, int N, class Body>
+[[nodiscard]] constexpr Vec<S, N> common_point_with_plane(const Plane<S, N>& plane,
+                                                          const Body& body) noexcept {
+  const auto height = [&](const auto& corner) {
+    return dot(plane.normal.vec(), corner) - plane.offset;
+  };
+  auto result = nearest_to<S>(body.some());
+  const bool has_corner = any_corner(body, [&](const auto& corner) {
+    if (height(corner) != 0) return false;
+    result = nearest_to<S>(corner);
+    return true;
+  });
+  if (has_corner) return result;
+  any_two_corners(body, [&](const auto& p, const auto& q) {
+    const auto from = height(p), to = height(q);
+    if ((from > 0) == (to > 0)) return false;
+    const auto s = make_fraction(from, from - to);
+    result = rounded<S>(RationalPoint{p * s.denominator + (q - p) * s.numerator, s.denominator});
+    return true;
+  });
+  return result;
+}
+
+/// The closest points of a plane and all that is within a radius of a body.
+template <Scalar S, int N, class Body>
+[[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_to_plane(
+    const Plane<S, N>& plane, const Body& body, const S& radius) noexcept {
+  const auto& n = plane.normal.vec();
+  const auto from = body.some();
+  using Corner = decltype(from.x + from.x);
+  const auto height = [&](const auto& corner) { return dot(n, corner) - plane.offset; };
+  const auto extreme = [&](bool farthest) {
+    return body.template extreme<bits_of<Corner>>(n, from, farthest);
+  };
+  const bool is_above = height(extreme(false)) > 0;
+  if (!is_above && !(height(extreme(true)) < 0)) {
+    const auto point = common_point_with_plane(plane, body);
+    return {point, point};
+  }
+  auto nearest = extreme(!is_above);
+  body.template for_each_extreme<bits_of<Corner>>(n, from, !is_above, [&](const auto& corner) {
+    if (is_before(corner, nearest)) nearest = corner;
+  });
+  const auto above = height(nearest);
+  const auto whole = squared_length(plane.normal);
+  const auto on_plane = rounded<S>(RationalPoint{nearest * whole - n * above, whole});
+  if (Fraction{above * above, whole} <= square(radius)) return {on_plane, on_plane};
+  const RationalPoint p{nearest * decltype(whole)(1), decltype(whole)(1)};
+  return {on_plane, rounded_beyond(p, radius, is_above ? narrow_negative(n) : n)};
+}
+
+/// The closest points of two planes: those closest to the origin.
+///
+/// Planes that are not parallel meet in a line, in 2D in a point. With normals m and n, and the
+/// line's direction u = m x n, the line's point closest to the origin is
+/// (a.offset n x u + b.offset u x m) / u^2.
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_of_planes(
+    const Plane<S, N>& a, const Plane<S, N>& b) noexcept {
+  const auto& m = a.normal.vec();
+  const auto& n = b.normal.vec();
+  if (are_parallel(m, n)) {
+    const auto foot = [](const Plane<S, N>& plane) {
+      return rounded<S>(
+          RationalPoint{plane.normal.vec() * plane.offset, squared_length(plane.normal)});
+    };
+    return {foot(a), foot(b)};
+  }
+  Vec<S, N> point;
+  if constexpr (N == 2) {
+    const auto all = cross(m, n);
+    const Vec over{a.offset * n.y - b.offset * m.y, b.offset * m.x - a.offset * n.x};
+    point = make_vec<2>([&](int i) { return quotient_nearest<S>(over[i], all); });
+  } else {
+    const auto u = cross(m, n);
+    point = rounded<S>(
+        RationalPoint{cross(n, u) * a.offset + cross(u, m) * b.offset, squared_length(u)});
+  }
+  return {point, point};
+}
+
+}  // namespace detent::detail

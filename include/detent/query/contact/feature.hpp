@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "detent/math/components.hpp"
+#include "detent/math/direction.hpp"
+#include "detent/query/kernel/core.hpp"
+#include "detent/query/kernel/least_common_point.hpp"
+#include "detent/query/kernel/length.hpp"
+
+namespace detent::detail {
+
+/// A corner of a shape, which may be out of the range of S.
+template <Scalar S, int N>
+using Corner = Vec<Length<S>, N>;
+
+/// A face, an edge or a corner of a shape: its corners, rounded to the grid, with their numbers in
+/// the shape. Corners count once. Of more than `most` corners the first ones count.
+template <Scalar S, int N>
+struct Feature {
+  static constexpr std::size_t most = 32;
+  std::array<Corner<S, N>, most> corners{};
+  std::array<std::uint8_t, most> numbers{};
+  std::size_t count = 0;
+
+  constexpr void add(const Corner<S, N>& corner, std::size_t number) noexcept {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (corners[i] == corner) return;
+    }
+    if (count == most) return;
+    corners[count] = corner;
+    numbers[count++] = static_cast<std::uint8_t>(number % 255);
+  }
+};
+
+/// Twice the area of the triangle of p, q and r, seen against the direction d: positive if it turns
+/// counter-clockwise.
+template <Scalar S>
+[[nodiscard]] constexpr auto turn_of(const Direction<S, 3>& d, const Corner<S, 3>& p,
+                                     const Corner<S, 3>& q, const Corner<S, 3>& r) noexcept {
+  return dot(d, cross(q - p, r - p));
+}
+
+/// Keeps only the outermost corners of a flat feature, counter-clockwise seen against d, from the
+/// least one on; of a straight one, both ends.
+///
+/// source: Jarvis, On the Identification of the Convex Hull of a Finite Set of Points (1973)
+template <Scalar S>
+[[nodiscard]] constexpr Feature<S, 3> outline(const Feature<S, 3>& feature,
+                                              const Direction<S, 3>& d) noexcept {
+  if (feature.count < 2) return feature;
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < feature.count; ++i) {
+    if (is_before(feature.corners[i], feature.corners[first])) first = i;
+  }
+  Feature<S, 3> result;
+  for (std::size_t at = first; result.count < feature.count;) {
+    result.corners[result.count] = feature.corners[at];
+    result.numbers[result.count++] = feature.numbers[at];
+    const auto& p = feature.corners[at];
+    std::size_t next = at == 0 ? 1 : 0;
+    for (std::size_t i = 0; i < feature.count; ++i) {
+      if (i == at || i == next) continue;
+      const auto& q = feature.corners[next];
+      const auto& r = feature.corners[i];
+      const auto area = turn_of(d, p, q, r);
+      if (area < 0 || (area == 0 && squared_distance(p, r) > squared_distance(p, q))) next = i;
+    }
+    if (next == first) break;
+    at = next;
+  }
+  return result;
+}
+template <Scalar S>
+[[nodiscard]] constexpr Feature<S, 2> outline(const Feature<S, 2>& feature,
+                                              const Direction<S, 2>&) noexcept {
+  if (feature.count < 3) return feature;
+  std::size_t low = 0, high = 0;
+  for (std::size_t i = 1; i < feature.count; ++i) {
+    if (is_before(feature.corners[i], feature.corners[low])) low = i;
+    if (is_before(feature.corners[high], feature.corners[i])) high = i;
+  }
+  Feature<S, 2> result;
+  result.add(feature.corners[low], feature.numbers[low]);
+  result.add(feature.corners[high], feature.numbers[high]);
+  return result;
+}
+
+/// The feature of `body` that is farthest along v, or least far, exactly; its corners in the world
+/// are those of `world`.
+template <Scalar S, class Body, class World, Number V, int N>
+[[nodiscard]] constexpr Feature<S, N> extreme_feature(const Body& body, const World& world,
+                                                      const Vec<V, N>& v, bool farthest) noexcept {
+  constexpr int bits = bits_of<decltype(body.some().x)> + 1;
+  const auto best = body.template extreme<bits>(v, body.some(), farthest);
+  Feature<S, N> feature;
+  const auto& corners = body.corners();
+  const auto& in_world = world.corners();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (dot(v, corners[i] - best) == 0) feature.add(nearest_to<Length<S>>(in_world[i]), i);
+  }
+  return feature;
+}
+
+/// A vector perpendicular to the line or plane of N corners.
+template <Number T>
+[[nodiscard]] constexpr auto across_corners(const std::array<Vec<T, 2>, 2>& p) noexcept {
+  const auto edge = p[1] - p[0];
+  return Vec{edge.y, narrow_negative(edge.x)};
+}
+template <Number T>
+[[nodiscard]] constexpr auto across_corners(const std::array<Vec<T, 3>, 3>& p) noexcept {
+  return cross(p[1] - p[0], p[2] - p[0]);
+}
+
+/// Finds the face of a hull that holds `corner` and is most opposed to d; all corners of a hull
+/// without faces.
+template <class Body, Scalar S, int N>
+class OpposedFace {
+ public:
+  constexpr OpposedFace(const Body& body, const Corner<S, N>& at, const Direction<S, N>& d) noexcept
+      : corners_(body.corners()), d_(d) {
+    const auto corner = nearest_to<S>(at);
+    std::array<Vec<S, N>, std::size_t{N}> p{corner};
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      p[1] = corners_[i];
+      if constexpr (N == 2) {
+        offer(p);
+      } else {
+        for (std::size_t j = 0; j < i; ++j) {
+          p[2] = corners_[j];
+          offer(p);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      if (dot(best_, corners_[i] - corner) == 0)
+        feature_.add(nearest_to<Length<S>>(corners_[i]), i);
+    }
+  }
+
+  [[nodiscard]] constexpr const Feature<S, N>& feature() const noexcept { return feature_; }
+
+ private:
+  using Corners = std::array<Vec<S, N>, std::size_t{N}>;
+  using Normal = decltype(across_corners(Corners()));
+
+  constexpr void offer(const Corners& p) noexcept {
+    auto normal = across_corners(p);
+    if (is_zero(normal)) return;
+    bool is_below = true, is_above = true;
+    for (std::size_t i = 0; i < corners_.size() && (is_below || is_above); ++i) {
+      const auto height = dot(normal, corners_[i] - p[0]);
+      is_below = is_below && height <= 0;
+      is_above = is_above && height >= 0;
+    }
+    if (!is_below && !is_above) return;
+    auto along = dot(normal, d_);
+    if (is_below ? is_above && along > 0 : true) {
+      normal = narrow_negative(normal);
+      along = narrow_negative(along);
+    }
+    const auto squared = squared_length(normal);
+    if (!is_zero(best_)) {
+      const auto best_along = dot(best_, d_);
+      const auto left = square(along) * squared_length(best_), right = square(best_along) * squared;
+      const bool is_better =
+          along < 0 ? best_along >= 0 || left > right : best_along > 0 && left < right;
+      if (!is_better) return;
+    }
+    best_ = normal;
+  }
+
+  decltype(std::declval<const Body&>().corners()) corners_;
+  const Direction<S, N>& d_;
+  Normal best_{};
+  Feature<S, N> feature_;
+};
+
+/// The face of a box that is most opposed to d; `along` are the products of d and its axes.
+template <Scalar S, class Body, Number T, int N>
+[[nodiscard]] constexpr Feature<S, N> opposed_side(const Body& body,
+                                                   const Vec<T, N>& along) noexcept {
+  const int axis = longest_axis(along);
+  const std::size_t end = along[axis] < 0 ? 1 : 0;
+  Feature<S, N> feature;
+  const auto& corners = body.corners();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if ((i >> axis & 1) == end) feature.add(nearest_to<Length<S>>(corners[i]), i);
+  }
+  return feature;
+}
+
+/// The feature of a core that meets a face with the outward normal d, given its corner or edge that
+/// reaches deepest: the face most opposed to d; a whole segment or a point.
+template <class Core, class Body, Scalar S, int N>
+[[nodiscard]] constexpr Feature<S, N> opposed_feature(const Core& core, const Body& body,
+                                                      const Feature<S, N>& deepest,
+                                                      const Direction<S, N>& d) noexcept {
+  if constexpr (is_kind<Core, Aabb>) {
+    return opposed_side<S>(body, d.vec());
+  } else if constexpr (is_kind<Core, Obb>) {
+    return opposed_side<S>(body, make_vec<N>([&](int i) { return dot(core.rotation.axis(i), d); }));
+  } else {
+    return OpposedFace<Body, S, N>(body, deepest.corners[0], d).feature();
+  }
+}
+
+}  // namespace detent::detail

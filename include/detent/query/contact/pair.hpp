@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+
+#include "detent/query/contact/contact.hpp"
+#include "detent/query/contact/manifold.hpp"
+#include "detent/query/kernel/argument.hpp"
+#include "detent/query/kernel/least_push.hpp"
+
+namespace detent {
+
+namespace detail {
+
+template <class T>
+concept HasContacts = (IsShape<T> || IsSegment<T>)&&is_convex<T>;
+template <class A, class B>
+concept HaveContact = HasContacts<A> && HasContacts<B> && !MixedArguments<A, B> &&
+                      !(is_kind<A, Plane> && is_kind<B, Plane>);
+
+template <Scalar S, Number T, int N>
+[[nodiscard]] constexpr Direction<S, N> unit_of(const Vec<T, N>& v) noexcept {
+  return direction_of<S>(v).value_or(Direction<S, N>());
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr const Direction<S, N>& unit_of(const Direction<S, N>& d) noexcept {
+  return d;
+}
+
+/// The corners of a core that has few; others are bodies themselves.
+template <class Core>
+[[nodiscard]] constexpr auto corners_of(const Core& core) noexcept {
+  if constexpr (is_kind<Core, Vec>) {
+    return std::array{core};
+  } else if constexpr (is_kind<Core, Segment>) {
+    return std::array{core.start, core.end};
+  } else if constexpr (is_kind<Core, Triangle>) {
+    return std::array{core.a, core.b, core.c};
+  } else {
+    return core;
+  }
+}
+/// Points, segments and triangles are bodies of one type, so that there is little to compile.
+template <Scalar S, int N, std::size_t Count>
+[[nodiscard]] constexpr auto body_of_corners(const std::array<Vec<S, N>, Count>& corners) noexcept {
+  return HullBody(ConvexHull<S, N>{corners});
+}
+template <class Core>
+[[nodiscard]] constexpr auto body_of_corners(const Core& core) noexcept {
+  return body_of(core);
+}
+
+/// Makes the contact of a push; meet(manifold) finds its points.
+template <Scalar S, int N, Number Depth, class Meet>
+[[nodiscard]] constexpr std::optional<Contact<S, N>> make_contact(const Direction<S, N>& normal,
+                                                                  const Depth& depth,
+                                                                  const S& radius_a,
+                                                                  const S& radius_b,
+                                                                  const Meet& meet) noexcept {
+  Contact<S, N> contact;
+  contact.normal = normal;
+  contact.depth = floor_to<S>(depth);
+  const auto radii = radius_a + radius_b;
+  ContactBuilder<S, N> manifold(normal, narrow<bits_of<Length<S>>>(depth - radii), radius_a, radii);
+  meet(manifold);
+  manifold.write(contact);
+  return contact;
+}
+
+template <Scalar S, int N, class Core>
+[[nodiscard]] constexpr std::optional<Contact<S, N>> contact_with_plane(const Plane<S, N>& plane,
+                                                                        const Core& core,
+                                                                        const S& radius,
+                                                                        bool plane_is_a) noexcept {
+  const auto corners = corners_of(core);
+  const auto body = body_of_corners(corners);
+  const auto push = least_push_from_plane(plane, body, radius);
+  if (!push) return std::nullopt;
+  const auto& away = push->normal;
+  const S none(0);
+  return make_contact(plane_is_a ? away : -away, push->depth, plane_is_a ? none : radius,
+                      plane_is_a ? radius : none, [&](auto& manifold) {
+                        const auto deepest = extreme_feature<S>(body, body, away.vec(), false);
+                        manifold.meet_plane(plane_is_a, opposed_feature(core, body, deepest, away),
+                                            deepest);
+                      });
+}
+
+/// A box, measured in its frame, and a segment, which may be a point.
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<Contact<S, N>> contact_in_frame(const Obb<S, N>& box,
+                                                                      const Segment<S, N>& segment,
+                                                                      const S& radius,
+                                                                      bool box_is_a) noexcept {
+  const auto push = least_push_in_frame(box, segment, radius);
+  if (!push) return std::nullopt;
+  const auto away = unit_of<S>(push->normal);
+  const S none(0);
+  return make_contact(
+      box_is_a ? away : -away, push->depth, box_is_a ? none : radius, box_is_a ? radius : none,
+      [&](auto& manifold) {
+        const AabbBody local_box(-box.half_extents, Vec(narrow_negative(-box.half_extents)));
+        const auto d = in_frame(box, segment.end - segment.start);
+        const HullBody local_span(std::array{Vec<std::remove_cvref_t<decltype(d.x)>, N>(), d});
+        const auto world = edge_body(box);
+        const std::array ends{segment.start, segment.end};
+        const auto thin = body_of_corners(ends);
+        const auto side = extreme_feature<S>(local_box, world, push->local, true);
+        const auto end = extreme_feature<S>(local_span, thin, push->local, false);
+        const auto wide = [](const auto& feature) { return feature; };
+        const auto whole = [&](const auto& feature) {
+          return opposed_feature(segment, thin, feature, away);
+        };
+        if (box_is_a) {
+          manifold.meet(side, end, wide, whole);
+        } else {
+          manifold.meet(end, side, whole, wide);
+        }
+      });
+}
+
+template <Scalar S, int N, class A, class B>
+[[nodiscard]] constexpr std::optional<Contact<S, N>> contact_of_cores(const A& a, const B& b,
+                                                                      const S& radius_a,
+                                                                      const S& radius_b) noexcept {
+  if constexpr (is_kind<A, Plane>) {
+    return contact_with_plane(a, b, radius_b, true);
+  } else if constexpr (is_kind<B, Plane>) {
+    return contact_with_plane(b, a, radius_a, false);
+  } else if constexpr (is_kind<A, Obb> && is_kind<B, Vec>) {
+    return contact_in_frame(a, Segment{b, b}, radius_b, true);
+  } else if constexpr (is_kind<A, Obb> && is_kind<B, Segment>) {
+    return contact_in_frame(a, b, radius_b, true);
+  } else if constexpr (is_kind<B, Obb> && is_kind<A, Vec>) {
+    return contact_in_frame(b, Segment{a, a}, radius_a, false);
+  } else if constexpr (is_kind<B, Obb> && is_kind<A, Segment>) {
+    return contact_in_frame(b, a, radius_a, false);
+  } else {
+    const auto corners_a = corners_of(a);
+    const auto corners_b = corners_of(b);
+    const auto body_a = body_of_corners(corners_a);
+    const auto body_b = body_of_corners(corners_b);
+    const auto push = least_push_between<S>(body_a, body_b, radius_a + radius_b);
+    if (!push) return std::nullopt;
+    const auto normal = unit_of<S>(push->normal);
+    return make_contact(normal, push->depth, radius_a, radius_b, [&](auto& manifold) {
+      manifold.meet(
+          extreme_feature<S>(body_a, body_a, push->normal, true),
+          extreme_feature<S>(body_b, body_b, push->normal, false),
+          [&](const auto& deepest) { return opposed_feature(a, body_a, deepest, -normal); },
+          [&](const auto& deepest) { return opposed_feature(b, body_b, deepest, normal); });
+    });
+  }
+}
+
+}  // namespace detail
+
+/// How two shapes or segments that share a point are separated by the least translation, or nothing
+/// if they share none. Touching is a contact of depth 0.
+///
+/// Of several least translations, one along a face of the shapes' difference is chosen (out of a
+/// flat difference, along a perpendicular to it). Of several of those it is the one whose normal,
+/// turned so that its first component that is not 0 is positive, has the greatest x, then y, then
+/// z; and of both directions of a line the positive one. So contact(b, a) is the mirror image of
+/// contact(a, b), unless both directions are equally right. A plane is its surface: a shape leaves
+/// it to either side, and equally deep on both, to the side of its normal.
+///
+/// Points: where the normal is that of a face, the face of the other shape most opposed to it is
+/// clipped against its sides; a segment or the axis of a capsule as a whole; of a face seen edge-on
+/// its ends, or if it is deepest between them, its deepest corner or edge. At most four points are
+/// kept, two in 2D: the deepest, the farthest from it, and those that add the largest area on either
+/// side. Two parallel edges have the two ends of what they share; else there is one point. Of a face
+/// with more than 32 corners, the first 32 count.
+///
+/// An oriented box is its slabs, and depths are measured in its frame, where the other shape is a
+/// segment, a sphere or a capsule; to other shapes it is the box that its edges span.
+///
+/// units:  world units
+/// domain: every input; an empty shape touches nothing; depths are clamped to the greatest scalar
+/// exact:  whether there is a contact; the depth rounded up, error in [0, 1) ULP; the normal that
+///         of a plane as stored, else each component rounded to nearest; points and their depths
+///         within 4 ULP and 2^-27 of the distance from the origin, for they use corners of oriented
+///         boxes rounded to the grid and the rounded normal  (tests/oracle/contact_pairs.test.cpp)
+/// source: van den Bergen (2001), for polytopes: see query/kernel/expansion.hpp
+template <class A, class B>
+requires detail::HaveContact<A, B>
+[[nodiscard]] constexpr auto contact(const A& a, const B& b) noexcept {
+  using Point = typename detail::PointOf<A>::type;
+  using S = std::remove_cvref_t<decltype(Point().x)>;
+  constexpr int N = static_cast<int>(sizeof(Point) / sizeof(S));
+  if (!detail::has_points(a) || !detail::has_points(b)) return std::optional<Contact<S, N>>();
+  return detail::contact_of_cores<S, N>(detail::core_of(a), detail::core_of(b),
+                                        detail::radius_of(a), detail::radius_of(b));
+}
+
+/// The translation on the grid by which b, moved, no longer touches a, given contact(a, b): a
+/// little more than its depth along its normal, each component rounded away from 0.
+///
+/// units:  world units
+/// domain: a depth less than the greatest scalar; a greater translation is clamped
+/// result: separates the shapes, whatever the rounding of the normal
+///         (tests/oracle/contact_pairs.test.cpp)
+///
+/// Proof: let u be the exact unit normal, d the depth. The normal's product with u is at least
+/// 1 - 2^-28: it is off by 2^-31 a component where it is rounded, by 2^-29 in length where it is
+/// stored, and a box's frame is off by 3 2^-31. Rounding away from 0 moves further along u. So it is
+/// enough to move by more than d (1 + 2^-27), which d + 2^-27 d, rounded down, + 1 ULP is.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> separation(const Contact<S, N>& contact) noexcept {
+  if constexpr (!is_fixed<S>) {
+    return contact.depth * contact.normal.vec();
+  } else {
+    constexpr int bits = bits_of<direction_component<S>> - 4;
+    const auto past = contact.depth + scale_down<bits_of<S>>(contact.depth, bits) +
+                      Fixed<bits_of<S>, S::frac>::from_raw(1);
+    return make_vec<N>([&](int i) {
+      const auto component = past * contact.normal[i];
+      return component > 0 ? ceil_to<S>(component) : floor_to<S>(component);
+    });
+  }
+}
+
+}  // namespace detent

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <type_traits>
+
+#include "detent/math/components.hpp"
+#include "detent/query/kernel/expansion.hpp"
+
+namespace detent::detail {
+
+/// A type that holds every number of A and of B.
+template <Number A, Number B>
+struct holder_of {
+  using type = A;
+};
+template <int BitsA, int FracA, int BitsB, int FracB>
+struct holder_of<Fixed<BitsA, FracA>, Fixed<BitsB, FracB>> {
+  static constexpr int frac = (std::max)(FracA, FracB);
+  using type = Fixed<(std::max)(BitsA - FracA, BitsB - FracB) + frac, frac>;
+};
+template <Number A, Number B>
+using HolderOf = typename holder_of<A, B>::type;
+
+/// Whether T is the type of a direction's components.
+template <Number T>
+inline constexpr bool is_unit_component = false;
+template <int Bits, int Frac>
+inline constexpr bool is_unit_component<Fixed<Bits, Frac>> = Bits == Frac + 1;
+
+/// The least push of b out of a among those perpendicular to two edges (in 2D to one), for boxes,
+/// triangles, segments and points; nothing for bodies with more edges, or too few.
+///
+/// If its height is positive, it is the least of all, and that of a facet. If it is negative, the
+/// bodies are apart. If it is 0, they may be apart, touch, or be flat together.
+///
+/// P, the differences a - b, reaches no less far along any direction than the distance d of its
+/// nearest facet from the origin, and each facet is perpendicular to two edges; so the least push is
+/// among those tried. If d > 0, the ball of radius d about the origin touches the surface of P only
+/// at facets, each with the normal of the ball there; so no other direction reaches d.
+///
+/// source: Gottschalk, Lin, Manocha, OBBTree (1996), the axes; see Expansion for P
+template <Number T, class A, class B, int N = A::dimension>
+class AxisPush {
+ public:
+  constexpr AxisPush(const A& a, const B& b) noexcept : a_(a), b_(b) {}
+
+  /// Ends with the first push that is not positive.
+  [[nodiscard]] constexpr auto least() const noexcept {
+    using Result = Push<Vec<Axis, N>, decltype(dot(Vec<Axis, N>(), Vec<T, N>()))>;
+    std::optional<Result> best;
+    if (!a_.has_few_edges() || !b_.has_few_edges()) return best;
+    const auto offer = [&](const auto& axis) {
+      if (is_zero(axis)) return;
+      const auto across = make_vec<N>([&](int i) { return Axis(axis[i]); });
+      for (const auto& normal : {across, narrow_negative(across)}) {
+        if (best && !(best->height > 0)) return;
+        const Result push{normal, dot(normal, farthest(normal))};
+        if (!best || !(push.height > 0) || is_less(push, *best)) best = push;
+      }
+    };
+    if constexpr (N == 2) {
+      const auto offer_across = [&](const auto& e) { offer(Vec{e.y, narrow_negative(e.x)}); };
+      a_.for_each_edge(offer_across);
+      b_.for_each_edge(offer_across);
+    } else {
+      offer_pairs(a_, offer);
+      offer_pairs(b_, offer);
+      a_.for_each_edge(
+          [&](const auto& e) { b_.for_each_edge([&](const auto& f) { offer(axis_of(e, f)); }); });
+    }
+    return best;
+  }
+
+ private:
+  using EdgeA = decltype(A::Edge::x);
+  using EdgeB = decltype(B::Edge::x);
+  /// The cross product of two edges. Components of directions do not exceed 1, so those of theirs do
+  /// not exceed 2.
+  template <Number E, Number F>
+  [[nodiscard]] static constexpr auto axis_of(const Vec<E, 3>& e, const Vec<F, 3>& f) noexcept {
+    if constexpr (is_unit_component<E> && is_unit_component<F>) {
+      return narrow_cross<E::frac + F::frac + 2>(e, f);
+    } else {
+      return cross(e, f);
+    }
+  }
+  template <Number E, Number F>
+  using Across = std::remove_cvref_t<decltype(axis_of(Vec<E, 3>(), Vec<F, 3>()).x)>;
+  /// Holds the components of every axis.
+  using Axis = std::conditional_t<
+      N == 2, HolderOf<EdgeA, EdgeB>,
+      HolderOf<Across<EdgeA, EdgeB>, HolderOf<Across<EdgeA, EdgeA>, Across<EdgeB, EdgeB>>>>;
+
+  template <class Body, class F>
+  static constexpr void offer_pairs(const Body& body, const F& offer) noexcept {
+    int i = 0;
+    body.for_each_edge([&](const auto& e) {
+      int j = 0;
+      body.for_each_edge([&](const auto& f) {
+        if (j++ < i) offer(axis_of(e, f));
+      });
+      ++i;
+    });
+  }
+
+  template <Number V>
+  [[nodiscard]] constexpr Vec<T, N> farthest(const Vec<V, N>& v) const noexcept {
+    constexpr int bits = bits_of<T>;
+    return narrow<bits>(a_.template extreme<bits>(v, b_.some(), true) -
+                        b_.template extreme<bits>(v, a_.some(), false));
+  }
+
+  const A& a_;
+  const B& b_;
+};
+
+}  // namespace detent::detail

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <type_traits>
+
+#include "detent/number/fraction.hpp"
+#include "detent/number/min_max.hpp"
+#include "detent/query/kernel/gjk.hpp"
+
+// A point that two convex polytopes share.
+
+namespace detent::detail {
+
+/// Calls f with the corners of a body in their order, until it returns true. Returns whether it did.
+template <class Body, class F>
+constexpr bool any_corner(const Body& body, const F& f) noexcept {
+  const auto from = body.some();
+  using Corner = std::remove_cvref_t<decltype(from)>;
+  bool is_found = false;
+  body.template for_each_extreme<bits_of<decltype(Corner().x)> + 1>(
+      Corner(), from, true, [&](const auto& corner) { is_found = is_found || f(corner); });
+  return is_found;
+}
+
+/// Calls f(corner, other) for all corners of a body and all that come later, until it returns true.
+template <class Body, class F>
+constexpr bool any_two_corners(const Body& body, const F& f) noexcept {
+  int i = 0;
+  return any_corner(body, [&](const auto& corner) {
+    int j = 0;
+    const bool is_found =
+        any_corner(body, [&](const auto& other) { return j++ > i && f(corner, other); });
+    ++i;
+    return is_found;
+  });
+}
+
+/// The type of the corners of two bodies on the finer of their grids.
+template <Number A, Number B>
+struct CommonCorner {
+  using type = A;
+};
+template <int BitsA, int FracA, int BitsB, int FracB>
+struct CommonCorner<Fixed<BitsA, FracA>, Fixed<BitsB, FracB>> {
+  using type = common_fixed<Fixed<BitsA, FracA>, Fixed<BitsB, FracB>>;
+};
+
+/// Finds where the segment from p to q, which meets a body outside of which p lies, first enters it.
+/// No corner of the body is on the segment.
+///
+/// It enters through the interior of a face, which holds a triangle of corners that it pierces, or
+/// of an edge, which it crosses. (In the plane of a face or along an edge it would enter earlier, at
+/// the border.) All such triangles and segments of corners are inside the body, so the first point
+/// on any of them is the one.
+template <Scalar S, Number P, class Body, int N = Body::dimension>
+class Entry {
+ public:
+  constexpr Entry(const Vec<P, N>& p, const Vec<P, N>& q, const Body& body) noexcept
+      : p_(p), e_(q - p), body_(body) {}
+
+  [[nodiscard]] constexpr Vec<S, N> find() noexcept {
+    any_two_corners(body_, [&](const auto& k, const auto& l) {
+      cross_segment(from_p(k), from_p(l));
+      return false;
+    });
+    if constexpr (N == 3) {
+      any_two_corners(body_, [&](const auto& k, const auto& l) {
+        any_corner(body_, [&](const auto& m) {
+          pierce_triangle(from_p(k), from_p(l), from_p(m));
+          return false;
+        });
+        return false;
+      });
+      if (pierced_ < crossed_) return at(pierced_);
+    }
+    return at(crossed_);
+  }
+
+ private:
+  using Edge = decltype(Vec<P, N>() - Vec<P, N>());
+  using Component = std::remove_cvref_t<decltype(Edge().x)>;
+  using Area = std::remove_cvref_t<decltype(cross(Vec<Component, 2>(), Vec<Component, 2>()))>;
+  using Part = std::remove_cvref_t<decltype(dot(Vec<Component, 3>(), Vec<Area, 3>()))>;
+  using Volume = std::remove_cvref_t<decltype(Part() + Part() + Part())>;
+
+  template <class Corner>
+  [[nodiscard]] constexpr Edge from_p(const Corner& corner) const noexcept {
+    return make_vec<N>([&](int i) { return P(corner[i]); }) - p_;
+  }
+
+  /// The point p + s e.
+  template <Number T>
+  [[nodiscard]] constexpr Vec<S, N> at(const Fraction<T, T>& s) const noexcept {
+    return make_vec<N>([&](int i) {
+      return quotient_nearest<S>(p_[i] * s.denominator + e_[i] * s.numerator, s.denominator);
+    });
+  }
+
+  /// Counts s / all. It is at least 0, because the body is ahead of p.
+  template <Number T>
+  static constexpr void count(const T& s, const T& all, Fraction<T, T>& least) noexcept {
+    const auto here = make_fraction(s, all);
+    if (here < least) least = here;
+  }
+
+  /// Where p + s e = k + t (l - k), in the plane of both.
+  constexpr void cross_segment(const Edge& k, const Edge& l) noexcept {
+    const auto g = narrow<bits_of<Component>>(l - k);
+    if constexpr (N == 2) {
+      cross_in_plane(cross(e_, g), cross(k, g), cross(k, e_));
+    } else {
+      if (dot(e_, cross(k, l)) != 0) return;
+      const auto all = cross(e_, g);
+      const int i = longest_axis(all);
+      cross_in_plane(all[i], cross(k, g)[i], cross(k, e_)[i]);
+    }
+  }
+  constexpr void cross_in_plane(const Area& all, const Area& s, const Area& t) noexcept {
+    if (all == 0) return;
+    const auto beyond = make_fraction(t, all);
+    if (beyond.numerator < 0 || beyond.numerator > beyond.denominator) return;
+    count(s, all, crossed_);
+  }
+
+  /// The segment pierces the triangle of k, l, m, if it passes all edges on one side.
+  constexpr void pierce_triangle(const Edge& k, const Edge& l, const Edge& m) noexcept {
+    const auto kl = cross(k, l);
+    const auto a = dot(e_, kl), b = dot(e_, cross(l, m)), c = dot(e_, cross(m, k));
+    if ((a < 0 || b < 0 || c < 0) && (a > 0 || b > 0 || c > 0)) return;
+    const Volume all = a + b + c;
+    if (all != 0) count(Volume(dot(m, kl)), all, pierced_);
+  }
+
+  Vec<P, N> p_;
+  Edge e_;
+  const Body& body_;
+  // Greater than 1 until found.
+  Fraction<Area, Area> crossed_{Area(2), Area(1)};
+  Fraction<Volume, Volume> pierced_{Volume(2), Volume(1)};
+};
+
+/// A point of two bodies that overlap, rounded to nearest: the first corner of `a` that is in `b`;
+/// or else the first corner of `b` in `a`; or else where the first of the segments between two
+/// corners of `a` that meets `b`, in the order of their first and then of their second corner,
+/// enters it; or else the same with `b`'s corners.
+///
+/// One of these exists: of the common points, a corner is where one face of each body meet, only in
+/// that point. So the dimensions of the two have a sum of at most 3, and one is a corner or an edge.
+template <Scalar S, class A, class B, int N = A::dimension>
+[[nodiscard]] constexpr Vec<S, N> common_point(const A& a, const B& b) noexcept {
+  using P = typename CommonCorner<std::remove_cvref_t<decltype(a.some().x)>,
+                                  std::remove_cvref_t<decltype(b.some().x)>>::type;
+  auto result = nearest_to<S>(a.some());
+  const auto take_corner = [&](const auto& from, const auto& other) {
+    return any_corner(from, [&](const auto& corner) {
+      if (!bodies_overlap(HullBody(std::array{corner}), other)) return false;
+      result = nearest_to<S>(corner);
+      return true;
+    });
+  };
+  const auto on_grid = [](const auto& corner) {
+    return make_vec<N>([&](int i) { return P(corner[i]); });
+  };
+  const auto take_edge = [&](const auto& from, const auto& other) {
+    return any_two_corners(from, [&](const auto& p, const auto& q) {
+      if (!bodies_overlap(HullBody(std::array{p, q}), other)) return false;
+      result =
+          Entry<S, P, std::remove_cvref_t<decltype(other)>>(on_grid(p), on_grid(q), other).find();
+      return true;
+    });
+  };
+  // All fail only with scalars that round.
+  static_cast<void>(take_corner(a, b) || take_corner(b, a) || take_edge(a, b) || take_edge(b, a));
+  return result;
+}
+
+}  // namespace detent::detail

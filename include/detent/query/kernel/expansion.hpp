@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "detent/math/components.hpp"
+#include "detent/number/filter/leading.hpp"
+#include "detent/number/patience.hpp"
+#include "detent/query/kernel/gjk.hpp"
+
+namespace detent::detail {
+
+/// Whether the first component of `v` that is not 0 is positive.
+template <Number T, int N>
+[[nodiscard]] constexpr bool is_positive(const Vec<T, N>& v) noexcept {
+  for (int i = 0; i < N; ++i) {
+    if (v[i] != 0) return v[i] > 0;
+  }
+  return false;
+}
+
+/// Which of two directions, given by vectors that are not 0, is chosen where both are equally
+/// right: the positive one of each line through the origin counts (its first component that is not
+/// 0 is positive), and of two lines the one whose unit vector has the greater x, then y, then z. Of
+/// both directions of one line it is the positive one.
+///
+/// So the choice depends on the directions alone, and mirrored directions give the mirrored choice
+/// unless both directions of the line may be chosen.
+template <Number T, int N>
+[[nodiscard]] constexpr bool is_preferred(const Vec<T, N>& v, const Vec<T, N>& over) noexcept {
+  const bool v_positive = is_positive(v), over_positive = is_positive(over);
+  const auto v_squared = squared_length(v), over_squared = squared_length(over);
+  for (int i = 0; i < N; ++i) {
+    const int v_sign = v_positive ? (v[i] > 0) - (v[i] < 0) : (v[i] < 0) - (v[i] > 0);
+    const int over_sign =
+        over_positive ? (over[i] > 0) - (over[i] < 0) : (over[i] < 0) - (over[i] > 0);
+    if (v_sign != over_sign) return v_sign > over_sign;
+    const auto left = square(v[i]) * over_squared, right = square(over[i]) * v_squared;
+    if (left != right) return v_sign > 0 ? left > right : left < right;
+  }
+  return v_positive && !over_positive;
+}
+
+/// By how much one body must move along `normal` to leave another: height / |normal|.
+template <class Normal, class Height>
+struct Push {
+  Normal normal{};
+  Height height{};
+};
+
+/// Whether one push is less than another, or equal and preferred. Heights may be negative.
+template <class Normal, class Height>
+[[nodiscard]] constexpr bool is_less(const Push<Normal, Height>& a,
+                                     const Push<Normal, Height>& b) noexcept {
+  const bool a_negative = a.height < 0, b_negative = b.height < 0;
+  if (a_negative != b_negative) return a_negative;
+  const auto squared_a = squared_length(a.normal), squared_b = squared_length(b.normal);
+  const auto exact = [&] {
+    const Fraction left{square(a.height), squared_a}, right{square(b.height), squared_b};
+    return left < right ? -1 : right < left ? 1 : 0;
+  };
+  const int order = [&] {
+    if constexpr (is_fixed<Height>) {
+      const auto product = [](const Height& height, const auto& squared) {
+        const Leading leading(abs(height));
+        return leading * leading * Leading(squared);
+      };
+      const auto apart =
+          difference(product(a.height, squared_b), product(b.height, squared_a), Relative{56});
+      return sign_or_exact(decide(apart), exact);
+    } else {
+      return exact();
+    }
+  }();
+  if (order != 0) return (order < 0) != a_negative;
+  return is_preferred(a.normal, b.normal);
+}
+
+/// A grid for the squares of depths in numbers of type T.
+template <Number T>
+struct squared_depth_of {
+  using type = T;
+};
+template <int Bits, int Frac>
+struct squared_depth_of<Fixed<Bits, Frac>> {
+  using type = Fixed<2 * (Bits - Frac) + 40, 40>;
+};
+
+/// The least push that separates two convex bodies a and b that share a point, found by expanding a
+/// polytope of at most `MostCorners` corners. `T` holds the components of differences of their
+/// points.
+///
+/// The differences a - b of all points are a convex polytope P that holds the origin. If b moves by
+/// v, the difference moves by -v; so the bodies touch at most in their surfaces when v is outside P
+/// or on its surface, and the least such v is the perpendicular to the nearest facet of P.
+///
+/// The search keeps a polytope Q whose corners are some of P. Each facet of Q has a signed distance
+/// from the origin. Take the least. If P reaches no farther along its normal, then it is a facet of
+/// P, and no other is nearer: the least signed distance of Q is at most that of P, which contains
+/// Q. Otherwise the corner of P farthest along the normal is added: it replaces the facets that it
+/// sees. Each step adds a corner of P, so the search ends.
+///
+/// Facets at equal distances are ordered by `is_preferred`. At the least distance d > 0 all facets
+/// of P are facets of Q in the end, since otherwise the point where one of them touches the ball of
+/// radius d would be outside Q. If d = 0, the search goes on until all facets of Q through the
+/// origin are facets of P. Then both have the same cone at the origin, so the same facets there.
+///
+/// A flat P pushes along a perpendicular to it, by 0. Where Q has too many corners, all facets of P
+/// are compared instead.
+///
+/// source: van den Bergen, Proximity Queries and Penetration Depth Computation on 3D Game Objects
+///         (2001)
+template <Number T, class A, class B, std::size_t MostCorners = 128, int N = A::dimension>
+class Expansion {
+ public:
+  using Corner = Vec<T, N>;
+  using Normal = decltype(facet_normal(Simplex<T, N>()));
+  using Height = decltype(dot(Normal(), Corner()));
+
+  constexpr Expansion(const A& a, const B& b) noexcept : a_(a), b_(b) {}
+
+  /// The least push of b out of a.
+  [[nodiscard]] constexpr Push<Normal, Height> least_push() noexcept {
+    if (!start()) return {flat_normal(), Height()};
+    for (Patience<T> patience; patience.step();) {
+      auto& facet = facets_[next()];
+      if (facet.is_final) break;
+      const auto corner = farthest(facet.push.normal);
+      facet.is_final = !is_beyond(corner, facet);
+      if (!facet.is_final && !add(corner)) return least_facet();
+    }
+    return facets_[nearest()].push;
+  }
+
+  /// The same push, for a P that is not flat, without room for a polytope: of all facets, each
+  /// spanned by corners of one body or by an edge of each. It takes much longer.
+  [[nodiscard]] constexpr Push<Normal, Height> least_facet() const noexcept {
+    std::optional<Push<Normal, Height>> best;
+    const auto offer = [&](const Simplex<T, N>& simplex, const auto& is_facet) {
+      const auto across = facet_normal(simplex);
+      if (is_zero(across)) return;
+      for (const auto& normal : {across, narrow_negative(across)}) {
+        const auto end = farthest(normal);
+        if (!is_facet(normal, end)) continue;
+        const Push<Normal, Height> push{normal, dot(normal, end)};
+        if (!best || is_less(push, *best)) best = push;
+      }
+    };
+    const auto& as = a_.corners();
+    const auto& bs = b_.corners();
+    const auto apart = [](const auto& a, const auto& b) { return narrow<bits_of<T>>(a - b); };
+    // Faces of one body, with any corner of the other.
+    for_each_facet(as, [&](const auto& first, const auto&... rest) {
+      const auto& b = b_.some();
+      offer(simplex_of(apart(first, b), apart(rest, b)...), [&](const auto& v, const auto&) {
+        return dot(v, a_.template extreme<bits_of<T>>(v, b, true) - first) == 0;
+      });
+    });
+    for_each_facet(bs, [&](const auto& first, const auto&... rest) {
+      const auto& a = a_.some();
+      offer(simplex_of(apart(a, first), apart(a, rest)...), [&](const auto& v, const auto&) {
+        return dot(v, b_.template extreme<bits_of<T>>(v, a, false) - first) == 0;
+      });
+    });
+    if constexpr (N == 3) {
+      for_each_edge(as, [&](const auto& a, const auto& a_end) {
+        for_each_edge(bs, [&](const auto& b, const auto& b_end) {
+          const auto simplex = simplex_of(apart(a, b), apart(a_end, b), apart(a, b_end));
+          offer(simplex,
+                [&](const auto& v, const auto& end) { return dot(v, end) == dot(v, simplex[0]); });
+        });
+      });
+    }
+    return best ? *best : facets_[0].push;
+  }
+
+ private:
+  static constexpr std::size_t most_corners = MostCorners;
+  // Euler: a polytope of n corners has at most 2 n - 4 triangles.
+  static constexpr std::size_t most_facets = N == 2 ? most_corners : 2 * most_corners - 4;
+  using Index = std::uint8_t;
+  using SquaredDepth = typename squared_depth_of<T>::type;
+  /// A side of a facet: the corners of an edge in 3D; one corner and which end it is in 2D.
+  struct Ridge {
+    Index from, to;
+    [[nodiscard]] constexpr bool operator==(const Ridge&) const noexcept = default;
+  };
+  struct Facet {
+    Push<Normal, Height> push;
+    SquaredDepth squared;  // rounded down: decides most comparisons
+    std::array<Index, std::size_t{N}> corners;
+    bool is_final = false;  // whether P reaches no farther
+  };
+
+  template <class Corners, class F>
+  static constexpr void for_each_edge(const Corners& corners, const F& f) noexcept {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) f(corners[i], corners[j]);
+    }
+  }
+  template <class Corners, class F>
+  static constexpr void for_each_facet(const Corners& corners, const F& f) noexcept {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if constexpr (N == 2) {
+          f(corners[i], corners[j]);
+        } else {
+          for (std::size_t k = 0; k < j; ++k) f(corners[i], corners[j], corners[k]);
+        }
+      }
+    }
+  }
+
+  template <Number V>
+  [[nodiscard]] constexpr Corner farthest(const Vec<V, N>& v) const noexcept {
+    constexpr int bits = bits_of<T>;
+    return narrow<bits>(a_.template extreme<bits>(v, b_.some(), true) -
+                        b_.template extreme<bits>(v, a_.some(), false));
+  }
+
+  /// Adds a corner that is off the plane through the last one, perpendicular to `v`, if there is
+  /// one.
+  template <Number V>
+  constexpr bool leave(const Vec<V, N>& v) noexcept {
+    const auto at = dot(v, simplex_.newest());
+    for (const auto& along : {v, narrow_negative(v)}) {
+      const auto next = farthest(along);
+      if (dot(v, next) == at) continue;
+      simplex_.add(next);
+      return true;
+    }
+    return false;
+  }
+
+  /// Finds N + 1 corners that span the space; false if P is flat.
+  constexpr bool start() noexcept {
+    const auto unit = [](int i) { return make_vec<N>([&](int j) { return T(i == j ? 1 : 0); }); };
+    simplex_.add(farthest(unit(0)));
+    for (int i = 0; i < N && simplex_.count == 1; ++i) leave(unit(i));
+    if (simplex_.count == 1) return false;
+    if constexpr (N == 3) {
+      const auto line = simplex_[1] - simplex_[0];
+      for (int i = 0; i < N && simplex_.count == 2; ++i) {
+        const auto across = cross(line, unit(i));
+        if (!is_zero(across)) leave(across);
+      }
+      if (simplex_.count == 2) return false;
+    }
+    if (!leave(facet_normal(simplex_))) return false;
+
+    for (int i = 0; i <= N; ++i) corners_[static_cast<std::size_t>(i)] = simplex_[i];
+    corner_count_ = std::size_t{N} + 1;
+    Simplex<T, N> facet;
+    for (int i = 0; i < N; ++i) facet.add(simplex_[i]);
+    const auto normal = facet_normal(facet);
+    const bool is_outward = dot(normal, simplex_[N]) < dot(normal, simplex_[0]);
+    if constexpr (N == 2) {
+      for (const auto& [from, to] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{2, 0}}) {
+        is_outward ? add_facet(from, to) : add_facet(to, from);
+      }
+    } else {
+      if (!is_outward) std::swap(corners_[0], corners_[1]);
+      add_facet(0, 1, 2);
+      add_facet(0, 3, 1);
+      add_facet(1, 3, 2);
+      add_facet(2, 3, 0);
+    }
+    return true;
+  }
+
+  template <class... Indices>
+  constexpr void add_facet(Indices... indices) noexcept {
+    Simplex<T, N> simplex;
+    (simplex.add(corners_[static_cast<std::size_t>(indices)]), ...);
+    const auto normal = facet_normal(simplex);
+    const auto height = dot(normal, simplex.newest());
+    facets_[facet_count_++] = {{normal, height},
+                               quotient_floor<SquaredDepth>(square(height), squared_length(normal)),
+                               {static_cast<Index>(indices)...}};
+  }
+
+  [[nodiscard]] static constexpr bool is_beyond(const Corner& corner, const Facet& facet) noexcept {
+    return dot(facet.push.normal, corner) > facet.push.height;
+  }
+  [[nodiscard]] static constexpr bool is_nearer(const Facet& a, const Facet& b) noexcept {
+    const bool a_negative = a.push.height < 0;
+    if (a_negative == (b.push.height < 0) && a.squared != b.squared) {
+      return (a.squared < b.squared) != a_negative;
+    }
+    return is_less(a.push, b.push);
+  }
+  [[nodiscard]] constexpr std::size_t nearest() const noexcept {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < facet_count_; ++i) {
+      if (is_nearer(facets_[i], facets_[best])) best = i;
+    }
+    return best;
+  }
+
+  /// The facet to examine: the nearest, or one through the origin that is not final.
+  [[nodiscard]] constexpr std::size_t next() const noexcept {
+    const auto best = nearest();
+    if (facets_[best].push.height != 0) return best;
+    for (std::size_t i = 0; i < facet_count_; ++i) {
+      if (facets_[i].push.height == 0 && !facets_[i].is_final) return i;
+    }
+    return best;
+  }
+
+  /// Adds a corner beyond some facet; false if there is no room.
+  constexpr bool add(const Corner& corner) noexcept {
+    if (corner_count_ == most_corners) return false;
+    const auto added = corner_count_++;
+    corners_[added] = corner;
+    std::array<Ridge, 3 * most_facets> rim{};
+    std::size_t ridges = 0;
+    // A ridge between two facets that the corner sees occurs twice, in both directions.
+    const auto see = [&](int from, int to) {
+      const Ridge back{static_cast<Index>(to), static_cast<Index>(from)};
+      for (std::size_t i = 0; i < ridges; ++i) {
+        if (rim[i] != back) continue;
+        rim[i] = rim[--ridges];
+        return;
+      }
+      rim[ridges++] = {static_cast<Index>(from), static_cast<Index>(to)};
+    };
+    constexpr int none = 255;
+    for (std::size_t i = 0; i < facet_count_;) {
+      const auto& facet = facets_[i];
+      if (!is_beyond(corner, facet)) {
+        ++i;
+        continue;
+      }
+      if constexpr (N == 2) {
+        see(facet.corners[0], none);
+        see(none, facet.corners[1]);
+      } else {
+        for (std::size_t k = 0; k < 3; ++k) see(facet.corners[k], facet.corners[(k + 1) % 3]);
+      }
+      facets_[i] = facets_[--facet_count_];
+    }
+    // Never with exact numbers.
+    if (facet_count_ + ridges > most_facets) return false;
+    for (std::size_t i = 0; i < ridges; ++i) {
+      if constexpr (N == 2) {
+        rim[i].to == none ? add_facet(rim[i].from, added) : add_facet(added, rim[i].to);
+      } else {
+        add_facet(rim[i].from, rim[i].to, added);
+      }
+    }
+    return true;
+  }
+
+  /// The preferred perpendicular of a flat P.
+  [[nodiscard]] constexpr Normal flat_normal() const noexcept {
+    Normal normal{};
+    using Component = std::remove_cvref_t<decltype(normal.x)>;
+    if (simplex_.count == N) {
+      normal = facet_normal(simplex_);
+      if (!is_positive(normal)) normal = narrow_negative(normal);
+    } else if (simplex_.count == 2) {
+      // |d|^2 e - (e . d) d is perpendicular to d, and nearest to the x axis e.
+      if constexpr (N == 3) {
+        const auto d = simplex_[1] - simplex_[0];
+        normal = {Component(d.y * d.y + d.z * d.z), Component(-(d.x * d.y)),
+                  Component(-(d.x * d.z))};
+        if (is_zero(normal)) normal.y = Component(1);
+      }
+    } else {
+      normal.x = Component(1);
+    }
+    return normal;
+  }
+
+  A a_;
+  B b_;
+  Simplex<T, N> simplex_;
+  std::array<Corner, most_corners> corners_{};
+  std::array<Facet, most_facets> facets_{};
+  std::size_t corner_count_ = 0, facet_count_ = 0;
+};
+
+}  // namespace detent::detail

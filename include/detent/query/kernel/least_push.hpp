@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <type_traits>
+
+#include "detent/query/kernel/axis_push.hpp"
+#include "detent/query/kernel/convex_body.hpp"
+#include "detent/query/kernel/core.hpp"
+#include "detent/query/kernel/expansion.hpp"
+#include "detent/query/kernel/gjk.hpp"
+#include "detent/query/kernel/length.hpp"
+#include "detent/query/kernel/point_obb.hpp"
+#include "detent/query/kernel/within_slabs.hpp"
+#include "detent/shape/plane.hpp"
+
+namespace detent::detail {
+
+/// The least translation that separates two shapes, each all points within a radius of its core:
+/// `normal` leads from a to b, exactly and at any length (or as a `Direction`), and b must move
+/// along it by `depth`, which is rounded up to the grid.
+template <class Normal, Number Depth>
+struct LeastPush {
+  Normal normal;
+  Depth depth;
+};
+
+/// The same for a box in its frame: `local` is the normal there.
+template <class Normal, class Local, Number Depth>
+struct LeastPushInFrame {
+  Normal normal;
+  Local local;
+  Depth depth;
+};
+
+/// `v` in a vector type that holds every number of its own.
+template <class Wide, Number T, int N>
+[[nodiscard]] constexpr Wide widened(const Vec<T, N>& v) noexcept {
+  return make_vec<N>([&](int i) { return decltype(Wide::x)(v[i]); });
+}
+
+/// Holds every normal of a feature or a facet of differences with components of type T.
+template <Number T, int N>
+using LongestNormal = std::conditional_t<
+    N == 2, Vec<decltype(-(T() - T())), 2>,
+    std::remove_cvref_t<decltype(-(Vec<T, 3>() * squared_length(Vec<T, 3>() - Vec<T, 3>()) -
+                                   (Vec<T, 3>() - Vec<T, 3>()) *
+                                       dot(Vec<T, 3>() - Vec<T, 3>(), Vec<T, 3>())))>>;
+
+/// Holds the sum of two radii and of a distance.
+template <Scalar S>
+using Depth = decltype(S() + S() + Length<S>());
+
+/// The depth of shapes with these radii whose cores are the root of `squared` apart; nothing if
+/// they do not touch. The radii are on the grid, so the distance may be rounded down first.
+template <Scalar S, Number Radii, Number Over, Number Under>
+[[nodiscard]] constexpr std::optional<Depth<S>> depth_of_gap(
+    const Radii& radii, const Fraction<Over, Under>& squared) noexcept {
+  const auto gap = sqrt_floor<Length<S>>(squared);
+  if (gap > radii || (gap == radii && !(squared <= square(gap)))) return std::nullopt;
+  return Depth<S>(radii - gap);
+}
+
+/// The depth of shapes with these radii whose cores must move by height / |normal|.
+template <Scalar S, Number Radii, Number Height, Number Square>
+[[nodiscard]] constexpr Depth<S> depth_of_height(const Radii& radii, const Height& height,
+                                                 const Square& squared_normal) noexcept {
+  return radii + sqrt_ceil<Length<S>>(Fraction{square(height), squared_normal});
+}
+
+/// A plane, which is its surface, and a body with this radius. Of equal depths the one on the side
+/// of the plane's normal is chosen.
+template <Scalar S, int N, class Body, Number Radius>
+[[nodiscard]] constexpr auto least_push_from_plane(const Plane<S, N>& plane, const Body& body,
+                                                   const Radius& radius) noexcept {
+  using Result = LeastPush<Direction<S, N>, Depth<S>>;
+  const auto& n = plane.normal.vec();
+  constexpr int bits = bits_of<decltype(body.some().x)> + 1;
+  const auto height = [&](bool farthest) {
+    return dot(n, body.template extreme<bits>(n, body.some(), farthest)) - plane.offset;
+  };
+  const auto lowest = height(false), highest = height(true);
+  const auto squared = squared_length(plane.normal);
+  std::optional<Result> result;
+  if (lowest > 0 || highest < 0) {
+    const auto depth =
+        depth_of_gap<S>(radius, Fraction{square(lowest > 0 ? lowest : highest), squared});
+    if (depth) result = Result{lowest > 0 ? plane.normal : -plane.normal, *depth};
+  } else if (-lowest <= highest) {
+    result = Result{plane.normal, depth_of_height<S>(radius, lowest, squared)};
+  } else {
+    result = Result{-plane.normal, depth_of_height<S>(radius, highest, squared)};
+  }
+  return result;
+}
+
+/// A box, which is its slabs, and a segment with this radius, measured in the frame of the box.
+template <Scalar S, int N, Number Radius>
+[[nodiscard]] constexpr auto least_push_in_frame(const Obb<S, N>& box, const Segment<S, N>& segment,
+                                                 const Radius& radius) noexcept {
+  const auto center = in_frame(box, box.center - segment.start);
+  const auto d = in_frame(box, segment.end - segment.start);
+  const auto low = center - box.half_extents, high = center + box.half_extents;
+  using T = std::remove_cvref_t<decltype(low.x)>;
+  const auto perpendicular = [](const auto& g, const auto& speed) {
+    return g * squared_length(speed) - speed * dot(g, speed);
+  };
+  using Local = std::remove_cvref_t<decltype(perpendicular(low, d))>;
+  using Normal = std::remove_cvref_t<decltype(from_frame(box, Local()))>;
+  using Result = LeastPushInFrame<Normal, Local, Depth<S>>;
+  const auto result = [&](const Local& local, const Depth<S>& depth) {
+    return std::optional(Result{from_frame(box, local), local, depth});
+  };
+  const auto squared = squared_distance_from_slabs(low, high, d);
+  if (squared.numerator > 0) {
+    const auto depth = depth_of_gap<S>(radius, squared);
+    if (!depth) return std::optional<Result>();
+    return nearest_of_slabs(low, high, d, [&](const auto& g, const auto&... speed) {
+      const auto& start = narrow<bits_of<T>>(g);
+      if constexpr (sizeof...(speed) == 0) {
+        return result(widened<Local>(start), *depth);
+      } else {
+        return result(perpendicular(start, speed...), *depth);
+      }
+    });
+  }
+  const AabbBody slabs(low, high);
+  const HullBody span(std::array{Vec<std::remove_cvref_t<decltype(d.x)>, N>(), d});
+  using Difference = std::remove_cvref_t<decltype((low - d).x)>;
+  using Slabs = std::remove_cvref_t<decltype(slabs)>;
+  using Span = std::remove_cvref_t<decltype(span)>;
+  const auto pushed_by = [&](const auto& push) {
+    return result(widened<Local>(push.normal),
+                  depth_of_height<S>(radius, push.height, squared_length(push.normal)));
+  };
+  const auto push = AxisPush<Difference, Slabs, Span>(slabs, span).least();
+  if (push && push->height > 0) return pushed_by(*push);
+  return pushed_by(Expansion<Difference, Slabs, Span>(slabs, span).least_push());
+}
+
+/// Two convex bodies, with the sum of their radii.
+template <Scalar S, class A, class B, Number Radii>
+[[nodiscard]] constexpr auto least_push_between(const A& a, const B& b,
+                                                const Radii& radii) noexcept {
+  using Longest = std::remove_cvref_t<decltype((a.some() - b.some()).x)>;
+  using Result = LeastPush<LongestNormal<Longest, A::dimension>, Depth<S>>;
+  const auto pushed_by = [&](const auto& push) {
+    return std::optional(
+        Result{widened<decltype(Result::normal)>(push.normal),
+               depth_of_height<S>(radii, push.height, squared_length(push.normal))});
+  };
+  return with_gjk(a, b, [&](auto search) {
+    using T = typename decltype(search)::Difference;
+    constexpr int N = A::dimension;
+    std::optional<Result> result;
+    if (const auto push = AxisPush<T, A, B>(a, b).least()) {
+      if (push->height > 0) return pushed_by(*push);
+      if (push->height < 0 && radii == 0) return result;
+    }
+    const auto squared = search.squared_distance(squared_distance_of_none<T, N>());
+    if (squared.numerator > 0) {
+      const auto depth = depth_of_gap<S>(radii, squared);
+      if (!depth) return result;
+      with_direction(search.closest_feature(), [&](const auto& v) {
+        result = Result{widened<decltype(Result::normal)>(-v), *depth};
+        return true;
+      });
+    } else {
+      result = pushed_by(Expansion<T, A, B>(a, b).least_push());
+    }
+    return result;
+  });
+}
+
+}  // namespace detent::detail

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "detent/math/components.hpp"
+#include "detent/number/filter/components.hpp"
+#include "detent/number/filter/ratio.hpp"
+#include "detent/query/kernel/least_common_point.hpp"
+
+// Points rounded once: each coordinate to nearest, ties to even, and clamped.
+
+namespace detent::detail {
+
+/// The sign of x / sqrt(square) - y, exactly.
+template <Number X, Number Square, Number Y>
+[[nodiscard]] constexpr int compare_with_quotient(const X& x, const Square& square,
+                                                  const Y& y) noexcept {
+  const int x_sign = (x > 0) - (x < 0), y_sign = (y > 0) - (y < 0);
+  if (x_sign != y_sign) return x_sign > y_sign ? 1 : -1;
+  const auto left = x * x;
+  const auto right = y * y * square;
+  return x_sign * ((left > right) - (left < right));
+}
+
+/// over / under on the grid of 2^-25 steps of S, off by less than `error`; only if `is_short`, which
+/// says that it is in the range of S (docs/filters.md, lemma 12).
+template <Scalar S>
+struct ShortQuotient {
+  using Value = Fixed<63, S::frac + 25>;
+  static constexpr Steps<8> error{};
+
+  template <int BO, int FO, int BU, int FU>
+  constexpr ShortQuotient(const Fixed<BO, FO>& over, const Fixed<BU, FU>& under) noexcept {
+    const auto ratio = make_ratio(over, under);
+    const int down = ratio.shift + FO - FU - Value::frac;
+    if (down < 0 && ratio.factor != 0) return;
+    value = Value::assume_raw(shift_right_floor(ratio.factor, down < 0 ? 0 : down));
+    is_short = lowest<S> <= value && value <= largest<S>;
+  }
+
+  Value value;
+  bool is_short = false;
+};
+
+/// over / under, rounded to nearest, for under > 0.
+template <Scalar S, Number Over, Number Under>
+[[nodiscard]] constexpr S rounded(const Over& over, const Under& under) noexcept {
+  if constexpr (is_fixed<S>) {
+    const ShortQuotient<S> quotient(over, under);
+    if (quotient.is_short) {
+      const auto nearest = decide_nearest<S>(Approximate{quotient.value, quotient.error});
+      return or_exact(nearest, [&] { return quotient_nearest<S>(over, under); });
+    }
+  }
+  return quotient_nearest<S>(over, under);
+}
+template <Scalar S, Number Over, Number Under, int N>
+[[nodiscard]] constexpr Vec<S, N> rounded(const RationalPoint<Over, Under, N>& p) noexcept {
+  return make_vec<N>([&](int i) { return rounded<S>(p.over[i], p.under); });
+}
+
+/// Coordinate i of p + radius v / |v| before it is rounded: a sum and its error, in range.
+template <Scalar S, Number Over, Number Under, class Moves, int N>
+[[nodiscard]] constexpr auto approximate_beyond(const RationalPoint<Over, Under, N>& p,
+                                                const Moves& moves, int i) noexcept {
+  using Finer = finer<S, 30>;
+  const ShortQuotient<S> quotient(p.over[i], p.under);
+  const auto from = quotient.is_short ? floor_to<Finer>(quotient.value)
+                                      : quotient_floor<Finer>(p.over[i], p.under);
+  auto sum = narrow_sum<62>(from, moves.value[static_cast<std::size_t>(i)]);
+  // Beyond the range by more than the error, the result is the end of the range.
+  using Sum = std::remove_cvref_t<decltype(sum)>;
+  constexpr Sum most(largest<S>), least(lowest<S>);
+  if (sum > most) sum = most;
+  if (sum < least) sum = least;
+  // The step is off by less than 2^17 + 2^10, and the coordinate of p by 2^8.
+  return Approximate<Sum, Steps<1 << 18>>{sum, {}};
+}
+
+/// p + radius v / |v| for radius >= 0 and v not 0.
+template <Scalar S, Number Over, Number Under, Number V, int N>
+[[nodiscard]] constexpr Vec<S, N> rounded_beyond(const RationalPoint<Over, Under, N>& p,
+                                                 const S& radius, const Vec<V, N>& v) noexcept {
+  if (radius == 0) return rounded<S>(p);
+  const auto squared = squared_length(v);
+  if constexpr (!is_fixed<S>) {
+    const auto length = sqrt_floor<S>(squared);
+    return make_vec<N>([&](int i) { return p.over[i] / p.under + radius * (v[i] / length); });
+  } else {
+    const auto moves = step_along(radius, to_array(v));
+    return make_vec<N>([&](int i) {
+      const auto nearest = decide_nearest<S>(approximate_beyond<S>(p, moves, i));
+      return or_exact(nearest, [&](const S& upper) {
+        const auto middle = midpoint_below(upper);
+        return nearest_at_midpoint(upper, compare_with_quotient(radius * v[i] * p.under, squared,
+                                                                middle * p.under - p.over[i]));
+      });
+    });
+  }
+}
+
+/// The same for a v so long that no exact comparison fits: off from the exact point by at most
+/// 1/2 + 2^-12 ULP.
+template <Scalar S, Number Over, Number Under, Number V, int N>
+[[nodiscard]] constexpr Vec<S, N> nearly_rounded_beyond(const RationalPoint<Over, Under, N>& p,
+                                                        const S& radius,
+                                                        const Vec<V, N>& v) noexcept {
+  if (radius == 0) return rounded<S>(p);
+  if constexpr (!is_fixed<S>) {
+    return rounded_beyond(p, radius, v);
+  } else {
+    const auto moves = step_along(radius, to_array(v));
+    return make_vec<N>(
+        [&](int i) { return nearest_to<S>(approximate_beyond<S>(p, moves, i).value); });
+  }
+}
+
+}  // namespace detent::detail

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+
+#include "detent/number/filter/filtered.hpp"
+#include "detent/query/kernel/rounded_point.hpp"
+#include "detent/query/kernel/simplex.hpp"
+#include "detent/query/kernel/support.hpp"
+
+// The first touch of round bodies by witnesses: a direction along which they are still apart, and
+// two points that are close enough one step later. Both are checked exactly, so a search in short
+// rounded numbers may propose them (docs/filters.md, lemma 13).
+
+namespace detent::detail {
+
+/// The leading bits of a vector: those of its components, dropping equally many at their ends.
+template <int Bits, Number V, int N>
+[[nodiscard]] constexpr auto shortened(const Vec<V, N>& v) noexcept {
+  if constexpr (bits_of<V> <= Bits) {
+    return v;
+  } else {
+    int length = 0;
+    for (int i = 0; i < N; ++i) length = (std::max)(length, bit_length(v[i].raw()));
+    return make_vec<N>([&](int i) { return scale_down<Bits>(v[i], (std::max)(length - Bits, 0)); });
+  }
+}
+
+/// Looks for the first touch of the body `a`, moving along `way`, and the body `b` within a radius.
+template <class A, class B, Number W, Scalar S, Number R>
+class TouchWitness {
+ public:
+  static constexpr int dimension = A::dimension;
+  using Way = Vec<W, dimension>;
+  using Corner = decltype(std::declval<const B&>().some() - std::declval<const A&>().some());
+  using Component = std::remove_cvref_t<decltype(Corner().x)>;
+
+  constexpr TouchWitness(const A& a, const B& b, const Way& way, const R& radius) noexcept
+      : a_(a),
+        b_(b),
+        way_(way),
+        radius_(radius),
+        low_(b.low() - a.high()),
+        high_(b.high() - a.low()) {}
+
+  /// The first time of at least `time` and at most `limit` at which the bodies are within the
+  /// radius, rounded down, or nothing if there is none. Unsure if they are within it at `time`.
+  [[nodiscard]] constexpr Decided<std::optional<S>> first(S time, const S& limit) noexcept {
+    constexpr Decided<std::optional<S>> unsure{std::nullopt, false};
+    for (int i = 0; i < 6; ++i) {
+      if (!find(time)) return unsure;
+      const auto speed = dot(across_, way_);
+      const auto gap = reached_ - radius_ * sqrt_ceil<Norm>(squared_length(across_));
+      if (!(gap > speed * time)) return unsure;
+      if (!(speed > 0) || gap > speed * limit) return {std::nullopt, true};
+      // Until then they are apart along `across_`.
+      const S next = quotient_floor<S>(gap, speed);
+      if (next < limit && meet_at(after(next), radius_)) return {next, true};
+      if (!(next > time) || !(next < limit)) return unsure;
+      time = next;
+    }
+    return unsure;
+  }
+
+  /// The corner differences of a feature, where they are at the start.
+  struct Feature {
+    std::array<Corner, static_cast<std::size_t>(dimension)> corners;
+    int count;
+
+    [[nodiscard]] constexpr bool is_facet() const noexcept { return count == dimension; }
+    [[nodiscard]] constexpr auto simplex() const noexcept {
+      Simplex<Component, dimension> result;
+      for (int k = 0; k < count; ++k) result.add(corners[static_cast<std::size_t>(k)]);
+      return result;
+    }
+  };
+  /// The feature that holds the closest differences from `time` on, for which `first` was sure, to
+  /// the next time on the grid; nothing if it is not one feature all the time.
+  ///
+  /// Where they are on it and all others lie behind it are inequalities linear in time.
+  [[nodiscard]] constexpr std::optional<Feature> feature_from(const S& time) const noexcept {
+    const Feature feature = found();
+    if (!holds_closest(feature, time)) return std::nullopt;
+    if (!holds_closest(feature, after(time))) return std::nullopt;
+    return feature;
+  }
+
+  /// The distance of the bodies at the start, rounded down to the grid of `T`. Unsure if it is 0.
+  template <Number T>
+  [[nodiscard]] constexpr Decided<T> distance_floor() noexcept {
+    if (!find(S(0)) || !(reached_ > 0)) return {T(), false};
+    const T distance = quotient_floor<T>(reached_, sqrt_ceil<Norm>(squared_length(across_)));
+    return {distance, distance < largest<T> && meet_at(S(0), after(distance))};
+  }
+
+  /// The point of `b` closest to `a` at `time`, rounded to nearest; nothing if that is not as
+  /// simple as the foot of the only closest corner of `a`.
+  [[nodiscard]] constexpr std::optional<Vec<S, dimension>> closest_point(const S& time) noexcept {
+    std::optional<Vec<S, dimension>> result;
+    if (!find(time)) return result;
+    const bool is_found = with_closest(found(), time, [&](const auto& v, const auto& p) {
+      constexpr int bits = bits_of<std::remove_cvref_t<decltype(a_.some().x)>> + 1;
+      const auto foot = a_.template extreme<bits>(v, a_.some(), true);
+      bool is_only = true;
+      a_.template for_each_extreme<bits>(
+          v, a_.some(), true, [&](const auto& corner) { is_only = is_only && corner == foot; });
+      if (!is_only) return false;
+      result = rounded<S>(RationalPoint{(way_ * time + foot) * p.under + p.over, p.under});
+      return true;
+    });
+    if (!is_found) result.reset();
+    return result;
+  }
+
+ private:
+  static constexpr int across_bits = 24;
+  using Rough = Fixed<28, 0>;
+  using Norm = Fixed<across_bits + 18, 16>;
+  using Moved = decltype(Corner() - Way() * S());
+  using Across = Vec<Fixed<across_bits, 0>, dimension>;
+
+  [[nodiscard]] constexpr Moved moved(const Corner& corner, const S& time) const noexcept {
+    return corner - way_ * time;
+  }
+  [[nodiscard]] static constexpr int length_of(const Moved& v) noexcept {
+    int length = 0;
+    for (int i = 0; i < dimension; ++i) length = (std::max)(length, bit_length(v[i].raw()));
+    return length;
+  }
+  /// In steps of 2^dropped.
+  [[nodiscard]] static constexpr Vec<Rough, dimension> rough(const Moved& v, int dropped) noexcept {
+    return make_vec<dimension>([&](int i) {
+      return Rough::assume_raw(
+          integer_cast<typename Rough::raw_type>(shift_right_floor(v[i].raw(), dropped)));
+    });
+  }
+  template <Number V>
+  [[nodiscard]] static constexpr Across across(const Vec<V, dimension>& v) noexcept {
+    return shortened<across_bits>(v);
+  }
+
+  [[nodiscard]] constexpr Feature found() const noexcept {
+    Feature feature{{}, count_};
+    for (int k = 0; k < count_; ++k) {
+      feature.corners[static_cast<std::size_t>(k)] = corners_[static_cast<std::size_t>(k)];
+    }
+    return feature;
+  }
+
+  /// The corner difference that is least along `v`.
+  template <Number V>
+  [[nodiscard]] constexpr Corner least_along(const Vec<V, dimension>& v) const noexcept {
+    constexpr int bits_a = bits_of<std::remove_cvref_t<decltype(a_.some().x)>> + 1;
+    constexpr int bits_b = bits_of<std::remove_cvref_t<decltype(b_.some().x)>> + 1;
+    return b_.template extreme<bits_b>(v, b_.some(), false) -
+           a_.template extreme<bits_a>(v, a_.some(), true);
+  }
+
+  /// Calls f(v, p) if the closest difference at `time` lies in a feature: it is the rational point
+  /// p, along v. Returns whether it does, and what f returns is true.
+  template <class F>
+  [[nodiscard]] constexpr bool with_closest(const Feature& feature, const S& time,
+                                            const F& f) const noexcept {
+    const auto simplex = feature.simplex();
+    const auto& corner = simplex.newest();
+    const auto place = moved(corner, time);
+    const auto is_least_along = [&](const auto& v) {
+      return !(dot(v, least_along(v)) < dot(v, corner));
+    };
+    if (feature.count == 1) {
+      return is_least_along(place) && f(place, RationalPoint{place * Rough(1), Rough(1)});
+    }
+    if (feature.count == 2) {
+      const auto edge = simplex[0] - corner;
+      const auto along = dot(edge, place);
+      if (along > 0 || dot(edge, moved(simplex[0], time)) < 0) return false;
+      if constexpr (dimension == 3) {
+        const auto whole = squared_length(edge);
+        const auto v = place * whole - edge * along;
+        return is_least_along(v) && f(v, RationalPoint{v, whole});
+      }
+    }
+    const auto normal = facet_normal(simplex);
+    if constexpr (dimension == 3) {
+      for (int i = 0; i < 3; ++i) {
+        const auto side =
+            cross(moved(simplex[(i + 1) % 3], time), moved(simplex[(i + 2) % 3], time));
+        if (dot(normal, side) < 0) return false;
+      }
+    }
+    const auto height = dot(normal, place);
+    const auto outward = height < 0 ? Vec(-normal) : normal;
+    return is_least_along(outward) &&
+           f(outward, RationalPoint{normal * height, squared_length(normal)});
+  }
+  [[nodiscard]] constexpr bool holds_closest(const Feature& feature, const S& time) const noexcept {
+    return with_closest(feature, time, [](const auto&, const auto&) { return true; });
+  }
+
+  /// Finds the feature that holds the closest difference at `time`, roughly, and a direction across
+  /// it: GJK (see gjk.hpp) on rounded corners.
+  [[nodiscard]] constexpr bool find(const S& time) noexcept {
+    const int dropped = (std::max)(
+        (std::max)(length_of(moved(low_, time)), length_of(moved(high_, time))) - (Rough::bits - 1),
+        0);
+    Simplex<Rough, dimension> simplex;
+    const auto add = [&](const Corner& corner, const Vec<Rough, dimension>& place) {
+      corners_[static_cast<std::size_t>(simplex.count)] = corner;
+      simplex.add(place);
+    };
+    const Corner some = b_.some() - a_.some();
+    add(some, rough(moved(some, time), dropped));
+    for (int i = 0; i < 24; ++i) {
+      const bool is_found = with_direction(simplex, [&](const auto& v) {
+        across_ = across(v);
+        const Corner corner = least_along(across_);
+        reached_ = dot(across_, corner);
+        const auto place = rough(moved(corner, time), dropped);
+        if (!(dot(v, place) < dot(v, simplex.newest()))) return true;
+        add(corner, place);
+        return false;
+      });
+      if (is_found) {
+        count_ = simplex.count;
+        return true;
+      }
+      const auto all = simplex;
+      const auto from = corners_;
+      simplex = nearest_feature(all);
+      if (simplex.count > dimension) return false;
+      for (int k = 0; k < simplex.count; ++k) {
+        int j = 0;
+        while (all[j] != simplex[k]) ++j;
+        corners_[static_cast<std::size_t>(k)] = from[static_cast<std::size_t>(j)];
+      }
+    }
+    return false;
+  }
+
+  /// The next number on the grid.
+  template <Number T>
+  [[nodiscard]] static constexpr T after(const T& x) noexcept {
+    return T::assume_raw(static_cast<typename T::raw_type>(x.raw() + 1));
+  }
+
+  /// Whether a difference in the feature is nearer than `radius` at `time`.
+  template <Number Radius>
+  [[nodiscard]] constexpr bool meet_at(const S& time, const Radius& radius) const noexcept {
+    std::array<Moved, static_cast<std::size_t>(dimension)> corners;
+    int length = 0;
+    for (int k = 0; k < count_; ++k) {
+      auto& corner = corners[static_cast<std::size_t>(k)];
+      corner = moved(corners_[static_cast<std::size_t>(k)], time);
+      length = (std::max)(length, length_of(corner));
+    }
+    Simplex<Rough, dimension> simplex;
+    for (int k = 0; k < count_; ++k) {
+      simplex.add(
+          rough(corners[static_cast<std::size_t>(k)], (std::max)(length - (Rough::bits - 1), 0)));
+    }
+    return with_weights(simplex, [&](const auto& exact) {
+      const auto weights = shortened<across_bits>(exact);
+      Weighted sum{};
+      Fixed<across_bits + 2, 0> whole(0);
+      for (int k = 0; k < count_; ++k) {
+        const Fixed<across_bits, 0> weight =
+            Fixed<across_bits, 0>::assume_raw(integer_cast<std::int32_t>(weights[k].raw()));
+        if (weight < 0) return false;
+        sum = narrow<weighted_bits>(sum + corners[static_cast<std::size_t>(k)] * weight);
+        whole = narrow<across_bits + 2>(whole + weight);
+      }
+      return squared_length(sum) < square(radius * whole);
+    });
+  }
+
+  static constexpr int weighted_bits =
+      bits_of<std::remove_cvref_t<decltype(Moved().x)>> + across_bits + 2;
+  using Weighted =
+      Vec<Fixed<weighted_bits, std::remove_cvref_t<decltype(Moved().x)>::frac>, dimension>;
+
+  /// Calls f(weights) with those of the closest point of a feature to 0, times a common factor.
+  template <class F>
+  [[nodiscard]] static constexpr bool with_weights(const Simplex<Rough, dimension>& simplex,
+                                                   const F& f) noexcept {
+    if (simplex.count == 1) return f(Vec<Rough, dimension>{Rough(1)});
+    if (simplex.count == 2) {
+      const auto edge = simplex[0] - simplex[1];
+      using Weight = decltype(dot(edge, simplex[0]));
+      Vec<Weight, dimension> weights{};
+      weights[0] = narrow_negative(dot(edge, simplex[1]));
+      weights[1] = dot(edge, simplex[0]);
+      return f(weights);
+    }
+    if constexpr (dimension == 3) {
+      const auto normal = shortened<across_bits>(facet_normal(simplex));
+      return f(make_vec<3>(
+          [&](int i) { return dot(normal, cross(simplex[(i + 1) % 3], simplex[(i + 2) % 3])); }));
+    } else {
+      return false;
+    }
+  }
+
+  A a_;
+  B b_;
+  Way way_;
+  R radius_;
+  Corner low_, high_;
+  Across across_{};
+  decltype(dot(Across(), Corner())) reached_{};
+  std::array<Corner, static_cast<std::size_t>(dimension + 1)> corners_{};
+  int count_ = 0;
+};
+
+}  // namespace detent::detail

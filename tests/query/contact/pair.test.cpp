@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/contact.hpp"
+
+#include <array>
+
+#include "detent/shape/frustum.hpp"
+#include "query/raycast/helpers.hpp"
+
+namespace detent::test {
+namespace {
+
+/// Shapes that reach from x - 1 to x + 1 on the x axis, and farther on the others; they end there
+/// in a point, an edge or a face perpendicular to the axis.
+template <Scalar S, int N, class Visit>
+void visit_shapes(double x, const Visit& visit) {
+  visit(Sphere<S, N>{at<S, N>(x), num<S>(1)});
+  visit(Aabb<S, N>{at<S, N>(x - 1, -4, -4), at<S, N>(x + 1, 4, 4)});
+  visit(Obb<S, N>{at<S, N>(x), at<S, N>(1, 4, 4), {}});
+  visit(Capsule<S, N>{at<S, N>(x, -8), at<S, N>(x, 8), num<S>(1)});
+  const std::array corners{at<S, N>(x - 1, -4, -4), at<S, N>(x - 1, 4, -4), at<S, N>(x - 1, 0, 4),
+                           at<S, N>(x + 1, -4, -4), at<S, N>(x + 1, 4, -4), at<S, N>(x + 1, 0, 4)};
+  visit(ConvexHull<S, N>{corners});
+}
+
+TEMPLATE_TEST_CASE("contact: the least translation of every two kinds of shapes", "[contact]",
+                   DETENT_EVERYDAY_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const auto right = toward<S, N>(1);
+  visit_shapes<S, N>(-3, [&](const auto& a) {
+    visit_shapes<S, N>(-1.5, [&](const auto& b) {
+      const auto found = contact(a, b), back = contact(b, a);
+      REQUIRE(found);
+      REQUIRE(back);
+      CHECK(found->normal == right);
+      CHECK(found->depth == num<S>(0.5));
+      CHECK(back->normal == -right);
+      CHECK(back->depth == num<S>(0.5));
+    });
+    visit_shapes<S, N>(-1, [&](const auto& b) {
+      REQUIRE(contact(a, b));
+      CHECK(contact(a, b)->depth == S(0));
+      CHECK(contact(a, b)->normal == right);
+    });
+    visit_shapes<S, N>(0, [&](const auto& b) { CHECK(!contact(a, b)); });
+  });
+}
+
+TEMPLATE_TEST_CASE("contact: a plane is left to the nearer side", "[contact]",
+                   DETENT_EVERYDAY_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const auto right = toward<S, N>(1);
+  visit_shapes<S, N>(4, [&](const auto& shape) {
+    const auto check = [&](double offset, double depth, bool to_the_right) {
+      const Plane<S, N> plane{right, num<S>(offset)};
+      const auto found = contact(plane, shape), back = contact(shape, plane);
+      REQUIRE(found);
+      REQUIRE(back);
+      CHECK(found->depth == num<S>(depth));
+      CHECK(back->depth == num<S>(depth));
+      CHECK(found->normal == (to_the_right ? right : -right));
+      CHECK(back->normal == -found->normal);
+    };
+    check(3.25, 0.25, true);
+    check(4, 1, true);
+    check(4.75, 0.25, false);
+    check(5, 0, false);
+    CHECK(!contact(shape, Plane<S, N>{right, num<S>(2.5)}));
+    CHECK(!contact(shape, Plane<S, N>{right, num<S>(5.5)}));
+  });
+}
+
+TEMPLATE_TEST_CASE("contact: an empty shape touches nothing", "[contact]", DETENT_EVERYDAY_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  visit_shapes<S, N>(0, [&](const auto& shape) {
+    CHECK(!contact(shape, Sphere<S, N>{at<S, N>(0), num<S>(-1)}));
+    CHECK(!contact(Aabb<S, N>{at<S, N>(1), at<S, N>(-1)}, shape));
+    CHECK(!contact(shape, ConvexHull<S, N>()));
+  });
+}
+
+TEMPLATE_TEST_CASE("contact: of equal depths the greatest x, then y, and the positive side",
+                   "[contact]", DETENT_EVERYDAY_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const auto x = toward<S, N>(1);
+  // Both directions of every axis of a cube in itself.
+  const Aabb<S, N> cube{filled<S, N>(num<S>(-1)), filled<S, N>(num<S>(1))};
+  CHECK(contact(cube, cube)->normal == x);
+  CHECK(contact(cube, cube)->depth == num<S>(2));
+  const Sphere<S, N> ball{Vec<S, N>(), num<S>(1)};
+  CHECK(contact(ball, ball)->normal == x);
+  CHECK(contact(ball, ball)->depth == num<S>(2));
+  CHECK(contact(cube, ball)->depth == num<S>(2));
+  CHECK(contact(cube, ball)->normal == x);
+  CHECK(contact(ball, cube)->normal == x);
+  // Only the negative side of y is as near as the positive side of x: mirrored, x stays.
+  const Sphere<S, N> inside{at<S, N>(0.5, -0.5), num<S>(0)};
+  CHECK(contact(cube, inside)->normal == x);
+  CHECK(contact(inside, cube)->normal == -x);
+  // A flat difference: crossing segments.
+  const Segment<S, N> along_x{at<S, N>(-1), at<S, N>(1)}, along_y{at<S, N>(0, -1), at<S, N>(0, 1)};
+  const auto crossing = contact(along_x, along_y);
+  REQUIRE(crossing);
+  CHECK(crossing->depth == (N == 2 ? num<S>(1) : S(0)));
+  CHECK(crossing->normal == (N == 2 ? x : toward<S, N>(0, 0, 1)));
+  // Segments on one line, and points.
+  CHECK(contact(along_x, along_x)->normal == toward<S, N>(0, 1));
+  CHECK(contact(along_y, along_y)->normal == x);
+  const Segment<S, N> point{at<S, N>(1, 1), at<S, N>(1, 1)};
+  CHECK(contact(point, point)->normal == x);
+  CHECK(contact(point, point)->depth == S(0));
+}
+
+TEMPLATE_TEST_CASE("contact: a slanted face and crossing edges", "[contact]",
+                   DETENT_EVERYDAY_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const Triangle<S, N> slope{at<S, N>(0, 0), at<S, N>(8, 0), at<S, N>(0, 8)};
+  if constexpr (N == 2) {
+    // The corner (3, 3) is sqrt(2) below the slope.
+    const Aabb<S, N> box{at<S, N>(3, 3), at<S, N>(9, 9)};
+    const auto found = contact(slope, box);
+    REQUIRE(found);
+    CHECK(found->normal == toward<S, N>(1, 1));
+    CHECK(found->depth >= num<S>(1.4140625));
+    CHECK(found->depth <= num<S>(1.4296875));
+  } else {
+    // Its edge from (8, 0) to (0, 8) crosses one that leads along z and x = y, 1 below it.
+    const Segment<S, N> edge{at<S, N>(3, 3, -1), at<S, N>(5, 5, 1)};
+    const auto found = contact(slope, edge);
+    REQUIRE(found);
+    CHECK(found->depth == S(0));
+    const Capsule<S, N> rod{at<S, N>(4, 4, -8), at<S, N>(4, 4, 8), num<S>(1)};
+    CHECK(contact(slope, rod)->normal == toward<S, N>(1, 1));
+    CHECK(contact(slope, rod)->depth == num<S>(1));
+  }
+}
+
+/// The point of a contact at this place, which must be there.
+template <Scalar S, int N>
+ContactPoint<S, N> point_at(const Contact<S, N>& contact, const Vec<S, N>& place) {
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    if (contact.points[i].point == place) return contact.points[i];
+  }
+  FAIL_CHECK("no point there");
+  return {};
+}
+
+TEST_CASE("contact: points of two faces are corners of both and crossings of edges", "[contact]") {
+  using S = q16_16;
+  // The top of a, from (0, 0) to (4, 4), and the bottom of b, from (1, -2) to (9, 2).
+  const Aabb<S, 3> a{at<S, 3>(0, 0, 0), at<S, 3>(4, 4, 4)};
+  const Aabb<S, 3> b{at<S, 3>(1, -2, 3.5), at<S, 3>(9, 2, 8)};
+  const auto found = contact(a, b);
+  REQUIRE(found);
+  REQUIRE(found->count == 4);
+  for (const auto& point : found->points) CHECK(point.depth == num<S>(0.5));
+  // Corner 2 of b is (1, 2), corner 5 of a is (4, 0); edges 4-5 of a and 0-2 of b cross.
+  CHECK(point_at(*found, at<S, 3>(1, 2, 4)).feature == 0x0202ffff);
+  CHECK(point_at(*found, at<S, 3>(4, 0, 4)).feature == 0xffff0505);
+  CHECK(point_at(*found, at<S, 3>(1, 0, 4)).feature == 0x02000504);
+  CHECK(point_at(*found, at<S, 3>(4, 2, 4)).feature == 0x03020705);
+  // From the other side the same, on the surface of b.
+  const auto back = contact(b, a);
+  REQUIRE(back);
+  CHECK(point_at(*back, at<S, 3>(1, 2, 3.5)).feature == 0xffff0202);
+  CHECK(point_at(*back, at<S, 3>(1, 0, 3.5)).feature == 0x05040200);
+}
+
+TEST_CASE("contact: features stay while shapes move and the same corners meet", "[contact]") {
+  using S = q16_16;
+  const Aabb<S, 3> ground{at<S, 3>(-9, -9, -1), at<S, 3>(9, 9, 0)};
+  std::array<std::uint32_t, 4> features{};
+  for (int step = 0; step < 40; ++step) {
+    const auto x = S::from_double(0.03125 * step);
+    const Aabb<S, 3> box{{x, S(0), num<S>(-0.0625)},
+                         {x + 1 > S(9) ? S(9) : nearest_to<S>(x + 1), S(1), S(1)}};
+    const auto found = contact(ground, box);
+    REQUIRE(found);
+    REQUIRE(found->count == 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (step > 0) CHECK(found->points[i].feature == features[i]);
+      features[i] = found->points[i].feature;
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("contact: a capsule that lies on a face has two points, a tilted one two depths",
+                   "[contact]", DETENT_EVERYDAY_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const auto check = [&](const auto& ground) {
+    const Capsule<S, N> level{at<S, N>(2.5, 0), at<S, N>(2.5, 3), num<S>(2)};
+    const auto found = contact(ground, level);
+    REQUIRE(found);
+    CHECK(found->depth == num<S>(0.5));
+    REQUIRE(found->count == 2);
+    CHECK(point_at(*found, at<S, N>(1, 0)).depth == num<S>(0.5));
+    CHECK(point_at(*found, at<S, N>(1, 3)).depth == num<S>(0.5));
+    const Capsule<S, N> tilted{at<S, N>(2.5, 0), at<S, N>(2.75, 3), num<S>(2)};
+    const auto lifted = contact(ground, tilted);
+    REQUIRE(lifted);
+    REQUIRE(lifted->count == 2);
+    CHECK(point_at(*lifted, at<S, N>(1, 0)).depth == num<S>(0.5));
+    CHECK(point_at(*lifted, at<S, N>(1, 3)).depth == num<S>(0.25));
+    // From the other side the points are on the capsule.
+    const auto back = contact(tilted, ground);
+    REQUIRE(back);
+    CHECK(point_at(*back, at<S, N>(0.5, 0)).depth == num<S>(0.5));
+    CHECK(point_at(*back, at<S, N>(0.75, 3)).depth == num<S>(0.25));
+  };
+  check(Plane<S, N>{toward<S, N>(1), num<S>(1)});
+  check(Aabb<S, N>{at<S, N>(-1, -9, -9), at<S, N>(1, 9, 9)});
+  check(Obb<S, N>{at<S, N>(0), at<S, N>(1, 9, 9), {}});
+}
+
+TEMPLATE_TEST_CASE("contact: a flat shape that stands upright has its lowest corner or edge",
+                   "[contact]", q16_16, q8_8, float) {
+  using S = TestType;
+  const auto check = [&](const auto& ground, const auto& shape, std::size_t count) {
+    const auto found = contact(ground, shape), back = contact(shape, ground);
+    REQUIRE(found);
+    REQUIRE(back);
+    CHECK(found->depth == num<S>(0.5));
+    CHECK(found->count == count);
+    CHECK(back->count == count);
+    for (std::size_t i = 0; i < found->count; ++i) {
+      CHECK(found->points[i].depth == num<S>(0.5));
+      CHECK(found->points[i].point.y == num<S>(1));
+      CHECK(back->points[i].depth == num<S>(0.5));
+      CHECK(back->points[i].point.y == num<S>(0.5));
+    }
+  };
+  // Its lowest corner, or both lowest ones, are between the others as seen from above.
+  const Triangle<S, 3> corner{at<S, 3>(-2, 3), at<S, 3>(0, 0.5), at<S, 3>(3, 0.75)};
+  const std::array edge{at<S, 3>(-3, 2), at<S, 3>(-1, 0.5), at<S, 3>(1, 0.5), at<S, 3>(2, 3)};
+  const auto check_both = [&](const auto& ground) {
+    check(ground, corner, 1);
+    check(ground, ConvexHull<S, 3>{edge}, 2);
+  };
+  check_both(Plane<S, 3>{toward<S, 3>(0, 1), num<S>(1)});
+  check_both(Aabb<S, 3>{at<S, 3>(-9, -9, -9), at<S, 3>(9, 1, 9)});
+  check_both(Obb<S, 3>{at<S, 3>(0), at<S, 3>(9, 1, 9), {}});
+}
+
+TEMPLATE_TEST_CASE("contact: a frustum is the hull of its corners", "[contact]", q16_16, q8_8,
+                   float) {
+  using S = TestType;
+  std::array<Vec<S, 3>, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double size = i < 4 ? 1 : 2;
+    corners[i] = at<S, 3>(i & 1 ? size : -size, i & 2 ? size : -size, size);
+  }
+  const Frustum<S> frustum(corners);
+  const Sphere<S, 3> ball{at<S, 3>(0, 0, 2.5), num<S>(1)};
+  REQUIRE(contact(frustum, ball));
+  CHECK(contact(frustum, ball) == contact(frustum.hull(), ball));
+  CHECK(contact(frustum, ball)->depth == num<S>(0.5));
+  CHECK(contact(frustum, ball)->normal == toward<S, 3>(0, 0, 1));
+}
+
+TEMPLATE_TEST_CASE("contact: clamped at the ends of the domain", "[contact]",
+                   DETENT_EVERYDAY_FIXED_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const Sphere<S, N> all{Vec<S, N>(), S::max()};
+  CHECK(contact(all, all)->depth == S::max());
+  const Aabb<S, N> world{filled<S, N>(S::lowest()), filled<S, N>(S::max())};
+  CHECK(contact(world, world)->depth == S::max());
+  CHECK(contact(world, world)->normal == (toward<S, N>(1)));
+}
+
+}  // namespace
+}  // namespace detent::test

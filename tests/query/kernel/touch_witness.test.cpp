@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/kernel/touch_witness.hpp"
+
+#include "detent/math/direction.hpp"
+#include "detent/query/kernel/approach.hpp"
+#include "detent/query/kernel/convex_body.hpp"
+#include "detent/query/kernel/length.hpp"
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+namespace detent::test {
+namespace {
+
+using detail::Clearance;
+
+struct Count {
+  HitRate hits, sure, same_feature, sure_distances;
+};
+
+/// Compares the filter with the exact search, from a start at which the bodies are apart.
+template <class A, class B, Scalar S, int N>
+void compare(const A& a, const B& b, const Direction<S, N>& direction, const S& radius,
+             const S& limit, Count& count) {
+  const auto& way = direction.vec();
+  using Component = std::remove_cvref_t<decltype(way.x)>;
+  using Sum = std::remove_cvref_t<decltype(radius + radius)>;
+  const Sum sum = radius + S(0);
+  const detail::Approach<A, B, Component, S, 0> search(a, b, way, sum, 0);
+  detail::TouchWitness<A, B, Component, S, Sum> witness(a, b, way, sum);
+  const auto decided = witness.first(S(0), limit);
+  if (search.lead_at(S(0)).clearance != Clearance::apart) {
+    CHECK_FALSE(decided.is_sure);
+    return;
+  }
+  using Length = detail::Length<S>;
+  detail::TouchWitness<A, B, Component, S, Sum> at_start(a, b, way, sum);
+  const auto distance = at_start.template distance_floor<Length>();
+  count.sure_distances.count(distance.is_sure);
+  if (distance.is_sure) {
+    REQUIRE(distance.value == sqrt_floor<Length>(detail::squared_distance_between(a, b)));
+  }
+  const auto exact = search.first(S(0), limit);
+  count.hits.count(exact.has_value());
+  count.sure.count(decided.is_sure);
+  if (!decided.is_sure) return;
+  REQUIRE(decided.value == exact);
+  if (!exact) return;
+  const auto feature = witness.feature_from(*exact);
+  count.same_feature.count(feature.has_value());
+  if (!feature) return;
+  const detail::Approach<A, B, Component, S, 33> fine(a, b, way, sum, 20);
+  const auto normal = [](const auto& v) { return direction_of<S>(detail::shortened<240>(v)); };
+  const auto from = fine.scaled(*exact), to = fine.scaled(limit);
+  const auto found = fine.with_touch(from, to, normal);
+  REQUIRE(fine.with_touch_on(*feature, from, to, normal) == found);
+  if (!feature->is_facet()) return;
+  const auto facet = normal(detail::facet_normal(feature->simplex()));
+  REQUIRE((facet == found || -*facet == *found));
+}
+
+/// Shapes within `reach` steps, on a grid of `grid` steps.
+template <Scalar S, int N>
+void compare_many(std::int64_t reach, std::int64_t grid, int asked, Count& count) {
+  Random random(static_cast<std::uint64_t>(reach + grid));
+  const auto number = [&](std::int64_t low, std::int64_t high) {
+    return S::from_raw(
+        static_cast<typename S::raw_type>(random.between(low / grid, high / grid) * grid));
+  };
+  const auto point = [&] { return make_vec<N>([&](int) { return number(-reach, reach); }); };
+  for (int i = 0; i < asked; ++i) {
+    CAPTURE(reach, grid, i);
+    const std::array core{point(), point()};
+    const std::array target{point(), point(), point()};
+    const auto to = nearest_to<S>(target[0] - core[0]);
+    const auto direction = random.one_in(4) ? Direction<S, N>::along(i % N)
+                                            : direction_of<S>(random.coin() ? to : point());
+    if (!direction) continue;
+    const S radius = number(1, reach / 2);
+    if (!(radius > 0)) continue;
+    const S limit = number(0, 8 * reach);
+    const detail::HullBody a(core), b(target);
+    compare(a, b, *direction, radius, limit, count);
+    const detail::HullBody start(std::array{core[0]});
+    compare(start, b, *direction, radius, limit, count);
+    auto low = target[0], high = target[0];
+    for (int k = 0; k < N; ++k) high[k] = (std::max)(high[k], target[1][k]);
+    compare(start, detail::AabbBody(low, high), *direction, radius, limit, count);
+  }
+}
+
+TEST_CASE("witnesses: where they are sure of a touch or a distance, it is exact", "[query]") {
+  Count local, coarse;
+  compare_many<q16_16, 3>(1 << 18, 1, 1500, local);
+  compare_many<q16_16, 3>(1 << 29, 1, 300, local);
+  compare_many<q16_16, 2>(1 << 18, 1, 500, local);
+  compare_many<q16_16, 3>(1 << 18, 1 << 16, 1500, coarse);
+  compare_many<q16_16, 3>(16, 1, 500, coarse);
+  INFO(local.hits << ", " << local.sure << ", " << local.same_feature << "; " << coarse.hits << ", "
+                  << coarse.sure << ", " << coarse.same_feature);
+  CHECK(local.hits.is_balanced());
+  CHECK(local.sure.percent() >= 95);
+  CHECK(local.same_feature.percent() >= 90);
+  CHECK(coarse.sure.percent() >= 50);
+  CHECK(local.sure_distances.percent() >= 90);
+}
+
+}  // namespace
+}  // namespace detent::test
