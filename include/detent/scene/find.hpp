@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "detent/cull/prefetch.hpp"
+#include "detent/number/next_up.hpp"
 #include "detent/scene/found.hpp"
+#include "detent/scene/mesh/cast.hpp"
 #include "detent/scene/mesh/raycast.hpp"
 #include "detent/scene/question.hpp"
 #include "detent/scene/separate.hpp"
@@ -48,6 +50,12 @@ class Finder {
     visit_found(ray, filter, [&](const Found<S>& found, S&) { return visit(found.id.index); });
   }
 
+  template <class Shape, class Filter, class Visit>
+  constexpr void visit_meeting(const Cast<Shape>& moving, const Filter& filter,
+                               const Visit& visit) const {
+    visit_found(moving, filter, [&](const Found<S>& found, S&) { return visit(found.id.index); });
+  }
+
   /// Visits each object that `Scene::all` lists: calls visit(found, limit).
   template <class Question, class Filter, class Visit>
   constexpr void visit_found(const Question& question, const Filter& filter,
@@ -61,17 +69,17 @@ class Finder {
   template <class Filter, class Visit>
   constexpr void visit_found(const Ray<S, N>& ray, const Filter& filter, const Visit& visit) const {
     if (ray.max_distance < 0) return;
-    RayProbe<S, N> probe(ray);
-    S limit = ray.max_distance;
-    visit_trees<job::VisitNearest>(probe, [&](Index i) {
-      if (!filter(store_.info(i))) return Walk::go_on;
-      const auto distance = store_[i].shape.visit(
-          [&](const auto& shape) { return separately<job::Raycast>(ray, shape); });
-      if (!distance) return Walk::go_on;
-      const Walk walk = visit(Found<S>{*distance, store_.info(i).id}, limit);
-      probe.shorten(limit);
-      return walk;
-    });
+    visit_hit<job::Raycast>(ray, RayProbe<S, N>(ray), filter, visit);
+  }
+  template <class Shape, class Filter, class Visit>
+  constexpr void visit_found(const Cast<Shape>& moving, const Filter& filter,
+                             const Visit& visit) const {
+    if constexpr (is_question<SceneCast<Cast<Shape>, S, N>>()) {
+      const auto box = quantized_box(moving.shape);
+      if (moving.max_distance < 0 || box.is_empty()) return;
+      visit_hit<job::CastDistance>(
+          moving, RayProbe<S, N>(box, moving.direction, moving.max_distance), filter, visit);
+    }
   }
   /// For a point, visits every object that is not empty, for `Scene::nearest`: an empty one has no
   /// box in a tree.
@@ -100,9 +108,12 @@ class Finder {
                   [&](std::size_t i) { return add(found_at(i, point)), Walk::go_on; });
   }
 
-  /// The hit of a ray on an object that it is known to hit.
-  [[nodiscard]] constexpr ObjectHit<S, N> hit_of(const Ray<S, N>& ray,
+  /// The hit of a ray or a moving shape on an object that it is known to hit.
+  template <class Question>
+  [[nodiscard]] constexpr ObjectHit<S, N> hit_of(const Question& question,
                                                  const Found<S>& found) const noexcept {
+    using Hit =
+        std::conditional_t<std::is_same_v<Question, Ray<S, N>>, job::RaycastHit, job::CastHit>;
     return store_[found.id.index].shape.visit([&]<class Shape>(const Shape& shape) {
       ObjectHit<S, N> result{found.distance, found.id, {}, {}};
       const auto take = [&](const auto& hit) {
@@ -111,12 +122,17 @@ class Finder {
         result.normal = hit->normal;
       };
       if constexpr (is_surface_type<Shape>) {
-        if (const auto first = first_on_surface(ray, shape)) {
-          take(raycast_hit(ray, first->triangle));
+        auto shorter = question;
+        if constexpr (is_fixed<S>) {
+          // The hit is known to be at this distance, so the walk need not go beyond.
+          shorter.max_distance = (std::min)(question.max_distance, next_up(found.distance));
+        }
+        if (const auto first = first_on_surface(shorter, shape)) {
+          take(separately<Hit>(question, first->triangle));
           result.triangle = first->hit.index;
         }
       } else {
-        take(separately<job::RaycastHit>(ray, shape));
+        take(separately<Hit>(question, shape));
       }
       return result;
     });
@@ -157,6 +173,25 @@ class Finder {
   }
 
  private:
+  /// Visits the objects that a ray or a moving shape hits, at the distances of `Job`.
+  template <class Job, class Question, class Filter, class Visit>
+  constexpr void visit_hit(const Question& question, RayProbe<S, N> probe, const Filter& filter,
+                           const Visit& visit) const {
+    S limit = question.max_distance;
+    auto shorter = question;
+    visit_trees<job::VisitNearest>(probe, [&](Index i) {
+      if (!filter(store_.info(i))) return Walk::go_on;
+      const auto distance = store_[i].shape.visit(
+          [&](const auto& shape) { return separately<Job>(std::as_const(shorter), shape); });
+      if (!distance) return Walk::go_on;
+      const Walk walk = visit(Found<S>{*distance, store_.info(i).id}, limit);
+      probe.shorten(limit);
+      // Of objects at the same rounded distance, the least id wins.
+      shorter.max_distance = (std::min)(question.max_distance, next_up(limit));
+      return walk;
+    });
+  }
+
   /// Visits the objects of both trees that `Job` finds.
   template <class Job, class Target, class Visit>
   constexpr void visit_trees(Target& target, const Visit& visit) const {

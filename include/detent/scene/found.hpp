@@ -19,8 +19,9 @@ struct Found {
   [[nodiscard]] friend constexpr auto operator<=>(const Found&, const Found&) noexcept = default;
 };
 
-/// Where a ray first touches an object: distance, point and normal are those of
-/// `raycast_hit(ray, shape)`. Ordered by distance, then by id.
+/// Where a ray or a moving shape first touches an object: distance, point and normal are those of
+/// `raycast_hit(ray, shape)` or `cast(moving, direction, distance, shape)`. Ordered by distance, then
+/// by id.
 template <Scalar S, int N>
 struct ObjectHit {
   S distance{};

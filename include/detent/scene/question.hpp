@@ -11,8 +11,9 @@
 #include "detent/shape/segment.hpp"
 #include "detent/shape/sphere.hpp"
 
-// Query shapes of a scene other than rays: a point, segment, sphere, box, capsule or frustum finds
-// the objects that it overlaps. Distances are measured from one reference point of the query shape.
+// Query shapes of a scene other than rays and casts: a point, segment, sphere, box, capsule or
+// frustum finds the objects that it overlaps. Distances are measured from one reference point of
+// the query shape.
 
 namespace detent {
 
@@ -64,14 +65,21 @@ template <Scalar S>
 
 }  // namespace detail
 
-/// A query shape other than a ray for a scene's `nearest` and `all`: it has a reference point to
-/// measure distances from. `any` takes other shapes as well.
+/// A query shape other than a ray or a cast for a scene's `nearest` and `all`: it has a reference
+/// point to measure distances from. `any` takes other shapes as well.
 template <class Question, class S, int N>
 concept SceneQuestion = requires(const Question& question) {
   { detail::reference(question) } -> std::same_as<Vec<S, N>>;
 };
 
 namespace detail {
+
+/// A `Cast` for a scene.
+template <class Moving, class S, int N>
+concept SceneCast = requires(const Moving& moving) {
+  { moving.direction } -> std::same_as<const Direction<S, N>&>;
+  { bounding_box(moving.shape) } -> std::same_as<Aabb<S, N>>;
+};
 
 template <class Question, class S, int N>
 concept SceneRegion = SceneQuestion<Question, S, N> || requires(const Question& question) {
@@ -82,10 +90,9 @@ concept SceneRegion = SceneQuestion<Question, S, N> || requires(const Question& 
 /// errors.
 template <bool IsQuestion>
 [[nodiscard]] constexpr bool is_question() noexcept {
-  static_assert(
-      IsQuestion,
-      "detent: query a scene with a ray, point, segment, sphere, box, capsule or frustum of "
-      "its own scalar and dimension");
+  static_assert(IsQuestion,
+                "detent: query a scene with a ray, point, segment, sphere, box, capsule, frustum "
+                "or a Cast of its own scalar and dimension");
   return IsQuestion;
 }
 

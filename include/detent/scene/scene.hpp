@@ -7,6 +7,7 @@
 #include <span>
 
 #include "detent/cull/keep_first.hpp"
+#include "detent/query/cast.hpp"
 #include "detent/query/contains.hpp"
 #include "detent/query/distance.hpp"
 #include "detent/query/intersects.hpp"
@@ -24,7 +25,8 @@ namespace detent {
 /// Results and digests depend on the objects and their ids, never on the order in which objects
 /// were added, moved and removed.
 ///
-/// Query with rays, points, segments, spheres, boxes, capsules and, in 3D, frusta:
+/// Query with rays, points, segments, spheres, boxes, capsules, in 3D frusta, and casts of moving
+/// shapes, such as `Cast{ball, direction, distance}`:
 ///
 /// * `nearest(question, filter)`, the first of `all`, without finding the others. For a point, the
 ///   nearest object at any distance. None of these functions ever finds an empty object (such as a
@@ -32,16 +34,18 @@ namespace detent {
 ///   it;
 /// * `any(question, filter)`, whether there is any such object;
 /// * `all(question, filter)`, each object that overlaps the query shape, sorted by distance, then
-///   by id. For a ray, that is the distance at which it first touches the object; otherwise it is
-///   the distance of the object from the point, the start of a segment, the center of a sphere or
-///   box (of an `Aabb`, rounded to nearest), end `a` of a capsule, or the middle of the near side
-///   of a frustum (rounded to nearest);
-/// * `nearest_hit(ray, filter)` and `all_hits(ray, filter)`, the same with points and normals;
+///   by id. For a ray or a cast, that is the distance at which it first touches the object;
+///   otherwise it is the distance of the object from the point, the start of a segment, the center
+///   of a sphere or box (of an `Aabb`, rounded to nearest), end `a` of a capsule, or the middle of
+///   the near side of a frustum (rounded to nearest);
+/// * `nearest_hit(ray, filter)` and `all_hits(ray, filter)`, the same with points and normals; also
+///   for casts, with the points and normals of `cast`;
 /// * `overlaps(filter)`, all pairs of overlapping objects, except pairs of fixed ones.
 ///
 /// A filter takes an `ObjectInfo` (for pairs two of them) and returns whether the object counts.
 ///
-/// exact:  the results of the queries on single shapes           (tests/scene/history.test.cpp)
+/// exact:  the results of the queries on single shapes
+///         (tests/scene/history.test.cpp, tests/scene/cast.test.cpp)
 template <class Storage, Scalar S, int N, class... Shapes>
 class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
   using Base = detail::SceneContents<Storage, S, N, Shapes...>;
@@ -122,9 +126,13 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
   template <ObjectFilter Filter = Everything>
   [[nodiscard]] constexpr std::optional<ObjectHit<S, N>> nearest_hit(
       const Ray<S, N>& ray, const Filter& filter = {}) const {
-    const auto found = nearest(ray, filter);
-    if (!found) return std::nullopt;
-    return finder().hit_of(ray, *found);
+    return first_hit(ray, filter);
+  }
+  /// Where the moving shape first touches the object that `nearest` finds.
+  template <class Shape, ObjectFilter Filter = Everything>
+  [[nodiscard]] constexpr std::optional<ObjectHit<S, N>> nearest_hit(
+      const Cast<Shape>& moving, const Filter& filter = {}) const {
+    return first_hit(moving, filter);
   }
 
   /// Where the ray first touches each of the objects of `all`, in that order.
@@ -132,27 +140,57 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
   [[nodiscard]] List<ObjectHit<S, N>> all_hits(const Ray<S, N>& ray,
                                                const Filter& filter = {}) const
       requires(is_growing) {
-    List<ObjectHit<S, N>> list;
-    for (const auto& found : all(ray, filter)) list.push_back(finder().hit_of(ray, found));
-    return list;
+    return list_hits(ray, filter);
+  }
+  /// Where the moving shape first touches each of the objects of `all`, in that order.
+  template <class Shape, ObjectFilter Filter = Everything>
+  [[nodiscard]] List<ObjectHit<S, N>> all_hits(const Cast<Shape>& moving,
+                                               const Filter& filter = {}) const
+      requires(is_growing) {
+    return list_hits(moving, filter);
   }
 
   /// Writes the first of these hits that fit `room`, in order; returns the total number.
   template <ObjectFilter Filter = Everything>
   constexpr std::size_t all_hits(const Ray<S, N>& ray, std::span<ObjectHit<S, N>> room,
                                  const Filter& filter = {}) const {
+    return write_hits(ray, room, filter);
+  }
+  template <class Shape, ObjectFilter Filter = Everything>
+  constexpr std::size_t all_hits(const Cast<Shape>& moving, std::span<ObjectHit<S, N>> room,
+                                 const Filter& filter = {}) const {
+    return write_hits(moving, room, filter);
+  }
+
+ private:
+  template <class Question, class Filter>
+  constexpr std::optional<ObjectHit<S, N>> first_hit(const Question& question,
+                                                     const Filter& filter) const {
+    const auto found = nearest(question, filter);
+    if (!found) return std::nullopt;
+    return finder().hit_of(question, *found);
+  }
+  template <class Question, class Filter>
+  List<ObjectHit<S, N>> list_hits(const Question& question, const Filter& filter) const {
+    List<ObjectHit<S, N>> list;
+    for (const auto& found : all(question, filter)) {
+      list.push_back(finder().hit_of(question, found));
+    }
+    return list;
+  }
+  template <class Question, class Filter>
+  constexpr std::size_t write_hits(const Question& question, std::span<ObjectHit<S, N>> room,
+                                   const Filter& filter) const {
     std::size_t count = 0;
-    finder().collect(ray, filter, [&](const Found<S>& found) {
+    finder().collect(question, filter, [&](const Found<S>& found) {
       detail::keep_first(room, count++, ObjectHit<S, N>{found.distance, found.id, {}, {}});
     });
     detail::sort_kept(room, count);
     for (auto& hit : room.first((std::min)(room.size(), count))) {
-      hit = finder().hit_of(ray, {hit.distance, hit.id});
+      hit = finder().hit_of(question, {hit.distance, hit.id});
     }
     return count;
   }
-
- private:
   [[nodiscard]] constexpr auto finder() const noexcept { return detail::Finder(this->store_); }
 };
 

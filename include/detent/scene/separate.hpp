@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "detent/cull/search.hpp"
+#include "detent/query/cast/pair.hpp"
 #include "detent/query/raycast/hit.hpp"
 #include "detent/scene/shape_tag.hpp"
 #include "detent/shape/moved.hpp"
@@ -51,6 +52,17 @@ class FunctionRef {
 using ObjectVisitor = FunctionRef<Walk, std::uint32_t>;
 using PairVisitor = FunctionRef<void, std::uint32_t, std::uint32_t>;
 
+/// How far a moving shape gets before it touches a target. Specialised for targets that are not one
+/// convex shape.
+template <class Target>
+struct CastAt {
+  template <class Moving>
+  [[nodiscard]] static constexpr auto distance(const Cast<Moving>& moving,
+                                               const Target& target) noexcept {
+    return cast_distance(moving.shape, moving.direction, moving.max_distance, target);
+  }
+};
+
 /// Function objects, in a namespace of their own because kernels use the same names.
 namespace job {
 
@@ -66,6 +78,20 @@ struct RaycastHit {
   [[nodiscard]] constexpr std::optional<RayHit<S, N>> operator()(
       const Ray<S, N>& ray, const Shape& shape) const noexcept {
     return raycast_hit(ray, shape);
+  }
+};
+/// How far a moving shape gets: `moving` is a `detent::Cast`.
+struct CastDistance {
+  template <class Moving, class Target>
+  [[nodiscard]] constexpr auto operator()(const Moving& moving,
+                                          const Target& target) const noexcept {
+    return CastAt<Target>::distance(moving, target);
+  }
+};
+struct CastHit {
+  template <class Moving, class Shape>
+  [[nodiscard]] constexpr auto operator()(const Moving& moving, const Shape& shape) const noexcept {
+    return cast(moving.shape, moving.direction, moving.max_distance, shape);
   }
 };
 struct Distance {

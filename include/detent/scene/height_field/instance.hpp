@@ -5,6 +5,7 @@
 
 #include "detent/scene/assets.hpp"
 #include "detent/scene/height_field/placed.hpp"
+#include "detent/scene/mesh/cast.hpp"
 #include "detent/scene/mesh/closest_point.hpp"
 #include "detent/scene/mesh/contains.hpp"
 #include "detent/scene/mesh/overlaps.hpp"

@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 
+#include "detent/query/cast/pair.hpp"
 #include "detent/query/closest_point/hull.hpp"
 #include "detent/query/contains/hull.hpp"
 #include "detent/query/distance/hull.hpp"
@@ -23,6 +25,7 @@
 #include "detent/scene/hull/asset.hpp"
 #include "detent/scene/mesh/surface.hpp"
 #include "detent/scene/put.hpp"
+#include "detent/scene/separate.hpp"
 #include "detent/scene/shape_tag.hpp"
 #include "detent/shape/bounding_box.hpp"
 
@@ -149,6 +152,36 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<Interval<S>> raycast_interval(
     const Ray<S, N>& ray, const PlacedHull<S, N>& placed) noexcept {
   return raycast_interval(ray, detail::HullPoints(placed).hull());
+}
+
+namespace detail {
+
+template <Scalar S, int N>
+struct CastAt<PlacedHull<S, N>> {
+  template <class Shape>
+  [[nodiscard]] static constexpr std::optional<S> distance(
+      const Cast<Shape>& moving, const PlacedHull<S, N>& placed) noexcept {
+    return cast_distance(moving.shape, moving.direction, moving.max_distance,
+                         HullPoints(placed).hull());
+  }
+};
+
+template <class Shape, Scalar S, int N>
+[[nodiscard]] constexpr std::optional<S> cast_distance(const Shape& shape,
+                                                       const Direction<S, N>& direction,
+                                                       const std::type_identity_t<S>& max_distance,
+                                                       const PlacedHull<S, N>& placed) noexcept {
+  return cast_distance(shape, direction, max_distance, HullPoints(placed).hull());
+}
+
+}  // namespace detail
+
+/// Where a moving shape first touches a placed hull, or nothing: see query/cast.hpp.
+template <class Shape, Scalar S, int N>
+[[nodiscard]] constexpr std::optional<CastHit<S, N>> cast(
+    const Shape& shape, const Direction<S, N>& direction,
+    const std::type_identity_t<S>& max_distance, const PlacedHull<S, N>& placed) noexcept {
+  return cast(shape, direction, max_distance, detail::HullPoints(placed).hull());
 }
 
 /// A shape to test against a placed hull: one that has `overlaps` with convex hulls.

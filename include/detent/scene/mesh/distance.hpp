@@ -23,8 +23,8 @@ template <class Shape>
   }
 }
 
-/// The lesser of `least` and the distance between `shape` and the triangles of `surface`; to_shape
-/// returns that of one triangle, if it is less than a given one.
+/// The lesser of `least` and the distance between `shape` and the triangles of `surface`.
+/// to_shape(triangle, least) returns the distance of one triangle, exact if it is below `least`.
 template <class Surface, class Shape, Scalar S, class ToShape>
 [[nodiscard]] constexpr S least_distance(const Surface& surface, const Shape& shape, S least,
                                          const ToShape& to_shape) noexcept {
@@ -37,8 +37,9 @@ template <class Surface, class Shape, Scalar S, class ToShape>
       },
       [&](const S& to_box) { return to_box < least; },
       [&](std::span<const MeshTriangle<S>> triangles) {
-        for (const auto& part : triangles)
+        for (const auto& part : triangles) {
           least = (std::min)(least, to_shape(part.triangle, least));
+        }
         return stop_if(least == S(0));
       });
   return least;

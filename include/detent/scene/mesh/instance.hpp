@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "detent/scene/assets.hpp"
+#include "detent/scene/mesh/cast.hpp"
 #include "detent/scene/mesh/closest_point.hpp"
 #include "detent/scene/mesh/contains.hpp"
 #include "detent/scene/mesh/overlaps.hpp"

@@ -44,8 +44,9 @@ template <template <class> class Placed, Scalar S, class Visit>
 /// to the asset's surface, whose own walks are faster.
 template <template <class> class Placed, Scalar S>
 [[nodiscard]] constexpr bool moves_exactly(const Placed<S>& placed) noexcept {
-  if (!is_fixed<S> || placed.asset == nullptr || !AssetSurface<Placed<S>>::only_moves(placed))
+  if (!is_fixed<S> || placed.asset == nullptr || !AssetSurface<Placed<S>>::only_moves(placed)) {
     return false;
+  }
   const auto bounds = bounding_box(AssetSurface<Placed<S>>::of(placed));
   return is_in_range<S>(bounds.min + AssetSurface<Placed<S>>::translation(placed)) &&
          is_in_range<S>(bounds.max + AssetSurface<Placed<S>>::translation(placed));

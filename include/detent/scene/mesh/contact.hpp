@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <type_traits>
+
+#include "detent/query/contact/pair.hpp"
+#include "detent/query/raycast/hit.hpp"
+#include "detent/scene/mesh/overlaps.hpp"
+
+namespace detent {
+
+/// The contact of one triangle of a surface and a shape, seen from the triangle.
+template <Scalar S>
+struct MeshContact {
+  Contact<S, 3> contact;
+  std::uint32_t triangle = 0;
+
+  [[nodiscard]] friend constexpr bool operator==(const MeshContact&,
+                                                 const MeshContact&) noexcept = default;
+};
+
+namespace detail {
+
+/// How deep a shape is behind the plane of a triangle; `normal` is perpendicular to it.
+template <Scalar S, class Normal>
+struct FacePush {
+  Normal normal;
+  Depth<S> depth;
+};
+
+/// The contacts of one shape with the triangles of a surface.
+///
+/// A contact whose normal is not that of its triangle leaves the triangle over an edge or a corner.
+/// It is right only if the surface does not go on there: no other triangle at that edge or corner
+/// rises above the plane through it. If one does, and the shape touches it and its own contact is
+/// right, that is the contact, and this triangle has none. If there is no such triangle, the shape
+/// leaves along the triangle's own normal, unless one of them that it touches has a nearer face. (Of
+/// equally near ones the first counts. So of triangles that give way to each other, one remains.)
+template <class Surface, class Shape, Scalar S>
+class SurfaceContacts {
+ public:
+  constexpr SurfaceContacts(const Surface& surface, const Shape& shape, Facing facing) noexcept
+      : surface_(surface), shape_(shape), facing_(facing) {}
+
+  template <class Found>
+  constexpr void visit(const Found& found) const noexcept {
+    visit_near(bounding_box(shape_), [&](const MeshTriangle<S>& part) {
+      const auto here = contact_with(part);
+      if (here) found(MeshContact<S>{*here, part.index});
+    });
+  }
+
+ private:
+  template <class Visit>
+  constexpr void visit_near(const Aabb<S, 3>& box, const Visit& visit) const noexcept {
+    visit_within(surface_, box, [&](std::span<const MeshTriangle<S>> parts) {
+      for (const auto& part : parts) visit(part);
+      return Walk::go_on;
+    });
+  }
+
+  [[nodiscard]] constexpr std::optional<Contact<S, 3>> contact_with(
+      const MeshTriangle<S>& part) const noexcept {
+    const auto& triangle = part.triangle;
+    const auto free = contact(triangle, shape_);
+    if (!free || is_zero(normal_of(triangle)) || is_right(part, free->normal)) return free;
+    const auto face = face_push(triangle, free->normal);
+    bool gives_way = false;
+    visit_risers(part, free->normal, [&](const MeshTriangle<S>& other) {
+      if (gives_way) return;
+      const auto others = contact(other.triangle, shape_);
+      if (!others) return;
+      const auto depth = face_push(other.triangle, free->normal).depth;
+      gives_way =
+          is_right(other, others->normal) ||
+          (depth >= 0 && (depth < face.depth || (depth == face.depth && other.index < part.index)));
+    });
+    if (gives_way || face.depth < 0) return std::nullopt;
+    return along_face(triangle, face);
+  }
+
+  /// Whether a contact with this normal is that of the triangle's face, or of an edge or a corner
+  /// where no triangle rises.
+  [[nodiscard]] constexpr bool is_right(const MeshTriangle<S>& part,
+                                        const Direction<S, 3>& normal) const noexcept {
+    const auto across = normal_of(part.triangle);
+    const auto front = unit_of<S>(across);
+    if (normal == front) return true;
+    if (facing_ == Facing::front ? dot(normal, across) <= 0 : normal == -front) {
+      return facing_ == Facing::both;
+    }
+    bool rises = false;
+    visit_risers(part, normal, [&](const MeshTriangle<S>&) { rises = true; });
+    return !rises;
+  }
+
+  /// Visits the other triangles that rise at the edge or corner of `part` that is highest along
+  /// `normal`.
+  template <class Visit>
+  constexpr void visit_risers(const MeshTriangle<S>& part, const Direction<S, 3>& normal,
+                              const Visit& visit) const noexcept {
+    visit_near(bounding_box(part.triangle), [&](const MeshTriangle<S>& other) {
+      if (other == part || is_zero(normal_of(other.triangle))) return;
+      if (rises_at(part.triangle, normal, other.triangle)) visit(other);
+    });
+  }
+
+  [[nodiscard]] static constexpr auto normal_of(const Triangle<S, 3>& triangle) noexcept {
+    return cross(triangle.b - triangle.a, triangle.c - triangle.a);
+  }
+
+  /// Whether `other` has all corners of `triangle` that are highest along `normal`, and one that is
+  /// higher, by more than the normal is rounded.
+  [[nodiscard]] static constexpr bool rises_at(const Triangle<S, 3>& triangle,
+                                               const Direction<S, 3>& normal,
+                                               const Triangle<S, 3>& other) noexcept {
+    const std::array corners{triangle.a, triangle.b, triangle.c};
+    const std::array others{other.a, other.b, other.c};
+    const auto height = [&](const Vec<S, 3>& p) { return dot(normal, p - triangle.a); };
+    auto highest = height(triangle.a);
+    for (const auto& corner : corners) highest = (std::max)(highest, height(corner));
+    for (const auto& corner : corners) {
+      if (highest - height(corner) > slack()) continue;
+      if (std::find(others.begin(), others.end(), corner) == others.end()) return false;
+    }
+    for (const auto& corner : others) {
+      if (height(corner) - highest > slack()) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] static constexpr S slack() noexcept {
+    if constexpr (is_fixed<S>) {
+      return S::from_raw(4);
+    } else {
+      return S(1) / 4096;
+    }
+  }
+
+  /// The push of the shape out of the plane of a triangle: to the front or, if it has two sides, to
+  /// that of `along`, the nearer one if `along` is in the plane.
+  [[nodiscard]] constexpr auto face_push(const Triangle<S, 3>& triangle,
+                                         const Direction<S, 3>& along) const noexcept {
+    auto normal = normal_of(triangle);
+    const auto corners = corners_of(core_of(shape_));
+    const auto body = body_of_corners(corners);
+    constexpr int bits = bits_of<decltype(body.some().x)> + 1;
+    const auto height_along = [&](const auto& v) {
+      return dot(v, triangle.a - body.template extreme<bits>(v, body.some(), false));
+    };
+    auto height = height_along(normal);
+    if (facing_ == Facing::both) {
+      const auto back = narrow_negative(normal);
+      const auto behind = height_along(back);
+      const auto side = dot(along, normal);
+      if (side < 0 || (side == 0 && behind < height)) {
+        normal = back;
+        height = behind;
+      }
+    }
+    const auto squared = squared_length(normal);
+    const auto radius = radius_of(shape_);
+    const auto root = Fraction{square(height), squared};
+    const Depth<S> depth = height < 0 ? Depth<S>(radius - sqrt_floor<Length<S>>(root))
+                                      : Depth<S>(radius + sqrt_ceil<Length<S>>(root));
+    return FacePush<S, decltype(normal)>{normal, depth};
+  }
+
+  template <class Push>
+  [[nodiscard]] constexpr std::optional<Contact<S, 3>> along_face(const Triangle<S, 3>& triangle,
+                                                                  const Push& push) const noexcept {
+    const auto& core = core_of(shape_);
+    const auto corners = corners_of(core);
+    const auto body = body_of_corners(corners);
+    const auto face = corners_of(triangle);
+    const auto face_body = body_of_corners(face);
+    const auto normal = unit_of<S>(push.normal);
+    return make_contact(normal, push.depth, S(0), radius_of(shape_), [&](auto& manifold) {
+      const auto deepest = extreme_feature<S>(body, body, push.normal, false);
+      manifold.meet(
+          extreme_feature<S>(face_body, face_body, push.normal, true), deepest,
+          [](const auto& feature) { return feature; },
+          [&](const auto& feature) { return opposed_feature(core, body, feature, normal); });
+    });
+  }
+
+  const Surface& surface_;
+  const Shape& shape_;
+  Facing facing_;
+};
+
+/// Inserts a contact by its triangle into the first `count` of `out`; what is beyond `out` is lost.
+template <Scalar S>
+constexpr void insert_contact(std::span<MeshContact<S>> out, std::size_t count,
+                              const MeshContact<S>& contact) noexcept {
+  std::size_t i = count < out.size() ? count : out.size();
+  if (i == out.size()) {
+    if (i == 0 || !(contact.triangle < out[i - 1].triangle)) return;
+    --i;
+  }
+  for (; i > 0 && contact.triangle < out[i - 1].triangle; --i) out[i] = out[i - 1];
+  out[i] = contact;
+}
+
+}  // namespace detail
+
+/// The contacts of a shape (sphere, AABB, OBB, triangle, capsule, convex hull) with the triangles of
+/// `surface`, at most one a triangle. Returns their number. Writes those of the least indices, as
+/// many as `out` holds, sorted.
+///
+/// There are no bumps at inner edges: a normal is that of the triangle, unless the shape touches an
+/// edge or a corner from where no triangle there rises. So a shape that slides over a tessellated
+/// plane sees no normal but the plane's, and in a valley none but those of both sides. Triangles
+/// share an edge if its corners have equal coordinates.
+///
+/// With Facing::front, every normal points to the front of its triangle, so a shape that is partly
+/// behind it is pushed out in front; so it is with height fields, whose front is above. A shape that
+/// touches no triangle has no contact on either side.
+///
+/// exact:  as for `contact` of the triangle and the shape; which edges are inner ones, with the
+///         normal as rounded and 4 ULP to spare           (tests/scene/mesh_contact.test.cpp)
+template <template <class> class Surface, Scalar S, MeetsTriangles<S> Shape>
+requires is_surface<Surface>
+constexpr std::size_t contacts(const Surface<S>& surface, const Shape& shape,
+                               std::span<std::type_identity_t<MeshContact<S>>> out,
+                               Facing facing) noexcept {
+  std::size_t count = 0;
+  if (!detail::has_points(shape)) return count;
+  detail::SurfaceContacts<Surface<S>, Shape, S>(surface, shape, facing)
+      .visit([&](const MeshContact<S>& contact) { detail::insert_contact(out, count++, contact); });
+  return count;
+}
+template <template <class> class Surface, Scalar S, MeetsTriangles<S> Shape>
+requires is_surface<Surface>
+constexpr std::size_t contacts(const Surface<S>& surface, const Shape& shape,
+                               std::span<std::type_identity_t<MeshContact<S>>> out) noexcept {
+  constexpr bool has_front = requires { surface.heights; }
+  || requires { surface.asset->field(); };
+  return contacts(surface, shape, out, has_front ? Facing::front : Facing::both);
+}
+
+}  // namespace detent

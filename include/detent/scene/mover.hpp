@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include "detent/scene/mover/result.hpp"
+#include "detent/scene/mover/run.hpp"
+
+namespace detent {
+
+/// A character: a capsule, sphere or axis-aligned box that walks, slides along walls, climbs steps
+/// and is carried by what it stands on. It is all of its state: a world keeps it and the velocity.
+///
+///     Mover<q16_16, 3, Capsule> player{{feet, head, radius}};
+///     velocity.y -= gravity;
+///     const auto result = player.move(scene, velocity, settings, not_itself);
+///     velocity = clip_velocity(velocity, result);
+///                                                             (tests/examples/character.cpp)
+template <Scalar S, int N, template <class, int> class Shape>
+struct Mover {
+  Shape<S, N> shape;  // where it is, in the world
+  Ground<S, N> ground{};
+
+  /// Moves by `by`, what the character wants to move in a frame, gravity included, as far as the
+  /// objects of a scene that pass `filter` let it:
+  ///
+  /// 1. the frame of the object that it stands on carries it along, rigidly (objects that move
+  ///    otherwise do not: give platforms a frame);
+  /// 2. it is pushed out of what it overlaps, by contacts, in at most four steps;
+  /// 3. standing on ground, it walks: the horizontal part of `by` leads along walls, up slopes that
+  ///    are not too steep and over steps, then down to ground within `snap_distance`, or it falls;
+  /// 4. in the air, it flies and slides along what it meets, and stands on ground where it lands. A
+  ///    motion away from its ground by more than an eighth of the skin leaves it, as a jump does;
+  ///    `ground = {}` leaves it too.
+  ///
+  /// It stays a skin away from what it walks along, but in gaps that are narrower.
+  ///
+  /// units:  world units
+  /// domain: every input; an empty shape passes everything; a move that would leave the range of the
+  ///         scalar ends
+  /// result: it ends overlapping nothing that it did not overlap at the start, and passes nothing on
+  ///         its way, however thin and fast; at most 28 casts
+  ///         (tests/scene/mover.test.cpp, tests/scene/mover_property.test.cpp)
+  /// source: cast and clip, Quake, PM_SlideMove; planes, b2SolvePlanes of Box2D 3.1; steps and
+  ///         ground as CharacterVirtual of Jolt Physics
+  template <class World, ObjectFilter Filter = Everything>
+  constexpr MoveResult<S, N> move(const World& world, const Vec<S, N>& by,
+                                  const MoverSettings<S, N>& settings = {},
+                                  const Filter& filter = {}) {
+    return detail::MoverRun<S, N, World, Shape<S, N>, Filter>(world, filter, settings, shape)
+        .run(*this, by);
+  }
+
+  [[nodiscard]] friend constexpr bool operator==(const Mover&, const Mover&) noexcept = default;
+};
+
+/// Appends to a digest: shape, then ground.
+template <class D, Scalar S, int N, template <class, int> class Shape>
+constexpr void append(D& digest, const Mover<S, N, Shape>& mover) noexcept {
+  digest.add(mover.shape, mover.ground);
+}
+/// Its fields in a `Desync`: see fields.hpp.
+template <Scalar S, int N, template <class, int> class Shape, class F>
+constexpr void for_each_field(const Mover<S, N, Shape>& mover, const F& f) {
+  f("shape", mover.shape);
+  f("ground", mover.ground);
+}
+
+/// The part of `velocity` that does not lead into what the character touched: the closest to it.
+///
+/// result: 0 where no velocity is left
+///         (tests/scene/mover.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> clip_velocity(const Vec<S, N>& velocity,
+                                                const MoveResult<S, N>& result) noexcept {
+  detail::HalfSpaces<S, N> spaces;
+  for (std::size_t i = 0; i < result.count; ++i) spaces.add(result.touched[i].normal, S(0));
+  const S slack = is_fixed<S> ? next_up(S(0))
+                              : quotient_nearest<S>(length(velocity), detail::as_operand<S>(1024));
+  return spaces.closest(velocity, slack).value_or(Vec<S, N>{});
+}
+
+}  // namespace detent

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "detent/shape/moved.hpp"
+
+// The shapes that characters have: capsules, spheres and axis-aligned boxes.
+
+namespace detent::detail {
+
+/// The shape grown by `by` on all sides, or shrunk by a negative number: a superset of all points
+/// within `by` of it.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Sphere<S, N> grown(const Sphere<S, N>& sphere, const S& by) noexcept {
+  return {sphere.center, nearest_to<S>(sphere.radius + by)};
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Capsule<S, N> grown(const Capsule<S, N>& capsule, const S& by) noexcept {
+  return {capsule.a, capsule.b, nearest_to<S>(capsule.radius + by)};
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Aabb<S, N> grown(const Aabb<S, N>& box, const S& by) noexcept {
+  return {make_vec<N>([&](int i) { return nearest_to<S>(box.min[i] - by); }),
+          make_vec<N>([&](int i) { return nearest_to<S>(box.max[i] + by); })};
+}
+
+/// How much can be shrunk until nothing is left, rounded down; negative for an empty shape.
+template <Scalar S, int N>
+[[nodiscard]] constexpr S thickness(const Sphere<S, N>& sphere) noexcept {
+  return sphere.radius;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr S thickness(const Capsule<S, N>& capsule) noexcept {
+  return capsule.radius;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr S thickness(const Aabb<S, N>& box) noexcept {
+  auto least = box.max.x - box.min.x;
+  for (int i = 1; i < N; ++i) least = (std::min)(least, box.max[i] - box.min[i]);
+  return floor_to<S>(half(least));
+}
+
+/// The least and the greatest coordinate on axis `i`, exactly.
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto least_on(const Sphere<S, N>& sphere, int i) noexcept {
+  return sphere.center[i] - sphere.radius;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto greatest_on(const Sphere<S, N>& sphere, int i) noexcept {
+  return sphere.center[i] + sphere.radius;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto least_on(const Capsule<S, N>& capsule, int i) noexcept {
+  return (std::min)(capsule.a[i], capsule.b[i]) - capsule.radius;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto greatest_on(const Capsule<S, N>& capsule, int i) noexcept {
+  return (std::max)(capsule.a[i], capsule.b[i]) + capsule.radius;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr S least_on(const Aabb<S, N>& box, int i) noexcept {
+  return box.min[i];
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr S greatest_on(const Aabb<S, N>& box, int i) noexcept {
+  return box.max[i];
+}
+
+/// How far the lowest point reaches along `up`.
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto lowest_along(const Sphere<S, N>& sphere,
+                                          const Direction<S, N>& up) noexcept {
+  return dot(sphere.center, up) - sphere.radius;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto lowest_along(const Capsule<S, N>& capsule,
+                                          const Direction<S, N>& up) noexcept {
+  return (std::min)(dot(capsule.a, up), dot(capsule.b, up)) - capsule.radius;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto lowest_along(const Aabb<S, N>& box,
+                                          const Direction<S, N>& up) noexcept {
+  return dot(make_vec<N>([&](int i) { return up[i] < 0 ? box.max[i] : box.min[i]; }), up);
+}
+
+/// Whether the shape, with a margin, stays in the range of the scalar when it moves by `by`, or at
+/// least comes no closer to the end of the range. Then `translated` moves it exactly.
+template <class Shape, Scalar S, int N>
+[[nodiscard]] constexpr bool stays_in_range(const Shape& shape, const Vec<S, N>& by,
+                                            const S& margin) noexcept {
+  for (int i = 0; i < N; ++i) {
+    if (by[i] < 0 && least_on(shape, i) - margin + by[i] < detent::lowest<S>) return false;
+    if (by[i] > 0 && greatest_on(shape, i) + margin + by[i] > largest<S>) return false;
+  }
+  return true;
+}
+
+}  // namespace detent::detail

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "detent/math/direction.hpp"
+
+namespace detent::detail {
+
+/// The translations x with dot(x, normal) >= offset: those that keep a character in front of a
+/// plane.
+template <Scalar S, int N>
+struct HalfSpace {
+  Direction<S, N> normal;
+  S offset{};
+};
+
+/// The point closest to `to` on the boundary of a half-space. The normal counts as a unit vector.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> closest_on(const Vec<S, N>& to,
+                                             const HalfSpace<S, N>& a) noexcept {
+  const auto by = a.offset - dot(to, a.normal);
+  return make_vec<N>([&](int i) { return nearest_to<S>(to[i] + by * a.normal[i]); });
+}
+
+/// The point on the boundaries of two half-spaces, or nothing if they are parallel.
+template <Scalar S>
+[[nodiscard]] constexpr std::optional<Vec<S, 2>> closest_on(const Vec<S, 2>&,
+                                                            const HalfSpace<S, 2>& a,
+                                                            const HalfSpace<S, 2>& b) noexcept {
+  const auto& m = a.normal;
+  const auto& n = b.normal;
+  const auto area = narrow_cross<cosine_bits<S>>(m.vec(), n.vec());
+  if (area == 0) return std::nullopt;
+  return Vec<S, 2>{quotient_nearest<S>(a.offset * n[1] - b.offset * m[1], area),
+                   quotient_nearest<S>(b.offset * m[0] - a.offset * n[0], area)};
+}
+
+/// The point closest to `to` on the line in which the boundaries of two half-spaces meet, or
+/// nothing if they are parallel. The exact one for the normals as stored, rounded to nearest.
+///
+/// source: Cramer's rule for dot(x, m) = a.offset, dot(x, n) = b.offset, dot(x, u) = dot(to, u),
+///         where u = m x n
+template <Scalar S>
+[[nodiscard]] constexpr std::optional<Vec<S, 3>> closest_on(const Vec<S, 3>& to,
+                                                            const HalfSpace<S, 3>& a,
+                                                            const HalfSpace<S, 3>& b) noexcept {
+  const auto& m = a.normal.vec();
+  const auto& n = b.normal.vec();
+  const auto u = narrow_cross<cosine_bits<S>>(m, n);
+  const auto squared = squared_length(u);
+  if (squared == 0) return std::nullopt;
+  const auto along = u * dot(to, u);
+  const auto from_a = cross(n, u) * a.offset, from_b = cross(u, m) * b.offset;
+  return make_vec<3>(
+      [&](int i) { return quotient_nearest<S>(along[i] + from_a[i] + from_b[i], squared); });
+}
+
+/// The point on the boundaries of three half-spaces, or nothing if it is not unique.
+template <Scalar S>
+[[nodiscard]] constexpr std::optional<Vec<S, 3>> corner_of(const HalfSpace<S, 3>& a,
+                                                           const HalfSpace<S, 3>& b,
+                                                           const HalfSpace<S, 3>& c) noexcept {
+  const auto bc = narrow_cross<cosine_bits<S>>(b.normal.vec(), c.normal.vec());
+  const auto ca = narrow_cross<cosine_bits<S>>(c.normal.vec(), a.normal.vec());
+  const auto ab = narrow_cross<cosine_bits<S>>(a.normal.vec(), b.normal.vec());
+  const auto volume = dot(a.normal.vec(), bc);
+  if (volume == 0) return std::nullopt;
+  return make_vec<3>([&](int i) {
+    return quotient_nearest<S>(bc[i] * a.offset + ca[i] * b.offset + ab[i] * c.offset, volume);
+  });
+}
+
+/// The planes that a character met during a move, as half-spaces of translations from where it is.
+/// The first `capacity` are kept.
+template <Scalar S, int N>
+class HalfSpaces {
+ public:
+  static constexpr std::size_t capacity = 8;
+
+  constexpr void add(const Direction<S, N>& normal, const S& offset) noexcept {
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (list_[i].normal != normal) continue;
+      list_[i].offset = (std::max)(list_[i].offset, offset);
+      return;
+    }
+    if (count_ < capacity) list_[count_++] = {normal, offset};
+  }
+
+  /// The character moved by `by`: offsets change with it, rounded up. Planes farther away than
+  /// `reach` are forgotten: they may belong to something that it has passed.
+  constexpr void shift(const Vec<S, N>& by, const S& reach) noexcept {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      auto space = list_[i];
+      space.offset = ceil_to<S>(space.offset - dot(by, space.normal));
+      if (space.offset + reach >= 0) list_[kept++] = space;
+    }
+    count_ = kept;
+  }
+
+  /// The translation in all half-spaces, or outside by at most `slack`, that is closest to `to`; of
+  /// several, the first in order of planes. Nothing if there is none.
+  ///
+  /// It is the projection of `to` onto a polyhedron, so it is `to` itself, or on one plane, on a
+  /// crease of two or in a corner of three: all of them are tried.
+  ///
+  /// source: b2SolvePlanes of Box2D 3.1 solves the same problem by iteration; clipping against
+  ///         creases, Quake, PM_SlideMove (pmove.c)
+  [[nodiscard]] constexpr std::optional<Vec<S, N>> closest(const Vec<S, N>& to,
+                                                           const S& slack) const noexcept {
+    if (contain(to, slack)) return to;
+    Best best{*this, to, slack, std::nullopt};
+    for (std::size_t i = 0; i < count_; ++i) {
+      // A plane that `to` violates, with a foot in all others, is the only active one.
+      if (!is_in(to, list_[i], slack) && best.offer(closest_on(to, list_[i]))) return best.point;
+    }
+    for (std::size_t i = 0; i < count_; ++i) {
+      for (std::size_t j = 0; j < i; ++j) best.offer(closest_on(to, list_[j], list_[i]));
+    }
+    if constexpr (N == 3) {
+      for (std::size_t i = 0; i < count_; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          for (std::size_t k = 0; k < j; ++k) best.offer(corner_of(list_[k], list_[j], list_[i]));
+        }
+      }
+    }
+    return best.point;
+  }
+
+ private:
+  struct Best {
+    const HalfSpaces& spaces;
+    const Vec<S, N>& to;
+    const S& slack;
+    std::optional<Vec<S, N>> point;
+
+    constexpr bool offer(const std::optional<Vec<S, N>>& x) noexcept {
+      if (!x || !spaces.contain(*x, slack)) return false;
+      if (!point || squared_distance(*x, to) < squared_distance(*point, to)) point = x;
+      return true;
+    }
+  };
+
+  static constexpr bool is_in(const Vec<S, N>& x, const HalfSpace<S, N>& space,
+                              const S& slack) noexcept {
+    return dot(x, space.normal) + slack >= space.offset;
+  }
+  constexpr bool contain(const Vec<S, N>& x, const S& slack) const noexcept {
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (!is_in(x, list_[i], slack)) return false;
+    }
+    return true;
+  }
+
+  std::array<HalfSpace<S, N>, capacity> list_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace detent::detail

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "detent/query/contact/pair.hpp"
+#include "detent/scene/height_field/placed.hpp"
+#include "detent/scene/hull/placed.hpp"
+#include "detent/scene/mover/half_spaces.hpp"
+#include "detent/scene/mover/step.hpp"
+
+namespace detent::detail {
+
+template <class T>
+inline constexpr bool is_terrain = false;
+template <Scalar S>
+inline constexpr bool is_terrain<PlacedField<S>> = true;
+
+/// How a shape leaves a triangle of terrain, whose front is its upper side.
+template <Scalar S, class Shape>
+[[nodiscard]] constexpr std::optional<HalfSpace<S, 3>> way_up(const Triangle<S, 3>& triangle,
+                                                              const Shape& shape) noexcept {
+  const auto normal = direction_of<S>(cross(triangle.b - triangle.a, triangle.c - triangle.a));
+  if (!normal) return std::nullopt;
+  return HalfSpace<S, 3>{*normal,
+                         ceil_to<S>(dot(triangle.a, *normal) - lowest_along(shape, *normal))};
+}
+
+/// Adds the half-space of translations that bring a shape out of a target that it overlaps.
+template <Scalar S, int N, class Target, class Shape>
+constexpr void add_way_out(HalfSpaces<S, N>& spaces, const Target& target, const Shape& shape) {
+  if constexpr (is_surface_type<Target>) {
+    visit_within(target, bounding_box(shape), [&](auto triangles) {
+      for (const auto& part : triangles) {
+        const auto found = contact(part.triangle, shape);
+        if (!found) continue;
+        HalfSpace<S, N> way{found->normal, found->depth};
+        if constexpr (is_terrain<Target>) {
+          if (way.normal[1] < 0) way = way_up(part.triangle, shape).value_or(way);
+        }
+        spaces.add(way.normal, way.offset);
+      }
+      return Walk::go_on;
+    });
+  } else if constexpr (requires { HullPoints(target); }) {
+    const HullPoints points(target);
+    add_way_out(spaces, points.hull(), shape);
+  } else if (const auto found = contact(target, shape)) {
+    spaces.add(found->normal, found->depth);
+  }
+}
+
+/// The half-spaces of translations that bring a shape out of all that it overlaps.
+template <Scalar S, int N, class World, class Shape, class Filter>
+[[nodiscard]] constexpr HalfSpaces<S, N> ways_out(const World& world, const Shape& shape,
+                                                  const Filter& filter) {
+  HalfSpaces<S, N> spaces;
+  (void)world.any(shape, [&](const ObjectInfo& object) {
+    if (!filter(object)) return false;
+    world.visit(object.id, [&](const auto& target) { add_way_out(spaces, target, shape); });
+    return false;
+  });
+  return spaces;
+}
+
+/// Pushes a character out of what it overlaps or is closer to than its skin. At most four times,
+/// and never into something else.
+template <class Steps, class World, class Filter, Scalar S>
+constexpr void push_apart(Steps& steps, const World& world, const Filter& filter, const S& skin) {
+  for (int i = 0; i < 4; ++i) {
+    const auto spaces = ways_out<S, Steps::dimension>(world, grown(steps.shape(), skin), filter);
+    const auto by = spaces.closest({}, quotient_floor<S>(skin, as_operand<S>(8)));
+    if (!by || *by == Vec<S, Steps::dimension>{}) return;
+    steps.escape(*by);
+    steps.prepare();
+    if (steps.has_room()) return;
+  }
+}
+
+}  // namespace detent::detail

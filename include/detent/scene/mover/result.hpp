@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "detent/number/angle.hpp"
+#include "detent/scene/fields.hpp"
+#include "detent/scene/object.hpp"
+
+namespace detent {
+
+/// How a character moves.
+template <Scalar S, int N>
+struct MoverSettings {
+  Direction<S, N> up = Direction<S, N>::along(1);
+  /// How far the character stays from what it walks along; at least 32 units of the last place, one
+  /// for each cast of the longest move and as many to spare.
+  S skin = quotient_nearest<S>(S(1), detail::as_operand<S>(64));
+  /// The highest step that it climbs; 0 for none.
+  S step_height = quotient_nearest<S>(S(1), detail::as_operand<S>(3));
+  /// How far below it ground is followed, down slopes and steps; 0 for not at all.
+  S snap_distance = quotient_nearest<S>(S(1), detail::as_operand<S>(3));
+  /// The steepest slope that it stands on and walks up.
+  Angle<S> max_slope = Angle<S>::turn(50, 360);
+};
+
+/// What a character stands on.
+template <Scalar S, int N>
+struct Ground {
+  bool is_grounded = false;
+  ObjectId object{};
+  Direction<S, N> normal{};
+  FrameId frame{};    // the frame of the object, which carries the character
+  Vec<S, N> local{};  // the point under the character, in the frame
+  Vec<S, N> point{};  // the same in the world, when the character was last moved
+
+  [[nodiscard]] friend constexpr bool operator==(const Ground&, const Ground&) noexcept = default;
+};
+
+/// Appends to a digest: the fields in order.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const Ground<S, N>& ground) noexcept {
+  digest.add(ground.is_grounded, ground.object, ground.normal, ground.frame, ground.local,
+             ground.point);
+}
+/// Its fields in a `Desync`: see fields.hpp.
+template <Scalar S, int N, class F>
+constexpr void for_each_field(const Ground<S, N>& ground, const F& f) {
+  f("is_grounded", ground.is_grounded);
+  f("object", ground.object);
+  f("normal", ground.normal);
+  f("frame", ground.frame);
+  f("local", ground.local);
+  f("point", ground.point);
+}
+
+/// Something that a character touched during a move: within its skin, or in its way.
+template <Scalar S, int N>
+struct MoverTouch {
+  ObjectId object;
+  Vec<S, N> point;
+  Direction<S, N> normal;  // away from the object
+
+  [[nodiscard]] friend constexpr bool operator==(const MoverTouch&,
+                                                 const MoverTouch&) noexcept = default;
+};
+
+/// What a move did. `touched` has the first things touched, each once for each of its normals.
+template <Scalar S, int N>
+struct MoveResult {
+  Vec<S, N> moved;  // in all
+  Vec<S, N>
+      carried;       // of this, by the ground that it stood on: the ground's velocity times a frame
+  Vec<S, N> pushed;  // of this, out of what it overlapped or was too close to
+  std::array<MoverTouch<S, N>, 8> touched{};
+  std::size_t count = 0;
+  bool is_stuck = false;  // it overlaps something that it could not be pushed out of
+
+  [[nodiscard]] friend constexpr bool operator==(const MoveResult&,
+                                                 const MoveResult&) noexcept = default;
+};
+
+/// Appends to a digest: the fields in order.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const MoverTouch<S, N>& touch) noexcept {
+  digest.add(touch.object, touch.point, touch.normal);
+}
+/// Appends to a digest: the three motions, the number of touches, these, and whether it is stuck.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const MoveResult<S, N>& result) noexcept {
+  digest.add(result.moved, result.carried, result.pushed, static_cast<std::uint32_t>(result.count));
+  for (std::size_t i = 0; i < result.count; ++i) digest.add(result.touched[i]);
+  digest.add(result.is_stuck);
+}
+
+}  // namespace detent

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "detent/math/project.hpp"
+#include "detent/scene/mover/half_spaces.hpp"
+#include "detent/scene/mover/push.hpp"
+#include "detent/scene/mover/result.hpp"
+#include "detent/scene/mover/step.hpp"
+
+namespace detent::detail {
+
+/// One move of a character.
+template <Scalar S, int N, class World, class Shape, class Filter>
+class MoverRun {
+  using Motion = Vec<S, N>;
+  using Steps = Stepper<S, N, World, Shape, Filter>;
+  using Hit = ObjectHit<S, N>;
+
+ public:
+  static constexpr int slides = 5;  // planes that a character meets on one way
+
+  constexpr MoverRun(const World& world, const Filter& filter, const MoverSettings<S, N>& settings,
+                     const Shape& shape)
+      : world_(world),
+        filter_(filter),
+        up_(settings.up),
+        skin_((std::max)(settings.skin, least_skin())),
+        step_height_(settings.step_height),
+        snap_distance_((std::max)(settings.snap_distance, S(0))),
+        least_cosine_(cos<direction_component<S>>(settings.max_slope)),
+        steps_(world, filter, shape, skin_) {}
+
+  /// Carries, pushes apart, then walks or flies.
+  template <class Character>
+  constexpr MoveResult<S, N> run(Character& character, const Motion& by) {
+    if (thickness(character.shape) < 0) {  // empty: nothing is in its way
+      result_.moved = stays_in_range(character.shape, by, S(0)) ? by : Motion{};
+      character = {translated(character.shape, result_.moved)};
+      return result_;
+    }
+    const Ground<S, N> ground = character.ground;
+    carry(ground);
+    steps_.prepare();
+    if (!steps_.has_room()) push();
+    const S rise = nearest_to<S>(dot(by, up_));
+    if (ground.is_grounded &&
+        !(dot(by, ground.normal) > quotient_floor<S>(skin_, as_operand<S>(8)))) {
+      walk(rise < 0 ? across(by) : by, nearest_to<S>(-(std::min)(rise, S(0))));
+    } else {
+      slide(steps_, by, true, rise > 0);
+      if (rise <= 0) land(nearest_to<S>(skin_ + skin_));
+    }
+    result_.moved = since(character.shape, steps_.shape());
+    character.shape = steps_.shape();
+    character.ground = ground_;
+    return result_;
+  }
+
+ private:
+  /// Two units for each step on the longest way: up, along, down a step, down to the ground, and
+  /// falling; so that half of the skin lasts.
+  static constexpr S least_skin() noexcept {
+    if constexpr (is_fixed<S>) {
+      using Raw = typename S::raw_type;
+      constexpr int units = 4 * slides + 12;
+      return S::from_raw(
+          static_cast<Raw>((std::min)(units, int{S::bits < 7 ? (1 << S::bits) - 1 : units})));
+    } else {
+      return quotient_nearest<S>(S(1), S(4096));
+    }
+  }
+
+  /// The point of a shape that tells how far it moved: all of it moves by the same vector.
+  static constexpr Motion mark(const Sphere<S, N>& sphere) noexcept { return sphere.center; }
+  static constexpr Motion mark(const Capsule<S, N>& capsule) noexcept { return capsule.a; }
+  static constexpr Motion mark(const Aabb<S, N>& box) noexcept { return box.min; }
+  static constexpr Motion since(const Shape& before, const Shape& now) noexcept {
+    return nearest_to<S>(mark(now) - mark(before));
+  }
+
+  /// The horizontal part of a vector.
+  constexpr Motion across(const Motion& v) const noexcept { return reject(v, up_); }
+  constexpr Motion upward(const S& height) const noexcept { return nearest_to<S>(up_ * height); }
+  constexpr auto steepness(const Direction<S, N>& normal) const noexcept {
+    return dot(normal, up_);
+  }
+  constexpr bool is_flat(const Direction<S, N>& normal) const noexcept {
+    return steepness(normal) >= least_cosine_;
+  }
+
+  constexpr void touch(const Hit& hit) noexcept {
+    for (std::size_t i = 0; i < result_.count; ++i) {
+      const auto& known = result_.touched[i];
+      if (known.object == hit.id && known.normal == hit.normal) return;
+    }
+    if (result_.count < result_.touched.size()) {
+      result_.touched[result_.count++] = {hit.id, hit.point, hit.normal};
+    }
+  }
+
+  /// Moves with the frame of the ground: the point under the character moves rigidly.
+  constexpr void carry(const Ground<S, N>& ground) {
+    if (!ground.is_grounded || ground.frame == FrameId{}) return;
+    const auto frame = world_.frame(ground.frame);
+    if (!frame) return;
+    const auto by = nearest_to<S>(transform_point(frame->world, ground.local) - ground.point);
+    if (by == Motion{}) return;
+    steps_.prepare(ground.frame);
+    const Shape before = steps_.shape();
+    slide(steps_, by, false, true);
+    if (steps_.overlaps_more()) steps_.go_back(before);
+    result_.carried = since(before, steps_.shape());
+  }
+
+  constexpr void push() {
+    const Shape before = steps_.shape();
+    push_apart(steps_, world_, filter_, skin_);
+    result_.pushed = since(before, steps_.shape());
+    steps_.prepare();
+    result_.is_stuck = !steps_.is_free(S(0));
+  }
+
+  /// Moves by `by`, along what is in the way. A character that `lands` loses its downward motion on
+  /// ground; one that does not climb treats steep slopes as walls. Returns whether a wall or a steep
+  /// slope was in its way.
+  ///
+  /// Each step leads towards the same end, as far as the planes met so far let it: so it never
+  /// turns back, and follows the crease of two planes.
+  constexpr bool slide(Steps& steps, const Motion& by, bool lands, bool climbs) {
+    HalfSpaces<S, N> spaces;
+    Motion left = by;
+    bool meets_wall = false;
+    for (int i = 0; i < slides; ++i) {
+      const auto way = spaces.closest(left, quotient_floor<S>(skin_, as_operand<S>(8)));
+      if (!way || *way == Motion{}) break;
+      const auto step = steps.look(*way);
+      steps.go(step.by);
+      left = nearest_to<S>(left - step.by);
+      if (!step.hit) {
+        if (step.is_whole || step.by == Motion{}) break;
+        continue;
+      }
+      touch(*step.hit);
+      const auto& normal = step.hit->normal;
+      const auto slope = steepness(normal);
+      spaces.shift(step.by, nearest_to<S>(skin_ + skin_));
+      spaces.add(normal, step.offset);
+      if (slope >= least_cosine_) {
+        if (lands && dot(left, up_) < 0) left = across(left);
+      } else {
+        meets_wall = meets_wall || -slope < least_cosine_;
+        if (!climbs && slope > 0) {
+          const auto wall =
+              direction_of<S>(nearest_to<direction_component<S>>(normal.vec() - up_.vec() * slope));
+          if (wall) spaces.add(*wall, S(0));
+        }
+      }
+    }
+    return meets_wall;
+  }
+
+  /// A step of a character on the ground: along it, over steps, and back down to it.
+  constexpr void walk(const Motion& along, const S& fall) {
+    if (along != Motion{}) {
+      Steps over = steps_;
+      const auto before = result_;
+      if (slide(steps_, along, false, false) && step_height_ > 0) {
+        const auto after = std::exchange(result_, before);
+        const Shape start = over.shape();
+        const auto reached = dot(since(start, steps_.shape()), along);
+        if (climb(over, along) && dot(since(start, over.shape()), along) > reached) {
+          steps_ = over;
+        } else {
+          result_ = after;
+        }
+      }
+    }
+    const S least = nearest_to<S>(skin_ + skin_);
+    if (land((std::max)(nearest_to<S>(fall + snap_distance_), least))) return;
+    if (fall > 0) {
+      slide(steps_, upward(nearest_to<S>(-fall)), true, false);
+      land(least);
+    }
+  }
+
+  /// Up, along and down again; true if that leads onto ground.
+  constexpr bool climb(Steps& steps, const Motion& along) {
+    const Shape start = steps.shape();
+    steps.go(steps.look(upward(step_height_)).by);
+    const S risen = nearest_to<S>(dot(since(start, steps.shape()), up_));
+    if (risen <= 0) return false;
+    slide(steps, along, false, false);
+    const auto down = steps.look(upward(nearest_to<S>(-risen)));
+    if (!down.hit || !ground_normal(*down.hit)) return false;
+    const auto height = dot(down.hit->point, up_) - lowest_along(start, up_);
+    if (height > step_height_ + skin_) return false;
+    steps.go(down.by);
+    return true;
+  }
+
+  /// The normal of the ground that a downward cast hit, or nothing if it is too steep. Over an edge,
+  /// it is that of the surface at the edge.
+  constexpr std::optional<Direction<S, N>> ground_normal(const Hit& hit) const {
+    if (is_flat(hit.normal)) return hit.normal;
+    const auto slope = steepness(hit.normal);
+    if (slope <= 0) return std::nullopt;
+    const auto away =
+        direction_of<S>(nearest_to<direction_component<S>>(hit.normal.vec() - up_.vec() * slope));
+    if (!away) return std::nullopt;
+    const auto origin = nearest_to<S>(hit.point + up_ * skin_ - *away * skin_);
+    const Ray<S, N> ray{origin, -up_, nearest_to<S>(skin_ + skin_)};
+    const auto below = world_.nearest_hit(ray, steps_.passes());
+    // A ray that starts in a solid is under a steep slope.
+    if (!below || below->distance <= 0 || !is_flat(below->normal)) return std::nullopt;
+    return below->normal;
+  }
+
+  /// Goes down to ground within `distance`, if there is any, and stands on it.
+  constexpr bool land(const S& distance) {
+    const auto step = steps_.look(upward(nearest_to<S>(-distance)));
+    if (!step.hit) return false;
+    const auto normal = ground_normal(*step.hit);
+    if (!normal) return false;
+    steps_.go(step.by);
+    touch(*step.hit);
+    ground_.is_grounded = true;
+    ground_.object = step.hit->id;
+    ground_.normal = *normal;
+    ground_.frame = world_.frame_of(step.hit->id).value_or(FrameId{});
+    ground_.point = step.hit->point;
+    if (const auto frame = world_.frame(ground_.frame)) {
+      ground_.local = inverse_transform_point(frame->world, step.hit->point);
+      ground_.point = transform_point(frame->world, ground_.local);
+    }
+    return true;
+  }
+
+  const World& world_;
+  const Filter& filter_;
+  Direction<S, N> up_;
+  S skin_;
+  S step_height_;
+  S snap_distance_;
+  direction_component<S> least_cosine_;
+  Steps steps_;
+  MoveResult<S, N> result_{};
+  Ground<S, N> ground_{};
+};
+
+}  // namespace detent::detail

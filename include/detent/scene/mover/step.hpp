@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "detent/number/next_up.hpp"
+#include "detent/query/overlaps/aabb_aabb.hpp"
+#include "detent/scene/mover/body.hpp"
+#include "detent/scene/scene.hpp"
+
+namespace detent::detail {
+
+/// Which objects a character meets: those of the caller's filter, except what carries it, what it is
+/// too deep in, and what no box around its way meets. The last only saves casts: the boxes of trees
+/// are coarser than a skin, so that every step along a floor would be cast at it.
+template <Scalar S, int N, class World, class Shape, class Filter>
+struct Met {
+  const World& world;
+  const Filter& filter;
+  FrameId carrier{};           // what moves with this frame is not met
+  const Shape* inside{};       // what this shape overlaps is not met
+  const Aabb<S, N>* around{};  // a box around the way
+
+  [[nodiscard]] constexpr bool operator()(const ObjectInfo& object) const {
+    if (!filter(object)) return false;
+    if (carrier != FrameId{} && world.frame_of(object.id) == carrier) return false;
+    if (inside == nullptr && around == nullptr) return true;
+    bool is_met = true;
+    world.visit(object.id, [&]<class Target>(const Target& target) {
+      if constexpr (!is_surface_type<Target> && requires { bounding_box(target); }) {
+        if (around != nullptr) is_met = overlaps(bounding_box(target), *around);
+      }
+      if (inside != nullptr) is_met = is_met && !separately<job::Overlaps>(*inside, target);
+    });
+    return is_met;
+  }
+};
+
+/// How far a character gets on a straight way.
+template <Scalar S, int N>
+struct Step {
+  Vec<S, N> by;
+  bool is_whole = false;                 // nothing is in the way
+  std::optional<ObjectHit<S, N>> hit{};  // what is in the way
+  S offset{};                            // how far to move along its normal, to be a skin away
+};
+
+/// Moves a character along straight ways, on which it touches nothing.
+///
+/// Casts are those of the shape grown by a guard, which is one ULP less for each step. Proof: until
+/// the end of a step the grown shape touches nothing. The end is then rounded to the grid, by at most
+/// sqrt(3)/2 ULP, and a way of at most a quarter of the range differs from its rounded direction by
+/// less than another 1/2 ULP, or is rounded with it. So the shape, grown by one ULP less, touches
+/// nothing from there to the rounded end, where the next step starts.
+///
+/// The guard starts with half of the skin. A step stops a whole skin before a plane, so that later
+/// steps along the plane pass it by the other half.
+template <Scalar S, int N, class World, class Shape, class Filter>
+class Stepper {
+ public:
+  static constexpr int dimension = N;
+  using Passes = Met<S, N, World, Shape, Filter>;
+
+  constexpr Stepper(const World& world, const Filter& filter, const Shape& shape, const S& skin)
+      : world_(&world), filter_(&filter), start_(shape), shape_(shape), skin_(skin) {}
+
+  [[nodiscard]] constexpr const Shape& shape() const noexcept { return shape_; }
+  [[nodiscard]] constexpr Passes passes() const noexcept {
+    return {*world_, *filter_, carrier_, is_deep_ ? &grown_start_ : nullptr};
+  }
+
+  /// What moves with this frame is in no one's way, until the next `prepare`.
+  constexpr void prepare(const FrameId& carrier = {}) {
+    carrier_ = carrier;
+    is_deep_ = false;
+    is_tight_ = false;
+    guard_ = floor_to<S>(half(skin_));
+    if (is_free(guard_)) return;
+    is_tight_ = true;
+    // Without this much room, only a part inside the shape is stopped by what the shape overlaps.
+    const S thick = thickness(shape_);
+    for (const int eighths : {0, 1, 2, 4}) {
+      guard_ = quotient_floor<S>(-thick * as_operand<S>(eighths), as_operand<S>(8));
+      if (is_free(guard_)) return;
+    }
+    ignore_close();
+  }
+  /// Whether the shape, grown by `by`, touches nothing.
+  [[nodiscard]] constexpr bool is_free(const S& by) const {
+    return !world_->any(grown(shape_, by), passes());
+  }
+  /// Whether nothing is within half of the skin.
+  [[nodiscard]] constexpr bool has_room() const { return !is_tight_; }
+
+  /// How far the character gets on its way by `by`. It stops a skin before what is in its way.
+  [[nodiscard]] constexpr Step<S, N> look(const Vec<S, N>& by) {
+    const auto direction = direction_of<S>(by);
+    if (!direction) return {{}, true};
+    // Rounding the direction moves the end of a longer way by more than a unit.
+    const S cap = floor_to<S>(half(half(largest<S>)));
+    const S whole = sqrt_ceil<S>(squared_length(by));
+    const S length = (std::min)(whole, cap);
+    const S reach = nearest_to<S>(length + (skin_ + skin_) + (skin_ + skin_));
+    const S guard = guard_;
+    spend();
+    const Cast way{grown(shape_, guard), *direction, reach};
+    const auto around = box_around(way);
+    auto passed = passes();
+    passed.around = &around;
+    const auto hit = world_->nearest_hit(way, passed);
+    Step<S, N> step;
+    step.is_whole = whole <= cap;
+    step.by = step.is_whole ? by : nearest_to<S>(*direction * length);
+    if (hit) stop(step, *hit, *direction, length, nearest_to<S>(skin_ - guard));
+    if (!stays_in_range(shape_, step.by, skin_)) return {{}, false};
+    if (is_tight_) shorten(step);
+    return step;
+  }
+
+  /// Moves by `by`, or as far as nothing new is in the way: what is within half of the skin at the
+  /// start does not stop it.
+  constexpr void escape(const Vec<S, N>& by) {
+    ignore_close();
+    is_tight_ = true;
+    go(look(by).by);
+  }
+  constexpr void go_back(const Shape& shape) noexcept { shape_ = shape; }
+
+  /// Whether the shape overlaps what it did not overlap at first.
+  [[nodiscard]] constexpr bool overlaps_more() const {
+    return world_->any(shape_, Passes{*world_, *filter_, FrameId{}, &start_});
+  }
+
+  constexpr void go(const Vec<S, N>& by) noexcept { shape_ = translated(shape_, by); }
+
+ private:
+  /// A box around all that a moving shape may touch.
+  static constexpr Aabb<S, N> box_around(const Cast<Shape>& way) noexcept {
+    Aabb<S, N> box;
+    for (int i = 0; i < N; ++i) {
+      const auto by = way.direction[i] * way.max_distance;
+      const auto least = least_on(way.shape, i), greatest = greatest_on(way.shape, i);
+      box.min[i] = by < 0 ? floor_to<S>(least + by) : floor_to<S>(least);
+      box.max[i] = by > 0 ? ceil_to<S>(greatest + by) : ceil_to<S>(greatest);
+    }
+    return box;
+  }
+
+  /// What is within half of the skin now is not in the way.
+  constexpr void ignore_close() noexcept {
+    guard_ = floor_to<S>(half(skin_));
+    grown_start_ = grown(shape_, guard_);
+    is_deep_ = true;
+  }
+
+  /// Cuts a step where the gap to the plane of a hit is `clear`.
+  constexpr void stop(Step<S, N>& step, const ObjectHit<S, N>& hit,
+                      const Direction<S, N>& direction, const S& length, const S& clear) const {
+    auto closing = -dot(direction, hit.normal);
+    if (closing < 0) closing = decltype(closing)(0);
+    const auto gap = hit.distance * closing;
+    const auto ahead = gap - clear;
+    S distance(0);
+    if (ahead > 0) distance = quotient_floor<S>(ahead, closing);
+    if (distance >= length) return;
+    step.is_whole = false;
+    step.by = nearest_to<S>(direction * distance);
+    step.hit = hit;
+    step.offset = ceil_to<S>(clear - gap - dot(step.by, hit.normal));
+  }
+
+  /// Without room for the guard, halves a step until its end overlaps nothing that the start did
+  /// not overlap.
+  constexpr void shorten(Step<S, N>& step) const {
+    const Passes not_at_start{*world_, *filter_, carrier_, &start_};
+    for (int i = 0; i < 8; ++i) {
+      if (!world_->any(translated(shape_, step.by), not_at_start)) return;
+      step.by = nearest_to<S>(half(step.by));
+      step.is_whole = false;
+    }
+    step.by = {};
+  }
+
+  /// The next guard. Scalars that round keep it.
+  constexpr void spend() noexcept {
+    if constexpr (is_fixed<S>) {
+      if (guard_ != 0) guard_ = S::assume_raw(static_cast<typename S::raw_type>(guard_.raw() - 1));
+    }
+  }
+
+  const World* world_;
+  const Filter* filter_;
+  Shape start_;
+  Shape shape_;
+  Shape grown_start_{};
+  FrameId carrier_{};
+  S skin_;
+  S guard_{};
+  bool is_tight_ = false;
+  bool is_deep_ = false;
+};
+
+}  // namespace detent::detail
