@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "detent/dynamics/manifold.hpp"
+#include "detent/dynamics/row.hpp"
+
+namespace detent::detail {
+
+/// What two bodies in contact remember from tick to tick: the impulses that start the next solve.
+template <Scalar S, int N>
+struct BodyContact {
+  using Impulse = typename Formats<S>::Impulse;
+  static constexpr std::size_t capacity = std::size_t{Manifold<S, N>::capacity};
+
+  std::uint32_t a = 0, b = 0;  // indices of the bodies, a < b
+  std::uint8_t count = 0;
+  bool touches = false;  // some point overlapped or was pushed in the last tick
+  std::array<std::uint32_t, capacity> feature{};
+  std::array<Impulse, capacity> pressure{};
+  Axial<Impulse, N> friction{};  // along the tangents; in 3D the last is the twist
+
+  [[nodiscard]] friend constexpr bool operator==(const BodyContact&,
+                                                 const BodyContact&) noexcept = default;
+};
+
+/// A soft constraint in units of the substep: the share of the velocity that is taken, the share of
+/// the overlap that is added to it, and the share of the impulse so far that is given back.
+template <Scalar S>
+struct Softness {
+  typename Formats<S>::Ratio rigid{}, pull{}, loss{};
+};
+
+/// raw / 2^30.
+template <Scalar S>
+[[nodiscard]] constexpr typename Formats<S>::Ratio dyadic(int raw) noexcept {
+  using Ratio = typename Formats<S>::Ratio;
+  return quotient_nearest<Ratio>(as_operand<Ratio>(raw), as_operand<Ratio>(1 << 30));
+}
+template <Scalar S>
+[[nodiscard]] constexpr Softness<S> softness(int rigid, int pull) noexcept {
+  return {dyadic<S>(rigid), dyadic<S>(pull), dyadic<S>((1 << 30) - rigid)};
+}
+
+/// A spring of w h = pi / 4 and damping ratio 10: rigid = w h (20 + w h) / (1 + w h (20 + w h)),
+/// pull = rigid w h / (20 + w h), rounded to 2^-30.
+template <Scalar S>
+inline constexpr Softness<S> contact_softness = softness<S>(1011764717, 38230596);
+/// The same with w h = pi / 2, for contacts with a body that cannot be pushed.
+template <Scalar S>
+inline constexpr Softness<S> wall_softness = softness<S>(1042960878, 75948940);
+
+/// What the solver needs to know of a body besides its motion.
+template <Scalar S, int N>
+struct Support {
+  using F = Formats<S>;
+
+  Axes<S, N> axes{};
+  Vec<typename F::Place, N> place{};
+  Spread<typename F::Gyration, N> spread{};  // inverse squared gyration in the world
+  bool is_fixed = true;                      // never moves or turns
+};
+
+/// A contact, ready to be solved. Impulses are in its `BodyContact`.
+template <Scalar S, int N>
+struct ReadyContact {
+  using F = Formats<S>;
+  static constexpr std::size_t capacity = BodyContact<S, N>::capacity;
+
+  std::uint32_t contact = 0;  // index in the list of contacts
+  std::uint32_t a = 0, b = 0;
+  std::uint8_t count = 0;
+  bool is_wall = false;  // one of the bodies cannot be pushed
+  Thrust<S, N> normal{};
+  std::array<Thrust<S, N>, std::size_t{N - 1}> tangent{};
+  std::array<Row<S, N>, capacity> pressure{};
+  std::array<Row<S, N>, std::size_t{N - 1}> friction{};
+  Row<S, N> twist{};
+  std::array<typename F::Speed, capacity> gap{};      // at the start of the tick
+  std::array<typename F::Ratio, capacity> reach{};    // of a point, as a share of the farthest
+  std::array<typename F::Speed, capacity> closing{};  // rate at the start of the tick
+  std::array<bool, capacity> was_pushed{};
+  typename F::Ratio grip{}, bounce{};
+};
+
+/// The impulses of a and b along `n`: shares of the whole, rounded once.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Thrust<S, N> push_along(
+    const Vec<typename Formats<S>::Ratio, N>& n, const typename Formats<S>::Ratio& share_a,
+    const typename Formats<S>::Ratio& share_b) noexcept {
+  using Ratio = typename Formats<S>::Ratio;
+  return {n, make_vec<N>([&](int i) { return nearest_to<Ratio>(share_a * n[i]); }),
+          make_vec<N>([&](int i) { return nearest_to<Ratio>(share_b * n[i]); })};
+}
+
+/// Unit vectors across `n`: in 2D (n.y, -n.x); in 3D n x e for the axis e with the least |n . e|,
+/// the first of equals, of unit length, and n x that; components rounded to nearest.
+template <Scalar S, int N, class Ratio = typename Formats<S>::Ratio>
+[[nodiscard]] constexpr auto tangents(const Vec<Ratio, N>& n) noexcept {
+  if constexpr (N == 2) {
+    return std::array<Vec<Ratio, 2>, 1>{Vec<Ratio, 2>{n.y, narrow_negative(n.x)}};
+  } else {
+    int least = 0;
+    for (int i = 1; i < 3; ++i) {
+      if (narrow_abs(n[i]) < narrow_abs(n[least])) least = i;
+    }
+    const int j = (least + 1) % 3, k = (least + 2) % 3;
+    Vec<Ratio, 3> across;  // n x e
+    across[j] = n[k];
+    across[k] = narrow_negative(n[j]);
+    const auto first = from_array(unit_vector<Ratio>(to_array(across)).value_or(to_array(across)));
+    return std::array<Vec<Ratio, 3>, 2>{first, nearest_to<Ratio>(narrow_cross<62>(n, first))};
+  }
+}
+
+/// The contact of two bodies, from their manifold in the frame of a.
+///
+/// `offset` is the place of b from a, as in the relative pose.
+template <Scalar S, int N>
+constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold,
+                       const Support<S, N>& a, const Support<S, N>& b,
+                       const Vec<typename Formats<S>::Lever, N>& offset,
+                       const typename Formats<S>::Ratio& share_a,
+                       const typename Formats<S>::Ratio& share_b) noexcept {
+  using F = Formats<S>;
+  using Arm = typename F::Arm;
+  using Lever = typename F::Lever;
+  using Ratio = typename F::Ratio;
+  const auto out_of_a = [&]<class T>(const Vec<T, N>& v) {
+    return make_vec<N>([&](int k) {
+      const auto row = make_vec<N>([&](int i) { return a.axes[static_cast<std::size_t>(i)][k]; });
+      return nearest_to<T>(narrow_dot<62>(row, v));  // |row| |v| < 2^30 2^31 sqrt(3)
+    });
+  };
+  const auto scaled = [](const auto& spread, const Ratio& share) {
+    auto result = spread;
+    for (auto& x : result) x = nearest_to<typename F::Gyration>(x * share);
+    return result;
+  };
+  const auto spread_a = scaled(a.spread, share_a);
+  const auto spread_b = scaled(b.spread, share_b);
+  ready.count = static_cast<std::uint8_t>(manifold.count);
+  ready.is_wall = share_a == 0 || share_b == 0;
+  const auto n = out_of_a(manifold.normal);
+  ready.normal = push_along<S, N>(n, share_a, share_b);
+
+  const auto row_at = [&](const Vec<Arm, N>& from_a, const Vec<Arm, N>& from_b,
+                          const Vec<Ratio, N>& along) {
+    Row<S, N> row;
+    if (!a.is_fixed) row.moment_a = moment<S, N>(from_a, along);
+    if (!b.is_fixed) row.moment_b = moment<S, N>(from_b, along);
+    complete<S, N>(row, spread_a, spread_b);
+    return row;
+  };
+  const auto count = static_cast<std::size_t>(manifold.count);
+  std::array<Vec<Lever, N>, ReadyContact<S, N>::capacity> at{};  // from the centre of a
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& point = manifold.points[i];
+    at[i] = out_of_a(point.point);
+    ready.pressure[i] = row_at(nearest_to<Arm>(at[i]), nearest_to<Arm>(at[i] - offset), n);
+    ready.gap[i] = saturate_to<typename F::Speed>(point.separation);
+  }
+
+  // Friction acts at the mean of the points.
+  const auto middle = make_vec<N>([&](int k) {
+    auto sum = narrow<34>(at[0][k] + Lever());
+    for (std::size_t i = 1; i < count; ++i) sum = narrow<34>(sum + at[i][k]);
+    return quotient_nearest<Lever>(sum, as_operand<Lever>(manifold.count));
+  });
+  const auto across = tangents<S, N>(n);
+  for (std::size_t t = 0; t < across.size(); ++t) {
+    ready.tangent[t] = push_along<S, N>(across[t], share_a, share_b);
+    ready.friction[t] =
+        row_at(nearest_to<Arm>(middle), nearest_to<Arm>(middle - offset), across[t]);
+  }
+  if constexpr (N == 3) {
+    std::array<Arm, ReadyContact<S, N>::capacity> distance{};
+    Arm farthest{};
+    for (std::size_t i = 0; i < count; ++i) {
+      distance[i] = sqrt_floor<Arm>(squared_length(at[i] - middle));
+      farthest = (std::max)(farthest, distance[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      ready.reach[i] = farthest == 0 ? Ratio{} : quotient_nearest<Ratio>(distance[i], farthest);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const auto lever = nearest_to<typename F::Moment>(farthest * n[i]);
+      if (!a.is_fixed) ready.twist.moment_a[static_cast<std::size_t>(i)] = lever;
+      if (!b.is_fixed) ready.twist.moment_b[static_cast<std::size_t>(i)] = lever;
+    }
+    complete<S, N>(ready.twist, spread_a, spread_b);
+  }
+}
+
+}  // namespace detent::detail

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/dynamics/record.hpp"
+#include "detent/dynamics/row.hpp"
+
+namespace detent::detail {
+
+/// The first half of a substep: gravity, damping, and the spin that keeps the angular momentum at
+/// the orientation half-way through it, whose axes go to `half_way`.
+template <Scalar S, int N, class Shape>
+constexpr void accelerate(const BodyRecord<S, N, Shape>& body, Moving<S, N>& moving,
+                          Axes<S, N>& half_way, const Pace<S, N>& pace) noexcept {
+  using F = Formats<S>;
+  using Ratio = typename F::Ratio;
+  for (int i = 0; i < N; ++i) {
+    auto& v = moving.velocity[i];
+    v = saturate_to<typename F::Speed>(v + pace.gravity[i]);
+    if (body.kept_velocity != Ratio(1)) {
+      v = nearest_to<typename F::Speed>(v * body.kept_velocity);
+    }
+  }
+  if (body.kept_spin != Ratio(1)) {
+    for (auto& w : moving.spin) w = nearest_to<typename F::Spin>(w * body.kept_spin);
+  }
+  if constexpr (N == 3) {
+    if (body.inertia.is_round) return;
+    const auto& q = body.state.orientation;
+    half_way = axes_of<S, 3>(turned<S, 3, 1>(q, moving.spin));
+    moving.spin = carried<S>(moving.spin, axes_of<S, 3>(q), half_way, body.inertia);
+  }
+}
+
+/// The second half: moves by the velocity, turns by the spin, and carries the spin on to the new
+/// orientation. Places are exact, clamped at the ends of the world.
+template <Scalar S, int N, class Shape>
+constexpr void move(BodyRecord<S, N, Shape>& body, Moving<S, N>& moving,
+                    const Axes<S, N>& half_way) noexcept {
+  using F = Formats<S>;
+  for (int i = 0; i < N; ++i) {
+    auto& x = body.state.place[i];
+    x = saturate_to<typename F::Place>(x + moving.velocity[i]);
+    moving.shift[i] = saturate_to<typename F::Speed>(moving.shift[i] + moving.velocity[i]);
+  }
+  for (std::size_t i = 0; i < moving.spin.size(); ++i) {
+    moving.turn[i] = saturate_to<typename F::Spin>(moving.turn[i] + moving.spin[i]);
+  }
+  body.state.orientation = turned<S, N>(body.state.orientation, moving.spin);
+  if constexpr (N == 3) {
+    if (body.inertia.is_round || !body.can_move()) return;
+    moving.spin =
+        carried<S>(moving.spin, half_way, axes_of<S, 3>(body.state.orientation), body.inertia);
+  }
+}
+
+}  // namespace detent::detail

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/dynamics/manifold/box_box.hpp"
+#include "detent/dynamics/manifold/box_round.hpp"
+#include "detent/dynamics/manifold/round.hpp"
+
+namespace detent::detail {
+
+template <class T>
+inline constexpr bool is_round_solid = false;
+template <Scalar S, int N>
+inline constexpr bool is_round_solid<Sphere<S, N>> = true;
+template <Scalar S, int N>
+inline constexpr bool is_round_solid<Capsule<S, N>> = true;
+
+template <class T>
+inline constexpr bool is_box_solid = false;
+template <Scalar S, int N>
+inline constexpr bool is_box_solid<Aabb<S, N>> = true;
+template <Scalar S, int N>
+inline constexpr bool is_box_solid<Obb<S, N>> = true;
+
+/// A box with a box, both in the frames of their bodies.
+template <class A, class B, Scalar S, int N>
+requires(is_box_solid<A>&& is_box_solid<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
+    const A& a, const B& b, const RelativePose<S, N>& pose,
+    const typename Formats<S>::Gap& margin) noexcept {
+  const auto core_a = box_core(a), core_b = box_core(b);
+  if (core_a.is_empty || core_b.is_empty) return {};
+  const auto local = between(core_a, pose, core_b);
+  return moved_out(core_a, box_manifold<S, N>(core_a.half, core_b.half, local, margin));
+}
+
+/// Where shape `a` of one body touches or nearly touches shape `b` of another, for the solver. Both
+/// are in the frames of their bodies; `pose` is that of b's body in the frame of a's.
+///
+/// units:  points with a separation of at most `margin`
+/// domain: every shape and pose; empty shapes touch nothing. Coordinates and half extents beyond the
+///         range of a lever (512 units of q16_16) are clamped to it
+/// result: in the frame of a; each number rounded where docs/contacts_of_bodies.md says, all
+///         decisions between two roundings exact (tests/dynamics/manifold/box_box.test.cpp,
+///         tests/dynamics/manifold/round.test.cpp)
+/// source: separating axes and clipping, Gregorius, Robust Contact Creation, GDC 2015
+template <class A, class B, Scalar S, int N>
+requires(is_round_solid<A>&& is_round_solid<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
+    const A& a, const B& b, const RelativePose<S, N>& pose,
+    const typename Formats<S>::Gap& margin) noexcept {
+  return round_manifold(round_core(a), placed_core(pose, round_core(b)), margin);
+}
+
+template <class A, class B, Scalar S, int N>
+requires(is_box_solid<A>&& is_round_solid<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
+    const A& a, const B& b, const RelativePose<S, N>& pose,
+    const typename Formats<S>::Gap& margin) noexcept {
+  const auto box = box_core(a);
+  const auto core = round_core(b);
+  if (box.is_empty || core.is_empty()) return {};
+  const auto local = between(box, pose, body_frame<S, N>());
+  return moved_out(box, box_round_manifold(box.half, placed_core(local, core), margin));
+}
+
+template <class A, class B, Scalar S, int N>
+requires(is_round_solid<A>&& is_box_solid<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
+    const A& a, const B& b, const RelativePose<S, N>& pose,
+    const typename Formats<S>::Gap& margin) noexcept {
+  const auto core = round_core(a);
+  const auto box = box_core(b);
+  if (box.is_empty || core.is_empty()) return {};
+  const auto local = between(body_frame<S, N>(), pose, box);
+  return swapped(local, box_round_manifold(box.half, lifted_core(local, core), margin));
+}
+
+}  // namespace detent::detail

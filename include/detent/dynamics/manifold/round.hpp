@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+
+#include "detent/dynamics/manifold/pose.hpp"
+#include "detent/shape/capsule.hpp"
+#include "detent/shape/sphere.hpp"
+
+namespace detent::detail {
+
+/// The segment that a round shape is the surroundings of, with ends on the grid of levers.
+template <Scalar S, int N>
+struct RoundCore {
+  Vec<typename Formats<S>::Lever, N> a;
+  Vec<typename Formats<S>::Lever, N> b;
+  S radius;
+
+  [[nodiscard]] constexpr bool is_empty() const noexcept { return radius < 0; }
+};
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr RoundCore<S, N> round_core(const Sphere<S, N>& ball) noexcept {
+  const auto center = nearest_to<typename Formats<S>::Lever>(ball.center);
+  return {center, center, ball.radius};
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr RoundCore<S, N> round_core(const Capsule<S, N>& capsule) noexcept {
+  using Lever = typename Formats<S>::Lever;
+  return {nearest_to<Lever>(capsule.a), nearest_to<Lever>(capsule.b), capsule.radius};
+}
+
+/// The core of b's shape in the frame of a, each coordinate rounded once.
+template <Scalar S, int N>
+[[nodiscard]] constexpr RoundCore<S, N> placed_core(const RelativePose<S, N>& pose,
+                                                    const RoundCore<S, N>& core) noexcept {
+  using Lever = typename Formats<S>::Lever;
+  return {placed_point<Lever>(pose, core.a), placed_point<Lever>(pose, core.b), core.radius};
+}
+
+/// The core of a's shape in the frame of b, each coordinate rounded once.
+template <Scalar S, int N>
+[[nodiscard]] constexpr RoundCore<S, N> lifted_core(const RelativePose<S, N>& pose,
+                                                    const RoundCore<S, N>& core) noexcept {
+  const auto lifted = [&](const auto& p) {
+    return nearest_to<typename Formats<S>::Lever>(turned_back(pose, p - pose.translation));
+  };
+  return {lifted(core.a), lifted(core.b), core.radius};
+}
+
+/// The point of the segment that is closest to `p`, each coordinate rounded once.
+template <Scalar S, Number P, int N>
+[[nodiscard]] constexpr Vec<typename ContactFormats<S>::Foot, N> foot_on(
+    const RoundCore<S, N>& core, const Vec<P, N>& p) noexcept {
+  using Foot = typename ContactFormats<S>::Foot;
+  const auto edge = core.b - core.a;
+  const auto along = dot(p - core.a, edge);
+  if (along <= 0) return nearest_to<Foot>(core.a);
+  const auto whole = squared_length(edge);
+  if (along >= whole) return nearest_to<Foot>(core.b);
+  return make_vec<N>([&](int i) {
+    return nearest_to<Foot>(core.a[i] + quotient_nearest<Foot>(edge[i] * along, whole));
+  });
+}
+
+/// Two balls about these points. The normal of equal points is the x axis.
+template <Scalar S, Number P, Number Q, int N>
+[[nodiscard]] constexpr Manifold<S, N> balls_manifold(
+    const Vec<P, N>& a, const Vec<Q, N>& b, const S& radius_a, const S& radius_b,
+    const typename Formats<S>::Gap& margin) noexcept {
+  using Lever = typename Formats<S>::Lever;
+  using Gap = typename Formats<S>::Gap;
+  const auto d = b - a;
+  const auto length = sqrt_nearest<typename ContactFormats<S>::Length>(squared_length(d));
+  const auto separation = nearest_to<Gap>(length - (radius_a + radius_b));
+  if (separation > margin) return {};
+  const auto normal = unit_or_x<typename Formats<S>::Ratio>(d);
+  const auto p = nearest_to<Lever>(a + normal * (radius_a + half(separation)));
+  return one_point<S, N>(normal, p, separation, 0, margin);
+}
+
+/// Points of two segments that are closest, in this order: the point of the first line that is
+/// closest to the second, within the first segment; from it the foot on the second segment; where
+/// that is an end, the foot of the end on the first. The first end of a where they are parallel.
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto closest_feet(const RoundCore<S, N>& a,
+                                          const RoundCore<S, N>& b) noexcept {
+  using Foot = typename ContactFormats<S>::Foot;
+  using Point = Vec<Foot, N>;
+  const auto on_line = [&](const auto& d1, const auto& d2, const auto& r) {
+    const auto aa = dot(d1, d1), ab = dot(d1, d2), bb = dot(d2, d2);
+    const auto whole = aa * bb - ab * ab;
+    const auto share = ab * dot(d2, r) - dot(d1, r) * bb;
+    if (whole <= 0 || share <= 0) return nearest_to<Foot>(a.a);
+    if (share >= whole) return nearest_to<Foot>(a.b);
+    return make_vec<N>([&](int i) {
+      return nearest_to<Foot>(a.a[i] + quotient_nearest<Foot>(d1[i] * share, whole));
+    });
+  };
+  // With 24 bits, which is 4 units of q16_16, all products fit 128.
+  Point on_a = by_width<24>(on_line, a.b - a.a, b.b - b.a, a.a - b.a);
+  const Point on_b = foot_on(b, on_a);
+  if (on_b == nearest_to<Foot>(b.a)) {
+    on_a = foot_on(a, b.a);
+  } else if (on_b == nearest_to<Foot>(b.b)) {
+    on_a = foot_on(a, b.b);
+  }
+  return std::pair{on_a, on_b};
+}
+
+/// A direction across both segments, towards b: along the cross product where it is not 0, else
+/// perpendicular to a's (or b's) segment and to the axis where that is shortest.
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto direction_across(const RoundCore<S, N>& a,
+                                              const RoundCore<S, N>& b) noexcept {
+  using Ratio = typename Formats<S>::Ratio;
+  const auto d1 = a.b - a.a, d2 = b.b - b.a;
+  const auto& d = squared_length(d1) > 0 ? d1 : d2;
+  auto normal = unit_axis<Ratio, N>(0);
+  if constexpr (N == 2) {
+    normal = unit_or_x<Ratio>(Vec{narrow_negative(d.y), d.x});
+  } else {
+    const auto both = cross(d1, d2);
+    if (squared_length(both) > 0) {
+      normal = unit_or_x<Ratio>(both);
+    } else {
+      int least = 0;
+      for (int i = 1; i < 3; ++i) {
+        if (abs(d[i]) < abs(d[least])) least = i;
+      }
+      normal = unit_or_x<Ratio>(cross(unit_axis<Ratio, 3>(least), d));
+    }
+  }
+  const auto towards = (b.a - a.a) + (b.b - a.b);
+  return dot(normal, towards) < 0 ? narrow_negative(normal) : normal;
+}
+
+/// Two round shapes in one frame, with the normal of `direction_across` where the distance of their
+/// segments rounds to 0: one point, or, where they are parallel within 2^-5, one at each
+/// end of the part where they face each other.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Manifold<S, N> round_manifold(
+    const RoundCore<S, N>& a, const RoundCore<S, N>& b,
+    const typename Formats<S>::Gap& margin) noexcept {
+  using Foot = typename ContactFormats<S>::Foot;
+  using Gap = typename Formats<S>::Gap;
+  using Lever = typename Formats<S>::Lever;
+  if (a.is_empty() || b.is_empty()) return {};
+  if (a.a == a.b && b.a == b.b) return balls_manifold(a.a, b.a, a.radius, b.radius, margin);
+  if (b.a == b.b) return balls_manifold(foot_on(a, b.a), b.a, a.radius, b.radius, margin);
+  if (a.a == a.b) return balls_manifold(a.a, foot_on(b, a.a), a.radius, b.radius, margin);
+
+  const auto feet = closest_feet(a, b);
+  auto single = balls_manifold(feet.first, feet.second, a.radius, b.radius, margin);
+  if (single.count == 0) return single;
+  const auto apart = squared_length(feet.second - feet.first);
+  if (sqrt_nearest<typename ContactFormats<S>::Length>(apart) <= 0) {
+    single.normal = direction_across(a, b);
+    single.points[0].point = nearest_to<Lever>(
+        feet.first + single.normal * (a.radius + half(single.points[0].separation)));
+  }
+  const auto d1 = a.b - a.a, d2 = b.b - b.a;
+  const auto aa = squared_length(d1), bb = squared_length(d2), ab = dot(d1, d2);
+  if ((aa * bb - ab * ab) * as_operand<S>(1024) >= aa * bb) return single;
+  // b's ends along a, from 0 to aa.
+  const auto first = dot(b.a - a.a, d1), last = dot(b.b - a.a, d1);
+  const bool same_way = first <= last;
+  const auto low = (min)(first, last), high = (max)(first, last);
+  if (low >= aa || high <= 0) return single;
+  const auto end_low = nearest_to<Foot>(same_way ? b.a : b.b);
+  const auto end_high = nearest_to<Foot>(same_way ? b.b : b.a);
+  Manifold<S, N> result;
+  result.normal = single.normal;
+  const auto add = [&](const auto& on_a, const auto& on_b, std::uint32_t feature) {
+    const auto separation =
+        nearest_to<Gap>(dot(result.normal, on_b - on_a) - (a.radius + b.radius));
+    if (separation > margin) return;
+    const auto p = nearest_to<Lever>(on_a + result.normal * (a.radius + half(separation)));
+    result.points[static_cast<std::size_t>(result.count++)] = {p, separation, feature};
+  };
+  if (low > 0) {
+    add(foot_on(a, end_low), end_low, 1);
+  } else {
+    add(nearest_to<Foot>(a.a), foot_on(b, a.a), 1);
+  }
+  if (high < aa) {
+    add(foot_on(a, end_high), end_high, 2);
+  } else {
+    add(nearest_to<Foot>(a.b), foot_on(b, a.b), 2);
+  }
+  return result.count > 0 ? result : single;
+}
+
+}  // namespace detent::detail

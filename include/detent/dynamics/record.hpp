@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "detent/dynamics/local.hpp"
+#include "detent/dynamics/mass.hpp"
+#include "detent/dynamics/settings.hpp"
+#include "detent/dynamics/spin.hpp"
+
+namespace detent::detail {
+
+/// The numbers of a world's settings in its own formats, each rounded to nearest once.
+template <Scalar S, int N>
+struct Pace {
+  using F = Formats<S>;
+
+  int rate = 240;        // substeps per second
+  int quiet_ticks = 30;  // half a second
+  Vec<typename F::Speed, N> gravity{};
+  typename F::Speed push{}, bounce{}, sleep{};
+  typename F::Spin sleep_spin{};
+  typename F::Lever margin{};
+};
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Pace<S, N> pace_of(const WorldSettings<S, N>& settings) noexcept {
+  using F = Formats<S>;
+  using Speed = typename F::Speed;
+  const auto rate = settings.ticks_per_second * settings.substeps;
+  const auto per_substep = [&](const S& x) {
+    return quotient_nearest<Speed>(x, as_operand<S>(rate));
+  };
+  return {rate,
+          (std::max)(settings.ticks_per_second / 2, 1),
+          make_vec<N>([&](int i) {
+            return quotient_nearest<Speed>(settings.gravity[i], as_operand<S>(rate * rate));
+          }),
+          per_substep(settings.push_speed),
+          per_substep(settings.bounce_threshold),
+          per_substep(settings.sleep_speed),
+          quotient_nearest<typename F::Spin>(settings.sleep_speed, as_operand<S>(rate)),
+          nearest_to<typename F::Lever>(settings.margin)};
+}
+
+/// A body of a world.
+template <Scalar S, int N, class Shape>
+struct BodyRecord {
+  using F = Formats<S>;
+
+  std::uint32_t generation = 0;  // 0 for an unused index
+  BodyMotion motion = BodyMotion::fixed;
+  bool sleeps = false;
+  std::uint8_t quiet = 0;  // ticks in a row that it was slow, up to 255
+  std::uint32_t layers = 0, collides_with = 0;
+  std::uint64_t user = 0;
+  S density{}, friction{}, restitution{}, linear_damping{}, angular_damping{};
+  Shape shape{};  // in the body's frame
+  BodyState<S, N> state{};
+
+  // These follow from the others.
+  typename MassProperties<S, N>::Formats::Mass mass{};
+  Inertia<S, N> inertia{};
+  BodyExtent<S, N> reach{};
+  typename F::Ratio kept_velocity{}, kept_spin{};  // by damping, per substep
+
+  [[nodiscard]] constexpr bool can_move() const noexcept {
+    return motion == BodyMotion::dynamic && mass > 0;
+  }
+};
+
+/// 1 - damping / rate, at least 0, rounded to nearest.
+template <Scalar S>
+[[nodiscard]] constexpr typename Formats<S>::Ratio kept(const S& damping, int rate) noexcept {
+  using Ratio = typename Formats<S>::Ratio;
+  if (damping <= 0) return Ratio(1);
+  const auto lost = quotient_nearest<Ratio>(damping, as_operand<S>(rate));
+  return lost >= Ratio(1) ? Ratio{} : nearest_to<Ratio>(Ratio(1) - lost);
+}
+
+/// The inertia of a body whose squared gyration and inverse are these.
+template <Scalar S>
+[[nodiscard]] constexpr Inertia<S, 2> inertia_of(
+    const typename MassFormats<S>::Gyration&,
+    const typename MassFormats<S>::InverseGyration& inverse) noexcept {
+  Inertia<S, 2> inertia;
+  inertia.inverse = {inverse};
+  return inertia;
+}
+template <Scalar S>
+[[nodiscard]] constexpr Inertia<S, 3> inertia_of(
+    const Symmetric<typename MassFormats<S>::Gyration>& squared,
+    const Symmetric<typename MassFormats<S>::InverseGyration>& inverse) noexcept {
+  using F = Formats<S>;
+  const auto entries = [](const auto& m) {
+    return std::array{m.diagonal[0], m.diagonal[1], m.diagonal[2],
+                      m.mixed[0],    m.mixed[1],    m.mixed[2]};
+  };
+  const auto greatest = (max)((max)(squared.diagonal[0], squared.diagonal[1]), squared.diagonal[2]);
+  Inertia<S, 3> inertia;
+  inertia.inverse = entries(inverse);
+  for (std::size_t i = 0; i < 6; ++i) {
+    inertia.share[i] = quotient_nearest<typename F::Ratio>(entries(squared)[i], greatest);
+    inertia.inverse_share[i] = nearest_to<typename F::Stretch>(entries(inverse)[i] * greatest);
+  }
+  inertia.is_round = squared.diagonal[0] == squared.diagonal[1] &&
+                     squared.diagonal[1] == squared.diagonal[2] && squared.mixed[0] == 0 &&
+                     squared.mixed[1] == 0 && squared.mixed[2] == 0;
+  return inertia;
+}
+
+/// Computes what follows from the shape, the density and the damping.
+template <Scalar S, int N, class Shape>
+constexpr void derive(BodyRecord<S, N, Shape>& body, int rate) noexcept {
+  body.shape.visit([&](const auto& shape) {
+    const auto properties = mass_properties(shape, body.density);
+    body.mass = properties.mass;
+    body.reach = extent_of(shape);
+    if (body.can_move()) {
+      body.inertia = inertia_of<S>(properties.gyration, properties.inverse_gyration);
+    }
+  });
+  body.kept_velocity = kept<S>(body.linear_damping, rate);
+  body.kept_spin = kept<S>(body.angular_damping, rate);
+}
+
+}  // namespace detent::detail

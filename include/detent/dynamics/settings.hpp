@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "detent/dynamics/axial.hpp"
+#include "detent/scene/object.hpp"
+
+namespace detent {
+
+/// The id of a body of a world: as for objects of scenes.
+using BodyId = ObjectId;
+
+/// How a body moves.
+enum class BodyMotion : std::uint8_t {
+  dynamic,    // by gravity, contacts and its velocity
+  kinematic,  // by its velocity alone: nothing stops it
+  fixed,      // never
+};
+
+namespace detail {
+
+/// n / d in the scalar, rounded to nearest.
+template <Scalar S>
+[[nodiscard]] constexpr S fraction(int n, int d) noexcept {
+  return quotient_nearest<S>(as_operand<S>(n), as_operand<S>(d));
+}
+
+/// 10 units per second and second, down the y axis in 2D and in 3D.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<S, N> standard_gravity() noexcept {
+  Vec<S, N> gravity{};
+  gravity.y = S(-10);
+  return gravity;
+}
+
+}  // namespace detail
+
+/// What a body is made of, and how it starts. Seconds are those of the world's settings.
+template <Scalar S, int N>
+struct BodyOptions {
+  BodyMotion motion = BodyMotion::dynamic;
+  S density = S(1);                                 // mass per area or volume
+  S friction = detail::fraction<S>(3, 5);           // of two bodies, the root of the product
+  S restitution = S(0);                             // of two bodies, the greater one
+  S linear_damping = S(0), angular_damping = S(0);  // share lost per second, for small ones
+  Vec<S, N> velocity{};                             // units per second
+  detail::Axial<S, N> angular_velocity{};           // radians per second
+  std::uint32_t layers = 1;                         // the layers that it is in
+  std::uint32_t collides_with = 0xffffffffu;  // the layers that it meets; both must want to meet
+  std::uint64_t user = 0;                     // any word; saved, never read
+};
+
+/// How a world steps.
+template <Scalar S, int N>
+struct WorldSettings {
+  int ticks_per_second = 60;
+  int substeps = 4;
+  Vec<S, N> gravity = detail::standard_gravity<S, N>();
+  S margin = detail::fraction<S>(1, 50);       // distance at which bodies are in contact
+  S push_speed = S(3);                         // the fastest that an overlap is undone
+  S bounce_threshold = S(1);                   // slower impacts do not bounce
+  S sleep_speed = detail::fraction<S>(1, 20);  // slower bodies may sleep; 0: never
+};
+
+}  // namespace detent

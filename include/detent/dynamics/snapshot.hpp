@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "detent/dynamics/world.hpp"
+#include "detent/scene/header.hpp"
+#include "detent/scene/shape_tag.hpp"
+
+// A world as bytes, and back:
+//   snapshot(world)         -> the bytes, for a world that allocates
+//   snapshot(world, room)   -> how many bytes, written when `room` holds them
+//   restore(world, bytes)   -> Restored: yes, or why the world is unchanged
+//   digest(world)           -> 64 bits of all bodies and contacts
+//   digest_of(world, id)    -> 64 bits of one body
+//
+// Version 1, all little-endian:
+// * a header of 56 bytes;
+// * each body that is not fixed, in order of index: a word of its index (bits 0 to 19), its quiet
+//   ticks (20 to 27), whether it sleeps (28) and whether it is made like the body before it (29);
+//   generation (4 bytes); place, orientation, velocity, spin: 72 bytes in 3D with Q16.16. Unless it
+//   is made like the body before it: motion (1), layers, layers that it meets (4 each), user word
+//   (8), density, friction, restitution, damping of velocity and spin, shape type (1), the numbers
+//   of the shape;
+// * each contact, in order of its bodies: a word of the index of a (bits 0 to 19), the number of
+//   points (20 to 22) and whether it touches (23); the index of b (4 bytes); of each point its
+//   feature and pressure, then the impulses of friction: 52 bytes for four points in 3D;
+// * the XXH64 of all that.
+//
+// Equal worlds have equal bytes. Fixed bodies appear only as a digest: a world restores snapshots
+// that were taken with the same settings and the same fixed bodies. The digest of a world omits the
+// next generation, which depends on past bodies.
+
+namespace detent {
+
+namespace detail {
+
+struct WorldHeader {
+  static constexpr std::uint32_t right_magic = 0x574e5444u;  // "DTNW"
+  static constexpr std::uint16_t right_version = 1;
+  static constexpr std::size_t size = 56;
+  static constexpr std::size_t checksum_size = 8;
+
+  std::uint32_t magic = right_magic;
+  std::uint16_t version = right_version;
+  std::uint8_t dimension = 0, is_floating = 0, bits = 0, frac = 0;
+  std::uint16_t shapes = 0;
+  std::uint32_t next_generation = 0, bodies = 0, contacts = 0, fixed = 0;
+  std::uint64_t fixed_digest = 0, settings_digest = 0, byte_count = 0;
+  std::uint32_t reserved = 0;
+
+  template <class D>
+  constexpr void describe(D& out) const noexcept {
+    out.add(magic, version, dimension, is_floating, bits, frac, shapes, next_generation, bodies,
+            contacts, fixed, fixed_digest, settings_digest, byte_count, reserved);
+  }
+};
+
+template <class D, class Body>
+constexpr void describe_make(D& out, const Body& body) noexcept {
+  out.add(body.motion, body.layers, body.collides_with, body.user, body.density, body.friction,
+          body.restitution, body.linear_damping, body.angular_damping);
+  body.shape.visit([&]<class Shape>(const Shape& shape) { out.add(shape_tag<Shape>, shape); });
+}
+
+template <class D, class Body>
+constexpr void describe_state(D& out, const Body& body) noexcept {
+  out.add(body.state.place, body.state.orientation, body.state.velocity);
+  for (const auto& w : body.state.spin) out.add(w);
+}
+
+template <class Body>
+[[nodiscard]] constexpr bool is_made_like(const Body& a, const Body& b) noexcept {
+  return a.motion == b.motion && a.layers == b.layers && a.collides_with == b.collides_with &&
+         a.user == b.user && a.density == b.density && a.friction == b.friction &&
+         a.restitution == b.restitution && a.linear_damping == b.linear_damping &&
+         a.angular_damping == b.angular_damping && a.shape == b.shape;
+}
+
+template <class D, class C>
+constexpr void describe_contact(D& out, const C& contact) noexcept {
+  out.add(contact.a | std::uint32_t{contact.count} << 20 |
+              (contact.touches ? std::uint32_t{1} << 23 : 0u),
+          contact.b);
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    out.add(contact.feature[i], contact.pressure[i]);
+  }
+  for (const auto& impulse : contact.friction) out.add(impulse);
+}
+
+/// Calls f(body, before) for each body that is not fixed; `before` is the last of these or nullptr.
+template <class Bodies, class F>
+constexpr void for_each_loose(const Bodies& bodies, const F& f) noexcept {
+  const auto* before = static_cast<decltype(&bodies[0])>(nullptr);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].generation == 0 || bodies[i].motion == BodyMotion::fixed) continue;
+    f(bodies[i], static_cast<std::uint32_t>(i), before);
+    before = &bodies[i];
+  }
+}
+
+template <class D, class World>
+constexpr void describe_world(D& out, const World& world) noexcept {
+  for_each_loose(
+      WorldAccess::bodies(world), [&](const auto& body, std::uint32_t i, const auto* before) {
+        const bool alike = before != nullptr && is_made_like(body, *before);
+        out.add(i | std::uint32_t{body.quiet} << 20 | (body.sleeps ? std::uint32_t{1} << 28 : 0u) |
+                    (alike ? std::uint32_t{1} << 29 : 0u),
+                body.generation);
+        describe_state(out, body);
+        if (!alike) describe_make(out, body);
+      });
+  const auto& contacts = WorldAccess::contacts(world);
+  for (std::size_t i = 0; i < contacts.size(); ++i) describe_contact(out, contacts[i]);
+}
+
+template <class Storage, Scalar S, int N, class... Shapes>
+[[nodiscard]] constexpr WorldHeader header_of(
+    const BasicWorld<Storage, S, N, Shapes...>& world) noexcept {
+  WorldHeader header;
+  header.dimension = static_cast<std::uint8_t>(N);
+  if constexpr (is_fixed<S>) {
+    header.bits = static_cast<std::uint8_t>(S::bits);
+    header.frac = static_cast<std::uint8_t>(S::frac);
+  } else {
+    header.is_floating = 1;
+    header.bits = static_cast<std::uint8_t>(8 * sizeof(S));
+  }
+  header.shapes = static_cast<std::uint16_t>(((1u << shape_tag<Shapes>) | ...));
+  header.next_generation = WorldAccess::next(world);
+  header.contacts = static_cast<std::uint32_t>(WorldAccess::contacts(world).size());
+  const auto& bodies = WorldAccess::bodies(world);
+  Digest fixed;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].generation == 0) continue;
+    if (bodies[i].motion != BodyMotion::fixed) {
+      ++header.bodies;
+      continue;
+    }
+    ++header.fixed;
+    fixed.add(static_cast<std::uint32_t>(i), bodies[i].generation);
+    describe_state(fixed, bodies[i]);
+    describe_make(fixed, bodies[i]);
+  }
+  header.fixed_digest = fixed.value();
+  const auto& settings = world.settings();
+  Digest own;
+  own.add(static_cast<std::int32_t>(settings.ticks_per_second),
+          static_cast<std::int32_t>(settings.substeps), settings.gravity, settings.margin,
+          settings.push_speed, settings.bounce_threshold, settings.sleep_speed);
+  header.settings_digest = own.value();
+  return header;
+}
+
+/// Reads what a body is made of. False for bytes that are no body of this world.
+template <Scalar S, int N, class... Shapes>
+[[nodiscard]] constexpr bool read_make(Reader& in,
+                                       BodyRecord<S, N, OneOf<Shapes...>>& body) noexcept {
+  std::uint8_t tag = 0;
+  in.get(body.motion, body.layers, body.collides_with, body.user, body.density, body.friction,
+         body.restitution, body.linear_damping, body.angular_damping, tag);
+  bool known = false;
+  const auto read = [&]<class Shape>(Shape shape) {
+    if (known || shape_tag<Shape> != tag) return;
+    known = true;
+    in.get(shape);
+    body.shape = OneOf<Shapes...>(shape);
+  };
+  (read(Shapes()), ...);
+  return known && !in.has_failed() &&
+         (body.motion == BodyMotion::dynamic || body.motion == BodyMotion::kinematic);
+}
+
+/// Reads the bodies and contacts of a snapshot into lists, in which fixed bodies are already.
+template <Scalar S, int N, class Bodies, class Contacts>
+[[nodiscard]] constexpr Restored read_world(Reader& in, const WorldHeader& header, Bodies& bodies,
+                                            Contacts& contacts, std::size_t bodies_room,
+                                            std::size_t contacts_room, int rate) {
+  using F = Formats<S>;
+  std::size_t lowest = 0, before = 0;
+  bool has_before = false;
+  for (std::uint32_t k = 0; k < header.bodies; ++k) {
+    const auto word = in.number<std::uint32_t>();
+    const auto generation = in.number<std::uint32_t>();
+    const std::size_t i = word & 0xfffffu;
+    const bool alike = (word >> 29 & 1) != 0;
+    if (in.has_failed() || i < lowest || word >> 30 != 0 || generation == 0 ||
+        generation >= header.next_generation || (alike && !has_before)) {
+      return Restored::corrupted;
+    }
+    if (i >= bodies_room) return Restored::no_room;
+    if (i >= bodies.size()) bodies.resize(i + 1);
+    if (bodies[i].generation != 0) return Restored::corrupted;  // a fixed body has the index
+    auto body = alike ? bodies[before] : std::remove_cvref_t<decltype(bodies[0])>();
+    body.generation = generation;
+    body.quiet = static_cast<std::uint8_t>(word >> 20);
+    body.sleeps = (word >> 28 & 1) != 0;
+    in.get(body.state.place, body.state.orientation, body.state.velocity);
+    for (auto& w : body.state.spin) in.get(w);
+    if (in.has_failed() || !is_unit(to_array(body.state.orientation))) return Restored::corrupted;
+    if (!alike) {
+      if (!read_make(in, body)) return Restored::corrupted;
+      if (has_before && is_made_like(body, bodies[before])) return Restored::corrupted;
+      derive(body, rate);
+    }
+    bodies[i] = body;
+    before = i;
+    has_before = true;
+    lowest = i + 1;
+  }
+  const auto is_body = [&](std::uint32_t i) {
+    return i < bodies.size() && bodies[i].generation != 0;
+  };
+  if (header.contacts > contacts_room) return Restored::no_room;
+  for (std::uint32_t k = 0; k < header.contacts; ++k) {
+    typename std::remove_cvref_t<decltype(contacts[0])> contact;
+    const auto word = in.number<std::uint32_t>();
+    contact.a = word & 0xfffffu;
+    contact.b = in.number<std::uint32_t>();
+    contact.count = static_cast<std::uint8_t>(word >> 20 & 7);
+    contact.touches = (word >> 23 & 1) != 0;
+    const bool follows =
+        k == 0 || BodyPair{contacts[k - 1].a, contacts[k - 1].b} < BodyPair{contact.a, contact.b};
+    if (in.has_failed() || word >> 24 != 0 || !follows || contact.a >= contact.b ||
+        !is_body(contact.a) || !is_body(contact.b) || contact.count == 0 ||
+        contact.count > contact.feature.size()) {
+      return Restored::corrupted;
+    }
+    for (std::size_t p = 0; p < contact.count; ++p) {
+      in.get(contact.feature[p], contact.pressure[p]);
+      if (contact.pressure[p] < typename F::Impulse()) return Restored::corrupted;
+    }
+    for (auto& impulse : contact.friction) in.get(impulse);
+    contacts.push_back(contact);
+  }
+  return in.has_failed() || in.left() != 0 ? Restored::corrupted : Restored::yes;
+}
+
+}  // namespace detail
+
+/// Writes the snapshot of `world` into `room` if it holds all bytes, and returns their number.
+template <class Storage, Scalar S, int N, class... Shapes>
+constexpr std::size_t snapshot(const BasicWorld<Storage, S, N, Shapes...>& world,
+                               std::span<std::byte> room) noexcept {
+  using detail::WorldHeader;
+  auto header = detail::header_of(world);
+  detail::Writer count;
+  detail::describe_world(count, world);
+  header.byte_count = WorldHeader::size + count.size() + WorldHeader::checksum_size;
+  if (room.size() < header.byte_count) return header.byte_count;
+  const auto bytes = room.first(header.byte_count);
+  detail::Writer out(bytes);
+  header.describe(out);
+  detail::describe_world(out, world);
+  const auto length = bytes.size() - WorldHeader::checksum_size;
+  Digest digest;
+  digest.add_bytes(bytes.first(length));
+  detail::store_word(bytes.data() + length, digest.value());
+  return header.byte_count;
+}
+
+#if __STDC_HOSTED__
+/// The snapshot of a world that allocates.
+template <Scalar S, int N, class... Shapes>
+[[nodiscard]] constexpr auto snapshot(const BasicWorld<Growing, S, N, Shapes...>& world) {
+  Growing::List<std::byte, 0> bytes(snapshot(world, std::span<std::byte>()));
+  snapshot(world, std::span<std::byte>(bytes));
+  return bytes;
+}
+#endif
+
+/// Makes `world` the one of the snapshot, or returns why it is unchanged.
+///
+/// domain: any bytes
+/// result: `other_scene` also for other settings; a world restored steps bit by bit as the one that
+///         was saved                                    (tests/dynamics/snapshot.test.cpp)
+template <class Storage, Scalar S, int N, class... Shapes>
+[[nodiscard]] constexpr Restored restore(BasicWorld<Storage, S, N, Shapes...>& world,
+                                         std::span<const std::byte> bytes) {
+  using detail::WorldAccess;
+  using detail::WorldHeader;
+  using World = BasicWorld<Storage, S, N, Shapes...>;
+  WorldHeader header;
+  detail::Reader in(bytes);
+  in.get(header.magic, header.version);
+  if (in.has_failed()) return Restored::truncated;
+  if (header.magic != WorldHeader::right_magic) return Restored::no_snapshot;
+  if (header.version != WorldHeader::right_version) return Restored::other_version;
+  in.get(header.dimension, header.is_floating, header.bits, header.frac, header.shapes,
+         header.next_generation, header.bodies, header.contacts, header.fixed, header.fixed_digest,
+         header.settings_digest, header.byte_count, header.reserved);
+  if (in.has_failed() || bytes.size() < header.byte_count) return Restored::truncated;
+  if (bytes.size() != header.byte_count || header.reserved != 0 ||
+      bytes.size() < WorldHeader::size + WorldHeader::checksum_size) {
+    return Restored::corrupted;
+  }
+  const auto checked = bytes.first(bytes.size() - WorldHeader::checksum_size);
+  Digest digest;
+  digest.add_bytes(checked);
+  if (digest.value() != detail::load_word<std::uint64_t>(checked.data() + checked.size())) {
+    return Restored::corrupted;
+  }
+  const auto own = detail::header_of(world);
+  if (header.dimension != own.dimension || header.is_floating != own.is_floating ||
+      header.bits != own.bits || header.frac != own.frac || header.shapes != own.shapes ||
+      header.settings_digest != own.settings_digest) {
+    return Restored::other_scene;
+  }
+  if (header.fixed != own.fixed || header.fixed_digest != own.fixed_digest) {
+    return Restored::other_fixed_part;
+  }
+  auto bodies = WorldAccess::bodies(world);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].motion != BodyMotion::fixed) bodies[i] = {};
+    if (bodies[i].generation >= header.next_generation) return Restored::corrupted;
+  }
+  typename World::Contacts contacts;
+  detail::Reader parts(checked.subspan(WorldHeader::size));
+  const auto said = detail::read_world<S, N>(parts, header, bodies, contacts, World::capacity,
+                                             World::contact_capacity, WorldAccess::rate(world));
+  if (said == Restored::yes) {
+    WorldAccess::assign(world, bodies, contacts, header.next_generation,
+                        header.bodies + std::size_t{header.fixed});
+  }
+  return said;
+}
+
+/// Appends to a digest: the bodies that are not fixed, and the contacts, as in a snapshot.
+template <class D, class Storage, Scalar S, int N, class... Shapes>
+constexpr void append(D& digest, const BasicWorld<Storage, S, N, Shapes...>& world) noexcept {
+  detail::describe_world(digest, world);
+}
+
+/// 64 bits of one body: where it is, how it moves and what it is made of; 0 without such a body.
+template <class Storage, Scalar S, int N, class... Shapes>
+[[nodiscard]] constexpr std::uint64_t digest_of(const BasicWorld<Storage, S, N, Shapes...>& world,
+                                                const BodyId& id) noexcept {
+  if (!world.contains(id)) return 0;
+  const auto& body = detail::WorldAccess::bodies(world)[id.index];
+  Digest digest;
+  digest.add(id, body.quiet, body.sleeps);
+  detail::describe_state(digest, body);
+  detail::describe_make(digest, body);
+  return digest.value();
+}
+
+}  // namespace detent

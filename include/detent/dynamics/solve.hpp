@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/dynamics/contact.hpp"
+
+namespace detent::detail {
+
+/// Starts a substep from the impulses of the last.
+template <Scalar S, int N>
+constexpr void warm_start(const ReadyContact<S, N>& ready, const BodyContact<S, N>& contact,
+                          Moving<S, N>& a, Moving<S, N>& b) noexcept {
+  for (std::size_t i = 0; i < ready.count; ++i) {
+    apply(ready.normal, ready.pressure[i], contact.pressure[i], a, b);
+  }
+  for (std::size_t t = 0; t < ready.friction.size(); ++t) {
+    apply(ready.tangent[t], ready.friction[t], contact.friction[t], a, b);
+  }
+  if constexpr (N == 3) apply(Thrust<S, N>(), ready.twist, contact.friction[2], a, b);
+}
+
+/// Adds `change` to the impulse `total`, which stays in [0, its range].
+template <Scalar S, class Impulse = typename Formats<S>::Impulse>
+[[nodiscard]] constexpr Impulse push_more(Impulse& total, const Impulse& change) noexcept {
+  const auto before = total;
+  total = saturate_to<Impulse>(total + change);
+  if (total < 0) total = Impulse{};
+  return narrow<31>(total - before);  // both are in [0, 2^31)
+}
+
+enum class Pass : std::uint8_t { biased, relaxed };
+
+/// Pushes the bodies apart at each point of a contact, one after another.
+///
+/// m t <= 2^60 and loss * total <= 2^57 steps: their difference fits 62 bits.
+template <Pass pass, Scalar S, int N>
+constexpr void solve_pressure(ReadyContact<S, N>& ready, BodyContact<S, N>& contact,
+                              Moving<S, N>& a, Moving<S, N>& b,
+                              const typename Formats<S>::Speed& fastest) noexcept {
+  using F = Formats<S>;
+  using Speed = typename F::Speed;
+  using Impulse = typename F::Impulse;
+  const auto& soft = ready.is_wall ? wall_softness<S> : contact_softness<S>;
+  for (std::size_t i = 0; i < ready.count; ++i) {
+    const auto& row = ready.pressure[i];
+    auto& total = contact.pressure[i];
+    const auto rate =
+        rate_along<S, N>(ready.normal.along, row, a.velocity, a.spin, b.velocity, b.spin);
+    const auto gap =
+        rate_along<S, N>(ready.normal.along, row, a.shift, a.turn, b.shift, b.turn, ready.gap[i]);
+    Impulse change;
+    if (gap > 0) {
+      change = nearest_to<Impulse>(narrow_negative(narrow<62>(row.mass * (rate + gap))));
+    } else if constexpr (pass == Pass::biased) {
+      auto pull = soft.pull * gap;
+      const auto limit = decltype(pull)(narrow_negative(fastest));
+      if (pull < limit) pull = limit;
+      const auto wanted = nearest_to<Speed>(narrow<62>(soft.rigid * rate + pull));
+      change = nearest_to<Impulse>(narrow_negative(
+          narrow<62>(narrow<62>(row.mass * wanted) + narrow<62>(soft.loss * total))));
+    } else {
+      change = nearest_to<Impulse>(narrow_negative(narrow<62>(row.mass * rate)));
+    }
+    apply(ready.normal, row, push_more<S>(total, change), a, b);
+    ready.was_pushed[i] = ready.was_pushed[i] || total > 0;
+  }
+}
+
+/// The impulses of friction along one or two tangents, clamped to the disc of radius `limit`.
+///
+/// In 3D a vector outside is scaled by limit / length, both exact until the quotient is rounded to
+/// nearest; the length is rounded up to the grid.
+template <Scalar S, int N, class Impulse = typename Formats<S>::Impulse>
+constexpr void clamp_to_disc(std::array<Impulse, std::size_t{N - 1}>& impulse,
+                             const Impulse& limit) noexcept {
+  if constexpr (N == 2) {
+    impulse[0] = (std::clamp)(impulse[0], narrow_negative(limit), limit);
+  } else {
+    const auto squared = square(impulse[0]) + square(impulse[1]);
+    if (squared <= square(limit)) return;
+    const auto length = sqrt_ceil<typename Formats<S>::Length>(squared);
+    for (auto& x : impulse) x = quotient_nearest<Impulse>(x * limit, length);
+  }
+}
+
+/// Friction at the middle of a contact; in 3D also against twisting about its normal.
+template <Scalar S, int N>
+constexpr void solve_friction(const ReadyContact<S, N>& ready, BodyContact<S, N>& contact,
+                              Moving<S, N>& a, Moving<S, N>& b) noexcept {
+  using F = Formats<S>;
+  using Impulse = typename F::Impulse;
+  constexpr std::size_t tangents = N - 1;
+  const auto wanted = [&](const Vec<typename F::Ratio, N>& along, const Row<S, N>& row,
+                          const Impulse& total) {
+    const auto rate = rate_along<S, N>(along, row, a.velocity, a.spin, b.velocity, b.spin);
+    return saturate_to<Impulse>(total - nearest_to<Impulse>(narrow<62>(row.mass * rate)));
+  };
+  const auto change = [](const Impulse& to, const Impulse& from) {
+    return saturate_to<Impulse>(to - from);
+  };
+  const auto limit_of = [&](const auto& pressure) {
+    return nearest_to<Impulse>(narrow<62>(ready.grip * saturate_to<Impulse>(pressure)));
+  };
+  auto pressure = narrow<34>(Impulse() + Impulse());
+  for (std::size_t i = 0; i < ready.count; ++i) {
+    pressure = narrow<34>(pressure + contact.pressure[i]);
+  }
+
+  if constexpr (N == 3) {
+    auto at_lever = narrow<34>(Impulse() + Impulse());
+    for (std::size_t i = 0; i < ready.count; ++i) {
+      at_lever = narrow<34>(at_lever +
+                            nearest_to<Impulse>(narrow<62>(ready.reach[i] * contact.pressure[i])));
+    }
+    const auto limit = limit_of(at_lever);
+    auto twist = wanted(Vec<typename F::Ratio, N>(), ready.twist, contact.friction[2]);
+    twist = (std::clamp)(twist, narrow_negative(limit), limit);
+    apply(Thrust<S, N>(), ready.twist, change(twist, contact.friction[2]), a, b);
+    contact.friction[2] = twist;
+  }
+
+  std::array<Impulse, tangents> impulse{};
+  for (std::size_t t = 0; t < tangents; ++t) {
+    impulse[t] = wanted(ready.tangent[t].along, ready.friction[t], contact.friction[t]);
+  }
+  clamp_to_disc<S, N>(impulse, limit_of(pressure));
+  for (std::size_t t = 0; t < tangents; ++t) {
+    apply(ready.tangent[t], ready.friction[t], change(impulse[t], contact.friction[t]), a, b);
+    contact.friction[t] = impulse[t];
+  }
+}
+
+/// Lets bodies that met faster than `threshold` bounce.
+template <Scalar S, int N>
+constexpr void bounce(const ReadyContact<S, N>& ready, BodyContact<S, N>& contact, Moving<S, N>& a,
+                      Moving<S, N>& b, const typename Formats<S>::Speed& threshold) noexcept {
+  using F = Formats<S>;
+  using Speed = typename F::Speed;
+  using Impulse = typename F::Impulse;
+  if (ready.bounce == 0) return;
+  for (std::size_t i = 0; i < ready.count; ++i) {
+    if (!ready.was_pushed[i] || ready.closing[i] >= narrow_negative(threshold)) continue;
+    const auto& row = ready.pressure[i];
+    const auto rate =
+        rate_along<S, N>(ready.normal.along, row, a.velocity, a.spin, b.velocity, b.spin);
+    const auto wanted =
+        saturate_to<Speed>(rate + nearest_to<Speed>(narrow<62>(ready.bounce * ready.closing[i])));
+    const auto change = nearest_to<Impulse>(narrow_negative(narrow<62>(row.mass * wanted)));
+    apply(ready.normal, row, push_more<S>(contact.pressure[i], change), a, b);
+  }
+}
+
+}  // namespace detent::detail

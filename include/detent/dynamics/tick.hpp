@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "detent/dynamics/flight.hpp"
+#include "detent/dynamics/islands.hpp"
+#include "detent/dynamics/manifold/pair.hpp"
+#include "detent/dynamics/pairs.hpp"
+#include "detent/dynamics/record.hpp"
+#include "detent/dynamics/relative.hpp"
+#include "detent/dynamics/solve.hpp"
+#include "detent/scene/one_of.hpp"
+
+namespace detent::detail {
+
+/// How many contacts a world with room for so many bodies has room for.
+[[nodiscard]] constexpr std::size_t contact_room(std::size_t bodies) noexcept { return 8 * bodies; }
+
+/// What one step of a world needs besides its state. Nothing of it outlives the step.
+template <class Storage, Scalar S, int N, class... Shapes>
+class Tick {
+ public:
+  using F = Formats<S>;
+  using Body = BodyRecord<S, N, OneOf<Shapes...>>;
+  using ContactState = BodyContact<S, N>;
+  static constexpr std::size_t bodies_room = Storage::capacity;
+  static constexpr std::size_t contacts_room = contact_room(Storage::capacity);
+  using Bodies = typename Storage::template List<Body, bodies_room>;
+  using Contacts = typename Storage::template List<ContactState, contacts_room>;
+
+  constexpr void run(Bodies& bodies, Contacts& contacts, const Pace<S, N>& pace, int substeps,
+                     const S& margin) {
+    place(bodies);
+    find_pairs(bodies, margin);
+    touch(bodies, contacts, pace.margin);
+    wake(bodies);
+    order(bodies);
+    for (std::size_t i = 0; i < moving_.size(); ++i) moving_[i] = moving_of(bodies[i]);
+    prepare_all(bodies);
+    for (int i = 0; i < substeps; ++i) substep(bodies, pace);
+    for (std::size_t i = 0; i < ready_.size(); ++i) {
+      auto& ready = ready_[i];
+      bounce(ready, current_[ready.contact], moving_[ready.a], moving_[ready.b], pace.bounce);
+    }
+    finish(bodies, pace);
+    std::swap(contacts, current_);
+  }
+
+ private:
+  /// A pair's manifold, kept from the search for contacts until they are prepared.
+  struct Found {
+    Manifold<S, N> manifold{};
+    Vec<typename F::Lever, N> offset{};
+  };
+
+  constexpr void place(const Bodies& bodies) {
+    supports_.resize(bodies.size());
+    moving_.resize(bodies.size());
+    half_way_.resize(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const Body& body = bodies[i];
+      if (body.generation == 0) continue;
+      auto& support = supports_[i];
+      support.axes = axes_of<S, N>(body.state.orientation);
+      support.place = body.state.place;
+      support.spread = in_world<S, N>(body.inertia.inverse, support.axes);
+      support.is_fixed = body.motion == BodyMotion::fixed;
+    }
+  }
+
+  constexpr void find_pairs(const Bodies& bodies, const S& margin) {
+    swept_.clear();
+    pairs_.clear();
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (bodies[i].generation == 0) continue;
+      swept_.push_back(
+          {bounds_of<S, N>(supports_[i].place, supports_[i].axes, bodies[i].reach, margin),
+           static_cast<std::uint32_t>(i)});
+    }
+    if (swept_.size() == 0) return;
+    sweep(&swept_[0], swept_.size(), [&](const BodyPair& pair) {
+      const Body &a = bodies[pair.a], &b = bodies[pair.b];
+      const bool meet = (a.layers & b.collides_with) != 0 && (b.layers & a.collides_with) != 0;
+      if (meet && (a.can_move() || b.can_move()) && pairs_.size() < pair_room) {
+        pairs_.push_back(pair);
+      }
+    });
+    if (pairs_.size() != 0) std::sort(&pairs_[0], &pairs_[0] + pairs_.size());
+  }
+
+  /// The contacts of this tick, in order of their bodies, with the impulses of the last.
+  constexpr void touch(const Bodies& bodies, const Contacts& before,
+                       const typename F::Lever& margin) {
+    current_.clear();
+    found_.clear();
+    std::size_t old = 0;
+    for (std::size_t p = 0; p < pairs_.size() && current_.size() < contacts_room; ++p) {
+      const BodyPair pair = pairs_[p];
+      const auto& a = supports_[pair.a];
+      const auto& b = supports_[pair.b];
+      Found found;
+      found.offset = offset_between(a, b);
+      const auto pose = relative_pose(a, b, found.offset);
+      bodies[pair.a].shape.visit([&](const auto& first) {
+        bodies[pair.b].shape.visit(
+            [&](const auto& second) { found.manifold = manifold(first, second, pose, margin); });
+      });
+      if (found.manifold.count == 0) continue;
+      while (old < before.size() && BodyPair{before[old].a, before[old].b} < pair) ++old;
+      const bool known = old < before.size() && BodyPair{before[old].a, before[old].b} == pair;
+      current_.push_back(continued(pair, found.manifold, known ? &before[old] : nullptr));
+      found_.push_back(found);
+    }
+  }
+
+  static constexpr ContactState continued(const BodyPair& pair, const Manifold<S, N>& manifold,
+                                          const ContactState* before) noexcept {
+    ContactState contact;
+    contact.a = pair.a;
+    contact.b = pair.b;
+    contact.count = static_cast<std::uint8_t>(manifold.count);
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      contact.feature[i] = manifold.points[i].feature;
+    }
+    if (before == nullptr) return contact;
+    contact.touches = before->touches;
+    contact.friction = before->friction;
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      for (std::size_t j = 0; j < before->count; ++j) {
+        if (before->feature[j] == contact.feature[i]) contact.pressure[i] = before->pressure[j];
+      }
+    }
+    return contact;
+  }
+
+  /// An island with a body that is awake, or that a moving kinematic body touches, is awake.
+  constexpr void wake(Bodies& bodies) {
+    islands_.reset(bodies.size());
+    for (std::size_t i = 0; i < current_.size(); ++i) {
+      const auto& contact = current_[i];
+      if (bodies[contact.a].can_move() && bodies[contact.b].can_move()) {
+        islands_.join(contact.a, contact.b);
+      }
+    }
+    awake_.clear();
+    awake_.resize(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (bodies[i].can_move() && !bodies[i].sleeps) awake_[island(i)] = 1;
+    }
+    for (std::size_t i = 0; i < current_.size(); ++i) {
+      const auto& contact = current_[i];
+      if (is_driven(bodies[contact.a])) awake_[islands_.of(contact.b)] = 1;
+      if (is_driven(bodies[contact.b])) awake_[islands_.of(contact.a)] = 1;
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (!bodies[i].can_move()) continue;
+      const bool sleeps = awake_[island(i)] == 0;
+      if (bodies[i].sleeps && !sleeps) bodies[i].quiet = 0;
+      bodies[i].sleeps = sleeps;
+    }
+  }
+
+  /// A colour for each contact that is awake: the least that no earlier contact of its bodies has;
+  /// the last colour for all others. Contacts of a colour share no body that can move.
+  constexpr void order(const Bodies& bodies) {
+    used_.clear();
+    used_.resize(bodies.size());
+    colour_.resize(current_.size());
+    std::array<std::uint32_t, colours + 1> start{};
+    for (std::size_t i = 0; i < current_.size(); ++i) {
+      const auto& contact = current_[i];
+      const bool moves_a = is_awake(bodies[contact.a]), moves_b = is_awake(bodies[contact.b]);
+      if (!moves_a && !moves_b) {
+        colour_[i] = asleep;
+        continue;
+      }
+      const auto taken = (moves_a ? used_[contact.a] : 0) | (moves_b ? used_[contact.b] : 0);
+      const int colour = (std::min)(std::countr_one(taken), colours - 1);
+      colour_[i] = static_cast<std::uint8_t>(colour);
+      if (moves_a) used_[contact.a] |= std::uint64_t{1} << colour;
+      if (moves_b) used_[contact.b] |= std::uint64_t{1} << colour;
+      ++start[static_cast<std::size_t>(colour) + 1];
+    }
+    for (std::size_t c = 0; c < colours; ++c) start[c + 1] += start[c];
+    ready_.clear();
+    ready_.resize(start[colours]);
+    for (std::size_t i = 0; i < current_.size(); ++i) {
+      if (colour_[i] == asleep) continue;
+      auto& ready = ready_[start[colour_[i]]++];
+      ready.contact = static_cast<std::uint32_t>(i);
+      ready.a = current_[i].a;
+      ready.b = current_[i].b;
+    }
+  }
+
+  constexpr void prepare_all(const Bodies& bodies) {
+    using Ratio = typename F::Ratio;
+    for (std::size_t i = 0; i < ready_.size(); ++i) {
+      auto& ready = ready_[i];
+      const Body &a = bodies[ready.a], &b = bodies[ready.b];
+      const auto& found = found_[ready.contact];
+      // Shares of the inverse masses: of two masses, the other one's share.
+      Ratio share_a{}, share_b{};
+      if (a.can_move() && b.can_move()) {
+        const auto sum = a.mass + b.mass;
+        share_a = quotient_nearest<Ratio>(b.mass, sum);
+        share_b = quotient_nearest<Ratio>(a.mass, sum);
+      } else {
+        (a.can_move() ? share_a : share_b) = Ratio(1);
+      }
+      prepare(ready, found.manifold, supports_[ready.a], supports_[ready.b], found.offset, share_a,
+              share_b);
+      ready.grip = sqrt_floor<Ratio>(a.friction * b.friction);
+      ready.bounce = saturate_to<Ratio>((max)(a.restitution, b.restitution));
+      for (std::size_t k = 0; k < ready.count; ++k) {
+        ready.closing[k] = rate_along<S, N>(ready.normal.along, ready.pressure[k],
+                                            moving_[ready.a].velocity, moving_[ready.a].spin,
+                                            moving_[ready.b].velocity, moving_[ready.b].spin);
+      }
+    }
+  }
+
+  constexpr void substep(Bodies& bodies, const Pace<S, N>& pace) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (is_awake(bodies[i])) accelerate(bodies[i], moving_[i], half_way_[i], pace);
+    }
+    for (std::size_t i = 0; i < ready_.size(); ++i) {
+      const auto& ready = ready_[i];
+      warm_start(ready, current_[ready.contact], moving_[ready.a], moving_[ready.b]);
+    }
+    for (std::size_t i = 0; i < ready_.size(); ++i) {
+      auto& ready = ready_[i];
+      solve_pressure<Pass::biased>(ready, current_[ready.contact], moving_[ready.a],
+                                   moving_[ready.b], pace.push);
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const bool moves = is_awake(bodies[i]) || is_driven(bodies[i]);
+      if (moves) move(bodies[i], moving_[i], half_way_[i]);
+    }
+    for (std::size_t i = 0; i < ready_.size(); ++i) {
+      auto& ready = ready_[i];
+      auto& contact = current_[ready.contact];
+      solve_pressure<Pass::relaxed>(ready, contact, moving_[ready.a], moving_[ready.b], pace.push);
+      solve_friction(ready, contact, moving_[ready.a], moving_[ready.b]);
+    }
+  }
+
+  /// Writes velocities back, and lets quiet islands sleep.
+  constexpr void finish(Bodies& bodies, const Pace<S, N>& pace) {
+    for (std::size_t i = 0; i < ready_.size(); ++i) {
+      const auto& ready = ready_[i];
+      bool touches = false;
+      for (std::size_t k = 0; k < ready.count; ++k) {
+        touches = touches || ready.was_pushed[k] || ready.gap[k] <= 0;
+      }
+      current_[ready.contact].touches = touches;
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) awake_[i] = 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      Body& body = bodies[i];
+      if (!is_awake(body)) continue;
+      body.state.velocity = moving_[i].velocity;
+      body.state.spin = moving_[i].spin;
+      const bool is_quiet = is_slow(body.state, pace);
+      body.quiet = is_quiet ? static_cast<std::uint8_t>((std::min)(body.quiet + 1, 255)) : 0;
+      if (body.quiet < (std::min)(pace.quiet_ticks, 255)) awake_[island(i)] = 1;
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      Body& body = bodies[i];
+      if (!is_awake(body) || awake_[island(i)] != 0 || pace.sleep <= 0) continue;
+      body.sleeps = true;
+      body.state.velocity = {};
+      body.state.spin = {};
+    }
+  }
+
+  static constexpr bool is_slow(const BodyState<S, N>& state, const Pace<S, N>& pace) noexcept {
+    for (int i = 0; i < N; ++i) {
+      if (abs(state.velocity[i]) > pace.sleep) return false;
+    }
+    for (const auto& w : state.spin) {
+      if (abs(w) > pace.sleep_spin) return false;
+    }
+    return true;
+  }
+
+  static constexpr Moving<S, N> moving_of(const Body& body) noexcept {
+    Moving<S, N> moving;
+    if (body.generation == 0 || body.motion == BodyMotion::fixed) return moving;
+    moving.velocity = body.state.velocity;
+    moving.spin = body.state.spin;
+    return moving;
+  }
+  static constexpr bool is_awake(const Body& body) noexcept {
+    return body.generation != 0 && body.can_move() && !body.sleeps;
+  }
+  /// A kinematic body that moves.
+  static constexpr bool is_driven(const Body& body) noexcept {
+    return body.generation != 0 && body.motion == BodyMotion::kinematic &&
+           !(body.state.velocity == Vec<typename F::Speed, N>() &&
+             body.state.spin == Axial<typename F::Spin, N>());
+  }
+  constexpr std::uint32_t island(std::size_t body) noexcept {
+    return islands_.of(static_cast<std::uint32_t>(body));
+  }
+
+  static constexpr int colours = 64;
+  static constexpr std::uint8_t asleep = 0xff;
+  static constexpr std::size_t pair_room = 4 * contacts_room;
+
+  template <class T, std::size_t Room>
+  using List = typename Storage::template List<T, Room>;
+  List<Support<S, N>, bodies_room> supports_;
+  List<Moving<S, N>, bodies_room> moving_;
+  List<Axes<S, N>, bodies_room> half_way_;  // the axes at the middle of the substep
+  List<SweepEntry<S, N>, bodies_room> swept_;
+  List<BodyPair, pair_room> pairs_;
+  Contacts current_;
+  List<Found, contacts_room> found_;
+  List<ReadyContact<S, N>, contacts_room> ready_;
+  List<std::uint8_t, contacts_room> colour_;
+  List<std::uint64_t, bodies_room> used_;
+  List<std::uint8_t, bodies_room> awake_;
+  Islands<List<std::uint32_t, bodies_room>> islands_;
+};
+
+}  // namespace detent::detail

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "detent/cull/list.hpp"
+#include "detent/dynamics/tick.hpp"
+#include "detent/math/transform.hpp"
+
+namespace detent {
+
+namespace detail {
+
+struct WorldAccess;
+
+}  // namespace detail
+
+/// A pair of bodies that began or ended to touch in the last step, in order of their indices.
+struct TouchEvent {
+  BodyId a, b;
+  bool begins;
+
+  [[nodiscard]] friend constexpr bool operator==(const TouchEvent&,
+                                                 const TouchEvent&) noexcept = default;
+};
+
+/// Bodies that fall, collide and come to rest. Write `World<q16_16, 3, Sphere, Obb>`, or
+/// `BoundedWorld<Bounded<64>, q16_16, 3, Sphere>` for one that never allocates.
+///
+/// A step is a function of the bodies, their ids and the contacts they are in: in whatever order
+/// bodies were added and removed, and whether the world was restored from a snapshot or not, the
+/// bits are the same. docs/dynamics.md defines every number of a step and where it is rounded.
+///
+/// units:  lengths in world units, times in seconds, angles in radians
+/// domain: scalars with up to 31 bits; ticks per second times substeps in [1, 32767]
+/// exact:  as docs/dynamics.md says                     (tests/dynamics/world.test.cpp)
+template <class Storage, Scalar S, int N, class... Shapes>
+class BasicWorld {
+  using Tick = detail::Tick<Storage, S, N, Shapes...>;
+  using F = detail::Formats<S>;
+  using Body = typename Tick::Body;
+
+ public:
+  static constexpr int dimension = N;
+  using Options = BodyOptions<S, N>;
+  using Settings = WorldSettings<S, N>;
+  using Contacts = typename Tick::Contacts;
+  static constexpr std::size_t capacity = Storage::capacity;
+  static constexpr std::size_t contact_capacity = Tick::contacts_room;
+
+  constexpr BasicWorld() noexcept : BasicWorld(Settings()) {}
+  explicit constexpr BasicWorld(const Settings& settings) noexcept
+      : settings_(settings), pace_(detail::pace_of(settings)) {}
+
+  [[nodiscard]] constexpr const Settings& settings() const noexcept { return settings_; }
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
+
+  /// Adds a body where the shape is. Its place is the shape's centre; a box's frame is its own,
+  /// other shapes start along the world's axes. Nothing if the world is full.
+  template <detail::Among<Shapes...> Shape>
+  constexpr std::optional<BodyId> add(const Shape& shape, const Options& options = {}) {
+    while (first_free_ < bodies_.size() && bodies_[first_free_].generation != 0) ++first_free_;
+    const BodyId id{first_free_, next_};
+    return put(id, shape, options) ? std::optional(id) : std::nullopt;
+  }
+
+  /// Adds a body with an id of the caller's, such as one that a removed body had. False if the index
+  /// is in use or beyond the world's room.
+  template <detail::Among<Shapes...> Shape>
+  constexpr bool put(const BodyId& id, const Shape& shape, const Options& options = {}) {
+    if (id.generation == 0 || id.generation > last_generation || id.index >= capacity) return false;
+    if (id.index < bodies_.size() && bodies_[id.index].generation != 0) return false;
+    if (id.index >= bodies_.size()) bodies_.resize(id.index + std::size_t{1});
+    const auto local = detail::local_form(shape);
+    Body& body = bodies_[id.index];
+    body = Body();
+    body.generation = id.generation;
+    body.motion = options.motion;
+    body.layers = options.layers;
+    body.collides_with = options.collides_with;
+    body.user = options.user;
+    body.density = options.density;
+    body.friction = options.friction;
+    body.restitution = options.restitution;
+    body.linear_damping = options.linear_damping;
+    body.angular_damping = options.angular_damping;
+    body.shape = detail::OneOf<Shapes...>(local.shape);
+    body.state.place = make_vec<N>([&](int i) { return typename F::Place(local.center[i]); });
+    body.state.orientation = local.orientation;
+    if (options.motion != BodyMotion::fixed) {
+      body.state.velocity = per_substep(options.velocity);
+      body.state.spin = per_substep(options.angular_velocity);
+    }
+    detail::derive(body, pace_.rate);
+    next_ = (std::max)(next_, id.generation + 1);
+    ++size_;
+    return true;
+  }
+
+  /// Removes a body and wakes those that touched it. False if there is none with this id.
+  constexpr bool remove(const BodyId& id) {
+    if (find(id) == nullptr) return false;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const auto& contact = contacts_[i];
+      if (contact.a == id.index || contact.b == id.index) {
+        rouse(bodies_[contact.a]);
+        rouse(bodies_[contact.b]);
+      } else {
+        contacts_[kept++] = contact;
+      }
+    }
+    contacts_.resize(kept);
+    bodies_[id.index] = Body();
+    first_free_ = (std::min)(first_free_, id.index);
+    --size_;
+    return true;
+  }
+
+  /// One tick: all substeps.
+  constexpr void step() {
+    events_.clear();
+    before_ = contacts_;
+    tick_.run(bodies_, contacts_, pace_, settings_.substeps, settings_.margin);
+    note_events();
+  }
+
+  /// Whether there is a body with this id.
+  [[nodiscard]] constexpr bool contains(const BodyId& id) const noexcept {
+    return find(id) != nullptr;
+  }
+  /// The centre of the body, rounded to nearest and clamped; the origin without such a body.
+  [[nodiscard]] constexpr Vec<S, N> position(const BodyId& id) const noexcept {
+    const Body* body = find(id);
+    if (body == nullptr) return {};
+    return make_vec<N>([&](int i) { return saturate_to<S>(body->state.place[i]); });
+  }
+  /// The axes of the body's frame, rounded to nearest; no rotation without such a body.
+  [[nodiscard]] constexpr Rotation<S, N> rotation(const BodyId& id) const noexcept {
+    const Body* body = find(id);
+    if (body == nullptr) return {};
+    const auto axes = detail::axes_of<S, N>(body->state.orientation);
+    std::array<Direction<S, N>, std::size_t{N}> directions;
+    for (std::size_t i = 0; i < std::size_t{N}; ++i) {
+      directions[i] = Direction<S, N>::assume_unit(nearest_to<direction_component<S>>(axes[i]));
+    }
+    return Rotation<S, N>::from_axes(directions);
+  }
+  /// Where the body's frame is: `placed(shape, world.pose(id))` is a shape of it in the world.
+  [[nodiscard]] constexpr Transform<S, N> pose(const BodyId& id) const noexcept {
+    return {position(id), rotation(id), S(1)};
+  }
+  /// Units per second, rounded to nearest and clamped.
+  [[nodiscard]] constexpr Vec<S, N> velocity(const BodyId& id) const noexcept {
+    const Body* body = find(id);
+    if (body == nullptr) return {};
+    return make_vec<N>([&](int i) { return per_second(body->state.velocity[i]); });
+  }
+  /// Radians per second, rounded to nearest and clamped.
+  [[nodiscard]] constexpr detail::Axial<S, N> angular_velocity(const BodyId& id) const noexcept {
+    detail::Axial<S, N> result{};
+    const Body* body = find(id);
+    if (body == nullptr) return result;
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = per_second(body->state.spin[i]);
+    return result;
+  }
+  [[nodiscard]] constexpr bool is_asleep(const BodyId& id) const noexcept {
+    const Body* body = find(id);
+    return body != nullptr && body->sleeps;
+  }
+
+  /// Sets what a body does from now on, and wakes it. Nothing happens to fixed bodies.
+  constexpr void set_velocity(const BodyId& id, const Vec<S, N>& velocity) noexcept {
+    Body* body = find(id);
+    if (body == nullptr || body->motion == BodyMotion::fixed) return;
+    body->state.velocity = per_substep(velocity);
+    rouse(*body);
+  }
+  constexpr void set_angular_velocity(const BodyId& id,
+                                      const detail::Axial<S, N>& velocity) noexcept {
+    Body* body = find(id);
+    if (body == nullptr || body->motion == BodyMotion::fixed) return;
+    body->state.spin = per_substep(velocity);
+    rouse(*body);
+  }
+
+  /// Pairs that began or ended to touch in the last step.
+  [[nodiscard]] constexpr std::size_t event_count() const noexcept { return events_.size(); }
+  [[nodiscard]] constexpr const TouchEvent& event(std::size_t i) const noexcept {
+    return events_[i];
+  }
+
+ private:
+  friend struct detail::WorldAccess;
+  static constexpr std::uint32_t last_generation = 0xfffffffeu;
+
+  [[nodiscard]] constexpr const Body* find(const BodyId& id) const noexcept {
+    if (id.generation == 0 || id.index >= bodies_.size()) return nullptr;
+    const Body& body = bodies_[id.index];
+    return body.generation == id.generation ? &body : nullptr;
+  }
+  [[nodiscard]] constexpr Body* find(const BodyId& id) noexcept {
+    const BasicWorld& self = *this;
+    return const_cast<Body*>(self.find(id));
+  }
+  [[nodiscard]] constexpr BodyId id_of(std::uint32_t index) const noexcept {
+    return {index, bodies_[index].generation};
+  }
+
+  static constexpr void rouse(Body& body) noexcept {
+    body.sleeps = false;
+    body.quiet = 0;
+  }
+
+  [[nodiscard]] constexpr auto per_substep(const Vec<S, N>& v) const noexcept {
+    return quotient_nearest<typename F::Speed>(v, detail::as_operand<S>(pace_.rate));
+  }
+  [[nodiscard]] constexpr auto per_substep(const detail::Axial<S, N>& w) const noexcept {
+    detail::Axial<typename F::Spin, N> spin{};
+    for (std::size_t i = 0; i < spin.size(); ++i) {
+      spin[i] = quotient_nearest<typename F::Spin>(w[i], detail::as_operand<S>(pace_.rate));
+    }
+    return spin;
+  }
+  template <class T>
+  [[nodiscard]] constexpr S per_second(const T& x) const noexcept {
+    return saturate_to<S>(x * detail::as_operand<S>(pace_.rate));
+  }
+
+  constexpr void note_events() {
+    std::size_t i = 0, j = 0;
+    const auto pair = [](const auto& c) { return detail::BodyPair{c.a, c.b}; };
+    while (i < before_.size() || j < contacts_.size()) {
+      const bool gone =
+          j == contacts_.size() || (i < before_.size() && pair(before_[i]) < pair(contacts_[j]));
+      const bool is_new =
+          i == before_.size() || (j < contacts_.size() && pair(contacts_[j]) < pair(before_[i]));
+      const bool was = !is_new && before_[i].touches;
+      const bool is = !gone && contacts_[j].touches;
+      const auto& contact = gone ? before_[i] : contacts_[j];
+      if (was != is) events_.push_back({id_of(contact.a), id_of(contact.b), is});
+      if (!is_new) ++i;
+      if (!gone) ++j;
+    }
+  }
+
+  Settings settings_;
+  detail::Pace<S, N> pace_;
+  typename Tick::Bodies bodies_;
+  typename Tick::Contacts contacts_;
+  std::uint32_t next_ = 1;
+  std::uint32_t first_free_ = 0;
+  std::size_t size_ = 0;
+  typename Storage::template List<TouchEvent, 2 * Tick::contacts_room> events_;
+  typename Tick::Contacts before_;
+  Tick tick_;
+};
+
+#if __STDC_HOSTED__
+/// A world that allocates as it grows: `World<q16_16, 2, Sphere, Obb>`.
+template <Scalar S, int N, template <Scalar, int> class... Shapes>
+using World = BasicWorld<Growing, S, N, Shapes<S, N>...>;
+#endif
+/// A world within its own memory: `BoundedWorld<Bounded<64>, q16_16, 2, Sphere, Obb>`.
+template <class Storage, Scalar S, int N, template <Scalar, int> class... Shapes>
+using BoundedWorld = BasicWorld<Storage, S, N, Shapes<S, N>...>;
+
+namespace detail {
+
+/// For snapshots and tests.
+struct WorldAccess {
+  template <class World>
+  [[nodiscard]] static constexpr auto& bodies(World& world) noexcept {
+    return world.bodies_;
+  }
+  template <class World>
+  [[nodiscard]] static constexpr auto& contacts(World& world) noexcept {
+    return world.contacts_;
+  }
+  template <class World>
+  [[nodiscard]] static constexpr std::uint32_t next(const World& world) noexcept {
+    return world.next_;
+  }
+  template <class World>
+  [[nodiscard]] static constexpr int rate(const World& world) noexcept {
+    return world.pace_.rate;
+  }
+  template <class World, class Bodies, class Contacts>
+  static constexpr void assign(World& world, const Bodies& bodies, const Contacts& contacts,
+                               std::uint32_t next, std::size_t size) {
+    world.bodies_ = bodies;
+    world.contacts_ = contacts;
+    world.next_ = next;
+    world.first_free_ = 0;
+    world.size_ = size;
+    world.events_.clear();
+  }
+};
+
+}  // namespace detail
+
+}  // namespace detent

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Bodies with numbers from everywhere in their range: assertions hold, and worlds stay valid.
+#include "detent/dynamics/dynamics.hpp"
+
+#include "dynamics/stage.hpp"
+#include "oracle/space.hpp"
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+namespace detent::test {
+namespace {
+
+template <Scalar S>
+S any(Random& random) {
+  return S::from_raw(static_cast<typename S::raw_type>(random.edgy(S::bits)));
+}
+/// Within 4 units.
+template <Scalar S>
+S small(Random& random) {
+  return quotient_nearest<S>(static_cast<int>(random.between(-1000, 1000)), 250);
+}
+
+template <Scalar S, int N>
+void add_any(World<S, N, Sphere, Obb, Capsule, Aabb>& world, Random& random) {
+  const bool wild = random.one_in(4);
+  const auto number = [&] { return wild ? any<S>(random) : small<S>(random); };
+  const auto point = [&] { return make_vec<N>([&](int) { return number(); }); };
+  const auto size = [&] {
+    const auto x = number();
+    return x < 0 && x > S::lowest() ? saturate_to<S>(-x) : x;
+  };
+  BodyOptions<S, N> options;
+  if (random.one_in(4)) {
+    options.motion = random.coin() ? BodyMotion::fixed : BodyMotion::kinematic;
+  }
+  if (random.one_in(3)) {
+    options.density = any<S>(random);
+    options.friction = any<S>(random);
+    options.restitution = any<S>(random);
+    options.linear_damping = any<S>(random);
+    options.angular_damping = any<S>(random);
+  }
+  options.velocity = point();
+  for (auto& w : options.angular_velocity) w = number();
+  switch (random.below(4)) {
+    case 0:
+      (void)world.add(Sphere<S, N>{point(), size()}, options);
+      break;
+    case 1: {
+      Obb<S, N> box{point(), {}, {}};
+      for (int i = 0; i < N; ++i) box.half_extents[i] = size();
+      const auto angle = Angle<S>::turn(static_cast<int>(random.below(1000)), 1000);
+      if constexpr (N == 2) {
+        box.rotation = Rotation<S, 2>::from_angle(angle);
+      } else {
+        box.rotation = Rotation<S, 3>::from_euler(angle, angle, angle);
+      }
+      (void)world.add(box, options);
+      break;
+    }
+    case 2:
+      (void)world.add(Capsule<S, N>{point(), point(), size()}, options);
+      break;
+    default:
+      (void)world.add(Aabb<S, N>{point(), point()}, options);
+      break;
+  }
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("extremes: bodies from everywhere step without harm", "", DETENT_FIXED_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  Random random(20261123);
+  CAPTURE(random.seed());
+  std::size_t contacts = 0;
+  for (int round = 0; round < 100; ++round) {
+    CAPTURE(round);
+    WorldSettings<S, N> settings;
+    if (round % 4 == 0) {
+      settings.gravity = make_vec<N>([&](int) { return any<S>(random); });
+      settings.margin = any<S>(random);
+      settings.push_speed = any<S>(random);
+      settings.bounce_threshold = any<S>(random);
+      settings.sleep_speed = any<S>(random);
+    }
+    World<S, N, Sphere, Obb, Capsule, Aabb> world(settings);
+    for (int i = 0; i < 20; ++i) add_any<S, N>(world, random);
+    for (int t = 0; t < 6; ++t) world.step();
+    contacts += detail::WorldAccess::contacts(world).size();
+    const auto& bodies = detail::WorldAccess::bodies(world);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      REQUIRE(is_unit(to_array(bodies[i].state.orientation)));
+    }
+  }
+  CHECK(contacts > 1000);
+}
+
+}  // namespace detent::test

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "dynamics/scenes.hpp"
+
+#include <cstdint>
+
+#include "detent/dynamics/snapshot.hpp"
+#include "support/catch.hpp"
+
+namespace detent::test {
+namespace {
+
+/// How a scene settles: the tick from which nothing is faster than 0.03 units a second, and how far
+/// its top has moved at the end.
+struct Settled {
+  int rest = -1;
+  double dx = 0, dy = 0;
+  double fastest = 0;
+  std::uint64_t digest = 0;
+};
+
+template <Scalar S, int N>
+Settled settle(Scene<S, N> scene, int ticks) {
+  const auto start = scene.world.position(scene.top);
+  Settled settled;
+  for (int t = 0; t < ticks; ++t) {
+    scene.step(1);
+    settled.fastest = scene.fastest();
+    if (settled.fastest > 0.03) {
+      settled.rest = -1;
+    } else if (settled.rest < 0) {
+      settled.rest = t;
+    }
+  }
+  const auto end = scene.world.position(scene.top);
+  settled.dx = static_cast<double>(end.x) - static_cast<double>(start.x);
+  settled.dy = static_cast<double>(end.y) - static_cast<double>(start.y);
+  settled.digest = digest(scene.world);
+  return settled;
+}
+
+/// What a scene in q16_16 must reach, and how far from it the same scene in double may be.
+struct Band {
+  int rest;
+  double least_sag, most_sag, drift, from_double;
+};
+
+void check(const Settled& fixed, const Settled& real, const Band& band, std::uint64_t golden) {
+  CAPTURE(fixed.rest, fixed.dx, fixed.dy, fixed.fastest, real.rest, real.dx, real.dy, real.fastest);
+  CHECK(fixed.rest >= 0);
+  CHECK(fixed.rest <= band.rest);
+  CHECK(-fixed.dy >= band.least_sag);
+  CHECK(-fixed.dy <= band.most_sag);
+  CHECK(std::fabs(fixed.dx) <= band.drift);
+  CHECK(fixed.fastest < 5e-4);
+  CHECK(std::fabs(fixed.dx - real.dx) <= band.from_double);
+  CHECK(std::fabs(fixed.dy - real.dy) <= band.from_double);
+  CHECK(fixed.digest == golden);
+}
+
+}  // namespace
+
+TEST_CASE("scenes: a stack of 10 stands") {
+  check(settle(stack<q16_16, 2>(10, 4), 600), settle(stack<double, 2>(10, 4), 600),
+        {25, 0.030, 0.035, 5e-4, 5e-4}, 0x84de26a60635ffd5u);
+}
+
+TEST_CASE("scenes: a pyramid of base 10 stands") {
+  check(settle(pyramid<q16_16>(10, 4), 300), settle(pyramid<double>(10, 4), 300),
+        {15, 0.006, 0.010, 4e-3, 1e-3}, 0x5e479fc2f6fa6884u);
+}
+
+TEST_CASE("scenes: a box of 100 stands on two of 1") {
+  check(settle(heavy_top<q16_16, 2>(100, 4), 600), settle(heavy_top<double, 2>(100, 4), 600),
+        {40, 0.10, 0.13, 0.02, 1e-3}, 0x6e5438fd9031856bu);
+}
+
+TEST_CASE("scenes: a house of cards of 3 levels stands") {
+  check(settle(house_of_cards<q16_16>(3, 4), 600), settle(house_of_cards<double>(3, 4), 600),
+        {15, 0.005, 0.015, 0.02, 1e-3}, 0x0c62ae39c4ca85b0u);
+}
+
+TEST_CASE("scenes: a stack of 10 in 3D stands") {
+  check(settle(stack<q16_16, 3>(10, 8), 300), settle(stack<double, 3>(10, 8), 300),
+        {10, 0.005, 0.008, 2e-3, 2e-3}, 0xa7d3712ebb9d0c07u);
+}
+
+TEST_CASE("scenes: a box of 100 in 3D stands on two of 1") {
+  check(settle(heavy_top<q16_16, 3>(100, 8), 300), settle(heavy_top<double, 3>(100, 8), 300),
+        {90, 0.018, 0.030, 5e-3, 3e-3}, 0x1fb69be42df0ca58u);
+}
+
+TEST_CASE("scenes: a heap of 40 boxes comes to rest") {
+  auto scene = heap<q16_16>(4);
+  scene.step(500);
+  CHECK(scene.fastest() < 0.03);
+  CHECK(digest(scene.world) == 0x4a88d0290a20f30cu);
+}
+
+TEST_CASE("scenes: what has come to rest stays where it is") {
+  auto scene = stack<q16_16, 2>(10, 4, 0.05);
+  scene.step(120);
+  REQUIRE(scene.world.is_asleep(scene.top));
+  const auto before = digest(scene.world);
+  scene.step(10000);
+  CHECK(digest(scene.world) == before);
+}
+
+TEST_CASE("scenes: at the other end of the world the same bits, moved") {
+  // The stack by 20,000 units and more; only places differ.
+  const auto run = [](double x, double y) {
+    WorldSettings<q16_16, 2> settings;
+    settings.sleep_speed = {};
+    World<q16_16, 2, Obb> world(settings);
+    BodyOptions<q16_16, 2> fixed;
+    fixed.motion = BodyMotion::fixed;
+    (void)world.add(box_at<q16_16, 2>(x, y - 1, 50, 1), fixed);
+    for (int i = 0; i < 6; ++i) {
+      (void)world.add(box_at<q16_16, 2>(x + 0.25 * (i % 3), y + 1 + 1.5 * i, 0.5, 0.5, 0.3 * i));
+    }
+    for (int t = 0; t < 300; ++t) world.step();
+    Digest digest;
+    const auto& bodies = detail::WorldAccess::bodies(world);
+    const auto origin = bodies[0].state.place;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const auto& state = bodies[i].state;
+      digest.add(state.place - origin, state.orientation, state.velocity, state.spin[0]);
+    }
+    return digest.value();
+  };
+  const auto here = run(0, 0);
+  CHECK(run(20000, -30000) == here);
+  CHECK(run(-32000.125, 32000.5) == here);
+}
+
+TEST_CASE("scenes: 3D worlds restore bit by bit, and do not know their history") {
+  auto world = heap<q16_16>(4).world;
+  for (int t = 0; t < 60; ++t) world.step();
+  auto fresh = Scene<q16_16, 3>(4).world;
+  REQUIRE(restore(fresh, snapshot(world)) == Restored::yes);
+  for (int t = 0; t < 200; ++t) {
+    REQUIRE(digest(world) == digest(fresh));
+    world.step();
+    fresh.step();
+  }
+}
+
+}  // namespace detent::test

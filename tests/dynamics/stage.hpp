@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/dynamics/world.hpp"
+
+namespace detent::test {
+
+/// A number of a test in any scalar, rounded to nearest.
+template <class S>
+S num(double x) {
+  if constexpr (is_fixed<S>) {
+    return S::from_double(x);
+  } else {
+    return static_cast<S>(x);
+  }
+}
+
+/// A point at these coordinates; in 3D with z = 0.
+template <Scalar S, int N>
+Vec<S, N> at(double x, double y) {
+  Vec<S, N> p{};
+  p.x = num<S>(x);
+  p.y = num<S>(y);
+  return p;
+}
+
+/// A fixed ball of radius 50 whose top is at the origin.
+template <class Storage, Scalar S, int N, class... Shapes>
+BodyId add_round_ground(BasicWorld<Storage, S, N, Shapes...>& world) {
+  BodyOptions<S, N> fixed;
+  fixed.motion = BodyMotion::fixed;
+  return world.add(Sphere<S, N>{at<S, N>(0, -50), S(50)}, fixed).value_or(no_object);
+}
+
+/// A ball of radius 1.
+template <class Storage, Scalar S, int N, class... Shapes>
+BodyId add_ball(BasicWorld<Storage, S, N, Shapes...>& world, double x, double y,
+                const BodyOptions<S, N>& options = {}) {
+  return world.add(Sphere<S, N>{at<S, N>(x, y), S(1)}, options).value_or(no_object);
+}
+
+}  // namespace detent::test

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""usage: run.py TWIN_STATES [--ticks N] [SCENE...]
+
+Steps the scenes of scenes.txt and compares every tick with what the program TWIN_STATES prints.
+Exits with 1 at the first difference, and says where it is.
+"""
+import os
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import scenes
+
+
+def field_of(line, i, n):
+    """The name of word i of a line of a state."""
+    words = line.split()
+    if words[0] == "body":
+        count = {"place": n, "orientation": 2 if n == 2 else 4, "velocity": n,
+                 "spin": 1 if n == 2 else 3, "quiet": 1, "sleeps": 1}
+        names = ["body", "index"]
+    else:
+        count = {"feature or pressure": 2 * int(words[4]), "friction": 1 if n == 2 else 3}
+        names = ["contact", "a", "b", "touches", "points"]
+    for name, times in count.items():
+        names += ["%s %d" % (name, k) for k in range(times)]
+    return names[i] if i < len(names) else "count"
+
+
+def difference(twin, code, n):
+    for a, b in zip(twin, code):
+        if a != b:
+            u, v = a.split(), b.split()
+            i = next((i for i, (x, y) in enumerate(zip(u, v)) if x != y), min(len(u), len(v)))
+            return "%s:\n  twin %s\n  code %s" % (field_of(a, i, n), a, b)
+    return "%d lines of the twin, %d of the code:\n  %s" % (
+        len(twin), len(code), "\n  ".join((twin + code)[min(len(twin), len(code)):]))
+
+
+def compare(program, path, name, n, lines, ticks):
+    world = scenes.build(n, lines)
+    process = subprocess.Popen([program, path, name, str(ticks)], stdout=subprocess.PIPE, text=True)
+    for tick in range(ticks + 1):
+        if tick:
+            scenes.step(world, tick)
+        twin, code = list(world.state()), []
+        for line in process.stdout:
+            if line == "\n":
+                break
+            code.append(line.rstrip("\n"))
+        if twin != code:
+            process.kill()
+            process.wait()
+            return "%s, tick %d, %s" % (name, tick, difference(twin, code, n))
+    return None if process.wait() == 0 else "%s: %s failed" % (name, program)
+
+
+def main(arguments):
+    ticks = 1000
+    if "--ticks" in arguments:
+        i = arguments.index("--ticks")
+        ticks = int(arguments[i + 1])
+        del arguments[i:i + 2]
+    if not arguments:
+        print(__doc__, file=sys.stderr)
+        return 2
+    program, chosen = arguments[0], arguments[1:]
+    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "scenes.txt")
+    failed = False
+    for name, n, lines in scenes.read(path):
+        if chosen and name not in chosen:
+            continue
+        start = time.monotonic()
+        problem = compare(program, path, name, n, lines, ticks)
+        print(problem or "%s: %d ticks are equal (%d ms)" % (
+            name, ticks, round(1000 * (time.monotonic() - start))))
+        failed |= problem is not None
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

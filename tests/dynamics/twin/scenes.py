@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: MIT
+"""Reads scenes.txt."""
+from body import Shape, axes, from_rotation, no_rotation
+from fixed import parse, unit
+from world import World
+
+DEFAULTS = {"density": "1", "friction": "0.6", "restitution": "0", "damping": "0", "spin_damping": "0",
+            "layers": "1", "meets": str(0xffffffff)}
+
+
+def read(path):
+    """The scenes: (name, dimension, lines)."""
+    scenes = []
+    with open(path, encoding="ascii") as file:
+        for line in file:
+            words = line.split("#")[0].split()
+            if not words:
+                continue
+            if words[0] == "scene":
+                scenes.append((words[1], int(words[2]), []))
+            else:
+                scenes[-1][2].append(words)
+    return scenes
+
+
+def build(n, lines, bits=31, frac=16):
+    def num(text):
+        return parse(text, frac)
+    settings = {"ticks": 60, "substeps": 4, "gravity": [0, num("-10"), 0][:n], "push": num("3"),
+                "bounce": num("1"), "sleep": num("0.05"), "margin": num("0.02")}
+    for words in lines:
+        if words[0] == "set":
+            key = words[1]
+            if key in ("ticks", "substeps"):
+                settings[key] = int(words[2])
+            else:
+                values = [num(x) for x in words[2:]]
+                settings[key] = values if key == "gravity" else values[0]
+    world = World(n, settings, bits, frac)
+    for words in lines:
+        if words[0] == "body":
+            add(world, n, words, num)
+    world.events = {}
+    for words in lines:
+        if words[0] == "at":
+            world.events.setdefault(int(words[1]), []).append(
+                (words[2], int(words[3]), [num(x) for x in words[4:]]))
+    return world
+
+
+def step(world, tick):
+    """Does what the scene says before the tick, then the tick."""
+    for what, index, numbers in world.events.get(tick, ()):
+        if what == "remove":
+            world.remove(index)
+        else:
+            world.set_motion(index, what, numbers)
+    world.step()
+
+
+def add(world, n, words, num):
+    motion, kind, rest = words[1], words[2], words[3:]
+
+    def vector(count=n):
+        values = [num(x) for x in rest[:count]]
+        del rest[:count]
+        return values
+    if kind == "ball":
+        place, radius = vector(), vector(1)[0]
+        shape = Shape(kind, n, radius=radius, ends=[[0] * n])
+    elif kind == "box":
+        place = vector()
+        shape = Shape(kind, n, half=vector())
+    else:
+        low, high = vector(), vector()
+        place = [x + y >> 1 for x, y in zip(low, high)]
+        low, high = [[x - c for x, c in zip(p, place)] for p in (low, high)]
+        if kind == "aligned":
+            shape = Shape(kind, n, low=low, high=high)
+        else:
+            shape = Shape(kind, n, radius=vector(1)[0], ends=[low, high])
+    options = {key: int(value) if key in ("layers", "meets") else num(value)
+               for key, value in DEFAULTS.items()}
+    options["velocity"], options["spin"], q = [0] * n, [0] * (1 if n == 2 else 3), no_rotation(n)
+    while rest:
+        key = rest.pop(0)
+        if key in ("velocity", "spin"):
+            options[key] = vector(len(options[key]))
+        elif key in ("layers", "meets"):
+            options[key] = int(rest.pop(0))
+        elif key == "turned":
+            q = unit([int(rest.pop(0)) for _ in range(len(q))])
+            q = q if n == 2 else unit(from_rotation(axes(q)))
+        else:
+            options[key] = vector(1)[0]
+    world.add(motion, shape, place, q, options)

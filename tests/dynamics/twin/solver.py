@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: MIT
+"""docs/dynamics.md, "A tick": the steps 6 to 8."""
+from math import isqrt
+
+from body import axes, carried, turned
+from fixed import ONE, cross, dot, ratio, unit
+
+SOFT = 1011764717, 38230596, 61977107
+WALL = 1042960878, 75948940, 30780946
+
+
+class Row:
+    """Moments, responses and effective mass; the unit vector u with its shares."""
+
+
+class Solver:
+    def __init__(self, world):
+        self.world, self.f, self.n = world, world.f, world.n
+        F = self.f.F
+        self.spin_shift = 38 - F + F + 12
+
+    # 6. Rows
+
+    def prepare(self, pair):
+        f, n, world = self.f, self.n, self.world
+        c = self.contact = world.contacts[pair]
+        a, b = c.a, c.b = world.bodies[pair[0]], world.bodies[pair[1]]
+        if a.can_move and b.can_move:
+            c.alpha = ratio.quotient(b.mass, a.mass + b.mass)
+            c.beta = ratio.quotient(a.mass, a.mass + b.mass)
+        else:
+            c.alpha, c.beta = ONE * a.can_move, ONE * b.can_move
+        c.soft = SOFT if c.alpha and c.beta else WALL
+        A = a.axes
+        c.n = [ratio.near(sum(A[i][k] * c.normal[i] for i in range(n)), 60) for k in range(n)]
+        self.Ga = [[f.gyration.near(c.alpha * x, 96 - 2 * f.F) for x in row] for row in a.G]
+        self.Gb = [[f.gyration.near(c.beta * x, 96 - 2 * f.F) for x in row] for row in b.G]
+        p = [[f.lever.near(sum(A[i][k] * point[i] for i in range(n)), f.F + 36) for k in range(n)]
+             for point, _, _ in c.points]
+        middle = [f.lever.quotient(sum(x[k] for x in p), c.count, f.F + 6) for k in range(n)]
+        if n == 2:
+            tangents = [[c.n[1], -c.n[0]]]
+        else:
+            e = min(range(3), key=lambda i: abs(c.n[i]))
+            t1 = unit(cross(c.n, [int(i == e) for i in range(3)]))
+            tangents = [t1, [ratio.near(x, 60) for x in cross(c.n, t1)]]
+        c.rows = [self.row(x, c.n) for x in p]
+        c.friction_rows = [self.row(middle, [f.ratio.clamp(x) for x in t]) for t in tangents]
+        if n == 3:
+            self.twist(p, middle)
+        c.gap = [f.speed.near(s, f.F + 6) for _, s, _ in c.points]
+        c.grip = f.ratio.clamp(isqrt(max(a.friction * b.friction, 0) << 60 - 2 * f.F))
+        c.bounce = ratio.near(max(a.restitution, b.restitution), f.F)
+        c.closing = [self.rate(row, a.v, a.w, b.v, b.w) for row in c.rows]
+        c.pushed = [False] * c.count
+
+    def row(self, p, u):
+        c, f = self.contact, self.f
+        ra = [f.arm.clamp(x) for x in p]
+        rb = [f.arm.clamp(x - d) for x, d in zip(p, c.offset)]
+        row = Row()
+        row.u = u
+        row.au = [ratio.near(c.alpha * x, 60) for x in u]
+        row.bu = [ratio.near(c.beta * x, 60) for x in u]
+        row.ca = self.moment(c.a, ra, u)
+        row.cb = self.moment(c.b, rb, u)
+        self.respond(row)
+        return row
+
+    def moment(self, body, r, u):
+        f = self.f
+        if body.motion == "fixed":
+            return [0] * (1 if self.n == 2 else 3)
+        return [f.moment.near(x, f.F + 36) for x in cross(r, u)]
+
+    def respond(self, row):
+        f = self.f
+        shift = 66 - 2 * f.F + f.F + 6
+        row.ja = [f.response.near(sum(g * x for g, x in zip(G, row.ca)), shift) for G in self.Ga]
+        row.jb = [f.response.near(sum(g * x for g, x in zip(G, row.cb)), shift) for G in self.Gb]
+        ga = f.give.near(sum(x * y for x, y in zip(row.ca, row.ja)), 44)
+        gb = f.give.near(sum(x * y for x, y in zip(row.cb, row.jb)), 44)
+        row.m = ratio.quotient(ONE, ONE + max(ga, 0) + max(gb, 0))
+
+    def twist(self, p, middle):
+        c, f = self.contact, self.f
+        lengths = [f.arm.clamp(isqrt(sum((x - y) ** 2 for x, y in zip(q, middle)))) for q in p]
+        l = max(lengths)
+        c.reach = [ratio.quotient(x, l) for x in lengths]
+        row = c.twist = Row()
+        row.u = row.au = row.bu = [0, 0, 0]
+        moment = [f.moment.near(l * x, f.F + 36) for x in c.n]
+        row.ca = [0] * 3 if c.a.motion == "fixed" else moment
+        row.cb = [0] * 3 if c.b.motion == "fixed" else moment
+        self.respond(row)
+
+    # 7. Substeps
+
+    def rate(self, row, va, wa, vb, wb):
+        f = self.f
+        r = f.sum.near(sum(u * (y - x) for u, x, y in zip(row.u, va, vb)), f.F + 42)
+        for cb, w in zip(row.cb, wb):
+            r += cb * w
+        for ca, w in zip(row.ca, wa):
+            r -= ca * w
+        return f.speed.near(r, f.F + 34)
+
+    def speed_along(self, c, row):
+        return self.rate(row, c.a.v, c.a.w, c.b.v, c.b.w)
+
+    def apply(self, c, row, p):
+        if p == 0:
+            return
+        near, turn = self.f.speed.near, self.f.spin.near
+        low, high = self.f.speed.low, self.f.speed.high
+        F, k = self.f.F + 42, self.spin_shift
+        a, b = c.a, c.b
+        if a.can_move:
+            a.v = [min(max(v - near(u * p, F), low), high) for v, u in zip(a.v, row.au)]
+            a.w = [min(max(w - turn(j * p, k), low), high) for w, j in zip(a.w, row.ja)]
+        if b.can_move:
+            b.v = [min(max(v + near(u * p, F), low), high) for v, u in zip(b.v, row.bu)]
+            b.w = [min(max(w + turn(j * p, k), low), high) for w, j in zip(b.w, row.jb)]
+
+    def push(self, c, i, p):
+        P = max(self.f.impulse.clamp(c.pressure[i] + p), 0)
+        change, c.pressure[i] = P - c.pressure[i], P
+        self.apply(c, c.rows[i], change)
+        c.pushed[i] |= P > 0
+
+    def point(self, c, i, biased):
+        f, row = self.f, c.rows[i]
+        v = self.speed_along(c, row)
+        gap = f.speed.clamp(c.gap[i] + self.rate(row, c.a.D, c.a.E, c.b.D, c.b.E))
+        scale = f.F + 42
+        if gap > 0:
+            p = f.impulse.near(-row.m * (v + gap), scale)
+        elif biased:
+            rigid, pull, loss = c.soft
+            t = f.speed.near(rigid * v + max(pull * gap, -self.world.push << 30), scale)
+            p = f.impulse.near(-row.m * t - loss * c.pressure[i], scale)
+        else:
+            p = f.impulse.near(-row.m * v, scale)
+        self.push(c, i, p)
+
+    def friction(self, c):
+        f = self.f
+        near, scale = f.impulse.near, f.F + 42
+        T = c.friction = list(c.friction)
+        if self.n == 3:
+            row = c.twist
+            L = f.impulse.clamp(sum(near(x * y, scale) for x, y in zip(c.reach, c.pressure)))
+            limit = near(c.grip * L, scale)
+            t = f.impulse.clamp(T[2] - near(row.m * self.speed_along(c, row), scale))
+            t = min(max(t, -limit), limit)
+            change, T[2] = f.impulse.clamp(t - T[2]), t
+            self.apply(c, row, change)
+        L = f.impulse.clamp(sum(c.pressure))
+        limit = near(c.grip * L, scale)
+        t = [f.impulse.clamp(x - near(row.m * self.speed_along(c, row), scale))
+             for x, row in zip(T, c.friction_rows)]
+        if self.n == 2:
+            t[0] = min(max(t[0], -limit), limit)
+        else:
+            square = t[0] * t[0] + t[1] * t[1]
+            if square > limit * limit:
+                r = f.length.clamp(isqrt(square - 1) + 1)
+                t = [f.impulse.quotient(x * limit, r, f.F + 12) for x in t]
+        for i, row in enumerate(c.friction_rows):
+            change, T[i] = f.impulse.clamp(t[i] - T[i]), t[i]
+            self.apply(c, row, change)
+
+    def substep(self, contacts):
+        f, world = self.f, self.world
+        awake = [b for b in world.bodies if b.can_move and not b.sleeps]
+        for b in awake:
+            b.v = [f.speed.clamp(v + g) for v, g in zip(b.v, world.gravity)]
+            if b.kept_v != ONE:
+                b.v = [f.speed.near(v * b.kept_v, f.F + 42) for v in b.v]
+            if b.kept_w != ONE:
+                b.w = [f.spin.near(w * b.kept_w, 58) for w in b.w]
+            if not b.is_round:
+                b.half = axes(turned(b.q, b.w, 2))
+                b.w = carried(f, b, b.w, axes(b.q), b.half)
+        for c in contacts:
+            for row, p in zip(c.rows, c.pressure):
+                self.apply(c, row, p)
+            for row, p in zip(c.friction_rows, c.friction):
+                self.apply(c, row, p)
+            if self.n == 3:
+                self.apply(c, c.twist, c.friction[2])
+        for c in contacts:
+            for i in range(c.count):
+                self.point(c, i, True)
+        for b in world.bodies:
+            if b.motion == "kinematic" and any(b.v + b.w) or b.can_move and not b.sleeps:
+                b.x = [f.place.clamp(x + v) for x, v in zip(b.x, b.v)]
+                b.D = [f.speed.clamp(x + v) for x, v in zip(b.D, b.v)]
+                b.E = [f.spin.clamp(x + w) for x, w in zip(b.E, b.w)]
+                b.q = turned(b.q, b.w)
+                if b.can_move and not b.is_round:
+                    b.w = carried(f, b, b.w, b.half, axes(b.q))
+        for c in contacts:
+            for i in range(c.count):
+                self.point(c, i, False)
+            self.friction(c)
+
+    # 8. Bounce
+
+    def bounce(self, c):
+        f, scale = self.f, self.f.F + 42
+        for i, row in enumerate(c.rows):
+            if c.pushed[i] and c.closing[i] < -self.world.bounce:
+                back = f.speed.near(c.bounce * c.closing[i], scale)
+                t = f.speed.clamp(self.speed_along(c, row) + back)
+                self.push(c, i, f.impulse.near(-row.m * t, scale))
+
+
+def solve(world, order):
+    solver = Solver(world)
+    for b in world.bodies:
+        b.D, b.E = [0] * len(b.v), [0] * len(b.w)
+    for pair in order:
+        solver.prepare(pair)
+    contacts = [world.contacts[pair] for pair in order]
+    for _ in range(world.substeps):
+        solver.substep(contacts)
+    for c in contacts:
+        if c.bounce:
+            solver.bounce(c)
+        c.touches = any(g <= 0 for g in c.gap) or any(c.pushed)

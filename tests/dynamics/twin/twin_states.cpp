@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+//
+// usage: twin_states SCENES NAME TICKS
+// Prints the integers of every body and contact of a scene of scenes.txt, at the start and after
+// each tick: what run.py compares with its own.
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "detent/dynamics/dynamics.hpp"
+#include "detent/number/decimal.hpp"
+
+namespace detent::test {
+namespace {
+
+using S = q16_16;
+
+[[noreturn]] void fail(const std::string& what) {
+  std::cerr << "twin_states: " << what << "\n";
+  std::exit(2);
+}
+
+S number(std::istream& in) {
+  std::string text;
+  in >> text;
+  const auto value = S::parse(text);
+  if (!value) fail("not a number: " + text);
+  return *value;
+}
+
+template <int N>
+Vec<S, N> vector(std::istream& in) {
+  Vec<S, N> v{};
+  for (int i = 0; i < N; ++i) v[i] = number(in);
+  return v;
+}
+
+template <int N>
+Rotation<S, N> turned(std::istream& in) {
+  std::array<std::int32_t, N == 2 ? 2 : 4> raw{};
+  for (auto& x : raw) in >> x;
+  if constexpr (N == 2) {
+    const auto u = Direction<S, 2>::from_raw(raw), v = Direction<S, 2>::from_raw({-raw[1], raw[0]});
+    if (!u || !v) fail("not a unit vector");
+    return Rotation<S, 2>::from_axes({*u, *v});
+  } else {
+    const auto q = Quat<S>::from_raw(raw);
+    if (!q) fail("not a unit quaternion");
+    return to_rotation(*q);
+  }
+}
+
+/// The world of one scene; lines of other scenes are passed over.
+template <int N>
+class Stage {
+ public:
+  void run(std::istream& file, const std::string& name, int ticks) {
+    bool mine = false, found = false;
+    for (std::string line; std::getline(file, line);) {
+      std::istringstream in(line.substr(0, line.find('#')));
+      std::string word;
+      if (!(in >> word)) continue;
+      if (word == "scene") {
+        in >> word;
+        mine = word == name;
+        found |= mine;
+      } else if (mine && word == "set") {
+        set(in);
+      } else if (mine && word == "at") {
+        int tick = 0;
+        std::string rest;
+        in >> tick;
+        std::getline(in, rest);
+        events_[tick].push_back(rest);
+      } else if (mine) {
+        if (word != "body") fail("unknown: " + word);
+        add(in);
+      }
+    }
+    if (!found) fail("no scene " + name);
+    print();
+    for (int i = 1; i <= ticks; ++i) {
+      for (const auto& event : events_[i]) act(event);
+      world_.step();
+      print();
+    }
+  }
+
+ private:
+  void act(const std::string& event) {
+    std::istringstream in(event);
+    std::string what;
+    std::size_t index = 0;
+    in >> what >> index;
+    if (what == "velocity") {
+      world_.set_velocity(ids_.at(index), vector<N>(in));
+    } else if (what == "spin") {
+      detail::Axial<S, N> spin{};
+      for (auto& w : spin) w = number(in);
+      world_.set_angular_velocity(ids_.at(index), spin);
+    } else if (what != "remove" || !world_.remove(ids_.at(index))) {
+      fail("cannot: " + event);
+    }
+  }
+
+  void set(std::istream& in) {
+    std::string key;
+    in >> key;
+    if (key == "ticks")
+      in >> settings_.ticks_per_second;
+    else if (key == "substeps")
+      in >> settings_.substeps;
+    else if (key == "gravity")
+      settings_.gravity = vector<N>(in);
+    else if (key == "margin")
+      settings_.margin = number(in);
+    else if (key == "push")
+      settings_.push_speed = number(in);
+    else if (key == "bounce")
+      settings_.bounce_threshold = number(in);
+    else if (key == "sleep")
+      settings_.sleep_speed = number(in);
+    else
+      fail("unknown setting: " + key);
+    world_ = decltype(world_)(settings_);
+  }
+
+  void add(std::istream& in) {
+    std::string motion, kind;
+    in >> motion >> kind;
+    if (kind == "ball") {
+      const auto center = vector<N>(in);
+      finish(in, motion, Sphere<S, N>{center, number(in)});
+    } else if (kind == "box") {
+      const auto center = vector<N>(in);
+      finish(in, motion, Obb<S, N>{center, vector<N>(in), {}});
+    } else if (kind == "aligned") {
+      const auto low = vector<N>(in);
+      finish(in, motion, Aabb<S, N>{low, vector<N>(in)});
+    } else if (kind == "capsule") {
+      const auto a = vector<N>(in), b = vector<N>(in);
+      finish(in, motion, Capsule<S, N>{a, b, number(in)});
+    } else {
+      fail("unknown shape: " + kind);
+    }
+  }
+
+  template <class Shape>
+  void finish(std::istream& in, const std::string& motion, Shape shape) {
+    BodyOptions<S, N> options;
+    if (motion == "fixed") options.motion = BodyMotion::fixed;
+    if (motion == "kinematic") options.motion = BodyMotion::kinematic;
+    for (std::string key; in >> key;) {
+      if (key == "density")
+        options.density = number(in);
+      else if (key == "friction")
+        options.friction = number(in);
+      else if (key == "restitution")
+        options.restitution = number(in);
+      else if (key == "damping")
+        options.linear_damping = number(in);
+      else if (key == "spin_damping")
+        options.angular_damping = number(in);
+      else if (key == "velocity")
+        options.velocity = vector<N>(in);
+      else if (key == "spin")
+        for (auto& w : options.angular_velocity) w = number(in);
+      else if (key == "layers")
+        in >> options.layers;
+      else if (key == "meets")
+        in >> options.collides_with;
+      else if (key == "turned") {
+        if constexpr (requires { shape.rotation; }) shape.rotation = turned<N>(in);
+      } else
+        fail("unknown option: " + key);
+    }
+    const auto id = world_.add(shape, options);
+    if (!id) fail("the world is full");
+    ids_.push_back(*id);
+  }
+
+  void print() const {
+    const auto& bodies = detail::WorldAccess::bodies(world_);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const auto& body = bodies[i];
+      if (body.generation == 0) continue;
+      std::cout << "body " << i;
+      for (int k = 0; k < N; ++k) std::cout << ' ' << body.state.place[k].raw();
+      for (int k = 0; k < (N == 2 ? 2 : 4); ++k)
+        std::cout << ' ' << body.state.orientation[k].raw();
+      for (int k = 0; k < N; ++k) std::cout << ' ' << body.state.velocity[k].raw();
+      for (const auto& w : body.state.spin) std::cout << ' ' << w.raw();
+      std::cout << ' ' << int{body.quiet} << ' ' << body.sleeps << '\n';
+    }
+    for (const auto& contact : detail::WorldAccess::contacts(world_)) {
+      std::cout << "contact " << contact.a << ' ' << contact.b << ' ' << contact.touches << ' '
+                << int{contact.count};
+      for (std::size_t i = 0; i < contact.count; ++i) {
+        std::cout << ' ' << contact.feature[i] << ' ' << contact.pressure[i].raw();
+      }
+      for (const auto& impulse : contact.friction) std::cout << ' ' << impulse.raw();
+      std::cout << '\n';
+    }
+    std::cout << '\n';
+  }
+
+  WorldSettings<S, N> settings_;
+  std::vector<BodyId> ids_;
+  std::map<int, std::vector<std::string>> events_;  // by tick
+  World<S, N, Sphere, Capsule, Aabb, Obb> world_;
+};
+
+/// The dimension of a scene, or 0.
+int dimension_of(std::istream& file, const std::string& name) {
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream in(line);
+    std::string word, scene;
+    int dimension = 0;
+    if (in >> word >> scene >> dimension && word == "scene" && scene == name) return dimension;
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace detent::test
+
+int main(int count, char** arguments) {
+  using namespace detent::test;
+  if (count != 4) fail("usage: twin_states SCENES NAME TICKS");
+  const std::string name = arguments[2];
+  std::ifstream file(arguments[1]);
+  const int dimension = dimension_of(file, name), ticks = std::atoi(arguments[3]);
+  file.clear();
+  file.seekg(0);
+  std::ios::sync_with_stdio(false);
+  if (dimension == 2)
+    Stage<2>().run(file, name, ticks);
+  else if (dimension == 3)
+    Stage<3>().run(file, name, ticks);
+  else
+    fail("no scene " + name);
+  return 0;
+}

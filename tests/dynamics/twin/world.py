@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: MIT
+"""docs/dynamics.md, "A tick": the steps 1 to 5 and 9."""
+import body as bodies
+import solver
+from fixed import Formats, dot, ratio
+from manifold import manifold
+
+
+class Contact:
+    def __init__(self, n):
+        self.touches, self.count = False, 0
+        self.feature, self.pressure = [], []
+        self.friction = [0] * (1 if n == 2 else 3)
+
+
+class World:
+    def __init__(self, n, settings, bits=31, frac=16):
+        f = self.f = Formats(bits, frac)
+        self.n, self.ticks_per_second = n, settings["ticks"]
+        rate = self.rate = settings["ticks"] * settings["substeps"]
+        self.substeps = settings["substeps"]
+        self.gravity = [f.speed.quotient(g, rate * rate, f.F) for g in settings["gravity"]]
+        self.push = f.speed.quotient(settings["push"], rate, f.F)
+        self.bounce = f.speed.quotient(settings["bounce"], rate, f.F)
+        self.sleep = f.speed.quotient(settings["sleep"], rate, f.F)
+        self.sleep_spin = f.spin.quotient(settings["sleep"], rate, f.F)
+        self.margin_raw = settings["margin"]
+        self.margin = f.lever.near(settings["margin"], f.F)
+        self.bodies, self.contacts = [], {}
+
+    def add(self, motion, shape, place, q, options):
+        f = self.f
+        b = bodies.Body()
+        b.motion, b.shape = motion, shape
+        b.x = [f.place.near(x, f.F) for x in place]
+        b.q = list(q)
+        still = motion == "fixed"
+        b.v = [0 if still else f.speed.quotient(v, self.rate, f.F) for v in options["velocity"]]
+        b.w = [0 if still else f.spin.quotient(w, self.rate, f.F) for w in options["spin"]]
+        b.quiet, b.sleeps = 0, False
+        b.friction, b.restitution = options["friction"], options["restitution"]
+        b.kept_v = bodies.kept(options["damping"], self.rate, f.F)
+        b.kept_w = bodies.kept(options["spin_damping"], self.rate, f.F)
+        b.layers, b.meets = options["layers"], options["meets"]
+        bodies.set_mass(f, self.n, b, options["density"])
+        self.bodies.append(b)
+
+    # Between ticks
+
+    def set_motion(self, index, what, numbers):
+        b = self.bodies[index]
+        if b.motion == "fixed":
+            return
+        if what == "velocity":
+            b.v = [self.f.speed.quotient(v, self.rate, self.f.F) for v in numbers]
+        else:
+            b.w = [self.f.spin.quotient(w, self.rate, self.f.F) for w in numbers]
+        b.sleeps, b.quiet = False, 0
+
+    def remove(self, index):
+        for pair in [pair for pair in self.contacts if index in pair]:
+            for i in pair:
+                self.bodies[i].sleeps, self.bodies[i].quiet = False, 0
+            del self.contacts[pair]
+        b = self.bodies[index]
+        b.motion, b.can_move, b.layers, b.v, b.w = "none", False, 0, [0] * len(b.v), [0] * len(b.w)
+
+    def step(self):
+        self.find_axes()
+        self.find_contacts(self.pairs())
+        islands, active = self.islands()
+        solver.solve(self, self.coloured(active))
+        self.rest(islands)
+
+    # 1. Axes
+
+    def find_axes(self):
+        f, n = self.f, self.n
+        for b in self.bodies:
+            A = b.axes = bodies.axes(b.q)
+            if n == 2:
+                b.G = [b.inverse]
+                continue
+            if not b.can_move:
+                b.G = [[0] * 3] * 3
+                continue
+            inverse = bodies.rows(b.inverse)
+            H = [[f.gyration.near(sum(A[i][r] * inverse[i][c] for i in range(3)), 96 - 2 * f.F)
+                  for c in range(3)] for r in range(3)]
+            b.G = bodies.rows([f.gyration.near(sum(H[r][i] * A[i][c] for i in range(3)), 96 - 2 * f.F)
+                               for r, c in bodies.ENTRIES])
+
+    # 2. Pairs
+
+    def bounds(self, b):
+        f, out = self.f.bound, []
+        F = self.f.F
+        for k in range(self.n):
+            e = f.near(b.shape.radius_raw + 2 * self.margin_raw, F)
+            for axis, h in zip(b.axes, b.shape.reach):
+                e = f.near((e << 30 - 12) + abs(axis[k]) * h, F + 30)
+            out.append((f.clamp(b.x[k] - e), f.clamp(b.x[k] + e)))
+        return out
+
+    def pairs(self):
+        boxes = [self.bounds(b) for b in self.bodies]
+        for i, a in enumerate(self.bodies):
+            for j in range(i + 1, len(self.bodies)):
+                b = self.bodies[j]
+                if (a.can_move or b.can_move) and a.layers & b.meets and b.layers & a.meets and all(
+                        p[0] <= q[1] and q[0] <= p[1] for p, q in zip(boxes[i], boxes[j])):
+                    yield i, j
+
+    # 3. Contacts
+
+    def find_contacts(self, pairs):
+        f, old, self.contacts = self.f, self.contacts, {}
+        for i, j in pairs:
+            a, b = self.bodies[i], self.bodies[j]
+            d = [f.lever.near(y - x, f.F + 12) for x, y in zip(a.x, b.x)]
+            t = [f.lever.near(dot(axis, d), f.F + 36) for axis in a.axes]
+            r = [[ratio.near(dot(u, v), 60) for u in a.axes] for v in b.axes]
+            normal, points = manifold(a.shape, b.shape, r, t, self.margin)
+            if not points:
+                continue
+            c = Contact(self.n)
+            c.offset, c.normal, c.points = d, normal, points
+            c.count, c.feature = len(points), [p[2] for p in points]
+            last = old.get((i, j))
+            pressures = dict(zip(last.feature, last.pressure)) if last else {}
+            c.pressure = [pressures.get(feature, 0) for feature in c.feature]
+            if last:
+                c.friction, c.touches = last.friction, last.touches
+            self.contacts[i, j] = c
+
+    # 4. Islands
+
+    def islands(self):
+        root = list(range(len(self.bodies)))
+
+        def find(i):
+            while root[i] != i:
+                i = root[i]
+            return i
+        for i, j in self.contacts:
+            if self.bodies[i].can_move and self.bodies[j].can_move:
+                a, b = find(i), find(j)
+                root[max(a, b)] = min(a, b)
+        groups = {}
+        for i, b in enumerate(self.bodies):
+            if b.can_move:
+                groups.setdefault(find(i), []).append(i)
+        awake = {g for g, members in groups.items() if any(not self.bodies[i].sleeps for i in members)}
+        for pair in self.contacts:
+            for i, j in (pair, pair[::-1]):
+                other = self.bodies[j]
+                if self.bodies[i].can_move and other.motion == "kinematic" and any(other.v + other.w):
+                    awake.add(find(i))
+        for g, members in groups.items():
+            for i in members:
+                b = self.bodies[i]
+                if g in awake and b.sleeps:
+                    b.quiet = 0
+                b.sleeps = g not in awake
+        active = [(i, j) for i, j in self.contacts if self.is_awake(i) or self.is_awake(j)]
+        return [groups[g] for g in groups if g in awake], active
+
+    def is_awake(self, i):
+        return self.bodies[i].can_move and not self.bodies[i].sleeps
+
+    # 5. Order
+
+    def coloured(self, active):
+        used, order = {}, []
+        for pair in sorted(active):
+            mine = [used.setdefault(i, set()) for i in pair if self.is_awake(i)]
+            colour = next((c for c in range(63) if not any(c in s for s in mine)), 63)
+            for s in mine:
+                s.add(colour)
+            order.append((colour, pair))
+        return [pair for _, pair in sorted(order)]
+
+    # 9. Rest
+
+    def rest(self, islands):
+        for members in islands:
+            for i in members:
+                b = self.bodies[i]
+                slow = all(abs(v) <= self.sleep for v in b.v) and all(
+                    abs(w) <= self.sleep_spin for w in b.w)
+                b.quiet = min(b.quiet + 1, 255) if slow else 0
+            if self.sleep > 0 and all(self.bodies[i].quiet >= min(max(self.ticks_per_second // 2, 1), 255)
+                                      for i in members):
+                for i in members:
+                    b = self.bodies[i]
+                    b.sleeps, b.v, b.w = True, [0] * len(b.v), [0] * len(b.w)
+
+    def state(self):
+        """The lines that twin_states.cpp prints for one tick."""
+        for i, b in enumerate(self.bodies):
+            if b.motion == "none":
+                continue
+            yield " ".join(map(str, ["body", i, *b.x, *b.q, *b.v, *b.w, b.quiet, int(b.sleeps)]))
+        for (i, j), c in sorted(self.contacts.items()):
+            points = [x for p in zip(c.feature, c.pressure) for x in p]
+            yield " ".join(map(str, ["contact", i, j, int(c.touches), c.count, *points, *c.friction]))

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "detent/dynamics/world.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "detent/dynamics/snapshot.hpp"
+#include "dynamics/stage.hpp"
+#include "support/catch.hpp"
+
+namespace detent::test {
+namespace {
+
+template <Scalar S, int N>
+using BallWorld = World<S, N, Sphere>;
+
+TEMPLATE_TEST_CASE("world: a column of balls comes to rest, sleeps, and then nothing moves", "",
+                   q16_16, q14_16, q24_8, q8_8, float, double) {
+  using S = TestType;
+  const auto column = [](auto world) {
+    constexpr int N = decltype(world)::dimension;
+    add_round_ground(world);
+    std::vector<BodyId> ids;
+    for (int i = 0; i < 5; ++i) ids.push_back(add_ball(world, 0, 1.1 + 2.1 * i));
+    for (int t = 0; t < 300; ++t) world.step();
+    for (const auto& id : ids) {
+      REQUIRE(world.is_asleep(id));
+      REQUIRE(world.velocity(id) == Vec<S, N>());
+    }
+    const double top = static_cast<double>(world.position(ids.back()).y);
+    CHECK(top > 8.95);
+    CHECK(top < 9.0);
+    const auto before = digest(world);
+    for (int t = 0; t < 1000; ++t) world.step();
+    CHECK(digest(world) == before);
+    return top;
+  };
+  const double flat = column(BallWorld<S, 2>());
+  const double solid = column(BallWorld<S, 3>());
+  CHECK(std::fabs(flat - solid) < 0.01);
+}
+
+TEST_CASE("world: every scalar runs the same integers") {
+  // A world of q24_8 with lengths 256 times as large as one of q16_16 has the same raw numbers.
+  const auto raw = []<class S>(S, double scale) {
+    WorldSettings<S, 2> settings;
+    settings.gravity = {S(0), num<S>(-10 * scale)};
+    settings.margin = num<S>(5 / 256.0 * scale);
+    settings.push_speed = num<S>(3 * scale);
+    settings.bounce_threshold = num<S>(scale);
+    settings.sleep_speed = S(0);  // it is a spin, too
+    World<S, 2, Sphere> world(settings);
+    BodyOptions<S, 2> fixed;
+    fixed.motion = BodyMotion::fixed;
+    BodyOptions<S, 2> loose;
+    fixed.friction = loose.friction = num<S>(0.5);  // on the grid of both
+    world.add(Sphere<S, 2>{{S(0), num<S>(-50 * scale)}, num<S>(50 * scale)}, fixed);
+    for (int i = 0; i < 8; ++i) {
+      world.add(Sphere<S, 2>{{num<S>(0.25 * (i % 3) * scale), num<S>((1 + 1.5 * i) * scale)},
+                             num<S>(0.5 * scale)},
+                loose);
+    }
+    std::vector<long long> result;
+    for (int t = 0; t < 200; ++t) world.step();
+    const auto& bodies = detail::WorldAccess::bodies(world);
+    for (std::size_t i = 1; i < bodies.size(); ++i) {
+      for (int k = 0; k < 2; ++k) {
+        result.push_back(bodies[i].state.place[k].raw());
+        result.push_back(bodies[i].state.velocity[k].raw());
+      }
+      result.push_back(bodies[i].state.spin[0].raw());
+    }
+    return result;
+  };
+  CHECK(raw(q16_16(), 1) == raw(q24_8(), 256));
+  CHECK(raw(q16_16(), 1) == raw(q14_16(), 1));
+}
+
+TEST_CASE("world: events tell when bodies begin and end to touch") {
+  BallWorld<q16_16, 2> world;
+  add_round_ground(world);
+  BodyOptions<q16_16, 2> bouncy;
+  bouncy.restitution = q16_16(1);
+  const auto ball = add_ball(world, 0, 3, bouncy);
+  int begun = 0, ended = 0;
+  for (int t = 0; t < 100; ++t) {
+    world.step();
+    for (std::size_t i = 0; i < world.event_count(); ++i) {
+      CHECK(world.event(i).b == ball);
+      (world.event(i).begins ? begun : ended) += 1;
+    }
+  }
+  CHECK(begun == 1);
+  CHECK(ended == 1);
+  // It lost next to no height: sqrt(2 g 2) upwards at the ground.
+  CHECK(static_cast<double>(world.position(ball).y) > 2.1);
+}
+
+TEST_CASE("world: bodies meet if both want to") {
+  BallWorld<q16_16, 2> world;
+  add_round_ground(world);
+  BodyOptions<q16_16, 2> ghost;
+  ghost.collides_with = 2;
+  const auto falls = add_ball(world, 0, 3, ghost);
+  BodyOptions<q16_16, 2> other;
+  other.layers = 4;
+  const auto rests = add_ball(world, 5, 3, other);
+  for (int t = 0; t < 120; ++t) world.step();
+  CHECK(world.position(falls).y < -10);
+  CHECK(world.position(rests).y > 0);
+}
+
+TEST_CASE("world: what sleeps wakes when it is hit, pushed, or loses its support") {
+  BallWorld<q16_16, 2> world;
+  add_round_ground(world);
+  const auto low = add_ball(world, 0, 1);
+  const auto high = add_ball(world, 0, 3);
+  for (int t = 0; t < 120; ++t) world.step();
+  REQUIRE(world.is_asleep(high));
+  SECTION("hit") {
+    BodyOptions<q16_16, 2> fast;
+    fast.velocity = {q16_16(0), q16_16(-20)};
+    add_ball(world, 0, 8, fast);
+    for (int t = 0; t < 20; ++t) world.step();
+    CHECK(!world.is_asleep(low));
+  }
+  SECTION("pushed") {
+    world.set_velocity(high, {q16_16(0), q16_16(3)});
+    CHECK(!world.is_asleep(high));
+    world.step();
+    CHECK(!world.is_asleep(low));
+    CHECK(world.position(high).y > 3);
+  }
+  SECTION("without support") {
+    REQUIRE(world.remove(low));
+    CHECK(!world.contains(low));
+    for (int t = 0; t < 120; ++t) world.step();
+    CHECK(world.position(high).y < q16_16(2));
+  }
+}
+
+TEST_CASE("world: a kinematic body pushes, and nothing stops it") {
+  BallWorld<q16_16, 2> world;
+  add_round_ground(world);
+  const auto ball = add_ball(world, 0, 1);
+  BodyOptions<q16_16, 2> driven;
+  driven.motion = BodyMotion::kinematic;
+  driven.velocity = {q16_16(2), q16_16(0)};
+  const auto pusher = add_ball(world, -4, 1, driven);
+  for (int t = 0; t < 120; ++t) world.step();
+  CHECK(world.position(pusher).x == q16_16(0));
+  CHECK(static_cast<double>(world.position(ball).x) > 1.9);
+}
+
+TEST_CASE("world: full worlds and wrong ids are refused") {
+  BoundedWorld<Bounded<2>, q16_16, 2, Sphere> world;
+  const Sphere<q16_16, 2> ball{{}, q16_16(1)};
+  const auto first = world.add(ball);
+  const auto second = world.add(ball);
+  REQUIRE(first);
+  REQUIRE(second);
+  CHECK(!world.add(ball));
+  CHECK(!world.put(*first, ball));
+  REQUIRE(world.remove(*first));
+  CHECK(!world.remove(*first));
+  CHECK(world.position(*first) == Vec<q16_16, 2>());
+  CHECK(world.put(*first, ball));
+  CHECK(world.size() == 2);
+  for (int t = 0; t < 60; ++t) world.step();
+  CHECK(!(world.position(*first) == world.position(*second)));  // pushed apart from one place
+}
+
+}  // namespace
+}  // namespace detent::test
