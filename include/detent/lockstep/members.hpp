@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "detent/lockstep/peer.hpp"
+
+namespace detent::detail {
+
+/// Who plays, and from which frame on a player that was dropped counts as absent.
+///
+/// Those who go on must use the same inputs of the one who left, though each got another number of
+/// them. Who drops a player takes no more packets of it, says so in every packet, and passes on its
+/// inputs to who has fewer. All who hear of it do the same; the one who was dropped goes on alone.
+/// Once all who go on have dropped the same players and hold equally many inputs, none can ever get
+/// another one: that number is the first frame without the player. Every peer that goes on sees this
+/// sooner or later, even if one of them is dropped on the way. (tests/lockstep/drop_out.test.cpp)
+class Members {
+ public:
+  constexpr Members(std::size_t self, std::size_t players) noexcept
+      : self_(self), players_(players) {}
+
+  [[nodiscard]] constexpr std::uint32_t dropped() const noexcept { return dropped_; }
+  [[nodiscard]] constexpr bool is_dropped(std::size_t player) const noexcept {
+    return player < players_ && ((dropped_ >> player) & 1u) != 0;
+  }
+  constexpr void drop(std::size_t player) noexcept { dropped_ |= 1u << player; }
+
+  /// The first frame without a player's input, once it is agreed.
+  [[nodiscard]] constexpr const std::optional<std::uint32_t>& end(
+      std::size_t player) const noexcept {
+    return ends_[player];
+  }
+
+  /// Whether this player goes on, or is one that waits for `peers` to agree.
+  template <class Peers>
+  [[nodiscard]] constexpr bool agrees(const Peers& peers, std::size_t other, std::size_t player,
+                                      std::uint32_t held) const noexcept {
+    return other == self_ || is_dropped(other) ||
+           (peers[other].dropped == dropped_ && peers[other].held[player] == held);
+  }
+  /// Ends a dropped player at `held` inputs if all agree; whether that happened now.
+  template <class Peers>
+  [[nodiscard]] constexpr bool agree(const Peers& peers, std::size_t player,
+                                     std::uint32_t held) noexcept {
+    if (!is_dropped(player) || ends_[player]) return false;
+    for (std::size_t other = 0; other < players_; ++other) {
+      if (!agrees(peers, other, player, held)) return false;
+    }
+    ends_[player] = held;
+    return true;
+  }
+
+ private:
+  std::size_t self_, players_;
+  std::uint32_t dropped_ = 0;
+  std::array<std::optional<std::uint32_t>, most_players> ends_{};
+};
+
+}  // namespace detent::detail

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "detent/lockstep/input_codec.hpp"
+#include "detent/number/digest.hpp"
+
+// Packets of a session. Twelve bytes of header, little endian:
+//   magic 2, version 1, sender 1, checksum 8: XXH64, seeded by the match, of all the rest
+// then bits: `Packet::write` is the list. A packet is read whole or not at all. The checksum finds
+// packets of other matches and broken ones; it keeps nobody out. Authenticity is the transport's.
+
+namespace detent::detail {
+
+inline constexpr std::size_t most_players = 8;
+inline constexpr std::size_t most_peers = 16;
+
+struct PacketHeader {
+  static constexpr std::uint16_t right_magic = 0x6c64;  // "dl"
+  static constexpr std::uint8_t right_version = 1;
+  static constexpr std::size_t size = 12;
+
+  std::size_t sender = 0;
+
+  /// Completes a packet whose rest is written.
+  constexpr void seal(std::span<std::byte> packet, std::uint64_t match) const noexcept {
+    store_word(packet.data(), right_magic);
+    store_word(packet.data() + 2, right_version);
+    store_word(packet.data() + 3, static_cast<std::uint8_t>(sender));
+    store_word(packet.data() + 4, checksum(packet, match));
+  }
+  [[nodiscard]] static constexpr std::optional<PacketHeader> read(std::span<const std::byte> packet,
+                                                                  std::uint64_t match) noexcept {
+    if (packet.size() < size) return std::nullopt;
+    if (load_word<std::uint16_t>(packet.data()) != right_magic ||
+        load_word<std::uint8_t>(packet.data() + 2) != right_version ||
+        load_word<std::uint64_t>(packet.data() + 4) != checksum(packet, match)) {
+      return std::nullopt;
+    }
+    return PacketHeader{load_word<std::uint8_t>(packet.data() + 3)};
+  }
+
+ private:
+  [[nodiscard]] static constexpr std::uint64_t checksum(std::span<const std::byte> packet,
+                                                        std::uint64_t match) noexcept {
+    Digest digest(match);
+    digest.add_bytes(packet.first(4));
+    digest.add_bytes(packet.subspan(size));
+    return digest.value();
+  }
+};
+
+/// Consecutive inputs of a player, still packed.
+struct InputRun {
+  static constexpr std::uint32_t most = 127;
+
+  std::size_t player = 0;
+  std::uint32_t first = 0, count = 0;
+  BitReader bits;  // at the first input
+};
+
+/// Chained digests of consecutive frames.
+struct DigestRun {
+  static constexpr std::uint32_t most = 32;
+
+  std::uint32_t first = 0, count = 0;
+  std::array<std::uint32_t, most> values{};
+};
+
+/// Digests of a frame's first fields, up to 16 ends: a step of the search for the field that
+/// differs.
+struct FieldDigests {
+  static constexpr std::size_t ways = 16;
+  static constexpr int levels = 5;  // for up to 16^5 fields
+
+  std::uint32_t frame = 0;  // the frame whose result differs
+  std::uint32_t low = 0;    // the first `low` fields are equal
+  int level = 0;
+  std::array<std::uint32_t, ways> values{};
+
+  /// The number of fields between two ends.
+  [[nodiscard]] constexpr std::uint32_t width() const noexcept {
+    return std::uint32_t{1} << (4 * (levels - 1 - level));
+  }
+};
+
+/// The state of its sender.
+struct Packet {
+  std::uint32_t frame = 0;  // the frame that it simulates next
+  std::uint32_t ahead = 0;  // how far it believes to be ahead of the receiver, plus 128
+  bool is_paused = false;
+  std::uint32_t dropped = 0;                       // the players that it dropped, a bit each
+  std::array<std::uint32_t, most_players> held{};  // how many inputs of each player it holds
+  std::array<InputRun, most_players> runs{};
+  std::size_t run_count = 0;
+  DigestRun digests;
+  std::optional<FieldDigests> fields;
+
+  /// All but the inputs of the runs, which `write_run(out, run)` appends.
+  template <class WriteRun>
+  constexpr void write(BitWriter& out, std::size_t players,
+                       const WriteRun& write_run) const noexcept {
+    out.add(frame, 32);
+    out.add(ahead, 8);
+    out.add_flag(is_paused);
+    out.add_flag(dropped != 0);
+    if (dropped != 0) out.add(dropped, static_cast<int>(players));
+    for (std::size_t i = 0; i < players; ++i) out.add_difference(held[i], frame);
+    out.add_short(static_cast<std::uint32_t>(run_count));
+    for (std::size_t i = 0; i < run_count; ++i) {
+      out.add(runs[i].player, 3);
+      out.add_difference(runs[i].first, frame);
+      out.add(runs[i].count, 7);
+      write_run(out, runs[i]);
+    }
+    out.add_short(digests.count);
+    if (digests.count > 0) out.add_difference(digests.first, frame);
+    for (std::uint32_t i = 0; i < digests.count; ++i) out.add(digests.values[i], 32);
+    out.add_flag(fields.has_value());
+    if (!fields) return;
+    out.add(fields->frame, 32);
+    out.add(fields->low, 32);
+    out.add(static_cast<std::uint64_t>(fields->level), 3);
+    for (const auto value : fields->values) out.add(value, 32);
+  }
+
+  /// Reads what `write` wrote after the header, or nothing.
+  template <class Input>
+  [[nodiscard]] static constexpr std::optional<Packet> read(std::span<const std::byte> bytes,
+                                                            std::size_t players) noexcept {
+    BitReader in(bytes);
+    Packet packet;
+    const auto below = [&](std::uint32_t number, std::uint32_t end) {
+      if (number >= end) in.fail();
+      return in.has_failed() ? 0 : number;
+    };
+    packet.frame = static_cast<std::uint32_t>(in.number(32));
+    packet.ahead = static_cast<std::uint32_t>(in.number(8));
+    packet.is_paused = in.flag();
+    if (in.flag())
+      packet.dropped = static_cast<std::uint32_t>(in.number(static_cast<int>(players)));
+    for (std::size_t i = 0; i < players; ++i) packet.held[i] = in.difference(packet.frame);
+    packet.run_count = below(in.short_number(), static_cast<std::uint32_t>(players) + 1);
+    for (std::size_t i = 0; i < packet.run_count; ++i) {
+      InputRun& run = packet.runs[i];
+      run.player =
+          below(static_cast<std::uint32_t>(in.number(3)), static_cast<std::uint32_t>(players));
+      run.first = in.difference(packet.frame);
+      run.count = static_cast<std::uint32_t>(in.number(7));
+      run.bits = in;
+      InputBytes<Input> input{};
+      for (std::uint32_t k = 0; k < run.count && !in.has_failed(); ++k) unpack(in, input);
+    }
+    packet.digests.count = below(in.short_number(), DigestRun::most + 1);
+    if (packet.digests.count > 0) packet.digests.first = in.difference(packet.frame);
+    for (std::uint32_t i = 0; i < packet.digests.count; ++i) {
+      packet.digests.values[i] = static_cast<std::uint32_t>(in.number(32));
+    }
+    if (in.flag()) {
+      FieldDigests& fields = packet.fields.emplace();
+      fields.frame = static_cast<std::uint32_t>(in.number(32));
+      fields.low = static_cast<std::uint32_t>(in.number(32));
+      fields.level =
+          static_cast<int>(below(static_cast<std::uint32_t>(in.number(3)), FieldDigests::levels));
+      for (auto& value : fields.values) value = static_cast<std::uint32_t>(in.number(32));
+    }
+    if (!in.is_at_end()) return std::nullopt;
+    return packet;
+  }
+};
+
+}  // namespace detent::detail

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "detent/lockstep/checksums.hpp"
+#include "detent/lockstep/field_search.hpp"
+#include "detent/lockstep/packet.hpp"
+#include "detent/lockstep/time_sync.hpp"
+
+namespace detent::detail {
+
+[[nodiscard]] constexpr std::uint64_t elapsed(std::uint64_t now, std::uint64_t since) noexcept {
+  return now > since ? now - since : 0;
+}
+
+/// What is known of another peer.
+struct Peer {
+  bool is_heard = false;
+  bool is_silent = false;
+  bool is_paused = false;
+  bool is_gone = false;           // a spectator that fell behind or was dropped
+  bool owes_notice = false;       // it sent something after it was dropped
+  bool has_contradicted = false;  // reported once
+  bool is_sent = false;
+  std::uint64_t last_heard = 0, last_sent = 0;
+  std::uint32_t frame = 0;                         // the latest it said
+  std::uint32_t dropped = 0;                       // the players that it dropped
+  std::array<std::uint32_t, most_players> held{};  // the inputs that it holds
+  std::uint32_t proofs_left = 600;                 // packets with evidence of a desync
+  TimeSync sync;
+  Comparison comparison;
+  FieldSearch search;
+
+  /// Takes what only grows, so that packets may come in any order.
+  constexpr void hear(const Packet& packet, std::size_t players) noexcept {
+    for (std::size_t i = 0; i < players; ++i) held[i] = (std::max)(held[i], packet.held[i]);
+    if (packet.frame < frame) return;
+    frame = packet.frame;
+    sync.hear(packet.ahead);
+    is_paused = packet.is_paused;
+  }
+};
+
+}  // namespace detent::detail

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "detent/lockstep/session.hpp"
+
+// What a session does with packets.
+
+namespace detent {
+
+template <RollbackWorld World, class Input, SessionLimits Limits>
+Received Session<World, Input, Limits>::receive(std::size_t peer, std::span<const std::byte> bytes,
+                                                std::uint64_t now) {
+  if (bytes.size() > Limits.packet || peer >= peer_count() || peer == config_.self) {
+    return Received::other_match;
+  }
+  const auto header = detail::PacketHeader::read(bytes, config_.match);
+  if (!header || header->sender != peer) return Received::other_match;
+  if (is_dropped(peer)) {
+    peers_[peer].owes_notice = true;
+    return Received::dropped;
+  }
+  const auto packet =
+      detail::Packet::read<Input>(bytes.subspan(detail::PacketHeader::size), config_.players);
+  if (!packet) return Received::malformed;
+  if (is_player() && packet->held[config_.self] > own().count()) return Received::malformed;
+
+  detail::Peer& from = peers_[peer];
+  if (!from.is_heard) tell(Kind::connected, peer);
+  if (from.is_silent) tell(Kind::heard_again, peer);
+  from.is_heard = true;
+  from.is_silent = false;
+  from.last_heard = now;
+  apply(peer, *packet);
+  return Received::yes;
+}
+
+template <RollbackWorld World, class Input, SessionLimits Limits>
+void Session<World, Input, Limits>::apply(std::size_t from, const detail::Packet& packet) {
+  detail::Peer& peer = peers_[from];
+  const bool was_paused = peer.is_paused;
+  peer.hear(packet, config_.players);
+  if (peer.is_paused != was_paused) tell(peer.is_paused ? Kind::paused : Kind::resumed, from);
+  if (from < config_.players) {
+    // Whom one drops, all drop; who hears that it is dropped itself goes on alone.
+    if (is_player() && ((packet.dropped >> config_.self) & 1u) != 0) {
+      tell(Kind::expelled, from);
+      is_expelled_ = true;
+      for (std::size_t i = 0; i < config_.players; ++i) drop(i);
+      return;
+    }
+    peer.dropped |= packet.dropped;
+    for (std::size_t i = 0; i < config_.players; ++i) {
+      if (i != from && ((packet.dropped >> i) & 1u) != 0) drop(i);
+    }
+  }
+  for (std::size_t i = 0; i < packet.run_count; ++i) take(from, packet.runs[i]);
+  agree();
+  compare(from, packet);
+}
+
+/// Takes inputs: each player's from itself, those of one who was dropped from who goes on.
+template <RollbackWorld World, class Input, SessionLimits Limits>
+void Session<World, Input, Limits>::take(std::size_t from, detail::InputRun run) {
+  const auto player = run.player;
+  const bool is_passed_on = from < config_.players && player != config_.self &&
+                            members_.is_dropped(player) && !members_.end(player);
+  if (player != from && !is_passed_on) return;
+  Queue& queue = queues_[player];
+  if (run.first > queue.count() || !queue.has_before(run.first)) return;
+  Bytes bytes = queue.before(run.first);
+  for (std::uint32_t i = 0; i < run.count; ++i) {
+    const auto frame = run.first + i;
+    detail::unpack(run.bits, bytes);
+    const auto input = detail::canonical<Input>(bytes);
+    if (frame < queue.count()) {
+      if (!queue.has(frame) || queue[frame] == input) continue;
+      if (!peers_[from].has_contradicted) tell(Kind::contradiction, from, frame);
+      peers_[from].has_contradicted = true;
+      return;
+    }
+    if (frame >= final_frame() + lead) return;
+    queue.push(input);
+    if (frame < timeline_.done() && timeline_.used(frame)[player] != input) {
+      timeline_.go_back(frame);
+    }
+  }
+}
+
+template <RollbackWorld World, class Input, SessionLimits Limits>
+void Session<World, Input, Limits>::compare(std::size_t from, const detail::Packet& packet) {
+  detail::Peer& peer = peers_[from];
+  if (packet.dropped != members_.dropped()) return;  // it may play on with others
+  if (peer.comparison.compare(packet.digests, checksums_)) found_desync(from);
+  if (!packet.fields || !peer.comparison.has_found() || !odd_ ||
+      peer.comparison.found() != odd_frame_) {
+    return;
+  }
+  with_evidence(odd_frame_, [&](const auto& evidence) {
+    const auto found = peer.search.hear(*packet.fields, evidence);
+    if (!found) return;
+    SessionEvent event{Kind::desync_field, from, odd_frame_, {}, {}};
+    if (const auto place = detail::place_of(evidence, detail::Fields::all, *found)) {
+      event.field = place->name;
+      if (place->object) event.object = place->object->id;
+    }
+    events_.push(event);
+  });
+}
+
+/// Reports the first frame that differs at a peer, and keeps our result of it.
+template <RollbackWorld World, class Input, SessionLimits Limits>
+void Session<World, Input, Limits>::found_desync(std::size_t peer) {
+  const auto frame = peers_[peer].comparison.found();
+  tell(Kind::desync, peer, frame);
+  peers_[peer].search.start(frame);
+  if (odd_ || !timeline_.has_result(frame)) return;
+  odd_ = timeline_.result(frame);
+  odd_inputs_ = timeline_.used(frame);
+  odd_frame_ = frame;
+}
+
+template <RollbackWorld World, class Input, SessionLimits Limits>
+template <class Visit>
+void Session<World, Input, Limits>::with_evidence(std::uint32_t frame, const Visit& visit) const {
+  if (odd_ && odd_frame_ == frame) {
+    visit(detail::Evidence<World, typename Timeline::Used>{odd_inputs_, *odd_});
+  }
+}
+
+}  // namespace detent

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "detent/lockstep/input_codec.hpp"
+
+namespace detent {
+
+/// The inputs of one frame, as a simulation gets them: equal on all peers once they are final.
+template <class Input, std::size_t Players>
+class FrameInputs {
+ public:
+  /// Inputs of a frame in which nobody plays yet.
+  constexpr FrameInputs(std::uint32_t frame, std::size_t players) noexcept
+      : frame_(frame), players_(players) {}
+
+  /// The number of the frame, from 0.
+  [[nodiscard]] constexpr std::uint32_t frame() const noexcept { return frame_; }
+  /// The number of players, those who left included.
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return players_; }
+  /// What a player pressed; `Input{}` after the player left.
+  [[nodiscard]] constexpr const Input& operator[](std::size_t player) const noexcept {
+    return inputs_[player];
+  }
+  /// Whether the player still plays.
+  [[nodiscard]] constexpr bool is_in(std::size_t player) const noexcept {
+    return ((present_ >> player) & 1u) != 0;
+  }
+  constexpr void set(std::size_t player, const Input& input) noexcept {
+    inputs_[player] = input;
+    present_ |= 1u << player;
+  }
+
+ private:
+  std::array<Input, Players> inputs_{};
+  std::uint32_t frame_;
+  std::size_t players_;
+  std::uint32_t present_ = 0;
+};
+
+namespace detail {
+
+template <class T, std::size_t... I>
+[[nodiscard]] constexpr std::array<T, sizeof...(I)> copies(const T& value,
+                                                           std::index_sequence<I...>) {
+  return {((void)I, value)...};
+}
+
+/// The worlds before the last frames and after the last one, with the inputs that were used.
+template <class World, class Input, std::size_t Players, std::size_t Kept>
+class Timeline {
+ public:
+  using Bytes = InputBytes<Input>;
+  using Used = std::array<Bytes, Players>;
+
+  explicit constexpr Timeline(const World& start)
+      : worlds_(copies(start, std::make_index_sequence<Kept>())) {}
+
+  /// The number of frames that are simulated.
+  [[nodiscard]] constexpr std::uint32_t done() const noexcept { return done_; }
+  [[nodiscard]] constexpr const World& world() const noexcept { return worlds_[done_ % Kept]; }
+  /// Whether the world after a frame is still here.
+  [[nodiscard]] constexpr bool has_result(std::uint32_t frame) const noexcept {
+    return frame < done_ && latest_ - frame <= Kept;
+  }
+  [[nodiscard]] constexpr const World& result(std::uint32_t frame) const noexcept {
+    return worlds_[(frame + 1) % Kept];
+  }
+  [[nodiscard]] constexpr const Used& used(std::uint32_t frame) const noexcept {
+    return used_[frame % Kept];
+  }
+
+  /// Goes back to before `frame`, if it is simulated.
+  constexpr void go_back(std::uint32_t frame) noexcept { done_ = (std::min)(done_, frame); }
+
+  /// Simulates the next frame.
+  template <class Simulate>
+  constexpr void step(const FrameInputs<Input, Players>& inputs, const Used& bytes,
+                      const Simulate& simulate) {
+    World& next = worlds_[(done_ + 1) % Kept];
+    next = worlds_[done_ % Kept];
+    used_[done_ % Kept] = bytes;
+    simulate(next, inputs);
+    latest_ = (std::max)(latest_, ++done_);
+  }
+
+ private:
+  std::array<World, Kept> worlds_;  // before frame i at i modulo Kept
+  std::array<Used, Kept> used_{};
+  std::uint32_t done_ = 0, latest_ = 0;
+};
+
+}  // namespace detail
+
+}  // namespace detent

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "detent/lockstep/packet.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "detent/lockstep/input_queue.hpp"
+#include "lockstep/toy.hpp"
+#include "support/catch.hpp"
+
+using namespace detent;
+using namespace detent::detail;
+using detent::test::Pad;
+
+namespace {
+
+enum class Stance : std::uint8_t { low, high };
+
+template <class Input>
+Input there_and_back(const Input& input) {
+  const auto bytes = bytes_of(input);
+  return InputCodec<Input>::read(bytes.data());
+}
+
+std::vector<std::byte> bytes_of_list(std::initializer_list<int> list) {
+  std::vector<std::byte> bytes;
+  for (const int byte : list) bytes.push_back(static_cast<std::byte>(byte));
+  return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("bits: numbers come back, lowest bit first") {
+  std::array<std::byte, 64> room{};
+  BitWriter out(room);
+  out.add(5, 3);
+  out.add_flag(true);
+  out.add_short(7);
+  out.add_short(8);
+  out.add_short(0xffffffffu);
+  out.add_difference(10, 13);
+  out.add_difference(3, 0xfffffff0u);
+  out.add_difference(0x80000000u, 0);
+  out.add(0x0123456789abcdefu, 64);
+  REQUIRE(out.has_room());
+  CHECK(room[0] == std::byte{0x7d});  // 5, 1, 7
+  BitReader in(std::span<const std::byte>(room).first(out.byte_count()));
+  CHECK(in.number(3) == 5);
+  CHECK(in.flag());
+  CHECK(in.short_number() == 7);
+  CHECK(in.short_number() == 8);
+  CHECK(in.short_number() == 0xffffffffu);
+  CHECK(in.difference(13) == 10);
+  CHECK(in.difference(0xfffffff0u) == 3);
+  CHECK(in.difference(0) == 0x80000000u);
+  CHECK(in.number(64) == 0x0123456789abcdefu);
+  CHECK(in.is_at_end());
+  CHECK(in.number(8) == 0);
+  CHECK(in.has_failed());
+}
+
+TEST_CASE("bits: a writer without room counts, and a number has one spelling") {
+  BitWriter out({});
+  out.add(1, 17);
+  CHECK(out.byte_count() == 3);
+  CHECK_FALSE(out.has_room());
+  const auto padded = bytes_of_list({0x08});  // 0 in two groups
+  BitReader in(padded);
+  (void)in.short_number();
+  CHECK(in.has_failed());
+  const auto endless = bytes_of_list({0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff});
+  BitReader long_one(endless);
+  (void)long_one.short_number();
+  CHECK(long_one.has_failed());
+}
+
+TEST_CASE("input codec: bytes are little endian, fields one after another") {
+  CHECK(InputCodec<Pad>::size == 3);
+  const auto bytes = bytes_of(Pad{-2, true});
+  CHECK(bytes == std::array{std::byte{0xfe}, std::byte{0xff}, std::byte{1}});
+  CHECK(there_and_back(Pad{-2, true}) == Pad{-2, true});
+  CHECK(there_and_back(Stance::high) == Stance::high);
+  CHECK(there_and_back(q16_16(-3)) == -3);
+  CHECK(there_and_back(std::array<int, 2>{1, -70000}) == std::array<int, 2>{1, -70000});
+  struct Raw {
+    std::uint8_t a, b;
+  };
+  CHECK(there_and_back(Raw{3, 4}).b == 4);
+  // Bytes that no writer writes are some input, and equal inputs have equal bytes.
+  InputBytes<Pad> odd{std::byte{1}, std::byte{0}, std::byte{7}};
+  CHECK(canonical<Pad>(odd) == bytes_of(Pad{1, true}));
+}
+
+TEST_CASE("input queue: unchanged inputs cost a bit, and runs come back from any kept frame") {
+  InputQueue<Pad, 128> queue;
+  for (int i = 0; i < 100; ++i) {
+    queue.push(bytes_of(Pad{static_cast<std::int16_t>(i / 20 * 300), i == 50}));
+  }
+  BitWriter idle({});
+  queue.write(idle, 1, 19);
+  CHECK(idle.bit_count() == 19);
+  CHECK(queue.fitting(1, 127, 19) == 19);
+  for (const std::uint32_t first : {0u, 1u, 37u, 99u}) {
+    std::array<std::byte, 400> room{};
+    BitWriter out(room);
+    queue.write(out, first, 100 - first);
+    BitReader in(room);
+    auto bytes = queue.before(first);
+    for (auto frame = first; frame < 100; ++frame) {
+      unpack(in, bytes);
+      CHECK(bytes == queue[frame]);
+    }
+    CHECK_FALSE(in.has_failed());
+  }
+  for (int i = 0; i < 100; ++i) queue.push(bytes_of(Pad{}));
+  CHECK_FALSE(queue.has(71));
+  CHECK(queue.has(72));
+  CHECK_FALSE(queue.has(200));
+}
+
+TEST_CASE("packet: what is written is read, whole or not at all") {
+  Packet packet;
+  packet.frame = 1000;
+  packet.ahead = 130;
+  packet.is_paused = true;
+  packet.dropped = 5;
+  packet.held = {990, 1003, 7};
+  InputQueue<Pad, 128> queue;
+  for (int i = 0; i < 12; ++i) queue.push(bytes_of(Pad{static_cast<std::int16_t>(i), false}));
+  packet.runs[0] = {2, 3, 9, {}};
+  packet.run_count = 1;
+  packet.digests = {998, 2, {17, 18}};
+  packet.fields = FieldDigests{997, 4096, 2, {1, 2, 3}};
+  CHECK(packet.fields->width() == 256);
+
+  std::array<std::byte, 300> room{};
+  BitWriter out(std::span<std::byte>(room).subspan(PacketHeader::size));
+  packet.write(out, 3,
+               [&](auto& bits, const InputRun& run) { queue.write(bits, run.first, run.count); });
+  const auto whole = std::span<std::byte>(room).first(PacketHeader::size + out.byte_count());
+  PacketHeader{9}.seal(whole, 42);
+  const auto header = PacketHeader::read(whole, 42);
+  REQUIRE(header);
+  CHECK(header->sender == 9);
+  CHECK_FALSE(PacketHeader::read(whole, 43));
+
+  const auto body = whole.subspan(PacketHeader::size);
+  const auto read = Packet::read<Pad>(body, 3);
+  REQUIRE(read);
+  CHECK(read->frame == 1000);
+  CHECK(read->ahead == 130);
+  CHECK(read->is_paused);
+  CHECK(read->dropped == 5);
+  CHECK(read->held == packet.held);
+  REQUIRE(read->run_count == 1);
+  CHECK(read->runs[0].count == 9);
+  CHECK(read->runs[0].first == 3);
+  CHECK(read->digests.first == 998);
+  CHECK(read->digests.values == packet.digests.values);
+  REQUIRE(read->fields);
+  CHECK(read->fields->values == packet.fields->values);
+  auto bits = read->runs[0].bits;
+  auto input = queue.before(3);
+  for (std::uint32_t frame = 3; frame < 12; ++frame) {
+    unpack(bits, input);
+    CHECK(input == queue[frame]);
+  }
+
+  for (std::size_t size = 0; size < body.size(); ++size) {
+    CHECK_FALSE(Packet::read<Pad>(body.first(size), 3));
+  }
+  std::vector<std::byte> longer(body.begin(), body.end());
+  longer.push_back({});
+  CHECK_FALSE(Packet::read<Pad>(longer, 3));
+  // Every bit of a sealed packet counts.
+  for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
+    std::vector<std::byte> changed(whole.begin(), whole.end());
+    changed[bit / 8] ^= std::byte{1} << (bit % 8);
+    CHECK_FALSE(PacketHeader::read(changed, 42));
+  }
+}
+
+TEST_CASE("packet: bytes are the same everywhere") {
+  Packet packet;
+  packet.frame = 0x01020304;
+  packet.ahead = 128;
+  packet.held = {0x01020304, 0x01020306};
+  packet.digests = {0x01020303, 1, {0xa1b2c3d4}};
+  std::array<std::byte, 64> room{};
+  BitWriter out(std::span<std::byte>(room).subspan(PacketHeader::size));
+  packet.write(out, 2, [](auto&, const auto&) {});
+  const auto whole = std::span<std::byte>(room).first(PacketHeader::size + out.byte_count());
+  PacketHeader{1}.seal(whole, 0x1122334455667788u);
+  std::string hex;
+  for (const auto byte : whole) {
+    constexpr auto digits = "0123456789abcdef";
+    hex += digits[std::to_integer<unsigned>(byte) / 16];
+    hex += digits[std::to_integer<unsigned>(byte) % 16];
+  }
+  CHECK(hex == "646c01011668cc5259ec7f6f0403020180004104f5b06c28");
+}
