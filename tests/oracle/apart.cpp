@@ -4,23 +4,13 @@
 #include <algorithm>
 #include <concepts>
 
-#include "oracle/corners.hpp"
+#include "oracle/cores.hpp"
 #include "oracle/meet.hpp"
 #include "oracle/nearest_parts.hpp"
 
 // The exact squared distance of the shapes' cores, less their radii.
 namespace detent::oracle {
 namespace {
-
-/// The points of a hull in steps of 1 / `under` raw units.
-template <int N>
-std::vector<Vector<N>> points_over(const Hull<N>& hull, const Integer& under) {
-  auto points = hull.over;
-  for (auto& point : points) {
-    for (auto& component : point) component *= under / hull.under;
-  }
-  return points;
-}
 
 /// Points that are not corners may stay: each candidate is a distance between points of the hulls.
 /// Disjoint hulls are closest at a point of one or at two segments between points.
@@ -70,16 +60,8 @@ Moment squared_apart(const Wall<N>& a, const Wall<N>& b) {
 /// 1 / (one under) raw units.
 template <int N>
 Moment squared_apart(const TurnedBox<N>& box, const Hull<N>& thin) {
-  Hull<N> result{{}, box.one * thin.under};
-  for (const auto& point : thin.over) {
-    Vector<N> from_center = point, place;
-    for (std::size_t i = 0; i < place.size(); ++i) from_center[i] -= box.center[i] * thin.under;
-    for (std::size_t i = 0; i < place.size(); ++i) place[i] = dot(box.axes[i], from_center);
-    result.over.push_back(place);
-  }
-  std::array<Vector<N>, N> edges;
-  for (std::size_t i = 0; i < edges.size(); ++i) edges[i][i] = box.half[i];
-  return squared_apart(corners<N>(Vector<N>{}, edges, 1), result);
+  const auto placed = in_frame(box, thin);
+  return squared_apart(placed.box, placed.thin);
 }
 
 template <int N, class A, class B>
@@ -95,38 +77,6 @@ Moment squared_apart_of_cores(const A& a, const B& b) {
     return squared_apart_of_cores<N>(b, a);
   } else {
     return squared_apart(hull_of(a), hull_of(b));
-  }
-}
-
-/// The core of a round shape: a segment, which may be a point.
-template <class Shape>
-const Shape& core(const Shape& shape) {
-  return shape;
-}
-template <int N>
-Edge<N> core(const Ball<N>& ball) {
-  return {ball.center, ball.center};
-}
-template <int N>
-Edge<N> core(const Pill<N>& pill) {
-  return pill.core;
-}
-
-template <class Shape>
-Integer radius(const Shape& shape) {
-  if constexpr (requires { shape.radius; }) {
-    return shape.radius;
-  } else {
-    return 0;
-  }
-}
-
-template <class Shape>
-bool has_points(const Shape& shape) {
-  if constexpr (requires { hull_of(shape); }) {
-    return !hull_of(shape).over.empty();
-  } else {
-    return radius(shape) >= 0;
   }
 }
 

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "detent/query/cast.hpp"
+// The hulls come before what looks them up.
+#include "oracle/hull.hpp"
+//
+#include "oracle/cast_judge.hpp"
+#include "oracle/pair_exam.hpp"
+
+namespace detent::oracle {
+
+/// Compares the casts of random shapes at random targets with the oracle's.
+template <Scalar S, int N>
+class CastExam {
+ public:
+  explicit CastExam(std::uint64_t seed) : draw_(seed) {}
+
+  template <class A, class B>
+  void examine(long count) {
+    long hits = 0, starts = 0;
+    for (long i = 0; i < count; ++i) {
+      const auto kind =
+          std::array{Kind::general, Kind::general, Kind::lattice,
+                     Kind::tiny,    Kind::extreme, Kind::degenerate}[draw_.random.below(6)];
+      const auto setting = draw_setting(draw_, kind, 300);
+      const auto a = draw_shape<A>(draw_, setting);
+      const auto b = draw_shape<B>(draw_, setting);
+      const auto direction = draw_direction(setting, a, b);
+      const S most = draw_.reach(setting.size);
+      const auto found = cast(a, direction, most, b);
+      const auto travel = travel_of(a, direction, b);
+      auto complaint = fault_of(travel, a, b, found, most);
+      if (complaint.empty() && found) {
+        ++hits;
+        if (found->distance == S(0)) ++starts;
+        // Hit or miss where the motion ends at the touch.
+        for (const int more : {-1, 0, 1}) {
+          const S limit = Draw<S, N>::scalar(raw_of(found->distance) + more);
+          if (limit > most || !complaint.empty()) continue;
+          complaint = fault_of_distance(travel, cast(a, direction, limit, b), limit);
+        }
+      }
+      if (complaint.empty() && detail::cast_distance(a, direction, most, b) !=
+                                   (found ? std::optional(found->distance) : std::nullopt)) {
+        complaint = "cast_distance differs";
+      }
+      if (complaint.empty()) continue;
+      FAIL_CHECK(draw_.random << ": " << describe(a) << "; " << describe(b) << " along "
+                              << describe(direction) << " by " << most.raw() << ": " << complaint
+                              << "; found "
+                              << (found ? std::to_string(found->distance.raw()) : "nothing"));
+      return;
+    }
+    INFO(draw_.random << ", " << hits << " of " << count << " hit, " << starts << " at the start");
+    hits_ += hits;
+    starts_ += starts;
+    asked_ += count;
+  }
+
+  template <class A>
+  void examine_all(long count) {
+    examine<A, Sphere<S, N>>(count);
+    examine<A, Capsule<S, N>>(count);
+    examine<A, Aabb<S, N>>(count);
+    examine<A, Obb<S, N>>(count);
+    examine<A, Triangle<S, N>>(count);
+    examine<A, Segment<S, N>>(count);
+    examine<A, ConvexHull<S, N>>(count);
+    examine<A, Plane<S, N>>(count);
+  }
+
+  void finish() {
+    INFO(draw_.random << ", " << hits_ << " of " << asked_ << " hit, " << starts_
+                      << " at the start");
+    CHECK(hits_ <= asked_ * 8 / 10);
+    CHECK(hits_ - starts_ >= asked_ / 4);
+  }
+
+ private:
+  static std::int64_t raw_of(const S& x) { return static_cast<std::int64_t>(x.raw()); }
+
+  template <class Shape>
+  Raw<N> some_point(const Shape& shape) {
+    Raw<N> point{};
+    if constexpr (requires { shape.normal; }) {
+      for (std::size_t i = 0; i < point.size(); ++i) {
+        const auto n = static_cast<std::int64_t>(shape.normal[static_cast<int>(i)].raw());
+        point[i] =
+            static_cast<std::int64_t>(floor_quotient(Integer(n) * raw(shape.offset), one_of<S>()));
+      }
+    } else if constexpr (requires { shape.points; }) {
+      if (shape.points.empty()) return point;
+      return plain(shape.points[draw_.random.below(shape.points.size())]);
+    } else {
+      return plain(detail::first_point(shape));
+    }
+    return point;
+  }
+  static Raw<N> plain(const Vec<S, N>& v) {
+    Raw<N> point{};
+    for (int i = 0; i < N; ++i) point[static_cast<std::size_t>(i)] = raw_of(v[i]);
+    return point;
+  }
+
+  template <class A, class B>
+  Direction<S, N> draw_direction(const Setting<N>& setting, const A& a, const B& b) {
+    auto& random = draw_.random;
+    const bool on_lattice = setting.kind == Kind::lattice || setting.kind == Kind::degenerate;
+    if (on_lattice && !random.one_in(4)) {
+      const bool is_axis = random.coin();
+      const auto direction = Draw<S, N>::stretched(
+          is_axis ? draw_.unit() : setting.frame.axes[random.below(Draw<S, N>::size)],
+          is_axis ? 1 : setting.frame.norm);
+      return random.coin() ? direction : -direction;
+    }
+    if (random.one_in(8)) return draw_.any_direction();
+    const auto to = draw_.near(some_point(b), setting.kind == Kind::general ? setting.size / 2 : 1);
+    const auto direction = draw_.towards(some_point(a), to);
+    return direction;
+  }
+
+  Draw<S, N> draw_;
+  long hits_ = 0, starts_ = 0, asked_ = 0;
+};
+
+}  // namespace detent::oracle

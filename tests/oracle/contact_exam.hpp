@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "detent/query/contact.hpp"
+// The hulls come before what looks them up.
+#include "oracle/hull.hpp"
+//
+#include "oracle/contact_answer.hpp"
+#include "oracle/pair_exam.hpp"
+
+namespace detent::oracle {
+
+/// Compares the contacts of random pairs of shapes with the oracle's.
+template <Scalar S, int N>
+class ContactExam {
+ public:
+  explicit ContactExam(std::uint64_t seed) : draw_(seed) {}
+
+  template <class A, class B>
+  void examine(long count) {
+    if constexpr (!(std::is_same_v<A, Plane<S, N>> && std::is_same_v<A, B>)) {
+      long met = 0;
+      for (long i = 0; i < count; ++i) {
+        const auto kind =
+            std::array{Kind::general, Kind::general, Kind::lattice,
+                       Kind::tiny,    Kind::extreme, Kind::degenerate}[draw_.random.below(6)];
+        const auto setting = draw_setting(draw_, kind, 70);
+        const auto a = draw_shape<A>(draw_, setting);
+        const auto b = draw_shape<B>(draw_, setting);
+        const auto found = contact(a, b), mirrored = contact(b, a);
+        met += found.has_value();
+        const char* wrong = mistake<S, N>(a, b, found, mirrored);
+        if (wrong == nullptr) continue;
+        const auto truth = least_push(exact(a), exact(b));
+        FAIL_CHECK(draw_.random << ", " << wrong << ": " << describe(a) << "; " << describe(b)
+                                << "; expected " << text(truth) << ", found " << text(found)
+                                << " and " << text(mirrored));
+        return;
+      }
+      INFO(draw_.random << ", " << met << " of " << count);
+      CHECK(met > 0);
+      CHECK(met < count);
+      met_ += met;
+      asked_ += count;
+    }
+  }
+
+  template <template <Scalar, int> class A, template <Scalar, int> class... Rest>
+  void examine_all(long count) {
+    examine<A<S, N>, A<S, N>>(count);
+    (examine<A<S, N>, Rest<S, N>>(count), ...);
+    if constexpr (sizeof...(Rest) > 0) examine_all<Rest...>(count);
+  }
+
+  void finish() {
+    INFO(draw_.random << ", " << met_ << " of " << asked_ << " pairs meet");
+    CHECK(met_ >= asked_ * 3 / 10);
+    CHECK(met_ <= asked_ * 7 / 10);
+  }
+
+ private:
+  static std::string text(const std::optional<Push<N>>& truth) {
+    std::string out = truth ? truth->depth.str() + " along" : "nothing";
+    if (truth) {
+      for (std::size_t i = 0; i < truth->normal.size(); ++i) {
+        out += " " + (is_zero(truth->normal) ? Integer(0)
+                                             : unit_component<N>(truth->normal, i, one_of<S>()))
+                         .str();
+      }
+    }
+    return out;
+  }
+  static std::string text(const std::optional<Contact<S, N>>& found) {
+    std::string out = found ? raw(found->depth).str() + " along" : "nothing";
+    for (int i = 0; found && i < N; ++i) out += " " + std::to_string(found->normal[i].raw());
+    for (std::size_t k = 0; found && k < found->count; ++k) {
+      out += "; at " + describe(found->points[k].point) + " " + raw(found->points[k].depth).str() +
+             " of " + std::to_string(found->points[k].feature);
+    }
+    return out;
+  }
+
+  Draw<S, N> draw_;
+  long met_ = 0, asked_ = 0;
+};
+
+/// `count` pairs of every two kinds of shapes.
+template <Scalar S, int N>
+void examine_contacts(std::uint64_t seed, long count) {
+  ContactExam<S, N> exam(seed);
+  exam.template examine_all<Sphere, Aabb, Obb, Plane, Triangle, Capsule, Segment, ConvexHull>(
+      count);
+  exam.finish();
+}
+
+}  // namespace detent::oracle
