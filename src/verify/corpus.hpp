@@ -40,6 +40,7 @@ template <class... Items>
 struct List {};
 
 /// The parts of the corpus, where all of it is too much at once: for a compiler, or a chip's flash.
+/// Those that are `large` do not fit the smallest chips, with 256 KB of flash and 16 KB of memory.
 struct SolidRays {
   static constexpr std::string_view name = "SolidRays";
   using Groups = List<Spheres, Aabbs, Obbs>;
@@ -155,10 +156,110 @@ struct Sights {
   using Groups = List<Views>;
 };
 
-using Parts = List<SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints, FlatPoints, LinePoints,
-                   SphereOverlaps, AabbOverlaps, ObbOverlaps, FlatOverlaps, Intersections, Hulls,
-                   HullOverlaps, HullMeetings, Turns, Arithmetic, Moves, Extents, MeshAnswers,
-                   FieldAnswers, SceneAnswers, SceneContacts, Snapshots, Sights>;
+struct PairDistances {
+  static constexpr std::string_view name = "PairDistances";
+  using Groups = List<Distances<CapsuleKind, ObbKind>, Distances<HullKind, HullKind>>;
+};
+
+struct MoreDistances {
+  static constexpr std::string_view name = "MoreDistances";
+  using Groups = List<Distances<SphereKind, TriangleKind>, Distances<ObbKind, ObbKind>,
+                      Distances<SegmentKind, HullKind>>;
+};
+struct SpherePairPoints {
+  static constexpr std::string_view name = "SpherePairPoints";
+  using Groups = List<ClosestPoints<SphereKind, AabbKind>>;
+};
+struct CapsulePairPoints {
+  static constexpr std::string_view name = "CapsulePairPoints";
+  using Groups = List<ClosestPoints<CapsuleKind, CapsuleKind>>;
+};
+struct TrianglePairPoints {
+  static constexpr std::string_view name = "TrianglePairPoints";
+  using Groups = List<ClosestPoints<TriangleKind, SegmentKind>>;
+};
+struct HullPairPoints {
+  static constexpr std::string_view name = "HullPairPoints";
+  using Groups = List<ClosestPoints<HullKind, HullKind, 3>>;
+};
+struct BoxPairPoints {
+  static constexpr std::string_view name = "BoxPairPoints";
+  using Groups = List<ClosestPoints<ObbKind, ObbKind, 3>>;
+};
+struct SphereContacts {
+  static constexpr std::string_view name = "SphereContacts";
+  static constexpr bool large = true;
+  using Groups = List<Contacts<SphereKind, AabbKind>>;
+};
+struct CapsuleContacts {
+  static constexpr std::string_view name = "CapsuleContacts";
+  static constexpr bool large = true;
+  using Groups = List<Contacts<CapsuleKind, ObbKind, 3>>;
+};
+struct BoxContacts {
+  static constexpr std::string_view name = "BoxContacts";
+  static constexpr bool large = true;
+  using Groups = List<Contacts<ObbKind, ObbKind, 3>>;
+};
+struct FlatContacts {
+  static constexpr std::string_view name = "FlatContacts";
+  static constexpr bool large = true;
+  using Groups = List<Contacts<ObbKind, AabbKind, 2>>;
+};
+struct HullContacts {
+  static constexpr std::string_view name = "HullContacts";
+  static constexpr bool large = true;
+  using Groups = List<Contacts<TriangleKind, HullKind, 3>>;
+};
+struct PlaneContacts {
+  static constexpr std::string_view name = "PlaneContacts";
+  static constexpr bool large = true;
+  using Groups = List<Contacts<HullKind, PlaneKind>>;
+};
+struct SphereCasts {
+  static constexpr std::string_view name = "SphereCasts";
+  static constexpr bool large = true;
+  using Groups = List<Casts<SphereKind, TriangleKind, 3>>;
+};
+struct CapsuleCasts {
+  static constexpr std::string_view name = "CapsuleCasts";
+  static constexpr bool large = true;
+  using Groups = List<Casts<CapsuleKind, ObbKind, 3>>;
+};
+struct FlatCasts {
+  static constexpr std::string_view name = "FlatCasts";
+  static constexpr bool large = true;
+  using Groups = List<Casts<ObbKind, CapsuleKind, 2>>;
+};
+struct AabbCasts {
+  static constexpr std::string_view name = "AabbCasts";
+  static constexpr bool large = true;
+  using Groups = List<Casts<AabbKind, AabbKind, 3>>;
+};
+struct ObbCasts {
+  static constexpr std::string_view name = "ObbCasts";
+  static constexpr bool large = true;
+  using Groups = List<Casts<ObbKind, ObbKind, 3>>;
+};
+struct HullCasts {
+  static constexpr std::string_view name = "HullCasts";
+  static constexpr bool large = true;
+  using Groups = List<Casts<HullKind, HullKind, 3>>;
+};
+struct BoxImpacts {
+  static constexpr std::string_view name = "BoxImpacts";
+  static constexpr bool large = true;
+  using Groups = List<Impacts<ObbKind, ObbKind>>;
+};
+struct Characters {
+  static constexpr std::string_view name = "Characters";
+  static constexpr bool large = true;
+  using Groups = List<Walks>;
+};
+struct ScenePairs {
+  static constexpr std::string_view name = "ScenePairs";
+  using Groups = List<SceneEvents>;
+};
 
 namespace detail {
 
@@ -174,8 +275,42 @@ template <class... Items>
 constexpr auto groups_of(List<Items...>) {
   return joined(typename Items::Groups{}...);
 }
+template <class... Items>
+constexpr auto parts_of(List<Items...>) {
+  return joined(typename Items::Parts{}...);
+}
 
 }  // namespace detail
+
+/// The corpus in four programs, where one is too much for a compiler.
+struct Basics {
+  static constexpr std::string_view name = "Basics";
+  using Parts = List<SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints, FlatPoints, LinePoints,
+                     SphereOverlaps, AabbOverlaps, ObbOverlaps, FlatOverlaps, Intersections, Hulls,
+                     HullOverlaps, HullMeetings, Turns, Arithmetic, Moves, Extents, MeshAnswers,
+                     FieldAnswers, SceneAnswers, SceneContacts, Snapshots, Sights, PairDistances>;
+  using Groups = decltype(detail::groups_of(Parts{}));
+};
+struct Pairs {
+  static constexpr std::string_view name = "Pairs";
+  using Parts = List<MoreDistances, SpherePairPoints, CapsulePairPoints, TrianglePairPoints,
+                     HullPairPoints, BoxPairPoints, SphereContacts, CapsuleContacts, BoxContacts,
+                     FlatContacts, HullContacts, PlaneContacts>;
+  using Groups = decltype(detail::groups_of(Parts{}));
+};
+struct Movements {
+  static constexpr std::string_view name = "Movements";
+  using Parts = List<SphereCasts, CapsuleCasts, FlatCasts, AabbCasts, ObbCasts, HullCasts>;
+  using Groups = decltype(detail::groups_of(Parts{}));
+};
+struct Bodies {
+  static constexpr std::string_view name = "Bodies";
+  using Parts = List<BoxImpacts, Characters, ScenePairs>;
+  using Groups = decltype(detail::groups_of(Parts{}));
+};
+using Volumes = List<Basics, Pairs, Movements, Bodies>;
+
+using Parts = decltype(detail::parts_of(Volumes{}));
 
 /// All parts together.
 struct Corpus {
@@ -209,10 +344,14 @@ constexpr void visit(List<Items...>, Visit&& visit) {
 
 }  // namespace detail
 
-/// Calls `visit(Part{})` for every part, in the order of the report.
+/// Calls `visit(Part{})` for every part, or for every volume, in the order of the report.
 template <class Visit>
 constexpr void visit_parts(Visit&& visit) {
   detail::visit(Parts{}, visit);
+}
+template <class Visit>
+constexpr void visit_volumes(Visit&& visit) {
+  detail::visit(Volumes{}, visit);
 }
 
 /// Calls `visit(Group{})` for every group of a part, in the order of the report.
@@ -257,13 +396,30 @@ template <class Part = Corpus>
   visit_groups<Part>([&](auto group) { count += spaces_of<decltype(group)>(); });
   return count;
 }
-/// The index of a part's first cell among the golden values.
+namespace detail {
+
+template <class Part>
+struct FirstPart {
+  using type = Part;
+};
+template <class First, class... Rest>
+struct FirstPart<List<First, Rest...>> {
+  using type = First;
+};
+template <class Volume>
+requires requires { typename Volume::Parts; }
+struct FirstPart<Volume> : FirstPart<typename Volume::Parts> {};
+
+}  // namespace detail
+
+/// The index of the first cell of a part, or of a volume, among the golden values.
 template <class Part>
 [[nodiscard]] constexpr std::size_t first_cell() noexcept {
+  using First = typename detail::FirstPart<Part>::type;
   std::size_t before = 0;
   bool found = std::is_same_v<Part, Corpus>;
   visit_parts([&](auto part) {
-    found = found || std::is_same_v<Part, decltype(part)>;
+    found = found || std::is_same_v<First, decltype(part)>;
     if (!found) before += count_cells<decltype(part)>();
   });
   return before;

@@ -76,6 +76,26 @@ std::string words(const ScreenPoint<T, S>& point) {
   return "x " + words(point.x) + ", y " + words(point.y) + ", depth " + words(point.depth);
 }
 template <Scalar S, int N>
+std::string words(const Contact<S, N>& contact) {
+  std::string text = "depth " + words(contact.depth) + ", normal " + words(contact.normal);
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    const auto& point = contact.points[i];
+    text += ", point " + words(point.point) + " of depth " + words(point.depth) + ", feature " +
+            words(point.feature);
+  }
+  return text;
+}
+template <Scalar S, int N>
+std::string words(const CastHit<S, N>& hit) {
+  return "distance " + words(hit.distance) + ", point " + words(hit.point) + ", normal " +
+         words(hit.normal);
+}
+template <Scalar S>
+std::string words(const Impact<S>& impact) {
+  return "time " + words(impact.time) + ", distance " + words(impact.distance) +
+         (impact.is_hit ? "" : ", not finished");
+}
+template <Scalar S, int N>
 std::string words(const Ray<S, N>& ray) {
   return "origin " + words(ray.origin) + ", direction " + words(ray.direction) + ", max_distance " +
          words(ray.max_distance);
@@ -198,6 +218,33 @@ Fields fields_of(const PairCase<S, N, First, Second>& c) {
   for (auto& [name, value] : second) {
     fields.emplace_back((is_same ? "other " : "") + name, std::move(value));
   }
+  return fields;
+}
+/// Both shapes, the names of the target's fields after "target".
+template <Scalar S, int N, class First, class Second>
+Fields fields_of(const CastCase<S, N, First, Second>& c) {
+  Fields fields, second;
+  add_fields(fields, c.shape);
+  fields.emplace_back("direction", words(c.direction));
+  fields.emplace_back("max_distance", words(c.max_distance));
+  add_fields(second, c.target);
+  for (auto& [name, value] : second) fields.emplace_back("target " + name, std::move(value));
+  return fields;
+}
+template <Scalar S, int N>
+void add_fields(Fields& fields, const Sweep<S, N>& sweep) {
+  fields.emplace_back("sweep start", words(sweep.start));
+  fields.emplace_back("sweep end", words(sweep.end));
+  add_fields(fields, sweep.start_rotation);
+  add_fields(fields, sweep.end_rotation);
+}
+template <Scalar S, int N, class First, class Second>
+Fields fields_of(const ImpactCase<S, N, First, Second>& c) {
+  Fields fields;
+  add_fields(fields, c.a);
+  add_fields(fields, c.sweep_a);
+  add_fields(fields, c.b);
+  add_fields(fields, c.sweep_b);
   return fields;
 }
 template <Scalar S, int N>

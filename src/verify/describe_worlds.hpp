@@ -34,6 +34,38 @@ std::string words(const Rollback<S>& rollback) {
          words(rollback.nearest);
 }
 
+inline std::string words(const Events& events) {
+  return std::to_string(events.began) + " began, " + std::to_string(events.stayed) + " stayed, " +
+         std::to_string(events.ended) + " ended, digest " + digits(events.lists.value());
+}
+template <Scalar S, int N>
+std::string words(const Walked<S, N>& walked) {
+  const auto& [mover, result] = walked;
+  std::string text = "to " + words(mover.shape.a) + ", " + words(mover.shape.b);
+  text += mover.ground.is_grounded ? " on object " + words(mover.ground.object) + " with normal " +
+                                         words(mover.ground.normal)
+                                   : std::string(" in the air");
+  text += ", carried by " + words(result.carried) + ", pushed by " + words(result.pushed);
+  for (std::size_t i = 0; i < result.count; ++i) {
+    const auto& touch = result.touched[i];
+    text += ", touches " + words(touch.object) + " at " + words(touch.point) + " with normal " +
+            words(touch.normal);
+  }
+  return text + (result.is_stuck ? ", stuck" : "");
+}
+
+template <Scalar S, int N>
+Fields fields_of(const WalkCase<S, N>& c) {
+  Fields fields;
+  add_fields(fields, c.start);
+  fields.emplace_back("step_height", words(c.step_height));
+  fields.emplace_back("snap_distance", words(c.snap_distance));
+  for (std::size_t i = 0; i < c.moves; ++i) {
+    fields.emplace_back("lift before move " + std::to_string(i), words(c.lift[i]));
+    fields.emplace_back("move " + std::to_string(i), words(c.by[i]));
+  }
+  return fields;
+}
 template <Scalar S, int N>
 Fields fields_of(const MeshCase<S, N>& c) {
   Fields fields;
@@ -129,6 +161,13 @@ Fields fields_of(const RecordCase<S, N>& c) {
   add_fields(fields, c.history);
   fields.emplace_back("point", words(c.point));
   add_fields(fields, c.sphere);
+  return fields;
+}
+
+template <Scalar S, int N>
+Fields fields_of(const EventsCase<S, N>& c) {
+  Fields fields;
+  add_fields(fields, c.history);
   return fields;
 }
 

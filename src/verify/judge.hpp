@@ -4,6 +4,7 @@
 /// The expected results of the corpus, computed from the queries' definitions in exact integers and
 /// 100-digit decimals. When a digest differs, this finds the question that went wrong.
 
+#include "verify/judge/casts.hpp"
 #include "verify/judge/meshes.hpp"
 #include "verify/judge/motions.hpp"
 #include "verify/judge/numbers.hpp"
@@ -14,3 +15,4 @@
 #include "verify/judge/scenes.hpp"
 #include "verify/judge/sizes.hpp"
 #include "verify/judge/views.hpp"
+#include "verify/judge/walks.hpp"

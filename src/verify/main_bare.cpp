@@ -10,7 +10,8 @@
 //
 //     g++ -std=c++20 -O2 -Iinclude -Isrc src/verify/main_bare.cpp -o verify && ./verify
 //
-// DETENT_VERIFY_PART=Rays (or another part of corpus.hpp) runs only that part, for small memories.
+// DETENT_VERIFY_PART=SolidRays (or another part or volume of corpus.hpp) runs only that, for small
+// memories of compilers and machines.
 // DETENT_VERIFY_QUARTER=0 (to 3) runs every query in one of the four scalars only, which compiles in
 // a quarter of the time; the other quarters run the rest.
 // DETENT_VERIFY_SMALL runs a microcontroller's share of the questions (seconds at 48 MHz).

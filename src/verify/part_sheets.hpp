@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
+#include <cstdint>
+#include <optional>
+
 #include "verify/corpus.hpp"
 #include "verify/judge.hpp"
 #include "verify/part.hpp"
@@ -28,6 +32,24 @@ struct IntoBytes {
   }
 };
 
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+/// Takes the results of a row, and counts those that are yes.
+struct RowSink {
+  Sink<IntoBytes> bytes;
+  std::uint32_t yes = 0;
+
+  template <class T>
+  void add(const T& answer) {
+    if constexpr (std::same_as<T, bool>) yes += answer ? 1u : 0u;
+    if constexpr (is_optional<T>) yes += answer.has_value() ? 1u : 0u;
+    bytes.add(answer);
+  }
+};
+
 /// Calls `visit(Group{}, Space<S, N>{})` for the sheet of a part with this index.
 template <class Part, class Visit>
 void visit_sheet(std::size_t index, Visit&& visit) {
@@ -41,13 +63,14 @@ void visit_sheet(std::size_t index, Visit&& visit) {
 
 template <class Group, Scalar S, int N>
 std::vector<Answers> answers_of(std::uint32_t size, bool keep_bytes) {
-  std::array<Sink<IntoBytes>, rows_of<Group>()> sinks;
-  for (auto& sink : sinks) sink = Sink(IntoBytes{keep_bytes, {}, {}});
+  std::array<RowSink, rows_of<Group>()> sinks;
+  for (auto& sink : sinks) sink.bytes = Sink(IntoBytes{keep_bytes, {}, {}});
   visit_cases<Group, S, N>(size, [&](const auto& c) { answer_all<Group>(c, sinks); });
   std::vector<Answers> answers;
   answers.reserve(sinks.size());
   for (const auto& sink : sinks) {
-    answers.push_back({sink.taken().digest.value(), sink.taken().bytes});
+    const auto& taken = sink.bytes.taken();
+    answers.push_back({taken.digest.value(), taken.bytes, sink.yes});
   }
   return answers;
 }

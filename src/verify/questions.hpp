@@ -10,6 +10,7 @@
 //   share              for slow queries: it runs one in this many of the questions
 // and every case type has an `append`, because the questions have a digest too.
 
+#include "verify/questions/casts.hpp"
 #include "verify/questions/meshes.hpp"
 #include "verify/questions/motions.hpp"
 #include "verify/questions/numbers.hpp"
@@ -20,3 +21,4 @@
 #include "verify/questions/scenes.hpp"
 #include "verify/questions/sizes.hpp"
 #include "verify/questions/views.hpp"
+#include "verify/questions/walks.hpp"

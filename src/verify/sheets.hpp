@@ -33,7 +33,8 @@ struct Sheet {
 /// The results of one row of a sheet.
 struct Answers {
   std::uint64_t digest = 0;
-  std::string bytes;  // canonical, and only if requested; `digest` is their XXH64
+  std::string bytes;      // canonical, and only if requested; `digest` is their XXH64
+  std::uint32_t yes = 0;  // how many are true, or have a value
 };
 
 [[nodiscard]] std::vector<Answers> answer(std::size_t sheet, std::uint32_t size, bool keep_bytes);

@@ -45,15 +45,15 @@ run --only raycast/ball
 [[ $status -eq 2 && ! -s $work/out && $(wc -l <"$work/err") -eq 1 ]] || fail "a wrong name: $status"
 grep -q 'raycast/sphere, .*to_chars' "$work/err" || fail "the error does not list the queries"
 
-run --json
+run --small --json
 grep -q '"ok": true' "$work/out" || fail "no verdict in the JSON"
 ! grep -q '"ok": false' "$work/out" || fail "a difference in the JSON"
 cmp <(sed -nE 's/ *"digest": //p' "$work/out") <(sed -nE 's/ *"golden": //p' "$work/out") ||
   fail "the JSON has other golden digests than its verdict"
 
 mkdir "$work/dumps"
-run --dump "$work/dumps/a" --threads 1
-run --dump "$work/dumps/b" --threads 3
+run --small --dump "$work/dumps/a" --threads 1
+run --small --dump "$work/dumps/b" --threads 3
 cmp "$work/dumps/a" "$work/dumps/b" || fail "two dumps differ"
 [[ $(head -c 8 "$work/dumps/a") == "detent 1" ]] || fail "the dump has another beginning"
 [[ $(find "$work/dumps" -type f | wc -l) -eq 2 ]] || fail "a temporary file is left"

@@ -34,8 +34,7 @@ plant include/detent/query/closest_point/sphere.hpp \
   's/^(  if \(radius < 0 \|\| squared <= square\(radius\)\)) return point;/\1 {\n    Vec<S, N> wrong = point;\n    if (point[0].raw() % 64 == 21) wrong[0] = S::from_raw(static_cast<typename S::raw_type>(point[0].raw() ^ 1));\n    return wrong;\n  }/'
 # The other shapes would only take time.
 plant src/verify/corpus.hpp \
-  's/^using Parts = List<SolidRays,.*/using Parts = List<SolidRays, RoundPoints>;/'
-sed -i '/^using Parts/,/^$/{/^using Parts/!{/^$/!d}}' "$work/src/verify/corpus.hpp"
+  's/^using Parts = .*;/using Parts = List<SolidRays, RoundPoints>;/'
 plant src/verify/corpus.hpp 's/List<Spheres, .*>;/List<Spheres>;/'
 plant src/verify/corpus.hpp 's/List<SpherePoints, .*>;/List<SpherePoints>;/'
 

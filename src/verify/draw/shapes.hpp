@@ -233,6 +233,25 @@ class ShapeScene : public Stage<S, N> {
             Base::direction(Base::along(frame_, axis) * sign), end(steps * frame_.norm)};
   }
 
+  /// Moves the spot back, and returns the way from there to the first one: mostly along the frame,
+  /// so that shapes on both sides of it that touch there touch at a whole number of steps, or slide
+  /// along each other.
+  constexpr Ray<S, N> retreat() noexcept {
+    if (extreme_ || random.one_in(4)) {
+      const auto target = center_ + corner(reach_ / 2);
+      center_ = extreme_ ? any_point() : center_ + corner(3 * reach_);
+      const auto path = target - center_;
+      return {Base::vec(center_), Base::direction(unit(path, Base::one)), end(length(path))};
+    }
+    // In the plane there are fewer ways past a target.
+    const int axis = random.one_in(N == 2 ? 2 : 3) ? static_cast<int>(random.below(N)) : 0;
+    const auto sign = axis == 0 ? -side_ : random.sign();
+    const auto steps = random.between(-far_ / 8, far_);
+    center_ += frame_.axes[axis] * (-sign * steps);
+    return {Base::vec(center_), Base::direction(Base::along(frame_, axis) * sign),
+            end(steps * frame_.norm)};
+  }
+
  protected:
   constexpr Point any_point() noexcept { return Base::template any_point<N>(); }
   /// From the plane through the spot to the shape's side.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "verify/judge/meshes.hpp"
@@ -38,10 +39,12 @@ class PlainScene {
 
   static constexpr auto is_there = [](const auto& item) { return item.generation != 0; };
 
+  PlainScene() = default;
   explicit PlainScene(const History<S, N>& history) {
-    for (std::size_t i = 0; i < history.before; ++i) {
-      if (happens(history.steps[i])) happened_ |= 1u << i;
-    }
+    for (std::size_t i = 0; i < history.before; ++i) live(history, i);
+  }
+  void live(const History<S, N>& history, std::size_t step) {
+    if (happens(history.steps[step])) happened_ |= 1u << step;
   }
   [[nodiscard]] std::uint32_t happened() const { return happened_; }
   [[nodiscard]] std::uint32_t next() const { return next_; }
@@ -335,6 +338,29 @@ std::optional<Wrong> judge(const RecordCase<S, N>& c, const Answer& got) {
                           scene.next_id(), nearest_of(scene, c.point, ~std::uint32_t{0})},
                    got);
   }
+}
+
+template <int Row, Scalar S, int N>
+std::optional<Wrong> judge(const EventsCase<S, N>& c, const Events& got) {
+  PlainScene<S, N> scene;
+  std::vector<Overlap> before;
+  Events expected;
+  for (std::size_t i = 0; i < c.history.count; ++i) {
+    scene.live(c.history, i);
+    auto now = pairs_of(scene);
+    std::sort(now.begin(), now.end());
+    std::vector<Overlap> began, stayed, ended;
+    for (const auto& pair : now) {
+      const bool was = std::find(before.begin(), before.end(), pair) != before.end();
+      (was ? stayed : began).push_back(pair);
+    }
+    for (const auto& pair : before) {
+      if (std::find(now.begin(), now.end(), pair) == now.end()) ended.push_back(pair);
+    }
+    expected.add(began, stayed, ended);
+    before = std::move(now);
+  }
+  return compare(expected, got);
 }
 
 }  // namespace detent::verify::judge

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <string_view>
 #include <type_traits>
 
+#include "detent/query/closest_points.hpp"
+#include "detent/query/contact.hpp"
+#include "detent/query/distance.hpp"
 #include "detent/query/intersects.hpp"
 #include "detent/query/overlaps.hpp"
 #include "verify/questions/kinds.hpp"
@@ -20,12 +26,14 @@ constexpr void append(D& digest, const PairCase<S, N, First, Second>& c) noexcep
   digest.add(c.a, c.b);
 }
 
+/// In these dimensions, or in both: each takes a compiler seconds, or tens of them.
+template <int... Dimensions>
 struct PairGroup {
   template <int N>
-  static constexpr bool asks = N >= 2;
+  static constexpr bool asks = sizeof...(Dimensions) == 0 ? N >= 2 : ((N == Dimensions) || ...);
 };
-template <class First, class Second>
-struct PairDraw : PairGroup {
+template <class First, class Second, int... Dimensions>
+struct PairDraw : PairGroup<Dimensions...> {
   template <Scalar S, int N>
   static constexpr auto draw(Random& random) noexcept {
     ShapeScene<S, N> scene(random);
@@ -44,6 +52,45 @@ struct Overlaps : PairDraw<First, Second> {
   template <int Row, class Case>
   [[nodiscard]] static constexpr bool answer(const Case& c) noexcept {
     return overlaps(as_shape(c.a), as_shape(c.b));
+  }
+};
+
+/// Of the questions, one in twelve: pairs of polytopes take long to judge.
+template <class First, class Second>
+struct Distances : PairDraw<First, Second> {
+  static constexpr RowName name{"distance/", First::name, "_", Second::name};
+  static constexpr std::array<std::string_view, 1> names{name.view()};
+  static constexpr std::uint32_t share = 12;
+
+  template <int Row, class Case>
+  [[nodiscard]] static constexpr auto answer(const Case& c) noexcept {
+    return distance(as_shape(c.a), as_shape(c.b));
+  }
+};
+
+/// The points as an array: first that of a, then that of b.
+template <class First, class Second, int... Dimensions>
+struct ClosestPoints : PairDraw<First, Second, Dimensions...> {
+  static constexpr RowName name{"closest_points/", First::name, "_", Second::name};
+  static constexpr std::array<std::string_view, 1> names{name.view()};
+  static constexpr std::uint32_t share = 24;
+
+  template <int Row, class Case>
+  [[nodiscard]] static constexpr auto answer(const Case& c) noexcept {
+    const auto [a, b] = closest_points(as_shape(c.a), as_shape(c.b));
+    return std::array{a, b};
+  }
+};
+
+template <class First, class Second, int... Dimensions>
+struct Contacts : PairDraw<First, Second, Dimensions...> {
+  static constexpr RowName name{"contact/", First::name, "_", Second::name};
+  static constexpr std::array<std::string_view, 1> names{name.view()};
+  static constexpr std::uint32_t share = 24;
+
+  template <int Row, class Case>
+  [[nodiscard]] static constexpr auto answer(const Case& c) noexcept {
+    return contact(as_shape(c.a), as_shape(c.b));
   }
 };
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "detent/scene/events.hpp"
 #include "detent/scene/snapshot.hpp"
 #include "verify/draw/histories.hpp"
 #include "verify/questions/listed.hpp"
@@ -288,6 +289,68 @@ struct SceneRecords : SceneGroup {
     result.digest = digest(scene);
     result.nearest = scene.nearest(c.point);
     result.next = scene.add(c.sphere);
+  }
+};
+
+/// The pairs that began, stayed and ended: those of all frames counted, with a digest of the lists.
+struct Events {
+  std::uint32_t began = 0, stayed = 0, ended = 0;
+  Digest lists{};
+
+  template <class Pairs>
+  constexpr void add(const Pairs& began_now, const Pairs& stayed_now,
+                     const Pairs& ended_now) noexcept {
+    const auto add_list = [&](std::uint32_t& count, const Pairs& list) {
+      count += static_cast<std::uint32_t>(list.size());
+      lists.add(static_cast<std::uint32_t>(list.size()));
+      for (const Overlap& pair : list) lists.add(pair);
+    };
+    add_list(began, began_now);
+    add_list(stayed, stayed_now);
+    add_list(ended, ended_now);
+  }
+  [[nodiscard]] friend constexpr bool operator==(const Events& a, const Events& b) noexcept {
+    return a.began == b.began && a.stayed == b.stayed && a.ended == b.ended &&
+           a.lists.value() == b.lists.value();
+  }
+};
+template <class D>
+constexpr void append(D& digest, const Events& events) noexcept {
+  digest.add(events.began, events.stayed, events.ended, events.lists.value());
+}
+
+template <Scalar S, int N>
+struct EventsCase {
+  History<S, N> history;
+};
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const EventsCase<S, N>& c) noexcept {
+  digest.add(c.history);
+}
+
+/// Which pairs begin, stay and end overlapping in each step of a history.
+struct SceneEvents : SceneGroup {
+  static constexpr std::array<std::string_view, 1> names{"scene/events"};
+  template <Scalar S, int N>
+  static constexpr auto draw(Random& random) noexcept {
+    HistoryScene<S, N> scene(random);
+    return EventsCase<S, N>{scene.history()};
+  }
+  template <int Row, Scalar S, int N>
+  [[nodiscard]] static constexpr auto answer(const EventsCase<S, N>& c) noexcept {
+    constexpr std::size_t most =
+        LivingScene<S, N>::capacity * (LivingScene<S, N>::capacity - 1) / 2;
+    LivingScene<S, N> living;
+    BoundedOverlapEvents<most> events;
+    Events result;
+    for (std::size_t i = 0; i < c.history.count; ++i) {
+      living.live(c.history, i, i + 1);
+      std::array<Overlap, most> pairs{};
+      const auto count = living.scene.overlaps(pairs);
+      events.update(std::span(pairs).first(count));
+      result.add(events.began(), events.stayed(), events.ended());
+    }
+    return result;
   }
 };
 
