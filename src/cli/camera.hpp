@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <bit>
 #include <type_traits>
 
@@ -10,6 +11,18 @@ namespace detent::cli {
 
 /// The largest width + height of an image: the camera counts half pixels in 15 bits.
 inline constexpr int largest_image = 1 << 14;
+
+/// A vector in doubles, which hold every scalar's number.
+template <class T>
+[[nodiscard]] std::array<double, 3> in_double(const Vec<T, 3>& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+/// A camera in doubles, to draw over a picture: it sees position + depth (ahead + x right + y up),
+/// where y is from -1 to 1, and x too in a square picture.
+struct View {
+  std::array<double, 3> position, ahead, right, up;
+};
 
 /// A pinhole camera that computes its rays in its scalar's own arithmetic: sums and products are
 /// exact for a `Fixed`, and the resulting direction is rounded once.
@@ -32,6 +45,10 @@ class Camera {
     const auto toward = ahead_ * half_pixels(height) + right_ * half_pixels(2 * x + 1 - width) +
                         up_ * half_pixels(height - 1 - 2 * y);
     return {position_, direction_of<S>(toward).value_or(Direction<S, 3>())};
+  }
+
+  [[nodiscard]] View view() const {
+    return {in_double(position_), in_double(ahead_), in_double(right_), in_double(up_)};
   }
 
  private:

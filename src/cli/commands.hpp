@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "outlines.hpp"
 #include "tracer.hpp"
 
 namespace detent::cli {
@@ -32,6 +33,7 @@ struct RenderOptions {
   Size size{};
   Move offset;
   Decimal bias;
+  DebugParts debug;
   std::optional<double> scale;  // of a model
   int threads = 0;
 };

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "compare.hpp"
+#include "demo_casts.hpp"
 #include "embedded.hpp"
 #include "file.hpp"
 #include "model_scene.hpp"
@@ -15,7 +16,6 @@
 namespace detent::cli {
 namespace {
 
-constexpr const char* far_away = "28000";
 constexpr const char* longest_side = "0.5";  // of a model
 
 /// One position and one scalar: a picture and a line of the table.
@@ -25,16 +25,6 @@ struct Run {
   Image picture;
   Verdict verdict;
 };
-
-std::string row(const std::array<std::string, 8>& cells) {
-  static constexpr std::array<std::size_t, 8> widths{6, 8, 9, 9, 8, 8, 8, 20};
-  std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::string space(widths[i] - std::min(widths[i], cells[i].size()), ' ');
-    line += i < 2 ? cells[i] + space : space + cells[i];
-  }
-  return line + '\n';
-}
 
 void make_directory(const std::string& directory) {
   std::error_code error;
@@ -85,10 +75,10 @@ Exhibit exhibit(const Scene& scene, const DemoOptions& options) {
     const auto found = tracer.found();
     const auto hits =
         std::count_if(found.begin(), found.end(), [](auto& f) { return f.has_value(); });
-    rows += row({runs[i].place, std::string(tracer.scalar()), std::to_string(tracer.ray_count()),
-                 std::to_string(hits), std::to_string(runs[i].verdict.wrong),
-                 std::to_string(runs[i].verdict.off), rounded(times[i], 0),
-                 hexadecimal(tracer.digest())});
+    rows += demo_row({runs[i].place, std::string(tracer.scalar()),
+                      std::to_string(tracer.ray_count()), std::to_string(hits),
+                      std::to_string(runs[i].verdict.wrong), std::to_string(runs[i].verdict.off),
+                      rounded(times[i], 0), hexadecimal(tracer.digest())});
   }
   for (std::size_t i = 0; i < runs.size(); i += 2) {
     const Run& exact = runs[i];
@@ -126,6 +116,8 @@ void demo(const DemoOptions& options) {
   make_directory(options.directory);
   const std::string path = path_in(options, "demo.png");
   OutputFile file(path);
+  const std::string cast_path = path_in(options, "casts.png");
+  OutputFile cast_file(cast_path);
   // Read before anything is drawn, so that errors in it show at once.
   const std::string mesh_path = path_in(options, "mesh.png");
   std::optional<OutputFile> mesh_file;
@@ -135,9 +127,11 @@ void demo(const DemoOptions& options) {
     model = read_model(options);
   }
 
-  const Exhibit arena = exhibit(parse_scene("arena.json", std::string(arena_json)), options);
+  const Scene scene = parse_scene("arena.json", std::string(arena_json));
+  const Exhibit arena = exhibit(scene, options);
   std::string text =
-      row({"place", "scalar", "rays", "hits", "wrong", "off", "ns/ray", "digest"}) + arena.rows;
+      demo_row({"place", "scalar", "rays", "hits", "wrong", "off", "ns/ray", "digest"}) +
+      arena.rows;
   file.write(arena.page.png());
   if (model) {
     const Exhibit shown = exhibit(model->scene, options);
@@ -145,6 +139,10 @@ void demo(const DemoOptions& options) {
     mesh_file->write(shown.page.png());
     mesh_file->commit();
   }
+  const CastPage casts = cast_page(scene, options);
+  text += '\n' + casts.title + casts.rows;
+  cast_file.write(casts.page.png());
+  cast_file.commit();
   file.commit();
 
   text +=
@@ -153,7 +151,7 @@ void demo(const DemoOptions& options) {
       "\n  off    the right shape, its distance off by more than 1/65536"
       "\nfar: every coordinate moved by " +
       std::string(far_away) + "; shadow rays start 1/1024 above a surface" + "\npicture: " + path +
-      '\n';
+      "\npicture: " + cast_path + '\n';
   if (model) text += "picture: " + mesh_path + '\n';
   print(text);
 }

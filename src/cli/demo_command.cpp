@@ -11,7 +11,7 @@
 namespace detent::cli {
 
 void add_demo_options(CLI::App& command, DemoArguments& arguments) {
-  command.add_option("-o,--out", arguments.options.directory, "The directory to write demo.png to")
+  command.add_option("-o,--out", arguments.options.directory, "The directory to write pictures to")
       ->check(check_name)
       ->capture_default_str();
   command

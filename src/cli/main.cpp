@@ -60,6 +60,21 @@ Decimal parse_bias(const std::string& text) {
   throw InputError("--bias: \"" + text + "\" is not a number from 0; write, for example, 0.001");
 }
 
+/// Parses "shapes", "tree" or both, with a comma.
+DebugParts parse_debug(const std::string& text) {
+  DebugParts parts;
+  for (std::size_t start = 0; start <= text.size();) {
+    const auto comma = std::min(text.find(',', start), text.size());
+    const auto part = text.substr(start, comma - start);
+    if (part != "shapes" && part != "tree") {
+      throw InputError("--debug: there is no part \"" + part + "\"; choose from shapes, tree");
+    }
+    (part == "shapes" ? parts.shapes : parts.tree) = true;
+    start = comma + 1;
+  }
+  return parts;
+}
+
 /// The command line, as text until all of it has been read.
 struct Arguments {
   CastOptions cast;
@@ -72,6 +87,7 @@ struct Arguments {
   std::string size = "640x360";
   std::string offset = "0,0,0";
   std::string bias = default_bias;
+  std::string debug;
   double scale = 0;
 };
 
@@ -118,6 +134,13 @@ void add_render(CLI::App& app, Arguments& arguments) {
       ->add_option("--bias", arguments.bias,
                    "Height above a surface at which its shadow rays start")
       ->capture_default_str();
+  CLI::Option* const debug =
+      command
+          ->add_option("--debug", arguments.debug,
+                       "Draw the edges of shapes and the boxes of the trees over the picture: "
+                       "shapes, tree or both with a comma (shapes)")
+          ->expected(0, 1)
+          ->default_str("shapes");
   CLI::Option* const scale =
       command->add_option("--scale", arguments.scale,
                           "Scale of an OBJ model; by default its longest side becomes 20 units");
@@ -126,7 +149,7 @@ void add_render(CLI::App& app, Arguments& arguments) {
                    "Number of threads; 0 for one per processor")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
-  command->final_callback([&arguments, compare, scale] {
+  command->final_callback([&arguments, compare, debug, scale] {
     RenderOptions& options = arguments.render;
     options.scalar = checked_scalar("--scalar", options.scalar);
     if (compare->count() > 0) {
@@ -136,6 +159,9 @@ void add_render(CLI::App& app, Arguments& arguments) {
     options.size = parse_size(arguments.size);
     options.offset = parse_move(arguments.offset);
     options.bias = parse_bias(arguments.bias);
+    if (debug->count() > 0) {
+      options.debug = parse_debug(arguments.debug.empty() ? "shapes" : arguments.debug);
+    }
     if (scale->count() > 0) {
       if (!(arguments.scale > 0 && arguments.scale < 1e9)) {
         throw InputError(

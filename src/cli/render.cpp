@@ -7,6 +7,7 @@
 #include "file.hpp"
 #include "model_scene.hpp"
 #include "obj_reader.hpp"
+#include "overlay.hpp"
 #include "scene_reader.hpp"
 
 namespace detent::cli {
@@ -44,7 +45,12 @@ void render(const RenderOptions& options) {
   };
   const auto draw = [&](Tracer& tracer) {
     tracer.cast(working(options, "casting", tracer.scalar()));
-    return tracer.picture(options.bias, working(options, "shading", tracer.scalar()));
+    auto picture = tracer.picture(options.bias, working(options, "shading", tracer.scalar()));
+    if (options.debug.any()) {
+      draw_over(picture, tracer.view(),
+                outlines_of(tracer.scalar(), scene, options.offset, options.debug), tracer.found());
+    }
+    return picture;
   };
   if (options.compare) {
     // Both are built before either is drawn, so that a number out of range is reported at once.

@@ -40,6 +40,7 @@ class ScalarTracer final : public Tracer {
   void aim_camera(Size size) override {
     size_ = size;
     const Camera<S> camera = WorldBuilder<S>(scene_, move_).camera();
+    view_ = camera.view();
     rays_.clear();
     for (int y = 0; y < size.height; ++y) {
       for (int x = 0; x < size.width; ++x) {
@@ -47,6 +48,8 @@ class ScalarTracer final : public Tracer {
       }
     }
   }
+
+  View view() const override { return view_; }
 
   void cast(const Workers& workers) override {
     answers_.assign(rays_.size(), std::nullopt);
@@ -172,6 +175,7 @@ class ScalarTracer final : public Tracer {
   std::vector<Ray<S, 3>> rays_;
   std::vector<std::optional<Answer<S>>> answers_;
   Size size_{};
+  View view_{};
 };
 
 template <Scalar S>

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "decimal.hpp"
+#include "detent/draw/sink.hpp"
 #include "error.hpp"
 
 namespace detent::cli {
@@ -21,14 +22,6 @@ struct Literal {
 };
 
 using Point = std::array<Literal, 3>;
-
-struct Colour {
-  std::uint8_t red = 0;
-  std::uint8_t green = 0;
-  std::uint8_t blue = 0;
-
-  friend bool operator==(const Colour&, const Colour&) = default;
-};
 
 /// Rotation about `axis`, or about world x, then y, then z; angles in degrees.
 struct AxisAngle {

@@ -47,6 +47,9 @@ class Tracer {
   /// Replaces the rays of the scene by those of its camera, row by row.
   virtual void aim_camera(Size size) = 0;
 
+  /// That camera, in doubles.
+  [[nodiscard]] virtual View view() const = 0;
+
   /// Casts every ray. The functions below report on the results.
   virtual void cast(const Workers& workers) = 0;
 

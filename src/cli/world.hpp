@@ -38,6 +38,9 @@ class World {
 
   [[nodiscard]] const std::vector<Shape>& shapes() const { return shapes_; }
 
+  /// The tree over all shapes but planes and meshes, if the scene has many.
+  [[nodiscard]] const auto& tree() const { return tree_; }
+
   /// The nearest shape along `ray`; of equally near ones the first in the file.
   [[nodiscard]] std::optional<Answer<S>> nearest(const Ray<S, 3>& ray) const {
     constexpr auto none = static_cast<std::size_t>(-1);

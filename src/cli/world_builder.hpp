@@ -29,14 +29,15 @@ class WorldBuilder {
  public:
   WorldBuilder(const Scene& scene, const Move& move) : scene_(scene), move_(move) {}
 
-  [[nodiscard]] World<S> world() const {
+  [[nodiscard]] std::vector<typename World<S>::Shape> shapes() const {
     std::vector<typename World<S>::Shape> shapes;
     shapes.reserve(scene_.shapes.size());
     for (const ShapeModel& model : scene_.shapes) {
       std::visit([&](const auto& form) { shapes.emplace_back(shape(form, model)); }, model.form);
     }
-    return World<S>(std::move(shapes));
+    return shapes;
   }
+  [[nodiscard]] World<S> world() const { return World<S>(shapes()); }
 
   [[nodiscard]] std::vector<Ray<S, 3>> rays() const {
     std::vector<Ray<S, 3>> rays;
@@ -67,6 +68,12 @@ class WorldBuilder {
     const Decimal half = (degrees + degrees + degrees + degrees + degrees).scaled(-1);
     return Camera<S>(position(model.position, "position"), *forward, *right,
                      angle({half, model.field_of_view.place}, "field_of_view"));
+  }
+
+  /// The region around what the camera looks at, as far as that is away.
+  [[nodiscard]] DrawRegion<S, 3> region() const {
+    const auto target = position(scene_.camera->target, "target");
+    return {target, detent::length<S>(target - position(scene_.camera->position, "position"))};
   }
 
   [[nodiscard]] Direction<S, 3> light() const { return direction(scene_.light); }

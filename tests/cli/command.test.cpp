@@ -159,6 +159,38 @@ TEST_CASE("detent cast: every scalar answers, and two are compared") {
   CHECK(far.out.find("disagreements: 1 (1 hit or miss, 0 which shape)") != std::string::npos);
 }
 
+TEST_CASE("detent render: --debug draws over the picture, in every scalar") {
+  const Workshop shop;
+  shop.write("seen.json", seen_scene);
+  const auto picture = [&](const std::string& options) {
+    const auto result = shop.run("render seen.json -o p.png --size 64x40 " + options);
+    INFO(options << result.err);
+    CHECK(result.code == 0);
+    return content_of(shop.path("p.png"));
+  };
+  const auto plain = picture("");
+  const auto shapes = picture("--debug");
+  CHECK(shapes.starts_with("\x89PNG"));
+  CHECK(shapes != plain);
+  CHECK(picture("--debug=shapes --threads 2") == shapes);
+  CHECK(picture("--debug=tree,shapes") == shapes);
+  CHECK(picture("--debug=tree") == plain);  // a list of two shapes has no tree
+  for (const char* const scalar : {"q14_16", "q24_8", "q8_8", "float", "double"}) {
+    const auto with = std::string("--scalar ") + scalar;
+    CHECK(picture(with + " --debug") != picture(with));
+  }
+  CHECK(picture("--compare --debug") != picture("--compare"));
+
+  // A mesh has one.
+  shop.write("hills.obj", hills());
+  const auto model = [&](const std::string& options) {
+    CHECK(shop.run("render hills.obj -o p.png --size 64x40 " + options).code == 0);
+    return content_of(shop.path("p.png"));
+  };
+  CHECK(model("--debug=tree") != model(""));
+  CHECK(model("--debug=tree") != model("--debug=shapes,tree"));
+}
+
 TEST_CASE("detent render: draws the same picture with any number of threads") {
   const Workshop shop;
   shop.write("seen.json", seen_scene);
@@ -196,7 +228,8 @@ struct DemoRow {
   }
 
   std::string place, scalar, digest;
-  int rays = 0, hits = 0, wrong = 0, off = 0, time = 0;
+  int rays = 0, hits = 0, wrong = 0, off = 0;
+  double time = 0;  // the largest error of casts
 };
 
 void check_exact_row(const DemoRow& row, const std::string& place, int rays,
@@ -231,6 +264,31 @@ TEST_CASE("detent demo: q16_16 is right about every ray, near and far, and float
   }
 }
 
+TEST_CASE("detent demo: casts go as far near the origin and far from it, and float's do not") {
+  const Workshop shop;
+  const auto result = shop.run("demo --size 32x20 --out pictures");
+  REQUIRE(result.code == 0);
+  CHECK(content_of(shop.path("pictures/casts.png")).starts_with("\x89PNG"));
+  const std::string title = "off: by more than 1/1024):\n";
+  const auto start = result.out.find(title);
+  REQUIRE(start != std::string::npos);
+  std::istringstream table(result.out.substr(start + title.size()));
+  std::string line;
+  std::getline(table, line);
+  CHECK(line.starts_with("place scalar"));
+  for (const std::string place : {"near", "far"}) {
+    const DemoRow exact(table);
+    check_exact_row(exact, place, 2000,
+                    place == "near" ? "0x5718cabfe926e42b" : "0x39ade166360dabaa");
+    CHECK(exact.hits > 600);
+    CHECK(exact.hits < 1600);
+    CHECK(exact.time < 0.001);
+    const DemoRow rough(table);
+    CHECK(rough.scalar == "float");
+    CHECK(rough.wrong + rough.off > (place == "near" ? 0 : 300));
+  }
+}
+
 TEST_CASE("detent demo: a model is shown near and far as well, and q16_16 is right about it") {
   const Workshop shop;
   shop.write("hills.obj", hills());
@@ -238,7 +296,9 @@ TEST_CASE("detent demo: a model is shown near and far as well, and q16_16 is rig
   INFO(result.out << result.err);
   REQUIRE(result.code == 0);
   CHECK(content_of(shop.path("pictures/mesh.png")).starts_with("\x89PNG"));
-  CHECK(result.out.ends_with("\npicture: pictures/demo.png\npicture: pictures/mesh.png\n"));
+  CHECK(
+      result.out.ends_with("\npicture: pictures/demo.png\npicture: pictures/casts.png\n"
+                           "picture: pictures/mesh.png\n"));
 
   const std::string title = "\nhills.obj, 800 triangles, 0.5 units long:\n";
   const auto start = result.out.find(title);
@@ -332,6 +392,8 @@ TEST_CASE("detent: a bad command line is one line and writes nothing") {
                                       "render seen.json -o x.png --offset a,b,c",
                                       "render seen.json -o x.png --scale 2",
                                       "render seen.json -o x.png --bias -1",
+                                      "render seen.json -o x.png --debug=edges",
+                                      "render seen.json -o x.png --debug=shapes,",
                                       "render seen.json -o x.png --threads x",
                                       "render seen.json -o x.png --threads -1",
                                       "render seen.json -o ''",

@@ -44,7 +44,7 @@ TEST_CASE("scene: every part arrives") {
              {"origin": [0, 0, 0], "direction": [1, 0, 0]}]})");
   REQUIRE(scene.shapes.size() == 6);
   CHECK(scene.shapes[0].id == "ball");
-  CHECK(scene.shapes[0].colour == Colour{0x01, 0x80, 0xff});
+  CHECK(scene.shapes[0].colour == detent::Colour{0x01, 0x80, 0xff});
   CHECK(std::get<SphereModel>(scene.shapes[0].form).radius.value.text() == "0.1");
   CHECK(std::holds_alternative<AxisAngle>(std::get<ObbModel>(scene.shapes[2].form).rotation));
   CHECK(std::holds_alternative<EulerAngles>(std::get<ObbModel>(scene.shapes[3].form).rotation));

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "outlines.hpp"
+
+namespace detent::cli {
+
+/// A capsule that moves, or a ball if its ends are equal. The numbers are whole multiples of 1/65536,
+/// but for the direction, which has any length.
+struct Throw {
+  std::array<double, 3> a;
+  std::array<double, 3> b;
+  double radius;
+  std::array<double, 3> way;
+  double max_distance;
+  Colour colour{};
+};
+
+/// What throws touch first, by the library's `cast` in one scalar.
+struct CastReport {
+  /// How far each goes; nothing for a miss.
+  std::vector<std::optional<double>> distances;
+  /// Of all distances.
+  std::uint64_t digest = 0;
+  /// If they are drawn: where they end, as meshes that are not moved yet.
+  std::vector<ShapeModel> bodies;
+  /// Their starts and their ways.
+  std::vector<Outline> lines;
+  /// The points and normals where they touch.
+  std::vector<Outline> marks;
+};
+
+template <Scalar S>
+[[nodiscard]] CastReport cast_throws(const Scene& scene, const Move& move,
+                                     const std::vector<Throw>& throws, bool are_drawn);
+
+/// A ball that rolls over the ground to other balls, 1/1024 above it, and a capsule that walks to a
+/// house.
+[[nodiscard]] std::vector<Throw> shown_throws();
+
+/// `count` of a seeded generator, all over the arena; half of them stay 1/1024 above the ground.
+[[nodiscard]] std::vector<Throw> random_throws(int count);
+
+}  // namespace detent::cli

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+#include "scalar_casts.hpp"
+
+template detent::cli::CastReport detent::cli::cast_throws<float>(const Scene&, const Move&,
+                                                                 const std::vector<Throw>&, bool);

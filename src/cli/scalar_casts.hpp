@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <variant>
+
+#include "casts.hpp"
+#include "detent/draw/hit.hpp"
+#include "detent/draw/round.hpp"
+#include "detent/query/cast.hpp"
+
+// The implementation of `cast_throws`, compiled in a file for each scalar in casts/.
+
+namespace detent::cli {
+
+template <Scalar S>
+class Caster {
+ public:
+  Caster(const Scene& scene, const Move& move) : shapes_(WorldBuilder<S>(scene, move).shapes()) {
+    for (std::size_t i = 0; i < 3; ++i) move_[i] = move.by[i].to<double>().value();
+  }
+
+  [[nodiscard]] CastReport report(const std::vector<Throw>& throws, bool are_drawn) const {
+    CastReport result;
+    Digest digest;
+    for (const Throw& thrown : throws) {
+      const auto direction = direction_of<S>(vector(thrown.way)).value();
+      const S reach = scalar(thrown.max_distance);
+      const Capsule<S, 3> capsule{position(thrown.a), position(thrown.b), scalar(thrown.radius)};
+      const auto hit = first(capsule, direction, reach);
+      digest.add(hit.has_value());
+      if (hit) digest.add(hit->distance);
+      result.distances.push_back(hit ? std::optional(static_cast<double>(hit->distance))
+                                     : std::nullopt);
+      if (!are_drawn) continue;
+      const auto by = nearest_to<S>(direction * (hit ? hit->distance : reach));
+      draw_throw(result, capsule, by, hit, thrown.colour);
+    }
+    result.digest = digest.value();
+    return result;
+  }
+
+ private:
+  using Hit = CastHit<S, 3>;
+
+  /// Collects lines in the world, and triangles as a mesh that is moved back.
+  struct Sink {
+    std::vector<Outline>& lines;
+    MeshModel& mesh;
+    const std::array<double, 3>& move;
+
+    void line(const Vec<S, 3>& a, const Vec<S, 3>& b, const Colour& colour) {
+      lines.push_back({in_double(a), in_double(b), colour});
+    }
+    void triangle(const Vec<S, 3>& a, const Vec<S, 3>& b, const Vec<S, 3>& c, const Colour&) {
+      const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+      for (const auto& point : {a, b, c}) {
+        auto vertex = in_double(point);
+        for (std::size_t i = 0; i < 3; ++i) vertex[i] -= move[i];
+        mesh.vertices.push_back(vertex);
+      }
+      mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+  };
+
+  static S scalar(double x) {
+    if constexpr (is_fixed<S>) {
+      return S::from_double(x);
+    } else {
+      return static_cast<S>(x);
+    }
+  }
+  static Vec<S, 3> vector(const std::array<double, 3>& v) {
+    return {scalar(v[0]), scalar(v[1]), scalar(v[2])};
+  }
+  Vec<S, 3> position(const std::array<double, 3>& p) const {
+    return vector({p[0] + move_[0], p[1] + move_[1], p[2] + move_[2]});
+  }
+
+  /// The nearest hit, of equally near ones that of the first shape in the file.
+  std::optional<Hit> first(const Capsule<S, 3>& capsule, const Direction<S, 3>& direction,
+                           const S& reach) const {
+    std::optional<Hit> best;
+    for (const auto& target : shapes_) {
+      std::visit(
+          [&]<class Form>(const Form& form) {
+            const S limit = best ? best->distance : reach;
+            if constexpr (!std::same_as<Form, OwnedMesh<S>>) {
+              if (!may_touch(capsule, direction, limit, form)) return;
+              const auto hit = cast(capsule, direction, limit, as_target(form));
+              if (hit && (!best || hit->distance < best->distance)) best = hit;
+            }
+          },
+          target);
+    }
+    return best;
+  }
+
+  /// A sphere as a capsule, the same set of points: casts of balls and at balls need no code.
+  static Capsule<S, 3> as_target(const Sphere<S, 3>& sphere) {
+    return {sphere.center, sphere.center, sphere.radius};
+  }
+  template <class Form>
+  static const Form& as_target(const Form& form) {
+    return form;
+  }
+
+  /// Whether the box around the way of a shape meets that of a target.
+  template <class Form>
+  static bool may_touch(const Capsule<S, 3>& shape, const Direction<S, 3>& direction,
+                        const S& reach, const Form& form) {
+    if constexpr (std::same_as<Form, Plane<S, 3>>) {
+      return true;
+    } else {
+      const auto box = bounding_box(shape), target = bounding_box(form);
+      const auto by = direction * reach;
+      for (int i = 0; i < 3; ++i) {
+        const auto low = floor_to<S>(by[i]), high = ceil_to<S>(by[i]);
+        if (box.max[i] + high < target.min[i] && box.max[i] < target.min[i]) return false;
+        if (box.min[i] + low > target.max[i] && box.min[i] > target.max[i]) return false;
+      }
+      return true;
+    }
+  }
+
+  void draw_throw(CastReport& report, const Capsule<S, 3>& capsule, const Vec<S, 3>& by,
+                  const std::optional<Hit>& hit, const Colour& colour) const {
+    constexpr Colour way{255, 255, 255}, touch{255, 224, 32};
+    ShapeModel body{{}, colour, {}, MeshModel{point_of("0", "0", "0"), {}, {}}};
+    Sink sink{report.lines, std::get<MeshModel>(body.form), move_};
+    draw(sink, capsule, way);
+    // The tubes that its ends go through.
+    for (const auto& end : {capsule.a, capsule.b}) {
+      draw(sink, Capsule<S, 3>{end, nearest_to<S>(end + by), capsule.radius}, way);
+    }
+    draw_solid(sink, translated(capsule, by), colour);
+    Sink marks{report.marks, sink.mesh, move_};
+    if (hit) draw(marks, *hit, touch, scalar(0.75));
+    report.bodies.push_back(std::move(body));
+  }
+
+  std::vector<typename World<S>::Shape> shapes_;
+  std::array<double, 3> move_{};
+};
+
+template <Scalar S>
+CastReport cast_throws(const Scene& scene, const Move& move, const std::vector<Throw>& throws,
+                       bool are_drawn) {
+  return Caster<S>(scene, move).report(throws, are_drawn);
+}
+
+}  // namespace detent::cli
