@@ -4,22 +4,11 @@
 
 #include "decode.hpp"
 #include "detent/query/distance/pair.hpp"
-#include "detent/query/intersects.hpp"
-#include "detent/query/overlaps.hpp"
 #include "oracle/hull.hpp"
-#include "spaces.hpp"
+#include "pairs.hpp"
 
 namespace detent::fuzz {
 namespace {
-
-template <class A, class B>
-bool share_a_point(const A& a, const B& b) {
-  if constexpr (requires { overlaps(a, b); }) {
-    return overlaps(a, b);
-  } else {
-    return intersects(a, b);
-  }
-}
 
 template <class A, class B, Scalar S, int N>
 void check(Decoder<S, N>& decoder) {
@@ -39,15 +28,11 @@ void check(Decoder<S, N>& decoder) {
 void property(Bytes input) {
   Source source(input);
   in_a_space(source, [&]<Scalar S, int N>(Space<S, N>) {
-    const auto one_of = [&](const auto& f) {
-      with_one_shape<S, N, Segment<S, N>, ConvexHull<S, N>>(source, f);
-    };
-    one_of([&]<class A>(std::type_identity<A>) {
-      one_of([&]<class B>(std::type_identity<B>) {
-        Decoder<S, N> decoder(source);
-        check<A, B>(decoder);
-      });
-    });
+    with_two_shapes<S, N, Segment<S, N>, ConvexHull<S, N>>(
+        source, [&]<class A, class B>(std::type_identity<A>, std::type_identity<B>) {
+          Decoder<S, N> decoder(source);
+          check<A, B>(decoder);
+        });
   });
 }
 

@@ -12,8 +12,8 @@
 #include "detent/query/overlaps/frustum.hpp"
 #include "detent/query/raycast/frustum.hpp"
 #include "detent/shape/camera.hpp"
-#include "oracle/ask.hpp"
 #include "oracle/view.hpp"
+#include "ray_truth.hpp"
 #include "spaces.hpp"
 
 namespace detent::fuzz {
@@ -76,10 +76,7 @@ void check(Source& source, Decoder<S, 3>& decoder) {
   const auto hull = frustum.hull();
   require(contains(frustum, point) == oracle::meet(hull, point),
           [&] { return oracle::describe(point) + "; " + oracle::describe(hull); });
-  const auto ray = decoder.template shape<Ray<S, 3>>();
-  const auto found = mistakes(oracle::expected_raycast(ray, hull), oracle::ask(ray, frustum));
-  require(found.empty(),
-          [&] { return oracle::describe(ray) + "; " + oracle::describe(hull) + "\n" + found; });
+  check_ray(decoder.template shape<Ray<S, 3>>(), frustum, hull);
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 #include "detent/query/distance/hull.hpp"
 #include "detent/query/on.hpp"
 #include "detent/query/raycast/hull.hpp"
-#include "oracle/ask.hpp"
 #include "point_truth.hpp"
+#include "ray_truth.hpp"
 #include "spaces.hpp"
 
 namespace detent::fuzz {
@@ -23,10 +23,7 @@ template <Scalar S, int N>
 void check(Decoder<S, N>& decoder) {
   const auto hull = decoder.template shape<ConvexHull<S, N>>();
   check_point(hull, decoder.point(), decoder.reach());
-  const auto ray = decoder.template shape<Ray<S, N>>();
-  const auto found = mistakes(oracle::expected_raycast(ray, hull), oracle::ask(ray, hull));
-  require(found.empty(),
-          [&] { return oracle::describe(ray) + "; " + oracle::describe(hull) + "\n" + found; });
+  check_ray(decoder.template shape<Ray<S, N>>(), hull, hull);
 }
 
 }  // namespace

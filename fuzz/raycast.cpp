@@ -3,8 +3,7 @@
 // Every raycast gives the exact result, rounded as its docstring says.
 
 #include "decode.hpp"
-#include "oracle/ask.hpp"
-#include "oracle/describe.hpp"
+#include "ray_truth.hpp"
 #include "spaces.hpp"
 
 namespace detent::fuzz {
@@ -14,9 +13,7 @@ template <class Shape, Scalar S, int N>
 void check(Decoder<S, N>& decoder) {
   const auto shape = decoder.template shape<Shape>();
   const auto ray = decoder.template shape<Ray<S, N>>();
-  const auto found = mistakes(oracle::expected_raycast(ray, shape), oracle::ask(ray, shape));
-  require(found.empty(),
-          [&] { return oracle::describe(ray) + "; " + oracle::describe(shape) + "\n" + found; });
+  check_ray(ray, shape, shape);
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// The contact of two shapes has the exact depth and normal, each rounded once, and points on both of
+// them; moved by its separation they no longer touch, and by less they do.
+
+#include "detent/query/contact.hpp"
+#include "decode.hpp"
+#include "oracle/hull.hpp"
+//
+#include "oracle/contact_answer.hpp"
+#include "pairs.hpp"
+
+namespace detent::fuzz {
+namespace {
+
+template <class A, class B, Scalar S, int N>
+void check(Decoder<S, N>& decoder) {
+  if constexpr (!(std::is_same_v<A, B> && std::is_same_v<A, Plane<S, N>>)) {
+    const auto a = decoder.template shape<A>();
+    const auto b = decoder.template shape<B>();
+    const char* wrong = oracle::mistake<S, N>(a, b, contact(a, b), contact(b, a));
+    require(wrong == nullptr, [&] {
+      return std::string(wrong) + ": " + oracle::describe(a) + "; " + oracle::describe(b);
+    });
+  }
+}
+
+}  // namespace
+
+void property(Bytes input) {
+  Source source(input);
+  in_a_space(source, [&]<Scalar S, int N>(Space<S, N>) {
+    with_two_shapes<S, N, Segment<S, N>, ConvexHull<S, N>>(
+        source, [&]<class A, class B>(std::type_identity<A>, std::type_identity<B>) {
+          Decoder<S, N> decoder(source);
+          check<A, B>(decoder);
+        });
+  });
+}
+
+}  // namespace detent::fuzz

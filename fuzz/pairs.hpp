@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <type_traits>
+
+#include "detent/query/intersects.hpp"
+#include "detent/query/overlaps.hpp"
+#include "spaces.hpp"
+
+namespace detent::fuzz {
+
+/// Calls `check(std::type_identity<A>(), std::type_identity<B>())` for two shapes chosen by bytes:
+/// of those that scenes hold, or of `More`.
+template <Scalar S, int N, class... More, class Check>
+void with_two_shapes(Source& source, const Check& check) {
+  with_one_shape<S, N, More...>(source, [&]<class A>(std::type_identity<A> a) {
+    with_one_shape<S, N, More...>(source, [&]<class B>(std::type_identity<B> b) { check(a, b); });
+  });
+}
+
+/// Whether two shapes or segments share a point.
+template <class A, class B>
+bool share_a_point(const A& a, const B& b) {
+  if constexpr (requires { overlaps(a, b); }) {
+    return overlaps(a, b);
+  } else {
+    return intersects(a, b);
+  }
+}
+
+}  // namespace detent::fuzz
