@@ -59,15 +59,17 @@ class Tally {
       }
     }
     count(right.has_value(), answer.has_value());
-    if (!right || !answer) return;
-    const auto given = static_cast<double>(*answer);
-    constexpr int finer = 80;  // steps of 2^-80, of which a double drops no more than its error
-    const Steps error = Exact::of(given).steps(finer) - (*right << (finer - distance_frac));
-    errors_.push_back(std::ldexp(std::abs(error.convert_to<double>()), 16 - finer));
-    if constexpr (is_fixed<S>) {
-      if (cell_.inputs == Inputs::asked) return;
-      const Steps rounded_down = *right >> static_cast<unsigned>(distance_frac - S::frac);
-      if (rounded_down != static_cast<std::int64_t>(answer->raw())) ++cell_.off;
+    if (right && answer) measure(*right, *answer);
+  }
+  /// A distance, for which a hit is one greater than 0.
+  void count(const Steps& right, const S& answer) {
+    Steps rounded = right;
+    if constexpr (is_fixed<S>) rounded = floor_steps(right);
+    ++cell_.questions;
+    if (right > 0) ++cell_.hits;
+    if ((rounded > 0) != (answer > 0)) ++cell_.wrong;
+    if (rounded > 0 && answer > 0 && std::isfinite(static_cast<double>(answer))) {
+      measure(right, answer);
     }
   }
   void count(bool right, bool answer) {
@@ -86,6 +88,20 @@ class Tally {
   }
 
  private:
+  static Steps floor_steps(const Steps& right) {
+    return right >> static_cast<unsigned>(distance_frac - S::frac);
+  }
+  void measure(const Steps& right, const S& answer) {
+    const auto given = static_cast<double>(answer);
+    constexpr int finer = 80;  // steps of 2^-80, of which a double drops no more than its error
+    const Steps error = Exact::of(given).steps(finer) - (right << (finer - distance_frac));
+    errors_.push_back(std::ldexp(std::abs(error.convert_to<double>()), 16 - finer));
+    if constexpr (is_fixed<S>) {
+      if (cell_.inputs == Inputs::asked) return;
+      if (floor_steps(right) != static_cast<std::int64_t>(answer.raw())) ++cell_.off;
+    }
+  }
+
   Cell cell_;
   std::vector<double> errors_;
 };
@@ -324,6 +340,20 @@ struct Overlap {
   }
   template <class S, class All>
   static void add_baseline(std::vector<Cell>&, const All&, const Rung&, Inputs) {}
+};
+
+/// How far two shapes are apart.
+template <class A, class B>
+struct Apart : Overlap<A, B> {
+  using Question = typename Overlap<A, B>::Question;
+  using Truth = Steps;
+
+  static Truth truth(const Question& q, int frac) { return distance_of(q.a, q.b, frac); }
+  static bool is_hit(const Truth& truth) { return truth > 0; }
+  template <class S>
+  static S answer(const PairQuestion<A, B, S>& q) {
+    return distance(as_shape(q.a), as_shape(q.b));
+  }
 };
 
 }  // namespace detent::accuracy

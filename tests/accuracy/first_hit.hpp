@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 
 #include "accuracy/question.hpp"
 #include "exact.hpp"
+#include "oracle/apart.hpp"
 #include "oracle/exact.hpp"
 
 // The exact results, by the oracle.
@@ -39,6 +41,48 @@ Distance first_hit(const Ray<Carrier, 3>& ray, const Shape& shape, int frac) {
 template <class A, class B>
 bool meet(const A& a, const B& b) {
   return oracle::meet(as_shape(a), as_shape(b));
+}
+
+/// A shape in the carrier, whose lengths are in steps of 2^-frac, in steps of 2^-48.
+template <class Shape>
+oracle::Solid<3> in_steps(const Shape& shape, int frac) {
+  oracle::Solid<3> solid = oracle::exact(as_shape(shape));
+  const Steps times = Steps(1) << static_cast<unsigned>(distance_frac - frac);
+  const auto scale = [&](auto&... points) {
+    const auto scale_one = [&](auto& point) {
+      for (auto& component : point) component *= times;
+    };
+    (scale_one(points), ...);
+  };
+  std::visit(
+      [&]<class Form>(Form& form) {
+        if constexpr (requires { form.radius; }) form.radius *= times;
+        if constexpr (requires { form.half; }) {
+          scale(form.center, form.half);
+        } else if constexpr (requires { form.center; }) {
+          scale(form.center);
+        } else if constexpr (requires { form.low; }) {
+          scale(form.low, form.high);
+        } else if constexpr (requires { form.offset; }) {
+          form.offset *= times;
+        } else if constexpr (requires { form.start; }) {
+          scale(form.start, form.end);
+        } else if constexpr (requires { form.core; }) {
+          scale(form.core.start, form.core.end);
+        } else if constexpr (requires { form.corners; }) {
+          for (auto& corner : form.corners) scale(corner);
+        } else {
+          for (auto& point : form.points) scale(point);
+        }
+      },
+      solid);
+  return solid;
+}
+
+/// The distance of two shapes that are not empty, in steps of 2^-48, rounded down.
+template <class A, class B>
+Steps distance_of(const A& a, const B& b, int frac) {
+  return *oracle::distance_floor(in_steps(a, frac), in_steps(b, frac));
 }
 
 }  // namespace detent::accuracy

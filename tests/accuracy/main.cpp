@@ -86,7 +86,7 @@ bool measure(const Options& options) {
   }
   if (chosen.empty()) {
     throw InputError("--only: no query begins with \"" + options.only +
-                     "\"; try raycast/, overlaps/ or intersects/");
+                     "\"; try raycast/, overlaps/, intersects/ or distance/");
   }
   Report report{{}, options.count, options.seed};
   {

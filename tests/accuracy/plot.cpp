@@ -219,7 +219,8 @@ double strips(Svg& svg, double y, const Report& report) {
   double x = left + 92;
   std::vector<const Query*> pairs;
   for (const Query& query : queries()) {
-    if (query.kind != "raycast" && !column(report, query, Ladder::size).empty()) {
+    if (query.kind != "raycast" && query.kind != "distance" &&
+        !column(report, query, Ladder::size).empty()) {
       pairs.push_back(&query);
     }
   }

@@ -96,7 +96,7 @@ std::string float_table(const Report& report) {
   for (const Ladder ladder : ladders) heads.emplace_back(name_of(ladder));
   std::string text = row_of(heads) + ruler(heads.size());
   for (const bool is_planar : {false, true}) {
-    for (const std::string_view kind : {"raycast", "overlaps", "intersects"}) {
+    for (const std::string_view kind : {"raycast", "overlaps", "intersects", "distance"}) {
       std::vector<std::string> cells{std::string(kind) + (is_planar ? " in 2D" : " in 3D")};
       bool has_any = false;
       for (const Ladder ladder : ladders) {
@@ -119,15 +119,15 @@ std::string float_table(const Report& report) {
   return text;
 }
 
-/// The cells of a row of the data. Raycasts have errors for everyone; of yes or no only `float` and
+/// The cells of a row of the data. Lengths have errors for everyone; of yes or no only `float` and
 /// `double` are shown, because a fixed scalar that is wrong fails the run.
 std::string data_of(const Result& result, const Who& who) {
-  const bool is_raycast = result.query->kind == "raycast";
-  const bool is_shown = is_raycast || who.scalar == "float" || who.scalar == "double";
+  const bool has_lengths = result.query->kind != "overlaps" && result.query->kind != "intersects";
+  const bool is_shown = has_lengths || who.scalar == "float" || who.scalar == "double";
   const Cell* const cell = is_shown ? find(result, who.scalar, who.inputs) : nullptr;
   if (cell == nullptr) return ",,,";
   return "," + percent(*cell) +
-         (is_raycast ? "," + brief(cell->largest) + "," + brief(cell->median) : ",,");
+         (has_lengths ? "," + brief(cell->largest) + "," + brief(cell->median) : ",,");
 }
 
 }  // namespace

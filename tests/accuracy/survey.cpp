@@ -19,6 +19,7 @@ const std::vector<Query>& queries() {
     add_capsule_overlaps(list);
     add_hull_overlaps(list);
     add_segments(list);
+    add_pair_distances(list);
     add_planar_raycasts(list);
     add_planar_round_overlaps(list);
     add_planar_flat_overlaps(list);

@@ -48,6 +48,19 @@ void visit_lengths(const Interval<S>& interval, const Visit& visit) {
   visit(value_of(interval.enter));
   visit(value_of(interval.exit));
 }
+template <Scalar S, int N, class Visit>
+void visit_lengths(const std::pair<Vec<S, N>, Vec<S, N>>& closest, const Visit& visit) {
+  visit_lengths(closest.first, visit);
+  visit_lengths(closest.second, visit);
+}
+template <Scalar S, int N, class Visit>
+void visit_lengths(const Contact<S, N>& contact, const Visit& visit) {
+  visit(value_of(contact.depth));
+}
+template <Scalar S, int N, class Visit>
+void visit_lengths(const CastHit<S, N>& hit, const Visit& visit) {
+  visit(value_of(hit.distance));
+}
 template <class T, class Visit>
 void visit_lengths(const std::optional<T>& answer, const Visit& visit) {
   if (answer) visit_lengths(*answer, visit);

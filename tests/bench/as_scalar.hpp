@@ -24,6 +24,14 @@ const Shape& as_shape(const Shape& shape) {
   return shape;
 }
 
+/// A shape on its way along a direction.
+template <Scalar S, int N, template <class, int> class Shape>
+struct Moving {
+  Shape<S, N> shape{};
+  Direction<S, N> direction;
+  S max_distance{};
+};
+
 // A scene is drawn in double on a grid that every scalar has: `as<S>` is the same scene in S. It
 // rounds to nearest what S cannot represent: components of directions.
 
@@ -66,6 +74,10 @@ Rock<S, N> as(const Rock<double, N>& rock) {
   Rock<S, N> result;
   for (std::size_t i = 0; i < rock.points.size(); ++i) result.points[i] = as<S>(rock.points[i]);
   return result;
+}
+template <Scalar S, int N, template <class, int> class Shape>
+Moving<S, N, Shape> as(const Moving<double, N, Shape>& moving) {
+  return {as<S>(moving.shape), as<S>(moving.direction), as<S>(moving.max_distance)};
 }
 
 /// A shape moved by `offset`, for shapes in double.

@@ -69,6 +69,19 @@ class Artist {
     const auto middle = nearby();
     for (auto& point : rock.points) point = middle + vec(size());
   }
+  /// Seven in eight move towards the scene.
+  template <template <class, int> class Shape>
+  void draw(Moving<double, N, Shape>& moving) {
+    draw(moving.shape);
+    const auto aim = vec(size());
+    Vec<double, N> start;
+    do {
+      start = vec(reach_ * 2 / 5);
+    } while (start == aim);
+    move(moving.shape, start);
+    moving.direction = toward(random_.one_in(8) ? start - aim : aim - start);
+    moving.max_distance = length(reach_ / 2, reach_ - 1);
+  }
 
  private:
   [[nodiscard]] std::int64_t size() const { return reach_ / 32; }

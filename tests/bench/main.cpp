@@ -139,9 +139,21 @@ int run(int count, char** arguments) {
   add_intersects(suite);
   add_hulls(suite);
   add_planar(suite);
+  add_round_distances(suite);
+  add_flat_distances(suite);
+  add_round_closest_points(suite);
+  add_flat_closest_points(suite);
+  add_hull_closest_points(suite);
+  add_round_contacts(suite);
+  add_flat_contacts(suite);
+  add_hull_contacts(suite);
+  add_round_casts(suite);
+  add_capsule_casts(suite);
+  add_flat_casts(suite);
   add_batches(suite);
   add_baselines(suite);
   add_engines(suite);
+  add_peers(suite);
   if (!hits_are_right(suite.records())) return 1;
 
   Results results;

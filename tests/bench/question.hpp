@@ -50,6 +50,10 @@ template <Scalar S>
 bool is_hit(const S& distance) {
   return distance > 0;
 }
+template <Scalar S, int N>
+bool is_hit(const std::pair<Vec<S, N>, Vec<S, N>>& closest) {
+  return closest.first != closest.second;
+}
 
 /// Whether the result for `question` is a hit.
 template <class S, class Q>

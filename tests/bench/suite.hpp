@@ -131,6 +131,17 @@ class Suite {
   /// Adds `query` in every scalar.
   template <class Q>
   void operator()(const Q& query) {
+    add_scalars(query, support::ScalarList<float, double, q16_16, q14_16, q24_8, q8_8>());
+  }
+  /// Adds `query` in the scalars of most interest, because it takes long to compile.
+  template <class Q>
+  void add_pair(const Q& query) {
+    add_scalars(query, support::ScalarList<float, double, q16_16, q8_8>());
+  }
+
+  /// Adds `query` in some scalars.
+  template <class Q, class Scalars>
+  void add_scalars(const Q& query, Scalars scalars) {
     const auto ordinary_questions = draw_questions(query, seed_, ordinary);
     const auto small_questions = draw_questions(query, seed_, small);
     const Golden* golden = seed_ == default_seed ? golden_for(query.name) : nullptr;
@@ -150,9 +161,7 @@ class Suite {
           [query](const auto& question) { return query.template operator()<S>(question); },
           [query](const auto& question) { return hits<S>(query, question); });
     };
-    add_scalar(float());
-    add_scalar(double());
-    support::for_each_scalar(support::FixedScalars(), add_scalar);
+    support::for_each_scalar(scalars, add_scalar);
   }
 
   /// Adds a function, ours or another library's, under the names of a query and a scalar.
@@ -196,8 +205,20 @@ void add_other_overlaps(Suite& suite);
 void add_intersects(Suite& suite);
 void add_hulls(Suite& suite);
 void add_planar(Suite& suite);
+void add_round_distances(Suite& suite);
+void add_flat_distances(Suite& suite);
+void add_round_closest_points(Suite& suite);
+void add_flat_closest_points(Suite& suite);
+void add_hull_closest_points(Suite& suite);
+void add_round_contacts(Suite& suite);
+void add_flat_contacts(Suite& suite);
+void add_hull_contacts(Suite& suite);
+void add_round_casts(Suite& suite);
+void add_capsule_casts(Suite& suite);
+void add_flat_casts(Suite& suite);
 void add_batches(Suite& suite);
 void add_baselines(Suite& suite);
 void add_engines(Suite& suite);
+void add_peers(Suite& suite);
 
 }  // namespace detent::bench

@@ -99,10 +99,11 @@ void write_accuracy(std::FILE* out, const Results& results) {
     const auto error = [&](const Record& record) {
       return single->accuracy.error == 0 ? std::string() : length(record.accuracy.error);
     };
+    const std::string coarse_error = coarse == nullptr ? "" : error(*coarse);
     std::fprintf(out, "| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", query.c_str(),
                  wrong(*single).c_str(), close(*single).c_str(), error(*single).c_str(),
                  error(*twice).c_str(), wrong(*exact).c_str(), close(*exact).c_str(),
-                 error(*coarse).c_str(), wrong(*tiny).c_str(), error(*tiny).c_str());
+                 coarse_error.c_str(), wrong(*tiny).c_str(), error(*tiny).c_str());
   }
 }
 

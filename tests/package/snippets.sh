@@ -48,6 +48,13 @@ wrap_fragment() {
   echo '}'
 }
 
+# The umbrella, precompiled where the compiler looks first: most blocks begin with it.
+compile=("$compiler" -std=c++20 -Wall -Wextra -Wno-unused)
+mkdir -p "$work/precompiled/detent"
+umbrella=$work/precompiled/detent/detent.hpp
+echo "#include \"$PWD/include/detent/detent.hpp\"" >"$umbrella"
+"${compile[@]}" -Iinclude -x c++-header "$umbrella" -o "$umbrella.gch"
+
 shopt -s nullglob
 snippets=("$work"/*.cpp)
 for snippet in "${snippets[@]}"; do
@@ -58,8 +65,7 @@ for snippet in "${snippets[@]}"; do
   name=$(basename "$snippet" .cpp)
   arguments=()
   if [[ -f $snippet.arguments ]]; then read -ra arguments <"$snippet.arguments"; fi
-  "$compiler" -std=c++20 -Wall -Wextra -Wno-unused -Iinclude "$snippet" "${arguments[@]}" \
-    -o "$work/$name"
+  "${compile[@]}" -I"$work/precompiled" -Iinclude "$snippet" "${arguments[@]}" -o "$work/$name"
   (cd "$work" && "./$name" >"$name.out") || { echo "$name: exit status $?"; exit 1; }
   echo "$name: compiles and runs"
 done

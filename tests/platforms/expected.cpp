@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// usage: expected full|small|parts|names, or for a quarter full.N|small.N|parts.N
-// Prints the expected output of the verification program, from the golden digests alone, without
-// running any queries. The host compiles it, so a target that miscompiles the comparison cannot
-// pass. `parts` prints the expected output of one program per part of the small corpus, one after
-// the other; `names` prints the parts.
+// usage: expected full|small|parts|few, or for a quarter full.N|small.N|parts.N|few.N; or the same
+// with names-, such as names-full
+// Prints the expected output of the verification programs, one after the other, from the golden
+// digests alone, without running any queries. The host compiles it, so a target that miscompiles the
+// comparison cannot pass. `full` and `small` are a program per volume of the corpus; `parts` is the
+// small corpus with a program per part, `few` the same without large parts. `names-...` prints the
+// names of the volumes or parts.
 
 #include <cinttypes>
 #include <cstdio>
@@ -40,22 +42,39 @@ void print_part(const Cells& cells) {
   print(Part::name, all.value());
 }
 
-template <class Share>
-void print_all(std::string_view size) {
-  if (size == "parts") {
-    visit_parts([]<class Part>(Part) { print_part<Part, Share>(golden::small); });
+template <class Part>
+constexpr bool is_large = requires {
+  Part::large;
+};
+
+/// Calls visit(Part{}) for every program of a corpus.
+template <class Visit>
+void visit_programs(std::string_view corpus, Visit visit) {
+  if (corpus == "parts" || corpus == "few") {
+    visit_parts([&]<class Part>(Part part) {
+      if (corpus == "parts" || !is_large<Part>) visit(part);
+    });
   } else {
-    print_part<Corpus, Share>(size == "small" ? golden::small : golden::full);
+    visit_volumes(visit);
   }
+}
+
+template <class Share>
+void print_all(std::string_view corpus) {
+  visit_programs(corpus, [&]<class Part>(Part) {
+    print_part<Part, Share>(corpus == "full" ? golden::full : golden::small);
+  });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::string_view what = argc == 2 ? argv[1] : "full";
+  constexpr std::string_view names = "names-";
   const auto size = what.substr(0, what.find('.'));
-  if (what == "names") {
-    visit_parts([]<class Part>(Part) { std::printf("%s\n", Part::name.data()); });
+  if (what.starts_with(names)) {
+    visit_programs(size.substr(names.size()),
+                   []<class Part>(Part) { std::printf("%s\n", Part::name.data()); });
   } else if (what.ends_with(".0")) {
     print_all<Quarter<0>>(size);
   } else if (what.ends_with(".1")) {

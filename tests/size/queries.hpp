@@ -19,6 +19,11 @@ inline constexpr auto ask_raycast = [](const auto& ray, const auto& shape) {
   return raycast(ray, shape);
 };
 inline constexpr auto ask_overlaps = [](const auto& a, const auto& b) { return overlaps(a, b); };
+inline constexpr auto ask_distance = [](const auto& a, const auto& b) { return distance(a, b); };
+inline constexpr auto ask_contact = [](const auto& a, const auto& b) { return contact(a, b); };
+inline constexpr auto ask_cast = [](const auto& moving, const auto& target) {
+  return cast(moving.shape, moving.direction, moving.max_distance, target);
+};
 
 // The measured queries, in groups small enough for one program each.
 
@@ -63,6 +68,32 @@ void visit_others(const Visit& visit) {
   visit(query<Triangle, Triangle>("overlaps/triangle_triangle", ask_overlaps));
   visit(query<Triangle, Capsule>("overlaps/triangle_capsule", ask_overlaps));
   visit(query<Capsule, Capsule>("overlaps/capsule_capsule", ask_overlaps));
+}
+
+// Of these only flash and stack are measured: a contact needs more stack than the Cortex-M0 of the
+// boards that count instructions has memory.
+
+template <class Visit>
+void visit_distances(const Visit& visit) {
+  visit(query<Sphere, Obb>("distance/sphere_obb", ask_distance));
+  visit(query<Obb, Obb>("distance/obb_obb", ask_distance));
+}
+
+template <class Visit>
+void visit_contacts(const Visit& visit) {
+  visit(query<Sphere, Aabb>("contact/sphere_aabb", ask_contact));
+  visit(query<Obb, Obb>("contact/obb_obb", ask_contact));
+}
+
+template <Scalar S, int N>
+using MovingSphere = bench::Moving<S, N, Sphere>;
+template <Scalar S, int N>
+using MovingCapsule = bench::Moving<S, N, Capsule>;
+
+template <class Visit>
+void visit_casts(const Visit& visit) {
+  visit(query<MovingSphere, Aabb>("cast/sphere_aabb", ask_cast));
+  visit(query<MovingCapsule, Triangle>("cast/capsule_triangle", ask_cast));
 }
 
 /// Storage for `count` inputs, padded so that the next begins at a word.

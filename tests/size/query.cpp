@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A program with a single query. Needs the macros HEADER, OPERATION, FIRST and SECOND (shapes),
-// SCALAR.
+// SCALAR; MOVES if the first shape is one on its way.
 
 #include HEADER
 
@@ -10,11 +10,34 @@
 using namespace detent;
 
 static bool report(bool answer, SCALAR&) { return answer; }
-static bool report(const std::optional<SCALAR>& answer, SCALAR& distance) {
-  if (answer) distance = *answer;
+static bool report(const SCALAR& answer, SCALAR& distance) {
+  distance = answer;
+  return distance > 0;
+}
+template <class T>
+static bool report(const std::optional<T>& answer, T& found) {
+  if (answer) found = *answer;
   return answer.has_value();
 }
 
-extern "C" bool ask(const FIRST<SCALAR, 3>& a, const SECOND<SCALAR, 3>& b, SCALAR& distance) {
-  return report(OPERATION(a, b), distance);
+#if MOVES
+using FirstShape = Cast<FIRST<SCALAR, 3>>;
+#else
+using FirstShape = FIRST<SCALAR, 3>;
+#endif
+using SecondShape = SECOND<SCALAR, 3>;
+
+template <class>
+struct OutputOf {
+  using type = SCALAR;
+};
+template <class T>
+struct OutputOf<std::optional<T>> {
+  using type = T;
+};
+using QueryAnswer = decltype(OPERATION(FirstShape(), SecondShape()));
+
+extern "C" bool ask(const FirstShape& a, const SecondShape& b,
+                    typename OutputOf<QueryAnswer>::type& found) {
+  return report(OPERATION(a, b), found);
 }

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# No header of math, shape, query or scene names a built-in number type, <cmath> or a limit: only
-# number/ rounds, and cull/ counts in integers of its own.
+# No header of math, shape, query, scene, dynamics, draw or lockstep names a built-in number type,
+# <cmath> or a limit: only number/ rounds, and cull/ counts in integers of its own.
 set -euo pipefail
 
 words='float|double|int64_t|numeric_limits|std::sqrt|std::reduce|std::transform_reduce|epsilon'
 layers=()
-for layer in math shape query scene; do
+for layer in math shape query scene dynamics draw lockstep; do
   if [[ -d include/detent/$layer ]]; then layers+=("include/detent/$layer"); fi
 done
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Uses everything that a fixed-point build needs. fixed_path.sh compiles it without floating-point
-// registers, library, exceptions or type information.
+// registers, library, exceptions or type information: the queries of shapes (DETENT_PART=1), and
+// what is built on them (2).
 
 #include "detent/detent.hpp"
 
@@ -184,6 +185,7 @@ int look(const OrbitCamera<S>& orbit, Angle<S> fov, S aspect, const Vec<S, 3>& p
   template std::optional<Direction<S, 2>> normalize(const Vec<S, 2>&) noexcept;          \
   template std::optional<Direction<S, 3>> normalize(const Vec<S, 3>&) noexcept
 
+#if DETENT_PART == 1
 DETENT_USE(q16_16);
 DETENT_MOVE(q16_16);
 DETENT_LOOK(q16_16);
@@ -202,7 +204,9 @@ DETENT_LOOK(q8_8);
 DETENT_MEASURE(q8_8, 2);
 DETENT_MEASURE(q8_8, 3);
 DETENT_MEET(q8_8, 2);
+#endif
 
+#if DETENT_PART == 2
 // A mesh that owns its storage, and terrain.
 template <Scalar S>
 struct Surfaces {
@@ -234,5 +238,55 @@ std::size_t play(SyncTest<Arena, q16_16, 4>& test, Arena& arena, q16_16 push,
   });
   return desync ? desync->field.size() : arena.all_hits(ray, hits);
 }
+
+// A character in a scene.
+bool stroll(const Arena& arena, Mover<q16_16, 3, Sphere>& player,
+            const Vec<q16_16, 3>& by) noexcept {
+  return clip_velocity(by, player.move(arena, by, {}, InLayers{1})) == by;
+}
+
+// Everything drawn on a sink that counts.
+struct Paper {
+  std::size_t marks = 0;
+  template <int N>
+  void line(const Vec<q16_16, N>&, const Vec<q16_16, N>&, const Colour&) noexcept {
+    ++marks;
+  }
+  void triangle(const Vec<q16_16, 3>&, const Vec<q16_16, 3>&, const Vec<q16_16, 3>&,
+                const Colour&) noexcept {
+    ++marks;
+  }
+};
+std::size_t sketch(const Arena& arena, const ConvexHull<q16_16, 3>& hull,
+                   const Capsule<q16_16, 3>& capsule, const Capsule<q16_16, 2>& flat,
+                   const HeightField<q16_16>& field, const Contact<q16_16, 3>& touch) {
+  Paper paper;
+  draw(paper, arena);
+  draw_tree(paper, arena);
+  draw(paper, hull, Colour());
+  draw_solid(paper, hull, Colour());
+  draw_solid(paper, capsule, Colour());
+  draw_sweep(paper, capsule, touch.normal, touch.depth, Colour());
+  draw(paper, flat, Colour());
+  draw(paper, field, Colour());
+  draw_tree(paper, field);
+  draw(paper, touch, Colour(), touch.depth);
+  return paper.marks;
+}
+
+// When moving bodies meet, and the events of a scene.
+std::size_t collide(const Capsule<q16_16, 3>& capsule, const Obb<q16_16, 3>& box,
+                    const ConvexHull<q16_16, 3>& hull, const Plane<q16_16, 3>& plane,
+                    const Sweep<q16_16, 3>& sweep, const Obb<q8_8, 2>& flat_box,
+                    const Sweep<q8_8, 2>& flat, BoundedOverlapEvents<8>& events,
+                    std::span<const Overlap> pairs, Transform<q16_16, 3>& pose) noexcept {
+  const auto impact = time_of_impact(capsule, sweep, box, sweep);
+  if (impact) pose = transform_at(sweep, impact->time);
+  const bool fits = events.update(pairs);
+  return events.began().size() + (time_of_impact(box, sweep, hull, sweep) ? 1u : 0u) +
+         (time_of_impact(hull, sweep, plane) ? 1u : 0u) +
+         (time_of_impact(flat_box, flat, flat_box, flat) ? 1u : 0u) + (fits ? 1u : 0u);
+}
+#endif
 
 }  // namespace detent

@@ -1,17 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # A header includes only its own layer and layers to its left, by the full path "detent/...". For
-# programs that link detent::detent, query/raycast.hpp also includes the list of what that compiles.
+# programs that link detent::detent, query/raycast.hpp also includes the list of what that compiles. The
+# library's version belongs to no layer.
 set -euo pipefail
 
-layers=(number math shape cull query scene)
+layers=(number math shape cull query scene dynamics draw lockstep)
 bad=0
 
 for i in "${!layers[@]}"; do
   [[ -d include/detent/${layers[i]} ]] || continue
   allowed=$(IFS='|'; echo "${layers[*]:0:i+1}")
   if grep -rnE '^ *# *include +"' "include/detent/${layers[i]}" |
-      grep -vE "\"detent/($allowed)/|/query/raycast\.hpp:.*\"detent/instantiations\.hpp\""; then
+      grep -vE "\"detent/($allowed)/|/query/raycast\.hpp:.*\"detent/instantiations\.hpp\"|\"detent/version\.hpp\""; then
     echo "${layers[i]}/ may include only: $allowed"
     bad=1
   fi

@@ -4,8 +4,9 @@
 #
 # Writes the tables of FILE between its two "query matrix" comments: for each query the bits of the
 # widest number that it computes with. The width comes from the code itself: a call
-# in q16_16 and 3D is compiled without optimisation, and the symbols of the object name every
-# Fixed<Bits, ...> that a function takes or returns. Without --write, fails if FILE differs.
+# in q16_16 and 3D is compiled without optimisation, the linker drops what the call does not reach,
+# and the symbols left name every Fixed<Bits, ...> that a function takes or returns. Without --write,
+# fails if FILE differs.
 set -euo pipefail
 
 compiler=$1
@@ -15,7 +16,9 @@ if [[ $2 == --write ]]; then
   shift
 fi
 file=$2
-command -v nm >/dev/null || { echo 'skipped: there is no nm'; exit 77; }
+for tool in ld nm; do
+  command -v $tool >/dev/null || { echo "skipped: there is no $tool"; exit 77; }
+done
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -25,55 +28,80 @@ declare -A stem=([Sphere]=sphere [Aabb]=aabb [Obb]=obb [Plane]=plane [Triangle]=
                  [Capsule]=capsule [ConvexHull]=hull [Segment]=segment [Ray]=ray
                  [Frustum]=frustum)
 
-# A cell is a program with one call, named by the header's path with dots; where one header has
-# several cells, by the shape too.
-cell() { # header[+shape] first-argument-type second-argument-type calls...
-  local name=$1 header=${1%+*} first=$2 second=$3
+# A cell is a function with one call, or a few, in the source of its group: what the calls of a group
+# share is compiled once. It is named by the header's path; where one header has several cells, by
+# the shape too.
+declare -A function_of=() group_of=()
+cell() { # group header[+shape] parameters calls...
+  local group=$1 name=$2 header=${2%+*} parameters=$3 call
   shift 3
   [[ -f include/detent/query/$header.hpp ]] || return 0
+  function_of[$name]=cell_${#function_of[@]}
+  group_of[$name]=$group
+  [[ -f $work/$group.cpp ]] || {
+    echo '#include "detent/number/fixed.hpp"'
+    echo 'using S = detent::q16_16;'
+  } >"$work/$group.cpp"
   {
     echo "#include \"detent/query/$header.hpp\""
-    echo 'using S = detent::q16_16;'
-    local call
-    for call in "$@"; do
-      echo "auto answer_$call(const detent::$first& a, const detent::$second& b) {"
-      echo "  return detent::$call(a, b);"
-      echo '}'
-    done
-  } >"$work/${name//\//.}.cpp"
+    echo "extern \"C\" void ${function_of[$name]}($parameters) {"
+    for call in "$@"; do echo "  static_cast<void>(detent::$call);"; done
+    echo '}'
+  } >>"$work/$group.cpp"
 }
 
 for shape in "${shapes[@]}" Segment Ray Frustum; do
   name=${stem[$shape]}
   type="$shape<S, 3>"
   [[ $shape != Frustum ]] || type='Frustum<S>'
-  cell "contains/$name" "$type" 'Vec<S, 3>' contains
-  cell "closest_point/$name" "$type" 'Vec<S, 3>' closest_point
-  cell "distance/$name" "$type" 'Vec<S, 3>' distance
-  cell "raycast/$name" 'Ray<S, 3>' "$type" raycast raycast_hit raycast_interval
-  cell "intersects/$name" 'Segment<S, 3>' "$type" intersects
+  shape_and_point="const detent::$type& a, const detent::Vec<S, 3>& b"
+  cell point "contains/$name" "$shape_and_point" 'contains(a, b)'
+  cell point "closest_point/$name" "$shape_and_point" 'closest_point(a, b)'
+  cell point "distance/$name" "$shape_and_point" 'distance(a, b)'
+  cell line "raycast/$name" "const detent::Ray<S, 3>& a, const detent::$type& b" \
+    'raycast(a, b)' 'raycast_hit(a, b)' 'raycast_interval(a, b)'
+  cell line "intersects/$name" "const detent::Segment<S, 3>& a, const detent::$type& b" \
+    'intersects(a, b)'
 done
 for shape in "${shapes[@]}"; do
-  cell "overlaps/frustum+$shape" "$shape<S, 3>" 'Frustum<S>' overlaps
+  cell overlaps "overlaps/frustum+$shape" \
+    "const detent::$shape<S, 3>& a, const detent::Frustum<S>& b" 'overlaps(a, b)'
+done
+# Of two shapes: one row for each first shape, against those that need the longest numbers.
+pair_queries=(distance closest_points contact cast)
+for query in "${pair_queries[@]}"; do
+  for a in "${shapes[@]}"; do
+    [[ $query-$a != cast-Plane ]] || continue  # planes do not move
+    calls=("$query(a, b)" "$query(a, c)")
+    if [[ $query == cast ]]; then calls=('cast(a, d, S(1), b)' 'cast(a, d, S(1), c)'); fi
+    cell "$query" "$query+$a" "const detent::$a<S, 3>& a, const detent::Obb<S, 3>& b,
+      const detent::Capsule<S, 3>& c, [[maybe_unused]] const detent::Direction<S, 3>& d" \
+      "${calls[@]}"
+  done
 done
 for ((i = 0; i < ${#shapes[@]}; ++i)); do
   for ((j = i; j < ${#shapes[@]}; ++j)); do
     a=${shapes[i]} b=${shapes[j]}
-    cell "overlaps/${stem[$a]}_${stem[$b]}" "$a<S, 3>" "$b<S, 3>" overlaps
+    cell overlaps "overlaps/${stem[$a]}_${stem[$b]}" \
+      "const detent::$a<S, 3>& a, const detent::$b<S, 3>& b" 'overlaps(a, b)'
   done
 done
 
 export compiler
-(cd "$work" && printf '%s\0' ./*.cpp) | xargs -0 -n 1 -P "$(nproc)" \
-  bash -c '"$compiler" -std=c++20 -O0 -Iinclude -c "$0/$1" -o "$0/${1%.cpp}.o"' "$work"
+# The parameter lets g++ collect garbage earlier, for less memory; clang++ leaves it unused.
+(cd "$work" && printf '%s\0' *.cpp) | xargs -0 -n 1 -P "$(nproc)" \
+  bash -c '"$compiler" -std=c++20 -O0 -ffunction-sections --param=ggc-min-expand=20 -Iinclude \
+    -c "$0/$1" -o "$0/${1%.cpp}.o"' "$work"
 
-widest() {
-  nm -C "$1" | grep -oE 'Fixed<[0-9]+' | grep -oE '[0-9]+' | sort -n | tail -n 1
-}
-
-bits() { # header
-  local object=$work/${1//\//.}.o
-  if [[ -f $object ]]; then widest "$object"; else echo -; fi
+bits() { # cell
+  local function=${function_of[$1]-}
+  if [[ ! $function ]]; then
+    echo -
+    return
+  fi
+  ld --gc-sections --entry="$function" --unresolved-symbols=ignore-all -o "$work/reached" \
+    "$work/${group_of[$1]}.o"
+  nm -C "$work/reached" | grep -oE 'Fixed<[0-9]+' | grep -oE '[0-9]+' | sort -n | tail -n 1
 }
 
 # A row of the first and the second table: a name, then numbers under the names of the columns.
@@ -118,6 +146,16 @@ matrix() {
     done
     cells+=("$(bits "overlaps/frustum+${shapes[i]}")")
     row "\`${shapes[i]}\`" "${cells[@]}"
+  done
+  echo
+  columns=("${pair_queries[@]/#/\`}")
+  columns=("${columns[@]/%/\`}")
+  row 'two shapes' "${columns[@]}"
+  rule
+  for shape in "${shapes[@]}"; do
+    cells=()
+    for operation in "${pair_queries[@]}"; do cells+=("$(bits "$operation+$shape")"); done
+    row "\`$shape\`" "${cells[@]}"
   done
 }
 

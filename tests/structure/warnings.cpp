@@ -86,6 +86,9 @@ struct Numbers {
     const auto matrix = nearest_to<S>(to_mat(there) * view_matrix(frame));
     return (inverse(matrix) ? 1 : 0) + (slerp(turn, turn, S(0)) == turn ? 1 : 0) +
            (transform_point(frame, point) == point ? 1 : 0) +
+           (time_of_impact(Sphere{point, S(1)}, Sweep{point, point}, Sphere{point, S(1)}) ? 1 : 0) +
+           (cast(Sphere{point, S(1)}, forward, S(1), Sphere{point, S(1)}) ? 1 : 0) +
+           (contact(Aabb{point, point}, Sphere{point, S(1)}) ? 1 : 0) +
            (sin(angle) + cos(angle) > 1 ? 1 : 0) + (angle_between(point, point) == angle ? 1 : 0);
   }
 };
@@ -143,6 +146,47 @@ int surfaces(const Numbers<q16_16>& numbers) {
   return static_cast<int>(count);
 }
 
+/// Counts what is drawn.
+struct Paper {
+  int marks = 0;
+  void line(const Vec<q16_16, 3>&, const Vec<q16_16, 3>&, const Colour&) { ++marks; }
+  void triangle(const Vec<q16_16, 3>&, const Vec<q16_16, 3>&, const Vec<q16_16, 3>&,
+                const Colour&) {
+    ++marks;
+  }
+};
+
+template <class Scene>
+int sketch(const Scene& scene) {
+  Paper paper;
+  draw(paper, scene, ColourByKind());
+  draw_tree(paper, scene);
+  return paper.marks;
+}
+
+/// A match of one packet, and its replay.
+int match(int input) {
+  constexpr SessionLimits limits{.players = 2, .peers = 2, .prediction = 2, .evidence = 2};
+  using Match = Session<int, std::int16_t, limits>;
+  static Match session({.match = 5}, 0);
+  const auto simulate = [](int& world, const auto& inputs) { world += inputs[0]; };
+  int bytes = 0;
+  session.poll(0, [&](std::size_t, auto packet) { bytes += static_cast<int>(packet.size()); });
+  session.drop(1);
+  session.advance(static_cast<std::int16_t>(input), simulate);
+  std::array<std::byte, 200> file{};
+  std::size_t size = 0;
+  ReplayWriter<std::int16_t, 2> writer;
+  const auto append = [&](std::span<const std::byte> more) {
+    for (const auto byte : more) file[size++ % file.size()] = byte;
+  };
+  writer.begin({.kind = "sum", .snapshot = {}}, append);
+  if (const auto inputs = session.inputs(0)) writer.add(*inputs, session.world(), append);
+  writer.end(session.world(), append);
+  const ReplayReader<std::int16_t, 2> reader(file);
+  return bytes + static_cast<int>(check_replay(reader, 0, simulate).frames);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -161,5 +205,6 @@ int main(int argc, char** argv) {
       play(bounded, numbers) + play(framed, numbers) + play(growing, numbers) + surfaces(numbers);
   SyncTest<decltype(growing), int> test(2);
   if (test.step(growing, argc, [](auto&, int) {})) ++sum;
+  sum += sketch(bounded) + sketch(framed) + sketch(growing) + match(argc);
   std::printf("%d %s\n", sum, to_string(*x).c_str());
 }
