@@ -14,14 +14,20 @@
 
 #include "detent/query/query.hpp"
 
+#include "detent/scene/events.hpp"
 #include "detent/scene/height_field.hpp"
 #include "detent/scene/hull.hpp"
 #include "detent/scene/mesh.hpp"
+#include "detent/scene/mover.hpp"
 #include "detent/scene/snapshot.hpp"
 #include "detent/scene/sync_test.hpp"
 #if __STDC_HOSTED__  // needs a heap
 #include "detent/scene/mesh/owned.hpp"
 #endif
+
+#include "detent/draw/draw.hpp"
+
+#include "detent/lockstep/lockstep.hpp"
 
 #include "detent/version.hpp"
 
