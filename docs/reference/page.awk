@@ -37,7 +37,7 @@ function reference(target,   anchor, path) {
   if (path == "") return "@ref " page "-" anchor
   folder = home
   path = normal(path)
-  if (path ~ /^([A-Z]+|docs\/[a-z]+)\.md$/)
+  if (path ~ /^([A-Z]+|docs\/[a-z_]+)\.md$/)
     return "@ref " label_of(path) (anchor == "" ? "" : "-" anchor)
   if (path ~ /^include\/detent\/(detent|version)\.hpp$|^include\/detent\/(number|math|shape|query|scene)\/[a-z_]+(\/[a-z_]+)?\.hpp$/ &&
       path !~ /\/(filter|kernel)\/|short_words/) {
@@ -61,7 +61,7 @@ function linked(text,   result, start, target) {
 
 FNR == 1 {
   page = label_of(FILENAME)
-  home = FILENAME ~ /\/docs\/[a-z]+\.md$/ ? "docs/" : ""
+  home = FILENAME ~ /\/docs\/[a-z_]+\.md$/ ? "docs/" : ""
 }
 /^ *```/ { in_block = !in_block }
 in_block { print; next }

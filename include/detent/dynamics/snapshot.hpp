@@ -264,7 +264,7 @@ constexpr std::size_t snapshot(const BasicWorld<Storage, S, N, Shapes...>& world
 #if __STDC_HOSTED__
 /// The snapshot of a world that allocates.
 template <Scalar S, int N, class... Shapes>
-[[nodiscard]] constexpr auto snapshot(const BasicWorld<Growing, S, N, Shapes...>& world) {
+[[nodiscard]] auto snapshot(const BasicWorld<Growing, S, N, Shapes...>& world) {
   Growing::List<std::byte, 0> bytes(snapshot(world, std::span<std::byte>()));
   snapshot(world, std::span<std::byte>(bytes));
   return bytes;

@@ -67,8 +67,7 @@ class BasicOverlapEvents {
   /// Whether the lists are equal.
   [[nodiscard]] friend constexpr bool operator==(const BasicOverlapEvents& a,
                                                  const BasicOverlapEvents& b) noexcept {
-    return std::ranges::equal(a.began(), b.began()) && std::ranges::equal(a.stayed(), b.stayed()) &&
-           std::ranges::equal(a.ended(), b.ended());
+    return same(a.began(), b.began()) && same(a.stayed(), b.stayed()) && same(a.ended(), b.ended());
   }
 
  private:
@@ -76,6 +75,12 @@ class BasicOverlapEvents {
 
   [[nodiscard]] static constexpr std::span<const Overlap> view(const List& list) noexcept {
     return {list.data(), list.size()};
+  }
+
+  // Not the one of std::ranges, which libc++ 14 lacks.
+  [[nodiscard]] static constexpr bool same(std::span<const Overlap> a,
+                                           std::span<const Overlap> b) noexcept {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end());
   }
 
   List now_, began_, stayed_, ended_;
