@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <span>
 
+#include "detent/dynamics/fields.hpp"
 #include "detent/dynamics/world.hpp"
 #include "detent/scene/header.hpp"
 #include "detent/scene/shape_tag.hpp"
+#include "detent/scene/world.hpp"
 
 // A world as bytes, and back:
 //   snapshot(world)         -> the bytes, for a world that allocates
@@ -116,6 +118,26 @@ constexpr void describe_world(D& out, const World& world) noexcept {
   for (std::size_t i = 0; i < contacts.size(); ++i) describe_contact(out, contacts[i]);
 }
 
+/// The number of fixed bodies, and the digest of them.
+struct FixedBodies {
+  std::uint32_t count = 0;
+  std::uint64_t digest = 0;
+};
+template <class Bodies>
+[[nodiscard]] constexpr FixedBodies fixed_bodies(const Bodies& bodies) noexcept {
+  FixedBodies result;
+  Digest digest;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].generation == 0 || bodies[i].motion != BodyMotion::fixed) continue;
+    ++result.count;
+    digest.add(static_cast<std::uint32_t>(i), bodies[i].generation);
+    describe_state(digest, bodies[i]);
+    describe_make(digest, bodies[i]);
+  }
+  result.digest = digest.value();
+  return result;
+}
+
 template <class Storage, Scalar S, int N, class... Shapes>
 [[nodiscard]] constexpr WorldHeader header_of(
     const BasicWorld<Storage, S, N, Shapes...>& world) noexcept {
@@ -132,19 +154,10 @@ template <class Storage, Scalar S, int N, class... Shapes>
   header.next_generation = WorldAccess::next(world);
   header.contacts = static_cast<std::uint32_t>(WorldAccess::contacts(world).size());
   const auto& bodies = WorldAccess::bodies(world);
-  Digest fixed;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies[i].generation == 0) continue;
-    if (bodies[i].motion != BodyMotion::fixed) {
-      ++header.bodies;
-      continue;
-    }
-    ++header.fixed;
-    fixed.add(static_cast<std::uint32_t>(i), bodies[i].generation);
-    describe_state(fixed, bodies[i]);
-    describe_make(fixed, bodies[i]);
-  }
-  header.fixed_digest = fixed.value();
+  const auto fixed = fixed_bodies(bodies);
+  header.fixed = fixed.count;
+  header.fixed_digest = fixed.digest;
+  for_each_loose(bodies, [&](const auto&, std::uint32_t, const auto*) { ++header.bodies; });
   const auto& settings = world.settings();
   Digest own;
   own.add(static_cast<std::int32_t>(settings.ticks_per_second),
@@ -332,6 +345,20 @@ template <class D, class Storage, Scalar S, int N, class... Shapes>
 constexpr void append(D& digest, const BasicWorld<Storage, S, N, Shapes...>& world) noexcept {
   detail::describe_world(digest, world);
 }
+
+namespace detail {
+
+template <class Storage, Scalar S, int N, class... Shapes>
+struct WholeDigest<BasicWorld<Storage, S, N, Shapes...>> {
+  static constexpr void add(Digest& all, Digest& fixed,
+                            const BasicWorld<Storage, S, N, Shapes...>& world) noexcept {
+    const auto bodies = fixed_bodies(WorldAccess::bodies(world));
+    all.add(world, bodies.count, bodies.digest);
+    fixed.add(bodies.count, bodies.digest);
+  }
+};
+
+}  // namespace detail
 
 /// 64 bits of one body: where it is, how it moves and what it is made of; 0 without such a body.
 template <class Storage, Scalar S, int N, class... Shapes>

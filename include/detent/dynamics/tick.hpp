@@ -21,7 +21,8 @@ namespace detent::detail {
 /// How many contacts a world with room for so many bodies has room for.
 [[nodiscard]] constexpr std::size_t contact_room(std::size_t bodies) noexcept { return 8 * bodies; }
 
-/// What one step of a world needs besides its state. Nothing of it outlives the step.
+/// What one step of a world needs besides its state. Nothing of it outlives the step, so copies of a
+/// world, as a rollback makes in every frame, leave it out.
 template <class Storage, Scalar S, int N, class... Shapes>
 class Tick {
  public:
@@ -32,6 +33,10 @@ class Tick {
   static constexpr std::size_t contacts_room = contact_room(Storage::capacity);
   using Bodies = typename Storage::template List<Body, bodies_room>;
   using Contacts = typename Storage::template List<ContactState, contacts_room>;
+
+  constexpr Tick() noexcept = default;
+  constexpr Tick(const Tick&) noexcept {}
+  constexpr Tick& operator=(const Tick&) noexcept { return *this; }
 
   constexpr void run(Bodies& bodies, Contacts& contacts, const Pace<S, N>& pace, int substeps,
                      const S& margin) {

@@ -10,7 +10,9 @@
 
 #include "detent/scene/world.hpp"
 
-namespace detent::detail {
+namespace detent {
+
+namespace detail {
 
 /// The full name of a field, and the scene object that it belongs to, if any.
 struct FieldPlace {
@@ -67,17 +69,19 @@ constexpr void for_each_place(const World& world, Fields which, const Visit& vis
   FieldWalk<decltype(visit_some)>(visit_some).walk(world);
 }
 
-/// The number of fields, and the digest of the first `count` names and values.
-struct Beginning {
+/// The number of fields, and the digest of the names and values of `count` of them from `first` on.
+struct FieldStretch {
   std::size_t field_count = 0;
   std::uint64_t digest = 0;
 };
 template <class World>
-[[nodiscard]] constexpr Beginning beginning(const World& world, Fields which, std::size_t count) {
+[[nodiscard]] constexpr FieldStretch stretch(const World& world, Fields which, std::size_t first,
+                                             std::size_t count) {
   std::size_t seen = 0;
   Digest digest;
   for_each_place(world, which, [&](const FieldPlace& place, std::uint64_t value) {
-    if (seen++ >= count) return;
+    const auto i = seen++;
+    if (i < first || i - first >= count) return;
     for (const char c : place.name.view()) digest.add(c);
     digest.add(value);
   });
@@ -103,23 +107,110 @@ template <class World>
   return result;
 }
 
-/// The first field in which two worlds differ: its value differs, or only one of them has it. Found
-/// by bisection over digests of the first fields, so no list of fields is kept.
+/// Whether a field is `whole` or a part of it.
+[[nodiscard]] constexpr bool is_part_of(const FieldName& name, const FieldName& whole) noexcept {
+  const auto text = name.view();
+  if (!text.starts_with(whole.view())) return false;
+  const auto size = whole.size();
+  return text.size() == size || text[size] == ' ' || text[size] == '.' || text[size] == '[';
+}
+/// The number of fields from `first` on that are parts of `whole`.
+template <class World>
+[[nodiscard]] constexpr std::size_t parts_from(const World& world, Fields which, std::size_t first,
+                                               const FieldName& whole) {
+  std::size_t seen = 0, end = first;
+  for_each_place(world, which, [&](const FieldPlace& place, std::uint64_t) {
+    if (seen++ == end && is_part_of(place.name, whole)) ++end;
+  });
+  return end - first;
+}
+
+/// The fields in which two worlds differ, one after another: a value differs, or only one of them
+/// has the field; then its parts are skipped. Found by bisection over digests, so no list of fields
+/// is kept.
+template <class World>
+class FieldDifferences {
+ public:
+  constexpr FieldDifferences(const World& a, const World& b, Fields which)
+      : a_(a), b_(b), which_(which) {}
+
+  [[nodiscard]] constexpr std::optional<FieldPlace> next() {
+    constexpr auto everything = static_cast<std::size_t>(-1);
+    const auto of_a = stretch(a_, which_, in_a_, everything);
+    const auto of_b = stretch(b_, which_, in_b_, everything);
+    if (of_a.digest == of_b.digest) return std::nullopt;
+    std::size_t equal = 0;
+    auto other = (std::max)(of_a.field_count - in_a_, of_b.field_count - in_b_);
+    while (other - equal > 1) {
+      const auto middle = equal + (other - equal) / 2;
+      const bool is_equal =
+          stretch(a_, which_, in_a_, middle).digest == stretch(b_, which_, in_b_, middle).digest;
+      (is_equal ? equal : other) = middle;
+    }
+    in_a_ += equal;
+    in_b_ += equal;
+    const auto a = place_of(a_, which_, in_a_), b = place_of(b_, which_, in_b_);
+    if (a && b && a->name == b->name) {
+      ++in_a_, ++in_b_;
+      return a;
+    }
+    const bool is_of_b = !a || (b && has_field(b_, which_, a->name));
+    if (is_of_b) {
+      in_b_ += parts_from(b_, which_, in_b_, b->name);
+      return b;
+    }
+    in_a_ += parts_from(a_, which_, in_a_, a->name);
+    return a;
+  }
+
+ private:
+  const World& a_;
+  const World& b_;
+  Fields which_;
+  std::size_t in_a_ = 0, in_b_ = 0;  // all fields before are compared
+};
+
 template <class World>
 [[nodiscard]] constexpr std::optional<FieldPlace> first_difference(const World& a, const World& b,
                                                                    Fields which) {
-  constexpr auto everything = static_cast<std::size_t>(-1);
-  const auto of_a = beginning(a, which, everything), of_b = beginning(b, which, everything);
-  if (of_a.digest == of_b.digest) return std::nullopt;
-  std::size_t equal = 0, other = (std::max)(of_a.field_count, of_b.field_count);
-  while (other - equal > 1) {
-    const auto middle = equal + (other - equal) / 2;
-    const bool is_equal = beginning(a, which, middle).digest == beginning(b, which, middle).digest;
-    (is_equal ? equal : other) = middle;
-  }
-  const auto in_a = place_of(a, which, equal), in_b = place_of(b, which, equal);
-  if (!in_a || !in_b) return in_a ? in_a : in_b;
-  return in_a->name != in_b->name && has_field(b, which, in_a->name) ? in_b : in_a;
+  return FieldDifferences<World>(a, b, which).next();
 }
 
-}  // namespace detent::detail
+}  // namespace detail
+
+/// A field in which two worlds differ.
+struct FieldDifference {
+  FieldName field;                 // such as `body 3:17 (sphere) velocity.y`
+  std::optional<ObjectId> object;  // the object or body that it belongs to, if any
+};
+
+/// Calls visit(difference) for the first fields in which two worlds differ, in their order, at most
+/// `most` of them, and returns how many there were. Of an object, a body or an element that only
+/// one of them has, its first field is visited and the others are not.
+///
+/// domain: worlds of bodies, scenes, and any type that lists its fields
+/// result: 0 if all fields are equal
+///                                   (tests/dynamics/fields.test.cpp, tests/scene/difference.test.cpp)
+template <RollbackWorld World, class Visit>
+constexpr std::size_t diff(const World& a, const World& b, const Visit& visit,
+                           std::size_t most = 16) {
+  detail::FieldDifferences<World> differences(a, b, detail::Fields::all);
+  std::size_t count = 0;
+  for (; count < most; ++count) {
+    const auto place = differences.next();
+    if (!place) break;
+    visit(FieldDifference{place->name,
+                          place->object ? std::optional(place->object->id) : std::nullopt});
+  }
+  return count;
+}
+/// The first field in which two worlds differ, or nothing.
+template <RollbackWorld World>
+[[nodiscard]] constexpr std::optional<FieldDifference> diff(const World& a, const World& b) {
+  std::optional<FieldDifference> first;
+  (void)diff(
+      a, b, [&](const FieldDifference& difference) { first = difference; }, 1);
+  return first;
+}
+
+}  // namespace detent

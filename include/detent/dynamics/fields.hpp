@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "detent/dynamics/world.hpp"
+#include "detent/scene/fields.hpp"
+#include "detent/scene/object.hpp"
+#include "detent/scene/shape_tag.hpp"
+
+// The fields of a world, so that `diff`, `SyncTest` and `Session` can name what differs.
+
+namespace detent {
+
+namespace detail {
+
+/// A body, as a field of its world.
+template <class Body>
+struct BodyField {
+  const Body& body;
+  BodyId id;
+
+  [[nodiscard]] constexpr ObjectInfo info() const noexcept {
+    return {id, body.layers, body.user,
+            body.motion == BodyMotion::fixed ? Motion::fixed : Motion::moving};
+  }
+};
+template <class Body>
+BodyField(const Body&, BodyId) -> BodyField<Body>;
+
+/// What moves comes first: it is what a desync should name.
+template <class Body, class F>
+constexpr void for_each_field(const BodyField<Body>& field, const F& f) {
+  const Body& body = field.body;
+  body.shape.visit([&]<class Shape>(const Shape& shape) {
+    const auto with_type = [&](const PartName& name, const auto& part) {
+      f(FieldName(" (").add(shape_names[shape_tag<Shape>]).add(") ").add(name.view()), part);
+    };
+    f("", true);  // it exists
+    f(" type", shape_tag<Shape>);
+    with_type("place", body.state.place);
+    with_type("orientation", to_array(body.state.orientation));
+    with_type("velocity", body.state.velocity);
+    with_type("spin", body.state.spin);
+    with_type("sleeps", body.sleeps);
+    with_type("quiet", body.quiet);
+    with_type("motion", body.motion);
+    with_type("layers", body.layers);
+    with_type("collides_with", body.collides_with);
+    with_type("user", body.user);
+    with_type("density", body.density);
+    with_type("friction", body.friction);
+    with_type("restitution", body.restitution);
+    with_type("linear_damping", body.linear_damping);
+    with_type("angular_damping", body.angular_damping);
+    if constexpr (HasFields<Shape>) {
+      for_each_field(shape, with_type);
+    } else {
+      with_type("shape", shape);
+    }
+  });
+}
+
+/// A contact, as a field of its world. It belongs to the body with the lower index.
+template <class Contact>
+struct ContactField {
+  const Contact& contact;
+  ObjectInfo first;
+
+  [[nodiscard]] constexpr ObjectInfo info() const noexcept { return first; }
+};
+template <class Contact>
+ContactField(const Contact&, ObjectInfo) -> ContactField<Contact>;
+
+template <class Contact, class F>
+constexpr void for_each_field(const ContactField<Contact>& field, const F& f) {
+  const Contact& contact = field.contact;
+  f("", true);  // it exists
+  f(" touches", contact.touches);
+  f(" points", contact.count);
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    f(FieldName(" point ").add_number(i).add(" feature"), contact.feature[i]);
+    f(FieldName(" point ").add_number(i).add(" pressure"), contact.pressure[i]);
+  }
+  f(" friction", contact.friction);
+}
+
+constexpr FieldName& add_id(FieldName& name, const BodyId& id) noexcept {
+  return name.add(" ").add_number(id.index).add(":").add_number(id.generation);
+}
+
+}  // namespace detail
+
+/// The bodies and contacts of a world, such as `body 3:17 (sphere) velocity.y` or
+/// `contact 3:17 4:2 point 0 pressure`, with the raw numbers of docs/dynamics.md.
+///
+/// (tests/dynamics/fields.test.cpp)
+template <class Storage, Scalar S, int N, class... Shapes, class F>
+constexpr void for_each_field(const BasicWorld<Storage, S, N, Shapes...>& world, const F& f) {
+  const auto& bodies = detail::WorldAccess::bodies(world);
+  const auto field_of = [&](std::size_t i) {
+    return detail::BodyField{bodies[i],
+                             BodyId{static_cast<std::uint32_t>(i), bodies[i].generation}};
+  };
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].generation == 0) continue;
+    FieldName name(" body");
+    f(detail::add_id(name, field_of(i).id), field_of(i));
+  }
+  const auto& contacts = detail::WorldAccess::contacts(world);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto a = field_of(contacts[i].a).info();
+    FieldName name(" contact");
+    detail::add_id(detail::add_id(name, a.id), field_of(contacts[i].b).id);
+    f(name, detail::ContactField{contacts[i], a});
+  }
+}
+
+}  // namespace detent
+
+#include "detent/dynamics/snapshot.hpp"

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+//
+// A session whose world is one of bodies: a desync names the body.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "detent/dynamics/dynamics.hpp"
+#include "detent/lockstep/session.hpp"
+#include "support/catch.hpp"
+
+using namespace detent;
+using S = q16_16;
+
+namespace {
+
+using Bodies = BoundedWorld<Bounded<8>, S, 2, Sphere>;
+constexpr SessionLimits limits{.players = 2, .peers = 2, .prediction = 8, .evidence = 16};
+using Match = Session<Bodies, std::int8_t, limits>;
+
+/// A fixed ball, and one for each player to push about on it.
+Bodies start() {
+  Bodies world;
+  BodyOptions<S, 2> fixed;
+  fixed.motion = BodyMotion::fixed;
+  world.add(Sphere<S, 2>{{{}, S(-50)}, S(50)}, fixed);
+  for (int i = 0; i < 2; ++i) world.add(Sphere<S, 2>{{S(3 * i), S(1)}, S(1)});
+  return world;
+}
+constexpr std::array players{BodyId{1, 2}, BodyId{2, 3}};
+
+void simulate(Bodies& world, const Match::Inputs& inputs) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (inputs[i] != 0) world.set_velocity(players[i], {S(inputs[i]), {}});
+  }
+  world.step();
+}
+
+struct Found {
+  std::array<std::optional<SessionEvent>, 2> desync, field;
+};
+
+/// Plays 120 ticks; meddle(peer, world, frame) follows each frame.
+template <class Meddle>
+Found play(const Meddle& meddle) {
+  std::array<std::unique_ptr<Match>, 2> peers;
+  for (std::size_t i = 0; i < 2; ++i) {
+    SessionConfig config;
+    config.self = i;
+    config.delay = 0;
+    peers[i] = std::make_unique<Match>(config, start());
+  }
+  Found found;
+  std::array<std::vector<std::byte>, 2> wire;  // to each
+  for (std::uint64_t tick = 0; tick < 120; ++tick) {
+    const auto now = tick * 16'667;
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (!wire[i].empty()) peers[i]->receive(1 - i, wire[i], now);
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto input = static_cast<std::int8_t>(static_cast<int>(tick / (4 + i) % 3) - 1);
+      peers[i]->advance(input, [&](Bodies& world, const Match::Inputs& inputs) {
+        simulate(world, inputs);
+        meddle(i, world, inputs.frame());
+      });
+      peers[i]->poll(now, [&](std::size_t to, std::span<const std::byte> bytes) {
+        wire[to].assign(bytes.begin(), bytes.end());
+      });
+      while (const auto event = peers[i]->next_event()) {
+        if (event->kind == SessionEvent::Kind::desync) found.desync[i] = event;
+        if (event->kind == SessionEvent::Kind::desync_field) found.field[i] = event;
+      }
+    }
+  }
+  CHECK(peers[0]->final_frame() > 100);
+  CHECK(peers[0]->resimulated() > 0);
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("world: two peers play one of bodies in step, with rollbacks") {
+  const auto found = play([](std::size_t, Bodies&, std::uint32_t) {});
+  CHECK_FALSE(found.desync[0]);
+  CHECK_FALSE(found.desync[1]);
+}
+
+TEST_CASE("world: a body that one peer pushes is named at both, by frame, body and field") {
+  const auto found = play([](std::size_t peer, Bodies& world, std::uint32_t frame) {
+    if (peer == 1 && frame == 40) world.set_angular_velocity(players[0], {S(1)});
+  });
+  for (std::size_t i = 0; i < 2; ++i) {
+    REQUIRE(found.desync[i]);
+    CHECK(found.desync[i]->frame == 40);
+    REQUIRE(found.field[i]);
+    CHECK(found.field[i]->frame == 40);
+    CHECK(found.field[i]->object == players[0]);
+    CHECK(std::string(found.field[i]->field.view()) == "body 1:2 (sphere) spin[0]");
+  }
+}
+
+TEST_CASE("world: a fixed body that one peer moves is named too") {
+  const auto found = play([](std::size_t peer, Bodies& world, std::uint32_t frame) {
+    if (peer == 0 && frame == 50) {
+      detail::WorldAccess::bodies(world)[0].user = 1;
+    }
+  });
+  for (std::size_t i = 0; i < 2; ++i) {
+    REQUIRE(found.field[i]);
+    CHECK(found.field[i]->frame == 50);
+    CHECK(std::string(found.field[i]->field.view()) == "body 0:1 (sphere) user");
+  }
+}
