@@ -5,8 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "detent/dynamics/manifold.hpp"
+#include "detent/dynamics/record.hpp"
 #include "detent/dynamics/row.hpp"
 
 namespace detent::detail {
@@ -35,12 +37,6 @@ struct Softness {
   typename Formats<S>::Ratio rigid{}, pull{}, loss{};
 };
 
-/// raw / 2^30.
-template <Scalar S>
-[[nodiscard]] constexpr typename Formats<S>::Ratio dyadic(int raw) noexcept {
-  using Ratio = typename Formats<S>::Ratio;
-  return quotient_nearest<Ratio>(as_operand<Ratio>(raw), as_operand<Ratio>(1 << 30));
-}
 template <Scalar S>
 [[nodiscard]] constexpr Softness<S> softness(int rigid, int pull) noexcept {
   return {dyadic<S>(rigid), dyadic<S>(pull), dyadic<S>((1 << 30) - rigid)};
@@ -63,6 +59,7 @@ struct Support {
   Vec<typename F::Place, N> place{};
   Spread<typename F::Gyration, N> spread{};  // inverse squared gyration in the world
   bool is_fixed = true;                      // never moves or turns
+  std::uint8_t locked = 0;                   // of a body that can move
 };
 
 /// A contact, ready to be solved. Impulses are in its `BodyContact`.
@@ -95,6 +92,23 @@ template <Scalar S, int N>
   using Ratio = typename Formats<S>::Ratio;
   return {n, make_vec<N>([&](int i) { return nearest_to<Ratio>(share_a * n[i]); }),
           make_vec<N>([&](int i) { return nearest_to<Ratio>(share_b * n[i]); })};
+}
+
+/// Takes the locked axes out of a push; the part of the motion along it that is lost, rounded once a
+/// body.
+template <Scalar S, int N>
+[[nodiscard]] constexpr typename Formats<S>::Give lock(Thrust<S, N>& push, std::uint8_t locked_a,
+                                                       std::uint8_t locked_b) noexcept {
+  using Give = typename Formats<S>::Give;
+  const auto part = [&](Vec<typename Formats<S>::Ratio, N>& on, std::uint8_t locked) {
+    auto lost = Vec<typename Formats<S>::Ratio, N>();
+    for (int i = 0; i < N; ++i) {
+      if (is_locked(locked, i)) std::swap(lost[i], on[i]);
+    }
+    return nearest_to<Give>(narrow_dot<62>(lost, push.along));
+  };
+  if (locked_a == 0 && locked_b == 0) return {};
+  return nearest_to<Give>(part(push.on_a, locked_a) + part(push.on_b, locked_b));
 }
 
 /// Unit vectors across `n`: in 2D (n.y, -n.x); in 3D n x e for the axis e with the least |n . e|,
@@ -147,13 +161,14 @@ constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold
   ready.is_wall = share_a == 0 || share_b == 0;
   const auto n = out_of_a(manifold.normal);
   ready.normal = push_along<S, N>(n, share_a, share_b);
+  const auto stuck = lock<S, N>(ready.normal, a.locked, b.locked);
 
   const auto row_at = [&](const Vec<Arm, N>& from_a, const Vec<Arm, N>& from_b,
-                          const Vec<Ratio, N>& along) {
+                          const Vec<Ratio, N>& along, const typename F::Give& lost) {
     Row<S, N> row;
     if (!a.is_fixed) row.moment_a = moment<S, N>(from_a, along);
     if (!b.is_fixed) row.moment_b = moment<S, N>(from_b, along);
-    complete<S, N>(row, spread_a, spread_b);
+    complete<S, N>(row, spread_a, spread_b, lost);
     return row;
   };
   const auto count = static_cast<std::size_t>(manifold.count);
@@ -161,7 +176,7 @@ constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold
   for (std::size_t i = 0; i < count; ++i) {
     const auto& point = manifold.points[i];
     at[i] = out_of_a(point.point);
-    ready.pressure[i] = row_at(nearest_to<Arm>(at[i]), nearest_to<Arm>(at[i] - offset), n);
+    ready.pressure[i] = row_at(nearest_to<Arm>(at[i]), nearest_to<Arm>(at[i] - offset), n, stuck);
     ready.gap[i] = saturate_to<typename F::Speed>(point.separation);
   }
 
@@ -174,8 +189,9 @@ constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold
   const auto across = tangents<S, N>(n);
   for (std::size_t t = 0; t < across.size(); ++t) {
     ready.tangent[t] = push_along<S, N>(across[t], share_a, share_b);
+    const auto slip = lock<S, N>(ready.tangent[t], a.locked, b.locked);
     ready.friction[t] =
-        row_at(nearest_to<Arm>(middle), nearest_to<Arm>(middle - offset), across[t]);
+        row_at(nearest_to<Arm>(middle), nearest_to<Arm>(middle - offset), across[t], slip);
   }
   if constexpr (N == 3) {
     std::array<Arm, ReadyContact<S, N>::capacity> distance{};

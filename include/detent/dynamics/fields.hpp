@@ -43,6 +43,8 @@ constexpr void for_each_field(const BodyField<Body>& field, const F& f) {
     with_type("orientation", to_array(body.state.orientation));
     with_type("velocity", body.state.velocity);
     with_type("spin", body.state.spin);
+    with_type("push", body.push);
+    with_type("twist", body.twist);
     with_type("sleeps", body.sleeps);
     with_type("quiet", body.quiet);
     with_type("motion", body.motion);
@@ -54,6 +56,9 @@ constexpr void for_each_field(const BodyField<Body>& field, const F& f) {
     with_type("restitution", body.restitution);
     with_type("linear_damping", body.linear_damping);
     with_type("angular_damping", body.angular_damping);
+    with_type("gravity_scale", body.gravity_scale);
+    with_type("locked", body.locked);
+    with_type("is_sensor", body.is_sensor);
     if constexpr (HasFields<Shape>) {
       for_each_field(shape, with_type);
     } else {

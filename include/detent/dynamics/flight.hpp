@@ -6,7 +6,7 @@
 
 namespace detent::detail {
 
-/// The first half of a substep: gravity, damping, and the spin that keeps the angular momentum at
+/// The first half of a substep: gravity, forces, damping, locked axes, and the spin that keeps the angular momentum at
 /// the orientation half-way through it, whose axes go to `half_way`.
 template <Scalar S, int N, class Shape>
 constexpr void accelerate(const BodyRecord<S, N, Shape>& body, Moving<S, N>& moving,
@@ -15,19 +15,28 @@ constexpr void accelerate(const BodyRecord<S, N, Shape>& body, Moving<S, N>& mov
   using Ratio = typename F::Ratio;
   for (int i = 0; i < N; ++i) {
     auto& v = moving.velocity[i];
-    v = saturate_to<typename F::Speed>(v + pace.gravity[i]);
+    const auto gravity = body.gravity_scale == S(1)
+                             ? pace.gravity[i]
+                             : saturate_to<typename F::Speed>(body.gravity_scale * pace.gravity[i]);
+    v = saturate_to<typename F::Speed>(v + gravity);
+    v = saturate_to<typename F::Speed>(v + body.push[i]);
     if (body.kept_velocity != Ratio(1)) {
       v = nearest_to<typename F::Speed>(v * body.kept_velocity);
     }
   }
+  for (std::size_t i = 0; i < moving.spin.size(); ++i) {
+    moving.spin[i] = saturate_to<typename F::Spin>(moving.spin[i] + body.twist[i]);
+  }
   if (body.kept_spin != Ratio(1)) {
     for (auto& w : moving.spin) w = nearest_to<typename F::Spin>(w * body.kept_spin);
   }
+  lock<S, N>(body.locked, moving.velocity, moving.spin);
   if constexpr (N == 3) {
     if (body.inertia.is_round) return;
     const auto& q = body.state.orientation;
     half_way = axes_of<S, 3>(turned<S, 3, 1>(q, moving.spin));
     moving.spin = carried<S>(moving.spin, axes_of<S, 3>(q), half_way, body.inertia);
+    lock<S, N>(body.locked, moving.velocity, moving.spin);
   }
 }
 
@@ -37,6 +46,7 @@ template <Scalar S, int N, class Shape>
 constexpr void move(BodyRecord<S, N, Shape>& body, Moving<S, N>& moving,
                     const Axes<S, N>& half_way) noexcept {
   using F = Formats<S>;
+  if (body.can_move()) lock<S, N>(body.locked, moving.velocity, moving.spin);
   for (int i = 0; i < N; ++i) {
     auto& x = body.state.place[i];
     x = saturate_to<typename F::Place>(x + moving.velocity[i]);
@@ -50,6 +60,7 @@ constexpr void move(BodyRecord<S, N, Shape>& body, Moving<S, N>& moving,
     if (body.inertia.is_round || !body.can_move()) return;
     moving.spin =
         carried<S>(moving.spin, half_way, axes_of<S, 3>(body.state.orientation), body.inertia);
+    lock<S, N>(body.locked, moving.velocity, moving.spin);
   }
 }
 

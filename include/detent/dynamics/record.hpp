@@ -43,6 +43,39 @@ template <Scalar S, int N>
           nearest_to<typename F::Lever>(settings.margin)};
 }
 
+/// Whether a body does not move along an axis, by the bits of `AxisLock`.
+[[nodiscard]] constexpr bool is_locked(std::uint8_t locked, int axis) noexcept {
+  return ((locked >> axis) & 1) != 0;
+}
+/// Whether it does not turn about an axis; in 2D about the only one.
+template <int N>
+[[nodiscard]] constexpr bool is_turn_locked(std::uint8_t locked, int axis) noexcept {
+  return N == 2 ? (locked & AxisLock::turn) != 0 : is_locked(locked, axis + 3);
+}
+/// Velocity and spin without what is locked.
+template <Scalar S, int N>
+constexpr void lock(std::uint8_t locked, Vec<typename Formats<S>::Speed, N>& velocity,
+                    Axial<typename Formats<S>::Spin, N>& spin) noexcept {
+  if (locked == 0) return;
+  for (int i = 0; i < N; ++i) {
+    if (is_locked(locked, i)) velocity[i] = {};
+  }
+  for (std::size_t i = 0; i < spin.size(); ++i) {
+    if (is_turn_locked<N>(locked, static_cast<int>(i))) spin[i] = {};
+  }
+}
+/// The matrix `m` without the rows and columns of locked turns.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Spread<typename Formats<S>::Gyration, N> without_locked(
+    Spread<typename Formats<S>::Gyration, N> m, std::uint8_t locked) noexcept {
+  constexpr int axes = N == 2 ? 1 : 3;
+  for (int i = 0; locked != 0 && i < axes; ++i) {
+    if (!is_turn_locked<N>(locked, i)) continue;
+    for (int j = 0; j < axes; ++j) m[entry<N>(i, j)] = {};
+  }
+  return m;
+}
+
 /// A body of a world.
 template <Scalar S, int N, class Shape>
 struct BodyRecord {
@@ -55,8 +88,13 @@ struct BodyRecord {
   std::uint32_t layers = 0, collides_with = 0;
   std::uint64_t user = 0;
   S density{}, friction{}, restitution{}, linear_damping{}, angular_damping{};
+  S gravity_scale = S(1);
+  std::uint8_t locked = 0;
+  bool is_sensor = false;
   Shape shape{};  // in the body's frame
   BodyState<S, N> state{};
+  Vec<typename F::Speed, N> push{};  // by forces, in each substep of the next tick
+  Axial<typename F::Spin, N> twist{};
 
   // These follow from the others.
   typename MassProperties<S, N>::Formats::Mass mass{};
@@ -66,6 +104,9 @@ struct BodyRecord {
 
   [[nodiscard]] constexpr bool can_move() const noexcept {
     return motion == BodyMotion::dynamic && mass > 0;
+  }
+  [[nodiscard]] constexpr bool is_pushed() const noexcept {
+    return !(push == Vec<typename F::Speed, N>() && twist == Axial<typename F::Spin, N>());
   }
 };
 

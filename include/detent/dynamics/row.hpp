@@ -102,16 +102,26 @@ template <Scalar S, int N, class F = Formats<S>>
   return sum < 0 ? Give{} : sum;
 }
 
-/// 1 / (1 + c_a j_a + c_b j_b), rounded to nearest.
+/// raw / 2^30.
+template <Scalar S>
+[[nodiscard]] constexpr typename Formats<S>::Ratio dyadic(int raw) noexcept {
+  using Ratio = typename Formats<S>::Ratio;
+  return quotient_nearest<Ratio>(as_operand<Ratio>(raw), as_operand<Ratio>(1 << 30));
+}
+/// 1 / (1 - lost + c_a j_a + c_b j_b), rounded to nearest; `lost` is the part of the motion along the
+/// row that locked axes take. Less than 1 / 64 counts as none: then nothing can push along the row.
 template <Scalar S, int N, class F = Formats<S>>
 constexpr void complete(Row<S, N>& row, const Spread<typename F::Gyration, N>& spread_a,
-                        const Spread<typename F::Gyration, N>& spread_b) noexcept {
+                        const Spread<typename F::Gyration, N>& spread_b,
+                        const typename F::Give& lost = {}) noexcept {
   using Ratio = typename F::Ratio;
   row.response_a = response<S, N>(spread_a, row.moment_a);
   row.response_b = response<S, N>(spread_b, row.moment_b);
-  const auto whole = Ratio(1) + (give<S, N>(row.moment_a, row.response_a) +
-                                 give<S, N>(row.moment_b, row.response_b));
-  row.mass = quotient_nearest<Ratio>(Ratio(1), whole);
+  const auto whole =
+      Ratio(1) - lost +
+      (give<S, N>(row.moment_a, row.response_a) + give<S, N>(row.moment_b, row.response_b));
+  constexpr auto least = dyadic<S>(1 << 24);
+  row.mass = whole < least ? Ratio{} : quotient_nearest<Ratio>(Ratio(1), whole);
 }
 
 }  // namespace detent::detail

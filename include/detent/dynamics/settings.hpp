@@ -37,6 +37,14 @@ template <Scalar S, int N>
 
 }  // namespace detail
 
+/// Bits of `BodyOptions::locked`: the axes of the world that a body does not move along or turn
+/// about. In 2D each of the last three stops it from turning.
+struct AxisLock {
+  static constexpr std::uint8_t x = 1, y = 2, z = 4;
+  static constexpr std::uint8_t turn_x = 8, turn_y = 16, turn_z = 32;
+  static constexpr std::uint8_t turn = turn_x | turn_y | turn_z;
+};
+
 /// What a body is made of, and how it starts. Seconds are those of the world's settings.
 template <Scalar S, int N>
 struct BodyOptions {
@@ -47,6 +55,9 @@ struct BodyOptions {
   S linear_damping = S(0), angular_damping = S(0);  // share lost per second, for small ones
   Vec<S, N> velocity{};                             // units per second
   detail::Axial<S, N> angular_velocity{};           // radians per second
+  S gravity_scale = S(1);                           // of the world's gravity
+  std::uint8_t locked = 0;                          // bits of `AxisLock`
+  bool is_sensor = false;                           // touches are reported, and push nobody
   std::uint32_t layers = 1;                         // the layers that it is in
   std::uint32_t collides_with = 0xffffffffu;  // the layers that it meets; both must want to meet
   std::uint64_t user = 0;                     // any word; saved, never read

@@ -23,9 +23,11 @@
 // * each body that is not fixed, in order of index: a word of its index (bits 0 to 19), its quiet
 //   ticks (20 to 27), whether it sleeps (28) and whether it is made like the body before it (29);
 //   generation (4 bytes); place, orientation, velocity, spin: 72 bytes in 3D with Q16.16. Unless it
-//   is made like the body before it: motion (1), layers, layers that it meets (4 each), user word
+//   is made like the body before it: motion (1, plus 4 if the last item follows), layers, layers that it meets (4 each), user word
 //   (8), density, friction, restitution, damping of velocity and spin, shape type (1), the numbers
-//   of the shape;
+//   of the shape; if one of them is not the default, locked axes (bits 0 to 5) and sensor (bit 6) in
+//   a byte, and the scale of gravity. Bit 30 of the word: after the spin comes what forces and
+//   torques will do in the next tick, a velocity and a spin;
 // * each contact, in order of its bodies: a word of the index of a (bits 0 to 19), the number of
 //   points (20 to 22) and whether it touches (23); the index of b (4 bytes); of each point its
 //   feature and pressure, then the impulses of friction: 52 bytes for four points in 3D;
@@ -60,17 +62,35 @@ struct WorldHeader {
   }
 };
 
+inline constexpr std::uint8_t sensor_bit = 1u << 6;
+
+/// Whether locked axes, sensor or the scale of gravity are not the default.
+template <class Body>
+[[nodiscard]] constexpr bool has_extras(const Body& body) noexcept {
+  return body.locked != 0 || body.is_sensor ||
+         body.gravity_scale != decltype(body.gravity_scale)(1);
+}
+
 template <class D, class Body>
 constexpr void describe_make(D& out, const Body& body) noexcept {
-  out.add(body.motion, body.layers, body.collides_with, body.user, body.density, body.friction,
-          body.restitution, body.linear_damping, body.angular_damping);
+  const bool has_more = has_extras(body);
+  out.add(static_cast<std::uint8_t>(static_cast<unsigned>(body.motion) | (has_more ? 4u : 0u)),
+          body.layers, body.collides_with, body.user, body.density, body.friction, body.restitution,
+          body.linear_damping, body.angular_damping);
   body.shape.visit([&]<class Shape>(const Shape& shape) { out.add(shape_tag<Shape>, shape); });
+  if (has_more) {
+    out.add(static_cast<std::uint8_t>(body.locked | (body.is_sensor ? sensor_bit : 0)),
+            body.gravity_scale);
+  }
 }
 
 template <class D, class Body>
 constexpr void describe_state(D& out, const Body& body) noexcept {
   out.add(body.state.place, body.state.orientation, body.state.velocity);
   for (const auto& w : body.state.spin) out.add(w);
+  if (!body.is_pushed()) return;
+  out.add(body.push);
+  for (const auto& w : body.twist) out.add(w);
 }
 
 template <class Body>
@@ -78,7 +98,8 @@ template <class Body>
   return a.motion == b.motion && a.layers == b.layers && a.collides_with == b.collides_with &&
          a.user == b.user && a.density == b.density && a.friction == b.friction &&
          a.restitution == b.restitution && a.linear_damping == b.linear_damping &&
-         a.angular_damping == b.angular_damping && a.shape == b.shape;
+         a.angular_damping == b.angular_damping && a.gravity_scale == b.gravity_scale &&
+         a.locked == b.locked && a.is_sensor == b.is_sensor && a.shape == b.shape;
 }
 
 template <class D, class C>
@@ -109,7 +130,8 @@ constexpr void describe_world(D& out, const World& world) noexcept {
       WorldAccess::bodies(world), [&](const auto& body, std::uint32_t i, const auto* before) {
         const bool alike = before != nullptr && is_made_like(body, *before);
         out.add(i | std::uint32_t{body.quiet} << 20 | (body.sleeps ? std::uint32_t{1} << 28 : 0u) |
-                    (alike ? std::uint32_t{1} << 29 : 0u),
+                    (alike ? std::uint32_t{1} << 29 : 0u) |
+                    (body.is_pushed() ? std::uint32_t{1} << 30 : 0u),
                 body.generation);
         describe_state(out, body);
         if (!alike) describe_make(out, body);
@@ -171,8 +193,8 @@ template <class Storage, Scalar S, int N, class... Shapes>
 template <Scalar S, int N, class... Shapes>
 [[nodiscard]] constexpr bool read_make(Reader& in,
                                        BodyRecord<S, N, OneOf<Shapes...>>& body) noexcept {
-  std::uint8_t tag = 0;
-  in.get(body.motion, body.layers, body.collides_with, body.user, body.density, body.friction,
+  std::uint8_t motion = 0, tag = 0;
+  in.get(motion, body.layers, body.collides_with, body.user, body.density, body.friction,
          body.restitution, body.linear_damping, body.angular_damping, tag);
   bool known = false;
   const auto read = [&]<class Shape>(Shape shape) {
@@ -182,7 +204,15 @@ template <Scalar S, int N, class... Shapes>
     body.shape = OneOf<Shapes...>(shape);
   };
   (read(Shapes()), ...);
-  return known && !in.has_failed() &&
+  body.motion = static_cast<BodyMotion>(motion & 3u);
+  if (motion >> 2 == 1) {
+    const auto flags = in.number<std::uint8_t>();
+    in.get(body.gravity_scale);
+    body.locked = static_cast<std::uint8_t>(flags & (sensor_bit - 1u));
+    body.is_sensor = (flags & sensor_bit) != 0;
+    if (flags >> 7 != 0 || !has_extras(body)) return false;
+  }
+  return known && !in.has_failed() && motion >> 3 == 0 &&
          (body.motion == BodyMotion::dynamic || body.motion == BodyMotion::kinematic);
 }
 
@@ -199,7 +229,7 @@ template <Scalar S, int N, class Bodies, class Contacts>
     const auto generation = in.number<std::uint32_t>();
     const std::size_t i = word & 0xfffffu;
     const bool alike = (word >> 29 & 1) != 0;
-    if (in.has_failed() || i < lowest || word >> 30 != 0 || generation == 0 ||
+    if (in.has_failed() || i < lowest || word >> 31 != 0 || generation == 0 ||
         generation >= header.next_generation || (alike && !has_before)) {
       return Restored::corrupted;
     }
@@ -212,11 +242,21 @@ template <Scalar S, int N, class Bodies, class Contacts>
     body.sleeps = (word >> 28 & 1) != 0;
     in.get(body.state.place, body.state.orientation, body.state.velocity);
     for (auto& w : body.state.spin) in.get(w);
+    body.push = {};
+    body.twist = {};
+    const bool is_pushed = (word >> 30 & 1) != 0;
+    if (is_pushed) {
+      in.get(body.push);
+      for (auto& w : body.twist) in.get(w);
+    }
     if (in.has_failed() || !is_unit(to_array(body.state.orientation))) return Restored::corrupted;
     if (!alike) {
       if (!read_make(in, body)) return Restored::corrupted;
       if (has_before && is_made_like(body, bodies[before])) return Restored::corrupted;
       derive(body, rate);
+    }
+    if (body.is_pushed() != is_pushed || (is_pushed && !body.can_move())) {
+      return Restored::corrupted;
     }
     bodies[i] = body;
     before = i;

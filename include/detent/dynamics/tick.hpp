@@ -73,7 +73,9 @@ class Tick {
       auto& support = supports_[i];
       support.axes = axes_of<S, N>(body.state.orientation);
       support.place = body.state.place;
-      support.spread = in_world<S, N>(body.inertia.inverse, support.axes);
+      support.locked = body.can_move() ? body.locked : std::uint8_t{0};
+      support.spread =
+          without_locked<S, N>(in_world<S, N>(body.inertia.inverse, support.axes), support.locked);
       support.is_fixed = body.motion == BodyMotion::fixed;
     }
   }
@@ -118,9 +120,27 @@ class Tick {
       if (found.manifold.count == 0) continue;
       while (old < before.size() && BodyPair{before[old].a, before[old].b} < pair) ++old;
       const bool known = old < before.size() && BodyPair{before[old].a, before[old].b} == pair;
-      current_.push_back(continued(pair, found.manifold, known ? &before[old] : nullptr));
+      if (is_sensed(bodies, pair.a, pair.b)) {
+        current_.push_back(sensed(pair, found.manifold));
+      } else {
+        current_.push_back(continued(pair, found.manifold, known ? &before[old] : nullptr));
+      }
       found_.push_back(found);
     }
+  }
+
+  /// Whether one of two bodies is a sensor, so that nothing is pushed.
+  static constexpr bool is_sensed(const Bodies& bodies, std::uint32_t a, std::uint32_t b) noexcept {
+    return bodies[a].is_sensor || bodies[b].is_sensor;
+  }
+  /// A contact with a sensor: whether they overlap.
+  static constexpr ContactState sensed(const BodyPair& pair,
+                                       const Manifold<S, N>& manifold) noexcept {
+    auto contact = continued(pair, manifold, nullptr);
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      contact.touches = contact.touches || manifold.points[i].separation <= 0;
+    }
+    return contact;
   }
 
   static constexpr ContactState continued(const BodyPair& pair, const Manifold<S, N>& manifold,
@@ -148,6 +168,7 @@ class Tick {
     islands_.reset(bodies.size());
     for (std::size_t i = 0; i < current_.size(); ++i) {
       const auto& contact = current_[i];
+      if (is_sensed(bodies, contact.a, contact.b)) continue;
       if (bodies[contact.a].can_move() && bodies[contact.b].can_move()) {
         islands_.join(contact.a, contact.b);
       }
@@ -159,6 +180,7 @@ class Tick {
     }
     for (std::size_t i = 0; i < current_.size(); ++i) {
       const auto& contact = current_[i];
+      if (is_sensed(bodies, contact.a, contact.b)) continue;
       if (is_driven(bodies[contact.a])) awake_[islands_.of(contact.b)] = 1;
       if (is_driven(bodies[contact.b])) awake_[islands_.of(contact.a)] = 1;
     }
@@ -180,7 +202,7 @@ class Tick {
     for (std::size_t i = 0; i < current_.size(); ++i) {
       const auto& contact = current_[i];
       const bool moves_a = is_awake(bodies[contact.a]), moves_b = is_awake(bodies[contact.b]);
-      if (!moves_a && !moves_b) {
+      if ((!moves_a && !moves_b) || is_sensed(bodies, contact.a, contact.b)) {
         colour_[i] = asleep;
         continue;
       }
@@ -271,6 +293,8 @@ class Tick {
       if (!is_awake(body)) continue;
       body.state.velocity = moving_[i].velocity;
       body.state.spin = moving_[i].spin;
+      body.push = {};
+      body.twist = {};
       const bool is_quiet = is_slow(body.state, pace);
       body.quiet = is_quiet ? static_cast<std::uint8_t>((std::min)(body.quiet + 1, 255)) : 0;
       if (body.quiet < (std::min)(pace.quiet_ticks, 255)) awake_[island(i)] = 1;

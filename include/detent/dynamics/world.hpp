@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "detent/cull/list.hpp"
+#include "detent/dynamics/kick.hpp"
 #include "detent/dynamics/tick.hpp"
 #include "detent/math/transform.hpp"
 
@@ -81,6 +82,9 @@ class BasicWorld {
     body.layers = options.layers;
     body.collides_with = options.collides_with;
     body.user = options.user;
+    body.gravity_scale = options.gravity_scale;
+    body.locked = options.locked;
+    body.is_sensor = options.is_sensor;
     body.density = options.density;
     body.friction = options.friction;
     body.restitution = options.restitution;
@@ -186,6 +190,59 @@ class BasicWorld {
     rouse(*body);
   }
 
+  /// Changes velocity and spin at once as an impulse at the point `at` of the world does, and wakes
+  /// the body. Nothing happens to bodies that are not dynamic or have no mass.
+  ///
+  /// units:  impulse in units of mass times units per second; `at` within 512 units of the centre
+  ///         along each axis, farther ones count as there
+  /// exact:  each component of the changes rounded once   (docs/dynamics.md, tests/dynamics/push.test.cpp)
+  constexpr void apply_impulse(const BodyId& id, const Vec<S, N>& impulse,
+                               const Vec<S, N>& at) noexcept {
+    Body* body = find_movable(id);
+    if (body == nullptr) return;
+    detail::add<S, N>(kick(*body, impulse, at, pace_.rate), body->state.velocity, body->state.spin);
+    rouse(*body);
+  }
+  /// An impulse at the centre: it turns nothing.
+  constexpr void apply_impulse(const BodyId& id, const Vec<S, N>& impulse) noexcept {
+    Body* body = find_movable(id);
+    if (body == nullptr) return;
+    detail::add<S, N>({detail::velocity_of<S, N>(*body, impulse, pace_.rate), {}},
+                      body->state.velocity, body->state.spin);
+    rouse(*body);
+  }
+  /// Lets a force act at the point `at` of the world in each substep of the next step, and wakes the
+  /// body. Forces and torques of one step add up; `at` and the body's orientation are those of now.
+  ///
+  /// units:  force in units of mass times units per second and second
+  /// exact:  each component of the changes per substep rounded once       (tests/dynamics/push.test.cpp)
+  constexpr void apply_force(const BodyId& id, const Vec<S, N>& force,
+                             const Vec<S, N>& at) noexcept {
+    Body* body = find_movable(id);
+    if (body == nullptr) return;
+    detail::add<S, N>(kick(*body, force, at, pace_.rate * pace_.rate), body->push, body->twist);
+    rouse(*body);
+  }
+  /// A force at the centre: it turns nothing.
+  constexpr void apply_force(const BodyId& id, const Vec<S, N>& force) noexcept {
+    Body* body = find_movable(id);
+    if (body == nullptr) return;
+    detail::add<S, N>({detail::velocity_of<S, N>(*body, force, pace_.rate * pace_.rate), {}},
+                      body->push, body->twist);
+    rouse(*body);
+  }
+  /// Lets a torque act in each substep of the next step, and wakes the body.
+  ///
+  /// units:  torque in units of mass times squared units per second and second; about the world's axes
+  /// exact:  each component of the change per substep rounded once        (tests/dynamics/push.test.cpp)
+  constexpr void apply_torque(const BodyId& id, const detail::Axial<S, N>& torque) noexcept {
+    Body* body = find_movable(id);
+    if (body == nullptr) return;
+    detail::add<S, N>({{}, detail::spin_of<S, N>(*body, torque, pace_.rate * pace_.rate)},
+                      body->push, body->twist);
+    rouse(*body);
+  }
+
   /// Pairs that began or ended to touch in the last step.
   [[nodiscard]] constexpr std::size_t event_count() const noexcept { return events_.size(); }
   [[nodiscard]] constexpr const TouchEvent& event(std::size_t i) const noexcept {
@@ -207,6 +264,19 @@ class BasicWorld {
   }
   [[nodiscard]] constexpr BodyId id_of(std::uint32_t index) const noexcept {
     return {index, bodies_[index].generation};
+  }
+
+  [[nodiscard]] constexpr Body* find_movable(const BodyId& id) noexcept {
+    Body* body = find(id);
+    return body != nullptr && body->can_move() ? body : nullptr;
+  }
+  [[nodiscard]] static constexpr detail::Kick<S, N> kick(const Body& body, const Vec<S, N>& push,
+                                                         const Vec<S, N>& at, int per) noexcept {
+    const auto arm = make_vec<N>([&](int i) {
+      return saturate_to<typename F::Lever>(typename F::Place(at[i]) - body.state.place[i]);
+    });
+    return {detail::velocity_of<S, N>(body, push, per),
+            detail::spin_of<S, N>(body, detail::moment_of<S, N>(arm, push), per)};
   }
 
   static constexpr void rouse(Body& body) noexcept {

@@ -5,7 +5,7 @@ from fixed import parse, unit
 from world import World
 
 DEFAULTS = {"density": "1", "friction": "0.6", "restitution": "0", "damping": "0", "spin_damping": "0",
-            "layers": "1", "meets": str(0xffffffff)}
+            "gravity_scale": "1", "locked": "0", "layers": "1", "meets": str(0xffffffff)}
 
 
 def read(path):
@@ -53,8 +53,10 @@ def step(world, tick):
     for what, index, numbers in world.events.get(tick, ()):
         if what == "remove":
             world.remove(index)
-        else:
+        elif what in ("velocity", "spin"):
             world.set_motion(index, what, numbers)
+        else:
+            world.push_body(index, what, numbers)
     world.step()
 
 
@@ -79,15 +81,18 @@ def add(world, n, words, num):
             shape = Shape(kind, n, low=low, high=high)
         else:
             shape = Shape(kind, n, radius=vector(1)[0], ends=[low, high])
-    options = {key: int(value) if key in ("layers", "meets") else num(value)
+    options = {key: int(value) if key in ("layers", "meets", "locked") else num(value)
                for key, value in DEFAULTS.items()}
+    options["sensor"] = False
     options["velocity"], options["spin"], q = [0] * n, [0] * (1 if n == 2 else 3), no_rotation(n)
     while rest:
         key = rest.pop(0)
         if key in ("velocity", "spin"):
             options[key] = vector(len(options[key]))
-        elif key in ("layers", "meets"):
+        elif key in ("layers", "meets", "locked"):
             options[key] = int(rest.pop(0))
+        elif key == "sensor":
+            options[key] = True
         elif key == "turned":
             q = unit([int(rest.pop(0)) for _ in range(len(q))])
             q = q if n == 2 else unit(from_rotation(axes(q)))

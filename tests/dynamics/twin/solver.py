@@ -62,9 +62,15 @@ class Solver:
         row.u = u
         row.au = [ratio.near(c.alpha * x, 60) for x in u]
         row.bu = [ratio.near(c.beta * x, 60) for x in u]
+        lost = 0
+        for body, push in (c.a, row.au), (c.b, row.bu):
+            if body.can_move:
+                gone = [x if no else 0 for x, no in zip(push, body.locked_v)]
+                push[:] = [x - y for x, y in zip(push, gone)]
+                lost += f.give.near(sum(x * y for x, y in zip(gone, u)), 60)
         row.ca = self.moment(c.a, ra, u)
         row.cb = self.moment(c.b, rb, u)
-        self.respond(row)
+        self.respond(row, lost)
         return row
 
     def moment(self, body, r, u):
@@ -73,14 +79,15 @@ class Solver:
             return [0] * (1 if self.n == 2 else 3)
         return [f.moment.near(x, f.F + 36) for x in cross(r, u)]
 
-    def respond(self, row):
+    def respond(self, row, lost=0):
         f = self.f
         shift = 66 - 2 * f.F + f.F + 6
         row.ja = [f.response.near(sum(g * x for g, x in zip(G, row.ca)), shift) for G in self.Ga]
         row.jb = [f.response.near(sum(g * x for g, x in zip(G, row.cb)), shift) for G in self.Gb]
         ga = f.give.near(sum(x * y for x, y in zip(row.ca, row.ja)), 44)
         gb = f.give.near(sum(x * y for x, y in zip(row.cb, row.jb)), 44)
-        row.m = ratio.quotient(ONE, ONE + max(ga, 0) + max(gb, 0))
+        whole = ONE - lost + max(ga, 0) + max(gb, 0)
+        row.m = 0 if whole < ONE >> 6 else ratio.quotient(ONE, whole)
 
     def twist(self, p, middle):
         c, f = self.contact, self.f
@@ -170,18 +177,27 @@ class Solver:
             change, T[i] = f.impulse.clamp(t[i] - T[i]), t[i]
             self.apply(c, row, change)
 
+    def lock(self, b):
+        if b.locked:
+            b.v = [0 if no else v for v, no in zip(b.v, b.locked_v)]
+            b.w = [0 if no else w for w, no in zip(b.w, b.locked_w)]
+
     def substep(self, contacts):
         f, world = self.f, self.world
         awake = [b for b in world.bodies if b.can_move and not b.sleeps]
         for b in awake:
-            b.v = [f.speed.clamp(v + g) for v, g in zip(b.v, world.gravity)]
+            b.v = [f.speed.clamp(v + g) for v, g in zip(b.v, b.gravity)]
+            b.v = [f.speed.clamp(v + p) for v, p in zip(b.v, b.push)]
+            b.w = [f.spin.clamp(w + t) for w, t in zip(b.w, b.twist)]
             if b.kept_v != ONE:
                 b.v = [f.speed.near(v * b.kept_v, f.F + 42) for v in b.v]
             if b.kept_w != ONE:
                 b.w = [f.spin.near(w * b.kept_w, 58) for w in b.w]
+            self.lock(b)
             if not b.is_round:
                 b.half = axes(turned(b.q, b.w, 2))
                 b.w = carried(f, b, b.w, axes(b.q), b.half)
+                self.lock(b)
         for c in contacts:
             for row, p in zip(c.rows, c.pressure):
                 self.apply(c, row, p)
@@ -194,12 +210,15 @@ class Solver:
                 self.point(c, i, True)
         for b in world.bodies:
             if b.motion == "kinematic" and any(b.v + b.w) or b.can_move and not b.sleeps:
+                if b.can_move:
+                    self.lock(b)
                 b.x = [f.place.clamp(x + v) for x, v in zip(b.x, b.v)]
                 b.D = [f.speed.clamp(x + v) for x, v in zip(b.D, b.v)]
                 b.E = [f.spin.clamp(x + w) for x, w in zip(b.E, b.w)]
                 b.q = turned(b.q, b.w)
                 if b.can_move and not b.is_round:
                     b.w = carried(f, b, b.w, b.half, axes(b.q))
+                    self.lock(b)
         for c in contacts:
             for i in range(c.count):
                 self.point(c, i, False)

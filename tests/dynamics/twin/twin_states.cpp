@@ -103,6 +103,18 @@ class Stage {
       detail::Axial<S, N> spin{};
       for (auto& w : spin) w = number(in);
       world_.set_angular_velocity(ids_.at(index), spin);
+    } else if (what == "impulse") {
+      const auto impulse = vector<N>(in);
+      world_.apply_impulse(ids_.at(index), impulse, vector<N>(in));
+    } else if (what == "force") {
+      const auto force = vector<N>(in);
+      world_.apply_force(ids_.at(index), force, vector<N>(in));
+    } else if (what == "push") {
+      world_.apply_force(ids_.at(index), vector<N>(in));
+    } else if (what == "torque") {
+      detail::Axial<S, N> torque{};
+      for (auto& t : torque) t = number(in);
+      world_.apply_torque(ids_.at(index), torque);
     } else if (what != "remove" || !world_.remove(ids_.at(index))) {
       fail("cannot: " + event);
     }
@@ -170,6 +182,14 @@ class Stage {
         options.velocity = vector<N>(in);
       else if (key == "spin")
         for (auto& w : options.angular_velocity) w = number(in);
+      else if (key == "gravity_scale")
+        options.gravity_scale = number(in);
+      else if (key == "locked") {
+        unsigned bits = 0;
+        in >> bits;
+        options.locked = static_cast<std::uint8_t>(bits);
+      } else if (key == "sensor")
+        options.is_sensor = true;
       else if (key == "layers")
         in >> options.layers;
       else if (key == "meets")

@@ -2,7 +2,7 @@
 """docs/dynamics.md, "A tick": the steps 1 to 5 and 9."""
 import body as bodies
 import solver
-from fixed import Formats, dot, ratio
+from fixed import Formats, cross, dot, ratio
 from manifold import manifold
 
 
@@ -42,6 +42,13 @@ class World:
         b.kept_v = bodies.kept(options["damping"], self.rate, f.F)
         b.kept_w = bodies.kept(options["spin_damping"], self.rate, f.F)
         b.layers, b.meets = options["layers"], options["meets"]
+        b.is_sensor, b.locked, locked = options["sensor"], options["locked"], options["locked"]
+        b.locked_v = [locked >> k & 1 for k in range(self.n)]
+        b.locked_w = [int(locked >> 3 != 0)] if self.n == 2 else [locked >> k & 1 for k in (3, 4, 5)]
+        scale = options["gravity_scale"]
+        b.gravity = [g if scale == 1 << f.F else f.speed.near(scale * g, f.F + f.F + 12)
+                     for g in self.gravity]
+        b.push, b.twist = [0] * self.n, [0] * len(b.w)
         bodies.set_mass(f, self.n, b, options["density"])
         self.bodies.append(b)
 
@@ -55,6 +62,33 @@ class World:
             b.v = [self.f.speed.quotient(v, self.rate, self.f.F) for v in numbers]
         else:
             b.w = [self.f.spin.quotient(w, self.rate, self.f.F) for w in numbers]
+        b.sleeps, b.quiet = False, 0
+
+    def push_body(self, index, what, numbers):
+        """Forces, torques and impulses."""
+        b, f, n = self.bodies[index], self.f, self.n
+        if not b.can_move:
+            return
+        self.find_axes()
+        N = self.rate if what == "impulse" else self.rate ** 2
+        dv, torque, scale = [0] * n, numbers, f.F
+        if what != "torque":
+            push = numbers[:n]
+            dv = [0 if no else f.speed.quotient(x << 2 * f.F, b.mass * N, f.F)
+                  for x, no in zip(push, b.locked_v)]
+            if what == "push":
+                torque = [0] * len(b.w)
+            else:
+                r = [f.lever.near((p << 12) - x, f.F + 12) for p, x in zip(numbers[n:], b.x)]
+                torque, scale = cross(r, push), 2 * f.F + 6
+        turn = [sum(g * t for g, t in zip(row, torque)) for row in b.G]
+        dw = [f.spin.quotient(t << 2 * f.F, b.mass * N, scale + 66 - 2 * f.F) for t in turn]
+        if what == "impulse":
+            b.v = [f.speed.clamp(x + d) for x, d in zip(b.v, dv)]
+            b.w = [f.spin.clamp(x + d) for x, d in zip(b.w, dw)]
+        else:
+            b.push = [f.speed.clamp(x + d) for x, d in zip(b.push, dv)]
+            b.twist = [f.spin.clamp(x + d) for x, d in zip(b.twist, dw)]
         b.sleeps, b.quiet = False, 0
 
     def remove(self, index):
@@ -79,7 +113,7 @@ class World:
         for b in self.bodies:
             A = b.axes = bodies.axes(b.q)
             if n == 2:
-                b.G = [b.inverse]
+                b.G = [[0]] if b.locked_w[0] else [b.inverse]
                 continue
             if not b.can_move:
                 b.G = [[0] * 3] * 3
@@ -89,6 +123,8 @@ class World:
                   for c in range(3)] for r in range(3)]
             b.G = bodies.rows([f.gyration.near(sum(H[r][i] * A[i][c] for i in range(3)), 96 - 2 * f.F)
                                for r, c in bodies.ENTRIES])
+            b.G = [[0 if b.locked_w[i] or b.locked_w[j] else b.G[i][j] for j in range(3)]
+                   for i in range(3)]
 
     # 2. Pairs
 
@@ -131,6 +167,9 @@ class World:
             c.pressure = [pressures.get(feature, 0) for feature in c.feature]
             if last:
                 c.friction, c.touches = last.friction, last.touches
+            if a.is_sensor or b.is_sensor:
+                c.pressure, c.friction = [0] * c.count, [0] * (1 if self.n == 2 else 3)
+                c.touches = any(p[1] <= 0 for p in points)
             self.contacts[i, j] = c
 
     # 4. Islands
@@ -142,7 +181,9 @@ class World:
             while root[i] != i:
                 i = root[i]
             return i
-        for i, j in self.contacts:
+        solid = [(i, j) for i, j in self.contacts
+                 if not self.bodies[i].is_sensor and not self.bodies[j].is_sensor]
+        for i, j in solid:
             if self.bodies[i].can_move and self.bodies[j].can_move:
                 a, b = find(i), find(j)
                 root[max(a, b)] = min(a, b)
@@ -151,7 +192,7 @@ class World:
             if b.can_move:
                 groups.setdefault(find(i), []).append(i)
         awake = {g for g, members in groups.items() if any(not self.bodies[i].sleeps for i in members)}
-        for pair in self.contacts:
+        for pair in solid:
             for i, j in (pair, pair[::-1]):
                 other = self.bodies[j]
                 if self.bodies[i].can_move and other.motion == "kinematic" and any(other.v + other.w):
@@ -162,7 +203,7 @@ class World:
                 if g in awake and b.sleeps:
                     b.quiet = 0
                 b.sleeps = g not in awake
-        active = [(i, j) for i, j in self.contacts if self.is_awake(i) or self.is_awake(j)]
+        active = [(i, j) for i, j in solid if self.is_awake(i) or self.is_awake(j)]
         return [groups[g] for g in groups if g in awake], active
 
     def is_awake(self, i):
@@ -189,6 +230,7 @@ class World:
                 slow = all(abs(v) <= self.sleep for v in b.v) and all(
                     abs(w) <= self.sleep_spin for w in b.w)
                 b.quiet = min(b.quiet + 1, 255) if slow else 0
+                b.push, b.twist = [0] * len(b.v), [0] * len(b.w)
             if self.sleep > 0 and all(self.bodies[i].quiet >= min(max(self.ticks_per_second // 2, 1), 255)
                                       for i in members):
                 for i in members:
