@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+"""The exported functions, which call those of src/c/: a source for each group and dimension."""
+import re
+
+GROUPS = (('scene', 'scenes', 'Scenes'), ('world', 'worlds', 'Worlds'), ('body', 'worlds', 'Worlds'),
+          ('hull', 'scenes', 'Hulls'), ('', 'queries', 'Queries'))
+
+
+def files(description, note):
+    sources = {}
+    for function in description.functions:
+        parts = re.fullmatch(r'detent_([a-z_]*?)([23])(?:_(\w+))?', function.name)
+        if not parts:
+            continue  # written by hand in context.cpp and assets.cpp
+        for prefix, header, room in GROUPS:
+            if parts[1] == prefix and prefix:
+                called = parts[3]
+                break
+        else:
+            header, room = 'queries', 'Queries'
+            called = '_'.join(filter(None, (parts[1], parts[3])))
+        name = f'src/c/exports/{header}_{parts[2]}d.cpp'
+        lines = sources.setdefault(name, [
+            '// SPDX-License-Identifier: MIT', f'// {note}', f'#include "c/{header}.hpp"', ''])
+        declared = ', '.join(f'{"const " if one.const else ""}{one.type}{"*" if one.pointer else ""} '
+                             f'{one.name}' for one in function.arguments)
+        given = ', '.join(one.name for one in function.arguments)
+        lines += ['// clang-format off', f'{function.result} {function.name}({declared}) {{',
+                  f'  return detent::c::{room}<{parts[2]}>::{called}({given});', '}',
+                  '// clang-format on']
+    for lines in sources.values():
+        while '// clang-format on' in lines[:-1]:  # once around all
+            at = lines.index('// clang-format on')
+            del lines[at:at + 2]
+    return {name: '\n'.join(lines) + '\n' for name, lines in sources.items()}

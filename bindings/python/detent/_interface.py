@@ -1,0 +1,1103 @@
+# SPDX-License-Identifier: MIT
+# Written by bindings/generate from bindings/detent.h.in: change that file instead.
+"""The C interface as it is: structures, constants and the signatures of functions."""
+from ctypes import (POINTER, Structure, Union, c_char_p, c_int32, c_size_t, c_uint32,
+                    c_uint64, c_void_p, sizeof)
+
+DETENT_OK = 1
+DETENT_NO = 0
+DETENT_BAD_ARGUMENT = -1
+DETENT_BAD_CONTEXT = -2
+DETENT_BAD_HANDLE = -3
+DETENT_NOT_UNIT = -4
+DETENT_NO_QUERY = -5
+DETENT_NO_MEMORY = -6
+DETENT_BROKEN = -7
+DETENT_FULL = -8
+DETENT_IN_USE = -9
+DETENT_NO_SNAPSHOT = -20
+DETENT_OTHER_VERSION = -21
+DETENT_TRUNCATED = -22
+DETENT_CORRUPTED = -23
+DETENT_OTHER_SCENE = -24
+DETENT_OTHER_FIXED_PART = -25
+DETENT_NO_ROOM = -26
+DETENT_UNKNOWN_ASSET = -27
+DETENT_OTHER_ASSET = -28
+DETENT_SPHERE = 1
+DETENT_AABB = 2
+DETENT_OBB = 3
+DETENT_PLANE = 4
+DETENT_TRIANGLE = 5
+DETENT_CAPSULE = 6
+DETENT_SEGMENT = 7
+DETENT_POINT = 8
+DETENT_HULL = 9
+DETENT_MESH = 10
+DETENT_HEIGHT_FIELD = 11
+DETENT_MOVING = 0
+DETENT_FIXED = 1
+DETENT_DYNAMIC_BODY = 0
+DETENT_KINEMATIC_BODY = 1
+DETENT_FIXED_BODY = 2
+
+
+class detent_id(Structure):
+    """An object of a scene or a body of a world. No two have the same id, ever; {0, 0} is none."""
+    _fields_ = [
+        ('index', c_uint32),
+        ('generation', c_uint32),
+    ]
+
+
+class detent_pair(Structure):
+    """Two objects or bodies."""
+    _fields_ = [
+        ('first', detent_id),
+        ('second', detent_id),
+    ]
+
+
+class detent_touch(Structure):
+    """A pair of bodies that began (1) or ended (0) to touch in the last step."""
+    _fields_ = [
+        ('a', detent_id),
+        ('b', detent_id),
+        ('begins', c_uint32),
+    ]
+
+
+class detent_found(Structure):
+    """An object that a query found, and its distance in steps of 2^-16."""
+    _fields_ = [
+        ('distance', c_int32),
+        ('id', detent_id),
+    ]
+
+
+class detent_traits(Structure):
+    """What a scene stores with an object."""
+    _fields_ = [
+        ('user', c_uint64),
+        ('layers', c_uint32),
+        ('motion', c_uint32),
+    ]
+
+
+class detent_allocator(Structure):
+    """Where a context takes memory from. `allocate` returns memory for `size` bytes aligned for any type, or null; `release` gets it back with the same size. Both null: malloc and free."""
+    _fields_ = [
+        ('user', c_void_p),
+        ('allocate', c_void_p),
+        ('release', c_void_p),
+    ]
+
+
+class detent_context(Structure):
+    """Everything else is made in a context, which is the caller's memory: set it to zeros, open it, close it. It must stay where it is while it is open. Contexts share nothing. Of one context, calls that only read (their context is const) may run in several threads at once; all others need it alone."""
+    _fields_ = [
+        ('words', c_uint64 * 4),
+    ]
+
+
+class detent_vec2(Structure):
+    """A point or vector, in steps of 2^-16."""
+    _fields_ = [
+        ('x', c_int32),
+        ('y', c_int32),
+    ]
+
+
+class detent_direction2(Structure):
+    """A unit vector, in steps of 2^-30; used exactly as stored."""
+    _fields_ = [
+        ('x', c_int32),
+        ('y', c_int32),
+    ]
+
+
+class detent_rotation2(Structure):
+    """The axes of a frame in the world."""
+    _fields_ = [
+        ('axis', detent_direction2 * 2),
+    ]
+
+
+class detent_transform2(Structure):
+    """p -> translation + scale * rotation * p; `scale` in steps of 2^-16."""
+    _fields_ = [
+        ('translation', detent_vec2),
+        ('rotation', detent_rotation2),
+        ('scale', c_int32),
+    ]
+
+
+class detent_ray2(Structure):
+    """The points origin + t * direction with 0 <= t <= max_distance."""
+    _fields_ = [
+        ('origin', detent_vec2),
+        ('direction', detent_direction2),
+        ('max_distance', c_int32),
+    ]
+
+
+class detent_sphere2(Structure):
+    """The points within `radius` of `center`; none if the radius is negative."""
+    _fields_ = [
+        ('center', detent_vec2),
+        ('radius', c_int32),
+    ]
+
+
+class detent_aabb2(Structure):
+    """The points between two corners; none if min > max on an axis."""
+    _fields_ = [
+        ('min', detent_vec2),
+        ('max', detent_vec2),
+    ]
+
+
+class detent_obb2(Structure):
+    """A box turned about its center; none if a half extent is negative."""
+    _fields_ = [
+        ('center', detent_vec2),
+        ('half_extents', detent_vec2),
+        ('rotation', detent_rotation2),
+    ]
+
+
+class detent_plane2(Structure):
+    """The points x with dot(normal, x) = offset."""
+    _fields_ = [
+        ('normal', detent_direction2),
+        ('offset', c_int32),
+    ]
+
+
+class detent_triangle2(Structure):
+    """The points between three corners."""
+    _fields_ = [
+        ('a', detent_vec2),
+        ('b', detent_vec2),
+        ('c', detent_vec2),
+    ]
+
+
+class detent_capsule2(Structure):
+    """The points within `radius` of the segment from a to b; none if the radius is negative."""
+    _fields_ = [
+        ('a', detent_vec2),
+        ('b', detent_vec2),
+        ('radius', c_int32),
+    ]
+
+
+class detent_segment2(Structure):
+    """The points between two ends."""
+    _fields_ = [
+        ('start', detent_vec2),
+        ('end', detent_vec2),
+    ]
+
+
+class detent_shape2_as(Union):
+    _fields_ = [
+        ('sphere', detent_sphere2),
+        ('aabb', detent_aabb2),
+        ('obb', detent_obb2),
+        ('plane', detent_plane2),
+        ('triangle', detent_triangle2),
+        ('capsule', detent_capsule2),
+        ('segment', detent_segment2),
+        ('point', detent_vec2),
+        ('placed', detent_transform2),
+    ]
+
+
+class detent_shape2(Structure):
+    """A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or height field, and ignored for other kinds."""
+    _fields_ = [
+        ('kind', c_uint32),
+        ('asset', c_uint32),
+        ('as_', detent_shape2_as),
+    ]
+
+
+class detent_hit2(Structure):
+    """Where a ray or a moving shape first touches a shape. The distance is rounded down."""
+    _fields_ = [
+        ('distance', c_int32),
+        ('point', detent_vec2),
+        ('normal', detent_direction2),
+    ]
+
+
+class detent_object_hit2(Structure):
+    """Where a ray first touches an object; in a mesh or height field also the index of the triangle."""
+    _fields_ = [
+        ('distance', c_int32),
+        ('id', detent_id),
+        ('point', detent_vec2),
+        ('normal', detent_direction2),
+        ('triangle', c_uint32),
+        ('has_triangle', c_uint32),
+    ]
+
+
+class detent_world2_settings(Structure):
+    """How a world steps. Lengths and speeds in steps of 2^-16."""
+    _fields_ = [
+        ('ticks_per_second', c_int32),
+        ('substeps', c_int32),
+        ('gravity', detent_vec2),
+        ('margin', c_int32),
+        ('push_speed', c_int32),
+        ('bounce_threshold', c_int32),
+        ('sleep_speed', c_int32),
+    ]
+
+
+class detent_body2_options(Structure):
+    """What a body is made of, and how it starts. Shares and densities in steps of 2^-16."""
+    _fields_ = [
+        ('user', c_uint64),
+        ('layers', c_uint32),
+        ('collides_with', c_uint32),
+        ('motion', c_uint32),
+        ('density', c_int32),
+        ('friction', c_int32),
+        ('restitution', c_int32),
+        ('linear_damping', c_int32),
+        ('angular_damping', c_int32),
+        ('velocity', detent_vec2),
+        ('angular_velocity', c_int32 * 1),
+    ]
+
+
+class detent_body2(Structure):
+    """Where a body is and how it moves, rounded to nearest."""
+    _fields_ = [
+        ('position', detent_vec2),
+        ('rotation', detent_rotation2),
+        ('velocity', detent_vec2),
+        ('angular_velocity', c_int32 * 1),
+        ('is_asleep', c_uint32),
+    ]
+
+
+class detent_vec3(Structure):
+    """A point or vector, in steps of 2^-16."""
+    _fields_ = [
+        ('x', c_int32),
+        ('y', c_int32),
+        ('z', c_int32),
+    ]
+
+
+class detent_direction3(Structure):
+    """A unit vector, in steps of 2^-30; used exactly as stored."""
+    _fields_ = [
+        ('x', c_int32),
+        ('y', c_int32),
+        ('z', c_int32),
+    ]
+
+
+class detent_rotation3(Structure):
+    """The axes of a frame in the world."""
+    _fields_ = [
+        ('axis', detent_direction3 * 3),
+    ]
+
+
+class detent_transform3(Structure):
+    """p -> translation + scale * rotation * p; `scale` in steps of 2^-16."""
+    _fields_ = [
+        ('translation', detent_vec3),
+        ('rotation', detent_rotation3),
+        ('scale', c_int32),
+    ]
+
+
+class detent_ray3(Structure):
+    """The points origin + t * direction with 0 <= t <= max_distance."""
+    _fields_ = [
+        ('origin', detent_vec3),
+        ('direction', detent_direction3),
+        ('max_distance', c_int32),
+    ]
+
+
+class detent_sphere3(Structure):
+    """The points within `radius` of `center`; none if the radius is negative."""
+    _fields_ = [
+        ('center', detent_vec3),
+        ('radius', c_int32),
+    ]
+
+
+class detent_aabb3(Structure):
+    """The points between two corners; none if min > max on an axis."""
+    _fields_ = [
+        ('min', detent_vec3),
+        ('max', detent_vec3),
+    ]
+
+
+class detent_obb3(Structure):
+    """A box turned about its center; none if a half extent is negative."""
+    _fields_ = [
+        ('center', detent_vec3),
+        ('half_extents', detent_vec3),
+        ('rotation', detent_rotation3),
+    ]
+
+
+class detent_plane3(Structure):
+    """The points x with dot(normal, x) = offset."""
+    _fields_ = [
+        ('normal', detent_direction3),
+        ('offset', c_int32),
+    ]
+
+
+class detent_triangle3(Structure):
+    """The points between three corners."""
+    _fields_ = [
+        ('a', detent_vec3),
+        ('b', detent_vec3),
+        ('c', detent_vec3),
+    ]
+
+
+class detent_capsule3(Structure):
+    """The points within `radius` of the segment from a to b; none if the radius is negative."""
+    _fields_ = [
+        ('a', detent_vec3),
+        ('b', detent_vec3),
+        ('radius', c_int32),
+    ]
+
+
+class detent_segment3(Structure):
+    """The points between two ends."""
+    _fields_ = [
+        ('start', detent_vec3),
+        ('end', detent_vec3),
+    ]
+
+
+class detent_shape3_as(Union):
+    _fields_ = [
+        ('sphere', detent_sphere3),
+        ('aabb', detent_aabb3),
+        ('obb', detent_obb3),
+        ('plane', detent_plane3),
+        ('triangle', detent_triangle3),
+        ('capsule', detent_capsule3),
+        ('segment', detent_segment3),
+        ('point', detent_vec3),
+        ('placed', detent_transform3),
+    ]
+
+
+class detent_shape3(Structure):
+    """A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or height field, and ignored for other kinds."""
+    _fields_ = [
+        ('kind', c_uint32),
+        ('asset', c_uint32),
+        ('as_', detent_shape3_as),
+    ]
+
+
+class detent_hit3(Structure):
+    """Where a ray or a moving shape first touches a shape. The distance is rounded down."""
+    _fields_ = [
+        ('distance', c_int32),
+        ('point', detent_vec3),
+        ('normal', detent_direction3),
+    ]
+
+
+class detent_object_hit3(Structure):
+    """Where a ray first touches an object; in a mesh or height field also the index of the triangle."""
+    _fields_ = [
+        ('distance', c_int32),
+        ('id', detent_id),
+        ('point', detent_vec3),
+        ('normal', detent_direction3),
+        ('triangle', c_uint32),
+        ('has_triangle', c_uint32),
+    ]
+
+
+class detent_world3_settings(Structure):
+    """How a world steps. Lengths and speeds in steps of 2^-16."""
+    _fields_ = [
+        ('ticks_per_second', c_int32),
+        ('substeps', c_int32),
+        ('gravity', detent_vec3),
+        ('margin', c_int32),
+        ('push_speed', c_int32),
+        ('bounce_threshold', c_int32),
+        ('sleep_speed', c_int32),
+    ]
+
+
+class detent_body3_options(Structure):
+    """What a body is made of, and how it starts. Shares and densities in steps of 2^-16."""
+    _fields_ = [
+        ('user', c_uint64),
+        ('layers', c_uint32),
+        ('collides_with', c_uint32),
+        ('motion', c_uint32),
+        ('density', c_int32),
+        ('friction', c_int32),
+        ('restitution', c_int32),
+        ('linear_damping', c_int32),
+        ('angular_damping', c_int32),
+        ('velocity', detent_vec3),
+        ('angular_velocity', c_int32 * 3),
+    ]
+
+
+class detent_body3(Structure):
+    """Where a body is and how it moves, rounded to nearest."""
+    _fields_ = [
+        ('position', detent_vec3),
+        ('rotation', detent_rotation3),
+        ('velocity', detent_vec3),
+        ('angular_velocity', c_int32 * 3),
+        ('is_asleep', c_uint32),
+    ]
+
+
+assert sizeof(detent_id) == 8
+assert sizeof(detent_pair) == 16
+assert sizeof(detent_touch) == 20
+assert sizeof(detent_found) == 12
+assert sizeof(detent_traits) == 16
+assert sizeof(detent_context) == 32
+assert sizeof(detent_vec2) == 8
+assert sizeof(detent_direction2) == 8
+assert sizeof(detent_rotation2) == 16
+assert sizeof(detent_transform2) == 28
+assert sizeof(detent_ray2) == 20
+assert sizeof(detent_sphere2) == 12
+assert sizeof(detent_aabb2) == 16
+assert sizeof(detent_obb2) == 32
+assert sizeof(detent_plane2) == 12
+assert sizeof(detent_triangle2) == 24
+assert sizeof(detent_capsule2) == 20
+assert sizeof(detent_segment2) == 16
+assert sizeof(detent_shape2) == 40
+assert sizeof(detent_hit2) == 20
+assert sizeof(detent_object_hit2) == 36
+assert sizeof(detent_world2_settings) == 32
+assert sizeof(detent_body2_options) == 56
+assert sizeof(detent_body2) == 40
+assert sizeof(detent_vec3) == 12
+assert sizeof(detent_direction3) == 12
+assert sizeof(detent_rotation3) == 36
+assert sizeof(detent_transform3) == 52
+assert sizeof(detent_ray3) == 28
+assert sizeof(detent_sphere3) == 16
+assert sizeof(detent_aabb3) == 24
+assert sizeof(detent_obb3) == 60
+assert sizeof(detent_plane3) == 16
+assert sizeof(detent_triangle3) == 36
+assert sizeof(detent_capsule3) == 28
+assert sizeof(detent_segment3) == 24
+assert sizeof(detent_shape3) == 68
+assert sizeof(detent_hit3) == 28
+assert sizeof(detent_object_hit3) == 44
+assert sizeof(detent_world3_settings) == 36
+assert sizeof(detent_body3_options) == 64
+assert sizeof(detent_body3) == 76
+
+
+FUNCTIONS = {
+    'detent_version': (c_int32, [
+    ]),
+    'detent_results_version': (c_int32, [
+    ]),
+    'detent_describe': (c_char_p, [
+        c_int32,
+    ]),
+    'detent_open': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_allocator),
+    ]),
+    'detent_close': (c_int32, [
+        POINTER(detent_context),
+    ]),
+    'detent_count': (c_int32, [
+        POINTER(detent_context),
+        POINTER(c_uint32),
+    ]),
+    'detent_mesh_create': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_vec3),
+        c_uint32,
+        POINTER(c_uint32),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_height_field_create': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_vec2),
+        c_int32,
+        c_uint32,
+        c_uint32,
+        POINTER(c_int32),
+        POINTER(c_uint32),
+    ]),
+    'detent_asset_destroy': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_raycast2': (c_int32, [
+        POINTER(detent_ray2),
+        POINTER(detent_shape2),
+        POINTER(detent_hit2),
+    ]),
+    'detent_raycast2_many': (c_int32, [
+        POINTER(detent_ray2),
+        c_uint32,
+        POINTER(detent_shape2),
+        POINTER(c_int32),
+    ]),
+    'detent_contains2': (c_int32, [
+        POINTER(detent_shape2),
+        POINTER(detent_vec2),
+    ]),
+    'detent_overlaps2': (c_int32, [
+        POINTER(detent_shape2),
+        POINTER(detent_shape2),
+    ]),
+    'detent_closest_point2': (c_int32, [
+        POINTER(detent_shape2),
+        POINTER(detent_vec2),
+        POINTER(detent_vec2),
+    ]),
+    'detent_distance_to_point2': (c_int32, [
+        POINTER(detent_shape2),
+        POINTER(detent_vec2),
+        POINTER(c_int32),
+    ]),
+    'detent_distance2': (c_int32, [
+        POINTER(detent_shape2),
+        POINTER(detent_shape2),
+        POINTER(c_int32),
+    ]),
+    'detent_hull2_create': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_vec2),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_scene2_create': (c_int32, [
+        POINTER(detent_context),
+        POINTER(c_uint32),
+    ]),
+    'detent_scene2_destroy': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_scene2_add': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape2),
+        POINTER(detent_traits),
+        POINTER(detent_id),
+    ]),
+    'detent_scene2_add_as': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_shape2),
+        POINTER(detent_traits),
+    ]),
+    'detent_scene2_remove': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+    ]),
+    'detent_scene2_replace': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_shape2),
+    ]),
+    'detent_scene2_move': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_vec2),
+    ]),
+    'detent_scene2_object': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_shape2),
+        POINTER(detent_traits),
+    ]),
+    'detent_scene2_set_traits': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_traits),
+    ]),
+    'detent_scene2_size': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_scene2_optimize': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_scene2_raycast': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_ray2),
+        c_uint32,
+        POINTER(detent_object_hit2),
+    ]),
+    'detent_scene2_raycast_any': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_ray2),
+        c_uint32,
+    ]),
+    'detent_scene2_raycast_all': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_ray2),
+        c_uint32,
+        POINTER(detent_object_hit2),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_scene2_raycast_many': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_ray2),
+        c_uint32,
+        c_uint32,
+        POINTER(detent_object_hit2),
+    ]),
+    'detent_scene2_nearest': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape2),
+        c_uint32,
+        POINTER(detent_found),
+    ]),
+    'detent_scene2_any': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape2),
+        c_uint32,
+    ]),
+    'detent_scene2_all': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape2),
+        c_uint32,
+        POINTER(detent_found),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_scene2_overlaps': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_pair),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_scene2_digest': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint64),
+    ]),
+    'detent_scene2_snapshot': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_void_p,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_scene2_restore': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_void_p,
+        c_uint32,
+    ]),
+    'detent_world2_default_settings': (c_int32, [
+        POINTER(detent_world2_settings),
+    ]),
+    'detent_body2_default_options': (c_int32, [
+        POINTER(detent_body2_options),
+    ]),
+    'detent_world2_create': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_world2_settings),
+        POINTER(c_uint32),
+    ]),
+    'detent_world2_destroy': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_world2_add': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape2),
+        POINTER(detent_body2_options),
+        POINTER(detent_id),
+    ]),
+    'detent_world2_remove': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+    ]),
+    'detent_world2_step': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_world2_body': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_body2),
+    ]),
+    'detent_world2_bodies': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_id),
+        c_uint32,
+        POINTER(detent_body2),
+    ]),
+    'detent_world2_set_velocity': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_vec2),
+    ]),
+    'detent_world2_set_angular_velocity': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(c_int32),
+    ]),
+    'detent_world2_size': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world2_events': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_touch),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world2_digest': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint64),
+    ]),
+    'detent_world2_digest_of': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(c_uint64),
+    ]),
+    'detent_world2_snapshot': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_void_p,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world2_restore': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_void_p,
+        c_uint32,
+    ]),
+    'detent_raycast3': (c_int32, [
+        POINTER(detent_ray3),
+        POINTER(detent_shape3),
+        POINTER(detent_hit3),
+    ]),
+    'detent_raycast3_many': (c_int32, [
+        POINTER(detent_ray3),
+        c_uint32,
+        POINTER(detent_shape3),
+        POINTER(c_int32),
+    ]),
+    'detent_contains3': (c_int32, [
+        POINTER(detent_shape3),
+        POINTER(detent_vec3),
+    ]),
+    'detent_overlaps3': (c_int32, [
+        POINTER(detent_shape3),
+        POINTER(detent_shape3),
+    ]),
+    'detent_closest_point3': (c_int32, [
+        POINTER(detent_shape3),
+        POINTER(detent_vec3),
+        POINTER(detent_vec3),
+    ]),
+    'detent_distance_to_point3': (c_int32, [
+        POINTER(detent_shape3),
+        POINTER(detent_vec3),
+        POINTER(c_int32),
+    ]),
+    'detent_distance3': (c_int32, [
+        POINTER(detent_shape3),
+        POINTER(detent_shape3),
+        POINTER(c_int32),
+    ]),
+    'detent_hull3_create': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_vec3),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_scene3_create': (c_int32, [
+        POINTER(detent_context),
+        POINTER(c_uint32),
+    ]),
+    'detent_scene3_destroy': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_scene3_add': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape3),
+        POINTER(detent_traits),
+        POINTER(detent_id),
+    ]),
+    'detent_scene3_add_as': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_shape3),
+        POINTER(detent_traits),
+    ]),
+    'detent_scene3_remove': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+    ]),
+    'detent_scene3_replace': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_shape3),
+    ]),
+    'detent_scene3_move': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_vec3),
+    ]),
+    'detent_scene3_object': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_shape3),
+        POINTER(detent_traits),
+    ]),
+    'detent_scene3_set_traits': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_traits),
+    ]),
+    'detent_scene3_size': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_scene3_optimize': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_scene3_raycast': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_ray3),
+        c_uint32,
+        POINTER(detent_object_hit3),
+    ]),
+    'detent_scene3_raycast_any': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_ray3),
+        c_uint32,
+    ]),
+    'detent_scene3_raycast_all': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_ray3),
+        c_uint32,
+        POINTER(detent_object_hit3),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_scene3_raycast_many': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_ray3),
+        c_uint32,
+        c_uint32,
+        POINTER(detent_object_hit3),
+    ]),
+    'detent_scene3_nearest': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape3),
+        c_uint32,
+        POINTER(detent_found),
+    ]),
+    'detent_scene3_any': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape3),
+        c_uint32,
+    ]),
+    'detent_scene3_all': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape3),
+        c_uint32,
+        POINTER(detent_found),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_scene3_overlaps': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_pair),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_scene3_digest': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint64),
+    ]),
+    'detent_scene3_snapshot': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_void_p,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_scene3_restore': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_void_p,
+        c_uint32,
+    ]),
+    'detent_world3_default_settings': (c_int32, [
+        POINTER(detent_world3_settings),
+    ]),
+    'detent_body3_default_options': (c_int32, [
+        POINTER(detent_body3_options),
+    ]),
+    'detent_world3_create': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_world3_settings),
+        POINTER(c_uint32),
+    ]),
+    'detent_world3_destroy': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_world3_add': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape3),
+        POINTER(detent_body3_options),
+        POINTER(detent_id),
+    ]),
+    'detent_world3_remove': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+    ]),
+    'detent_world3_step': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_world3_body': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_body3),
+    ]),
+    'detent_world3_bodies': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_id),
+        c_uint32,
+        POINTER(detent_body3),
+    ]),
+    'detent_world3_set_velocity': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_vec3),
+    ]),
+    'detent_world3_set_angular_velocity': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(c_int32),
+    ]),
+    'detent_world3_size': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world3_events': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_touch),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world3_digest': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint64),
+    ]),
+    'detent_world3_digest_of': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(c_uint64),
+    ]),
+    'detent_world3_snapshot': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_void_p,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world3_restore': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_void_p,
+        c_uint32,
+    ]),
+}

@@ -1,0 +1,449 @@
+// SPDX-License-Identifier: MIT
+//
+// Any sequence of calls of the C interface, with null pointers, handles that are wrong, stale or of
+// another type, and numbers without sense, returns a status and breaks nothing: the context can be
+// closed, all its memory comes back, and what is written stays within the room that was given.
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "detent.h"
+#include "source.hpp"
+
+namespace detent::fuzz {
+namespace {
+
+std::size_t blocks = 0;
+
+detent_allocator counted() {
+  return {nullptr,
+          [](void*, std::size_t size) -> void* {
+            ++blocks;
+            return std::malloc(size);
+          },
+          [](void*, void* memory, std::size_t) {
+            --blocks;
+            std::free(memory);
+          }};
+}
+
+/// Calls functions with arguments read from bytes.
+class Caller {
+ public:
+  explicit Caller(Bytes bytes) : source_(bytes) {
+    const auto hooks = counted();
+    require(detent_open(&context_, &hooks) == DETENT_OK, [] { return "it does not open"; });
+  }
+
+  void run() {
+    while (!source_.rest().empty()) check(call(source_.below(44)));
+    std::uint32_t count = 0;
+    check(detent_count(&context_, &count));
+    require(detent_close(&context_) == DETENT_OK, [] { return "it does not close"; });
+    require(blocks == 0, [] { return "memory is lost"; });
+    for (const auto handle : handles_) {
+      require(detent_scene3_optimize(&context_, handle) == DETENT_BAD_CONTEXT,
+              [] { return "a closed context takes a handle"; });
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t room = 4;
+  static constexpr std::uint8_t guard = 0xa7;
+
+  /// A list with room for four, and a guard behind them.
+  template <class T>
+  struct List {
+    std::array<T, room> items;
+    std::array<std::uint8_t, 64> behind;
+    List() {
+      std::memset(&items, 0, sizeof items);
+      behind.fill(guard);
+    }
+    void check() const {
+      for (const auto byte : behind) {
+        require(byte == guard, [] { return "it writes beyond its room"; });
+      }
+    }
+  };
+
+  static void check(detent_status status) {
+    require(status >= DETENT_OTHER_ASSET && status <= DETENT_OK && status != DETENT_BROKEN &&
+                status != DETENT_NO_MEMORY,
+            [&] { return "status " + std::to_string(status); });
+  }
+
+  std::int32_t number() {
+    switch (source_.below(4)) {
+      case 0:
+        return static_cast<std::int32_t>(source_.word(4));
+      case 1:
+        return static_cast<std::int32_t>(source_.word(2)) - 32768;
+      case 2:
+        return 65536 * (static_cast<std::int32_t>(source_.byte()) - 128);
+      default:
+        return source_.byte() < 128 ? INT32_MIN : INT32_MAX;
+    }
+  }
+  detent_vec3 vec3() {
+    const auto x = number(), y = number();
+    return {x, y, number()};
+  }
+  detent_vec2 vec2() {
+    const auto x = number();
+    return {x, number()};
+  }
+  /// Mostly an axis; sometimes no unit vector.
+  detent_direction3 direction3() {
+    const auto choice = source_.below(16);
+    if (choice == 15) return {number(), 0, 0};
+    detent_direction3 d{};
+    (choice % 3 == 0 ? d.x : choice % 3 == 1 ? d.y : d.z) = choice < 8 ? 1 << 30 : -(1 << 30);
+    return d;
+  }
+  detent_direction2 direction2() {
+    const auto d = direction3();
+    return {d.x, d.z == 0 ? d.y : d.z};
+  }
+  detent_rotation3 rotation3() {
+    const auto a = direction3(), b = direction3();
+    return {{a, b, direction3()}};
+  }
+  detent_shape3 shape3() {
+    detent_shape3 shape{};
+    shape.kind = static_cast<std::uint32_t>(source_.below(13));
+    shape.asset = handle();
+    switch (shape.kind) {
+      case DETENT_OBB:
+        shape.as.obb = {vec3(), vec3(), rotation3()};
+        break;
+      case DETENT_PLANE:
+        shape.as.plane = {direction3(), number()};
+        break;
+      case DETENT_HULL:
+      case DETENT_MESH:
+        shape.as.placed = {vec3(), rotation3(), number()};
+        break;
+      default:
+        shape.as.triangle = {vec3(), vec3(), vec3()};
+    }
+    return shape;
+  }
+  detent_shape2 shape2() {
+    detent_shape2 shape{};
+    shape.kind = static_cast<std::uint32_t>(source_.below(13));
+    shape.asset = handle();
+    if (shape.kind == DETENT_PLANE) {
+      shape.as.plane = {direction2(), number()};
+    } else if (shape.kind == DETENT_OBB || shape.kind == DETENT_HULL) {
+      shape.as.obb = {vec2(), vec2(), {{direction2(), direction2()}}};
+    } else {
+      shape.as.triangle = {vec2(), vec2(), vec2()};
+    }
+    return shape;
+  }
+  /// One of the handles so far, or any number.
+  detent_handle handle() {
+    const auto choice = source_.below(16);
+    if (choice == 15) return static_cast<detent_handle>(source_.word(4));
+    return handles_[choice % handles_.size()];
+  }
+  detent_id id() {
+    const auto choice = source_.below(16);
+    if (choice == 15) {
+      const auto index = static_cast<std::uint32_t>(source_.word(3));
+      return {index, static_cast<std::uint32_t>(source_.word(4))};
+    }
+    return ids_[choice % ids_.size()];
+  }
+  detent_traits traits() {
+    const std::uint64_t user = source_.byte();
+    const std::uint32_t layers = source_.byte();
+    return {user, layers, static_cast<std::uint32_t>(source_.below(3))};
+  }
+  /// The pointer, or now and then null.
+  template <class T>
+  T* or_null(T* pointer) {
+    return source_.below(32) == 31 ? nullptr : pointer;
+  }
+
+  template <class Make>
+  detent_status create(const Make& make) {
+    detent_handle made = 0;
+    const auto status = make(or_null(&made));
+    if (made != 0) handles_[next_handle_++ % handles_.size()] = made;
+    return status;
+  }
+  template <class Add>
+  detent_status add(const Add& add) {
+    detent_id made{};
+    const auto status = add(or_null(&made));
+    if (status == DETENT_OK) ids_[next_id_++ % ids_.size()] = made;
+    return status;
+  }
+  template <class T, class Ask>
+  detent_status ask(const Ask& ask) {
+    List<T> list;
+    std::uint32_t count = 0;
+    const auto status = ask(or_null(list.items.data()), or_null(&count));
+    list.check();
+    return status;
+  }
+
+  detent_status call(std::size_t which) {
+    detent_context* const context = or_null(&context_);
+    const auto layers = static_cast<std::uint32_t>(source_.byte());
+    std::uint64_t digest = 0;
+    std::uint32_t count = 0;
+    switch (which) {
+      case 0:
+        return create([&](auto* out) { return detent_scene3_create(context, out); });
+      case 1:
+        return create([&](auto* out) { return detent_scene2_create(context, out); });
+      case 2: {
+        detent_world3_settings settings{};
+        detent_world3_default_settings(&settings);
+        if (source_.below(4) == 3) settings.ticks_per_second = number();
+        if (source_.below(4) == 3) settings.gravity = vec3();
+        if (source_.below(4) == 3) settings.margin = number();
+        settings.substeps = static_cast<std::int32_t>(source_.below(3));
+        return create(
+            [&](auto* out) { return detent_world3_create(context, or_null(&settings), out); });
+      }
+      case 3:
+        return create([&](auto* out) { return detent_world2_create(context, nullptr, out); });
+      case 4: {
+        const detent_vec3 vertices[3] = {vec3(), vec3(), vec3()};
+        const auto last = static_cast<std::uint32_t>(source_.below(4));
+        const std::uint32_t faces[3] = {0, 1, last};
+        const auto name = static_cast<std::uint32_t>(source_.below(4));
+        return create([&](auto* out) {
+          return detent_mesh_create(context, name, or_null(vertices), 3, or_null(faces), 1, out);
+        });
+      }
+      case 5: {
+        const detent_vec3 points[2] = {vec3(), vec3()};
+        const auto name = static_cast<std::uint32_t>(source_.below(4));
+        const auto size = static_cast<std::uint32_t>(source_.below(3));
+        return create([&](auto* out) {
+          return detent_hull3_create(context, name, or_null(points), size, out);
+        });
+      }
+      case 6: {
+        const std::int32_t heights[4] = {number(), number(), number(), number()};
+        const detent_vec2 corner = vec2();
+        const auto cell = number();
+        const auto rows = static_cast<std::uint32_t>(1 + source_.below(2));
+        const auto name = static_cast<std::uint32_t>(source_.below(4));
+        return create([&](auto* out) {
+          return detent_height_field_create(context, name, or_null(&corner), cell, 2, rows,
+                                            or_null(heights), out);
+        });
+      }
+      case 7: {
+        const detent_vec2 points[2] = {vec2(), vec2()};
+        return create([&](auto* out) { return detent_hull2_create(context, 1, points, 2, out); });
+      }
+      case 8:
+        return detent_scene3_destroy(context, handle());
+      case 9:
+        return detent_scene2_destroy(context, handle());
+      case 10:
+        return detent_world3_destroy(context, handle());
+      case 11:
+        return detent_world2_destroy(context, handle());
+      case 12:
+        return detent_asset_destroy(context, handle());
+      case 13:
+      case 14:
+      case 15: {
+        const auto shape = shape3();
+        const auto with = traits();
+        const auto scene = handle();
+        return add([&](auto* out) {
+          return detent_scene3_add(context, scene, or_null(&shape), or_null(&with), out);
+        });
+      }
+      case 16: {
+        const auto shape = shape2();
+        const auto scene = handle();
+        return add([&](auto* out) {
+          return detent_scene2_add(context, scene, or_null(&shape), nullptr, out);
+        });
+      }
+      case 17: {
+        const auto shape = shape3();
+        auto where = id();
+        where.index &= 0xffff;  // a list that long, and not one of a million
+        return detent_scene3_add_as(context, handle(), where, or_null(&shape), nullptr);
+      }
+      case 18:
+        return detent_scene3_remove(context, handle(), id());
+      case 19: {
+        const auto shape = shape3();
+        const auto scene = handle();
+        return detent_scene3_replace(context, scene, id(), or_null(&shape));
+      }
+      case 20: {
+        const auto by = vec3();
+        const auto scene = handle();
+        return detent_scene3_move(context, scene, id(), or_null(&by));
+      }
+      case 21: {
+        detent_shape3 shape{};
+        detent_traits with{};
+        const auto scene = handle();
+        return detent_scene3_object(context, scene, id(), or_null(&shape), or_null(&with));
+      }
+      case 22: {
+        const auto with = traits();
+        const auto scene = handle();
+        return detent_scene3_set_traits(context, scene, id(), or_null(&with));
+      }
+      case 23:
+        return detent_scene3_optimize(context, handle());
+      case 24: {
+        const detent_ray3 ray{vec3(), direction3(), number()};
+        const auto scene = handle();
+        return ask<detent_object_hit3>([&](auto* hits, auto* number_of) {
+          return detent_scene3_raycast_all(context, scene, or_null(&ray), layers, hits, room,
+                                           number_of);
+        });
+      }
+      case 25: {
+        const detent_ray3 rays[2] = {{vec3(), direction3(), number()},
+                                     {vec3(), direction3(), number()}};
+        const auto scene = handle();
+        return ask<detent_object_hit3>([&](auto* hits, auto*) {
+          return detent_scene3_raycast_many(context, scene, or_null(rays), 2, layers, hits);
+        });
+      }
+      case 26: {
+        const detent_ray2 ray{vec2(), direction2(), number()};
+        detent_object_hit2 hit{};
+        return detent_scene2_raycast(context, handle(), or_null(&ray), layers, or_null(&hit));
+      }
+      case 27: {
+        const auto question = shape3();
+        const auto scene = handle();
+        return ask<detent_found>([&](auto* found, auto* number_of) {
+          return detent_scene3_all(context, scene, or_null(&question), layers, found, room,
+                                   number_of);
+        });
+      }
+      case 28: {
+        const auto question = shape2();
+        detent_found found{};
+        return detent_scene2_nearest(context, handle(), or_null(&question), layers,
+                                     or_null(&found));
+      }
+      case 29: {
+        const auto scene = handle();
+        return ask<detent_pair>([&](auto* pairs, auto* number_of) {
+          return detent_scene3_overlaps(context, scene, pairs, room, number_of);
+        });
+      }
+      case 30:
+        return detent_scene3_digest(context, handle(), or_null(&digest));
+      case 31:
+        save(detent_scene3_snapshot, context);
+        return DETENT_OK;
+      case 32:
+        return detent_scene3_restore(context, handle(), or_null(saved()), saved_size_);
+      case 33: {
+        const auto shape = shape3();
+        const auto world = handle();
+        detent_body3_options options{};
+        detent_body3_default_options(&options);
+        options.motion = static_cast<std::uint32_t>(source_.below(4));
+        if (source_.below(4) == 3) options.density = number();
+        if (source_.below(4) == 3) options.friction = number();
+        if (source_.below(4) == 3) options.restitution = number();
+        if (source_.below(4) == 3) options.velocity = vec3();
+        if (source_.below(4) == 3) options.angular_velocity[1] = number();
+        return add([&](auto* out) {
+          return detent_world3_add(context, world, or_null(&shape), or_null(&options), out);
+        });
+      }
+      case 34: {
+        const auto shape = shape2();
+        const auto world = handle();
+        return add([&](auto* out) {
+          return detent_world2_add(context, world, or_null(&shape), nullptr, out);
+        });
+      }
+      case 35:
+        return detent_world3_remove(context, handle(), id());
+      case 36:
+        return detent_world3_step(context, handle());
+      case 37:
+        return detent_world2_step(context, handle());
+      case 38: {
+        const detent_id ids[2] = {id(), id()};
+        const auto world = handle();
+        return ask<detent_body3>([&](auto* bodies, auto*) {
+          return detent_world3_bodies(context, world, or_null(ids), 2, bodies);
+        });
+      }
+      case 39: {
+        const auto velocity = vec3();
+        const auto world = handle();
+        return detent_world3_set_velocity(context, world, id(), or_null(&velocity));
+      }
+      case 40: {
+        const std::int32_t spin[3] = {number(), number(), number()};
+        const auto world = handle();
+        return detent_world3_set_angular_velocity(context, world, id(), or_null(spin));
+      }
+      case 41: {
+        const auto world = handle();
+        return ask<detent_touch>([&](auto* events, auto* number_of) {
+          return detent_world3_events(context, world, events, room, number_of);
+        });
+      }
+      case 42:
+        save(detent_world3_snapshot, context);
+        return detent_world3_digest_of(context, handle(), id(), or_null(&digest));
+      default:
+        check(detent_world3_size(context, handle(), or_null(&count)));
+        return detent_world3_restore(context, handle(), or_null(saved()), saved_size_);
+    }
+  }
+
+  template <class Snapshot>
+  void save(const Snapshot& snapshot, detent_context* context) {
+    std::uint32_t size = 0;
+    const auto status = snapshot(context, handle(), or_null(saved_.data()),
+                                 static_cast<std::uint32_t>(saved_.size()), or_null(&size));
+    check(status);
+    if (status == DETENT_OK) saved_size_ = size;
+  }
+  /// The last snapshot, sometimes with another byte or cut off.
+  std::uint8_t* saved() {
+    if (source_.below(4) == 3 && saved_size_ != 0) {
+      saved_[source_.word(2) % saved_size_] ^= source_.byte();
+    }
+    if (source_.below(8) == 7) saved_size_ = saved_size_ == 0 ? 0 : saved_size_ - 1;
+    return saved_.data();
+  }
+
+  Source source_;
+  detent_context context_{};
+  std::array<detent_handle, 6> handles_{};
+  std::array<detent_id, 8> ids_{};
+  std::size_t next_handle_ = 0, next_id_ = 0;
+  std::array<std::uint8_t, 4096> saved_{};
+  std::uint32_t saved_size_ = 0;
+};
+
+}  // namespace
+
+void property(Bytes input) {
+  blocks = 0;
+  Caller(input).run();
+}
+
+}  // namespace detent::fuzz

@@ -1,0 +1,940 @@
+/* SPDX-License-Identifier: MIT */
+/* The C interface (C99) of detent: q16_16 in two and three dimensions; see docs/bindings.md. */
+/* Written by bindings/generate from bindings/detent.h.in: change that file instead. */
+#ifndef DETENT_H
+#define DETENT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef DETENT_API
+#if defined(_WIN32) && defined(DETENT_SHARED)
+#define DETENT_API __declspec(dllimport)
+#elif defined(__GNUC__)
+#define DETENT_API __attribute__((visibility("default")))
+#else
+#define DETENT_API
+#endif
+#endif
+
+/* Units. A length is a raw integer in steps of 2^-16 of a world unit: 65536 is 1. A component of a
+ * direction is in steps of 2^-30: 1073741824 is 1. Speeds are lengths per second, angular
+ * velocities radians per second, in steps of 2^-16 too. Every int32_t is a valid length.
+ *
+ * Results are those of the C++ functions of the same names, bit for bit, on every machine. */
+
+/** What a function returns: DETENT_OK or DETENT_NO, or an error below 0, which changes nothing. */
+enum {
+  DETENT_OK = 1,                 /**< done; or yes, there is one */
+  DETENT_NO = 0,                 /**< no; or there is none, such as no hit */
+  DETENT_BAD_ARGUMENT = -1,      /**< a null pointer, an unknown kind, a number out of range */
+  DETENT_BAD_CONTEXT = -2,       /**< the context is null, not open, closed or a copy */
+  DETENT_BAD_HANDLE = -3,        /**< a handle of another type, stale, or never given out */
+  DETENT_NOT_UNIT = -4,          /**< a direction whose length is not 1 within 2^-29 */
+  DETENT_NO_QUERY = -5,          /**< there is no such query for these kinds of shape */
+  DETENT_NO_MEMORY = -6,         /**< an allocation failed */
+  DETENT_BROKEN = -7,            /**< an allocation failed during a change: destroy the scene or world */
+  DETENT_FULL = -8,              /**< no more objects, bodies, handles or assets */
+  DETENT_IN_USE = -9,            /**< an object refers to the asset; or the asset's id is taken */
+  DETENT_NO_SNAPSHOT = -20,      /**< these bytes are not a snapshot */
+  DETENT_OTHER_VERSION = -21,    /**< a snapshot of a version that this library does not read */
+  DETENT_TRUNCATED = -22,        /**< the snapshot is cut off */
+  DETENT_CORRUPTED = -23,        /**< the bytes of the snapshot have been changed */
+  DETENT_OTHER_SCENE = -24,      /**< of another dimension, set of shapes or settings */
+  DETENT_OTHER_FIXED_PART = -25, /**< fixed objects or bodies differ from those of the snapshot */
+  DETENT_NO_ROOM = -26,          /**< the snapshot has more than a scene or world can hold */
+  DETENT_UNKNOWN_ASSET = -27,    /**< the snapshot refers to an asset that the context has not */
+  DETENT_OTHER_ASSET = -28       /**< the asset of this id has other triangles, points or heights */
+};
+
+/** The kind of a shape: which member of its union is set. */
+enum {
+  DETENT_SPHERE = 1,
+  DETENT_AABB = 2,
+  DETENT_OBB = 3,
+  DETENT_PLANE = 4,
+  DETENT_TRIANGLE = 5,
+  DETENT_CAPSULE = 6,
+  DETENT_SEGMENT = 7,     /**< in queries only: not an object of scenes */
+  DETENT_POINT = 8,       /**< in queries of scenes only */
+  DETENT_HULL = 9,        /**< in scenes only: a hull asset, transformed by `placed` */
+  DETENT_MESH = 10,       /**< in scenes only, in 3D */
+  DETENT_HEIGHT_FIELD = 11 /**< in scenes only, in 3D: moved by `point`, not turned */
+};
+
+/** How an object of a scene takes part: fixed ones are the level, and not in snapshots. */
+enum { DETENT_MOVING = 0, DETENT_FIXED = 1 };
+
+/** How a body moves: by forces and contacts; by its velocity alone; or never. */
+enum { DETENT_DYNAMIC_BODY = 0, DETENT_KINEMATIC_BODY = 1, DETENT_FIXED_BODY = 2 };
+
+/** A status: see DETENT_OK. */
+typedef int32_t detent_status;
+
+/** A scene, world or asset of a context; 0 is none. Handles of destroyed ones are never given out
+ *  again by the same context. A handle means nothing to another context. */
+typedef uint32_t detent_handle;
+
+/** An object of a scene or a body of a world. No two have the same id, ever; {0, 0} is none. */
+typedef struct detent_id {
+  uint32_t index;
+  uint32_t generation;
+} detent_id;
+
+/** Two objects or bodies. */
+typedef struct detent_pair {
+  detent_id first;
+  detent_id second;
+} detent_pair;
+
+/** A pair of bodies that began (1) or ended (0) to touch in the last step. */
+typedef struct detent_touch {
+  detent_id a;
+  detent_id b;
+  uint32_t begins;
+} detent_touch;
+
+/** An object that a query found, and its distance in steps of 2^-16. */
+typedef struct detent_found {
+  int32_t distance;
+  detent_id id;
+} detent_found;
+
+/** What a scene stores with an object. */
+typedef struct detent_traits {
+  uint64_t user;    /**< any word; saved, never read */
+  uint32_t layers;  /**< any bits; queries name those that they look at */
+  uint32_t motion;  /**< DETENT_MOVING or DETENT_FIXED */
+} detent_traits;
+
+/** Where a context takes memory from. `allocate` returns memory for `size` bytes aligned for any
+ *  type, or null; `release` gets it back with the same size. Both null: malloc and free. */
+typedef struct detent_allocator {
+  void* user;
+  void* (*allocate)(void* user, size_t size);
+  void (*release)(void* user, void* memory, size_t size);
+} detent_allocator;
+
+/** Everything else is made in a context, which is the caller's memory: set it to zeros, open it,
+ *  close it. It must stay where it is while it is open. Contexts share nothing. Of one context,
+ *  calls that only read (their context is const) may run in several threads at once; all others need
+ *  it alone. */
+typedef struct detent_context {
+  uint64_t words[4];
+} detent_context;
+
+/** A point or vector, in steps of 2^-16. */
+typedef struct detent_vec2 {
+  int32_t x, y;
+} detent_vec2;
+
+/** A unit vector, in steps of 2^-30; used exactly as stored. */
+typedef struct detent_direction2 {
+  int32_t x, y;
+} detent_direction2;
+
+/** The axes of a frame in the world. */
+typedef struct detent_rotation2 {
+  detent_direction2 axis[2];
+} detent_rotation2;
+
+/** p -> translation + scale * rotation * p; `scale` in steps of 2^-16. */
+typedef struct detent_transform2 {
+  detent_vec2 translation;
+  detent_rotation2 rotation;
+  int32_t scale;
+} detent_transform2;
+
+/** The points origin + t * direction with 0 <= t <= max_distance. */
+typedef struct detent_ray2 {
+  detent_vec2 origin;
+  detent_direction2 direction;
+  int32_t max_distance;
+} detent_ray2;
+
+/** The points within `radius` of `center`; none if the radius is negative. */
+typedef struct detent_sphere2 {
+  detent_vec2 center;
+  int32_t radius;
+} detent_sphere2;
+
+/** The points between two corners; none if min > max on an axis. */
+typedef struct detent_aabb2 {
+  detent_vec2 min;
+  detent_vec2 max;
+} detent_aabb2;
+
+/** A box turned about its center; none if a half extent is negative. */
+typedef struct detent_obb2 {
+  detent_vec2 center;
+  detent_vec2 half_extents;
+  detent_rotation2 rotation;
+} detent_obb2;
+
+/** The points x with dot(normal, x) = offset. */
+typedef struct detent_plane2 {
+  detent_direction2 normal;
+  int32_t offset;
+} detent_plane2;
+
+/** The points between three corners. */
+typedef struct detent_triangle2 {
+  detent_vec2 a;
+  detent_vec2 b;
+  detent_vec2 c;
+} detent_triangle2;
+
+/** The points within `radius` of the segment from a to b; none if the radius is negative. */
+typedef struct detent_capsule2 {
+  detent_vec2 a;
+  detent_vec2 b;
+  int32_t radius;
+} detent_capsule2;
+
+/** The points between two ends. */
+typedef struct detent_segment2 {
+  detent_vec2 start;
+  detent_vec2 end;
+} detent_segment2;
+
+/** A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or
+ *  height field, and ignored for other kinds. */
+typedef struct detent_shape2 {
+  uint32_t kind;
+  detent_handle asset;
+  union {
+    detent_sphere2 sphere;
+    detent_aabb2 aabb;
+    detent_obb2 obb;
+    detent_plane2 plane;
+    detent_triangle2 triangle;
+    detent_capsule2 capsule;
+    detent_segment2 segment;
+    detent_vec2 point;
+    detent_transform2 placed;
+  } as;
+} detent_shape2;
+
+/** Where a ray or a moving shape first touches a shape. The distance is rounded down. */
+typedef struct detent_hit2 {
+  int32_t distance;
+  detent_vec2 point;
+  detent_direction2 normal;
+} detent_hit2;
+
+/** Where a ray first touches an object; in a mesh or height field also the index of the triangle. */
+typedef struct detent_object_hit2 {
+  int32_t distance;
+  detent_id id;
+  detent_vec2 point;
+  detent_direction2 normal;
+  uint32_t triangle;
+  uint32_t has_triangle; /**< 1 or 0 */
+} detent_object_hit2;
+
+/** How a world steps. Lengths and speeds in steps of 2^-16. */
+typedef struct detent_world2_settings {
+  int32_t ticks_per_second;
+  int32_t substeps; /**< ticks_per_second * substeps in [1, 32767] */
+  detent_vec2 gravity;
+  int32_t margin;           /**< distance at which bodies are in contact */
+  int32_t push_speed;       /**< the fastest that an overlap is undone */
+  int32_t bounce_threshold; /**< slower impacts do not bounce */
+  int32_t sleep_speed;      /**< slower bodies may sleep; 0: never */
+} detent_world2_settings;
+
+/** What a body is made of, and how it starts. Shares and densities in steps of 2^-16. */
+typedef struct detent_body2_options {
+  uint64_t user; /**< any word; saved, never read */
+  uint32_t layers;
+  uint32_t collides_with; /**< the layers that it meets; both bodies must want to meet */
+  uint32_t motion;        /**< DETENT_DYNAMIC_BODY, ... */
+  int32_t density;
+  int32_t friction;
+  int32_t restitution;
+  int32_t linear_damping;
+  int32_t angular_damping;
+  detent_vec2 velocity;
+  int32_t angular_velocity[1];
+} detent_body2_options;
+
+/** Where a body is and how it moves, rounded to nearest. */
+typedef struct detent_body2 {
+  detent_vec2 position;
+  detent_rotation2 rotation;
+  detent_vec2 velocity;
+  int32_t angular_velocity[1];
+  uint32_t is_asleep;
+} detent_body2;
+
+/** A point or vector, in steps of 2^-16. */
+typedef struct detent_vec3 {
+  int32_t x, y, z;
+} detent_vec3;
+
+/** A unit vector, in steps of 2^-30; used exactly as stored. */
+typedef struct detent_direction3 {
+  int32_t x, y, z;
+} detent_direction3;
+
+/** The axes of a frame in the world. */
+typedef struct detent_rotation3 {
+  detent_direction3 axis[3];
+} detent_rotation3;
+
+/** p -> translation + scale * rotation * p; `scale` in steps of 2^-16. */
+typedef struct detent_transform3 {
+  detent_vec3 translation;
+  detent_rotation3 rotation;
+  int32_t scale;
+} detent_transform3;
+
+/** The points origin + t * direction with 0 <= t <= max_distance. */
+typedef struct detent_ray3 {
+  detent_vec3 origin;
+  detent_direction3 direction;
+  int32_t max_distance;
+} detent_ray3;
+
+/** The points within `radius` of `center`; none if the radius is negative. */
+typedef struct detent_sphere3 {
+  detent_vec3 center;
+  int32_t radius;
+} detent_sphere3;
+
+/** The points between two corners; none if min > max on an axis. */
+typedef struct detent_aabb3 {
+  detent_vec3 min;
+  detent_vec3 max;
+} detent_aabb3;
+
+/** A box turned about its center; none if a half extent is negative. */
+typedef struct detent_obb3 {
+  detent_vec3 center;
+  detent_vec3 half_extents;
+  detent_rotation3 rotation;
+} detent_obb3;
+
+/** The points x with dot(normal, x) = offset. */
+typedef struct detent_plane3 {
+  detent_direction3 normal;
+  int32_t offset;
+} detent_plane3;
+
+/** The points between three corners. */
+typedef struct detent_triangle3 {
+  detent_vec3 a;
+  detent_vec3 b;
+  detent_vec3 c;
+} detent_triangle3;
+
+/** The points within `radius` of the segment from a to b; none if the radius is negative. */
+typedef struct detent_capsule3 {
+  detent_vec3 a;
+  detent_vec3 b;
+  int32_t radius;
+} detent_capsule3;
+
+/** The points between two ends. */
+typedef struct detent_segment3 {
+  detent_vec3 start;
+  detent_vec3 end;
+} detent_segment3;
+
+/** A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or
+ *  height field, and ignored for other kinds. */
+typedef struct detent_shape3 {
+  uint32_t kind;
+  detent_handle asset;
+  union {
+    detent_sphere3 sphere;
+    detent_aabb3 aabb;
+    detent_obb3 obb;
+    detent_plane3 plane;
+    detent_triangle3 triangle;
+    detent_capsule3 capsule;
+    detent_segment3 segment;
+    detent_vec3 point;
+    detent_transform3 placed;
+  } as;
+} detent_shape3;
+
+/** Where a ray or a moving shape first touches a shape. The distance is rounded down. */
+typedef struct detent_hit3 {
+  int32_t distance;
+  detent_vec3 point;
+  detent_direction3 normal;
+} detent_hit3;
+
+/** Where a ray first touches an object; in a mesh or height field also the index of the triangle. */
+typedef struct detent_object_hit3 {
+  int32_t distance;
+  detent_id id;
+  detent_vec3 point;
+  detent_direction3 normal;
+  uint32_t triangle;
+  uint32_t has_triangle; /**< 1 or 0 */
+} detent_object_hit3;
+
+/** How a world steps. Lengths and speeds in steps of 2^-16. */
+typedef struct detent_world3_settings {
+  int32_t ticks_per_second;
+  int32_t substeps; /**< ticks_per_second * substeps in [1, 32767] */
+  detent_vec3 gravity;
+  int32_t margin;           /**< distance at which bodies are in contact */
+  int32_t push_speed;       /**< the fastest that an overlap is undone */
+  int32_t bounce_threshold; /**< slower impacts do not bounce */
+  int32_t sleep_speed;      /**< slower bodies may sleep; 0: never */
+} detent_world3_settings;
+
+/** What a body is made of, and how it starts. Shares and densities in steps of 2^-16. */
+typedef struct detent_body3_options {
+  uint64_t user; /**< any word; saved, never read */
+  uint32_t layers;
+  uint32_t collides_with; /**< the layers that it meets; both bodies must want to meet */
+  uint32_t motion;        /**< DETENT_DYNAMIC_BODY, ... */
+  int32_t density;
+  int32_t friction;
+  int32_t restitution;
+  int32_t linear_damping;
+  int32_t angular_damping;
+  detent_vec3 velocity;
+  int32_t angular_velocity[3];
+} detent_body3_options;
+
+/** Where a body is and how it moves, rounded to nearest. */
+typedef struct detent_body3 {
+  detent_vec3 position;
+  detent_rotation3 rotation;
+  detent_vec3 velocity;
+  int32_t angular_velocity[3];
+  uint32_t is_asleep;
+} detent_body3;
+
+/** The version of the library: major * 10000 + minor * 100 + patch. */
+DETENT_API int32_t detent_version(void);
+
+/** Changes whenever an answer changes in any bit: recorded matches then no longer hold. */
+DETENT_API int32_t detent_results_version(void);
+
+/** The error or answer in words; never null. */
+DETENT_API const char* detent_describe(detent_status status);
+
+/** Opens a context. `allocator` may be null. The context itself, what it makes, and copies of triangles,
+ *  points and heights take memory from it; the lists inside scenes and worlds from C++'s operator new.
+ *  DETENT_BAD_CONTEXT if it is open already, DETENT_BAD_ARGUMENT if only one function is given. */
+DETENT_API detent_status detent_open(detent_context* context, const detent_allocator* allocator);
+
+/** Destroys everything made in the context and closes it; all its handles are stale. */
+DETENT_API detent_status detent_close(detent_context* context);
+
+/** How many scenes, worlds and assets the context has. */
+DETENT_API detent_status detent_count(const detent_context* context, uint32_t* count);
+
+/** A mesh of `face_count` triangles; `faces` has three indices of `vertices` for each. Copies them.
+ *  `id` is the caller's name in snapshots: not 0, and DETENT_IN_USE if another mesh has it.
+ *  DETENT_BAD_ARGUMENT if a vertex is missing; at most 256 meshes a context, or DETENT_FULL. */
+DETENT_API detent_status detent_mesh_create(detent_context* context, uint32_t id,
+                                            const detent_vec3* vertices, uint32_t vertex_count,
+                                            const uint32_t* faces, uint32_t face_count,
+                                            detent_handle* mesh);
+
+/** A height field: sample (column, row) is at x = corner.x + column * cell, z = corner.y + row * cell,
+ *  and its y is heights[row * columns + column]. Copies the heights. `id` as for meshes.
+ *  DETENT_BAD_ARGUMENT for fewer than two columns or rows, a cell that is not positive, or a far corner
+ *  out of range. */
+DETENT_API detent_status detent_height_field_create(detent_context* context, uint32_t id,
+                                                    const detent_vec2* corner, int32_t cell,
+                                                    uint32_t columns, uint32_t rows,
+                                                    const int32_t* heights, detent_handle* field);
+
+/** Destroys a mesh, hull or height field. DETENT_IN_USE while an object of a scene refers to it. */
+DETENT_API detent_status detent_asset_destroy(detent_context* context, detent_handle asset);
+
+/** Whether the ray touches the shape, and where. `hit` may be null. For the kinds from DETENT_SPHERE to
+ *  DETENT_SEGMENT. Distance 0 if the ray starts inside. */
+DETENT_API detent_status detent_raycast2(const detent_ray2* ray, const detent_shape2* shape,
+                                           detent_hit2* hit);
+
+/** The distances along `count` rays at which they touch one shape, -1 for none. Returns DETENT_OK
+ *  after the last ray; the first wrong direction ends it with DETENT_NOT_UNIT. */
+DETENT_API detent_status detent_raycast2_many(const detent_ray2* rays, uint32_t count,
+                                                const detent_shape2* shape, int32_t* distances);
+
+/** Whether the point is in the shape or on its surface, exactly. */
+DETENT_API detent_status detent_contains2(const detent_shape2* shape, const detent_vec2* point);
+
+/** Whether two shapes have a point in common, exactly. */
+DETENT_API detent_status detent_overlaps2(const detent_shape2* a, const detent_shape2* b);
+
+/** The point of the shape closest to `point`, each coordinate rounded to nearest. */
+DETENT_API detent_status detent_closest_point2(const detent_shape2* shape,
+                                                 const detent_vec2* point,
+                                                 detent_vec2* closest);
+
+/** The distance from the shape to `point`, rounded down; the greatest int32_t if the shape is empty. */
+DETENT_API detent_status detent_distance_to_point2(const detent_shape2* shape,
+                                                     const detent_vec2* point,
+                                                     int32_t* distance);
+
+/** The distance between two shapes, rounded down; 0 if they share a point. */
+DETENT_API detent_status detent_distance2(const detent_shape2* a, const detent_shape2* b,
+                                            int32_t* distance);
+
+/** A convex hull of at most 64 points, in any order. Copies them. `id` as for meshes. */
+DETENT_API detent_status detent_hull2_create(detent_context* context, uint32_t id,
+                                               const detent_vec2* points, uint32_t count,
+                                               detent_handle* hull);
+
+/** An empty scene, for all kinds of shape but segments and points. */
+DETENT_API detent_status detent_scene2_create(detent_context* context, detent_handle* scene);
+
+/** Destroys a scene. */
+DETENT_API detent_status detent_scene2_destroy(detent_context* context, detent_handle scene);
+
+/** Adds an object. `traits` may be null: layer 1, user 0, moving. DETENT_FULL beyond 1,048,576 objects. */
+DETENT_API detent_status detent_scene2_add(detent_context* context, detent_handle scene,
+                                             const detent_shape2* shape,
+                                             const detent_traits* traits, detent_id* id);
+
+/** Adds an object with an id of the caller's. DETENT_NO if its index is taken or too large, or the
+ *  generation 0 or 2^32 - 1. */
+DETENT_API detent_status detent_scene2_add_as(detent_context* context, detent_handle scene,
+                                                detent_id id, const detent_shape2* shape,
+                                                const detent_traits* traits);
+
+/** Removes an object. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_scene2_remove(detent_context* context, detent_handle scene,
+                                                detent_id id);
+
+/** Replaces the shape of an object. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_scene2_replace(detent_context* context, detent_handle scene,
+                                                 detent_id id, const detent_shape2* shape);
+
+/** Moves an object by a vector; coordinates are clamped. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_scene2_move(detent_context* context, detent_handle scene,
+                                              detent_id id, const detent_vec2* by);
+
+/** The shape of an object, and what is stored with it. Both may be null. DETENT_NO if there is none
+ *  with this id. */
+DETENT_API detent_status detent_scene2_object(const detent_context* context, detent_handle scene,
+                                                detent_id id, detent_shape2* shape,
+                                                detent_traits* traits);
+
+/** Sets layers and user word of an object; its motion cannot change, and is ignored. */
+DETENT_API detent_status detent_scene2_set_traits(detent_context* context, detent_handle scene,
+                                                    detent_id id, const detent_traits* traits);
+
+/** How many objects the scene has. */
+DETENT_API detent_status detent_scene2_size(const detent_context* context, detent_handle scene,
+                                              uint32_t* size);
+
+/** Makes queries faster after many additions, such as loading a level. Never changes a result. */
+DETENT_API detent_status detent_scene2_optimize(detent_context* context, detent_handle scene);
+
+/** The object in `layers` that the ray touches first, and where; of several at one distance the least
+ *  id. `hit` may be null. */
+DETENT_API detent_status detent_scene2_raycast(const detent_context* context, detent_handle scene,
+                                                 const detent_ray2* ray, uint32_t layers,
+                                                 detent_object_hit2* hit);
+
+/** Whether the ray touches any object in `layers`. */
+DETENT_API detent_status detent_scene2_raycast_any(const detent_context* context,
+                                                     detent_handle scene, const detent_ray2* ray,
+                                                     uint32_t layers);
+
+/** All objects in `layers` that the ray touches, by distance, then id. Writes the first `room` of them
+ *  and their whole number to `count`. */
+DETENT_API detent_status detent_scene2_raycast_all(const detent_context* context,
+                                                     detent_handle scene, const detent_ray2* ray,
+                                                     uint32_t layers, detent_object_hit2* hits,
+                                                     uint32_t room, uint32_t* count);
+
+/** `detent_scene2_raycast` for many rays; of a ray that hits nothing the id is {0, 0} and the distance
+ *  -1. The first wrong direction ends it with DETENT_NOT_UNIT. */
+DETENT_API detent_status detent_scene2_raycast_many(const detent_context* context,
+                                                      detent_handle scene, const detent_ray2* rays,
+                                                      uint32_t count, uint32_t layers,
+                                                      detent_object_hit2* hits);
+
+/** The object in `layers` nearest to a point, however far; or nearest to the center, start or end a
+ *  of those that a sphere, AABB, OBB, capsule or segment overlaps. `found` may be null. */
+DETENT_API detent_status detent_scene2_nearest(const detent_context* context, detent_handle scene,
+                                                 const detent_shape2* question, uint32_t layers,
+                                                 detent_found* found);
+
+/** Whether the point, sphere, AABB, OBB, capsule or segment overlaps any object in `layers`. */
+DETENT_API detent_status detent_scene2_any(const detent_context* context, detent_handle scene,
+                                             const detent_shape2* question, uint32_t layers);
+
+/** All objects in `layers` that the point, sphere, AABB, OBB, capsule or segment overlaps, by distance,
+ *  then id. Writes the first `room` of them and their whole number to `count`. */
+DETENT_API detent_status detent_scene2_all(const detent_context* context, detent_handle scene,
+                                             const detent_shape2* question, uint32_t layers,
+                                             detent_found* found, uint32_t room, uint32_t* count);
+
+/** All pairs of overlapping objects of which one moves, sorted by id. Writes the first `room` of them
+ *  and their whole number to `count`. */
+DETENT_API detent_status detent_scene2_overlaps(const detent_context* context,
+                                                  detent_handle scene, detent_pair* pairs,
+                                                  uint32_t room, uint32_t* count);
+
+/** 64 bits of all objects: equal on every machine for equal scenes. */
+DETENT_API detent_status detent_scene2_digest(const detent_context* context, detent_handle scene,
+                                                uint64_t* digest);
+
+/** Writes the canonical bytes of the moving objects to `bytes` if `room` holds them, and their number
+ *  to `size`. DETENT_NO if there is less room: ask with room 0 first. */
+DETENT_API detent_status detent_scene2_snapshot(const detent_context* context,
+                                                  detent_handle scene, void* bytes, uint32_t room,
+                                                  uint32_t* size);
+
+/** Replaces the moving objects by those of a snapshot, whose assets the context has. Any bytes are
+ *  safe; on an error the scene is unchanged. */
+DETENT_API detent_status detent_scene2_restore(detent_context* context, detent_handle scene,
+                                                 const void* bytes, uint32_t size);
+
+/** The settings of an ordinary world: 60 ticks a second of 4 substeps, gravity -10 along y. */
+DETENT_API detent_status detent_world2_default_settings(detent_world2_settings* settings);
+
+/** The options of an ordinary body: dynamic, density 1, friction 3/5, at rest, in layer 1. */
+DETENT_API detent_status detent_body2_default_options(detent_body2_options* options);
+
+/** An empty world. `settings` may be null: the ordinary ones. */
+DETENT_API detent_status detent_world2_create(detent_context* context,
+                                                const detent_world2_settings* settings,
+                                                detent_handle* world);
+
+/** Destroys a world. */
+DETENT_API detent_status detent_world2_destroy(detent_context* context, detent_handle world);
+
+/** Adds a body: a sphere, AABB, OBB or capsule. `options` may be null: the ordinary ones. */
+DETENT_API detent_status detent_world2_add(detent_context* context, detent_handle world,
+                                             const detent_shape2* shape,
+                                             const detent_body2_options* options, detent_id* id);
+
+/** Removes a body and wakes those that touched it. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_world2_remove(detent_context* context, detent_handle world,
+                                                detent_id id);
+
+/** One tick: all substeps. */
+DETENT_API detent_status detent_world2_step(detent_context* context, detent_handle world);
+
+/** Where a body is and how it moves. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_world2_body(const detent_context* context, detent_handle world,
+                                              detent_id id, detent_body2* body);
+
+/** The same for `count` bodies at once; zeros where there is none. */
+DETENT_API detent_status detent_world2_bodies(const detent_context* context, detent_handle world,
+                                                const detent_id* ids, uint32_t count,
+                                                detent_body2* bodies);
+
+/** Sets the velocity of a body, per second, and wakes it. Nothing happens to fixed bodies. */
+DETENT_API detent_status detent_world2_set_velocity(detent_context* context, detent_handle world,
+                                                      detent_id id, const detent_vec2* velocity);
+
+/** Sets the angular velocity of a body (1 numbers, radians per second), and wakes it. */
+DETENT_API detent_status detent_world2_set_angular_velocity(detent_context* context,
+                                                              detent_handle world, detent_id id,
+                                                              const int32_t* velocity);
+
+/** How many bodies the world has. */
+DETENT_API detent_status detent_world2_size(const detent_context* context, detent_handle world,
+                                              uint32_t* size);
+
+/** The pairs that began or ended to touch in the last step, by id. Writes the first `room` of them and
+ *  their whole number to `count`. */
+DETENT_API detent_status detent_world2_events(const detent_context* context, detent_handle world,
+                                                detent_touch* events, uint32_t room,
+                                                uint32_t* count);
+
+/** 64 bits of all bodies that are not fixed, and their contacts. */
+DETENT_API detent_status detent_world2_digest(const detent_context* context, detent_handle world,
+                                                uint64_t* digest);
+
+/** 64 bits of one body. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_world2_digest_of(const detent_context* context,
+                                                   detent_handle world, detent_id id,
+                                                   uint64_t* digest);
+
+/** Writes the canonical bytes of all bodies that are not fixed to `bytes` if `room` holds them, and
+ *  their number to `size`. DETENT_NO if there is less room: ask with room 0 first. */
+DETENT_API detent_status detent_world2_snapshot(const detent_context* context,
+                                                  detent_handle world, void* bytes, uint32_t room,
+                                                  uint32_t* size);
+
+/** Makes the world the one of a snapshot taken with the same settings and fixed bodies. Any bytes are
+ *  safe; on an error the world is unchanged. */
+DETENT_API detent_status detent_world2_restore(detent_context* context, detent_handle world,
+                                                 const void* bytes, uint32_t size);
+
+/** Whether the ray touches the shape, and where. `hit` may be null. For the kinds from DETENT_SPHERE to
+ *  DETENT_SEGMENT. Distance 0 if the ray starts inside. */
+DETENT_API detent_status detent_raycast3(const detent_ray3* ray, const detent_shape3* shape,
+                                           detent_hit3* hit);
+
+/** The distances along `count` rays at which they touch one shape, -1 for none. Returns DETENT_OK
+ *  after the last ray; the first wrong direction ends it with DETENT_NOT_UNIT. */
+DETENT_API detent_status detent_raycast3_many(const detent_ray3* rays, uint32_t count,
+                                                const detent_shape3* shape, int32_t* distances);
+
+/** Whether the point is in the shape or on its surface, exactly. */
+DETENT_API detent_status detent_contains3(const detent_shape3* shape, const detent_vec3* point);
+
+/** Whether two shapes have a point in common, exactly. */
+DETENT_API detent_status detent_overlaps3(const detent_shape3* a, const detent_shape3* b);
+
+/** The point of the shape closest to `point`, each coordinate rounded to nearest. */
+DETENT_API detent_status detent_closest_point3(const detent_shape3* shape,
+                                                 const detent_vec3* point,
+                                                 detent_vec3* closest);
+
+/** The distance from the shape to `point`, rounded down; the greatest int32_t if the shape is empty. */
+DETENT_API detent_status detent_distance_to_point3(const detent_shape3* shape,
+                                                     const detent_vec3* point,
+                                                     int32_t* distance);
+
+/** The distance between two shapes, rounded down; 0 if they share a point. */
+DETENT_API detent_status detent_distance3(const detent_shape3* a, const detent_shape3* b,
+                                            int32_t* distance);
+
+/** A convex hull of at most 64 points, in any order. Copies them. `id` as for meshes. */
+DETENT_API detent_status detent_hull3_create(detent_context* context, uint32_t id,
+                                               const detent_vec3* points, uint32_t count,
+                                               detent_handle* hull);
+
+/** An empty scene, for all kinds of shape but segments and points. */
+DETENT_API detent_status detent_scene3_create(detent_context* context, detent_handle* scene);
+
+/** Destroys a scene. */
+DETENT_API detent_status detent_scene3_destroy(detent_context* context, detent_handle scene);
+
+/** Adds an object. `traits` may be null: layer 1, user 0, moving. DETENT_FULL beyond 1,048,576 objects. */
+DETENT_API detent_status detent_scene3_add(detent_context* context, detent_handle scene,
+                                             const detent_shape3* shape,
+                                             const detent_traits* traits, detent_id* id);
+
+/** Adds an object with an id of the caller's. DETENT_NO if its index is taken or too large, or the
+ *  generation 0 or 2^32 - 1. */
+DETENT_API detent_status detent_scene3_add_as(detent_context* context, detent_handle scene,
+                                                detent_id id, const detent_shape3* shape,
+                                                const detent_traits* traits);
+
+/** Removes an object. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_scene3_remove(detent_context* context, detent_handle scene,
+                                                detent_id id);
+
+/** Replaces the shape of an object. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_scene3_replace(detent_context* context, detent_handle scene,
+                                                 detent_id id, const detent_shape3* shape);
+
+/** Moves an object by a vector; coordinates are clamped. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_scene3_move(detent_context* context, detent_handle scene,
+                                              detent_id id, const detent_vec3* by);
+
+/** The shape of an object, and what is stored with it. Both may be null. DETENT_NO if there is none
+ *  with this id. */
+DETENT_API detent_status detent_scene3_object(const detent_context* context, detent_handle scene,
+                                                detent_id id, detent_shape3* shape,
+                                                detent_traits* traits);
+
+/** Sets layers and user word of an object; its motion cannot change, and is ignored. */
+DETENT_API detent_status detent_scene3_set_traits(detent_context* context, detent_handle scene,
+                                                    detent_id id, const detent_traits* traits);
+
+/** How many objects the scene has. */
+DETENT_API detent_status detent_scene3_size(const detent_context* context, detent_handle scene,
+                                              uint32_t* size);
+
+/** Makes queries faster after many additions, such as loading a level. Never changes a result. */
+DETENT_API detent_status detent_scene3_optimize(detent_context* context, detent_handle scene);
+
+/** The object in `layers` that the ray touches first, and where; of several at one distance the least
+ *  id. `hit` may be null. */
+DETENT_API detent_status detent_scene3_raycast(const detent_context* context, detent_handle scene,
+                                                 const detent_ray3* ray, uint32_t layers,
+                                                 detent_object_hit3* hit);
+
+/** Whether the ray touches any object in `layers`. */
+DETENT_API detent_status detent_scene3_raycast_any(const detent_context* context,
+                                                     detent_handle scene, const detent_ray3* ray,
+                                                     uint32_t layers);
+
+/** All objects in `layers` that the ray touches, by distance, then id. Writes the first `room` of them
+ *  and their whole number to `count`. */
+DETENT_API detent_status detent_scene3_raycast_all(const detent_context* context,
+                                                     detent_handle scene, const detent_ray3* ray,
+                                                     uint32_t layers, detent_object_hit3* hits,
+                                                     uint32_t room, uint32_t* count);
+
+/** `detent_scene3_raycast` for many rays; of a ray that hits nothing the id is {0, 0} and the distance
+ *  -1. The first wrong direction ends it with DETENT_NOT_UNIT. */
+DETENT_API detent_status detent_scene3_raycast_many(const detent_context* context,
+                                                      detent_handle scene, const detent_ray3* rays,
+                                                      uint32_t count, uint32_t layers,
+                                                      detent_object_hit3* hits);
+
+/** The object in `layers` nearest to a point, however far; or nearest to the center, start or end a
+ *  of those that a sphere, AABB, OBB, capsule or segment overlaps. `found` may be null. */
+DETENT_API detent_status detent_scene3_nearest(const detent_context* context, detent_handle scene,
+                                                 const detent_shape3* question, uint32_t layers,
+                                                 detent_found* found);
+
+/** Whether the point, sphere, AABB, OBB, capsule or segment overlaps any object in `layers`. */
+DETENT_API detent_status detent_scene3_any(const detent_context* context, detent_handle scene,
+                                             const detent_shape3* question, uint32_t layers);
+
+/** All objects in `layers` that the point, sphere, AABB, OBB, capsule or segment overlaps, by distance,
+ *  then id. Writes the first `room` of them and their whole number to `count`. */
+DETENT_API detent_status detent_scene3_all(const detent_context* context, detent_handle scene,
+                                             const detent_shape3* question, uint32_t layers,
+                                             detent_found* found, uint32_t room, uint32_t* count);
+
+/** All pairs of overlapping objects of which one moves, sorted by id. Writes the first `room` of them
+ *  and their whole number to `count`. */
+DETENT_API detent_status detent_scene3_overlaps(const detent_context* context,
+                                                  detent_handle scene, detent_pair* pairs,
+                                                  uint32_t room, uint32_t* count);
+
+/** 64 bits of all objects: equal on every machine for equal scenes. */
+DETENT_API detent_status detent_scene3_digest(const detent_context* context, detent_handle scene,
+                                                uint64_t* digest);
+
+/** Writes the canonical bytes of the moving objects to `bytes` if `room` holds them, and their number
+ *  to `size`. DETENT_NO if there is less room: ask with room 0 first. */
+DETENT_API detent_status detent_scene3_snapshot(const detent_context* context,
+                                                  detent_handle scene, void* bytes, uint32_t room,
+                                                  uint32_t* size);
+
+/** Replaces the moving objects by those of a snapshot, whose assets the context has. Any bytes are
+ *  safe; on an error the scene is unchanged. */
+DETENT_API detent_status detent_scene3_restore(detent_context* context, detent_handle scene,
+                                                 const void* bytes, uint32_t size);
+
+/** The settings of an ordinary world: 60 ticks a second of 4 substeps, gravity -10 along y. */
+DETENT_API detent_status detent_world3_default_settings(detent_world3_settings* settings);
+
+/** The options of an ordinary body: dynamic, density 1, friction 3/5, at rest, in layer 1. */
+DETENT_API detent_status detent_body3_default_options(detent_body3_options* options);
+
+/** An empty world. `settings` may be null: the ordinary ones. */
+DETENT_API detent_status detent_world3_create(detent_context* context,
+                                                const detent_world3_settings* settings,
+                                                detent_handle* world);
+
+/** Destroys a world. */
+DETENT_API detent_status detent_world3_destroy(detent_context* context, detent_handle world);
+
+/** Adds a body: a sphere, AABB, OBB or capsule. `options` may be null: the ordinary ones. */
+DETENT_API detent_status detent_world3_add(detent_context* context, detent_handle world,
+                                             const detent_shape3* shape,
+                                             const detent_body3_options* options, detent_id* id);
+
+/** Removes a body and wakes those that touched it. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_world3_remove(detent_context* context, detent_handle world,
+                                                detent_id id);
+
+/** One tick: all substeps. */
+DETENT_API detent_status detent_world3_step(detent_context* context, detent_handle world);
+
+/** Where a body is and how it moves. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_world3_body(const detent_context* context, detent_handle world,
+                                              detent_id id, detent_body3* body);
+
+/** The same for `count` bodies at once; zeros where there is none. */
+DETENT_API detent_status detent_world3_bodies(const detent_context* context, detent_handle world,
+                                                const detent_id* ids, uint32_t count,
+                                                detent_body3* bodies);
+
+/** Sets the velocity of a body, per second, and wakes it. Nothing happens to fixed bodies. */
+DETENT_API detent_status detent_world3_set_velocity(detent_context* context, detent_handle world,
+                                                      detent_id id, const detent_vec3* velocity);
+
+/** Sets the angular velocity of a body (3 numbers, radians per second), and wakes it. */
+DETENT_API detent_status detent_world3_set_angular_velocity(detent_context* context,
+                                                              detent_handle world, detent_id id,
+                                                              const int32_t* velocity);
+
+/** How many bodies the world has. */
+DETENT_API detent_status detent_world3_size(const detent_context* context, detent_handle world,
+                                              uint32_t* size);
+
+/** The pairs that began or ended to touch in the last step, by id. Writes the first `room` of them and
+ *  their whole number to `count`. */
+DETENT_API detent_status detent_world3_events(const detent_context* context, detent_handle world,
+                                                detent_touch* events, uint32_t room,
+                                                uint32_t* count);
+
+/** 64 bits of all bodies that are not fixed, and their contacts. */
+DETENT_API detent_status detent_world3_digest(const detent_context* context, detent_handle world,
+                                                uint64_t* digest);
+
+/** 64 bits of one body. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_world3_digest_of(const detent_context* context,
+                                                   detent_handle world, detent_id id,
+                                                   uint64_t* digest);
+
+/** Writes the canonical bytes of all bodies that are not fixed to `bytes` if `room` holds them, and
+ *  their number to `size`. DETENT_NO if there is less room: ask with room 0 first. */
+DETENT_API detent_status detent_world3_snapshot(const detent_context* context,
+                                                  detent_handle world, void* bytes, uint32_t room,
+                                                  uint32_t* size);
+
+/** Makes the world the one of a snapshot taken with the same settings and fixed bodies. Any bytes are
+ *  safe; on an error the world is unchanged. */
+DETENT_API detent_status detent_world3_restore(detent_context* context, detent_handle world,
+                                                 const void* bytes, uint32_t size);
+
+/* Every field has a fixed size and place, the same in every compiler. */
+typedef char detent_id_has_its_size[sizeof(detent_id) == 8 ? 1 : -1];
+typedef char detent_pair_has_its_size[sizeof(detent_pair) == 16 ? 1 : -1];
+typedef char detent_touch_has_its_size[sizeof(detent_touch) == 20 ? 1 : -1];
+typedef char detent_found_has_its_size[sizeof(detent_found) == 12 ? 1 : -1];
+typedef char detent_traits_has_its_size[sizeof(detent_traits) == 16 ? 1 : -1];
+typedef char detent_context_has_its_size[sizeof(detent_context) == 32 ? 1 : -1];
+typedef char detent_vec2_has_its_size[sizeof(detent_vec2) == 8 ? 1 : -1];
+typedef char detent_direction2_has_its_size[sizeof(detent_direction2) == 8 ? 1 : -1];
+typedef char detent_rotation2_has_its_size[sizeof(detent_rotation2) == 16 ? 1 : -1];
+typedef char detent_transform2_has_its_size[sizeof(detent_transform2) == 28 ? 1 : -1];
+typedef char detent_ray2_has_its_size[sizeof(detent_ray2) == 20 ? 1 : -1];
+typedef char detent_sphere2_has_its_size[sizeof(detent_sphere2) == 12 ? 1 : -1];
+typedef char detent_aabb2_has_its_size[sizeof(detent_aabb2) == 16 ? 1 : -1];
+typedef char detent_obb2_has_its_size[sizeof(detent_obb2) == 32 ? 1 : -1];
+typedef char detent_plane2_has_its_size[sizeof(detent_plane2) == 12 ? 1 : -1];
+typedef char detent_triangle2_has_its_size[sizeof(detent_triangle2) == 24 ? 1 : -1];
+typedef char detent_capsule2_has_its_size[sizeof(detent_capsule2) == 20 ? 1 : -1];
+typedef char detent_segment2_has_its_size[sizeof(detent_segment2) == 16 ? 1 : -1];
+typedef char detent_shape2_has_its_size[sizeof(detent_shape2) == 40 ? 1 : -1];
+typedef char detent_hit2_has_its_size[sizeof(detent_hit2) == 20 ? 1 : -1];
+typedef char detent_object_hit2_has_its_size[sizeof(detent_object_hit2) == 36 ? 1 : -1];
+typedef char detent_world2_settings_has_its_size[sizeof(detent_world2_settings) == 32 ? 1 : -1];
+typedef char detent_body2_options_has_its_size[sizeof(detent_body2_options) == 56 ? 1 : -1];
+typedef char detent_body2_has_its_size[sizeof(detent_body2) == 40 ? 1 : -1];
+typedef char detent_vec3_has_its_size[sizeof(detent_vec3) == 12 ? 1 : -1];
+typedef char detent_direction3_has_its_size[sizeof(detent_direction3) == 12 ? 1 : -1];
+typedef char detent_rotation3_has_its_size[sizeof(detent_rotation3) == 36 ? 1 : -1];
+typedef char detent_transform3_has_its_size[sizeof(detent_transform3) == 52 ? 1 : -1];
+typedef char detent_ray3_has_its_size[sizeof(detent_ray3) == 28 ? 1 : -1];
+typedef char detent_sphere3_has_its_size[sizeof(detent_sphere3) == 16 ? 1 : -1];
+typedef char detent_aabb3_has_its_size[sizeof(detent_aabb3) == 24 ? 1 : -1];
+typedef char detent_obb3_has_its_size[sizeof(detent_obb3) == 60 ? 1 : -1];
+typedef char detent_plane3_has_its_size[sizeof(detent_plane3) == 16 ? 1 : -1];
+typedef char detent_triangle3_has_its_size[sizeof(detent_triangle3) == 36 ? 1 : -1];
+typedef char detent_capsule3_has_its_size[sizeof(detent_capsule3) == 28 ? 1 : -1];
+typedef char detent_segment3_has_its_size[sizeof(detent_segment3) == 24 ? 1 : -1];
+typedef char detent_shape3_has_its_size[sizeof(detent_shape3) == 68 ? 1 : -1];
+typedef char detent_hit3_has_its_size[sizeof(detent_hit3) == 28 ? 1 : -1];
+typedef char detent_object_hit3_has_its_size[sizeof(detent_object_hit3) == 44 ? 1 : -1];
+typedef char detent_world3_settings_has_its_size[sizeof(detent_world3_settings) == 36 ? 1 : -1];
+typedef char detent_body3_options_has_its_size[sizeof(detent_body3_options) == 64 ? 1 : -1];
+typedef char detent_body3_has_its_size[sizeof(detent_body3) == 76 ? 1 : -1];
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Written by bindings/generate from bindings/detent.h.in: change that file instead.
+#include "c/worlds.hpp"
+
+// clang-format off
+detent_status detent_world3_default_settings(detent_world3_settings* settings) {
+  return detent::c::Worlds<3>::default_settings(settings);
+}
+detent_status detent_body3_default_options(detent_body3_options* options) {
+  return detent::c::Worlds<3>::default_options(options);
+}
+detent_status detent_world3_create(detent_context* context, const detent_world3_settings* settings, detent_handle* world) {
+  return detent::c::Worlds<3>::create(context, settings, world);
+}
+detent_status detent_world3_destroy(detent_context* context, detent_handle world) {
+  return detent::c::Worlds<3>::destroy(context, world);
+}
+detent_status detent_world3_add(detent_context* context, detent_handle world, const detent_shape3* shape, const detent_body3_options* options, detent_id* id) {
+  return detent::c::Worlds<3>::add(context, world, shape, options, id);
+}
+detent_status detent_world3_remove(detent_context* context, detent_handle world, detent_id id) {
+  return detent::c::Worlds<3>::remove(context, world, id);
+}
+detent_status detent_world3_step(detent_context* context, detent_handle world) {
+  return detent::c::Worlds<3>::step(context, world);
+}
+detent_status detent_world3_body(const detent_context* context, detent_handle world, detent_id id, detent_body3* body) {
+  return detent::c::Worlds<3>::body(context, world, id, body);
+}
+detent_status detent_world3_bodies(const detent_context* context, detent_handle world, const detent_id* ids, uint32_t count, detent_body3* bodies) {
+  return detent::c::Worlds<3>::bodies(context, world, ids, count, bodies);
+}
+detent_status detent_world3_set_velocity(detent_context* context, detent_handle world, detent_id id, const detent_vec3* velocity) {
+  return detent::c::Worlds<3>::set_velocity(context, world, id, velocity);
+}
+detent_status detent_world3_set_angular_velocity(detent_context* context, detent_handle world, detent_id id, const int32_t* velocity) {
+  return detent::c::Worlds<3>::set_angular_velocity(context, world, id, velocity);
+}
+detent_status detent_world3_size(const detent_context* context, detent_handle world, uint32_t* size) {
+  return detent::c::Worlds<3>::size(context, world, size);
+}
+detent_status detent_world3_events(const detent_context* context, detent_handle world, detent_touch* events, uint32_t room, uint32_t* count) {
+  return detent::c::Worlds<3>::events(context, world, events, room, count);
+}
+detent_status detent_world3_digest(const detent_context* context, detent_handle world, uint64_t* digest) {
+  return detent::c::Worlds<3>::digest(context, world, digest);
+}
+detent_status detent_world3_digest_of(const detent_context* context, detent_handle world, detent_id id, uint64_t* digest) {
+  return detent::c::Worlds<3>::digest_of(context, world, id, digest);
+}
+detent_status detent_world3_snapshot(const detent_context* context, detent_handle world, void* bytes, uint32_t room, uint32_t* size) {
+  return detent::c::Worlds<3>::snapshot(context, world, bytes, room, size);
+}
+detent_status detent_world3_restore(detent_context* context, detent_handle world, const void* bytes, uint32_t size) {
+  return detent::c::Worlds<3>::restore(context, world, bytes, size);
+}
+// clang-format on

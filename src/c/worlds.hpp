@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "c/scenes.hpp"
+#include "detent/dynamics/dynamics.hpp"
+
+namespace detent::c {
+
+/// Worlds of spheres, boxes and capsules, and the options of their bodies.
+template <int N>
+struct Worlds {
+  using T = Types<N>;
+  using World = detent::World<S, N, Sphere, Aabb, Obb, Capsule>;
+  using Settings = typename World::Settings;
+  using Options = typename World::Options;
+  static constexpr Kind kind = N == 2 ? Kind::world2 : Kind::world3;
+
+  static detent_status default_settings(typename T::Settings* out) {
+    if (out == nullptr) return DETENT_BAD_ARGUMENT;
+    const Settings own;
+    *out = {own.ticks_per_second, own.substeps,         Output<N>::vec(own.gravity),
+            own.margin.raw(),     own.push_speed.raw(), own.bounce_threshold.raw(),
+            own.sleep_speed.raw()};
+    return DETENT_OK;
+  }
+  static detent_status default_options(typename T::BodyOptions* out) {
+    if (out == nullptr) return DETENT_BAD_ARGUMENT;
+    const Options own;
+    *out = {};
+    out->user = own.user;
+    out->layers = own.layers;
+    out->collides_with = own.collides_with;
+    out->motion = static_cast<std::uint32_t>(own.motion);
+    out->density = own.density.raw();
+    out->friction = own.friction.raw();
+    out->restitution = own.restitution.raw();
+    out->linear_damping = own.linear_damping.raw();
+    out->angular_damping = own.angular_damping.raw();
+    return DETENT_OK;
+  }
+
+  static detent_status create(detent_context* context, const typename T::Settings* settings,
+                              detent_handle* world) {
+    Context* const table = table_of(context);
+    if (table == nullptr) return DETENT_BAD_CONTEXT;
+    if (world == nullptr) return DETENT_BAD_ARGUMENT;
+    Settings own;
+    if (settings != nullptr) {
+      constexpr std::int32_t most = 32767;
+      if (settings->ticks_per_second < 1 || settings->ticks_per_second > most ||
+          settings->substeps < 1 || settings->substeps > most / settings->ticks_per_second ||
+          settings->margin < 0 || settings->push_speed < 0 || settings->bounce_threshold < 0 ||
+          settings->sleep_speed < 0) {
+        return DETENT_BAD_ARGUMENT;
+      }
+      own.ticks_per_second = settings->ticks_per_second;
+      own.substeps = settings->substeps;
+      own.gravity = Input<N>::vec(settings->gravity);
+      own.margin = Input<N>::number(settings->margin);
+      own.push_speed = Input<N>::number(settings->push_speed);
+      own.bounce_threshold = Input<N>::number(settings->bounce_threshold);
+      own.sleep_speed = Input<N>::number(settings->sleep_speed);
+    }
+    return guarded(nullptr, [&] { return table->make<World>(kind, world, nullptr, own); });
+  }
+  static detent_status destroy(detent_context* context, detent_handle world) {
+    return destroy_object(context, kind, world);
+  }
+
+  static detent_status add(detent_context* context, detent_handle world,
+                           const typename T::Shape* shape, const typename T::BodyOptions* options,
+                           detent_id* id) {
+    return change(context, world, [&](World& object) -> detent_status {
+      Options own;
+      if (shape == nullptr || id == nullptr || !read_options(options, own)) {
+        return DETENT_BAD_ARGUMENT;
+      }
+      return with_shape<N>(*shape, [&](const auto& read) -> detent_status {
+        if constexpr (requires { object.add(read, own); }) {
+          const auto added = object.add(read, own);
+          if (!added) return DETENT_FULL;
+          *id = id_of(*added);
+          return DETENT_OK;
+        } else {
+          return DETENT_NO_QUERY;
+        }
+      });
+    });
+  }
+  static detent_status remove(detent_context* context, detent_handle world, detent_id id) {
+    return change(context, world,
+                  [&](World& object) { return yes_or_no(object.remove(id_of(id))); });
+  }
+  static detent_status step(detent_context* context, detent_handle world) {
+    return change(context, world, [](World& object) -> detent_status {
+      object.step();
+      return DETENT_OK;
+    });
+  }
+
+  static detent_status body(const detent_context* context, detent_handle world, detent_id id,
+                            typename T::Body* body) {
+    return read(context, world, [&](const World& object) -> detent_status {
+      if (body == nullptr) return DETENT_BAD_ARGUMENT;
+      if (!object.contains(id_of(id))) return DETENT_NO;
+      *body = body_of(object, id_of(id));
+      return DETENT_OK;
+    });
+  }
+  static detent_status bodies(const detent_context* context, detent_handle world,
+                              const detent_id* ids, std::uint32_t count, typename T::Body* bodies) {
+    return read(context, world, [&](const World& object) -> detent_status {
+      if (count != 0 && (ids == nullptr || bodies == nullptr)) return DETENT_BAD_ARGUMENT;
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const auto id = id_of(ids[i]);
+        bodies[i] = object.contains(id) ? body_of(object, id) : typename T::Body();
+      }
+      return DETENT_OK;
+    });
+  }
+  static detent_status set_velocity(detent_context* context, detent_handle world, detent_id id,
+                                    const typename T::Vec* velocity) {
+    return change(context, world, [&](World& object) -> detent_status {
+      if (velocity == nullptr) return DETENT_BAD_ARGUMENT;
+      if (!object.contains(id_of(id))) return DETENT_NO;
+      object.set_velocity(id_of(id), Input<N>::vec(*velocity));
+      return DETENT_OK;
+    });
+  }
+  static detent_status set_angular_velocity(detent_context* context, detent_handle world,
+                                            detent_id id, const std::int32_t* velocity) {
+    return change(context, world, [&](World& object) -> detent_status {
+      if (velocity == nullptr) return DETENT_BAD_ARGUMENT;
+      if (!object.contains(id_of(id))) return DETENT_NO;
+      auto spin = object.angular_velocity(id_of(id));
+      for (std::size_t i = 0; i < spin.size(); ++i) spin[i] = Input<N>::number(velocity[i]);
+      object.set_angular_velocity(id_of(id), spin);
+      return DETENT_OK;
+    });
+  }
+
+  static detent_status size(const detent_context* context, detent_handle world,
+                            std::uint32_t* size) {
+    return read(context, world, [&](const World& object) -> detent_status {
+      if (size == nullptr) return DETENT_BAD_ARGUMENT;
+      *size = static_cast<std::uint32_t>(object.size());
+      return DETENT_OK;
+    });
+  }
+  static detent_status events(const detent_context* context, detent_handle world,
+                              detent_touch* events, std::uint32_t room, std::uint32_t* count) {
+    return read(context, world, [&](const World& object) -> detent_status {
+      if (count == nullptr || (events == nullptr && room != 0)) return DETENT_BAD_ARGUMENT;
+      *count = static_cast<std::uint32_t>(object.event_count());
+      for (std::uint32_t i = 0; i < room && i < *count; ++i) {
+        const auto& event = object.event(i);
+        events[i] = {id_of(event.a), id_of(event.b), event.begins ? 1u : 0u};
+      }
+      return DETENT_OK;
+    });
+  }
+  static detent_status digest(const detent_context* context, detent_handle world,
+                              std::uint64_t* digest) {
+    return read(context, world, [&](const World& object) -> detent_status {
+      if (digest == nullptr) return DETENT_BAD_ARGUMENT;
+      *digest = detent::digest(object);
+      return DETENT_OK;
+    });
+  }
+  static detent_status digest_of(const detent_context* context, detent_handle world, detent_id id,
+                                 std::uint64_t* digest) {
+    return read(context, world, [&](const World& object) -> detent_status {
+      if (digest == nullptr) return DETENT_BAD_ARGUMENT;
+      if (!object.contains(id_of(id))) return DETENT_NO;
+      *digest = detent::digest_of(object, id_of(id));
+      return DETENT_OK;
+    });
+  }
+  static detent_status snapshot(const detent_context* context, detent_handle world, void* bytes,
+                                std::uint32_t room, std::uint32_t* size) {
+    return read(context, world, [&](const World& object) {
+      return write_snapshot(bytes, room, size,
+                            [&](auto span) { return detent::snapshot(object, span); });
+    });
+  }
+  static detent_status restore(detent_context* context, detent_handle world, const void* bytes,
+                               std::uint32_t size) {
+    return change(context, world, [&](World& object) -> detent_status {
+      if (bytes == nullptr && size != 0) return DETENT_BAD_ARGUMENT;
+      return status_of(
+          detent::restore(object, std::span(static_cast<const std::byte*>(bytes), size)));
+    });
+  }
+
+ private:
+  template <class F>
+  static detent_status change(detent_context* context, detent_handle world, const F& f) {
+    return with_object<World>(context, kind, world,
+                              [&](const Context&, World& object) { return f(object); });
+  }
+  template <class F>
+  static detent_status read(const detent_context* context, detent_handle world, const F& f) {
+    return read_object<World>(context, kind, world,
+                              [&](const Context&, const World& object) { return f(object); });
+  }
+
+  static bool read_options(const typename T::BodyOptions* options, Options& own) noexcept {
+    if (options == nullptr) return true;
+    if (options->motion > DETENT_FIXED_BODY || options->friction < 0 || options->restitution < 0 ||
+        options->linear_damping < 0 || options->angular_damping < 0) {
+      return false;
+    }
+    own.motion = static_cast<BodyMotion>(options->motion);
+    own.density = Input<N>::number(options->density);
+    own.friction = Input<N>::number(options->friction);
+    own.restitution = Input<N>::number(options->restitution);
+    own.linear_damping = Input<N>::number(options->linear_damping);
+    own.angular_damping = Input<N>::number(options->angular_damping);
+    own.velocity = Input<N>::vec(options->velocity);
+    for (std::size_t i = 0; i < own.angular_velocity.size(); ++i) {
+      own.angular_velocity[i] = Input<N>::number(options->angular_velocity[i]);
+    }
+    own.layers = options->layers;
+    own.collides_with = options->collides_with;
+    own.user = options->user;
+    return true;
+  }
+
+  static typename T::Body body_of(const World& world, const BodyId& id) noexcept {
+    typename T::Body body;
+    body.position = Output<N>::vec(world.position(id));
+    body.rotation = Output<N>::rotation(world.rotation(id));
+    body.velocity = Output<N>::vec(world.velocity(id));
+    const auto spin = world.angular_velocity(id);
+    for (std::size_t i = 0; i < spin.size(); ++i) body.angular_velocity[i] = spin[i].raw();
+    body.is_asleep = world.is_asleep(id) ? 1 : 0;
+    return body;
+  }
+};
+
+}  // namespace detent::c

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# usage: c99.sh MATCH_IN_CPP LIBRARY
+# A C99 program compiles without a warning, links the shared library, and plays the match of the C++
+# program; the library shows the functions of detent.h, all of them and nothing else.
+set -euo pipefail
+compiler=$(command -v gcc || command -v cc) || { echo 'skipped: there is no C compiler'; exit 77; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+folder=$(dirname "$2")
+
+"$compiler" -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -Iinclude tests/c/match.c \
+  -L"$folder" -ldetent -Wl,-rpath,"$folder" -o "$work/match"
+in_c=$("$work/match")
+in_cpp=$("$1")
+if [[ $in_c != "$in_cpp" ]]; then
+  echo "the match ends with $in_c in C, with $in_cpp in C++"
+  exit 1
+fi
+
+nm -D --defined-only "$2" | sed 's/.* //' | sort >"$work/visible"
+sed -n 's/^DETENT_API .*[ *]\(detent_[a-z0-9_]*\)(.*/\1/p' include/detent.h | sort >"$work/declared"
+diff "$work/declared" "$work/visible" || { echo 'the library shows other functions'; exit 1; }
+echo "the match ends with $in_c; $(wc -l <"$work/visible") functions are visible"
