@@ -9,14 +9,21 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 folder=$(dirname "$2")
 
-"$compiler" -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -Iinclude tests/c/match.c \
-  -L"$folder" -ldetent -Wl,-rpath,"$folder" -o "$work/match"
+compile() {
+  "$compiler" -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -Iinclude "$1" \
+    -L"$folder" -ldetent -Wl,-rpath,"$folder" -o "$2"
+}
+compile tests/c/match.c "$work/match"
 in_c=$("$work/match")
 in_cpp=$("$1")
 if [[ $in_c != "$in_cpp" ]]; then
   echo "the match ends with $in_c in C, with $in_cpp in C++"
   exit 1
 fi
+
+sed -n '/^```c$/,/^```$/{/^```/d;p}' docs/bindings.md >"$work/page.c"
+compile "$work/page.c" "$work/page"
+[[ $("$work/page") == 'object 0 at 9.000000' ]] || { echo 'the page says something else'; exit 1; }
 
 nm -D --defined-only "$2" | sed 's/.* //' | sort >"$work/visible"
 sed -n 's/^DETENT_API .*[ *]\(detent_[a-z0-9_]*\)(.*/\1/p' include/detent.h | sort >"$work/declared"

@@ -163,8 +163,8 @@ void check_dimension(std::uint64_t seed, int count) {
   }
 }
 
-TEST_CASE("C queries: the bits are those of C++, in 2D") { check_dimension<2>(20, 1500); }
-TEST_CASE("C queries: the bits are those of C++, in 3D") { check_dimension<3>(30, 1500); }
+TEST_CASE("C queries: the bits are those of C++, in 2D") { check_dimension<2>(20, 800); }
+TEST_CASE("C queries: the bits are those of C++, in 3D") { check_dimension<3>(30, 800); }
 
 TEST_CASE("C queries: directions that are no unit vectors and unknown kinds are errors") {
   detent_shape3 plane{};
