@@ -4,7 +4,8 @@
 # Compiles and runs every ```cpp block of the pages, by default README.md and those of docs/. A block
 # without `main` is a fragment: its #include lines stay on top, and the rest becomes the body of a
 # `main` that includes all of detent. Further compiler arguments for a block, such as another source
-# file, are in a comment on the line before it: <!-- compile with: ARGUMENT... -->.
+# file, are in a comment on the line before it: <!-- compile with: ARGUMENT... -->. Blocks in other
+# languages are the business of tests/c/.
 set -euo pipefail
 
 compiler=$1
@@ -20,8 +21,8 @@ for page in "${pages[@]}"; do
     BEGIN { stem = page; gsub(/\//, ".", stem) }
     /^```/ && !inside {
       inside = 1
-      if ($0 !~ /^```(cpp|json|sh|yaml|text)?[[:space:]]*$/) {
-        printf "%s:%d: a block of code starts with ```cpp, json, sh, yaml or text\n", page, FNR
+      if ($0 !~ /^```(cpp|c|js|json|python|rust|sh|yaml|text)?[[:space:]]*$/) {
+        printf "%s:%d: a block of code starts with ```cpp, c, js, json, python, rust, sh, yaml or text\n", page, FNR
         exit 1
       }
       if ($0 ~ /^```cpp/) {

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+import * as types from './interface.mjs';
+
+export * as status from './interface.mjs';
+
+export declare const ONE: 65536;
+export declare const UNIT: 1073741824;
+export declare const ALL_LAYERS: 4294967295;
+export declare const DYNAMIC: 0;
+export declare const KINEMATIC: 1;
+export declare const FIXED: 2;
+
+/** The length nearest to a number. Throws RangeError out of range. */
+export declare function raw(value: number): number;
+/** The number that a length is, exactly. */
+export declare function number(length: number): number;
+
+/** A call that fails: `status` is one of the constants below 0. */
+export declare class DetentError extends Error {
+  readonly status: number;
+}
+
+export type Id = types.Id;
+/** The types of a dimension. */
+export interface Of2 {
+  vec: types.Vec2; shape: types.Shape2; ray: types.Ray2; hit: types.Hit2; objectHit: types.ObjectHit2;
+  settings: types.World2Settings; options: types.Body2Options; body: types.Body2;
+}
+export interface Of3 {
+  vec: types.Vec3; shape: types.Shape3; ray: types.Ray3; hit: types.Hit3; objectHit: types.ObjectHit3;
+  settings: types.World3Settings; options: types.Body3Options; body: types.Body3;
+}
+type Of = Of2 | Of3;
+/** A shape: made by the functions of Space. */
+export type Shape<D extends Of> = Partial<D['shape']> & { kind: number };
+
+/** Shapes, rays and queries of one dimension. */
+export declare class Space<D extends Of> {
+  ray(origin: D['vec'], direction: D['vec'], max_distance?: number): D['ray'];
+  sphere(center: D['vec'], radius: number): Shape<D>;
+  aabb(min: D['vec'], max: D['vec']): Shape<D>;
+  obb(center: D['vec'], half_extents: D['vec'], axis?: D['vec'][]): Shape<D>;
+  plane(normal: D['vec'], offset: number): Shape<D>;
+  triangle(a: D['vec'], b: D['vec'], c: D['vec']): Shape<D>;
+  capsule(a: D['vec'], b: D['vec'], radius: number): Shape<D>;
+  segment(start: D['vec'], end: D['vec']): Shape<D>;
+  point(at: D['vec']): Shape<D>;
+  placed(asset: Asset, translation: D['vec'], axis?: D['vec'][], scale?: number): Shape<D>;
+  raycast(ray: D['ray'], shape: Shape<D>): D['hit'] | null;
+  /** Distances, -1 for no hit; a ray is origin, direction and max_distance. */
+  raycastMany(rays: Int32Array, shape: Shape<D>): Int32Array;
+  contains(shape: Shape<D>, point: D['vec']): boolean;
+  overlaps(a: Shape<D>, b: Shape<D>): boolean;
+  closestPoint(shape: Shape<D>, point: D['vec']): D['vec'];
+  distance(shape: Shape<D>, other: Shape<D> | D['vec']): number;
+}
+
+export declare class Detent<D extends Of> {
+  readonly space: Space<D>;
+  readonly version: number;
+  readonly resultsVersion: number;
+  open(): Context<D>;
+}
+
+type Source = URL | string | Response | BufferSource | WebAssembly.Module;
+/** The module of a dimension, by default detent2.wasm or detent3.wasm next to index.mjs. */
+export declare function load(dimension: 2, source?: Source): Promise<Detent<Of2>>;
+export declare function load(dimension: 3, source?: Source): Promise<Detent<Of3>>;
+
+export declare class Context<D extends Of> {
+  close(): void;
+  scene(): Scene<D>;
+  world(settings?: Partial<D['settings']>): World<D>;
+  /** In 3D. */
+  mesh(name: number, vertices: types.Vec3[], faces: [number, number, number][]): Asset;
+  hull(name: number, points: D['vec'][]): Asset;
+  /** In 3D. */
+  heightField(name: number, corner: types.Vec2, cell: number, columns: number, rows: number,
+    heights: ArrayLike<number>): Asset;
+}
+
+export declare class Asset {
+  readonly handle: number;
+  destroy(): void;
+}
+
+declare class Held {
+  readonly size: number;
+  destroy(): void;
+  digest(): bigint;
+  remove(id: Id): boolean;
+  snapshot(): Uint8Array;
+  restore(snapshot: Uint8Array): void;
+}
+
+export declare class Scene<D extends Of> extends Held {
+  add(shape: Shape<D>, traits?: { layers?: number; user?: bigint | number; fixed?: boolean }): Id;
+  replace(id: Id, shape: Shape<D>): boolean;
+  move(id: Id, by: D['vec']): boolean;
+  object(id: Id): { shape: D['shape']; traits: types.Traits } | null;
+  optimize(): void;
+  raycast(ray: D['ray'], layers?: number): D['objectHit'] | null;
+  raycastAny(ray: D['ray'], layers?: number): boolean;
+  raycastAll(ray: D['ray'], layers?: number): D['objectHit'][];
+  raycastMany(rays: Int32Array, layers?: number): Int32Array;
+  nearest(question: Shape<D>, layers?: number): types.Found | null;
+  any(question: Shape<D>, layers?: number): boolean;
+  all(question: Shape<D>, layers?: number): types.Found[];
+  overlaps(): types.Pair[];
+}
+
+export declare class World<D extends Of> extends Held {
+  add(shape: Shape<D>, options?: Partial<D['options']>): Id;
+  step(): void;
+  body(id: Id): D['body'] | null;
+  setVelocity(id: Id, velocity: D['vec']): boolean;
+  setAngularVelocity(id: Id, velocity: number[]): boolean;
+  events(): types.Touch[];
+}

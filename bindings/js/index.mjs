@@ -1,0 +1,557 @@
+// SPDX-License-Identifier: MIT
+//
+// Correctly rounded collision queries, scenes and worlds with the same bits on every machine, in
+// WebAssembly. All numbers are raw integers: a length of 1 is ONE, a component of a direction UNIT.
+// Points and directions are arrays; digests are BigInts. index.d.mts has the types.
+
+import * as constants from './interface.mjs';
+
+const { layouts } = constants;
+export * as status from './interface.mjs';
+
+export const ONE = 65536;
+export const UNIT = 2 ** 30;
+export const ALL_LAYERS = 0xffffffff;
+export const DYNAMIC = constants.DYNAMIC_BODY;
+export const KINEMATIC = constants.KINEMATIC_BODY;
+export const FIXED = constants.FIXED_BODY;
+
+/** The length nearest to a number; halves are rounded up. Throws RangeError out of range. */
+export function raw(value) {
+  const result = Math.round(value * ONE);
+  if (!(result >= -(2 ** 31) && result < 2 ** 31)) throw new RangeError(`${value} is out of range`);
+  return result;
+}
+/** The number that a length is, exactly. */
+export const number = (length) => length / ONE;
+
+/** A call that fails: `status` is one of the constants below 0. */
+export class DetentError extends Error {
+  constructor(status, message) {
+    super(message);
+    this.name = 'DetentError';
+    this.status = status;
+  }
+}
+
+const kinds = { sphere: 1, aabb: 2, obb: 3, plane: 4, triangle: 5, capsule: 6, segment: 7, point: 8 };
+const memberOf = ['', ...Object.keys(kinds), 'placed', 'placed', 'point'];
+const scratchSize = 4096;
+
+/** The memory of the module, and one block of it for the arguments of a call. */
+class Memory {
+  constructor(exports) {
+    this.exports = exports;
+    this.scratch = this.allocate(scratchSize);
+    this.used = 0;
+  }
+  allocate(size) {
+    const at = this.exports.malloc(size);
+    if (at === 0) throw new RangeError('there is no memory left');
+    return at;
+  }
+  view() {
+    if (!this.data || this.data.buffer !== this.exports.memory.buffer) {
+      this.data = new DataView(this.exports.memory.buffer);
+    }
+    return this.data;
+  }
+  /** A place for `size` bytes until the call returns. */
+  place(size) {
+    const at = this.used;
+    this.used += (size + 7) & ~7;
+    if (this.used > scratchSize) throw new RangeError('too many arguments');
+    return this.scratch + at;
+  }
+  /** A copy of a value, for the call. */
+  put(type, value) {
+    const at = this.place(layouts[type].size);
+    new Uint8Array(this.exports.memory.buffer, at, layouts[type].size).fill(0);
+    this.write(at, type, value);
+    return at;
+  }
+
+  write(at, type, value) {
+    const view = this.view();
+    if (type === 'int32_t') return view.setInt32(at, value, true);
+    if (type === 'uint32_t') return view.setUint32(at, value, true);
+    if (type === 'uint64_t') return view.setBigUint64(at, BigInt(value), true);
+    const layout = layouts[type];
+    layout.fields.forEach(([name, of, offset, count], i) => {
+      const field = layout.isVector ? value[i] : value[name];
+      if (field === undefined) return;
+      const size = layouts[of]?.size ?? 4;
+      for (let k = 0; k < Math.max(count, 1); ++k) {
+        this.write(at + offset + k * size, of, count ? field[k] : field);
+      }
+    });
+    for (const [name, of, offset] of layout.union) {
+      if (name === memberOf[value.kind]) this.write(at + offset, of, value[name]);
+    }
+  }
+  read(at, type) {
+    const view = this.view();
+    if (type === 'int32_t') return view.getInt32(at, true);
+    if (type === 'uint32_t') return view.getUint32(at, true);
+    if (type === 'uint64_t') return view.getBigUint64(at, true);
+    const layout = layouts[type];
+    const value = layout.isVector ? [] : {};
+    layout.fields.forEach(([name, of, offset, count], i) => {
+      const size = layouts[of]?.size ?? 4;
+      const field = count
+        ? Array.from({ length: count }, (_, k) => this.read(at + offset + k * size, of))
+        : this.read(at + offset, of);
+      value[layout.isVector ? i : name] = field;
+    });
+    for (const [name, of, offset] of layout.union) {
+      if (name === memberOf[value.kind]) value[name] = this.read(at + offset, of);
+    }
+    return value;
+  }
+  text(at) {
+    const bytes = new Uint8Array(this.exports.memory.buffer, at);
+    return String.fromCharCode(...bytes.subarray(0, bytes.indexOf(0)));
+  }
+}
+
+/** Instantiates the module of a dimension: from a URL, a Response, bytes or a compiled module; by default
+ *  from detent2.wasm or detent3.wasm next to this file. */
+export async function load(dimension, source = new URL(`./detent${dimension}.wasm`, import.meta.url)) {
+  let from = source;
+  if (from instanceof URL && from.protocol === 'file:') {
+    from = await (await import('node:fs/promises')).readFile(from);
+  } else if (from instanceof URL || typeof from === 'string') {
+    from = await fetch(from);
+  }
+  if (typeof Response !== 'undefined' && from instanceof Response) from = await from.arrayBuffer();
+  const module = from instanceof WebAssembly.Module ? from : await WebAssembly.compile(from);
+  const imports = {};
+  for (const { module: room, name } of WebAssembly.Module.imports(module)) {
+    // Only libc's way to stop the program: an allocation that fails.
+    (imports[room] ??= {})[name] = () => {
+      throw new RangeError('there is no memory left');
+    };
+  }
+  const { exports } = await WebAssembly.instantiate(module, imports);
+  exports._initialize?.();
+  return new Detent(exports, dimension);
+}
+
+/** Shapes, rays and queries of one dimension. */
+class Space {
+  constructor(detent, dimension) {
+    this.detent = detent;
+    this.dimension = dimension;
+    this.axes = Array.from({ length: dimension }, (_, k) =>
+      Array.from({ length: dimension }, (_, i) => (i === k ? UNIT : 0)));
+    this.types = {};
+    for (const name of ['vec', 'ray', 'shape', 'hit', 'object_hit', 'body']) {
+      this.types[name] = `detent_${name}${dimension}`;
+    }
+    this.rayWords = layouts[this.types.ray].size / 4;
+  }
+
+  ray(origin, direction, max_distance = 2 ** 31 - 1) {
+    return { origin, direction, max_distance };
+  }
+  sphere(center, radius) {
+    return { kind: kinds.sphere, sphere: { center, radius } };
+  }
+  aabb(min, max) {
+    return { kind: kinds.aabb, aabb: { min, max } };
+  }
+  obb(center, half_extents, axis = this.axes) {
+    return { kind: kinds.obb, obb: { center, half_extents, rotation: { axis } } };
+  }
+  plane(normal, offset) {
+    return { kind: kinds.plane, plane: { normal, offset } };
+  }
+  triangle(a, b, c) {
+    return { kind: kinds.triangle, triangle: { a, b, c } };
+  }
+  capsule(a, b, radius) {
+    return { kind: kinds.capsule, capsule: { a, b, radius } };
+  }
+  segment(start, end) {
+    return { kind: kinds.segment, segment: { start, end } };
+  }
+  point(point) {
+    return { kind: kinds.point, point };
+  }
+  /** A mesh or hull transformed, or a height field moved, as a shape of a scene. */
+  placed(asset, translation, axis = this.axes, scale = ONE) {
+    const kind = [constants.MESH, constants.HULL, constants.HULL, constants.HEIGHT_FIELD][
+      (asset.handle & 15) - 5];
+    const shape = { kind, asset: asset.handle };
+    if (kind === constants.HEIGHT_FIELD) return { ...shape, point: translation };
+    return { ...shape, placed: { translation, rotation: { axis }, scale } };
+  }
+
+  raycast(ray, shape) {
+    return this.detent.call((memory) => {
+      const hit = memory.place(layouts[this.types.hit].size);
+      const yes = this.run('raycast{N}', memory.put(this.types.ray, ray),
+        memory.put(this.types.shape, shape), hit);
+      return yes ? memory.read(hit, this.types.hit) : null;
+    });
+  }
+  /** The distances of many rays, -1 for no hit: an Int32Array of origin, direction and max_distance. */
+  raycastMany(rays, shape) {
+    const count = rays.length / this.rayWords;
+    if (!Number.isInteger(count)) throw new RangeError(`a ray has ${this.rayWords} numbers`);
+    return this.detent.withWords(rays, count, (from, to, memory) =>
+      this.run('raycast{N}_many', from, count, memory.put(this.types.shape, shape), to));
+  }
+  contains(shape, point) {
+    return this.detent.call((memory) =>
+      this.run('contains{N}', memory.put(this.types.shape, shape), memory.put(this.types.vec, point)));
+  }
+  overlaps(a, b) {
+    return this.detent.call((memory) =>
+      this.run('overlaps{N}', memory.put(this.types.shape, a), memory.put(this.types.shape, b)));
+  }
+  closestPoint(shape, point) {
+    return this.detent.call((memory) => {
+      const closest = memory.place(16);
+      this.run('closest_point{N}', memory.put(this.types.shape, shape),
+        memory.put(this.types.vec, point), closest);
+      return memory.read(closest, this.types.vec);
+    });
+  }
+  /** The distance of two shapes, or of a shape and a point (an array). */
+  distance(shape, other) {
+    return this.detent.call((memory) => {
+      const distance = memory.place(4);
+      const one = memory.put(this.types.shape, shape);
+      if (Array.isArray(other)) {
+        this.run('distance_to_point{N}', one, memory.put(this.types.vec, other), distance);
+      } else {
+        this.run('distance{N}', one, memory.put(this.types.shape, other), distance);
+      }
+      return memory.read(distance, 'int32_t');
+    });
+  }
+
+  run(name, ...words) {
+    return this.detent.run(name.replace('{N}', this.dimension), ...words);
+  }
+}
+
+/** The library in one dimension. Its shapes, rays and queries are those of Space. */
+class Detent {
+  constructor(exports, dimension) {
+    this.memory = new Memory(exports);
+    this.space = new Space(this, dimension);
+    this.version = exports.detent_version();
+    this.resultsVersion = exports.detent_results_version();
+  }
+  /** Returns f(memory), and frees what it put there. */
+  call(f) {
+    const { used } = this.memory;
+    try {
+      return f(this.memory);
+    } finally {
+      this.memory.used = used;
+    }
+  }
+  /** true for yes or done, false for no or none; throws for errors. */
+  run(name, ...words) {
+    const status = this.memory.exports[`detent_${name}`](...words);
+    if (status >= 0) return status === constants.OK;
+    throw new DetentError(status, this.memory.text(this.memory.exports.detent_describe(status)));
+  }
+  /** The `count` words that f(from, to) writes, given a copy of some. */
+  withWords(words, count, f) {
+    const { memory } = this;
+    const from = memory.allocate(4 * words.length + 4), to = memory.allocate(4 * count + 4);
+    try {
+      new Int32Array(memory.exports.memory.buffer, from, words.length).set(words);
+      this.call(() => f(from, to, memory));
+      return new Int32Array(memory.exports.memory.buffer, to, count).slice();
+    } finally {
+      memory.exports.free(from);
+      memory.exports.free(to);
+    }
+  }
+  /** A context, which makes scenes, worlds and assets. Close it when they are no longer needed. */
+  open() {
+    return new Context(this);
+  }
+}
+
+class Context {
+  constructor(detent) {
+    this.detent = detent;
+    this.at = detent.memory.allocate(layouts.detent_context.size);
+    new Uint8Array(detent.memory.exports.memory.buffer, this.at, layouts.detent_context.size).fill(0);
+    detent.run('open', this.at, 0);
+  }
+  close() {
+    this.detent.run('close', this.at);
+  }
+  scene() {
+    return new Scene(this, this.detent.space);
+  }
+  world(settings = {}) {
+    return new World(this, this.detent.space, settings);
+  }
+  /** In 3D. Triangles: three indices of vertices each. `name` is the mesh's id in snapshots, not 0. */
+  mesh(name, vertices, faces) {
+    return this.asset([vertices.flat(), faces.flat()], ([points, indices], out) =>
+      this.detent.run('mesh_create', this.at, name, points, vertices.length, indices, faces.length, out));
+  }
+  hull(name, points) {
+    return this.asset([points.flat()], ([list], out) =>
+      this.detent.space.run('hull{N}_create', this.at, name, list, points.length, out));
+  }
+  /** In 3D. */
+  heightField(name, corner, cell, columns, rows, heights) {
+    if (heights.length !== columns * rows) throw new RangeError('there must be columns * rows heights');
+    return this.asset([heights, corner], ([list, at], out) =>
+      this.detent.run('height_field_create', this.at, name, at, cell, columns, rows, list, out));
+  }
+  asset(lists, create) {
+    const { memory } = this.detent;
+    const places = lists.map((list) => memory.allocate(4 * list.length + 4));
+    try {
+      lists.forEach((list, i) =>
+        new Int32Array(memory.exports.memory.buffer, places[i], list.length).set(list));
+      return this.detent.call(() => {
+        const out = memory.place(4);
+        create(places, out);
+        return new Asset(this, memory.read(out, 'uint32_t'));
+      });
+    } finally {
+      places.forEach((at) => memory.exports.free(at));
+    }
+  }
+}
+
+class Asset {
+  constructor(context, handle) {
+    this.context = context;
+    this.handle = handle;
+  }
+  destroy() {
+    this.context.detent.run('asset_destroy', this.context.at, this.handle);
+  }
+}
+
+/** What scenes and worlds share. */
+class Held {
+  constructor(context, space, kind) {
+    this.context = context;
+    this.space = space;
+    this.kind = kind;
+    this.types = space.types;
+  }
+  create(...words) {
+    this.handle = this.call((memory) => {
+      const out = memory.place(4);
+      this.space.run(`${this.kind}{N}_create`, this.context.at, ...words, out);
+      return memory.read(out, 'uint32_t');
+    });
+  }
+  call(f) {
+    return this.context.detent.call(f);
+  }
+  run(name, ...words) {
+    return this.space.run(`${this.kind}{N}_${name}`, this.context.at, this.handle, ...words);
+  }
+  out(name, type) {
+    return this.call((memory) => {
+      const at = memory.place(8);
+      this.run(name, at);
+      return memory.read(at, type);
+    });
+  }
+  destroy() {
+    this.run('destroy');
+  }
+  get size() {
+    return this.out('size', 'uint32_t');
+  }
+  /** 64 bits of everything in it, equal on every machine. */
+  digest() {
+    return this.out('digest', 'uint64_t');
+  }
+  remove(id) {
+    return this.call((memory) => this.run('remove', memory.put('detent_id', id)));
+  }
+  snapshot() {
+    const { memory } = this.context.detent;
+    const size = this.out2('snapshot', 0, 0);
+    const at = memory.allocate(size);
+    try {
+      this.out2('snapshot', at, size);
+      return new Uint8Array(memory.exports.memory.buffer, at, size).slice();
+    } finally {
+      memory.exports.free(at);
+    }
+  }
+  out2(name, ...words) {
+    return this.call((memory) => {
+      const count = memory.place(4);
+      this.run(name, ...words, count);
+      return memory.read(count, 'uint32_t');
+    });
+  }
+  restore(snapshot) {
+    const { memory } = this.context.detent;
+    const at = memory.allocate(snapshot.length + 1);
+    try {
+      new Uint8Array(memory.exports.memory.buffer, at, snapshot.length).set(snapshot);
+      this.run('restore', at, snapshot.length);
+    } finally {
+      memory.exports.free(at);
+    }
+  }
+  /** All results of a function that writes a list. */
+  list(name, type, ...words) {
+    const { memory } = this.context.detent;
+    for (let room = 64; ;) {
+      const at = memory.allocate(room * layouts[type].size);
+      try {
+        const count = this.out2(name, ...words, at, room);
+        if (count <= room) {
+          return Array.from({ length: count }, (_, i) => memory.read(at + i * layouts[type].size, type));
+        }
+        room = count;
+      } finally {
+        memory.exports.free(at);
+      }
+    }
+  }
+  shape(memory, shape) {
+    return memory.put(this.types.shape, shape);
+  }
+}
+
+/** Objects, and queries over all of them. */
+class Scene extends Held {
+  constructor(context, space) {
+    super(context, space, 'scene');
+    this.create();
+  }
+  add(shape, { layers = 1, user = 0n, fixed = false } = {}) {
+    return this.call((memory) => {
+      const id = memory.place(8);
+      this.run('add', this.shape(memory, shape),
+        memory.put('detent_traits', { user, layers, motion: fixed ? 1 : 0 }), id);
+      return memory.read(id, 'detent_id');
+    });
+  }
+  replace(id, shape) {
+    return this.call((memory) =>
+      this.run('replace', memory.put('detent_id', id), this.shape(memory, shape)));
+  }
+  move(id, by) {
+    return this.call((memory) =>
+      this.run('move', memory.put('detent_id', id), memory.put(this.types.vec, by)));
+  }
+  /** { shape, traits } of an object, or null. */
+  object(id) {
+    return this.call((memory) => {
+      const shape = memory.place(layouts[this.types.shape].size);
+      const traits = memory.place(layouts.detent_traits.size);
+      if (!this.run('object', memory.put('detent_id', id), shape, traits)) return null;
+      return { shape: memory.read(shape, this.types.shape), traits: memory.read(traits, 'detent_traits') };
+    });
+  }
+  optimize() {
+    this.run('optimize');
+  }
+  /** Where the ray first touches an object, or null. */
+  raycast(ray, layers = ALL_LAYERS) {
+    return this.call((memory) => {
+      const hit = memory.place(layouts[this.types.object_hit].size);
+      const yes = this.run('raycast', memory.put(this.types.ray, ray), layers, hit);
+      return yes ? memory.read(hit, this.types.object_hit) : null;
+    });
+  }
+  raycastAny(ray, layers = ALL_LAYERS) {
+    return this.call((memory) => this.run('raycast_any', memory.put(this.types.ray, ray), layers));
+  }
+  /** All objects that the ray touches, by distance, then id. */
+  raycastAll(ray, layers = ALL_LAYERS) {
+    return this.call((memory) =>
+      this.list('raycast_all', this.types.object_hit, memory.put(this.types.ray, ray), layers));
+  }
+  /** The first hits of many rays: an Int32Array with the words of an object's hit for each. */
+  raycastMany(rays, layers = ALL_LAYERS) {
+    const count = rays.length / this.space.rayWords;
+    if (!Number.isInteger(count)) throw new RangeError(`a ray has ${this.space.rayWords} numbers`);
+    const words = layouts[this.types.object_hit].size / 4;
+    return this.context.detent.withWords(rays, count * words, (from, to) =>
+      this.run('raycast_many', from, count, layers, to));
+  }
+  /** The nearest object that a point finds, or that another shape overlaps, or null. */
+  nearest(question, layers = ALL_LAYERS) {
+    return this.call((memory) => {
+      const found = memory.place(layouts.detent_found.size);
+      const yes = this.run('nearest', this.shape(memory, question), layers, found);
+      return yes ? memory.read(found, 'detent_found') : null;
+    });
+  }
+  any(question, layers = ALL_LAYERS) {
+    return this.call((memory) => this.run('any', this.shape(memory, question), layers));
+  }
+  all(question, layers = ALL_LAYERS) {
+    return this.call((memory) => this.list('all', 'detent_found', this.shape(memory, question), layers));
+  }
+  overlaps() {
+    return this.list('overlaps', 'detent_pair');
+  }
+}
+
+/** Bodies that fall, collide and come to rest. */
+class World extends Held {
+  constructor(context, space, settings) {
+    super(context, space, 'world');
+    const type = `detent_world${space.dimension}_settings`;
+    this.call((memory) => {
+      const at = memory.place(layouts[type].size);
+      space.run('world{N}_default_settings', at);
+      memory.write(at, type, settings);
+      this.create(at);
+    });
+  }
+  /** Adds a sphere, AABB, OBB or capsule; options are the fields of a body's options. */
+  add(shape, options = {}) {
+    const type = `detent_body${this.space.dimension}_options`;
+    return this.call((memory) => {
+      const at = memory.place(layouts[type].size), id = memory.place(8);
+      this.space.run('body{N}_default_options', at);
+      memory.write(at, type, options);
+      this.run('add', this.shape(memory, shape), at, id);
+      return memory.read(id, 'detent_id');
+    });
+  }
+  /** One tick. */
+  step() {
+    this.run('step');
+  }
+  /** Where a body is and how it moves, or null. */
+  body(id) {
+    return this.call((memory) => {
+      const body = memory.place(layouts[this.types.body].size);
+      return this.run('body', memory.put('detent_id', id), body) ? memory.read(body, this.types.body) : null;
+    });
+  }
+  setVelocity(id, velocity) {
+    return this.call((memory) =>
+      this.run('set_velocity', memory.put('detent_id', id), memory.put(this.types.vec, velocity)));
+  }
+  /** Three numbers in 3D, one in 2D. */
+  setAngularVelocity(id, velocity) {
+    return this.call((memory) => {
+      const at = memory.place(12);
+      velocity.forEach((one, i) => memory.write(at + 4 * i, 'int32_t', one));
+      return this.run('set_angular_velocity', memory.put('detent_id', id), at);
+    });
+  }
+  /** The pairs that began or ended to touch in the last step. */
+  events() {
+    return this.list('events', 'detent_touch');
+  }
+}

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: MIT
+// Written by bindings/generate from bindings/detent.h.in: change that file instead.
+
+export declare const OK: 1;
+export declare const NO: 0;
+export declare const BAD_ARGUMENT: -1;
+export declare const BAD_CONTEXT: -2;
+export declare const BAD_HANDLE: -3;
+export declare const NOT_UNIT: -4;
+export declare const NO_QUERY: -5;
+export declare const NO_MEMORY: -6;
+export declare const BROKEN: -7;
+export declare const FULL: -8;
+export declare const IN_USE: -9;
+export declare const NO_SNAPSHOT: -20;
+export declare const OTHER_VERSION: -21;
+export declare const TRUNCATED: -22;
+export declare const CORRUPTED: -23;
+export declare const OTHER_SCENE: -24;
+export declare const OTHER_FIXED_PART: -25;
+export declare const NO_ROOM: -26;
+export declare const UNKNOWN_ASSET: -27;
+export declare const OTHER_ASSET: -28;
+export declare const SPHERE: 1;
+export declare const AABB: 2;
+export declare const OBB: 3;
+export declare const PLANE: 4;
+export declare const TRIANGLE: 5;
+export declare const CAPSULE: 6;
+export declare const SEGMENT: 7;
+export declare const POINT: 8;
+export declare const HULL: 9;
+export declare const MESH: 10;
+export declare const HEIGHT_FIELD: 11;
+export declare const MOVING: 0;
+export declare const FIXED: 1;
+export declare const DYNAMIC_BODY: 0;
+export declare const KINEMATIC_BODY: 1;
+export declare const FIXED_BODY: 2;
+
+/** An object of a scene or a body of a world. No two have the same id, ever; {0, 0} is none. */
+export interface Id {
+  index: number;
+  generation: number;
+}
+
+/** Two objects or bodies. */
+export interface Pair {
+  first: Id;
+  second: Id;
+}
+
+/** A pair of bodies that began (1) or ended (0) to touch in the last step. */
+export interface Touch {
+  a: Id;
+  b: Id;
+  begins: number;
+}
+
+/** An object that a query found, and its distance in steps of 2^-16. */
+export interface Found {
+  distance: number;
+  id: Id;
+}
+
+/** What a scene stores with an object. */
+export interface Traits {
+  user: bigint;
+  layers: number;
+  motion: number;
+}
+
+/** Everything else is made in a context, which is the caller's memory: set it to zeros, open it, close it. It must stay where it is while it is open. Contexts share nothing. Of one context, calls that only read (their context is const) may run in several threads at once; all others need it alone. */
+export interface Context {
+  words: bigint[];
+}
+
+/** A point or vector, in steps of 2^-16. */
+export type Vec2 = [number, number];
+
+/** A unit vector, in steps of 2^-30; used exactly as stored. */
+export type Direction2 = [number, number];
+
+/** The axes of a frame in the world. */
+export interface Rotation2 {
+  axis: Direction2[];
+}
+
+/** p -> translation + scale * rotation * p; `scale` in steps of 2^-16. */
+export interface Transform2 {
+  translation: Vec2;
+  rotation: Rotation2;
+  scale: number;
+}
+
+/** The points origin + t * direction with 0 <= t <= max_distance. */
+export interface Ray2 {
+  origin: Vec2;
+  direction: Direction2;
+  max_distance: number;
+}
+
+/** The points within `radius` of `center`; none if the radius is negative. */
+export interface Sphere2 {
+  center: Vec2;
+  radius: number;
+}
+
+/** The points between two corners; none if min > max on an axis. */
+export interface Aabb2 {
+  min: Vec2;
+  max: Vec2;
+}
+
+/** A box turned about its center; none if a half extent is negative. */
+export interface Obb2 {
+  center: Vec2;
+  half_extents: Vec2;
+  rotation: Rotation2;
+}
+
+/** The points x with dot(normal, x) = offset. */
+export interface Plane2 {
+  normal: Direction2;
+  offset: number;
+}
+
+/** The points between three corners. */
+export interface Triangle2 {
+  a: Vec2;
+  b: Vec2;
+  c: Vec2;
+}
+
+/** The points within `radius` of the segment from a to b; none if the radius is negative. */
+export interface Capsule2 {
+  a: Vec2;
+  b: Vec2;
+  radius: number;
+}
+
+/** The points between two ends. */
+export interface Segment2 {
+  start: Vec2;
+  end: Vec2;
+}
+
+/** A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or height field, and ignored for other kinds. */
+export interface Shape2 {
+  kind: number;
+  asset: number;
+  sphere?: Sphere2;
+  aabb?: Aabb2;
+  obb?: Obb2;
+  plane?: Plane2;
+  triangle?: Triangle2;
+  capsule?: Capsule2;
+  segment?: Segment2;
+  point?: Vec2;
+  placed?: Transform2;
+}
+
+/** Where a ray or a moving shape first touches a shape. The distance is rounded down. */
+export interface Hit2 {
+  distance: number;
+  point: Vec2;
+  normal: Direction2;
+}
+
+/** Where a ray first touches an object; in a mesh or height field also the index of the triangle. */
+export interface ObjectHit2 {
+  distance: number;
+  id: Id;
+  point: Vec2;
+  normal: Direction2;
+  triangle: number;
+  has_triangle: number;
+}
+
+/** How a world steps. Lengths and speeds in steps of 2^-16. */
+export interface World2Settings {
+  ticks_per_second: number;
+  substeps: number;
+  gravity: Vec2;
+  margin: number;
+  push_speed: number;
+  bounce_threshold: number;
+  sleep_speed: number;
+}
+
+/** What a body is made of, and how it starts. Shares and densities in steps of 2^-16. */
+export interface Body2Options {
+  user: bigint;
+  layers: number;
+  collides_with: number;
+  motion: number;
+  density: number;
+  friction: number;
+  restitution: number;
+  linear_damping: number;
+  angular_damping: number;
+  velocity: Vec2;
+  angular_velocity: number[];
+}
+
+/** Where a body is and how it moves, rounded to nearest. */
+export interface Body2 {
+  position: Vec2;
+  rotation: Rotation2;
+  velocity: Vec2;
+  angular_velocity: number[];
+  is_asleep: number;
+}
+
+/** A point or vector, in steps of 2^-16. */
+export type Vec3 = [number, number, number];
+
+/** A unit vector, in steps of 2^-30; used exactly as stored. */
+export type Direction3 = [number, number, number];
+
+/** The axes of a frame in the world. */
+export interface Rotation3 {
+  axis: Direction3[];
+}
+
+/** p -> translation + scale * rotation * p; `scale` in steps of 2^-16. */
+export interface Transform3 {
+  translation: Vec3;
+  rotation: Rotation3;
+  scale: number;
+}
+
+/** The points origin + t * direction with 0 <= t <= max_distance. */
+export interface Ray3 {
+  origin: Vec3;
+  direction: Direction3;
+  max_distance: number;
+}
+
+/** The points within `radius` of `center`; none if the radius is negative. */
+export interface Sphere3 {
+  center: Vec3;
+  radius: number;
+}
+
+/** The points between two corners; none if min > max on an axis. */
+export interface Aabb3 {
+  min: Vec3;
+  max: Vec3;
+}
+
+/** A box turned about its center; none if a half extent is negative. */
+export interface Obb3 {
+  center: Vec3;
+  half_extents: Vec3;
+  rotation: Rotation3;
+}
+
+/** The points x with dot(normal, x) = offset. */
+export interface Plane3 {
+  normal: Direction3;
+  offset: number;
+}
+
+/** The points between three corners. */
+export interface Triangle3 {
+  a: Vec3;
+  b: Vec3;
+  c: Vec3;
+}
+
+/** The points within `radius` of the segment from a to b; none if the radius is negative. */
+export interface Capsule3 {
+  a: Vec3;
+  b: Vec3;
+  radius: number;
+}
+
+/** The points between two ends. */
+export interface Segment3 {
+  start: Vec3;
+  end: Vec3;
+}
+
+/** A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or height field, and ignored for other kinds. */
+export interface Shape3 {
+  kind: number;
+  asset: number;
+  sphere?: Sphere3;
+  aabb?: Aabb3;
+  obb?: Obb3;
+  plane?: Plane3;
+  triangle?: Triangle3;
+  capsule?: Capsule3;
+  segment?: Segment3;
+  point?: Vec3;
+  placed?: Transform3;
+}
+
+/** Where a ray or a moving shape first touches a shape. The distance is rounded down. */
+export interface Hit3 {
+  distance: number;
+  point: Vec3;
+  normal: Direction3;
+}
+
+/** Where a ray first touches an object; in a mesh or height field also the index of the triangle. */
+export interface ObjectHit3 {
+  distance: number;
+  id: Id;
+  point: Vec3;
+  normal: Direction3;
+  triangle: number;
+  has_triangle: number;
+}
+
+/** How a world steps. Lengths and speeds in steps of 2^-16. */
+export interface World3Settings {
+  ticks_per_second: number;
+  substeps: number;
+  gravity: Vec3;
+  margin: number;
+  push_speed: number;
+  bounce_threshold: number;
+  sleep_speed: number;
+}
+
+/** What a body is made of, and how it starts. Shares and densities in steps of 2^-16. */
+export interface Body3Options {
+  user: bigint;
+  layers: number;
+  collides_with: number;
+  motion: number;
+  density: number;
+  friction: number;
+  restitution: number;
+  linear_damping: number;
+  angular_damping: number;
+  velocity: Vec3;
+  angular_velocity: number[];
+}
+
+/** Where a body is and how it moves, rounded to nearest. */
+export interface Body3 {
+  position: Vec3;
+  rotation: Rotation3;
+  velocity: Vec3;
+  angular_velocity: number[];
+  is_asleep: number;
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Written by bindings/generate from bindings/detent.h.in: change that file instead.
+
+export const OK = 1;
+export const NO = 0;
+export const BAD_ARGUMENT = -1;
+export const BAD_CONTEXT = -2;
+export const BAD_HANDLE = -3;
+export const NOT_UNIT = -4;
+export const NO_QUERY = -5;
+export const NO_MEMORY = -6;
+export const BROKEN = -7;
+export const FULL = -8;
+export const IN_USE = -9;
+export const NO_SNAPSHOT = -20;
+export const OTHER_VERSION = -21;
+export const TRUNCATED = -22;
+export const CORRUPTED = -23;
+export const OTHER_SCENE = -24;
+export const OTHER_FIXED_PART = -25;
+export const NO_ROOM = -26;
+export const UNKNOWN_ASSET = -27;
+export const OTHER_ASSET = -28;
+export const SPHERE = 1;
+export const AABB = 2;
+export const OBB = 3;
+export const PLANE = 4;
+export const TRIANGLE = 5;
+export const CAPSULE = 6;
+export const SEGMENT = 7;
+export const POINT = 8;
+export const HULL = 9;
+export const MESH = 10;
+export const HEIGHT_FIELD = 11;
+export const MOVING = 0;
+export const FIXED = 1;
+export const DYNAMIC_BODY = 0;
+export const KINEMATIC_BODY = 1;
+export const FIXED_BODY = 2;
+
+// Of each structure its size, whether it is a vector, its fields (name, type, offset,
+// elements) and the members of its union.
+export const layouts = {
+  detent_id: { size: 8, isVector: false,
+    fields: [['index', 'uint32_t', 0, 0], ['generation', 'uint32_t', 4, 0]],
+    union: [] },
+  detent_pair: { size: 16, isVector: false,
+    fields: [['first', 'detent_id', 0, 0], ['second', 'detent_id', 8, 0]],
+    union: [] },
+  detent_touch: { size: 20, isVector: false,
+    fields: [['a', 'detent_id', 0, 0], ['b', 'detent_id', 8, 0], ['begins', 'uint32_t', 16, 0]],
+    union: [] },
+  detent_found: { size: 12, isVector: false,
+    fields: [['distance', 'int32_t', 0, 0], ['id', 'detent_id', 4, 0]],
+    union: [] },
+  detent_traits: { size: 16, isVector: false,
+    fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['motion', 'uint32_t', 12, 0]],
+    union: [] },
+  detent_context: { size: 32, isVector: false,
+    fields: [['words', 'uint64_t', 0, 4]],
+    union: [] },
+  detent_vec2: { size: 8, isVector: true,
+    fields: [['x', 'int32_t', 0, 0], ['y', 'int32_t', 4, 0]],
+    union: [] },
+  detent_direction2: { size: 8, isVector: true,
+    fields: [['x', 'int32_t', 0, 0], ['y', 'int32_t', 4, 0]],
+    union: [] },
+  detent_rotation2: { size: 16, isVector: false,
+    fields: [['axis', 'detent_direction2', 0, 2]],
+    union: [] },
+  detent_transform2: { size: 28, isVector: false,
+    fields: [['translation', 'detent_vec2', 0, 0], ['rotation', 'detent_rotation2', 8, 0], ['scale', 'int32_t', 24, 0]],
+    union: [] },
+  detent_ray2: { size: 20, isVector: false,
+    fields: [['origin', 'detent_vec2', 0, 0], ['direction', 'detent_direction2', 8, 0], ['max_distance', 'int32_t', 16, 0]],
+    union: [] },
+  detent_sphere2: { size: 12, isVector: false,
+    fields: [['center', 'detent_vec2', 0, 0], ['radius', 'int32_t', 8, 0]],
+    union: [] },
+  detent_aabb2: { size: 16, isVector: false,
+    fields: [['min', 'detent_vec2', 0, 0], ['max', 'detent_vec2', 8, 0]],
+    union: [] },
+  detent_obb2: { size: 32, isVector: false,
+    fields: [['center', 'detent_vec2', 0, 0], ['half_extents', 'detent_vec2', 8, 0], ['rotation', 'detent_rotation2', 16, 0]],
+    union: [] },
+  detent_plane2: { size: 12, isVector: false,
+    fields: [['normal', 'detent_direction2', 0, 0], ['offset', 'int32_t', 8, 0]],
+    union: [] },
+  detent_triangle2: { size: 24, isVector: false,
+    fields: [['a', 'detent_vec2', 0, 0], ['b', 'detent_vec2', 8, 0], ['c', 'detent_vec2', 16, 0]],
+    union: [] },
+  detent_capsule2: { size: 20, isVector: false,
+    fields: [['a', 'detent_vec2', 0, 0], ['b', 'detent_vec2', 8, 0], ['radius', 'int32_t', 16, 0]],
+    union: [] },
+  detent_segment2: { size: 16, isVector: false,
+    fields: [['start', 'detent_vec2', 0, 0], ['end', 'detent_vec2', 8, 0]],
+    union: [] },
+  detent_shape2: { size: 40, isVector: false,
+    fields: [['kind', 'uint32_t', 0, 0], ['asset', 'uint32_t', 4, 0]],
+    union: [['sphere', 'detent_sphere2', 8, 0], ['aabb', 'detent_aabb2', 8, 0], ['obb', 'detent_obb2', 8, 0], ['plane', 'detent_plane2', 8, 0], ['triangle', 'detent_triangle2', 8, 0], ['capsule', 'detent_capsule2', 8, 0], ['segment', 'detent_segment2', 8, 0], ['point', 'detent_vec2', 8, 0], ['placed', 'detent_transform2', 8, 0]] },
+  detent_hit2: { size: 20, isVector: false,
+    fields: [['distance', 'int32_t', 0, 0], ['point', 'detent_vec2', 4, 0], ['normal', 'detent_direction2', 12, 0]],
+    union: [] },
+  detent_object_hit2: { size: 36, isVector: false,
+    fields: [['distance', 'int32_t', 0, 0], ['id', 'detent_id', 4, 0], ['point', 'detent_vec2', 12, 0], ['normal', 'detent_direction2', 20, 0], ['triangle', 'uint32_t', 28, 0], ['has_triangle', 'uint32_t', 32, 0]],
+    union: [] },
+  detent_world2_settings: { size: 32, isVector: false,
+    fields: [['ticks_per_second', 'int32_t', 0, 0], ['substeps', 'int32_t', 4, 0], ['gravity', 'detent_vec2', 8, 0], ['margin', 'int32_t', 16, 0], ['push_speed', 'int32_t', 20, 0], ['bounce_threshold', 'int32_t', 24, 0], ['sleep_speed', 'int32_t', 28, 0]],
+    union: [] },
+  detent_body2_options: { size: 56, isVector: false,
+    fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['collides_with', 'uint32_t', 12, 0], ['motion', 'uint32_t', 16, 0], ['density', 'int32_t', 20, 0], ['friction', 'int32_t', 24, 0], ['restitution', 'int32_t', 28, 0], ['linear_damping', 'int32_t', 32, 0], ['angular_damping', 'int32_t', 36, 0], ['velocity', 'detent_vec2', 40, 0], ['angular_velocity', 'int32_t', 48, 1]],
+    union: [] },
+  detent_body2: { size: 40, isVector: false,
+    fields: [['position', 'detent_vec2', 0, 0], ['rotation', 'detent_rotation2', 8, 0], ['velocity', 'detent_vec2', 24, 0], ['angular_velocity', 'int32_t', 32, 1], ['is_asleep', 'uint32_t', 36, 0]],
+    union: [] },
+  detent_vec3: { size: 12, isVector: true,
+    fields: [['x', 'int32_t', 0, 0], ['y', 'int32_t', 4, 0], ['z', 'int32_t', 8, 0]],
+    union: [] },
+  detent_direction3: { size: 12, isVector: true,
+    fields: [['x', 'int32_t', 0, 0], ['y', 'int32_t', 4, 0], ['z', 'int32_t', 8, 0]],
+    union: [] },
+  detent_rotation3: { size: 36, isVector: false,
+    fields: [['axis', 'detent_direction3', 0, 3]],
+    union: [] },
+  detent_transform3: { size: 52, isVector: false,
+    fields: [['translation', 'detent_vec3', 0, 0], ['rotation', 'detent_rotation3', 12, 0], ['scale', 'int32_t', 48, 0]],
+    union: [] },
+  detent_ray3: { size: 28, isVector: false,
+    fields: [['origin', 'detent_vec3', 0, 0], ['direction', 'detent_direction3', 12, 0], ['max_distance', 'int32_t', 24, 0]],
+    union: [] },
+  detent_sphere3: { size: 16, isVector: false,
+    fields: [['center', 'detent_vec3', 0, 0], ['radius', 'int32_t', 12, 0]],
+    union: [] },
+  detent_aabb3: { size: 24, isVector: false,
+    fields: [['min', 'detent_vec3', 0, 0], ['max', 'detent_vec3', 12, 0]],
+    union: [] },
+  detent_obb3: { size: 60, isVector: false,
+    fields: [['center', 'detent_vec3', 0, 0], ['half_extents', 'detent_vec3', 12, 0], ['rotation', 'detent_rotation3', 24, 0]],
+    union: [] },
+  detent_plane3: { size: 16, isVector: false,
+    fields: [['normal', 'detent_direction3', 0, 0], ['offset', 'int32_t', 12, 0]],
+    union: [] },
+  detent_triangle3: { size: 36, isVector: false,
+    fields: [['a', 'detent_vec3', 0, 0], ['b', 'detent_vec3', 12, 0], ['c', 'detent_vec3', 24, 0]],
+    union: [] },
+  detent_capsule3: { size: 28, isVector: false,
+    fields: [['a', 'detent_vec3', 0, 0], ['b', 'detent_vec3', 12, 0], ['radius', 'int32_t', 24, 0]],
+    union: [] },
+  detent_segment3: { size: 24, isVector: false,
+    fields: [['start', 'detent_vec3', 0, 0], ['end', 'detent_vec3', 12, 0]],
+    union: [] },
+  detent_shape3: { size: 68, isVector: false,
+    fields: [['kind', 'uint32_t', 0, 0], ['asset', 'uint32_t', 4, 0]],
+    union: [['sphere', 'detent_sphere3', 8, 0], ['aabb', 'detent_aabb3', 8, 0], ['obb', 'detent_obb3', 8, 0], ['plane', 'detent_plane3', 8, 0], ['triangle', 'detent_triangle3', 8, 0], ['capsule', 'detent_capsule3', 8, 0], ['segment', 'detent_segment3', 8, 0], ['point', 'detent_vec3', 8, 0], ['placed', 'detent_transform3', 8, 0]] },
+  detent_hit3: { size: 28, isVector: false,
+    fields: [['distance', 'int32_t', 0, 0], ['point', 'detent_vec3', 4, 0], ['normal', 'detent_direction3', 16, 0]],
+    union: [] },
+  detent_object_hit3: { size: 44, isVector: false,
+    fields: [['distance', 'int32_t', 0, 0], ['id', 'detent_id', 4, 0], ['point', 'detent_vec3', 12, 0], ['normal', 'detent_direction3', 24, 0], ['triangle', 'uint32_t', 36, 0], ['has_triangle', 'uint32_t', 40, 0]],
+    union: [] },
+  detent_world3_settings: { size: 36, isVector: false,
+    fields: [['ticks_per_second', 'int32_t', 0, 0], ['substeps', 'int32_t', 4, 0], ['gravity', 'detent_vec3', 8, 0], ['margin', 'int32_t', 20, 0], ['push_speed', 'int32_t', 24, 0], ['bounce_threshold', 'int32_t', 28, 0], ['sleep_speed', 'int32_t', 32, 0]],
+    union: [] },
+  detent_body3_options: { size: 64, isVector: false,
+    fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['collides_with', 'uint32_t', 12, 0], ['motion', 'uint32_t', 16, 0], ['density', 'int32_t', 20, 0], ['friction', 'int32_t', 24, 0], ['restitution', 'int32_t', 28, 0], ['linear_damping', 'int32_t', 32, 0], ['angular_damping', 'int32_t', 36, 0], ['velocity', 'detent_vec3', 40, 0], ['angular_velocity', 'int32_t', 52, 3]],
+    union: [] },
+  detent_body3: { size: 76, isVector: false,
+    fields: [['position', 'detent_vec3', 0, 0], ['rotation', 'detent_rotation3', 12, 0], ['velocity', 'detent_vec3', 48, 0], ['angular_velocity', 'int32_t', 60, 3], ['is_asleep', 'uint32_t', 72, 0]],
+    union: [] },
+};

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+import * as detent from '../index.mjs';
+import { play } from '../examples/match.mjs';
+
+const { ONE, UNIT, status } = detent;
+const folder = pathToFileURL(`${process.env.DETENT_WASM ?? `${import.meta.dirname}/..`}/`);
+const file = (dimension) => new URL(`detent${dimension}.wasm`, folder);
+
+test('the match ends as in C++', async () => {
+  assert.equal(await play(file(3)), process.env.DETENT_MATCH);
+});
+
+test('single queries', async () => {
+  const { space } = await detent.load(3, file(3));
+  const ball = space.sphere([10 * ONE, 0, 0], ONE);
+  const hit = space.raycast(space.ray([0, 0, 0], [UNIT, 0, 0]), ball);
+  assert.deepEqual(hit, { distance: 9 * ONE, point: [9 * ONE, 0, 0], normal: [-UNIT, 0, 0] });
+  assert.equal(space.raycast(space.ray([0, 0, 0], [-UNIT, 0, 0]), ball), null);
+  assert.equal(space.contains(ball, [11 * ONE, 0, 0]), true);
+  assert.equal(space.contains(ball, [11 * ONE + 1, 0, 0]), false);
+  assert.deepEqual(space.closestPoint(ball, [0, 0, 0]), [9 * ONE, 0, 0]);
+  const box = space.aabb([0, 0, 0], [ONE, ONE, ONE]);
+  assert.equal(space.distance(ball, [0, 0, 0]), 9 * ONE);
+  assert.equal(space.distance(ball, box), 8 * ONE);
+  assert.equal(space.overlaps(ball, box), false);
+  const rays = new Int32Array([0, 0, 0, UNIT, 0, 0, 99 * ONE, 0, 0, 0, 0, UNIT, 0, 99 * ONE]);
+  assert.deepEqual([...space.raycastMany(rays, ball)], [9 * ONE, -1]);
+});
+
+test('scenes in 2D', async () => {
+  const library = await detent.load(2, file(2));
+  const { space } = library, context = library.open(), scene = context.scene();
+  const ids = [0, 1, 2, 3].map((i) => scene.add(space.sphere([i * ONE, 0], ONE), { layers: 1 << i }));
+  const ray = space.ray([-5 * ONE, 0], [UNIT, 0]);
+  assert.deepEqual(scene.raycastAll(ray).map((hit) => hit.id), ids);
+  assert.deepEqual(scene.raycast(ray, 6).id, ids[1]);
+  assert.deepEqual(scene.nearest(space.point([9 * ONE, 0])).id, ids[3]);
+  assert.equal(scene.overlaps().length, 5);
+  assert.equal(scene.move(ids[3], [5 * ONE, 0]), true);
+  assert.equal(scene.overlaps().length, 3);
+  const saved = scene.snapshot(), digest = scene.digest();
+  assert.equal(scene.remove(ids[0]), true);
+  assert.equal(scene.remove(ids[0]), false);
+  scene.restore(saved);
+  assert.deepEqual([scene.size, scene.digest()], [4, digest]);
+  context.close();
+});
+
+test('lists that are longer than their first room', async () => {
+  const library = await detent.load(3, file(3));
+  const { space } = library, scene = library.open().scene();
+  for (let i = 0; i < 100; ++i) scene.add(space.sphere([i, 0, 0], ONE));
+  assert.equal(scene.all(space.point([0, 0, 0])).length, 100);
+});
+
+test('assets', async () => {
+  const library = await detent.load(3, file(3));
+  const { space } = library, context = library.open(), scene = context.scene();
+  const corners = [[0, 0, 0], [ONE, 0, 0], [0, ONE, 0], [0, 0, ONE]];
+  const mesh = context.mesh(1, corners, [[0, 1, 2], [0, 2, 3]]);
+  const hull = context.hull(1, corners);
+  const field = context.heightField(1, [0, 0], ONE, 2, 2, [0, 0, 0, 0]);
+  [mesh, hull, field].forEach((asset, x) => scene.add(space.placed(asset, [10 * x * ONE, 0, 0])));
+  assert.equal(scene.nearest(space.point([11 * ONE, 0, 0])).id.index, 1);
+  const hit = scene.raycast(space.ray([20 * ONE + ONE / 4, ONE, ONE / 4], [0, -UNIT, 0]));
+  assert.deepEqual([hit.id.index, hit.has_triangle, hit.triangle], [2, 1, 0]);
+  assert.equal(scene.object({ index: 0, generation: 1 }).shape.placed.scale, ONE);
+  assert.throws(() => mesh.destroy(), { status: status.IN_USE });
+});
+
+test('worlds in 2D', async () => {
+  const library = await detent.load(2, file(2));
+  const { space } = library, world = library.open().world({ gravity: [0, -20 * ONE] });
+  world.add(space.aabb([-5 * ONE, -ONE], [5 * ONE, 0]), { motion: detent.FIXED });
+  const ball = world.add(space.sphere([0, 2 * ONE], ONE), { restitution: ONE / 2 });
+  let began = 0;
+  for (let i = 0; i < 240; ++i) {
+    world.step();
+    began += world.events().filter((event) => event.begins).length;
+  }
+  assert.ok(began > 1);  // it bounces
+  assert.ok(Math.abs(detent.number(world.body(ball).position[1]) - 1) < 0.05);
+  assert.equal(world.setVelocity(ball, [0, ONE]), true);
+  assert.equal(world.body(ball).velocity[1], ONE);
+});
+
+test('errors', async () => {
+  const library = await detent.load(3, file(3));
+  const { space } = library, context = library.open(), scene = context.scene();
+  const ball = space.sphere([0, 0, 0], ONE);
+  assert.throws(() => space.raycast(space.ray([0, 0, 0], [1, 0, 0]), ball), { status: status.NOT_UNIT });
+  scene.destroy();
+  assert.throws(() => scene.size, { status: status.BAD_HANDLE });
+  context.close();
+  assert.throws(() => context.scene(), { status: status.BAD_CONTEXT });
+  assert.equal(detent.raw(-0.5), -32768);
+  assert.throws(() => detent.raw(32768), RangeError);
+});
+
+test('every method has a type', async () => {
+  const types = await readFile(new URL('../index.d.mts', import.meta.url), 'utf8');
+  for (const name of Object.keys(detent)) assert.match(types, new RegExp(`\\b${name}\\b`));
+  const library = await detent.load(3, file(3));
+  const context = library.open();
+  const inner = new Set(['call', 'run', 'withWords', 'asset', 'create', 'out', 'out2', 'list', 'shape',
+    'constructor']);
+  for (const one of [library, library.space, context, context.scene(), context.world()]) {
+    for (let of = Object.getPrototypeOf(one); of !== Object.prototype; of = Object.getPrototypeOf(of)) {
+      for (const name of Object.getOwnPropertyNames(of)) {
+        if (!inner.has(name)) assert.match(types, new RegExp(`\\b${name}[(:]`), name);
+      }
+    }
+  }
+});

@@ -1,0 +1,499 @@
+# SPDX-License-Identifier: MIT
+"""Correctly rounded collision queries, scenes and worlds with the same bits on every machine.
+
+All numbers are raw integers: a length of 1 is `ONE`, a component of a direction `UNIT`. `raw(1.5)` rounds
+a float, `number(n)` is the float of a length. `d2` and `d3` make shapes, rays and queries of a dimension;
+a `Context` makes scenes and worlds:
+
+    import detent
+    from detent import ONE, d3
+
+    with detent.Context() as context:
+        scene = context.scene3()
+        ball = scene.add(d3.sphere((10 * ONE, 0, 0), ONE), user=7)
+        hit = scene.raycast(d3.ray((0, 0, 0), (detent.UNIT, 0, 0), 100 * ONE))
+        print(hit.id == ball, detent.number(hit.distance))  # True 9.0
+
+The library is the file named by DETENT_LIBRARY, or the installed libdetent.so.
+"""
+import array
+import ctypes
+import ctypes.util
+import os
+import weakref
+from ctypes import byref
+
+from . import _interface as c
+
+ONE = 1 << 16
+UNIT = 1 << 30
+ALL_LAYERS = 0xffffffff
+DYNAMIC, KINEMATIC, FIXED = 0, 1, 2
+
+
+def _load():
+    path = os.environ.get('DETENT_LIBRARY') or ctypes.util.find_library('detent')
+    if not path:
+        raise ImportError('libdetent.so is not installed; DETENT_LIBRARY can name its file')
+    library = ctypes.CDLL(path)
+    for name, (result, arguments) in c.FUNCTIONS.items():
+        function = getattr(library, name)
+        function.restype, function.argtypes = result, arguments
+    return library
+
+
+_library = _load()
+
+
+class Error(Exception):
+    """A call that fails: `status` is one of the constants below 0."""
+
+    def __init__(self, status):
+        super().__init__(_library.detent_describe(status).decode())
+        self.status = status
+
+
+def _check(status):
+    """True for yes or done, False for no or none."""
+    if status < 0:
+        raise Error(status)
+    return status == c.DETENT_OK
+
+
+def raw(value):
+    """The length nearest to a float, ties to even. Raises OverflowError out of range."""
+    result = round(value * ONE)
+    if not -1 << 31 <= result < 1 << 31:
+        raise OverflowError(f'{value} is not in [-32768, 32768)')
+    return result
+
+
+def number(length):
+    """The float of a length, exactly."""
+    return length / ONE
+
+
+def results_version():
+    """Changes whenever an answer changes in any bit."""
+    return _library.detent_results_version()
+
+
+class Id(tuple):
+    """The id of an object or a body: an index and a generation."""
+    __slots__ = ()
+
+    def __new__(cls, index, generation):
+        return super().__new__(cls, (index, generation))
+
+    index = property(lambda self: self[0])
+    generation = property(lambda self: self[1])
+
+    def _in_c(self):
+        return c.detent_id(*self)
+
+
+def _id(given):
+    return Id(given.index, given.generation)
+
+
+def _int32(values):
+    """A pointer to 32-bit integers, their number, and what keeps them: of a numpy array or a buffer."""
+    if hasattr(values, '__array_interface__'):
+        import numpy
+        values = numpy.ascontiguousarray(values, dtype=numpy.int32)
+        return values.ctypes.data, values.size, values
+    view = memoryview(values)
+    if view.nbytes % 4 or view.readonly:
+        raise TypeError('int32 numbers in a writable buffer are needed')
+    view = view.cast('B')
+    return ctypes.addressof(ctypes.c_char.from_buffer(view)), view.nbytes // 4, view
+
+
+def _like(values, count):
+    """Room for int32 numbers: numpy for numpy, otherwise an array, and a pointer to it."""
+    if hasattr(values, '__array_interface__'):
+        import numpy
+        room = numpy.empty(count, dtype=numpy.int32)
+        return room, room.ctypes.data
+    room = array.array('i', bytes(4 * count))
+    return room, room.buffer_info()[0]
+
+
+class _Space:
+    """Shapes, rays and queries of one dimension."""
+
+    def __init__(self, dimension):
+        self.dimension = dimension
+        self._identity = tuple(tuple(UNIT if i == k else 0 for i in range(dimension))
+                               for k in range(dimension))
+        for name in ('vec', 'direction', 'rotation', 'transform', 'ray', 'shape', 'hit', 'object_hit',
+                     'body'):
+            setattr(self, f'_{name}', getattr(c, f'detent_{name}{dimension}'))
+        self._words = ctypes.sizeof(self._ray) // 4
+
+    def _call(self, name):
+        return getattr(_library, 'detent_' + name.replace('{N}', str(self.dimension)))
+
+    def _rotated(self, axes):
+        result = self._rotation()
+        for i, axis in enumerate(axes or self._identity):
+            result.axis[i] = self._direction(*axis)
+        return result
+
+    def _made(self, kind, name, *fields):
+        shape = self._shape()
+        shape.kind = kind
+        member = getattr(shape.as_, name)
+        for (field, _), value in zip(member._fields_, fields):
+            setattr(member, field, value)
+        return shape
+
+    def ray(self, origin, direction, max_distance=(1 << 31) - 1):
+        return self._ray(self._vec(*origin), self._direction(*direction), max_distance)
+
+    def sphere(self, center, radius):
+        return self._made(c.DETENT_SPHERE, 'sphere', self._vec(*center), radius)
+
+    def aabb(self, least, greatest):
+        return self._made(c.DETENT_AABB, 'aabb', self._vec(*least), self._vec(*greatest))
+
+    def obb(self, center, half_extents, axes=None):
+        """`axes`: directions, those of the world if left out."""
+        return self._made(c.DETENT_OBB, 'obb', self._vec(*center), self._vec(*half_extents),
+                          self._rotated(axes))
+
+    def plane(self, normal, offset):
+        return self._made(c.DETENT_PLANE, 'plane', self._direction(*normal), offset)
+
+    def triangle(self, first, second, third):
+        return self._made(c.DETENT_TRIANGLE, 'triangle', self._vec(*first), self._vec(*second),
+                          self._vec(*third))
+
+    def capsule(self, start, end, radius):
+        return self._made(c.DETENT_CAPSULE, 'capsule', self._vec(*start), self._vec(*end), radius)
+
+    def segment(self, start, end):
+        return self._made(c.DETENT_SEGMENT, 'segment', self._vec(*start), self._vec(*end))
+
+    def point(self, at):
+        """A query of scenes."""
+        shape = self._shape()
+        shape.kind = c.DETENT_POINT
+        shape.as_.point = self._vec(*at)
+        return shape
+
+    def raycast(self, ray, shape):
+        """Where the ray first touches the shape, or None: distance, point and normal."""
+        hit = self._hit()
+        return hit if _check(self._call('raycast{N}')(ray, shape, hit)) else None
+
+    def raycast_many(self, rays, shape):
+        """The distances of many rays from a numpy array or a buffer of int32: a row is origin, direction
+        and max_distance. -1 for no hit. A numpy array for one, otherwise an array of int32."""
+        pointer, count, keep = _int32(rays)
+        if count % self._words:
+            raise ValueError(f'a ray has {self._words} numbers')
+        room, to = _like(rays, count // self._words)
+        _check(self._call('raycast{N}_many')(
+            ctypes.cast(pointer, ctypes.POINTER(self._ray)), count // self._words, shape,
+            ctypes.cast(to, ctypes.POINTER(ctypes.c_int32))))
+        del keep
+        return room
+
+    def contains(self, shape, point):
+        return _check(self._call('contains{N}')(shape, self._vec(*point)))
+
+    def overlaps(self, one, other):
+        return _check(self._call('overlaps{N}')(one, other))
+
+    def closest_point(self, shape, point):
+        closest = self._vec()
+        _check(self._call('closest_point{N}')(shape, self._vec(*point), closest))
+        return self._tuple(closest)
+
+    def distance(self, shape, other):
+        """The distance of two shapes, or of a shape and a point (a tuple)."""
+        distance = ctypes.c_int32()
+        if isinstance(other, tuple):
+            _check(self._call('distance_to_point{N}')(shape, self._vec(*other), byref(distance)))
+        else:
+            _check(self._call('distance{N}')(shape, other, byref(distance)))
+        return distance.value
+
+    @staticmethod
+    def _tuple(v):
+        return tuple(getattr(v, field) for field, _ in v._fields_)
+
+
+d2 = _Space(2)
+d3 = _Space(3)
+
+
+class _Owned:
+    """A scene, world or asset of a context. It is destroyed with the context, or by `destroy`."""
+
+    def __init__(self, context, handle, destroy):
+        self._context = context
+        self.handle = handle
+        self._destroy = destroy
+
+    def destroy(self):
+        _check(self._destroy(self._context._open, self.handle))
+
+
+class _Held(_Owned):
+    """What scenes and worlds share."""
+
+    def __init__(self, context, space, kind, *arguments):
+        self._space = space
+        self._kind = kind
+        handle = ctypes.c_uint32()
+        _check(self._function('create')(context._open, *arguments, byref(handle)))
+        super().__init__(context, handle.value, self._function('destroy'))
+
+    def _function(self, name):
+        return self._space._call(f'{self._kind}{{N}}_{name}')
+
+    def _call(self, name, *arguments):
+        return _check(self._function(name)(self._context._open, self.handle, *arguments))
+
+    def __len__(self):
+        size = ctypes.c_uint32()
+        self._call('size', byref(size))
+        return size.value
+
+    def digest(self):
+        """64 bits of everything in it, equal on every machine."""
+        digest = ctypes.c_uint64()
+        self._call('digest', byref(digest))
+        return digest.value
+
+    def remove(self, which):
+        return self._call('remove', which._in_c())
+
+    def snapshot(self):
+        size = ctypes.c_uint32()
+        self._call('snapshot', None, 0, byref(size))
+        room = ctypes.create_string_buffer(size.value)
+        self._call('snapshot', room, size.value, byref(size))
+        return room.raw
+
+    def restore(self, snapshot):
+        self._call('restore', snapshot, len(snapshot))
+
+    def _list(self, name, kind, *arguments):
+        room = 64
+        while True:
+            items, count = (kind * room)(), ctypes.c_uint32()
+            self._call(name, *arguments, items, room, byref(count))
+            if count.value <= room:
+                return items[:count.value]
+            room = count.value
+
+
+class Scene(_Held):
+    """Objects, and queries over all of them. Objects in no layer of a query do not count for it."""
+
+    def __init__(self, context, space):
+        super().__init__(context, space, 'scene')
+
+    def add(self, shape, layers=1, user=0, fixed=False):
+        made = c.detent_id()
+        self._call('add', shape, c.detent_traits(user, layers, int(fixed)), byref(made))
+        return _id(made)
+
+    def replace(self, which, shape):
+        return self._call('replace', which._in_c(), shape)
+
+    def move(self, which, by):
+        return self._call('move', which._in_c(), self._space._vec(*by))
+
+    def object(self, which):
+        """The shape and the traits of an object, or None."""
+        shape, traits = self._space._shape(), c.detent_traits()
+        return (shape, traits) if self._call('object', which._in_c(), shape, traits) else None
+
+    def optimize(self):
+        self._call('optimize')
+
+    def raycast(self, ray, layers=ALL_LAYERS):
+        """The first object that the ray touches, as a `Hit`, or None."""
+        hit = self._space._object_hit()
+        return Hit(hit) if self._call('raycast', ray, layers, hit) else None
+
+    def raycast_any(self, ray, layers=ALL_LAYERS):
+        return self._call('raycast_any', ray, layers)
+
+    def raycast_all(self, ray, layers=ALL_LAYERS):
+        """All objects that the ray touches, by distance, then id."""
+        return [Hit(hit) for hit in self._list('raycast_all', self._space._object_hit, ray, layers)]
+
+    def raycast_many(self, rays, layers=ALL_LAYERS):
+        """The first hit of many rays (as for `d3.raycast_many`): the words of object_hit, a row a ray."""
+        pointer, count, keep = _int32(rays)
+        if count % self._space._words:
+            raise ValueError(f'a ray has {self._space._words} numbers')
+        count //= self._space._words
+        words = ctypes.sizeof(self._space._object_hit) // 4
+        room, to = _like(rays, count * words)
+        self._call('raycast_many', ctypes.cast(pointer, ctypes.POINTER(self._space._ray)), count,
+                   layers, ctypes.cast(to, ctypes.POINTER(self._space._object_hit)))
+        del keep
+        return room.reshape(count, words) if hasattr(room, 'reshape') else room
+
+    def nearest(self, question, layers=ALL_LAYERS):
+        """(distance, id) of the nearest object that a point finds, or another shape overlaps; or None."""
+        found = c.detent_found()
+        if not self._call('nearest', question, layers, found):
+            return None
+        return found.distance, _id(found.id)
+
+    def any(self, question, layers=ALL_LAYERS):
+        return self._call('any', question, layers)
+
+    def all(self, question, layers=ALL_LAYERS):
+        """(distance, id) of all objects that the shape overlaps, by distance, then id."""
+        return [(found.distance, _id(found.id))
+                for found in self._list('all', c.detent_found, question, layers)]
+
+    def overlaps(self):
+        """All pairs of objects that overlap."""
+        return [(_id(pair.first), _id(pair.second))
+                for pair in self._list('overlaps', c.detent_pair)]
+
+
+class Hit:
+    """Where a ray first touches an object: distance, id, point, normal; triangle or None."""
+    __slots__ = ('distance', 'id', 'point', 'normal', 'triangle')
+
+    def __init__(self, hit):
+        self.distance = hit.distance
+        self.id = _id(hit.id)
+        self.point = _Space._tuple(hit.point)
+        self.normal = _Space._tuple(hit.normal)
+        self.triangle = hit.triangle if hit.has_triangle else None
+
+
+class World(_Held):
+    """Bodies that fall, collide and come to rest. Keywords are the fields of its settings."""
+
+    def __init__(self, context, space, **settings):
+        given = getattr(c, f'detent_world{space.dimension}_settings')()
+        _check(space._call('world{N}_default_settings')(given))
+        _set(given, settings, space)
+        super().__init__(context, space, 'world', given)
+
+    def add(self, shape, **options):
+        """Adds a sphere, AABB, OBB or capsule. Keywords are the fields of a body's options."""
+        given = getattr(c, f'detent_body{self._space.dimension}_options')()
+        _check(self._space._call('body{N}_default_options')(given))
+        _set(given, options, self._space)
+        made = c.detent_id()
+        self._call('add', shape, given, byref(made))
+        return _id(made)
+
+    def step(self):
+        """One tick."""
+        self._call('step')
+
+    def body(self, which):
+        """Where a body is and how it moves, or None."""
+        body = self._space._body()
+        return body if self._call('body', which._in_c(), body) else None
+
+    def position(self, which):
+        body = self.body(which)
+        return _Space._tuple(body.position) if body else None
+
+    def set_velocity(self, which, velocity):
+        return self._call('set_velocity', which._in_c(), self._space._vec(*velocity))
+
+    def set_angular_velocity(self, which, velocity):
+        count = 1 if self._space.dimension == 2 else 3
+        return self._call('set_angular_velocity', which._in_c(), (ctypes.c_int32 * count)(*velocity))
+
+    def events(self):
+        """(a, b, begins) of the pairs that began or ended to touch in the last step."""
+        return [(_id(touch.a), _id(touch.b), bool(touch.begins))
+                for touch in self._list('events', c.detent_touch)]
+
+
+def _set(fields, values, space):
+    for name, value in values.items():
+        kind = dict(fields._fields_)[name]
+        if isinstance(value, (tuple, list)):
+            value = kind(*value)
+        setattr(fields, name, value)
+
+
+class Context:
+    """Makes scenes, worlds and assets; `close`, or the end of a `with`, destroys them."""
+
+    def __init__(self):
+        self._open = c.detent_context()  # stays where it is
+        _check(_library.detent_open(self._open, None))
+        self._finish = weakref.finalize(self, _library.detent_close, self._open)
+
+    def close(self):
+        self._finish()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def scene2(self):
+        return Scene(self, d2)
+
+    def scene3(self):
+        return Scene(self, d3)
+
+    def world2(self, **settings):
+        return World(self, d2, **settings)
+
+    def world3(self, **settings):
+        return World(self, d3, **settings)
+
+    def _asset(self, create, *arguments):
+        handle = ctypes.c_uint32()
+        _check(create(self._open, *arguments, byref(handle)))
+        return _Owned(self, handle.value, _library.detent_asset_destroy)
+
+    def mesh(self, name, vertices, faces):
+        """Triangles: tuples of vertices, and of three indices of them. `name` is its id in snapshots."""
+        indices = [index for face in faces for index in face]
+        return self._asset(_library.detent_mesh_create, name,
+                           (c.detent_vec3 * len(vertices))(*[c.detent_vec3(*v) for v in vertices]),
+                           len(vertices), (ctypes.c_uint32 * len(indices))(*indices),
+                           len(indices) // 3)
+
+    def hull3(self, name, points):
+        return self._asset(_library.detent_hull3_create, name,
+                           (c.detent_vec3 * len(points))(*[c.detent_vec3(*p) for p in points]),
+                           len(points))
+
+    def hull2(self, name, points):
+        return self._asset(_library.detent_hull2_create, name,
+                           (c.detent_vec2 * len(points))(*[c.detent_vec2(*p) for p in points]),
+                           len(points))
+
+    def height_field(self, name, corner, cell, columns, rows, heights):
+        if len(heights) != columns * rows:
+            raise ValueError('there must be columns * rows heights')
+        return self._asset(_library.detent_height_field_create, name, c.detent_vec2(*corner), cell,
+                           columns, rows, (ctypes.c_int32 * len(heights))(*heights))
+
+
+def placed(asset, translation, axes=None, scale=ONE):
+    """A shape of a scene: a mesh or hull transformed, or a height field moved."""
+    kind = {5: c.DETENT_MESH, 6: c.DETENT_HULL, 7: c.DETENT_HULL, 8: c.DETENT_HEIGHT_FIELD}[
+        asset.handle & 15]
+    space = d2 if asset.handle & 15 == 6 else d3
+    shape = space._shape()
+    shape.kind, shape.asset = kind, asset.handle
+    if kind == c.DETENT_HEIGHT_FIELD:
+        shape.as_.point = space._vec(*translation)
+    else:
+        shape.as_.placed = space._transform(space._vec(*translation), space._rotated(axes), scale)
+    return shape

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+import array
+import os
+import sys
+import unittest
+
+here = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(here, '..'), os.path.join(here, '..', 'examples')]
+sys.dont_write_bytecode = True
+import detent  # noqa: E402
+import match  # noqa: E402
+from detent import ONE, UNIT, d2, d3  # noqa: E402
+
+try:
+    import numpy
+except ImportError:
+    numpy = None
+
+
+class Test(unittest.TestCase):
+    def setUp(self):
+        self.context = detent.Context()
+        self.addCleanup(self.context.close)
+
+    def test_the_match_ends_as_in_cpp(self):
+        self.assertEqual(match.play(), os.environ['DETENT_MATCH'])
+
+    def test_single_queries(self):
+        ball = d3.sphere((10 * ONE, 0, 0), ONE)
+        hit = d3.raycast(d3.ray((0, 0, 0), (UNIT, 0, 0)), ball)
+        self.assertEqual((hit.distance, hit.point.x, hit.normal.x), (9 * ONE, 9 * ONE, -UNIT))
+        self.assertIsNone(d3.raycast(d3.ray((0, 0, 0), (-UNIT, 0, 0)), ball))
+        self.assertTrue(d3.contains(ball, (11 * ONE, 0, 0)))
+        self.assertFalse(d3.contains(ball, (11 * ONE + 1, 0, 0)))
+        self.assertEqual(d3.closest_point(ball, (0, 0, 0)), (9 * ONE, 0, 0))
+        self.assertEqual(d3.distance(ball, (0, 0, 0)), 9 * ONE)
+        box = d3.aabb((0, 0, 0), (ONE, ONE, ONE))
+        self.assertEqual(d3.distance(ball, box), 8 * ONE)
+        self.assertFalse(d3.overlaps(ball, box))
+        self.assertTrue(d2.overlaps(d2.sphere((0, 0), ONE), d2.segment((ONE, -ONE), (ONE, ONE))))
+
+    def test_scenes(self):
+        scene = self.context.scene2()
+        ids = [scene.add(d2.sphere((i * ONE, 0), ONE), layers=1 << i) for i in range(4)]
+        ray = d2.ray((-5 * ONE, 0), (UNIT, 0))
+        self.assertEqual([hit.id for hit in scene.raycast_all(ray)], ids)
+        self.assertEqual(scene.raycast(ray, layers=6).id, ids[1])
+        self.assertEqual(scene.nearest(d2.point((9 * ONE, 0)))[1], ids[3])
+        self.assertEqual(len(scene.overlaps()), 5)
+        self.assertTrue(scene.move(ids[3], (5 * ONE, 0)))
+        self.assertEqual(len(scene.overlaps()), 3)
+        saved, digest = scene.snapshot(), scene.digest()
+        self.assertTrue(scene.remove(ids[0]))
+        self.assertFalse(scene.remove(ids[0]))
+        scene.restore(saved)
+        self.assertEqual((len(scene), scene.digest()), (4, digest))
+
+    def test_lists_longer_than_their_first_room(self):
+        scene = self.context.scene3()
+        ids = [scene.add(d3.sphere((i, 0, 0), ONE)) for i in range(100)]
+        found = scene.all(d3.point((0, 0, 0)))
+        self.assertEqual(sorted(which for _, which in found), ids)
+
+    def test_assets(self):
+        corners = [(0, 0, 0), (ONE, 0, 0), (0, ONE, 0), (0, 0, ONE)]
+        mesh = self.context.mesh(1, corners, [(0, 1, 2), (0, 2, 3)])
+        hull = self.context.hull3(1, corners)
+        field = self.context.height_field(1, (0, 0), ONE, 2, 2, [0, 0, 0, 0])
+        scene = self.context.scene3()
+        for x, asset in enumerate((mesh, hull, field)):
+            scene.add(detent.placed(asset, (10 * x * ONE, 0, 0)))
+        self.assertEqual(scene.nearest(d3.point((11 * ONE, 0, 0)))[1].index, 1)
+        ray = d3.ray((20 * ONE + ONE // 4, ONE, ONE // 4), (0, -UNIT, 0))
+        hit = scene.raycast(ray)
+        self.assertEqual((hit.id.index, hit.triangle), (2, 0))
+        with self.assertRaises(detent.Error) as caught:
+            mesh.destroy()
+        self.assertEqual(caught.exception.status, detent.c.DETENT_IN_USE)
+
+    def test_worlds(self):
+        world = self.context.world2(gravity=(0, -20 * ONE))
+        world.add(d2.aabb((-5 * ONE, -ONE), (5 * ONE, 0)), motion=detent.FIXED)
+        ball = world.add(d2.sphere((0, 2 * ONE), ONE), restitution=ONE // 2)
+        began = []
+        for _ in range(240):
+            world.step()
+            began += [event for event in world.events() if event[2]]
+        self.assertGreater(len(began), 1)  # it bounces
+        self.assertAlmostEqual(detent.number(world.position(ball)[1]), 1, delta=0.05)
+        self.assertTrue(world.set_velocity(ball, (0, ONE)))
+        self.assertEqual(world.body(ball).velocity.y, ONE)
+
+    def test_errors(self):
+        with self.assertRaises(detent.Error) as caught:
+            d3.raycast(d3.ray((0, 0, 0), (1, 0, 0)), d3.sphere((0, 0, 0), ONE))
+        self.assertEqual(caught.exception.status, detent.c.DETENT_NOT_UNIT)
+        scene = self.context.scene3()
+        scene.destroy()
+        self.assertRaises(detent.Error, len, scene)
+        self.context.close()
+        self.assertRaises(detent.Error, self.context.scene3)
+        self.assertEqual(detent.raw(-0.5), -32768)
+        self.assertRaises(OverflowError, detent.raw, 32768)
+
+    def check_many(self, rays):
+        box = d3.aabb((5 * ONE, -ONE, -ONE), (6 * ONE, ONE, ONE))
+        scene = self.context.scene3()
+        which = scene.add(box)
+        distances = d3.raycast_many(rays, box)
+        self.assertEqual(list(distances), [5 * ONE, -1, 6 * ONE])
+        hits = scene.raycast_many(rays)
+        words = [int(word) for word in (hits.reshape(-1) if hasattr(hits, 'reshape') else hits)]
+        each = len(words) // 3
+        self.assertEqual([words[0], words[each], words[2 * each]], [5 * ONE, -1, 6 * ONE])
+        self.assertEqual(words[1:3], list(which))
+
+    rows = [(0, 0, 0, UNIT, 0, 0, 100 * ONE), (0, 0, 0, 0, UNIT, 0, 100 * ONE),
+            (-ONE, 0, 0, UNIT, 0, 0, 100 * ONE)]
+
+    def test_many_rays_in_a_buffer(self):
+        self.check_many(array.array('i', [word for row in self.rows for word in row]))
+
+    @unittest.skipIf(numpy is None, 'numpy is not installed')
+    def test_many_rays_in_numpy(self):
+        self.check_many(numpy.array(self.rows, dtype=numpy.int32))
+
+
+if __name__ == '__main__':
+    unittest.main()

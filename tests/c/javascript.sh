@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# usage: javascript.sh MATCH_IN_CPP
+# The WebAssembly modules compile and stay below their size; the tests of the JavaScript binding pass in
+# node, and the example of the page runs.
+set -euo pipefail
+command -v node >/dev/null || { echo 'skipped: there is no node'; exit 77; }
+(($(node -p 'process.versions.node.split(".")[0]') >= 20)) ||
+  { echo 'skipped: node is older than 20'; exit 77; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+bindings/js/build "$work"
+DETENT_WASM=$work DETENT_MATCH=$("$1") node --test bindings/js/tests/
+cp bindings/js/*.mjs "$work"
+sed -n '/^```js$/,/^```$/{/^```/d;p}' docs/bindings.md | sed "s|'detent'|'./index.mjs'|" >"$work/page.mjs"
+said=$(node "$work/page.mjs")
+[[ $said == '9' ]] || { echo "the page prints $said"; exit 1; }

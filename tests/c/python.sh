@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# usage: python.sh MATCH_IN_CPP LIBRARY
+# The tests of the Python binding, by Debian's python3 if that has numpy, and the example of the page.
+set -euo pipefail
+python=
+for name in python3 /usr/bin/python3; do
+  command -v "$name" >/dev/null || continue
+  python=${python:-$name}
+  if "$name" -c 'import numpy' 2>/dev/null; then python=$name; fi
+done
+[[ $python ]] || { echo 'skipped: there is no python3'; exit 77; }
+DETENT_LIBRARY=$(realpath "$2") DETENT_MATCH=$("$1")
+export DETENT_LIBRARY DETENT_MATCH PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=bindings/python
+"$python" bindings/python/tests/test_detent.py
+said=$(sed -n '/^```python$/,/^```$/{/^```/d;p}' docs/bindings.md | "$python" -)
+[[ $said == 'True 9.0' ]] || { echo "the page prints $said"; exit 1; }
