@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <string_view>
 
 #include "detent/dynamics/world.hpp"
 #include "detent/scene/fields.hpp"
@@ -14,6 +16,12 @@
 namespace detent {
 
 namespace detail {
+
+/// The name of a shape in a world: those that only bodies have come after the names of scenes.
+template <class Shape>
+inline constexpr std::string_view body_shape_name = shape_tag<Shape> < std::size(shape_names)
+                                                        ? shape_names[shape_tag<Shape>]
+                                                        : "solid hull";
 
 /// A body, as a field of its world.
 template <class Body>
@@ -35,7 +43,7 @@ constexpr void for_each_field(const BodyField<Body>& field, const F& f) {
   const Body& body = field.body;
   body.shape.visit([&]<class Shape>(const Shape& shape) {
     const auto with_type = [&](const PartName& name, const auto& part) {
-      f(FieldName(" (").add(shape_names[shape_tag<Shape>]).add(") ").add(name.view()), part);
+      f(FieldName(" (").add(body_shape_name<Shape>).add(") ").add(name.view()), part);
     };
     f("", true);  // it exists
     f(" type", shape_tag<Shape>);

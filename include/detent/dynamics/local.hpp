@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/dynamics/body.hpp"
+#include "detent/dynamics/hull.hpp"
 #include "detent/math/quat.hpp"
 #include "detent/number/min_max.hpp"
 #include "detent/shape/aabb.hpp"
@@ -72,6 +72,26 @@ template <Scalar S, int N>
           upright<S, N>()};
 }
 
+/// A hull in the frame of its body, about its centre of mass.
+template <Scalar S, int N>
+struct LocalHull {
+  BodyHull<S, N> shape{};
+  Vec<typename Formats<S>::Place, N> center{};
+  Vec<typename Formats<S>::Ratio, BodyState<S, N>::orientation_size> orientation{};
+};
+template <Scalar S, int N>
+[[nodiscard]] constexpr LocalHull<S, N> local_form(const BodyHull<S, N>& body) noexcept {
+  using Ratio = typename Formats<S>::Ratio;
+  BodyHull<S, N> shape;
+  shape.asset = body.asset;
+  const auto center = body.asset ? body.asset->center() : decltype(body.asset->center()){};
+  return {shape, make_vec<N>([&](int k) {
+            const auto row = make_vec<N>([&](int i) { return Ratio(body.rotation.axis(i)[k]); });
+            return nearest_to<typename Formats<S>::Place>(body.translation[k] + dot(row, center));
+          }),
+          orientation_of(body.rotation)};
+}
+
 /// Half the sides of a box about the origin of the body's frame that holds the shape, and a radius
 /// to add to them.
 template <Scalar S, int N>
@@ -99,6 +119,17 @@ template <Scalar S, int N>
   return {make_vec<N>(
               [&](int i) { return saturate_to<S>((max)(abs(capsule.a[i]), abs(capsule.b[i]))); }),
           capsule.radius};
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr BodyExtent<S, N> extent_of(const BodyHull<S, N>& body) noexcept {
+  BodyExtent<S, N> extent;
+  for (const auto& p : faces_of(body).points) {
+    extent.half_extents = make_vec<N>([&](int i) {
+      return (max)(extent.half_extents[i], saturate_to<S>(ceil_to<S>(abs(p[i]))));
+    });
+  }
+  return extent;
 }
 
 /// BodyBox of a body along the world's axes.

@@ -7,6 +7,7 @@
 
 #include "detent/dynamics/fields.hpp"
 #include "detent/dynamics/world.hpp"
+#include "detent/scene/assets.hpp"
 #include "detent/scene/header.hpp"
 #include "detent/scene/shape_tag.hpp"
 #include "detent/scene/world.hpp"
@@ -15,6 +16,7 @@
 //   snapshot(world)         -> the bytes, for a world that allocates
 //   snapshot(world, room)   -> how many bytes, written when `room` holds them
 //   restore(world, bytes)   -> Restored: yes, or why the world is unchanged
+//   restore(world, bytes, lists...)   the same if bodies refer to hulls
 //   digest(world)           -> 64 bits of all bodies and contacts
 //   digest_of(world, id)    -> 64 bits of one body
 //
@@ -23,11 +25,12 @@
 // * each body that is not fixed, in order of index: a word of its index (bits 0 to 19), its quiet
 //   ticks (20 to 27), whether it sleeps (28) and whether it is made like the body before it (29);
 //   generation (4 bytes); place, orientation, velocity, spin: 72 bytes in 3D with Q16.16. Unless it
-//   is made like the body before it: motion (1, plus 4 if the last item follows), layers, layers that it meets (4 each), user word
-//   (8), density, friction, restitution, damping of velocity and spin, shape type (1), the numbers
-//   of the shape; if one of them is not the default, locked axes (bits 0 to 5) and sensor (bit 6) in
-//   a byte, and the scale of gravity. Bit 30 of the word: after the spin comes what forces and
-//   torques will do in the next tick, a velocity and a spin;
+//   is made like the body before it: motion (1, plus 4 if the last item follows), layers, layers
+//   that it meets (4 each), user word (8), density, friction, restitution, damping of velocity and
+//   spin, shape type (1), the numbers of the shape (of a hull its id (4), its digest (8), and a
+//   translation and a rotation that do nothing); if one of them is not the default, locked axes
+//   (bits 0 to 5) and sensor (bit 6) in a byte, and the scale of gravity. Bit 30 of the word: after
+//   the spin comes what forces and torques will do in the next tick, a velocity and a spin;
 // * each contact, in order of its bodies: a word of the index of a (bits 0 to 19), the number of
 //   points (20 to 22) and whether it touches (23); the index of b (4 bytes); of each point its
 //   feature and pressure, then the impulses of friction: 52 bytes for four points in 3D;
@@ -189,38 +192,52 @@ template <class Storage, Scalar S, int N, class... Shapes>
   return header;
 }
 
-/// Reads what a body is made of. False for bytes that are no body of this world.
-template <Scalar S, int N, class... Shapes>
-[[nodiscard]] constexpr bool read_make(Reader& in,
-                                       BodyRecord<S, N, OneOf<Shapes...>>& body) noexcept {
+template <class Shape, class Assets>
+[[nodiscard]] constexpr Restored read_part(Reader& in, Shape& shape,
+                                           const Assets& assets) noexcept {
+  if constexpr (requires { shape.asset; }) {
+    return read_shape(in, shape, assets);
+  } else {
+    in.get(shape);
+    return Restored::yes;
+  }
+}
+
+/// Reads what a body is made of; other results than `yes` for bytes that are no body of this world.
+template <Scalar S, int N, class... Shapes, class Assets>
+[[nodiscard]] constexpr Restored read_make(Reader& in, BodyRecord<S, N, OneOf<Shapes...>>& body,
+                                           const Assets& assets) noexcept {
   std::uint8_t motion = 0, tag = 0;
   in.get(motion, body.layers, body.collides_with, body.user, body.density, body.friction,
          body.restitution, body.linear_damping, body.angular_damping, tag);
   bool known = false;
+  auto said = Restored::yes;
   const auto read = [&]<class Shape>(Shape shape) {
     if (known || shape_tag<Shape> != tag) return;
     known = true;
-    in.get(shape);
+    said = read_part(in, shape, assets);
     body.shape = OneOf<Shapes...>(shape);
   };
   (read(Shapes()), ...);
   body.motion = static_cast<BodyMotion>(motion & 3u);
-  if (motion >> 2 == 1) {
+  if (said == Restored::yes && motion >> 2 == 1) {
     const auto flags = in.number<std::uint8_t>();
     in.get(body.gravity_scale);
     body.locked = static_cast<std::uint8_t>(flags & (sensor_bit - 1u));
     body.is_sensor = (flags & sensor_bit) != 0;
-    if (flags >> 7 != 0 || !has_extras(body)) return false;
+    if (flags >> 7 != 0 || !has_extras(body)) return Restored::corrupted;
   }
-  return known && !in.has_failed() && motion >> 3 == 0 &&
-         (body.motion == BodyMotion::dynamic || body.motion == BodyMotion::kinematic);
+  const bool is_body = known && !in.has_failed() && motion >> 3 == 0 &&
+                       (body.motion == BodyMotion::dynamic || body.motion == BodyMotion::kinematic);
+  return is_body ? said : Restored::corrupted;
 }
 
 /// Reads the bodies and contacts of a snapshot into lists, in which fixed bodies are already.
-template <Scalar S, int N, class Bodies, class Contacts>
+template <Scalar S, int N, class Bodies, class Contacts, class Assets>
 [[nodiscard]] constexpr Restored read_world(Reader& in, const WorldHeader& header, Bodies& bodies,
                                             Contacts& contacts, std::size_t bodies_room,
-                                            std::size_t contacts_room, int rate) {
+                                            std::size_t contacts_room, int rate,
+                                            const Assets& assets) {
   using F = Formats<S>;
   std::size_t lowest = 0, before = 0;
   bool has_before = false;
@@ -251,7 +268,8 @@ template <Scalar S, int N, class Bodies, class Contacts>
     }
     if (in.has_failed() || !is_unit(to_array(body.state.orientation))) return Restored::corrupted;
     if (!alike) {
-      if (!read_make(in, body)) return Restored::corrupted;
+      const auto said = read_make(in, body, assets);
+      if (said != Restored::yes) return said;
       if (has_before && is_made_like(body, bodies[before])) return Restored::corrupted;
       derive(body, rate);
     }
@@ -329,9 +347,9 @@ template <Scalar S, int N, class... Shapes>
 /// domain: any bytes
 /// result: `other_scene` also for other settings; a world restored steps bit by bit as the one that
 ///         was saved                                    (tests/dynamics/snapshot.test.cpp)
-template <class Storage, Scalar S, int N, class... Shapes>
+template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
 [[nodiscard]] constexpr Restored restore(BasicWorld<Storage, S, N, Shapes...>& world,
-                                         std::span<const std::byte> bytes) {
+                                         std::span<const std::byte> bytes, const Lists&... lists) {
   using detail::WorldAccess;
   using detail::WorldHeader;
   using World = BasicWorld<Storage, S, N, Shapes...>;
@@ -372,7 +390,8 @@ template <class Storage, Scalar S, int N, class... Shapes>
   typename World::Contacts contacts;
   detail::Reader parts(checked.subspan(WorldHeader::size));
   const auto said = detail::read_world<S, N>(parts, header, bodies, contacts, World::capacity,
-                                             World::contact_capacity, WorldAccess::rate(world));
+                                             World::contact_capacity, WorldAccess::rate(world),
+                                             detail::AssetLists<Lists...>(lists...));
   if (said == Restored::yes) {
     WorldAccess::assign(world, bodies, contacts, header.next_generation,
                         header.bodies + std::size_t{header.fixed});

@@ -2,14 +2,25 @@
 """docs/dynamics.md, "Settings" and "A body"."""
 from math import isqrt
 
-from fixed import ONE, PI, PI_BITS, dot, ratio, round_shift, squared, unit
+from fixed import ONE, PI, PI_BITS, cross, dot, ratio, round_div, round_shift, squared, unit
+from hull import hull_of, planes, around, ends as ends_of
 
 
 class Shape:
     """A shape in the frame of its body; numbers of the scalar's grid, and those of manifolds."""
 
-    def __init__(self, kind, n, radius=0, half=None, low=None, high=None, ends=None):
+    def __init__(self, kind, n, radius=0, half=None, low=None, high=None, ends=None,
+                 points=None):
         self.kind, self.radius_raw = kind, radius
+        if kind == "hull":
+            self.is_box = self.is_empty = False
+            self.moments = hull_moments(points)
+            content, first, _, _ = self.moments
+            self.mass_centre = [64 * p + round_div(64 * x, (n + 1) * content)
+                                for p, x in zip(points[0], first)]
+            self.hull = hull_of(points, self.mass_centre)
+            self.reach = [-(-max(abs(p[i]) for p in self.hull.points) // 64) for i in range(n)]
+            return
         self.is_box = kind in ("box", "aligned")
         self.low, self.high = low, high
         if kind == "box":
@@ -40,8 +51,47 @@ def no_rotation(n):
     return [ONE, 0] if n == 2 else [0, 0, 0, ONE]
 
 
+def hull_moments(points):
+    """N! times the content, (N + 1)! times the first moments about the first point, and the squared
+    gyration as numerators and a denominator."""
+    n, o = len(points[0]), points[0]
+
+    def away(i):
+        return [x - y for x, y in zip(points[i], o)]
+    content, first, second = 0, [0] * n, [[0] * n for _ in range(n)]
+    for members, normal in planes(points).items():
+        if n == 2:
+            j, k = ends_of(points, members)
+            parts = [(away(j), away(k))]
+        else:
+            loop = around(points, members, normal)
+            parts = [(away(loop[0]), away(j), away(k)) for j, k in zip(loop[1:], loop[2:])]
+        for part in parts:
+            m = abs(cross(*part)[0] if n == 2 else dot(part[0], cross(part[1], part[2])))
+            s = [sum(x) for x in zip(*part)]
+            content += m
+            first = [x + m * y for x, y in zip(first, s)]
+            for i in range(n):
+                for j in range(n):
+                    second[i][j] += m * (sum(u[i] * u[j] for u in part) + s[i] * s[j])
+    # The second moments about the centre over the content.
+    c = content
+    k, low = (12, 3) if n == 2 else (20, 4)
+    den = 36 * c * c if n == 2 else 80 * c * c
+    about = [[second[i][j] * c * (den // (c * c) // k) - first[i] * first[j] * (den // (c * c) // low ** 2)
+              for j in range(n)] for i in range(n)]
+    trace = sum(about[i][i] for i in range(n))
+    if n == 2:
+        return c, first, [trace], den
+    K = [trace - about[i][i] for i in range(3)] + [-about[1][2], -about[0][2], -about[0][1]]
+    return c, first, K, den
+
+
 def mass_properties(f, n, shape, density):
     """Mass, squared gyration (exact, as numerators in square steps of the scalar) and its denominator."""
+    if shape.kind == "hull":
+        content, _, K, den = shape.moments
+        return f.mass.quotient(density * content, 2 if n == 2 else 6, f.F * (n + 1)), K, den
     r = shape.radius_raw
     if shape.is_box:
         s = shape.sides
@@ -88,7 +138,9 @@ def rows(entries):
 
 
 def set_mass(f, n, body, density):
-    solid = density > 0 and (min(body.shape.sides) if body.shape.is_box else body.shape.radius_raw) > 0
+    shape = body.shape
+    solid = density > 0 and (shape.kind == "hull" or
+                             (min(shape.sides) if shape.is_box else shape.radius_raw) > 0)
     mass, K, den = mass_properties(f, n, body.shape, density) if solid else (0, None, 1)
     body.can_move = body.motion == "dynamic" and mass > 0
     body.mass = mass

@@ -46,6 +46,8 @@ def manifold(a, b, r, t, margin):
     n = len(t)
     if a.is_empty or b.is_empty:
         return NOTHING
+    if "hull" in (a.kind, b.kind):
+        return hull.manifold(a, b, r, t, margin)
     if a.is_box and b.is_box:
         t = [LEVER.near((x << 30) + y - (c << 30), 30)
              for x, y, c in zip(t, combine(b.centre, r), a.centre)]
@@ -486,3 +488,6 @@ def box_edges(a, b, r, t, s, i, j):
     n = unit(l)
     point = [LEVER.near((x << 31) + c * s, 31) for x, c in zip(z, n)]
     return n, [(point, s, (1 << 15) + (3 * i + j) * 16 + bits)]
+
+
+import hull  # noqa: E402  it needs the functions above

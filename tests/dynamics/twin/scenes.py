@@ -37,9 +37,13 @@ def build(n, lines, bits=31, frac=16):
                 values = [num(x) for x in words[2:]]
                 settings[key] = values if key == "gravity" else values[0]
     world = World(n, settings, bits, frac)
+    points = {}
     for words in lines:
+        if words[0] == "points":
+            numbers = [num(x) for x in words[2:]]
+            points[words[1]] = [numbers[i:i + n] for i in range(0, len(numbers), n)]
         if words[0] == "body":
-            add(world, n, words, num)
+            add(world, n, words, num, points)
     world.events = {}
     for words in lines:
         if words[0] == "at":
@@ -60,7 +64,7 @@ def step(world, tick):
     world.step()
 
 
-def add(world, n, words, num):
+def add(world, n, words, num, points):
     motion, kind, rest = words[1], words[2], words[3:]
 
     def vector(count=n):
@@ -73,6 +77,9 @@ def add(world, n, words, num):
     elif kind == "box":
         place = vector()
         shape = Shape(kind, n, half=vector())
+    elif kind == "hull":
+        place = vector()
+        shape = Shape(kind, n, points=points[rest.pop(0)])
     else:
         low, high = vector(), vector()
         place = [x + y >> 1 for x, y in zip(low, high)]
@@ -85,6 +92,7 @@ def add(world, n, words, num):
                for key, value in DEFAULTS.items()}
     options["sensor"] = False
     options["velocity"], options["spin"], q = [0] * n, [0] * (1 if n == 2 else 3), no_rotation(n)
+    frame = axes(q)
     while rest:
         key = rest.pop(0)
         if key in ("velocity", "spin"):
@@ -95,7 +103,8 @@ def add(world, n, words, num):
             options[key] = True
         elif key == "turned":
             q = unit([int(rest.pop(0)) for _ in range(len(q))])
-            q = q if n == 2 else unit(from_rotation(axes(q)))
+            frame = axes(q)
+            q = q if n == 2 else unit(from_rotation(frame))
         else:
             options[key] = vector(1)[0]
-    world.add(motion, shape, place, q, options)
+    world.add(motion, shape, place, q, options, frame)

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <list>
 #include <map>
 #include <sstream>
 #include <string>
@@ -77,6 +78,8 @@ class Stage {
         in >> tick;
         std::getline(in, rest);
         events_[tick].push_back(rest);
+      } else if (mine && word == "points") {
+        add_points(in);
       } else if (mine) {
         if (word != "body") fail("unknown: " + word);
         add(in);
@@ -142,6 +145,17 @@ class Stage {
     world_ = decltype(world_)(settings_);
   }
 
+  void add_points(std::istream& in) {
+    std::string name;
+    in >> name;
+    auto& points = points_.emplace_back();
+    while (in >> std::ws && in.peek() != EOF) points.push_back(vector<N>(in));
+    const auto id = static_cast<std::uint32_t>(points_.size());
+    const auto solid = solid_hull(id, ConvexHull<S, N>{points});
+    if (!solid) fail("no hull: " + name);
+    hulls_.emplace(name, *solid);
+  }
+
   void add(std::istream& in) {
     std::string motion, kind;
     in >> motion >> kind;
@@ -157,6 +171,11 @@ class Stage {
     } else if (kind == "capsule") {
       const auto a = vector<N>(in), b = vector<N>(in);
       finish(in, motion, Capsule<S, N>{a, b, number(in)});
+    } else if (kind == "hull") {
+      const auto translation = vector<N>(in);
+      std::string name;
+      in >> name;
+      finish(in, motion, BodyHull<S, N>{&hulls_.at(name), translation, {}});
     } else {
       fail("unknown shape: " + kind);
     }
@@ -232,7 +251,9 @@ class Stage {
   WorldSettings<S, N> settings_;
   std::vector<BodyId> ids_;
   std::map<int, std::vector<std::string>> events_;  // by tick
-  World<S, N, Sphere, Capsule, Aabb, Obb> world_;
+  std::list<std::vector<Vec<S, N>>> points_;
+  std::map<std::string, SolidHull<S, N>> hulls_;
+  World<S, N, Sphere, Capsule, Aabb, Obb, BodyHull> world_;
 };
 
 /// The dimension of a scene, or 0.

@@ -28,11 +28,15 @@ class World:
         self.margin = f.lever.near(settings["margin"], f.F)
         self.bodies, self.contacts = [], {}
 
-    def add(self, motion, shape, place, q, options):
+    def add(self, motion, shape, place, q, options, frame):
         f = self.f
         b = bodies.Body()
         b.motion, b.shape = motion, shape
         b.x = [f.place.near(x, f.F) for x in place]
+        if shape.kind == "hull":
+            c = shape.mass_centre
+            b.x = [f.place.near((x << 36) + sum(a[k] * y for a, y in zip(frame, c)), f.F + 36)
+                   for k, x in enumerate(place)]
         b.q = list(q)
         still = motion == "fixed"
         b.v = [0 if still else f.speed.quotient(v, self.rate, f.F) for v in options["velocity"]]

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "detent/dynamics/hull.hpp"
 #include "detent/dynamics/manifold/box_box.hpp"
 #include "detent/dynamics/manifold/box_round.hpp"
+#include "detent/dynamics/manifold/polytope_round.hpp"
 #include "detent/dynamics/manifold/round.hpp"
 
 namespace detent::detail {
@@ -20,6 +22,11 @@ template <Scalar S, int N>
 inline constexpr bool is_box_solid<Aabb<S, N>> = true;
 template <Scalar S, int N>
 inline constexpr bool is_box_solid<Obb<S, N>> = true;
+
+template <class T>
+inline constexpr bool is_hull_solid = requires(const T& shape) {
+  faces_of(shape);
+};
 
 /// A box with a box, both in the frames of their bodies.
 template <class A, class B, Scalar S, int N>
@@ -69,6 +76,47 @@ requires(is_round_solid<A>&& is_box_solid<B>) [[nodiscard]] constexpr Manifold<S
   if (box.is_empty || core.is_empty()) return {};
   const auto local = between(body_frame<S, N>(), pose, box);
   return swapped(local, box_round_manifold(box.half, lifted_core(local, core), margin));
+}
+
+/// Calls f with the faces of a box or hull; does nothing for an empty one.
+template <class Shape, class F>
+constexpr void with_faces(const Shape& shape, const F& f) noexcept {
+  if constexpr (is_hull_solid<Shape>) {
+    f(faces_of(shape));
+  } else if (const auto core = box_core(shape); !core.is_empty) {
+    const auto parts = polytope_of(core);
+    f(parts.view());
+  }
+}
+
+/// A hull with a hull or a box, each in the frame of its body.
+template <class A, class B, Scalar S, int N>
+requires((is_hull_solid<A> && (is_hull_solid<B> || is_box_solid<B>)) ||
+         (is_box_solid<A> && is_hull_solid<B>))
+    [[nodiscard]] constexpr Manifold<S, N> manifold(
+        const A& a, const B& b, const RelativePose<S, N>& pose,
+        const typename Formats<S>::Gap& margin) noexcept {
+  Manifold<S, N> result;
+  with_faces(a, [&](const auto& first) {
+    with_faces(
+        b, [&](const auto& second) { result = polytope_manifold(first, second, pose, margin); });
+  });
+  return result;
+}
+
+template <class A, class B, Scalar S, int N>
+requires(is_hull_solid<A>&& is_round_solid<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
+    const A& a, const B& b, const RelativePose<S, N>& pose,
+    const typename Formats<S>::Gap& margin) noexcept {
+  return polytope_round_manifold(faces_of(a), placed_core(pose, round_core(b)), margin);
+}
+
+template <class A, class B, Scalar S, int N>
+requires(is_round_solid<A>&& is_hull_solid<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
+    const A& a, const B& b, const RelativePose<S, N>& pose,
+    const typename Formats<S>::Gap& margin) noexcept {
+  return swapped(pose,
+                 polytope_round_manifold(faces_of(b), lifted_core(pose, round_core(a)), margin));
 }
 
 }  // namespace detent::detail

@@ -75,13 +75,13 @@ constexpr void visit_boundary(const HullGrid<S, 2>& grid, const Visit& visit) no
   }
 }
 
-/// Calls visit(i, j, k) for triangles that make the surface of the polyhedron, each
-/// counter-clockwise seen from outside: every facet is a fan about its first point i.
+/// Calls visit(i, j, k) for every edge from j to k of a facet of the polyhedron, counter-clockwise
+/// seen from outside, where i is the facet's first point.
 ///
 /// The facet left of the edge from j to k is found by turning a plane about the edge until no point
 /// is beyond it, as in gift wrapping (Chand and Kapur, 1970).
 template <Scalar S, class Visit>
-constexpr void visit_boundary(const HullGrid<S, 3>& grid, const Visit& visit) noexcept {
+constexpr void visit_facets(const HullGrid<S, 3>& grid, const Visit& visit) noexcept {
   for (std::size_t j = 0; j < grid.size(); ++j) {
     if (grid.repeats(j)) continue;
     for (std::size_t k = 0; k < grid.size(); ++k) {
@@ -105,9 +105,29 @@ constexpr void visit_boundary(const HullGrid<S, 3>& grid, const Visit& visit) no
         }
         return normal != decltype(normal){};
       };
-      if (bounds() && anchor != j && anchor != k) visit(anchor, j, k);
+      if (bounds()) visit(anchor, j, k);
     }
   }
+}
+
+/// Calls visit(i, j, k) for triangles that make the surface of the polyhedron, each
+/// counter-clockwise seen from outside: every facet is a fan about its first point i.
+template <Scalar S, class Visit>
+constexpr void visit_boundary(const HullGrid<S, 3>& grid, const Visit& visit) noexcept {
+  visit_facets(grid, [&](std::size_t anchor, std::size_t j, std::size_t k) {
+    if (anchor != j && anchor != k) visit(anchor, j, k);
+  });
+}
+
+/// Calls visit(i, j) for every edge of the hull: of a polygon counter-clockwise, of a polyhedron both
+/// ways.
+template <Scalar S, class Visit>
+constexpr void visit_edges(const HullGrid<S, 2>& grid, const Visit& visit) noexcept {
+  visit_boundary(grid, visit);
+}
+template <Scalar S, class Visit>
+constexpr void visit_edges(const HullGrid<S, 3>& grid, const Visit& visit) noexcept {
+  visit_facets(grid, [&](std::size_t, std::size_t j, std::size_t k) { visit(j, k); });
 }
 
 /// The polygon. Sums over its triangles with the apex at the first point: twice the area, 6 times

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "detent/dynamics/body.hpp"
+#include "detent/dynamics/manifold/facets.hpp"
+#include "detent/dynamics/mass.hpp"
+#include "detent/number/digest.hpp"
+#include "detent/scene/assets.hpp"
+#include "detent/scene/shape_tag.hpp"
+
+namespace detent {
+
+/// A convex polygon or polyhedron that bodies share, with its faces and an id chosen by the caller:
+/// what `BodyHull` refers to. `solid_hull` makes one. Snapshots store the id and the digest of the
+/// points; the digest shows whether they are the same.
+///
+/// The caller owns the points and must not change them.
+template <Scalar S, int N>
+class SolidHull {
+ public:
+  /// The most points that it can have.
+  static constexpr std::size_t capacity = 32;
+
+  constexpr SolidHull() noexcept : SolidHull(0, ConvexHull<S, N>()) {}
+
+  [[nodiscard]] constexpr const ConvexHull<S, N>& hull() const noexcept { return hull_; }
+  [[nodiscard]] constexpr std::uint32_t id() const noexcept { return id_; }
+  [[nodiscard]] constexpr std::uint64_t digest() const noexcept { return digest_; }
+  /// The centre of mass, in the frame of the points.
+  [[nodiscard]] constexpr const auto& center() const noexcept { return center_; }
+  /// The faces, about the centre of mass.
+  [[nodiscard]] constexpr detail::Polytope<S, N> faces() const noexcept { return parts_.view(); }
+
+ private:
+  template <Scalar T, int M>
+  friend constexpr std::optional<SolidHull<T, M>> solid_hull(std::uint32_t id,
+                                                             const ConvexHull<T, M>& hull) noexcept;
+
+  constexpr SolidHull(std::uint32_t id, const ConvexHull<S, N>& view) noexcept
+      : hull_(view), digest_(detent::digest(view)), id_(id) {}
+
+  ConvexHull<S, N> hull_;
+  std::uint64_t digest_;
+  std::uint32_t id_;
+  Vec<typename detail::MassFormats<S>::Center, N> center_{};
+  detail::PolytopeParts<S, N, capacity> parts_{};
+};
+
+/// The solid of this hull, or nothing if it has more than `SolidHull<S, N>::capacity` points or no
+/// volume at density 1.
+///
+/// units:  lengths in world units
+/// domain: every hull; points inside it, and on its faces and edges, change nothing
+/// exact:  which points are corners of which face; unit vectors rounded once to nearest
+///                                                       (tests/dynamics/hull.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<SolidHull<S, N>> solid_hull(
+    std::uint32_t id, const ConvexHull<S, N>& hull) noexcept {
+  using Solid = SolidHull<S, N>;
+  if (hull.points.size() > Solid::capacity) return std::nullopt;
+  const auto properties = mass_properties(hull, S(1));
+  if (!(properties.mass > 0)) return std::nullopt;
+  Solid solid(id, hull);
+  solid.center_ = properties.center;
+  solid.parts_ = detail::facets_of<Solid::capacity>(hull.points, properties.center);
+  return solid;
+}
+
+/// A convex body: the points of `asset`, rotated, then moved by `translation`. Worlds that hold such
+/// bodies list it: `World<q16_16, 3, Sphere, BodyHull>`.
+///
+/// The body's place is its centre of mass. The caller owns the asset, which must outlive the world;
+/// a body without one has no mass and touches nothing.
+template <Scalar S, int N>
+struct BodyHull {
+  const SolidHull<S, N>* asset = nullptr;
+  Vec<S, N> translation{};
+  Rotation<S, N> rotation{};
+
+  [[nodiscard]] friend constexpr bool operator==(const BodyHull&,
+                                                 const BodyHull&) noexcept = default;
+};
+
+/// Appends to a digest: id and digest of the hull (zeros for none), translation and rotation.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const BodyHull<S, N>& body) noexcept {
+  digest.add(body.asset ? body.asset->id() : std::uint32_t{0},
+             body.asset ? body.asset->digest() : std::uint64_t{0}, body.translation, body.rotation);
+}
+
+/// Its fields, for the names of differences: see scene/fields.hpp.
+template <Scalar S, int N, class F>
+constexpr void for_each_field(const BodyHull<S, N>& body, const F& f) {
+  f("hull", body.asset ? body.asset->id() : std::uint32_t{0});
+  f("digest of its points", body.asset ? body.asset->digest() : std::uint64_t{0});
+  f("translation", body.translation);
+  for_each_field(body.rotation, f);
+}
+
+/// The mass of the hull about its centre of mass.
+///
+/// domain: every density; mass 0 without an asset
+/// exact:  as of a `ConvexHull`                              (tests/dynamics/mass.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr MassProperties<S, N> mass_properties(const BodyHull<S, N>& body,
+                                                             S density) noexcept {
+  return body.asset ? mass_properties(body.asset->hull(), density) : MassProperties<S, N>{};
+}
+
+namespace detail {
+
+template <Scalar S, int N>
+inline constexpr std::uint8_t shape_tag<BodyHull<S, N>> = 10;
+
+/// Reads a body's hull: bodies hold it in their frame, untranslated and unrotated.
+template <Scalar S, int N, class Assets>
+[[nodiscard]] constexpr Restored read_shape(Reader& in, BodyHull<S, N>& body,
+                                            const Assets& assets) noexcept {
+  std::uint32_t id = 0;
+  std::uint64_t digest = 0;
+  in.get(id, digest, body.translation, body.rotation);
+  if (in.has_failed() || !(body == BodyHull<S, N>())) return Restored::corrupted;
+  return assets.find(id, digest, body.asset);
+}
+
+/// The corners of a hull in the frame of its body.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Polytope<S, N> faces_of(const BodyHull<S, N>& body) noexcept {
+  return body.asset ? body.asset->faces() : Polytope<S, N>();
+}
+
+}  // namespace detail
+
+}  // namespace detent

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/dynamics/manifold/polytope.hpp"
+#include "detent/dynamics/mass/hull.hpp"
+
+namespace detent::detail {
+
+/// The faces of a hull: its corners in the order of its points, its faces in that of their first
+/// directed edge, by corners. Points that are no corners leave no trace. Nothing (no face) for a
+/// hull without volume.
+///
+/// `center` is taken from the points, each coordinate clamped.
+template <std::size_t Points, Scalar S, int N>
+[[nodiscard]] constexpr PolytopeParts<S, N, Points> facets_of(
+    std::span<const Vec<S, N>> points,
+    const Vec<typename MassFormats<S>::Center, N>& center) noexcept {
+  using Lever = typename Formats<S>::Lever;
+  using Ratio = typename Formats<S>::Ratio;
+  constexpr std::size_t none = Points;
+  PolytopeParts<S, N, Points> parts;
+  const HullGrid<S, N> grid(points);
+  // next[j][k] is the corner after k in the face left of the edge from j to k.
+  std::array<std::array<std::uint8_t, Points>, Points> next{};
+  std::array<std::size_t, Points> number{};
+  for (auto& row : next) row.fill(static_cast<std::uint8_t>(none));
+  const auto is_edge = [&](std::size_t j, std::size_t k) { return next[j][k] != none; };
+  visit_edges(grid, [&](std::size_t j, std::size_t k) { next[j][k] = 0; });
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    number[i] = none;
+    for (std::size_t j = 0; j < points.size(); ++j) {
+      if (is_edge(i, j)) number[i] = parts.point_count;
+    }
+    if (number[i] == none) continue;
+    parts.points[parts.point_count++] =
+        make_vec<N>([&](int c) { return nearest_to<Lever>(points[i][c] - center[c]); });
+  }
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (!is_edge(j, k)) continue;
+      if constexpr (N == 2) {
+        const auto along = unit_or_x<Ratio>(points[k] - points[j]);
+        parts.add_face({along.y, narrow_negative(along.x)});
+        parts.add_corner(number[j], narrow_negative(along));
+        parts.add_corner(number[k], along);
+      } else {
+        const auto edge = grid[k] - grid[j];
+        // Of the corners next to k, the one that all others are below the plane through.
+        auto normal = decltype(cross(edge, edge)){};
+        for (std::size_t l = 0; l < points.size(); ++l) {
+          if (l == j || !is_edge(k, l)) continue;
+          const auto q = grid[l] - grid[j];
+          if (normal == decltype(normal){} || dot(normal, q) > 0) {
+            normal = cross(edge, q);
+            next[j][k] = static_cast<std::uint8_t>(l);
+          }
+        }
+      }
+    }
+  }
+  if constexpr (N == 3) {
+    std::array<std::array<std::uint8_t, Points>, Points> face{};  // 1 more than its number
+    for (std::size_t j = 0; j < points.size(); ++j) {
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        if (!is_edge(j, k) || face[j][k] != 0) continue;
+        const auto normal =
+            unit_or_x<Ratio>(cross(points[k] - points[j], points[next[j][k]] - points[j]));
+        parts.add_face(normal);
+        for (std::size_t from = j, to = k; face[from][to] == 0;) {
+          face[from][to] = static_cast<std::uint8_t>(parts.face_count);
+          parts.add_corner(number[from],
+                           unit_or_x<Ratio>(cross(points[to] - points[from], normal)));
+          const std::size_t after = next[from][to];
+          from = to;
+          to = after;
+        }
+      }
+    }
+    for (std::size_t j = 0; j < points.size(); ++j) {
+      for (std::size_t k = j + 1; k < points.size(); ++k) {
+        if (!is_edge(j, k)) continue;
+        parts.add_edge(number[j], number[k], unit_or_x<Ratio>(points[k] - points[j]),
+                       face[j][k] - std::size_t{1}, face[k][j] - std::size_t{1});
+      }
+    }
+  }
+  return parts;
+}
+
+}  // namespace detent::detail

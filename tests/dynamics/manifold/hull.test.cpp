@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: MIT
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <vector>
+
+#include "detent/dynamics/hull.hpp"
+#include "detent/query/distance.hpp"
+#include "dynamics/manifold/helpers.hpp"
+#include "support/random.hpp"
+
+namespace detent::test {
+namespace {
+
+using S = q16_16;
+using Rational = boost::multiprecision::cpp_rational;
+using Point = std::vector<Rational>;
+using Vector = std::array<double, 3>;
+
+Rational dot(const Point& a, const Point& b) {
+  Rational sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+/// A hull with its points, which do not move.
+template <int N>
+struct Solid {
+  std::vector<Vec<S, N>> points;
+  SolidHull<S, N> solid{};
+
+  explicit Solid(std::vector<Vec<S, N>> corners) : points(std::move(corners)) {
+    const auto made = solid_hull(1, ConvexHull<S, N>{points});
+    REQUIRE(made);
+    solid = *made;
+  }
+  BodyHull<S, N> body() const { return {&solid, {}, {}}; }
+};
+
+double unit(Random& random) { return static_cast<double>(random.between(-10000, 10000)) / 10000; }
+
+/// Up to 12 points in a box, some of them on a common face.
+template <int N>
+Solid<N> draw_hull(Random& random) {
+  std::vector<Vec<S, N>> points;
+  const auto count = static_cast<std::size_t>(random.between(N + 2, 12));
+  const bool flat = random.coin();
+  while (points.size() < count) {
+    auto p = make_vec<N>([&](int) { return num<S>(unit(random)); });
+    if (flat && random.coin()) p.y = S(-1);
+    points.push_back(p);
+  }
+  points.push_back(make_vec<N>([&](int i) { return i == 0 ? S(1) : S(0); }));
+  points.push_back(make_vec<N>([&](int i) { return i == 1 ? S(1) : S(0); }));
+  points.push_back(make_vec<N>([&](int i) { return i == 0 ? S(-1) : i == 2 ? S(1) : S(0); }));
+  return Solid<N>(points);
+}
+
+template <int N>
+Solid<N> cube(const Vec<S, N>& half) {
+  std::vector<Vec<S, N>> points;
+  for (int c = 0; c < (1 << N); ++c) {
+    points.push_back(
+        make_vec<N>([&](int i) { return (c >> i & 1) != 0 ? narrow_negative(half[i]) : half[i]; }));
+  }
+  return Solid<N>(points);
+}
+
+template <int N>
+detail::RelativePose<S, N> draw_pose(Random& random, double reach) {
+  double q[4] = {unit(random), unit(random), unit(random), unit(random)};
+  if (N == 2) q[1] = q[2] = 0;
+  if (random.one_in(4)) q[0] = 1, q[1] = q[2] = 0, q[3] = random.coin() ? 0 : 1e-4;
+  double norm = 0;
+  for (const double x : q) norm += x * x;
+  for (double& x : q) x /= std::sqrt(norm);
+  const double w = q[0], x = q[1], y = q[2], z = q[3];
+  const double m[3][3] = {{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
+                          {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
+                          {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
+  detail::RelativePose<S, N> pose;
+  for (int i = 0; i < N; ++i) {
+    for (int j = 0; j < N; ++j) {
+      pose.axes[static_cast<std::size_t>(i)][j] = ratio<S>::from_double(m[i][j]);
+    }
+    pose.translation[i] = lever<S>::from_double(reach * unit(random));
+  }
+  return pose;
+}
+
+/// A point of a body in steps of a lever; of b exactly where the pose puts it.
+template <int N>
+Point exact(const Vec<lever<S>, N>& p) {
+  Point result;
+  for (int i = 0; i < N; ++i) result.push_back(p[i].raw());
+  return result;
+}
+template <int N>
+Point exact_direction(const Vec<ratio<S>, N>& p) {
+  Point result;
+  for (int i = 0; i < N; ++i) result.push_back(Rational(p[i].raw(), 1 << 30));
+  return result;
+}
+template <int N>
+Point exactly_placed(const detail::RelativePose<S, N>& pose, const Vec<lever<S>, N>& p) {
+  Point result = exact(pose.translation);
+  for (int j = 0; j < N; ++j) {
+    const auto axis = exact_direction(pose.axes[static_cast<std::size_t>(j)]);
+    for (std::size_t i = 0; i < std::size_t{N}; ++i) result[i] += axis[i] * Rational(p[j].raw());
+  }
+  return result;
+}
+
+Rational support_gap(const std::vector<Point>& a, const std::vector<Point>& b, const Point& n) {
+  Rational most = dot(a[0], n), least = dot(b[0], n);
+  for (const auto& p : a) most = (std::max)(most, dot(p, n));
+  for (const auto& p : b) least = (std::min)(least, dot(p, n));
+  return least - most;
+}
+
+Vector as_vector(const Point& p) {
+  Vector v{};
+  for (std::size_t i = 0; i < p.size(); ++i) v[i] = static_cast<double>(p[i]);
+  return v;
+}
+
+/// The greatest gap of all axes that points of the hulls can make: across three points of one of
+/// them, two in 2D, or across two of each.
+double greatest_gap(const std::vector<Point>& a, const std::vector<Point>& b) {
+  std::vector<Vector> p, q;
+  for (const auto& x : a) p.push_back(as_vector(x));
+  for (const auto& x : b) q.push_back(as_vector(x));
+  const std::size_t size = a[0].size();
+  double best = -1e300;
+  const auto minus = [](const Vector& u, const Vector& v) {
+    return Vector{u[0] - v[0], u[1] - v[1], u[2] - v[2]};
+  };
+  const auto along = [](const Vector& u, const Vector& v) {
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+  };
+  const auto offer = [&](const Vector& u, const Vector& v) {
+    Vector n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    if (size == 2) n = {u[1], -u[0], 0};
+    const double length = std::sqrt(along(n, n));
+    if (length < 1e-2 * std::sqrt(along(u, u) * (size == 2 ? 1 : along(v, v)))) return;
+    double low_p = 1e300, high_p = -1e300, low_q = 1e300, high_q = -1e300;
+    for (const auto& x : p) {
+      low_p = (std::min)(low_p, along(n, x));
+      high_p = (std::max)(high_p, along(n, x));
+    }
+    for (const auto& x : q) {
+      low_q = (std::min)(low_q, along(n, x));
+      high_q = (std::max)(high_q, along(n, x));
+    }
+    best = (std::max)({best, (low_q - high_p) / length, (low_p - high_q) / length});
+  };
+  for (const auto* set : {&p, &q}) {
+    for (std::size_t i = 0; i < set->size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const auto u = minus((*set)[i], (*set)[j]);
+        if (size == 2) offer(u, u);
+        for (std::size_t k = 0; size == 3 && k < j; ++k) offer(u, minus((*set)[k], (*set)[j]));
+        for (std::size_t k = 0; size == 3 && set == &p && k < q.size(); ++k) {
+          for (std::size_t l = 0; l < k; ++l) offer(u, minus(q[k], q[l]));
+        }
+      }
+    }
+  }
+  return best;
+}
+
+struct Counts {
+  int hits = 0, edges = 0, faces_of_b = 0, many = 0;
+};
+
+template <int N>
+void check_hulls(Random& random, Counts& counts) {
+  const auto first = draw_hull<N>(random), second = draw_hull<N>(random);
+  const auto pose = draw_pose<N>(random, N == 2 ? 2.4 : 1.9);
+  const auto m = manifold(first.body(), second.body(), pose, gap<S>(0));
+  std::vector<Point> a, b;
+  for (const auto& p : first.solid.faces().points) a.push_back(exact(p));
+  for (const auto& p : second.solid.faces().points) b.push_back(exactly_placed(pose, p));
+  const double best = greatest_gap(a, b);
+  constexpr double tolerance = 2048, slack = 8;
+  if (best > slack) {
+    REQUIRE(m.count == 0);
+    return;
+  }
+  if (m.count == 0) {
+    REQUIRE(best > -slack);
+    return;
+  }
+  ++counts.hits;
+  const auto n = exact_direction(m.normal);
+  const double chosen = static_cast<double>(support_gap(a, b, n));
+  REQUIRE(chosen <= best + slack);
+  REQUIRE(chosen >= best - 2 * tolerance - slack);
+  const auto feature = m.points[0].feature;
+  counts.edges += feature >= (1u << 30) ? 1 : 0;
+  counts.faces_of_b += feature < (1u << 30) && feature >= (1u << 24) ? 1 : 0;
+  counts.many += m.count > 2 ? 1 : 0;
+  for (int i = 0; i < m.count; ++i) {
+    const auto& p = m.points[static_cast<std::size_t>(i)];
+    const double s = p.separation.raw();
+    REQUIRE(s >= chosen - slack);
+    // A corner of the one, or on the edges, and so far from the surface of the other: moved both
+    // ways it is in both hulls, up to the tolerance of the sides.
+    for (int k = 0; k < i; ++k) {
+      REQUIRE(m.points[static_cast<std::size_t>(k)].feature != p.feature);
+    }
+    const double along = static_cast<double>(dot(exact(p.point), n));
+    double most = -1e300, least = 1e300;
+    for (const auto& x : a) most = (std::max)(most, static_cast<double>(dot(x, n)));
+    for (const auto& x : b) least = (std::min)(least, static_cast<double>(dot(x, n)));
+    // Midway between the reference face and its own depth below it.
+    const bool of_b = feature < (1u << 30) && feature >= (1u << 24);
+    if (feature < (1u << 30)) {
+      REQUIRE(std::abs(of_b ? least - s / 2 - along : along - s / 2 - most) < slack);
+    } else {
+      REQUIRE(std::abs((most + least) / 2 - along) < slack);
+    }
+  }
+}
+
+TEST_CASE("manifold: hulls touch along the axis that keeps them farthest apart") {
+  Random random(20);
+  Counts flat, solid;
+  for (int i = 0; i < 600; ++i) check_hulls<2>(random, flat);
+  for (int i = 0; i < 400; ++i) check_hulls<3>(random, solid);
+  CAPTURE(flat.hits, solid.hits);
+  CHECK((flat.hits > 180 && flat.hits < 420));
+  CHECK((solid.hits > 120 && solid.hits < 280));
+  CHECK(flat.faces_of_b > 40);
+  CHECK(solid.faces_of_b > 20);
+  CHECK(solid.edges > 20);
+  CHECK(solid.many > 30);
+}
+
+/// How far the deepest point overlaps, in steps.
+template <int N>
+double deepest(const detail::Manifold<S, N>& m) {
+  double least = 1e300;
+  for (int i = 0; i < m.count; ++i) {
+    least = (std::min)(least,
+                       static_cast<double>(m.points[static_cast<std::size_t>(i)].separation.raw()));
+  }
+  return least;
+}
+
+/// Within `steps` of a ratio.
+template <int N>
+bool same_direction(const Vec<ratio<S>, N>& a, const Vec<ratio<S>, N>& b, std::int64_t steps) {
+  for (int i = 0; i < N; ++i) {
+    if (std::abs(std::int64_t{a[i].raw()} - std::int64_t{b[i].raw()}) > steps) return false;
+  }
+  return true;
+}
+
+/// Manifolds of other formulas, which may choose another axis or point where two are as good.
+struct Same {
+  int cases = 0, others = 0;
+
+  template <int N>
+  void compare(const detail::Manifold<S, N>& m, const detail::Manifold<S, N>& wanted,
+               std::int64_t steps) {
+    REQUIRE((m.count == 0) == (wanted.count == 0));
+    if (m.count == 0) return;
+    ++cases;
+    REQUIRE(std::abs(deepest(m) - deepest(wanted)) < 2048 + 8);
+    const bool same = std::abs(deepest(m) - deepest(wanted)) < 8 && m.count == wanted.count &&
+                      same_direction(m.normal, wanted.normal, steps);
+    others += same ? 0 : 1;
+  }
+};
+
+template <int N>
+void check_boxes(Random& random, Same& same) {
+  const auto half_a = make_vec<N>([&](int) { return num<S>(0.6 + 0.4 * unit(random)); });
+  const auto half_b = make_vec<N>([&](int) { return num<S>(0.6 + 0.4 * unit(random)); });
+  const auto first = cube<N>(half_a), second = cube<N>(half_b);
+  const Obb<S, N> box_a{{}, half_a, {}}, box_b{{}, half_b, {}};
+  const auto pose = draw_pose<N>(random, 1.5);
+  const auto wanted = manifold(box_a, box_b, pose, gap<S>(0.02));
+  same.compare(manifold(first.body(), second.body(), pose, gap<S>(0.02)), wanted, 64);
+  same.compare(manifold(first.body(), box_b, pose, gap<S>(0.02)), wanted, 64);
+  same.compare(manifold(box_a, second.body(), pose, gap<S>(0.02)), wanted, 64);
+}
+
+TEST_CASE("manifold: a hull of a box's corners touches as the box does") {
+  Random random(21);
+  Same same;
+  for (int i = 0; i < 1000; ++i) {
+    check_boxes<2>(random, same);
+    check_boxes<3>(random, same);
+  }
+  CAPTURE(same.cases, same.others);
+  CHECK((same.cases > 1800 && same.cases < 4200));
+  CHECK(same.others < same.cases / 50);
+}
+
+template <int N>
+void check_round(Random& random, bool is_ball, Same& same) {
+  const auto half_extents = make_vec<N>([&](int) { return num<S>(0.6 + 0.4 * unit(random)); });
+  const auto solid = cube<N>(half_extents);
+  const Obb<S, N> box{{}, half_extents, {}};
+  const auto pose = draw_pose<N>(random, 1.3);
+  const auto end = make_vec<N>([&](int) { return num<S>(unit(random)); });
+  const Capsule<S, N> capsule{is_ball ? end : Vec<S, N>{}, end, num<S>(0.2)};
+  // Where the core is 2^-6 away, a step of a lever turns the normal by 2^-16.
+  same.compare(manifold(solid.body(), capsule, pose, gap<S>(0.02)),
+               manifold(box, capsule, pose, gap<S>(0.02)), 1 << 15);
+  same.compare(manifold(capsule, solid.body(), pose, gap<S>(0.02)),
+               manifold(capsule, box, pose, gap<S>(0.02)), 1 << 15);
+}
+
+TEST_CASE("manifold: balls and capsules touch a hull of a box's corners as they do the box") {
+  Random random(22);
+  Same same;
+  for (int i = 0; i < 1000; ++i) {
+    check_round<2>(random, i % 2 == 0, same);
+    check_round<3>(random, i % 2 == 0, same);
+  }
+  CAPTURE(same.cases, same.others);
+  CHECK((same.cases > 1200 && same.cases < 2800));
+  CHECK(same.others < same.cases / 50);
+}
+
+/// The separation of a ball outside is the distance of its centre, less the radius.
+template <int N>
+void check_distance(Random& random, int& outside) {
+  const auto solid = draw_hull<N>(random);
+  const auto q = make_vec<N>([&](int) { return num<S>(1.5 * unit(random)); });
+  // The hull as its body holds it: about its centre of mass, here on the grid of the query.
+  std::vector<Vec<S, N>> corners;
+  for (const auto& p : solid.solid.faces().points) corners.push_back(nearest_to<S>(p));
+  const double exact = static_cast<double>(distance(ConvexHull<S, N>{corners}, q)) * (1 << 22);
+  const auto m = manifold(solid.body(), Sphere<S, N>{q, num<S>(0.5)}, shifted<S, N>(0, 0),
+                          as<typename detail::Formats<S>::Gap>(4));
+  REQUIRE(m.count == 1);
+  const double separation = m.points[0].separation.raw() + (1 << 21);
+  if (exact > 100) {
+    ++outside;
+    REQUIRE(std::abs(separation - exact) < 200);  // three steps of q16_16
+  } else {
+    REQUIRE(separation < 200);
+  }
+}
+
+TEST_CASE("manifold: a ball is as far from a hull as the exact distance says") {
+  Random random(23);
+  int outside = 0;
+  for (int i = 0; i < 600; ++i) {
+    check_distance<2>(random, outside);
+    check_distance<3>(random, outside);
+  }
+  CHECK((outside > 360 && outside < 1100));
+}
+
+TEST_CASE("manifold: a hull without an asset touches nothing") {
+  const BodyHull<S, 3> none;
+  const Sphere<S, 3> ball{{}, S(1)};
+  const Obb<S, 3> box{{}, at<S, 3>(1, 1, 1), {}}, empty{{}, at<S, 3>(-1, 1, 1), {}};
+  const auto solid = cube<3>(at<S, 3>(1, 1, 1));
+  const auto pose = shifted<S, 3>(0, 0);
+  CHECK(manifold(none, ball, pose, gap<S>(1)).count == 0);
+  CHECK(manifold(ball, none, pose, gap<S>(1)).count == 0);
+  CHECK(manifold(none, solid.body(), pose, gap<S>(1)).count == 0);
+  CHECK(manifold(box, none, pose, gap<S>(1)).count == 0);
+  CHECK(manifold(solid.body(), empty, pose, gap<S>(1)).count == 0);
+  CHECK(manifold(solid.body(), Sphere<S, 3>{{}, S(-1)}, pose, gap<S>(1)).count == 0);
+}
+
+}  // namespace
+}  // namespace detent::test
