@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: MIT
+// The page: two machines side by side for who is alone, or one of them and a relay.
+import { Peer } from './peer.js';
+import { Link, weather } from './link.js';
+import { View, directionOf } from './view.js';
+import { sound, snap, thud, fanfare } from './sound.js';
+
+const at = (id) => document.getElementById(id);
+const asked = new URLSearchParams(location.search);
+const isAuto = asked.has('auto');  // all players are simulated
+const speed = Number(asked.get('speed') ?? 1);
+const tick = 1000 / 60, milestone = 600;
+const names = ['Red', 'Blue'], raws = 65536 / 360;
+const clock = () => performance.now() * speed;
+
+const module = await WebAssembly.compileStreaming(fetch('game.wasm'));
+const peers = [new Peer(module), new Peer(module)];
+const viewer = new Peer(module);  // of replays
+const players = [0, 1].map(() => ({ angle: 8192, power: 160, fire: 0 }));
+const views = [0, 1].map((i) => new View(at(`canvas-${i}`), [i]));
+let links, mode, self, socket, local = clock(), flippedAt = null, last = null;
+let strip = [], compared = 0, milestones = {};
+
+const say = (text) => { at('status').textContent = text; };
+function notice(text) {
+  at('notice').hidden = text === '';
+  at('notice').textContent = text;
+}
+
+// ---- matches
+
+const randomSeed = () => crypto.getRandomValues(new BigUint64Array(1))[0];
+
+function begin(newMode, seed) {
+  mode = newMode;
+  links = [new Link(), new Link()];
+  strip = [];
+  compared = 0;
+  milestones = {};
+  flippedAt = null;
+  last = null;
+  at('desync').textContent = '';
+  at('verdict').textContent = 'equal';
+  at('verdict').className = '';
+  views.forEach((view) => view.accuse(-1));
+  if (mode === 'local') peers.forEach((peer, i) => peer.start(seed, i));
+  if (mode === 'remote') peers[0].start(seed, self);
+  arrange();
+}
+
+function arrange() {
+  const isAlone = mode !== 'local', side = mode === 'remote' ? self : 0;
+  at('peers').className = isAlone ? 'alone' : '';
+  document.querySelector('.peer.right').hidden = isAlone;
+  document.querySelector('.peer').className = `peer ${side === 0 ? 'left' : 'right'}`;
+  at('name-0').textContent = mode === 'replay' ? 'Replay'
+    : mode === 'remote' ? `You are ${names[side].toLowerCase()}` : "Red's machine";
+  views[0].controlled = mode === 'replay' ? [] : [side];
+  at('pad-0').classList.toggle('idle', mode === 'replay' || isAuto);
+  at('pad-1').classList.toggle('idle', isComputer(1));
+  at('computer-label').hidden = isAlone;
+  at('flip').hidden = at('save').hidden = mode === 'replay';
+  at('flip').textContent = `Flip one bit on ${mode === 'remote' ? 'this' : "blue's"} machine`;
+  at('digest-name-0').textContent = mode === 'remote' ? 'here' : 'red';
+  at('digest-name-1').textContent = mode === 'remote' ? 'there' : 'blue';
+}
+
+const isComputer = (side) => isAuto || (mode === 'local' && side === 1 && at('computer').checked);
+
+function padOf(peer, side) {
+  if (isComputer(side)) return peer.simulatedPad(side, peer.wasm.frame());
+  const player = players[side];
+  return { angle: player.angle, power: player.power, fire: player.fire > 0 };
+}
+function played(peer, side) {
+  if (peer.result === 'yes' && players[side].fire > 0) --players[side].fire;
+}
+
+function step(now) {
+  if (mode === 'local') {
+    peers.forEach((peer, i) => {
+      links[i].deliver(now, (packet) => peer.receive(packet, now));
+      const packet = peer.play(padOf(peer, i), now);
+      played(peer, i);
+      if (packet) links[1 - i].send(packet, now);
+    });
+    compare(peers[0], Math.min(peers[0].wasm.final_frame(), peers[1].wasm.final_frame()));
+  } else if (mode === 'remote') {
+    const packet = peers[0].play(padOf(peers[0], self), now);
+    played(peers[0], self);
+    if (packet) links[0].send(packet, now);
+    links[0].deliver(now, (flown) => { if (socket?.readyState === WebSocket.OPEN) socket.send(flown); });
+    compare(peers[0], peers[0].wasm.matched_frame());
+  } else if (mode === 'replay') {
+    const state = viewer.wasm.replay_step();
+    if (state === 2) notice(`The replay differs before frame ${viewer.wasm.replay_frame()}.`);
+    if (state === 1) notice(`The replay is over: ${viewer.wasm.replay_frame()} frames, all digests equal. New match goes on.`);
+    if (state !== 0) mode = 'shown';
+  }
+}
+
+function compare(peer, until) {
+  if (mode === 'remote' && peer.desync) until = peer.wasm.final_frame();
+  compared = Math.max(compared, until - 200);
+  for (; compared < until; ++compared) {
+    const ours = peer.digest(compared);
+    const theirs = mode === 'local' ? peers[1].digest(compared)
+      : peer.desync && compared >= peer.desync.frame ? null : ours;
+    strip.push({ ours, theirs });
+    if (ours !== theirs) {
+      at('verdict').textContent = 'DIFFERENT';
+      at('verdict').className = 'bad';
+    }
+    if ((compared + 1) % milestone === 0) milestones[compared + 1] = hex(ours);
+  }
+  strip = strip.slice(-300);
+}
+
+const hex = (digest) => digest.toString(16).padStart(16, '0');
+
+function advance() {
+  const now = clock();
+  if (now - local > 30 * tick * Math.max(1, speed)) local = now - tick;  // this page slept
+  while (local + tick <= now) {
+    local += tick;
+    step(local);
+  }
+  const found = [...(mode === 'local' ? peers : [peers[0]])].find((peer) => peer.desync?.field);
+  if (found && at('desync').textContent === '') report(found.desync);
+}
+
+// ---- what is shown
+
+function nameOf(index, match) {
+  const piece = match.pieces.find((each) => each.index === index);
+  if (!piece) return `body ${index}`;
+  const what = { king: 'the king', ball: 'a ball', wood: 'a wooden block', stone: 'a stone block', rock: 'the ground' };
+  return piece.kind === 'rock' ? 'the ground' : `${what[piece.kind]} of ${names[piece.owner].toLowerCase()}`;
+}
+
+function report({ frame, field, object }) {
+  const after = flippedAt === null ? '' : `, ${((performance.now() - flippedAt) / 1000).toFixed(2)} s after the flip`;
+  const what = object >= 0 ? `, ${nameOf(object, peers[0].match())}` : '';
+  at('desync').textContent = `The machines parted in frame ${frame}${after}. First field that differs: ${field}${what}.`;
+  views.forEach((view) => view.accuse(object));
+}
+
+function banner(text) {
+  for (const i of [0, 1]) {
+    at(`banner-${i}`).textContent = text;
+    at(`banner-${i}`).classList.add('shown');
+  }
+  clearTimeout(banner.timer);
+  banner.timer = setTimeout(() => [0, 1].forEach((i) => at(`banner-${i}`).classList.remove('shown')), 2200);
+  say(text);
+}
+
+function notice_changes(match) {
+  const before = last;
+  last = match;
+  at('score-left').textContent = match.sides[0].score;
+  at('score-right').textContent = match.sides[1].score;
+  const wind = match.wind * 60;
+  const arrows = wind === 0 ? '' : (wind < 0 ? '◀' : '▶').repeat(Math.ceil(Math.abs(wind) / 1.3));
+  const weatherText = wind === 0 ? 'No wind' : `Wind ${Math.abs(wind).toFixed(1)} to the ${wind < 0 ? 'left' : 'right'} ${arrows}`;
+  if (at('weather').textContent !== weatherText) at('weather').textContent = weatherText;
+  if (!before) return;
+  match.sides.forEach((side, i) => {
+    if (side.reload > before.sides[i].reload) snap();
+    if (!side.fallen || before.sides[i].fallen) return;
+    const winner = match.sides[1 - i];
+    const king = match.pieces.find((piece) => piece.kind === 'king' && piece.owner === i);
+    if (king) views.forEach((view) => view.burst(king.x, king.y, 60, 9, [0xffd75e, 0xff7a6b, 0x7db4ff, 0xffffff]));
+    fanfare();
+    banner(winner.score >= 3 ? `${names[1 - i]} wins the match` : `${names[i]}'s king has fallen`);
+  });
+  if (match.round > before.round) banner(`Round ${match.round}`);
+}
+
+function drawStrip() {
+  const canvas = at('strip'), context = canvas.getContext('2d');
+  context.clearRect(0, 0, canvas.width, canvas.height);
+  strip.forEach(({ ours, theirs }, i) => {
+    const x = canvas.width - 2 * (strip.length - i);
+    context.fillStyle = ours === theirs ? '#4fd08a' : '#ff5a5a';
+    const up = 3 + Number(ours & 7n);
+    const down = theirs === null ? 10 : 3 + Number(theirs & 7n);
+    context.fillRect(x, 12 - up, 1.4, up + down);
+  });
+  const newest = strip.at(-1);
+  if (!newest) return;
+  at('digest-frame').textContent = compared - 1;
+  at('digest-0').textContent = hex(newest.ours);
+  at('digest-1').textContent = newest.theirs === null ? 'another one' : hex(newest.theirs);
+  const frames = Math.max(1, peers[0].wasm.frame());
+  at('figures').textContent = `${(peers[0].wasm.resimulated() / frames).toFixed(2)} frames simulated again for each that is played`
+    + (peers[0].result === 'yes' || peers[0].result === 'ahead' ? '' : `; now ${peers[0].result}`);
+}
+
+let drawn = performance.now();
+function draw(now) {
+  requestAnimationFrame(draw);
+  advance();
+  const seconds = Math.min(0.1, (now - drawn) / 1000);
+  drawn = now;
+  if (mode === 'waiting') return;
+  const match = mode === 'replay' || mode === 'shown' ? viewer.replayMatch() : peers[0].match();
+  notice_changes(match);
+  views[0].update(match);
+  views[0].draw(seconds);
+  if (mode === 'local') {
+    views[1].update(peers[1].match());
+    views[1].draw(seconds);
+  }
+  if (mode === 'local' || mode === 'remote') drawStrip();
+}
+views[0].onHit = thud;
+
+// ---- what players do
+
+const clamp = (value, low, high) => Math.max(low, Math.min(high, value));
+function setAim(side, angle, power) {
+  const player = players[side], slot = mode === 'remote' ? 0 : side;
+  player.angle = Math.round(clamp(angle, -1820, 15290));
+  player.power = Math.round(clamp(power, 64, 255));
+  at(`angle-${slot}`).value = player.angle / raws;
+  at(`power-${slot}`).value = player.power / 2.55;
+  at(`angle-text-${slot}`).textContent = `${Math.round(player.angle / raws)}°`;
+  at(`power-text-${slot}`).textContent = `${Math.round(player.power / 2.55)} %`;
+}
+const fire = (side) => { players[side].fire = 8; };
+const sideOf = (slot) => (mode === 'remote' ? self : slot);
+
+for (const slot of [0, 1]) {
+  const fromSliders = () => setAim(sideOf(slot), at(`angle-${slot}`).value * raws, at(`power-${slot}`).value * 2.55);
+  at(`angle-${slot}`).addEventListener('input', fromSliders);
+  at(`power-${slot}`).addEventListener('input', fromSliders);
+  at(`pad-${slot}`).addEventListener('submit', (event) => {
+    event.preventDefault();
+    fire(sideOf(slot));
+  });
+  const canvas = at(`canvas-${slot}`);
+  let from = null;
+  canvas.addEventListener('pointerdown', (event) => {
+    if (mode === 'replay' || mode === 'shown' || isComputer(sideOf(slot))) return;
+    from = { x: event.clientX, y: event.clientY };
+    canvas.setPointerCapture(event.pointerId);
+  });
+  canvas.addEventListener('pointermove', (event) => {
+    if (!from) return;
+    const x = (from.x - event.clientX) * directionOf(sideOf(slot)), y = event.clientY - from.y;
+    const length = Math.hypot(x, y);
+    if (length < 6) return;
+    setAim(sideOf(slot), (Math.atan2(y, x) * 65536) / (2 * Math.PI), (length / (0.42 * canvas.clientHeight)) * 255);
+    from.isDrawn = true;
+  });
+  const release = () => {
+    if (from?.isDrawn) fire(sideOf(slot));
+    from = null;
+  };
+  canvas.addEventListener('pointerup', release);
+  canvas.addEventListener('pointercancel', () => { from = null; });
+}
+
+const keys = {
+  KeyW: [0, 110, 0], KeyS: [0, -110, 0], KeyD: [0, 0, 2], KeyA: [0, 0, -2],
+  ArrowUp: [1, 110, 0], ArrowDown: [1, -110, 0], ArrowLeft: [1, 0, 2], ArrowRight: [1, 0, -2],
+};
+const held = new Set();
+const whose = (side) => (mode === 'remote' ? self : isComputer(1) ? 0 : side);
+addEventListener('keydown', (event) => {
+  if (event.ctrlKey || event.altKey || event.metaKey) return;
+  if (event.target.matches('input, button, select, textarea')) return;
+  if (event.code in keys) held.add(event.code);
+  else if (event.code === 'Space') fire(whose(0));
+  else if (event.code === 'Enter') fire(whose(1));
+  else return;
+  event.preventDefault();
+});
+addEventListener('keyup', (event) => held.delete(event.code));
+addEventListener('blur', () => held.clear());
+setInterval(() => {
+  for (const code of held) {
+    const [side, angle, power] = keys[code], player = players[whose(side)];
+    // In a game for one, and for blue over a network, right is right.
+    const flip = code === 'ArrowLeft' || code === 'ArrowRight' ? (whose(side) === 1 ? 1 : -1) : 1;
+    setAim(whose(side), player.angle + angle, player.power + power * flip);
+  }
+  advance();  // pages that are not drawn play on
+}, 1000 / 60);
+
+at('new-match').addEventListener('click', () => {
+  socket?.close();
+  socket = null;
+  history.replaceState(null, '', location.pathname);
+  notice('');
+  begin('local', randomSeed());
+});
+at('computer').addEventListener('change', () => arrange());
+at('sound').addEventListener('change', () => { sound.isOn = at('sound').checked; });
+at('pause').addEventListener('click', () => {
+  const isPaused = at('pause').getAttribute('aria-pressed') !== 'true';
+  at('pause').setAttribute('aria-pressed', isPaused);
+  peers[0].wasm.set_paused(isPaused ? 1 : 0);
+});
+at('flip').addEventListener('click', () => {
+  flippedAt = performance.now();
+  peers[mode === 'remote' ? 0 : 1].wasm.flip_a_bit();
+});
+function readWeather() {
+  weather.latency = Number(at('latency').value);
+  weather.loss = Number(at('loss').value) / 100;
+  at('latency-text').textContent = `${weather.latency} ms`;
+  at('loss-text').textContent = `${at('loss').value} %`;
+}
+for (const name of ['latency', 'loss']) {
+  if (asked.has(name)) at(name).value = asked.get(name);
+  at(name).addEventListener('input', readWeather);
+}
+
+// ---- replays
+
+at('save').addEventListener('click', () => {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([peers[0].save()], { type: 'application/octet-stream' }));
+  link.download = `slingshot-${peers[0].wasm.final_frame()}.dtnr`;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+});
+async function open(file) {
+  if (!file) return;
+  if (!viewer.load(new Uint8Array(await file.arrayBuffer()))) {
+    notice(`${file.name} is no replay of this game.`);
+    return;
+  }
+  socket?.close();
+  socket = null;
+  begin('replay');
+  notice(`Replay of ${file.name}: every digest in it is compared.`);
+}
+at('open').addEventListener('change', () => open(at('open').files[0]));
+addEventListener('dragover', (event) => {
+  event.preventDefault();
+  document.body.classList.add('dropping');
+});
+addEventListener('dragleave', () => document.body.classList.remove('dropping'));
+addEventListener('drop', (event) => {
+  event.preventDefault();
+  document.body.classList.remove('dropping');
+  open(event.dataTransfer.files[0]);
+});
+
+// ---- two browsers
+
+function join(room, seed) {
+  const address = new URL(`room/${room}?seed=${seed}`, location.href);
+  address.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
+  socket = new WebSocket(address);
+  socket.binaryType = 'arraybuffer';
+  const here = new URL(`?room=${room}`, location.href).href;
+  mode = 'waiting';
+  notice(`Send this link to a friend, and the match begins: ${here}`);
+  navigator.clipboard?.writeText(here).catch(() => {});
+  socket.onmessage = ({ data }) => {
+    if (typeof data !== 'string') {
+      peers[0].receive(new Uint8Array(data), local);
+      return;
+    }
+    const said = JSON.parse(data);
+    if (said.is === 'full') notice('Two play here already.');
+    if (said.is === 'left') notice('The other player has left. New match goes on here.');
+    if (said.is !== 'start') return;
+    self = said.self;
+    notice('');
+    begin('remote', BigInt(said.seed));
+    setAim(self, 8192, 160);
+    banner(`You are ${names[self].toLowerCase()}`);
+  };
+  socket.onclose = () => { if (mode === 'waiting') notice('There is no relay here: ./dev play starts one.'); };
+}
+at('invite').addEventListener('click', () => {
+  const room = Array.from(crypto.getRandomValues(new Uint8Array(8)), (byte) => byte.toString(16).padStart(2, '0')).join('');
+  history.replaceState(null, '', `?room=${room}`);
+  join(room, randomSeed());
+});
+
+readWeather();
+begin('local', asked.has('seed') ? BigInt(asked.get('seed')) : randomSeed());
+for (const side of [0, 1]) setAim(side, 8192, 160);
+if (asked.has('room')) join(asked.get('room'), asked.has('seed') ? BigInt(asked.get('seed')) : randomSeed());
+requestAnimationFrame(draw);
+if (!isAuto) banner('Round 1');
+window.slingshot = { peers, milestones: () => milestones, mode: () => mode };
+navigator.serviceWorker?.register('worker.js').catch(() => {});
