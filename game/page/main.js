@@ -18,7 +18,7 @@ const peers = [new Peer(module), new Peer(module)];
 const viewer = new Peer(module);  // of replays
 const players = [0, 1].map(() => ({ angle: 8192, power: 160, fire: 0 }));
 const views = [0, 1].map((i) => new View(at(`canvas-${i}`), [i]));
-let links, mode, self, socket, local = clock(), flippedAt = null, last = null;
+let links, mode, self, socket, local = clock(), isFlipped = false, last = null;
 let strip = [], compared = 0, milestones = {};
 
 const say = (text) => { at('status').textContent = text; };
@@ -37,9 +37,10 @@ function begin(newMode, seed) {
   strip = [];
   compared = 0;
   milestones = {};
-  flippedAt = null;
+  isFlipped = false;
   last = null;
   at('desync').textContent = '';
+  at('pause').setAttribute('aria-pressed', false);
   at('verdict').textContent = 'equal';
   at('verdict').className = '';
   views.forEach((view) => view.accuse(-1));
@@ -59,9 +60,11 @@ function arrange() {
   at('pad-0').classList.toggle('idle', mode === 'replay' || isAuto);
   at('pad-1').classList.toggle('idle', isComputer(1));
   at('computer-label').hidden = isAlone;
-  at('flip').hidden = at('save').hidden = mode === 'replay';
+  at('flip').hidden = at('save').hidden = at('pause').hidden = mode === 'replay';
   at('flip').textContent = `Flip one bit on ${mode === 'remote' ? 'this' : "blue's"} machine`;
   at('digest-name-0').textContent = mode === 'remote' ? 'here' : 'red';
+  at('digest-name-0').className = side === 0 ? 'left' : 'right';
+  at('digest-name-1').className = side === 0 ? 'right' : 'left';
   at('digest-name-1').textContent = mode === 'remote' ? 'there' : 'blue';
 }
 
@@ -72,8 +75,13 @@ function padOf(peer, side) {
   const player = players[side];
   return { angle: player.angle, power: player.power, fire: player.fire > 0 };
 }
+// Who lets go too early shoots as soon as the catapult is ready.
 function played(peer, side) {
-  if (peer.result === 'yes' && players[side].fire > 0) --players[side].fire;
+  const player = players[side];
+  if (peer.result !== 'yes' || player.fire === 0) return;
+  const { reload } = peer.match().sides[side];
+  player.fire = reload > player.reload ? 0 : player.fire - 1;
+  player.reload = reload;
 }
 
 function step(now) {
@@ -138,10 +146,11 @@ function nameOf(index, match) {
   return piece.kind === 'rock' ? 'the ground' : `${what[piece.kind]} of ${names[piece.owner].toLowerCase()}`;
 }
 
-function report({ frame, field, object }) {
-  const after = flippedAt === null ? '' : `, ${((performance.now() - flippedAt) / 1000).toFixed(2)} s after the flip`;
+function report({ frame, field, object, known }) {
+  const after = !isFlipped ? ''
+    : `, and it was known ${known - frame} frames later`;
   const what = object >= 0 ? `, ${nameOf(object, peers[0].match())}` : '';
-  at('desync').textContent = `The machines parted in frame ${frame}${after}. First field that differs: ${field}${what}.`;
+  at('desync').textContent = `The machines parted in frame ${frame}${after}. The first field that differs: ${field}${what}.`;
   views.forEach((view) => view.accuse(object));
 }
 
@@ -155,7 +164,7 @@ function banner(text) {
   say(text);
 }
 
-function notice_changes(match) {
+function noteChanges(match) {
   const before = last;
   last = match;
   at('score-left').textContent = match.sides[0].score;
@@ -201,11 +210,12 @@ let drawn = performance.now();
 function draw(now) {
   requestAnimationFrame(draw);
   advance();
+  if (speed > 1 && now - drawn < 4000) return;  // in a hurry
   const seconds = Math.min(0.1, (now - drawn) / 1000);
   drawn = now;
   if (mode === 'waiting') return;
   const match = mode === 'replay' || mode === 'shown' ? viewer.replayMatch() : peers[0].match();
-  notice_changes(match);
+  noteChanges(match);
   views[0].update(match);
   views[0].draw(seconds);
   if (mode === 'local') {
@@ -228,7 +238,7 @@ function setAim(side, angle, power) {
   at(`angle-text-${slot}`).textContent = `${Math.round(player.angle / raws)}°`;
   at(`power-text-${slot}`).textContent = `${Math.round(player.power / 2.55)} %`;
 }
-const fire = (side) => { players[side].fire = 8; };
+const fire = (side) => Object.assign(players[side], { fire: 90, reload: 1e6 });
 const sideOf = (slot) => (mode === 'remote' ? self : slot);
 
 for (const slot of [0, 1]) {
@@ -270,12 +280,18 @@ const held = new Set();
 const whose = (side) => (mode === 'remote' ? self : isComputer(1) ? 0 : side);
 addEventListener('keydown', (event) => {
   if (event.ctrlKey || event.altKey || event.metaKey) return;
-  if (event.target.matches('input, button, select, textarea')) return;
+  // Sliders keep their arrows, buttons and boxes their space and enter.
+  if (event.target.matches('input[type=range]') && event.code.startsWith('Arrow')) return;
+  if (event.target.matches('button, input:not([type=range])') && !event.code.startsWith('Key')) return;
   if (event.code in keys) held.add(event.code);
   else if (event.code === 'Space') fire(whose(0));
   else if (event.code === 'Enter') fire(whose(1));
   else return;
   event.preventDefault();
+});
+// After a click the space bar shoots again.
+addEventListener('click', (event) => {
+  if (event.detail > 0 && event.target.matches('button, input[type=checkbox]')) event.target.blur();
 });
 addEventListener('keyup', (event) => held.delete(event.code));
 addEventListener('blur', () => held.clear());
@@ -287,7 +303,7 @@ setInterval(() => {
     setAim(whose(side), player.angle + angle, player.power + power * flip);
   }
   advance();  // pages that are not drawn play on
-}, 1000 / 60);
+}, speed > 1 ? 1 : 1000 / 60);
 
 at('new-match').addEventListener('click', () => {
   socket?.close();
@@ -304,7 +320,7 @@ at('pause').addEventListener('click', () => {
   peers[0].wasm.set_paused(isPaused ? 1 : 0);
 });
 at('flip').addEventListener('click', () => {
-  flippedAt = performance.now();
+  isFlipped = true;
   peers[mode === 'remote' ? 0 : 1].wasm.flip_a_bit();
 });
 function readWeather() {

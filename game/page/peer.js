@@ -43,7 +43,7 @@ export class Peer {
     if (kind === desyncField) {
       const text = this.bytes(128);
       const field = new TextDecoder().decode(text.slice(0, text.indexOf(0)));
-      this.desync = { frame, field, object: this.wasm.event_object() };
+      this.desync = { frame, field, object: this.wasm.event_object(), known: this.wasm.frame() };
     }
     this.events.push(kind);
   }

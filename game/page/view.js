@@ -126,16 +126,16 @@ export class View {
   addSling(side) {
     const group = new three.Group(), forward = directionOf(side);
     group.position.set(-forward * catapultX, 0, 0);
-    const bar = (radius, length, x, y, z, turn) => {
+    const bar = (radius, length, x, y, turn) => {
       const mesh = new three.Mesh(new three.CylinderGeometry(radius, radius, length, 10), this.materials.timber);
-      mesh.position.set(x, y, z);
-      mesh.rotation.x = turn;
+      mesh.position.set(x, y, 0);
+      mesh.rotation.z = turn;
       mesh.castShadow = true;
       group.add(mesh);
     };
-    bar(0.17, 1.0, 0, 1.65, 0, 0);
-    bar(0.13, 1.1, 0, 2.5, 0.32, 0.5);
-    bar(0.13, 1.1, 0, 2.5, -0.32, -0.5);
+    bar(0.2, 1.0, 0, 1.65, 0);
+    bar(0.16, 1.0, 0.32, 2.45, -0.55);
+    bar(0.16, 1.0, -0.32, 2.45, 0.55);
     const band = new three.Line(
       new three.BufferGeometry().setAttribute('position', new three.BufferAttribute(new Float32Array(9), 3)),
       new three.LineBasicMaterial({ color: 0x3a1d10 }));
@@ -238,7 +238,7 @@ export class View {
       add(this.box, this.materials[kind], 0, 0, 0, w - 0.02, h - 0.02, depth);
     }
     this.scene.add(group);
-    return { key: keyOf(piece), group, speed: null };
+    return { key: keyOf(piece), group, last: null };
   }
 
   update(match) {
@@ -259,7 +259,7 @@ export class View {
       const dx = piece.x - position.x, dy = piece.y - position.y;
       // Where a wrong guess was corrected, the picture glides.
       const share = Math.hypot(dx, dy) > 3 ? 1 : 0.6;
-      if (piece.kind === 'ball') this.noteHit(drawn, piece);
+      if (piece.kind === 'ball') this.noteHit(drawn, piece, match.tick);
       position.x += dx * share;
       position.y += dy * share;
       drawn.group.rotation.z = piece.turn;
@@ -277,22 +277,22 @@ export class View {
     this.wind = match.wind * 60;
   }
 
-  // A ball whose way bends hit something.
-  noteHit(drawn, piece) {
-    const { last } = drawn;
-    if (last) {
-      const speed = [piece.x - last.x, piece.y - last.y];
-      if (drawn.speed) {
-        const bend = Math.hypot(speed[0] - drawn.speed[0], speed[1] - drawn.speed[1]) * 60;
-        if (bend > 4 && performance.now() - (drawn.hitAt ?? 0) > 150) {
-          drawn.hitAt = performance.now();
-          this.burst(piece.x, piece.y, Math.min(14, 3 + bend), 3, [0xd9c7a4, 0xa99674, 0x8f8a80]);
-          this.onHit?.(Math.min(1, bend / 16));
-        }
+  // A ball whose way bends more than gravity bends it hit something.
+  noteHit(drawn, piece, tick) {
+    const { last } = drawn, ticks = tick - (last?.tick ?? tick);
+    if (ticks === 0 && last) return;
+    const now = { tick, x: piece.x, y: piece.y, vx: 0, vy: 0, isFlying: false };
+    if (last && ticks > 0) {
+      now.vx = (60 * (piece.x - last.x)) / ticks;
+      now.vy = (60 * (piece.y - last.y)) / ticks;
+      now.isFlying = true;
+      const bend = Math.hypot(now.vx - last.vx, now.vy - last.vy + (gravity * ticks) / 60);
+      if (last.isFlying && bend > 3.5) {
+        this.burst(piece.x, piece.y, Math.min(14, 3 + bend), 3, [0xd9c7a4, 0xa99674, 0x8f8a80]);
+        this.onHit?.(Math.min(1, bend / 16));
       }
-      if (speed[0] !== 0 || speed[1] !== 0) drawn.speed = speed;
     }
-    drawn.last = { x: piece.x, y: piece.y };
+    drawn.last = now;
   }
 
   updateSling(i, side, match) {
@@ -305,9 +305,9 @@ export class View {
     sling.ball.visible = isReady;
     sling.ball.position.set(x, y, 0);
     const points = sling.band.geometry.attributes.position;
-    points.setXYZ(0, 0, catapultY + 0.3, 0.55);
-    points.setXYZ(1, x - aim[0] * 0.4, y - aim[1] * 0.4, 0);
-    points.setXYZ(2, 0, catapultY + 0.3, -0.55);
+    points.setXYZ(0, 0.55, catapultY + 0.2, 0.1);
+    points.setXYZ(1, x - aim[0] * 0.4, y - aim[1] * 0.4, 0.3);
+    points.setXYZ(2, -0.55, catapultY + 0.2, 0.1);
     points.needsUpdate = true;
     const speed = side.power * speedOfPower;
     sling.dots.forEach((dot, k) => {

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+//
+// usage: node page.test.mjs FOLDER GOLDEN
+// Plays the page that game/build made in FOLDER, in Chromium: two machines in one page, then two
+// pages and the relay, with lost packets; then it breaks a bit, saves and opens a replay, plays by
+// keyboard and mouse, and goes offline. Pictures go to FOLDER.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+
+const folder = `${resolve(process.argv[2])}/`;
+const golden = Object.fromEntries(readFileSync(process.argv[3], 'utf8').trim().split('\n').map((line) => line.split(' ')));
+const { chromium } = createRequire(folder)('playwright-core');
+const seed = 2026;  // golden.txt was played with it
+
+const relay = spawn('node', [`${folder}relay.mjs`, '--port', '0'], { stdio: ['ignore', 'pipe', 'inherit'] });
+const address = await new Promise((done) => { relay.stdout.once('data', (line) => done(String(line).trim())); });
+const profile = mkdtempSync(join(tmpdir(), 'slingshot-'));
+const browser = await chromium.launchPersistentContext(profile, {
+  executablePath: '/usr/bin/chromium',
+  acceptDownloads: true,
+  viewport: { width: 1280, height: 860 },
+  args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+    '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+});
+const errors = [];
+
+async function open(query) {
+  const page = await browser.newPage();
+  page.setDefaultTimeout(60_000);
+  page.on('console', (message) => { if (message.type() === 'error') errors.push(message.text()); });
+  page.on('pageerror', (error) => errors.push(error.stack));
+  await page.goto(`${address}?${query}`);
+  await page.waitForFunction(() => window.slingshot);
+  return page;
+}
+async function check(name, body) {
+  const start = Date.now();
+  await body();
+  console.log(`${name}: ${((Date.now() - start) / 1000).toFixed(1)} s`);
+}
+// The digests of all frames up to then.
+async function untilPlayed(page, frames) {
+  await page.waitForFunction((n) => slingshot.milestones()[n], frames, { polling: 50 });
+  const digests = await page.evaluate(() => slingshot.milestones());
+  return Object.fromEntries(Object.entries(digests).filter(([frame]) => frame <= frames));
+}
+
+try {
+  const alone = await open(`auto&seed=${seed}&speed=10&latency=100&loss=15`);
+  await check('two machines in a page play 3,000 frames as every other machine does', async () => {
+    assert.deepEqual(await untilPlayed(alone, 3000), golden);
+    assert.equal(await alone.textContent('#verdict'), 'equal');
+    await alone.screenshot({ path: `${folder}alone.png` });
+  });
+
+  await check('a replay is saved, opened and plays to the same digests', async () => {
+    const [download] = await Promise.all([alone.waitForEvent('download'), alone.click('#save')]);
+    const file = join(profile, 'match.dtnr');
+    await download.saveAs(file);
+    const frames = Number(/-(\d+)\.dtnr$/.exec(download.suggestedFilename())[1]);
+    assert.ok(frames >= 3000);
+    await alone.setInputFiles('#open', file);
+    await alone.waitForFunction(() => document.getElementById('notice').textContent.includes('over'));
+    const said = await alone.textContent('#notice');
+    assert.equal(Number(/(\d+) frames, all digests equal/.exec(said)?.[1]), frames);
+    const bytes = readFileSync(file);
+    bytes[0] ^= 1;
+    writeFileSync(file, bytes);
+    await alone.setInputFiles('#open', []);
+    await alone.setInputFiles('#open', file);
+    await alone.waitForFunction(() => document.getElementById('notice').textContent.includes('no replay'));
+  });
+  await alone.close();
+
+  await check('a bit that is flipped is named, by frame, object and field, within 60 frames', async () => {
+    const page = await open('auto&seed=7');
+    await page.waitForFunction(() => slingshot.peers[1].wasm.frame() > 30);
+    await page.click('#flip');
+    await page.waitForFunction(() => document.getElementById('desync').textContent !== '');
+    const said = await page.textContent('#desync');
+    assert.match(said, /in frame \d+, .*bodies body \d+:\d+ \(obb\) velocity\.x, a wooden block of (red|blue)/);
+    const frames = Number(/known (\d+) frames later/.exec(said)[1]);
+    assert.ok(frames > 0 && frames <= 60, said);
+    assert.equal(await page.textContent('#verdict'), 'DIFFERENT');
+    await page.screenshot({ path: `${folder}desync.png` });
+    await page.close();
+  });
+
+  await check('two pages and the relay play 3,000 frames', async () => {
+    const query = `room=test&auto&seed=${seed}&speed=8&loss=15&latency=60`;
+    const pages = [await open(query), await open(query)];
+    const said = await Promise.all(pages.map((page) => untilPlayed(page, 3000)));
+    assert.deepEqual(said, [golden, golden]);
+    await pages[1].screenshot({ path: `${folder}remote.png` });
+    await pages[1].close();
+    await pages[0].waitForFunction(() => document.getElementById('notice').textContent.includes('has left'));
+    await pages[0].close();
+  });
+
+  await check('it is played by keyboard, mouse and labelled sliders', async () => {
+    const page = await open('seed=3&loss=0&latency=0');
+    await page.uncheck('#computer');
+    const shots = () => page.waitForFunction(() => slingshot.peers[0].match().pieces
+      .some((piece) => piece.kind === 'ball' && piece.owner === 0 && piece.age < 120));
+    const isReady = () => page.waitForFunction(() => slingshot.peers[0].match().sides[0].reload === 0
+      && !slingshot.peers[0].match().pieces.some((piece) => piece.kind === 'ball' && piece.age < 120));
+    const angle = () => page.evaluate(() => Number(document.getElementById('angle-0').value));
+    await isReady();
+    const before = await angle();
+    await page.keyboard.down('KeyW');
+    await page.waitForTimeout(300);
+    await page.keyboard.up('KeyW');
+    assert.ok(await angle() > before);
+    await page.fill('#angle-0', '-8');  // into the ground: no king falls, no round ends
+    await page.fill('#power-0', '30');
+    await page.keyboard.press('Space');
+    await shots();
+    await isReady();
+    const box = await page.locator('#canvas-0').boundingBox();
+    await page.mouse.move(box.x + 200, box.y + 100);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 120, box.y + 150, { steps: 4 });
+    await page.screenshot({ path: `${folder}play.png` });
+    assert.ok(Math.abs(await angle() - 32) < 1);
+    await page.mouse.up();
+    await shots();
+    const unnamed = await page.evaluate(() => [...document.querySelectorAll('input, button, canvas[role]')]
+      .filter((each) => !(each.labels?.length || each.textContent.trim() || each.ariaLabel)).map((each) => each.id));
+    assert.deepEqual(unnamed, []);
+    await page.close();
+  });
+
+  await check('it works offline', async () => {
+    const page = await open('auto&seed=5');
+    await page.evaluate(() => navigator.serviceWorker.ready);
+    relay.kill();
+    await browser.setOffline(true);
+    await page.reload();
+    await page.waitForFunction(() => window.slingshot?.peers[0].wasm.frame() > 10);
+    await page.close();
+  });
+  assert.deepEqual(errors, []);
+  console.log('no console errors');
+} finally {
+  relay.kill();
+  await browser.close();
+  rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+}
