@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+//! Finds libdetent.so: in the folder that DETENT_LIBRARY_DIR names, or where the linker looks.
+
+fn main() {
+    println!("cargo:rerun-if-env-changed=DETENT_LIBRARY_DIR");
+    if let Ok(folder) = std::env::var("DETENT_LIBRARY_DIR") {
+        println!("cargo:rustc-link-search=native={}", folder);
+    }
+}

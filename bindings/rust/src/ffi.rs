@@ -1,0 +1,614 @@
+// SPDX-License-Identifier: MIT
+// Written by bindings/generate from bindings/detent.h.in: change that file instead.
+//! The C interface as it is.
+
+#![allow(missing_docs)]
+
+use std::os::raw::{c_char, c_void};
+
+pub const OK: i32 = 1;
+pub const NO: i32 = 0;
+pub const BAD_ARGUMENT: i32 = -1;
+pub const BAD_CONTEXT: i32 = -2;
+pub const BAD_HANDLE: i32 = -3;
+pub const NOT_UNIT: i32 = -4;
+pub const NO_QUERY: i32 = -5;
+pub const NO_MEMORY: i32 = -6;
+pub const BROKEN: i32 = -7;
+pub const FULL: i32 = -8;
+pub const IN_USE: i32 = -9;
+pub const NO_SNAPSHOT: i32 = -20;
+pub const OTHER_VERSION: i32 = -21;
+pub const TRUNCATED: i32 = -22;
+pub const CORRUPTED: i32 = -23;
+pub const OTHER_SCENE: i32 = -24;
+pub const OTHER_FIXED_PART: i32 = -25;
+pub const NO_ROOM: i32 = -26;
+pub const UNKNOWN_ASSET: i32 = -27;
+pub const OTHER_ASSET: i32 = -28;
+pub const SPHERE: u32 = 1;
+pub const AABB: u32 = 2;
+pub const OBB: u32 = 3;
+pub const PLANE: u32 = 4;
+pub const TRIANGLE: u32 = 5;
+pub const CAPSULE: u32 = 6;
+pub const SEGMENT: u32 = 7;
+pub const POINT: u32 = 8;
+pub const HULL: u32 = 9;
+pub const MESH: u32 = 10;
+pub const HEIGHT_FIELD: u32 = 11;
+pub const MOVING: u32 = 0;
+pub const FIXED: u32 = 1;
+pub const DYNAMIC_BODY: u32 = 0;
+pub const KINEMATIC_BODY: u32 = 1;
+pub const FIXED_BODY: u32 = 2;
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// An object of a scene or a body of a world. No two have the same id, ever; {0, 0} is none.
+pub struct Id {
+    pub index: u32,
+    pub generation: u32,
+}
+const _: () = assert!(std::mem::size_of::<Id>() == 8);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Two objects or bodies.
+pub struct Pair {
+    pub first: Id,
+    pub second: Id,
+}
+const _: () = assert!(std::mem::size_of::<Pair>() == 16);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A pair of bodies that began (1) or ended (0) to touch in the last step.
+pub struct Touch {
+    pub a: Id,
+    pub b: Id,
+    pub begins: u32,
+}
+const _: () = assert!(std::mem::size_of::<Touch>() == 20);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// An object that a query found, and its distance in steps of 2^-16.
+pub struct Found {
+    pub distance: i32,
+    pub id: Id,
+}
+const _: () = assert!(std::mem::size_of::<Found>() == 12);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What a scene stores with an object.
+pub struct Traits {
+    pub user: u64,
+    pub layers: u32,
+    pub motion: u32,
+}
+const _: () = assert!(std::mem::size_of::<Traits>() == 16);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Everything else is made in a context, which is the caller's memory: set it to zeros, open it, close it. It must stay where it is while it is open. Contexts share nothing. Of one context, calls that only read (their context is const) may run in several threads at once; all others need it alone.
+pub struct Context {
+    pub words: [u64; 4],
+}
+const _: () = assert!(std::mem::size_of::<Context>() == 32);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A point or vector, in steps of 2^-16.
+pub struct Vec2 {
+    pub x: i32,
+    pub y: i32,
+}
+const _: () = assert!(std::mem::size_of::<Vec2>() == 8);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A unit vector, in steps of 2^-30; used exactly as stored.
+pub struct Direction2 {
+    pub x: i32,
+    pub y: i32,
+}
+const _: () = assert!(std::mem::size_of::<Direction2>() == 8);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The axes of a frame in the world.
+pub struct Rotation2 {
+    pub axis: [Direction2; 2],
+}
+const _: () = assert!(std::mem::size_of::<Rotation2>() == 16);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// p -> translation + scale * rotation * p; `scale` in steps of 2^-16.
+pub struct Transform2 {
+    pub translation: Vec2,
+    pub rotation: Rotation2,
+    pub scale: i32,
+}
+const _: () = assert!(std::mem::size_of::<Transform2>() == 28);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The points origin + t * direction with 0 <= t <= max_distance.
+pub struct Ray2 {
+    pub origin: Vec2,
+    pub direction: Direction2,
+    pub max_distance: i32,
+}
+const _: () = assert!(std::mem::size_of::<Ray2>() == 20);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The points within `radius` of `center`; none if the radius is negative.
+pub struct Sphere2 {
+    pub center: Vec2,
+    pub radius: i32,
+}
+const _: () = assert!(std::mem::size_of::<Sphere2>() == 12);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The points between two corners; none if min > max on an axis.
+pub struct Aabb2 {
+    pub min: Vec2,
+    pub max: Vec2,
+}
+const _: () = assert!(std::mem::size_of::<Aabb2>() == 16);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A box turned about its center; none if a half extent is negative.
+pub struct Obb2 {
+    pub center: Vec2,
+    pub half_extents: Vec2,
+    pub rotation: Rotation2,
+}
+const _: () = assert!(std::mem::size_of::<Obb2>() == 32);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The points x with dot(normal, x) = offset.
+pub struct Plane2 {
+    pub normal: Direction2,
+    pub offset: i32,
+}
+const _: () = assert!(std::mem::size_of::<Plane2>() == 12);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The points between three corners.
+pub struct Triangle2 {
+    pub a: Vec2,
+    pub b: Vec2,
+    pub c: Vec2,
+}
+const _: () = assert!(std::mem::size_of::<Triangle2>() == 24);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The points within `radius` of the segment from a to b; none if the radius is negative.
+pub struct Capsule2 {
+    pub a: Vec2,
+    pub b: Vec2,
+    pub radius: i32,
+}
+const _: () = assert!(std::mem::size_of::<Capsule2>() == 20);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The points between two ends.
+pub struct Segment2 {
+    pub start: Vec2,
+    pub end: Vec2,
+}
+const _: () = assert!(std::mem::size_of::<Segment2>() == 16);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub union Shape2As {
+    pub sphere: Sphere2,
+    pub aabb: Aabb2,
+    pub obb: Obb2,
+    pub plane: Plane2,
+    pub triangle: Triangle2,
+    pub capsule: Capsule2,
+    pub segment: Segment2,
+    pub point: Vec2,
+    pub placed: Transform2,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+/// A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or height field, and ignored for other kinds.
+pub struct Shape2 {
+    pub kind: u32,
+    pub asset: u32,
+    pub of: Shape2As,
+}
+const _: () = assert!(std::mem::size_of::<Shape2>() == 40);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Where a ray or a moving shape first touches a shape. The distance is rounded down.
+pub struct Hit2 {
+    pub distance: i32,
+    pub point: Vec2,
+    pub normal: Direction2,
+}
+const _: () = assert!(std::mem::size_of::<Hit2>() == 20);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Where a ray first touches an object; in a mesh or height field also the index of the triangle.
+pub struct ObjectHit2 {
+    pub distance: i32,
+    pub id: Id,
+    pub point: Vec2,
+    pub normal: Direction2,
+    pub triangle: u32,
+    pub has_triangle: u32,
+}
+const _: () = assert!(std::mem::size_of::<ObjectHit2>() == 36);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// How a world steps. Lengths and speeds in steps of 2^-16.
+pub struct World2Settings {
+    pub ticks_per_second: i32,
+    pub substeps: i32,
+    pub gravity: Vec2,
+    pub margin: i32,
+    pub push_speed: i32,
+    pub bounce_threshold: i32,
+    pub sleep_speed: i32,
+}
+const _: () = assert!(std::mem::size_of::<World2Settings>() == 32);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// What a body is made of, and how it starts. Shares and densities in steps of 2^-16.
+pub struct Body2Options {
+    pub user: u64,
+    pub layers: u32,
+    pub collides_with: u32,
+    pub motion: u32,
+    pub density: i32,
+    pub friction: i32,
+    pub restitution: i32,
+    pub linear_damping: i32,
+    pub angular_damping: i32,
+    pub velocity: Vec2,
+    pub angular_velocity: [i32; 1],
+}
+const _: () = assert!(std::mem::size_of::<Body2Options>() == 56);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Where a body is and how it moves, rounded to nearest.
+pub struct Body2 {
+    pub position: Vec2,
+    pub rotation: Rotation2,
+    pub velocity: Vec2,
+    pub angular_velocity: [i32; 1],
+    pub is_asleep: u32,
+}
+const _: () = assert!(std::mem::size_of::<Body2>() == 40);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A point or vector, in steps of 2^-16.
+pub struct Vec3 {
+    pub x: i32,
+    pub y: i32,
+    pub z: i32,
+}
+const _: () = assert!(std::mem::size_of::<Vec3>() == 12);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A unit vector, in steps of 2^-30; used exactly as stored.
+pub struct Direction3 {
+    pub x: i32,
+    pub y: i32,
+    pub z: i32,
+}
+const _: () = assert!(std::mem::size_of::<Direction3>() == 12);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The axes of a frame in the world.
+pub struct Rotation3 {
+    pub axis: [Direction3; 3],
+}
+const _: () = assert!(std::mem::size_of::<Rotation3>() == 36);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// p -> translation + scale * rotation * p; `scale` in steps of 2^-16.
+pub struct Transform3 {
+    pub translation: Vec3,
+    pub rotation: Rotation3,
+    pub scale: i32,
+}
+const _: () = assert!(std::mem::size_of::<Transform3>() == 52);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The points origin + t * direction with 0 <= t <= max_distance.
+pub struct Ray3 {
+    pub origin: Vec3,
+    pub direction: Direction3,
+    pub max_distance: i32,
+}
+const _: () = assert!(std::mem::size_of::<Ray3>() == 28);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The points within `radius` of `center`; none if the radius is negative.
+pub struct Sphere3 {
+    pub center: Vec3,
+    pub radius: i32,
+}
+const _: () = assert!(std::mem::size_of::<Sphere3>() == 16);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The points between two corners; none if min > max on an axis.
+pub struct Aabb3 {
+    pub min: Vec3,
+    pub max: Vec3,
+}
+const _: () = assert!(std::mem::size_of::<Aabb3>() == 24);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A box turned about its center; none if a half extent is negative.
+pub struct Obb3 {
+    pub center: Vec3,
+    pub half_extents: Vec3,
+    pub rotation: Rotation3,
+}
+const _: () = assert!(std::mem::size_of::<Obb3>() == 60);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The points x with dot(normal, x) = offset.
+pub struct Plane3 {
+    pub normal: Direction3,
+    pub offset: i32,
+}
+const _: () = assert!(std::mem::size_of::<Plane3>() == 16);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The points between three corners.
+pub struct Triangle3 {
+    pub a: Vec3,
+    pub b: Vec3,
+    pub c: Vec3,
+}
+const _: () = assert!(std::mem::size_of::<Triangle3>() == 36);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The points within `radius` of the segment from a to b; none if the radius is negative.
+pub struct Capsule3 {
+    pub a: Vec3,
+    pub b: Vec3,
+    pub radius: i32,
+}
+const _: () = assert!(std::mem::size_of::<Capsule3>() == 28);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The points between two ends.
+pub struct Segment3 {
+    pub start: Vec3,
+    pub end: Vec3,
+}
+const _: () = assert!(std::mem::size_of::<Segment3>() == 24);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub union Shape3As {
+    pub sphere: Sphere3,
+    pub aabb: Aabb3,
+    pub obb: Obb3,
+    pub plane: Plane3,
+    pub triangle: Triangle3,
+    pub capsule: Capsule3,
+    pub segment: Segment3,
+    pub point: Vec3,
+    pub placed: Transform3,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+/// A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or height field, and ignored for other kinds.
+pub struct Shape3 {
+    pub kind: u32,
+    pub asset: u32,
+    pub of: Shape3As,
+}
+const _: () = assert!(std::mem::size_of::<Shape3>() == 68);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Where a ray or a moving shape first touches a shape. The distance is rounded down.
+pub struct Hit3 {
+    pub distance: i32,
+    pub point: Vec3,
+    pub normal: Direction3,
+}
+const _: () = assert!(std::mem::size_of::<Hit3>() == 28);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Where a ray first touches an object; in a mesh or height field also the index of the triangle.
+pub struct ObjectHit3 {
+    pub distance: i32,
+    pub id: Id,
+    pub point: Vec3,
+    pub normal: Direction3,
+    pub triangle: u32,
+    pub has_triangle: u32,
+}
+const _: () = assert!(std::mem::size_of::<ObjectHit3>() == 44);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// How a world steps. Lengths and speeds in steps of 2^-16.
+pub struct World3Settings {
+    pub ticks_per_second: i32,
+    pub substeps: i32,
+    pub gravity: Vec3,
+    pub margin: i32,
+    pub push_speed: i32,
+    pub bounce_threshold: i32,
+    pub sleep_speed: i32,
+}
+const _: () = assert!(std::mem::size_of::<World3Settings>() == 36);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// What a body is made of, and how it starts. Shares and densities in steps of 2^-16.
+pub struct Body3Options {
+    pub user: u64,
+    pub layers: u32,
+    pub collides_with: u32,
+    pub motion: u32,
+    pub density: i32,
+    pub friction: i32,
+    pub restitution: i32,
+    pub linear_damping: i32,
+    pub angular_damping: i32,
+    pub velocity: Vec3,
+    pub angular_velocity: [i32; 3],
+}
+const _: () = assert!(std::mem::size_of::<Body3Options>() == 64);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Where a body is and how it moves, rounded to nearest.
+pub struct Body3 {
+    pub position: Vec3,
+    pub rotation: Rotation3,
+    pub velocity: Vec3,
+    pub angular_velocity: [i32; 3],
+    pub is_asleep: u32,
+}
+const _: () = assert!(std::mem::size_of::<Body3>() == 76);
+
+#[link(name = "detent")]
+extern "C" {
+    pub fn detent_version() -> i32;
+    pub fn detent_results_version() -> i32;
+    pub fn detent_describe(status: i32) -> *const c_char;
+    pub fn detent_open(context: *mut Context, allocator: *const c_void) -> i32;
+    pub fn detent_close(context: *mut Context) -> i32;
+    pub fn detent_count(context: *const Context, count: *mut u32) -> i32;
+    pub fn detent_mesh_create(context: *mut Context, id: u32, vertices: *const Vec3, vertex_count: u32, faces: *const u32, face_count: u32, mesh: *mut u32) -> i32;
+    pub fn detent_height_field_create(context: *mut Context, id: u32, corner: *const Vec2, cell: i32, columns: u32, rows: u32, heights: *const i32, field: *mut u32) -> i32;
+    pub fn detent_asset_destroy(context: *mut Context, asset: u32) -> i32;
+    pub fn detent_raycast2(ray: *const Ray2, shape: *const Shape2, hit: *mut Hit2) -> i32;
+    pub fn detent_raycast2_many(rays: *const Ray2, count: u32, shape: *const Shape2, distances: *mut i32) -> i32;
+    pub fn detent_contains2(shape: *const Shape2, point: *const Vec2) -> i32;
+    pub fn detent_overlaps2(a: *const Shape2, b: *const Shape2) -> i32;
+    pub fn detent_closest_point2(shape: *const Shape2, point: *const Vec2, closest: *mut Vec2) -> i32;
+    pub fn detent_distance_to_point2(shape: *const Shape2, point: *const Vec2, distance: *mut i32) -> i32;
+    pub fn detent_distance2(a: *const Shape2, b: *const Shape2, distance: *mut i32) -> i32;
+    pub fn detent_hull2_create(context: *mut Context, id: u32, points: *const Vec2, count: u32, hull: *mut u32) -> i32;
+    pub fn detent_scene2_create(context: *mut Context, scene: *mut u32) -> i32;
+    pub fn detent_scene2_destroy(context: *mut Context, scene: u32) -> i32;
+    pub fn detent_scene2_add(context: *mut Context, scene: u32, shape: *const Shape2, traits: *const Traits, id: *mut Id) -> i32;
+    pub fn detent_scene2_add_as(context: *mut Context, scene: u32, id: Id, shape: *const Shape2, traits: *const Traits) -> i32;
+    pub fn detent_scene2_remove(context: *mut Context, scene: u32, id: Id) -> i32;
+    pub fn detent_scene2_replace(context: *mut Context, scene: u32, id: Id, shape: *const Shape2) -> i32;
+    pub fn detent_scene2_move(context: *mut Context, scene: u32, id: Id, by: *const Vec2) -> i32;
+    pub fn detent_scene2_object(context: *const Context, scene: u32, id: Id, shape: *mut Shape2, traits: *mut Traits) -> i32;
+    pub fn detent_scene2_set_traits(context: *mut Context, scene: u32, id: Id, traits: *const Traits) -> i32;
+    pub fn detent_scene2_size(context: *const Context, scene: u32, size: *mut u32) -> i32;
+    pub fn detent_scene2_optimize(context: *mut Context, scene: u32) -> i32;
+    pub fn detent_scene2_raycast(context: *const Context, scene: u32, ray: *const Ray2, layers: u32, hit: *mut ObjectHit2) -> i32;
+    pub fn detent_scene2_raycast_any(context: *const Context, scene: u32, ray: *const Ray2, layers: u32) -> i32;
+    pub fn detent_scene2_raycast_all(context: *const Context, scene: u32, ray: *const Ray2, layers: u32, hits: *mut ObjectHit2, room: u32, count: *mut u32) -> i32;
+    pub fn detent_scene2_raycast_many(context: *const Context, scene: u32, rays: *const Ray2, count: u32, layers: u32, hits: *mut ObjectHit2) -> i32;
+    pub fn detent_scene2_nearest(context: *const Context, scene: u32, question: *const Shape2, layers: u32, found: *mut Found) -> i32;
+    pub fn detent_scene2_any(context: *const Context, scene: u32, question: *const Shape2, layers: u32) -> i32;
+    pub fn detent_scene2_all(context: *const Context, scene: u32, question: *const Shape2, layers: u32, found: *mut Found, room: u32, count: *mut u32) -> i32;
+    pub fn detent_scene2_overlaps(context: *const Context, scene: u32, pairs: *mut Pair, room: u32, count: *mut u32) -> i32;
+    pub fn detent_scene2_digest(context: *const Context, scene: u32, digest: *mut u64) -> i32;
+    pub fn detent_scene2_snapshot(context: *const Context, scene: u32, bytes: *mut c_void, room: u32, size: *mut u32) -> i32;
+    pub fn detent_scene2_restore(context: *mut Context, scene: u32, bytes: *const c_void, size: u32) -> i32;
+    pub fn detent_world2_default_settings(settings: *mut World2Settings) -> i32;
+    pub fn detent_body2_default_options(options: *mut Body2Options) -> i32;
+    pub fn detent_world2_create(context: *mut Context, settings: *const World2Settings, world: *mut u32) -> i32;
+    pub fn detent_world2_destroy(context: *mut Context, world: u32) -> i32;
+    pub fn detent_world2_add(context: *mut Context, world: u32, shape: *const Shape2, options: *const Body2Options, id: *mut Id) -> i32;
+    pub fn detent_world2_remove(context: *mut Context, world: u32, id: Id) -> i32;
+    pub fn detent_world2_step(context: *mut Context, world: u32) -> i32;
+    pub fn detent_world2_body(context: *const Context, world: u32, id: Id, body: *mut Body2) -> i32;
+    pub fn detent_world2_bodies(context: *const Context, world: u32, ids: *const Id, count: u32, bodies: *mut Body2) -> i32;
+    pub fn detent_world2_set_velocity(context: *mut Context, world: u32, id: Id, velocity: *const Vec2) -> i32;
+    pub fn detent_world2_set_angular_velocity(context: *mut Context, world: u32, id: Id, velocity: *const i32) -> i32;
+    pub fn detent_world2_size(context: *const Context, world: u32, size: *mut u32) -> i32;
+    pub fn detent_world2_events(context: *const Context, world: u32, events: *mut Touch, room: u32, count: *mut u32) -> i32;
+    pub fn detent_world2_digest(context: *const Context, world: u32, digest: *mut u64) -> i32;
+    pub fn detent_world2_digest_of(context: *const Context, world: u32, id: Id, digest: *mut u64) -> i32;
+    pub fn detent_world2_snapshot(context: *const Context, world: u32, bytes: *mut c_void, room: u32, size: *mut u32) -> i32;
+    pub fn detent_world2_restore(context: *mut Context, world: u32, bytes: *const c_void, size: u32) -> i32;
+    pub fn detent_raycast3(ray: *const Ray3, shape: *const Shape3, hit: *mut Hit3) -> i32;
+    pub fn detent_raycast3_many(rays: *const Ray3, count: u32, shape: *const Shape3, distances: *mut i32) -> i32;
+    pub fn detent_contains3(shape: *const Shape3, point: *const Vec3) -> i32;
+    pub fn detent_overlaps3(a: *const Shape3, b: *const Shape3) -> i32;
+    pub fn detent_closest_point3(shape: *const Shape3, point: *const Vec3, closest: *mut Vec3) -> i32;
+    pub fn detent_distance_to_point3(shape: *const Shape3, point: *const Vec3, distance: *mut i32) -> i32;
+    pub fn detent_distance3(a: *const Shape3, b: *const Shape3, distance: *mut i32) -> i32;
+    pub fn detent_hull3_create(context: *mut Context, id: u32, points: *const Vec3, count: u32, hull: *mut u32) -> i32;
+    pub fn detent_scene3_create(context: *mut Context, scene: *mut u32) -> i32;
+    pub fn detent_scene3_destroy(context: *mut Context, scene: u32) -> i32;
+    pub fn detent_scene3_add(context: *mut Context, scene: u32, shape: *const Shape3, traits: *const Traits, id: *mut Id) -> i32;
+    pub fn detent_scene3_add_as(context: *mut Context, scene: u32, id: Id, shape: *const Shape3, traits: *const Traits) -> i32;
+    pub fn detent_scene3_remove(context: *mut Context, scene: u32, id: Id) -> i32;
+    pub fn detent_scene3_replace(context: *mut Context, scene: u32, id: Id, shape: *const Shape3) -> i32;
+    pub fn detent_scene3_move(context: *mut Context, scene: u32, id: Id, by: *const Vec3) -> i32;
+    pub fn detent_scene3_object(context: *const Context, scene: u32, id: Id, shape: *mut Shape3, traits: *mut Traits) -> i32;
+    pub fn detent_scene3_set_traits(context: *mut Context, scene: u32, id: Id, traits: *const Traits) -> i32;
+    pub fn detent_scene3_size(context: *const Context, scene: u32, size: *mut u32) -> i32;
+    pub fn detent_scene3_optimize(context: *mut Context, scene: u32) -> i32;
+    pub fn detent_scene3_raycast(context: *const Context, scene: u32, ray: *const Ray3, layers: u32, hit: *mut ObjectHit3) -> i32;
+    pub fn detent_scene3_raycast_any(context: *const Context, scene: u32, ray: *const Ray3, layers: u32) -> i32;
+    pub fn detent_scene3_raycast_all(context: *const Context, scene: u32, ray: *const Ray3, layers: u32, hits: *mut ObjectHit3, room: u32, count: *mut u32) -> i32;
+    pub fn detent_scene3_raycast_many(context: *const Context, scene: u32, rays: *const Ray3, count: u32, layers: u32, hits: *mut ObjectHit3) -> i32;
+    pub fn detent_scene3_nearest(context: *const Context, scene: u32, question: *const Shape3, layers: u32, found: *mut Found) -> i32;
+    pub fn detent_scene3_any(context: *const Context, scene: u32, question: *const Shape3, layers: u32) -> i32;
+    pub fn detent_scene3_all(context: *const Context, scene: u32, question: *const Shape3, layers: u32, found: *mut Found, room: u32, count: *mut u32) -> i32;
+    pub fn detent_scene3_overlaps(context: *const Context, scene: u32, pairs: *mut Pair, room: u32, count: *mut u32) -> i32;
+    pub fn detent_scene3_digest(context: *const Context, scene: u32, digest: *mut u64) -> i32;
+    pub fn detent_scene3_snapshot(context: *const Context, scene: u32, bytes: *mut c_void, room: u32, size: *mut u32) -> i32;
+    pub fn detent_scene3_restore(context: *mut Context, scene: u32, bytes: *const c_void, size: u32) -> i32;
+    pub fn detent_world3_default_settings(settings: *mut World3Settings) -> i32;
+    pub fn detent_body3_default_options(options: *mut Body3Options) -> i32;
+    pub fn detent_world3_create(context: *mut Context, settings: *const World3Settings, world: *mut u32) -> i32;
+    pub fn detent_world3_destroy(context: *mut Context, world: u32) -> i32;
+    pub fn detent_world3_add(context: *mut Context, world: u32, shape: *const Shape3, options: *const Body3Options, id: *mut Id) -> i32;
+    pub fn detent_world3_remove(context: *mut Context, world: u32, id: Id) -> i32;
+    pub fn detent_world3_step(context: *mut Context, world: u32) -> i32;
+    pub fn detent_world3_body(context: *const Context, world: u32, id: Id, body: *mut Body3) -> i32;
+    pub fn detent_world3_bodies(context: *const Context, world: u32, ids: *const Id, count: u32, bodies: *mut Body3) -> i32;
+    pub fn detent_world3_set_velocity(context: *mut Context, world: u32, id: Id, velocity: *const Vec3) -> i32;
+    pub fn detent_world3_set_angular_velocity(context: *mut Context, world: u32, id: Id, velocity: *const i32) -> i32;
+    pub fn detent_world3_size(context: *const Context, world: u32, size: *mut u32) -> i32;
+    pub fn detent_world3_events(context: *const Context, world: u32, events: *mut Touch, room: u32, count: *mut u32) -> i32;
+    pub fn detent_world3_digest(context: *const Context, world: u32, digest: *mut u64) -> i32;
+    pub fn detent_world3_digest_of(context: *const Context, world: u32, id: Id, digest: *mut u64) -> i32;
+    pub fn detent_world3_snapshot(context: *const Context, world: u32, bytes: *mut c_void, room: u32, size: *mut u32) -> i32;
+    pub fn detent_world3_restore(context: *mut Context, world: u32, bytes: *const c_void, size: u32) -> i32;
+}

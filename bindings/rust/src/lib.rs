@@ -1,0 +1,677 @@
+// SPDX-License-Identifier: MIT
+//! Correctly rounded collision queries, scenes and worlds with the same bits on every machine: the C
+//! interface of detent, without dependencies.
+//!
+//! All numbers are raw integers: a length of 1 is [`ONE`], a component of a direction [`UNIT`]. The
+//! modules [`d2`] and [`d3`] have shapes, rays, scenes and worlds of a dimension.
+//!
+//! ```
+//! use detent::{d3, Context, Traits, ONE, UNIT};
+//!
+//! let context = Context::new()?;
+//! let mut scene = d3::Scene::new(&context)?;
+//! let ball = scene.add(&d3::sphere([10 * ONE, 0, 0], ONE), Traits::default())?;
+//! let hit = scene.raycast(&d3::ray([0, 0, 0], [UNIT, 0, 0], 100 * ONE), !0)?.unwrap();
+//! assert_eq!((hit.id, hit.distance), (ball, 9 * ONE));
+//! # Ok::<(), detent::Error>(())
+//! ```
+
+#![warn(missing_docs)]
+
+#[rustfmt::skip]
+pub mod ffi;
+
+use std::cell::UnsafeCell;
+use std::ffi::CStr;
+use std::fmt;
+use std::marker::PhantomData;
+
+pub use ffi::{Found, Id, Pair, Touch, Traits};
+
+/// A length of 1.
+pub const ONE: i32 = 1 << 16;
+/// A component of a direction of 1.
+pub const UNIT: i32 = 1 << 30;
+
+/// A call that fails, with the status of the C interface, which is below 0.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Error(pub i32);
+
+impl fmt::Display for Error {
+    fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
+        let words = unsafe { CStr::from_ptr(ffi::detent_describe(self.0)) };
+        out.write_str(&words.to_string_lossy())
+    }
+}
+impl fmt::Debug for Error {
+    fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
+        write!(out, "Error({}: {})", self.0, self)
+    }
+}
+impl std::error::Error for Error {}
+
+impl Default for Traits {
+    /// An object that moves, in layer 1, with the user word 0.
+    fn default() -> Traits {
+        Traits { user: 0, layers: 1, motion: ffi::MOVING }
+    }
+}
+
+/// What functions return that may fail.
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// True for yes or done, false for no or none.
+fn check(status: i32) -> Result<bool> {
+    if status < 0 {
+        return Err(Error(status));
+    }
+    Ok(status == ffi::OK)
+}
+
+/// The length nearest to a number; `None` out of range and for NaN. Halves are rounded away from 0.
+pub fn raw(value: f64) -> Option<i32> {
+    let scaled = (value * f64::from(ONE)).round();
+    if scaled >= -2147483648.0 && scaled <= 2147483647.0 {
+        Some(scaled as i32)
+    } else {
+        None
+    }
+}
+
+/// Changes whenever an answer changes in any bit.
+pub fn results_version() -> i32 {
+    unsafe { ffi::detent_results_version() }
+}
+
+/// Holds scenes, worlds and assets, which borrow it. Contexts of different threads are independent.
+pub struct Context {
+    // At a place of its own, because an open context may not move; not Sync.
+    open: Box<UnsafeCell<ffi::Context>>,
+}
+
+impl Context {
+    /// An open context.
+    pub fn new() -> Result<Context> {
+        let context = Context { open: Box::new(UnsafeCell::new(ffi::Context::default())) };
+        check(unsafe { ffi::detent_open(context.pointer(), std::ptr::null()) })?;
+        Ok(context)
+    }
+
+    fn pointer(&self) -> *mut ffi::Context {
+        self.open.get()
+    }
+
+    /// A mesh of triangles: three indices of vertices each. `name` is its id in snapshots, not 0.
+    pub fn mesh(&self, name: u32, vertices: &[[i32; 3]], faces: &[[u32; 3]]) -> Result<Asset<'_>> {
+        let points: Vec<_> = vertices.iter().map(|v| d3::vec(*v)).collect();
+        let mut handle = 0;
+        check(unsafe {
+            ffi::detent_mesh_create(
+                self.pointer(),
+                name,
+                points.as_ptr(),
+                length(&points)?,
+                faces.as_ptr().cast(),
+                length(faces)?,
+                &mut handle,
+            )
+        })?;
+        Ok(Asset { context: self, handle })
+    }
+
+    /// A height field of `columns` times `rows` heights, in 3D.
+    pub fn height_field(
+        &self,
+        name: u32,
+        corner: [i32; 2],
+        cell: i32,
+        columns: u32,
+        rows: u32,
+        heights: &[i32],
+    ) -> Result<Asset<'_>> {
+        if heights.len() as u64 != u64::from(columns) * u64::from(rows) {
+            return Err(Error(ffi::BAD_ARGUMENT));
+        }
+        let mut handle = 0;
+        check(unsafe {
+            ffi::detent_height_field_create(
+                self.pointer(),
+                name,
+                &d2::vec(corner),
+                cell,
+                columns,
+                rows,
+                heights.as_ptr(),
+                &mut handle,
+            )
+        })?;
+        Ok(Asset { context: self, handle })
+    }
+}
+
+impl Drop for Context {
+    fn drop(&mut self) {
+        unsafe { ffi::detent_close(self.pointer()) };
+    }
+}
+
+fn length<T>(list: &[T]) -> Result<u32> {
+    if list.len() > u32::MAX as usize {
+        return Err(Error(ffi::BAD_ARGUMENT));
+    }
+    Ok(list.len() as u32)
+}
+
+/// A mesh, hull or height field that objects of scenes refer to. It lives as long as the context, or
+/// until `destroy`.
+pub struct Asset<'a> {
+    context: &'a Context,
+    handle: u32,
+}
+
+impl Asset<'_> {
+    /// Destroys it; an error while an object of a scene refers to it.
+    pub fn destroy(&self) -> Result<()> {
+        check(unsafe { ffi::detent_asset_destroy(self.context.pointer(), self.handle) }).map(|_| ())
+    }
+}
+
+/// The results of a call that writes a list, however many they are.
+fn list<T: Clone + Default>(call: impl Fn(*mut T, u32, *mut u32) -> i32) -> Result<Vec<T>> {
+    let mut items = vec![T::default(); 64];
+    loop {
+        let mut count = 0;
+        check(call(items.as_mut_ptr(), length(&items)?, &mut count))?;
+        let count = count as usize;
+        if count <= items.len() {
+            items.truncate(count);
+            return Ok(items);
+        }
+        items.resize(count, T::default());
+    }
+}
+
+/// The bytes of a snapshot.
+fn bytes(call: impl Fn(*mut std::os::raw::c_void, u32, *mut u32) -> i32) -> Result<Vec<u8>> {
+    let mut size = 0;
+    check(call(std::ptr::null_mut(), 0, &mut size))?;
+    let mut room = vec![0; size as usize];
+    check(call(room.as_mut_ptr().cast(), size, &mut size))?;
+    Ok(room)
+}
+
+macro_rules! space {
+    ($name:ident, $doc:literal, $n:literal, $spin:literal, [$($i:literal $x:ident),*],
+     $Vec:ident $Direction:ident $Rotation:ident $Transform:ident $Ray:ident $Shape:ident
+     $ShapeAs:ident $Hit:ident $ObjectHit:ident $Settings:ident $Options:ident $Body:ident
+     $Sphere:ident $Aabb:ident $Obb:ident $Plane:ident $Triangle:ident $Capsule:ident
+     $Segment:ident; $($alias:ident = $function:ident,)*) => {
+        #[doc = $doc]
+        pub mod $name {
+            use super::*;
+            $(use crate::ffi::$function as $alias;)*
+            pub use crate::ffi::{
+                $Body as Body, $Hit as Hit, $ObjectHit as ObjectHit, $Options as BodyOptions,
+                $Ray as Ray, $Settings as WorldSettings, $Shape as Shape,
+            };
+
+            pub(crate) fn vec(v: [i32; $n]) -> ffi::$Vec {
+                ffi::$Vec { $($x: v[$i]),* }
+            }
+            fn direction(v: [i32; $n]) -> ffi::$Direction {
+                ffi::$Direction { $($x: v[$i]),* }
+            }
+            fn rotation(axes: [[i32; $n]; $n]) -> ffi::$Rotation {
+                ffi::$Rotation { axis: [$(direction(axes[$i])),*] }
+            }
+            fn made(kind: u32, of: ffi::$ShapeAs) -> Shape {
+                Shape { kind, asset: 0, of }
+            }
+
+            /// The axes of the world.
+            pub const AXES: [[i32; $n]; $n] = {
+                let mut axes = [[0; $n]; $n];
+                $(axes[$i][$i] = UNIT;)*
+                axes
+            };
+
+            /// The points from `origin` along `toward`, a unit vector, up to `max_distance`.
+            pub fn ray(origin: [i32; $n], toward: [i32; $n], max_distance: i32) -> Ray {
+                Ray { origin: vec(origin), direction: direction(toward), max_distance }
+            }
+            /// The points within `radius` of `center`.
+            pub fn sphere(center: [i32; $n], radius: i32) -> Shape {
+                made(ffi::SPHERE, ffi::$ShapeAs { sphere: ffi::$Sphere { center: vec(center), radius } })
+            }
+            /// The points between two corners.
+            pub fn aabb(min: [i32; $n], max: [i32; $n]) -> Shape {
+                made(ffi::AABB, ffi::$ShapeAs { aabb: ffi::$Aabb { min: vec(min), max: vec(max) } })
+            }
+            /// A box with axes of its own, such as `AXES`.
+            pub fn obb(center: [i32; $n], half_extents: [i32; $n], axes: [[i32; $n]; $n]) -> Shape {
+                let (center, half_extents) = (vec(center), vec(half_extents));
+                let rotation = rotation(axes);
+                made(ffi::OBB, ffi::$ShapeAs { obb: ffi::$Obb { center, half_extents, rotation } })
+            }
+            /// The points x with dot(normal, x) = offset.
+            pub fn plane(normal: [i32; $n], offset: i32) -> Shape {
+                let normal = direction(normal);
+                made(ffi::PLANE, ffi::$ShapeAs { plane: ffi::$Plane { normal, offset } })
+            }
+            /// The points between three corners.
+            pub fn triangle(a: [i32; $n], b: [i32; $n], c: [i32; $n]) -> Shape {
+                let triangle = ffi::$Triangle { a: vec(a), b: vec(b), c: vec(c) };
+                made(ffi::TRIANGLE, ffi::$ShapeAs { triangle })
+            }
+            /// The points within `radius` of a segment.
+            pub fn capsule(a: [i32; $n], b: [i32; $n], radius: i32) -> Shape {
+                let capsule = ffi::$Capsule { a: vec(a), b: vec(b), radius };
+                made(ffi::CAPSULE, ffi::$ShapeAs { capsule })
+            }
+            /// The points between two ends; in queries only.
+            pub fn segment(start: [i32; $n], end: [i32; $n]) -> Shape {
+                let segment = ffi::$Segment { start: vec(start), end: vec(end) };
+                made(ffi::SEGMENT, ffi::$ShapeAs { segment })
+            }
+            /// A point; in queries of scenes only.
+            pub fn point(at: [i32; $n]) -> Shape {
+                made(ffi::POINT, ffi::$ShapeAs { point: vec(at) })
+            }
+            /// A mesh or hull transformed, or a height field moved, as a shape of a scene.
+            pub fn placed(asset: &Asset, translation: [i32; $n], axes: [[i32; $n]; $n],
+                          scale: i32) -> Shape {
+                let translation = vec(translation);
+                let kind = match asset.handle & 15 {
+                    5 => ffi::MESH,
+                    8 => ffi::HEIGHT_FIELD,
+                    _ => ffi::HULL,
+                };
+                let of = if kind == ffi::HEIGHT_FIELD {
+                    ffi::$ShapeAs { point: translation }
+                } else {
+                    let rotation = rotation(axes);
+                    ffi::$ShapeAs { placed: ffi::$Transform { translation, rotation, scale } }
+                };
+                Shape { kind, asset: asset.handle, of }
+            }
+
+            /// Where the ray first touches the shape.
+            pub fn raycast(ray: &Ray, shape: &Shape) -> Result<Option<Hit>> {
+                let mut hit = Hit::default();
+                Ok(if check(unsafe { raycast_(ray, shape, &mut hit) })? { Some(hit) } else { None })
+            }
+            /// The distances of many rays; -1 for no hit.
+            pub fn raycast_many(rays: &[Ray], shape: &Shape) -> Result<Vec<i32>> {
+                let mut distances = vec![0; rays.len()];
+                check(unsafe {
+                    raycast_many_(rays.as_ptr(), length(rays)?, shape, distances.as_mut_ptr())
+                })?;
+                Ok(distances)
+            }
+            /// Whether the point is in the shape or on its surface.
+            pub fn contains(shape: &Shape, at: [i32; $n]) -> Result<bool> {
+                check(unsafe { contains_(shape, &vec(at)) })
+            }
+            /// Whether two shapes have a point in common.
+            pub fn overlaps(a: &Shape, b: &Shape) -> Result<bool> {
+                check(unsafe { overlaps_(a, b) })
+            }
+            /// The point of the shape closest to a point.
+            pub fn closest_point(shape: &Shape, at: [i32; $n]) -> Result<[i32; $n]> {
+                let mut closest = ffi::$Vec::default();
+                check(unsafe { closest_point_(shape, &vec(at), &mut closest) })?;
+                Ok([$(closest.$x),*])
+            }
+            /// The distance from a shape to a point, rounded down.
+            pub fn distance_to_point(shape: &Shape, at: [i32; $n]) -> Result<i32> {
+                let mut distance = 0;
+                check(unsafe { distance_to_point_(shape, &vec(at), &mut distance) })?;
+                Ok(distance)
+            }
+            /// The distance of two shapes, rounded down.
+            pub fn distance(a: &Shape, b: &Shape) -> Result<i32> {
+                let mut distance = 0;
+                check(unsafe { distance_(a, b, &mut distance) })?;
+                Ok(distance)
+            }
+
+            /// A convex hull of at most 64 points. `name` is its id in snapshots, not 0.
+            pub fn hull<'a>(context: &'a Context, name: u32, points: &[[i32; $n]]) -> Result<Asset<'a>> {
+                let points: Vec<_> = points.iter().map(|p| vec(*p)).collect();
+                let mut handle = 0;
+                check(unsafe {
+                    hull_create(context.pointer(), name, points.as_ptr(), length(&points)?, &mut handle)
+                })?;
+                Ok(Asset { context, handle })
+            }
+
+            /// Objects, and queries over all of them. Destroyed when it is dropped.
+            pub struct Scene<'a> {
+                context: &'a Context,
+                handle: u32,
+                not_sync: PhantomData<*mut ()>,
+            }
+
+            impl<'a> Scene<'a> {
+                /// An empty scene.
+                pub fn new(context: &'a Context) -> Result<Scene<'a>> {
+                    let mut handle = 0;
+                    check(unsafe { scene_create(context.pointer(), &mut handle) })?;
+                    Ok(Scene { context, handle, not_sync: PhantomData })
+                }
+                fn at(&self) -> *mut ffi::Context {
+                    self.context.pointer()
+                }
+                /// Adds an object.
+                pub fn add(&mut self, shape: &Shape, traits: Traits) -> Result<Id> {
+                    let mut id = Id::default();
+                    check(unsafe { scene_add(self.at(), self.handle, shape, &traits, &mut id) })?;
+                    Ok(id)
+                }
+                /// Removes an object; false if there is none with this id.
+                pub fn remove(&mut self, id: Id) -> Result<bool> {
+                    check(unsafe { scene_remove(self.at(), self.handle, id) })
+                }
+                /// Replaces the shape of an object.
+                pub fn replace(&mut self, id: Id, shape: &Shape) -> Result<bool> {
+                    check(unsafe { scene_replace(self.at(), self.handle, id, shape) })
+                }
+                /// Moves an object by a vector.
+                pub fn move_by(&mut self, id: Id, by: [i32; $n]) -> Result<bool> {
+                    check(unsafe { scene_move(self.at(), self.handle, id, &vec(by)) })
+                }
+                /// Makes queries faster after many additions.
+                pub fn optimize(&mut self) -> Result<()> {
+                    check(unsafe { scene_optimize(self.at(), self.handle) }).map(|_| ())
+                }
+                /// The number of objects.
+                pub fn size(&self) -> Result<u32> {
+                    let mut size = 0;
+                    check(unsafe { scene_size(self.at(), self.handle, &mut size) })?;
+                    Ok(size)
+                }
+                /// The first object in `layers` that the ray touches, and where.
+                pub fn raycast(&self, ray: &Ray, layers: u32) -> Result<Option<ObjectHit>> {
+                    let mut hit = ObjectHit::default();
+                    let yes = check(unsafe {
+                        scene_raycast(self.at(), self.handle, ray, layers, &mut hit)
+                    })?;
+                    Ok(if yes { Some(hit) } else { None })
+                }
+                /// Whether the ray touches any object in `layers`.
+                pub fn raycast_any(&self, ray: &Ray, layers: u32) -> Result<bool> {
+                    check(unsafe { scene_raycast_any(self.at(), self.handle, ray, layers) })
+                }
+                /// All objects in `layers` that the ray touches, by distance, then id.
+                pub fn raycast_all(&self, ray: &Ray, layers: u32) -> Result<Vec<ObjectHit>> {
+                    list(|to, room, count| unsafe {
+                        scene_raycast_all(self.at(), self.handle, ray, layers, to, room, count)
+                    })
+                }
+                /// `raycast` for many rays; the distance is -1 where one hits nothing.
+                pub fn raycast_many(&self, rays: &[Ray], layers: u32) -> Result<Vec<ObjectHit>> {
+                    let mut hits = vec![ObjectHit::default(); rays.len()];
+                    check(unsafe {
+                        scene_raycast_many(self.at(), self.handle, rays.as_ptr(), length(rays)?,
+                                           layers, hits.as_mut_ptr())
+                    })?;
+                    Ok(hits)
+                }
+                /// The nearest object that a point finds, or that another shape overlaps.
+                pub fn nearest(&self, question: &Shape, layers: u32) -> Result<Option<Found>> {
+                    let mut found = Found::default();
+                    let yes = check(unsafe {
+                        scene_nearest(self.at(), self.handle, question, layers, &mut found)
+                    })?;
+                    Ok(if yes { Some(found) } else { None })
+                }
+                /// Whether the shape overlaps any object in `layers`.
+                pub fn any(&self, question: &Shape, layers: u32) -> Result<bool> {
+                    check(unsafe { scene_any(self.at(), self.handle, question, layers) })
+                }
+                /// All objects in `layers` that the shape overlaps, by distance, then id.
+                pub fn all(&self, question: &Shape, layers: u32) -> Result<Vec<Found>> {
+                    list(|to, room, count| unsafe {
+                        scene_all(self.at(), self.handle, question, layers, to, room, count)
+                    })
+                }
+                /// All pairs of overlapping objects.
+                pub fn overlaps(&self) -> Result<Vec<Pair>> {
+                    list(|to, room, count| unsafe {
+                        scene_overlaps(self.at(), self.handle, to, room, count)
+                    })
+                }
+                /// 64 bits of all objects.
+                pub fn digest(&self) -> Result<u64> {
+                    let mut digest = 0;
+                    check(unsafe { scene_digest(self.at(), self.handle, &mut digest) })?;
+                    Ok(digest)
+                }
+                /// The moving objects as bytes.
+                pub fn snapshot(&self) -> Result<Vec<u8>> {
+                    bytes(|to, room, size| unsafe {
+                        scene_snapshot(self.at(), self.handle, to, room, size)
+                    })
+                }
+                /// Replaces the moving objects by those of a snapshot; any bytes are safe.
+                pub fn restore(&mut self, snapshot: &[u8]) -> Result<()> {
+                    check(unsafe {
+                        scene_restore(self.at(), self.handle, snapshot.as_ptr().cast(),
+                                      length(snapshot)?)
+                    })
+                    .map(|_| ())
+                }
+            }
+
+            impl Drop for Scene<'_> {
+                fn drop(&mut self) {
+                    unsafe { scene_destroy(self.at(), self.handle) };
+                }
+            }
+
+            /// The options of an ordinary body.
+            pub fn default_options() -> BodyOptions {
+                let mut own = BodyOptions::default();
+                unsafe { body_default_options(&mut own) };
+                own
+            }
+            /// The settings of an ordinary world.
+            pub fn default_settings() -> WorldSettings {
+                let mut own = WorldSettings::default();
+                unsafe { world_default_settings(&mut own) };
+                own
+            }
+
+            /// Bodies that fall, collide and come to rest. Destroyed when it is dropped.
+            pub struct World<'a> {
+                context: &'a Context,
+                handle: u32,
+                not_sync: PhantomData<*mut ()>,
+            }
+
+            impl<'a> World<'a> {
+                /// An empty world, with settings such as `default_settings()`.
+                pub fn new(context: &'a Context, settings: &WorldSettings) -> Result<World<'a>> {
+                    let mut handle = 0;
+                    check(unsafe { world_create(context.pointer(), settings, &mut handle) })?;
+                    Ok(World { context, handle, not_sync: PhantomData })
+                }
+                fn at(&self) -> *mut ffi::Context {
+                    self.context.pointer()
+                }
+                /// Adds a sphere, AABB, OBB or capsule.
+                pub fn add(&mut self, shape: &Shape, options: &BodyOptions) -> Result<Id> {
+                    let mut id = Id::default();
+                    check(unsafe { world_add(self.at(), self.handle, shape, options, &mut id) })?;
+                    Ok(id)
+                }
+                /// Removes a body; false if there is none with this id.
+                pub fn remove(&mut self, id: Id) -> Result<bool> {
+                    check(unsafe { world_remove(self.at(), self.handle, id) })
+                }
+                /// One tick.
+                pub fn step(&mut self) -> Result<()> {
+                    check(unsafe { world_step(self.at(), self.handle) }).map(|_| ())
+                }
+                /// Where a body is and how it moves.
+                pub fn body(&self, id: Id) -> Result<Option<Body>> {
+                    let mut body = Body::default();
+                    let yes = check(unsafe { world_body(self.at(), self.handle, id, &mut body) })?;
+                    Ok(if yes { Some(body) } else { None })
+                }
+                /// Where a body is.
+                pub fn position(&self, id: Id) -> Result<Option<[i32; $n]>> {
+                    Ok(self.body(id)?.map(|body| [$(body.position.$x),*]))
+                }
+                /// Sets the velocity of a body, and wakes it.
+                pub fn set_velocity(&mut self, id: Id, velocity: [i32; $n]) -> Result<bool> {
+                    check(unsafe { world_set_velocity(self.at(), self.handle, id, &vec(velocity)) })
+                }
+                /// Sets the angular velocity of a body, and wakes it.
+                pub fn set_angular_velocity(&mut self, id: Id, velocity: [i32; $spin]) -> Result<bool> {
+                    check(unsafe {
+                        world_set_angular_velocity(self.at(), self.handle, id, velocity.as_ptr())
+                    })
+                }
+                /// The number of bodies.
+                pub fn size(&self) -> Result<u32> {
+                    let mut size = 0;
+                    check(unsafe { world_size(self.at(), self.handle, &mut size) })?;
+                    Ok(size)
+                }
+                /// The pairs that began or ended to touch in the last step.
+                pub fn events(&self) -> Result<Vec<Touch>> {
+                    list(|to, room, count| unsafe {
+                        world_events(self.at(), self.handle, to, room, count)
+                    })
+                }
+                /// 64 bits of all bodies that are not fixed, and their contacts.
+                pub fn digest(&self) -> Result<u64> {
+                    let mut digest = 0;
+                    check(unsafe { world_digest(self.at(), self.handle, &mut digest) })?;
+                    Ok(digest)
+                }
+                /// The bodies that are not fixed as bytes.
+                pub fn snapshot(&self) -> Result<Vec<u8>> {
+                    bytes(|to, room, size| unsafe {
+                        world_snapshot(self.at(), self.handle, to, room, size)
+                    })
+                }
+                /// Makes the world that of a snapshot; any bytes are safe.
+                pub fn restore(&mut self, snapshot: &[u8]) -> Result<()> {
+                    check(unsafe {
+                        world_restore(self.at(), self.handle, snapshot.as_ptr().cast(),
+                                      length(snapshot)?)
+                    })
+                    .map(|_| ())
+                }
+            }
+
+            impl Drop for World<'_> {
+                fn drop(&mut self) {
+                    unsafe { world_destroy(self.at(), self.handle) };
+                }
+            }
+        }
+    };
+}
+
+space! {
+    d2, "Shapes, rays, scenes and worlds in 2D.", 2, 1, [0 x, 1 y],
+    Vec2 Direction2 Rotation2 Transform2 Ray2 Shape2
+    Shape2As Hit2 ObjectHit2 World2Settings Body2Options Body2
+    Sphere2 Aabb2 Obb2 Plane2 Triangle2 Capsule2
+    Segment2;
+    raycast_ = detent_raycast2,
+    raycast_many_ = detent_raycast2_many,
+    contains_ = detent_contains2,
+    overlaps_ = detent_overlaps2,
+    closest_point_ = detent_closest_point2,
+    distance_to_point_ = detent_distance_to_point2,
+    distance_ = detent_distance2,
+    scene_create = detent_scene2_create,
+    scene_destroy = detent_scene2_destroy,
+    scene_add = detent_scene2_add,
+    scene_remove = detent_scene2_remove,
+    scene_replace = detent_scene2_replace,
+    scene_move = detent_scene2_move,
+    scene_optimize = detent_scene2_optimize,
+    scene_size = detent_scene2_size,
+    scene_raycast = detent_scene2_raycast,
+    scene_raycast_any = detent_scene2_raycast_any,
+    scene_raycast_all = detent_scene2_raycast_all,
+    scene_raycast_many = detent_scene2_raycast_many,
+    scene_nearest = detent_scene2_nearest,
+    scene_any = detent_scene2_any,
+    scene_all = detent_scene2_all,
+    scene_overlaps = detent_scene2_overlaps,
+    scene_digest = detent_scene2_digest,
+    scene_snapshot = detent_scene2_snapshot,
+    scene_restore = detent_scene2_restore,
+    world_create = detent_world2_create,
+    world_destroy = detent_world2_destroy,
+    world_add = detent_world2_add,
+    world_remove = detent_world2_remove,
+    world_step = detent_world2_step,
+    world_body = detent_world2_body,
+    world_set_velocity = detent_world2_set_velocity,
+    world_set_angular_velocity = detent_world2_set_angular_velocity,
+    world_size = detent_world2_size,
+    world_events = detent_world2_events,
+    world_digest = detent_world2_digest,
+    world_snapshot = detent_world2_snapshot,
+    world_restore = detent_world2_restore,
+    world_default_settings = detent_world2_default_settings,
+    body_default_options = detent_body2_default_options,
+    hull_create = detent_hull2_create,
+}
+
+space! {
+    d3, "Shapes, rays, scenes and worlds in 3D.", 3, 3, [0 x, 1 y, 2 z],
+    Vec3 Direction3 Rotation3 Transform3 Ray3 Shape3
+    Shape3As Hit3 ObjectHit3 World3Settings Body3Options Body3
+    Sphere3 Aabb3 Obb3 Plane3 Triangle3 Capsule3
+    Segment3;
+    raycast_ = detent_raycast3,
+    raycast_many_ = detent_raycast3_many,
+    contains_ = detent_contains3,
+    overlaps_ = detent_overlaps3,
+    closest_point_ = detent_closest_point3,
+    distance_to_point_ = detent_distance_to_point3,
+    distance_ = detent_distance3,
+    scene_create = detent_scene3_create,
+    scene_destroy = detent_scene3_destroy,
+    scene_add = detent_scene3_add,
+    scene_remove = detent_scene3_remove,
+    scene_replace = detent_scene3_replace,
+    scene_move = detent_scene3_move,
+    scene_optimize = detent_scene3_optimize,
+    scene_size = detent_scene3_size,
+    scene_raycast = detent_scene3_raycast,
+    scene_raycast_any = detent_scene3_raycast_any,
+    scene_raycast_all = detent_scene3_raycast_all,
+    scene_raycast_many = detent_scene3_raycast_many,
+    scene_nearest = detent_scene3_nearest,
+    scene_any = detent_scene3_any,
+    scene_all = detent_scene3_all,
+    scene_overlaps = detent_scene3_overlaps,
+    scene_digest = detent_scene3_digest,
+    scene_snapshot = detent_scene3_snapshot,
+    scene_restore = detent_scene3_restore,
+    world_create = detent_world3_create,
+    world_destroy = detent_world3_destroy,
+    world_add = detent_world3_add,
+    world_remove = detent_world3_remove,
+    world_step = detent_world3_step,
+    world_body = detent_world3_body,
+    world_set_velocity = detent_world3_set_velocity,
+    world_set_angular_velocity = detent_world3_set_angular_velocity,
+    world_size = detent_world3_size,
+    world_events = detent_world3_events,
+    world_digest = detent_world3_digest,
+    world_snapshot = detent_world3_snapshot,
+    world_restore = detent_world3_restore,
+    world_default_settings = detent_world3_default_settings,
+    body_default_options = detent_body3_default_options,
+    hull_create = detent_hull3_create,
+}

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+
+use detent::{d2, ffi, Error};
+
+include!("../examples/match/play.rs");
+
+#[test]
+fn the_match_ends_as_in_cpp() {
+    let expected = std::env::var("DETENT_MATCH").expect("DETENT_MATCH is its digest");
+    assert_eq!(format!("{:016x}", play().unwrap()), expected);
+}
+
+#[test]
+fn single_queries() {
+    let ball = d3::sphere([10 * ONE, 0, 0], ONE);
+    let ray = d3::ray([0, 0, 0], [UNIT, 0, 0], i32::MAX);
+    let hit = d3::raycast(&ray, &ball).unwrap().unwrap();
+    assert_eq!((hit.distance, hit.point.x, hit.normal.x), (9 * ONE, 9 * ONE, -UNIT));
+    let back = d3::ray([0, 0, 0], [-UNIT, 0, 0], i32::MAX);
+    assert!(d3::raycast(&back, &ball).unwrap().is_none());
+    assert_eq!(d3::raycast_many(&[ray, back], &ball), Ok(vec![9 * ONE, -1]));
+    assert_eq!(d3::contains(&ball, [11 * ONE, 0, 0]), Ok(true));
+    assert_eq!(d3::contains(&ball, [11 * ONE + 1, 0, 0]), Ok(false));
+    assert_eq!(d3::closest_point(&ball, [0, 0, 0]), Ok([9 * ONE, 0, 0]));
+    let cube = d3::aabb([0, 0, 0], [ONE, ONE, ONE]);
+    assert_eq!(d3::distance_to_point(&ball, [0, 0, 0]), Ok(9 * ONE));
+    assert_eq!(d3::distance(&ball, &cube), Ok(8 * ONE));
+    assert_eq!(d3::overlaps(&ball, &cube), Ok(false));
+    assert_eq!(
+        d2::overlaps(&d2::sphere([0, 0], ONE), &d2::segment([ONE, -ONE], [ONE, ONE])),
+        Ok(true)
+    );
+}
+
+#[test]
+fn scenes() {
+    let context = Context::new().unwrap();
+    let mut scene = d2::Scene::new(&context).unwrap();
+    let ids: Vec<_> = (0..4)
+        .map(|i| {
+            let traits = Traits { layers: 1 << i, ..Traits::default() };
+            scene.add(&d2::sphere([i * ONE, 0], ONE), traits).unwrap()
+        })
+        .collect();
+    let ray = d2::ray([-5 * ONE, 0], [UNIT, 0], i32::MAX);
+    let hits = scene.raycast_all(&ray, !0).unwrap();
+    assert_eq!(hits.iter().map(|hit| hit.id).collect::<Vec<_>>(), ids);
+    assert_eq!(scene.raycast(&ray, 6).unwrap().unwrap().id, ids[1]);
+    assert_eq!(scene.nearest(&d2::point([9 * ONE, 0]), !0).unwrap().unwrap().id, ids[3]);
+    assert_eq!(scene.overlaps().unwrap().len(), 5);
+    assert_eq!(scene.move_by(ids[3], [5 * ONE, 0]), Ok(true));
+    assert_eq!(scene.overlaps().unwrap().len(), 3);
+    let (saved, digest) = (scene.snapshot().unwrap(), scene.digest().unwrap());
+    assert_eq!(scene.remove(ids[0]), Ok(true));
+    assert_eq!(scene.remove(ids[0]), Ok(false));
+    scene.restore(&saved).unwrap();
+    assert_eq!((scene.size(), scene.digest()), (Ok(4), Ok(digest)));
+}
+
+#[test]
+fn lists_longer_than_their_first_room() {
+    let context = Context::new().unwrap();
+    let mut scene = d3::Scene::new(&context).unwrap();
+    for i in 0..100 {
+        scene.add(&d3::sphere([i, 0, 0], ONE), Traits::default()).unwrap();
+    }
+    assert_eq!(scene.all(&d3::point([0, 0, 0]), !0).unwrap().len(), 100);
+}
+
+#[test]
+fn assets() {
+    let context = Context::new().unwrap();
+    let corners = [[0, 0, 0], [ONE, 0, 0], [0, ONE, 0], [0, 0, ONE]];
+    let mesh = context.mesh(1, &corners, &[[0, 1, 2], [0, 2, 3]]).unwrap();
+    let hull = d3::hull(&context, 1, &corners).unwrap();
+    let field = context.height_field(1, [0, 0], ONE, 2, 2, &[0; 4]).unwrap();
+    let mut scene = d3::Scene::new(&context).unwrap();
+    for (x, asset) in [&mesh, &hull, &field].iter().enumerate() {
+        let shape = d3::placed(asset, [10 * x as i32 * ONE, 0, 0], d3::AXES, ONE);
+        scene.add(&shape, Traits::default()).unwrap();
+    }
+    assert_eq!(scene.nearest(&d3::point([11 * ONE, 0, 0]), !0).unwrap().unwrap().id.index, 1);
+    let ray = d3::ray([20 * ONE + ONE / 4, ONE, ONE / 4], [0, -UNIT, 0], i32::MAX);
+    let hit = scene.raycast(&ray, !0).unwrap().unwrap();
+    assert_eq!((hit.id.index, hit.has_triangle, hit.triangle), (2, 1, 0));
+    assert_eq!(mesh.destroy(), Err(Error(ffi::IN_USE)));
+    drop(scene);
+    assert_eq!(mesh.destroy(), Ok(()));
+    assert_eq!(mesh.destroy(), Err(Error(ffi::BAD_HANDLE)));
+}
+
+#[test]
+fn worlds() {
+    let context = Context::new().unwrap();
+    let mut settings = d2::default_settings();
+    settings.gravity.y = -20 * ONE;
+    let mut world = d2::World::new(&context, &settings).unwrap();
+    let options = d2::default_options();
+    let floor = d2::aabb([-5 * ONE, -ONE], [5 * ONE, 0]);
+    world.add(&floor, &d2::BodyOptions { motion: ffi::FIXED_BODY, ..options }).unwrap();
+    let bouncy = d2::BodyOptions { restitution: ONE / 2, ..options };
+    let ball = world.add(&d2::sphere([0, 2 * ONE], ONE), &bouncy).unwrap();
+    let mut began = 0;
+    for _ in 0..240 {
+        world.step().unwrap();
+        began += world.events().unwrap().iter().filter(|touch| touch.begins == 1).count();
+    }
+    assert!(began > 1); // it bounces
+    let height = world.position(ball).unwrap().unwrap()[1];
+    assert!((height - ONE).abs() < ONE / 20);
+    assert_eq!(world.set_velocity(ball, [0, ONE]), Ok(true));
+    assert_eq!(world.body(ball).unwrap().unwrap().velocity.y, ONE);
+    settings.substeps = 0;
+    assert_eq!(d2::World::new(&context, &settings).err(), Some(Error(ffi::BAD_ARGUMENT)));
+}
+
+#[test]
+fn errors() {
+    let ball = d3::sphere([0, 0, 0], ONE);
+    let said = d3::raycast(&d3::ray([0, 0, 0], [1, 0, 0], ONE), &ball);
+    assert_eq!(said.unwrap_err(), Error(ffi::NOT_UNIT));
+    assert_eq!(Error(ffi::NOT_UNIT).to_string(), "the length of a direction is not 1");
+    assert_eq!(detent::raw(-0.5), Some(-32768));
+    assert_eq!(detent::raw(32768.0), None);
+    assert_eq!(detent::raw(f64::NAN), None);
+}
