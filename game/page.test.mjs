@@ -2,11 +2,13 @@
 //
 // usage: node page.test.mjs FOLDER GOLDEN
 // Plays the page that game/build made in FOLDER, in Chromium: two machines in one page, then two
-// pages and the relay, with lost packets; then it breaks a bit, saves and opens a replay, plays by
-// keyboard and mouse, and goes offline. Pictures go to FOLDER.
+// pages and the relay, with lost packets, then a page and the program of game/check on a big-endian
+// machine, or this one; it breaks a bit, saves and opens a replay, plays by keyboard and mouse, and
+// goes offline. Pictures go to FOLDER. Most of it runs at several times the speed, as pages then draw
+// once in four seconds: without a GPU that is what takes long.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
@@ -77,7 +79,7 @@ try {
   await alone.close();
 
   await check('a bit that is flipped is named, by frame, object and field, within 60 frames', async () => {
-    const page = await open('auto&seed=7');
+    const page = await open('auto&seed=7&speed=2');
     await page.waitForFunction(() => slingshot.peers[1].wasm.frame() > 30);
     await page.click('#flip');
     await page.waitForFunction(() => document.getElementById('desync').textContent !== '');
@@ -101,8 +103,24 @@ try {
     await pages[0].close();
   });
 
+  const isBig = existsSync(`${folder}s390x`);
+  await check(`a page and a program ${isBig ? 'on s390x ' : ''}play 3,000 frames`, async () => {
+    const program = isBig ? ['qemu-s390x', `${folder}s390x`] : [`${folder}native`];
+    const peer = spawn('node', [`${folder}relay_peer.mjs`, '--room', 'mixed', '--seed', seed, '--speed', '8',
+      '--loss', '0.15', address, ...program], { stdio: ['ignore', 'pipe', 'inherit'] });
+    let said = '';
+    peer.stdout.on('data', (text) => { said += text; });
+    const left = new Promise((done) => { peer.on('exit', done); });
+    const page = await open(`room=mixed&auto&seed=${seed}&speed=8&loss=15&latency=60`);
+    assert.deepEqual(await untilPlayed(page, 3000), golden);
+    while (!said.includes('\n3000 ')) await page.waitForTimeout(50);
+    await page.close();
+    assert.equal(await left, 0);
+    for (const [frames, digest] of Object.entries(golden)) assert.ok(said.includes(`${frames} ${digest}\n`), said);
+  });
+
   await check('it is played by keyboard, mouse and labelled sliders', async () => {
-    const page = await open('seed=3&loss=0&latency=0');
+    const page = await open('seed=3&loss=0&latency=0&speed=2');
     await page.uncheck('#computer');
     const shots = () => page.waitForFunction(() => slingshot.peers[0].match().pieces
       .some((piece) => piece.kind === 'ball' && piece.owner === 0 && piece.age < 120));
@@ -135,7 +153,7 @@ try {
   });
 
   await check('it works offline', async () => {
-    const page = await open('auto&seed=5');
+    const page = await open('auto&seed=5&speed=2');
     await page.evaluate(() => navigator.serviceWorker.ready);
     relay.kill();
     await browser.setOffline(true);
