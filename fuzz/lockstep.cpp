@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Two honest players and one who sends anything: packets that are no packets, sealed packets of any
-// bits, packets of a third session with bits changed. Whatever comes, the inputs that the honest
+// bits, packets of a third session with bits changed, slices of snapshots, other lives and terms. A
+// spectator comes late and hears them all. Whatever comes, the inputs that the honest
 // ones pressed act in both, in the frames in which they were pressed; both get equal results from
 // equal inputs; and where the third one gave them different inputs, both know it.
 
@@ -15,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "detent/lockstep/replay.hpp"
 #include "lockstep/toy.hpp"
 #include "property.hpp"
 #include "source.hpp"
@@ -49,11 +51,15 @@ class Game {
     config.delay = static_cast<std::uint32_t>(source.below(4));
     config.prediction = static_cast<std::uint32_t>(1 + source.below(12));
     config.silence = 30 * tick;
+    config.spectators = 1;
     for (std::size_t i = 0; i < 3; ++i) {
       config.self = i;
       players_[i] = std::make_unique<Honest>(Honest{ToySession(config, Toy{})});
       players_[i]->pressed.resize(i == liar ? 0 : config.delay);
     }
+    config.self = 3;
+    config.life = 1;
+    late_ = std::make_unique<ToySession>(config, Toy{});
   }
 
   void play(int ticks, bool is_lying) {
@@ -62,9 +68,13 @@ class Game {
       for (std::size_t self = 0; self < 3; ++self) {
         players_[self]->session.poll(now_, [&](std::size_t to, std::span<const std::byte> bytes) {
           if (self == liar && is_lying) return send_lie({bytes.begin(), bytes.end()}, to);
-          players_[to]->session.receive(self, bytes, now_);
+          deliver(self, to, bytes);
         });
       }
+      late_->advance({}, test::play);
+      late_->poll(now_,
+                  [&](std::size_t to, std::span<const std::byte> bytes) { deliver(3, to, bytes); });
+      require(late_->final_frame() <= late_->frame(), [] { return std::string("from nowhere"); });
     }
   }
 
@@ -112,8 +122,49 @@ class Game {
     }
   }
 
+  void deliver(std::size_t from, std::size_t to, std::span<const std::byte> bytes) {
+    ToySession& session = to == 3 ? *late_ : players_[to]->session;
+    session.receive(from, bytes, now_);
+  }
+  /// A packet that says it comes late, that seats were given again, or has a slice of a snapshot.
+  Packet late_lie(const Packet& honest) {
+    const auto body = std::span<const std::byte>(honest).subspan(detail::PacketHeader::size);
+    auto packet = detail::Packet::read<Pad>(body, 3);
+    if (!packet) return honest;
+    packet->run_count = 0;
+    if (source_.below(2) == 0) packet->terms[source_.below(3)] = source_.byte();
+    if (source_.below(2) == 0) {
+      detail::JoinState join;
+      join.life = source_.byte();
+      join.wants_seat = source_.below(2) == 0;
+      join.is_loaded = source_.below(2) == 0;
+      join.start = static_cast<std::uint32_t>(source_.word(source_.below(2) == 0 ? 1 : 4));
+      join.source = source_.below(4);
+      join.frame = source_.byte();
+      join.first = static_cast<std::uint32_t>(source_.word(source_.below(2) == 0 ? 1 : 4));
+      join.later = static_cast<std::uint32_t>(source_.word(4));
+      packet->join = join;
+    }
+    Packet bytes(440, static_cast<std::byte>(source_.byte()));
+    if (source_.below(2) == 0) {
+      detail::Slice slice;
+      slice.frame = source_.byte();
+      slice.total = static_cast<std::uint32_t>(source_.word(2));
+      slice.digest = source_.below(2) == 0 ? detail::digest_from(0, bytes) : source_.byte();
+      slice.index = source_.byte();
+      slice.size = static_cast<std::uint32_t>(source_.word(2) % 441);
+      slice.bytes = std::span<const std::byte>(bytes).first(slice.size);
+      packet->slice = slice;
+    }
+    Packet result(600);
+    detail::BitWriter out(std::span<std::byte>(result).subspan(detail::PacketHeader::size));
+    packet->write(out, 3, [](auto&, const auto&) {});
+    result.resize(std::min(result.size(), detail::PacketHeader::size + out.byte_count()));
+    return result;
+  }
+
   void send_lie(Packet packet, std::size_t to) {
-    const auto kind = source_.below(4);
+    const auto kind = source_.below(5);
     if (kind == 0) return;  // silence
     if (kind == 1) {
       packet.resize(detail::PacketHeader::size + source_.below(64));
@@ -124,14 +175,16 @@ class Game {
         packet[bit / 8] ^= std::byte{1} << (bit % 8);
       }
     }
+    if (kind == 4) packet = late_lie(packet);
     if (source_.below(8) != 0) {
       detail::PacketHeader{liar}.seal(packet, match);
     }
-    players_[to]->session.receive(liar, packet, now_);
+    deliver(liar, to, packet);
   }
 
   Source& source_;
   std::array<std::unique_ptr<Honest>, 3> players_;
+  std::unique_ptr<ToySession> late_;
   std::uint64_t now_ = 0;
 };
 

@@ -26,6 +26,8 @@ struct MatchPeer {
   std::array<std::optional<std::uint32_t>, 8> ends{};
   std::uint64_t starved = 0, waited = 0;
   bool is_off = false;  // its program has ended
+  std::uint32_t life = 0;
+  std::uint32_t begin = 0;  // the first frame in which its present session's inputs act
 };
 
 /// Sessions that play over a simulated network. Who falls silent is dropped.
@@ -84,17 +86,39 @@ class Match {
     return false;
   }
 
+  /// Ends a peer's program and starts it again: it comes late.
+  void restart(std::size_t i, bool wants_seat = true) {
+    MatchPeer& peer = *peers[i];
+    auto config = peer.session.config();
+    config.life = ++peer.life;
+    config.wants_seat = wants_seat;
+    peer.session = ToySession(config, Toy{});
+    peer.chain.assign(1, 0);
+    peer.begin = 0xffffffffu;
+    peer.is_off = false;
+  }
+
   /// The digests of all frames, simulated offline from what the players pressed and when they left
   /// by what `peer` says.
   [[nodiscard]] std::vector<std::uint64_t> offline(std::size_t peer, std::uint32_t frames) const {
     Toy toy;
     std::vector<std::uint64_t> chain{0};
-    const auto players = peers[peer]->session.config().players;
+    const auto& config = peers[peer]->session.config();
+    const auto players = config.players;
+    std::array<std::vector<SessionEvent>, 8> changes;  // of who is in, by `peer`
+    for (const auto& event : peers[peer]->events) {
+      const bool is_change =
+          event.kind == SessionEvent::Kind::left || event.kind == SessionEvent::Kind::joined;
+      if (is_change) changes[event.peer].push_back(event);
+    }
     for (std::uint32_t frame = 0; frame < frames; ++frame) {
       FrameInputs<Pad, 8> inputs(frame, players);
       for (std::size_t i = 0; i < players; ++i) {
-        const auto& end = peers[peer]->ends[i];
-        if (!end || frame < *end) inputs.set(i, peers[i]->pressed.at(frame));
+        bool is_in = ((config.absent >> i) & 1u) == 0;
+        for (const auto& change : changes[i]) {
+          if (change.frame <= frame) is_in = change.kind == SessionEvent::Kind::joined;
+        }
+        if (is_in) inputs.set(i, peers[i]->pressed.at(frame));
       }
       simulate(toy, inputs);
       Digest digest(chain.back());
@@ -121,9 +145,13 @@ class Match {
     if (random_.one_in(keep_pressed)) {
       pad = {static_cast<std::int16_t>(random_.between(-3, 3)), random_.coin()};
     }
+    const auto acts = session.frame() + session.config().delay;
     const auto result = session.advance(
         pad, [&](Toy& toy, const ToySession::Inputs& inputs) { simulate_at(i, toy, inputs); });
-    if (result == Advanced::yes && i < session.config().players) peer.pressed.push_back(pad);
+    if (result == Advanced::yes && session.is_player() && acts >= peer.begin) {
+      if (peer.pressed.size() <= acts) peer.pressed.resize(acts + 1);
+      peer.pressed[acts] = pad;
+    }
     peer.starved += result == Advanced::starved ? 1 : 0;
     peer.waited += result == Advanced::ahead ? 1 : 0;
     while (peer.chain.size() <= session.checked_frame()) {
@@ -134,6 +162,7 @@ class Match {
     });
     while (const auto event = session.next_event()) {
       peer.events.push_back(*event);
+      if (event->kind == SessionEvent::Kind::joined && event->peer == i) peer.begin = event->frame;
       if (event->kind == SessionEvent::Kind::left) peer.ends[event->peer] = event->frame;
       if (event->kind == SessionEvent::Kind::silent && drops_silent) session.drop(event->peer);
       on_event(i, *event);

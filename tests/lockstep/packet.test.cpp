@@ -98,7 +98,7 @@ TEST_CASE("input codec: bytes are little endian, fields one after another") {
 TEST_CASE("input queue: unchanged inputs cost a bit, and runs come back from any kept frame") {
   InputQueue<Pad, 128> queue;
   for (int i = 0; i < 100; ++i) {
-    queue.push(bytes_of(Pad{static_cast<std::int16_t>(i / 20 * 300), i == 50}));
+    queue.push(wire_of<Pad>(bytes_of(Pad{static_cast<std::int16_t>(i / 20 * 300), i == 50})));
   }
   BitWriter idle({});
   queue.write(idle, 1, 19);
@@ -116,7 +116,7 @@ TEST_CASE("input queue: unchanged inputs cost a bit, and runs come back from any
     }
     CHECK_FALSE(in.has_failed());
   }
-  for (int i = 0; i < 100; ++i) queue.push(bytes_of(Pad{}));
+  for (int i = 0; i < 100; ++i) queue.push(wire_of<Pad>(bytes_of(Pad{})));
   CHECK_FALSE(queue.has(71));
   CHECK(queue.has(72));
   CHECK_FALSE(queue.has(200));
@@ -130,7 +130,9 @@ TEST_CASE("packet: what is written is read, whole or not at all") {
   packet.dropped = 5;
   packet.held = {990, 1003, 7};
   InputQueue<Pad, 128> queue;
-  for (int i = 0; i < 12; ++i) queue.push(bytes_of(Pad{static_cast<std::int16_t>(i), false}));
+  for (int i = 0; i < 12; ++i) {
+    queue.push(wire_of<Pad>(bytes_of(Pad{static_cast<std::int16_t>(i), false})));
+  }
   packet.runs[0] = {2, 3, 9, {}};
   packet.run_count = 1;
   packet.digests = {998, 2, {17, 18}};
@@ -163,6 +165,8 @@ TEST_CASE("packet: what is written is read, whole or not at all") {
   CHECK(read->digests.values == packet.digests.values);
   REQUIRE(read->fields);
   CHECK(read->fields->values == packet.fields->values);
+  CHECK_FALSE(read->join);
+  CHECK_FALSE(read->slice);
   auto bits = read->runs[0].bits;
   auto input = queue.before(3);
   for (std::uint32_t frame = 3; frame < 12; ++frame) {
@@ -184,6 +188,94 @@ TEST_CASE("packet: what is written is read, whole or not at all") {
   }
 }
 
+TEST_CASE("packet: terms, what a late peer says, and slices are read as written") {
+  Packet packet;
+  packet.terms = {0, 3, 255};
+  packet.join = JoinState{7, true, false, 0, 2, 300, 4, 0x80000001u};
+  std::array<std::byte, 20> bytes{};
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::byte>(37 * i);
+  packet.slice = Slice{300, 500, 0x0123456789abcdefu, 24, 20, bytes, {}};
+  for (const bool is_loaded : {false, true}) {
+    packet.join->is_loaded = is_loaded;
+    packet.join->start = is_loaded ? 99 : 0;
+    std::array<std::byte, 200> room{};
+    BitWriter out(room);
+    packet.write(out, 3, [](auto&, const auto&) {});
+    REQUIRE(out.has_room());
+    CHECK(out.byte_count() <= Packet::slice_room + bytes.size() - PacketHeader::size);
+    const auto body = std::span<const std::byte>(room).first(out.byte_count());
+    const auto read = Packet::read<Pad>(body, 3);
+    REQUIRE(read);
+    CHECK(read->terms == packet.terms);
+    REQUIRE(read->join);
+    CHECK(read->join->life == 7);
+    CHECK(read->join->wants_seat);
+    CHECK(read->join->is_loaded == is_loaded);
+    CHECK(read->join->start == packet.join->start);
+    CHECK(read->join->source == (is_loaded ? 0 : 2));
+    CHECK(read->join->frame == (is_loaded ? 0 : 300));
+    CHECK(read->join->first == (is_loaded ? 0 : 4));
+    CHECK(read->join->later == (is_loaded ? 0 : 0x80000001u));
+    REQUIRE(read->slice);
+    CHECK(read->slice->frame == 300);
+    CHECK(read->slice->total == 500);
+    CHECK(read->slice->digest == 0x0123456789abcdefu);
+    CHECK(read->slice->index == 24);
+    REQUIRE(read->slice->size == 20);
+    auto bits = read->slice->bits;
+    for (const auto byte : bytes) CHECK(static_cast<std::byte>(bits.number(8)) == byte);
+    for (std::size_t size = 0; size < body.size(); ++size) {
+      CHECK_FALSE(Packet::read<Pad>(body.first(size), 3));
+    }
+  }
+}
+
+TEST_CASE("transfer: slices come in any order, and others make it begin again") {
+  Outgoing<1000, 100> out;
+  for (std::size_t i = 0; i < 950; ++i) out.room()[i] = static_cast<std::byte>(i * i / 7);
+  out.start(3, 5, 60, 950);
+  CHECK(out.is_for(3, 5));
+  CHECK_FALSE(out.is_for(3, 6));
+  Incoming<1000, 100> in;
+  // A slice as it is read from a packet.
+  const auto sent = [](Slice slice) {
+    static std::array<std::byte, 300> room;
+    BitWriter bits(room);
+    for (const auto byte : slice.bytes) bits.add(std::to_integer<std::uint64_t>(byte), 8);
+    slice.bits = BitReader(room);
+    return slice;
+  };
+  JoinState guest;
+  std::size_t count = 0;
+  for (; !in.is_whole() && count < 100; ++count) {
+    in.describe(guest);
+    const auto slice = out.next(guest);
+    if (count % 3 != 1) {
+      CHECK(in.take(sent(slice)));
+      CHECK_FALSE(in.take(sent(slice)));
+    }
+  }
+  CHECK(count <= 16);  // ten slices, a third of which was lost
+  REQUIRE(in.bytes().size() == 950);
+  CHECK(std::equal(in.bytes().begin(), in.bytes().end(), out.room().begin()));
+  // Slices that are none, and one of another snapshot.
+  auto slice = out.next(guest);
+  const auto is_refused = [&](auto&& change) {
+    auto other = slice;
+    change(other);
+    CHECK_FALSE(in.take(sent(other)));
+    CHECK(in.is_whole());
+  };
+  is_refused([](Slice& s) { s.total = 0; });
+  is_refused([](Slice& s) { s.total = 1001; });
+  is_refused([](Slice& s) { s.index = 10; });
+  is_refused([](Slice& s) { s.index = 0xffffffffu; });
+  is_refused([](Slice& s) { --s.size; });
+  slice.digest ^= 1;
+  CHECK(in.take(sent(slice)));
+  CHECK_FALSE(in.is_whole());
+}
+
 TEST_CASE("packet: bytes are the same everywhere") {
   Packet packet;
   packet.frame = 0x01020304;
@@ -201,5 +293,5 @@ TEST_CASE("packet: bytes are the same everywhere") {
     hex += digits[std::to_integer<unsigned>(byte) / 16];
     hex += digits[std::to_integer<unsigned>(byte) % 16];
   }
-  CHECK(hex == "646c01011668cc5259ec7f6f0403020180004104f5b06c28");
+  CHECK(hex == "646c02017d8ae1d84ce397060403020180004104f5b06c28");
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <type_traits>
 #include <vector>
 
 #include "detent/lockstep/session.hpp"
@@ -23,6 +25,43 @@ void for_each_field(const Toy& toy, const F& f) {
   f("absent", toy.absent);
   f("frame", toy.frame);
   f("mixed", toy.mixed);
+}
+
+/// A snapshot of ten slices: most of it is filler that must be right.
+inline constexpr std::size_t toy_bytes = 76, toy_snapshot = 4000;
+inline std::size_t snapshot(const Toy& toy, std::span<std::byte> room) {
+  if (room.size() < toy_snapshot) return toy_snapshot;
+  auto* to = room.data();
+  const auto put = [&](auto word) {
+    detent::detail::store_word(to, word);
+    to += sizeof(word);
+  };
+  for (const auto x : toy.position) put(x);
+  for (const auto x : toy.absent) put(x);
+  put(toy.frame);
+  put(toy.mixed);
+  for (std::size_t i = toy_bytes; i < toy_snapshot; ++i) {
+    *to++ = static_cast<std::byte>(toy.mixed >> (i % 57));
+  }
+  return toy_snapshot;
+}
+inline bool restore(Toy& toy, std::span<const std::byte> bytes) {
+  if (bytes.size() != toy_snapshot) return false;
+  const auto* from = bytes.data();
+  const auto get = [&](auto& word) {
+    word = detent::detail::load_word<std::remove_reference_t<decltype(word)>>(from);
+    from += sizeof(word);
+  };
+  Toy read;
+  for (auto& x : read.position) get(x);
+  for (auto& x : read.absent) get(x);
+  get(read.frame);
+  get(read.mixed);
+  for (std::size_t i = toy_bytes; i < toy_snapshot; ++i) {
+    if (*from++ != static_cast<std::byte>(read.mixed >> (i % 57))) return false;
+  }
+  toy = read;
+  return true;
 }
 
 struct Pad {
@@ -51,7 +90,8 @@ void simulate(Toy& toy, const Inputs& inputs) {
 }
 inline constexpr auto play = [](Toy& toy, const auto& inputs) { simulate(toy, inputs); };
 
-inline constexpr SessionLimits toy_limits{.peers = 10, .history = 128, .events = 256};
+inline constexpr SessionLimits toy_limits{
+    .peers = 10, .history = 256, .events = 256, .packet = 600, .snapshot = 4200};
 using ToySession = Session<Toy, Pad, toy_limits>;
 
 }  // namespace detent::test

@@ -62,7 +62,9 @@ auto Session<World, Input, Limits>::inputs_of(std::uint32_t frame) const -> Used
       used.bytes[i] = detail::bytes_of(Input{});
       continue;
     }
-    used.bytes[i] = queues_[i].has(frame) ? queues_[i][frame] : queues_[i].last();
+    const auto wire = queues_[i].has(frame) ? queues_[i][frame] : queues_[i].last();
+    used.bytes[i] = detail::input_of<Input>(wire);
+    if (queues_[i].is_absent(frame)) continue;
     used.inputs.set(i, InputCodec<Input>::read(used.bytes[i].data()));
   }
   return used;
@@ -87,6 +89,7 @@ std::optional<Advanced> Session<World, Input, Limits>::obstacle() {
   for (std::size_t i = 0; i < config_.players; ++i) {
     if (i == config_.self || members_.is_dropped(i)) continue;
     detail::Peer& peer = peers_[i];
+    if (!peer.is_heard && members_.term(i) > 0) continue;  // known_of_others() waits for it
     if (!peer.is_heard) return Advanced::connecting;
     is_paused |= peer.is_paused;
     peer.sync.count(static_cast<std::int32_t>(frame_ - peer.frame));
@@ -102,6 +105,7 @@ std::optional<Advanced> Session<World, Input, Limits>::obstacle() {
 template <RollbackWorld World, class Input, SessionLimits Limits>
 template <class Simulate>
 Advanced Session<World, Input, Limits>::advance(const Input& input, const Simulate& simulate) {
+  if (is_loading_) return Advanced::joining;
   agree();
   auto left = config_.frames_per_call;
   for (; timeline_.done() < frame_ && left > 0; --left) step(simulate);
@@ -110,7 +114,10 @@ Advanced Session<World, Input, Limits>::advance(const Input& input, const Simula
   // A spectator who fell behind plays several frames.
   constexpr std::uint32_t slack = 8;
   do {
-    if (is_player()) own().push(detail::canonical<Input>(detail::bytes_of(input)));
+    if (is_player() && own().count() <= frame_ + config_.delay) {
+      const auto pressed = detail::canonical<Input>(detail::bytes_of(input));
+      own().push(detail::wire_of<Input>(pressed, invitation()));
+    }
     ++frame_;
     step(simulate);
     --left;
@@ -146,11 +153,15 @@ void Session<World, Input, Limits>::agree() {
     timeline_.go_back(held);
     tell(Kind::left, i, held);
   }
+  admit();
 }
 
 template <RollbackWorld World, class Input, SessionLimits Limits>
 void Session<World, Input, Limits>::drop(std::size_t peer) {
-  if (peer >= peer_count() || peer == config_.self || is_dropped(peer)) return;
+  if (peer >= peer_count() || peer == config_.self || !is_met(peer)) return;
+  const bool is_out = is_dropped(peer);
+  peers_[peer].is_guest = false;
+  if (is_out || is_loading_) return;
   if (peer < config_.players) {
     members_.drop(peer);
   } else {

@@ -21,7 +21,12 @@ class Checksums {
   [[nodiscard]] constexpr std::uint32_t count() const noexcept { return count_; }
   [[nodiscard]] constexpr std::uint64_t chain() const noexcept { return chain_; }
   [[nodiscard]] constexpr bool has(std::uint32_t frame) const noexcept {
-    return frame < count_ && count_ - frame <= History;
+    return frame < count_ && count_ - frame <= History && frame >= start_;
+  }
+  /// Begins at `frame`, with the digest of all frames before.
+  constexpr void start(std::uint32_t frame, std::uint64_t chain) noexcept {
+    start_ = count_ = frame;
+    chain_ = chain;
   }
   [[nodiscard]] constexpr std::uint32_t operator[](std::uint32_t frame) const noexcept {
     return values_[frame % History];
@@ -34,7 +39,8 @@ class Checksums {
   }
   /// Digests of up to `DigestRun::most` frames from `first` on, without those that are not kept.
   [[nodiscard]] constexpr DigestRun run(std::uint32_t first) const noexcept {
-    const auto oldest = count_ - (std::min)(count_, static_cast<std::uint32_t>(History));
+    const auto kept = (std::min)(count_, static_cast<std::uint32_t>(History));
+    const auto oldest = (std::max)(count_ - kept, start_);
     DigestRun run;
     run.first = (std::max)(first, oldest);
     if (run.first < count_) run.count = (std::min)(count_ - run.first, DigestRun::most);
@@ -44,7 +50,7 @@ class Checksums {
 
  private:
   std::array<std::uint32_t, History> values_{};
-  std::uint32_t count_ = 0;
+  std::uint32_t count_ = 0, start_ = 0;
   std::uint64_t chain_ = 0;
 };
 
@@ -53,6 +59,10 @@ class Checksums {
 /// While all is equal a packet has the newest digest alone; once one differs, those of many frames.
 class Comparison {
  public:
+  constexpr Comparison() noexcept = default;
+  /// Of two peers that have equal digests of all frames before `start`, as far as they can know.
+  explicit constexpr Comparison(std::uint32_t start) noexcept : matched_(start) {}
+
   /// All frames before this one are equal.
   [[nodiscard]] constexpr std::uint32_t matched() const noexcept { return matched_; }
   [[nodiscard]] constexpr bool has_found() const noexcept { return found_.has_value(); }

@@ -28,6 +28,10 @@ struct SessionEvent {
     contradiction,  // it sent a second, different input for `frame`; the first one stays
     desync,         // its result of `frame` differs from ours; all before were equal
     desync_field,   // the first field that differs in that result: `field`, `object`
+    arrived,        // it comes late or again, and gets a snapshot
+    loaded,         // we came late and have the world before `frame`, from this peer
+    no_snapshot,    // what this peer sent is no snapshot of our world: another peer is asked
+    joined,         // this player takes part from `frame` on
   };
 
   Kind kind{};
@@ -64,6 +68,14 @@ struct SessionEvent {
       return "has another result";
     case SessionEvent::Kind::desync_field:
       return "has another value in a field";
+    case SessionEvent::Kind::arrived:
+      return "comes late";
+    case SessionEvent::Kind::loaded:
+      return "sent the match so far";
+    case SessionEvent::Kind::no_snapshot:
+      return "sent no snapshot of this world";
+    case SessionEvent::Kind::joined:
+      return "joined";
   }
   return "";
 }

@@ -10,17 +10,47 @@
 
 namespace detent::detail {
 
+/// What a player's input of a frame says besides what it presses: nothing, or which seat is given to
+/// a guest. Of a frame in which the player is absent it is `absent`.
+inline constexpr std::byte no_word{0}, absent{0xff};
+
+/// An input as it is kept and sent: its bytes, and one more for that.
+template <class Input>
+using WireInput = std::array<std::byte, InputCodec<Input>::size + 1>;
+
+template <class Input>
+[[nodiscard]] constexpr WireInput<Input> wire_of(const InputBytes<Input>& input,
+                                                 std::byte word = no_word) noexcept {
+  WireInput<Input> wire{};
+  std::copy(input.begin(), input.end(), wire.begin());
+  wire.back() = word;
+  return wire;
+}
+template <class Input>
+[[nodiscard]] constexpr InputBytes<Input> input_of(const WireInput<Input>& wire) noexcept {
+  InputBytes<Input> input{};
+  std::copy(wire.begin(), wire.end() - 1, input.begin());
+  return input;
+}
+/// The input that any bytes mean: equal for equal inputs.
+template <class Input>
+[[nodiscard]] constexpr WireInput<Input> canonical_wire(const WireInput<Input>& wire,
+                                                        std::size_t players) noexcept {
+  const bool is_seat = std::to_integer<std::size_t>(wire.back()) <= players;
+  return wire_of<Input>(canonical<Input>(input_of<Input>(wire)), is_seat ? wire.back() : no_word);
+}
+
 /// The inputs of one player, frame after frame without a gap; the last `History` are kept. An input
 /// never changes once it is here.
 template <class Input, std::size_t History>
 class InputQueue {
  public:
-  using Bytes = InputBytes<Input>;
+  using Bytes = WireInput<Input>;
 
   /// The number of frames whose inputs have been added: the next one is for frame `count()`.
   [[nodiscard]] constexpr std::uint32_t count() const noexcept { return count_; }
   [[nodiscard]] constexpr bool has(std::uint32_t frame) const noexcept {
-    return frame < count_ && count_ - frame <= History;
+    return frame < count_ && count_ - frame <= History && frame >= first_;
   }
   /// The input of a frame; of one that is not kept, some other.
   [[nodiscard]] constexpr const Bytes& operator[](std::uint32_t frame) const noexcept {
@@ -28,15 +58,31 @@ class InputQueue {
   }
   /// The input before `frame`; before the first one `Input{}`. It must be kept: `has_before`.
   [[nodiscard]] constexpr Bytes before(std::uint32_t frame) const noexcept {
-    return frame == 0 ? bytes_of(Input{}) : inputs_[(frame - 1) % History];
+    return frame == 0 ? wire_of<Input>(bytes_of(Input{})) : inputs_[(frame - 1) % History];
   }
   [[nodiscard]] constexpr bool has_before(std::uint32_t frame) const noexcept {
-    return frame == 0 || has(frame - 1);
+    return frame == 0 ? first_ == 0 : has(frame - 1);
   }
   /// What a frame without input is predicted to have: the last input again.
   [[nodiscard]] constexpr Bytes last() const noexcept { return before(count_); }
 
   constexpr void push(const Bytes& input) noexcept { inputs_[count_++ % History] = input; }
+  /// Adds frames without this player until `frame` is the next.
+  constexpr void skip_to(std::uint32_t frame) noexcept {
+    const auto kept = frame - (std::min)(frame, static_cast<std::uint32_t>(History));
+    count_ = (std::max)(count_, kept);
+    while (count_ < frame) push(wire_of<Input>(bytes_of(Input{}), absent));
+  }
+  /// Begins at `frame`, with the input before it.
+  constexpr void start(std::uint32_t frame, const Bytes& before) noexcept {
+    count_ = frame;
+    first_ = frame - (frame != 0 ? 1 : 0);
+    if (frame != 0) inputs_[(frame - 1) % History] = before;
+  }
+  /// Whether the player is known to be absent in a frame.
+  [[nodiscard]] constexpr bool is_absent(std::uint32_t frame) const noexcept {
+    return has(frame) && (*this)[frame].back() == absent;
+  }
 
   /// How many inputs from frame `first` on fit in `bits` bits, at most `limit`. For this and `write`
   /// `has_before(first)` must hold.
@@ -63,6 +109,7 @@ class InputQueue {
  private:
   std::array<Bytes, History> inputs_{};
   std::uint32_t count_ = 0;
+  std::uint32_t first_ = 0;  // inputs before this frame never were here
 };
 
 }  // namespace detent::detail

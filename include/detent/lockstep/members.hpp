@@ -28,6 +28,37 @@ class Members {
     return player < players_ && ((dropped_ >> player) & 1u) != 0;
   }
   constexpr void drop(std::size_t player) noexcept { dropped_ |= 1u << player; }
+  /// Sets a seat that nobody has from `end` on.
+  constexpr void leave_empty(std::size_t player, std::uint32_t end) noexcept {
+    drop(player);
+    ends_[player] = end;
+  }
+  /// How many times the seat was given again. What was said of it in an earlier term is void.
+  [[nodiscard]] constexpr std::uint8_t term(std::size_t player) const noexcept {
+    return terms_[player];
+  }
+  [[nodiscard]] constexpr const std::array<std::uint8_t, most_players>& terms() const noexcept {
+    return terms_;
+  }
+  constexpr void set_term(std::size_t player, std::uint8_t term, std::uint32_t begin) noexcept {
+    terms_[player] = term;
+    begins_[player] = begin;
+  }
+  /// The first frame of the player's present term; 0 in the first.
+  [[nodiscard]] constexpr std::uint32_t begin(std::size_t player) const noexcept {
+    return begins_[player];
+  }
+  /// Whether the seat is free in a frame whose inputs are known, and may be given.
+  [[nodiscard]] constexpr bool is_free(std::size_t player, std::uint32_t frame) const noexcept {
+    return ends_[player] && *ends_[player] <= frame && terms_[player] < 255;
+  }
+  /// Gives the seat to a player who takes part from `frame` on.
+  constexpr void admit(std::size_t player, std::uint32_t frame) noexcept {
+    dropped_ &= ~(1u << player);
+    ends_[player].reset();
+    begins_[player] = frame;
+    ++terms_[player];
+  }
 
   /// The first frame without a player's input, once it is agreed.
   [[nodiscard]] constexpr const std::optional<std::uint32_t>& end(
@@ -58,6 +89,8 @@ class Members {
   std::size_t self_, players_;
   std::uint32_t dropped_ = 0;
   std::array<std::optional<std::uint32_t>, most_players> ends_{};
+  std::array<std::uint8_t, most_players> terms_{};
+  std::array<std::uint32_t, most_players> begins_{};
 };
 
 }  // namespace detent::detail

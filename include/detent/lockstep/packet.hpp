@@ -22,7 +22,7 @@ inline constexpr std::size_t most_peers = 16;
 
 struct PacketHeader {
   static constexpr std::uint16_t right_magic = 0x6c64;  // "dl"
-  static constexpr std::uint8_t right_version = 1;
+  static constexpr std::uint8_t right_version = 2;
   static constexpr std::size_t size = 12;
 
   std::size_t sender = 0;
@@ -89,6 +89,28 @@ struct FieldDigests {
   }
 };
 
+/// What a peer that came late, or again, says of itself.
+struct JoinState {
+  std::uint32_t life = 0;   // greater than in its sessions before
+  bool wants_seat = false;  // and has none
+  bool is_loaded = false;   // it has the world before frame `start`, otherwise it asks for one:
+  std::uint32_t start = 0;
+  std::size_t source = 0;   // the player that it asks
+  std::uint32_t frame = 0;  // of the snapshot that it has slices of
+  std::uint32_t first = 0;  // it has all slices before this one
+  std::uint32_t later = 0;  // and these of the 32 behind it, a bit each
+};
+
+/// A part of a snapshot.
+struct Slice {
+  std::uint32_t frame = 0;   // the snapshot is of the match before this frame,
+  std::uint32_t total = 0;   // has so many bytes
+  std::uint64_t digest = 0;  // and this XXH64
+  std::uint32_t index = 0, size = 0;
+  std::span<const std::byte> bytes;  // to write
+  BitReader bits;                    // that was read
+};
+
 /// The state of its sender.
 struct Packet {
   std::uint32_t frame = 0;  // the frame that it simulates next
@@ -100,6 +122,12 @@ struct Packet {
   std::size_t run_count = 0;
   DigestRun digests;
   std::optional<FieldDigests> fields;
+  std::array<std::uint8_t, most_players> terms{};  // how many times each seat was given again
+  std::optional<JoinState> join;
+  std::optional<Slice> slice;
+
+  /// The most bytes of a packet with a slice but without inputs, besides the slice.
+  static constexpr std::size_t slice_room = 160;
 
   /// All but the inputs of the runs, which `write_run(out, run)` appends.
   template <class WriteRun>
@@ -122,11 +150,22 @@ struct Packet {
     if (digests.count > 0) out.add_difference(digests.first, frame);
     for (std::uint32_t i = 0; i < digests.count; ++i) out.add(digests.values[i], 32);
     out.add_flag(fields.has_value());
-    if (!fields) return;
-    out.add(fields->frame, 32);
-    out.add(fields->low, 32);
-    out.add(static_cast<std::uint64_t>(fields->level), 3);
-    for (const auto value : fields->values) out.add(value, 32);
+    if (fields) {
+      out.add(fields->frame, 32);
+      out.add(fields->low, 32);
+      out.add(static_cast<std::uint64_t>(fields->level), 3);
+      for (const auto value : fields->values) out.add(value, 32);
+    }
+    const bool has_terms = terms != decltype(terms){};
+    const bool has_more = has_terms || join || slice;
+    out.add_flag(has_more);
+    if (!has_more) return;
+    out.add_flag(has_terms);
+    for (std::size_t i = 0; has_terms && i < players; ++i) out.add(terms[i], 8);
+    out.add_flag(join.has_value());
+    if (join) write(out, *join);
+    out.add_flag(slice.has_value());
+    if (slice) write(out, *slice);
   }
 
   /// Reads what `write` wrote after the header, or nothing.
@@ -153,7 +192,7 @@ struct Packet {
       run.first = in.difference(packet.frame);
       run.count = static_cast<std::uint32_t>(in.number(7));
       run.bits = in;
-      InputBytes<Input> input{};
+      std::array<std::byte, InputCodec<Input>::size + 1> input{};
       for (std::uint32_t k = 0; k < run.count && !in.has_failed(); ++k) unpack(in, input);
     }
     packet.digests.count = below(in.short_number(), DigestRun::most + 1);
@@ -169,8 +208,61 @@ struct Packet {
           static_cast<int>(below(static_cast<std::uint32_t>(in.number(3)), FieldDigests::levels));
       for (auto& value : fields.values) value = static_cast<std::uint32_t>(in.number(32));
     }
+    if (in.flag()) read_more(in, packet, players);
     if (!in.is_at_end()) return std::nullopt;
     return packet;
+  }
+
+ private:
+  static constexpr void write(BitWriter& out, const JoinState& join) noexcept {
+    out.add(join.life, 32);
+    out.add_flag(join.wants_seat);
+    out.add_flag(join.is_loaded);
+    if (join.is_loaded) return out.add(join.start, 32);
+    out.add(join.source, 4);
+    out.add(join.frame, 32);
+    out.add(join.first, 32);
+    out.add(join.later, 32);
+  }
+  static constexpr void write(BitWriter& out, const Slice& slice) noexcept {
+    out.add(slice.frame, 32);
+    out.add(slice.total, 32);
+    out.add(slice.digest, 64);
+    out.add(slice.index, 32);
+    out.add(slice.size, 11);
+    for (const auto byte : slice.bytes) out.add(std::to_integer<std::uint64_t>(byte), 8);
+  }
+  static constexpr void read_more(BitReader& in, Packet& packet, std::size_t players) noexcept {
+    const auto word = [&] { return static_cast<std::uint32_t>(in.number(32)); };
+    if (in.flag()) {
+      for (std::size_t i = 0; i < players; ++i) {
+        packet.terms[i] = static_cast<std::uint8_t>(in.number(8));
+      }
+    }
+    if (in.flag()) {
+      JoinState& join = packet.join.emplace();
+      join.life = word();
+      join.wants_seat = in.flag();
+      join.is_loaded = in.flag();
+      if (join.is_loaded) {
+        join.start = word();
+      } else {
+        join.source = static_cast<std::size_t>(in.number(4));
+        join.frame = word();
+        join.first = word();
+        join.later = word();
+      }
+    }
+    if (in.flag()) {
+      Slice& slice = packet.slice.emplace();
+      slice.frame = word();
+      slice.total = word();
+      slice.digest = in.number(64);
+      slice.index = word();
+      slice.size = static_cast<std::uint32_t>(in.number(11));
+      slice.bits = in;
+      for (std::uint32_t i = 0; i < slice.size && !in.has_failed(); ++i) (void)in.number(8);
+    }
   }
 };
 

@@ -31,6 +31,12 @@ struct Peer {
   std::uint32_t dropped = 0;                       // the players that it dropped
   std::array<std::uint32_t, most_players> held{};  // the inputs that it holds
   std::uint32_t proofs_left = 600;                 // packets with evidence of a desync
+  std::uint32_t life = 0;                          // of its session
+  bool is_guest = false;            // it came late, and gets all inputs though it does not play
+  bool awaits_life = false;         // it has a seat again, and has not been heard since
+  bool is_started = false;          // of one that came late: it has loaded a world
+  JoinState join;                   // what it said last, before that
+  std::uint32_t invited_until = 0;  // no second invitation before this frame
   TimeSync sync;
   Comparison comparison;
   FieldSearch search;

@@ -20,13 +20,13 @@ Received Session<World, Input, Limits>::receive(std::size_t peer, std::span<cons
   }
   const auto header = detail::PacketHeader::read(bytes, config_.match);
   if (!header || header->sender != peer) return Received::other_match;
-  if (is_dropped(peer)) {
-    peers_[peer].owes_notice = true;
-    return Received::dropped;
-  }
   const auto packet =
       detail::Packet::read<Input>(bytes.subspan(detail::PacketHeader::size), config_.players);
   if (!packet) return Received::malformed;
+  if (!meet(peer, *packet) || !is_met(peer)) {
+    peers_[peer].owes_notice = true;
+    return Received::dropped;
+  }
   if (is_player() && packet->held[config_.self] > own().count()) return Received::malformed;
 
   detail::Peer& from = peers_[peer];
@@ -35,31 +35,51 @@ Received Session<World, Input, Limits>::receive(std::size_t peer, std::span<cons
   from.is_heard = true;
   from.is_silent = false;
   from.last_heard = now;
-  apply(peer, *packet);
+  if (is_loading_) {
+    load(peer, *packet, now);
+  } else {
+    apply(peer, *packet);
+  }
   return Received::yes;
 }
 
 template <RollbackWorld World, class Input, SessionLimits Limits>
 void Session<World, Input, Limits>::apply(std::size_t from, const detail::Packet& packet) {
   detail::Peer& peer = peers_[from];
+  if (!hear_guest(from, packet)) return;
   const bool was_paused = peer.is_paused;
   peer.hear(packet, config_.players);
   if (peer.is_paused != was_paused) tell(peer.is_paused ? Kind::paused : Kind::resumed, from);
-  if (from < config_.players) {
+  if (from < config_.players && !peer.is_guest) {
+    // What it says of the terms that we know; one that it has seen end was dropped in it.
+    std::uint32_t dropped = 0;
+    for (std::size_t i = 0; i < config_.players; ++i) {
+      const auto bit = 1u << i;
+      if (packet.terms[i] == members_.term(i)) dropped |= packet.dropped & bit;
+      if (packet.terms[i] > members_.term(i)) dropped |= bit;
+    }
     // Whom one drops, all drop; who hears that it is dropped itself goes on alone.
-    if (is_player() && ((packet.dropped >> config_.self) & 1u) != 0) {
+    if (is_player() && ((dropped >> config_.self) & 1u) != 0) {
       tell(Kind::expelled, from);
       is_expelled_ = true;
       for (std::size_t i = 0; i < config_.players; ++i) drop(i);
       return;
     }
-    peer.dropped |= packet.dropped;
+    peer.dropped |= dropped;
     for (std::size_t i = 0; i < config_.players; ++i) {
-      if (i != from && ((packet.dropped >> i) & 1u) != 0) drop(i);
+      if (i != from && ((dropped >> i) & 1u) != 0 && !members_.is_dropped(i)) drop(i);
     }
   }
-  for (std::size_t i = 0; i < packet.run_count; ++i) take(from, packet.runs[i]);
+  for (std::size_t i = 0; i < packet.run_count; ++i) {
+    const auto player = packet.runs[i].player;
+    if (packet.terms[player] == members_.term(player)) take(from, packet.runs[i]);
+  }
   agree();
+  if (!is_player() && !is_lost_ && from < config_.players && !peer.is_guest &&
+      packet.frame > queues_[from].count() + Limits.history) {
+    is_lost_ = true;
+    tell(Kind::too_slow, config_.self);
+  }
   compare(from, packet);
 }
 
@@ -67,25 +87,33 @@ void Session<World, Input, Limits>::apply(std::size_t from, const detail::Packet
 template <RollbackWorld World, class Input, SessionLimits Limits>
 void Session<World, Input, Limits>::take(std::size_t from, detail::InputRun run) {
   const auto player = run.player;
+  if (peers_[from].is_guest || members_.end(player)) return;
   const bool is_passed_on = from < config_.players && player != config_.self &&
                             members_.is_dropped(player) && !members_.end(player);
   if (player != from && !is_passed_on) return;
   Queue& queue = queues_[player];
   if (run.first > queue.count() || !queue.has_before(run.first)) return;
-  Bytes bytes = queue.before(run.first);
+  auto most = final_frame() + lead;
+  for (std::size_t i = 0; is_guest_ && i < config_.players; ++i) {
+    if (i != player && i != config_.self && !members_.is_dropped(i)) {
+      most = (std::min)(most, peers_[i].held[player]);
+    }
+  }
+  Wire bytes = queue.before(run.first);
   for (std::uint32_t i = 0; i < run.count; ++i) {
     const auto frame = run.first + i;
     detail::unpack(run.bits, bytes);
-    const auto input = detail::canonical<Input>(bytes);
+    const auto input = detail::canonical_wire<Input>(bytes, config_.players);
     if (frame < queue.count()) {
       if (!queue.has(frame) || queue[frame] == input) continue;
       if (!peers_[from].has_contradicted) tell(Kind::contradiction, from, frame);
       peers_[from].has_contradicted = true;
       return;
     }
-    if (frame >= final_frame() + lead) return;
+    if (frame >= most) return;
     queue.push(input);
-    if (frame < timeline_.done() && timeline_.used(frame)[player] != input) {
+    if (frame < timeline_.done() &&
+        timeline_.used(frame)[player] != detail::input_of<Input>(input)) {
       timeline_.go_back(frame);
     }
   }

@@ -16,7 +16,12 @@ namespace detent {
 template <RollbackWorld World, class Input, SessionLimits Limits>
 template <class Send>
 void Session<World, Input, Limits>::poll(std::uint64_t now, const Send& send) {
-  agree();
+  if (is_loading_) {
+    if (source_ && detail::elapsed(now, progress_) >= config_.silence) ask_another(now);
+  } else {
+    agree();
+    serve();
+  }
   for (std::size_t to = 0; to < peer_count(); ++to) {
     if (to == config_.self || !is_due(to, now)) continue;
     peers_[to].is_sent = true;
@@ -35,7 +40,7 @@ bool Session<World, Input, Limits>::is_due(std::size_t to, std::uint64_t now) {
   if (!peer.is_sent && !peer.is_heard)
     peer.last_heard = now;  // as if: who never comes is silent too
   // One who is out drops nobody: those who go on hear of it from who dropped it.
-  if (is_dropped(to)) return peer.owes_notice && !is_expelled_;
+  if (!is_met(to)) return peer.owes_notice && !is_expelled_;
   if (!peer.is_silent && detail::elapsed(now, peer.last_heard) >= config_.silence) {
     peer.is_silent = true;
     tell(Kind::silent, to);
@@ -49,6 +54,7 @@ void Session<World, Input, Limits>::add_run(detail::Packet& packet, std::size_t 
                                             std::uint32_t first, std::size_t& bits) const {
   constexpr std::size_t head = 3 + 44 + 7;  // bits of a run before its inputs
   const Queue& queue = queues_[player];
+  first = (std::max)(first, members_.begin(player));
   if (first >= queue.count() || !queue.has_before(first) || bits < head) return;
   const auto count = queue.fitting(first, detail::InputRun::most, bits - head);
   if (count == 0) return;
@@ -78,13 +84,19 @@ std::size_t Session<World, Input, Limits>::write(std::size_t to, std::span<std::
       packet.fields = peer.search.next();
     });
   }
+  packet.terms = members_.terms();
+  packet.join = join_state();
+  if (peer.is_guest && !peer.is_started && outgoing_.is_for(to, peer.life)) {
+    packet.slice = outgoing_.next(peer.join);
+  }
   detail::BitWriter measure({});
   packet.write(measure, config_.players, [](auto&, const auto&) {});
   std::size_t bits = 8 * (room.size() - detail::PacketHeader::size) - measure.bit_count() - 8;
-  if (is_player() && !is_dropped(to)) {
-    const auto held = peer.held[config_.self];
-    if (to >= config_.players && !own().has_before(held)) {
-      peer.is_gone = true;
+  if (is_player() && is_met(to) && (!peer.is_guest || peer.is_started)) {
+    const auto held = (std::max)(peer.held[config_.self], members_.begin(config_.self));
+    if ((to >= config_.players || peer.is_guest) && !own().has_before(held)) {
+      peer.is_gone = to >= config_.players;
+      peer.is_guest = false;
       tell(Kind::too_slow, to);
     }
     add_run(packet, config_.self, held, bits);

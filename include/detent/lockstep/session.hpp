@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -15,9 +16,24 @@
 #include "detent/lockstep/packet.hpp"
 #include "detent/lockstep/peer.hpp"
 #include "detent/lockstep/timeline.hpp"
+#include "detent/lockstep/transfer.hpp"
 #include "detent/scene/world.hpp"
 
 namespace detent {
+
+/// A world whose snapshots a session can send to who comes late: with functions
+///
+///     std::size_t snapshot(const World&, std::span<std::byte> room);   // written if it fits
+///     bool restore(World&, std::span<const std::byte> bytes);          // any bytes; or `Restored`
+///
+/// found by argument-dependent lookup. Scenes and worlds of bodies have them. What they leave out,
+/// such as fixed bodies, must be in the world that a session starts with.
+template <class World>
+concept SnapshotWorld = requires(World& world, const World& from, std::span<std::byte> room,
+                                 std::span<const std::byte> bytes) {
+  { snapshot(from, room) } -> std::convertible_to<std::size_t>;
+  restore(world, bytes);
+};
 
 /// What `Session::receive` did with a packet.
 enum class Received : std::uint8_t {
@@ -36,6 +52,7 @@ enum class Advanced : std::uint8_t {
   ahead,        // the others are behind; waits one frame for them
   paused,       // by a player, or by `pause`
   over,         // a spectator without players, or 2^31 frames
+  joining,      // the snapshot of the match has not come yet
 };
 
 /// A match of 2 to 8 players and spectators who simulate the same world and exchange inputs alone.
@@ -60,6 +77,11 @@ enum class Advanced : std::uint8_t {
 /// to different peers shows as a `desync` whose field is `input`. Who may join, and that packets are
 /// from whom they seem to be, is up to the transport.                      (fuzz/lockstep.cpp)
 ///
+/// A peer that comes late, or again after its program ended, starts a session with a `life` and with
+/// the same world at the start as all others. It gets a snapshot in slices, catches up, and takes its
+/// seat if that is free and it wants to; `Limits.snapshot` must have room at both ends.
+/// (tests/lockstep/join.test.cpp)
+///
 /// (tests/lockstep/session.test.cpp, tests/lockstep/match.test.cpp, tests/examples/lockstep.cpp)
 template <RollbackWorld World, class Input, SessionLimits Limits = SessionLimits{}>
 class Session {
@@ -71,8 +93,16 @@ class Session {
   /// All peers start from equal worlds.
   Session(const SessionConfig& config, const World& start)
       : config_(config.within(Limits)), timeline_(start), members_(config_.self, config_.players) {
+    is_loading_ = config_.life != 0;
+    is_guest_ = is_loading_;
+    for (std::size_t i = 0; i < config_.players; ++i) {
+      const bool is_absent = ((config_.absent >> i) & 1u) != 0 && i != config_.self;
+      if (is_absent && !is_loading_) members_.leave_empty(i, 0);
+    }
     if (!is_player()) return;
-    for (std::uint32_t i = 0; i < config_.delay; ++i) own().push(detail::bytes_of(Input{}));
+    for (std::uint32_t i = 0; i < config_.delay; ++i) {
+      own().push(detail::wire_of<Input>(detail::bytes_of(Input{})));
+    }
   }
 
   /// Takes a packet that the transport got from `peer`.
@@ -102,7 +132,9 @@ class Session {
   }
   /// The inputs of a final frame, while they are kept.
   [[nodiscard]] std::optional<Inputs> inputs(std::uint32_t frame) const {
-    if (frame >= final_frame() || frame + Limits.history / 2 < frame_) return std::nullopt;
+    if (frame >= final_frame() || frame + Limits.history / 2 < frame_ || frame < start_) {
+      return std::nullopt;
+    }
     return inputs_of(frame).inputs;
   }
   /// A digest of the results of all frames before `checked_frame()`.
@@ -120,6 +152,10 @@ class Session {
   [[nodiscard]] bool is_dropped(std::size_t peer) const {
     return peer < peers_.size() && (members_.is_dropped(peer) || peers_[peer].is_gone);
   }
+  /// Whether this peer plays: it is a player, and if it came late it has its seat.
+  [[nodiscard]] bool is_player() const { return config_.self < config_.players && !is_guest_; }
+  /// The first frame that this session knows: 0, or the one of the snapshot it began with.
+  [[nodiscard]] std::uint32_t start_frame() const { return start_; }
   /// Stops, or goes on; the others see it.
   void pause(bool is_paused) { is_paused_ = is_paused; }
 
@@ -131,7 +167,7 @@ class Session {
   [[nodiscard]] const SessionConfig& config() const { return config_; }
 
  private:
-  using Bytes = detail::InputBytes<Input>;
+  using Wire = detail::WireInput<Input>;
   using Queue = detail::InputQueue<Input, Limits.history>;
   using Timeline =
       detail::Timeline<World, Input, Limits.players, Limits.prediction + Limits.evidence + 2>;
@@ -143,7 +179,13 @@ class Session {
   static constexpr std::uint32_t lead = 64;  // inputs that are kept beyond final frames
   static constexpr std::uint32_t last_frame = 0x7fffffff - lead;
 
-  [[nodiscard]] bool is_player() const { return config_.self < config_.players; }
+  static constexpr std::uint32_t notice = 32;  // frames from giving a seat to taking it
+  static constexpr bool can_serve = Limits.snapshot > 0 && SnapshotWorld<World>;
+  static_assert(Limits.snapshot == 0 || SnapshotWorld<World>,
+                "who comes late needs snapshot(world, room) and restore(world, bytes)");
+  static constexpr std::size_t slice_size = Limits.packet - detail::Packet::slice_room;
+  static constexpr std::size_t most_peers_mark = 15;  // asks nobody yet
+
   [[nodiscard]] std::size_t peer_count() const { return config_.players + config_.spectators; }
   [[nodiscard]] Queue& own() { return queues_[config_.self]; }
   void tell(Kind kind, std::size_t peer, std::uint32_t frame = 0) {
@@ -159,6 +201,24 @@ class Session {
   void apply(std::size_t from, const detail::Packet& packet);
   void take(std::size_t from, detail::InputRun run);
   void agree();
+  void admit();
+  void let_in(std::size_t seat, std::uint32_t frame);
+  [[nodiscard]] std::byte invitation();
+  [[nodiscard]] bool meet(std::size_t peer, const detail::Packet& packet);
+  [[nodiscard]] bool hear_guest(std::size_t from, const detail::Packet& packet);
+  void serve();
+  [[nodiscard]] static constexpr std::size_t snapshot_head(std::size_t players) {
+    return 4 + 1 + 8 + players * (1 + 1 + 4 + std::tuple_size_v<Wire>);
+  }
+  [[nodiscard]] std::size_t write_snapshot(std::uint32_t frame, std::span<std::byte> room) const;
+  [[nodiscard]] bool read_snapshot(std::span<const std::byte> bytes);
+  void load(std::size_t from, const detail::Packet& packet, std::uint64_t now);
+  void ask_another(std::uint64_t now);
+  [[nodiscard]] std::optional<detail::JoinState> join_state() const;
+  /// Whether packets go to this peer and are read from it.
+  [[nodiscard]] bool is_met(std::size_t peer) const {
+    return !is_dropped(peer) || peers_[peer].is_guest;
+  }
   void compare(std::size_t from, const detail::Packet& packet);
   void found_desync(std::size_t peer);
   template <class Visit>
@@ -186,6 +246,14 @@ class Session {
   std::uint32_t odd_frame_ = 0;
   std::uint32_t frame_ = 0;
   std::uint64_t simulated_ = 0;
+  detail::Outgoing<Limits.snapshot, slice_size> outgoing_;
+  detail::Incoming<Limits.snapshot, slice_size> incoming_;
+  std::optional<std::size_t> source_;  // the player that we ask for a snapshot
+  std::uint64_t progress_ = 0;         // when the last slice came
+  std::uint32_t start_ = 0;
+  std::uint32_t admitted_ = 0;  // frames whose words are read
+  std::uint32_t served_ = 0;    // the frame of the last snapshot
+  bool is_loading_ = false, is_guest_ = false, is_lost_ = false;
   bool is_paused_ = false;
   bool is_expelled_ = false;
 };
@@ -193,5 +261,6 @@ class Session {
 }  // namespace detent
 
 #include "detent/lockstep/advance.hpp"
+#include "detent/lockstep/join.hpp"
 #include "detent/lockstep/receive.hpp"
 #include "detent/lockstep/send.hpp"

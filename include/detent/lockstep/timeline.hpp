@@ -66,13 +66,21 @@ class Timeline {
   [[nodiscard]] constexpr const World& world() const noexcept { return worlds_[done_ % Kept]; }
   /// Whether the world after a frame is still here.
   [[nodiscard]] constexpr bool has_result(std::uint32_t frame) const noexcept {
-    return frame < done_ && latest_ - frame <= Kept;
+    return frame < done_ && latest_ - frame <= Kept && frame + 1 >= start_;
   }
   [[nodiscard]] constexpr const World& result(std::uint32_t frame) const noexcept {
     return worlds_[(frame + 1) % Kept];
   }
   [[nodiscard]] constexpr const Used& used(std::uint32_t frame) const noexcept {
     return used_[frame % Kept];
+  }
+
+  /// Begins before `frame` with the world that load(world) makes, which returns whether it did.
+  template <class Load>
+  [[nodiscard]] constexpr bool start(std::uint32_t frame, const Load& load) {
+    if (!load(worlds_[frame % Kept])) return false;
+    start_ = done_ = latest_ = frame;
+    return true;
   }
 
   /// Goes back to before `frame`, if it is simulated.
@@ -92,7 +100,7 @@ class Timeline {
  private:
   std::array<World, Kept> worlds_;  // before frame i at i modulo Kept
   std::array<Used, Kept> used_{};
-  std::uint32_t done_ = 0, latest_ = 0;
+  std::uint32_t done_ = 0, latest_ = 0, start_ = 0;
 };
 
 }  // namespace detail
