@@ -154,7 +154,7 @@ class Session {
   }
   /// Whether this peer plays: it is a player, and if it came late it has its seat.
   [[nodiscard]] bool is_player() const { return config_.self < config_.players && !is_guest_; }
-  /// The first frame that this session knows: 0, or the one of the snapshot it began with.
+  /// The first frame that is known here: 0, or the one of the snapshot it began with.
   [[nodiscard]] std::uint32_t start_frame() const { return start_; }
   /// Stops, or goes on; the others see it.
   void pause(bool is_paused) { is_paused_ = is_paused; }
