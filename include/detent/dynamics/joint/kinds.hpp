@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <type_traits>
+
+#include "detent/dynamics/settings.hpp"
+#include "detent/math/rotation.hpp"
+
+// The joints of a world: name them with its shapes, `World<q16_16, 2, Sphere, Obb, HingeJoint>`.
+//
+// Anchors and frames are in the frames of their bodies, so a joint does not depend on where the
+// bodies are when it is added; `world.local_point` and `world.local_frame` convert from the world.
+// Seconds are those of the world's settings, forces are in units of density times length^N times
+// length per second and second, torques in forces times lengths, angles in radians.
+
+namespace detent {
+
+/// The id of a joint of a world: as for bodies.
+using JointId = detail::Id<struct JointTag>;
+
+/// Has no joint, for `value_or` where an addition may fail.
+inline constexpr JointId no_joint{};
+
+/// What all joints have.
+template <Scalar S, int N>
+struct JointEnds {
+  BodyId a{}, b{};
+  Vec<S, N> anchor_a{}, anchor_b{};  // in the frames of a and b, less than 512 units away (Q16.16)
+  bool collide = false;              // whether a and b may touch each other
+  S break_force = S(0);              // a greater force ends the joint; 0: none does
+
+  [[nodiscard]] friend constexpr bool operator==(const JointEnds&,
+                                                 const JointEnds&) noexcept = default;
+};
+
+/// Joints that know directions: axis 0 of `frame_a` is where a slider goes; in 3D a hinge and the
+/// axle of a wheel turn about axis 2. Angles are from axis 0 of `frame_a` to axis 0 of `frame_b`.
+template <Scalar S, int N>
+struct FramedEnds : JointEnds<S, N> {
+  Rotation<S, N> frame_a{}, frame_b{};  // in the frames of a and b
+
+  [[nodiscard]] friend constexpr bool operator==(const FramedEnds&,
+                                                 const FramedEnds&) noexcept = default;
+};
+
+/// Keeps the distance of two points between `least` and `most`: a rod if they are equal, a rope if
+/// `least` is 0. With a frequency it is also a spring of the given length.
+///
+/// units:  frequency in oscillations per second, damping_ratio 1 for critical damping
+/// domain: `least` greater than `most` is a rod of length `most`
+/// exact:  as docs/dynamics.md says                            (tests/dynamics/joint/joint.test.cpp)
+template <Scalar S, int N>
+struct DistanceJoint : JointEnds<S, N> {
+  S least = S(0), most = S(1);
+  S length = S(1), frequency = S(0), damping_ratio = S(1);
+
+  [[nodiscard]] friend constexpr bool operator==(const DistanceJoint&,
+                                                 const DistanceJoint&) noexcept = default;
+};
+
+/// Keeps two points together; the bodies turn about them. With a frequency the joint is soft: with
+/// one body fixed, it drags the other one to a point.
+///
+/// units:  frequency in oscillations per second; max_force is the most along each axis of the world
+/// domain: a frequency of 0 is a rigid joint, a max_force of 0 has no limit
+/// exact:  as docs/dynamics.md says                            (tests/dynamics/joint/joint.test.cpp)
+template <Scalar S, int N>
+struct BallJoint : JointEnds<S, N> {
+  S frequency = S(0), damping_ratio = S(1);
+  S max_force = S(0);
+
+  [[nodiscard]] friend constexpr bool operator==(const BallJoint&,
+                                                 const BallJoint&) noexcept = default;
+};
+
+/// Keeps two points together and, in 3D, the axes 2 of both frames. Limits of the angle are within
+/// a half turn; the motor drives at `motor_speed` with at most `motor_torque`, if that is not 0.
+///
+/// units:  lower and upper in radians, motor_speed in radians per second
+/// domain: angles are in (-pi, pi]; a body that turns beyond passes from one end to the other
+/// exact:  as docs/dynamics.md says                            (tests/dynamics/joint/joint.test.cpp)
+template <Scalar S, int N>
+struct HingeJoint : FramedEnds<S, N> {
+  bool has_limits = false;
+  S lower = S(0), upper = S(0);
+  S motor_speed = S(0), motor_torque = S(0);
+
+  [[nodiscard]] friend constexpr bool operator==(const HingeJoint&,
+                                                 const HingeJoint&) noexcept = default;
+};
+
+/// Keeps two points together, and the frames of both bodies.
+///
+/// exact:  as docs/dynamics.md says                            (tests/dynamics/joint/joint.test.cpp)
+template <Scalar S, int N>
+struct WeldJoint : FramedEnds<S, N> {
+  [[nodiscard]] friend constexpr bool operator==(const WeldJoint&,
+                                                 const WeldJoint&) noexcept = default;
+};
+
+/// Keeps the frames of both bodies, and the point of b on axis 0 through the point of a. It may be a
+/// spring about `length`, and have limits and a motor as a hinge has.
+///
+/// units:  lower, upper and length in world units, motor_speed in units per second
+/// domain: translations of less than 512 units
+/// exact:  as docs/dynamics.md says                            (tests/dynamics/joint/joint.test.cpp)
+template <Scalar S, int N>
+struct SliderJoint : FramedEnds<S, N> {
+  bool has_limits = false;
+  S lower = S(0), upper = S(0);
+  S motor_speed = S(0), motor_force = S(0);
+  S length = S(0), frequency = S(0), damping_ratio = S(1);
+
+  [[nodiscard]] friend constexpr bool operator==(const SliderJoint&,
+                                                 const SliderJoint&) noexcept = default;
+};
+
+/// A wheel b on a car a: slides along axis 0 with a spring about `length`, and turns, in 3D about
+/// axis 2 of both frames. The motor turns it.
+///
+/// units:  lower, upper and length in world units, motor_speed in radians per second
+/// domain: translations of less than 512 units
+/// exact:  as docs/dynamics.md says                            (tests/dynamics/joint/joint.test.cpp)
+template <Scalar S, int N>
+struct WheelJoint : FramedEnds<S, N> {
+  bool has_limits = false;
+  S lower = S(0), upper = S(0);
+  S motor_speed = S(0), motor_torque = S(0);
+  S length = S(0), frequency = S(0), damping_ratio = S(1);
+
+  [[nodiscard]] friend constexpr bool operator==(const WheelJoint&,
+                                                 const WheelJoint&) noexcept = default;
+};
+
+namespace detail {
+
+/// The number of a joint's kind in snapshots and digests, 0 for what is no joint. It never changes.
+template <class T>
+inline constexpr std::uint8_t joint_tag = 0;
+template <Scalar S, int N>
+inline constexpr std::uint8_t joint_tag<DistanceJoint<S, N>> = 1;
+template <Scalar S, int N>
+inline constexpr std::uint8_t joint_tag<BallJoint<S, N>> = 2;
+template <Scalar S, int N>
+inline constexpr std::uint8_t joint_tag<HingeJoint<S, N>> = 3;
+template <Scalar S, int N>
+inline constexpr std::uint8_t joint_tag<WeldJoint<S, N>> = 4;
+template <Scalar S, int N>
+inline constexpr std::uint8_t joint_tag<SliderJoint<S, N>> = 5;
+template <Scalar S, int N>
+inline constexpr std::uint8_t joint_tag<WheelJoint<S, N>> = 6;
+
+template <class T>
+concept IsJoint = joint_tag<T> != 0;
+
+template <class... Ts>
+struct Types {
+  /// List<Ts...>
+  template <template <class...> class List>
+  using In = List<Ts...>;
+};
+template <class... Ts, class... Us>
+constexpr Types<Ts..., Us...> operator+(Types<Ts...>, Types<Us...>) noexcept {
+  return {};
+}
+
+/// The joints, or the others, among the types that a world names.
+template <bool Joints, class... Parts>
+using Select = decltype((Types<>() + ... +
+                         std::conditional_t<IsJoint<Parts> == Joints, Types<Parts>, Types<>>()));
+
+}  // namespace detail
+
+}  // namespace detent
