@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "detent/dynamics/joint/bytes.hpp"
 #include "detent/dynamics/world.hpp"
 #include "detent/scene/fields.hpp"
 #include "detent/scene/object.hpp"
@@ -99,13 +100,42 @@ constexpr void for_each_field(const ContactField<Contact>& field, const F& f) {
   f(" friction", contact.friction);
 }
 
-constexpr FieldName& add_id(FieldName& name, const BodyId& id) noexcept {
+/// A joint, as a field of its world. It belongs to its first body.
+template <class Record>
+struct JointField {
+  const Record& record;
+  ObjectInfo first;
+
+  [[nodiscard]] constexpr ObjectInfo info() const noexcept { return first; }
+};
+template <class Record>
+JointField(const Record&, ObjectInfo) -> JointField<Record>;
+
+template <class Record, class F>
+constexpr void for_each_field(const JointField<Record>& field, const F& f) {
+  const Record& record = field.record;
+  f("", true);  // it exists
+  f(" push", record.push);
+  f(" turn", record.turn);
+  record.joint.visit([&]<class Joint>(const Joint& joint) {
+    f(" type", joint_tag<Joint>);
+    f(" a", joint.a.index);
+    f(" b", joint.b.index);
+    f(" collide", joint.collide);
+    f(" has_limits", has_limits(joint));
+    for_each_number(joint,
+                    [&](const char* name, const auto& x) { f(FieldName(" ").add(name), x); });
+  });
+}
+
+template <class Tag>
+constexpr FieldName& add_id(FieldName& name, const Id<Tag>& id) noexcept {
   return name.add(" ").add_number(id.index).add(":").add_number(id.generation);
 }
 
 }  // namespace detail
 
-/// The bodies and contacts of a world, such as `body 3:17 (sphere) velocity.y` or
+/// The bodies, contacts and joints of a world, such as `body 3:17 (sphere) velocity.y` or
 /// `contact 3:17 4:2 point 0 pressure`, with the raw numbers of docs/dynamics.md.
 ///
 /// (tests/dynamics/fields.test.cpp)
@@ -127,6 +157,15 @@ constexpr void for_each_field(const BasicWorld<Storage, S, N, Shapes...>& world,
     FieldName name(" contact");
     detail::add_id(detail::add_id(name, a.id), field_of(contacts[i].b).id);
     f(name, detail::ContactField{contacts[i], a});
+  }
+  if constexpr (BasicWorld<Storage, S, N, Shapes...>::has_joints) {
+    const auto& joints = detail::WorldAccess::joints(world).list;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      if (joints[i].generation == 0) continue;
+      FieldName name(" joint");
+      detail::add_id(name, JointId{static_cast<std::uint32_t>(i), joints[i].generation});
+      f(name, detail::JointField{joints[i], field_of(joints[i].bodies().a).info()});
+    }
   }
 }
 

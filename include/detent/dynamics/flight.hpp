@@ -1,10 +1,40 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <utility>
+
+#include "detent/dynamics/contact.hpp"
 #include "detent/dynamics/record.hpp"
 #include "detent/dynamics/row.hpp"
 
 namespace detent::detail {
+
+/// What rows need to know of a body, for where it is.
+template <Scalar S, int N, class Shape>
+[[nodiscard]] constexpr Support<S, N> support_of(const BodyRecord<S, N, Shape>& body) noexcept {
+  Support<S, N> support;
+  support.axes = axes_of<S, N>(body.state.orientation);
+  support.place = body.state.place;
+  support.locked = body.can_move() ? body.locked : std::uint8_t{0};
+  support.spread =
+      without_locked<S, N>(in_world<S, N>(body.inertia.inverse, support.axes), support.locked);
+  support.is_fixed = body.motion == BodyMotion::fixed;
+  return support;
+}
+
+/// Shares of the inverse masses: of two masses, the other one's share.
+template <Scalar S, class Body>
+[[nodiscard]] constexpr auto mass_shares(const Body& a, const Body& b) noexcept {
+  using Ratio = typename Formats<S>::Ratio;
+  std::pair<Ratio, Ratio> share{};
+  if (a.can_move() && b.can_move()) {
+    const auto sum = a.mass + b.mass;
+    share = {quotient_nearest<Ratio>(b.mass, sum), quotient_nearest<Ratio>(a.mass, sum)};
+  } else {
+    (a.can_move() ? share.first : share.second) = Ratio(1);
+  }
+  return share;
+}
 
 /// The first half of a substep: gravity, forces, damping, locked axes, and the spin that keeps the angular momentum at
 /// the orientation half-way through it, whose axes go to `half_way`.

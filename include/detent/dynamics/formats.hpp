@@ -29,6 +29,10 @@ struct Formats {
   using Give = S;
   using Stretch = S;
   using FineSpin = S;
+  using Reach = S;
+  using Turn = S;
+  using TurnShare = S;
+  using Torque = S;
 };
 
 template <int Bits, int Frac>
@@ -67,6 +71,14 @@ struct Formats<Fixed<Bits, Frac>> {
   using Stretch = Fixed<47, 30>;
   /// A spin, or an angular momentum, between two roundings. [-128, 128)
   using FineSpin = Fixed<51, 44>;
+  /// A length between two points of joined bodies. [-512, 512)
+  using Reach = Fixed<37, Frac + 12>;
+  /// A change of the spin of b against a: an impulse of turning. [-8, 8)
+  using Turn = Fixed<31, 28>;
+  /// The change of spin of one body by a turn of 1. [-128, 128)
+  using TurnShare = Fixed<31, 24>;
+  /// A torque over a mass: a squared length per squared substep.
+  using Torque = Fixed<62, Frac + 32>;
 };
 
 }  // namespace detent::detail

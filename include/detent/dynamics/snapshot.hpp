@@ -6,6 +6,7 @@
 #include <span>
 
 #include "detent/dynamics/fields.hpp"
+#include "detent/dynamics/joint/bytes.hpp"
 #include "detent/dynamics/world.hpp"
 #include "detent/scene/assets.hpp"
 #include "detent/scene/header.hpp"
@@ -17,11 +18,11 @@
 //   snapshot(world, room)   -> how many bytes, written when `room` holds them
 //   restore(world, bytes)   -> Restored: yes, or why the world is unchanged
 //   restore(world, bytes, lists...)   the same if bodies refer to hulls
-//   digest(world)           -> 64 bits of all bodies and contacts
+//   digest(world)           -> 64 bits of all bodies, contacts and joints
 //   digest_of(world, id)    -> 64 bits of one body
 //
-// Version 1, all little-endian:
-// * a header of 56 bytes;
+// Version 2, all little-endian:
+// * a header of 64 bytes;
 // * each body that is not fixed, in order of index: a word of its index (bits 0 to 19), its quiet
 //   ticks (20 to 27), whether it sleeps (28) and whether it is made like the body before it (29);
 //   generation (4 bytes); place, orientation, velocity, spin: 72 bytes in 3D with Q16.16. Unless it
@@ -34,6 +35,9 @@
 // * each contact, in order of its bodies: a word of the index of a (bits 0 to 19), the number of
 //   points (20 to 22) and whether it touches (23); the index of b (4 bytes); of each point its
 //   feature and pressure, then the impulses of friction: 52 bytes for four points in 3D;
+// * each joint, in order of index: a word of its index (bits 0 to 20), whether its bodies collide
+//   (21), whether it has limits (22) and its kind (24 to 31); generation, index of a, index of b
+//   (4 bytes each); its numbers; the impulses of its pushes and turns;
 // * the XXH64 of all that.
 //
 // Equal worlds have equal bytes. Fixed bodies appear only as a digest: a world restores snapshots
@@ -46,22 +50,24 @@ namespace detail {
 
 struct WorldHeader {
   static constexpr std::uint32_t right_magic = 0x574e5444u;  // "DTNW"
-  static constexpr std::uint16_t right_version = 1;
-  static constexpr std::size_t size = 56;
+  static constexpr std::uint16_t right_version = 2;
+  static constexpr std::size_t size = 64;
   static constexpr std::size_t checksum_size = 8;
 
   std::uint32_t magic = right_magic;
   std::uint16_t version = right_version;
   std::uint8_t dimension = 0, is_floating = 0, bits = 0, frac = 0;
-  std::uint16_t shapes = 0;
+  std::uint16_t shapes = 0, kinds = 0;  // of shapes and of joints, a bit each
   std::uint32_t next_generation = 0, bodies = 0, contacts = 0, fixed = 0;
+  std::uint32_t next_joint = 0, joints = 0;
   std::uint64_t fixed_digest = 0, settings_digest = 0, byte_count = 0;
-  std::uint32_t reserved = 0;
+  std::uint16_t reserved = 0;
 
   template <class D>
   constexpr void describe(D& out) const noexcept {
     out.add(magic, version, dimension, is_floating, bits, frac, shapes, next_generation, bodies,
-            contacts, fixed, fixed_digest, settings_digest, byte_count, reserved);
+            contacts, fixed, fixed_digest, settings_digest, byte_count, kinds, reserved, next_joint,
+            joints);
   }
 };
 
@@ -141,6 +147,7 @@ constexpr void describe_world(D& out, const World& world) noexcept {
       });
   const auto& contacts = WorldAccess::contacts(world);
   for (std::size_t i = 0; i < contacts.size(); ++i) describe_contact(out, contacts[i]);
+  if constexpr (World::has_joints) describe_joints(out, WorldAccess::joints(world).list);
 }
 
 /// The number of fixed bodies, and the digest of them.
@@ -163,9 +170,9 @@ template <class Bodies>
   return result;
 }
 
-template <class Storage, Scalar S, int N, class... Shapes>
+template <class Storage, Scalar S, int N, class... Parts>
 [[nodiscard]] constexpr WorldHeader header_of(
-    const BasicWorld<Storage, S, N, Shapes...>& world) noexcept {
+    const BasicWorld<Storage, S, N, Parts...>& world) noexcept {
   WorldHeader header;
   header.dimension = static_cast<std::uint8_t>(N);
   if constexpr (is_fixed<S>) {
@@ -175,7 +182,12 @@ template <class Storage, Scalar S, int N, class... Shapes>
     header.is_floating = 1;
     header.bits = static_cast<std::uint8_t>(8 * sizeof(S));
   }
-  header.shapes = static_cast<std::uint16_t>(((1u << shape_tag<Shapes>) | ...));
+  header.shapes = static_cast<std::uint16_t>(((IsJoint<Parts> ? 0u : 1u << shape_tag<Parts>) | ...));
+  header.kinds = static_cast<std::uint16_t>(((IsJoint<Parts> ? 1u << joint_tag<Parts> : 0u) | ...));
+  header.next_joint = WorldAccess::joints(world).next;
+  if constexpr (std::remove_cvref_t<decltype(world)>::has_joints) {
+    header.joints = static_cast<std::uint32_t>(world.joint_count());
+  }
   header.next_generation = WorldAccess::next(world);
   header.contacts = static_cast<std::uint32_t>(WorldAccess::contacts(world).size());
   const auto& bodies = WorldAccess::bodies(world);
@@ -232,12 +244,12 @@ template <Scalar S, int N, class... Shapes, class Assets>
   return is_body ? said : Restored::corrupted;
 }
 
-/// Reads the bodies and contacts of a snapshot into lists, in which fixed bodies are already.
-template <Scalar S, int N, class Bodies, class Contacts, class Assets>
+/// Reads the parts of a snapshot into lists, in which fixed bodies are already.
+template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Assets>
 [[nodiscard]] constexpr Restored read_world(Reader& in, const WorldHeader& header, Bodies& bodies,
-                                            Contacts& contacts, std::size_t bodies_room,
-                                            std::size_t contacts_room, int rate,
-                                            const Assets& assets) {
+                                            Contacts& contacts, Joints& joints,
+                                            std::size_t bodies_room, std::size_t contacts_room,
+                                            int rate, const Assets& assets) {
   using F = Formats<S>;
   std::size_t lowest = 0, before = 0;
   bool has_before = false;
@@ -306,6 +318,8 @@ template <Scalar S, int N, class Bodies, class Contacts, class Assets>
     for (auto& impulse : contact.friction) in.get(impulse);
     contacts.push_back(contact);
   }
+  const auto said = read_joints(in, joints, header.joints, header.next_joint, bodies);
+  if (said != Restored::yes) return said;
   return in.has_failed() || in.left() != 0 ? Restored::corrupted : Restored::yes;
 }
 
@@ -361,7 +375,8 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   if (header.version != WorldHeader::right_version) return Restored::other_version;
   in.get(header.dimension, header.is_floating, header.bits, header.frac, header.shapes,
          header.next_generation, header.bodies, header.contacts, header.fixed, header.fixed_digest,
-         header.settings_digest, header.byte_count, header.reserved);
+         header.settings_digest, header.byte_count, header.kinds, header.reserved,
+         header.next_joint, header.joints);
   if (in.has_failed() || bytes.size() < header.byte_count) return Restored::truncated;
   if (bytes.size() != header.byte_count || header.reserved != 0 ||
       bytes.size() < WorldHeader::size + WorldHeader::checksum_size) {
@@ -375,7 +390,7 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   }
   const auto own = detail::header_of(world);
   if (header.dimension != own.dimension || header.is_floating != own.is_floating ||
-      header.bits != own.bits || header.frac != own.frac || header.shapes != own.shapes ||
+      header.bits != own.bits || header.frac != own.frac || header.shapes != own.shapes || header.kinds != own.kinds ||
       header.settings_digest != own.settings_digest) {
     return Restored::other_scene;
   }
@@ -388,18 +403,19 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
     if (bodies[i].generation >= header.next_generation) return Restored::corrupted;
   }
   typename World::Contacts contacts;
+  std::remove_cvref_t<decltype(WorldAccess::joints(world))> joints;
   detail::Reader parts(checked.subspan(WorldHeader::size));
-  const auto said = detail::read_world<S, N>(parts, header, bodies, contacts, World::capacity,
+  const auto said = detail::read_world<S, N>(parts, header, bodies, contacts, joints, World::capacity,
                                              World::contact_capacity, WorldAccess::rate(world),
                                              detail::AssetLists<Lists...>(lists...));
   if (said == Restored::yes) {
-    WorldAccess::assign(world, bodies, contacts, header.next_generation,
+    WorldAccess::assign(world, bodies, contacts, joints, header.next_generation,
                         header.bodies + std::size_t{header.fixed});
   }
   return said;
 }
 
-/// Appends to a digest: the bodies that are not fixed, and the contacts, as in a snapshot.
+/// Appends to a digest: the bodies that are not fixed, the contacts and the joints, as in a snapshot.
 template <class D, class Storage, Scalar S, int N, class... Shapes>
 constexpr void append(D& digest, const BasicWorld<Storage, S, N, Shapes...>& world) noexcept {
   detail::describe_world(digest, world);

@@ -9,6 +9,7 @@
 
 #include "detent/dynamics/flight.hpp"
 #include "detent/dynamics/islands.hpp"
+#include "detent/dynamics/joint/group.hpp"
 #include "detent/dynamics/manifold/pair.hpp"
 #include "detent/dynamics/pairs.hpp"
 #include "detent/dynamics/record.hpp"
@@ -23,11 +24,20 @@ namespace detent::detail {
 
 /// What one step of a world needs besides its state. Nothing of it outlives the step, so copies of a
 /// world, as a rollback makes in every frame, leave it out.
-template <class Storage, Scalar S, int N, class... Shapes>
+///
+/// `Parts` are the world's shapes and joints.
+template <class Storage, Scalar S, int N, class... Parts>
 class Tick {
+  template <class... Shapes>
+  using BodyOf = BodyRecord<S, N, OneOf<Shapes...>>;
+  template <class... Joints>
+  using GroupOf = JointGroup<Storage, S, N, Joints...>;
+
  public:
   using F = Formats<S>;
-  using Body = BodyRecord<S, N, OneOf<Shapes...>>;
+  using Body = typename Select<false, Parts...>::template In<BodyOf>;
+  using Group = typename Select<true, Parts...>::template In<GroupOf>;
+  using Joints = typename Group::List;
   using ContactState = BodyContact<S, N>;
   static constexpr std::size_t bodies_room = Storage::capacity;
   static constexpr std::size_t contacts_room = contact_room(Storage::capacity);
@@ -38,22 +48,30 @@ class Tick {
   constexpr Tick(const Tick&) noexcept {}
   constexpr Tick& operator=(const Tick&) noexcept { return *this; }
 
-  constexpr void run(Bodies& bodies, Contacts& contacts, const Pace<S, N>& pace, int substeps,
-                     const S& margin) {
+  constexpr void run(Bodies& bodies, Contacts& contacts, Joints& joints, const Pace<S, N>& pace,
+                     int substeps, const S& margin) {
     place(bodies);
+    group_.part(joints);
     find_pairs(bodies, margin);
     touch(bodies, contacts, pace.margin);
-    wake(bodies);
+    wake(bodies, joints);
     order(bodies);
     for (std::size_t i = 0; i < moving_.size(); ++i) moving_[i] = moving_of(bodies[i]);
     prepare_all(bodies);
-    for (int i = 0; i < substeps; ++i) substep(bodies, pace);
+    group_.prepare(joints, bodies, supports_, pace.rate);
+    for (int i = 0; i < substeps; ++i) substep(bodies, joints, pace);
     for (std::size_t i = 0; i < ready_.size(); ++i) {
       auto& ready = ready_[i];
       bounce(ready, current_[ready.contact], moving_[ready.a], moving_[ready.b], pace.bounce);
     }
     finish(bodies, pace);
     std::swap(contacts, current_);
+  }
+
+  /// Calls f(index) for each joint that broke in the last run, in order.
+  template <class Broken>
+  constexpr void for_each_broken(const Broken& f) const {
+    group_.for_each_broken(f);
   }
 
  private:
@@ -68,15 +86,7 @@ class Tick {
     moving_.resize(bodies.size());
     half_way_.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-      const Body& body = bodies[i];
-      if (body.generation == 0) continue;
-      auto& support = supports_[i];
-      support.axes = axes_of<S, N>(body.state.orientation);
-      support.place = body.state.place;
-      support.locked = body.can_move() ? body.locked : std::uint8_t{0};
-      support.spread =
-          without_locked<S, N>(in_world<S, N>(body.inertia.inverse, support.axes), support.locked);
-      support.is_fixed = body.motion == BodyMotion::fixed;
+      if (bodies[i].generation != 0) supports_[i] = support_of<S, N>(bodies[i]);
     }
   }
 
@@ -93,7 +103,8 @@ class Tick {
     sweep(&swept_[0], swept_.size(), [&](const BodyPair& pair) {
       const Body &a = bodies[pair.a], &b = bodies[pair.b];
       const bool meet = (a.layers & b.collides_with) != 0 && (b.layers & a.collides_with) != 0;
-      if (meet && (a.can_move() || b.can_move()) && pairs_.size() < pair_room) {
+      if (meet && (a.can_move() || b.can_move()) && !group_.keeps_apart(pair) &&
+          pairs_.size() < pair_room) {
         pairs_.push_back(pair);
       }
     });
@@ -163,27 +174,34 @@ class Tick {
     return contact;
   }
 
-  /// An island with a body that is awake, or that a moving kinematic body touches, is awake.
-  constexpr void wake(Bodies& bodies) {
-    islands_.reset(bodies.size());
+  /// Calls f(a, b) for the bodies of each contact without a sensor.
+  template <class Found>
+  constexpr void for_each_pushing(const Bodies& bodies, const Found& f) {
     for (std::size_t i = 0; i < current_.size(); ++i) {
-      const auto& contact = current_[i];
-      if (is_sensed(bodies, contact.a, contact.b)) continue;
-      if (bodies[contact.a].can_move() && bodies[contact.b].can_move()) {
-        islands_.join(contact.a, contact.b);
-      }
+      const auto a = current_[i].a, b = current_[i].b;
+      if (!is_sensed(bodies, a, b)) f(a, b);
     }
+  }
+
+  /// An island with a body that is awake, or that a moving kinematic body touches, is awake.
+  constexpr void wake(Bodies& bodies, const Joints& joints) {
+    islands_.reset(bodies.size());
+    const auto join = [&](std::uint32_t a, std::uint32_t b) {
+      if (bodies[a].can_move() && bodies[b].can_move()) islands_.join(a, b);
+    };
+    for_each_pushing(bodies, join);
+    group_.for_each_pair(joints, join);
     awake_.clear();
     awake_.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (bodies[i].can_move() && !bodies[i].sleeps) awake_[island(i)] = 1;
     }
-    for (std::size_t i = 0; i < current_.size(); ++i) {
-      const auto& contact = current_[i];
-      if (is_sensed(bodies, contact.a, contact.b)) continue;
-      if (is_driven(bodies[contact.a])) awake_[islands_.of(contact.b)] = 1;
-      if (is_driven(bodies[contact.b])) awake_[islands_.of(contact.a)] = 1;
-    }
+    const auto drive = [&](std::uint32_t a, std::uint32_t b) {
+      if (is_driven(bodies[a])) awake_[islands_.of(b)] = 1;
+      if (is_driven(bodies[b])) awake_[islands_.of(a)] = 1;
+    };
+    for_each_pushing(bodies, drive);
+    group_.for_each_pair(joints, drive);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (!bodies[i].can_move()) continue;
       const bool sleeps = awake_[island(i)] == 0;
@@ -231,15 +249,7 @@ class Tick {
       auto& ready = ready_[i];
       const Body &a = bodies[ready.a], &b = bodies[ready.b];
       const auto& found = found_[ready.contact];
-      // Shares of the inverse masses: of two masses, the other one's share.
-      Ratio share_a{}, share_b{};
-      if (a.can_move() && b.can_move()) {
-        const auto sum = a.mass + b.mass;
-        share_a = quotient_nearest<Ratio>(b.mass, sum);
-        share_b = quotient_nearest<Ratio>(a.mass, sum);
-      } else {
-        (a.can_move() ? share_a : share_b) = Ratio(1);
-      }
+      const auto [share_a, share_b] = mass_shares<S>(a, b);
       prepare(ready, found.manifold, supports_[ready.a], supports_[ready.b], found.offset, share_a,
               share_b);
       ready.grip = sqrt_floor<Ratio>(a.friction * b.friction);
@@ -252,14 +262,16 @@ class Tick {
     }
   }
 
-  constexpr void substep(Bodies& bodies, const Pace<S, N>& pace) {
+  constexpr void substep(Bodies& bodies, Joints& joints, const Pace<S, N>& pace) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (is_awake(bodies[i])) accelerate(bodies[i], moving_[i], half_way_[i], pace);
     }
+    group_.warm_start(joints, moving_);
     for (std::size_t i = 0; i < ready_.size(); ++i) {
       const auto& ready = ready_[i];
       warm_start(ready, current_[ready.contact], moving_[ready.a], moving_[ready.b]);
     }
+    group_.template solve_all<Pass::biased>(joints, moving_);
     for (std::size_t i = 0; i < ready_.size(); ++i) {
       auto& ready = ready_[i];
       solve_pressure<Pass::biased>(ready, current_[ready.contact], moving_[ready.a],
@@ -269,6 +281,8 @@ class Tick {
       const bool moves = is_awake(bodies[i]) || is_driven(bodies[i]);
       if (moves) move(bodies[i], moving_[i], half_way_[i]);
     }
+    group_.follow(joints, bodies, supports_);
+    group_.template solve_all<Pass::relaxed>(joints, moving_);
     for (std::size_t i = 0; i < ready_.size(); ++i) {
       auto& ready = ready_[i];
       auto& contact = current_[ready.contact];
@@ -356,6 +370,7 @@ class Tick {
   List<std::uint64_t, bodies_room> used_;
   List<std::uint8_t, bodies_room> awake_;
   Islands<List<std::uint32_t, bodies_room>> islands_;
+  Group group_;
 };
 
 }  // namespace detent::detail

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "detent/cull/list.hpp"
+#include "detent/dynamics/joint/table.hpp"
 #include "detent/dynamics/kick.hpp"
 #include "detent/dynamics/tick.hpp"
 #include "detent/math/transform.hpp"
@@ -28,18 +29,19 @@ struct TouchEvent {
 };
 
 /// Bodies that fall, collide and come to rest. Write `World<q16_16, 3, Sphere, Obb>`, or
-/// `BoundedWorld<Bounded<64>, q16_16, 3, Sphere>` for one that never allocates.
+/// `BoundedWorld<Bounded<64>, q16_16, 3, Sphere>` for one that never allocates. Joints are named with
+/// the shapes, `World<q16_16, 3, Sphere, BallJoint, HingeJoint>`; others cost nothing.
 ///
-/// A step is a function of the bodies, their ids and the contacts they are in: in whatever order
+/// A step is a function of the bodies, the joints, their ids and the contacts they are in: in whatever order
 /// bodies were added and removed, and whether the world was restored from a snapshot or not, the
 /// bits are the same. docs/dynamics.md defines every number of a step and where it is rounded.
 ///
 /// units:  lengths in world units, times in seconds, angles in radians
 /// domain: scalars with up to 31 bits; ticks per second times substeps in [1, 32767]
 /// exact:  as docs/dynamics.md says                     (tests/dynamics/world.test.cpp)
-template <class Storage, Scalar S, int N, class... Shapes>
+template <class Storage, Scalar S, int N, class... Parts>
 class BasicWorld {
-  using Tick = detail::Tick<Storage, S, N, Shapes...>;
+  using Tick = detail::Tick<Storage, S, N, Parts...>;
   using F = detail::Formats<S>;
   using Body = typename Tick::Body;
 
@@ -50,6 +52,8 @@ class BasicWorld {
   using Contacts = typename Tick::Contacts;
   static constexpr std::size_t capacity = Storage::capacity;
   static constexpr std::size_t contact_capacity = Tick::contacts_room;
+  static constexpr std::size_t joint_capacity = Tick::Group::room;
+  static constexpr bool has_joints = joint_capacity != 0;
 
   constexpr BasicWorld() noexcept : BasicWorld(Settings()) {}
   explicit constexpr BasicWorld(const Settings& settings) noexcept
@@ -60,8 +64,8 @@ class BasicWorld {
 
   /// Adds a body where the shape is. Its place is the shape's centre; a box's frame is its own,
   /// other shapes start along the world's axes. Nothing if the world is full.
-  template <detail::Among<Shapes...> Shape>
-  constexpr std::optional<BodyId> add(const Shape& shape, const Options& options = {}) {
+  template <detail::Among<Parts...> Shape>
+  requires(!detail::IsJoint<Shape>) constexpr std::optional<BodyId> add(const Shape& shape, const Options& options = {}) {
     while (first_free_ < bodies_.size() && bodies_[first_free_].generation != 0) ++first_free_;
     const BodyId id{first_free_, next_};
     return put(id, shape, options) ? std::optional(id) : std::nullopt;
@@ -69,8 +73,8 @@ class BasicWorld {
 
   /// Adds a body with an id of the caller's, such as one that a removed body had. False if the index
   /// is in use or beyond the world's room.
-  template <detail::Among<Shapes...> Shape>
-  constexpr bool put(const BodyId& id, const Shape& shape, const Options& options = {}) {
+  template <detail::Among<Parts...> Shape>
+  requires(!detail::IsJoint<Shape>) constexpr bool put(const BodyId& id, const Shape& shape, const Options& options = {}) {
     if (id.generation == 0 || id.generation > last_generation || id.index >= capacity) return false;
     if (id.index < bodies_.size() && bodies_[id.index].generation != 0) return false;
     if (id.index >= bodies_.size()) bodies_.resize(id.index + std::size_t{1});
@@ -90,7 +94,7 @@ class BasicWorld {
     body.restitution = options.restitution;
     body.linear_damping = options.linear_damping;
     body.angular_damping = options.angular_damping;
-    body.shape = detail::OneOf<Shapes...>(local.shape);
+    body.shape = decltype(body.shape)(local.shape);
     body.state.place = make_vec<N>([&](int i) { return typename F::Place(local.center[i]); });
     body.state.orientation = local.orientation;
     if (options.motion != BodyMotion::fixed) {
@@ -103,7 +107,8 @@ class BasicWorld {
     return true;
   }
 
-  /// Removes a body and wakes those that touched it. False if there is none with this id.
+  /// Removes a body and its joints, and wakes the bodies that it touched or was joined to. False if
+  /// there is none with this id.
   constexpr bool remove(const BodyId& id) {
     if (find(id) == nullptr) return false;
     std::size_t kept = 0;
@@ -117,6 +122,7 @@ class BasicWorld {
       }
     }
     contacts_.resize(kept);
+    joints_.take_all_of(id.index, [&](const detail::BodyPair& pair) { rouse(pair); });
     bodies_[id.index] = Body();
     first_free_ = (std::min)(first_free_, id.index);
     --size_;
@@ -127,8 +133,81 @@ class BasicWorld {
   constexpr void step() {
     events_.clear();
     before_ = contacts_;
-    tick_.run(bodies_, contacts_, pace_, settings_.substeps, settings_.margin);
+    tick_.run(bodies_, contacts_, joints_.list, pace_, settings_.substeps, settings_.margin);
+    joints_.take_broken(tick_, [&](const detail::BodyPair& pair) { rouse(pair); });
     note_events();
+  }
+
+  /// Adds a joint of two bodies, and wakes them. Nothing if the world has no room, or not both
+  /// bodies.
+  template <detail::Among<Parts...> Joint>
+  requires detail::IsJoint<Joint>
+  constexpr std::optional<JointId> add(const Joint& joint) {
+    const auto id = joints_.vacant();
+    return put(id, joint) ? std::optional(id) : std::nullopt;
+  }
+  /// Adds a joint with an id of the caller's. False if the index is in use or beyond the world's
+  /// room, or if the world has not both bodies.
+  template <detail::Among<Parts...> Joint>
+  requires detail::IsJoint<Joint>
+  constexpr bool put(const JointId& id, const Joint& joint) {
+    if (!can_join(joint) || !joints_.put(id, joint)) return false;
+    rouse(joints_.list[id.index].bodies());
+    return true;
+  }
+  /// Makes a joint another one of the same kind, such as one with another motor, and wakes its
+  /// bodies. It keeps its impulses. False without such a joint, or without both bodies.
+  template <detail::Among<Parts...> Joint>
+  requires detail::IsJoint<Joint>
+  constexpr bool change(const JointId& id, const Joint& joint) {
+    if (find_joint<Joint>(id) == nullptr || !can_join(joint)) return false;
+    auto& record = joints_.list[id.index];
+    rouse(record.bodies());
+    record.joint = decltype(record.joint)(joint);
+    rouse(record.bodies());
+    return true;
+  }
+  /// Removes a joint and wakes its bodies. False if there is none with this id.
+  constexpr bool remove(const JointId& id) requires(has_joints) {
+    if (joints_.find(id) == nullptr) return false;
+    rouse(joints_.take(id.index));
+    return true;
+  }
+  [[nodiscard]] constexpr bool contains(const JointId& id) const noexcept requires(has_joints) {
+    return joints_.find(id) != nullptr;
+  }
+  /// The joint as it was added or last changed, or nullptr if there is none of this kind.
+  template <detail::Among<Parts...> Joint>
+  requires detail::IsJoint<Joint>
+  [[nodiscard]] constexpr const Joint* find_joint(const JointId& id) const noexcept {
+    const auto* record = joints_.find(id);
+    return record == nullptr ? nullptr : record->joint.template get<Joint>();
+  }
+  [[nodiscard]] constexpr std::size_t joint_count() const noexcept requires(has_joints) {
+    return joints_.size;
+  }
+  /// The joints that broke in the last step, which are removed, in order of their indices.
+  [[nodiscard]] constexpr std::size_t broken_count() const noexcept requires(has_joints) {
+    return joints_.broken.size();
+  }
+  [[nodiscard]] constexpr JointId broken(std::size_t i) const noexcept requires(has_joints) {
+    return joints_.broken[i];
+  }
+
+  /// A point of the world in the frame of a body, rounded to nearest: an anchor of a joint.
+  [[nodiscard]] constexpr Vec<S, N> local_point(const BodyId& id, const Vec<S, N>& point) const
+      noexcept {
+    const Body* body = find(id);
+    if (body == nullptr) return point;
+    const auto axes = detail::axes_of<S, N>(body->state.orientation);
+    const auto from = make_vec<N>([&](int i) { return point[i] - body->state.place[i]; });
+    return make_vec<N>(
+        [&](int i) { return saturate_to<S>(dot(axes[static_cast<std::size_t>(i)], from)); });
+  }
+  /// Axes of the world in the frame of a body, rounded to nearest: a frame of a joint.
+  [[nodiscard]] constexpr Rotation<S, N> local_frame(const BodyId& id,
+                                                     const Rotation<S, N>& frame) const noexcept {
+    return compose(inverse(rotation(id)), frame);
   }
 
   /// Whether there is a body with this id.
@@ -283,6 +362,14 @@ class BasicWorld {
     body.sleeps = false;
     body.quiet = 0;
   }
+  constexpr void rouse(const detail::BodyPair& pair) noexcept {
+    rouse(bodies_[pair.a]);
+    rouse(bodies_[pair.b]);
+  }
+  template <class Joint>
+  [[nodiscard]] constexpr bool can_join(const Joint& joint) const noexcept {
+    return joint.a.index != joint.b.index && contains(joint.a) && contains(joint.b);
+  }
 
   [[nodiscard]] constexpr auto per_substep(const Vec<S, N>& v) const noexcept {
     return quotient_nearest<typename F::Speed>(v, detail::as_operand<S>(pace_.rate));
@@ -320,6 +407,7 @@ class BasicWorld {
   detail::Pace<S, N> pace_;
   typename Tick::Bodies bodies_;
   typename Tick::Contacts contacts_;
+  detail::JointTable<typename Tick::Group> joints_;
   std::uint32_t next_ = 1;
   std::uint32_t first_free_ = 0;
   std::size_t size_ = 0;
@@ -350,6 +438,10 @@ struct WorldAccess {
     return world.contacts_;
   }
   template <class World>
+  [[nodiscard]] static constexpr auto& joints(World& world) noexcept {
+    return world.joints_;
+  }
+  template <class World>
   [[nodiscard]] static constexpr std::uint32_t next(const World& world) noexcept {
     return world.next_;
   }
@@ -357,11 +449,12 @@ struct WorldAccess {
   [[nodiscard]] static constexpr int rate(const World& world) noexcept {
     return world.pace_.rate;
   }
-  template <class World, class Bodies, class Contacts>
+  template <class World, class Bodies, class Contacts, class Joints>
   static constexpr void assign(World& world, const Bodies& bodies, const Contacts& contacts,
-                               std::uint32_t next, std::size_t size) {
+                               const Joints& joints, std::uint32_t next, std::size_t size) {
     world.bodies_ = bodies;
     world.contacts_ = contacts;
+    world.joints_ = joints;
     world.next_ = next;
     world.first_free_ = 0;
     world.size_ = size;

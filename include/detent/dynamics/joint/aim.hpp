@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/dynamics/joint/ready.hpp"
+#include "detent/number/angle.hpp"
+
+namespace detent::detail {
+
+/// The angle in [-pi, pi) of a vector: in steps of 2^-32 turn, then in radians, each rounded to
+/// nearest.
+template <Scalar S, class F = Formats<S>>
+[[nodiscard]] constexpr typename F::Spin angle_of_vector(const typename F::Ratio& x,
+                                                         const typename F::Ratio& y) noexcept {
+  if constexpr (is_fixed<S>) {
+    const auto half_turns = static_cast<std::int32_t>(binary_angle(y.raw(), x.raw()));
+    return nearest_to<typename F::Spin>(times_pi(Fixed<31, 31>::assume_raw(half_turns)));
+  } else {
+    return (atan2(y, x).radians)();
+  }
+}
+
+/// A vector of a body's frame, in the world.
+///
+/// |row of axes| |v| < 2^30 2^31 sqrt(3) (1 + 2^-28) fits 62 bits.
+template <class T, Scalar S, int N, Number V>
+[[nodiscard]] constexpr Vec<T, N> out_of(const Axes<S, N>& axes, const Vec<V, N>& v) noexcept {
+  return make_vec<N>([&](int k) {
+    const auto row = make_vec<N>([&](int i) { return axes[static_cast<std::size_t>(i)][k]; });
+    return nearest_to<T>(narrow_dot<62>(row, v));
+  });
+}
+
+/// Computes the rows of a joint for where its bodies are now.
+template <Scalar S, int N, class Ready>
+class Aim {
+ public:
+  using F = Formats<S>;
+  using Arm = typename F::Arm;
+  using Ratio = typename F::Ratio;
+  using Reach = typename F::Reach;
+  using Speed = typename F::Speed;
+  using Spin = typename F::Spin;
+
+  constexpr Aim(Ready& ready, const Support<S, N>& a, const Support<S, N>& b) noexcept
+      : ready_(ready), a_(a), b_(b), spread_a_(a.spread), spread_b_(b.spread) {
+    for (auto& x : spread_a_) x = nearest_to<typename F::Gyration>(x * ready.share_a);
+    for (auto& x : spread_b_) x = nearest_to<typename F::Gyration>(x * ready.share_b);
+  }
+
+  constexpr void operator()(const DistanceJoint<S, N>& joint) noexcept {
+    find_points(joint);
+    const auto length = sqrt_floor<Reach>(squared_length(between_));
+    const auto along = from_array(
+        unit_vector<Ratio>(to_array(between_)).value_or(to_array(unit_axis(0))));
+    push(0, along, length - joint.length);
+    push(1, along, length - (joint.least < joint.most ? joint.least : joint.most));
+    push(2, narrow_negative(along), joint.most - length);
+  }
+  constexpr void operator()(const BallJoint<S, N>& joint) noexcept { point(joint); }
+  constexpr void operator()(const HingeJoint<S, N>& joint) noexcept {
+    point(joint);
+    find_axes(joint);
+    turning();
+    if (ready_.turn[1].terms.law == Law::none) return;
+    const auto angle = angle_of_vector<S>(cosine(0, 0), cosine(1, 0));
+    turn(1, hinge_axis(), saturate_to<Spin>(angle - joint.lower));
+    turn(2, reversed(hinge_axis()), saturate_to<Spin>(joint.upper - angle));
+  }
+  constexpr void operator()(const WeldJoint<S, N>& joint) noexcept {
+    point(joint);
+    find_axes(joint);
+    stiff();
+  }
+  constexpr void operator()(const SliderJoint<S, N>& joint) noexcept {
+    find_axes(joint);
+    line(joint);
+    stiff();
+  }
+  constexpr void operator()(const WheelJoint<S, N>& joint) noexcept {
+    find_axes(joint);
+    line(joint);
+    turning();
+  }
+
+ private:
+  static constexpr Vec<Ratio, N> unit_axis(int i) noexcept {
+    Vec<Ratio, N> axis{};
+    axis[i] = Ratio(1);
+    return axis;
+  }
+  static constexpr Axial<Ratio, N> reversed(Axial<Ratio, N> axis) noexcept {
+    for (auto& x : axis) x = narrow_negative(x);
+    return axis;
+  }
+
+  /// The anchors from the centres, and the anchor of b from that of a.
+  constexpr void find_points(const JointEnds<S, N>& joint) noexcept {
+    from_a_ = out_of<Reach, S, N>(a_.axes, joint.anchor_a);
+    from_b_ = out_of<Reach, S, N>(b_.axes, joint.anchor_b);
+    between_ = make_vec<N>([&](int i) {
+      return saturate_to<Reach>((b_.place[i] - a_.place[i]) + (from_b_[i] - from_a_[i]));
+    });
+  }
+  constexpr void find_axes(const FramedEnds<S, N>& joint) noexcept {
+    for (int i = 0; i < N; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      axes_a_[k] = out_of<Ratio, S, N>(a_.axes, joint.frame_a.axis(i).vec());
+      axes_b_[k] = out_of<Ratio, S, N>(b_.axes, joint.frame_b.axis(i).vec());
+    }
+  }
+  /// Axis i of a times axis j of b.
+  [[nodiscard]] constexpr Ratio cosine(std::size_t i, std::size_t j) const noexcept {
+    return nearest_to<Ratio>(narrow_dot<62>(axes_a_[i], axes_b_[j]));
+  }
+
+  /// A push along `along`, at the anchors or, for a line, at that of b alone.
+  template <class Gap>
+  constexpr void push(std::size_t i, const Vec<Ratio, N>& along, const Gap& gap,
+                      bool is_line = false) noexcept {
+    auto& row = ready_.push[i];
+    if (row.terms.law == Law::none) return;
+    row.thrust = push_along<S, N>(along, ready_.share_a, ready_.share_b);
+    row.row = {};
+    if (!a_.is_fixed) {
+      const auto arm = make_vec<N>([&](int k) {
+        return is_line ? saturate_to<Arm>(from_a_[k] + between_[k]) : saturate_to<Arm>(from_a_[k]);
+      });
+      row.row.moment_a = moment<S, N>(arm, along);
+    }
+    if (!b_.is_fixed) {
+      row.row.moment_b =
+          moment<S, N>(make_vec<N>([&](int k) { return saturate_to<Arm>(from_b_[k]); }), along);
+    }
+    complete<S, N>(row.row, spread_a_, spread_b_);
+    row.gap = saturate_to<Speed>(gap);
+  }
+  constexpr void turn(std::size_t i, const Axial<Ratio, N>& axis, const Spin& gap) noexcept {
+    auto& row = ready_.turn[i];
+    if (row.terms.law == Law::none) return;
+    row.axis = axis;
+    const auto whole = share_out(row, spread_a_, spread_b_);
+    if (row.terms.law == Law::motor) {
+      row.terms.most = nearest_to<typename F::Turn>(ready_.torque * whole);
+      if (row.terms.most < 0) row.terms.most = {};
+    }
+    row.gap = gap;
+  }
+
+  constexpr void point(const JointEnds<S, N>& joint) noexcept {
+    find_points(joint);
+    for (int i = 0; i < N; ++i) {
+      push(static_cast<std::size_t>(i), unit_axis(i), between_[i]);
+    }
+  }
+  template <class Joint>
+  constexpr void line(const Joint& joint) noexcept {
+    find_points(joint);
+    const auto& along = axes_a_[0];
+    const auto at = nearest_to<Reach>(dot(along, between_));
+    push(0, along, Speed{}, true);
+    push(1, along, at - joint.length, true);
+    push(2, along, at - joint.lower, true);
+    push(3, narrow_negative(along), joint.upper - at, true);
+    for (std::size_t i = 1; i < std::size_t{N}; ++i) {
+      push(3 + i, axes_a_[i], nearest_to<Reach>(dot(axes_a_[i], between_)), true);
+    }
+  }
+  [[nodiscard]] constexpr Axial<Ratio, N> hinge_axis() const noexcept {
+    if constexpr (N == 2) {
+      return {Ratio(1)};
+    } else {
+      return to_array(axes_a_[2]);
+    }
+  }
+  /// The motor of a hinge or a wheel, and the rows that keep axes 2 together.
+  constexpr void turning() noexcept {
+    turn(0, hinge_axis(), Spin{});
+    if constexpr (N == 3) {
+      turn(3, to_array(axes_a_[0]), nearest_to<Spin>(narrow_negative(cosine(1, 2))));
+      turn(4, to_array(axes_a_[1]), nearest_to<Spin>(cosine(0, 2)));
+    }
+  }
+  /// The rows that keep the frames together. In 3D the gap is the half of the sum of all
+  /// a_i x b_i, which is at most 3 / 2 (1 + 2^-28).
+  constexpr void stiff() noexcept {
+    if constexpr (N == 2) {
+      turn(0, {Ratio(1)}, angle_of_vector<S>(cosine(0, 0), cosine(1, 0)));
+    } else {
+      const auto twice = cross(axes_a_[0], axes_b_[0]) + cross(axes_a_[1], axes_b_[1]) +
+                         cross(axes_a_[2], axes_b_[2]);
+      for (int i = 0; i < 3; ++i) {
+        turn(static_cast<std::size_t>(i), to_array(unit_axis(i)),
+             nearest_to<Spin>(half(twice[i])));
+      }
+    }
+  }
+
+  Ready& ready_;
+  const Support<S, N>&a_, &b_;
+  Spread<typename F::Gyration, N> spread_a_, spread_b_;
+  Vec<Reach, N> from_a_{}, from_b_{}, between_{};
+  Axes<S, N> axes_a_{}, axes_b_{};
+};
+
+}  // namespace detent::detail

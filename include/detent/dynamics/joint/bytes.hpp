@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "detent/dynamics/joint/table.hpp"
+#include "detent/scene/bytes.hpp"
+#include "detent/scene/header.hpp"
+
+namespace detent::detail {
+
+/// Calls f(name, number) for each number of a joint, in the order of snapshots.
+template <class Joint, class F>
+constexpr void for_each_number(Joint& joint, const F& f) {
+  f("anchor_a", joint.anchor_a);
+  f("anchor_b", joint.anchor_b);
+  f("break_force", joint.break_force);
+  if constexpr (requires { joint.frame_a; }) {
+    f("frame_a", joint.frame_a);
+    f("frame_b", joint.frame_b);
+  }
+  if constexpr (requires { joint.least; }) {
+    f("least", joint.least);
+    f("most", joint.most);
+  }
+  if constexpr (requires { joint.lower; }) {
+    f("lower", joint.lower);
+    f("upper", joint.upper);
+    f("motor_speed", joint.motor_speed);
+  }
+  if constexpr (requires { joint.motor_torque; }) f("motor_torque", joint.motor_torque);
+  if constexpr (requires { joint.motor_force; }) f("motor_force", joint.motor_force);
+  if constexpr (requires { joint.length; }) f("length", joint.length);
+  if constexpr (requires { joint.frequency; }) {
+    f("frequency", joint.frequency);
+    f("damping_ratio", joint.damping_ratio);
+  }
+  if constexpr (requires { joint.max_force; }) f("max_force", joint.max_force);
+}
+
+template <class Joint>
+[[nodiscard]] constexpr bool has_limits(const Joint& joint) noexcept {
+  if constexpr (requires { joint.has_limits; }) {
+    return joint.has_limits;
+  } else {
+    return false;
+  }
+}
+
+template <class D, class Record>
+constexpr void describe_joint(D& out, const Record& record, std::uint32_t index) noexcept {
+  record.joint.visit([&]<class Joint>(const Joint& joint) {
+    out.add(index | (joint.collide ? std::uint32_t{1} << 21 : 0u) |
+                (has_limits(joint) ? std::uint32_t{1} << 22 : 0u) |
+                std::uint32_t{joint_tag<Joint>} << 24,
+            record.generation, joint.a.index, joint.b.index);
+    for_each_number(joint, [&](const char*, const auto& x) { out.add(x); });
+    for (std::size_t i = 0; i < RowsOf<Joint>::push; ++i) out.add(record.push[i]);
+    for (std::size_t i = 0; i < RowsOf<Joint>::turn; ++i) out.add(record.turn[i]);
+  });
+}
+template <class D, class List>
+constexpr void describe_joints(D& out, const List& joints) noexcept {
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (joints[i].generation != 0) describe_joint(out, joints[i], static_cast<std::uint32_t>(i));
+  }
+}
+
+/// Reads a joint of this kind, whose first word is `word`. False for bytes that are none.
+template <class Joint, class Record, class Bodies>
+[[nodiscard]] constexpr bool read_joint(Reader& in, Record& record, std::uint32_t word,
+                                        const Bodies& bodies) noexcept {
+  Joint joint;
+  const auto read_body = [&](BodyId& id) {
+    id.index = in.number<std::uint32_t>();
+    if (id.index < bodies.size()) id.generation = bodies[id.index].generation;
+  };
+  in.get(record.generation);
+  read_body(joint.a);
+  read_body(joint.b);
+  joint.collide = (word >> 21 & 1) != 0;
+  if constexpr (requires { joint.has_limits; }) joint.has_limits = (word >> 22 & 1) != 0;
+  for_each_number(joint, [&](const char*, auto& x) { in.get(x); });
+  for (std::size_t i = 0; i < RowsOf<Joint>::push; ++i) in.get(record.push[i]);
+  for (std::size_t i = 0; i < RowsOf<Joint>::turn; ++i) in.get(record.turn[i]);
+  record.joint = decltype(record.joint)(joint);
+  return !in.has_failed() && joint.a.generation != 0 && joint.b.generation != 0 &&
+         joint.a.index != joint.b.index && has_limits(joint) == ((word >> 22 & 1) != 0);
+}
+
+/// Reads the joints of a snapshot into a table without any.
+template <class Storage, Scalar S, int N, class... Joints, class Bodies>
+[[nodiscard]] constexpr Restored read_joints(Reader& in,
+                                             JointTable<JointGroup<Storage, S, N, Joints...>>& table,
+                                             std::uint32_t count, std::uint32_t next,
+                                             const Bodies& bodies) {
+  if constexpr (sizeof...(Joints) == 0) {
+    return count == 0 && next == table.next ? Restored::yes : Restored::corrupted;
+  } else {
+    table.next = next;
+    std::size_t lowest = 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const auto word = in.number<std::uint32_t>();
+      const std::size_t i = word & 0x1fffffu;
+      if (in.has_failed() || i < lowest || (word >> 23 & 1) != 0) return Restored::corrupted;
+      if (i >= JointGroup<Storage, S, N, Joints...>::room) return Restored::no_room;
+      typename JointGroup<Storage, S, N, Joints...>::Record record;
+      const bool known = ((joint_tag<Joints> == word >> 24 &&
+                           read_joint<Joints>(in, record, word, bodies)) ||
+                          ...);
+      if (!known || record.generation == 0 || record.generation >= next) {
+        return Restored::corrupted;
+      }
+      table.list.resize(i + 1);
+      table.list[i] = record;
+      ++table.size;
+      lowest = i + 1;
+    }
+    return Restored::yes;
+  }
+}
+
+}  // namespace detent::detail
