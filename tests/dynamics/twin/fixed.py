@@ -80,6 +80,8 @@ class Formats:
         self.length = Format(33, F + 12)
         self.stretch = Format(47, 30)
         self.fine_spin = Format(51, 44)
+        self.reach = Format(37, F + 12)
+        self.torque = Format(62, F + 32)
         self.bound = Format(bits + 15, F + 12)
         self.mass = Format(63, 2 * F)
         self.squared_gyration = Format(2 * bits + 34, 2 * F + 30)
@@ -139,3 +141,27 @@ def _pi(bits):
 
 PI_BITS = 124
 PI = _pi(PI_BITS)
+
+
+def arc(y, x, bits=96):
+    """The angle of (x, y) in [-1/2, 1/2) turn, to the nearest multiple of 2^-32; 0 for 0, 0."""
+    if x == 0 and y == 0:
+        return 0
+    u, v = abs(x), abs(y)
+    low, high = min(u, v), max(u, v)
+    t = (low << bits) // high
+    for _ in range(6):  # the arc of t is twice that of t / (1 + sqrt(1 + t^2))
+        t = (t << bits) // ((1 << bits) + isqrt((1 << 2 * bits) + t * t))
+    total, term, k = 0, t, 0
+    while term:
+        total += -(term // (2 * k + 1)) if k & 1 else term // (2 * k + 1)
+        term, k = (term * t >> bits) * t >> bits, k + 1
+    turns = (total << 6 + PI_BITS) // (2 * PI)  # times 2^bits
+    if v > u:
+        turns = (1 << bits - 2) - turns
+    if x < 0:
+        turns = (1 << bits - 1) - turns
+    if y < 0:
+        turns = -turns
+    n = round_shift(turns, bits - 32)
+    return n - (1 << 32) if n >= 1 << 31 else n

@@ -21,6 +21,8 @@ def field_of(line, i, n):
         count = {"place": n, "orientation": 2 if n == 2 else 4, "velocity": n,
                  "spin": 1 if n == 2 else 3, "quiet": 1, "sleeps": 1}
         names = ["body", "index"]
+    elif words[0] == "joint":
+        count, names = {"impulse": 99}, ["joint", "index", "a", "b"]
     else:
         count = {"feature or pressure": 2 * int(words[4]), "friction": 1 if n == 2 else 3}
         names = ["contact", "a", "b", "touches", "points"]
@@ -58,10 +60,10 @@ def compare(program, path, name, n, lines, ticks):
 
 
 def main(arguments):
-    ticks = 1000
+    given = None
     if "--ticks" in arguments:
         i = arguments.index("--ticks")
-        ticks = int(arguments[i + 1])
+        given = int(arguments[i + 1])
         del arguments[i:i + 2]
     if not arguments:
         print(__doc__, file=sys.stderr)
@@ -72,6 +74,8 @@ def main(arguments):
     for name, n, lines in scenes.read(path):
         if chosen and name not in chosen:
             continue
+        everyday = [int(words[1]) for words in lines if words[0] == "everyday"]
+        ticks = given or (everyday or [1000])[0]
         start = time.monotonic()
         problem = compare(program, path, name, n, lines, ticks)
         print(problem or "%s: %d ticks are equal (%d ms)" % (

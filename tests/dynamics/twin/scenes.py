@@ -2,6 +2,7 @@
 """Reads scenes.txt."""
 from body import Shape, axes, from_rotation, no_rotation
 from fixed import parse, unit
+from joints import Joint
 from world import World
 
 DEFAULTS = {"density": "1", "friction": "0.6", "restitution": "0", "damping": "0", "spin_damping": "0",
@@ -44,11 +45,13 @@ def build(n, lines, bits=31, frac=16):
             points[words[1]] = [numbers[i:i + n] for i in range(0, len(numbers), n)]
         if words[0] == "body":
             add(world, n, words, num, points)
+        elif words[0] == "joint":
+            join(world, n, words, num)
     world.events = {}
     for words in lines:
         if words[0] == "at":
-            world.events.setdefault(int(words[1]), []).append(
-                (words[2], int(words[3]), [num(x) for x in words[4:]]))
+            world.events.setdefault(int(words[1]), []).append((words[2], int(words[3]), words[4:]))
+    world.num = num
     return world
 
 
@@ -57,11 +60,37 @@ def step(world, tick):
     for what, index, numbers in world.events.get(tick, ()):
         if what == "remove":
             world.remove(index)
+        elif what == "end":
+            world.end(world.joints[index])
+        elif what == "change":
+            world.change(world.joints[index], joint_keys(list(numbers), world.num, 2 if world.n == 2 else 4))
         elif what in ("velocity", "spin"):
-            world.set_motion(index, what, numbers)
+            world.set_motion(index, what, [world.num(x) for x in numbers])
         else:
-            world.push_body(index, what, numbers)
+            world.push_body(index, what, [world.num(x) for x in numbers])
     world.step()
+
+
+def joint_keys(words, num, size):
+    keys = {}
+    while words:
+        key = words.pop(0)
+        if key in ("frame_a", "frame_b"):
+            keys[key] = axes([int(words.pop(0)) for _ in range(size)])
+        elif key in ("limits", "motor"):
+            keys[key] = [num(words.pop(0)), num(words.pop(0))]
+        elif key == "collide":
+            keys[key] = 1
+        else:
+            keys[key] = num(words.pop(0))
+    return keys
+
+
+def join(world, n, words, num):
+    kind, a, b, rest = words[1], int(words[2]), int(words[3]), words[4:]
+    anchors = [[num(x) for x in rest[:n]], [num(x) for x in rest[n:2 * n]]]
+    keys = joint_keys(rest[2 * n:], num, 2 if n == 2 else 4)
+    world.joints.append(Joint(kind, n, a, b, anchors, {"one": num("1"), **keys}))
 
 
 def add(world, n, words, num, points):

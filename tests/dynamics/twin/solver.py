@@ -4,6 +4,7 @@ from math import isqrt
 
 from body import axes, carried, turned
 from fixed import ONE, cross, dot, ratio, unit
+from joints import Solved
 
 SOFT = 1011764717, 38230596, 61977107
 WALL = 1042960878, 75948940, 30780946
@@ -21,15 +22,16 @@ class Solver:
 
     # 6. Rows
 
+    def shares(self, a, b):
+        if a.can_move and b.can_move:
+            return ratio.quotient(b.mass, a.mass + b.mass), ratio.quotient(a.mass, a.mass + b.mass)
+        return ONE * a.can_move, ONE * b.can_move
+
     def prepare(self, pair):
         f, n, world = self.f, self.n, self.world
         c = self.contact = world.contacts[pair]
         a, b = c.a, c.b = world.bodies[pair[0]], world.bodies[pair[1]]
-        if a.can_move and b.can_move:
-            c.alpha = ratio.quotient(b.mass, a.mass + b.mass)
-            c.beta = ratio.quotient(a.mass, a.mass + b.mass)
-        else:
-            c.alpha, c.beta = ONE * a.can_move, ONE * b.can_move
+        c.alpha, c.beta = self.shares(a, b)
         c.soft = SOFT if c.alpha and c.beta else WALL
         A = a.axes
         c.n = [ratio.near(sum(A[i][k] * c.normal[i] for i in range(n)), 60) for k in range(n)]
@@ -62,16 +64,21 @@ class Solver:
         row.u = u
         row.au = [ratio.near(c.alpha * x, 60) for x in u]
         row.bu = [ratio.near(c.beta * x, 60) for x in u]
-        lost = 0
-        for body, push in (c.a, row.au), (c.b, row.bu):
-            if body.can_move:
-                gone = [x if no else 0 for x, no in zip(push, body.locked_v)]
-                push[:] = [x - y for x, y in zip(push, gone)]
-                lost += f.give.near(sum(x * y for x, y in zip(gone, u)), 60)
+        lost = self.locked(row, c.a, c.b)
         row.ca = self.moment(c.a, ra, u)
         row.cb = self.moment(c.b, rb, u)
         self.respond(row, lost)
         return row
+
+    def locked(self, row, a, b):
+        """Takes the locked axes out of a push; its loss."""
+        lost = 0
+        for body, push in (a, row.au), (b, row.bu):
+            if body.can_move:
+                gone = [x if no else 0 for x, no in zip(push, body.locked_v)]
+                push[:] = [x - y for x, y in zip(push, gone)]
+                lost += self.f.give.near(sum(x * y for x, y in zip(gone, row.u)), 60)
+        return lost
 
     def moment(self, body, r, u):
         f = self.f
@@ -182,7 +189,7 @@ class Solver:
             b.v = [0 if no else v for v, no in zip(b.v, b.locked_v)]
             b.w = [0 if no else w for w, no in zip(b.w, b.locked_w)]
 
-    def substep(self, contacts):
+    def substep(self, contacts, joints):
         f, world = self.f, self.world
         awake = [b for b in world.bodies if b.can_move and not b.sleeps]
         for b in awake:
@@ -198,6 +205,8 @@ class Solver:
                 b.half = axes(turned(b.q, b.w, 2))
                 b.w = carried(f, b, b.w, axes(b.q), b.half)
                 self.lock(b)
+        for j in joints:
+            j.warm_start()
         for c in contacts:
             for row, p in zip(c.rows, c.pressure):
                 self.apply(c, row, p)
@@ -205,6 +214,8 @@ class Solver:
                 self.apply(c, row, p)
             if self.n == 3:
                 self.apply(c, c.twist, c.friction[2])
+        for j in joints:
+            j.solve(True)
         for c in contacts:
             for i in range(c.count):
                 self.point(c, i, True)
@@ -219,6 +230,12 @@ class Solver:
                 if b.can_move and not b.is_round:
                     b.w = carried(f, b, b.w, b.half, axes(b.q))
                     self.lock(b)
+        for i in {i for j in joints for i in (j.joint.a, j.joint.b)}:
+            world.find_axes(world.bodies[i])
+        for j in joints:
+            j.aim()
+        for j in joints:
+            j.solve(False)
         for c in contacts:
             for i in range(c.count):
                 self.point(c, i, False)
@@ -242,9 +259,14 @@ def solve(world, order):
     for pair in order:
         solver.prepare(pair)
     contacts = [world.contacts[pair] for pair in order]
+    awake = [world.is_awake(i) for i in range(len(world.bodies))]
+    joints = [Solved(solver, j) for j in world.joints if j and (awake[j.a] or awake[j.b])]
+    for j in joints:
+        j.aim()
     for _ in range(world.substeps):
-        solver.substep(contacts)
+        solver.substep(contacts, joints)
     for c in contacts:
         if c.bounce:
             solver.bounce(c)
         c.touches = any(g <= 0 for g in c.gap) or any(c.pushed)
+    return [j.joint for j in joints if j.broken]

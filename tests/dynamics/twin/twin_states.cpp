@@ -80,9 +80,13 @@ class Stage {
         events_[tick].push_back(rest);
       } else if (mine && word == "points") {
         add_points(in);
-      } else if (mine) {
-        if (word != "body") fail("unknown: " + word);
-        add(in);
+      } else if (mine && word != "everyday") {
+        if (word == "joint") {
+          join(in);
+        } else {
+          if (word != "body") fail("unknown: " + word);
+          add(in);
+        }
       }
     }
     if (!found) fail("no scene " + name);
@@ -100,7 +104,16 @@ class Stage {
     std::string what;
     std::size_t index = 0;
     in >> what >> index;
-    if (what == "velocity") {
+    if (what == "end") {
+      if (!world_.remove(joints_.at(index))) fail("cannot: " + event);
+    } else if (what == "change") {
+      change<DistanceJoint<S, N>>(joints_.at(index), in);
+      change<BallJoint<S, N>>(joints_.at(index), in);
+      change<HingeJoint<S, N>>(joints_.at(index), in);
+      change<WeldJoint<S, N>>(joints_.at(index), in);
+      change<SliderJoint<S, N>>(joints_.at(index), in);
+      change<WheelJoint<S, N>>(joints_.at(index), in);
+    } else if (what == "velocity") {
       world_.set_velocity(ids_.at(index), vector<N>(in));
     } else if (what == "spin") {
       detail::Axial<S, N> spin{};
@@ -223,6 +236,91 @@ class Stage {
     ids_.push_back(*id);
   }
 
+  void join(std::istream& in) {
+    std::string kind;
+    in >> kind;
+    if (kind == "distance")
+      join_as<DistanceJoint<S, N>>(in);
+    else if (kind == "ball")
+      join_as<BallJoint<S, N>>(in);
+    else if (kind == "hinge")
+      join_as<HingeJoint<S, N>>(in);
+    else if (kind == "weld")
+      join_as<WeldJoint<S, N>>(in);
+    else if (kind == "slider")
+      join_as<SliderJoint<S, N>>(in);
+    else if (kind == "wheel")
+      join_as<WheelJoint<S, N>>(in);
+    else
+      fail("unknown joint: " + kind);
+  }
+  template <class Joint>
+  void join_as(std::istream& in) {
+    Joint joint;
+    std::size_t a = 0, b = 0;
+    in >> a >> b;
+    joint.a = ids_.at(a);
+    joint.b = ids_.at(b);
+    joint.anchor_a = vector<N>(in);
+    joint.anchor_b = vector<N>(in);
+    read_keys(joint, in);
+    const auto id = world_.add(joint);
+    if (!id) fail("no room for a joint");
+    joints_.push_back(*id);
+  }
+  template <class Joint>
+  void change(const JointId& id, std::istream& in) {
+    const auto* joint = world_.template find_joint<Joint>(id);
+    if (joint == nullptr) return;
+    auto changed = *joint;
+    read_keys(changed, in);
+    if (!world_.change(id, changed)) fail("cannot change a joint");
+  }
+
+  template <class Joint>
+  void read_keys(Joint& joint, std::istream& in) {
+    for (std::string key; in >> key;) {
+      bool known = false;
+      const auto when = [&](const char* name, auto read) {
+        if (key != name) return;
+        known = true;
+        read();
+      };
+      when("collide", [&] { joint.collide = true; });
+      when("break", [&] { joint.break_force = number(in); });
+      if constexpr (requires { joint.least; }) {
+        when("least", [&] { joint.least = number(in); });
+        when("most", [&] { joint.most = number(in); });
+      }
+      if constexpr (requires { joint.length; }) when("length", [&] { joint.length = number(in); });
+      if constexpr (requires { joint.frequency; }) {
+        when("frequency", [&] { joint.frequency = number(in); });
+        when("damping", [&] { joint.damping_ratio = number(in); });
+      }
+      if constexpr (requires { joint.max_force; })
+        when("max_force", [&] { joint.max_force = number(in); });
+      if constexpr (requires { joint.frame_a; }) {
+        when("frame_a", [&] { joint.frame_a = turned<N>(in); });
+        when("frame_b", [&] { joint.frame_b = turned<N>(in); });
+      }
+      if constexpr (requires { joint.has_limits; }) {
+        when("limits", [&] {
+          joint.has_limits = true;
+          joint.lower = number(in);
+          joint.upper = number(in);
+        });
+        when("motor", [&] {
+          joint.motor_speed = number(in);
+          if constexpr (requires { joint.motor_torque; })
+            joint.motor_torque = number(in);
+          else
+            joint.motor_force = number(in);
+        });
+      }
+      if (!known) fail("unknown key of a joint: " + key);
+    }
+  }
+
   void print() const {
     const auto& bodies = detail::WorldAccess::bodies(world_);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -245,15 +343,30 @@ class Stage {
       for (const auto& impulse : contact.friction) std::cout << ' ' << impulse.raw();
       std::cout << '\n';
     }
+    const auto& joints = detail::WorldAccess::joints(world_).list;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const auto& record = joints[i];
+      if (record.generation == 0) continue;
+      std::cout << "joint " << i << ' ' << record.bodies().a << ' ' << record.bodies().b;
+      record.joint.visit([&]<class Joint>(const Joint&) {
+        using Rows = detail::RowsOf<Joint>;
+        for (std::size_t k = 0; k < Rows::push; ++k) std::cout << ' ' << record.push[k].raw();
+        for (std::size_t k = 0; k < Rows::turn; ++k) std::cout << ' ' << record.turn[k].raw();
+      });
+      std::cout << '\n';
+    }
     std::cout << '\n';
   }
 
   WorldSettings<S, N> settings_;
   std::vector<BodyId> ids_;
+  std::vector<JointId> joints_;
   std::map<int, std::vector<std::string>> events_;  // by tick
   std::list<std::vector<Vec<S, N>>> points_;
   std::map<std::string, SolidHull<S, N>> hulls_;
-  World<S, N, Sphere, Capsule, Aabb, Obb, BodyHull> world_;
+  World<S, N, Sphere, Capsule, Aabb, Obb, BodyHull, DistanceJoint, BallJoint, HingeJoint, WeldJoint, SliderJoint,
+        WheelJoint>
+      world_;
 };
 
 /// The dimension of a scene, or 0.

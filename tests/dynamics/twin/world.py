@@ -26,7 +26,7 @@ class World:
         self.sleep_spin = f.spin.quotient(settings["sleep"], rate, f.F)
         self.margin_raw = settings["margin"]
         self.margin = f.lever.near(settings["margin"], f.F)
-        self.bodies, self.contacts = [], {}
+        self.bodies, self.contacts, self.joints = [], {}, []  # None for a joint that is gone
 
     def add(self, motion, shape, place, q, options, frame):
         f = self.f
@@ -73,7 +73,7 @@ class World:
         b, f, n = self.bodies[index], self.f, self.n
         if not b.can_move:
             return
-        self.find_axes()
+        self.find_axes(b)
         N = self.rate if what == "impulse" else self.rate ** 2
         dv, torque, scale = [0] * n, numbers, f.F
         if what != "torque":
@@ -97,31 +97,46 @@ class World:
 
     def remove(self, index):
         for pair in [pair for pair in self.contacts if index in pair]:
-            for i in pair:
-                self.bodies[i].sleeps, self.bodies[i].quiet = False, 0
+            self.rouse(pair)
             del self.contacts[pair]
+        for joint in self.joints:
+            if joint and index in (joint.a, joint.b):
+                self.end(joint)
         b = self.bodies[index]
         b.motion, b.can_move, b.layers, b.v, b.w = "none", False, 0, [0] * len(b.v), [0] * len(b.w)
 
+    def rouse(self, indices):
+        for i in indices:
+            self.bodies[i].sleeps, self.bodies[i].quiet = False, 0
+
+    def end(self, joint):
+        self.rouse((joint.a, joint.b))
+        self.joints[self.joints.index(joint)] = None
+
+    def change(self, joint, numbers):
+        self.rouse((joint.a, joint.b))
+        joint.numbers.update(numbers)
+
     def step(self):
-        self.find_axes()
+        for b in self.bodies:
+            self.find_axes(b)
         self.find_contacts(self.pairs())
         islands, active = self.islands()
-        solver.solve(self, self.coloured(active))
+        broken = solver.solve(self, self.coloured(active))
         self.rest(islands)
+        for joint in broken:
+            self.end(joint)
 
     # 1. Axes
 
-    def find_axes(self):
-        f, n = self.f, self.n
-        for b in self.bodies:
-            A = b.axes = bodies.axes(b.q)
-            if n == 2:
-                b.G = [[0]] if b.locked_w[0] else [b.inverse]
-                continue
-            if not b.can_move:
-                b.G = [[0] * 3] * 3
-                continue
+    def find_axes(self, b):
+        f = self.f
+        A = b.axes = bodies.axes(b.q)
+        if self.n == 2:
+            b.G = [[0]] if b.locked_w[0] else [b.inverse]
+        elif not b.can_move:
+            b.G = [[0] * 3] * 3
+        else:
             inverse = bodies.rows(b.inverse)
             H = [[f.gyration.near(sum(A[i][r] * inverse[i][c] for i in range(3)), 96 - 2 * f.F)
                   for c in range(3)] for r in range(3)]
@@ -144,11 +159,13 @@ class World:
 
     def pairs(self):
         boxes = [self.bounds(b) for b in self.bodies]
+        apart = {frozenset((j.a, j.b)) for j in self.joints if j and not j.numbers["collide"]}
         for i, a in enumerate(self.bodies):
             for j in range(i + 1, len(self.bodies)):
                 b = self.bodies[j]
                 if (a.can_move or b.can_move) and a.layers & b.meets and b.layers & a.meets and all(
-                        p[0] <= q[1] and q[0] <= p[1] for p, q in zip(boxes[i], boxes[j])):
+                        p[0] <= q[1] and q[0] <= p[1] for p, q in zip(boxes[i], boxes[j])) and (
+                            frozenset((i, j)) not in apart):
                     yield i, j
 
     # 3. Contacts
@@ -187,6 +204,7 @@ class World:
             return i
         solid = [(i, j) for i, j in self.contacts
                  if not self.bodies[i].is_sensor and not self.bodies[j].is_sensor]
+        solid += [(j.a, j.b) for j in self.joints if j]
         for i, j in solid:
             if self.bodies[i].can_move and self.bodies[j].can_move:
                 a, b = find(i), find(j)
@@ -250,3 +268,6 @@ class World:
         for (i, j), c in sorted(self.contacts.items()):
             points = [x for p in zip(c.feature, c.pressure) for x in p]
             yield " ".join(map(str, ["contact", i, j, int(c.touches), c.count, *points, *c.friction]))
+        for i, j in enumerate(self.joints):
+            if j:
+                yield " ".join(map(str, ["joint", i, j.a, j.b, *j.push, *j.turn]))

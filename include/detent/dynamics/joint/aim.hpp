@@ -120,6 +120,7 @@ class Aim {
     auto& row = ready_.push[i];
     if (row.terms.law == Law::none) return;
     row.thrust = push_along<S, N>(along, ready_.share_a, ready_.share_b);
+    const auto lost = lock<S, N>(row.thrust, a_.locked, b_.locked);
     row.row = {};
     if (!a_.is_fixed) {
       const auto arm = make_vec<N>([&](int k) {
@@ -131,7 +132,7 @@ class Aim {
       row.row.moment_b =
           moment<S, N>(make_vec<N>([&](int k) { return saturate_to<Arm>(from_b_[k]); }), along);
     }
-    complete<S, N>(row.row, spread_a_, spread_b_);
+    complete<S, N>(row.row, spread_a_, spread_b_, lost);
     row.gap = saturate_to<Speed>(gap);
   }
   constexpr void turn(std::size_t i, const Axial<Ratio, N>& axis, const Spin& gap) noexcept {
