@@ -182,7 +182,8 @@ template <class Storage, Scalar S, int N, class... Parts>
     header.is_floating = 1;
     header.bits = static_cast<std::uint8_t>(8 * sizeof(S));
   }
-  header.shapes = static_cast<std::uint16_t>(((IsJoint<Parts> ? 0u : 1u << shape_tag<Parts>) | ...));
+  header.shapes =
+      static_cast<std::uint16_t>(((IsJoint<Parts> ? 0u : 1u << shape_tag<Parts>) | ...));
   header.kinds = static_cast<std::uint16_t>(((IsJoint<Parts> ? 1u << joint_tag<Parts> : 0u) | ...));
   header.next_joint = WorldAccess::joints(world).next;
   if constexpr (std::remove_cvref_t<decltype(world)>::has_joints) {
@@ -390,8 +391,8 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   }
   const auto own = detail::header_of(world);
   if (header.dimension != own.dimension || header.is_floating != own.is_floating ||
-      header.bits != own.bits || header.frac != own.frac || header.shapes != own.shapes || header.kinds != own.kinds ||
-      header.settings_digest != own.settings_digest) {
+      header.bits != own.bits || header.frac != own.frac || header.shapes != own.shapes ||
+      header.kinds != own.kinds || header.settings_digest != own.settings_digest) {
     return Restored::other_scene;
   }
   if (header.fixed != own.fixed || header.fixed_digest != own.fixed_digest) {
@@ -405,9 +406,9 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   typename World::Contacts contacts;
   std::remove_cvref_t<decltype(WorldAccess::joints(world))> joints;
   detail::Reader parts(checked.subspan(WorldHeader::size));
-  const auto said = detail::read_world<S, N>(parts, header, bodies, contacts, joints, World::capacity,
-                                             World::contact_capacity, WorldAccess::rate(world),
-                                             detail::AssetLists<Lists...>(lists...));
+  const auto said = detail::read_world<S, N>(
+      parts, header, bodies, contacts, joints, World::capacity, World::contact_capacity,
+      WorldAccess::rate(world), detail::AssetLists<Lists...>(lists...));
   if (said == Restored::yes) {
     WorldAccess::assign(world, bodies, contacts, joints, header.next_generation,
                         header.bodies + std::size_t{header.fixed});

@@ -65,7 +65,8 @@ class BasicWorld {
   /// Adds a body where the shape is. Its place is the shape's centre; a box's frame is its own,
   /// other shapes start along the world's axes. Nothing if the world is full.
   template <detail::Among<Parts...> Shape>
-  requires(!detail::IsJoint<Shape>) constexpr std::optional<BodyId> add(const Shape& shape, const Options& options = {}) {
+  requires(!detail::IsJoint<Shape>) constexpr std::optional<BodyId> add(
+      const Shape& shape, const Options& options = {}) {
     while (first_free_ < bodies_.size() && bodies_[first_free_].generation != 0) ++first_free_;
     const BodyId id{first_free_, next_};
     return put(id, shape, options) ? std::optional(id) : std::nullopt;
@@ -74,7 +75,8 @@ class BasicWorld {
   /// Adds a body with an id of the caller's, such as one that a removed body had. False if the index
   /// is in use or beyond the world's room.
   template <detail::Among<Parts...> Shape>
-  requires(!detail::IsJoint<Shape>) constexpr bool put(const BodyId& id, const Shape& shape, const Options& options = {}) {
+  requires(!detail::IsJoint<Shape>) constexpr bool put(const BodyId& id, const Shape& shape,
+                                                       const Options& options = {}) {
     if (id.generation == 0 || id.generation > last_generation || id.index >= capacity) return false;
     if (id.index < bodies_.size() && bodies_[id.index].generation != 0) return false;
     if (id.index >= bodies_.size()) bodies_.resize(id.index + std::size_t{1});
@@ -195,8 +197,8 @@ class BasicWorld {
   }
 
   /// A point of the world in the frame of a body, rounded to nearest: an anchor of a joint.
-  [[nodiscard]] constexpr Vec<S, N> local_point(const BodyId& id, const Vec<S, N>& point) const
-      noexcept {
+  [[nodiscard]] constexpr Vec<S, N> local_point(const BodyId& id,
+                                                const Vec<S, N>& point) const noexcept {
     const Body* body = find(id);
     if (body == nullptr) return point;
     const auto axes = detail::axes_of<S, N>(body->state.orientation);

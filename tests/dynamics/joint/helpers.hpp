@@ -111,8 +111,8 @@ double energy(const JointedWorld<S, N>& world) {
       }
       v2 += w * w / static_cast<double>(body.inertia.inverse[j]);
     }
-    sum += static_cast<double>(body.mass) *
-           (v2 / 2 + 10 * static_cast<double>(body.state.place[1]));
+    sum +=
+        static_cast<double>(body.mass) * (v2 / 2 + 10 * static_cast<double>(body.state.place[1]));
   }
   return sum;
 }

@@ -364,8 +364,8 @@ class Stage {
   std::map<int, std::vector<std::string>> events_;  // by tick
   std::list<std::vector<Vec<S, N>>> points_;
   std::map<std::string, SolidHull<S, N>> hulls_;
-  World<S, N, Sphere, Capsule, Aabb, Obb, BodyHull, DistanceJoint, BallJoint, HingeJoint, WeldJoint, SliderJoint,
-        WheelJoint>
+  World<S, N, Sphere, Capsule, Aabb, Obb, BodyHull, DistanceJoint, BallJoint, HingeJoint, WeldJoint,
+        SliderJoint, WheelJoint>
       world_;
 };
 

@@ -204,8 +204,8 @@ class World:
             return i
         solid = [(i, j) for i, j in self.contacts
                  if not self.bodies[i].is_sensor and not self.bodies[j].is_sensor]
-        solid += [(j.a, j.b) for j in self.joints if j]
-        for i, j in solid:
+        linked = solid + [(j.a, j.b) for j in self.joints if j]
+        for i, j in linked:
             if self.bodies[i].can_move and self.bodies[j].can_move:
                 a, b = find(i), find(j)
                 root[max(a, b)] = min(a, b)
@@ -214,7 +214,7 @@ class World:
             if b.can_move:
                 groups.setdefault(find(i), []).append(i)
         awake = {g for g, members in groups.items() if any(not self.bodies[i].sleeps for i in members)}
-        for pair in solid:
+        for pair in linked:
             for i, j in (pair, pair[::-1]):
                 other = self.bodies[j]
                 if self.bodies[i].can_move and other.motion == "kinematic" and any(other.v + other.w):

@@ -50,8 +50,8 @@ class Aim {
   constexpr void operator()(const DistanceJoint<S, N>& joint) noexcept {
     find_points(joint);
     const auto length = sqrt_floor<Reach>(squared_length(between_));
-    const auto along = from_array(
-        unit_vector<Ratio>(to_array(between_)).value_or(to_array(unit_axis(0))));
+    const auto along =
+        from_array(unit_vector<Ratio>(to_array(between_)).value_or(to_array(unit_axis(0))));
     push(0, along, length - joint.length);
     push(1, along, length - (joint.least < joint.most ? joint.least : joint.most));
     push(2, narrow_negative(along), joint.most - length);
@@ -190,8 +190,7 @@ class Aim {
       const auto twice = cross(axes_a_[0], axes_b_[0]) + cross(axes_a_[1], axes_b_[1]) +
                          cross(axes_a_[2], axes_b_[2]);
       for (int i = 0; i < 3; ++i) {
-        turn(static_cast<std::size_t>(i), to_array(unit_axis(i)),
-             nearest_to<Spin>(half(twice[i])));
+        turn(static_cast<std::size_t>(i), to_array(unit_axis(i)), nearest_to<Spin>(half(twice[i])));
       }
     }
   }

@@ -92,10 +92,9 @@ template <class Joint, class Record, class Bodies>
 
 /// Reads the joints of a snapshot into a table without any.
 template <class Storage, Scalar S, int N, class... Joints, class Bodies>
-[[nodiscard]] constexpr Restored read_joints(Reader& in,
-                                             JointTable<JointGroup<Storage, S, N, Joints...>>& table,
-                                             std::uint32_t count, std::uint32_t next,
-                                             const Bodies& bodies) {
+[[nodiscard]] constexpr Restored read_joints(
+    Reader& in, JointTable<JointGroup<Storage, S, N, Joints...>>& table, std::uint32_t count,
+    std::uint32_t next, const Bodies& bodies) {
   if constexpr (sizeof...(Joints) == 0) {
     return count == 0 && next == table.next ? Restored::yes : Restored::corrupted;
   } else {
@@ -107,9 +106,9 @@ template <class Storage, Scalar S, int N, class... Joints, class Bodies>
       if (in.has_failed() || i < lowest || (word >> 23 & 1) != 0) return Restored::corrupted;
       if (i >= JointGroup<Storage, S, N, Joints...>::room) return Restored::no_room;
       typename JointGroup<Storage, S, N, Joints...>::Record record;
-      const bool known = ((joint_tag<Joints> == word >> 24 &&
-                           read_joint<Joints>(in, record, word, bodies)) ||
-                          ...);
+      const bool known =
+          ((joint_tag<Joints> == word >> 24 && read_joint<Joints>(in, record, word, bodies)) ||
+           ...);
       if (!known || record.generation == 0 || record.generation >= next) {
         return Restored::corrupted;
       }

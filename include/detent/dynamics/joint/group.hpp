@@ -34,8 +34,7 @@ class JointGroup {
     if (apart_.size() != 0) std::sort(&apart_[0], &apart_[0] + apart_.size());
   }
   [[nodiscard]] constexpr bool keeps_apart(const BodyPair& pair) const noexcept {
-    return apart_.size() != 0 &&
-           std::binary_search(&apart_[0], &apart_[0] + apart_.size(), pair);
+    return apart_.size() != 0 && std::binary_search(&apart_[0], &apart_[0] + apart_.size(), pair);
   }
 
   /// Calls f(a, b) for the bodies of each joint.

@@ -69,8 +69,8 @@ template <Pass pass, Scalar S, class Rate, class Total>
     const auto& soft = terms.soft;
     const auto wanted =
         nearest_to<Rate>(narrow<62>(narrow<62>(soft.rigid * rate) + narrow<62>(soft.pull * gap)));
-    change = nearest_to<Total>(narrow_negative(
-        narrow<62>(narrow<62>(mass * wanted) + narrow<62>(soft.loss * total))));
+    change = nearest_to<Total>(
+        narrow_negative(narrow<62>(narrow<62>(mass * wanted) + narrow<62>(soft.loss * total))));
   } else {
     change = stopping(rate);
   }

@@ -130,8 +130,7 @@ class LayOut {
     if (joint.motor_force > 0) {
       push(0, Law::motor);
       auto& terms = ready_.push[0].terms;
-      terms.target =
-          quotient_nearest<typename F::Speed>(joint.motor_speed, as_operand<S>(rate_));
+      terms.target = quotient_nearest<typename F::Speed>(joint.motor_speed, as_operand<S>(rate_));
       terms.is_capped = true;
       terms.most = over_masses<typename F::Impulse>(joint.motor_force, a_, b_, rate_);
     }

@@ -67,7 +67,8 @@ constexpr auto share_out(TurnRow<S, N>& row, const Spread<typename F::Gyration, 
       if constexpr (N == 2) {
         y[i] = nearest_to<Gyration>(spread[0] * row.axis[0]);
       } else {
-        const auto line = make_vec<3>([&](int j) { return spread[entry<3>(static_cast<int>(i), j)]; });
+        const auto line =
+            make_vec<3>([&](int j) { return spread[entry<3>(static_cast<int>(i), j)]; });
         y[i] = nearest_to<Gyration>(dot(line, from_array(row.axis)));
       }
     }
@@ -94,8 +95,8 @@ template <Pass pass, Scalar S, int N>
 constexpr void solve(const PushRow<S, N>& push, typename Formats<S>::Impulse& total,
                      Moving<S, N>& a, Moving<S, N>& b) noexcept {
   using Impulse = typename Formats<S>::Impulse;
-  const auto rate = rate_along<S, N>(push.thrust.along, push.row, a.velocity, a.spin, b.velocity,
-                                     b.spin);
+  const auto rate =
+      rate_along<S, N>(push.thrust.along, push.row, a.velocity, a.spin, b.velocity, b.spin);
   const auto before = total;
   total = next_total<pass>(push.terms, push.row.mass, rate, push.gap, total);
   apply(push.thrust, push.row, saturate_to<Impulse>(total - before), a, b);

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// Joints are state: snapshots, digests, differences, and worlds that do not know their history.
+#include <span>
+#include <string>
+
+#include "detent/scene/difference.hpp"
+#include "dynamics/joint/helpers.hpp"
+#include "oracle/space.hpp"
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+namespace detent::test {
+namespace {
+
+using S = q16_16;
+using Bytes = std::vector<std::byte>;
+
+constexpr std::uint32_t body_count = 14;
+constexpr std::uint32_t joint_total = 12;
+
+/// Body i of the scene: 0 is the ground, 1 hangs in the air.
+template <int N>
+void put_body(JointedWorld<S, N>& world, std::uint32_t i) {
+  BodyOptions<S, N> options;
+  if (i < 2) options.motion = BodyMotion::fixed;
+  options.density = num<S>(1 + i % 3);
+  const BodyId id{i, 1 + i % 2};
+  if (i == 0) {
+    Obb<S, N> ground{at<S, N>(0, -1), at<S, N>(40, 1), {}};
+    if constexpr (N == 3) ground.half_extents.z = S(40);
+    REQUIRE(world.put(id, ground, options));
+  } else if (i % 3 == 0) {
+    REQUIRE(world.put(id, Sphere<S, N>{at<S, N>(1.1 * i - 6, 2 + 0.2 * (i % 4)), num<S>(0.4)},
+                      options));
+  } else {
+    Obb<S, N> box{at<S, N>(1.1 * i - 6, 2 + 0.2 * (i % 4)), at<S, N>(0.5, 0.3), {}};
+    if constexpr (N == 3) box.half_extents.z = num<S>(0.25);
+    REQUIRE(world.put(id, box, options));
+  }
+}
+
+template <class Joint, int N>
+void put_as(JointedWorld<S, N>& world, std::uint32_t i, Joint joint) {
+  const std::uint32_t a = 1 + i, b = 2 + i;
+  joint.a = {a, 1 + a % 2};
+  joint.b = {b, 1 + b % 2};
+  joint.anchor_a = at<S, N>(0.5, 0.1);
+  joint.anchor_b = at<S, N>(-0.6, 0);
+  joint.collide = i % 4 == 1;
+  REQUIRE(world.put(JointId{i, 1 + i % 3}, joint));
+}
+
+/// Joint i joins the bodies i + 1 and i + 2: every kind twice.
+template <int N>
+void put_joint(JointedWorld<S, N>& world, std::uint32_t i) {
+  switch (i % 6) {
+    case 0: {
+      DistanceJoint<S, N> joint;
+      joint.least = num<S>(0.2);
+      joint.frequency = S(2);
+      put_as(world, i, joint);
+      break;
+    }
+    case 1: {
+      BallJoint<S, N> joint;
+      joint.break_force = S(i == 7 ? 1 : 0);
+      joint.frequency = S(i == 7 ? 3 : 0);
+      put_as(world, i, joint);
+      break;
+    }
+    case 2: {
+      HingeJoint<S, N> joint;
+      joint.has_limits = true;
+      joint.lower = num<S>(-0.5);
+      joint.upper = num<S>(0.7);
+      joint.motor_speed = S(2);
+      joint.motor_torque = S(3);
+      put_as(world, i, joint);
+      break;
+    }
+    case 3:
+      put_as(world, i, WeldJoint<S, N>());
+      break;
+    case 4: {
+      SliderJoint<S, N> joint;
+      joint.has_limits = true;
+      joint.lower = num<S>(-0.1);
+      joint.upper = num<S>(0.4);
+      joint.motor_speed = S(-1);
+      joint.motor_force = S(4);
+      put_as(world, i, joint);
+      break;
+    }
+    default: {
+      WheelJoint<S, N> joint;
+      joint.frequency = S(3);
+      joint.motor_speed = S(5);
+      joint.motor_torque = S(1);
+      put_as(world, i, joint);
+      break;
+    }
+  }
+}
+
+template <int N>
+JointedWorld<S, N> scene() {
+  JointedWorld<S, N> world;
+  for (std::uint32_t i = 0; i < body_count; ++i) put_body(world, i);
+  for (std::uint32_t i = 0; i < joint_total; ++i) put_joint(world, i);
+  return world;
+}
+
+void sign(Bytes& bytes) {
+  Digest digest;
+  digest.add_bytes(std::span<const std::byte>(bytes).first(bytes.size() - 8));
+  detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
+}
+
+template <class F>
+void in_both_dimensions(const F& f) {
+  f(std::integral_constant<int, 2>());
+  f(std::integral_constant<int, 3>());
+}
+
+}  // namespace
+
+TEST_CASE("joint: a world steps on bit by bit in a fresh one") {
+  in_both_dimensions([](auto dimension) {
+    constexpr int N = decltype(dimension)::value;
+    auto world = scene<N>();
+    for (int t = 0; t < 150; ++t) {
+      if (t % 30 == 4) {
+        JointedWorld<S, N> fresh;
+        put_body(fresh, 0);
+        put_body(fresh, 1);
+        const auto bytes = snapshot(world);
+        REQUIRE(restore(fresh, bytes) == Restored::yes);
+        REQUIRE(snapshot(fresh) == bytes);
+        CHECK(fresh.joint_count() == world.joint_count());
+        auto copy = world;
+        for (int i = 0; i < 60; ++i) {
+          REQUIRE(digest(copy) == digest(fresh));
+          copy.step();
+          fresh.step();
+        }
+      }
+      world.step();
+    }
+    CHECK(world.joint_count() == joint_total - 1);  // one broke
+    CHECK(!world.contains(JointId{7, 2}));
+  });
+}
+
+TEST_CASE("joint: bits do not depend on the order of additions and removals") {
+  in_both_dimensions([](auto dimension) {
+    constexpr int N = decltype(dimension)::value;
+    auto forward = scene<N>();
+    JointedWorld<S, N> backward, changed;
+    for (std::uint32_t i = body_count; i-- > 0;) put_body(backward, i);
+    for (std::uint32_t i = joint_total; i-- > 0;) put_joint(backward, i);
+    for (std::uint32_t i = 0; i < body_count; ++i) put_body(changed, i);
+    for (std::uint32_t i = 0; i < joint_total; i += 2) put_joint(changed, i);
+    REQUIRE(changed.remove(BodyId{3, 2}));  // with the joints 1 and 2
+    CHECK(!changed.contains(JointId{2, 3}));
+    REQUIRE(changed.remove(JointId{4, 2}));
+    put_body(changed, 3);
+    for (std::uint32_t i = joint_total; i-- > 0;) {
+      if (!changed.contains(JointId{i, 1 + i % 3})) put_joint(changed, i);
+    }
+    for (int t = 0; t < 200; ++t) {
+      REQUIRE(digest(forward) == digest(backward));
+      REQUIRE(digest(forward) == digest(changed));
+      if (t == 60) {
+        for (auto* world : {&forward, &backward, &changed}) REQUIRE(world->remove(BodyId{6, 1}));
+        put_body(forward, 6);
+        for (auto* world : {&backward, &changed}) put_body(*world, 6);
+        for (auto* world : {&forward, &backward, &changed}) {
+          put_joint(*world, world == &forward ? 4u : 5u);
+          put_joint(*world, world == &forward ? 5u : 4u);
+        }
+      }
+      for (auto* world : {&forward, &backward, &changed}) world->step();
+    }
+  });
+}
+
+TEST_CASE("joint: without impulses a world parts from the other, and diff names the joint") {
+  auto world = scene<2>();
+  for (int t = 0; t < 20; ++t) world.step();
+  auto other = world;
+  auto& joint = detail::WorldAccess::joints(other).list[3];
+  REQUIRE(joint.generation != 0);
+  joint.turn = {};
+  CHECK(digest(world) != digest(other));
+  const auto first = diff(world, other);
+  REQUIRE(first);
+  CHECK(first->object == BodyId{4, 1});
+  CHECK(std::string(first->field.view()).starts_with("joint 3:1 turn"));
+  auto changed = *other.find_joint<WeldJoint<S, 2>>({3, 1});
+  joint = detail::WorldAccess::joints(world).list[3];
+  CHECK(!diff(world, other));
+  changed.anchor_b.y = S(1);
+  joint.joint = decltype(joint.joint)(changed);
+  CHECK(std::string(diff(world, other)->field.view()) == "joint 3:1 anchor_b.y");
+  joint = detail::WorldAccess::joints(world).list[3];
+  joint.turn = {};
+  world.step();
+  other.step();
+  CHECK(!(world.rotation(BodyId{5, 2}) == other.rotation(BodyId{5, 2})));
+}
+
+TEST_CASE("joint: hostile bytes change nothing and do no harm") {
+  auto world = scene<3>();
+  for (int t = 0; t < 20; ++t) world.step();
+  const auto good = snapshot(world);
+  auto without = world;
+  for (std::uint32_t i = 0; i < joint_total; ++i) {
+    (void)without.remove(JointId{i, 1 + i % 3});
+  }
+  const auto joints_at = snapshot(without).size() - 8;
+  JointedWorld<S, 3> fresh;
+  put_body(fresh, 0);
+  put_body(fresh, 1);
+  const auto before = digest(fresh);
+  int refused = 0, accepted = 0;
+  const auto attempt = [&](Bytes bytes, bool steps) {
+    sign(bytes);
+    auto target = fresh;
+    if (restore(target, bytes) == Restored::yes) {
+      ++accepted;
+      REQUIRE(snapshot(target) == bytes);  // every accepted snapshot is canonical
+      for (int t = 0; steps && t < 3; ++t) target.step();
+    } else {
+      ++refused;
+      REQUIRE(digest(target) == before);
+    }
+  };
+  for (std::size_t i = 48; i + 8 < good.size(); i == 63 ? i = joints_at : ++i) {
+    for (const int bit : {0, 5, 7}) {
+      auto bytes = good;
+      bytes[i] ^= static_cast<std::byte>(1 << bit);
+      attempt(bytes, i % 8 == 0);
+    }
+  }
+  CHECK(refused > 100);
+  CHECK(accepted > 500);
+}
+
+TEST_CASE("joint: other kinds, and worlds that are too small, are refused") {
+  World<S, 2, Sphere, BallJoint> world;
+  const auto a = *world.add(Sphere<S, 2>{at<S, 2>(0, 0), S(1)});
+  const auto b = *world.add(Sphere<S, 2>{at<S, 2>(3, 0), S(1)});
+  BallJoint<S, 2> joint;
+  joint.a = a;
+  joint.b = b;
+  for (int i = 0; i < 5; ++i) REQUIRE(world.add(joint));
+  const auto bytes = snapshot(world);
+  World<S, 2, Sphere> no_joints;
+  CHECK(restore(no_joints, bytes) == Restored::other_scene);
+  World<S, 2, Sphere, HingeJoint> other_kind;
+  CHECK(restore(other_kind, bytes) == Restored::other_scene);
+  BoundedWorld<Bounded<2>, S, 2, Sphere, BallJoint> small;
+  CHECK(restore(small, bytes) == Restored::no_room);
+  BoundedWorld<Bounded<3>, S, 2, Sphere, BallJoint> large;
+  CHECK(restore(large, bytes) == Restored::yes);
+  CHECK(large.joint_count() == 5);
+  const auto next = large.add(joint);
+  REQUIRE(next);
+  CHECK(*next == JointId{5, 6});
+}
+
+}  // namespace detent::test
