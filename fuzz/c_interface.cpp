@@ -39,6 +39,10 @@ class Caller {
   }
 
   void run() {
+    // Mostly there is a scene and a world from the start, with something in them.
+    if (source_.below(8) != 7) {
+      for (const std::size_t which : {0, 13, 2, 33, 13, 33, 4}) check(call(which));
+    }
     while (!source_.rest().empty()) check(call(source_.below(44)));
     std::uint32_t count = 0;
     check(detent_count(&context_, &count));
@@ -115,7 +119,7 @@ class Caller {
   detent_shape3 shape3() {
     detent_shape3 shape{};
     shape.kind = static_cast<std::uint32_t>(source_.below(13));
-    shape.asset = handle();
+    shape.asset = handle(shape.kind == DETENT_MESH ? 5 : shape.kind == DETENT_HULL ? 7 : 8);
     switch (shape.kind) {
       case DETENT_OBB:
         shape.as.obb = {vec3(), vec3(), rotation3()};
@@ -135,7 +139,7 @@ class Caller {
   detent_shape2 shape2() {
     detent_shape2 shape{};
     shape.kind = static_cast<std::uint32_t>(source_.below(13));
-    shape.asset = handle();
+    shape.asset = handle(6);
     if (shape.kind == DETENT_PLANE) {
       shape.as.plane = {direction2(), number()};
     } else if (shape.kind == DETENT_OBB || shape.kind == DETENT_HULL) {
@@ -145,11 +149,13 @@ class Caller {
     }
     return shape;
   }
-  /// One of the handles so far, or any number.
-  detent_handle handle() {
-    const auto choice = source_.below(16);
-    if (choice == 15) return static_cast<detent_handle>(source_.word(4));
-    return handles_[choice % handles_.size()];
+  /// Mostly the last handle of a kind (the lowest four bits of each); now and then an earlier one, one of
+  /// another kind, or any number.
+  detent_handle handle(std::size_t kind) {
+    const auto choice = source_.below(32);
+    if (choice == 31) return static_cast<detent_handle>(source_.word(4));
+    if (choice < 4) return handles_[choice];
+    return last_[kind];
   }
   detent_id id() {
     const auto choice = source_.below(16);
@@ -157,7 +163,7 @@ class Caller {
       const auto index = static_cast<std::uint32_t>(source_.word(3));
       return {index, static_cast<std::uint32_t>(source_.word(4))};
     }
-    return ids_[choice % ids_.size()];
+    return ids_[choice % ids_.size()];  // of scenes and worlds alike: the indices are the same
   }
   detent_traits traits() {
     const std::uint64_t user = source_.byte();
@@ -174,7 +180,10 @@ class Caller {
   detent_status create(const Make& make) {
     detent_handle made = 0;
     const auto status = make(or_null(&made));
-    if (made != 0) handles_[next_handle_++ % handles_.size()] = made;
+    if (made != 0) {
+      handles_[next_handle_++ % handles_.size()] = made;
+      last_[made & 15] = made;
+    }
     return status;
   }
   template <class Add>
@@ -206,10 +215,10 @@ class Caller {
       case 2: {
         detent_world3_settings settings{};
         detent_world3_default_settings(&settings);
-        if (source_.below(4) == 3) settings.ticks_per_second = number();
-        if (source_.below(4) == 3) settings.gravity = vec3();
-        if (source_.below(4) == 3) settings.margin = number();
-        settings.substeps = static_cast<std::int32_t>(source_.below(3));
+        if (source_.below(8) == 7) settings.ticks_per_second = number();
+        if (source_.below(8) == 7) settings.gravity = vec3();
+        if (source_.below(8) == 7) settings.margin = number();
+        settings.substeps = static_cast<std::int32_t>(4 - source_.below(5));
         return create(
             [&](auto* out) { return detent_world3_create(context, or_null(&settings), out); });
       }
@@ -248,28 +257,28 @@ class Caller {
         return create([&](auto* out) { return detent_hull2_create(context, 1, points, 2, out); });
       }
       case 8:
-        return detent_scene3_destroy(context, handle());
+        return detent_scene3_destroy(context, handle(2));
       case 9:
-        return detent_scene2_destroy(context, handle());
+        return detent_scene2_destroy(context, handle(1));
       case 10:
-        return detent_world3_destroy(context, handle());
+        return detent_world3_destroy(context, handle(4));
       case 11:
-        return detent_world2_destroy(context, handle());
+        return detent_world2_destroy(context, handle(3));
       case 12:
-        return detent_asset_destroy(context, handle());
+        return detent_asset_destroy(context, handle(5 + source_.below(4)));
       case 13:
       case 14:
       case 15: {
         const auto shape = shape3();
         const auto with = traits();
-        const auto scene = handle();
+        const auto scene = handle(2);
         return add([&](auto* out) {
           return detent_scene3_add(context, scene, or_null(&shape), or_null(&with), out);
         });
       }
       case 16: {
         const auto shape = shape2();
-        const auto scene = handle();
+        const auto scene = handle(1);
         return add([&](auto* out) {
           return detent_scene2_add(context, scene, or_null(&shape), nullptr, out);
         });
@@ -278,36 +287,36 @@ class Caller {
         const auto shape = shape3();
         auto where = id();
         where.index &= 0xffff;  // a list that long, and not one of a million
-        return detent_scene3_add_as(context, handle(), where, or_null(&shape), nullptr);
+        return detent_scene3_add_as(context, handle(2), where, or_null(&shape), nullptr);
       }
       case 18:
-        return detent_scene3_remove(context, handle(), id());
+        return detent_scene3_remove(context, handle(2), id());
       case 19: {
         const auto shape = shape3();
-        const auto scene = handle();
+        const auto scene = handle(2);
         return detent_scene3_replace(context, scene, id(), or_null(&shape));
       }
       case 20: {
         const auto by = vec3();
-        const auto scene = handle();
+        const auto scene = handle(2);
         return detent_scene3_move(context, scene, id(), or_null(&by));
       }
       case 21: {
         detent_shape3 shape{};
         detent_traits with{};
-        const auto scene = handle();
+        const auto scene = handle(2);
         return detent_scene3_object(context, scene, id(), or_null(&shape), or_null(&with));
       }
       case 22: {
         const auto with = traits();
-        const auto scene = handle();
+        const auto scene = handle(2);
         return detent_scene3_set_traits(context, scene, id(), or_null(&with));
       }
       case 23:
-        return detent_scene3_optimize(context, handle());
+        return detent_scene3_optimize(context, handle(2));
       case 24: {
         const detent_ray3 ray{vec3(), direction3(), number()};
-        const auto scene = handle();
+        const auto scene = handle(2);
         return ask<detent_object_hit3>([&](auto* hits, auto* number_of) {
           return detent_scene3_raycast_all(context, scene, or_null(&ray), layers, hits, room,
                                            number_of);
@@ -316,7 +325,7 @@ class Caller {
       case 25: {
         const detent_ray3 rays[2] = {{vec3(), direction3(), number()},
                                      {vec3(), direction3(), number()}};
-        const auto scene = handle();
+        const auto scene = handle(2);
         return ask<detent_object_hit3>([&](auto* hits, auto*) {
           return detent_scene3_raycast_many(context, scene, or_null(rays), 2, layers, hits);
         });
@@ -324,11 +333,11 @@ class Caller {
       case 26: {
         const detent_ray2 ray{vec2(), direction2(), number()};
         detent_object_hit2 hit{};
-        return detent_scene2_raycast(context, handle(), or_null(&ray), layers, or_null(&hit));
+        return detent_scene2_raycast(context, handle(1), or_null(&ray), layers, or_null(&hit));
       }
       case 27: {
         const auto question = shape3();
-        const auto scene = handle();
+        const auto scene = handle(2);
         return ask<detent_found>([&](auto* found, auto* number_of) {
           return detent_scene3_all(context, scene, or_null(&question), layers, found, room,
                                    number_of);
@@ -337,86 +346,87 @@ class Caller {
       case 28: {
         const auto question = shape2();
         detent_found found{};
-        return detent_scene2_nearest(context, handle(), or_null(&question), layers,
+        return detent_scene2_nearest(context, handle(1), or_null(&question), layers,
                                      or_null(&found));
       }
       case 29: {
-        const auto scene = handle();
+        const auto scene = handle(2);
         return ask<detent_pair>([&](auto* pairs, auto* number_of) {
           return detent_scene3_overlaps(context, scene, pairs, room, number_of);
         });
       }
       case 30:
-        return detent_scene3_digest(context, handle(), or_null(&digest));
+        return detent_scene3_digest(context, handle(2), or_null(&digest));
       case 31:
-        save(detent_scene3_snapshot, context);
+        save(detent_scene3_snapshot, context, 2);
         return DETENT_OK;
       case 32:
-        return detent_scene3_restore(context, handle(), or_null(saved()), saved_size_);
+        return detent_scene3_restore(context, handle(2), or_null(saved()), saved_size_);
       case 33: {
-        const auto shape = shape3();
-        const auto world = handle();
+        auto shape = shape3();
+        if (source_.below(4) != 3) shape.kind = DETENT_AABB;
+        const auto world = handle(4);
         detent_body3_options options{};
         detent_body3_default_options(&options);
-        options.motion = static_cast<std::uint32_t>(source_.below(4));
-        if (source_.below(4) == 3) options.density = number();
-        if (source_.below(4) == 3) options.friction = number();
-        if (source_.below(4) == 3) options.restitution = number();
-        if (source_.below(4) == 3) options.velocity = vec3();
-        if (source_.below(4) == 3) options.angular_velocity[1] = number();
+        options.motion = static_cast<std::uint32_t>(source_.below(16)) / 5;
+        if (source_.below(16) == 15) options.density = number();
+        if (source_.below(16) == 15) options.friction = number();
+        if (source_.below(16) == 15) options.restitution = number();
+        if (source_.below(16) == 15) options.velocity = vec3();
+        if (source_.below(16) == 15) options.angular_velocity[1] = number();
         return add([&](auto* out) {
           return detent_world3_add(context, world, or_null(&shape), or_null(&options), out);
         });
       }
       case 34: {
         const auto shape = shape2();
-        const auto world = handle();
+        const auto world = handle(3);
         return add([&](auto* out) {
           return detent_world2_add(context, world, or_null(&shape), nullptr, out);
         });
       }
       case 35:
-        return detent_world3_remove(context, handle(), id());
+        return detent_world3_remove(context, handle(4), id());
       case 36:
-        return detent_world3_step(context, handle());
+        return detent_world3_step(context, handle(4));
       case 37:
-        return detent_world2_step(context, handle());
+        return detent_world2_step(context, handle(3));
       case 38: {
         const detent_id ids[2] = {id(), id()};
-        const auto world = handle();
+        const auto world = handle(4);
         return ask<detent_body3>([&](auto* bodies, auto*) {
           return detent_world3_bodies(context, world, or_null(ids), 2, bodies);
         });
       }
       case 39: {
         const auto velocity = vec3();
-        const auto world = handle();
+        const auto world = handle(4);
         return detent_world3_set_velocity(context, world, id(), or_null(&velocity));
       }
       case 40: {
         const std::int32_t spin[3] = {number(), number(), number()};
-        const auto world = handle();
+        const auto world = handle(4);
         return detent_world3_set_angular_velocity(context, world, id(), or_null(spin));
       }
       case 41: {
-        const auto world = handle();
+        const auto world = handle(4);
         return ask<detent_touch>([&](auto* events, auto* number_of) {
           return detent_world3_events(context, world, events, room, number_of);
         });
       }
       case 42:
-        save(detent_world3_snapshot, context);
-        return detent_world3_digest_of(context, handle(), id(), or_null(&digest));
+        save(detent_world3_snapshot, context, 4);
+        return detent_world3_digest_of(context, handle(4), id(), or_null(&digest));
       default:
-        check(detent_world3_size(context, handle(), or_null(&count)));
-        return detent_world3_restore(context, handle(), or_null(saved()), saved_size_);
+        check(detent_world3_size(context, handle(4), or_null(&count)));
+        return detent_world3_restore(context, handle(4), or_null(saved()), saved_size_);
     }
   }
 
   template <class Snapshot>
-  void save(const Snapshot& snapshot, detent_context* context) {
+  void save(const Snapshot& snapshot, detent_context* context, std::size_t kind) {
     std::uint32_t size = 0;
-    const auto status = snapshot(context, handle(), or_null(saved_.data()),
+    const auto status = snapshot(context, handle(kind), or_null(saved_.data()),
                                  static_cast<std::uint32_t>(saved_.size()), or_null(&size));
     check(status);
     if (status == DETENT_OK) saved_size_ = size;
@@ -432,8 +442,9 @@ class Caller {
 
   Source source_;
   detent_context context_{};
-  std::array<detent_handle, 6> handles_{};
-  std::array<detent_id, 8> ids_{};
+  std::array<detent_handle, 4> handles_{};
+  std::array<detent_handle, 16> last_{};
+  std::array<detent_id, 4> ids_{};
   std::size_t next_handle_ = 0, next_id_ = 0;
   std::array<std::uint8_t, 4096> saved_{};
   std::uint32_t saved_size_ = 0;
