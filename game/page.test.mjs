@@ -4,8 +4,8 @@
 // Plays the page that game/build made in FOLDER, in Chromium: two machines in one page, then two
 // pages and the relay, with lost packets, then a page and the program of game/check on a big-endian
 // machine, or this one; it breaks a bit, saves and opens a replay, plays by keyboard and mouse, and
-// goes offline. Pictures go to FOLDER. Most of it runs at several times the speed, as pages then draw
-// once in four seconds: without a GPU that is what takes long.
+// goes offline; and it looks into the two other rooms. Pictures go to FOLDER. Most of it runs at several
+// times the speed: pages then draw once in four seconds, and drawing without a GPU takes long.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -30,13 +30,13 @@ const browser = await chromium.launchPersistentContext(profile, {
 });
 const errors = [];
 
-async function open(query) {
+async function open(query, path = '') {
   const page = await browser.newPage();
   page.setDefaultTimeout(60_000);
   page.on('console', (message) => { if (message.type() === 'error') errors.push(message.text()); });
   page.on('pageerror', (error) => errors.push(error.stack));
-  await page.goto(`${address}?${query}`);
-  await page.waitForFunction(() => window.slingshot);
+  await page.goto(`${address}${path}?${query}`);
+  if (path === '') await page.waitForFunction(() => window.slingshot);
   return page;
 }
 async function check(name, body) {
@@ -149,6 +149,33 @@ try {
     const unnamed = await page.evaluate(() => [...document.querySelectorAll('input, button, canvas[role]')]
       .filter((each) => !(each.labels?.length || each.textContent.trim() || each.ariaLabel)).map((each) => each.id));
     assert.deepEqual(unnamed, []);
+    await page.close();
+  });
+
+  await check('far from the origin q16_16 is equal, bit by bit, and float is not', async () => {
+    const page = await open('', 'exact.html');
+    await page.waitForFunction(() => window.exact);
+    const [fixed, floating] = await page.evaluate(() => {
+      const { wasm } = window.exact, rays = [0, 0];
+      wasm.begin(20000);
+      for (let i = 0; i < 300; ++i) {
+        wasm.step();
+        for (const scalar of [0, 1]) rays[scalar] += wasm.other_rays(scalar);
+      }
+      return [0, 1].map((scalar) => ({ far: wasm.farthest(scalar), rays: rays[scalar] }));
+    });
+    assert.deepEqual(fixed, { far: 0, rays: 0 });
+    assert.ok(floating.far > 0.1 && floating.rays > 1000, JSON.stringify(floating));
+    await page.screenshot({ path: `${folder}exact.png` });
+    await page.close();
+  });
+
+  await check('this machine gives the golden answers', async () => {
+    const page = await open('', 'machine.html');
+    await page.waitForFunction(() => window.machine);
+    const { golden: right, count } = await page.evaluate(() => window.machine);
+    assert.ok(count >= 35 && right === count, `${right} of ${count}`);
+    await page.screenshot({ path: `${folder}machine.png` });
     await page.close();
   });
 

@@ -17,7 +17,13 @@ const module = await WebAssembly.compileStreaming(fetch('game.wasm'));
 const peers = [new Peer(module), new Peer(module)];
 const viewer = new Peer(module);  // of replays
 const players = [0, 1].map(() => ({ angle: 8192, power: 160, fire: 0 }));
-const views = [0, 1].map((i) => new View(at(`canvas-${i}`), [i]));
+const views = [0, 1].map((i) => {
+  try {
+    return new View(at(`canvas-${i}`), [i]);
+  } catch {
+    return null;  // no WebGL: it is played, but not drawn
+  }
+}).map((view) => view ?? { update() {}, draw() {}, accuse() {}, burst() {} });
 let links, mode, self, socket, local = clock(), isFlipped = false, last = null;
 let strip = [], compared = 0, milestones = {};
 
@@ -206,7 +212,7 @@ function drawStrip() {
     + (peers[0].result === 'yes' || peers[0].result === 'ahead' ? '' : `; now ${peers[0].result}`);
 }
 
-let drawn = performance.now();
+let drawn = -Infinity;
 function draw(now) {
   requestAnimationFrame(draw);
   advance();
@@ -406,5 +412,6 @@ for (const side of [0, 1]) setAim(side, 8192, 160);
 if (asked.has('room')) join(asked.get('room'), asked.has('seed') ? BigInt(asked.get('seed')) : randomSeed());
 requestAnimationFrame(draw);
 if (!isAuto) banner('Round 1');
+if (!(views[0] instanceof View)) notice('This browser has no WebGL, so nothing is drawn.');
 window.slingshot = { peers, milestones: () => milestones, mode: () => mode };
 navigator.serviceWorker?.register('worker.js').catch(() => {});
