@@ -72,6 +72,17 @@ enum { DETENT_MOVING = 0, DETENT_FIXED = 1 };
 /** How a body moves: by forces and contacts; by its velocity alone; or never. */
 enum { DETENT_DYNAMIC_BODY = 0, DETENT_KINEMATIC_BODY = 1, DETENT_FIXED_BODY = 2 };
 
+/** The axes of the world that a body does not move along or turn about. In 2D each of the last three
+ *  stops it from turning. */
+enum {
+  DETENT_LOCK_X = 1,
+  DETENT_LOCK_Y = 2,
+  DETENT_LOCK_Z = 4,
+  DETENT_LOCK_TURN_X = 8,
+  DETENT_LOCK_TURN_Y = 16,
+  DETENT_LOCK_TURN_Z = 32
+};
+
 /** A status: see DETENT_OK. */
 typedef int32_t detent_status;
 
@@ -260,6 +271,10 @@ typedef struct detent_body2_options {
   int32_t angular_damping;
   detent_vec2 velocity;
   int32_t angular_velocity[1];
+  int32_t gravity_scale; /**< of the world's gravity; 65536 is all of it */
+  uint32_t locked;       /**< DETENT_LOCK_X | ... */
+  uint32_t is_sensor;    /**< 1: touches are reported, and push nobody */
+  uint32_t reserved[2]; /**< not read; no compiler has to add bytes of its own */
 } detent_body2_options;
 
 /** Where a body is and how it moves, rounded to nearest. */
@@ -404,6 +419,10 @@ typedef struct detent_body3_options {
   int32_t angular_damping;
   detent_vec3 velocity;
   int32_t angular_velocity[3];
+  int32_t gravity_scale; /**< of the world's gravity; 65536 is all of it */
+  uint32_t locked;       /**< DETENT_LOCK_X | ... */
+  uint32_t is_sensor;    /**< 1: touches are reported, and push nobody */
+  uint32_t reserved[3]; /**< not read; no compiler has to add bytes of its own */
 } detent_body3_options;
 
 /** Where a body is and how it moves, rounded to nearest. */
@@ -642,6 +661,23 @@ DETENT_API detent_status detent_world2_set_angular_velocity(detent_context* cont
                                                               detent_handle world, detent_id id,
                                                               const int32_t* velocity);
 
+/** Changes velocity and spin at once as an impulse (mass times units per second) at the point `at` of
+ *  the world does, or at the centre if that is null, and wakes the body. Nothing happens to bodies that
+ *  are not dynamic. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_world2_apply_impulse(detent_context* context, detent_handle world,
+                                                       detent_id id, const detent_vec2* impulse,
+                                                       const detent_vec2* at);
+
+/** The same for a force (mass times units per second and second) that acts during the next step. */
+DETENT_API detent_status detent_world2_apply_force(detent_context* context, detent_handle world,
+                                                     detent_id id, const detent_vec2* force,
+                                                     const detent_vec2* at);
+
+/** A torque (1 numbers, mass times squared units per second and second) that acts during the next
+ *  step, and wakes the body. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_world2_apply_torque(detent_context* context, detent_handle world,
+                                                      detent_id id, const int32_t* torque);
+
 /** How many bodies the world has. */
 DETENT_API detent_status detent_world2_size(const detent_context* context, detent_handle world,
                                               uint32_t* size);
@@ -859,6 +895,23 @@ DETENT_API detent_status detent_world3_set_angular_velocity(detent_context* cont
                                                               detent_handle world, detent_id id,
                                                               const int32_t* velocity);
 
+/** Changes velocity and spin at once as an impulse (mass times units per second) at the point `at` of
+ *  the world does, or at the centre if that is null, and wakes the body. Nothing happens to bodies that
+ *  are not dynamic. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_world3_apply_impulse(detent_context* context, detent_handle world,
+                                                       detent_id id, const detent_vec3* impulse,
+                                                       const detent_vec3* at);
+
+/** The same for a force (mass times units per second and second) that acts during the next step. */
+DETENT_API detent_status detent_world3_apply_force(detent_context* context, detent_handle world,
+                                                     detent_id id, const detent_vec3* force,
+                                                     const detent_vec3* at);
+
+/** A torque (3 numbers, mass times squared units per second and second) that acts during the next
+ *  step, and wakes the body. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_world3_apply_torque(detent_context* context, detent_handle world,
+                                                      detent_id id, const int32_t* torque);
+
 /** How many bodies the world has. */
 DETENT_API detent_status detent_world3_size(const detent_context* context, detent_handle world,
                                               uint32_t* size);
@@ -912,7 +965,7 @@ typedef char detent_shape2_has_its_size[sizeof(detent_shape2) == 40 ? 1 : -1];
 typedef char detent_hit2_has_its_size[sizeof(detent_hit2) == 20 ? 1 : -1];
 typedef char detent_object_hit2_has_its_size[sizeof(detent_object_hit2) == 36 ? 1 : -1];
 typedef char detent_world2_settings_has_its_size[sizeof(detent_world2_settings) == 32 ? 1 : -1];
-typedef char detent_body2_options_has_its_size[sizeof(detent_body2_options) == 56 ? 1 : -1];
+typedef char detent_body2_options_has_its_size[sizeof(detent_body2_options) == 72 ? 1 : -1];
 typedef char detent_body2_has_its_size[sizeof(detent_body2) == 40 ? 1 : -1];
 typedef char detent_vec3_has_its_size[sizeof(detent_vec3) == 12 ? 1 : -1];
 typedef char detent_direction3_has_its_size[sizeof(detent_direction3) == 12 ? 1 : -1];
@@ -930,7 +983,7 @@ typedef char detent_shape3_has_its_size[sizeof(detent_shape3) == 68 ? 1 : -1];
 typedef char detent_hit3_has_its_size[sizeof(detent_hit3) == 28 ? 1 : -1];
 typedef char detent_object_hit3_has_its_size[sizeof(detent_object_hit3) == 44 ? 1 : -1];
 typedef char detent_world3_settings_has_its_size[sizeof(detent_world3_settings) == 36 ? 1 : -1];
-typedef char detent_body3_options_has_its_size[sizeof(detent_body3_options) == 64 ? 1 : -1];
+typedef char detent_body3_options_has_its_size[sizeof(detent_body3_options) == 88 ? 1 : -1];
 typedef char detent_body3_has_its_size[sizeof(detent_body3) == 76 ? 1 : -1];
 
 #ifdef __cplusplus

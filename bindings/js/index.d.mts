@@ -115,5 +115,8 @@ export declare class World<D extends Of> extends Held {
   body(id: Id): D['body'] | null;
   setVelocity(id: Id, velocity: D['vec']): boolean;
   setAngularVelocity(id: Id, velocity: number[]): boolean;
+  applyImpulse(id: Id, impulse: D['vec'], at?: D['vec']): boolean;
+  applyForce(id: Id, force: D['vec'], at?: D['vec']): boolean;
+  applyTorque(id: Id, torque: number[]): boolean;
   events(): types.Touch[];
 }

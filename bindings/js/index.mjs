@@ -544,10 +544,30 @@ class World extends Held {
   }
   /** Three numbers in 3D, one in 2D. */
   setAngularVelocity(id, velocity) {
+    return this.turn('set_angular_velocity', id, velocity);
+  }
+  /** At a point of the world, or at the centre. */
+  applyImpulse(id, impulse, at) {
+    return this.push('apply_impulse', id, impulse, at);
+  }
+  /** During the next step. */
+  applyForce(id, force, at) {
+    return this.push('apply_force', id, force, at);
+  }
+  /** During the next step; three numbers in 3D, one in 2D. */
+  applyTorque(id, torque) {
+    return this.turn('apply_torque', id, torque);
+  }
+  push(name, id, how, at) {
+    return this.call((memory) =>
+      this.run(name, memory.put('detent_id', id), memory.put(this.types.vec, how),
+        at ? memory.put(this.types.vec, at) : 0));
+  }
+  turn(name, id, numbers) {
     return this.call((memory) => {
-      const at = memory.place(12);
-      velocity.forEach((one, i) => memory.write(at + 4 * i, 'int32_t', one));
-      return this.run('set_angular_velocity', memory.put('detent_id', id), at);
+      const to = memory.place(12);
+      numbers.forEach((one, i) => memory.write(to + 4 * i, 'int32_t', one));
+      return this.run(name, memory.put('detent_id', id), to);
     });
   }
   /** The pairs that began or ended to touch in the last step. */

@@ -37,6 +37,12 @@ export declare const FIXED: 1;
 export declare const DYNAMIC_BODY: 0;
 export declare const KINEMATIC_BODY: 1;
 export declare const FIXED_BODY: 2;
+export declare const LOCK_X: 1;
+export declare const LOCK_Y: 2;
+export declare const LOCK_Z: 4;
+export declare const LOCK_TURN_X: 8;
+export declare const LOCK_TURN_Y: 16;
+export declare const LOCK_TURN_Z: 32;
 
 /** An object of a scene or a body of a world. No two have the same id, ever; {0, 0} is none. */
 export interface Id {
@@ -201,6 +207,10 @@ export interface Body2Options {
   angular_damping: number;
   velocity: Vec2;
   angular_velocity: number[];
+  gravity_scale: number;
+  locked: number;
+  is_sensor: number;
+  reserved: number[];
 }
 
 /** Where a body is and how it moves, rounded to nearest. */
@@ -338,6 +348,10 @@ export interface Body3Options {
   angular_damping: number;
   velocity: Vec3;
   angular_velocity: number[];
+  gravity_scale: number;
+  locked: number;
+  is_sensor: number;
+  reserved: number[];
 }
 
 /** Where a body is and how it moves, rounded to nearest. */

@@ -37,6 +37,12 @@ export const FIXED = 1;
 export const DYNAMIC_BODY = 0;
 export const KINEMATIC_BODY = 1;
 export const FIXED_BODY = 2;
+export const LOCK_X = 1;
+export const LOCK_Y = 2;
+export const LOCK_Z = 4;
+export const LOCK_TURN_X = 8;
+export const LOCK_TURN_Y = 16;
+export const LOCK_TURN_Z = 32;
 
 // Of each structure its size, whether it is a vector, its fields (name, type, offset,
 // elements) and the members of its union.
@@ -107,8 +113,8 @@ export const layouts = {
   detent_world2_settings: { size: 32, isVector: false,
     fields: [['ticks_per_second', 'int32_t', 0, 0], ['substeps', 'int32_t', 4, 0], ['gravity', 'detent_vec2', 8, 0], ['margin', 'int32_t', 16, 0], ['push_speed', 'int32_t', 20, 0], ['bounce_threshold', 'int32_t', 24, 0], ['sleep_speed', 'int32_t', 28, 0]],
     union: [] },
-  detent_body2_options: { size: 56, isVector: false,
-    fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['collides_with', 'uint32_t', 12, 0], ['motion', 'uint32_t', 16, 0], ['density', 'int32_t', 20, 0], ['friction', 'int32_t', 24, 0], ['restitution', 'int32_t', 28, 0], ['linear_damping', 'int32_t', 32, 0], ['angular_damping', 'int32_t', 36, 0], ['velocity', 'detent_vec2', 40, 0], ['angular_velocity', 'int32_t', 48, 1]],
+  detent_body2_options: { size: 72, isVector: false,
+    fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['collides_with', 'uint32_t', 12, 0], ['motion', 'uint32_t', 16, 0], ['density', 'int32_t', 20, 0], ['friction', 'int32_t', 24, 0], ['restitution', 'int32_t', 28, 0], ['linear_damping', 'int32_t', 32, 0], ['angular_damping', 'int32_t', 36, 0], ['velocity', 'detent_vec2', 40, 0], ['angular_velocity', 'int32_t', 48, 1], ['gravity_scale', 'int32_t', 52, 0], ['locked', 'uint32_t', 56, 0], ['is_sensor', 'uint32_t', 60, 0], ['reserved', 'uint32_t', 64, 2]],
     union: [] },
   detent_body2: { size: 40, isVector: false,
     fields: [['position', 'detent_vec2', 0, 0], ['rotation', 'detent_rotation2', 8, 0], ['velocity', 'detent_vec2', 24, 0], ['angular_velocity', 'int32_t', 32, 1], ['is_asleep', 'uint32_t', 36, 0]],
@@ -161,8 +167,8 @@ export const layouts = {
   detent_world3_settings: { size: 36, isVector: false,
     fields: [['ticks_per_second', 'int32_t', 0, 0], ['substeps', 'int32_t', 4, 0], ['gravity', 'detent_vec3', 8, 0], ['margin', 'int32_t', 20, 0], ['push_speed', 'int32_t', 24, 0], ['bounce_threshold', 'int32_t', 28, 0], ['sleep_speed', 'int32_t', 32, 0]],
     union: [] },
-  detent_body3_options: { size: 64, isVector: false,
-    fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['collides_with', 'uint32_t', 12, 0], ['motion', 'uint32_t', 16, 0], ['density', 'int32_t', 20, 0], ['friction', 'int32_t', 24, 0], ['restitution', 'int32_t', 28, 0], ['linear_damping', 'int32_t', 32, 0], ['angular_damping', 'int32_t', 36, 0], ['velocity', 'detent_vec3', 40, 0], ['angular_velocity', 'int32_t', 52, 3]],
+  detent_body3_options: { size: 88, isVector: false,
+    fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['collides_with', 'uint32_t', 12, 0], ['motion', 'uint32_t', 16, 0], ['density', 'int32_t', 20, 0], ['friction', 'int32_t', 24, 0], ['restitution', 'int32_t', 28, 0], ['linear_damping', 'int32_t', 32, 0], ['angular_damping', 'int32_t', 36, 0], ['velocity', 'detent_vec3', 40, 0], ['angular_velocity', 'int32_t', 52, 3], ['gravity_scale', 'int32_t', 64, 0], ['locked', 'uint32_t', 68, 0], ['is_sensor', 'uint32_t', 72, 0], ['reserved', 'uint32_t', 76, 3]],
     union: [] },
   detent_body3: { size: 76, isVector: false,
     fields: [['position', 'detent_vec3', 0, 0], ['rotation', 'detent_rotation3', 12, 0], ['velocity', 'detent_vec3', 48, 0], ['angular_velocity', 'int32_t', 60, 3], ['is_asleep', 'uint32_t', 72, 0]],

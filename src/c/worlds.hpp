@@ -40,6 +40,9 @@ struct Worlds {
     out->restitution = own.restitution.raw();
     out->linear_damping = own.linear_damping.raw();
     out->angular_damping = own.angular_damping.raw();
+    out->gravity_scale = own.gravity_scale.raw();
+    out->locked = own.locked;
+    out->is_sensor = own.is_sensor ? 1 : 0;
     return DETENT_OK;
   }
 
@@ -124,22 +127,36 @@ struct Worlds {
   }
   static detent_status set_velocity(detent_context* context, detent_handle world, detent_id id,
                                     const typename T::Vec* velocity) {
-    return change(context, world, [&](World& object) -> detent_status {
-      if (velocity == nullptr) return DETENT_BAD_ARGUMENT;
-      if (!object.contains(id_of(id))) return DETENT_NO;
+    return change_body(context, world, id, velocity != nullptr, [&](World& object) {
       object.set_velocity(id_of(id), Input<N>::vec(*velocity));
-      return DETENT_OK;
     });
   }
   static detent_status set_angular_velocity(detent_context* context, detent_handle world,
                                             detent_id id, const std::int32_t* velocity) {
-    return change(context, world, [&](World& object) -> detent_status {
-      if (velocity == nullptr) return DETENT_BAD_ARGUMENT;
-      if (!object.contains(id_of(id))) return DETENT_NO;
-      auto spin = object.angular_velocity(id_of(id));
-      for (std::size_t i = 0; i < spin.size(); ++i) spin[i] = Input<N>::number(velocity[i]);
-      object.set_angular_velocity(id_of(id), spin);
-      return DETENT_OK;
+    return turn(context, world, id, velocity, [](World& object, const BodyId& body, const auto& w) {
+      object.set_angular_velocity(body, w);
+    });
+  }
+  static detent_status apply_impulse(detent_context* context, detent_handle world, detent_id id,
+                                     const typename T::Vec* impulse, const typename T::Vec* at) {
+    return change_body(context, world, id, impulse != nullptr, [&](World& object) {
+      const auto read = Input<N>::vec(*impulse);
+      if (at == nullptr) return object.apply_impulse(id_of(id), read);
+      object.apply_impulse(id_of(id), read, Input<N>::vec(*at));
+    });
+  }
+  static detent_status apply_force(detent_context* context, detent_handle world, detent_id id,
+                                   const typename T::Vec* force, const typename T::Vec* at) {
+    return change_body(context, world, id, force != nullptr, [&](World& object) {
+      const auto read = Input<N>::vec(*force);
+      if (at == nullptr) return object.apply_force(id_of(id), read);
+      object.apply_force(id_of(id), read, Input<N>::vec(*at));
+    });
+  }
+  static detent_status apply_torque(detent_context* context, detent_handle world, detent_id id,
+                                    const std::int32_t* torque) {
+    return turn(context, world, id, torque, [](World& object, const BodyId& body, const auto& w) {
+      object.apply_torque(body, w);
     });
   }
 
@@ -208,10 +225,33 @@ struct Worlds {
                               [&](const Context&, const World& object) { return f(object); });
   }
 
+  /// f(world) if there is such a body and the arguments are valid.
+  template <class F>
+  static detent_status change_body(detent_context* context, detent_handle world, detent_id id,
+                                   bool is_valid, const F& f) {
+    return change(context, world, [&](World& object) -> detent_status {
+      if (!is_valid) return DETENT_BAD_ARGUMENT;
+      if (!object.contains(id_of(id))) return DETENT_NO;
+      f(object);
+      return DETENT_OK;
+    });
+  }
+  /// f(world, body, numbers) for numbers about the axes.
+  template <class F>
+  static detent_status turn(detent_context* context, detent_handle world, detent_id id,
+                            const std::int32_t* numbers, const F& f) {
+    return change_body(context, world, id, numbers != nullptr, [&](World& object) {
+      auto read = object.angular_velocity(id_of(id));
+      for (std::size_t i = 0; i < read.size(); ++i) read[i] = Input<N>::number(numbers[i]);
+      f(object, id_of(id), read);
+    });
+  }
+
   static bool read_options(const typename T::BodyOptions* options, Options& own) noexcept {
     if (options == nullptr) return true;
     if (options->motion > DETENT_FIXED_BODY || options->friction < 0 || options->restitution < 0 ||
-        options->linear_damping < 0 || options->angular_damping < 0) {
+        options->linear_damping < 0 || options->angular_damping < 0 || options->locked > 63 ||
+        options->is_sensor > 1) {
       return false;
     }
     own.motion = static_cast<BodyMotion>(options->motion);
@@ -224,6 +264,9 @@ struct Worlds {
     for (std::size_t i = 0; i < own.angular_velocity.size(); ++i) {
       own.angular_velocity[i] = Input<N>::number(options->angular_velocity[i]);
     }
+    own.gravity_scale = Input<N>::number(options->gravity_scale);
+    own.locked = static_cast<std::uint8_t>(options->locked);
+    own.is_sensor = options->is_sensor != 0;
     own.layers = options->layers;
     own.collides_with = options->collides_with;
     own.user = options->user;

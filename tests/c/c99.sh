@@ -13,6 +13,10 @@ compile() {
   "$compiler" -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -Iinclude "$1" \
     -L"$folder" -ldetent -Wl,-rpath,"$folder" -o "$2"
 }
+# Structures have their sizes where words are shorter and aligned otherwise, too.
+if echo | "$compiler" -m32 -x c -E - >/dev/null 2>&1; then
+  "$compiler" -std=c99 -m32 -ffreestanding -fsyntax-only -x c include/detent.h
+fi
 compile tests/c/match.c "$work/match"
 in_c=$("$work/match")
 in_cpp=$("$1")

@@ -87,6 +87,15 @@ test('worlds in 2D', async () => {
   assert.ok(Math.abs(detent.number(world.body(ball).position[1]) - 1) < 0.05);
   assert.equal(world.setVelocity(ball, [0, ONE]), true);
   assert.equal(world.body(ball).velocity[1], ONE);
+  const ghost = world.add(space.sphere([20 * ONE, 0], ONE), { gravity_scale: 0 });
+  assert.equal(world.applyImpulse(ghost, [ONE, 0], [20 * ONE, ONE]), true);
+  const spin = world.body(ghost).angular_velocity[0];
+  assert.ok(spin < 0);
+  assert.equal(world.applyTorque(ghost, [ONE]), true);
+  assert.equal(world.applyForce(ghost, [0, 60 * ONE]), true);
+  world.step();
+  assert.ok(world.body(ghost).angular_velocity[0] > spin);
+  assert.ok(world.body(ghost).velocity[1] > 0);
 });
 
 test('errors', async () => {
@@ -108,7 +117,7 @@ test('every method has a type', async () => {
   const library = await detent.load(3, file(3));
   const context = library.open();
   const inner = new Set(['call', 'run', 'withWords', 'asset', 'create', 'out', 'out2', 'list', 'shape',
-    'constructor']);
+    'push', 'turn', 'constructor']);
   for (const one of [library, library.space, context, context.scene(), context.world()]) {
     for (let of = Object.getPrototypeOf(one); of !== Object.prototype; of = Object.getPrototypeOf(of)) {
       for (const name of Object.getOwnPropertyNames(of)) {

@@ -408,9 +408,25 @@ class World(_Held):
     def set_velocity(self, which, velocity):
         return self._call('set_velocity', which._in_c(), self._space._vec(*velocity))
 
+    def _axial(self, numbers):
+        return (ctypes.c_int32 * (1 if self._space.dimension == 2 else 3))(*numbers)
+
     def set_angular_velocity(self, which, velocity):
-        count = 1 if self._space.dimension == 2 else 3
-        return self._call('set_angular_velocity', which._in_c(), (ctypes.c_int32 * count)(*velocity))
+        return self._call('set_angular_velocity', which._in_c(), self._axial(velocity))
+
+    def apply_impulse(self, which, impulse, at=None):
+        """At a point of the world, or at the centre."""
+        return self._call('apply_impulse', which._in_c(), self._space._vec(*impulse),
+                          self._space._vec(*at) if at else None)
+
+    def apply_force(self, which, force, at=None):
+        """During the next step."""
+        return self._call('apply_force', which._in_c(), self._space._vec(*force),
+                          self._space._vec(*at) if at else None)
+
+    def apply_torque(self, which, torque):
+        """During the next step."""
+        return self._call('apply_torque', which._in_c(), self._axial(torque))
 
     def events(self):
         """(a, b, begins) of the pairs that began or ended to touch in the last step."""

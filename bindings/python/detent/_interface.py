@@ -40,6 +40,12 @@ DETENT_FIXED = 1
 DETENT_DYNAMIC_BODY = 0
 DETENT_KINEMATIC_BODY = 1
 DETENT_FIXED_BODY = 2
+DETENT_LOCK_X = 1
+DETENT_LOCK_Y = 2
+DETENT_LOCK_Z = 4
+DETENT_LOCK_TURN_X = 8
+DETENT_LOCK_TURN_Y = 16
+DETENT_LOCK_TURN_Z = 32
 
 
 class detent_id(Structure):
@@ -271,6 +277,10 @@ class detent_body2_options(Structure):
         ('angular_damping', c_int32),
         ('velocity', detent_vec2),
         ('angular_velocity', c_int32 * 1),
+        ('gravity_scale', c_int32),
+        ('locked', c_uint32),
+        ('is_sensor', c_uint32),
+        ('reserved', c_uint32 * 2),
     ]
 
 
@@ -458,6 +468,10 @@ class detent_body3_options(Structure):
         ('angular_damping', c_int32),
         ('velocity', detent_vec3),
         ('angular_velocity', c_int32 * 3),
+        ('gravity_scale', c_int32),
+        ('locked', c_uint32),
+        ('is_sensor', c_uint32),
+        ('reserved', c_uint32 * 3),
     ]
 
 
@@ -494,7 +508,7 @@ assert sizeof(detent_shape2) == 40
 assert sizeof(detent_hit2) == 20
 assert sizeof(detent_object_hit2) == 36
 assert sizeof(detent_world2_settings) == 32
-assert sizeof(detent_body2_options) == 56
+assert sizeof(detent_body2_options) == 72
 assert sizeof(detent_body2) == 40
 assert sizeof(detent_vec3) == 12
 assert sizeof(detent_direction3) == 12
@@ -512,7 +526,7 @@ assert sizeof(detent_shape3) == 68
 assert sizeof(detent_hit3) == 28
 assert sizeof(detent_object_hit3) == 44
 assert sizeof(detent_world3_settings) == 36
-assert sizeof(detent_body3_options) == 64
+assert sizeof(detent_body3_options) == 88
 assert sizeof(detent_body3) == 76
 
 
@@ -793,6 +807,26 @@ FUNCTIONS = {
         detent_id,
         POINTER(c_int32),
     ]),
+    'detent_world2_apply_impulse': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_vec2),
+        POINTER(detent_vec2),
+    ]),
+    'detent_world2_apply_force': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_vec2),
+        POINTER(detent_vec2),
+    ]),
+    'detent_world2_apply_torque': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(c_int32),
+    ]),
     'detent_world2_size': (c_int32, [
         POINTER(detent_context),
         c_uint32,
@@ -1059,6 +1093,26 @@ FUNCTIONS = {
         POINTER(detent_vec3),
     ]),
     'detent_world3_set_angular_velocity': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(c_int32),
+    ]),
+    'detent_world3_apply_impulse': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_vec3),
+        POINTER(detent_vec3),
+    ]),
+    'detent_world3_apply_force': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_vec3),
+        POINTER(detent_vec3),
+    ]),
+    'detent_world3_apply_torque': (c_int32, [
         POINTER(detent_context),
         c_uint32,
         detent_id,

@@ -89,6 +89,17 @@ class Test(unittest.TestCase):
         self.assertAlmostEqual(detent.number(world.position(ball)[1]), 1, delta=0.05)
         self.assertTrue(world.set_velocity(ball, (0, ONE)))
         self.assertEqual(world.body(ball).velocity.y, ONE)
+        ghost = world.add(d2.sphere((20 * ONE, 0), ONE), gravity_scale=0, density=2 * ONE)
+        self.assertTrue(world.apply_impulse(ghost, (ONE, 0), (20 * ONE, ONE)))
+        self.assertLess(world.body(ghost).angular_velocity[0], 0)
+        self.assertTrue(world.apply_torque(ghost, (ONE,)))
+        spin = world.body(ghost).angular_velocity[0]
+        world.step()
+        self.assertGreater(world.body(ghost).angular_velocity[0], spin)
+        self.assertEqual(world.position(ghost)[1], 0)
+        self.assertTrue(world.apply_force(ghost, (0, 60 * ONE)))
+        world.step()
+        self.assertGreater(world.body(ghost).velocity.y, 0)
 
     def test_errors(self):
         with self.assertRaises(detent.Error) as caught:

@@ -42,6 +42,12 @@ pub const FIXED: u32 = 1;
 pub const DYNAMIC_BODY: u32 = 0;
 pub const KINEMATIC_BODY: u32 = 1;
 pub const FIXED_BODY: u32 = 2;
+pub const LOCK_X: u32 = 1;
+pub const LOCK_Y: u32 = 2;
+pub const LOCK_Z: u32 = 4;
+pub const LOCK_TURN_X: u32 = 8;
+pub const LOCK_TURN_Y: u32 = 16;
+pub const LOCK_TURN_Z: u32 = 32;
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -286,8 +292,12 @@ pub struct Body2Options {
     pub angular_damping: i32,
     pub velocity: Vec2,
     pub angular_velocity: [i32; 1],
+    pub gravity_scale: i32,
+    pub locked: u32,
+    pub is_sensor: u32,
+    pub reserved: [u32; 2],
 }
-const _: () = assert!(std::mem::size_of::<Body2Options>() == 56);
+const _: () = assert!(std::mem::size_of::<Body2Options>() == 72);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -491,8 +501,12 @@ pub struct Body3Options {
     pub angular_damping: i32,
     pub velocity: Vec3,
     pub angular_velocity: [i32; 3],
+    pub gravity_scale: i32,
+    pub locked: u32,
+    pub is_sensor: u32,
+    pub reserved: [u32; 3],
 }
-const _: () = assert!(std::mem::size_of::<Body3Options>() == 64);
+const _: () = assert!(std::mem::size_of::<Body3Options>() == 88);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -558,6 +572,9 @@ extern "C" {
     pub fn detent_world2_bodies(context: *const Context, world: u32, ids: *const Id, count: u32, bodies: *mut Body2) -> i32;
     pub fn detent_world2_set_velocity(context: *mut Context, world: u32, id: Id, velocity: *const Vec2) -> i32;
     pub fn detent_world2_set_angular_velocity(context: *mut Context, world: u32, id: Id, velocity: *const i32) -> i32;
+    pub fn detent_world2_apply_impulse(context: *mut Context, world: u32, id: Id, impulse: *const Vec2, at: *const Vec2) -> i32;
+    pub fn detent_world2_apply_force(context: *mut Context, world: u32, id: Id, force: *const Vec2, at: *const Vec2) -> i32;
+    pub fn detent_world2_apply_torque(context: *mut Context, world: u32, id: Id, torque: *const i32) -> i32;
     pub fn detent_world2_size(context: *const Context, world: u32, size: *mut u32) -> i32;
     pub fn detent_world2_events(context: *const Context, world: u32, events: *mut Touch, room: u32, count: *mut u32) -> i32;
     pub fn detent_world2_digest(context: *const Context, world: u32, digest: *mut u64) -> i32;
@@ -605,6 +622,9 @@ extern "C" {
     pub fn detent_world3_bodies(context: *const Context, world: u32, ids: *const Id, count: u32, bodies: *mut Body3) -> i32;
     pub fn detent_world3_set_velocity(context: *mut Context, world: u32, id: Id, velocity: *const Vec3) -> i32;
     pub fn detent_world3_set_angular_velocity(context: *mut Context, world: u32, id: Id, velocity: *const i32) -> i32;
+    pub fn detent_world3_apply_impulse(context: *mut Context, world: u32, id: Id, impulse: *const Vec3, at: *const Vec3) -> i32;
+    pub fn detent_world3_apply_force(context: *mut Context, world: u32, id: Id, force: *const Vec3, at: *const Vec3) -> i32;
+    pub fn detent_world3_apply_torque(context: *mut Context, world: u32, id: Id, torque: *const i32) -> i32;
     pub fn detent_world3_size(context: *const Context, world: u32, size: *mut u32) -> i32;
     pub fn detent_world3_events(context: *const Context, world: u32, events: *mut Touch, room: u32, count: *mut u32) -> i32;
     pub fn detent_world3_digest(context: *const Context, world: u32, digest: *mut u64) -> i32;

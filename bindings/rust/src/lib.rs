@@ -533,6 +533,39 @@ macro_rules! space {
                         world_set_angular_velocity(self.at(), self.handle, id, velocity.as_ptr())
                     })
                 }
+                /// Changes velocity and spin as an impulse at a point of the world does, or at the
+                /// centre.
+                pub fn apply_impulse(
+                    &mut self,
+                    id: Id,
+                    impulse: [i32; $n],
+                    at: Option<[i32; $n]>,
+                ) -> Result<bool> {
+                    let point = at.map(vec);
+                    let point = point.as_ref().map_or(std::ptr::null(), |p| p as *const _);
+                    check(unsafe {
+                        world_apply_impulse(self.at(), self.handle, id, &vec(impulse), point)
+                    })
+                }
+                /// The same for a force that acts during the next step.
+                pub fn apply_force(
+                    &mut self,
+                    id: Id,
+                    force: [i32; $n],
+                    at: Option<[i32; $n]>,
+                ) -> Result<bool> {
+                    let point = at.map(vec);
+                    let point = point.as_ref().map_or(std::ptr::null(), |p| p as *const _);
+                    check(unsafe {
+                        world_apply_force(self.at(), self.handle, id, &vec(force), point)
+                    })
+                }
+                /// A torque that acts during the next step.
+                pub fn apply_torque(&mut self, id: Id, torque: [i32; $spin]) -> Result<bool> {
+                    check(unsafe {
+                        world_apply_torque(self.at(), self.handle, id, torque.as_ptr())
+                    })
+                }
                 /// The number of bodies.
                 pub fn size(&self) -> Result<u32> {
                     let mut size = 0;
@@ -616,6 +649,9 @@ space! {
     world_body = detent_world2_body,
     world_set_velocity = detent_world2_set_velocity,
     world_set_angular_velocity = detent_world2_set_angular_velocity,
+    world_apply_impulse = detent_world2_apply_impulse,
+    world_apply_force = detent_world2_apply_force,
+    world_apply_torque = detent_world2_apply_torque,
     world_size = detent_world2_size,
     world_events = detent_world2_events,
     world_digest = detent_world2_digest,
@@ -666,6 +702,9 @@ space! {
     world_body = detent_world3_body,
     world_set_velocity = detent_world3_set_velocity,
     world_set_angular_velocity = detent_world3_set_angular_velocity,
+    world_apply_impulse = detent_world3_apply_impulse,
+    world_apply_force = detent_world3_apply_force,
+    world_apply_torque = detent_world3_apply_torque,
     world_size = detent_world3_size,
     world_events = detent_world3_events,
     world_digest = detent_world3_digest,

@@ -110,6 +110,16 @@ fn worlds() {
     assert!((height - ONE).abs() < ONE / 20);
     assert_eq!(world.set_velocity(ball, [0, ONE]), Ok(true));
     assert_eq!(world.body(ball).unwrap().unwrap().velocity.y, ONE);
+    let light = d2::BodyOptions { gravity_scale: 0, ..options };
+    let ghost = world.add(&d2::sphere([20 * ONE, 0], ONE), &light).unwrap();
+    assert_eq!(world.apply_impulse(ghost, [ONE, 0], Some([20 * ONE, ONE])), Ok(true));
+    let spin = world.body(ghost).unwrap().unwrap().angular_velocity[0];
+    assert!(spin < 0);
+    assert_eq!(world.apply_torque(ghost, [ONE]), Ok(true));
+    assert_eq!(world.apply_force(ghost, [0, 60 * ONE], None), Ok(true));
+    world.step().unwrap();
+    let body = world.body(ghost).unwrap().unwrap();
+    assert!(body.angular_velocity[0] > spin && body.velocity.y > 0);
     settings.substeps = 0;
     assert_eq!(d2::World::new(&context, &settings).err(), Some(Error(ffi::BAD_ARGUMENT)));
 }

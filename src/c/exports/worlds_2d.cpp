@@ -36,6 +36,15 @@ detent_status detent_world2_set_velocity(detent_context* context, detent_handle 
 detent_status detent_world2_set_angular_velocity(detent_context* context, detent_handle world, detent_id id, const int32_t* velocity) {
   return detent::c::Worlds<2>::set_angular_velocity(context, world, id, velocity);
 }
+detent_status detent_world2_apply_impulse(detent_context* context, detent_handle world, detent_id id, const detent_vec2* impulse, const detent_vec2* at) {
+  return detent::c::Worlds<2>::apply_impulse(context, world, id, impulse, at);
+}
+detent_status detent_world2_apply_force(detent_context* context, detent_handle world, detent_id id, const detent_vec2* force, const detent_vec2* at) {
+  return detent::c::Worlds<2>::apply_force(context, world, id, force, at);
+}
+detent_status detent_world2_apply_torque(detent_context* context, detent_handle world, detent_id id, const int32_t* torque) {
+  return detent::c::Worlds<2>::apply_torque(context, world, id, torque);
+}
 detent_status detent_world2_size(const detent_context* context, detent_handle world, uint32_t* size) {
   return detent::c::Worlds<2>::size(context, world, size);
 }
