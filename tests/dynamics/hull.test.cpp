@@ -172,6 +172,18 @@ TEMPLATE_TEST_CASE("hull body: a pile comes to rest and stays as it is", "", q16
   CHECK(digest(world) == before);
 }
 
+TEST_CASE("hull body: a heap of 40 comes to rest, and 10,000 ticks later nothing has moved",
+          "[.demand]") {
+  using S = q16_16;
+  const Pile<S> pile;
+  auto world = pile.world(41);
+  for (int t = 0; t < 2400; ++t) world.step();
+  const auto before = digest(world);
+  for (std::uint32_t i = 1; i < 41; ++i) CHECK(world.is_asleep({i, 1}));
+  for (int t = 0; t < 10000; ++t) world.step();
+  CHECK(digest(world) == before);
+}
+
 TEST_CASE("hull body: another hull is named as a difference") {
   using S = q16_16;
   const Pile<S> pile;
@@ -236,6 +248,11 @@ TEST_CASE("hull body: a snapshot is restored with its hulls, and refused without
     pile.put(target, 0);
     if (restore(target, changed, pile.solids) == Restored::yes) {
       REQUIRE(snapshot(target) == changed);
+      const auto& bodies = detail::WorldAccess::bodies(target);
+      for (std::size_t k = 1; k < bodies.size(); ++k) {
+        const auto* hull = bodies[k].shape.template get<BodyHull<S, 3>>();
+        REQUIRE((hull == nullptr || *hull == BodyHull<S, 3>{hull->asset, {}, {}}));
+      }
       target.step();
     }
   }
