@@ -151,6 +151,15 @@ TEST_CASE("joint: a world steps on bit by bit in a fresh one") {
   });
 }
 
+TEST_CASE("joint: a scene with every kind has its golden digest") {
+  const auto after = [](auto world) {
+    for (int t = 0; t < 150; ++t) world.step();
+    return digest(world);
+  };
+  CHECK(after(scene<2>()) == 0x3a876e350f4c2873u);
+  CHECK(after(scene<3>()) == 0x0b23cccbfba924bau);
+}
+
 TEST_CASE("joint: bits do not depend on the order of additions and removals") {
   in_both_dimensions([](auto dimension) {
     constexpr int N = decltype(dimension)::value;
