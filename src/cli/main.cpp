@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "numbers.hpp"
 #include "program.hpp"
+#include "replay.hpp"
 #include "verify.hpp"
 
 namespace detent::cli {
@@ -82,6 +83,9 @@ struct Arguments {
   DemoArguments demo;
   VerifyOptions verify;
   DiffOptions diff;
+  ReplayOptions replay;
+  ExampleOptions example;
+  int replay_code = 0;
   bool is_right = true;
   std::string compare;
   std::string size = "640x360";
@@ -203,6 +207,31 @@ void add_diff(CLI::App& app, Arguments& arguments) {
   command->final_callback([&] { arguments.is_right = diff(options); });
 }
 
+void add_replay(CLI::App& app, Arguments& arguments) {
+  CLI::App* const command = app.add_subcommand("replay", "Check recorded matches");
+  command->require_subcommand(1);
+  CLI::App* const check =
+      command->add_subcommand("check", "Simulate replays again and say where results differ");
+  check->add_option("paths", arguments.replay.paths, "Replays, and folders of them")
+      ->required()
+      ->check(check_name);
+  check->add_option("--shard", arguments.replay.shard, "Only part K of N of the files, by name")
+      ->capture_default_str();
+  check->final_callback([&] { arguments.replay_code = replay_check(arguments.replay); });
+  ExampleOptions& options = arguments.example;
+  CLI::App* const example =
+      command->add_subcommand("example", "Record a match of the example world");
+  example->add_option("file", options.out, "The replay to write")->required()->check(check_name);
+  example->add_option("--seed", options.seed, "What the players press")->capture_default_str();
+  example->add_option("--frames", options.frames, "How long it is")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 10'000'000));
+  example->add_option("--every", options.every, "A digest every so many frames")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 255));
+  example->final_callback([&] { replay_example(options); });
+}
+
 /// Rejects an unknown first word; the parser would only say that a subcommand is required.
 void check_command(const CLI::App& app, int argc, char** argv) {
   const std::string word = argc < 2 ? "" : argv[1];
@@ -230,8 +259,10 @@ int run(int argc, char** argv) {
       arguments.demo);
   add_verify(app, arguments);
   add_diff(app, arguments);
+  add_replay(app, arguments);
   check_command(app, argc, argv);
   if (!parse(app, argc, argv)) return 0;
+  if (arguments.replay_code != 0) return arguments.replay_code;
   return arguments.is_right ? 0 : 1;
 }
 

@@ -8,4 +8,5 @@
 #include "detent/lockstep/event.hpp"
 #include "detent/lockstep/input_codec.hpp"
 #include "detent/lockstep/replay.hpp"
+#include "detent/lockstep/replay_totals.hpp"
 #include "detent/lockstep/session.hpp"
