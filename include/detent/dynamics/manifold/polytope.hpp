@@ -132,34 +132,34 @@ template <Scalar S, int N>
     const auto& u = box.axes[static_cast<std::size_t>(i)];
     return negative ? narrow_negative(u) : u;
   };
-  const auto bit = [](int i, bool negative) {
+  const auto on_side = [](int i, bool negative) {
     return negative ? std::size_t{1} << i : std::size_t{0};
   };
   for (int i = 0; i < N; ++i) {
     const int j = (i + 1) % N, k = (i + 2) % N;
     for (const bool negative : {false, true}) {
       parts.add_face(axis(i, negative));
-      const auto face = bit(i, negative);
+      const auto face = on_side(i, negative);
       if constexpr (N == 2) {
-        for (const bool end : {false, true}) parts.add_corner(face | bit(j, end), axis(j, end));
+        for (const bool end : {false, true}) parts.add_corner(face | on_side(j, end), axis(j, end));
       } else {
         // Around axis i, or the other way round.
         const int first = negative ? k : j, second = negative ? j : k;
         parts.add_corner(face, axis(second, false));
-        parts.add_corner(face | bit(first, true), axis(first, true));
-        parts.add_corner(face | bit(first, true) | bit(second, true), axis(second, true));
-        parts.add_corner(face | bit(second, true), axis(first, false));
+        parts.add_corner(face | on_side(first, true), axis(first, true));
+        parts.add_corner(face | on_side(first, true) | on_side(second, true), axis(second, true));
+        parts.add_corner(face | on_side(second, true), axis(first, false));
       }
     }
     if constexpr (N == 3) {
       for (const bool at_j : {false, true}) {
         for (const bool at_k : {false, true}) {
-          const auto corner = bit(j, at_j) | bit(k, at_k);
+          const auto corner = on_side(j, at_j) | on_side(k, at_k);
           const auto face_j = static_cast<std::size_t>(2 * j + (at_j ? 1 : 0));
           const auto face_k = static_cast<std::size_t>(2 * k + (at_k ? 1 : 0));
           const bool j_is_left = at_j == at_k;
-          parts.add_edge(corner | bit(i, true), corner, axis(i, false), j_is_left ? face_j : face_k,
-                         j_is_left ? face_k : face_j);
+          parts.add_edge(corner | on_side(i, true), corner, axis(i, false),
+                         j_is_left ? face_j : face_k, j_is_left ? face_k : face_j);
         }
       }
     }
