@@ -281,6 +281,9 @@ TEST_CASE("join: a snapshot that is none is refused, and another player is asked
 TEST_CASE("join: random matches in which peers end and come again end with equal digests") {
   for (std::uint64_t seed = 1; seed <= 150; ++seed) run_random_joins(seed);
 }
+TEST_CASE("join: matches in which faults were found") {
+  for (const std::uint64_t seed : {1013u, 2136u, 3003u, 4843u}) run_random_joins(seed);
+}
 TEST_CASE("join: 10,000 random matches", "[.demand]") {
   for (std::uint64_t seed = 1000; seed < 11'000; ++seed) run_random_joins(seed);
 }

@@ -265,6 +265,8 @@ TEST_CASE("transfer: slices come in any order, and others make it begin again") 
     change(other);
     CHECK_FALSE(in.take(sent(other)));
     CHECK(in.is_whole());
+    Incoming<1000, 100> fresh;
+    CHECK_FALSE(fresh.take(sent(other)));
   };
   is_refused([](Slice& s) { s.total = 0; });
   is_refused([](Slice& s) { s.total = 1001; });
