@@ -375,6 +375,7 @@ addEventListener('drop', (event) => {
 // ---- two browsers
 
 function join(room, seed) {
+  socket?.close();
   const address = new URL(`room/${room}?seed=${seed}`, location.href);
   address.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
   socket = new WebSocket(address);
@@ -398,7 +399,12 @@ function join(room, seed) {
     setAim(self, 8192, 160);
     banner(`You are ${names[self].toLowerCase()}`);
   };
-  socket.onclose = () => { if (mode === 'waiting') notice('There is no relay here: ./dev play starts one.'); };
+  const own = socket;
+  own.onclose = () => {
+    if (mode !== 'waiting' || socket !== own) return;
+    begin('local', randomSeed());
+    if (at('notice').textContent.startsWith('Send')) notice('There is no relay here: ./dev play starts one.');
+  };
 }
 at('invite').addEventListener('click', () => {
   const room = Array.from(crypto.getRandomValues(new Uint8Array(8)), (byte) => byte.toString(16).padStart(2, '0')).join('');
