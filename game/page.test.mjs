@@ -32,7 +32,7 @@ const errors = [];
 
 async function open(query, path = '') {
   const page = await browser.newPage();
-  page.setDefaultTimeout(60_000);
+  page.setDefaultTimeout(200_000);
   page.on('console', (message) => { if (message.type() === 'error') errors.push(message.text()); });
   page.on('pageerror', (error) => errors.push(error.stack));
   await page.goto(`${address}${path}?${query}`);
