@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page: two machines side by side for who is alone, or one of them and a relay.
+// The page: two machines side by side, or one of them and a relay.
 import { Peer } from './peer.js';
 import { Link, weather } from './link.js';
 import { View, directionOf } from './view.js';

@@ -118,7 +118,7 @@ void run_random_joins(std::uint64_t seed) {
     for (std::size_t i = 0; i < match.peers.size(); ++i) {
       MatchPeer& peer = *match.peers[i];
       if (peer.is_off) continue;
-      // Whoever was dropped, or fell behind, comes again.
+      // A peer that was dropped, or fell behind, joins again.
       const bool is_out = peer.session.is_dropped(0) || count_events(peer, Kind::too_slow, i) > 0;
       if (i != 0 && is_out) {
         peer.events.clear();

@@ -18,7 +18,7 @@ struct SessionLimits {
   std::size_t history = 128;    // frames whose inputs are kept, at least 128
   std::size_t events = 64;
   std::size_t packet = 1200;  // bytes of the largest packet, at least 512
-  std::size_t snapshot = 0;   // bytes of the largest snapshot for who comes late; 0: nobody can
+  std::size_t snapshot = 0;   // bytes of the largest snapshot, for late joiners; 0: none
 
   [[nodiscard]] constexpr bool is_valid() const noexcept {
     return players >= 1 && players <= 8 && peers >= players && peers <= 16 && prediction <= 16 &&
@@ -39,8 +39,8 @@ struct SessionConfig {
   std::uint64_t silence = 2'000'000;     // a peer that sends nothing for this long is `silent`
   std::uint32_t frames_per_call = 17;    // the most that `advance` simulates, at least 1
   std::uint32_t absent = 0;  // seats that are free at the start, a bit each: the same for all peers
-  // 0 for who is there from the start. Who comes later or again gives any number greater than in
-  // its sessions of this match before, such as the time in seconds.
+  // 0 for a peer that is there from the start. One that joins late or again gives a number greater
+  // than in its earlier sessions of this match, such as the time in seconds.
   std::uint32_t life = 0;
   bool wants_seat = true;  // a player that comes late: whether it wants to play, or only to watch
 

@@ -13,9 +13,9 @@
 // follows the match as a spectator does. A seat is given by a word in the input of a player, so all
 // learn of it in the same frame, whatever packets are lost:
 //
-// * The word is in the input of frame f; the player takes part from frame f + `notice` on. Whoever
-//   knows all inputs of frame f acts on it, before it has simulated frame f + `notice`: predictions
-//   reach `prediction` <= 16 frames beyond what is known.
+// * The word is in the input of frame f; the player takes part from frame f + `notice` on. Every
+//   peer that knows all inputs of frame f acts on it before it simulates frame f + `notice`:
+//   predictions reach `prediction` <= 16 frames beyond what is known.
 // * It counts only if the seat is free in frame f, which all who know that frame know alike.
 // * A guest holds no input that some player does not hold. So no player can have agreed without it
 //   on the end of another one, and hold less: the argument in members.hpp goes on to hold.

@@ -114,7 +114,7 @@ class Incoming {
     digest_ = 0;
   }
 
-  /// What it has, for who sends it.
+  /// What has arrived, for the sender.
   constexpr void describe(JoinState& join) const noexcept {
     join.frame = total_ == 0 ? 0 : frame_;
     join.first = first_;
