@@ -25,7 +25,7 @@ for header in detent.hpp scene/scene.hpp query/raycast/sphere.hpp version.hpp; d
 done
 
 # A header that includes no other of ours is parsed first, so those contain the sentence.
-silent=$(grep -rL '#include "detent/' include | grep -v '/require_cxx20.hpp$' || true)
+silent=$(grep -rL '#include "detent/' include --include='*.hpp' | grep -v '/require_cxx20.hpp$' || true)
 if [[ -n $silent ]]; then
   echo "these include nothing of ours, so they need detent/number/require_cxx20.hpp:"
   echo "$silent"
