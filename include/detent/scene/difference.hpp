@@ -109,9 +109,10 @@ template <class World>
 
 /// Whether a field is `whole` or a part of it.
 [[nodiscard]] constexpr bool is_part_of(const FieldName& name, const FieldName& whole) noexcept {
-  const auto text = name.view();
-  if (!text.starts_with(whole.view())) return false;
-  const auto size = whole.size();
+  const auto text = name.view(), start = whole.view();
+  const auto size = start.size();
+  // Not starts_with, which on a bare machine needs a function that throws.
+  if (text.size() < size || !std::equal(start.begin(), start.end(), text.begin())) return false;
   return text.size() == size || text[size] == ' ' || text[size] == '.' || text[size] == '[';
 }
 /// The number of fields from `first` on that are parts of `whole`.
