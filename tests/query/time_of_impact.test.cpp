@@ -223,7 +223,9 @@ void compare_with_casts(oracle::Bodies<S, N>& bodies, HitRate& hits) {
     const auto b = bodies.template shape<B>();
     // Along x, by a whole number, so that the sweep and the cast are the same motion.
     Sweep<S, N> sweep;
-    sweep.end.x = S(static_cast<int>(bodies.random.below(S::bits == 15 ? 100 : 20000)));
+    constexpr int whole = S::bits - S::frac;
+    constexpr int most = whole < 8 ? 100 : whole < 15 ? 8000 : 20000;
+    sweep.end.x = S(static_cast<int>(bodies.random.below(most)));
     const auto hit = cast(a, Direction<S, N>::along(0), sweep.end.x, b);
     const auto impact = time_of_impact(a, sweep, b);
     hits.count(hit.has_value());
