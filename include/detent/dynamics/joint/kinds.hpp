@@ -151,8 +151,7 @@ template <Scalar S, int N>
 inline constexpr std::uint8_t joint_tag<WheelJoint<S, N>> = 6;
 
 template <class T>
-concept IsJoint = joint_tag<T>
-!= 0;
+concept IsJoint = (joint_tag<T> != 0);
 
 template <class... Ts>
 struct Types {
