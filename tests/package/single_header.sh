@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# usage: single_header.sh COMPILER
+# The single header of src/amalgamate has every header once, and compiles without a warning. The
+# examples compile with it alone, one of them runs, and two sources with it link.
+set -euo pipefail
+command -v python3 >/dev/null || { echo 'skipped: there is no python3'; exit 77; }
+compiler=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+src/amalgamate "$work/detent.hpp" >/dev/null
+
+sed -n 's|^// ---- ||p' "$work/detent.hpp" | sort >"$work/has"
+(cd include && find detent -name '*.hpp' | sort) >"$work/should_have"
+diff "$work/should_have" "$work/has" ||
+  { echo 'the single header (>) has other headers than include/ (<)'; exit 1; }
+
+# The header is compiled once; it is found next to the examples, before the one of include/.
+compile=("$compiler" -std=c++20 -Wall -Wextra -Wconversion -Wshadow -Werror)
+echo '#include "detent.hpp"' >"$work/alone.cpp"
+"${compile[@]}" -fsyntax-only "$work/alone.cpp"
+"${compile[@]}" -Wno-error -x c++-header "$work/detent.hpp" -o "$work/detent.hpp.gch" 2>/dev/null
+for example in tests/examples/*.cpp; do
+  name=$(basename "$example" .cpp)
+  { echo '#include "detent.hpp"'; sed 's|^#include <detent/.*||' "$example"; } >"$work/$name.cpp"
+  "${compile[@]}" -fsyntax-only "$work/$name.cpp"
+done
+"${compile[@]}" "$work/raycast.cpp" -o "$work/raycast"
+"$work/raycast" >/dev/null || { echo 'the example fails with the single header'; exit 1; }
+
+printf '#include "detent.hpp"\ndetent::q16_16 one() { return detent::q16_16::from_raw(65536); }\n' \
+  >"$work/one.cpp"
+printf '#include "detent.hpp"\ndetent::q16_16 one();\nint main() { return one().raw() - 65536; }\n' \
+  >"$work/other.cpp"
+"${compile[@]}" "$work/one.cpp" "$work/other.cpp" -o "$work/both"
+"$work/both" || { echo 'two sources disagree'; exit 1; }
+examples=(tests/examples/*.cpp)
+echo "${#examples[@]} examples compile with the single header of $(wc -l <"$work/has") headers"
