@@ -14,7 +14,7 @@ a `Context` makes scenes and worlds:
         hit = scene.raycast(d3.ray((0, 0, 0), (detent.UNIT, 0, 0), 100 * ONE))
         print(hit.id == ball, detent.number(hit.distance))  # True 9.0
 
-The library is the file named by DETENT_LIBRARY, or the installed libdetent.so.
+The library is the file named by DETENT_LIBRARY, the one in the wheel, or the installed libdetent.so.
 """
 import array
 import ctypes
@@ -32,7 +32,9 @@ DYNAMIC, KINEMATIC, FIXED = 0, 1, 2
 
 
 def _load():
-    path = os.environ.get('DETENT_LIBRARY') or ctypes.util.find_library('detent')
+    in_wheel = os.path.join(os.path.dirname(__file__), 'libdetent.so')
+    path = (os.environ.get('DETENT_LIBRARY') or (in_wheel if os.path.exists(in_wheel) else None)
+            or ctypes.util.find_library('detent'))
     if not path:
         raise ImportError('libdetent.so is not installed; DETENT_LIBRARY can name its file')
     library = ctypes.CDLL(path)

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# usage: packages.sh BUILD KIND
+# A package that packages/build makes of BUILD is unpacked in an empty folder, where the program of
+# docs/bindings.md for its language runs. KIND is one of its kinds, or `recipes` for vcpkg and Conan.
+set -euo pipefail
+build=$1 kind=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+version=$(sed -n 's/#define DETENT_VERSION_[A-Z]* //p' include/detent/version.hpp | paste -sd .)
+
+# page LANGUAGE: the program of the page.
+page() { sed -n '/^```'"$1"'$/,/^```$/{/^```/d;p}' docs/bindings.md; }
+expect() {
+  if [[ $1 != "$2" ]]; then echo "the program of the page prints '$1' instead of '$2'"; exit 1; fi
+  echo "the $kind package works from an empty folder"
+}
+# package PATTERN: packs; the name of the file.
+package() {
+  packages/build "$build" "$work/packages" "$kind" >"$work/log" || { cat "$work/log" >&2; exit 1; }
+  local found=("$work/packages/"$1)
+  if [[ ! -e ${found[0]} ]]; then cat "$work/log" >&2; exit 77; fi
+  echo "${found[0]}"
+}
+
+case $kind in
+  deb)
+    file=$(package "libdetent-dev_${version}_*.deb")
+    dpkg-deb -x "$file" "$work/root"
+    [[ $(dpkg-deb -f "$file" Version) == "$version" ]] || { echo 'another version'; exit 1; }
+    bash tests/package/c_consumer.sh "$work/root/usr"
+    ;;
+  wheel)
+    file=$(package "detent-$version-*.whl")
+    python3 -m pip install --quiet --no-index --no-deps --no-compile --disable-pip-version-check \
+      --root-user-action=ignore --target "$work/site" "$file" || { echo 'skipped: no pip'; exit 77; }
+    page python >"$work/page.py"
+    expect "$(cd "$work" && env -u DETENT_LIBRARY PYTHONPATH="$work/site" python3 page.py)" 'True 9.0'
+    ;;
+  crate)
+    file=$(package "detent-$version.crate")
+    tar -xzf "$file" -C "$work"
+    mkdir -p "$work/user/src"
+    page rust | sed 's/^    Ok(())$/    println!("ran"); Ok(())/' >"$work/user/src/main.rs"
+    printf '%s\n' '[package]' 'name = "user"' 'version = "1.0.0"' 'edition = "2021"' '[dependencies]' \
+      "detent = { path = \"$work/detent-$version\" }" >"$work/user/Cargo.toml"
+    library=$(realpath "$build/src/c")
+    export DETENT_LIBRARY_DIR=$library LD_LIBRARY_PATH=$library
+    expect "$(cd "$work/user" && cargo run --offline --quiet)" ran
+    ;;
+  npm)
+    file=$(package "detent-$version.tgz")
+    mkdir "$work/user"
+    page js >"$work/user/page.mjs"
+    cd "$work/user"
+    npm install --silent --offline --no-audit --no-fund "$file" >/dev/null
+    expect "$(node page.mjs)" 9
+    ;;
+  recipes)
+    python3 tests/package/recipes.py "$build" "$version"
+    ;;
+esac

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: MIT
+# usage: recipes.py BUILD VERSION
+"""The recipes of vcpkg and Conan, run with stand-ins for the functions of both: the port's steps leave a
+package that has its files where vcpkg wants them, the recipe exports what CMake needs. Neither tool is
+in Debian, so they themselves have not run."""
+import glob
+import importlib.util
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import types
+
+build, version = sys.argv[1:]
+options = open('CMakeLists.txt', encoding='utf-8').read()
+
+PORT = r'''
+set(CURRENT_PACKAGES_DIR "@packages@")
+set(CURRENT_PORT_DIR "@port@")
+function(vcpkg_cmake_configure)
+  cmake_parse_arguments(PARSE_ARGV 0 given "" "SOURCE_PATH" "OPTIONS")
+  if(NOT EXISTS "${given_SOURCE_PATH}/CMakeLists.txt" OR given_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "vcpkg_cmake_configure: ${ARGN}")
+  endif()
+  foreach(option IN LISTS given_OPTIONS)
+    message(STATUS "option ${option}")
+  endforeach()
+endfunction()
+function(vcpkg_cmake_install)
+  execute_process(COMMAND ${CMAKE_COMMAND} --install "@build@" --prefix "${CURRENT_PACKAGES_DIR}"
+                  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+function(vcpkg_cmake_config_fixup)
+  cmake_parse_arguments(PARSE_ARGV 0 given "" "CONFIG_PATH" "")
+  if(NOT EXISTS "${CURRENT_PACKAGES_DIR}/${given_CONFIG_PATH}/detent-config.cmake")
+    message(FATAL_ERROR "no detent-config.cmake in ${given_CONFIG_PATH}")
+  endif()
+endfunction()
+function(vcpkg_fixup_pkgconfig)
+  if(NOT EXISTS "${CURRENT_PACKAGES_DIR}/lib/pkgconfig/detent.pc")
+    message(FATAL_ERROR "no detent.pc")
+  endif()
+endfunction()
+function(vcpkg_install_copyright)
+  cmake_parse_arguments(PARSE_ARGV 0 given "" "" "FILE_LIST")
+  file(COPY ${given_FILE_LIST} DESTINATION "${CURRENT_PACKAGES_DIR}/share/detent")
+endfunction()
+include("@port@/portfile.cmake")
+'''
+
+
+def vcpkg(work):
+    port = os.path.abspath('packages/vcpkg/detent')
+    manifest = json.load(open(os.path.join(port, 'vcpkg.json'), encoding='utf-8'))
+    assert manifest['name'] == os.path.basename(port) and manifest['version'] == version
+    script = PORT
+    for name, value in (('packages', os.path.join(work, 'vcpkg')), ('port', port),
+                        ('build', os.path.abspath(build))):
+        script = script.replace(f'@{name}@', value)
+    path = os.path.join(work, 'port.cmake')
+    open(path, 'w', encoding='utf-8').write(script)
+    said = subprocess.run(['cmake', '-P', path], check=True, capture_output=True, text=True).stdout
+    given = [line.split('-D', 1)[1].split('=')[0] for line in said.splitlines() if '-D' in line]
+    assert given and all(f'option({name} ' in options for name in given), given
+    assert os.path.exists(os.path.join(work, 'vcpkg/share/detent/LICENSE'))
+
+
+def conan(work):
+    """Runs the recipe with the few functions of Conan that it uses."""
+    def copy(_, pattern, source, target):
+        for path in glob.glob(os.path.join(source, pattern)):
+            to = os.path.join(target, os.path.relpath(path, source))
+            os.makedirs(os.path.dirname(to), exist_ok=True)
+            if os.path.isdir(path):
+                shutil.copytree(path, to)
+            else:
+                shutil.copy(path, to)
+
+    class Toolchain:
+        def __init__(self, _):
+            self.cache_variables = {}
+
+        def generate(self):
+            assert all(f'option({name} ' in options for name in self.cache_variables)
+
+    class CMake:
+        def __init__(self, _):
+            pass
+
+        def configure(self):
+            pass
+        build = install = configure
+
+    modules = {'conan': {'ConanFile': object}, 'conan.tools': {},
+               'conan.tools.cmake': {'CMake': CMake, 'CMakeToolchain': Toolchain,
+                                     'cmake_layout': lambda _: None},
+               'conan.tools.files': {'copy': copy, 'load': lambda _, path: open(path).read()}}
+    for name, members in modules.items():
+        sys.modules[name] = types.ModuleType(name)
+        vars(sys.modules[name]).update(members)
+    spec = importlib.util.spec_from_file_location('conanfile', 'packages/conan/conanfile.py')
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    recipe = module.Detent()
+    recipe.recipe_folder = os.path.abspath('packages/conan')
+    recipe.export_sources_folder = os.path.join(work, 'conan')
+    recipe.cpp_info = types.SimpleNamespace(set_property=lambda *_: None)
+    recipe.set_version()
+    assert recipe.version == version, recipe.version
+    for step in ('export_sources', 'layout', 'generate', 'build', 'package', 'package_info'):
+        getattr(recipe, step)()
+    assert recipe.cpp_info.builddirs == ['lib/cmake/detent']
+    # What was exported can be configured without the rest of the repository.
+    subprocess.run(['cmake', '-S', os.path.join(work, 'conan'), '-B', os.path.join(work, 'configured'),
+                    '-DDETENT_BUILD_TESTS=OFF', '-DDETENT_BUILD_TOOL=OFF', '-DDETENT_BUILD_DEMO=OFF'],
+                   check=True, stdout=subprocess.DEVNULL)
+
+
+sys.dont_write_bytecode = True
+with tempfile.TemporaryDirectory() as folder:
+    vcpkg(folder)
+    conan(folder)
+print('the recipes of vcpkg and Conan do their steps')
