@@ -40,6 +40,7 @@ void add_any(World<S, N, Sphere, Obb, Capsule, Aabb>& world, Random& random) {
     options.linear_damping = any<S>(random);
     options.angular_damping = any<S>(random);
   }
+  options.is_fast = world.size() % 3 == 0;
   options.velocity = point();
   for (auto& w : options.angular_velocity) w = number();
   switch (random.below(4)) {

@@ -30,6 +30,7 @@ void step_anything(Random& random, std::size_t& contacts) {
     const bool wild = random.one_in(3);
     BodyOptions<S, N> options;
     if (random.one_in(4)) options.motion = BodyMotion::fixed;
+    options.is_fast = i % 3 == 0;
     options.velocity = point(wild);
     for (auto& w : options.angular_velocity) w = number(wild);
     const auto angle = Angle<S>::turn(static_cast<int>(random.below(1000)), 1000);

@@ -9,14 +9,12 @@
 
 namespace detent::test {
 
-/// A box with its center and half extents; in 3D as deep as wide, at z = 0.
+/// A box as of `box_of`, turned by an angle in 2D.
 template <Scalar S, int N>
 Obb<S, N> box_at(double x, double y, double half_width, double half_height, double angle = 0) {
-  Obb<S, N> box{at<S, N>(x, y), at<S, N>(half_width, half_height), {}};
+  auto box = box_of<S, N>(x, y, half_width, half_height);
   if constexpr (N == 2) {
     box.rotation = Rotation<S, 2>::from_angle(Angle<S>::from_radians(num<S>(angle)));
-  } else {
-    box.half_extents.z = num<S>(half_width);
   }
   return box;
 }

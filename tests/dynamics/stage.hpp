@@ -24,6 +24,14 @@ Vec<S, N> at(double x, double y) {
   return p;
 }
 
+/// A box with its center and half extents; in 3D as deep as wide, at z = 0.
+template <Scalar S, int N>
+Obb<S, N> box_of(double x, double y, double half_width, double half_height) {
+  Obb<S, N> box{at<S, N>(x, y), at<S, N>(half_width, half_height), {}};
+  if constexpr (N == 3) box.half_extents.z = num<S>(half_width);
+  return box;
+}
+
 /// A fixed ball of radius 50 whose top is at the origin.
 template <class Storage, Scalar S, int N, class... Shapes>
 BodyId add_round_ground(BasicWorld<Storage, S, N, Shapes...>& world) {

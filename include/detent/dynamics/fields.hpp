@@ -68,6 +68,7 @@ constexpr void for_each_field(const BodyField<Body>& field, const F& f) {
     with_type("gravity_scale", body.gravity_scale);
     with_type("locked", body.locked);
     with_type("is_sensor", body.is_sensor);
+    with_type("is_fast", body.is_fast);
     if constexpr (HasFields<Shape>) {
       for_each_field(shape, with_type);
     } else {

@@ -91,6 +91,7 @@ struct BodyRecord {
   S gravity_scale = S(1);
   std::uint8_t locked = 0;
   bool is_sensor = false;
+  bool is_fast = false;
   Shape shape{};  // in the body's frame
   BodyState<S, N> state{};
   Vec<typename F::Speed, N> push{};  // by forces, in each substep of the next tick

@@ -58,7 +58,8 @@ struct BodyOptions {
   S gravity_scale = S(1);                           // of the world's gravity
   std::uint8_t locked = 0;                          // bits of `AxisLock`
   bool is_sensor = false;                           // touches are reported, and push nobody
-  std::uint32_t layers = 1;                         // the layers that it is in
+  bool is_fast = false;                       // never passes through others: continuous collision
+  std::uint32_t layers = 1;                   // the layers that it is in
   std::uint32_t collides_with = 0xffffffffu;  // the layers that it meets; both must want to meet
   std::uint64_t user = 0;                     // any word; saved, never read
 };

@@ -30,7 +30,7 @@
 //   that it meets (4 each), user word (8), density, friction, restitution, damping of velocity and
 //   spin, shape type (1), the numbers of the shape (of a hull its id (4), its digest (8), and a
 //   translation and a rotation that do nothing); if one of them is not the default, locked axes
-//   (bits 0 to 5) and sensor (bit 6) in a byte, and the scale of gravity. Bit 30 of the word: after
+//   (bits 0 to 5), sensor (bit 6) and fast (bit 7) in a byte, and the scale of gravity. Bit 30 of the word: after
 //   the spin comes what forces and torques will do in the next tick, a velocity and a spin;
 // * each contact, in order of its bodies: a word of the index of a (bits 0 to 19), the number of
 //   points (20 to 22) and whether it touches (23); the index of b (4 bytes); of each point its
@@ -71,12 +71,12 @@ struct WorldHeader {
   }
 };
 
-inline constexpr std::uint8_t sensor_bit = 1u << 6;
+inline constexpr std::uint8_t sensor_bit = 1u << 6, fast_bit = 1u << 7;
 
-/// Whether locked axes, sensor or the scale of gravity are not the default.
+/// Whether locked axes, sensor, fast or the scale of gravity are not the default.
 template <class Body>
 [[nodiscard]] constexpr bool has_extras(const Body& body) noexcept {
-  return body.locked != 0 || body.is_sensor ||
+  return body.locked != 0 || body.is_sensor || body.is_fast ||
          body.gravity_scale != decltype(body.gravity_scale)(1);
 }
 
@@ -88,7 +88,8 @@ constexpr void describe_make(D& out, const Body& body) noexcept {
           body.linear_damping, body.angular_damping);
   body.shape.visit([&]<class Shape>(const Shape& shape) { out.add(shape_tag<Shape>, shape); });
   if (has_more) {
-    out.add(static_cast<std::uint8_t>(body.locked | (body.is_sensor ? sensor_bit : 0)),
+    out.add(static_cast<std::uint8_t>(body.locked | (body.is_sensor ? sensor_bit : 0) |
+                                      (body.is_fast ? fast_bit : 0)),
             body.gravity_scale);
   }
 }
@@ -108,7 +109,8 @@ template <class Body>
          a.user == b.user && a.density == b.density && a.friction == b.friction &&
          a.restitution == b.restitution && a.linear_damping == b.linear_damping &&
          a.angular_damping == b.angular_damping && a.gravity_scale == b.gravity_scale &&
-         a.locked == b.locked && a.is_sensor == b.is_sensor && a.shape == b.shape;
+         a.locked == b.locked && a.is_sensor == b.is_sensor && a.is_fast == b.is_fast &&
+         a.shape == b.shape;
 }
 
 template <class D, class C>
@@ -238,7 +240,8 @@ template <Scalar S, int N, class... Shapes, class Assets>
     in.get(body.gravity_scale);
     body.locked = static_cast<std::uint8_t>(flags & (sensor_bit - 1u));
     body.is_sensor = (flags & sensor_bit) != 0;
-    if (flags >> 7 != 0 || !has_extras(body)) return Restored::corrupted;
+    body.is_fast = (flags & fast_bit) != 0;
+    if (!has_extras(body)) return Restored::corrupted;
   }
   const bool is_body = known && !in.has_failed() && motion >> 3 == 0 &&
                        (body.motion == BodyMotion::dynamic || body.motion == BodyMotion::kinematic);

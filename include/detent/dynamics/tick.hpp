@@ -5,8 +5,10 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
+#include "detent/dynamics/fast.hpp"
 #include "detent/dynamics/flight.hpp"
 #include "detent/dynamics/islands.hpp"
 #include "detent/dynamics/joint/group.hpp"
@@ -51,6 +53,7 @@ class Tick {
   constexpr void run(Bodies& bodies, Contacts& contacts, Joints& joints, const Pace<S, N>& pace,
                      int substeps, const S& margin) {
     place(bodies);
+    const bool has_fast = note_starts(bodies);
     group_.part(joints);
     find_pairs(bodies, margin);
     touch(bodies, contacts, pace.margin);
@@ -65,6 +68,7 @@ class Tick {
       bounce(ready, current_[ready.contact], moving_[ready.a], moving_[ready.b], pace.bounce);
     }
     finish(bodies, pace);
+    if (has_fast) stop_fast(bodies, margin);
     std::swap(contacts, current_);
   }
 
@@ -90,6 +94,71 @@ class Tick {
     }
   }
 
+  /// Notes where bodies are, if one of them is fast.
+  constexpr bool note_starts(const Bodies& bodies) {
+    starts_.clear();
+    bool has_fast = false;
+    for (std::size_t i = 0; i < bodies.size(); ++i) has_fast = has_fast || is_fast(bodies[i]);
+    if (!has_fast) return false;
+    for (std::size_t i = 0; i < supports_.size(); ++i) {
+      starts_.push_back({supports_[i].place, supports_[i].axes});
+    }
+    return true;
+  }
+  static constexpr bool is_fast(const Body& body) noexcept {
+    return body.is_fast && body.generation != 0 && body.can_move();
+  }
+
+  /// Stops fast bodies on their way through this tick, by others in the order of their ranks. What
+  /// comes last holds: fixed bodies.
+  constexpr void stop_fast(Bodies& bodies, const S& margin) {
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+      if (!is_fast(bodies[i])) continue;
+      for (int rank = 0; rank < 4; ++rank) {
+        for (std::uint32_t j = 0; j < bodies.size(); ++j) {
+          const Body& other = bodies[j];
+          if (j == i || other.generation == 0 || rank_of(other) != rank ||
+              is_sensed(bodies, i, j) || !meet(bodies[i], other) ||
+              group_.keeps_apart({(std::min)(i, j), (std::max)(i, j)})) {
+            continue;
+          }
+          stop(bodies[i], starts_[i], other, starts_[j], margin);
+        }
+      }
+    }
+  }
+  static constexpr int rank_of(const Body& body) noexcept {
+    if (body.motion == BodyMotion::fixed) return 3;
+    return body.motion == BodyMotion::kinematic ? 2 : is_fast(body) ? 0 : 1;
+  }
+  static constexpr void stop(Body& body, const Standing<S, N>& start, const Body& other,
+                             const Standing<S, N>& before, const S& margin) noexcept {
+    const auto after =
+        other.motion == BodyMotion::fixed
+            ? before
+            : Standing<S, N>{other.state.place, axes_of<S, N>(other.state.orientation)};
+    const auto from = seen_from(before, start.place), to = seen_from(after, body.state.place);
+    std::optional<Vec<typename F::Lever, N>> at;
+    body.shape.visit([&](const auto& mine) {
+      const auto radius = (max)(inner_radius(mine), S(0));
+      other.shape.visit([&](const auto& shape) {
+        at = stop_before(shape, other.reach, from, to, radius, margin);
+      });
+    });
+    if (!at) return;
+    const auto place = out_of(after, *at);
+    for (int k = 0; k < N; ++k) {
+      if (!is_locked(body.locked, k)) body.state.place[k] = place[k];
+    }
+    body.sleeps = false;
+    body.quiet = 0;
+  }
+
+  /// Whether two bodies are in layers that meet.
+  static constexpr bool meet(const Body& a, const Body& b) noexcept {
+    return (a.layers & b.collides_with) != 0 && (b.layers & a.collides_with) != 0;
+  }
+
   constexpr void find_pairs(const Bodies& bodies, const S& margin) {
     swept_.clear();
     pairs_.clear();
@@ -102,8 +171,7 @@ class Tick {
     if (swept_.size() == 0) return;
     sweep(&swept_[0], swept_.size(), [&](const BodyPair& pair) {
       const Body &a = bodies[pair.a], &b = bodies[pair.b];
-      const bool meet = (a.layers & b.collides_with) != 0 && (b.layers & a.collides_with) != 0;
-      if (meet && (a.can_move() || b.can_move()) && !group_.keeps_apart(pair) &&
+      if (meet(a, b) && (a.can_move() || b.can_move()) && !group_.keeps_apart(pair) &&
           pairs_.size() < pair_room) {
         pairs_.push_back(pair);
       }
@@ -359,6 +427,7 @@ class Tick {
   template <class T, std::size_t Room>
   using List = typename Storage::template List<T, Room>;
   List<Support<S, N>, bodies_room> supports_;
+  List<Standing<S, N>, bodies_room> starts_;  // empty without a fast body
   List<Moving<S, N>, bodies_room> moving_;
   List<Axes<S, N>, bodies_room> half_way_;  // the axes at the middle of the substep
   List<SweepEntry<S, N>, bodies_room> swept_;

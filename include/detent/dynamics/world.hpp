@@ -91,6 +91,7 @@ class BasicWorld {
     body.gravity_scale = options.gravity_scale;
     body.locked = options.locked;
     body.is_sensor = options.is_sensor;
+    body.is_fast = options.is_fast;
     body.density = options.density;
     body.friction = options.friction;
     body.restitution = options.restitution;

@@ -119,7 +119,7 @@ def add(world, n, words, num, points):
             shape = Shape(kind, n, radius=vector(1)[0], ends=[low, high])
     options = {key: int(value) if key in ("layers", "meets", "locked") else num(value)
                for key, value in DEFAULTS.items()}
-    options["sensor"] = False
+    options["sensor"] = options["fast"] = False
     options["velocity"], options["spin"], q = [0] * n, [0] * (1 if n == 2 else 3), no_rotation(n)
     frame = axes(q)
     while rest:
@@ -128,7 +128,7 @@ def add(world, n, words, num, points):
             options[key] = vector(len(options[key]))
         elif key in ("layers", "meets", "locked"):
             options[key] = int(rest.pop(0))
-        elif key == "sensor":
+        elif key in ("sensor", "fast"):
             options[key] = True
         elif key == "turned":
             q = unit([int(rest.pop(0)) for _ in range(len(q))])

@@ -222,6 +222,8 @@ class Stage {
         options.locked = static_cast<std::uint8_t>(bits);
       } else if (key == "sensor")
         options.is_sensor = true;
+      else if (key == "fast")
+        options.is_fast = true;
       else if (key == "layers")
         in >> options.layers;
       else if (key == "meets")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """docs/dynamics.md, "A tick": the steps 1 to 5 and 9."""
 import body as bodies
+import fast
 import solver
 from fixed import Formats, cross, dot, ratio
 from manifold import manifold
@@ -46,6 +47,7 @@ class World:
         b.kept_v = bodies.kept(options["damping"], self.rate, f.F)
         b.kept_w = bodies.kept(options["spin_damping"], self.rate, f.F)
         b.layers, b.meets = options["layers"], options["meets"]
+        b.is_fast = options["fast"]
         b.is_sensor, b.locked, locked = options["sensor"], options["locked"], options["locked"]
         b.locked_v = [locked >> k & 1 for k in range(self.n)]
         b.locked_w = [int(locked >> 3 != 0)] if self.n == 2 else [locked >> k & 1 for k in (3, 4, 5)]
@@ -121,9 +123,12 @@ class World:
         for b in self.bodies:
             self.find_axes(b)
         self.find_contacts(self.pairs())
+        starts = [(list(b.x), b.axes) for b in self.bodies]
+        self.joints_before = [j for j in self.joints if j]
         islands, active = self.islands()
         broken = solver.solve(self, self.coloured(active))
         self.rest(islands)
+        fast.stop_all(self, starts)
         for joint in broken:
             self.end(joint)
 

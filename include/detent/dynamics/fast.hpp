@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "detent/dynamics/local.hpp"
+#include "detent/dynamics/manifold/pair.hpp"
+
+// Continuous collision: a body that is marked as fast stops where its centre would come too close to
+// another body, or pass through it, within a tick.
+
+namespace detent::detail {
+
+/// The radius of a ball about the centre of a body that is within its shape; not positive for none.
+template <Scalar S, int N>
+[[nodiscard]] constexpr S inner_radius(const Sphere<S, N>& ball) noexcept {
+  return ball.radius;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr S inner_radius(const Capsule<S, N>& capsule) noexcept {
+  return capsule.radius;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr S inner_radius(const Obb<S, N>& box) noexcept {
+  S least = box.half_extents[0];
+  for (int i = 1; i < N; ++i) least = (min)(least, box.half_extents[i]);
+  return least;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr S inner_radius(const Aabb<S, N>& box) noexcept {
+  S least = box.max[0];
+  for (int i = 0; i < N; ++i) least = (min)(least, (min)(box.max[i], saturate_to<S>(-box.min[i])));
+  return least;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr S inner_radius(const BodyHull<S, N>& body) noexcept {
+  const auto hull = faces_of(body);
+  std::optional<S> least;
+  for (const auto& face : hull.faces) {
+    const auto height = dot(face.normal, hull.corner(face, 0));
+    const auto radius = saturate_to<S>(floor_to<S>(height));
+    if (!least || radius < *least) least = radius;
+  }
+  return least.value_or(S(0));
+}
+
+/// Where a body is at the start or the end of a tick.
+template <Scalar S, int N>
+struct Standing {
+  Vec<typename Formats<S>::Place, N> place{};
+  Axes<S, N> axes{};
+};
+
+/// A point of the world in the frame of a body: rounded as in a relative pose.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<typename Formats<S>::Lever, N> seen_from(
+    const Standing<S, N>& body, const Vec<typename Formats<S>::Place, N>& point) noexcept {
+  using Lever = typename Formats<S>::Lever;
+  const auto offset =
+      make_vec<N>([&](int i) { return saturate_to<Lever>(point[i] - body.place[i]); });
+  return make_vec<N>([&](int i) {
+    return nearest_to<Lever>(narrow_dot<62>(body.axes[static_cast<std::size_t>(i)], offset));
+  });
+}
+
+/// The point of the world that is at `p` in the frame of a body, each coordinate rounded once.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<typename Formats<S>::Place, N> out_of(
+    const Standing<S, N>& body, const Vec<typename Formats<S>::Lever, N>& p) noexcept {
+  return make_vec<N>([&](int k) {
+    const auto row = make_vec<N>([&](int i) { return body.axes[static_cast<std::size_t>(i)][k]; });
+    return nearest_to<typename Formats<S>::Place>(body.place[k] + dot(row, p));
+  });
+}
+
+/// Where a point that moves from `from` straight to `to` has to stop in the frame of `shape`, or
+/// nothing: it goes on. `radius` is that of a ball around the point.
+///
+/// The ball stops half a margin before the shape. Where it starts within a margin, its contact stops
+/// it, and the point may come half as close as it was; where the point starts in the shape, it is
+/// free. The distance from a convex shape is a convex function of the way, so that Newton's method
+/// never passes the distance that it aims at. After 16 steps the point stops where it is.
+///
+/// result: a point outside the shape                    (tests/dynamics/fast.test.cpp)
+template <class Shape, Scalar S, int N, class Lever = typename Formats<S>::Lever>
+[[nodiscard]] constexpr std::optional<Vec<Lever, N>> stop_before(
+    const Shape& shape, const BodyExtent<S, N>& extent, const Vec<Lever, N>& from,
+    const Vec<Lever, N>& to, const S& radius, const S& margin) noexcept {
+  using Gap = typename Formats<S>::Gap;
+  using Ratio = typename Formats<S>::Ratio;
+  const auto way = to - from;
+  const auto close = saturate_to<Gap>(radius + margin);
+  auto reach = close;
+  for (int i = 0; i < N; ++i) {
+    const auto edge = extent.half_extents[i] + (extent.radius + (radius + margin));
+    if ((min)(from[i], to[i]) > edge || (max)(from[i], to[i]) < -edge) return std::nullopt;
+    reach = saturate_to<Gap>(reach + abs(way[i]));
+  }
+  RelativePose<S, N> pose;
+  for (int i = 0; i < N; ++i) pose.axes[static_cast<std::size_t>(i)] = unit_axis<Ratio, N>(i);
+  pose.translation = from;
+  Gap aim{};
+  Ratio share{};
+  for (int step = 0; step < 16; ++step) {
+    const auto found = manifold(shape, Sphere<S, N>{}, pose, reach);
+    if (found.count == 0) return std::nullopt;
+    const auto distance = found.points[0].separation;
+    if (step == 0) {
+      if (distance <= 0) return std::nullopt;
+      aim = distance > close ? saturate_to<Gap>(radius + half(margin))
+                             : nearest_to<Gap>(half(distance));
+    }
+    const auto closing = -dot(found.normal, way);
+    if (closing <= 0) return std::nullopt;
+    const auto room = distance - aim;
+    if (room <= 0) break;
+    const auto next = share + quotient_floor<Ratio>(room, closing);
+    if (next >= Ratio(1)) return std::nullopt;
+    share = nearest_to<Ratio>(next);
+    pose.translation =
+        make_vec<N>([&](int i) { return nearest_to<Lever>(from[i] + way[i] * share); });
+  }
+  return pose.translation;
+}
+
+}  // namespace detent::detail

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+"""docs/dynamics.md, "A tick": step 10, fast bodies."""
+import body as bodies
+from fixed import ONE, dot
+from manifold import manifold
+
+
+def inner_radius(shape):
+    """In steps of the scalar."""
+    if shape.kind == "box":
+        return max(min(shape.reach), 0)
+    if shape.kind == "aligned":
+        return max(min(min(-x, y) for x, y in zip(shape.low, shape.high)), 0)
+    if shape.kind == "hull":
+        heights = [dot(face[0], shape.hull.points[face[1][0]]) for face in shape.hull.faces]
+        return max(min(heights) >> 36, 0)
+    return max(shape.radius_raw, 0)
+
+
+def seen(f, x, A, p):
+    d = [f.lever.near(y - z, f.F + 12) for y, z in zip(p, x)]
+    return [f.lever.near(dot(axis, d), f.F + 36) for axis in A]
+
+
+def stop_before(f, n, shape, start, end, r, margin):
+    """r and margin in steps of the scalar; all else in levers."""
+    delta = [y - x for x, y in zip(start, end)]
+    for p, q, h in zip(start, end, shape.reach):
+        e = 64 * (h + shape.radius_raw + r + margin)
+        if min(p, q) > e or max(p, q) < -e:
+            return None
+    close = f.gap.clamp(64 * (r + margin))
+    reach = close
+    for x in delta:
+        reach = f.gap.clamp(reach + abs(x))
+    point = bodies.Shape("ball", n, radius=0, ends=[[0] * n])
+    turn = [[ONE * (i == j) for j in range(n)] for i in range(n)]
+    p, t = start, 0
+    for step in range(16):
+        normal, points = manifold(shape, point, turn, p, reach)
+        if not points:
+            return None
+        d = points[0][1]
+        if step == 0:
+            if d <= 0:
+                return None
+            aim = f.gap.near(128 * r + 64 * margin, f.F + 7) if d > close else f.gap.near(d, f.F + 7)
+        closing = -dot(normal, delta)
+        if closing <= 0:
+            return None
+        if d <= aim:
+            break
+        t += ((d - aim) << 60) // closing
+        if t >= ONE:
+            return None
+        p = [f.lever.near((x << 30) + t * y, f.F + 36) for x, y in zip(start, delta)]
+    return p
+
+
+def rank_of(b):
+    if b.motion in ("fixed", "kinematic"):
+        return 3 if b.motion == "fixed" else 2
+    return 0 if b.is_fast and b.can_move else 1
+
+
+def stop_all(world, starts):
+    """starts: places and axes at the start of the tick."""
+    f, n = world.f, world.n
+    apart = {frozenset((j.a, j.b)) for j in world.joints_before if not j.numbers["collide"]}
+    for i, b in enumerate(world.bodies):
+        if not b.is_fast or not b.can_move:
+            continue
+        for rank in range(4):
+            for j, o in enumerate(world.bodies):
+                if (j == i or o.motion == "none" or rank_of(o) != rank or b.is_sensor or
+                        o.is_sensor or not (b.layers & o.meets and o.layers & b.meets) or
+                        frozenset((i, j)) in apart or o.shape.is_empty):
+                    continue
+                A = bodies.axes(o.q)
+                p = stop_before(f, n, o.shape, seen(f, *starts[j], starts[i][0]), seen(f, o.x, A, b.x),
+                                inner_radius(b.shape), world.margin_raw)
+                if p is None:
+                    continue
+                x = [f.place.near((y << 24) + sum(a[k] * z for a, z in zip(A, p)), f.F + 36)
+                     for k, y in enumerate(o.x)]
+                b.x = [old if no else new for old, new, no in zip(b.x, x, b.locked_v)]
+                b.sleeps, b.quiet = False, 0
