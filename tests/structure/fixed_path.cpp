@@ -274,6 +274,25 @@ std::size_t sketch(const Arena& arena, const ConvexHull<q16_16, 3>& hull,
   return paper.marks;
 }
 
+// What moving shapes touch: alone, and in the scene.
+std::size_t sweep_all(const Arena& arena, const Sphere<q16_16, 3>& sphere,
+                      const Aabb<q16_16, 3>& aabb, const Obb<q16_16, 3>& box,
+                      const Capsule<q16_16, 3>& capsule, const Triangle<q16_16, 3>& triangle,
+                      const Plane<q16_16, 3>& plane, const HeightField<q16_16>& field,
+                      const Direction<q16_16, 3>& ahead, q16_16 distance,
+                      std::span<ObjectHit<q16_16, 3>> hits) noexcept {
+  return (cast(sphere, ahead, distance, triangle) ? 1u : 0u) +
+         (cast(capsule, ahead, distance, box) ? 1u : 0u) +
+         (cast(aabb, ahead, distance, triangle) ? 1u : 0u) +
+         (cast(box, ahead, distance, plane) ? 1u : 0u) +
+         (cast(sphere, ahead, distance, field) ? 1u : 0u) +
+         arena.all_hits(Cast{sphere, ahead, distance}, hits);
+}
+bool sweep_flat(const Sphere<q8_8, 2>& sphere, const Aabb<q8_8, 2>& box,
+                const Direction<q8_8, 2>& ahead, q8_8 distance) noexcept {
+  return cast(sphere, ahead, distance, box) || cast(box, ahead, distance, box);
+}
+
 // When moving bodies meet, and the events of a scene.
 std::size_t collide(const Capsule<q16_16, 3>& capsule, const Obb<q16_16, 3>& box,
                     const ConvexHull<q16_16, 3>& hull, const Plane<q16_16, 3>& plane,
