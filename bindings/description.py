@@ -2,8 +2,8 @@
 """The types and functions of the C interface, read from bindings/detent.h.in.
 
 The file is C99 but for lines that begin with @: text between @each and @end stands once for each
-dimension, where {N} is the dimension, {x} the coordinates and {A} how many numbers an angular velocity
-has; @generated and @layouts are written by `generate`.
+dimension, where {N} is the dimension, {x} the coordinates, {A} how many numbers an angular velocity
+has and {C} how many points a contact has; @generated and @layouts are written by `generate`.
 """
 import re
 from dataclasses import dataclass, field
@@ -57,8 +57,9 @@ def expand(text):
     """The description with both dimensions written out."""
     def both(match):
         parts = []
-        for n, x, a in ((2, 'x, y', 1), (3, 'x, y, z', 3)):
-            parts.append(match[1].replace('{N}', str(n)).replace('{x}', x).replace('{A}', str(a)))
+        for n, x, a, c in ((2, 'x, y', 1, 2), (3, 'x, y, z', 3, 4)):
+            parts.append(match[1].replace('{N}', str(n)).replace('{x}', x).replace('{A}', str(a))
+                         .replace('{C}', str(c)))
         return ''.join(parts)
     return re.sub(r'@each\n(.*?)@end\n', both, text, flags=re.S)
 

@@ -3,7 +3,10 @@
 import re
 
 GROUPS = (('scene', 'scenes', 'Scenes'), ('world', 'worlds', 'Worlds'), ('body', 'worlds', 'Worlds'),
-          ('hull', 'scenes', 'Hulls'), ('', 'queries', 'Queries'))
+          ('joint', 'worlds', 'Worlds'), ('hull', 'scenes', 'Hulls'), ('solid', 'worlds', 'Solids'))
+# Single functions that have a source for a few of them.
+OTHERS = {'contact': ('pairs', 'Pairs'), 'closest_points': ('closest', 'Closest'),
+          'time_of_impact': ('pairs', 'Pairs'), 'cast': ('casts', 'Casts')}
 
 
 def files(description, note):
@@ -13,11 +16,11 @@ def files(description, note):
         if not parts:
             continue  # written by hand in context.cpp and assets.cpp
         for prefix, header, room in GROUPS:
-            if parts[1] == prefix and prefix:
+            if parts[1] == prefix:
                 called = parts[3]
                 break
         else:
-            header, room = 'queries', 'Queries'
+            header, room = OTHERS.get(parts[1], ('queries', 'Queries'))
             called = '_'.join(filter(None, (parts[1], parts[3])))
         name = f'src/c/exports/{header}_{parts[2]}d.cpp'
         lines = sources.setdefault(name, [

@@ -43,7 +43,7 @@ class Caller {
     if (source_.below(8) != 7) {
       for (const std::size_t which : {0, 13, 2, 33, 13, 33, 4}) check(call(which));
     }
-    while (!source_.rest().empty()) check(call(source_.below(44)));
+    while (!source_.rest().empty()) check(call(source_.below(57)));
     std::uint32_t count = 0;
     check(detent_count(&context_, &count));
     require(detent_close(&context_) == DETENT_OK, [] { return "it does not close"; });
@@ -120,6 +120,7 @@ class Caller {
     detent_shape3 shape{};
     shape.kind = static_cast<std::uint32_t>(source_.below(13));
     shape.asset = handle(shape.kind == DETENT_MESH ? 5 : shape.kind == DETENT_HULL ? 7 : 8);
+    if (shape.kind == DETENT_HULL && source_.below(2) == 1) shape.asset = handle(10);
     switch (shape.kind) {
       case DETENT_OBB:
         shape.as.obb = {vec3(), vec3(), rotation3()};
@@ -129,7 +130,7 @@ class Caller {
         break;
       case DETENT_HULL:
       case DETENT_MESH:
-        shape.as.placed = {vec3(), rotation3(), number()};
+        shape.as.placed = {vec3(), rotation3(), source_.below(2) == 0 ? 65536 : number()};
         break;
       default:
         shape.as.triangle = {vec3(), vec3(), vec3()};
@@ -168,7 +169,25 @@ class Caller {
   detent_traits traits() {
     const std::uint64_t user = source_.byte();
     const std::uint32_t layers = source_.byte();
-    return {user, layers, static_cast<std::uint32_t>(source_.below(3))};
+    const auto motion = static_cast<std::uint32_t>(source_.below(3));
+    return {user, layers, motion, source_.below(4) == 3 ? id() : detent_id{}};
+  }
+  detent_joint3 joint3() {
+    detent_joint3 joint{};
+    detent_joint3_defaults(static_cast<std::uint32_t>(source_.below(8)), &joint);
+    joint.a = id();
+    joint.b = id();
+    joint.anchor_a = vec3();
+    joint.anchor_b = vec3();
+    if (source_.below(8) == 7) joint.frame_a = rotation3();
+    joint.collide = static_cast<std::uint32_t>(source_.below(16)) / 5;
+    joint.has_limits = static_cast<std::uint32_t>(source_.below(2));
+    for (auto* field :
+         {&joint.break_force, &joint.lower, &joint.upper, &joint.motor_speed, &joint.motor_force,
+          &joint.length, &joint.frequency, &joint.damping_ratio}) {
+      if (source_.below(4) == 3) *field = number();
+    }
+    return joint;
   }
   /// The pointer, or now and then null.
   template <class T>
@@ -417,6 +436,91 @@ class Caller {
       case 42:
         save(detent_world3_snapshot, context, 4);
         return detent_world3_digest_of(context, handle(4), id(), or_null(&digest));
+      case 43: {
+        const auto a = shape3(), b = shape3();
+        detent_manifold3 contact{};
+        return detent_contact3(or_null(&a), or_null(&b), or_null(&contact));
+      }
+      case 44: {
+        const auto a = shape3(), b = shape3();
+        detent_vec3 one{}, other{};
+        return detent_closest_points3(or_null(&a), or_null(&b), or_null(&one), or_null(&other));
+      }
+      case 45: {
+        const auto a = shape3(), b = shape3();
+        const auto along = direction3();
+        const auto length = number();
+        detent_hit3 hit{};
+        return detent_cast3(or_null(&a), or_null(&along), length, or_null(&b), or_null(&hit));
+      }
+      case 46: {
+        const auto a = shape3(), b = shape3();
+        const detent_sweep3 sweep_a{vec3(), vec3(), rotation3(), rotation3()};
+        const detent_sweep3 sweep_b{vec3(), vec3(), rotation3(), rotation3()};
+        detent_impact impact{};
+        return detent_time_of_impact3(or_null(&a), or_null(&sweep_a), or_null(&b),
+                                      or_null(&sweep_b), number(), or_null(&impact));
+      }
+      case 47:
+      case 48: {
+        const auto joint = joint3();
+        const auto world = handle(4);
+        return add([&](auto* out) {
+          return detent_world3_add_joint(context, world, or_null(&joint), out);
+        });
+      }
+      case 49: {
+        const auto joint = joint3();
+        const auto world = handle(4);
+        return detent_world3_change_joint(context, world, id(), or_null(&joint));
+      }
+      case 50: {
+        detent_joint3 joint{};
+        const auto world = handle(4);
+        check(detent_world3_joint(context, world, id(), or_null(&joint)));
+        check(detent_world3_joint_count(context, world, or_null(&count)));
+        return detent_world3_remove_joint(context, world, id());
+      }
+      case 51: {
+        const auto world = handle(4);
+        return ask<detent_id>([&](auto* joints, auto* number_of) {
+          return detent_world3_broken(context, world, joints, room, number_of);
+        });
+      }
+      case 52: {
+        const auto point = vec3();
+        const auto frame = rotation3();
+        detent_vec3 local{};
+        detent_rotation3 axes{};
+        const auto world = handle(4);
+        check(detent_world3_local_point(context, world, id(), or_null(&point), or_null(&local)));
+        return detent_world3_local_frame(context, world, id(), or_null(&frame), or_null(&axes));
+      }
+      case 53: {
+        const detent_vec3 points[4] = {vec3(), vec3(), vec3(), vec3()};
+        const auto name = static_cast<std::uint32_t>(source_.below(4));
+        const auto size = static_cast<std::uint32_t>(source_.below(5));
+        return create([&](auto* out) {
+          return detent_solid3_create(context, name, or_null(points), size, out);
+        });
+      }
+      case 54: {
+        const detent_transform3 transform{vec3(), rotation3(), number()};
+        const auto scene = handle(2);
+        const auto parent = source_.below(2) == 0 ? detent_id{} : id();
+        return add([&](auto* out) {
+          return detent_scene3_add_frame(context, scene, or_null(&transform), parent, out);
+        });
+      }
+      case 55: {
+        const detent_transform3 transform{vec3(), rotation3(), number()};
+        detent_transform3 local{}, placed{};
+        const auto scene = handle(2);
+        const auto frame = id();
+        check(detent_scene3_move_frame(context, scene, frame, or_null(&transform)));
+        check(detent_scene3_frame(context, scene, frame, or_null(&local), or_null(&placed)));
+        return detent_scene3_remove_frame(context, scene, frame);
+      }
       default:
         check(detent_world3_size(context, handle(4), or_null(&count)));
         return detent_world3_restore(context, handle(4), or_null(saved()), saved_size_);

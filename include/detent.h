@@ -61,7 +61,7 @@ enum {
   DETENT_CAPSULE = 6,
   DETENT_SEGMENT = 7,     /**< in queries only: not an object of scenes */
   DETENT_POINT = 8,       /**< in queries of scenes only */
-  DETENT_HULL = 9,        /**< in scenes only: a hull asset, transformed by `placed` */
+  DETENT_HULL = 9,        /**< in scenes: a hull, transformed by `placed`; in worlds a solid hull */
   DETENT_MESH = 10,       /**< in scenes only, in 3D */
   DETENT_HEIGHT_FIELD = 11 /**< in scenes only, in 3D: moved by `point`, not turned */
 };
@@ -71,6 +71,16 @@ enum { DETENT_MOVING = 0, DETENT_FIXED = 1 };
 
 /** How a body moves: by forces and contacts; by its velocity alone; or never. */
 enum { DETENT_DYNAMIC_BODY = 0, DETENT_KINEMATIC_BODY = 1, DETENT_FIXED_BODY = 2 };
+
+/** The kind of a joint: what it keeps. */
+enum {
+  DETENT_DISTANCE_JOINT = 1, /**< the distance of two points between `lower` and `upper`; a spring */
+  DETENT_BALL_JOINT = 2,     /**< two points together; soft with a frequency */
+  DETENT_HINGE_JOINT = 3,    /**< two points, in 3D also axis 2 of both frames; limits, a motor */
+  DETENT_WELD_JOINT = 4,     /**< two points and two frames together */
+  DETENT_SLIDER_JOINT = 5,   /**< two frames, and the point of b on axis 0; limits, a motor, a spring */
+  DETENT_WHEEL_JOINT = 6     /**< the point of b on axis 0; a spring, limits, a motor that turns */
+};
 
 /** The axes of the world that a body does not move along or turn about. In 2D each of the last three
  *  stops it from turning. */
@@ -115,11 +125,21 @@ typedef struct detent_found {
   detent_id id;
 } detent_found;
 
+/** When two moving shapes meet. They are apart before `time`, in steps of 2^-30, and at most
+ *  `distance` apart at it. If `is_hit` is 0, the search ended early, and whether they meet later is not
+ *  known. */
+typedef struct detent_impact {
+  int32_t time;
+  int32_t distance;
+  uint32_t is_hit;
+} detent_impact;
+
 /** What a scene stores with an object. */
 typedef struct detent_traits {
   uint64_t user;    /**< any word; saved, never read */
   uint32_t layers;  /**< any bits; queries name those that they look at */
   uint32_t motion;  /**< DETENT_MOVING or DETENT_FIXED */
+  detent_id frame;  /**< the frame that a moving object's shape is in; {0, 0}: the world */
 } detent_traits;
 
 /** Where a context takes memory from. `allocate` returns memory for `size` bytes aligned for any
@@ -237,6 +257,34 @@ typedef struct detent_hit2 {
   detent_direction2 normal;
 } detent_hit2;
 
+/** One point of a contact, on the surface of the first shape, and how deep the second shape is there:
+ *  its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and
+ *  stays the same while they do. */
+typedef struct detent_contact_point2 {
+  detent_vec2 point;
+  int32_t depth;
+  uint32_t feature;
+} detent_contact_point2;
+
+/** How two shapes a and b that overlap are separated by the least translation: b moves by `depth`,
+ *  rounded up, along `normal`, which points from a to b. The first `count` points are set, the others
+ *  zeros. */
+typedef struct detent_manifold2 {
+  detent_direction2 normal;
+  int32_t depth;
+  uint32_t count;
+  detent_contact_point2 points[2];
+} detent_manifold2;
+
+/** The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly,
+ *  and it turns about one axis by at most half a turn. */
+typedef struct detent_sweep2 {
+  detent_vec2 start;
+  detent_vec2 end;
+  detent_rotation2 start_rotation;
+  detent_rotation2 end_rotation;
+} detent_sweep2;
+
 /** Where a ray first touches an object; in a mesh or height field also the index of the triangle. */
 typedef struct detent_object_hit2 {
   int32_t distance;
@@ -276,6 +324,29 @@ typedef struct detent_body2_options {
   uint32_t is_sensor;    /**< 1: touches are reported, and push nobody */
   uint32_t reserved[2]; /**< not read; no compiler has to add bytes of its own */
 } detent_body2_options;
+
+/** A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those
+ *  of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a
+ *  field ignores it. */
+typedef struct detent_joint2 {
+  uint32_t kind;
+  detent_id a;
+  detent_id b;
+  detent_vec2 anchor_a;       /**< less than 512 units from the centre */
+  detent_vec2 anchor_b;
+  detent_rotation2 frame_a;   /**< hinge, weld, slider, wheel */
+  detent_rotation2 frame_b;
+  uint32_t collide;             /**< 1: a and b may touch each other */
+  int32_t break_force;          /**< a greater force ends the joint; 0: none does */
+  uint32_t has_limits;          /**< hinge, slider, wheel: 1 or 0; distances always have them */
+  int32_t lower;                /**< an angle of hinges, a length of the others */
+  int32_t upper;
+  int32_t motor_speed;          /**< hinge, slider, wheel */
+  int32_t motor_force;          /**< the most of it; of hinges and wheels a torque; of balls no motor */
+  int32_t length;               /**< of the spring: distance, slider, wheel */
+  int32_t frequency;            /**< of the spring, per second; 0: none. Distance, ball, slider, wheel */
+  int32_t damping_ratio;        /**< 65536: critical */
+} detent_joint2;
 
 /** Where a body is and how it moves, rounded to nearest. */
 typedef struct detent_body2 {
@@ -385,6 +456,34 @@ typedef struct detent_hit3 {
   detent_direction3 normal;
 } detent_hit3;
 
+/** One point of a contact, on the surface of the first shape, and how deep the second shape is there:
+ *  its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and
+ *  stays the same while they do. */
+typedef struct detent_contact_point3 {
+  detent_vec3 point;
+  int32_t depth;
+  uint32_t feature;
+} detent_contact_point3;
+
+/** How two shapes a and b that overlap are separated by the least translation: b moves by `depth`,
+ *  rounded up, along `normal`, which points from a to b. The first `count` points are set, the others
+ *  zeros. */
+typedef struct detent_manifold3 {
+  detent_direction3 normal;
+  int32_t depth;
+  uint32_t count;
+  detent_contact_point3 points[4];
+} detent_manifold3;
+
+/** The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly,
+ *  and it turns about one axis by at most half a turn. */
+typedef struct detent_sweep3 {
+  detent_vec3 start;
+  detent_vec3 end;
+  detent_rotation3 start_rotation;
+  detent_rotation3 end_rotation;
+} detent_sweep3;
+
 /** Where a ray first touches an object; in a mesh or height field also the index of the triangle. */
 typedef struct detent_object_hit3 {
   int32_t distance;
@@ -424,6 +523,29 @@ typedef struct detent_body3_options {
   uint32_t is_sensor;    /**< 1: touches are reported, and push nobody */
   uint32_t reserved[3]; /**< not read; no compiler has to add bytes of its own */
 } detent_body3_options;
+
+/** A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those
+ *  of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a
+ *  field ignores it. */
+typedef struct detent_joint3 {
+  uint32_t kind;
+  detent_id a;
+  detent_id b;
+  detent_vec3 anchor_a;       /**< less than 512 units from the centre */
+  detent_vec3 anchor_b;
+  detent_rotation3 frame_a;   /**< hinge, weld, slider, wheel */
+  detent_rotation3 frame_b;
+  uint32_t collide;             /**< 1: a and b may touch each other */
+  int32_t break_force;          /**< a greater force ends the joint; 0: none does */
+  uint32_t has_limits;          /**< hinge, slider, wheel: 1 or 0; distances always have them */
+  int32_t lower;                /**< an angle of hinges, a length of the others */
+  int32_t upper;
+  int32_t motor_speed;          /**< hinge, slider, wheel */
+  int32_t motor_force;          /**< the most of it; of hinges and wheels a torque; of balls no motor */
+  int32_t length;               /**< of the spring: distance, slider, wheel */
+  int32_t frequency;            /**< of the spring, per second; 0: none. Distance, ball, slider, wheel */
+  int32_t damping_ratio;        /**< 65536: critical */
+} detent_joint3;
 
 /** Where a body is and how it moves, rounded to nearest. */
 typedef struct detent_body3 {
@@ -504,10 +626,47 @@ DETENT_API detent_status detent_distance_to_point2(const detent_shape2* shape,
 DETENT_API detent_status detent_distance2(const detent_shape2* a, const detent_shape2* b,
                                             int32_t* distance);
 
+/** How two shapes that overlap are separated; touching counts. DETENT_NO if they do not. `contact` may
+ *  be null. For the kinds from DETENT_SPHERE to DETENT_SEGMENT, but two planes. */
+DETENT_API detent_status detent_contact2(const detent_shape2* a, const detent_shape2* b,
+                                           detent_manifold2* contact);
+
+/** The point of a closest to b and that of b closest to a, each coordinate rounded to nearest: the same
+ *  point twice where they meet. Of several pairs it is the one whose point of a has the least x, then y,
+ *  then z. The origin twice if a shape is empty. For the kinds from DETENT_SPHERE to DETENT_SEGMENT. */
+DETENT_API detent_status detent_closest_points2(const detent_shape2* a,
+                                                  const detent_shape2* b,
+                                                  detent_vec2* point_a,
+                                                  detent_vec2* point_b);
+
+/** Where `shape`, moving along `direction` by at most `max_distance`, first touches `target`: how far it
+ *  has moved, rounded down, the point of the target and the normal there, which faces the shape.
+ *  DETENT_NO if it touches nothing. Distance 0 if they share a point at the start. `hit` may be null.
+ *  For the kinds from DETENT_SPHERE to DETENT_SEGMENT, but planes do not move. */
+DETENT_API detent_status detent_cast2(const detent_shape2* shape,
+                                        const detent_direction2* direction, int32_t max_distance,
+                                        const detent_shape2* target, detent_hit2* hit);
+
+/** When two shapes, each given in the frame that its sweep moves, are first closer than `target` (a
+ *  length; 8 is usual), rounded down. DETENT_NO if they stay apart. `sweep_b` may be null: b does not
+ *  move; a plane must not. `impact` may be null. For the kinds from DETENT_SPHERE to DETENT_CAPSULE. */
+DETENT_API detent_status detent_time_of_impact2(const detent_shape2* a,
+                                                  const detent_sweep2* sweep_a,
+                                                  const detent_shape2* b,
+                                                  const detent_sweep2* sweep_b, int32_t target,
+                                                  detent_impact* impact);
+
 /** A convex hull of at most 64 points, in any order. Copies them. `id` as for meshes. */
 DETENT_API detent_status detent_hull2_create(detent_context* context, uint32_t id,
                                                const detent_vec2* points, uint32_t count,
                                                detent_handle* hull);
+
+/** A convex hull of at most 32 points with a volume, for bodies of worlds; its centre of mass is the
+ *  place of such a body. At most 64 a context. DETENT_BAD_ARGUMENT without a volume. Copies the points.
+ *  `id` as for meshes. */
+DETENT_API detent_status detent_solid2_create(detent_context* context, uint32_t id,
+                                                const detent_vec2* points, uint32_t count,
+                                                detent_handle* solid);
 
 /** An empty scene, for all kinds of shape but segments and points. */
 DETENT_API detent_status detent_scene2_create(detent_context* context, detent_handle* scene);
@@ -515,7 +674,8 @@ DETENT_API detent_status detent_scene2_create(detent_context* context, detent_ha
 /** Destroys a scene. */
 DETENT_API detent_status detent_scene2_destroy(detent_context* context, detent_handle scene);
 
-/** Adds an object. `traits` may be null: layer 1, user 0, moving. DETENT_FULL beyond 1,048,576 objects. */
+/** Adds an object. `traits` may be null: layer 1, user 0, moving, in no frame. DETENT_FULL beyond 1,048,576
+ *  objects, DETENT_NO if the frame does not exist, DETENT_BAD_ARGUMENT for a fixed object in a frame. */
 DETENT_API detent_status detent_scene2_add(detent_context* context, detent_handle scene,
                                              const detent_shape2* shape,
                                              const detent_traits* traits, detent_id* id);
@@ -530,7 +690,7 @@ DETENT_API detent_status detent_scene2_add_as(detent_context* context, detent_ha
 DETENT_API detent_status detent_scene2_remove(detent_context* context, detent_handle scene,
                                                 detent_id id);
 
-/** Replaces the shape of an object. DETENT_NO if there is none with this id. */
+/** Replaces the shape of an object, in its frame if it has one. DETENT_NO if there is none with this id. */
 DETENT_API detent_status detent_scene2_replace(detent_context* context, detent_handle scene,
                                                  detent_id id, const detent_shape2* shape);
 
@@ -538,7 +698,7 @@ DETENT_API detent_status detent_scene2_replace(detent_context* context, detent_h
 DETENT_API detent_status detent_scene2_move(detent_context* context, detent_handle scene,
                                               detent_id id, const detent_vec2* by);
 
-/** The shape of an object, and what is stored with it. Both may be null. DETENT_NO if there is none
+/** The shape of an object in the world, and what is stored with it. Both may be null. DETENT_NO if there is none
  *  with this id. */
 DETENT_API detent_status detent_scene2_object(const detent_context* context, detent_handle scene,
                                                 detent_id id, detent_shape2* shape,
@@ -547,6 +707,27 @@ DETENT_API detent_status detent_scene2_object(const detent_context* context, det
 /** Sets layers and user word of an object; its motion cannot change, and is ignored. */
 DETENT_API detent_status detent_scene2_set_traits(detent_context* context, detent_handle scene,
                                                     detent_id id, const detent_traits* traits);
+
+/** Adds a frame that objects can be in, inside `parent`; {0, 0}: the world. DETENT_NO if there is no such
+ *  parent, DETENT_FULL if there is no room. */
+DETENT_API detent_status detent_scene2_add_frame(detent_context* context, detent_handle scene,
+                                                   const detent_transform2* transform,
+                                                   detent_id parent, detent_id* frame);
+
+/** Moves a frame in its parent, and everything in it. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_scene2_move_frame(detent_context* context, detent_handle scene,
+                                                    detent_id frame,
+                                                    const detent_transform2* transform);
+
+/** Removes a frame. DETENT_NO if there is none with this id, or if anything is in it. */
+DETENT_API detent_status detent_scene2_remove_frame(detent_context* context, detent_handle scene,
+                                                      detent_id frame);
+
+/** The transforms of a frame to its parent and to the world. Both may be null. DETENT_NO if there is
+ *  none with this id. */
+DETENT_API detent_status detent_scene2_frame(const detent_context* context, detent_handle scene,
+                                               detent_id frame, detent_transform2* local,
+                                               detent_transform2* world);
 
 /** How many objects the scene has. */
 DETENT_API detent_status detent_scene2_size(const detent_context* context, detent_handle scene,
@@ -631,7 +812,8 @@ DETENT_API detent_status detent_world2_create(detent_context* context,
 /** Destroys a world. */
 DETENT_API detent_status detent_world2_destroy(detent_context* context, detent_handle world);
 
-/** Adds a body: a sphere, AABB, OBB or capsule. `options` may be null: the ordinary ones. */
+/** Adds a body: a sphere, AABB, OBB, capsule or solid hull, whose `placed` must have the scale 65536.
+ *  `options` may be null: the ordinary ones. */
 DETENT_API detent_status detent_world2_add(detent_context* context, detent_handle world,
                                              const detent_shape2* shape,
                                              const detent_body2_options* options, detent_id* id);
@@ -678,6 +860,51 @@ DETENT_API detent_status detent_world2_apply_force(detent_context* context, dete
 DETENT_API detent_status detent_world2_apply_torque(detent_context* context, detent_handle world,
                                                       detent_id id, const int32_t* torque);
 
+/** A joint of a kind with all its fields as they are if you do not know better: bodies {0, 0}, anchors at
+ *  the centres, no limits, motor or spring; a distance between 0 and 1. */
+DETENT_API detent_status detent_joint2_defaults(uint32_t kind, detent_joint2* joint);
+
+/** Adds a joint and wakes its bodies. DETENT_NO if one of them does not exist or both are the same,
+ *  DETENT_FULL without room, DETENT_BAD_ARGUMENT for negative forces, frequencies or ratios. */
+DETENT_API detent_status detent_world2_add_joint(detent_context* context, detent_handle world,
+                                                   const detent_joint2* joint, detent_id* id);
+
+/** Makes a joint another one of the same kind, such as one with another motor, and wakes its bodies; it
+ *  keeps its impulses. DETENT_NO if there is none of this kind with this id, or not both bodies. */
+DETENT_API detent_status detent_world2_change_joint(detent_context* context, detent_handle world,
+                                                      detent_id id, const detent_joint2* joint);
+
+/** Removes a joint and wakes its bodies. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_world2_remove_joint(detent_context* context, detent_handle world,
+                                                      detent_id id);
+
+/** A joint as it was added or last changed. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_world2_joint(const detent_context* context, detent_handle world,
+                                               detent_id id, detent_joint2* joint);
+
+/** How many joints the world has. */
+DETENT_API detent_status detent_world2_joint_count(const detent_context* context,
+                                                     detent_handle world, uint32_t* count);
+
+/** The joints that broke in the last step, which are removed, by index. Writes the first `room` of them
+ *  and their whole number to `count`. */
+DETENT_API detent_status detent_world2_broken(const detent_context* context, detent_handle world,
+                                                detent_id* joints, uint32_t room, uint32_t* count);
+
+/** A point of the world in the frame of a body, rounded to nearest: an anchor of a joint. DETENT_NO if
+ *  there is none with this id. */
+DETENT_API detent_status detent_world2_local_point(const detent_context* context,
+                                                     detent_handle world, detent_id id,
+                                                     const detent_vec2* point,
+                                                     detent_vec2* local);
+
+/** Axes of the world in the frame of a body, rounded to nearest: a frame of a joint. DETENT_NO if there
+ *  is none with this id. */
+DETENT_API detent_status detent_world2_local_frame(const detent_context* context,
+                                                     detent_handle world, detent_id id,
+                                                     const detent_rotation2* frame,
+                                                     detent_rotation2* local);
+
 /** How many bodies the world has. */
 DETENT_API detent_status detent_world2_size(const detent_context* context, detent_handle world,
                                               uint32_t* size);
@@ -688,7 +915,7 @@ DETENT_API detent_status detent_world2_events(const detent_context* context, det
                                                 detent_touch* events, uint32_t room,
                                                 uint32_t* count);
 
-/** 64 bits of all bodies that are not fixed, and their contacts. */
+/** 64 bits of all bodies that are not fixed, their contacts and joints. */
 DETENT_API detent_status detent_world2_digest(const detent_context* context, detent_handle world,
                                                 uint64_t* digest);
 
@@ -703,7 +930,8 @@ DETENT_API detent_status detent_world2_snapshot(const detent_context* context,
                                                   detent_handle world, void* bytes, uint32_t room,
                                                   uint32_t* size);
 
-/** Makes the world the one of a snapshot taken with the same settings and fixed bodies. Any bytes are
+/** Makes the world the one of a snapshot taken with the same settings and fixed bodies, whose solid hulls
+ *  the context has. Any bytes are
  *  safe; on an error the world is unchanged. */
 DETENT_API detent_status detent_world2_restore(detent_context* context, detent_handle world,
                                                  const void* bytes, uint32_t size);
@@ -738,10 +966,47 @@ DETENT_API detent_status detent_distance_to_point3(const detent_shape3* shape,
 DETENT_API detent_status detent_distance3(const detent_shape3* a, const detent_shape3* b,
                                             int32_t* distance);
 
+/** How two shapes that overlap are separated; touching counts. DETENT_NO if they do not. `contact` may
+ *  be null. For the kinds from DETENT_SPHERE to DETENT_SEGMENT, but two planes. */
+DETENT_API detent_status detent_contact3(const detent_shape3* a, const detent_shape3* b,
+                                           detent_manifold3* contact);
+
+/** The point of a closest to b and that of b closest to a, each coordinate rounded to nearest: the same
+ *  point twice where they meet. Of several pairs it is the one whose point of a has the least x, then y,
+ *  then z. The origin twice if a shape is empty. For the kinds from DETENT_SPHERE to DETENT_SEGMENT. */
+DETENT_API detent_status detent_closest_points3(const detent_shape3* a,
+                                                  const detent_shape3* b,
+                                                  detent_vec3* point_a,
+                                                  detent_vec3* point_b);
+
+/** Where `shape`, moving along `direction` by at most `max_distance`, first touches `target`: how far it
+ *  has moved, rounded down, the point of the target and the normal there, which faces the shape.
+ *  DETENT_NO if it touches nothing. Distance 0 if they share a point at the start. `hit` may be null.
+ *  For the kinds from DETENT_SPHERE to DETENT_SEGMENT, but planes do not move. */
+DETENT_API detent_status detent_cast3(const detent_shape3* shape,
+                                        const detent_direction3* direction, int32_t max_distance,
+                                        const detent_shape3* target, detent_hit3* hit);
+
+/** When two shapes, each given in the frame that its sweep moves, are first closer than `target` (a
+ *  length; 8 is usual), rounded down. DETENT_NO if they stay apart. `sweep_b` may be null: b does not
+ *  move; a plane must not. `impact` may be null. For the kinds from DETENT_SPHERE to DETENT_CAPSULE. */
+DETENT_API detent_status detent_time_of_impact3(const detent_shape3* a,
+                                                  const detent_sweep3* sweep_a,
+                                                  const detent_shape3* b,
+                                                  const detent_sweep3* sweep_b, int32_t target,
+                                                  detent_impact* impact);
+
 /** A convex hull of at most 64 points, in any order. Copies them. `id` as for meshes. */
 DETENT_API detent_status detent_hull3_create(detent_context* context, uint32_t id,
                                                const detent_vec3* points, uint32_t count,
                                                detent_handle* hull);
+
+/** A convex hull of at most 32 points with a volume, for bodies of worlds; its centre of mass is the
+ *  place of such a body. At most 64 a context. DETENT_BAD_ARGUMENT without a volume. Copies the points.
+ *  `id` as for meshes. */
+DETENT_API detent_status detent_solid3_create(detent_context* context, uint32_t id,
+                                                const detent_vec3* points, uint32_t count,
+                                                detent_handle* solid);
 
 /** An empty scene, for all kinds of shape but segments and points. */
 DETENT_API detent_status detent_scene3_create(detent_context* context, detent_handle* scene);
@@ -749,7 +1014,8 @@ DETENT_API detent_status detent_scene3_create(detent_context* context, detent_ha
 /** Destroys a scene. */
 DETENT_API detent_status detent_scene3_destroy(detent_context* context, detent_handle scene);
 
-/** Adds an object. `traits` may be null: layer 1, user 0, moving. DETENT_FULL beyond 1,048,576 objects. */
+/** Adds an object. `traits` may be null: layer 1, user 0, moving, in no frame. DETENT_FULL beyond 1,048,576
+ *  objects, DETENT_NO if the frame does not exist, DETENT_BAD_ARGUMENT for a fixed object in a frame. */
 DETENT_API detent_status detent_scene3_add(detent_context* context, detent_handle scene,
                                              const detent_shape3* shape,
                                              const detent_traits* traits, detent_id* id);
@@ -764,7 +1030,7 @@ DETENT_API detent_status detent_scene3_add_as(detent_context* context, detent_ha
 DETENT_API detent_status detent_scene3_remove(detent_context* context, detent_handle scene,
                                                 detent_id id);
 
-/** Replaces the shape of an object. DETENT_NO if there is none with this id. */
+/** Replaces the shape of an object, in its frame if it has one. DETENT_NO if there is none with this id. */
 DETENT_API detent_status detent_scene3_replace(detent_context* context, detent_handle scene,
                                                  detent_id id, const detent_shape3* shape);
 
@@ -772,7 +1038,7 @@ DETENT_API detent_status detent_scene3_replace(detent_context* context, detent_h
 DETENT_API detent_status detent_scene3_move(detent_context* context, detent_handle scene,
                                               detent_id id, const detent_vec3* by);
 
-/** The shape of an object, and what is stored with it. Both may be null. DETENT_NO if there is none
+/** The shape of an object in the world, and what is stored with it. Both may be null. DETENT_NO if there is none
  *  with this id. */
 DETENT_API detent_status detent_scene3_object(const detent_context* context, detent_handle scene,
                                                 detent_id id, detent_shape3* shape,
@@ -781,6 +1047,27 @@ DETENT_API detent_status detent_scene3_object(const detent_context* context, det
 /** Sets layers and user word of an object; its motion cannot change, and is ignored. */
 DETENT_API detent_status detent_scene3_set_traits(detent_context* context, detent_handle scene,
                                                     detent_id id, const detent_traits* traits);
+
+/** Adds a frame that objects can be in, inside `parent`; {0, 0}: the world. DETENT_NO if there is no such
+ *  parent, DETENT_FULL if there is no room. */
+DETENT_API detent_status detent_scene3_add_frame(detent_context* context, detent_handle scene,
+                                                   const detent_transform3* transform,
+                                                   detent_id parent, detent_id* frame);
+
+/** Moves a frame in its parent, and everything in it. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_scene3_move_frame(detent_context* context, detent_handle scene,
+                                                    detent_id frame,
+                                                    const detent_transform3* transform);
+
+/** Removes a frame. DETENT_NO if there is none with this id, or if anything is in it. */
+DETENT_API detent_status detent_scene3_remove_frame(detent_context* context, detent_handle scene,
+                                                      detent_id frame);
+
+/** The transforms of a frame to its parent and to the world. Both may be null. DETENT_NO if there is
+ *  none with this id. */
+DETENT_API detent_status detent_scene3_frame(const detent_context* context, detent_handle scene,
+                                               detent_id frame, detent_transform3* local,
+                                               detent_transform3* world);
 
 /** How many objects the scene has. */
 DETENT_API detent_status detent_scene3_size(const detent_context* context, detent_handle scene,
@@ -865,7 +1152,8 @@ DETENT_API detent_status detent_world3_create(detent_context* context,
 /** Destroys a world. */
 DETENT_API detent_status detent_world3_destroy(detent_context* context, detent_handle world);
 
-/** Adds a body: a sphere, AABB, OBB or capsule. `options` may be null: the ordinary ones. */
+/** Adds a body: a sphere, AABB, OBB, capsule or solid hull, whose `placed` must have the scale 65536.
+ *  `options` may be null: the ordinary ones. */
 DETENT_API detent_status detent_world3_add(detent_context* context, detent_handle world,
                                              const detent_shape3* shape,
                                              const detent_body3_options* options, detent_id* id);
@@ -912,6 +1200,51 @@ DETENT_API detent_status detent_world3_apply_force(detent_context* context, dete
 DETENT_API detent_status detent_world3_apply_torque(detent_context* context, detent_handle world,
                                                       detent_id id, const int32_t* torque);
 
+/** A joint of a kind with all its fields as they are if you do not know better: bodies {0, 0}, anchors at
+ *  the centres, no limits, motor or spring; a distance between 0 and 1. */
+DETENT_API detent_status detent_joint3_defaults(uint32_t kind, detent_joint3* joint);
+
+/** Adds a joint and wakes its bodies. DETENT_NO if one of them does not exist or both are the same,
+ *  DETENT_FULL without room, DETENT_BAD_ARGUMENT for negative forces, frequencies or ratios. */
+DETENT_API detent_status detent_world3_add_joint(detent_context* context, detent_handle world,
+                                                   const detent_joint3* joint, detent_id* id);
+
+/** Makes a joint another one of the same kind, such as one with another motor, and wakes its bodies; it
+ *  keeps its impulses. DETENT_NO if there is none of this kind with this id, or not both bodies. */
+DETENT_API detent_status detent_world3_change_joint(detent_context* context, detent_handle world,
+                                                      detent_id id, const detent_joint3* joint);
+
+/** Removes a joint and wakes its bodies. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_world3_remove_joint(detent_context* context, detent_handle world,
+                                                      detent_id id);
+
+/** A joint as it was added or last changed. DETENT_NO if there is none with this id. */
+DETENT_API detent_status detent_world3_joint(const detent_context* context, detent_handle world,
+                                               detent_id id, detent_joint3* joint);
+
+/** How many joints the world has. */
+DETENT_API detent_status detent_world3_joint_count(const detent_context* context,
+                                                     detent_handle world, uint32_t* count);
+
+/** The joints that broke in the last step, which are removed, by index. Writes the first `room` of them
+ *  and their whole number to `count`. */
+DETENT_API detent_status detent_world3_broken(const detent_context* context, detent_handle world,
+                                                detent_id* joints, uint32_t room, uint32_t* count);
+
+/** A point of the world in the frame of a body, rounded to nearest: an anchor of a joint. DETENT_NO if
+ *  there is none with this id. */
+DETENT_API detent_status detent_world3_local_point(const detent_context* context,
+                                                     detent_handle world, detent_id id,
+                                                     const detent_vec3* point,
+                                                     detent_vec3* local);
+
+/** Axes of the world in the frame of a body, rounded to nearest: a frame of a joint. DETENT_NO if there
+ *  is none with this id. */
+DETENT_API detent_status detent_world3_local_frame(const detent_context* context,
+                                                     detent_handle world, detent_id id,
+                                                     const detent_rotation3* frame,
+                                                     detent_rotation3* local);
+
 /** How many bodies the world has. */
 DETENT_API detent_status detent_world3_size(const detent_context* context, detent_handle world,
                                               uint32_t* size);
@@ -922,7 +1255,7 @@ DETENT_API detent_status detent_world3_events(const detent_context* context, det
                                                 detent_touch* events, uint32_t room,
                                                 uint32_t* count);
 
-/** 64 bits of all bodies that are not fixed, and their contacts. */
+/** 64 bits of all bodies that are not fixed, their contacts and joints. */
 DETENT_API detent_status detent_world3_digest(const detent_context* context, detent_handle world,
                                                 uint64_t* digest);
 
@@ -937,7 +1270,8 @@ DETENT_API detent_status detent_world3_snapshot(const detent_context* context,
                                                   detent_handle world, void* bytes, uint32_t room,
                                                   uint32_t* size);
 
-/** Makes the world the one of a snapshot taken with the same settings and fixed bodies. Any bytes are
+/** Makes the world the one of a snapshot taken with the same settings and fixed bodies, whose solid hulls
+ *  the context has. Any bytes are
  *  safe; on an error the world is unchanged. */
 DETENT_API detent_status detent_world3_restore(detent_context* context, detent_handle world,
                                                  const void* bytes, uint32_t size);
@@ -947,7 +1281,8 @@ typedef char detent_id_has_its_size[sizeof(detent_id) == 8 ? 1 : -1];
 typedef char detent_pair_has_its_size[sizeof(detent_pair) == 16 ? 1 : -1];
 typedef char detent_touch_has_its_size[sizeof(detent_touch) == 20 ? 1 : -1];
 typedef char detent_found_has_its_size[sizeof(detent_found) == 12 ? 1 : -1];
-typedef char detent_traits_has_its_size[sizeof(detent_traits) == 16 ? 1 : -1];
+typedef char detent_impact_has_its_size[sizeof(detent_impact) == 12 ? 1 : -1];
+typedef char detent_traits_has_its_size[sizeof(detent_traits) == 24 ? 1 : -1];
 typedef char detent_context_has_its_size[sizeof(detent_context) == 32 ? 1 : -1];
 typedef char detent_vec2_has_its_size[sizeof(detent_vec2) == 8 ? 1 : -1];
 typedef char detent_direction2_has_its_size[sizeof(detent_direction2) == 8 ? 1 : -1];
@@ -963,9 +1298,13 @@ typedef char detent_capsule2_has_its_size[sizeof(detent_capsule2) == 20 ? 1 : -1
 typedef char detent_segment2_has_its_size[sizeof(detent_segment2) == 16 ? 1 : -1];
 typedef char detent_shape2_has_its_size[sizeof(detent_shape2) == 40 ? 1 : -1];
 typedef char detent_hit2_has_its_size[sizeof(detent_hit2) == 20 ? 1 : -1];
+typedef char detent_contact_point2_has_its_size[sizeof(detent_contact_point2) == 16 ? 1 : -1];
+typedef char detent_manifold2_has_its_size[sizeof(detent_manifold2) == 48 ? 1 : -1];
+typedef char detent_sweep2_has_its_size[sizeof(detent_sweep2) == 48 ? 1 : -1];
 typedef char detent_object_hit2_has_its_size[sizeof(detent_object_hit2) == 36 ? 1 : -1];
 typedef char detent_world2_settings_has_its_size[sizeof(detent_world2_settings) == 32 ? 1 : -1];
 typedef char detent_body2_options_has_its_size[sizeof(detent_body2_options) == 72 ? 1 : -1];
+typedef char detent_joint2_has_its_size[sizeof(detent_joint2) == 108 ? 1 : -1];
 typedef char detent_body2_has_its_size[sizeof(detent_body2) == 40 ? 1 : -1];
 typedef char detent_vec3_has_its_size[sizeof(detent_vec3) == 12 ? 1 : -1];
 typedef char detent_direction3_has_its_size[sizeof(detent_direction3) == 12 ? 1 : -1];
@@ -981,9 +1320,13 @@ typedef char detent_capsule3_has_its_size[sizeof(detent_capsule3) == 28 ? 1 : -1
 typedef char detent_segment3_has_its_size[sizeof(detent_segment3) == 24 ? 1 : -1];
 typedef char detent_shape3_has_its_size[sizeof(detent_shape3) == 68 ? 1 : -1];
 typedef char detent_hit3_has_its_size[sizeof(detent_hit3) == 28 ? 1 : -1];
+typedef char detent_contact_point3_has_its_size[sizeof(detent_contact_point3) == 20 ? 1 : -1];
+typedef char detent_manifold3_has_its_size[sizeof(detent_manifold3) == 100 ? 1 : -1];
+typedef char detent_sweep3_has_its_size[sizeof(detent_sweep3) == 96 ? 1 : -1];
 typedef char detent_object_hit3_has_its_size[sizeof(detent_object_hit3) == 44 ? 1 : -1];
 typedef char detent_world3_settings_has_its_size[sizeof(detent_world3_settings) == 36 ? 1 : -1];
 typedef char detent_body3_options_has_its_size[sizeof(detent_body3_options) == 88 ? 1 : -1];
+typedef char detent_joint3_has_its_size[sizeof(detent_joint3) == 156 ? 1 : -1];
 typedef char detent_body3_has_its_size[sizeof(detent_body3) == 76 ? 1 : -1];
 
 #ifdef __cplusplus

@@ -10,6 +10,11 @@ export declare const DYNAMIC: 0;
 export declare const KINEMATIC: 1;
 export declare const FIXED: 2;
 
+/** Kinds of joint. */
+export declare const joints: {
+  distance: 1; ball: 2; hinge: 3; weld: 4; slider: 5; wheel: 6;
+};
+
 /** The length nearest to a number. Throws RangeError out of range. */
 export declare function raw(value: number): number;
 /** The number that a length is, exactly. */
@@ -25,10 +30,12 @@ export type Id = types.Id;
 export interface Of2 {
   vec: types.Vec2; shape: types.Shape2; ray: types.Ray2; hit: types.Hit2; objectHit: types.ObjectHit2;
   settings: types.World2Settings; options: types.Body2Options; body: types.Body2;
+  contactPoint: types.ContactPoint2; sweep: types.Sweep2; joint: types.Joint2;
 }
 export interface Of3 {
   vec: types.Vec3; shape: types.Shape3; ray: types.Ray3; hit: types.Hit3; objectHit: types.ObjectHit3;
   settings: types.World3Settings; options: types.Body3Options; body: types.Body3;
+  contactPoint: types.ContactPoint3; sweep: types.Sweep3; joint: types.Joint3;
 }
 type Of = Of2 | Of3;
 /** A shape: made by the functions of Space. */
@@ -55,6 +62,17 @@ export declare class Space<D extends Of> {
   distance(shape: Shape<D>, other: Shape<D> | D['vec']): number;
 }
 
+/** Queries of two shapes, made by the functions of Space. */
+export declare class Pairs<D extends Of> {
+  contact(a: Shape<D>, b: Shape<D>): { normal: D['vec']; depth: number; points: D['contactPoint'][] } | null;
+  closestPoints(a: Shape<D>, b: Shape<D>): [D['vec'], D['vec']];
+  cast(shape: Shape<D>, direction: D['vec'], max_distance: number, target: Shape<D>): D['hit'] | null;
+  sweep(start: D['vec'], end: D['vec'], start_axis?: D['vec'][], end_axis?: D['vec'][]): D['sweep'];
+  /** `time` is in steps of 2^-30. */
+  timeOfImpact(a: Shape<D>, sweep_a: D['sweep'], b: Shape<D>, sweep_b?: D['sweep'] | null,
+    target?: number): types.Impact | null;
+}
+
 export declare class Detent<D extends Of> {
   readonly space: Space<D>;
   readonly version: number;
@@ -66,6 +84,9 @@ type Source = URL | string | Response | BufferSource | WebAssembly.Module;
 /** The module of a dimension, by default detent2.wasm or detent3.wasm next to index.mjs. */
 export declare function load(dimension: 2, source?: Source): Promise<Detent<Of2>>;
 export declare function load(dimension: 3, source?: Source): Promise<Detent<Of3>>;
+/** The module of queries of two shapes, by default pairs2.wasm or pairs3.wasm. */
+export declare function loadPairs(dimension: 2, source?: Source): Promise<Pairs<Of2>>;
+export declare function loadPairs(dimension: 3, source?: Source): Promise<Pairs<Of3>>;
 
 export declare class Context<D extends Of> {
   close(): void;
@@ -74,6 +95,8 @@ export declare class Context<D extends Of> {
   /** In 3D. */
   mesh(name: number, vertices: types.Vec3[], faces: [number, number, number][]): Asset;
   hull(name: number, points: D['vec'][]): Asset;
+  /** A convex hull for bodies. */
+  solid(name: number, points: D['vec'][]): Asset;
   /** In 3D. */
   heightField(name: number, corner: types.Vec2, cell: number, columns: number, rows: number,
     heights: ArrayLike<number>): Asset;
@@ -94,7 +117,11 @@ declare class Held {
 }
 
 export declare class Scene<D extends Of> extends Held {
-  add(shape: Shape<D>, traits?: { layers?: number; user?: bigint | number; fixed?: boolean }): Id;
+  add(shape: Shape<D>, traits?: { layers?: number; user?: bigint | number; fixed?: boolean; frame?: Id }):
+    Id | null;
+  addFrame(translation: D['vec'], axis?: D['vec'][], scale?: number, parent?: Id): Id | null;
+  moveFrame(frame: Id, translation: D['vec'], axis?: D['vec'][], scale?: number): boolean;
+  removeFrame(frame: Id): boolean;
   replace(id: Id, shape: Shape<D>): boolean;
   move(id: Id, by: D['vec']): boolean;
   object(id: Id): { shape: D['shape']; traits: types.Traits } | null;
@@ -118,5 +145,13 @@ export declare class World<D extends Of> extends Held {
   applyImpulse(id: Id, impulse: D['vec'], at?: D['vec']): boolean;
   applyForce(id: Id, force: D['vec'], at?: D['vec']): boolean;
   applyTorque(id: Id, torque: number[]): boolean;
+  /** `kind` is one of `joints`. */
+  addJoint(kind: number, a: Id, b: Id, fields?: Partial<D['joint']>): Id | null;
+  changeJoint(id: Id, joint: D['joint']): boolean;
+  removeJoint(id: Id): boolean;
+  joint(id: Id): D['joint'] | null;
+  broken(): Id[];
+  localPoint(id: Id, point: D['vec']): D['vec'] | null;
+  localFrame(id: Id, axis: D['vec'][]): D['vec'][] | null;
   events(): types.Touch[];
 }

@@ -15,6 +15,11 @@ export const ALL_LAYERS = 0xffffffff;
 export const DYNAMIC = constants.DYNAMIC_BODY;
 export const KINEMATIC = constants.KINEMATIC_BODY;
 export const FIXED = constants.FIXED_BODY;
+/** Kinds of joint. */
+export const joints = {
+  distance: constants.DISTANCE_JOINT, ball: constants.BALL_JOINT, hinge: constants.HINGE_JOINT,
+  weld: constants.WELD_JOINT, slider: constants.SLIDER_JOINT, wheel: constants.WHEEL_JOINT,
+};
 
 /** The length nearest to a number; halves are rounded up. Throws RangeError out of range. */
 export function raw(value) {
@@ -114,9 +119,7 @@ class Memory {
   }
 }
 
-/** Instantiates the module of a dimension: from a URL, a Response, bytes or a compiled module; by default
- *  from detent2.wasm or detent3.wasm next to this file. */
-export async function load(dimension, source = new URL(`./detent${dimension}.wasm`, import.meta.url)) {
+async function instantiate(source) {
   let from = source;
   if (from instanceof URL && from.protocol === 'file:') {
     from = await (await import('node:fs/promises')).readFile(from);
@@ -134,20 +137,33 @@ export async function load(dimension, source = new URL(`./detent${dimension}.was
   }
   const { exports } = await WebAssembly.instantiate(module, imports);
   exports._initialize?.();
-  return new Detent(exports, dimension);
+  return exports;
 }
+
+/** Instantiates the module of a dimension: from a URL, a Response, bytes or a compiled module; by default
+ *  from detent2.wasm or detent3.wasm next to this file. */
+export async function load(dimension, source = new URL(`./detent${dimension}.wasm`, import.meta.url)) {
+  return new Detent(await instantiate(source), dimension);
+}
+/** The same for contacts, closest points, casts and times of impact of two shapes: by default from
+ *  pairs2.wasm or pairs3.wasm. */
+export async function loadPairs(dimension, source = new URL(`./pairs${dimension}.wasm`, import.meta.url)) {
+  return new Pairs(new Module(await instantiate(source)), dimension);
+}
+
+const axesOf = (dimension) => Array.from({ length: dimension }, (_, k) =>
+  Array.from({ length: dimension }, (_, i) => (i === k ? UNIT : 0)));
+const typesOf = (dimension) => Object.fromEntries(
+  ['vec', 'direction', 'rotation', 'transform', 'ray', 'shape', 'hit', 'object_hit', 'body', 'manifold',
+    'sweep', 'joint'].map((name) => [name, `detent_${name}${dimension}`]));
 
 /** Shapes, rays and queries of one dimension. */
 class Space {
   constructor(detent, dimension) {
     this.detent = detent;
     this.dimension = dimension;
-    this.axes = Array.from({ length: dimension }, (_, k) =>
-      Array.from({ length: dimension }, (_, i) => (i === k ? UNIT : 0)));
-    this.types = {};
-    for (const name of ['vec', 'ray', 'shape', 'hit', 'object_hit', 'body']) {
-      this.types[name] = `detent_${name}${dimension}`;
-    }
+    this.axes = axesOf(dimension);
+    this.types = typesOf(dimension);
     this.rayWords = layouts[this.types.ray].size / 4;
   }
 
@@ -178,10 +194,10 @@ class Space {
   point(point) {
     return { kind: kinds.point, point };
   }
-  /** A mesh or hull transformed, or a height field moved, as a shape of a scene. */
+  /** A mesh or hull transformed, or a height field moved, as a shape of a scene; or a solid hull of a
+   *  world. */
   placed(asset, translation, axis = this.axes, scale = ONE) {
-    const kind = [constants.MESH, constants.HULL, constants.HULL, constants.HEIGHT_FIELD][
-      (asset.handle & 15) - 5];
+    const kind = { 5: constants.MESH, 8: constants.HEIGHT_FIELD }[asset.handle & 15] ?? constants.HULL;
     const shape = { kind, asset: asset.handle };
     if (kind === constants.HEIGHT_FIELD) return { ...shape, point: translation };
     return { ...shape, placed: { translation, rotation: { axis }, scale } };
@@ -237,13 +253,69 @@ class Space {
   }
 }
 
-/** The library in one dimension. Its shapes, rays and queries are those of Space. */
-class Detent {
-  constructor(exports, dimension) {
+/** Queries of two shapes of one dimension. */
+class Pairs {
+  constructor(detent, dimension) {
+    this.detent = detent;
+    this.dimension = dimension;
+    this.axes = axesOf(dimension);
+    this.types = typesOf(dimension);
+  }
+  /** { normal, depth, points } of two shapes that overlap, or null. */
+  contact(a, b) {
+    return this.detent.call((memory) => {
+      const at = memory.place(layouts[this.types.manifold].size);
+      if (!this.run('contact{N}', memory.put(this.types.shape, a), memory.put(this.types.shape, b), at)) {
+        return null;
+      }
+      const { normal, depth, count, points } = memory.read(at, this.types.manifold);
+      return { normal, depth, points: points.slice(0, count) };
+    });
+  }
+  /** The point of each of two shapes that is closest to the other one. */
+  closestPoints(a, b) {
+    return this.detent.call((memory) => {
+      const one = memory.place(16), other = memory.place(16);
+      this.run('closest_points{N}', memory.put(this.types.shape, a), memory.put(this.types.shape, b),
+        one, other);
+      return [memory.read(one, this.types.vec), memory.read(other, this.types.vec)];
+    });
+  }
+  /** Where a shape that moves along a direction first touches a target, or null. */
+  cast(shape, direction, max_distance, target) {
+    return this.detent.call((memory) => {
+      const hit = memory.place(layouts[this.types.hit].size);
+      const yes = this.run('cast{N}', memory.put(this.types.shape, shape),
+        memory.put(this.types.direction, direction), max_distance,
+        memory.put(this.types.shape, target), hit);
+      return yes ? memory.read(hit, this.types.hit) : null;
+    });
+  }
+  /** The motion of a frame, for timeOfImpact. */
+  sweep(start, end, start_axis = this.axes, end_axis = this.axes) {
+    return { start, end, start_rotation: { axis: start_axis }, end_rotation: { axis: end_axis } };
+  }
+  /** When two moving shapes first are closer than `target`, or null; null for the sweep of one that
+   *  does not move. */
+  timeOfImpact(a, sweep_a, b, sweep_b = null, target = 8) {
+    return this.detent.call((memory) => {
+      const impact = memory.place(layouts.detent_impact.size);
+      const yes = this.run('time_of_impact{N}', memory.put(this.types.shape, a),
+        memory.put(this.types.sweep, sweep_a), memory.put(this.types.shape, b),
+        sweep_b ? memory.put(this.types.sweep, sweep_b) : 0, target, impact);
+      return yes ? memory.read(impact, 'detent_impact') : null;
+    });
+  }
+
+  run(name, ...words) {
+    return this.detent.run(name.replace('{N}', this.dimension), ...words);
+  }
+}
+
+/** An instance of a module. */
+class Module {
+  constructor(exports) {
     this.memory = new Memory(exports);
-    this.space = new Space(this, dimension);
-    this.version = exports.detent_version();
-    this.resultsVersion = exports.detent_results_version();
   }
   /** Returns f(memory), and frees what it put there. */
   call(f) {
@@ -259,6 +331,16 @@ class Detent {
     const status = this.memory.exports[`detent_${name}`](...words);
     if (status >= 0) return status === constants.OK;
     throw new DetentError(status, this.memory.text(this.memory.exports.detent_describe(status)));
+  }
+}
+
+/** The library in one dimension. Its shapes, rays and queries are those of Space. */
+class Detent extends Module {
+  constructor(exports, dimension) {
+    super(exports);
+    this.space = new Space(this, dimension);
+    this.version = exports.detent_version();
+    this.resultsVersion = exports.detent_results_version();
   }
   /** The `count` words that f(from, to) writes, given a copy of some. */
   withWords(words, count, f) {
@@ -303,6 +385,11 @@ class Context {
   hull(name, points) {
     return this.asset([points.flat()], ([list], out) =>
       this.detent.space.run('hull{N}_create', this.at, name, list, points.length, out));
+  }
+  /** A convex hull for bodies. */
+  solid(name, points) {
+    return this.asset([points.flat()], ([list], out) =>
+      this.detent.space.run('solid{N}_create', this.at, name, list, points.length, out));
   }
   /** In 3D. */
   heightField(name, corner, cell, columns, rows, heights) {
@@ -433,13 +520,33 @@ class Scene extends Held {
     super(context, space, 'scene');
     this.create();
   }
-  add(shape, { layers = 1, user = 0n, fixed = false } = {}) {
+  /** The id of a new object, or null if there is no such frame. */
+  add(shape, { layers = 1, user = 0n, fixed = false, frame } = {}) {
     return this.call((memory) => {
       const id = memory.place(8);
-      this.run('add', this.shape(memory, shape),
-        memory.put('detent_traits', { user, layers, motion: fixed ? 1 : 0 }), id);
-      return memory.read(id, 'detent_id');
+      const traits = memory.put('detent_traits', { user, layers, motion: fixed ? 1 : 0, frame });
+      return this.run('add', this.shape(memory, shape), traits, id) ? memory.read(id, 'detent_id') : null;
     });
+  }
+  transform(memory, translation, axis, scale) {
+    return memory.put(this.types.transform, { translation, rotation: { axis }, scale });
+  }
+  /** A frame that objects can be in and move with, or null if there is no such parent. */
+  addFrame(translation, axis = this.space.axes, scale = ONE, parent = { index: 0, generation: 0 }) {
+    return this.call((memory) => {
+      const id = memory.place(8);
+      const done = this.run('add_frame', this.transform(memory, translation, axis, scale),
+        memory.put('detent_id', parent), id);
+      return done ? memory.read(id, 'detent_id') : null;
+    });
+  }
+  moveFrame(frame, translation, axis = this.space.axes, scale = ONE) {
+    return this.call((memory) => this.run('move_frame', memory.put('detent_id', frame),
+      this.transform(memory, translation, axis, scale)));
+  }
+  /** False if anything is in it. */
+  removeFrame(frame) {
+    return this.call((memory) => this.run('remove_frame', memory.put('detent_id', frame)));
   }
   replace(id, shape) {
     return this.call((memory) =>
@@ -516,7 +623,7 @@ class World extends Held {
       this.create(at);
     });
   }
-  /** Adds a sphere, AABB, OBB or capsule; options are the fields of a body's options. */
+  /** Adds a sphere, AABB, OBB, capsule or solid hull; options are the fields of a body's options. */
   add(shape, options = {}) {
     const type = `detent_body${this.space.dimension}_options`;
     return this.call((memory) => {
@@ -568,6 +675,61 @@ class World extends Held {
       const to = memory.place(12);
       numbers.forEach((one, i) => memory.write(to + 4 * i, 'int32_t', one));
       return this.run(name, memory.put('detent_id', id), to);
+    });
+  }
+  joint_(kind, a, b, fields) {
+    return this.call((memory) => {
+      const at = memory.place(layouts[this.types.joint].size);
+      this.space.run('joint{N}_defaults', kind, at);
+      memory.write(at, this.types.joint, { ...fields, a, b });
+      return memory.read(at, this.types.joint);
+    });
+  }
+  /** Joins two bodies: `kind` is one of `joints`, `fields` are some of a joint's. Its id, or null if
+   *  there are not both bodies. */
+  addJoint(kind, a, b, fields = {}) {
+    const joint = this.joint_(kind, a, b, fields);
+    return this.call((memory) => {
+      const id = memory.place(8);
+      return this.run('add_joint', memory.put(this.types.joint, joint), id)
+        ? memory.read(id, 'detent_id') : null;
+    });
+  }
+  /** Replaces a joint by one of the same kind, such as `joint(id)` with another motor. */
+  changeJoint(id, joint) {
+    return this.call((memory) =>
+      this.run('change_joint', memory.put('detent_id', id), memory.put(this.types.joint, joint)));
+  }
+  removeJoint(id) {
+    return this.call((memory) => this.run('remove_joint', memory.put('detent_id', id)));
+  }
+  /** The fields of a joint, or null. */
+  joint(id) {
+    return this.call((memory) => {
+      const at = memory.place(layouts[this.types.joint].size);
+      return this.run('joint', memory.put('detent_id', id), at) ? memory.read(at, this.types.joint) : null;
+    });
+  }
+  /** The joints that broke in the last step. */
+  broken() {
+    return this.list('broken', 'detent_id');
+  }
+  /** A point of the world in the frame of a body: an anchor of a joint. Null without the body. */
+  localPoint(id, point) {
+    return this.call((memory) => {
+      const local = memory.place(16);
+      const done = this.run('local_point', memory.put('detent_id', id),
+        memory.put(this.types.vec, point), local);
+      return done ? memory.read(local, this.types.vec) : null;
+    });
+  }
+  /** Axes of the world in the frame of a body: a frame of a joint. Null without the body. */
+  localFrame(id, axis) {
+    return this.call((memory) => {
+      const local = memory.place(layouts[this.types.rotation].size);
+      const done = this.run('local_frame', memory.put('detent_id', id),
+        memory.put(this.types.rotation, { axis }), local);
+      return done ? memory.read(local, this.types.rotation).axis : null;
     });
   }
   /** The pairs that began or ended to touch in the last step. */

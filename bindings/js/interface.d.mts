@@ -37,6 +37,12 @@ export declare const FIXED: 1;
 export declare const DYNAMIC_BODY: 0;
 export declare const KINEMATIC_BODY: 1;
 export declare const FIXED_BODY: 2;
+export declare const DISTANCE_JOINT: 1;
+export declare const BALL_JOINT: 2;
+export declare const HINGE_JOINT: 3;
+export declare const WELD_JOINT: 4;
+export declare const SLIDER_JOINT: 5;
+export declare const WHEEL_JOINT: 6;
 export declare const LOCK_X: 1;
 export declare const LOCK_Y: 2;
 export declare const LOCK_Z: 4;
@@ -69,11 +75,19 @@ export interface Found {
   id: Id;
 }
 
+/** When two moving shapes meet. They are apart before `time`, in steps of 2^-30, and at most `distance` apart at it. If `is_hit` is 0, the search ended early, and whether they meet later is not known. */
+export interface Impact {
+  time: number;
+  distance: number;
+  is_hit: number;
+}
+
 /** What a scene stores with an object. */
 export interface Traits {
   user: bigint;
   layers: number;
   motion: number;
+  frame: Id;
 }
 
 /** Everything else is made in a context, which is the caller's memory: set it to zeros, open it, close it. It must stay where it is while it is open. Contexts share nothing. Of one context, calls that only read (their context is const) may run in several threads at once; all others need it alone. */
@@ -173,6 +187,29 @@ export interface Hit2 {
   normal: Direction2;
 }
 
+/** One point of a contact, on the surface of the first shape, and how deep the second shape is there: its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and stays the same while they do. */
+export interface ContactPoint2 {
+  point: Vec2;
+  depth: number;
+  feature: number;
+}
+
+/** How two shapes a and b that overlap are separated by the least translation: b moves by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others zeros. */
+export interface Manifold2 {
+  normal: Direction2;
+  depth: number;
+  count: number;
+  points: ContactPoint2[];
+}
+
+/** The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly, and it turns about one axis by at most half a turn. */
+export interface Sweep2 {
+  start: Vec2;
+  end: Vec2;
+  start_rotation: Rotation2;
+  end_rotation: Rotation2;
+}
+
 /** Where a ray first touches an object; in a mesh or height field also the index of the triangle. */
 export interface ObjectHit2 {
   distance: number;
@@ -211,6 +248,27 @@ export interface Body2Options {
   locked: number;
   is_sensor: number;
   reserved: number[];
+}
+
+/** A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it. */
+export interface Joint2 {
+  kind: number;
+  a: Id;
+  b: Id;
+  anchor_a: Vec2;
+  anchor_b: Vec2;
+  frame_a: Rotation2;
+  frame_b: Rotation2;
+  collide: number;
+  break_force: number;
+  has_limits: number;
+  lower: number;
+  upper: number;
+  motor_speed: number;
+  motor_force: number;
+  length: number;
+  frequency: number;
+  damping_ratio: number;
 }
 
 /** Where a body is and how it moves, rounded to nearest. */
@@ -314,6 +372,29 @@ export interface Hit3 {
   normal: Direction3;
 }
 
+/** One point of a contact, on the surface of the first shape, and how deep the second shape is there: its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and stays the same while they do. */
+export interface ContactPoint3 {
+  point: Vec3;
+  depth: number;
+  feature: number;
+}
+
+/** How two shapes a and b that overlap are separated by the least translation: b moves by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others zeros. */
+export interface Manifold3 {
+  normal: Direction3;
+  depth: number;
+  count: number;
+  points: ContactPoint3[];
+}
+
+/** The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly, and it turns about one axis by at most half a turn. */
+export interface Sweep3 {
+  start: Vec3;
+  end: Vec3;
+  start_rotation: Rotation3;
+  end_rotation: Rotation3;
+}
+
 /** Where a ray first touches an object; in a mesh or height field also the index of the triangle. */
 export interface ObjectHit3 {
   distance: number;
@@ -352,6 +433,27 @@ export interface Body3Options {
   locked: number;
   is_sensor: number;
   reserved: number[];
+}
+
+/** A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it. */
+export interface Joint3 {
+  kind: number;
+  a: Id;
+  b: Id;
+  anchor_a: Vec3;
+  anchor_b: Vec3;
+  frame_a: Rotation3;
+  frame_b: Rotation3;
+  collide: number;
+  break_force: number;
+  has_limits: number;
+  lower: number;
+  upper: number;
+  motor_speed: number;
+  motor_force: number;
+  length: number;
+  frequency: number;
+  damping_ratio: number;
 }
 
 /** Where a body is and how it moves, rounded to nearest. */

@@ -37,6 +37,12 @@ export const FIXED = 1;
 export const DYNAMIC_BODY = 0;
 export const KINEMATIC_BODY = 1;
 export const FIXED_BODY = 2;
+export const DISTANCE_JOINT = 1;
+export const BALL_JOINT = 2;
+export const HINGE_JOINT = 3;
+export const WELD_JOINT = 4;
+export const SLIDER_JOINT = 5;
+export const WHEEL_JOINT = 6;
 export const LOCK_X = 1;
 export const LOCK_Y = 2;
 export const LOCK_Z = 4;
@@ -59,8 +65,11 @@ export const layouts = {
   detent_found: { size: 12, isVector: false,
     fields: [['distance', 'int32_t', 0, 0], ['id', 'detent_id', 4, 0]],
     union: [] },
-  detent_traits: { size: 16, isVector: false,
-    fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['motion', 'uint32_t', 12, 0]],
+  detent_impact: { size: 12, isVector: false,
+    fields: [['time', 'int32_t', 0, 0], ['distance', 'int32_t', 4, 0], ['is_hit', 'uint32_t', 8, 0]],
+    union: [] },
+  detent_traits: { size: 24, isVector: false,
+    fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['motion', 'uint32_t', 12, 0], ['frame', 'detent_id', 16, 0]],
     union: [] },
   detent_context: { size: 32, isVector: false,
     fields: [['words', 'uint64_t', 0, 4]],
@@ -107,6 +116,15 @@ export const layouts = {
   detent_hit2: { size: 20, isVector: false,
     fields: [['distance', 'int32_t', 0, 0], ['point', 'detent_vec2', 4, 0], ['normal', 'detent_direction2', 12, 0]],
     union: [] },
+  detent_contact_point2: { size: 16, isVector: false,
+    fields: [['point', 'detent_vec2', 0, 0], ['depth', 'int32_t', 8, 0], ['feature', 'uint32_t', 12, 0]],
+    union: [] },
+  detent_manifold2: { size: 48, isVector: false,
+    fields: [['normal', 'detent_direction2', 0, 0], ['depth', 'int32_t', 8, 0], ['count', 'uint32_t', 12, 0], ['points', 'detent_contact_point2', 16, 2]],
+    union: [] },
+  detent_sweep2: { size: 48, isVector: false,
+    fields: [['start', 'detent_vec2', 0, 0], ['end', 'detent_vec2', 8, 0], ['start_rotation', 'detent_rotation2', 16, 0], ['end_rotation', 'detent_rotation2', 32, 0]],
+    union: [] },
   detent_object_hit2: { size: 36, isVector: false,
     fields: [['distance', 'int32_t', 0, 0], ['id', 'detent_id', 4, 0], ['point', 'detent_vec2', 12, 0], ['normal', 'detent_direction2', 20, 0], ['triangle', 'uint32_t', 28, 0], ['has_triangle', 'uint32_t', 32, 0]],
     union: [] },
@@ -115,6 +133,9 @@ export const layouts = {
     union: [] },
   detent_body2_options: { size: 72, isVector: false,
     fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['collides_with', 'uint32_t', 12, 0], ['motion', 'uint32_t', 16, 0], ['density', 'int32_t', 20, 0], ['friction', 'int32_t', 24, 0], ['restitution', 'int32_t', 28, 0], ['linear_damping', 'int32_t', 32, 0], ['angular_damping', 'int32_t', 36, 0], ['velocity', 'detent_vec2', 40, 0], ['angular_velocity', 'int32_t', 48, 1], ['gravity_scale', 'int32_t', 52, 0], ['locked', 'uint32_t', 56, 0], ['is_sensor', 'uint32_t', 60, 0], ['reserved', 'uint32_t', 64, 2]],
+    union: [] },
+  detent_joint2: { size: 108, isVector: false,
+    fields: [['kind', 'uint32_t', 0, 0], ['a', 'detent_id', 4, 0], ['b', 'detent_id', 12, 0], ['anchor_a', 'detent_vec2', 20, 0], ['anchor_b', 'detent_vec2', 28, 0], ['frame_a', 'detent_rotation2', 36, 0], ['frame_b', 'detent_rotation2', 52, 0], ['collide', 'uint32_t', 68, 0], ['break_force', 'int32_t', 72, 0], ['has_limits', 'uint32_t', 76, 0], ['lower', 'int32_t', 80, 0], ['upper', 'int32_t', 84, 0], ['motor_speed', 'int32_t', 88, 0], ['motor_force', 'int32_t', 92, 0], ['length', 'int32_t', 96, 0], ['frequency', 'int32_t', 100, 0], ['damping_ratio', 'int32_t', 104, 0]],
     union: [] },
   detent_body2: { size: 40, isVector: false,
     fields: [['position', 'detent_vec2', 0, 0], ['rotation', 'detent_rotation2', 8, 0], ['velocity', 'detent_vec2', 24, 0], ['angular_velocity', 'int32_t', 32, 1], ['is_asleep', 'uint32_t', 36, 0]],
@@ -161,6 +182,15 @@ export const layouts = {
   detent_hit3: { size: 28, isVector: false,
     fields: [['distance', 'int32_t', 0, 0], ['point', 'detent_vec3', 4, 0], ['normal', 'detent_direction3', 16, 0]],
     union: [] },
+  detent_contact_point3: { size: 20, isVector: false,
+    fields: [['point', 'detent_vec3', 0, 0], ['depth', 'int32_t', 12, 0], ['feature', 'uint32_t', 16, 0]],
+    union: [] },
+  detent_manifold3: { size: 100, isVector: false,
+    fields: [['normal', 'detent_direction3', 0, 0], ['depth', 'int32_t', 12, 0], ['count', 'uint32_t', 16, 0], ['points', 'detent_contact_point3', 20, 4]],
+    union: [] },
+  detent_sweep3: { size: 96, isVector: false,
+    fields: [['start', 'detent_vec3', 0, 0], ['end', 'detent_vec3', 12, 0], ['start_rotation', 'detent_rotation3', 24, 0], ['end_rotation', 'detent_rotation3', 60, 0]],
+    union: [] },
   detent_object_hit3: { size: 44, isVector: false,
     fields: [['distance', 'int32_t', 0, 0], ['id', 'detent_id', 4, 0], ['point', 'detent_vec3', 12, 0], ['normal', 'detent_direction3', 24, 0], ['triangle', 'uint32_t', 36, 0], ['has_triangle', 'uint32_t', 40, 0]],
     union: [] },
@@ -169,6 +199,9 @@ export const layouts = {
     union: [] },
   detent_body3_options: { size: 88, isVector: false,
     fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['collides_with', 'uint32_t', 12, 0], ['motion', 'uint32_t', 16, 0], ['density', 'int32_t', 20, 0], ['friction', 'int32_t', 24, 0], ['restitution', 'int32_t', 28, 0], ['linear_damping', 'int32_t', 32, 0], ['angular_damping', 'int32_t', 36, 0], ['velocity', 'detent_vec3', 40, 0], ['angular_velocity', 'int32_t', 52, 3], ['gravity_scale', 'int32_t', 64, 0], ['locked', 'uint32_t', 68, 0], ['is_sensor', 'uint32_t', 72, 0], ['reserved', 'uint32_t', 76, 3]],
+    union: [] },
+  detent_joint3: { size: 156, isVector: false,
+    fields: [['kind', 'uint32_t', 0, 0], ['a', 'detent_id', 4, 0], ['b', 'detent_id', 12, 0], ['anchor_a', 'detent_vec3', 20, 0], ['anchor_b', 'detent_vec3', 32, 0], ['frame_a', 'detent_rotation3', 44, 0], ['frame_b', 'detent_rotation3', 80, 0], ['collide', 'uint32_t', 116, 0], ['break_force', 'int32_t', 120, 0], ['has_limits', 'uint32_t', 124, 0], ['lower', 'int32_t', 128, 0], ['upper', 'int32_t', 132, 0], ['motor_speed', 'int32_t', 136, 0], ['motor_force', 'int32_t', 140, 0], ['length', 'int32_t', 144, 0], ['frequency', 'int32_t', 148, 0], ['damping_ratio', 'int32_t', 152, 0]],
     union: [] },
   detent_body3: { size: 76, isVector: false,
     fields: [['position', 'detent_vec3', 0, 0], ['rotation', 'detent_rotation3', 12, 0], ['velocity', 'detent_vec3', 48, 0], ['angular_velocity', 'int32_t', 60, 3], ['is_asleep', 'uint32_t', 72, 0]],

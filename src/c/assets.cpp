@@ -77,29 +77,50 @@ using FieldHolder = Holder<FieldAsset<S>>;
 
 }  // namespace
 
+/// Keeps an asset of points, which make(hull) makes of a copy, or not.
+template <class Asset, int N, class Make>
+detent_status add_points(detent_context* context, std::uint32_t id,
+                         const typename Types<N>::Vec* points, std::uint32_t count,
+                         detent_handle* out, const Make& make) {
+  Context* const table = table_of(context);
+  if (table == nullptr) return DETENT_BAD_CONTEXT;
+  if (out == nullptr || (points == nullptr && count != 0) || count > Asset::capacity) {
+    return DETENT_BAD_ARGUMENT;
+  }
+  const auto make_asset = [&](Holder<Asset>& holder, detent_status& why) -> std::optional<Asset> {
+    auto* const own = keep<Vec<S, N>>(*table, holder.arrays[0], count);
+    if (own == nullptr && count != 0) return std::nullopt;
+    for (std::uint32_t i = 0; i < count; ++i) own[i] = Input<N>::vec(points[i]);
+    why = DETENT_BAD_ARGUMENT;
+    return make(ConvexHull<S, N>{{own, count}});
+  };
+  return add_asset<Asset>(*table, id, out, make_asset);
+}
+
 template <int N>
 detent_status make_hull(detent_context* context, std::uint32_t id,
                         const typename Types<N>::Vec* points, std::uint32_t count,
                         detent_handle* hull) {
-  using Asset = HullAsset<S, N>;
-  Context* const table = table_of(context);
-  if (table == nullptr) return DETENT_BAD_CONTEXT;
-  if (hull == nullptr || (points == nullptr && count != 0) || count > Asset::capacity) {
-    return DETENT_BAD_ARGUMENT;
-  }
-  return add_asset<Asset>(*table, id, hull,
-                          [&](Holder<Asset>& holder, detent_status&) -> std::optional<Asset> {
-                            auto* const own = keep<Vec<S, N>>(*table, holder.arrays[0], count);
-                            if (own == nullptr && count != 0) return std::nullopt;
-                            for (std::uint32_t i = 0; i < count; ++i)
-                              own[i] = Input<N>::vec(points[i]);
-                            return hull_asset(id, ConvexHull<S, N>{{own, count}});
-                          });
+  return add_points<HullAsset<S, N>, N>(
+      context, id, points, count, hull,
+      [&](const ConvexHull<S, N>& view) { return hull_asset(id, view); });
+}
+template <int N>
+detent_status make_solid(detent_context* context, std::uint32_t id,
+                         const typename Types<N>::Vec* points, std::uint32_t count,
+                         detent_handle* solid) {
+  return add_points<SolidHull<S, N>, N>(
+      context, id, points, count, solid,
+      [&](const ConvexHull<S, N>& view) { return solid_hull(id, view); });
 }
 template detent_status make_hull<2>(detent_context*, std::uint32_t, const detent_vec2*,
                                     std::uint32_t, detent_handle*);
 template detent_status make_hull<3>(detent_context*, std::uint32_t, const detent_vec3*,
                                     std::uint32_t, detent_handle*);
+template detent_status make_solid<2>(detent_context*, std::uint32_t, const detent_vec2*,
+                                     std::uint32_t, detent_handle*);
+template detent_status make_solid<3>(detent_context*, std::uint32_t, const detent_vec3*,
+                                     std::uint32_t, detent_handle*);
 
 }  // namespace detent::c
 
@@ -174,5 +195,7 @@ detent_status detent_asset_destroy(detent_context* context, detent_handle asset)
   if (const auto* const hull = table->asset<HullAsset<S, 2>>(asset)) return destroy(hull);
   if (const auto* const hull = table->asset<HullAsset<S, 3>>(asset)) return destroy(hull);
   if (const auto* const field = table->asset<FieldAsset<S>>(asset)) return destroy(field);
+  if (const auto* const solid = table->asset<SolidHull<S, 2>>(asset)) return destroy(solid);
+  if (const auto* const solid = table->asset<SolidHull<S, 3>>(asset)) return destroy(solid);
   return DETENT_BAD_HANDLE;
 }

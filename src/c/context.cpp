@@ -30,6 +30,8 @@ Context::~Context() {
   release_list(hulls2_);
   release_list(hulls3_);
   release_list(fields_);
+  release_list(solids2_);
+  release_list(solids3_);
 }
 
 void Context::close() noexcept {
@@ -115,7 +117,7 @@ const char* detent_describe(detent_status status) {
     case DETENT_FULL:
       return "there is no room for more objects, handles or assets";
     case DETENT_IN_USE:
-      return "an object refers to the asset, or its id is taken";
+      return "an object or body refers to the asset, or its id is taken";
     case DETENT_NO_SNAPSHOT:
       return "these bytes are not a snapshot";
     case DETENT_OTHER_VERSION:

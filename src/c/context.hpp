@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "c/convert.hpp"
+#include "detent/dynamics/hull.hpp"
 #include "detent/scene/height_field.hpp"
 #include "detent/scene/hull.hpp"
 #include "detent/scene/mesh.hpp"
@@ -19,7 +20,19 @@
 // one. A slot whose generations are used up is never used again.
 namespace detent::c {
 
-enum class Kind : std::uint32_t { none, scene2, scene3, world2, world3, mesh, hull2, hull3, field };
+enum class Kind : std::uint32_t {
+  none,
+  scene2,
+  scene3,
+  world2,
+  world3,
+  mesh,  // assets from here on
+  hull2,
+  hull3,
+  field,
+  solid2,
+  solid3
+};
 
 class Context;
 
@@ -36,7 +49,7 @@ struct Slot {
 /// Assets of one type, at addresses that do not change; free ones have the id 0.
 template <class Asset>
 struct Assets {
-  static constexpr std::uint32_t capacity = 256;
+  static constexpr std::uint32_t capacity = sizeof(Asset) < 1024 ? 256 : 64;
 
   Asset* list = nullptr;
   std::uint32_t end = 0;  // free ones from here on
@@ -64,6 +77,10 @@ template <>
 inline constexpr Kind asset_kind<HullAsset<S, 3>> = Kind::hull3;
 template <>
 inline constexpr Kind asset_kind<FieldAsset<S>> = Kind::field;
+template <>
+inline constexpr Kind asset_kind<SolidHull<S, 2>> = Kind::solid2;
+template <>
+inline constexpr Kind asset_kind<SolidHull<S, 3>> = Kind::solid3;
 
 class Context {
  public:
@@ -144,6 +161,10 @@ class Context {
       return hulls2_;
     } else if constexpr (asset_kind<Asset> == Kind::hull3) {
       return hulls3_;
+    } else if constexpr (asset_kind<Asset> == Kind::solid2) {
+      return solids2_;
+    } else if constexpr (asset_kind<Asset> == Kind::solid3) {
+      return solids3_;
     } else {
       return fields_;
     }
@@ -162,6 +183,8 @@ class Context {
   Assets<HullAsset<S, 2>> hulls2_;
   Assets<HullAsset<S, 3>> hulls3_;
   Assets<FieldAsset<S>> fields_;
+  Assets<SolidHull<S, 2>> solids2_;
+  Assets<SolidHull<S, 3>> solids3_;
 };
 
 /// An asset and the arrays that it is a view of.

@@ -26,9 +26,12 @@ struct Types;
     using Shape = detent_shape##N;                \
     using Hit = detent_hit##N;                    \
     using ObjectHit = detent_object_hit##N;       \
+    using Manifold = detent_manifold##N;          \
+    using Sweep = detent_sweep##N;                \
     using Settings = detent_world##N##_settings;  \
     using BodyOptions = detent_body##N##_options; \
     using Body = detent_body##N;                  \
+    using Joint = detent_joint##N;                \
   };
 DETENT_C_TYPES(2)
 DETENT_C_TYPES(3)

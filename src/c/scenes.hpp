@@ -88,6 +88,7 @@ struct Scenes {
                            detent_id* id) {
     return change(context, scene, [&](const Context& table, Scene& object) -> detent_status {
       if (shape == nullptr || id == nullptr || !is_valid(traits)) return DETENT_BAD_ARGUMENT;
+      if (!has_frame(object, traits)) return DETENT_NO;
       return with_object_shape(table, *shape, [&](const auto& read) -> detent_status {
         const auto added = object.add(read, traits_of(traits));
         if (!added) return DETENT_FULL;
@@ -115,7 +116,7 @@ struct Scenes {
     return change(context, scene, [&](const Context& table, Scene& object) -> detent_status {
       if (shape == nullptr) return DETENT_BAD_ARGUMENT;
       return with_object_shape(table, *shape, [&](const auto& read) {
-        return yes_or_no(object.replace(id_of(id), read));
+        return yes_or_no(object.replace_local(id_of(id), read));
       });
     });
   }
@@ -132,7 +133,11 @@ struct Scenes {
       const auto info = from.info(id_of(id));
       if (!info) return DETENT_NO;
       if (traits != nullptr) {
-        *traits = {info->user, info->layers, static_cast<std::uint32_t>(info->motion)};
+        const auto frame = from.frame_of(id_of(id)).value_or(FrameId{});
+        *traits = {info->user,
+                   info->layers,
+                   static_cast<std::uint32_t>(info->motion),
+                   {frame.index, frame.generation}};
       }
       if (shape != nullptr) {
         *shape = {};
@@ -147,6 +152,47 @@ struct Scenes {
       if (traits == nullptr) return DETENT_BAD_ARGUMENT;
       return yes_or_no(object.set_layers(id_of(id), traits->layers) &&
                        object.set_user(id_of(id), traits->user));
+    });
+  }
+  static detent_status add_frame(detent_context* context, detent_handle scene,
+                                 const typename T::Transform* transform, detent_id parent,
+                                 detent_id* frame) {
+    return change(context, scene, [&](const Context&, Scene& object) -> detent_status {
+      if (transform == nullptr || frame == nullptr) return DETENT_BAD_ARGUMENT;
+      Input<N> in;
+      const auto own = in.transform(*transform);
+      if (!in.is_valid()) return DETENT_NOT_UNIT;
+      const auto above = frame_of(parent);
+      if (!(above == FrameId{}) && !object.frame(above)) return DETENT_NO;
+      const auto added = object.add_frame(own, above);
+      if (!added) return DETENT_FULL;
+      *frame = {added->index, added->generation};
+      return DETENT_OK;
+    });
+  }
+  static detent_status move_frame(detent_context* context, detent_handle scene, detent_id frame,
+                                  const typename T::Transform* transform) {
+    return change(context, scene, [&](const Context&, Scene& object) -> detent_status {
+      if (transform == nullptr) return DETENT_BAD_ARGUMENT;
+      Input<N> in;
+      const auto own = in.transform(*transform);
+      if (!in.is_valid()) return DETENT_NOT_UNIT;
+      return yes_or_no(object.move_frame(frame_of(frame), own));
+    });
+  }
+  static detent_status remove_frame(detent_context* context, detent_handle scene, detent_id frame) {
+    return change(context, scene, [&](const Context&, Scene& object) {
+      return yes_or_no(object.remove_frame(frame_of(frame)));
+    });
+  }
+  static detent_status frame(const detent_context* context, detent_handle scene, detent_id frame,
+                             typename T::Transform* local, typename T::Transform* world) {
+    return read(context, scene, [&](const Context&, const Scene& object) -> detent_status {
+      const auto found = object.frame(frame_of(frame));
+      if (!found) return DETENT_NO;
+      if (local != nullptr) *local = Output<N>::transform(found->local);
+      if (world != nullptr) *world = Output<N>::transform(found->world);
+      return DETENT_OK;
     });
   }
   static detent_status size(const detent_context* context, detent_handle scene,
@@ -270,6 +316,12 @@ struct Scenes {
     });
   }
 
+  static typename T::ObjectHit hit_of(const ObjectHit<S, N>& hit) noexcept {
+    return {hit.distance.raw(),        id_of(hit.id),
+            Output<N>::vec(hit.point), Output<N>::direction(hit.normal),
+            hit.triangle.value_or(0),  hit.triangle ? 1u : 0u};
+  }
+
  private:
   template <class F>
   static detent_status change(detent_context* context, detent_handle scene, const F& f) {
@@ -370,19 +422,22 @@ struct Scenes {
   }
 
   static bool is_valid(const detent_traits* traits) noexcept {
-    return traits == nullptr || traits->motion <= DETENT_FIXED;
+    return traits == nullptr ||
+           (traits->motion <= DETENT_FIXED &&
+            (traits->motion == DETENT_MOVING || frame_of(traits->frame) == FrameId{}));
   }
+  static bool has_frame(const Scene& scene, const detent_traits* traits) {
+    if (traits == nullptr || frame_of(traits->frame) == FrameId{}) return true;
+    return scene.frame(frame_of(traits->frame)).has_value();
+  }
+  static FrameId frame_of(const detent_id& id) noexcept { return {id.index, id.generation}; }
   static Traits traits_of(const detent_traits* traits) noexcept {
     if (traits == nullptr) return {};
-    return {traits->layers, traits->user, static_cast<Motion>(traits->motion), {}};
+    return {traits->layers, traits->user, static_cast<Motion>(traits->motion),
+            frame_of(traits->frame)};
   }
   static detent_found found_of(const Found<S>& found) noexcept {
     return {found.distance.raw(), id_of(found.id)};
-  }
-  static typename T::ObjectHit hit_of(const ObjectHit<S, N>& hit) noexcept {
-    return {hit.distance.raw(),        id_of(hit.id),
-            Output<N>::vec(hit.point), Output<N>::direction(hit.normal),
-            hit.triangle.value_or(0),  hit.triangle ? 1u : 0u};
   }
   static detent_status write_nearest(const Scene& scene, const Ray<S, N>& ray, std::uint32_t layers,
                                      typename T::ObjectHit& hit) {

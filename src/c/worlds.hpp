@@ -10,11 +10,13 @@
 
 namespace detent::c {
 
-/// Worlds of spheres, boxes and capsules, and the options of their bodies.
+/// Worlds of spheres, boxes, capsules and solid hulls with all kinds of joints, the options of their
+/// bodies, and joints.
 template <int N>
 struct Worlds {
   using T = Types<N>;
-  using World = detent::World<S, N, Sphere, Aabb, Obb, Capsule>;
+  using World = detent::World<S, N, Sphere, Aabb, Obb, Capsule, BodyHull, DistanceJoint, BallJoint,
+                              HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
   using Settings = typename World::Settings;
   using Options = typename World::Options;
   static constexpr Kind kind = N == 2 ? Kind::world2 : Kind::world3;
@@ -68,7 +70,7 @@ struct Worlds {
       own.bounce_threshold = Input<N>::number(settings->bounce_threshold);
       own.sleep_speed = Input<N>::number(settings->sleep_speed);
     }
-    return guarded(nullptr, [&] { return table->make<World>(kind, world, nullptr, own); });
+    return guarded(nullptr, [&] { return table->make<World>(kind, world, refers_to, own); });
   }
   static detent_status destroy(detent_context* context, detent_handle world) {
     return destroy_object(context, kind, world);
@@ -77,12 +79,12 @@ struct Worlds {
   static detent_status add(detent_context* context, detent_handle world,
                            const typename T::Shape* shape, const typename T::BodyOptions* options,
                            detent_id* id) {
-    return change(context, world, [&](World& object) -> detent_status {
+    const auto put = [&](const Context& table, World& object) -> detent_status {
       Options own;
       if (shape == nullptr || id == nullptr || !read_options(options, own)) {
         return DETENT_BAD_ARGUMENT;
       }
-      return with_shape<N>(*shape, [&](const auto& read) -> detent_status {
+      return with_body_shape(table, *shape, [&](const auto& read) -> detent_status {
         if constexpr (requires { object.add(read, own); }) {
           const auto added = object.add(read, own);
           if (!added) return DETENT_FULL;
@@ -92,7 +94,8 @@ struct Worlds {
           return DETENT_NO_QUERY;
         }
       });
-    });
+    };
+    return with_object<World>(context, kind, world, put);
   }
   static detent_status remove(detent_context* context, detent_handle world, detent_id id) {
     return change(context, world,
@@ -160,6 +163,97 @@ struct Worlds {
     });
   }
 
+  static detent_status defaults(std::uint32_t kind, typename T::Joint* joint) {
+    if (joint == nullptr) return DETENT_BAD_ARGUMENT;
+    return with_kind(kind, [&](const auto& own) -> detent_status {
+      *joint = joint_of(own);
+      return DETENT_OK;
+    });
+  }
+  static detent_status add_joint(detent_context* context, detent_handle world,
+                                 const typename T::Joint* joint, detent_id* id) {
+    return change(context, world, [&](World& object) -> detent_status {
+      if (joint == nullptr || id == nullptr) return DETENT_BAD_ARGUMENT;
+      return with_joint(*joint, [&](const auto& read) -> detent_status {
+        if (!object.contains(read.a) || !object.contains(read.b) || read.a == read.b) {
+          return DETENT_NO;
+        }
+        const auto added = object.add(read);
+        if (!added) return DETENT_FULL;
+        *id = {added->index, added->generation};
+        return DETENT_OK;
+      });
+    });
+  }
+  static detent_status change_joint(detent_context* context, detent_handle world, detent_id id,
+                                    const typename T::Joint* joint) {
+    return change(context, world, [&](World& object) -> detent_status {
+      if (joint == nullptr) return DETENT_BAD_ARGUMENT;
+      return with_joint(
+          *joint, [&](const auto& read) { return yes_or_no(object.change(joint_id(id), read)); });
+    });
+  }
+  static detent_status remove_joint(detent_context* context, detent_handle world, detent_id id) {
+    return change(context, world,
+                  [&](World& object) { return yes_or_no(object.remove(joint_id(id))); });
+  }
+  static detent_status joint(const detent_context* context, detent_handle world, detent_id id,
+                             typename T::Joint* joint) {
+    return read(context, world, [&](const World& object) -> detent_status {
+      if (joint == nullptr) return DETENT_BAD_ARGUMENT;
+      for (std::uint32_t kind = DETENT_DISTANCE_JOINT; kind <= DETENT_WHEEL_JOINT; ++kind) {
+        const auto status = with_kind(kind, [&]<class Joint>(const Joint&) {
+          const Joint* const found = object.template find_joint<Joint>(joint_id(id));
+          if (found != nullptr) *joint = joint_of(*found);
+          return yes_or_no(found != nullptr);
+        });
+        if (status == DETENT_OK) return DETENT_OK;
+      }
+      return DETENT_NO;
+    });
+  }
+  static detent_status joint_count(const detent_context* context, detent_handle world,
+                                   std::uint32_t* count) {
+    return read(context, world, [&](const World& object) -> detent_status {
+      if (count == nullptr) return DETENT_BAD_ARGUMENT;
+      *count = static_cast<std::uint32_t>(object.joint_count());
+      return DETENT_OK;
+    });
+  }
+  static detent_status broken(const detent_context* context, detent_handle world, detent_id* joints,
+                              std::uint32_t room, std::uint32_t* count) {
+    return read(context, world, [&](const World& object) -> detent_status {
+      if (count == nullptr || (joints == nullptr && room != 0)) return DETENT_BAD_ARGUMENT;
+      *count = static_cast<std::uint32_t>(object.broken_count());
+      for (std::uint32_t i = 0; i < room && i < *count; ++i) {
+        const auto id = object.broken(i);
+        joints[i] = {id.index, id.generation};
+      }
+      return DETENT_OK;
+    });
+  }
+  static detent_status local_point(const detent_context* context, detent_handle world, detent_id id,
+                                   const typename T::Vec* point, typename T::Vec* local) {
+    return read(context, world, [&](const World& object) -> detent_status {
+      if (point == nullptr || local == nullptr) return DETENT_BAD_ARGUMENT;
+      if (!object.contains(id_of(id))) return DETENT_NO;
+      *local = Output<N>::vec(object.local_point(id_of(id), Input<N>::vec(*point)));
+      return DETENT_OK;
+    });
+  }
+  static detent_status local_frame(const detent_context* context, detent_handle world, detent_id id,
+                                   const typename T::Rotation* frame, typename T::Rotation* local) {
+    return read(context, world, [&](const World& object) -> detent_status {
+      if (frame == nullptr || local == nullptr) return DETENT_BAD_ARGUMENT;
+      Input<N> in;
+      const auto axes = in.rotation(*frame);
+      if (!in.is_valid()) return DETENT_NOT_UNIT;
+      if (!object.contains(id_of(id))) return DETENT_NO;
+      *local = Output<N>::rotation(object.local_frame(id_of(id), axes));
+      return DETENT_OK;
+    });
+  }
+
   static detent_status size(const detent_context* context, detent_handle world,
                             std::uint32_t* size) {
     return read(context, world, [&](const World& object) -> detent_status {
@@ -206,11 +300,13 @@ struct Worlds {
   }
   static detent_status restore(detent_context* context, detent_handle world, const void* bytes,
                                std::uint32_t size) {
-    return change(context, world, [&](World& object) -> detent_status {
+    const auto put = [&](const Context& table, World& object) -> detent_status {
       if (bytes == nullptr && size != 0) return DETENT_BAD_ARGUMENT;
-      return status_of(
-          detent::restore(object, std::span(static_cast<const std::byte*>(bytes), size)));
-    });
+      return status_of(detent::restore(object,
+                                       std::span(static_cast<const std::byte*>(bytes), size),
+                                       table.assets<SolidHull<S, N>>().span()));
+    };
+    return with_object<World>(context, kind, world, put);
   }
 
  private:
@@ -245,6 +341,117 @@ struct Worlds {
       for (std::size_t i = 0; i < read.size(); ++i) read[i] = Input<N>::number(numbers[i]);
       f(object, id_of(id), read);
     });
+  }
+
+  static bool refers_to(const void* world, const void* asset) {
+    const auto& bodies = detail::WorldAccess::bodies(*static_cast<const World*>(world));
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      bool does = false;
+      bodies[i].shape.visit([&](const auto& shape) {
+        if constexpr (requires { shape.asset; }) does = shape.asset == asset;
+      });
+      if (bodies[i].generation != 0 && does) return true;
+    }
+    return false;
+  }
+
+  /// f(shape) for a shape that bodies have.
+  template <class F>
+  static detent_status with_body_shape(const Context& table, const typename T::Shape& shape,
+                                       const F& f) {
+    if (shape.kind != DETENT_HULL) return with_shape<N>(shape, f);
+    const auto* const asset = table.asset<SolidHull<S, N>>(shape.asset);
+    if (asset == nullptr) return DETENT_BAD_HANDLE;
+    if (shape.as.placed.scale != S(1).raw()) return DETENT_BAD_ARGUMENT;
+    Input<N> in;
+    const auto placed = in.transform(shape.as.placed);
+    if (!in.is_valid()) return DETENT_NOT_UNIT;
+    return f(BodyHull<S, N>{asset, placed.translation, placed.rotation});
+  }
+
+  static JointId joint_id(const detent_id& id) noexcept { return {id.index, id.generation}; }
+  /// f(joint) with one of this kind as it is at first.
+  template <class F>
+  static detent_status with_kind(std::uint32_t kind, const F& f) {
+    switch (kind) {
+      case DETENT_DISTANCE_JOINT:
+        return f(DistanceJoint<S, N>());
+      case DETENT_BALL_JOINT:
+        return f(BallJoint<S, N>());
+      case DETENT_HINGE_JOINT:
+        return f(HingeJoint<S, N>());
+      case DETENT_WELD_JOINT:
+        return f(WeldJoint<S, N>());
+      case DETENT_SLIDER_JOINT:
+        return f(SliderJoint<S, N>());
+      case DETENT_WHEEL_JOINT:
+        return f(WheelJoint<S, N>());
+      default:
+        return DETENT_BAD_ARGUMENT;
+    }
+  }
+  /// Calls f(field, number) for the fields of a joint that are plain numbers.
+  template <class Joint, class Given, class F>
+  static void for_numbers(Joint& joint, Given& given, const F& f) {
+    f(joint.break_force, given.break_force);
+    if constexpr (requires { joint.least; }) {
+      f(joint.least, given.lower);
+      f(joint.most, given.upper);
+    }
+    if constexpr (requires { joint.lower; }) {
+      f(joint.lower, given.lower);
+      f(joint.upper, given.upper);
+      f(joint.motor_speed, given.motor_speed);
+    }
+    if constexpr (requires { joint.motor_torque; }) f(joint.motor_torque, given.motor_force);
+    if constexpr (requires { joint.motor_force; }) f(joint.motor_force, given.motor_force);
+    if constexpr (requires { joint.max_force; }) f(joint.max_force, given.motor_force);
+    if constexpr (requires { joint.length; }) f(joint.length, given.length);
+    if constexpr (requires { joint.frequency; }) {
+      f(joint.frequency, given.frequency);
+      f(joint.damping_ratio, given.damping_ratio);
+    }
+  }
+  /// f(joint) for a joint of the caller's.
+  template <class F>
+  static detent_status with_joint(const typename T::Joint& given, const F& f) {
+    if (given.collide > 1 || given.has_limits > 1 || given.break_force < 0 ||
+        given.motor_force < 0 || given.frequency < 0 || given.damping_ratio < 0) {
+      return DETENT_BAD_ARGUMENT;
+    }
+    return with_kind(given.kind, [&](auto joint) -> detent_status {
+      Input<N> in;
+      joint.a = id_of(given.a);
+      joint.b = id_of(given.b);
+      joint.anchor_a = Input<N>::vec(given.anchor_a);
+      joint.anchor_b = Input<N>::vec(given.anchor_b);
+      joint.collide = given.collide != 0;
+      if constexpr (requires { joint.frame_a; }) {
+        joint.frame_a = in.rotation(given.frame_a);
+        joint.frame_b = in.rotation(given.frame_b);
+      }
+      if constexpr (requires { joint.has_limits; }) joint.has_limits = given.has_limits != 0;
+      for_numbers(joint, given, [](S& field, std::int32_t raw) { field = Input<N>::number(raw); });
+      return in.is_valid() ? f(joint) : DETENT_NOT_UNIT;
+    });
+  }
+  template <class Joint>
+  static typename T::Joint joint_of(const Joint& joint) noexcept {
+    typename T::Joint given{};
+    given.kind = detail::joint_tag<Joint>;
+    given.a = id_of(joint.a);
+    given.b = id_of(joint.b);
+    given.anchor_a = Output<N>::vec(joint.anchor_a);
+    given.anchor_b = Output<N>::vec(joint.anchor_b);
+    given.frame_a = given.frame_b = Output<N>::rotation(Rotation<S, N>());
+    given.collide = joint.collide ? 1 : 0;
+    if constexpr (requires { joint.frame_a; }) {
+      given.frame_a = Output<N>::rotation(joint.frame_a);
+      given.frame_b = Output<N>::rotation(joint.frame_b);
+    }
+    if constexpr (requires { joint.has_limits; }) given.has_limits = joint.has_limits ? 1 : 0;
+    for_numbers(joint, given, [](const S& field, std::int32_t& raw) { raw = field.raw(); });
+    return given;
   }
 
   static bool read_options(const typename T::BodyOptions* options, Options& own) noexcept {

@@ -47,7 +47,7 @@ int main(void) {
   for (i = 0; i < BODIES; ++i) {
     detent_shape3 box = {0};
     detent_shape3 ball = {0};
-    detent_traits traits = {0, 1, DETENT_MOVING};
+    detent_traits traits = {0, 1, DETENT_MOVING, {0, 0}};
     box.kind = DETENT_OBB;
     box.as.obb.center.x = draw(4 * ONE) - 2 * ONE;
     box.as.obb.center.y = (2 + 2 * i) * ONE;

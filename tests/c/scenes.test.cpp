@@ -187,8 +187,10 @@ TEST_CASE("C scenes: histories give the bits of C++") {
     const auto where = place();
     const auto choice = random.below(10);
     if (choice < 4 || ids.empty()) {
-      const detent_traits traits{random.next(), static_cast<std::uint32_t>(1 + random.below(7)),
-                                 random.one_in(5) && i < 100 ? 1u : 0u};
+      const detent_traits traits{random.next(),
+                                 static_cast<std::uint32_t>(1 + random.below(7)),
+                                 random.one_in(5) && i < 100 ? 1u : 0u,
+                                 {}};
       twins.with_shape(random.below(9), where, [&](const auto& theirs, const auto& own) {
         detent_id id{};
         REQUIRE(detent_scene3_add(&twins.context, twins.scene, &theirs, &traits, &id) == DETENT_OK);
@@ -275,7 +277,7 @@ TEST_CASE("C scenes: histories give the bits of C++") {
 
 TEST_CASE("C scenes: an object comes back as it was added, whatever its kind") {
   Twins twins;
-  const detent_traits traits{77, 6, DETENT_FIXED};
+  const detent_traits traits{77, 6, DETENT_FIXED, {}};
   for (std::uint64_t kind = 0; kind < 9; ++kind) {
     CAPTURE(kind);
     twins.with_shape(kind, at(3, 4, 5), [&](const detent_shape3& shape, const auto&) {
@@ -295,6 +297,51 @@ TEST_CASE("C scenes: an object comes back as it was added, whatever its kind") {
   std::uint32_t size = 0;
   CHECK(detent_scene3_size(&twins.context, twins.scene, &size) == DETENT_OK);
   CHECK(size == 9);
+}
+
+TEST_CASE("C scenes: frames move what is in them") {
+  Twins twins;
+  const auto quarter =
+      Rotation<S, 3>::from_axis_angle(Direction<S, 3>::along(1), Angle<S>::turn(1, 4));
+  const Transform<S, 3> first{at(3 * one, 0, one), quarter, S(1)}, second{at(0, one, 0), {}, S(2)};
+  const auto outer = Out::transform(first), inner = Out::transform(second);
+  auto* const context = &twins.context;
+  const auto scene = twins.scene;
+  detent_id frame{}, child{}, id{};
+  REQUIRE(detent_scene3_add_frame(context, scene, &outer, {}, &frame) == DETENT_OK);
+  REQUIRE(detent_scene3_add_frame(context, scene, &inner, frame, &child) == DETENT_OK);
+  const auto own = *twins.twin.add_frame(first);
+  const auto own_child = *twins.twin.add_frame(second, own);
+  CHECK((own.index == frame.index && own.generation == frame.generation));
+  CHECK((own_child.index == child.index && own_child.generation == child.generation));
+  for (std::uint64_t kind = 0; kind < 9; ++kind) {
+    CAPTURE(kind);
+    const detent_traits traits{kind, 1, DETENT_MOVING, child};
+    twins.with_shape(kind, at(one, 0, 0), [&](const detent_shape3& shape, const auto& same) {
+      REQUIRE(detent_scene3_add(context, scene, &shape, &traits, &id) == DETENT_OK);
+      REQUIRE(twins.twin.add(same, {1, kind, Motion::moving, own_child}) == id_of(id));
+    });
+  }
+  twins.check_digest();
+  REQUIRE(detent_scene3_move_frame(context, scene, frame, &inner) == DETENT_OK);
+  REQUIRE(twins.twin.move_frame(own, second));
+  twins.check_digest();
+  detent_transform3 world{}, local{};
+  detent_traits with{};
+  REQUIRE(detent_scene3_frame(context, scene, child, &local, &world) == DETENT_OK);
+  CHECK(world.translation.y == 3 * one);
+  CHECK(local.translation.y == one);
+  REQUIRE(detent_scene3_object(context, scene, id, nullptr, &with) == DETENT_OK);
+  CHECK((with.frame.index == child.index && with.frame.generation == child.generation));
+  CHECK(detent_scene3_remove_frame(context, scene, child) == DETENT_NO);
+  detent_shape3 ball{};
+  ball.kind = DETENT_SPHERE;
+  const detent_traits lost{0, 1, DETENT_MOVING, {9, 9}}, fixed{0, 1, DETENT_FIXED, frame};
+  CHECK(detent_scene3_add(context, scene, &ball, &lost, &id) == DETENT_NO);
+  CHECK(detent_scene3_add(context, scene, &ball, &fixed, &id) == DETENT_BAD_ARGUMENT);
+  CHECK(detent_scene3_add_frame(context, scene, &outer, {9, 9}, &child) == DETENT_NO);
+  world.rotation.axis[0].x = 0;
+  CHECK(detent_scene3_move_frame(context, scene, frame, &world) == DETENT_NOT_UNIT);
 }
 
 TEST_CASE("C scenes: an asset in use stays, and comes back from a snapshot") {

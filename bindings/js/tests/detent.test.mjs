@@ -9,7 +9,7 @@ import { play } from '../examples/match.mjs';
 
 const { ONE, UNIT, status } = detent;
 const folder = pathToFileURL(`${process.env.DETENT_WASM ?? `${import.meta.dirname}/..`}/`);
-const file = (dimension) => new URL(`detent${dimension}.wasm`, folder);
+const file = (dimension, name = 'detent') => new URL(`${name}${dimension}.wasm`, folder);
 
 test('the match ends as in C++', async () => {
   assert.equal(await play(file(3)), process.env.DETENT_MATCH);
@@ -98,6 +98,48 @@ test('worlds in 2D', async () => {
   assert.ok(world.body(ghost).velocity[1] > 0);
 });
 
+test('pairs', async () => {
+  const { space } = await detent.load(3, file(3)), pairs = await detent.loadPairs(3, file(3, 'pairs'));
+  const box = space.aabb([0, 0, 0], [2 * ONE, 2 * ONE, 2 * ONE]);
+  const contact = pairs.contact(box, space.sphere([ONE, 2.5 * ONE, ONE], ONE));
+  assert.deepEqual([contact.normal, contact.depth, contact.points.length], [[0, UNIT, 0], ONE / 2, 1]);
+  const high = space.sphere([ONE, 5 * ONE, ONE], ONE);
+  assert.equal(pairs.contact(box, high), null);
+  assert.deepEqual(pairs.closestPoints(box, high), [[ONE, 2 * ONE, ONE], [ONE, 4 * ONE, ONE]]);
+  const hit = pairs.cast(high, [0, -UNIT, 0], 10 * ONE, box);
+  assert.deepEqual(hit, { distance: 2 * ONE, point: [ONE, 2 * ONE, ONE], normal: [0, UNIT, 0] });
+  assert.equal(pairs.cast(high, [0, UNIT, 0], 10 * ONE, box), null);
+  const impact = pairs.timeOfImpact(high, pairs.sweep([0, 0, 0], [0, -4 * ONE, 0]), box);
+  assert.throws(() => pairs.cast(high, [0, 1, 0], ONE, box), { status: status.NOT_UNIT });
+  assert.ok(Math.abs(impact.time / UNIT - 0.5) < 0.001 && impact.is_hit);
+});
+
+test('joints and frames', async () => {
+  const library = await detent.load(2, file(2));
+  const { space } = library, context = library.open(), world = context.world();
+  const wall = world.add(space.sphere([0, 5 * ONE], ONE / 8), { motion: detent.FIXED });
+  const arm = world.add(space.obb([ONE, 5 * ONE], [ONE, ONE / 8]));
+  const anchor_b = world.localPoint(arm, [0, 5 * ONE]);
+  assert.deepEqual(anchor_b, [-ONE, 0]);
+  const hinge = world.addJoint(detent.joints.hinge, wall, arm,
+    { anchor_b, motor_speed: 2 * ONE, motor_force: 50 * ONE });
+  for (let i = 0; i < 30; ++i) world.step();
+  assert.ok(Math.abs(world.body(arm).angular_velocity[0] - 2 * ONE) < ONE / 10);
+  assert.equal(world.changeJoint(hinge, { ...world.joint(hinge), break_force: 1 }), true);
+  world.step();
+  assert.deepEqual(world.broken(), [hinge]);
+  assert.equal(world.joint(hinge), null);
+  assert.equal(world.addJoint(detent.joints.weld, wall, wall), null);
+  const solid = context.solid(3, [[0, 0], [ONE, 0], [0, ONE]]);
+  assert.ok(world.add(space.placed(solid, [9 * ONE, 9 * ONE])));
+  const scene = context.scene(), frame = scene.addFrame([ONE, 0]);
+  const ball = scene.add(space.sphere([0, 0], ONE), { frame });
+  assert.equal(scene.moveFrame(frame, [7 * ONE, 0]), true);
+  assert.deepEqual(scene.nearest(space.point([7 * ONE, 0])).id, ball);
+  assert.equal(scene.removeFrame(frame), false);
+  context.close();
+});
+
 test('errors', async () => {
   const library = await detent.load(3, file(3));
   const { space } = library, context = library.open(), scene = context.scene();
@@ -117,8 +159,9 @@ test('every method has a type', async () => {
   const library = await detent.load(3, file(3));
   const context = library.open();
   const inner = new Set(['call', 'run', 'withWords', 'asset', 'create', 'out', 'out2', 'list', 'shape',
-    'push', 'turn', 'constructor']);
-  for (const one of [library, library.space, context, context.scene(), context.world()]) {
+    'push', 'turn', 'transform', 'joint_', 'constructor']);
+  const pairs = await detent.loadPairs(3, file(3, 'pairs'));
+  for (const one of [library, library.space, pairs, context, context.scene(), context.world()]) {
     for (let of = Object.getPrototypeOf(one); of !== Object.prototype; of = Object.getPrototypeOf(of)) {
       for (const name of Object.getOwnPropertyNames(of)) {
         if (!inner.has(name)) assert.match(types, new RegExp(`\\b${name}[(:]`), name);

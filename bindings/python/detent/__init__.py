@@ -21,6 +21,7 @@ import ctypes
 import ctypes.util
 import os
 import weakref
+from collections import namedtuple
 from ctypes import byref
 
 from . import _interface as c
@@ -29,6 +30,7 @@ ONE = 1 << 16
 UNIT = 1 << 30
 ALL_LAYERS = 0xffffffff
 DYNAMIC, KINEMATIC, FIXED = 0, 1, 2
+DISTANCE, BALL, HINGE, WELD, SLIDER, WHEEL = range(1, 7)  # kinds of joint
 
 
 def _load():
@@ -121,6 +123,13 @@ def _like(values, count):
     return room, room.buffer_info()[0]
 
 
+Contact = namedtuple('Contact', 'normal depth points')
+Contact.__doc__ = 'How shapes a and b are separated: b by `depth` along `normal`, from a to b.'
+ContactPoint = namedtuple('ContactPoint', 'point depth feature')
+Impact = namedtuple('Impact', 'time distance is_hit')
+Impact.__doc__ = 'When moving shapes meet: `time` is in steps of 2^-30.'
+
+
 class _Space:
     """Shapes, rays and queries of one dimension."""
 
@@ -129,7 +138,7 @@ class _Space:
         self._identity = tuple(tuple(UNIT if i == k else 0 for i in range(dimension))
                                for k in range(dimension))
         for name in ('vec', 'direction', 'rotation', 'transform', 'ray', 'shape', 'hit', 'object_hit',
-                     'body'):
+                     'body', 'manifold', 'sweep', 'joint'):
             setattr(self, f'_{name}', getattr(c, f'detent_{name}{dimension}'))
         self._words = ctypes.sizeof(self._ray) // 4
 
@@ -222,6 +231,39 @@ class _Space:
             _check(self._call('distance{N}')(shape, other, byref(distance)))
         return distance.value
 
+    def contact(self, one, other):
+        """How two shapes that overlap are separated, as a `Contact`, or None."""
+        found = self._manifold()
+        if not _check(self._call('contact{N}')(one, other, found)):
+            return None
+        return Contact(self._tuple(found.normal), found.depth,
+                       [ContactPoint(self._tuple(point.point), point.depth, point.feature)
+                        for point in found.points[:found.count]])
+
+    def closest_points(self, one, other):
+        """The point of each shape that is closest to the other shape."""
+        first, second = self._vec(), self._vec()
+        _check(self._call('closest_points{N}')(one, other, first, second))
+        return self._tuple(first), self._tuple(second)
+
+    def cast(self, shape, direction, max_distance, target):
+        """Where a moving shape first touches another one, or None: distance, point and normal."""
+        hit = self._hit()
+        return hit if _check(self._call('cast{N}')(shape, self._direction(*direction), max_distance,
+                                                   target, hit)) else None
+
+    def sweep(self, start, end, start_axes=None, end_axes=None):
+        """The motion of a frame, for `time_of_impact`."""
+        return self._sweep(self._vec(*start), self._vec(*end), self._rotated(start_axes),
+                           self._rotated(end_axes))
+
+    def time_of_impact(self, one, sweep, other, other_sweep=None, target=8):
+        """When two moving shapes first are closer than `target`, as an `Impact`, or None."""
+        impact = c.detent_impact()
+        if not _check(self._call('time_of_impact{N}')(one, sweep, other, other_sweep, target, impact)):
+            return None
+        return Impact(impact.time, impact.distance, bool(impact.is_hit))
+
     @staticmethod
     def _tuple(v):
         return tuple(getattr(v, field) for field, _ in v._fields_)
@@ -299,10 +341,11 @@ class Scene(_Held):
     def __init__(self, context, space):
         super().__init__(context, space, 'scene')
 
-    def add(self, shape, layers=1, user=0, fixed=False):
+    def add(self, shape, layers=1, user=0, fixed=False, frame=Id(0, 0)):
+        """The id of a new object, or None if there is no such frame."""
         made = c.detent_id()
-        self._call('add', shape, c.detent_traits(user, layers, int(fixed)), byref(made))
-        return _id(made)
+        traits = c.detent_traits(user, layers, int(fixed), frame._in_c())
+        return _id(made) if self._call('add', shape, traits, byref(made)) else None
 
     def replace(self, which, shape):
         return self._call('replace', which._in_c(), shape)
@@ -317,6 +360,23 @@ class Scene(_Held):
 
     def optimize(self):
         self._call('optimize')
+
+    def _placed(self, translation, axes, scale):
+        return self._space._transform(self._space._vec(*translation), self._space._rotated(axes), scale)
+
+    def add_frame(self, translation, axes=None, scale=ONE, parent=Id(0, 0)):
+        """A frame that objects can be in and move with, or None if there is no such parent."""
+        made = c.detent_id()
+        done = self._call('add_frame', self._placed(translation, axes, scale), parent._in_c(),
+                          byref(made))
+        return _id(made) if done else None
+
+    def move_frame(self, frame, translation, axes=None, scale=ONE):
+        return self._call('move_frame', frame._in_c(), self._placed(translation, axes, scale))
+
+    def remove_frame(self, frame):
+        """False if anything is in it."""
+        return self._call('remove_frame', frame._in_c())
 
     def raycast(self, ray, layers=ALL_LAYERS):
         """The first object that the ray touches, as a `Hit`, or None."""
@@ -386,7 +446,7 @@ class World(_Held):
         super().__init__(context, space, 'world', given)
 
     def add(self, shape, **options):
-        """Adds a sphere, AABB, OBB or capsule. Keywords are the fields of a body's options."""
+        """Adds a sphere, AABB, OBB, capsule or solid hull. Keywords are the fields of a body's options."""
         given = getattr(c, f'detent_body{self._space.dimension}_options')()
         _check(self._space._call('body{N}_default_options')(given))
         _set(given, options, self._space)
@@ -429,6 +489,51 @@ class World(_Held):
     def apply_torque(self, which, torque):
         """During the next step."""
         return self._call('apply_torque', which._in_c(), self._axial(torque))
+
+    def _joint(self, kind, a, b, fields):
+        joint = self._space._joint()
+        _check(self._space._call('joint{N}_defaults')(kind, joint))
+        joint.a, joint.b = a._in_c(), b._in_c()
+        for name in ('frame_a', 'frame_b'):
+            if name in fields:
+                setattr(joint, name, self._space._rotated(fields.pop(name)))
+        _set(joint, fields, self._space)
+        return joint
+
+    def add_joint(self, kind, a, b, **fields):
+        """Joins two bodies by a HINGE, for example; keywords are the fields of a joint. Its id, or None if
+        there are not both bodies."""
+        made = c.detent_id()
+        return _id(made) if self._call('add_joint', self._joint(kind, a, b, fields),
+                                       byref(made)) else None
+
+    def change_joint(self, which, joint):
+        """Replaces a joint by one of the same kind, such as `joint(which)` with another motor."""
+        return self._call('change_joint', which._in_c(), joint)
+
+    def remove_joint(self, which):
+        return self._call('remove_joint', which._in_c())
+
+    def joint(self, which):
+        """The fields of a joint, or None."""
+        joint = self._space._joint()
+        return joint if self._call('joint', which._in_c(), joint) else None
+
+    def broken(self):
+        """The joints that broke in the last step."""
+        return [_id(which) for which in self._list('broken', c.detent_id)]
+
+    def local_point(self, which, point):
+        """A point of the world in the frame of a body: an anchor of a joint. None without the body."""
+        local = self._space._vec()
+        done = self._call('local_point', which._in_c(), self._space._vec(*point), local)
+        return _Space._tuple(local) if done else None
+
+    def local_frame(self, which, axes):
+        """Axes of the world in the frame of a body: a frame of a joint. None without the body."""
+        local = self._space._rotation()
+        done = self._call('local_frame', which._in_c(), self._space._rotated(axes), local)
+        return tuple(_Space._tuple(axis) for axis in local.axis) if done else None
 
     def events(self):
         """(a, b, begins) of the pairs that began or ended to touch in the last step."""
@@ -486,15 +591,21 @@ class Context:
                            len(vertices), (ctypes.c_uint32 * len(indices))(*indices),
                            len(indices) // 3)
 
+    def _points(self, create, vec, name, points):
+        return self._asset(create, name, (vec * len(points))(*[vec(*p) for p in points]), len(points))
+
     def hull3(self, name, points):
-        return self._asset(_library.detent_hull3_create, name,
-                           (c.detent_vec3 * len(points))(*[c.detent_vec3(*p) for p in points]),
-                           len(points))
+        return self._points(_library.detent_hull3_create, c.detent_vec3, name, points)
 
     def hull2(self, name, points):
-        return self._asset(_library.detent_hull2_create, name,
-                           (c.detent_vec2 * len(points))(*[c.detent_vec2(*p) for p in points]),
-                           len(points))
+        return self._points(_library.detent_hull2_create, c.detent_vec2, name, points)
+
+    def solid3(self, name, points):
+        """A convex hull for bodies."""
+        return self._points(_library.detent_solid3_create, c.detent_vec3, name, points)
+
+    def solid2(self, name, points):
+        return self._points(_library.detent_solid2_create, c.detent_vec2, name, points)
 
     def height_field(self, name, corner, cell, columns, rows, heights):
         if len(heights) != columns * rows:
@@ -504,10 +615,9 @@ class Context:
 
 
 def placed(asset, translation, axes=None, scale=ONE):
-    """A shape of a scene: a mesh or hull transformed, or a height field moved."""
-    kind = {5: c.DETENT_MESH, 6: c.DETENT_HULL, 7: c.DETENT_HULL, 8: c.DETENT_HEIGHT_FIELD}[
-        asset.handle & 15]
-    space = d2 if asset.handle & 15 == 6 else d3
+    """A shape of a scene: a mesh or hull transformed, or a height field moved; of a world: a solid hull."""
+    kind = {5: c.DETENT_MESH, 8: c.DETENT_HEIGHT_FIELD}.get(asset.handle & 15, c.DETENT_HULL)
+    space = d2 if asset.handle & 15 in (6, 9) else d3
     shape = space._shape()
     shape.kind, shape.asset = kind, asset.handle
     if kind == c.DETENT_HEIGHT_FIELD:

@@ -40,6 +40,12 @@ DETENT_FIXED = 1
 DETENT_DYNAMIC_BODY = 0
 DETENT_KINEMATIC_BODY = 1
 DETENT_FIXED_BODY = 2
+DETENT_DISTANCE_JOINT = 1
+DETENT_BALL_JOINT = 2
+DETENT_HINGE_JOINT = 3
+DETENT_WELD_JOINT = 4
+DETENT_SLIDER_JOINT = 5
+DETENT_WHEEL_JOINT = 6
 DETENT_LOCK_X = 1
 DETENT_LOCK_Y = 2
 DETENT_LOCK_Z = 4
@@ -81,12 +87,22 @@ class detent_found(Structure):
     ]
 
 
+class detent_impact(Structure):
+    """When two moving shapes meet. They are apart before `time`, in steps of 2^-30, and at most `distance` apart at it. If `is_hit` is 0, the search ended early, and whether they meet later is not known."""
+    _fields_ = [
+        ('time', c_int32),
+        ('distance', c_int32),
+        ('is_hit', c_uint32),
+    ]
+
+
 class detent_traits(Structure):
     """What a scene stores with an object."""
     _fields_ = [
         ('user', c_uint64),
         ('layers', c_uint32),
         ('motion', c_uint32),
+        ('frame', detent_id),
     ]
 
 
@@ -238,6 +254,35 @@ class detent_hit2(Structure):
     ]
 
 
+class detent_contact_point2(Structure):
+    """One point of a contact, on the surface of the first shape, and how deep the second shape is there: its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and stays the same while they do."""
+    _fields_ = [
+        ('point', detent_vec2),
+        ('depth', c_int32),
+        ('feature', c_uint32),
+    ]
+
+
+class detent_manifold2(Structure):
+    """How two shapes a and b that overlap are separated by the least translation: b moves by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others zeros."""
+    _fields_ = [
+        ('normal', detent_direction2),
+        ('depth', c_int32),
+        ('count', c_uint32),
+        ('points', detent_contact_point2 * 2),
+    ]
+
+
+class detent_sweep2(Structure):
+    """The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly, and it turns about one axis by at most half a turn."""
+    _fields_ = [
+        ('start', detent_vec2),
+        ('end', detent_vec2),
+        ('start_rotation', detent_rotation2),
+        ('end_rotation', detent_rotation2),
+    ]
+
+
 class detent_object_hit2(Structure):
     """Where a ray first touches an object; in a mesh or height field also the index of the triangle."""
     _fields_ = [
@@ -281,6 +326,29 @@ class detent_body2_options(Structure):
         ('locked', c_uint32),
         ('is_sensor', c_uint32),
         ('reserved', c_uint32 * 2),
+    ]
+
+
+class detent_joint2(Structure):
+    """A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it."""
+    _fields_ = [
+        ('kind', c_uint32),
+        ('a', detent_id),
+        ('b', detent_id),
+        ('anchor_a', detent_vec2),
+        ('anchor_b', detent_vec2),
+        ('frame_a', detent_rotation2),
+        ('frame_b', detent_rotation2),
+        ('collide', c_uint32),
+        ('break_force', c_int32),
+        ('has_limits', c_uint32),
+        ('lower', c_int32),
+        ('upper', c_int32),
+        ('motor_speed', c_int32),
+        ('motor_force', c_int32),
+        ('length', c_int32),
+        ('frequency', c_int32),
+        ('damping_ratio', c_int32),
     ]
 
 
@@ -429,6 +497,35 @@ class detent_hit3(Structure):
     ]
 
 
+class detent_contact_point3(Structure):
+    """One point of a contact, on the surface of the first shape, and how deep the second shape is there: its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and stays the same while they do."""
+    _fields_ = [
+        ('point', detent_vec3),
+        ('depth', c_int32),
+        ('feature', c_uint32),
+    ]
+
+
+class detent_manifold3(Structure):
+    """How two shapes a and b that overlap are separated by the least translation: b moves by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others zeros."""
+    _fields_ = [
+        ('normal', detent_direction3),
+        ('depth', c_int32),
+        ('count', c_uint32),
+        ('points', detent_contact_point3 * 4),
+    ]
+
+
+class detent_sweep3(Structure):
+    """The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly, and it turns about one axis by at most half a turn."""
+    _fields_ = [
+        ('start', detent_vec3),
+        ('end', detent_vec3),
+        ('start_rotation', detent_rotation3),
+        ('end_rotation', detent_rotation3),
+    ]
+
+
 class detent_object_hit3(Structure):
     """Where a ray first touches an object; in a mesh or height field also the index of the triangle."""
     _fields_ = [
@@ -475,6 +572,29 @@ class detent_body3_options(Structure):
     ]
 
 
+class detent_joint3(Structure):
+    """A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it."""
+    _fields_ = [
+        ('kind', c_uint32),
+        ('a', detent_id),
+        ('b', detent_id),
+        ('anchor_a', detent_vec3),
+        ('anchor_b', detent_vec3),
+        ('frame_a', detent_rotation3),
+        ('frame_b', detent_rotation3),
+        ('collide', c_uint32),
+        ('break_force', c_int32),
+        ('has_limits', c_uint32),
+        ('lower', c_int32),
+        ('upper', c_int32),
+        ('motor_speed', c_int32),
+        ('motor_force', c_int32),
+        ('length', c_int32),
+        ('frequency', c_int32),
+        ('damping_ratio', c_int32),
+    ]
+
+
 class detent_body3(Structure):
     """Where a body is and how it moves, rounded to nearest."""
     _fields_ = [
@@ -490,7 +610,8 @@ assert sizeof(detent_id) == 8
 assert sizeof(detent_pair) == 16
 assert sizeof(detent_touch) == 20
 assert sizeof(detent_found) == 12
-assert sizeof(detent_traits) == 16
+assert sizeof(detent_impact) == 12
+assert sizeof(detent_traits) == 24
 assert sizeof(detent_context) == 32
 assert sizeof(detent_vec2) == 8
 assert sizeof(detent_direction2) == 8
@@ -506,9 +627,13 @@ assert sizeof(detent_capsule2) == 20
 assert sizeof(detent_segment2) == 16
 assert sizeof(detent_shape2) == 40
 assert sizeof(detent_hit2) == 20
+assert sizeof(detent_contact_point2) == 16
+assert sizeof(detent_manifold2) == 48
+assert sizeof(detent_sweep2) == 48
 assert sizeof(detent_object_hit2) == 36
 assert sizeof(detent_world2_settings) == 32
 assert sizeof(detent_body2_options) == 72
+assert sizeof(detent_joint2) == 108
 assert sizeof(detent_body2) == 40
 assert sizeof(detent_vec3) == 12
 assert sizeof(detent_direction3) == 12
@@ -524,9 +649,13 @@ assert sizeof(detent_capsule3) == 28
 assert sizeof(detent_segment3) == 24
 assert sizeof(detent_shape3) == 68
 assert sizeof(detent_hit3) == 28
+assert sizeof(detent_contact_point3) == 20
+assert sizeof(detent_manifold3) == 100
+assert sizeof(detent_sweep3) == 96
 assert sizeof(detent_object_hit3) == 44
 assert sizeof(detent_world3_settings) == 36
 assert sizeof(detent_body3_options) == 88
+assert sizeof(detent_joint3) == 156
 assert sizeof(detent_body3) == 76
 
 
@@ -606,7 +735,40 @@ FUNCTIONS = {
         POINTER(detent_shape2),
         POINTER(c_int32),
     ]),
+    'detent_contact2': (c_int32, [
+        POINTER(detent_shape2),
+        POINTER(detent_shape2),
+        POINTER(detent_manifold2),
+    ]),
+    'detent_closest_points2': (c_int32, [
+        POINTER(detent_shape2),
+        POINTER(detent_shape2),
+        POINTER(detent_vec2),
+        POINTER(detent_vec2),
+    ]),
+    'detent_cast2': (c_int32, [
+        POINTER(detent_shape2),
+        POINTER(detent_direction2),
+        c_int32,
+        POINTER(detent_shape2),
+        POINTER(detent_hit2),
+    ]),
+    'detent_time_of_impact2': (c_int32, [
+        POINTER(detent_shape2),
+        POINTER(detent_sweep2),
+        POINTER(detent_shape2),
+        POINTER(detent_sweep2),
+        c_int32,
+        POINTER(detent_impact),
+    ]),
     'detent_hull2_create': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_vec2),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_solid2_create': (c_int32, [
         POINTER(detent_context),
         c_uint32,
         POINTER(detent_vec2),
@@ -664,6 +826,31 @@ FUNCTIONS = {
         c_uint32,
         detent_id,
         POINTER(detent_traits),
+    ]),
+    'detent_scene2_add_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_transform2),
+        detent_id,
+        POINTER(detent_id),
+    ]),
+    'detent_scene2_move_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_transform2),
+    ]),
+    'detent_scene2_remove_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+    ]),
+    'detent_scene2_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_transform2),
+        POINTER(detent_transform2),
     ]),
     'detent_scene2_size': (c_int32, [
         POINTER(detent_context),
@@ -827,6 +1014,59 @@ FUNCTIONS = {
         detent_id,
         POINTER(c_int32),
     ]),
+    'detent_joint2_defaults': (c_int32, [
+        c_uint32,
+        POINTER(detent_joint2),
+    ]),
+    'detent_world2_add_joint': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_joint2),
+        POINTER(detent_id),
+    ]),
+    'detent_world2_change_joint': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_joint2),
+    ]),
+    'detent_world2_remove_joint': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+    ]),
+    'detent_world2_joint': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_joint2),
+    ]),
+    'detent_world2_joint_count': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world2_broken': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_id),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world2_local_point': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_vec2),
+        POINTER(detent_vec2),
+    ]),
+    'detent_world2_local_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_rotation2),
+        POINTER(detent_rotation2),
+    ]),
     'detent_world2_size': (c_int32, [
         POINTER(detent_context),
         c_uint32,
@@ -897,7 +1137,40 @@ FUNCTIONS = {
         POINTER(detent_shape3),
         POINTER(c_int32),
     ]),
+    'detent_contact3': (c_int32, [
+        POINTER(detent_shape3),
+        POINTER(detent_shape3),
+        POINTER(detent_manifold3),
+    ]),
+    'detent_closest_points3': (c_int32, [
+        POINTER(detent_shape3),
+        POINTER(detent_shape3),
+        POINTER(detent_vec3),
+        POINTER(detent_vec3),
+    ]),
+    'detent_cast3': (c_int32, [
+        POINTER(detent_shape3),
+        POINTER(detent_direction3),
+        c_int32,
+        POINTER(detent_shape3),
+        POINTER(detent_hit3),
+    ]),
+    'detent_time_of_impact3': (c_int32, [
+        POINTER(detent_shape3),
+        POINTER(detent_sweep3),
+        POINTER(detent_shape3),
+        POINTER(detent_sweep3),
+        c_int32,
+        POINTER(detent_impact),
+    ]),
     'detent_hull3_create': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_vec3),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_solid3_create': (c_int32, [
         POINTER(detent_context),
         c_uint32,
         POINTER(detent_vec3),
@@ -955,6 +1228,31 @@ FUNCTIONS = {
         c_uint32,
         detent_id,
         POINTER(detent_traits),
+    ]),
+    'detent_scene3_add_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_transform3),
+        detent_id,
+        POINTER(detent_id),
+    ]),
+    'detent_scene3_move_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_transform3),
+    ]),
+    'detent_scene3_remove_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+    ]),
+    'detent_scene3_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_transform3),
+        POINTER(detent_transform3),
     ]),
     'detent_scene3_size': (c_int32, [
         POINTER(detent_context),
@@ -1117,6 +1415,59 @@ FUNCTIONS = {
         c_uint32,
         detent_id,
         POINTER(c_int32),
+    ]),
+    'detent_joint3_defaults': (c_int32, [
+        c_uint32,
+        POINTER(detent_joint3),
+    ]),
+    'detent_world3_add_joint': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_joint3),
+        POINTER(detent_id),
+    ]),
+    'detent_world3_change_joint': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_joint3),
+    ]),
+    'detent_world3_remove_joint': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+    ]),
+    'detent_world3_joint': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_joint3),
+    ]),
+    'detent_world3_joint_count': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world3_broken': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_id),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world3_local_point': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_vec3),
+        POINTER(detent_vec3),
+    ]),
+    'detent_world3_local_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_rotation3),
+        POINTER(detent_rotation3),
     ]),
     'detent_world3_size': (c_int32, [
         POINTER(detent_context),

@@ -101,6 +101,55 @@ class Test(unittest.TestCase):
         world.step()
         self.assertGreater(world.body(ghost).velocity.y, 0)
 
+    def test_pairs(self):
+        box = d3.aabb((0, 0, 0), (2 * ONE, 2 * ONE, 2 * ONE))
+        ball = d3.sphere((ONE, ONE // 2 + 2 * ONE, ONE), ONE)
+        contact = d3.contact(box, ball)
+        self.assertEqual((contact.normal, contact.depth), ((0, UNIT, 0), ONE // 2))
+        self.assertEqual([point.depth for point in contact.points], [ONE // 2])
+        high = d3.sphere((ONE, 5 * ONE, ONE), ONE)
+        self.assertIsNone(d3.contact(box, high))
+        self.assertEqual(d3.closest_points(box, high), ((ONE, 2 * ONE, ONE), (ONE, 4 * ONE, ONE)))
+        hit = d3.cast(high, (0, -UNIT, 0), 10 * ONE, box)
+        self.assertEqual((hit.distance, hit.point.y, hit.normal.y), (2 * ONE, 2 * ONE, UNIT))
+        self.assertIsNone(d3.cast(high, (0, UNIT, 0), 10 * ONE, box))
+        falls = d3.sweep((0, 0, 0), (0, -4 * ONE, 0))
+        impact = d3.time_of_impact(high, falls, box)
+        self.assertAlmostEqual(impact.time / UNIT, 0.5, delta=0.001)
+        self.assertTrue(impact.is_hit)
+        self.assertIsNone(d3.time_of_impact(high, d3.sweep((0, 0, 0), (0, ONE, 0)), box))
+
+    def test_joints(self):
+        world = self.context.world2()
+        wall = world.add(d2.sphere((0, 5 * ONE), ONE // 10), motion=detent.FIXED)
+        arm = world.add(d2.obb((ONE, 5 * ONE), (ONE, ONE // 10)))
+        end = world.local_point(arm, (0, 5 * ONE))
+        self.assertEqual(end, (-ONE, 0))
+        hinge = world.add_joint(detent.HINGE, wall, arm, anchor_b=end, motor_speed=2 * ONE,
+                                motor_force=50 * ONE)
+        for _ in range(30):
+            world.step()
+        self.assertAlmostEqual(detent.number(world.body(arm).angular_velocity[0]), 2, delta=0.1)
+        joint = world.joint(hinge)
+        joint.motor_speed = -2 * ONE
+        joint.break_force = 1
+        self.assertTrue(world.change_joint(hinge, joint))
+        world.step()
+        self.assertEqual(world.broken(), [hinge])
+        self.assertIsNone(world.joint(hinge))
+        self.assertIsNone(world.add_joint(detent.WELD, wall, wall))
+        solid = self.context.solid2(3, [(0, 0), (ONE, 0), (0, ONE)])
+        body = world.add(detent.placed(solid, (9 * ONE, 9 * ONE)))
+        self.assertEqual(world.position(body), (9 * ONE + ONE // 3, 9 * ONE + ONE // 3))
+
+    def test_frames(self):
+        scene = self.context.scene2()
+        frame = scene.add_frame((ONE, 0))
+        ball = scene.add(d2.sphere((0, 0), ONE), frame=frame)
+        self.assertTrue(scene.move_frame(frame, (7 * ONE, 0)))
+        self.assertEqual(scene.nearest(d2.point((7 * ONE, 0))), (0, ball))
+        self.assertFalse(scene.remove_frame(frame))
+
     def test_errors(self):
         with self.assertRaises(detent.Error) as caught:
             d3.raycast(d3.ray((0, 0, 0), (1, 0, 0)), d3.sphere((0, 0, 0), ONE))

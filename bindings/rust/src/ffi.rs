@@ -42,6 +42,12 @@ pub const FIXED: u32 = 1;
 pub const DYNAMIC_BODY: u32 = 0;
 pub const KINEMATIC_BODY: u32 = 1;
 pub const FIXED_BODY: u32 = 2;
+pub const DISTANCE_JOINT: u32 = 1;
+pub const BALL_JOINT: u32 = 2;
+pub const HINGE_JOINT: u32 = 3;
+pub const WELD_JOINT: u32 = 4;
+pub const SLIDER_JOINT: u32 = 5;
+pub const WHEEL_JOINT: u32 = 6;
 pub const LOCK_X: u32 = 1;
 pub const LOCK_Y: u32 = 2;
 pub const LOCK_Z: u32 = 4;
@@ -87,14 +93,25 @@ pub struct Found {
 const _: () = assert!(std::mem::size_of::<Found>() == 12);
 
 #[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// When two moving shapes meet. They are apart before `time`, in steps of 2^-30, and at most `distance` apart at it. If `is_hit` is 0, the search ended early, and whether they meet later is not known.
+pub struct Impact {
+    pub time: i32,
+    pub distance: i32,
+    pub is_hit: u32,
+}
+const _: () = assert!(std::mem::size_of::<Impact>() == 12);
+
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 /// What a scene stores with an object.
 pub struct Traits {
     pub user: u64,
     pub layers: u32,
     pub motion: u32,
+    pub frame: Id,
 }
-const _: () = assert!(std::mem::size_of::<Traits>() == 16);
+const _: () = assert!(std::mem::size_of::<Traits>() == 24);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -252,6 +269,38 @@ const _: () = assert!(std::mem::size_of::<Hit2>() == 20);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// One point of a contact, on the surface of the first shape, and how deep the second shape is there: its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and stays the same while they do.
+pub struct ContactPoint2 {
+    pub point: Vec2,
+    pub depth: i32,
+    pub feature: u32,
+}
+const _: () = assert!(std::mem::size_of::<ContactPoint2>() == 16);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// How two shapes a and b that overlap are separated by the least translation: b moves by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others zeros.
+pub struct Manifold2 {
+    pub normal: Direction2,
+    pub depth: i32,
+    pub count: u32,
+    pub points: [ContactPoint2; 2],
+}
+const _: () = assert!(std::mem::size_of::<Manifold2>() == 48);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly, and it turns about one axis by at most half a turn.
+pub struct Sweep2 {
+    pub start: Vec2,
+    pub end: Vec2,
+    pub start_rotation: Rotation2,
+    pub end_rotation: Rotation2,
+}
+const _: () = assert!(std::mem::size_of::<Sweep2>() == 48);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 /// Where a ray first touches an object; in a mesh or height field also the index of the triangle.
 pub struct ObjectHit2 {
     pub distance: i32,
@@ -298,6 +347,30 @@ pub struct Body2Options {
     pub reserved: [u32; 2],
 }
 const _: () = assert!(std::mem::size_of::<Body2Options>() == 72);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it.
+pub struct Joint2 {
+    pub kind: u32,
+    pub a: Id,
+    pub b: Id,
+    pub anchor_a: Vec2,
+    pub anchor_b: Vec2,
+    pub frame_a: Rotation2,
+    pub frame_b: Rotation2,
+    pub collide: u32,
+    pub break_force: i32,
+    pub has_limits: u32,
+    pub lower: i32,
+    pub upper: i32,
+    pub motor_speed: i32,
+    pub motor_force: i32,
+    pub length: i32,
+    pub frequency: i32,
+    pub damping_ratio: i32,
+}
+const _: () = assert!(std::mem::size_of::<Joint2>() == 108);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -461,6 +534,38 @@ const _: () = assert!(std::mem::size_of::<Hit3>() == 28);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// One point of a contact, on the surface of the first shape, and how deep the second shape is there: its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and stays the same while they do.
+pub struct ContactPoint3 {
+    pub point: Vec3,
+    pub depth: i32,
+    pub feature: u32,
+}
+const _: () = assert!(std::mem::size_of::<ContactPoint3>() == 20);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// How two shapes a and b that overlap are separated by the least translation: b moves by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others zeros.
+pub struct Manifold3 {
+    pub normal: Direction3,
+    pub depth: i32,
+    pub count: u32,
+    pub points: [ContactPoint3; 4],
+}
+const _: () = assert!(std::mem::size_of::<Manifold3>() == 100);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly, and it turns about one axis by at most half a turn.
+pub struct Sweep3 {
+    pub start: Vec3,
+    pub end: Vec3,
+    pub start_rotation: Rotation3,
+    pub end_rotation: Rotation3,
+}
+const _: () = assert!(std::mem::size_of::<Sweep3>() == 96);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 /// Where a ray first touches an object; in a mesh or height field also the index of the triangle.
 pub struct ObjectHit3 {
     pub distance: i32,
@@ -510,6 +615,30 @@ const _: () = assert!(std::mem::size_of::<Body3Options>() == 88);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it.
+pub struct Joint3 {
+    pub kind: u32,
+    pub a: Id,
+    pub b: Id,
+    pub anchor_a: Vec3,
+    pub anchor_b: Vec3,
+    pub frame_a: Rotation3,
+    pub frame_b: Rotation3,
+    pub collide: u32,
+    pub break_force: i32,
+    pub has_limits: u32,
+    pub lower: i32,
+    pub upper: i32,
+    pub motor_speed: i32,
+    pub motor_force: i32,
+    pub length: i32,
+    pub frequency: i32,
+    pub damping_ratio: i32,
+}
+const _: () = assert!(std::mem::size_of::<Joint3>() == 156);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 /// Where a body is and how it moves, rounded to nearest.
 pub struct Body3 {
     pub position: Vec3,
@@ -538,7 +667,12 @@ extern "C" {
     pub fn detent_closest_point2(shape: *const Shape2, point: *const Vec2, closest: *mut Vec2) -> i32;
     pub fn detent_distance_to_point2(shape: *const Shape2, point: *const Vec2, distance: *mut i32) -> i32;
     pub fn detent_distance2(a: *const Shape2, b: *const Shape2, distance: *mut i32) -> i32;
+    pub fn detent_contact2(a: *const Shape2, b: *const Shape2, contact: *mut Manifold2) -> i32;
+    pub fn detent_closest_points2(a: *const Shape2, b: *const Shape2, point_a: *mut Vec2, point_b: *mut Vec2) -> i32;
+    pub fn detent_cast2(shape: *const Shape2, direction: *const Direction2, max_distance: i32, target: *const Shape2, hit: *mut Hit2) -> i32;
+    pub fn detent_time_of_impact2(a: *const Shape2, sweep_a: *const Sweep2, b: *const Shape2, sweep_b: *const Sweep2, target: i32, impact: *mut Impact) -> i32;
     pub fn detent_hull2_create(context: *mut Context, id: u32, points: *const Vec2, count: u32, hull: *mut u32) -> i32;
+    pub fn detent_solid2_create(context: *mut Context, id: u32, points: *const Vec2, count: u32, solid: *mut u32) -> i32;
     pub fn detent_scene2_create(context: *mut Context, scene: *mut u32) -> i32;
     pub fn detent_scene2_destroy(context: *mut Context, scene: u32) -> i32;
     pub fn detent_scene2_add(context: *mut Context, scene: u32, shape: *const Shape2, traits: *const Traits, id: *mut Id) -> i32;
@@ -548,6 +682,10 @@ extern "C" {
     pub fn detent_scene2_move(context: *mut Context, scene: u32, id: Id, by: *const Vec2) -> i32;
     pub fn detent_scene2_object(context: *const Context, scene: u32, id: Id, shape: *mut Shape2, traits: *mut Traits) -> i32;
     pub fn detent_scene2_set_traits(context: *mut Context, scene: u32, id: Id, traits: *const Traits) -> i32;
+    pub fn detent_scene2_add_frame(context: *mut Context, scene: u32, transform: *const Transform2, parent: Id, frame: *mut Id) -> i32;
+    pub fn detent_scene2_move_frame(context: *mut Context, scene: u32, frame: Id, transform: *const Transform2) -> i32;
+    pub fn detent_scene2_remove_frame(context: *mut Context, scene: u32, frame: Id) -> i32;
+    pub fn detent_scene2_frame(context: *const Context, scene: u32, frame: Id, local: *mut Transform2, world: *mut Transform2) -> i32;
     pub fn detent_scene2_size(context: *const Context, scene: u32, size: *mut u32) -> i32;
     pub fn detent_scene2_optimize(context: *mut Context, scene: u32) -> i32;
     pub fn detent_scene2_raycast(context: *const Context, scene: u32, ray: *const Ray2, layers: u32, hit: *mut ObjectHit2) -> i32;
@@ -575,6 +713,15 @@ extern "C" {
     pub fn detent_world2_apply_impulse(context: *mut Context, world: u32, id: Id, impulse: *const Vec2, at: *const Vec2) -> i32;
     pub fn detent_world2_apply_force(context: *mut Context, world: u32, id: Id, force: *const Vec2, at: *const Vec2) -> i32;
     pub fn detent_world2_apply_torque(context: *mut Context, world: u32, id: Id, torque: *const i32) -> i32;
+    pub fn detent_joint2_defaults(kind: u32, joint: *mut Joint2) -> i32;
+    pub fn detent_world2_add_joint(context: *mut Context, world: u32, joint: *const Joint2, id: *mut Id) -> i32;
+    pub fn detent_world2_change_joint(context: *mut Context, world: u32, id: Id, joint: *const Joint2) -> i32;
+    pub fn detent_world2_remove_joint(context: *mut Context, world: u32, id: Id) -> i32;
+    pub fn detent_world2_joint(context: *const Context, world: u32, id: Id, joint: *mut Joint2) -> i32;
+    pub fn detent_world2_joint_count(context: *const Context, world: u32, count: *mut u32) -> i32;
+    pub fn detent_world2_broken(context: *const Context, world: u32, joints: *mut Id, room: u32, count: *mut u32) -> i32;
+    pub fn detent_world2_local_point(context: *const Context, world: u32, id: Id, point: *const Vec2, local: *mut Vec2) -> i32;
+    pub fn detent_world2_local_frame(context: *const Context, world: u32, id: Id, frame: *const Rotation2, local: *mut Rotation2) -> i32;
     pub fn detent_world2_size(context: *const Context, world: u32, size: *mut u32) -> i32;
     pub fn detent_world2_events(context: *const Context, world: u32, events: *mut Touch, room: u32, count: *mut u32) -> i32;
     pub fn detent_world2_digest(context: *const Context, world: u32, digest: *mut u64) -> i32;
@@ -588,7 +735,12 @@ extern "C" {
     pub fn detent_closest_point3(shape: *const Shape3, point: *const Vec3, closest: *mut Vec3) -> i32;
     pub fn detent_distance_to_point3(shape: *const Shape3, point: *const Vec3, distance: *mut i32) -> i32;
     pub fn detent_distance3(a: *const Shape3, b: *const Shape3, distance: *mut i32) -> i32;
+    pub fn detent_contact3(a: *const Shape3, b: *const Shape3, contact: *mut Manifold3) -> i32;
+    pub fn detent_closest_points3(a: *const Shape3, b: *const Shape3, point_a: *mut Vec3, point_b: *mut Vec3) -> i32;
+    pub fn detent_cast3(shape: *const Shape3, direction: *const Direction3, max_distance: i32, target: *const Shape3, hit: *mut Hit3) -> i32;
+    pub fn detent_time_of_impact3(a: *const Shape3, sweep_a: *const Sweep3, b: *const Shape3, sweep_b: *const Sweep3, target: i32, impact: *mut Impact) -> i32;
     pub fn detent_hull3_create(context: *mut Context, id: u32, points: *const Vec3, count: u32, hull: *mut u32) -> i32;
+    pub fn detent_solid3_create(context: *mut Context, id: u32, points: *const Vec3, count: u32, solid: *mut u32) -> i32;
     pub fn detent_scene3_create(context: *mut Context, scene: *mut u32) -> i32;
     pub fn detent_scene3_destroy(context: *mut Context, scene: u32) -> i32;
     pub fn detent_scene3_add(context: *mut Context, scene: u32, shape: *const Shape3, traits: *const Traits, id: *mut Id) -> i32;
@@ -598,6 +750,10 @@ extern "C" {
     pub fn detent_scene3_move(context: *mut Context, scene: u32, id: Id, by: *const Vec3) -> i32;
     pub fn detent_scene3_object(context: *const Context, scene: u32, id: Id, shape: *mut Shape3, traits: *mut Traits) -> i32;
     pub fn detent_scene3_set_traits(context: *mut Context, scene: u32, id: Id, traits: *const Traits) -> i32;
+    pub fn detent_scene3_add_frame(context: *mut Context, scene: u32, transform: *const Transform3, parent: Id, frame: *mut Id) -> i32;
+    pub fn detent_scene3_move_frame(context: *mut Context, scene: u32, frame: Id, transform: *const Transform3) -> i32;
+    pub fn detent_scene3_remove_frame(context: *mut Context, scene: u32, frame: Id) -> i32;
+    pub fn detent_scene3_frame(context: *const Context, scene: u32, frame: Id, local: *mut Transform3, world: *mut Transform3) -> i32;
     pub fn detent_scene3_size(context: *const Context, scene: u32, size: *mut u32) -> i32;
     pub fn detent_scene3_optimize(context: *mut Context, scene: u32) -> i32;
     pub fn detent_scene3_raycast(context: *const Context, scene: u32, ray: *const Ray3, layers: u32, hit: *mut ObjectHit3) -> i32;
@@ -625,6 +781,15 @@ extern "C" {
     pub fn detent_world3_apply_impulse(context: *mut Context, world: u32, id: Id, impulse: *const Vec3, at: *const Vec3) -> i32;
     pub fn detent_world3_apply_force(context: *mut Context, world: u32, id: Id, force: *const Vec3, at: *const Vec3) -> i32;
     pub fn detent_world3_apply_torque(context: *mut Context, world: u32, id: Id, torque: *const i32) -> i32;
+    pub fn detent_joint3_defaults(kind: u32, joint: *mut Joint3) -> i32;
+    pub fn detent_world3_add_joint(context: *mut Context, world: u32, joint: *const Joint3, id: *mut Id) -> i32;
+    pub fn detent_world3_change_joint(context: *mut Context, world: u32, id: Id, joint: *const Joint3) -> i32;
+    pub fn detent_world3_remove_joint(context: *mut Context, world: u32, id: Id) -> i32;
+    pub fn detent_world3_joint(context: *const Context, world: u32, id: Id, joint: *mut Joint3) -> i32;
+    pub fn detent_world3_joint_count(context: *const Context, world: u32, count: *mut u32) -> i32;
+    pub fn detent_world3_broken(context: *const Context, world: u32, joints: *mut Id, room: u32, count: *mut u32) -> i32;
+    pub fn detent_world3_local_point(context: *const Context, world: u32, id: Id, point: *const Vec3, local: *mut Vec3) -> i32;
+    pub fn detent_world3_local_frame(context: *const Context, world: u32, id: Id, frame: *const Rotation3, local: *mut Rotation3) -> i32;
     pub fn detent_world3_size(context: *const Context, world: u32, size: *mut u32) -> i32;
     pub fn detent_world3_events(context: *const Context, world: u32, events: *mut Touch, room: u32, count: *mut u32) -> i32;
     pub fn detent_world3_digest(context: *const Context, world: u32, digest: *mut u64) -> i32;

@@ -26,7 +26,7 @@ use std::ffi::CStr;
 use std::fmt;
 use std::marker::PhantomData;
 
-pub use ffi::{Found, Id, Pair, Touch, Traits};
+pub use ffi::{Found, Id, Impact, Pair, Touch, Traits};
 
 /// A length of 1.
 pub const ONE: i32 = 1 << 16;
@@ -51,9 +51,9 @@ impl fmt::Debug for Error {
 impl std::error::Error for Error {}
 
 impl Default for Traits {
-    /// An object that moves, in layer 1, with the user word 0.
+    /// An object that moves, in layer 1 and no frame, with the user word 0.
     fn default() -> Traits {
-        Traits { user: 0, layers: 1, motion: ffi::MOVING }
+        Traits { user: 0, layers: 1, motion: ffi::MOVING, frame: Id::default() }
     }
 }
 
@@ -162,7 +162,7 @@ fn length<T>(list: &[T]) -> Result<u32> {
     Ok(list.len() as u32)
 }
 
-/// A mesh, hull or height field that objects of scenes refer to. It lives as long as the context, or
+/// A mesh, hull or height field that objects of scenes refer to, or a solid hull of bodies. It lives as long as the context, or
 /// until `destroy`.
 pub struct Asset<'a> {
     context: &'a Context,
@@ -170,7 +170,7 @@ pub struct Asset<'a> {
 }
 
 impl Asset<'_> {
-    /// Destroys it; an error while an object of a scene refers to it.
+    /// Destroys it; an error while an object or a body refers to it.
     pub fn destroy(&self) -> Result<()> {
         check(unsafe { ffi::detent_asset_destroy(self.context.pointer(), self.handle) }).map(|_| ())
     }
@@ -205,14 +205,16 @@ macro_rules! space {
      $Vec:ident $Direction:ident $Rotation:ident $Transform:ident $Ray:ident $Shape:ident
      $ShapeAs:ident $Hit:ident $ObjectHit:ident $Settings:ident $Options:ident $Body:ident
      $Sphere:ident $Aabb:ident $Obb:ident $Plane:ident $Triangle:ident $Capsule:ident
-     $Segment:ident; $($alias:ident = $function:ident,)*) => {
+     $Segment:ident $ContactPoint:ident $Manifold:ident $Sweep:ident $Joint:ident;
+     $($alias:ident = $function:ident,)*) => {
         #[doc = $doc]
         pub mod $name {
             use super::*;
             $(use crate::ffi::$function as $alias;)*
             pub use crate::ffi::{
                 $Body as Body, $Hit as Hit, $ObjectHit as ObjectHit, $Options as BodyOptions,
-                $Ray as Ray, $Settings as WorldSettings, $Shape as Shape,
+                $ContactPoint as ContactPoint, $Joint as Joint, $Manifold as Manifold, $Ray as Ray,
+                $Settings as WorldSettings, $Shape as Shape, $Sweep as Sweep,
             };
 
             pub(crate) fn vec(v: [i32; $n]) -> ffi::$Vec {
@@ -335,6 +337,60 @@ macro_rules! space {
                 Ok(distance)
             }
 
+            /// How two shapes that overlap are separated; the first `count` of its points are set.
+            pub fn contact(a: &Shape, b: &Shape) -> Result<Option<Manifold>> {
+                let mut found = Manifold::default();
+                Ok(if check(unsafe { contact_(a, b, &mut found) })? { Some(found) } else { None })
+            }
+            /// The point of each shape that is closest to the other one.
+            pub fn closest_points(a: &Shape, b: &Shape) -> Result<([i32; $n], [i32; $n])> {
+                let (mut one, mut other) = (ffi::$Vec::default(), ffi::$Vec::default());
+                check(unsafe { closest_points_(a, b, &mut one, &mut other) })?;
+                Ok(([$(one.$x),*], [$(other.$x),*]))
+            }
+            /// Where a shape that moves along `toward`, a unit vector, first touches a target.
+            pub fn cast(shape: &Shape, toward: [i32; $n], max_distance: i32, target: &Shape)
+                        -> Result<Option<Hit>> {
+                let mut hit = Hit::default();
+                let toward = direction(toward);
+                let yes = check(unsafe { cast_(shape, &toward, max_distance, target, &mut hit) })?;
+                Ok(if yes { Some(hit) } else { None })
+            }
+            /// The motion of a frame that does not turn.
+            pub fn sweep(start: [i32; $n], end: [i32; $n]) -> Sweep {
+                let (start_rotation, end_rotation) = (rotation(AXES), rotation(AXES));
+                Sweep { start: vec(start), end: vec(end), start_rotation, end_rotation }
+            }
+            /// When two moving shapes first are closer than `target`; a shape without a sweep does not
+            /// move.
+            pub fn time_of_impact(a: &Shape, sweep_a: &Sweep, b: &Shape, sweep_b: Option<&Sweep>,
+                                  target: i32) -> Result<Option<Impact>> {
+                let mut impact = Impact::default();
+                let sweep_b = sweep_b.map_or(std::ptr::null(), |sweep| sweep as *const _);
+                let yes = check(unsafe {
+                    time_of_impact_(a, sweep_a, b, sweep_b, target, &mut impact)
+                })?;
+                Ok(if yes { Some(impact) } else { None })
+            }
+
+            /// A convex hull of at most 32 points with a volume, for bodies.
+            pub fn solid<'a>(context: &'a Context, name: u32, points: &[[i32; $n]])
+                             -> Result<Asset<'a>> {
+                let points: Vec<_> = points.iter().map(|p| vec(*p)).collect();
+                let mut handle = 0;
+                check(unsafe {
+                    solid_create(context.pointer(), name, points.as_ptr(), length(&points)?,
+                                 &mut handle)
+                })?;
+                Ok(Asset { context, handle })
+            }
+            /// A joint of a kind, such as `ffi::HINGE_JOINT`, with its usual numbers.
+            pub fn joint(kind: u32, a: Id, b: Id) -> Result<Joint> {
+                let mut joint = Joint::default();
+                check(unsafe { joint_defaults(kind, &mut joint) })?;
+                Ok(Joint { a, b, ..joint })
+            }
+
             /// A convex hull of at most 64 points. `name` is its id in snapshots, not 0.
             pub fn hull<'a>(context: &'a Context, name: u32, points: &[[i32; $n]]) -> Result<Asset<'a>> {
                 let points: Vec<_> = points.iter().map(|p| vec(*p)).collect();
@@ -379,6 +435,29 @@ macro_rules! space {
                 /// Moves an object by a vector.
                 pub fn move_by(&mut self, id: Id, by: [i32; $n]) -> Result<bool> {
                     check(unsafe { scene_move(self.at(), self.handle, id, &vec(by)) })
+                }
+                /// Adds a frame that objects can be in and move with; `None` if there is no such parent,
+                /// which is `Id::default()` for the world.
+                pub fn add_frame(&mut self, translation: [i32; $n], axes: [[i32; $n]; $n], scale: i32,
+                                 parent: Id) -> Result<Option<Id>> {
+                    let mut id = Id::default();
+                    let (translation, rotation) = (vec(translation), rotation(axes));
+                    let transform = ffi::$Transform { translation, rotation, scale };
+                    let done = check(unsafe {
+                        scene_add_frame(self.at(), self.handle, &transform, parent, &mut id)
+                    })?;
+                    Ok(if done { Some(id) } else { None })
+                }
+                /// Moves a frame and everything in it.
+                pub fn move_frame(&mut self, frame: Id, translation: [i32; $n],
+                                  axes: [[i32; $n]; $n], scale: i32) -> Result<bool> {
+                    let (translation, rotation) = (vec(translation), rotation(axes));
+                    let transform = ffi::$Transform { translation, rotation, scale };
+                    check(unsafe { scene_move_frame(self.at(), self.handle, frame, &transform) })
+                }
+                /// Removes a frame; false if anything is in it.
+                pub fn remove_frame(&mut self, frame: Id) -> Result<bool> {
+                    check(unsafe { scene_remove_frame(self.at(), self.handle, frame) })
                 }
                 /// Makes queries faster after many additions.
                 pub fn optimize(&mut self) -> Result<()> {
@@ -499,11 +578,47 @@ macro_rules! space {
                 fn at(&self) -> *mut ffi::Context {
                     self.context.pointer()
                 }
-                /// Adds a sphere, AABB, OBB or capsule.
+                /// Adds a sphere, AABB, OBB, capsule or solid hull.
                 pub fn add(&mut self, shape: &Shape, options: &BodyOptions) -> Result<Id> {
                     let mut id = Id::default();
                     check(unsafe { world_add(self.at(), self.handle, shape, options, &mut id) })?;
                     Ok(id)
+                }
+                /// Joins two bodies; `None` if there are not both.
+                pub fn add_joint(&mut self, joint: &Joint) -> Result<Option<Id>> {
+                    let mut id = Id::default();
+                    let done = check(unsafe {
+                        world_add_joint(self.at(), self.handle, joint, &mut id)
+                    })?;
+                    Ok(if done { Some(id) } else { None })
+                }
+                /// Replaces a joint by one of the same kind, such as one with another motor.
+                pub fn change_joint(&mut self, id: Id, joint: &Joint) -> Result<bool> {
+                    check(unsafe { world_change_joint(self.at(), self.handle, id, joint) })
+                }
+                /// Removes a joint; false if there is none with this id.
+                pub fn remove_joint(&mut self, id: Id) -> Result<bool> {
+                    check(unsafe { world_remove_joint(self.at(), self.handle, id) })
+                }
+                /// The fields of a joint.
+                pub fn joint(&self, id: Id) -> Result<Option<Joint>> {
+                    let mut joint = Joint::default();
+                    let yes = check(unsafe { world_joint(self.at(), self.handle, id, &mut joint) })?;
+                    Ok(if yes { Some(joint) } else { None })
+                }
+                /// The joints that broke in the last step.
+                pub fn broken(&self) -> Result<Vec<Id>> {
+                    list(|to, room, count| unsafe {
+                        world_broken(self.at(), self.handle, to, room, count)
+                    })
+                }
+                /// A point of the world in the frame of a body: an anchor of a joint.
+                pub fn local_point(&self, id: Id, point: [i32; $n]) -> Result<Option<[i32; $n]>> {
+                    let mut local = ffi::$Vec::default();
+                    let yes = check(unsafe {
+                        world_local_point(self.at(), self.handle, id, &vec(point), &mut local)
+                    })?;
+                    Ok(if yes { Some([$(local.$x),*]) } else { None })
                 }
                 /// Removes a body; false if there is none with this id.
                 pub fn remove(&mut self, id: Id) -> Result<bool> {
@@ -614,7 +729,7 @@ space! {
     Vec2 Direction2 Rotation2 Transform2 Ray2 Shape2
     Shape2As Hit2 ObjectHit2 World2Settings Body2Options Body2
     Sphere2 Aabb2 Obb2 Plane2 Triangle2 Capsule2
-    Segment2;
+    Segment2 ContactPoint2 Manifold2 Sweep2 Joint2;
     raycast_ = detent_raycast2,
     raycast_many_ = detent_raycast2_many,
     contains_ = detent_contains2,
@@ -622,6 +737,21 @@ space! {
     closest_point_ = detent_closest_point2,
     distance_to_point_ = detent_distance_to_point2,
     distance_ = detent_distance2,
+    contact_ = detent_contact2,
+    closest_points_ = detent_closest_points2,
+    cast_ = detent_cast2,
+    time_of_impact_ = detent_time_of_impact2,
+    joint_defaults = detent_joint2_defaults,
+    solid_create = detent_solid2_create,
+    world_add_joint = detent_world2_add_joint,
+    world_change_joint = detent_world2_change_joint,
+    world_remove_joint = detent_world2_remove_joint,
+    world_joint = detent_world2_joint,
+    world_broken = detent_world2_broken,
+    world_local_point = detent_world2_local_point,
+    scene_add_frame = detent_scene2_add_frame,
+    scene_move_frame = detent_scene2_move_frame,
+    scene_remove_frame = detent_scene2_remove_frame,
     scene_create = detent_scene2_create,
     scene_destroy = detent_scene2_destroy,
     scene_add = detent_scene2_add,
@@ -667,7 +797,7 @@ space! {
     Vec3 Direction3 Rotation3 Transform3 Ray3 Shape3
     Shape3As Hit3 ObjectHit3 World3Settings Body3Options Body3
     Sphere3 Aabb3 Obb3 Plane3 Triangle3 Capsule3
-    Segment3;
+    Segment3 ContactPoint3 Manifold3 Sweep3 Joint3;
     raycast_ = detent_raycast3,
     raycast_many_ = detent_raycast3_many,
     contains_ = detent_contains3,
@@ -675,6 +805,21 @@ space! {
     closest_point_ = detent_closest_point3,
     distance_to_point_ = detent_distance_to_point3,
     distance_ = detent_distance3,
+    contact_ = detent_contact3,
+    closest_points_ = detent_closest_points3,
+    cast_ = detent_cast3,
+    time_of_impact_ = detent_time_of_impact3,
+    joint_defaults = detent_joint3_defaults,
+    solid_create = detent_solid3_create,
+    world_add_joint = detent_world3_add_joint,
+    world_change_joint = detent_world3_change_joint,
+    world_remove_joint = detent_world3_remove_joint,
+    world_joint = detent_world3_joint,
+    world_broken = detent_world3_broken,
+    world_local_point = detent_world3_local_point,
+    scene_add_frame = detent_scene3_add_frame,
+    scene_move_frame = detent_scene3_move_frame,
+    scene_remove_frame = detent_scene3_remove_frame,
     scene_create = detent_scene3_create,
     scene_destroy = detent_scene3_destroy,
     scene_add = detent_scene3_add,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-use detent::{d2, ffi, Error};
+use detent::{d2, ffi, Error, Id};
 
 include!("../examples/match/play.rs");
 
@@ -122,6 +122,63 @@ fn worlds() {
     assert!(body.angular_velocity[0] > spin && body.velocity.y > 0);
     settings.substeps = 0;
     assert_eq!(d2::World::new(&context, &settings).err(), Some(Error(ffi::BAD_ARGUMENT)));
+}
+
+#[test]
+fn pairs() {
+    let cube = d3::aabb([0, 0, 0], [2 * ONE, 2 * ONE, 2 * ONE]);
+    let ball = d3::sphere([ONE, 2 * ONE + ONE / 2, ONE], ONE);
+    let contact = d3::contact(&cube, &ball).unwrap().unwrap();
+    assert_eq!((contact.normal.y, contact.depth, contact.count), (UNIT, ONE / 2, 1));
+    let high = d3::sphere([ONE, 5 * ONE, ONE], ONE);
+    assert!(d3::contact(&cube, &high).unwrap().is_none());
+    let closest = d3::closest_points(&cube, &high);
+    assert_eq!(closest, Ok(([ONE, 2 * ONE, ONE], [ONE, 4 * ONE, ONE])));
+    let hit = d3::cast(&high, [0, -UNIT, 0], 10 * ONE, &cube).unwrap().unwrap();
+    assert_eq!((hit.distance, hit.normal.y), (2 * ONE, UNIT));
+    let falls = d3::sweep([0, 0, 0], [0, -4 * ONE, 0]);
+    let impact = d3::time_of_impact(&high, &falls, &cube, None, 8).unwrap().unwrap();
+    assert!((impact.time - UNIT / 2).abs() < UNIT / 1000 && impact.is_hit == 1);
+}
+
+#[test]
+fn joints_and_frames() {
+    let context = Context::new().unwrap();
+    let mut world = d2::World::new(&context, &d2::default_settings()).unwrap();
+    let options = d2::default_options();
+    let fixed = d2::BodyOptions { motion: ffi::FIXED_BODY, ..options };
+    let wall = world.add(&d2::sphere([0, 5 * ONE], ONE / 8), &fixed).unwrap();
+    let arm = d2::obb([ONE, 5 * ONE], [ONE, ONE / 8], d2::AXES);
+    let arm = world.add(&arm, &options).unwrap();
+    assert_eq!(world.local_point(arm, [0, 5 * ONE]), Ok(Some([-ONE, 0])));
+    let mut joint = d2::joint(ffi::HINGE_JOINT, wall, arm).unwrap();
+    joint.anchor_b.x = -ONE;
+    joint.motor_speed = 2 * ONE;
+    joint.motor_force = 50 * ONE;
+    let hinge = world.add_joint(&joint).unwrap().unwrap();
+    for _ in 0..30 {
+        world.step().unwrap();
+    }
+    let spin = world.body(arm).unwrap().unwrap().angular_velocity[0];
+    assert!((spin - 2 * ONE).abs() < ONE / 10);
+    joint.break_force = 1;
+    assert_eq!(world.change_joint(hinge, &joint), Ok(true));
+    assert_eq!(world.joint(hinge), Ok(Some(joint)));
+    world.step().unwrap();
+    assert_eq!(world.broken(), Ok(vec![hinge]));
+    assert_eq!(world.remove_joint(hinge), Ok(false));
+    let solid = d2::solid(&context, 3, &[[0, 0], [ONE, 0], [0, ONE]]).unwrap();
+    let body = d2::placed(&solid, [9 * ONE, 9 * ONE], d2::AXES, ONE);
+    world.add(&body, &options).unwrap();
+    assert_eq!(solid.destroy(), Err(Error(ffi::IN_USE)));
+
+    let mut scene = d2::Scene::new(&context).unwrap();
+    let frame = scene.add_frame([ONE, 0], d2::AXES, ONE, Id::default()).unwrap().unwrap();
+    let traits = Traits { frame, ..Traits::default() };
+    scene.add(&d2::sphere([0, 0], ONE), traits).unwrap();
+    assert_eq!(scene.move_frame(frame, [7 * ONE, 0], d2::AXES, ONE), Ok(true));
+    assert!(scene.nearest(&d2::point([7 * ONE, 0]), !0).unwrap().unwrap().distance == 0);
+    assert_eq!(scene.remove_frame(frame), Ok(false));
 }
 
 #[test]

@@ -33,6 +33,18 @@ detent_status detent_scene2_object(const detent_context* context, detent_handle 
 detent_status detent_scene2_set_traits(detent_context* context, detent_handle scene, detent_id id, const detent_traits* traits) {
   return detent::c::Scenes<2>::set_traits(context, scene, id, traits);
 }
+detent_status detent_scene2_add_frame(detent_context* context, detent_handle scene, const detent_transform2* transform, detent_id parent, detent_id* frame) {
+  return detent::c::Scenes<2>::add_frame(context, scene, transform, parent, frame);
+}
+detent_status detent_scene2_move_frame(detent_context* context, detent_handle scene, detent_id frame, const detent_transform2* transform) {
+  return detent::c::Scenes<2>::move_frame(context, scene, frame, transform);
+}
+detent_status detent_scene2_remove_frame(detent_context* context, detent_handle scene, detent_id frame) {
+  return detent::c::Scenes<2>::remove_frame(context, scene, frame);
+}
+detent_status detent_scene2_frame(const detent_context* context, detent_handle scene, detent_id frame, detent_transform2* local, detent_transform2* world) {
+  return detent::c::Scenes<2>::frame(context, scene, frame, local, world);
+}
 detent_status detent_scene2_size(const detent_context* context, detent_handle scene, uint32_t* size) {
   return detent::c::Scenes<2>::size(context, scene, size);
 }

@@ -33,6 +33,18 @@ detent_status detent_scene3_object(const detent_context* context, detent_handle 
 detent_status detent_scene3_set_traits(detent_context* context, detent_handle scene, detent_id id, const detent_traits* traits) {
   return detent::c::Scenes<3>::set_traits(context, scene, id, traits);
 }
+detent_status detent_scene3_add_frame(detent_context* context, detent_handle scene, const detent_transform3* transform, detent_id parent, detent_id* frame) {
+  return detent::c::Scenes<3>::add_frame(context, scene, transform, parent, frame);
+}
+detent_status detent_scene3_move_frame(detent_context* context, detent_handle scene, detent_id frame, const detent_transform3* transform) {
+  return detent::c::Scenes<3>::move_frame(context, scene, frame, transform);
+}
+detent_status detent_scene3_remove_frame(detent_context* context, detent_handle scene, detent_id frame) {
+  return detent::c::Scenes<3>::remove_frame(context, scene, frame);
+}
+detent_status detent_scene3_frame(const detent_context* context, detent_handle scene, detent_id frame, detent_transform3* local, detent_transform3* world) {
+  return detent::c::Scenes<3>::frame(context, scene, frame, local, world);
+}
 detent_status detent_scene3_size(const detent_context* context, detent_handle scene, uint32_t* size) {
   return detent::c::Scenes<3>::size(context, scene, size);
 }

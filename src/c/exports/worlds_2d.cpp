@@ -3,6 +3,9 @@
 #include "c/worlds.hpp"
 
 // clang-format off
+detent_status detent_solid2_create(detent_context* context, uint32_t id, const detent_vec2* points, uint32_t count, detent_handle* solid) {
+  return detent::c::Solids<2>::create(context, id, points, count, solid);
+}
 detent_status detent_world2_default_settings(detent_world2_settings* settings) {
   return detent::c::Worlds<2>::default_settings(settings);
 }
@@ -44,6 +47,33 @@ detent_status detent_world2_apply_force(detent_context* context, detent_handle w
 }
 detent_status detent_world2_apply_torque(detent_context* context, detent_handle world, detent_id id, const int32_t* torque) {
   return detent::c::Worlds<2>::apply_torque(context, world, id, torque);
+}
+detent_status detent_joint2_defaults(uint32_t kind, detent_joint2* joint) {
+  return detent::c::Worlds<2>::defaults(kind, joint);
+}
+detent_status detent_world2_add_joint(detent_context* context, detent_handle world, const detent_joint2* joint, detent_id* id) {
+  return detent::c::Worlds<2>::add_joint(context, world, joint, id);
+}
+detent_status detent_world2_change_joint(detent_context* context, detent_handle world, detent_id id, const detent_joint2* joint) {
+  return detent::c::Worlds<2>::change_joint(context, world, id, joint);
+}
+detent_status detent_world2_remove_joint(detent_context* context, detent_handle world, detent_id id) {
+  return detent::c::Worlds<2>::remove_joint(context, world, id);
+}
+detent_status detent_world2_joint(const detent_context* context, detent_handle world, detent_id id, detent_joint2* joint) {
+  return detent::c::Worlds<2>::joint(context, world, id, joint);
+}
+detent_status detent_world2_joint_count(const detent_context* context, detent_handle world, uint32_t* count) {
+  return detent::c::Worlds<2>::joint_count(context, world, count);
+}
+detent_status detent_world2_broken(const detent_context* context, detent_handle world, detent_id* joints, uint32_t room, uint32_t* count) {
+  return detent::c::Worlds<2>::broken(context, world, joints, room, count);
+}
+detent_status detent_world2_local_point(const detent_context* context, detent_handle world, detent_id id, const detent_vec2* point, detent_vec2* local) {
+  return detent::c::Worlds<2>::local_point(context, world, id, point, local);
+}
+detent_status detent_world2_local_frame(const detent_context* context, detent_handle world, detent_id id, const detent_rotation2* frame, detent_rotation2* local) {
+  return detent::c::Worlds<2>::local_frame(context, world, id, frame, local);
 }
 detent_status detent_world2_size(const detent_context* context, detent_handle world, uint32_t* size) {
   return detent::c::Worlds<2>::size(context, world, size);

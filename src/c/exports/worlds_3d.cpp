@@ -3,6 +3,9 @@
 #include "c/worlds.hpp"
 
 // clang-format off
+detent_status detent_solid3_create(detent_context* context, uint32_t id, const detent_vec3* points, uint32_t count, detent_handle* solid) {
+  return detent::c::Solids<3>::create(context, id, points, count, solid);
+}
 detent_status detent_world3_default_settings(detent_world3_settings* settings) {
   return detent::c::Worlds<3>::default_settings(settings);
 }
@@ -44,6 +47,33 @@ detent_status detent_world3_apply_force(detent_context* context, detent_handle w
 }
 detent_status detent_world3_apply_torque(detent_context* context, detent_handle world, detent_id id, const int32_t* torque) {
   return detent::c::Worlds<3>::apply_torque(context, world, id, torque);
+}
+detent_status detent_joint3_defaults(uint32_t kind, detent_joint3* joint) {
+  return detent::c::Worlds<3>::defaults(kind, joint);
+}
+detent_status detent_world3_add_joint(detent_context* context, detent_handle world, const detent_joint3* joint, detent_id* id) {
+  return detent::c::Worlds<3>::add_joint(context, world, joint, id);
+}
+detent_status detent_world3_change_joint(detent_context* context, detent_handle world, detent_id id, const detent_joint3* joint) {
+  return detent::c::Worlds<3>::change_joint(context, world, id, joint);
+}
+detent_status detent_world3_remove_joint(detent_context* context, detent_handle world, detent_id id) {
+  return detent::c::Worlds<3>::remove_joint(context, world, id);
+}
+detent_status detent_world3_joint(const detent_context* context, detent_handle world, detent_id id, detent_joint3* joint) {
+  return detent::c::Worlds<3>::joint(context, world, id, joint);
+}
+detent_status detent_world3_joint_count(const detent_context* context, detent_handle world, uint32_t* count) {
+  return detent::c::Worlds<3>::joint_count(context, world, count);
+}
+detent_status detent_world3_broken(const detent_context* context, detent_handle world, detent_id* joints, uint32_t room, uint32_t* count) {
+  return detent::c::Worlds<3>::broken(context, world, joints, room, count);
+}
+detent_status detent_world3_local_point(const detent_context* context, detent_handle world, detent_id id, const detent_vec3* point, detent_vec3* local) {
+  return detent::c::Worlds<3>::local_point(context, world, id, point, local);
+}
+detent_status detent_world3_local_frame(const detent_context* context, detent_handle world, detent_id id, const detent_rotation3* frame, detent_rotation3* local) {
+  return detent::c::Worlds<3>::local_frame(context, world, id, frame, local);
 }
 detent_status detent_world3_size(const detent_context* context, detent_handle world, uint32_t* size) {
   return detent::c::Worlds<3>::size(context, world, size);

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+#define DETENT_C_CASTS_OF ConvexHull
+#include "c/casts.hpp"
+
+namespace detent::c {
+DETENT_C_CASTS(2)
+}  // namespace detent::c

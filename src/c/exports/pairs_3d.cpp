@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Written by bindings/generate from bindings/detent.h.in: change that file instead.
+#include "c/pairs.hpp"
+
+// clang-format off
+detent_status detent_contact3(const detent_shape3* a, const detent_shape3* b, detent_manifold3* contact) {
+  return detent::c::Pairs<3>::contact(a, b, contact);
+}
+detent_status detent_time_of_impact3(const detent_shape3* a, const detent_sweep3* sweep_a, const detent_shape3* b, const detent_sweep3* sweep_b, int32_t target, detent_impact* impact) {
+  return detent::c::Pairs<3>::time_of_impact(a, sweep_a, b, sweep_b, target, impact);
+}
+// clang-format on

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+//
+// Closest points and casts of the C interface give the bits of C++ on the cases of `verify`. All pairs
+// of kinds compile for minutes: ten pairs are compared, so that every kind moves and is met, and all
+// with DETENT_TEST_EVERY_CAST.
+
+#include <tuple>
+#include <utility>
+
+#include "detent/query/cast.hpp"
+#include "detent/query/closest_points.hpp"
+#include "shapes.hpp"
+
+namespace detent {
+namespace {
+
+using S = q16_16;
+using c::Output;
+
+/// The functions of a dimension.
+template <int N>
+struct Calls;
+#define DETENT_TEST_CALLS(N)                                         \
+  template <>                                                        \
+  struct Calls<N> {                                                  \
+    static constexpr auto closest_points = detent_closest_points##N; \
+    static constexpr auto cast = detent_cast##N;                     \
+  };
+DETENT_TEST_CALLS(2)
+DETENT_TEST_CALLS(3)
+
+template <int N, class A, class B>
+void check_closest_points(const A& a, const B& b) {
+  const auto one = in_c<N>(a), other = in_c<N>(b);
+  const auto expected = closest_points(a, b);
+  typename c::Types<N>::Vec point_a{}, point_b{};
+  REQUIRE(Calls<N>::closest_points(&one, &other, &point_a, &point_b) == DETENT_OK);
+  REQUIRE(c::Input<N>::vec(point_a) == expected.first);
+  REQUIRE(c::Input<N>::vec(point_b) == expected.second);
+}
+
+template <int N, class A, class B>
+void check_cast(const A& a, const B& b, const Ray<S, N>& way, Share& share) {
+  const auto one = in_c<N>(a), other = in_c<N>(b);
+  const auto along = Output<N>::direction(way.direction);
+  const auto length = way.max_distance.raw();
+  typename c::Types<N>::Hit hit{};
+  if constexpr (requires { cast(a, way.direction, way.max_distance, b); }) {
+    const auto expected = cast(a, way.direction, way.max_distance, b);
+    REQUIRE(Calls<N>::cast(&one, &along, length, &other, &hit) ==
+            c::yes_or_no(expected.has_value()));
+    REQUIRE(Calls<N>::cast(&one, &along, length, &other, nullptr) ==
+            c::yes_or_no(expected.has_value()));
+    share.add(expected.has_value());
+    if (!expected) return;
+    REQUIRE(hit.distance == expected->distance.raw());
+    REQUIRE(c::Input<N>::vec(hit.point) == expected->point);
+    REQUIRE(c::Input<N>().direction(hit.normal) == expected->normal);
+  } else {
+    REQUIRE(Calls<N>::cast(&one, &along, length, &other, &hit) == DETENT_NO_QUERY);
+  }
+}
+
+/// Whether a pair is compared: all would compile for minutes.
+constexpr bool is_compared(std::size_t i, std::size_t j) {
+#ifdef DETENT_TEST_EVERY_CAST
+  return i + j < 100;
+#else
+  constexpr std::size_t sphere = 0, aabb = 1, obb = 2, plane = 3, segment = 6;
+  return i + j == 6 || (i == aabb && j == aabb) || (i == segment && j == obb) ||
+         (i == sphere && j == plane);
+#endif
+}
+
+template <int N>
+void check_dimension(std::uint64_t seed, int count) {
+  verify::Random random(seed);
+  Share hits;
+  for (int i = 0; i < count; ++i) {
+    CAPTURE(N, seed, i);
+    Draw<N> draw{verify::ShapeScene<S, N>(random)};
+    const auto first = draw.all();
+    draw.scene.turn();
+    const auto second = draw.all();
+    const auto way = draw.scene.aimed_ray();
+    for_each_pair(first, second, [&]<std::size_t I, std::size_t J>(const auto& a, const auto& b) {
+      CAPTURE(I, J);
+      if constexpr (is_compared(I, J)) {
+        check_closest_points<N>(a, b);
+        check_cast<N>(a, b, way, hits);
+      }
+    });
+  }
+  hits.check();
+}
+
+TEST_CASE("C casts: the bits are those of C++, as of closest points, in 2D") {
+  check_dimension<2>(21, 200);
+}
+TEST_CASE("C casts: the bits are those of C++, as of closest points, in 3D") {
+  check_dimension<3>(31, 200);
+}
+
+}  // namespace
+}  // namespace detent
