@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Bodies that move: worlds, their snapshots and digests, mass properties.
+// Bodies that move: worlds, their snapshots and digests, mass properties; particles, ropes and cloth.
 
 #include "detent/dynamics/fields.hpp"
 #include "detent/dynamics/mass.hpp"
+#include "detent/dynamics/particle/cloth.hpp"
+#include "detent/dynamics/particle/snapshot.hpp"
+#include "detent/dynamics/particle/world.hpp"
 #include "detent/dynamics/snapshot.hpp"
 #include "detent/dynamics/world.hpp"

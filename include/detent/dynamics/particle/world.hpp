@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "detent/dynamics/hull.hpp"
+#include "detent/dynamics/particle/obstacles.hpp"
+#include "detent/dynamics/world.hpp"
+#include "detent/scene/scene.hpp"
+
+namespace detent {
+
+namespace detail {
+
+/// The corners of a solid hull where its body is, each coordinate rounded to nearest once.
+template <Scalar S, int N>
+class SolidPoints {
+ public:
+  constexpr SolidPoints(const SolidHull<S, N>* solid, const BodyState<S, N>& state) noexcept {
+    if (solid == nullptr) return;
+    const auto axes = axes_of<S, N>(state.orientation);
+    for (const auto& point : solid->hull().points) {
+      const auto local = point - solid->center();
+      points_[count_++] = make_vec<N>([&](int k) {
+        const auto along = make_vec<N>([&](int i) { return axes[static_cast<std::size_t>(i)][k]; });
+        return saturate_to<S>(state.place[k] + dot(along, local));
+      });
+    }
+  }
+  [[nodiscard]] constexpr ConvexHull<S, N> hull() const noexcept {
+    return {std::span<const Vec<S, N>>(points_).first(count_)};
+  }
+
+ private:
+  std::array<Vec<S, N>, SolidHull<S, N>::capacity> points_{};
+  std::size_t count_ = 0;
+};
+
+/// Calls f(shape) with the shape of a body in the world.
+template <class World, class Body, Scalar S, int N, class Shape, class F>
+constexpr void visit_placed(const World& world, const BodyId& id, const Body& body,
+                            const Aabb<S, N>& box, const Shape& shape, const F& f) {
+  if constexpr (std::is_same_v<Shape, BodyHull<S, N>>) {
+    const SolidPoints<S, N> points(shape.asset, body.state);
+    visit_parts_in(box, points.hull(), f);
+  } else {
+    visit_parts_in(box, placed(world.pose(id), shape), f);
+  }
+}
+
+}  // namespace detail
+
+/// The bodies of a world, where they are now, in the order of their indices; sensors are none.
+template <class World>
+class WorldObstacles;
+
+template <class Storage, Scalar S, int N, class... Parts>
+class WorldObstacles<BasicWorld<Storage, S, N, Parts...>> {
+  using World = BasicWorld<Storage, S, N, Parts...>;
+
+ public:
+  constexpr WorldObstacles(const World& world, std::uint32_t layers) : world_(world) {
+    const auto& bodies = detail::WorldAccess::bodies(world);
+    boxes_.resize(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      boxes_[i] = detail::no_box<Aabb<S, N>>;
+      if (bodies[i].generation == 0 || bodies[i].is_sensor || (bodies[i].layers & layers) == 0) {
+        continue;
+      }
+      visit(
+          i,
+          {make_vec<N>([](int) { return lowest<S>; }), make_vec<N>([](int) { return largest<S>; })},
+          [&](const auto& shape) { boxes_[i] = bounding_box(shape); });
+    }
+  }
+
+  template <class F>
+  constexpr void operator()(const Aabb<S, N>& box, const F& f) const {
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      if (overlaps(box, boxes_[i])) visit(i, box, f);
+    }
+  }
+
+ private:
+  template <class F>
+  constexpr void visit(std::size_t i, const Aabb<S, N>& box, const F& f) const {
+    const auto& body = detail::WorldAccess::bodies(world_)[i];
+    const BodyId id{static_cast<std::uint32_t>(i), body.generation};
+    body.shape.visit(
+        [&](const auto& shape) { detail::visit_placed(world_, id, body, box, shape, f); });
+  }
+
+  const World& world_;
+  typename Storage::template List<Aabb<S, N>, Storage::capacity> boxes_;
+};
+
+/// The bodies of a world as obstacles of particles: those in any of these layers. It is made for one
+/// tick: make it again when bodies have moved.
+template <class Storage, Scalar S, int N, class... Parts>
+[[nodiscard]] constexpr auto obstacles_of(const BasicWorld<Storage, S, N, Parts...>& world,
+                                          std::uint32_t layers = 0xffffffffu) {
+  return WorldObstacles<BasicWorld<Storage, S, N, Parts...>>(world, layers);
+}
+
+/// The objects of a scene, where they are now, in the order of their indices.
+template <class Storage, Scalar S, int N, class... Shapes>
+[[nodiscard]] constexpr auto obstacles_of(const BasicScene<Storage, S, N, Shapes...>& scene,
+                                          std::uint32_t layers = 0xffffffffu) {
+  return [&scene, layers](const Aabb<S, N>& box, const auto& f) {
+    const auto& store = detail::SceneAccess::store(scene);
+    for (std::size_t i = 0; i < store.end(); ++i) {
+      if (!store.is_object(i) || (store[i].layers & layers) == 0) continue;
+      store[i].shape.visit([&](const auto& shape) { detail::visit_parts_in(box, shape, f); });
+    }
+  };
+}
+
+}  // namespace detent

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+//
+// usage: particle_states SCENES NAME
+// Prints the integers of every particle of a scene of particles.txt, at the start and after each
+// tick: what particles.py compares with its own.
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "detent/dynamics/particle/cloth.hpp"
+#include "detent/number/decimal.hpp"
+
+namespace detent::test {
+namespace {
+
+using S = q16_16;
+
+[[noreturn]] void fail(const std::string& what) {
+  std::cerr << "particle_states: " << what << "\n";
+  std::exit(2);
+}
+
+S number(std::istream& in) {
+  std::string text;
+  in >> text;
+  const auto value = S::parse(text);
+  if (!value) fail("not a number: " + text);
+  return *value;
+}
+
+template <int N>
+Vec<S, N> vector(std::istream& in) {
+  Vec<S, N> v{};
+  for (int i = 0; i < N; ++i) v[i] = number(in);
+  return v;
+}
+
+template <int N>
+Rotation<S, N> turned(std::int32_t c, std::int32_t s) {
+  const auto direction = [](const auto&... raw) {
+    const auto read = Direction<S, N>::from_raw({raw...});
+    if (!read) fail("not a unit vector");
+    return *read;
+  };
+  if constexpr (N == 2) {
+    return Rotation<S, 2>::from_axes({direction(c, s), direction(-s, c)});
+  } else {
+    constexpr std::int32_t zero = 0, one = 1 << 30;
+    return Rotation<S, 3>::from_axes(
+        {direction(c, s, zero), direction(-s, c, zero), direction(zero, zero, one)});
+  }
+}
+
+/// A ball, or a box.
+template <int N>
+struct Solid {
+  bool is_ball = false;
+  Sphere<S, N> ball;
+  Obb<S, N> box;
+};
+
+/// The particles of one scene; lines of other scenes are passed over.
+template <int N>
+class Stage {
+ public:
+  void run(std::istream& file, const std::string& name) {
+    bool mine = false;
+    int ticks = 0;
+    for (std::string line; std::getline(file, line);) {
+      std::istringstream in(line.substr(0, line.find('#')));
+      std::string word;
+      if (!(in >> word)) continue;
+      if (word == "scene") {
+        int dimension = 0;
+        in >> word >> dimension;
+        mine = word == name;
+        if (mine) in >> ticks;
+      } else if (mine) {
+        read(word, in);
+      }
+    }
+    print();
+    const auto around = [&](const Aabb<S, N>& box, const auto& f) {
+      for (const auto& solid : solids_) {
+        if (solid.is_ball) {
+          detail::visit_parts_in(box, solid.ball, f);
+        } else {
+          detail::visit_parts_in(box, solid.box, f);
+        }
+      }
+    };
+    for (int tick = 1; tick <= ticks; ++tick) {
+      for (const auto& event : events_[tick]) act(event);
+      system_.step(around);
+      print();
+    }
+  }
+
+ private:
+  void read(const std::string& word, std::istream& in) {
+    if (word == "set") {
+      set(in);
+    } else if (word == "at") {
+      int tick = 0;
+      std::string rest;
+      in >> tick;
+      std::getline(in, rest);
+      events_[tick].push_back(rest);
+    } else if (word == "ball") {
+      const auto center = vector<N>(in);
+      solids_.push_back({true, {center, number(in)}, {}});
+    } else if (word == "box") {
+      const auto center = vector<N>(in), half = vector<N>(in);
+      std::string turn;
+      std::int32_t c = 0, s = 0;
+      in >> turn >> c >> s;
+      solids_.push_back({false, {}, {center, half, turned<N>(c, s)}});
+    } else if (word == "tie") {
+      DistanceConstraint<S> constraint;
+      in >> constraint.a >> constraint.b;
+      constraint.length = number(in);
+      if (!system_.add(constraint)) fail("cannot tie");
+    } else if (word == "particle") {
+      const auto position = vector<N>(in);
+      (void)system_.add(position, options(in).particle);
+    } else if (word == "rope") {
+      const auto from = vector<N>(in), to = vector<N>(in);
+      std::uint32_t count = 0;
+      in >> count;
+      const auto rope = add_rope(system_, from, to, count, options(in));
+      if (!rope) fail("no rope");
+      if (pin_ >= 0) system_.set_pinned((*rope)[static_cast<std::uint32_t>(pin_)], true);
+    } else if (word == "cloth") {
+      const auto corner = vector<N>(in), right = vector<N>(in), down = vector<N>(in);
+      std::uint32_t columns = 0, rows = 0;
+      in >> columns >> rows;
+      if (!add_cloth(system_, corner, right, down, columns, rows, options(in))) fail("no cloth");
+    } else {
+      fail("unknown: " + word);
+    }
+  }
+
+  void set(std::istream& in) {
+    std::string key, word;
+    in >> key;
+    if (key == "substeps") {
+      in >> settings_.substeps;
+    } else if (key == "integrator") {
+      in >> word;
+      settings_.integrator = word == "euler" ? Integrator::euler : Integrator::verlet;
+    } else if (key == "damping") {
+      settings_.damping = number(in);
+    } else if (key == "friction") {
+      settings_.friction = number(in);
+    } else if (key == "restitution") {
+      settings_.restitution = number(in);
+    } else {
+      fail("unknown setting: " + key);
+    }
+    system_ = ParticleSystem<S, N>(settings_);
+  }
+
+  FabricOptions<S, N> options(std::istream& in) {
+    FabricOptions<S, N> result;
+    pin_ = -1;
+    for (std::string key; in >> key;) {
+      if (key == "mass") {
+        result.particle.mass = number(in);
+      } else if (key == "radius") {
+        result.particle.radius = number(in);
+      } else if (key == "velocity") {
+        result.particle.velocity = vector<N>(in);
+      } else if (key == "stretch") {
+        result.stretch = number(in);
+      } else if (key == "shear") {
+        result.shear = number(in);
+      } else if (key == "bend") {
+        result.bend = number(in);
+      } else if (key == "tethers") {
+        result.has_tethers = true;
+      } else if (key == "pin") {
+        in >> pin_;
+      } else {
+        fail("unknown option: " + key);
+      }
+    }
+    return result;
+  }
+
+  void act(const std::string& event) {
+    std::istringstream in(event);
+    std::string what;
+    std::uint32_t index = 0;
+    in >> what >> index;
+    if (what == "move") {
+      system_.move_to(index, vector<N>(in));
+    } else if (what == "shift") {
+      const auto by = vector<N>(in);
+      solids_.at(index).ball = translated(solids_.at(index).ball, by);
+      solids_.at(index).box = translated(solids_.at(index).box, by);
+    } else if (what == "cut") {
+      std::uint32_t other = 0;
+      in >> other;
+      if (!system_.remove(other, index)) fail("nothing to cut");
+    } else {
+      int is_pinned = 0;
+      in >> is_pinned;
+      system_.set_pinned(index, is_pinned != 0);
+    }
+  }
+
+  void print() const {
+    const auto& particles = detail::ParticleAccess::particles(system_);
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      std::cout << "particle " << i;
+      for (int k = 0; k < N; ++k) std::cout << ' ' << particles[i].place[k].raw();
+      for (int k = 0; k < N; ++k) std::cout << ' ' << particles[i].velocity[k].raw();
+      std::cout << '\n';
+    }
+    std::cout << '\n';
+  }
+
+  ParticleSettings<S, N> settings_;
+  ParticleSystem<S, N> system_;
+  std::vector<Solid<N>> solids_;
+  std::map<int, std::vector<std::string>> events_;  // by tick
+  int pin_ = -1;
+};
+
+/// The dimension of a scene, or 0.
+int dimension_of(std::istream& file, const std::string& name) {
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream in(line);
+    std::string word, scene;
+    int dimension = 0;
+    if (in >> word >> scene >> dimension && word == "scene" && scene == name) return dimension;
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace detent::test
+
+int main(int count, char** arguments) {
+  using namespace detent::test;
+  if (count != 3) fail("usage: particle_states SCENES NAME");
+  const std::string name = arguments[2];
+  std::ifstream file(arguments[1]);
+  const int dimension = dimension_of(file, name);
+  file.clear();
+  file.seekg(0);
+  std::ios::sync_with_stdio(false);
+  if (dimension == 2)
+    Stage<2>().run(file, name);
+  else if (dimension == 3)
+    Stage<3>().run(file, name);
+  else
+    fail("no scene " + name);
+  return 0;
+}

@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# usage: particles.sh PARTICLE_STATES [SCENE...]
+# particles.py, where there is Python 3.
+set -euo pipefail
+if ! python3 -c 'import sys; sys.exit(sys.version_info < (3, 8))' 2>/dev/null; then
+  echo "skipped: no python3"
+  exit 77
+fi
+exec python3 -B "$(dirname "${BASH_SOURCE[0]}")/particles.py" "$@"
