@@ -1,0 +1,791 @@
+-- SPDX-License-Identifier: MIT
+-- Written by bindings/generate from bindings/detent.h.in: change that file instead.
+-- The C interface as it is.
+local ffi = require('ffi')
+ffi.cdef[[
+enum {
+  DETENT_OK = 1,
+  DETENT_NO = 0,
+  DETENT_BAD_ARGUMENT = -1,
+  DETENT_BAD_CONTEXT = -2,
+  DETENT_BAD_HANDLE = -3,
+  DETENT_NOT_UNIT = -4,
+  DETENT_NO_QUERY = -5,
+  DETENT_NO_MEMORY = -6,
+  DETENT_BROKEN = -7,
+  DETENT_FULL = -8,
+  DETENT_IN_USE = -9,
+  DETENT_NO_SNAPSHOT = -20,
+  DETENT_OTHER_VERSION = -21,
+  DETENT_TRUNCATED = -22,
+  DETENT_CORRUPTED = -23,
+  DETENT_OTHER_SCENE = -24,
+  DETENT_OTHER_FIXED_PART = -25,
+  DETENT_NO_ROOM = -26,
+  DETENT_UNKNOWN_ASSET = -27,
+  DETENT_OTHER_ASSET = -28
+};
+enum {
+  DETENT_SPHERE = 1,
+  DETENT_AABB = 2,
+  DETENT_OBB = 3,
+  DETENT_PLANE = 4,
+  DETENT_TRIANGLE = 5,
+  DETENT_CAPSULE = 6,
+  DETENT_SEGMENT = 7,
+  DETENT_POINT = 8,
+  DETENT_HULL = 9,
+  DETENT_MESH = 10,
+  DETENT_HEIGHT_FIELD = 11
+};
+enum { DETENT_MOVING = 0, DETENT_FIXED = 1 };
+enum { DETENT_DYNAMIC_BODY = 0, DETENT_KINEMATIC_BODY = 1, DETENT_FIXED_BODY = 2 };
+enum {
+  DETENT_DISTANCE_JOINT = 1,
+  DETENT_BALL_JOINT = 2,
+  DETENT_HINGE_JOINT = 3,
+  DETENT_WELD_JOINT = 4,
+  DETENT_SLIDER_JOINT = 5,
+  DETENT_WHEEL_JOINT = 6
+};
+enum {
+  DETENT_LOCK_X = 1,
+  DETENT_LOCK_Y = 2,
+  DETENT_LOCK_Z = 4,
+  DETENT_LOCK_TURN_X = 8,
+  DETENT_LOCK_TURN_Y = 16,
+  DETENT_LOCK_TURN_Z = 32
+};
+typedef int32_t detent_status;
+typedef uint32_t detent_handle;
+typedef struct detent_id {
+  uint32_t index;
+  uint32_t generation;
+} detent_id;
+typedef struct detent_pair {
+  detent_id first;
+  detent_id second;
+} detent_pair;
+typedef struct detent_touch {
+  detent_id a;
+  detent_id b;
+  uint32_t begins;
+} detent_touch;
+typedef struct detent_found {
+  int32_t distance;
+  detent_id id;
+} detent_found;
+typedef struct detent_impact {
+  int32_t time;
+  int32_t distance;
+  uint32_t is_hit;
+} detent_impact;
+typedef struct detent_traits {
+  uint64_t user;
+  uint32_t layers;
+  uint32_t motion;
+  detent_id frame;
+} detent_traits;
+typedef struct detent_allocator {
+  void* user;
+  void* (*allocate)(void* user, size_t size);
+  void (*release)(void* user, void* memory, size_t size);
+} detent_allocator;
+typedef struct detent_context {
+  uint64_t words[4];
+} detent_context;
+typedef struct detent_vec2 {
+  int32_t x, y;
+} detent_vec2;
+typedef struct detent_direction2 {
+  int32_t x, y;
+} detent_direction2;
+typedef struct detent_rotation2 {
+  detent_direction2 axis[2];
+} detent_rotation2;
+typedef struct detent_transform2 {
+  detent_vec2 translation;
+  detent_rotation2 rotation;
+  int32_t scale;
+} detent_transform2;
+typedef struct detent_ray2 {
+  detent_vec2 origin;
+  detent_direction2 direction;
+  int32_t max_distance;
+} detent_ray2;
+typedef struct detent_sphere2 {
+  detent_vec2 center;
+  int32_t radius;
+} detent_sphere2;
+typedef struct detent_aabb2 {
+  detent_vec2 min;
+  detent_vec2 max;
+} detent_aabb2;
+typedef struct detent_obb2 {
+  detent_vec2 center;
+  detent_vec2 half_extents;
+  detent_rotation2 rotation;
+} detent_obb2;
+typedef struct detent_plane2 {
+  detent_direction2 normal;
+  int32_t offset;
+} detent_plane2;
+typedef struct detent_triangle2 {
+  detent_vec2 a;
+  detent_vec2 b;
+  detent_vec2 c;
+} detent_triangle2;
+typedef struct detent_capsule2 {
+  detent_vec2 a;
+  detent_vec2 b;
+  int32_t radius;
+} detent_capsule2;
+typedef struct detent_segment2 {
+  detent_vec2 start;
+  detent_vec2 end;
+} detent_segment2;
+typedef struct detent_shape2 {
+  uint32_t kind;
+  detent_handle asset;
+  union {
+    detent_sphere2 sphere;
+    detent_aabb2 aabb;
+    detent_obb2 obb;
+    detent_plane2 plane;
+    detent_triangle2 triangle;
+    detent_capsule2 capsule;
+    detent_segment2 segment;
+    detent_vec2 point;
+    detent_transform2 placed;
+  } as;
+} detent_shape2;
+typedef struct detent_hit2 {
+  int32_t distance;
+  detent_vec2 point;
+  detent_direction2 normal;
+} detent_hit2;
+typedef struct detent_contact_point2 {
+  detent_vec2 point;
+  int32_t depth;
+  uint32_t feature;
+} detent_contact_point2;
+typedef struct detent_manifold2 {
+  detent_direction2 normal;
+  int32_t depth;
+  uint32_t count;
+  detent_contact_point2 points[2];
+} detent_manifold2;
+typedef struct detent_sweep2 {
+  detent_vec2 start;
+  detent_vec2 end;
+  detent_rotation2 start_rotation;
+  detent_rotation2 end_rotation;
+} detent_sweep2;
+typedef struct detent_object_hit2 {
+  int32_t distance;
+  detent_id id;
+  detent_vec2 point;
+  detent_direction2 normal;
+  uint32_t triangle;
+  uint32_t has_triangle;
+} detent_object_hit2;
+typedef struct detent_world2_settings {
+  int32_t ticks_per_second;
+  int32_t substeps;
+  detent_vec2 gravity;
+  int32_t margin;
+  int32_t push_speed;
+  int32_t bounce_threshold;
+  int32_t sleep_speed;
+} detent_world2_settings;
+typedef struct detent_body2_options {
+  uint64_t user;
+  uint32_t layers;
+  uint32_t collides_with;
+  uint32_t motion;
+  int32_t density;
+  int32_t friction;
+  int32_t restitution;
+  int32_t linear_damping;
+  int32_t angular_damping;
+  detent_vec2 velocity;
+  int32_t angular_velocity[1];
+  int32_t gravity_scale;
+  uint32_t locked;
+  uint32_t is_sensor;
+  uint32_t reserved[2];
+} detent_body2_options;
+typedef struct detent_joint2 {
+  uint32_t kind;
+  detent_id a;
+  detent_id b;
+  detent_vec2 anchor_a;
+  detent_vec2 anchor_b;
+  detent_rotation2 frame_a;
+  detent_rotation2 frame_b;
+  uint32_t collide;
+  int32_t break_force;
+  uint32_t has_limits;
+  int32_t lower;
+  int32_t upper;
+  int32_t motor_speed;
+  int32_t motor_force;
+  int32_t length;
+  int32_t frequency;
+  int32_t damping_ratio;
+} detent_joint2;
+typedef struct detent_body2 {
+  detent_vec2 position;
+  detent_rotation2 rotation;
+  detent_vec2 velocity;
+  int32_t angular_velocity[1];
+  uint32_t is_asleep;
+} detent_body2;
+typedef struct detent_vec3 {
+  int32_t x, y, z;
+} detent_vec3;
+typedef struct detent_direction3 {
+  int32_t x, y, z;
+} detent_direction3;
+typedef struct detent_rotation3 {
+  detent_direction3 axis[3];
+} detent_rotation3;
+typedef struct detent_transform3 {
+  detent_vec3 translation;
+  detent_rotation3 rotation;
+  int32_t scale;
+} detent_transform3;
+typedef struct detent_ray3 {
+  detent_vec3 origin;
+  detent_direction3 direction;
+  int32_t max_distance;
+} detent_ray3;
+typedef struct detent_sphere3 {
+  detent_vec3 center;
+  int32_t radius;
+} detent_sphere3;
+typedef struct detent_aabb3 {
+  detent_vec3 min;
+  detent_vec3 max;
+} detent_aabb3;
+typedef struct detent_obb3 {
+  detent_vec3 center;
+  detent_vec3 half_extents;
+  detent_rotation3 rotation;
+} detent_obb3;
+typedef struct detent_plane3 {
+  detent_direction3 normal;
+  int32_t offset;
+} detent_plane3;
+typedef struct detent_triangle3 {
+  detent_vec3 a;
+  detent_vec3 b;
+  detent_vec3 c;
+} detent_triangle3;
+typedef struct detent_capsule3 {
+  detent_vec3 a;
+  detent_vec3 b;
+  int32_t radius;
+} detent_capsule3;
+typedef struct detent_segment3 {
+  detent_vec3 start;
+  detent_vec3 end;
+} detent_segment3;
+typedef struct detent_shape3 {
+  uint32_t kind;
+  detent_handle asset;
+  union {
+    detent_sphere3 sphere;
+    detent_aabb3 aabb;
+    detent_obb3 obb;
+    detent_plane3 plane;
+    detent_triangle3 triangle;
+    detent_capsule3 capsule;
+    detent_segment3 segment;
+    detent_vec3 point;
+    detent_transform3 placed;
+  } as;
+} detent_shape3;
+typedef struct detent_hit3 {
+  int32_t distance;
+  detent_vec3 point;
+  detent_direction3 normal;
+} detent_hit3;
+typedef struct detent_contact_point3 {
+  detent_vec3 point;
+  int32_t depth;
+  uint32_t feature;
+} detent_contact_point3;
+typedef struct detent_manifold3 {
+  detent_direction3 normal;
+  int32_t depth;
+  uint32_t count;
+  detent_contact_point3 points[4];
+} detent_manifold3;
+typedef struct detent_sweep3 {
+  detent_vec3 start;
+  detent_vec3 end;
+  detent_rotation3 start_rotation;
+  detent_rotation3 end_rotation;
+} detent_sweep3;
+typedef struct detent_object_hit3 {
+  int32_t distance;
+  detent_id id;
+  detent_vec3 point;
+  detent_direction3 normal;
+  uint32_t triangle;
+  uint32_t has_triangle;
+} detent_object_hit3;
+typedef struct detent_world3_settings {
+  int32_t ticks_per_second;
+  int32_t substeps;
+  detent_vec3 gravity;
+  int32_t margin;
+  int32_t push_speed;
+  int32_t bounce_threshold;
+  int32_t sleep_speed;
+} detent_world3_settings;
+typedef struct detent_body3_options {
+  uint64_t user;
+  uint32_t layers;
+  uint32_t collides_with;
+  uint32_t motion;
+  int32_t density;
+  int32_t friction;
+  int32_t restitution;
+  int32_t linear_damping;
+  int32_t angular_damping;
+  detent_vec3 velocity;
+  int32_t angular_velocity[3];
+  int32_t gravity_scale;
+  uint32_t locked;
+  uint32_t is_sensor;
+  uint32_t reserved[3];
+} detent_body3_options;
+typedef struct detent_joint3 {
+  uint32_t kind;
+  detent_id a;
+  detent_id b;
+  detent_vec3 anchor_a;
+  detent_vec3 anchor_b;
+  detent_rotation3 frame_a;
+  detent_rotation3 frame_b;
+  uint32_t collide;
+  int32_t break_force;
+  uint32_t has_limits;
+  int32_t lower;
+  int32_t upper;
+  int32_t motor_speed;
+  int32_t motor_force;
+  int32_t length;
+  int32_t frequency;
+  int32_t damping_ratio;
+} detent_joint3;
+typedef struct detent_body3 {
+  detent_vec3 position;
+  detent_rotation3 rotation;
+  detent_vec3 velocity;
+  int32_t angular_velocity[3];
+  uint32_t is_asleep;
+} detent_body3;
+int32_t detent_version(void);
+int32_t detent_results_version(void);
+const char* detent_describe(detent_status status);
+detent_status detent_open(detent_context* context, const detent_allocator* allocator);
+detent_status detent_close(detent_context* context);
+detent_status detent_count(const detent_context* context, uint32_t* count);
+detent_status detent_mesh_create(detent_context* context, uint32_t id,
+                                            const detent_vec3* vertices, uint32_t vertex_count,
+                                            const uint32_t* faces, uint32_t face_count,
+                                            detent_handle* mesh);
+detent_status detent_height_field_create(detent_context* context, uint32_t id,
+                                                    const detent_vec2* corner, int32_t cell,
+                                                    uint32_t columns, uint32_t rows,
+                                                    const int32_t* heights, detent_handle* field);
+detent_status detent_asset_destroy(detent_context* context, detent_handle asset);
+detent_status detent_raycast2(const detent_ray2* ray, const detent_shape2* shape,
+                                           detent_hit2* hit);
+detent_status detent_raycast2_many(const detent_ray2* rays, uint32_t count,
+                                                const detent_shape2* shape, int32_t* distances);
+detent_status detent_contains2(const detent_shape2* shape, const detent_vec2* point);
+detent_status detent_overlaps2(const detent_shape2* a, const detent_shape2* b);
+detent_status detent_closest_point2(const detent_shape2* shape,
+                                                 const detent_vec2* point,
+                                                 detent_vec2* closest);
+detent_status detent_distance_to_point2(const detent_shape2* shape,
+                                                     const detent_vec2* point,
+                                                     int32_t* distance);
+detent_status detent_distance2(const detent_shape2* a, const detent_shape2* b,
+                                            int32_t* distance);
+detent_status detent_contact2(const detent_shape2* a, const detent_shape2* b,
+                                           detent_manifold2* contact);
+detent_status detent_closest_points2(const detent_shape2* a,
+                                                  const detent_shape2* b,
+                                                  detent_vec2* point_a,
+                                                  detent_vec2* point_b);
+detent_status detent_cast2(const detent_shape2* shape,
+                                        const detent_direction2* direction, int32_t max_distance,
+                                        const detent_shape2* target, detent_hit2* hit);
+detent_status detent_time_of_impact2(const detent_shape2* a,
+                                                  const detent_sweep2* sweep_a,
+                                                  const detent_shape2* b,
+                                                  const detent_sweep2* sweep_b, int32_t target,
+                                                  detent_impact* impact);
+detent_status detent_hull2_create(detent_context* context, uint32_t id,
+                                               const detent_vec2* points, uint32_t count,
+                                               detent_handle* hull);
+detent_status detent_solid2_create(detent_context* context, uint32_t id,
+                                                const detent_vec2* points, uint32_t count,
+                                                detent_handle* solid);
+detent_status detent_scene2_create(detent_context* context, detent_handle* scene);
+detent_status detent_scene2_destroy(detent_context* context, detent_handle scene);
+detent_status detent_scene2_add(detent_context* context, detent_handle scene,
+                                             const detent_shape2* shape,
+                                             const detent_traits* traits, detent_id* id);
+detent_status detent_scene2_add_as(detent_context* context, detent_handle scene,
+                                                detent_id id, const detent_shape2* shape,
+                                                const detent_traits* traits);
+detent_status detent_scene2_remove(detent_context* context, detent_handle scene,
+                                                detent_id id);
+detent_status detent_scene2_replace(detent_context* context, detent_handle scene,
+                                                 detent_id id, const detent_shape2* shape);
+detent_status detent_scene2_move(detent_context* context, detent_handle scene,
+                                              detent_id id, const detent_vec2* by);
+detent_status detent_scene2_object(const detent_context* context, detent_handle scene,
+                                                detent_id id, detent_shape2* shape,
+                                                detent_traits* traits);
+detent_status detent_scene2_set_traits(detent_context* context, detent_handle scene,
+                                                    detent_id id, const detent_traits* traits);
+detent_status detent_scene2_add_frame(detent_context* context, detent_handle scene,
+                                                   const detent_transform2* transform,
+                                                   detent_id parent, detent_id* frame);
+detent_status detent_scene2_move_frame(detent_context* context, detent_handle scene,
+                                                    detent_id frame,
+                                                    const detent_transform2* transform);
+detent_status detent_scene2_remove_frame(detent_context* context, detent_handle scene,
+                                                      detent_id frame);
+detent_status detent_scene2_frame(const detent_context* context, detent_handle scene,
+                                               detent_id frame, detent_transform2* local,
+                                               detent_transform2* world);
+detent_status detent_scene2_size(const detent_context* context, detent_handle scene,
+                                              uint32_t* size);
+detent_status detent_scene2_optimize(detent_context* context, detent_handle scene);
+detent_status detent_scene2_raycast(const detent_context* context, detent_handle scene,
+                                                 const detent_ray2* ray, uint32_t layers,
+                                                 detent_object_hit2* hit);
+detent_status detent_scene2_raycast_any(const detent_context* context,
+                                                     detent_handle scene, const detent_ray2* ray,
+                                                     uint32_t layers);
+detent_status detent_scene2_raycast_all(const detent_context* context,
+                                                     detent_handle scene, const detent_ray2* ray,
+                                                     uint32_t layers, detent_object_hit2* hits,
+                                                     uint32_t room, uint32_t* count);
+detent_status detent_scene2_raycast_many(const detent_context* context,
+                                                      detent_handle scene, const detent_ray2* rays,
+                                                      uint32_t count, uint32_t layers,
+                                                      detent_object_hit2* hits);
+detent_status detent_scene2_nearest(const detent_context* context, detent_handle scene,
+                                                 const detent_shape2* question, uint32_t layers,
+                                                 detent_found* found);
+detent_status detent_scene2_any(const detent_context* context, detent_handle scene,
+                                             const detent_shape2* question, uint32_t layers);
+detent_status detent_scene2_all(const detent_context* context, detent_handle scene,
+                                             const detent_shape2* question, uint32_t layers,
+                                             detent_found* found, uint32_t room, uint32_t* count);
+detent_status detent_scene2_overlaps(const detent_context* context,
+                                                  detent_handle scene, detent_pair* pairs,
+                                                  uint32_t room, uint32_t* count);
+detent_status detent_scene2_digest(const detent_context* context, detent_handle scene,
+                                                uint64_t* digest);
+detent_status detent_scene2_snapshot(const detent_context* context,
+                                                  detent_handle scene, void* bytes, uint32_t room,
+                                                  uint32_t* size);
+detent_status detent_scene2_restore(detent_context* context, detent_handle scene,
+                                                 const void* bytes, uint32_t size);
+detent_status detent_world2_default_settings(detent_world2_settings* settings);
+detent_status detent_body2_default_options(detent_body2_options* options);
+detent_status detent_world2_create(detent_context* context,
+                                                const detent_world2_settings* settings,
+                                                detent_handle* world);
+detent_status detent_world2_destroy(detent_context* context, detent_handle world);
+detent_status detent_world2_add(detent_context* context, detent_handle world,
+                                             const detent_shape2* shape,
+                                             const detent_body2_options* options, detent_id* id);
+detent_status detent_world2_remove(detent_context* context, detent_handle world,
+                                                detent_id id);
+detent_status detent_world2_step(detent_context* context, detent_handle world);
+detent_status detent_world2_body(const detent_context* context, detent_handle world,
+                                              detent_id id, detent_body2* body);
+detent_status detent_world2_bodies(const detent_context* context, detent_handle world,
+                                                const detent_id* ids, uint32_t count,
+                                                detent_body2* bodies);
+detent_status detent_world2_set_velocity(detent_context* context, detent_handle world,
+                                                      detent_id id, const detent_vec2* velocity);
+detent_status detent_world2_set_angular_velocity(detent_context* context,
+                                                              detent_handle world, detent_id id,
+                                                              const int32_t* velocity);
+detent_status detent_world2_apply_impulse(detent_context* context, detent_handle world,
+                                                       detent_id id, const detent_vec2* impulse,
+                                                       const detent_vec2* at);
+detent_status detent_world2_apply_force(detent_context* context, detent_handle world,
+                                                     detent_id id, const detent_vec2* force,
+                                                     const detent_vec2* at);
+detent_status detent_world2_apply_torque(detent_context* context, detent_handle world,
+                                                      detent_id id, const int32_t* torque);
+detent_status detent_joint2_defaults(uint32_t kind, detent_joint2* joint);
+detent_status detent_world2_add_joint(detent_context* context, detent_handle world,
+                                                   const detent_joint2* joint, detent_id* id);
+detent_status detent_world2_change_joint(detent_context* context, detent_handle world,
+                                                      detent_id id, const detent_joint2* joint);
+detent_status detent_world2_remove_joint(detent_context* context, detent_handle world,
+                                                      detent_id id);
+detent_status detent_world2_joint(const detent_context* context, detent_handle world,
+                                               detent_id id, detent_joint2* joint);
+detent_status detent_world2_joint_count(const detent_context* context,
+                                                     detent_handle world, uint32_t* count);
+detent_status detent_world2_broken(const detent_context* context, detent_handle world,
+                                                detent_id* joints, uint32_t room, uint32_t* count);
+detent_status detent_world2_local_point(const detent_context* context,
+                                                     detent_handle world, detent_id id,
+                                                     const detent_vec2* point,
+                                                     detent_vec2* local);
+detent_status detent_world2_local_frame(const detent_context* context,
+                                                     detent_handle world, detent_id id,
+                                                     const detent_rotation2* frame,
+                                                     detent_rotation2* local);
+detent_status detent_world2_size(const detent_context* context, detent_handle world,
+                                              uint32_t* size);
+detent_status detent_world2_events(const detent_context* context, detent_handle world,
+                                                detent_touch* events, uint32_t room,
+                                                uint32_t* count);
+detent_status detent_world2_digest(const detent_context* context, detent_handle world,
+                                                uint64_t* digest);
+detent_status detent_world2_digest_of(const detent_context* context,
+                                                   detent_handle world, detent_id id,
+                                                   uint64_t* digest);
+detent_status detent_world2_snapshot(const detent_context* context,
+                                                  detent_handle world, void* bytes, uint32_t room,
+                                                  uint32_t* size);
+detent_status detent_world2_restore(detent_context* context, detent_handle world,
+                                                 const void* bytes, uint32_t size);
+detent_status detent_raycast3(const detent_ray3* ray, const detent_shape3* shape,
+                                           detent_hit3* hit);
+detent_status detent_raycast3_many(const detent_ray3* rays, uint32_t count,
+                                                const detent_shape3* shape, int32_t* distances);
+detent_status detent_contains3(const detent_shape3* shape, const detent_vec3* point);
+detent_status detent_overlaps3(const detent_shape3* a, const detent_shape3* b);
+detent_status detent_closest_point3(const detent_shape3* shape,
+                                                 const detent_vec3* point,
+                                                 detent_vec3* closest);
+detent_status detent_distance_to_point3(const detent_shape3* shape,
+                                                     const detent_vec3* point,
+                                                     int32_t* distance);
+detent_status detent_distance3(const detent_shape3* a, const detent_shape3* b,
+                                            int32_t* distance);
+detent_status detent_contact3(const detent_shape3* a, const detent_shape3* b,
+                                           detent_manifold3* contact);
+detent_status detent_closest_points3(const detent_shape3* a,
+                                                  const detent_shape3* b,
+                                                  detent_vec3* point_a,
+                                                  detent_vec3* point_b);
+detent_status detent_cast3(const detent_shape3* shape,
+                                        const detent_direction3* direction, int32_t max_distance,
+                                        const detent_shape3* target, detent_hit3* hit);
+detent_status detent_time_of_impact3(const detent_shape3* a,
+                                                  const detent_sweep3* sweep_a,
+                                                  const detent_shape3* b,
+                                                  const detent_sweep3* sweep_b, int32_t target,
+                                                  detent_impact* impact);
+detent_status detent_hull3_create(detent_context* context, uint32_t id,
+                                               const detent_vec3* points, uint32_t count,
+                                               detent_handle* hull);
+detent_status detent_solid3_create(detent_context* context, uint32_t id,
+                                                const detent_vec3* points, uint32_t count,
+                                                detent_handle* solid);
+detent_status detent_scene3_create(detent_context* context, detent_handle* scene);
+detent_status detent_scene3_destroy(detent_context* context, detent_handle scene);
+detent_status detent_scene3_add(detent_context* context, detent_handle scene,
+                                             const detent_shape3* shape,
+                                             const detent_traits* traits, detent_id* id);
+detent_status detent_scene3_add_as(detent_context* context, detent_handle scene,
+                                                detent_id id, const detent_shape3* shape,
+                                                const detent_traits* traits);
+detent_status detent_scene3_remove(detent_context* context, detent_handle scene,
+                                                detent_id id);
+detent_status detent_scene3_replace(detent_context* context, detent_handle scene,
+                                                 detent_id id, const detent_shape3* shape);
+detent_status detent_scene3_move(detent_context* context, detent_handle scene,
+                                              detent_id id, const detent_vec3* by);
+detent_status detent_scene3_object(const detent_context* context, detent_handle scene,
+                                                detent_id id, detent_shape3* shape,
+                                                detent_traits* traits);
+detent_status detent_scene3_set_traits(detent_context* context, detent_handle scene,
+                                                    detent_id id, const detent_traits* traits);
+detent_status detent_scene3_add_frame(detent_context* context, detent_handle scene,
+                                                   const detent_transform3* transform,
+                                                   detent_id parent, detent_id* frame);
+detent_status detent_scene3_move_frame(detent_context* context, detent_handle scene,
+                                                    detent_id frame,
+                                                    const detent_transform3* transform);
+detent_status detent_scene3_remove_frame(detent_context* context, detent_handle scene,
+                                                      detent_id frame);
+detent_status detent_scene3_frame(const detent_context* context, detent_handle scene,
+                                               detent_id frame, detent_transform3* local,
+                                               detent_transform3* world);
+detent_status detent_scene3_size(const detent_context* context, detent_handle scene,
+                                              uint32_t* size);
+detent_status detent_scene3_optimize(detent_context* context, detent_handle scene);
+detent_status detent_scene3_raycast(const detent_context* context, detent_handle scene,
+                                                 const detent_ray3* ray, uint32_t layers,
+                                                 detent_object_hit3* hit);
+detent_status detent_scene3_raycast_any(const detent_context* context,
+                                                     detent_handle scene, const detent_ray3* ray,
+                                                     uint32_t layers);
+detent_status detent_scene3_raycast_all(const detent_context* context,
+                                                     detent_handle scene, const detent_ray3* ray,
+                                                     uint32_t layers, detent_object_hit3* hits,
+                                                     uint32_t room, uint32_t* count);
+detent_status detent_scene3_raycast_many(const detent_context* context,
+                                                      detent_handle scene, const detent_ray3* rays,
+                                                      uint32_t count, uint32_t layers,
+                                                      detent_object_hit3* hits);
+detent_status detent_scene3_nearest(const detent_context* context, detent_handle scene,
+                                                 const detent_shape3* question, uint32_t layers,
+                                                 detent_found* found);
+detent_status detent_scene3_any(const detent_context* context, detent_handle scene,
+                                             const detent_shape3* question, uint32_t layers);
+detent_status detent_scene3_all(const detent_context* context, detent_handle scene,
+                                             const detent_shape3* question, uint32_t layers,
+                                             detent_found* found, uint32_t room, uint32_t* count);
+detent_status detent_scene3_overlaps(const detent_context* context,
+                                                  detent_handle scene, detent_pair* pairs,
+                                                  uint32_t room, uint32_t* count);
+detent_status detent_scene3_digest(const detent_context* context, detent_handle scene,
+                                                uint64_t* digest);
+detent_status detent_scene3_snapshot(const detent_context* context,
+                                                  detent_handle scene, void* bytes, uint32_t room,
+                                                  uint32_t* size);
+detent_status detent_scene3_restore(detent_context* context, detent_handle scene,
+                                                 const void* bytes, uint32_t size);
+detent_status detent_world3_default_settings(detent_world3_settings* settings);
+detent_status detent_body3_default_options(detent_body3_options* options);
+detent_status detent_world3_create(detent_context* context,
+                                                const detent_world3_settings* settings,
+                                                detent_handle* world);
+detent_status detent_world3_destroy(detent_context* context, detent_handle world);
+detent_status detent_world3_add(detent_context* context, detent_handle world,
+                                             const detent_shape3* shape,
+                                             const detent_body3_options* options, detent_id* id);
+detent_status detent_world3_remove(detent_context* context, detent_handle world,
+                                                detent_id id);
+detent_status detent_world3_step(detent_context* context, detent_handle world);
+detent_status detent_world3_body(const detent_context* context, detent_handle world,
+                                              detent_id id, detent_body3* body);
+detent_status detent_world3_bodies(const detent_context* context, detent_handle world,
+                                                const detent_id* ids, uint32_t count,
+                                                detent_body3* bodies);
+detent_status detent_world3_set_velocity(detent_context* context, detent_handle world,
+                                                      detent_id id, const detent_vec3* velocity);
+detent_status detent_world3_set_angular_velocity(detent_context* context,
+                                                              detent_handle world, detent_id id,
+                                                              const int32_t* velocity);
+detent_status detent_world3_apply_impulse(detent_context* context, detent_handle world,
+                                                       detent_id id, const detent_vec3* impulse,
+                                                       const detent_vec3* at);
+detent_status detent_world3_apply_force(detent_context* context, detent_handle world,
+                                                     detent_id id, const detent_vec3* force,
+                                                     const detent_vec3* at);
+detent_status detent_world3_apply_torque(detent_context* context, detent_handle world,
+                                                      detent_id id, const int32_t* torque);
+detent_status detent_joint3_defaults(uint32_t kind, detent_joint3* joint);
+detent_status detent_world3_add_joint(detent_context* context, detent_handle world,
+                                                   const detent_joint3* joint, detent_id* id);
+detent_status detent_world3_change_joint(detent_context* context, detent_handle world,
+                                                      detent_id id, const detent_joint3* joint);
+detent_status detent_world3_remove_joint(detent_context* context, detent_handle world,
+                                                      detent_id id);
+detent_status detent_world3_joint(const detent_context* context, detent_handle world,
+                                               detent_id id, detent_joint3* joint);
+detent_status detent_world3_joint_count(const detent_context* context,
+                                                     detent_handle world, uint32_t* count);
+detent_status detent_world3_broken(const detent_context* context, detent_handle world,
+                                                detent_id* joints, uint32_t room, uint32_t* count);
+detent_status detent_world3_local_point(const detent_context* context,
+                                                     detent_handle world, detent_id id,
+                                                     const detent_vec3* point,
+                                                     detent_vec3* local);
+detent_status detent_world3_local_frame(const detent_context* context,
+                                                     detent_handle world, detent_id id,
+                                                     const detent_rotation3* frame,
+                                                     detent_rotation3* local);
+detent_status detent_world3_size(const detent_context* context, detent_handle world,
+                                              uint32_t* size);
+detent_status detent_world3_events(const detent_context* context, detent_handle world,
+                                                detent_touch* events, uint32_t room,
+                                                uint32_t* count);
+detent_status detent_world3_digest(const detent_context* context, detent_handle world,
+                                                uint64_t* digest);
+detent_status detent_world3_digest_of(const detent_context* context,
+                                                   detent_handle world, detent_id id,
+                                                   uint64_t* digest);
+detent_status detent_world3_snapshot(const detent_context* context,
+                                                  detent_handle world, void* bytes, uint32_t room,
+                                                  uint32_t* size);
+detent_status detent_world3_restore(detent_context* context, detent_handle world,
+                                                 const void* bytes, uint32_t size);
+]]
+local sizes = {
+  detent_id = 8,
+  detent_pair = 16,
+  detent_touch = 20,
+  detent_found = 12,
+  detent_impact = 12,
+  detent_traits = 24,
+  detent_context = 32,
+  detent_vec2 = 8,
+  detent_direction2 = 8,
+  detent_rotation2 = 16,
+  detent_transform2 = 28,
+  detent_ray2 = 20,
+  detent_sphere2 = 12,
+  detent_aabb2 = 16,
+  detent_obb2 = 32,
+  detent_plane2 = 12,
+  detent_triangle2 = 24,
+  detent_capsule2 = 20,
+  detent_segment2 = 16,
+  detent_shape2 = 40,
+  detent_hit2 = 20,
+  detent_contact_point2 = 16,
+  detent_manifold2 = 48,
+  detent_sweep2 = 48,
+  detent_object_hit2 = 36,
+  detent_world2_settings = 32,
+  detent_body2_options = 72,
+  detent_joint2 = 108,
+  detent_body2 = 40,
+  detent_vec3 = 12,
+  detent_direction3 = 12,
+  detent_rotation3 = 36,
+  detent_transform3 = 52,
+  detent_ray3 = 28,
+  detent_sphere3 = 16,
+  detent_aabb3 = 24,
+  detent_obb3 = 60,
+  detent_plane3 = 16,
+  detent_triangle3 = 36,
+  detent_capsule3 = 28,
+  detent_segment3 = 24,
+  detent_shape3 = 68,
+  detent_hit3 = 28,
+  detent_contact_point3 = 20,
+  detent_manifold3 = 100,
+  detent_sweep3 = 96,
+  detent_object_hit3 = 44,
+  detent_world3_settings = 36,
+  detent_body3_options = 88,
+  detent_joint3 = 156,
+  detent_body3 = 76,
+}
+for name, size in pairs(sizes) do assert(ffi.sizeof(name) == size, name) end
+return sizes

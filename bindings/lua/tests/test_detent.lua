@@ -1,0 +1,85 @@
+-- SPDX-License-Identifier: MIT
+-- Tests of the Lua binding: every function of this table. Prints the name of each that fails.
+local detent = require('detent')
+local ffi = require('ffi')
+local ONE, UNIT, d2, d3 = detent.ONE, detent.UNIT, detent.d2, detent.d3
+local tests = {}
+
+function tests.the_match_ends_as_in_cpp()
+  local expected = assert(os.getenv('DETENT_MATCH'), 'DETENT_MATCH is not set')
+  local match = dofile('bindings/lua/examples/match.lua')
+  assert(match.play() == expected, match.play() .. ' instead of ' .. expected)
+end
+
+function tests.queries_of_single_shapes()
+  local ball = d3.sphere({ 10 * ONE, 0, 0 }, ONE)
+  local hit = d3.raycast(d3.ray({ 0, 0, 0 }, { UNIT, 0, 0 }), ball)
+  assert(hit.distance == 9 * ONE and hit.normal.x == -UNIT and hit.point.x == 9 * ONE)
+  assert(d3.raycast(d3.ray({ 0, 0, 0 }, { -UNIT, 0, 0 }), ball) == nil)
+  assert(d3.contains(ball, { 11 * ONE, 0, 0 }) and not d3.contains(ball, { 11 * ONE + 1, 0, 0 }))
+  assert(d2.overlaps(d2.aabb({ 0, 0 }, { ONE, ONE }), d2.obb({ 2 * ONE, 0 }, { ONE, ONE })))
+  assert(not d2.overlaps(d2.aabb({ 0, 0 }, { ONE, ONE }), d2.obb({ 2 * ONE + 1, 0 }, { ONE, ONE })))
+  assert(d2.distance(d2.sphere({ 0, 0 }, ONE), d2.capsule({ 5 * ONE, 0 }, { 9 * ONE, 0 }, ONE)) == 3 * ONE)
+  assert(d3.overlaps(d3.plane({ 0, UNIT, 0 }, 0), d3.triangle({ 0, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 })))
+end
+
+function tests.scenes()
+  local context = detent.open()
+  local scene = context:scene3()
+  local ball = scene:add(d3.sphere({ 0, 0, 0 }, ONE), { user = 7, layers = 2 })
+  assert(scene:size() == 1 and scene:nearest(d3.point({ 3 * ONE, 0, 0 })).distance == 2 * ONE)
+  local ray = d3.ray({ -5 * ONE, 0, 0 }, { UNIT, 0, 0 })
+  assert(scene:raycast(ray).id.index == ball.index and scene:raycast(ray, 1) == nil)
+  assert(scene:raycast_any(ray, 2) and not scene:raycast_any(ray, 4))
+  local before, saved = scene:digest(), scene:snapshot()
+  assert(scene:move(ball, d3.vec(0, ONE, 0)) and scene:digest() ~= before)
+  assert(scene:restore(saved) and scene:digest() == before)
+  local traits = ffi.new('detent_traits')
+  assert(scene:object(ball, nil, traits) and traits.user == 7)
+  assert(scene:remove(ball) and not scene:remove(ball) and scene:size() == 0)
+  context:close()
+end
+
+function tests.worlds()
+  local context = detent.open()
+  local world = context:world2()
+  local options = world:options()
+  options.velocity.x = ONE
+  local body = world:add(d2.sphere({ 0, 0 }, ONE), options)
+  for _ = 1, 60 do world:step() end
+  local state = world:body(body)
+  assert(state.position.x == ONE and state.position.y < -4 * ONE and state.velocity.y < -9 * ONE)
+  assert(world:remove(body) and world:body(body) == nil)
+  context:close()
+end
+
+function tests.errors_have_a_status_and_words()
+  local context = detent.open()
+  local scene = context:scene3()
+  local fine, wrong = pcall(scene.raycast, scene, d3.ray({ 0, 0, 0 }, { UNIT, UNIT, 0 }))
+  assert(not fine and wrong.status == detent.c.DETENT_NOT_UNIT and #tostring(wrong) > 5)
+  fine, wrong = pcall(scene.restore, scene, 'no snapshot at all')
+  assert(not fine and wrong.status == detent.c.DETENT_NO_SNAPSHOT)
+  context:close()
+  fine, wrong = pcall(scene.digest, scene)
+  assert(not fine and wrong.status == detent.c.DETENT_BAD_CONTEXT)
+  assert(not pcall(function() return scene:no_such_function() end))
+end
+
+function tests.numbers()
+  assert(detent.raw(1.5) == 98304 and detent.number(98304) == 1.5)
+  assert(detent.raw(2.5 / ONE) == 2 and detent.raw(3.5 / ONE) == 4 and detent.raw(-2.5 / ONE) == -2)
+  assert(not pcall(detent.raw, 32768) and detent.raw(-32768) == -2147483648)
+end
+
+local count, failed = 0, 0
+for name, test in pairs(tests) do
+  local fine, message = xpcall(test, debug.traceback)
+  count = count + 1
+  if not fine then
+    failed = failed + 1
+    print(name, message)
+  end
+end
+print(count .. ' tests, ' .. failed .. ' failed')
+os.exit(failed == 0 and 0 or 1)
