@@ -22,13 +22,13 @@ for (let run = 0; run < 7; ++run) {
     const now = (tick * 1000) / 60;
     peers.forEach((peer, i) => {
       const start = performance.now();
-      for (; flying[i].length > 0 && flying[i][0].tick <= tick; flying[i].shift()) peer.receive(flying[i][0].packet, now);
-      const packet = peer.play(peer.simulatedPad(i, peer.wasm.frame()), now);
+      for (; flying[i].length > 0 && flying[i][0].tick <= tick; flying[i].shift()) peer.receive(1 - i, flying[i][0].packet, now);
+      const [sent] = peer.play(peer.simulatedPad(i, peer.wasm.frame()), now);
       const at = 2 * tick + i, milliseconds = performance.now() - start;
       best[at] = Math.min(best[at] ?? Infinity, milliseconds);
-      if (!packet) return;
-      bytes += packet.length;
-      if (++lost % 10 !== 0) flying[1 - i].push({ tick: tick + latency, packet });
+      if (!sent) return;
+      bytes += sent.packet.length;
+      if (++lost % 10 !== 0) flying[sent.to].push({ tick: tick + latency, packet: sent.packet });
     });
   }
 }

@@ -17,8 +17,8 @@ using namespace slingshot;
 
 namespace {
 
-using Pads = detent::FrameInputs<Pad, 2>;
-using Replay = detent::ReplayReader<Pad, 2>;
+using Pads = Session::Inputs;
+using Replay = detent::ReplayReader<Pad, most_players>;
 
 /// The only storage of an object that `start` makes.
 template <class T>
@@ -56,20 +56,20 @@ constexpr std::string_view replay_kind = "slingshot 1";
 Place<Session> session_place;
 Place<Match> start_place, replay_place;
 std::array<std::byte, 1 << 20> exchange;
-std::array<std::int32_t, 16 + 12 * room> view_numbers;
+std::array<std::int32_t, 32 + 12 * room> view_numbers;
 
 // What is recorded of the frames that are final.
 std::uint32_t seen = 0;
 std::uint64_t chain = 0;
 std::array<std::uint64_t, history> chains;
-constinit detent::ReplayWriter<Pad, 2> writer;
+constinit detent::ReplayWriter<Pad, most_players> writer;
 File<std::size_t{1} << 20> written;
 
 std::optional<detent::SessionEvent> event;
 std::optional<std::uint32_t> flip_at;
 
 // A replay that is played.
-std::array<std::array<Pad, 2>, 255> block{};
+std::array<std::array<Pad, most_players>, 255> block{};
 std::size_t block_size = 0, block_next = 0;
 std::optional<std::uint64_t> block_digest;
 std::optional<Replay> replay;
@@ -98,10 +98,12 @@ std::uint64_t micros(double milliseconds) { return static_cast<std::uint64_t>(mi
 std::int32_t write_view(const Match& match) {
   std::int32_t* out = view_numbers.data();
   const auto put = [&](auto... values) { ((*out++ = static_cast<std::int32_t>(values)), ...); };
-  put(match.tick, match.round, match.pause, match.wind.raw());
-  for (const Side& side : match.sides) {
-    put(side.pad.angle, side.pad.power, side.reload, side.score, side.is_fallen);
+  put(match.tick, match.round, match.pause, match.wind.raw(), match.players);
+  for (std::size_t i = 0; i < match.players; ++i) {
+    const auto& [pad, reload] = match.catapults[i];
+    put(pad.angle, pad.power, reload);
   }
+  for (const Side& side : match.sides) put(side.score, side.is_fallen);
   std::int32_t* count = out++;
   *count = 0;
   for (const Piece& piece : match.pieces) {
@@ -138,10 +140,13 @@ EXPORT(buffer) std::byte* buffer() { return exchange.data(); }
 EXPORT(buffer_size) std::size_t buffer_size() { return exchange.size(); }
 EXPORT(view_at) std::int32_t* view_at() { return view_numbers.data(); }
 
-/// Begins a match. Both players give the same seed.
-EXPORT(start) void start(std::uint64_t seed, std::size_t self, std::uint32_t delay) {
-  const Match& match = start_place.make(seed);
-  session_place.make(detent::SessionConfig{.match = seed, .self = self, .delay = delay}, match);
+/// Begins a match of two players, or four. All give the same seed.
+EXPORT(start)
+void start(std::uint64_t seed, std::size_t self, std::uint32_t delay, std::size_t players) {
+  const Match& match = start_place.make(seed, players);
+  session_place.make(
+      detent::SessionConfig{.match = seed, .self = self, .players = match.players, .delay = delay},
+      match);
   seen = 0;
   chain = 0;
   flip_at.reset();
@@ -149,16 +154,21 @@ EXPORT(start) void start(std::uint64_t seed, std::size_t self, std::uint32_t del
   written.size = 0;
   std::array<std::byte, 8> snapshot{};
   for (std::size_t i = 0; i < 8; ++i) snapshot[i] = static_cast<std::byte>(seed >> (8 * i));
-  writer.begin({.kind = replay_kind, .players = 2, .snapshot = snapshot},
+  writer.begin({.kind = replay_kind, .players = match.players, .snapshot = snapshot},
                [](std::span<const std::byte> bytes) { written.add(bytes); });
 }
 
-/// Takes a packet of the other player from the buffer. 0 if it was good: see detent::Received.
-EXPORT(receive) int receive(std::size_t size, double now) {
-  Session& session = *session_place.get();
+/// Takes a packet of another player from the buffer. 0 if it was good: see detent::Received.
+EXPORT(receive) int receive(std::size_t from, std::size_t size, double now) {
   const std::span<const std::byte> packet(exchange.data(), (std::min)(size, exchange.size()));
-  return static_cast<int>(session.receive(1 - session.config().self, packet, micros(now)));
+  return static_cast<int>(session_place.get()->receive(from, packet, micros(now)));
 }
+/// Whether the match waits for this player.
+EXPORT(is_awaited) int is_awaited(std::size_t player) {
+  return session_place.get()->is_awaited(player) ? 1 : 0;
+}
+/// Goes on without a player who has left.
+EXPORT(drop) void drop(std::size_t player) { session_place.get()->drop(player); }
 /// Plays a frame. 0 if the keys were used: see detent::Advanced.
 EXPORT(advance) int advance(int angle, int power, int fire) {
   const Pad pad{static_cast<std::int16_t>(angle), static_cast<std::uint8_t>(power), fire != 0};
@@ -166,12 +176,16 @@ EXPORT(advance) int advance(int angle, int power, int fire) {
   record_final_frames();
   return static_cast<int>(result);
 }
-/// The size of a packet for the other player, in the buffer; 0 if none is due.
+/// Puts the packets that are due into the buffer: to whom (1 byte), size (2), packet. Returns the
+/// size of all.
 EXPORT(poll) std::size_t poll(double now) {
   std::size_t size = 0;
-  session_place.get()->poll(micros(now), [&](std::size_t, std::span<const std::byte> bytes) {
-    std::copy(bytes.begin(), bytes.end(), exchange.begin());
-    size = bytes.size();
+  const auto put = [&](std::size_t byte) { exchange[size++] = static_cast<std::byte>(byte); };
+  session_place.get()->poll(micros(now), [&](std::size_t to, std::span<const std::byte> bytes) {
+    put(to);
+    put(bytes.size() & 255);
+    put(bytes.size() >> 8);
+    for (const std::byte byte : bytes) exchange[size++] = byte;
   });
   return size;
 }
@@ -179,9 +193,15 @@ EXPORT(set_paused) void set_paused(int is_paused) { session_place.get()->pause(i
 
 EXPORT(frame) std::uint32_t frame() { return session_place.get()->frame(); }
 EXPORT(final_frame) std::uint32_t final_frame() { return seen; }
+/// All frames before this one are known to be equal at all who still play.
 EXPORT(matched_frame) std::uint32_t matched_frame() {
-  Session& session = *session_place.get();
-  return session.matched_frame(1 - session.config().self);
+  const Session& session = *session_place.get();
+  std::uint32_t matched = seen;
+  for (std::size_t i = 0; i < session.config().players; ++i) {
+    if (i == session.config().self || session.is_dropped(i)) continue;
+    matched = (std::min)(matched, session.matched_frame(i));
+  }
+  return matched;
 }
 EXPORT(resimulated) double resimulated() {
   return static_cast<double>(session_place.get()->resimulated());
@@ -212,8 +232,8 @@ EXPORT(flip_a_bit) void flip_a_bit() { flip_at = session_place.get()->frame(); }
 /// How many numbers of the match are at `view_at()`.
 EXPORT(view) std::int32_t view() { return write_view(session_place.get()->world()); }
 /// What a simulated player does: angle * 65536 + power * 256 + fire.
-EXPORT(simulated) int simulated(std::uint64_t seed, std::size_t side, std::uint32_t frame) {
-  const Pad pad = simulated_pad(seed, side, frame);
+EXPORT(simulated) int simulated(std::uint64_t seed, std::size_t player, std::uint32_t frame) {
+  const Pad pad = simulated_pad(seed, player, frame);
   return pad.angle * 65536 + pad.power * 256 + (pad.fire ? 1 : 0);
 }
 
@@ -240,12 +260,13 @@ EXPORT(load_replay) int load_replay(std::size_t size) {
   replay_frame = 0;
   const auto snapshot = replay->snapshot();
   if (replay->state() != detent::ReplayState::whole) return static_cast<int>(replay->state());
-  if (!replay->is_kind(replay_kind) || snapshot.size() != 8 || replay->players() != 2) {
+  if (!replay->is_kind(replay_kind) || snapshot.size() != 8 ||
+      (replay->players() != 2 && replay->players() != most_players)) {
     return static_cast<int>(detent::ReplayState::no_replay);
   }
   std::uint64_t seed = 0;
   for (std::size_t i = 8; i-- > 0;) seed = seed << 8 | std::to_integer<std::uint64_t>(snapshot[i]);
-  replay_place.make(seed);
+  replay_place.make(seed, replay->players());
   return 0;
 }
 /// Plays one frame of the replay. 0 if there was one, 1 at the end, 2 if a digest differs.
@@ -254,7 +275,7 @@ EXPORT(replay_step) int replay_step() {
   if (block_next == block_size) {
     block_size = block_next = 0;
     block_digest = replay->next_block([](const Pads& pads) {
-      if (block_size < block.size()) block[block_size++] = {pads[0], pads[1]};
+      if (block_size < block.size()) block[block_size++] = {pads[0], pads[1], pads[2], pads[3]};
     });
     if (!block_digest || block_size == 0) return 1;
   }

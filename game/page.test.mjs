@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: MIT
 //
-// usage: node page.test.mjs FOLDER GOLDEN
+// usage: node page.test.mjs FOLDER [FRAMES]
 // Plays the page that game/build made in FOLDER, in Chromium: two machines in one page, then two
-// pages and the relay, with lost packets, then a page and the program of game/check on a big-endian
-// machine, or this one; it breaks a bit, saves and opens a replay, plays by keyboard and mouse, and
+// pages and the relay, with lost packets, then a match of four, who are two pages and the programs of
+// game/check for this machine and a big-endian one; it breaks a bit, saves and opens a replay, plays by keyboard and mouse, and
 // goes offline; and it looks into the two other rooms. Pictures go to FOLDER. Most of it runs at several
-// times the speed: pages then draw once in four seconds, and drawing without a GPU takes long.
+// times the speed: pages then draw once in four seconds, and drawing without a GPU takes long. With
+// FRAMES only the match of four is played, for so long.
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
+import { execFileSync, spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 
 const folder = `${resolve(process.argv[2])}/`;
-const golden = Object.fromEntries(readFileSync(process.argv[3], 'utf8').trim().split('\n').map((line) => line.split(' ')));
+const parsed = (text) => Object.fromEntries(text.trim().split('\n').map((line) => line.split(' ')));
+const goldenOf = (file) => parsed(readFileSync(new URL(file, import.meta.url), 'utf8'));
+const golden = goldenOf('golden.txt'), frames = Number(process.argv[3] ?? 3000), isLong = process.argv.length > 3;
 const { chromium } = createRequire(folder)('playwright-core');
+const { WebSocket } = createRequire(folder)('ws');
 const seed = 2026;  // golden.txt was played with it
 
 const relay = spawn('node', [`${folder}relay.mjs`, '--port', '0'], { stdio: ['ignore', 'pipe', 'inherit'] });
@@ -32,7 +36,7 @@ const errors = [];
 
 async function open(query, path = '') {
   const page = await browser.newPage();
-  page.setDefaultTimeout(200_000);
+  page.setDefaultTimeout(isLong ? 7_200_000 : 200_000);
   page.on('console', (message) => { if (message.type() === 'error') errors.push(message.text()); });
   page.on('pageerror', (error) => errors.push(error.stack));
   await page.goto(`${address}${path}?${query}`);
@@ -51,7 +55,72 @@ async function untilPlayed(page, frames) {
   return Object.fromEntries(Object.entries(digests).filter(([frame]) => frame <= frames));
 }
 
-try {
+// A match of four: two pages, and two programs.
+async function playFour() {
+  const isBig = existsSync(`${folder}s390x`);
+  const programs = [[`${folder}native`], isBig ? ['qemu-s390x', `${folder}s390x`] : [`${folder}native`]];
+  await check(`two pages, a program and one ${isBig ? 'on s390x' : 'more'} play ${frames} frames`, async () => {
+    const peers = programs.map((program) => {
+      const process = spawn('node', [`${folder}relay_peer.mjs`, '--room', 'four', '--players', '4', '--seed', seed,
+        '--speed', '8', '--loss', '0.15', address, ...program], { stdio: ['ignore', 'pipe', 'inherit'] });
+      const peer = { process, said: '', left: new Promise((done) => { process.on('exit', done); }) };
+      process.stdout.on('data', (text) => { peer.said += text; });
+      return peer;
+    });
+    const query = `room=four&players=4&auto&seed=${seed}&speed=8&loss=15&latency=60&redraw=60000`;
+    const start = Date.now(), pages = [await open(query)];
+    await pages[0].waitForFunction(() => document.getElementById('notice').textContent.includes('3 of 4 are here'));
+    pages.push(await open(query));
+    const all = isLong ? parsed(execFileSync(programs[0][0], ['steps', String(frames), '4'], { encoding: 'utf8' }))
+      : goldenOf('golden-4.txt');
+    assert.deepEqual(await Promise.all(pages.map((page) => untilPlayed(page, frames))), [all, all]);
+    const seconds = Math.round((Date.now() - start) / 1000);
+    for (const peer of peers) {
+      while (!peer.said.includes(`\n${frames} `)) await pages[0].waitForTimeout(50);
+      assert.deepEqual(parsed(peer.said.slice(0, peer.said.indexOf('\n', peer.said.indexOf(`\n${frames} `) + 1))), all);
+    }
+    const [again, bytes] = await pages[0].evaluate(() => [slingshot.peers[0].wasm.resimulated() / slingshot.peers[0].wasm.frame(),
+      (slingshot.sent() / slingshot.peers[0].wasm.frame()) * 60 / 3]);
+    console.log(`${Object.keys(all).length} digests equal, the last ${all[frames]}; ${seconds} s; a page simulated `
+      + `${again.toFixed(2)} frames again for each and sent ${Math.round(bytes)} bytes per 60 frames to each other player`);
+    await pages[0].screenshot({ path: `${folder}four.png` });
+
+    // One leaves, the others go on.
+    await pages[1].close();
+    await pages[0].waitForFunction(() => document.getElementById('notice').textContent.includes('has left; the match goes on'));
+    const reached = await pages[0].evaluate(() => slingshot.peers[0].wasm.matched_frame());
+    await pages[0].waitForFunction((frame) => slingshot.peers[0].wasm.matched_frame() > frame + 60, reached);
+    assert.equal(await pages[0].textContent('#verdict'), 'equal');
+    for (const peer of peers) peer.process.kill();
+    assert.deepEqual(await Promise.all(peers.map((peer) => peer.left)), [0, 0]);
+    await pages[0].close();
+  });
+}
+
+async function playAll() {
+  await check('the relay passes packets to the player that they are for, and nothing else', async () => {
+    const sockets = [], heard = [[], []];
+    for (const i of [0, 1]) {
+      const socket = new WebSocket(`${address.replace('http', 'ws')}room/relay`);
+      socket.on('message', (data, isBinary) => heard[i].push(isBinary ? [...data] : JSON.parse(data)));
+      await new Promise((done) => { socket.once('message', done); });
+      sockets.push(socket);
+    }
+    assert.deepEqual(heard[1], [{ is: 'start', seed: '1', self: 1, players: 2 }]);
+    for (const packet of [[], [0, 1], [2, 1], [255], [7, 7]]) sockets[0].send(new Uint8Array(packet));
+    sockets[0].send('text');
+    sockets[0].send(new Uint8Array([1, 42, 43]));
+    await new Promise((done) => { sockets[1].once('message', done); });
+    const late = new WebSocket(`${address.replace('http', 'ws')}room/relay`);
+    const [answer] = await new Promise((done) => { late.once('message', (...message) => done(message)); });
+    assert.equal(JSON.parse(answer).is, 'full');
+    sockets[0].send(new Uint8Array(5000));  // too large: the relay hangs up
+    await new Promise((done) => { sockets[1].once('message', done); });
+    assert.deepEqual(heard[1].slice(1), [[0, 42, 43], { is: 'left', who: 0, self: 1, players: 2 }]);
+    assert.deepEqual(heard[0].map((each) => each.is), ['waiting', 'start']);
+    sockets[1].close();
+  });
+
   const alone = await open(`auto&seed=${seed}&speed=10&latency=100&loss=15`);
   await check('two machines in a page play 3,000 frames as every other machine does', async () => {
     assert.deepEqual(await untilPlayed(alone, 3000), golden);
@@ -103,28 +172,14 @@ try {
     await pages[0].close();
   });
 
-  const isBig = existsSync(`${folder}s390x`);
-  await check(`a page and a program ${isBig ? 'on s390x ' : ''}play 3,000 frames`, async () => {
-    const program = isBig ? ['qemu-s390x', `${folder}s390x`] : [`${folder}native`];
-    const peer = spawn('node', [`${folder}relay_peer.mjs`, '--room', 'mixed', '--seed', seed, '--speed', '8',
-      '--loss', '0.15', address, ...program], { stdio: ['ignore', 'pipe', 'inherit'] });
-    let said = '';
-    peer.stdout.on('data', (text) => { said += text; });
-    const left = new Promise((done) => { peer.on('exit', done); });
-    const page = await open(`room=mixed&auto&seed=${seed}&speed=8&loss=15&latency=60`);
-    assert.deepEqual(await untilPlayed(page, 3000), golden);
-    while (!said.includes('\n3000 ')) await page.waitForTimeout(50);
-    await page.close();
-    assert.equal(await left, 0);
-    for (const [frames, digest] of Object.entries(golden)) assert.ok(said.includes(`${frames} ${digest}\n`), said);
-  });
+  await playFour();
 
   await check('it is played by keyboard, mouse and labelled sliders', async () => {
     const page = await open('seed=3&loss=0&latency=0&speed=2');
     await page.uncheck('#computer');
     const shots = () => page.waitForFunction(() => slingshot.peers[0].match().pieces
       .some((piece) => piece.kind === 'ball' && piece.owner === 0 && piece.age < 120));
-    const isReady = () => page.waitForFunction(() => slingshot.peers[0].match().sides[0].reload === 0
+    const isReady = () => page.waitForFunction(() => slingshot.peers[0].match().catapults[0].reload === 0
       && !slingshot.peers[0].match().pieces.some((piece) => piece.kind === 'ball' && piece.age < 120));
     const angle = () => page.evaluate(() => Number(document.getElementById('angle-0').value));
     await isReady();
@@ -188,6 +243,10 @@ try {
     await page.waitForFunction(() => window.slingshot?.peers[0].wasm.frame() > 10);
     await page.close();
   });
+}
+
+try {
+  await (isLong ? playFour() : playAll());
   assert.deepEqual(errors, []);
   console.log('no console errors');
 } finally {

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// usage: peer [steps | match [FRAMES] | pipe SELF SEED]
+// usage: peer [steps | match [FRAMES [PLAYERS]] | pipe SELF SEED PLAYERS]
 //
-//   steps  plays the match of two simulated players, step by step
-//   match  plays it in two sessions over a simulated network that loses, doubles and reorders packets
-//   pipe   is one simulated player of a match with another program: relay_peer.mjs passes packets
+//   steps  plays the match of simulated players, two or four, step by step
+//   match  plays it in a session each over a simulated network that loses, doubles and reorders packets
+//   pipe   is one simulated player of a match with other programs: relay_peer.mjs passes packets
 //
 // All give the same numbers: every 600 frames, a digest of all frames so far. The status is 0 if the
 // sessions agree.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "lockstep/network.hpp"
 #include "session.hpp"
@@ -51,13 +53,14 @@ void play(Peer& peer, std::uint32_t frames, const Print& print_digest) {
 }
 
 /// Latency of 60 to 90 ms each way; every seventh packet is lost, every twentieth comes twice.
-int play_match(std::uint32_t frames) {
+int play_match(std::uint32_t frames, std::size_t players) {
   using detent::test::Time;
   detent::test::Network network(golden_seed, {60'000, 30'000, 143, 50});
-  const auto start = std::make_unique<Match>(golden_seed);
-  std::array<std::unique_ptr<Peer>, 2> peers;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const detent::SessionConfig config{.match = golden_seed, .self = i, .delay = golden_delay};
+  const auto start = std::make_unique<Match>(golden_seed, players);
+  std::vector<std::unique_ptr<Peer>> peers(players);
+  for (std::size_t i = 0; i < players; ++i) {
+    const detent::SessionConfig config{
+        .match = golden_seed, .self = i, .players = players, .delay = golden_delay};
     peers[i].reset(new Peer{Session(config, *start)});
   }
   for (Time now = 0; now < Time{frames} * 50'000; now += 16'667) {
@@ -65,21 +68,27 @@ int play_match(std::uint32_t frames) {
       peers[to]->session.receive(from, packet, when);
     });
     bool is_done = true;
-    for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < players; ++i) {
       play(*peers[i], frames, [&](std::uint32_t frame, std::uint64_t digest) {
         if (i == 0) print(frame, digest);
       });
       peers[i]->session.poll(now, [&](std::size_t to, std::span<const std::byte> bytes) {
         network.send(i, to, bytes, now);
       });
-      is_done &= peers[i]->seen >= frames && peers[i]->session.matched_frame(1 - i) >= frames;
+      is_done &= peers[i]->seen >= frames;
+      for (std::size_t other = 0; other < players; ++other) {
+        is_done &= other == i || peers[i]->session.matched_frame(other) >= frames;
+      }
     }
     if (!is_done) continue;
+    const auto ways = static_cast<double>(players * (players - 1));
     std::fprintf(stderr, "frames simulated again: %.2f a frame; bytes a second, each way: %.0f\n",
                  static_cast<double>(peers[0]->session.resimulated()) / frames,
-                 static_cast<double>(network.bytes()) / 2 / (static_cast<double>(now) / 1e6));
-    const bool is_equal = peers[0]->is_equal && peers[1]->is_equal;
-    return is_equal && peers[0]->chain == peers[1]->chain ? 0 : 1;
+                 static_cast<double>(network.bytes()) / ways / (static_cast<double>(now) / 1e6));
+    const bool is_equal = std::all_of(peers.begin(), peers.end(), [&](const auto& peer) {
+      return peer->is_equal && peer->chain == peers[0]->chain;
+    });
+    return is_equal ? 0 : 1;
   }
   std::fputs("peer: the match did not get there\n", stderr);
   return 1;
@@ -92,23 +101,29 @@ void write_number(Number number) {
   }
 }
 
-/// Reads: the time in milliseconds (4 bytes, the low one first), the size of a packet (2), the packet.
-/// Without a packet it plays a frame. Writes: the size of a packet (2), the packet; or 65535, the
-/// number of frames (4), their digest (8).
-int play_pipe(std::size_t self, std::uint64_t seed) {
-  const auto start = std::make_unique<Match>(seed);
-  const detent::SessionConfig config{.match = seed, .self = self, .delay = golden_delay};
+/// Reads: the time in milliseconds (4 bytes, the low one first), the size of a packet (2), the peer
+/// that it came from (1), the packet. Without a packet it plays a frame; with the size 65535 that
+/// peer has left. Writes: the size of a packet (2), the peer that it goes to (1), the packet; or
+/// 65535, the number of frames (4), their digest (8).
+int play_pipe(std::size_t self, std::uint64_t seed, std::size_t players) {
+  const auto start = std::make_unique<Match>(seed, players);
+  const detent::SessionConfig config{
+      .match = seed, .self = self, .players = start->players, .delay = golden_delay};
   const std::unique_ptr<Peer> peer(new Peer{Session(config, *start), seed});
-  std::array<unsigned char, 6> head{};
+  std::array<unsigned char, 7> head{};
   std::array<std::byte, 65535> packet{};
   while (std::fread(head.data(), head.size(), 1, stdin) == 1) {
     std::uint64_t now = 0;
     for (std::size_t i = 4; i-- > 0;) now = now << 8 | head[i];
     now *= 1000;
-    const std::size_t size = head[4] + std::size_t{256} * head[5];
+    const std::size_t size = head[4] + std::size_t{256} * head[5], from = head[6];
+    if (size == 65535) {
+      peer->session.drop(from);
+      continue;
+    }
     if (std::fread(packet.data(), 1, size, stdin) != size) break;
     if (size > 0) {
-      peer->session.receive(1 - self, std::span(packet).first(size), now);
+      peer->session.receive(from, std::span(packet).first(size), now);
       continue;
     }
     play(*peer, 0x7fffffff, [](std::uint32_t frames, std::uint64_t digest) {
@@ -116,8 +131,9 @@ int play_pipe(std::size_t self, std::uint64_t seed) {
       write_number(frames);
       write_number(digest);
     });
-    peer->session.poll(now, [](std::size_t, std::span<const std::byte> bytes) {
+    peer->session.poll(now, [](std::size_t to, std::span<const std::byte> bytes) {
       write_number(static_cast<std::uint16_t>(bytes.size()));
+      write_number(static_cast<std::uint8_t>(to));
       std::fwrite(bytes.data(), 1, bytes.size(), stdout);
     });
     std::fflush(stdout);
@@ -129,16 +145,21 @@ int play_pipe(std::size_t self, std::uint64_t seed) {
 
 int main(int argc, char** argv) {
   const std::string_view mode = argc > 1 ? argv[1] : "steps";
-  if (mode == "pipe" && argc == 4) {
-    return play_pipe(argv[2][0] == '1' ? 1 : 0, std::strtoull(argv[3], nullptr, 10));
+  const auto number = [&](int i, std::uint64_t otherwise) {
+    return argc > i ? std::strtoull(argv[i], nullptr, 10) : otherwise;
+  };
+  if (mode == "pipe" && argc == 5) {
+    return play_pipe(static_cast<std::size_t>(number(2, 0)), number(3, 0),
+                     static_cast<std::size_t>(number(4, 2)));
   }
-  const auto frames = static_cast<std::uint32_t>(argc > 2 ? std::atoi(argv[2]) : 3000);
-  if (mode == "match") return play_match(frames);
+  const auto frames = static_cast<std::uint32_t>(number(2, 3000));
+  const std::size_t players = number(3, 2) == most_players ? most_players : 2;
+  if (mode == "match") return play_match(frames, players);
   if (mode != "steps") {
-    std::fputs("usage: peer [steps | match [FRAMES] | pipe SELF SEED]\n", stderr);
+    std::fputs("usage: peer [steps | match [FRAMES [PLAYERS]] | pipe SELF SEED PLAYERS]\n", stderr);
     return 2;
   }
-  const auto match = std::make_unique<Match>(golden_seed);
+  const auto match = std::make_unique<Match>(golden_seed, players);
   play_steps(*match, frames, print);
   return 0;
 }

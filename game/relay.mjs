@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: node relay.mjs [--port N] [--page FOLDER] [--open]
-// Serves the page, and passes packets between the two players of a room. It reads none of them:
-// whatever it loses, changes or makes up, the peers notice.
+// Serves the page, and passes packets between the players of a room, two or four. A packet that comes
+// in begins with the number of the player that it is for; one that goes out, of the one who sent it.
+// The relay reads nothing else: whatever it loses, changes or makes up, the peers notice.
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';
 import { extname, join, normalize } from 'node:path';
@@ -40,27 +41,38 @@ relay.on('connection', (socket, request) => {
   const { pathname, searchParams } = new URL(request.url, 'http://here');
   const name = /\/room\/([0-9a-z]{1,32})$/.exec(pathname)?.[1];
   if (!name) return socket.close(1008, 'no room');
-  const room = rooms.get(name) ?? { players: [], seed: searchParams.get('seed')?.slice(0, 20) ?? '1' };
-  if (room.players.length === 2) {
+  const room = rooms.get(name) ?? {
+    seats: [], isPlaying: false,
+    size: searchParams.get('players') === '4' ? 4 : 2, seed: searchParams.get('seed')?.slice(0, 20) ?? '1',
+  };
+  if (room.isPlaying) {
     socket.send(JSON.stringify({ is: 'full' }));
     return socket.close(1008, 'full');
   }
   rooms.set(name, room);
-  room.players.push(socket);
-  const others = () => room.players.filter((player) => player !== socket);
+  room.seats.push(socket);
+  const say = (what) => room.seats.forEach((seat, self) => seat?.send(JSON.stringify({ ...what, self, players: room.size })));
+  const sayWhoIsHere = () => say({ is: 'waiting', here: room.seats.length });
   socket.on('message', (data, isBinary) => {
-    if (!isBinary) return;
-    for (const other of others()) if (other.bufferedAmount < 65536) other.send(data);
+    if (!isBinary || !room.isPlaying) return;
+    const other = room.seats[data[0]];
+    if (!other || other === socket || other.bufferedAmount > 65536) return;
+    data[0] = room.seats.indexOf(socket);
+    other.send(data);
   });
   socket.on('error', () => socket.terminate());
   socket.on('close', () => {
-    for (const other of others()) other.send(JSON.stringify({ is: 'left' }));
-    // A room is used once: nobody can join a match that runs.
-    room.players.forEach((player) => player !== socket && player.close());
-    rooms.delete(name);
+    const who = room.seats.indexOf(socket);
+    // A seat is used once: nobody can join a match that runs.
+    if (room.isPlaying) room.seats[who] = null;
+    else room.seats.splice(who, 1);
+    if (!room.seats.some((seat) => seat)) rooms.delete(name);
+    else if (room.isPlaying) say({ is: 'left', who });
+    else sayWhoIsHere();
   });
-  if (room.players.length < 2) return;
-  room.players.forEach((player, self) => player.send(JSON.stringify({ is: 'start', self, seed: room.seed })));
+  room.isPlaying = room.seats.length === room.size;
+  if (room.isPlaying) say({ is: 'start', seed: room.seed });
+  else sayWhoIsHere();
 });
 
 server.on('error', (error) => {

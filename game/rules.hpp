@@ -13,11 +13,12 @@
 #include <detent/number/trigonometry.hpp>
 #include <detent/scene/world.hpp>
 
-// The rules of a slingshot match for two. Each has a catapult, and a king in a castle of blocks. Both
-// shoot whenever their catapult is ready. A king falls when an enemy's ball or the ground touches him;
-// that ends the round and scores a point for the other. Three points win.
+// The rules of a slingshot match for two or four. Each side has a king in a castle of blocks, and a
+// catapult for each of its players, who shoot whenever it is ready. A king falls when an enemy's ball
+// or the ground touches him; that ends the round and scores a point for the other side. Three points
+// win. Players 0 and 2 are the left side, red; 1 and 3 the right one, blue.
 //
-// All of it is a function of the seed and of what both press: a `Match` copies, is digested and steps
+// All of it is a function of the seed and of what they press: a `Match` copies, is digested and steps
 // the same on every machine, so detent::Session can play it over a network.
 
 namespace slingshot {
@@ -43,7 +44,9 @@ inline constexpr std::uint16_t reload_ticks = 75, ball_ticks = 420, wind_ticks =
 inline constexpr std::uint16_t round_pause = 180, match_pause = 420;
 inline constexpr std::uint8_t points_to_win = 3;
 inline constexpr S speed_per_power = 0.0859375_q16_16;  // 22 at most
-inline constexpr S catapult_x = 9.5_q16_16, catapult_y = 2.6_q16_16, castle_x = 16_q16_16;
+inline constexpr std::size_t most_players = 4;
+inline constexpr S catapult_xs[] = {9.5_q16_16, 6.2_q16_16};  // the second of a side is in front
+inline constexpr S catapult_y = 2.6_q16_16, castle_x = 16_q16_16;
 inline constexpr S king_half = 0.45_q16_16, king_height = 0.7_q16_16, ball_radius = 0.45_q16_16;
 inline constexpr S field_end = 30_q16_16;
 
@@ -66,19 +69,25 @@ constexpr void for_each_field(const Piece& piece, const F& f) {
   f("age", piece.age);
 }
 
-struct Side {
+struct Catapult {
   Pad pad{};
-  std::uint16_t reload = 0;  // ticks until the catapult is ready
+  std::uint16_t reload = 0;  // ticks until it is ready
+};
+template <class F>
+constexpr void for_each_field(const Catapult& catapult, const F& f) {
+  f("angle", catapult.pad.angle);
+  f("power", catapult.pad.power);
+  f("fire", catapult.pad.fire);
+  f("reload", catapult.reload);
+}
+
+struct Side {
   std::uint8_t score = 0;
   bool is_fallen = false;
   detent::BodyId king{};
 };
 template <class F>
 constexpr void for_each_field(const Side& side, const F& f) {
-  f("angle", side.pad.angle);
-  f("power", side.pad.power);
-  f("fire", side.pad.fire);
-  f("reload", side.reload);
   f("score", side.score);
   f("is_fallen", side.is_fallen);
   f("king", side.king);
@@ -88,7 +97,9 @@ constexpr void for_each_field(const Side& side, const F& f) {
 struct Match {
   Bodies bodies;
   std::array<Piece, room> pieces{};
+  std::array<Catapult, most_players> catapults{};
   std::array<Side, 2> sides{};
+  std::size_t players;  // two or four
   std::uint64_t random = 0;
   std::uint32_t tick = 0;
   std::uint16_t round = 0;
@@ -96,13 +107,15 @@ struct Match {
   std::uint16_t hill = 0;   // of the six there are
   S wind{};                 // speed that balls gain in a tick
 
-  explicit constexpr Match(std::uint64_t seed);
+  explicit constexpr Match(std::uint64_t seed, std::size_t players = 2);
 };
 
 template <class F>
 constexpr void for_each_field(const Match& match, const F& f) {
   f("bodies", match.bodies);
+  f("left catapult", match.catapults[0]);
   f("left", match.sides[0]);
+  f("right catapult", match.catapults[1]);
   f("right", match.sides[1]);
   f("random", match.random);
   f("tick", match.tick);
@@ -111,6 +124,9 @@ constexpr void for_each_field(const Match& match, const F& f) {
   f("hill", match.hill);
   f("wind", match.wind);
   f("pieces", match.pieces);
+  if (match.players == 2) return;
+  f("left catapult in front", match.catapults[2]);
+  f("right catapult in front", match.catapults[3]);
 }
 
 /// The next number below `count`, which is small.
@@ -202,6 +218,10 @@ constexpr void build_castle(Mason mason, std::uint32_t plan) {
   }
 }
 
+[[nodiscard]] constexpr S catapult_x(std::size_t player) noexcept {
+  return mirrored(player % 2, catapult_xs[player / 2]);
+}
+
 /// Clears the field and sets it up again.
 constexpr void begin_round(Match& match) {
   for (Piece& piece : match.pieces) {
@@ -219,18 +239,20 @@ constexpr void begin_round(Match& match) {
   for (std::size_t side = 0; side < 2; ++side) {
     add_box(match, Kind::rock, side, {mirrored(side, castle_x), 0.4_q16_16},
             {4.2_q16_16, 0.4_q16_16});
-    add_box(match, Kind::rock, side, {mirrored(side, catapult_x), 0.6_q16_16},
-            {0.9_q16_16, 0.6_q16_16});
+    for (std::size_t player = side; player < match.players; player += 2) {
+      add_box(match, Kind::rock, side, {catapult_x(player), 0.6_q16_16}, {0.9_q16_16, 0.6_q16_16});
+      match.catapults[player].reload = reload_ticks;
+    }
     build_castle(Mason(match, side), plan);
     match.sides[side].is_fallen = false;
-    match.sides[side].reload = reload_ticks;
   }
   ++match.round;
 }
 
-constexpr void shoot(Match& match, std::size_t side) {
+constexpr void shoot(Match& match, std::size_t player) {
   using detent::nearest_to;
-  const Pad& pad = match.sides[side].pad;
+  const std::size_t side = player % 2;
+  const Pad& pad = match.catapults[player].pad;
   const auto turn = static_cast<std::uint32_t>(static_cast<std::int32_t>(pad.angle)) << 16;
   const auto angle = detent::Angle<S>::from_raw(turn);
   const auto speed = nearest_to<S>(speed_per_power * int{pad.power});
@@ -241,21 +263,21 @@ constexpr void shoot(Match& match, std::size_t side) {
   options.restitution = 0.2_q16_16;
   options.angular_damping = 2_q16_16;
   options.velocity = velocity;
-  const Ball ball{{mirrored(side, catapult_x), catapult_y}, ball_radius};
+  const Ball ball{{catapult_x(player), catapult_y}, ball_radius};
   keep(match, match.bodies.add(ball, options), Kind::ball, side, {ball_radius, ball_radius});
-  match.sides[side].reload = reload_ticks;
+  match.catapults[player].reload = reload_ticks;
 }
 
 /// A catapult shoots when it is let go and ready.
-constexpr void aim_and_shoot(Match& match, std::size_t side, Pad pad) {
+constexpr void aim_and_shoot(Match& match, std::size_t player, Pad pad) {
   pad.angle = std::clamp(pad.angle, lowest_angle, highest_angle);
   pad.power = std::max(pad.power, least_power);
-  Side& own = match.sides[side];
+  Catapult& own = match.catapults[player];
   own.pad = pad;
   if (own.reload > 0) {
     --own.reload;
   } else if (pad.fire && match.pause == 0) {
-    shoot(match, side);
+    shoot(match, player);
   }
 }
 
@@ -296,13 +318,13 @@ constexpr void judge(Match& match) {
   }
 }
 
-/// One sixtieth of a second. `pads[0]` is the left player's.
+/// One sixtieth of a second; `pads[player]` is what a player holds.
 template <class Pads>
 constexpr void step(Match& match, const Pads& pads) {
   if (match.tick++ % wind_ticks == 0) {
     match.wind = detent::nearest_to<S>((static_cast<int>(draw(match, 13)) - 6) * 0.01_q16_16);
   }
-  for (std::size_t side = 0; side < 2; ++side) aim_and_shoot(match, side, pads[side]);
+  for (std::size_t i = 0; i < match.players; ++i) aim_and_shoot(match, i, pads[i]);
   tend_balls(match);
   match.bodies.step();
   if (match.pause == 0) {
@@ -317,7 +339,8 @@ constexpr void step(Match& match, const Pads& pads) {
   }
 }
 
-constexpr Match::Match(std::uint64_t seed) : random(seed) {
+constexpr Match::Match(std::uint64_t seed, std::size_t count)
+    : players(count == most_players ? count : 2), random(seed) {
   draw(*this, 1);
   begin_round(*this);
 }

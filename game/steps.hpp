@@ -15,14 +15,14 @@ inline constexpr std::uint32_t golden_delay = 2;  // frames between a key and it
   return digest.value();
 }
 
-/// Plays the match of two simulated players without a network; calls print(frames, digest) every
-/// 600 frames.
+/// Plays the match of simulated players without a network; calls print(frames, digest) every 600
+/// frames.
 template <class Print>
 constexpr void play_steps(Match& match, std::uint32_t frames, const Print& print) {
   std::uint64_t chain = 0;
   for (std::uint32_t frame = 0; frame < frames; ++frame) {
-    std::array<Pad, 2> pads{};
-    for (std::size_t i = 0; i < 2 && frame >= golden_delay; ++i) {
+    std::array<Pad, most_players> pads{};
+    for (std::size_t i = 0; i < match.players && frame >= golden_delay; ++i) {
       pads[i] = simulated_pad(golden_seed, i, frame - golden_delay);
     }
     step(match, pads);

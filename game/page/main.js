@@ -9,14 +9,16 @@ const at = (id) => document.getElementById(id);
 const asked = new URLSearchParams(location.search);
 const isAuto = asked.has('auto');  // all players are simulated
 const speed = Number(asked.get('speed') ?? 1);
+const redraw = Number(asked.get('redraw') ?? 4000);  // milliseconds, in a hurry
 const tick = 1000 / 60, milestone = 600;
 const names = ['Red', 'Blue'], raws = 65536 / 360;
+const most = 4;  // players
 const clock = () => performance.now() * speed;
 
 const module = await WebAssembly.compileStreaming(fetch('game.wasm'));
 const peers = [new Peer(module), new Peer(module)];
 const viewer = new Peer(module);  // of replays
-const players = [0, 1].map(() => ({ angle: 8192, power: 160, fire: 0 }));
+const players = Array.from({ length: most }, () => ({ angle: 8192, power: 160, fire: 0 }));
 const views = [0, 1].map((i) => {
   try {
     return new View(at(`canvas-${i}`), [i]);
@@ -24,10 +26,14 @@ const views = [0, 1].map((i) => {
     return null;  // no WebGL: it is played, but not drawn
   }
 }).map((view) => view ?? { update() {}, draw() {}, accuse() {}, burst() {} });
-let links, mode, self, socket, local = clock(), isFlipped = false, last = null;
+let links, mode, self, count = 2, present = [], socket, sent = 0, local = clock(), isFlipped = false, last = null;
 let strip = [], compared = 0, milestones = {};
 
 const say = (text) => { at('status').textContent = text; };
+function playerName(player) {
+  return names[player % 2] + (count === 2 ? '' : player < 2 ? ' at the back' : ' in front');
+}
+const lower = (name) => name[0].toLowerCase() + name.slice(1);
 function notice(text) {
   at('notice').hidden = text === '';
   at('notice').textContent = text;
@@ -39,9 +45,10 @@ const randomSeed = () => crypto.getRandomValues(new BigUint64Array(1))[0];
 
 function begin(newMode, seed) {
   mode = newMode;
+  if (mode !== 'remote') count = 2;
   links = [new Link(), new Link()];
   strip = [];
-  compared = 0;
+  compared = sent = 0;
   milestones = {};
   isFlipped = false;
   last = null;
@@ -51,7 +58,7 @@ function begin(newMode, seed) {
   at('verdict').className = '';
   views.forEach((view) => view.accuse(-1));
   if (mode === 'local') peers.forEach((peer, i) => peer.start(seed, i));
-  if (mode === 'remote') peers[0].start(seed, self);
+  if (mode === 'remote') peers[0].start(seed, self, count);
   arrange();
 }
 
@@ -59,9 +66,9 @@ function arrange() {
   const isAlone = mode !== 'local', side = mode === 'remote' ? self : 0;
   at('peers').className = isAlone ? 'alone' : '';
   document.querySelector('.peer.right').hidden = isAlone;
-  document.querySelector('.peer').className = `peer ${side === 0 ? 'left' : 'right'}`;
+  document.querySelector('.peer').className = `peer ${side % 2 === 0 ? 'left' : 'right'}`;
   at('name-0').textContent = mode === 'replay' ? 'Replay'
-    : mode === 'remote' ? `You are ${names[side].toLowerCase()}` : "Red's machine";
+    : mode === 'remote' ? `You are ${lower(playerName(side))}` : "Red's machine";
   views[0].controlled = mode === 'replay' ? [] : [side];
   at('pad-0').classList.toggle('idle', mode === 'replay' || isAuto);
   at('pad-1').classList.toggle('idle', isComputer(1));
@@ -69,9 +76,9 @@ function arrange() {
   at('flip').hidden = at('save').hidden = at('pause').hidden = mode === 'replay';
   at('flip').textContent = `Flip one bit on ${mode === 'remote' ? 'this' : "blue's"} machine`;
   at('digest-name-0').textContent = mode === 'remote' ? 'here' : 'red';
-  at('digest-name-0').className = side === 0 ? 'left' : 'right';
-  at('digest-name-1').className = side === 0 ? 'right' : 'left';
-  at('digest-name-1').textContent = mode === 'remote' ? 'there' : 'blue';
+  at('digest-name-0').className = side % 2 === 0 ? 'left' : 'right';
+  at('digest-name-1').className = mode === 'remote' && count > 2 ? '' : side === 0 ? 'right' : 'left';
+  at('digest-name-1').textContent = mode !== 'remote' ? 'blue' : count > 2 ? 'all others' : 'there';
 }
 
 const isComputer = (side) => isAuto || (mode === 'local' && side === 1 && at('computer').checked);
@@ -85,7 +92,7 @@ function padOf(peer, side) {
 function played(peer, side) {
   const player = players[side];
   if (peer.result !== 'yes' || player.fire === 0) return;
-  const { reload } = peer.match().sides[side];
+  const { reload } = peer.match().catapults[side];
   player.fire = reload > player.reload ? 0 : player.fire - 1;
   player.reload = reload;
 }
@@ -93,17 +100,20 @@ function played(peer, side) {
 function step(now) {
   if (mode === 'local') {
     peers.forEach((peer, i) => {
-      links[i].deliver(now, (packet) => peer.receive(packet, now));
-      const packet = peer.play(padOf(peer, i), now);
+      links[i].deliver(now, (packet) => peer.receive(1 - i, packet, now));
+      const packets = peer.play(padOf(peer, i), now);
       played(peer, i);
-      if (packet) links[1 - i].send(packet, now);
+      for (const { to, packet } of packets) links[to].send(packet, now);
     });
     compare(peers[0], Math.min(peers[0].wasm.final_frame(), peers[1].wasm.final_frame()));
   } else if (mode === 'remote') {
-    const packet = peers[0].play(padOf(peers[0], self), now);
+    const packets = peers[0].play(padOf(peers[0], self), now);
     played(peers[0], self);
-    if (packet) links[0].send(packet, now);
-    links[0].deliver(now, (flown) => { if (socket?.readyState === WebSocket.OPEN) socket.send(flown); });
+    for (const { to, packet } of packets) {
+      sent += packet.length;
+      links[0].send([to, ...packet], now);
+    }
+    links[0].deliver(now, (flown) => { if (socket?.readyState === WebSocket.OPEN) socket.send(new Uint8Array(flown)); });
     compare(peers[0], peers[0].wasm.matched_frame());
   } else if (mode === 'replay') {
     const state = viewer.wasm.replay_step();
@@ -180,8 +190,8 @@ function noteChanges(match) {
   const weatherText = wind === 0 ? 'No wind' : `Wind ${Math.abs(wind).toFixed(1)} to the ${wind < 0 ? 'left' : 'right'} ${arrows}`;
   if (at('weather').textContent !== weatherText) at('weather').textContent = weatherText;
   if (!before) return;
+  if (match.catapults.some((each, i) => each.reload > before.catapults[i]?.reload)) snap();
   match.sides.forEach((side, i) => {
-    if (side.reload > before.sides[i].reload) snap();
     if (!side.fallen || before.sides[i].fallen) return;
     const winner = match.sides[1 - i];
     const king = match.pieces.find((piece) => piece.kind === 'king' && piece.owner === i);
@@ -207,16 +217,22 @@ function drawStrip() {
   at('digest-frame').textContent = compared - 1;
   at('digest-0').textContent = hex(newest.ours);
   at('digest-1').textContent = newest.theirs === null ? 'another one' : hex(newest.theirs);
-  const frames = Math.max(1, peers[0].wasm.frame());
+  const frames = Math.max(1, peers[0].wasm.frame()), { result } = peers[0];
+  if (result === 'yes' || result === 'ahead') moved = performance.now();
   at('figures').textContent = `${(peers[0].wasm.resimulated() / frames).toFixed(2)} frames simulated again for each that is played`
-    + (peers[0].result === 'yes' || peers[0].result === 'ahead' ? '' : `; now ${peers[0].result}`);
+    + (performance.now() - moved < 400 ? '' : `; ${obstacle()}`);
 }
 
-let drawn = -Infinity;
+function obstacle() {
+  const awaited = mode !== 'remote' ? [] : present.filter((player) => peers[0].wasm.is_awaited(player));
+  return awaited.length === 0 ? `now ${peers[0].result}` : `waits for ${awaited.map(playerName).map(lower).join(', ')}`;
+}
+
+let drawn = -Infinity, moved = 0;  // when it last drew, and played a frame
 function draw(now) {
   requestAnimationFrame(draw);
   advance();
-  if (speed > 1 && now - drawn < 4000) return;  // in a hurry
+  if (speed > 1 && now - drawn < redraw) return;  // in a hurry
   const seconds = Math.min(0.1, (now - drawn) / 1000);
   drawn = now;
   if (mode === 'waiting') return;
@@ -305,7 +321,7 @@ setInterval(() => {
   for (const code of held) {
     const [side, angle, power] = keys[code], player = players[whose(side)];
     // In a game for one, and for blue over a network, right is right.
-    const flip = code === 'ArrowLeft' || code === 'ArrowRight' ? (whose(side) === 1 ? 1 : -1) : 1;
+    const flip = code === 'ArrowLeft' || code === 'ArrowRight' ? -directionOf(whose(side)) : 1;
     setAim(whose(side), player.angle + angle, player.power + power * flip);
   }
   advance();  // pages that are not drawn play on
@@ -372,52 +388,75 @@ addEventListener('drop', (event) => {
   open(event.dataTransfer.files[0]);
 });
 
-// ---- two browsers
+// ---- two browsers, or four
 
-function join(room, seed) {
+function join(room, seed, wanted) {
   socket?.close();
-  const address = new URL(`room/${room}?seed=${seed}`, location.href);
+  const address = new URL(`room/${room}?seed=${seed}&players=${wanted}`, location.href);
   address.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
   socket = new WebSocket(address);
   socket.binaryType = 'arraybuffer';
-  const here = new URL(`?room=${room}`, location.href).href;
+  const here = new URL(`?room=${room}${wanted === 2 ? '' : `&players=${wanted}`}`, location.href).href;
   mode = 'waiting';
-  notice(`Send this link to a friend, and the match begins: ${here}`);
+  let isAnswered = false;
+  notice('Joining the match…');
   navigator.clipboard?.writeText(here).catch(() => {});
-  socket.onmessage = ({ data }) => {
+  const own = socket;
+  own.onmessage = ({ data }) => {
+    if (socket !== own) return;
     if (typeof data !== 'string') {
-      peers[0].receive(new Uint8Array(data), local);
+      const bytes = new Uint8Array(data);
+      if (mode === 'remote') peers[0].receive(bytes[0], bytes.subarray(1), local);
       return;
     }
+    isAnswered = true;
     const said = JSON.parse(data);
-    if (said.is === 'full') notice('Two play here already.');
-    if (said.is === 'left') notice('The other player has left. New match goes on here.');
+    if (said.is === 'waiting') {
+      notice(`${said.here} of ${said.players} are here. The match begins when all are. Link for the others: ${here}`);
+      say(`${said.here} of ${said.players} are here`);
+    }
+    if (said.is === 'full') notice('This match has begun without you. New match begins another one.');
+    if (said.is === 'left') left(said.who);
     if (said.is !== 'start') return;
     self = said.self;
+    count = said.players;
+    present = Array.from({ length: count }, (_, player) => player).filter((player) => player !== self);
     notice('');
     begin('remote', BigInt(said.seed));
     setAim(self, 8192, 160);
-    banner(`You are ${names[self].toLowerCase()}`);
+    banner(`You are ${lower(playerName(self))}`);
   };
-  const own = socket;
   own.onclose = () => {
     if (mode !== 'waiting' || socket !== own) return;
     begin('local', randomSeed());
-    if (at('notice').textContent.startsWith('Send')) notice('There is no relay here: ./dev play starts one.');
+    if (!isAnswered) notice('There is no relay here: ./dev play starts one.');
   };
 }
-at('invite').addEventListener('click', () => {
-  const room = Array.from(crypto.getRandomValues(new Uint8Array(8)), (byte) => byte.toString(16).padStart(2, '0')).join('');
-  history.replaceState(null, '', `?room=${room}`);
-  join(room, randomSeed());
-});
+function left(who) {
+  present = present.filter((player) => player !== who);
+  if (present.length === 0) {
+    notice(`${count === 2 ? 'The other player has' : 'All others have'} left. New match goes on here.`);
+    return;
+  }
+  peers[0].wasm.drop(who);
+  notice(`${playerName(who)} has left; the match goes on.`);
+}
+for (const [button, wanted] of [['invite', 2], ['invite-three', 4]]) {
+  at(button).addEventListener('click', () => {
+    const room = Array.from(crypto.getRandomValues(new Uint8Array(8)), (byte) => byte.toString(16).padStart(2, '0')).join('');
+    history.replaceState(null, '', `?room=${room}${wanted === 2 ? '' : `&players=${wanted}`}`);
+    join(room, randomSeed(), wanted);
+  });
+}
 
 readWeather();
 begin('local', asked.has('seed') ? BigInt(asked.get('seed')) : randomSeed());
 for (const side of [0, 1]) setAim(side, 8192, 160);
-if (asked.has('room')) join(asked.get('room'), asked.has('seed') ? BigInt(asked.get('seed')) : randomSeed());
+if (asked.has('room')) {
+  join(asked.get('room'), asked.has('seed') ? BigInt(asked.get('seed')) : randomSeed(), asked.get('players') === '4' ? 4 : 2);
+}
 requestAnimationFrame(draw);
 if (!isAuto) banner('Round 1');
 if (!(views[0] instanceof View)) notice('This browser has no WebGL, so nothing is drawn.');
-window.slingshot = { peers, milestones: () => milestones, mode: () => mode };
+window.slingshot = { peers, milestones: () => milestones, mode: () => mode, sent: () => sent };
 navigator.serviceWorker?.register('worker.js').catch(() => {});

@@ -11,30 +11,35 @@ export class Peer {
     this.wasm = new WebAssembly.Instance(module, {}).exports;
   }
 
-  start(seed, self, delay = 2) {
+  start(seed, self, players = 2, delay = 2) {
     this.seed = seed;
     this.self = self;
     this.desync = null;
     this.events = [];
-    this.wasm.start(seed, self, delay);
+    this.wasm.start(seed, self, delay, players);
   }
 
   bytes(size) {
     return new Uint8Array(this.wasm.memory.buffer, this.wasm.buffer(), size);
   }
 
-  receive(packet, now) {
+  receive(from, packet, now) {
     if (packet.length > 4096) return;
     this.bytes(packet.length).set(packet);
-    this.wasm.receive(packet.length, now);
+    this.wasm.receive(from, packet.length, now);
   }
 
-  // Plays a frame; the packet to send, or null.
+  // Plays a frame; the packets to send, each with the player that it is for.
   play(pad, now) {
     this.result = advanced[this.wasm.advance(pad.angle, pad.power, pad.fire ? 1 : 0)];
     for (let kind; (kind = this.wasm.next_event()) >= 0;) this.note(kind);
-    const size = this.wasm.poll(now);
-    return size > 0 ? this.bytes(size).slice() : null;
+    const bytes = this.bytes(this.wasm.poll(now)).slice(), packets = [];
+    for (let i = 0; i < bytes.length;) {
+      const size = bytes[i + 1] | bytes[i + 2] << 8;
+      packets.push({ to: bytes[i], packet: bytes.subarray(i + 3, i + 3 + size) });
+      i += 3 + size;
+    }
+    return packets;
   }
 
   note(kind) {
@@ -52,8 +57,8 @@ export class Peer {
 
   match() { return readMatch(this.wasm, this.wasm.view()); }
 
-  simulatedPad(side, frame) {
-    const word = this.wasm.simulated(this.seed, side, frame);
+  simulatedPad(player, frame) {
+    const word = this.wasm.simulated(this.seed, player, frame);
     return { angle: word >> 16, power: (word >> 8) & 255, fire: (word & 1) !== 0 };
   }
 
@@ -72,10 +77,9 @@ function readMatch(wasm, count) {
   const numbers = new Int32Array(wasm.memory.buffer, wasm.view_at(), count);
   let i = 0;
   const next = () => numbers[i++];
-  const match = { tick: next(), round: next(), pause: next(), wind: next() / one, sides: [], pieces: [] };
-  for (let side = 0; side < 2; ++side) {
-    match.sides.push({ angle: next(), power: next(), reload: next(), score: next(), fallen: next() !== 0 });
-  }
+  const match = { tick: next(), round: next(), pause: next(), wind: next() / one, catapults: [], sides: [], pieces: [] };
+  for (let left = next(); left > 0; --left) match.catapults.push({ angle: next(), power: next(), reload: next() });
+  for (let side = 0; side < 2; ++side) match.sides.push({ score: next(), fallen: next() !== 0 });
   for (let left = next(); left > 0; --left) {
     match.pieces.push({
       index: next(), generation: next(), kind: kinds[next()], owner: next(), x: next() / one, y: next() / one,

@@ -3,10 +3,10 @@
 import * as three from 'three';
 
 const sideColors = [0xd8483c, 0x3b7be0];
-const catapultX = 9.5, catapultY = 2.6, gravity = 10, speedOfPower = 22 / 256, depth = 1.5;
+const catapultX = [9.5, 6.2], catapultY = 2.6, gravity = 10, speedOfPower = 22 / 256, depth = 1.5;
 const calm = matchMedia('(prefers-reduced-motion: reduce)');
 
-export const directionOf = (side) => (side === 0 ? 1 : -1);
+export const directionOf = (player) => (player % 2 === 0 ? 1 : -1);
 
 function texture(width, height, paint) {
   const canvas = document.createElement('canvas');
@@ -70,7 +70,7 @@ function ridge(color, z, base, height, seed) {
 export class View {
   constructor(canvas, controlled) {
     this.canvas = canvas;
-    this.controlled = controlled;  // sides whose shots are foreseen
+    this.controlled = controlled;  // players whose shots are foreseen
     this.renderer = new three.WebGLRenderer({ canvas, antialias: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.shadowMap.enabled = true;
@@ -102,7 +102,7 @@ export class View {
     this.sphere = new three.SphereGeometry(1, 20, 14);
     this.crown = new three.CylinderGeometry(0.36, 0.3, 0.24, 6, 1, true);
     this.pieces = new Map();
-    this.slings = [0, 1].map((side) => this.addSling(side));
+    this.slings = [];
     this.clouds = this.addClouds();
     this.addSparks();
     this.accused = -1;
@@ -123,9 +123,9 @@ export class View {
     this.camera.updateProjectionMatrix();
   }
 
-  addSling(side) {
-    const group = new three.Group(), forward = directionOf(side);
-    group.position.set(-forward * catapultX, 0, 0);
+  addSling(player) {
+    const group = new three.Group();
+    group.position.set(-directionOf(player) * catapultX[player >> 1], 0, 0);
     const bar = (radius, length, x, y, turn) => {
       const mesh = new three.Mesh(new three.CylinderGeometry(radius, radius, length, 10), this.materials.timber);
       mesh.position.set(x, y, 0);
@@ -140,7 +140,7 @@ export class View {
       new three.BufferGeometry().setAttribute('position', new three.BufferAttribute(new Float32Array(9), 3)),
       new three.LineBasicMaterial({ color: 0x3a1d10 }));
     band.frustumCulled = false;
-    const stoneBall = new three.Mesh(this.sphere, this.materials.ball[side]);
+    const stoneBall = new three.Mesh(this.sphere, this.materials.ball[player % 2]);
     stoneBall.scale.setScalar(0.45);
     stoneBall.castShadow = true;
     group.add(band, stoneBall);
@@ -273,7 +273,11 @@ export class View {
       this.scene.remove(drawn.group);
       this.pieces.delete(index);
     }
-    match.sides.forEach((side, i) => this.updateSling(i, side, match));
+    while (this.slings.length < match.catapults.length) this.slings.push(this.addSling(this.slings.length));
+    this.slings.forEach((sling, i) => {
+      sling.group.visible = i < match.catapults.length;
+      if (sling.group.visible) this.updateSling(sling, i, match);
+    });
     this.wind = match.wind * 60;
   }
 
@@ -295,12 +299,12 @@ export class View {
     drawn.last = now;
   }
 
-  updateSling(i, side, match) {
-    const sling = this.slings[i], forward = directionOf(i);
-    const turn = (side.angle / 65536) * 2 * Math.PI;
+  updateSling(sling, player, match) {
+    const { angle, power, reload } = match.catapults[player], forward = directionOf(player);
+    const turn = (angle / 65536) * 2 * Math.PI;
     const aim = [forward * Math.cos(turn), Math.sin(turn)];
-    const isReady = side.reload === 0 && match.pause === 0;
-    const pull = isReady ? 0.6 + (1.5 * side.power) / 255 : 0;
+    const isReady = reload === 0 && match.pause === 0;
+    const pull = isReady ? 0.6 + (1.5 * power) / 255 : 0;
     const x = -aim[0] * pull, y = catapultY + 0.3 - aim[1] * pull;
     sling.ball.visible = isReady;
     sling.ball.position.set(x, y, 0);
@@ -309,10 +313,10 @@ export class View {
     points.setXYZ(1, x - aim[0] * 0.4, y - aim[1] * 0.4, 0.3);
     points.setXYZ(2, -0.55, catapultY + 0.2, 0.1);
     points.needsUpdate = true;
-    const speed = side.power * speedOfPower;
+    const speed = power * speedOfPower;
     sling.dots.forEach((dot, k) => {
       const time = 0.08 * (k + 1);
-      dot.visible = isReady && this.controlled.includes(i);
+      dot.visible = isReady && this.controlled.includes(player);
       dot.position.set(aim[0] * speed * time + 30 * match.wind * time * time,
         catapultY + aim[1] * speed * time - (gravity / 2) * time * time, 0.2);
     });
