@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <string>
 
 #include "commands.hpp"
@@ -9,18 +10,21 @@
 #include "numbers.hpp"
 #include "program.hpp"
 #include "replay.hpp"
+#include "simulate.hpp"
+#include "simulation.hpp"
 #include "verify.hpp"
 
 namespace detent::cli {
 namespace {
 
-std::string all_scalars() {
+template <class Names>
+std::string listed(const Names& names) {
   std::string text;
-  for (const std::string_view name : scalar_names) {
-    text.append(text.empty() ? "" : ", ").append(name);
-  }
+  for (const std::string_view name : names) text.append(text.empty() ? "" : ", ").append(name);
   return text;
 }
+
+std::string all_scalars() { return listed(scalar_names); }
 
 std::string checked_scalar(const std::string& flag, const std::string& name) {
   for (const std::string_view known : scalar_names) {
@@ -85,6 +89,7 @@ struct Arguments {
   DiffOptions diff;
   ReplayOptions replay;
   ExampleOptions example;
+  SimulateOptions simulate;
   int replay_code = 0;
   bool is_right = true;
   std::string compare;
@@ -232,6 +237,45 @@ void add_replay(CLI::App& app, Arguments& arguments) {
   example->final_callback([&] { replay_example(options); });
 }
 
+void add_simulate(CLI::App& app, Arguments& arguments) {
+  SimulateOptions& options = arguments.simulate;
+  CLI::App* const command =
+      app.add_subcommand("simulate", "Step a world of bodies, and print digests");
+  command->add_option("world", options.world, "A world in JSON")->required()->check(check_name);
+  command->add_option("--scalar", options.scalar, listed(simulated_scalars))->capture_default_str();
+  command->add_option("--offset", arguments.offset, "Move the world by X,Y,Z; pictures stay")
+      ->capture_default_str();
+  command->add_option("--ticks", options.ticks, "How many")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 100'000'000));
+  command->add_option("--every", options.every, "A digest every so many ticks")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100'000'000));
+  command->add_flag("--bodies", options.has_bodies, "Print where the bodies are in the end");
+  command->add_option("--resume", options.resume, "Start from this snapshot")->check(check_name);
+  command->add_option("-o,--out", options.out, "The snapshot to write")->check(check_name);
+  command->add_option("--snapshot-at", options.snapshot_at, "Its tick; by default the last")
+      ->check(CLI::Range(0, 100'000'000));
+  command->add_option("--frames", options.frames, "A folder for pictures, PNG files")
+      ->check(check_name);
+  command->add_option("--animation", options.animation, "An animated PNG to write")
+      ->check(check_name);
+  command->add_option("--picture-every", options.picture_every, "A picture every so many ticks")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--size", arguments.size, "Size of pictures")->capture_default_str();
+  command->final_callback([&arguments, &options] {
+    if (std::find(simulated_scalars.begin(), simulated_scalars.end(), options.scalar) ==
+        simulated_scalars.end()) {
+      throw InputError("--scalar: no world has the scalar \"" + options.scalar +
+                       "\"; choose from " + listed(simulated_scalars));
+    }
+    options.offset = parse_move(arguments.offset);
+    options.size = parse_size(arguments.size);
+    simulate(options);
+  });
+}
+
 /// Rejects an unknown first word; the parser would only say that a subcommand is required.
 void check_command(const CLI::App& app, int argc, char** argv) {
   const std::string word = argc < 2 ? "" : argv[1];
@@ -260,6 +304,7 @@ int run(int argc, char** argv) {
   add_verify(app, arguments);
   add_diff(app, arguments);
   add_replay(app, arguments);
+  add_simulate(app, arguments);
   check_command(app, argc, argv);
   if (!parse(app, argc, argv)) return 0;
   if (arguments.replay_code != 0) return arguments.replay_code;

@@ -31,7 +31,11 @@ struct AxisAngle {
 struct EulerAngles {
   Point angles;
 };
-using Turn = std::variant<std::monostate, AxisAngle, EulerAngles>;
+/// In two dimensions.
+struct FlatTurn {
+  Literal angle;
+};
+using Turn = std::variant<std::monostate, AxisAngle, EulerAngles, FlatTurn>;
 
 struct SphereModel {
   Point center;

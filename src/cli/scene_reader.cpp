@@ -1,38 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "scene_reader.hpp"
 
-#include <charconv>
 #include <filesystem>
-#include <initializer_list>
 #include <map>
 #include <string_view>
 #include <utility>
 
 #include "file.hpp"
-#include "json_reader.hpp"
+#include "json_fields.hpp"
 #include "obj_reader.hpp"
 
 namespace detent::cli {
 namespace {
 
 using Kind = JsonNode::Kind;
-using Keys = std::initializer_list<std::string_view>;
 
-/// Truncates long names, so that a message stays readable whatever the file contains.
-std::string in_quotes(std::string_view name) {
-  constexpr std::size_t longest = 40;
-  return '"' + std::string(name.substr(0, longest)) + (name.size() > longest ? "...\"" : "\"");
-}
-
-std::string listed(Keys keys) {
-  std::string text;
-  for (const std::string_view key : keys) text.append(text.empty() ? "" : ", ").append(key);
-  return text;
-}
-
-class SceneReader {
+class SceneReader : private JsonFields {
  public:
-  explicit SceneReader(const std::string& file) { scene_.file = file; }
+  explicit SceneReader(const std::string& file) : JsonFields(file) { scene_.file = file; }
 
   Scene read(const JsonNode& root) {
     expect(root, Kind::object, "the scene");
@@ -59,111 +44,6 @@ class SceneReader {
   }
 
  private:
-  [[noreturn]] void fail(const JsonNode& node, const std::string& what) const {
-    throw InputError(scene_.file, node.place, what);
-  }
-
-  void expect(const JsonNode& node, Kind kind, const std::string& name) const {
-    if (node.kind == kind) return;
-    fail(node, name + " is " + name_of(node.kind) + "; write " + name_of(kind));
-  }
-
-  void allow_keys(const JsonNode& object, const std::string& owner, Keys keys) const {
-    for (const JsonNode& member : object.items) {
-      bool known = false;
-      for (const std::string_view key : keys) known = known || key == member.key;
-      if (known) continue;
-      throw InputError(scene_.file, member.key_place,
-                       "unknown key " + in_quotes(member.key) + " in " + owner + "; it may have " +
-                           listed(keys));
-    }
-  }
-
-  static const JsonNode* find(const JsonNode& object, std::string_view key) {
-    for (const JsonNode& member : object.items) {
-      if (member.key == key) return &member;
-    }
-    return nullptr;
-  }
-
-  const JsonNode& need(const JsonNode& object, std::string_view key,
-                       const std::string& owner) const {
-    if (const JsonNode* const member = find(object, key)) return *member;
-    fail(object, owner + " has no " + in_quotes(key) + "; add it");
-  }
-
-  const JsonNode& need(const JsonNode& object, std::string_view key, Kind kind,
-                       const std::string& owner) const {
-    const JsonNode& member = need(object, key, owner);
-    expect(member, kind, std::string(key));
-    return member;
-  }
-
-  Literal number(const JsonNode& node, std::string_view name) const {
-    expect(node, Kind::number, std::string(name));
-    const auto value = Decimal::parse(node.text);
-    if (!value) {
-      fail(node, std::string(name) + " is longer than " + std::to_string(Decimal::max_length) +
-                     " digits; no scalar holds it, use a shorter number");
-    }
-    return {*value, node.place};
-  }
-
-  Literal number(const JsonNode& object, std::string_view key, const std::string& owner) const {
-    return number(need(object, key, owner), key);
-  }
-
-  Literal not_negative(const JsonNode& node, std::string_view name) const {
-    Literal value = number(node, name);
-    if (value.value.is_negative()) fail(node, std::string(name) + " is negative; use 0 or more");
-    return value;
-  }
-
-  Point point(const JsonNode& node, std::string_view name) const {
-    expect(node, Kind::array, std::string(name));
-    if (node.items.size() != 3) {
-      fail(node, std::string(name) + " has " + std::to_string(node.items.size()) +
-                     " numbers; write three: [x, y, z]");
-    }
-    return {number(node.items[0], name), number(node.items[1], name), number(node.items[2], name)};
-  }
-
-  Point point(const JsonNode& object, std::string_view key, const std::string& owner) const {
-    return point(need(object, key, owner), key);
-  }
-
-  Point direction(const JsonNode& node, std::string_view name) const {
-    Point vector = point(node, name);
-    if (vector[0].value.is_zero() && vector[1].value.is_zero() && vector[2].value.is_zero()) {
-      fail(node, std::string(name) + " is the zero vector; give it a direction");
-    }
-    return vector;
-  }
-
-  Point direction(const JsonNode& object, std::string_view key, const std::string& owner) const {
-    return direction(need(object, key, owner), key);
-  }
-
-  CameraModel camera(const JsonNode& node) const {
-    const std::string owner = "the camera";
-    expect(node, Kind::object, owner);
-    allow_keys(node, owner, {"position", "target", "up", "field_of_view"});
-    CameraModel camera{node.place,
-                       point(node, "position", owner),
-                       point(node, "target", owner),
-                       point_of("0", "1", "0"),
-                       {Decimal::parse("60").value(), node.place}};
-    if (const JsonNode* const up = find(node, "up")) camera.up = direction(*up, "up");
-    if (const JsonNode* const angle = find(node, "field_of_view")) {
-      camera.field_of_view = number(*angle, "field_of_view");
-      const auto degrees = camera.field_of_view.value.to<double>();
-      if (!degrees || *degrees <= 0 || *degrees >= 180) {
-        fail(*angle, "field_of_view must lie between 0 and 180 degrees; 60 is usual");
-      }
-    }
-    return camera;
-  }
-
   ShapeModel shape(const JsonNode& node, std::size_t index) const {
     expect(node, Kind::object, "shape " + std::to_string(index));
     const JsonNode& type = need(node, "type", Kind::string, "shape " + std::to_string(index));
@@ -203,18 +83,6 @@ class SceneReader {
     return shape;
   }
 
-  Turn rotation(const JsonNode* node) const {
-    if (!node) return {};
-    const std::string owner = "the rotation";
-    expect(*node, Kind::object, owner);
-    allow_keys(*node, owner, {"axis", "angle", "euler"});
-    if (const JsonNode* const euler = find(*node, "euler")) {
-      if (node->items.size() > 1) fail(*node, "rotation mixes euler with axis; keep one of them");
-      return EulerAngles{point(*euler, "euler")};
-    }
-    return AxisAngle{direction(*node, "axis", owner), number(*node, "angle", owner)};
-  }
-
   MeshModel mesh(const JsonNode& node, const std::string& owner) const {
     const JsonNode& file = need(node, "file", Kind::string, owner);
     if (file.text.empty()) fail(file, "file is empty; name a model in OBJ");
@@ -233,23 +101,6 @@ class SceneReader {
     return mesh;
   }
 
-  Colour colour(const JsonNode& node) const {
-    expect(node, Kind::string, "color");
-    unsigned value = 0;
-    const char* const begin = node.text.data();
-    const char* const end = begin + node.text.size();
-    bool valid = node.text.size() == 7 && node.text.front() == '#';
-    if (valid) {
-      const auto [stop, error] = std::from_chars(begin + 1, end, value, 16);
-      valid = error == std::errc() && stop == end;
-    }
-    if (!valid)
-      fail(node,
-           "color " + in_quotes(node.text) + " is not a color; write, for example, \"#c96f4a\"");
-    return {static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>((value >> 8) & 0xff),
-            static_cast<std::uint8_t>(value & 0xff)};
-  }
-
   RayModel ray(const JsonNode& node) const {
     const std::string owner = "ray " + std::to_string(scene_.rays.size());
     expect(node, Kind::object, owner);
@@ -264,16 +115,6 @@ class SceneReader {
       ray.max_distance = not_negative(*distance, "max_distance");
     }
     return ray;
-  }
-
-  void keep_unique(std::map<std::string, Place>& names, const std::optional<std::string>& id,
-                   Place place, const char* what) const {
-    if (!id) return;
-    const auto [first, inserted] = names.try_emplace(*id, place);
-    if (inserted) return;
-    throw InputError(scene_.file, place,
-                     std::string(what) + " id " + in_quotes(*id) + " is taken by the one on line " +
-                         std::to_string(first->second.line) + "; choose another");
   }
 
   Scene scene_;

@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 #include "camera.hpp"
-#include "numbers.hpp"
+#include "scalar_reader.hpp"
 #include "scene.hpp"
 #include "world.hpp"
 
@@ -25,9 +24,14 @@ struct Move {
 /// Converts the numbers of a scene to a scalar, each rounded once; throws InputError when one is
 /// out of the scalar's range.
 template <Scalar S>
-class WorldBuilder {
+class WorldBuilder : private ScalarReader<S> {
+  using Base = ScalarReader<S>;
+  using Base::angle, Base::direction, Base::fail, Base::length, Base::lengths, Base::rotation,
+      Base::scalar, Base::vector;
+
  public:
-  WorldBuilder(const Scene& scene, const Move& move) : scene_(scene), move_(move) {}
+  WorldBuilder(const Scene& scene, const Move& move)
+      : Base(scene.file), scene_(scene), move_(move) {}
 
   [[nodiscard]] std::vector<typename World<S>::Shape> shapes() const {
     std::vector<typename World<S>::Shape> shapes;
@@ -79,83 +83,12 @@ class WorldBuilder {
   [[nodiscard]] Direction<S, 3> light() const { return direction(scene_.light); }
 
  private:
-  /// The type for vectors of which only the direction counts, scaled by a power of ten so that at
-  /// least 17 of their digits fit.
-  using Component = std::conditional_t<is_fixed<S>, Fixed<62, 31>, S>;
-  /// A full turn in degrees is out of range for the smallest scalar.
-  using Degrees = std::conditional_t<is_fixed<S>, q16_16, S>;
-
-  [[noreturn]] void fail(Place place, const std::string& what) const {
-    throw InputError(scene_.file, place, what);
-  }
-
-  [[noreturn]] void fail_range(const Decimal& value, Place place, const std::string& name,
-                               const std::string& remedy) const {
-    std::string text = value.text();
-    if (text.size() > 24) text.replace(24, std::string::npos, "...");
-    fail(place, name + " = " + text + " is out of range for " + remedy);
-  }
-
-  S scalar(const Decimal& value, Place place, const std::string& name) const {
-    if (const auto result = value.to<S>()) return *result;
-    fail_range(value, place, name,
-               std::string(scalar_name<S>) + " (" + range_of<S>() +
-                   "); use a smaller number or a wider scalar");
-  }
-
-  S length(const Literal& number, const std::string& name) const {
-    return scalar(number.value, number.place, name);
-  }
-
-  Vec<S, 3> lengths(const Point& point, const std::string& name) const {
-    return {length(point[0], name), length(point[1], name), length(point[2], name)};
-  }
-
   Vec<S, 3> position(const Point& point, const std::string& name) const {
     const std::string what = move_.is_zero() ? name : name + " after the move";
     const auto moved = [&](std::size_t i) {
       return scalar(point[i].value + move_.by[i], point[i].place, what);
     };
     return {moved(0), moved(1), moved(2)};
-  }
-
-  static Vec<Component, 3> vector(const Point& point) {
-    constexpr int whole_digits = 9;  // 10^9 < 2^31
-    int magnitude = -3 * Decimal::max_length;
-    for (const Literal& number : point) {
-      if (!number.value.is_zero()) magnitude = std::max(magnitude, number.value.magnitude());
-    }
-    const auto component = [&](std::size_t i) {
-      return point[i].value.scaled(whole_digits - magnitude).template to<Component>().value();
-    };
-    return {component(0), component(1), component(2)};
-  }
-
-  /// The vector is not zero: the reader has checked that.
-  static Direction<S, 3> direction(const Point& point) {
-    return detent::direction_of<S>(vector(point)).value();
-  }
-
-  Angle<S> angle(const Literal& degrees, const std::string& name) const {
-    const auto value = degrees.value.to<Degrees>();
-    if (!value) {
-      fail_range(degrees.value, degrees.place, name,
-                 "degrees (" + range_of<Degrees>() + "); subtract whole turns of 360");
-    }
-    return Angle<S>::from_raw(Angle<Degrees>::from_degrees(*value).raw());
-  }
-
-  Rotation<S, 3> rotation(const Turn& turn) const {
-    if (const auto* const axis_angle = std::get_if<AxisAngle>(&turn)) {
-      return Rotation<S, 3>::from_axis_angle(direction(axis_angle->axis),
-                                             angle(axis_angle->angle, "angle"));
-    }
-    if (const auto* const euler = std::get_if<EulerAngles>(&turn)) {
-      return Rotation<S, 3>::from_euler(angle(euler->angles[0], "euler"),
-                                        angle(euler->angles[1], "euler"),
-                                        angle(euler->angles[2], "euler"));
-    }
-    return {};
   }
 
   Sphere<S, 3> shape(const SphereModel& model, const ShapeModel&) const {

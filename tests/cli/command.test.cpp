@@ -408,7 +408,7 @@ TEST_CASE("detent: a bad command line is one line and writes nothing") {
 
 TEST_CASE("detent: a first word that is no command is named") {
   const Workshop shop;
-  const std::string known = "; there are cast, render, demo, verify, diff, replay, and ";
+  const std::string known = "; there are cast, render, demo, verify, diff, replay, simulate, and ";
   CHECK(refuses(shop.run(""), "no command" + known));
   CHECK(refuses(shop.run("foo"), "unknown command 'foo'" + known));
   CHECK(refuses(shop.run("accuracy"), "unknown command 'accuracy'" + known));

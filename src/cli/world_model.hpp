@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "detent/dynamics/settings.hpp"
+#include "scene.hpp"
+
+namespace detent::cli {
+
+struct CapsuleModel {
+  Point a;
+  Point b;
+  Literal radius;
+};
+struct HullModel {
+  std::vector<Point> points;
+  Point position;
+  Turn rotation;
+};
+
+/// What a file says of a body; what it leaves out is as in `BodyOptions`.
+struct BodyModel {
+  std::optional<std::string> id;
+  Colour colour;
+  Place place;
+  std::variant<SphereModel, CapsuleModel, AabbModel, ObbModel, HullModel> form;
+  BodyMotion motion = BodyMotion::dynamic;
+  std::optional<Literal> density, friction, restitution, linear_damping, angular_damping,
+      gravity_scale;
+  std::optional<Point> velocity, angular_velocity;
+  std::uint8_t locked = 0;
+  bool is_sensor = false;
+};
+
+enum class JointKind { distance, ball, hinge, weld, slider, wheel };
+
+/// What a file says of a joint; what it leaves out is as in dynamics/joint/kinds.hpp.
+struct JointModel {
+  JointKind kind{};
+  Place place;
+  std::size_t a = 0, b = 0;  // bodies
+  Point anchor_a, anchor_b;  // in the world
+  Turn frame;                // of both, in the world
+  bool collide = false;
+  std::optional<std::array<Literal, 2>> limits;
+  std::optional<Literal> break_force, least, most, length, frequency, damping_ratio, max_force,
+      motor_speed, motor_torque, motor_force;
+};
+
+/// The side view of a world in two dimensions.
+struct FlatCamera {
+  Point center;
+  Literal height;
+};
+
+/// A world of bodies in a JSON file, its numbers as written there.
+struct WorldModel {
+  std::string file;
+  int dimension = 3;
+  int ticks_per_second = 60, substeps = 4;
+  std::optional<Point> gravity;
+  std::optional<Literal> margin, push_speed, bounce_threshold, sleep_speed;
+  std::optional<CameraModel> camera;
+  std::optional<FlatCamera> flat_camera;
+  Point light;
+  std::vector<BodyModel> bodies;
+  std::vector<JointModel> joints;
+};
+
+/// The world in `content`; `file` is its name in messages. Throws InputError. (docs/tool.md)
+[[nodiscard]] WorldModel parse_world(const std::string& file, const std::string& content);
+
+}  // namespace detent::cli

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/workshop.hpp"
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_NO_STDIO
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+
+// The built program, run like a user runs it.
+
+namespace {
+
+using detent::test::content_of;
+
+struct Workshop : detent::test::Workshop {
+  Workshop() : detent::test::Workshop(DETENT_TOOL) {
+    write("flat.json", flat_world);
+    write("pyramid.json", content_of(DETENT_SCENES "/pyramid.json"));
+  }
+
+  static constexpr const char* flat_world = R"({
+  "dimension": 2,
+  "settings": {"substeps": 8, "gravity": [0, -9.5]},
+  "bodies": [
+    {"id": "floor", "type": "aabb", "min": [-10, -1], "max": [10, 0], "motion": "fixed"},
+    {"id": "arm", "type": "obb", "center": [1, 5], "half_extents": [1, 0.1]},
+    {"id": "can", "type": "capsule", "a": [0, 2], "b": [1, 2], "radius": 0.3},
+    {"type": "hull", "points": [[0, 0], [1, 0], [0, 1]], "position": [3, 3], "rotation": 30},
+    {"id": "ball", "type": "sphere", "center": [-2, 3], "radius": 0.5, "restitution": 0.5}],
+  "joints": [{"type": "hinge", "a": "floor", "b": "arm", "at": [0, 5],
+    "motor_speed": 2, "motor_torque": 50}]
+})";
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// "0x..." at the end of a line.
+std::string digest_of(const std::string& line) { return line.substr(line.rfind("0x"), 18); }
+
+std::array<double, 3> position_in(const std::string& line) {
+  std::array<double, 3> at{};
+  const auto start = line.find("\"position\": [") + 13;
+  std::istringstream numbers(line.substr(start));
+  char comma = 0;
+  numbers >> at[0] >> comma >> at[1] >> comma >> at[2];
+  return at;
+}
+
+/// The pixels of a PNG, by a decoder that is not ours.
+struct Pixels {
+  int width = 0, height = 0;
+  std::vector<unsigned char> bytes;
+};
+Pixels decoded(const std::string& png) {
+  Pixels pixels;
+  int channels = 0;
+  auto* const data = stbi_load_from_memory(reinterpret_cast<const unsigned char*>(png.data()),
+                                           static_cast<int>(png.size()), &pixels.width,
+                                           &pixels.height, &channels, 3);
+  REQUIRE(data != nullptr);
+  pixels.bytes.assign(data, data + pixels.width * pixels.height * 3);
+  stbi_image_free(data);
+  return pixels;
+}
+
+std::uint32_t number_at(const std::string& bytes, std::size_t at) {
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
+  }
+  return number;
+}
+
+/// The pictures of an animated PNG, each over the one before.
+std::vector<Pixels> frames_of(const std::string& png) {
+  std::vector<Pixels> frames;
+  std::string header, control;
+  std::uint32_t sequence = 0, announced = 0;
+  for (std::size_t at = 8; at < png.size();) {
+    const std::size_t length = number_at(png, at);
+    const std::string type = png.substr(at + 4, 4), content = png.substr(at + 8, length);
+    at += length + 12;
+    if (type == "IHDR") header = content;
+    if (type == "acTL") announced = number_at(content, 0);
+    if (type == "fcTL" || type == "fdAT") CHECK(number_at(content, 0) == sequence++);
+    if (type == "fcTL") control = content;
+    if (type != "IDAT" && type != "fdAT") continue;
+    // A PNG of this part alone; the decoder ignores checks of chunks.
+    const std::string data = type == "IDAT" ? content : content.substr(4);
+    const std::string none(4, '\0');
+    const std::string size{
+        static_cast<char>(data.size() >> 24), static_cast<char>(data.size() >> 16 & 0xff),
+        static_cast<char>(data.size() >> 8 & 0xff), static_cast<char>(data.size() & 0xff)};
+    const auto part =
+        decoded(png.substr(0, 8) + std::string("\0\0\0\rIHDR", 8) + control.substr(4, 8) +
+                header.substr(8) + none + size + "IDAT" + data + none + none + "IEND" + none);
+    if (frames.empty()) {
+      frames.push_back(part);
+      continue;
+    }
+    Pixels frame = frames.back();
+    const auto left = number_at(control, 12), top = number_at(control, 16);
+    for (std::uint32_t y = 0; y < static_cast<std::uint32_t>(part.height); ++y) {
+      const auto row = static_cast<std::uint32_t>(part.width) * 3;
+      std::copy_n(
+          part.bytes.begin() + y * row, row,
+          frame.bytes.begin() + ((top + y) * static_cast<std::uint32_t>(frame.width) + left) * 3);
+    }
+    frames.push_back(frame);
+  }
+  CHECK(announced == frames.size());
+  return frames;
+}
+
+bool refuses(const Workshop::Result& result, const std::string& start) {
+  return is_one_line_of_error(result, "detent: " + start);
+}
+
+}  // namespace
+
+TEST_CASE("detent simulate: a digest for each tick, and a summary") {
+  const Workshop shop;
+  const auto result = shop.run("simulate flat.json --ticks 60");
+  CHECK(result.code == 0);
+  CHECK(result.err.empty());
+  const auto lines = lines_of(result.out);
+  REQUIRE(lines.size() == 61);
+  CHECK(lines[0].starts_with("{\"tick\": 1, \"asleep\": 0, \"digest\": \"0x"));
+  CHECK(lines[60].starts_with("{\"ticks\": 60, \"bodies\": 5, \"joints\": 1, \"digest\": \"0x"));
+  CHECK(digest_of(lines[59]) == digest_of(lines[60]));
+  CHECK(digest_of(lines[0]) != digest_of(lines[1]));
+
+  const auto some = lines_of(shop.run("simulate flat.json --ticks 60 --every 20").out);
+  REQUIRE(some.size() == 4);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(some[i] == lines[20 * i + 19]);
+}
+
+TEST_CASE("detent simulate: worlds have their golden digests") {
+  const Workshop shop;
+  const auto flat = lines_of(shop.run("simulate flat.json --ticks 120 --every 120").out);
+  CHECK(digest_of(flat.back()) == "0xe592a159dea7f186");
+  const auto pyramid = lines_of(shop.run("simulate pyramid.json --ticks 150 --every 150").out);
+  CHECK(digest_of(pyramid.back()) == "0x8af5f15a0d6a2099");
+}
+
+TEST_CASE("detent simulate: the page on the tool shows what the tool prints") {
+  const std::string page = content_of(DETENT_DOCS "/tool.md");
+  const auto section = page.substr(page.find("## Simulating"));
+  const auto between = [&](const std::string& begin, const std::string& end) {
+    const auto start = section.find(begin) + begin.size();
+    return section.substr(start, section.find(end, start) - start);
+  };
+  const Workshop shop;
+  shop.write("swing.json", between("```json\n", "```"));
+  const std::string command = "simulate swing.json --ticks 90 --every 30";
+  const auto shown = lines_of(between("$ detent " + command + "\n", "\n\n"));
+  const auto printed = lines_of(shop.run(command).out);
+  REQUIRE(printed.size() == 4);
+  REQUIRE(shown.size() == printed.size());
+  for (std::size_t i = 0; i < printed.size(); ++i) CHECK(shown[i] == "    " + printed[i]);
+
+  // The picture there is what its command draws.
+  const auto line = between("$ detent simulate src/cli/scenes/", "\n");
+  CHECK(shop.run("simulate " + line).code == 0);
+  CHECK(content_of(shop.path("pyramid.png")) == content_of(DETENT_DOCS "/pyramid.png"));
+}
+
+TEST_CASE("detent simulate: a world that goes on from a snapshot has the same digests") {
+  const Workshop shop;
+  for (const std::string world : {"flat.json", "pyramid.json"}) {
+    for (const std::string scalar : {"q16_16", "float", "double"}) {
+      INFO(world << ' ' << scalar);
+      const std::string command = "simulate " + world + " --scalar " + scalar + " --ticks ";
+      const auto whole = lines_of(shop.run(command + "60 --snapshot-at 37 --out at37").out);
+      const auto rest = lines_of(shop.run(command + "23 --resume at37 --out end").out);
+      REQUIRE(whole.size() == 61);
+      REQUIRE(rest.size() == 24);
+      for (std::size_t i = 0; i < 23; ++i) CHECK(digest_of(rest[i]) == digest_of(whole[37 + i]));
+      CHECK(shop.run(command + "60 --out last").code == 0);
+      CHECK(content_of(shop.path("end")) == content_of(shop.path("last")));
+    }
+  }
+}
+
+TEST_CASE("detent simulate: far from the origin all is moved, in q16_16 to the last bit") {
+  const Workshop shop;
+  const std::string command = "simulate pyramid.json --ticks 200 --every 200 --bodies";
+  const auto here = lines_of(shop.run(command).out);
+  const auto there = lines_of(shop.run(command + " --offset 28000,28000,-28000").out);
+  REQUIRE(here.size() == 25);
+  REQUIRE(there.size() == here.size());
+  for (std::size_t i = 1; i + 1 < here.size(); ++i) {
+    INFO(here[i]);
+    const auto a = position_in(here[i]), b = position_in(there[i]);
+    CHECK(a[0] + 28000 == b[0]);
+    CHECK(a[1] + 28000 == b[1]);
+    CHECK(a[2] - 28000 == b[2]);
+  }
+  CHECK(there[1].starts_with("{\"body\": \"ground\", \"position\": [28000, 27999, -28000], "));
+}
+
+TEST_CASE("detent simulate: the animation shows the pictures") {
+  const Workshop shop;
+  for (const std::string world : {"flat.json", "pyramid.json"}) {
+    INFO(world);
+    const auto result =
+        shop.run("simulate " + world + " --ticks 40 --picture-every 8 --size 96x64 --frames " +
+                 world + "-pictures --animation film.png --every 40");
+    CHECK(result.code == 0);
+    CHECK(result.err.empty());
+    const auto frames = frames_of(content_of(shop.path("film.png")));
+    REQUIRE(frames.size() == 6);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const auto name = world + "-pictures/frame-0000" + std::to_string(i) + ".png";
+      const auto picture = decoded(content_of(shop.path(name)));
+      CHECK(picture.width == 96);
+      CHECK(picture.height == 64);
+      CHECK(picture.bytes == frames[i].bytes);
+      if (i > 0) CHECK(picture.bytes != frames[i - 1].bytes);
+    }
+  }
+}
+
+TEST_CASE("detent simulate: what is wrong with a world is named by line, and nothing is written") {
+  const Workshop shop;
+  const std::string ball =
+      "{\"id\": \"b\", \"type\": \"sphere\", \"center\": [0, 0, 9], "
+      "\"radius\": 1}";
+  const auto refused = [&](const std::string& world, const std::string& what) {
+    shop.write("bad.json", world);
+    INFO(world);
+    const auto files = shop.file_count();
+    const auto result = shop.run("simulate bad.json --out x --ticks 3");
+    INFO(result.err);
+    CHECK(refuses(result, "bad.json:" + what));
+    CHECK(shop.file_count() == files);
+  };
+  refused("{}", "1:1: the world has no \"bodies\"; add it");
+  refused("{\"bodies\": [],\n\"boddies\": 1}", "2:1: unknown key \"boddies\" in the world; ");
+  refused("{\"bodies\": [],\n\"dimension\": 4}",
+          "2:14: dimension is not a whole number from 2 to 3;");
+  refused("{\"bodies\": [\n{\"type\": \"cone\"}]}",
+          "2:10: unknown shape \"cone\"; there are sphere,");
+  refused("{\"bodies\": [\n{\"type\": \"sphere\", \"center\": [0, 1], \"radius\": 1}]}",
+          "2:30: center has 2 numbers; write three: [x, y, z]");
+  refused("{\"bodies\": [\n{\"type\": \"sphere\", \"center\": [0, 1, 99999], \"radius\": 1}]}",
+          "2:37: center = 99999 is out of range for q16_16");
+  refused("{\"bodies\": [" + ball + ",\n" + ball + "]}",
+          "2:1: body id \"b\" is taken by the one on");
+  refused("{\"bodies\": [\n{\"type\": \"hull\", \"points\": [[0, 0, 0], [1, 0, 0]]}]}",
+          "2:1: the hull is flat or has more than 32 points; ");
+  refused(
+      "{\"bodies\": [\n{\"type\": \"sphere\", \"center\": [0, 1, 2], \"radius\": 1,\n"
+      "\"motion\": \"static\"}]}",
+      "3:11: unknown motion \"static\"; there are dynamic, kinematic, fixed");
+  refused(
+      "{\"bodies\": [\n{\"type\": \"sphere\", \"center\": [0, 1, 2], \"radius\": 1,\n"
+      "\"locked\": [\"w\"]}]}",
+      "3:12: unknown axis \"w\"; there are x, y, z, turn_x, turn_y, turn_z, turn");
+  refused("{\"bodies\": [" + ball + "], \"joints\": [\n{\"type\": \"glue\"}]}",
+          "2:10: unknown joint \"glue\"; there are distance, ball, hinge, weld, slider, wheel");
+  refused("{\"bodies\": [" + ball +
+              "], \"joints\": [\n{\"type\": \"ball\", \"a\": \"b\", "
+              "\"b\": \"c\", \"at\": [0, 0, 0]}]}",
+          "2:33: no body has the id \"c\"; name one that has");
+  refused("{\"bodies\": [" + ball +
+              "], \"joints\": [\n{\"type\": \"ball\", \"a\": \"b\", "
+              "\"b\": \"b\", \"at\": [0, 0, 0]}]}",
+          "2:1: the ball joint joins a body to itself; name two bodies");
+  refused("{\"bodies\": [" + ball +
+              "], \"joints\": [\n{\"type\": \"ball\", \"a\": \"b\", "
+              "\"b\": \"b\", \"limits\": [0, 0]}]}",
+          "2:38: unknown key \"limits\" in the ball joint; it may have type, a, b, at,");
+  refused("{\"dimension\": 2, \"bodies\": [],\n\"camera\": {\"center\": [0, 0], \"height\": 0}}",
+          "2:40: height must be more than 0; 20 is usual");
+}
+
+TEST_CASE("detent simulate: wrong options and snapshots are refused, and nothing is written") {
+  const Workshop shop;
+  CHECK(shop.run("simulate flat.json --ticks 5 --out good").code == 0);
+  shop.write("short", content_of(shop.path("good")).substr(0, 100));
+  shop.write("text", "not a snapshot, but long enough to hold a header of one");
+  shop.write("level.json", "{\"bodies\": []}");
+  const auto files = shop.file_count();
+  const auto refused = [&](const std::string& arguments, const std::string& what) {
+    INFO(arguments);
+    const auto result = shop.run("simulate " + arguments);
+    INFO(result.err);
+    CHECK(refuses(result, what));
+    CHECK(shop.file_count() == files);
+  };
+  refused("none.json", "none.json: no such file; ");
+  refused("flat.json --scalar q8_8",
+          "--scalar: no world has the scalar \"q8_8\"; choose from q16_16,");
+  refused("flat.json --ticks 9 --snapshot-at 4",
+          "--snapshot-at: no file to write the snapshot to;");
+  refused("flat.json --ticks 9 --snapshot-at 10 -o x", "--snapshot-at: tick 10 is after the last");
+  refused("flat.json --ticks -1", "");
+  refused("flat.json --every 0", "");
+  refused("flat.json --offset 1,2", "--offset: \"1,2\" is not three numbers; ");
+  refused("flat.json --resume none", "none: no such file; ");
+  refused("flat.json --resume text -o x", "text: is no snapshot of a world; ");
+  refused("flat.json --resume short -o x", "short: the snapshot is damaged; ");
+  refused("pyramid.json --resume good", "good: a snapshot of a world with other settings, ");
+  refused("flat.json --scalar float --resume good", "good: a snapshot of a world with other ");
+  refused("flat.json --offset 1,0,0 --resume good", "good: a snapshot of a world with other fixed");
+  refused("level.json --animation x.png", "level.json: the world has no \"camera\"; ");
+  refused("flat.json --frames flat.json/x", "flat.json/x: cannot be made a directory; ");
+}
