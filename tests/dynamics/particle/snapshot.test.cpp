@@ -2,6 +2,7 @@
 #include "detent/dynamics/particle/snapshot.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -93,6 +94,36 @@ TEST_CASE("particle snapshot: says why it does not fit") {
   CHECK(restore(exact, bytes) == Restored::other_version);
   bytes[0] = std::byte{0};
   CHECK(restore(exact, bytes) == Restored::no_snapshot);
+}
+
+TEST_CASE("particle snapshot: constraints that no system has are refused") {
+  auto system = curtain<q16_16, 2>();
+  const auto bytes = snapshot(system);
+  const std::size_t particle = 2 * 12 + 4 + 4 + 1, constraint = 17;
+  const auto begin = 40 + 20 * particle;
+  const auto after = [&](const auto& change) {
+    auto changed = bytes;
+    change(changed);
+    sign(changed);
+    return restore(system, changed);
+  };
+  CHECK(after([](Bytes&) {}) == Restored::yes);
+  const auto first = [&](std::uint32_t a, std::uint32_t b) {
+    return after([&](Bytes& changed) {
+      detail::store_word(changed.data() + begin, a);
+      detail::store_word(changed.data() + begin + 4, b);
+    });
+  };
+  CHECK(first(0, 1) == Restored::yes);
+  CHECK(first(0, 0) == Restored::corrupted);
+  CHECK(first(1, 0) == Restored::corrupted);
+  CHECK(first(0, 2) == Restored::corrupted);  // that of the second one
+  CHECK(first(0, 20) == Restored::corrupted);
+  CHECK(after([&](Bytes& changed) { changed[begin - 1] = std::byte{2}; }) == Restored::corrupted);
+  CHECK(after([&](Bytes& changed) { changed[begin + constraint - 1] = std::byte{2}; }) ==
+        Restored::corrupted);
+  CHECK(after([&](Bytes& changed) { changed[10] = std::byte{1}; }) == Restored::corrupted);
+  CHECK(digest(system) == digest(curtain<q16_16, 2>()));
 }
 
 TEST_CASE("particle snapshot: hostile bytes are refused, or are a system of their own") {

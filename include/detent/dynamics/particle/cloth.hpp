@@ -36,6 +36,7 @@ struct Cloth {
   ParticleIndex first = 0;
   std::uint32_t columns = 0, rows = 0;
 
+  /// The particle in a column and a row, counted from the corner.
   [[nodiscard]] constexpr ParticleIndex at(std::uint32_t column, std::uint32_t row) const noexcept {
     return first + row * columns + column;
   }

@@ -49,6 +49,7 @@ constexpr void visit_parts_in(const Aabb<S, N>& box, const T& solid, const F& f)
 template <Scalar S, int N, class... Parts>
 class Obstacles {
  public:
+  /// See `obstacles`.
   explicit constexpr Obstacles(const Parts&... parts) noexcept : parts_(parts...) {}
 
   template <class F>

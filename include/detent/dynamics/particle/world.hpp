@@ -60,6 +60,7 @@ class WorldObstacles<BasicWorld<Storage, S, N, Parts...>> {
   using World = BasicWorld<Storage, S, N, Parts...>;
 
  public:
+  /// See `obstacles_of`. It refers to the world.
   constexpr WorldObstacles(const World& world, std::uint32_t layers) : world_(world) {
     const auto& bodies = detail::WorldAccess::bodies(world);
     boxes_.resize(bodies.size());
