@@ -21,8 +21,8 @@ for page in "${pages[@]}"; do
     BEGIN { stem = page; gsub(/\//, ".", stem) }
     /^```/ && !inside {
       inside = 1
-      if ($0 !~ /^```(cpp|c|js|json|lua|python|rust|sh|yaml|text)?[[:space:]]*$/) {
-        printf "%s:%d: a block of code starts with ```cpp, c, js, json, lua, python, rust, sh, yaml or text\n", page, FNR
+      if ($0 !~ /^```(cpp|c|csharp|js|json|lua|python|rust|sh|yaml|text)?[[:space:]]*$/) {
+        printf "%s:%d: a block of code starts with ```cpp, c, csharp, js, json, lua, python, rust, sh, yaml or text\n", page, FNR
         exit 1
       }
       if ($0 ~ /^```cpp/) {

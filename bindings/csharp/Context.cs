@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Contexts, errors and numbers. Scenes and worlds are in Spaces.cs.
+using System;
+using System.Runtime.InteropServices;
+
+namespace Detent {
+
+/// <summary>A call that failed: Status is one of the constants of C below 0.</summary>
+public sealed class DetentException : Exception {
+  public readonly int Status;
+  public DetentException(int status)
+      : base(Marshal.PtrToStringAnsi(C.detent_describe(status))) {
+    Status = status;
+  }
+}
+
+/// <summary>Lengths are integers in steps of 2^-16, components of directions in steps of 2^-30.
+/// </summary>
+public static class Number {
+  public const int One = 1 << 16;
+  public const int Unit = 1 << 30;
+
+  /// <summary>The length nearest to a number of units, ties to even.</summary>
+  public static int Raw(double units) {
+    return checked((int)Math.Round(units * One, MidpointRounding.ToEven));
+  }
+  public static double Of(int length) { return (double)length / One; }
+
+  /// <summary>True for yes or done, false for no; throws for an error.</summary>
+  public static bool Check(int status) {
+    if (status < 0) throw new DetentException(status);
+    return status == C.OK;
+  }
+}
+
+/// <summary>What scenes and worlds are made in. Dispose it; they are then gone.</summary>
+public sealed unsafe class Context : IDisposable {
+  internal ContextMemory* Memory { get; private set; }
+  public Context() {
+    Memory = (ContextMemory*)Marshal.AllocHGlobal(sizeof(ContextMemory));
+    *Memory = default(ContextMemory);
+    Number.Check(C.detent_open(Memory, null));
+  }
+  public void Dispose() {
+    if (Memory == null) return;
+    C.detent_close(Memory);
+    Marshal.FreeHGlobal((IntPtr)Memory);
+    Memory = null;
+  }
+}
+
+}

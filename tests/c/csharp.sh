@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# usage: csharp.sh MATCH_IN_CPP LIBRARY
+# The C# binding compiles without a warning in Mono, its tests pass, and the example of
+# the page runs.
+set -euo pipefail
+command -v mcs >/dev/null && command -v mono >/dev/null || { echo 'skipped: there is no mono'; exit 77; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mcs -unsafe -optimize -warnaserror -nowarn:0649 -out:"$work/tests.exe" \
+  bindings/csharp/*.cs bindings/csharp/examples/*.cs bindings/csharp/tests/*.cs
+DETENT_MATCH=$("$1") LD_LIBRARY_PATH=$(dirname "$(realpath "$2")") mono "$work/tests.exe"
+sed -n '/^```csharp$/,/^```$/{/^```/d;p}' docs/bindings.md >"$work/page.cs"
+mcs -unsafe -warnaserror -nowarn:0649 -out:"$work/page.exe" bindings/csharp/*.cs "$work/page.cs"
+said=$(LD_LIBRARY_PATH=$(dirname "$(realpath "$2")") mono "$work/page.exe")
+[[ $said == 'True 9' ]] || { echo "the page prints $said"; exit 1; }
