@@ -133,7 +133,7 @@ std::vector<std::array<Double3, 3>> in_front(const std::array<Double3, 3>& t) {
 
 /// A view of all bodies that are not fixed, or of all if all are, and half as much around them.
 View view_of(const std::vector<Facet>& facets, Size size) {
-  Double3 low, high;
+  Double3 low{}, high{};
   bool is_empty = true;
   const bool any_moves =
       std::any_of(facets.begin(), facets.end(), [](const Facet& f) { return !f.is_fixed; });
@@ -147,7 +147,6 @@ View view_of(const std::vector<Facet>& facets, Size size) {
       is_empty = false;
     }
   }
-  if (is_empty) low = high = {};
   const double aspect = static_cast<double>(size.width) / size.height;
   const double half =
       std::max({0.75 * (high[1] - low[1]), 0.75 * (high[0] - low[0]) / aspect, 0.5});
