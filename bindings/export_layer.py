@@ -3,7 +3,7 @@
 import re
 
 GROUPS = (('scene', 'scenes', 'Scenes'), ('world', 'worlds', 'Worlds'), ('body', 'worlds', 'Worlds'),
-          ('joint', 'worlds', 'Worlds'), ('hull', 'scenes', 'Hulls'), ('solid', 'worlds', 'Solids'))
+          ('joint', 'worlds', 'Worlds'), ('hull', 'scenes', 'Hulls'), ('solid', 'worlds', 'Solids'), ('mover', 'movers', 'Movers'))
 # Single functions that have a source for a few of them.
 OTHERS = {'contact': ('pairs', 'Pairs'), 'closest_points': ('closest', 'Closest'),
           'time_of_impact': ('pairs', 'Pairs'), 'cast': ('casts', 'Casts')}
@@ -15,6 +15,8 @@ def files(description, note):
         parts = re.fullmatch(r'detent_([a-z_]*?)([23])(?:_(\w+))?', function.name)
         if not parts:
             continue  # written by hand in context.cpp and assets.cpp
+        if parts[1] == 'scene' and parts[3] == 'cast':
+            parts = {1: 'mover', 2: parts[2], 3: 'cast'}  # compiled with the casts of characters
         for prefix, header, room in GROUPS:
             if parts[1] == prefix:
                 called = parts[3]

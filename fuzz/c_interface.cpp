@@ -43,7 +43,7 @@ class Caller {
     if (source_.below(8) != 7) {
       for (const std::size_t which : {0, 13, 2, 33, 13, 33, 4}) check(call(which));
     }
-    while (!source_.rest().empty()) check(call(source_.below(57)));
+    while (!source_.rest().empty()) check(call(source_.below(59)));
     std::uint32_t count = 0;
     check(detent_count(&context_, &count));
     require(detent_close(&context_) == DETENT_OK, [] { return "it does not close"; });
@@ -520,6 +520,36 @@ class Caller {
         check(detent_scene3_move_frame(context, scene, frame, or_null(&transform)));
         check(detent_scene3_frame(context, scene, frame, or_null(&local), or_null(&placed)));
         return detent_scene3_remove_frame(context, scene, frame);
+      }
+      case 56: {
+        const auto shape = shape3();
+        const auto along = direction3();
+        const auto length = number();
+        detent_object_hit3 hit{};
+        const auto scene = handle(2);
+        return detent_scene3_cast(context, scene, or_null(&shape), or_null(&along), length, layers,
+                                  or_null(&hit));
+      }
+      case 57: {
+        detent_mover3 mover{};
+        mover.shape = {vec3(), vec3(), number()};
+        mover.is_grounded = static_cast<std::uint32_t>(source_.below(2));
+        mover.normal = direction3();
+        mover.frame = id();
+        mover.local = vec3();
+        detent_mover3_settings settings{direction3(), number(), number(), number(), 1u << 29};
+        detent_move3 result{};
+        const auto by = vec3();
+        detent_vec3 clipped{};
+        const auto scene = handle(2);
+        const auto ignored = id();
+        const auto status =
+            detent_mover3_move(context, scene, or_null(&mover), or_null(&by), or_null(&settings),
+                               layers, ignored, or_null(&result));
+        if (status == DETENT_OK && result.count != 0) {
+          check(detent_mover3_clip_velocity(&by, &result, &clipped));
+        }
+        return status;
       }
       default:
         check(detent_world3_size(context, handle(4), or_null(&count)));

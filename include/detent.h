@@ -295,6 +295,44 @@ typedef struct detent_object_hit2 {
   uint32_t has_triangle; /**< 1 or 0 */
 } detent_object_hit2;
 
+/** A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and
+ *  the capsule to where it starts; zeros in `is_grounded` let it leave the ground. */
+typedef struct detent_mover2 {
+  detent_capsule2 shape;
+  uint32_t is_grounded; /**< 1 or 0; if 0, the fields below are not read */
+  detent_id object;
+  detent_direction2 normal;
+  detent_id frame;      /**< of the object; it carries the character */
+  detent_vec2 local;  /**< the point under the character, in the frame */
+  detent_vec2 point;  /**< the same in the world */
+} detent_mover2;
+
+/** How a character moves. Lengths in steps of 2^-16. */
+typedef struct detent_mover2_settings {
+  detent_direction2 up;
+  int32_t skin;          /**< how far it stays from what it walks along; at least 32 */
+  int32_t step_height;   /**< the highest step that it climbs; 0 for none */
+  int32_t snap_distance; /**< how far below it ground is followed; 0 for not at all */
+  uint32_t max_slope;    /**< the steepest slope that it stands on, in 2^-32 of a turn */
+} detent_mover2_settings;
+
+/** Something that a character touched during a move; the normal points away from it. */
+typedef struct detent_mover2_touch {
+  detent_id object;
+  detent_vec2 point;
+  detent_direction2 normal;
+} detent_mover2_touch;
+
+/** What a move did. The first `count` of the touches are set, the others zeros. */
+typedef struct detent_move2 {
+  detent_vec2 moved;   /**< in all */
+  detent_vec2 carried; /**< of this, by the frame of the ground */
+  detent_vec2 pushed;  /**< of this, out of what it overlapped */
+  uint32_t count;
+  uint32_t is_stuck;     /**< 1: it overlaps something that it could not be pushed out of */
+  detent_mover2_touch touched[8];
+} detent_move2;
+
 /** How a world steps. Lengths and speeds in steps of 2^-16. */
 typedef struct detent_world2_settings {
   int32_t ticks_per_second;
@@ -493,6 +531,44 @@ typedef struct detent_object_hit3 {
   uint32_t triangle;
   uint32_t has_triangle; /**< 1 or 0 */
 } detent_object_hit3;
+
+/** A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and
+ *  the capsule to where it starts; zeros in `is_grounded` let it leave the ground. */
+typedef struct detent_mover3 {
+  detent_capsule3 shape;
+  uint32_t is_grounded; /**< 1 or 0; if 0, the fields below are not read */
+  detent_id object;
+  detent_direction3 normal;
+  detent_id frame;      /**< of the object; it carries the character */
+  detent_vec3 local;  /**< the point under the character, in the frame */
+  detent_vec3 point;  /**< the same in the world */
+} detent_mover3;
+
+/** How a character moves. Lengths in steps of 2^-16. */
+typedef struct detent_mover3_settings {
+  detent_direction3 up;
+  int32_t skin;          /**< how far it stays from what it walks along; at least 32 */
+  int32_t step_height;   /**< the highest step that it climbs; 0 for none */
+  int32_t snap_distance; /**< how far below it ground is followed; 0 for not at all */
+  uint32_t max_slope;    /**< the steepest slope that it stands on, in 2^-32 of a turn */
+} detent_mover3_settings;
+
+/** Something that a character touched during a move; the normal points away from it. */
+typedef struct detent_mover3_touch {
+  detent_id object;
+  detent_vec3 point;
+  detent_direction3 normal;
+} detent_mover3_touch;
+
+/** What a move did. The first `count` of the touches are set, the others zeros. */
+typedef struct detent_move3 {
+  detent_vec3 moved;   /**< in all */
+  detent_vec3 carried; /**< of this, by the frame of the ground */
+  detent_vec3 pushed;  /**< of this, out of what it overlapped */
+  uint32_t count;
+  uint32_t is_stuck;     /**< 1: it overlaps something that it could not be pushed out of */
+  detent_mover3_touch touched[8];
+} detent_move3;
 
 /** How a world steps. Lengths and speeds in steps of 2^-16. */
 typedef struct detent_world3_settings {
@@ -782,6 +858,33 @@ DETENT_API detent_status detent_scene2_all(const detent_context* context, detent
 DETENT_API detent_status detent_scene2_overlaps(const detent_context* context,
                                                   detent_handle scene, detent_pair* pairs,
                                                   uint32_t room, uint32_t* count);
+
+/** The first object in `layers` that a moving shape touches: `detent_cast2` over all objects, for
+ *  spheres, capsules and segments. DETENT_NO if there is none. `hit` may be null. */
+DETENT_API detent_status detent_scene2_cast(const detent_context* context, detent_handle scene,
+                                              const detent_shape2* shape,
+                                              const detent_direction2* direction,
+                                              int32_t max_distance, uint32_t layers,
+                                              detent_object_hit2* hit);
+
+/** The settings of an ordinary character: up is y, skin 1/64, steps and snapping 1/3, slopes to 50
+ *  degrees. */
+DETENT_API detent_status detent_mover2_default_settings(detent_mover2_settings* settings);
+
+/** Moves a character by `by`, gravity included, as far as the objects in `layers` other than `ignored`
+ *  let it: carried by its ground, pushed out of what it overlaps, it walks and climbs steps, or flies,
+ *  slides along what it meets and lands. It ends overlapping nothing that it did not overlap at the
+ *  start. `settings` may be null: the ordinary ones. `result` may be null. */
+DETENT_API detent_status detent_mover2_move(const detent_context* context, detent_handle scene,
+                                              detent_mover2* mover, const detent_vec2* by,
+                                              const detent_mover2_settings* settings,
+                                              uint32_t layers, detent_id ignored,
+                                              detent_move2* result);
+
+/** The part of a velocity that does not lead into what a character touched in a move: the closest one. */
+DETENT_API detent_status detent_mover2_clip_velocity(const detent_vec2* velocity,
+                                                       const detent_move2* result,
+                                                       detent_vec2* clipped);
 
 /** 64 bits of all objects: equal on every machine for equal scenes. */
 DETENT_API detent_status detent_scene2_digest(const detent_context* context, detent_handle scene,
@@ -1123,6 +1226,33 @@ DETENT_API detent_status detent_scene3_overlaps(const detent_context* context,
                                                   detent_handle scene, detent_pair* pairs,
                                                   uint32_t room, uint32_t* count);
 
+/** The first object in `layers` that a moving shape touches: `detent_cast3` over all objects, for
+ *  spheres, capsules and segments. DETENT_NO if there is none. `hit` may be null. */
+DETENT_API detent_status detent_scene3_cast(const detent_context* context, detent_handle scene,
+                                              const detent_shape3* shape,
+                                              const detent_direction3* direction,
+                                              int32_t max_distance, uint32_t layers,
+                                              detent_object_hit3* hit);
+
+/** The settings of an ordinary character: up is y, skin 1/64, steps and snapping 1/3, slopes to 50
+ *  degrees. */
+DETENT_API detent_status detent_mover3_default_settings(detent_mover3_settings* settings);
+
+/** Moves a character by `by`, gravity included, as far as the objects in `layers` other than `ignored`
+ *  let it: carried by its ground, pushed out of what it overlaps, it walks and climbs steps, or flies,
+ *  slides along what it meets and lands. It ends overlapping nothing that it did not overlap at the
+ *  start. `settings` may be null: the ordinary ones. `result` may be null. */
+DETENT_API detent_status detent_mover3_move(const detent_context* context, detent_handle scene,
+                                              detent_mover3* mover, const detent_vec3* by,
+                                              const detent_mover3_settings* settings,
+                                              uint32_t layers, detent_id ignored,
+                                              detent_move3* result);
+
+/** The part of a velocity that does not lead into what a character touched in a move: the closest one. */
+DETENT_API detent_status detent_mover3_clip_velocity(const detent_vec3* velocity,
+                                                       const detent_move3* result,
+                                                       detent_vec3* clipped);
+
 /** 64 bits of all objects: equal on every machine for equal scenes. */
 DETENT_API detent_status detent_scene3_digest(const detent_context* context, detent_handle scene,
                                                 uint64_t* digest);
@@ -1302,6 +1432,10 @@ typedef char detent_contact_point2_has_its_size[sizeof(detent_contact_point2) ==
 typedef char detent_manifold2_has_its_size[sizeof(detent_manifold2) == 48 ? 1 : -1];
 typedef char detent_sweep2_has_its_size[sizeof(detent_sweep2) == 48 ? 1 : -1];
 typedef char detent_object_hit2_has_its_size[sizeof(detent_object_hit2) == 36 ? 1 : -1];
+typedef char detent_mover2_has_its_size[sizeof(detent_mover2) == 64 ? 1 : -1];
+typedef char detent_mover2_settings_has_its_size[sizeof(detent_mover2_settings) == 24 ? 1 : -1];
+typedef char detent_mover2_touch_has_its_size[sizeof(detent_mover2_touch) == 24 ? 1 : -1];
+typedef char detent_move2_has_its_size[sizeof(detent_move2) == 224 ? 1 : -1];
 typedef char detent_world2_settings_has_its_size[sizeof(detent_world2_settings) == 32 ? 1 : -1];
 typedef char detent_body2_options_has_its_size[sizeof(detent_body2_options) == 72 ? 1 : -1];
 typedef char detent_joint2_has_its_size[sizeof(detent_joint2) == 108 ? 1 : -1];
@@ -1324,6 +1458,10 @@ typedef char detent_contact_point3_has_its_size[sizeof(detent_contact_point3) ==
 typedef char detent_manifold3_has_its_size[sizeof(detent_manifold3) == 100 ? 1 : -1];
 typedef char detent_sweep3_has_its_size[sizeof(detent_sweep3) == 96 ? 1 : -1];
 typedef char detent_object_hit3_has_its_size[sizeof(detent_object_hit3) == 44 ? 1 : -1];
+typedef char detent_mover3_has_its_size[sizeof(detent_mover3) == 84 ? 1 : -1];
+typedef char detent_mover3_settings_has_its_size[sizeof(detent_mover3_settings) == 28 ? 1 : -1];
+typedef char detent_mover3_touch_has_its_size[sizeof(detent_mover3_touch) == 32 ? 1 : -1];
+typedef char detent_move3_has_its_size[sizeof(detent_move3) == 300 ? 1 : -1];
 typedef char detent_world3_settings_has_its_size[sizeof(detent_world3_settings) == 36 ? 1 : -1];
 typedef char detent_body3_options_has_its_size[sizeof(detent_body3_options) == 88 ? 1 : -1];
 typedef char detent_joint3_has_its_size[sizeof(detent_joint3) == 156 ? 1 : -1];

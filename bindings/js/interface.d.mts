@@ -220,6 +220,43 @@ export interface ObjectHit2 {
   has_triangle: number;
 }
 
+/** A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground. */
+export interface Mover2 {
+  shape: Capsule2;
+  is_grounded: number;
+  object: Id;
+  normal: Direction2;
+  frame: Id;
+  local: Vec2;
+  point: Vec2;
+}
+
+/** How a character moves. Lengths in steps of 2^-16. */
+export interface Mover2Settings {
+  up: Direction2;
+  skin: number;
+  step_height: number;
+  snap_distance: number;
+  max_slope: number;
+}
+
+/** Something that a character touched during a move; the normal points away from it. */
+export interface Mover2Touch {
+  object: Id;
+  point: Vec2;
+  normal: Direction2;
+}
+
+/** What a move did. The first `count` of the touches are set, the others zeros. */
+export interface Move2 {
+  moved: Vec2;
+  carried: Vec2;
+  pushed: Vec2;
+  count: number;
+  is_stuck: number;
+  touched: Mover2Touch[];
+}
+
 /** How a world steps. Lengths and speeds in steps of 2^-16. */
 export interface World2Settings {
   ticks_per_second: number;
@@ -403,6 +440,43 @@ export interface ObjectHit3 {
   normal: Direction3;
   triangle: number;
   has_triangle: number;
+}
+
+/** A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground. */
+export interface Mover3 {
+  shape: Capsule3;
+  is_grounded: number;
+  object: Id;
+  normal: Direction3;
+  frame: Id;
+  local: Vec3;
+  point: Vec3;
+}
+
+/** How a character moves. Lengths in steps of 2^-16. */
+export interface Mover3Settings {
+  up: Direction3;
+  skin: number;
+  step_height: number;
+  snap_distance: number;
+  max_slope: number;
+}
+
+/** Something that a character touched during a move; the normal points away from it. */
+export interface Mover3Touch {
+  object: Id;
+  point: Vec3;
+  normal: Direction3;
+}
+
+/** What a move did. The first `count` of the touches are set, the others zeros. */
+export interface Move3 {
+  moved: Vec3;
+  carried: Vec3;
+  pushed: Vec3;
+  count: number;
+  is_stuck: number;
+  touched: Mover3Touch[];
 }
 
 /** How a world steps. Lengths and speeds in steps of 2^-16. */

@@ -15,23 +15,26 @@ using S = q16_16;
 /// The structures of a dimension.
 template <int N>
 struct Types;
-#define DETENT_C_TYPES(N)                         \
-  template <>                                     \
-  struct Types<N> {                               \
-    using Vec = detent_vec##N;                    \
-    using Direction = detent_direction##N;        \
-    using Rotation = detent_rotation##N;          \
-    using Transform = detent_transform##N;        \
-    using Ray = detent_ray##N;                    \
-    using Shape = detent_shape##N;                \
-    using Hit = detent_hit##N;                    \
-    using ObjectHit = detent_object_hit##N;       \
-    using Manifold = detent_manifold##N;          \
-    using Sweep = detent_sweep##N;                \
-    using Settings = detent_world##N##_settings;  \
-    using BodyOptions = detent_body##N##_options; \
-    using Body = detent_body##N;                  \
-    using Joint = detent_joint##N;                \
+#define DETENT_C_TYPES(N)                             \
+  template <>                                         \
+  struct Types<N> {                                   \
+    using Vec = detent_vec##N;                        \
+    using Direction = detent_direction##N;            \
+    using Rotation = detent_rotation##N;              \
+    using Transform = detent_transform##N;            \
+    using Ray = detent_ray##N;                        \
+    using Shape = detent_shape##N;                    \
+    using Hit = detent_hit##N;                        \
+    using ObjectHit = detent_object_hit##N;           \
+    using Manifold = detent_manifold##N;              \
+    using Sweep = detent_sweep##N;                    \
+    using Settings = detent_world##N##_settings;      \
+    using BodyOptions = detent_body##N##_options;     \
+    using Body = detent_body##N;                      \
+    using Joint = detent_joint##N;                    \
+    using Mover = detent_mover##N;                    \
+    using MoverSettings = detent_mover##N##_settings; \
+    using Move = detent_move##N;                      \
   };
 DETENT_C_TYPES(2)
 DETENT_C_TYPES(3)

@@ -403,6 +403,16 @@ class Scene(_Held):
         del keep
         return room.reshape(count, words) if hasattr(room, 'reshape') else room
 
+    def cast(self, shape, direction, max_distance, layers=ALL_LAYERS):
+        """The first object that a moving sphere, capsule or segment touches, as a `Hit`, or None."""
+        hit = self._space._object_hit()
+        return Hit(hit) if self._call('cast', shape, self._space._direction(*direction), max_distance,
+                                      layers, hit) else None
+
+    def mover(self, start, end, radius, **settings):
+        """A character that is a capsule; keywords are the fields of its settings."""
+        return Mover(self, start, end, radius, settings)
+
     def nearest(self, question, layers=ALL_LAYERS):
         """(distance, id) of the nearest object that a point finds, or another shape overlaps; or None."""
         found = c.detent_found()
@@ -434,6 +444,40 @@ class Hit:
         self.point = _Space._tuple(hit.point)
         self.normal = _Space._tuple(hit.normal)
         self.triangle = hit.triangle if hit.has_triangle else None
+
+
+class Mover:
+    """A character: a capsule that walks, slides along walls, climbs steps and is carried by frames.
+    `state` is all of it, and can be saved as bytes(state)."""
+
+    def __init__(self, scene, start, end, radius, settings):
+        self._scene, self._space = scene, scene._space
+        n = self._space.dimension
+        self.state = getattr(c, f'detent_mover{n}')()
+        self.state.shape.a = self._space._vec(*start)
+        self.state.shape.b = self._space._vec(*end)
+        self.state.shape.radius = radius
+        self.settings = getattr(c, f'detent_mover{n}_settings')()
+        self.last_move = getattr(c, f'detent_move{n}')()
+        _check(self._space._call('mover{N}_default_settings')(self.settings))
+        _set(self.settings, settings, self._space)
+
+    is_grounded = property(lambda self: bool(self.state.is_grounded))
+    position = property(lambda self: _Space._tuple(self.state.shape.a))
+
+    def move(self, by, layers=ALL_LAYERS, ignored=Id(0, 0)):
+        """Moves by a vector, gravity included, as far as objects let it. How far it came."""
+        _check(self._space._call('mover{N}_move')(
+            self._scene._context._open, self._scene.handle, self.state, self._space._vec(*by),
+            self.settings, layers, ignored._in_c(), self.last_move))
+        return _Space._tuple(self.last_move.moved)
+
+    def clip(self, velocity):
+        """The part of a velocity that does not lead into what it touched in the last move."""
+        clipped = self._space._vec()
+        _check(self._space._call('mover{N}_clip_velocity')(self._space._vec(*velocity), self.last_move,
+                                                          clipped))
+        return _Space._tuple(clipped)
 
 
 class World(_Held):

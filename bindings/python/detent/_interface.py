@@ -295,6 +295,51 @@ class detent_object_hit2(Structure):
     ]
 
 
+class detent_mover2(Structure):
+    """A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground."""
+    _fields_ = [
+        ('shape', detent_capsule2),
+        ('is_grounded', c_uint32),
+        ('object', detent_id),
+        ('normal', detent_direction2),
+        ('frame', detent_id),
+        ('local', detent_vec2),
+        ('point', detent_vec2),
+    ]
+
+
+class detent_mover2_settings(Structure):
+    """How a character moves. Lengths in steps of 2^-16."""
+    _fields_ = [
+        ('up', detent_direction2),
+        ('skin', c_int32),
+        ('step_height', c_int32),
+        ('snap_distance', c_int32),
+        ('max_slope', c_uint32),
+    ]
+
+
+class detent_mover2_touch(Structure):
+    """Something that a character touched during a move; the normal points away from it."""
+    _fields_ = [
+        ('object', detent_id),
+        ('point', detent_vec2),
+        ('normal', detent_direction2),
+    ]
+
+
+class detent_move2(Structure):
+    """What a move did. The first `count` of the touches are set, the others zeros."""
+    _fields_ = [
+        ('moved', detent_vec2),
+        ('carried', detent_vec2),
+        ('pushed', detent_vec2),
+        ('count', c_uint32),
+        ('is_stuck', c_uint32),
+        ('touched', detent_mover2_touch * 8),
+    ]
+
+
 class detent_world2_settings(Structure):
     """How a world steps. Lengths and speeds in steps of 2^-16."""
     _fields_ = [
@@ -538,6 +583,51 @@ class detent_object_hit3(Structure):
     ]
 
 
+class detent_mover3(Structure):
+    """A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground."""
+    _fields_ = [
+        ('shape', detent_capsule3),
+        ('is_grounded', c_uint32),
+        ('object', detent_id),
+        ('normal', detent_direction3),
+        ('frame', detent_id),
+        ('local', detent_vec3),
+        ('point', detent_vec3),
+    ]
+
+
+class detent_mover3_settings(Structure):
+    """How a character moves. Lengths in steps of 2^-16."""
+    _fields_ = [
+        ('up', detent_direction3),
+        ('skin', c_int32),
+        ('step_height', c_int32),
+        ('snap_distance', c_int32),
+        ('max_slope', c_uint32),
+    ]
+
+
+class detent_mover3_touch(Structure):
+    """Something that a character touched during a move; the normal points away from it."""
+    _fields_ = [
+        ('object', detent_id),
+        ('point', detent_vec3),
+        ('normal', detent_direction3),
+    ]
+
+
+class detent_move3(Structure):
+    """What a move did. The first `count` of the touches are set, the others zeros."""
+    _fields_ = [
+        ('moved', detent_vec3),
+        ('carried', detent_vec3),
+        ('pushed', detent_vec3),
+        ('count', c_uint32),
+        ('is_stuck', c_uint32),
+        ('touched', detent_mover3_touch * 8),
+    ]
+
+
 class detent_world3_settings(Structure):
     """How a world steps. Lengths and speeds in steps of 2^-16."""
     _fields_ = [
@@ -631,6 +721,10 @@ assert sizeof(detent_contact_point2) == 16
 assert sizeof(detent_manifold2) == 48
 assert sizeof(detent_sweep2) == 48
 assert sizeof(detent_object_hit2) == 36
+assert sizeof(detent_mover2) == 64
+assert sizeof(detent_mover2_settings) == 24
+assert sizeof(detent_mover2_touch) == 24
+assert sizeof(detent_move2) == 224
 assert sizeof(detent_world2_settings) == 32
 assert sizeof(detent_body2_options) == 72
 assert sizeof(detent_joint2) == 108
@@ -653,6 +747,10 @@ assert sizeof(detent_contact_point3) == 20
 assert sizeof(detent_manifold3) == 100
 assert sizeof(detent_sweep3) == 96
 assert sizeof(detent_object_hit3) == 44
+assert sizeof(detent_mover3) == 84
+assert sizeof(detent_mover3_settings) == 28
+assert sizeof(detent_mover3_touch) == 32
+assert sizeof(detent_move3) == 300
 assert sizeof(detent_world3_settings) == 36
 assert sizeof(detent_body3_options) == 88
 assert sizeof(detent_joint3) == 156
@@ -919,6 +1017,33 @@ FUNCTIONS = {
         POINTER(detent_pair),
         c_uint32,
         POINTER(c_uint32),
+    ]),
+    'detent_scene2_cast': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape2),
+        POINTER(detent_direction2),
+        c_int32,
+        c_uint32,
+        POINTER(detent_object_hit2),
+    ]),
+    'detent_mover2_default_settings': (c_int32, [
+        POINTER(detent_mover2_settings),
+    ]),
+    'detent_mover2_move': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_mover2),
+        POINTER(detent_vec2),
+        POINTER(detent_mover2_settings),
+        c_uint32,
+        detent_id,
+        POINTER(detent_move2),
+    ]),
+    'detent_mover2_clip_velocity': (c_int32, [
+        POINTER(detent_vec2),
+        POINTER(detent_move2),
+        POINTER(detent_vec2),
     ]),
     'detent_scene2_digest': (c_int32, [
         POINTER(detent_context),
@@ -1321,6 +1446,33 @@ FUNCTIONS = {
         POINTER(detent_pair),
         c_uint32,
         POINTER(c_uint32),
+    ]),
+    'detent_scene3_cast': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape3),
+        POINTER(detent_direction3),
+        c_int32,
+        c_uint32,
+        POINTER(detent_object_hit3),
+    ]),
+    'detent_mover3_default_settings': (c_int32, [
+        POINTER(detent_mover3_settings),
+    ]),
+    'detent_mover3_move': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_mover3),
+        POINTER(detent_vec3),
+        POINTER(detent_mover3_settings),
+        c_uint32,
+        detent_id,
+        POINTER(detent_move3),
+    ]),
+    'detent_mover3_clip_velocity': (c_int32, [
+        POINTER(detent_vec3),
+        POINTER(detent_move3),
+        POINTER(detent_vec3),
     ]),
     'detent_scene3_digest': (c_int32, [
         POINTER(detent_context),

@@ -142,6 +142,22 @@ class Test(unittest.TestCase):
         body = world.add(detent.placed(solid, (9 * ONE, 9 * ONE)))
         self.assertEqual(world.position(body), (9 * ONE + ONE // 3, 9 * ONE + ONE // 3))
 
+    def test_mover(self):
+        scene = self.context.scene3()
+        scene.add(d3.aabb((-9 * ONE, -ONE, -9 * ONE), (9 * ONE, 0, 9 * ONE)))
+        wall = scene.add(d3.aabb((3 * ONE, 0, -9 * ONE), (4 * ONE, 9 * ONE, 9 * ONE)))
+        player = scene.mover((0, ONE, 0), (0, 2 * ONE, 0), ONE // 2, step_height=0)
+        for _ in range(60):
+            player.move((ONE // 8, -ONE // 8, 0))
+        self.assertTrue(player.is_grounded)
+        self.assertAlmostEqual(detent.number(player.position[0]), 2.5, delta=0.05)
+        self.assertAlmostEqual(detent.number(player.position[1]), 0.5, delta=0.05)
+        self.assertEqual(player.clip((ONE, 0, 0)), (0, 0, 0))
+        player.move((ONE, 0, 0), ignored=wall)
+        self.assertGreater(player.position[0], 3 * ONE)
+        hit = scene.cast(d3.sphere((0, 5 * ONE, 0), ONE), (UNIT, 0, 0), 9 * ONE)
+        self.assertEqual((hit.id, hit.distance), (wall, 2 * ONE))
+
     def test_frames(self):
         scene = self.context.scene2()
         frame = scene.add_frame((ONE, 0))

@@ -314,6 +314,55 @@ const _: () = assert!(std::mem::size_of::<ObjectHit2>() == 36);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground.
+pub struct Mover2 {
+    pub shape: Capsule2,
+    pub is_grounded: u32,
+    pub object: Id,
+    pub normal: Direction2,
+    pub frame: Id,
+    pub local: Vec2,
+    pub point: Vec2,
+}
+const _: () = assert!(std::mem::size_of::<Mover2>() == 64);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// How a character moves. Lengths in steps of 2^-16.
+pub struct Mover2Settings {
+    pub up: Direction2,
+    pub skin: i32,
+    pub step_height: i32,
+    pub snap_distance: i32,
+    pub max_slope: u32,
+}
+const _: () = assert!(std::mem::size_of::<Mover2Settings>() == 24);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Something that a character touched during a move; the normal points away from it.
+pub struct Mover2Touch {
+    pub object: Id,
+    pub point: Vec2,
+    pub normal: Direction2,
+}
+const _: () = assert!(std::mem::size_of::<Mover2Touch>() == 24);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// What a move did. The first `count` of the touches are set, the others zeros.
+pub struct Move2 {
+    pub moved: Vec2,
+    pub carried: Vec2,
+    pub pushed: Vec2,
+    pub count: u32,
+    pub is_stuck: u32,
+    pub touched: [Mover2Touch; 8],
+}
+const _: () = assert!(std::mem::size_of::<Move2>() == 224);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 /// How a world steps. Lengths and speeds in steps of 2^-16.
 pub struct World2Settings {
     pub ticks_per_second: i32,
@@ -579,6 +628,55 @@ const _: () = assert!(std::mem::size_of::<ObjectHit3>() == 44);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground.
+pub struct Mover3 {
+    pub shape: Capsule3,
+    pub is_grounded: u32,
+    pub object: Id,
+    pub normal: Direction3,
+    pub frame: Id,
+    pub local: Vec3,
+    pub point: Vec3,
+}
+const _: () = assert!(std::mem::size_of::<Mover3>() == 84);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// How a character moves. Lengths in steps of 2^-16.
+pub struct Mover3Settings {
+    pub up: Direction3,
+    pub skin: i32,
+    pub step_height: i32,
+    pub snap_distance: i32,
+    pub max_slope: u32,
+}
+const _: () = assert!(std::mem::size_of::<Mover3Settings>() == 28);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Something that a character touched during a move; the normal points away from it.
+pub struct Mover3Touch {
+    pub object: Id,
+    pub point: Vec3,
+    pub normal: Direction3,
+}
+const _: () = assert!(std::mem::size_of::<Mover3Touch>() == 32);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// What a move did. The first `count` of the touches are set, the others zeros.
+pub struct Move3 {
+    pub moved: Vec3,
+    pub carried: Vec3,
+    pub pushed: Vec3,
+    pub count: u32,
+    pub is_stuck: u32,
+    pub touched: [Mover3Touch; 8],
+}
+const _: () = assert!(std::mem::size_of::<Move3>() == 300);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 /// How a world steps. Lengths and speeds in steps of 2^-16.
 pub struct World3Settings {
     pub ticks_per_second: i32,
@@ -696,6 +794,10 @@ extern "C" {
     pub fn detent_scene2_any(context: *const Context, scene: u32, question: *const Shape2, layers: u32) -> i32;
     pub fn detent_scene2_all(context: *const Context, scene: u32, question: *const Shape2, layers: u32, found: *mut Found, room: u32, count: *mut u32) -> i32;
     pub fn detent_scene2_overlaps(context: *const Context, scene: u32, pairs: *mut Pair, room: u32, count: *mut u32) -> i32;
+    pub fn detent_scene2_cast(context: *const Context, scene: u32, shape: *const Shape2, direction: *const Direction2, max_distance: i32, layers: u32, hit: *mut ObjectHit2) -> i32;
+    pub fn detent_mover2_default_settings(settings: *mut Mover2Settings) -> i32;
+    pub fn detent_mover2_move(context: *const Context, scene: u32, mover: *mut Mover2, by: *const Vec2, settings: *const Mover2Settings, layers: u32, ignored: Id, result: *mut Move2) -> i32;
+    pub fn detent_mover2_clip_velocity(velocity: *const Vec2, result: *const Move2, clipped: *mut Vec2) -> i32;
     pub fn detent_scene2_digest(context: *const Context, scene: u32, digest: *mut u64) -> i32;
     pub fn detent_scene2_snapshot(context: *const Context, scene: u32, bytes: *mut c_void, room: u32, size: *mut u32) -> i32;
     pub fn detent_scene2_restore(context: *mut Context, scene: u32, bytes: *const c_void, size: u32) -> i32;
@@ -764,6 +866,10 @@ extern "C" {
     pub fn detent_scene3_any(context: *const Context, scene: u32, question: *const Shape3, layers: u32) -> i32;
     pub fn detent_scene3_all(context: *const Context, scene: u32, question: *const Shape3, layers: u32, found: *mut Found, room: u32, count: *mut u32) -> i32;
     pub fn detent_scene3_overlaps(context: *const Context, scene: u32, pairs: *mut Pair, room: u32, count: *mut u32) -> i32;
+    pub fn detent_scene3_cast(context: *const Context, scene: u32, shape: *const Shape3, direction: *const Direction3, max_distance: i32, layers: u32, hit: *mut ObjectHit3) -> i32;
+    pub fn detent_mover3_default_settings(settings: *mut Mover3Settings) -> i32;
+    pub fn detent_mover3_move(context: *const Context, scene: u32, mover: *mut Mover3, by: *const Vec3, settings: *const Mover3Settings, layers: u32, ignored: Id, result: *mut Move3) -> i32;
+    pub fn detent_mover3_clip_velocity(velocity: *const Vec3, result: *const Move3, clipped: *mut Vec3) -> i32;
     pub fn detent_scene3_digest(context: *const Context, scene: u32, digest: *mut u64) -> i32;
     pub fn detent_scene3_snapshot(context: *const Context, scene: u32, bytes: *mut c_void, room: u32, size: *mut u32) -> i32;
     pub fn detent_scene3_restore(context: *mut Context, scene: u32, bytes: *const c_void, size: u32) -> i32;

@@ -205,7 +205,8 @@ macro_rules! space {
      $Vec:ident $Direction:ident $Rotation:ident $Transform:ident $Ray:ident $Shape:ident
      $ShapeAs:ident $Hit:ident $ObjectHit:ident $Settings:ident $Options:ident $Body:ident
      $Sphere:ident $Aabb:ident $Obb:ident $Plane:ident $Triangle:ident $Capsule:ident
-     $Segment:ident $ContactPoint:ident $Manifold:ident $Sweep:ident $Joint:ident;
+     $Segment:ident $ContactPoint:ident $Manifold:ident $Sweep:ident $Joint:ident
+     $Mover:ident $MoverSettings:ident $Move:ident;
      $($alias:ident = $function:ident,)*) => {
         #[doc = $doc]
         pub mod $name {
@@ -213,7 +214,8 @@ macro_rules! space {
             $(use crate::ffi::$function as $alias;)*
             pub use crate::ffi::{
                 $Body as Body, $Hit as Hit, $ObjectHit as ObjectHit, $Options as BodyOptions,
-                $ContactPoint as ContactPoint, $Joint as Joint, $Manifold as Manifold, $Ray as Ray,
+                $ContactPoint as ContactPoint, $Joint as Joint, $Manifold as Manifold, $Move as Move,
+                $Mover as Mover, $MoverSettings as MoverSettings, $Ray as Ray,
                 $Settings as WorldSettings, $Shape as Shape, $Sweep as Sweep,
             };
 
@@ -384,6 +386,22 @@ macro_rules! space {
                 })?;
                 Ok(Asset { context, handle })
             }
+            /// A character: a capsule from `a` to `b` in the air.
+            pub fn mover(a: [i32; $n], b: [i32; $n], radius: i32) -> Mover {
+                Mover { shape: ffi::$Capsule { a: vec(a), b: vec(b), radius }, ..Mover::default() }
+            }
+            /// The settings of an ordinary character.
+            pub fn mover_settings() -> MoverSettings {
+                let mut own = MoverSettings::default();
+                unsafe { mover_default_settings(&mut own) };
+                own
+            }
+            /// The part of a velocity that does not lead into what a character touched in a move.
+            pub fn clip_velocity(velocity: [i32; $n], result: &Move) -> Result<[i32; $n]> {
+                let mut clipped = ffi::$Vec::default();
+                check(unsafe { mover_clip_velocity(&vec(velocity), result, &mut clipped) })?;
+                Ok([$(clipped.$x),*])
+            }
             /// A joint of a kind, such as `ffi::HINGE_JOINT`, with its usual numbers.
             pub fn joint(kind: u32, a: Id, b: Id) -> Result<Joint> {
                 let mut joint = Joint::default();
@@ -435,6 +453,29 @@ macro_rules! space {
                 /// Moves an object by a vector.
                 pub fn move_by(&mut self, id: Id, by: [i32; $n]) -> Result<bool> {
                     check(unsafe { scene_move(self.at(), self.handle, id, &vec(by)) })
+                }
+                /// The first object that a moving sphere, capsule or segment touches.
+                pub fn cast(&self, shape: &Shape, toward: [i32; $n], max_distance: i32, layers: u32)
+                            -> Result<Option<ObjectHit>> {
+                    let mut hit = ObjectHit::default();
+                    let toward = direction(toward);
+                    let yes = check(unsafe {
+                        scene_cast(self.at(), self.handle, shape, &toward, max_distance, layers,
+                                   &mut hit)
+                    })?;
+                    Ok(if yes { Some(hit) } else { None })
+                }
+                /// Moves a character by a vector, gravity included, as far as the objects in `layers`
+                /// other than `ignored` let it.
+                pub fn move_character(&self, mover: &mut Mover, by: [i32; $n],
+                                      settings: &MoverSettings, layers: u32, ignored: Id)
+                                      -> Result<Move> {
+                    let mut result = Move::default();
+                    check(unsafe {
+                        mover_move(self.at(), self.handle, mover, &vec(by), settings, layers, ignored,
+                                   &mut result)
+                    })?;
+                    Ok(result)
                 }
                 /// Adds a frame that objects can be in and move with; `None` if there is no such parent,
                 /// which is `Id::default()` for the world.
@@ -729,7 +770,8 @@ space! {
     Vec2 Direction2 Rotation2 Transform2 Ray2 Shape2
     Shape2As Hit2 ObjectHit2 World2Settings Body2Options Body2
     Sphere2 Aabb2 Obb2 Plane2 Triangle2 Capsule2
-    Segment2 ContactPoint2 Manifold2 Sweep2 Joint2;
+    Segment2 ContactPoint2 Manifold2 Sweep2 Joint2
+    Mover2 Mover2Settings Move2;
     raycast_ = detent_raycast2,
     raycast_many_ = detent_raycast2_many,
     contains_ = detent_contains2,
@@ -738,6 +780,10 @@ space! {
     distance_to_point_ = detent_distance_to_point2,
     distance_ = detent_distance2,
     contact_ = detent_contact2,
+    scene_cast = detent_scene2_cast,
+    mover_move = detent_mover2_move,
+    mover_default_settings = detent_mover2_default_settings,
+    mover_clip_velocity = detent_mover2_clip_velocity,
     closest_points_ = detent_closest_points2,
     cast_ = detent_cast2,
     time_of_impact_ = detent_time_of_impact2,
@@ -797,7 +843,8 @@ space! {
     Vec3 Direction3 Rotation3 Transform3 Ray3 Shape3
     Shape3As Hit3 ObjectHit3 World3Settings Body3Options Body3
     Sphere3 Aabb3 Obb3 Plane3 Triangle3 Capsule3
-    Segment3 ContactPoint3 Manifold3 Sweep3 Joint3;
+    Segment3 ContactPoint3 Manifold3 Sweep3 Joint3
+    Mover3 Mover3Settings Move3;
     raycast_ = detent_raycast3,
     raycast_many_ = detent_raycast3_many,
     contains_ = detent_contains3,
@@ -806,6 +853,10 @@ space! {
     distance_to_point_ = detent_distance_to_point3,
     distance_ = detent_distance3,
     contact_ = detent_contact3,
+    scene_cast = detent_scene3_cast,
+    mover_move = detent_mover3_move,
+    mover_default_settings = detent_mover3_default_settings,
+    mover_clip_velocity = detent_mover3_clip_velocity,
     closest_points_ = detent_closest_points3,
     cast_ = detent_cast3,
     time_of_impact_ = detent_time_of_impact3,

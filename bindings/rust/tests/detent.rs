@@ -182,6 +182,28 @@ fn joints_and_frames() {
 }
 
 #[test]
+fn characters() {
+    let context = Context::new().unwrap();
+    let mut scene = d2::Scene::new(&context).unwrap();
+    scene.add(&d2::aabb([-9 * ONE, -ONE], [9 * ONE, 0]), Traits::default()).unwrap();
+    let wall = d2::aabb([3 * ONE, 0], [4 * ONE, 9 * ONE]);
+    let wall = scene.add(&wall, Traits::default()).unwrap();
+    let mut player = d2::mover([0, ONE], [0, 2 * ONE], ONE / 2);
+    let settings = d2::mover_settings();
+    let mut last = d2::Move::default();
+    for _ in 0..60 {
+        let by = [ONE / 8, -ONE / 8];
+        last = scene.move_character(&mut player, by, &settings, !0, Id::default()).unwrap();
+    }
+    assert_eq!(player.is_grounded, 1);
+    assert!((player.shape.a.x - 5 * ONE / 2).abs() < ONE / 20);
+    assert_eq!(d2::clip_velocity([ONE, 0], &last), Ok([0, 0]));
+    let ball = d2::sphere([0, 5 * ONE], ONE);
+    let hit = scene.cast(&ball, [UNIT, 0], 9 * ONE, !0).unwrap().unwrap();
+    assert_eq!((hit.id, hit.distance), (wall, 2 * ONE));
+}
+
+#[test]
 fn errors() {
     let ball = d3::sphere([0, 0, 0], ONE);
     let said = d3::raycast(&d3::ray([0, 0, 0], [1, 0, 0], ONE), &ball);

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+#define DETENT_C_MOVER_CASTS template
+#define DETENT_C_ANSWER 30
+#include "c/mover_casts.hpp"
