@@ -50,7 +50,7 @@ async function check(name, body) {
 }
 // The digests of all frames up to then.
 async function untilPlayed(page, frames) {
-  await page.waitForFunction((n) => slingshot.milestones()[n], frames, { polling: 50 });
+  await page.waitForFunction((n) => slingshot.milestones()[n], frames, { polling: isLong ? 1000 : 50 });
   const digests = await page.evaluate(() => slingshot.milestones());
   return Object.fromEntries(Object.entries(digests).filter(([frame]) => frame <= frames));
 }
