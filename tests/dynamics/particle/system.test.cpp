@@ -208,6 +208,18 @@ TEST_CASE("particles: a shape that moves onto them pushes them out, at rest") {
   CHECK(system.position(0).x < 0_q16_16);
 }
 
+TEST_CASE("particles: a shape that moves onto one does not push it through another") {
+  System system;
+  REQUIRE(system.add(at<S, 2>(0, 0)));
+  const Box plate = box_at(0, 0.1, 5, 0.01);
+  const Sphere<S, 2> ball{at<S, 2>(0, -0.2), 0.5_q16_16};
+  system.step(obstacles<S, 2>(plate, ball));
+  CHECK(system.position(0).y < 0.1_q16_16);
+  CHECK_FALSE(overlaps(system.ball(0), plate));
+  system.step(obstacles<S, 2>(ball));
+  CHECK(system.position(0).y > 0.3_q16_16);
+}
+
 TEST_CASE("particles: a pinned one follows its point") {
   System system;
   const auto pin = system.add(at<S, 2>(1, 1));
