@@ -235,14 +235,14 @@ Image Painter::picture(const std::vector<Facet>& facets) const {
         // A checker of one unit, on the two axes that the normal is least along.
         const double depth = 1 / nearness;
         const double right = (x - middle_x) / scale * depth, up = (middle_y - y) / scale * depth;
-        int squares = 0;
+        double squares = 0;
         for (std::size_t i = 0; i < 3; ++i) {
           if (std::abs((*normal)[i]) > 0.7) continue;
           const double at = view_.position[i] + depth * view_.ahead[i] + right * view_.right[i] +
                             up * view_.up[i];
-          squares += static_cast<int>(std::floor(at));
+          squares += std::floor(at);
         }
-        return squares % 2 == 0 ? light : dark;
+        return std::fmod(squares, 2) == 0 ? light : dark;
       });
     };
     std::array<Double3, 3> t{};
