@@ -20,6 +20,7 @@ struct BodyContact {
   static constexpr std::size_t capacity = std::size_t{Manifold<S, N>::capacity};
 
   std::uint32_t a = 0, b = 0;  // indices of the bodies, a < b
+  std::uint32_t part = 0;      // the triangle of terrain; 0 for other bodies
   std::uint8_t count = 0;
   bool touches = false;  // some point overlapped or was pushed in the last tick
   std::array<std::uint32_t, capacity> feature{};

@@ -18,11 +18,13 @@ namespace detent {
 
 namespace detail {
 
+inline constexpr std::string_view names_of_bodies[] = {"solid hull", "mesh", "height field"};
 /// The name of a shape in a world: those that only bodies have come after the names of scenes.
 template <class Shape>
-inline constexpr std::string_view body_shape_name = shape_tag<Shape> < std::size(shape_names)
-                                                        ? shape_names[shape_tag<Shape>]
-                                                        : "solid hull";
+inline constexpr std::string_view body_shape_name =
+    shape_tag<Shape> < std::size(shape_names)
+        ? shape_names[shape_tag<Shape>]
+        : names_of_bodies[shape_tag<Shape> - std::size(shape_names)];
 
 /// A body, as a field of its world.
 template <class Body>
@@ -157,6 +159,7 @@ constexpr void for_each_field(const BasicWorld<Storage, S, N, Shapes...>& world,
     const auto a = field_of(contacts[i].a).info();
     FieldName name(" contact");
     detail::add_id(detail::add_id(name, a.id), field_of(contacts[i].b).id);
+    if (contacts[i].part != 0) name.add(" part ").add_number(contacts[i].part);
     f(name, detail::ContactField{contacts[i], a});
   }
   if constexpr (BasicWorld<Storage, S, N, Shapes...>::has_joints) {

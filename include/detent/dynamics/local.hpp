@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "detent/dynamics/hull.hpp"
+#include "detent/dynamics/terrain.hpp"
 #include "detent/math/quat.hpp"
 #include "detent/number/min_max.hpp"
 #include "detent/shape/aabb.hpp"
@@ -92,6 +92,22 @@ template <Scalar S, int N>
           orientation_of(body.rotation)};
 }
 
+/// A surface in the frame of its body, which is that of its asset.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Local<S, N, BodyMesh<S, N>> local_form(
+    const BodyMesh<S, N>& body) noexcept {
+  BodyMesh<S, N> shape;
+  shape.asset = body.asset;
+  return {shape, body.translation, orientation_of(body.rotation)};
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Local<S, N, BodyHeightField<S, N>> local_form(
+    const BodyHeightField<S, N>& body) noexcept {
+  BodyHeightField<S, N> shape;
+  shape.asset = body.asset;
+  return {shape, body.translation, upright<S, N>()};
+}
+
 /// Half the sides of a box about the origin of the body's frame that holds the shape, and a radius
 /// to add to them.
 template <Scalar S, int N>
@@ -130,6 +146,16 @@ template <Scalar S, int N>
     });
   }
   return extent;
+}
+
+/// That of the box around a surface; of none without triangles.
+template <class Body>
+requires is_terrain<Body>
+[[nodiscard]] constexpr auto extent_of(const Body& body) noexcept {
+  using Extent = decltype(extent_of(bounding_box(surface_of(body))));
+  if (body.asset == nullptr) return Extent{};
+  const auto box = bounding_box(surface_of(body));
+  return is_empty(box) ? Extent{} : extent_of(box);
 }
 
 /// BodyBox of a body along the world's axes.

@@ -17,6 +17,12 @@ struct BodyPair {
                                                   const BodyPair&) noexcept = default;
 };
 
+/// The bodies of a contact.
+template <class Contact>
+[[nodiscard]] constexpr BodyPair pair_of(const Contact& contact) noexcept {
+  return {contact.a, contact.b};
+}
+
 /// A body in the sweep for pairs.
 template <Scalar S, int N>
 struct SweepEntry {

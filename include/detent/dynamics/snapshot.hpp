@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <tuple>
 
 #include "detent/dynamics/fields.hpp"
 #include "detent/dynamics/joint/bytes.hpp"
@@ -28,12 +29,13 @@
 //   generation (4 bytes); place, orientation, velocity, spin: 72 bytes in 3D with Q16.16. Unless it
 //   is made like the body before it: motion (1, plus 4 if the last item follows), layers, layers
 //   that it meets (4 each), user word (8), density, friction, restitution, damping of velocity and
-//   spin, shape type (1), the numbers of the shape (of a hull its id (4), its digest (8), and a
-//   translation and a rotation that do nothing); if one of them is not the default, locked axes
+//   spin, shape type (1), the numbers of the shape (of a hull or a surface its id (4), its digest (8),
+//   and a translation and a rotation that do nothing); if one of them is not the default, locked axes
 //   (bits 0 to 5), sensor (bit 6) and fast (bit 7) in a byte, and the scale of gravity. Bit 30 of the word: after
 //   the spin comes what forces and torques will do in the next tick, a velocity and a spin;
-// * each contact, in order of its bodies: a word of the index of a (bits 0 to 19), the number of
-//   points (20 to 22) and whether it touches (23); the index of b (4 bytes); of each point its
+// * each contact, in order of its bodies and its triangle: a word of the index of a (bits 0 to 19),
+//   the number of points (20 to 22), whether it touches (23) and the low bits of the triangle (24 to
+//   31); a word of the index of b (0 to 19) and the high bits of the triangle; of each point its
 //   feature and pressure, then the impulses of friction: 52 bytes for four points in 3D;
 // * each joint, in order of index: a word of its index (bits 0 to 20), whether its bodies collide
 //   (21), whether it has limits (22) and its kind (24 to 31); generation, index of a, index of b
@@ -116,8 +118,8 @@ template <class Body>
 template <class D, class C>
 constexpr void describe_contact(D& out, const C& contact) noexcept {
   out.add(contact.a | std::uint32_t{contact.count} << 20 |
-              (contact.touches ? std::uint32_t{1} << 23 : 0u),
-          contact.b);
+              (contact.touches ? std::uint32_t{1} << 23 : 0u) | contact.part << 24,
+          contact.b | contact.part >> 8 << 20);
   for (std::size_t i = 0; i < contact.count; ++i) {
     out.add(contact.feature[i], contact.pressure[i]);
   }
@@ -248,6 +250,12 @@ template <Scalar S, int N, class... Shapes, class Assets>
   return is_body ? said : Restored::corrupted;
 }
 
+/// Whether a contact of this body names a part of it.
+template <class Body>
+[[nodiscard]] constexpr bool has_parts(const Body& body) noexcept {
+  return body.shape.visit([]<class Shape>(const Shape&) { return is_terrain<Shape>; });
+}
+
 /// Reads the parts of a snapshot into lists, in which fixed bodies are already.
 template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Assets>
 [[nodiscard]] constexpr Restored read_world(Reader& in, const WorldHeader& header, Bodies& bodies,
@@ -305,14 +313,16 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
     typename std::remove_cvref_t<decltype(contacts[0])> contact;
     const auto word = in.number<std::uint32_t>();
     contact.a = word & 0xfffffu;
-    contact.b = in.number<std::uint32_t>();
+    const auto second = in.number<std::uint32_t>();
+    contact.b = second & 0xfffffu;
+    contact.part = word >> 24 | second >> 20 << 8;
     contact.count = static_cast<std::uint8_t>(word >> 20 & 7);
     contact.touches = (word >> 23 & 1) != 0;
-    const bool follows =
-        k == 0 || BodyPair{contacts[k - 1].a, contacts[k - 1].b} < BodyPair{contact.a, contact.b};
-    if (in.has_failed() || word >> 24 != 0 || !follows || contact.a >= contact.b ||
-        !is_body(contact.a) || !is_body(contact.b) || contact.count == 0 ||
-        contact.count > contact.feature.size()) {
+    const auto key = [](const auto& c) { return std::tuple(c.a, c.b, c.part); };
+    const bool follows = k == 0 || key(contacts[k - 1]) < key(contact);
+    if (in.has_failed() || !follows || contact.a >= contact.b || !is_body(contact.a) ||
+        !is_body(contact.b) || contact.count == 0 || contact.count > contact.feature.size() ||
+        (contact.part != 0 && !has_parts(bodies[contact.a]) && !has_parts(bodies[contact.b]))) {
       return Restored::corrupted;
     }
     for (std::size_t p = 0; p < contact.count; ++p) {

@@ -13,6 +13,7 @@
 #include "detent/dynamics/islands.hpp"
 #include "detent/dynamics/joint/group.hpp"
 #include "detent/dynamics/manifold/pair.hpp"
+#include "detent/dynamics/manifold/terrain.hpp"
 #include "detent/dynamics/pairs.hpp"
 #include "detent/dynamics/record.hpp"
 #include "detent/dynamics/relative.hpp"
@@ -56,7 +57,7 @@ class Tick {
     const bool has_fast = note_starts(bodies);
     group_.part(joints);
     find_pairs(bodies, margin);
-    touch(bodies, contacts, pace.margin);
+    touch(bodies, contacts, margin, pace.margin);
     wake(bodies, joints);
     order(bodies);
     for (std::size_t i = 0; i < moving_.size(); ++i) moving_[i] = moving_of(bodies[i]);
@@ -139,10 +140,12 @@ class Tick {
             : Standing<S, N>{other.state.place, axes_of<S, N>(other.state.orientation)};
     const auto from = seen_from(before, start.place), to = seen_from(after, body.state.place);
     std::optional<Vec<typename F::Lever, N>> at;
-    body.shape.visit([&](const auto& mine) {
-      const auto radius = (max)(inner_radius(mine), S(0));
-      other.shape.visit([&](const auto& shape) {
-        at = stop_before(shape, other.reach, from, to, radius, margin);
+    body.shape.visit([&]<class Mine>(const Mine& mine) {
+      other.shape.visit([&]<class Other>(const Other& shape) {
+        if constexpr (!is_terrain<Mine> && !is_terrain<Other>) {
+          const auto radius = (max)(inner_radius(mine), S(0));
+          at = stop_before(shape, other.reach, from, to, radius, margin);
+        }
       });
     });
     if (!at) return;
@@ -180,32 +183,67 @@ class Tick {
   }
 
   /// The contacts of this tick, in order of their bodies, with the impulses of the last.
-  constexpr void touch(const Bodies& bodies, const Contacts& before,
+  constexpr void touch(const Bodies& bodies, const Contacts& before, const S& reach,
                        const typename F::Lever& margin) {
     current_.clear();
     found_.clear();
     std::size_t old = 0;
     for (std::size_t p = 0; p < pairs_.size() && current_.size() < contacts_room; ++p) {
       const BodyPair pair = pairs_[p];
-      const auto& a = supports_[pair.a];
-      const auto& b = supports_[pair.b];
-      Found found;
-      found.offset = offset_between(a, b);
-      const auto pose = relative_pose(a, b, found.offset);
-      bodies[pair.a].shape.visit([&](const auto& first) {
-        bodies[pair.b].shape.visit(
-            [&](const auto& second) { found.manifold = manifold(first, second, pose, margin); });
+      while (old < before.size() && pair_of(before[old]) < pair) ++old;
+      bodies[pair.a].shape.visit([&]<class A>(const A& first) {
+        bodies[pair.b].shape.visit([&]<class B>(const B& second) {
+          if constexpr (is_terrain<A> && is_terrain<B>) {
+            return;  // none of them can move
+          } else if constexpr (is_terrain<A>) {
+            touch_terrain(bodies, pair, first, second, true, before, old, reach, margin);
+          } else if constexpr (is_terrain<B>) {
+            touch_terrain(bodies, pair, second, first, false, before, old, reach, margin);
+          } else {
+            const auto& a = supports_[pair.a];
+            const auto& b = supports_[pair.b];
+            const auto offset = offset_between(a, b);
+            const auto pose = relative_pose(a, b, offset);
+            const bool known = old < before.size() && pair_of(before[old]) == pair;
+            add_contact(bodies, pair, {manifold(first, second, pose, margin), offset},
+                        known ? &before[old] : nullptr);
+          }
+        });
       });
-      if (found.manifold.count == 0) continue;
-      while (old < before.size() && BodyPair{before[old].a, before[old].b} < pair) ++old;
-      const bool known = old < before.size() && BodyPair{before[old].a, before[old].b} == pair;
-      if (is_sensed(bodies, pair.a, pair.b)) {
-        current_.push_back(sensed(pair, found.manifold));
-      } else {
-        current_.push_back(continued(pair, found.manifold, known ? &before[old] : nullptr));
-      }
-      found_.push_back(found);
     }
+  }
+
+  /// The contacts of a surface, the first or the second of the pair, and a solid.
+  template <class Terrain, class Solid>
+  constexpr void touch_terrain(const Bodies& bodies, const BodyPair& pair, const Terrain& terrain,
+                               const Solid& solid, bool is_first, const Contacts& before,
+                               std::size_t old, const S& reach, const typename F::Lever& margin) {
+    const auto ground = is_first ? pair.a : pair.b, other = is_first ? pair.b : pair.a;
+    const auto pose = relative_pose(supports_[ground], supports_[other],
+                                    offset_between(supports_[ground], supports_[other]));
+    const auto offset = offset_between(supports_[pair.a], supports_[pair.b]);
+    const auto back = relative_pose(supports_[pair.a], supports_[pair.b], offset);
+    FacetContacts<decltype(facets_), S> contacts(facets_, contacts_room);
+    contacts.find(terrain, solid, pose, bodies[other].reach, reach, margin);
+    for (std::size_t i = 0; i < facets_.size() && current_.size() < contacts_room; ++i) {
+      const auto& found = facets_[i].manifold;
+      if (found.count == 0) continue;
+      const auto last = contacts.last_of(i, before, old);
+      add_contact(bodies, pair, {is_first ? found : swapped(back, found), offset},
+                  last < before.size() ? &before[last] : nullptr);
+      current_.back().part = facets_[i].part.index;
+    }
+  }
+
+  constexpr void add_contact(const Bodies& bodies, const BodyPair& pair, const Found& found,
+                             const ContactState* before) {
+    if (found.manifold.count == 0) return;
+    if (is_sensed(bodies, pair.a, pair.b)) {
+      current_.push_back(sensed(pair, found.manifold));
+    } else {
+      current_.push_back(continued(pair, found.manifold, before));
+    }
+    found_.push_back(found);
   }
 
   /// Whether one of two bodies is a sensor, so that nothing is pushed.
@@ -434,6 +472,7 @@ class Tick {
   List<BodyPair, pair_room> pairs_;
   Contacts current_;
   List<Found, contacts_room> found_;
+  List<FacetContact<S>, (is_terrain<Parts> || ...) ? contacts_room : 0> facets_;
   List<ReadyContact<S, N>, contacts_room> ready_;
   List<std::uint8_t, contacts_room> colour_;
   List<std::uint64_t, bodies_room> used_;

@@ -389,20 +389,21 @@ class BasicWorld {
     return saturate_to<S>(x * detail::as_operand<S>(pace_.rate));
   }
 
+  /// A pair touches if one of its contacts does.
   constexpr void note_events() {
     std::size_t i = 0, j = 0;
-    const auto pair = [](const auto& c) { return detail::BodyPair{c.a, c.b}; };
+    const auto at = [](const auto& contacts, std::size_t k) {
+      return k < contacts.size() ? detail::pair_of(contacts[k]) : detail::BodyPair{~0u, ~0u};
+    };
+    const auto touches = [&](const auto& contacts, std::size_t& k, const detail::BodyPair& pair) {
+      bool any = false;
+      for (; k < contacts.size() && at(contacts, k) == pair; ++k) any = any || contacts[k].touches;
+      return any;
+    };
     while (i < before_.size() || j < contacts_.size()) {
-      const bool gone =
-          j == contacts_.size() || (i < before_.size() && pair(before_[i]) < pair(contacts_[j]));
-      const bool is_new =
-          i == before_.size() || (j < contacts_.size() && pair(contacts_[j]) < pair(before_[i]));
-      const bool was = !is_new && before_[i].touches;
-      const bool is = !gone && contacts_[j].touches;
-      const auto& contact = gone ? before_[i] : contacts_[j];
-      if (was != is) events_.push_back({id_of(contact.a), id_of(contact.b), is});
-      if (!is_new) ++i;
-      if (!gone) ++j;
+      const auto pair = (std::min)(at(before_, i), at(contacts_, j));
+      const bool was = touches(before_, i, pair), is = touches(contacts_, j, pair);
+      if (was != is) events_.push_back({id_of(pair.a), id_of(pair.b), is});
     }
   }
 

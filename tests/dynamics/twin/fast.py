@@ -73,7 +73,7 @@ def stop_all(world, starts):
         for rank in range(4):
             for j, o in enumerate(world.bodies):
                 if (j == i or o.motion == "none" or rank_of(o) != rank or b.is_sensor or
-                        o.is_sensor or not (b.layers & o.meets and o.layers & b.meets) or
+                        o.is_sensor or "surface" in (b.shape.kind, o.shape.kind) or not (b.layers & o.meets and o.layers & b.meets) or
                         frozenset((i, j)) in apart or o.shape.is_empty):
                     continue
                 A = bodies.axes(o.q)

@@ -13,6 +13,7 @@ class Hull:
 
     def __init__(self, points, faces, edges):
         self.points, self.faces, self.edges = points, faces, edges
+        self.rim = faces  # the faces at edges
 
     def height(self, face, p):
         return dot(face[0], minus(p, self.points[face[1][0]]))
@@ -195,7 +196,7 @@ def hulls(a, b, r, t, margin):
         others = [(out(e[0]), e) for e in b.edges]
         best = None
         for i, (e, p, p2, left, right) in enumerate(a.edges):
-            l, m = a.faces[left][0], a.faces[right][0]
+            l, m = a.rim[left][0], a.rim[right][0]
             side = [sign(dot(e, x)) for x in normals]
             for j, (f, other) in enumerate(others):
                 x = side[other[3]]
@@ -338,7 +339,7 @@ def closest(hull, F, ends, r, margin):
     return D, (n if D > 0 else F[0], points)
 
 
-def hull_round(hull, ends, r, margin):
+def hull_round(hull, ends, r, margin, meets=None):
     n = len(ends[0])
     if len(ends) == 2 and ends[0] == ends[1]:
         ends = ends[:1]
@@ -358,7 +359,7 @@ def hull_round(hull, ends, r, margin):
     best = None
     if n == 3:
         for i, (e, p, _, left, right) in enumerate(hull.edges):
-            l, m = hull.faces[left][0], hull.faces[right][0]
+            l, m = hull.rim[left][0], hull.rim[right][0]
             if sign(dot(u, l)) * sign(dot(u, m)) >= 0:
                 continue
             normal = across_edges(e, u, plus(l, m))
@@ -374,7 +375,9 @@ def hull_round(hull, ends, r, margin):
             E = GAP.near(min(heights), 30)
             if best is None or E > best[0]:
                 best = E, normal, heights.index(min(heights))
-    if Z <= 0 and (best is None or best[0] <= 0):
+    if meets is None:
+        meets = Z <= 0 and (best is None or best[0] <= 0)
+    if meets:
         if best is None or best[0] <= z + TOLERANCE:
             return on_F()
         E, normal, i = best

@@ -3,6 +3,7 @@
 from body import Shape, axes, from_rotation, no_rotation
 from fixed import parse, unit
 from joints import Joint
+from terrain import Surface
 from world import World
 
 DEFAULTS = {"density": "1", "friction": "0.6", "restitution": "0", "damping": "0", "spin_damping": "0",
@@ -43,6 +44,8 @@ def build(n, lines, bits=31, frac=16):
         if words[0] == "points":
             numbers = [num(x) for x in words[2:]]
             points[words[1]] = [numbers[i:i + n] for i in range(0, len(numbers), n)]
+        if words[0] == "grid":
+            points[words[1]] = grid(words, num)
         if words[0] == "body":
             add(world, n, words, num, points)
         elif words[0] == "joint":
@@ -86,6 +89,23 @@ def joint_keys(words, num, size):
     return keys
 
 
+def grid(words, num):
+    """The triangles of a height field."""
+    x, z, cell = [num(w) for w in words[2:5]]
+    columns, rows = int(words[5]), int(words[6])
+    heights = [num(w) for w in words[7:]]
+
+    def sample(i, j):
+        return x + i * cell, heights[(j * columns + i) % len(heights)], z + j * cell
+    triangles = []
+    for j in range(rows - 1):
+        for i in range(columns - 1):
+            k = len(triangles)
+            triangles.append((k, (sample(i, j), sample(i, j + 1), sample(i + 1, j))))
+            triangles.append((k + 1, (sample(i + 1, j), sample(i, j + 1), sample(i + 1, j + 1))))
+    return triangles
+
+
 def join(world, n, words, num):
     kind, a, b, rest = words[1], int(words[2]), int(words[3]), words[4:]
     anchors = [[num(x) for x in rest[:n]], [num(x) for x in rest[n:2 * n]]]
@@ -109,6 +129,9 @@ def add(world, n, words, num, points):
     elif kind == "hull":
         place = vector()
         shape = Shape(kind, n, points=points[rest.pop(0)])
+    elif kind in ("mesh", "field"):
+        place = vector()
+        shape = Surface(points[rest.pop(0)], kind == "field")
     else:
         low, high = vector(), vector()
         place = [x + y >> 1 for x, y in zip(low, high)]

@@ -15,6 +15,7 @@
 
 #include "detent/dynamics/dynamics.hpp"
 #include "detent/number/decimal.hpp"
+#include "detent/scene/mesh/owned.hpp"
 
 namespace detent::test {
 namespace {
@@ -56,6 +57,17 @@ Rotation<S, N> turned(std::istream& in) {
   }
 }
 
+template <int N>
+struct WorldOf {
+  using Type = World<S, 3, Sphere, Capsule, Aabb, Obb, BodyHull, BodyMesh, BodyHeightField,
+                     DistanceJoint, BallJoint, HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
+};
+template <>
+struct WorldOf<2> {
+  using Type = World<S, 2, Sphere, Capsule, Aabb, Obb, BodyHull, DistanceJoint, BallJoint,
+                     HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
+};
+
 /// The world of one scene; lines of other scenes are passed over.
 template <int N>
 class Stage {
@@ -80,6 +92,8 @@ class Stage {
         events_[tick].push_back(rest);
       } else if (mine && word == "points") {
         add_points(in);
+      } else if (mine && word == "grid") {
+        if constexpr (N == 3) add_grid(in);
       } else if (mine && word != "everyday") {
         if (word == "joint") {
           join(in);
@@ -169,6 +183,32 @@ class Stage {
     hulls_.emplace(name, *solid);
   }
 
+  void add_grid(std::istream& in) {
+    std::string name;
+    in >> name;
+    const auto corner = vector<2>(in);
+    const auto cell = number(in);
+    std::uint32_t columns = 0, rows = 0;
+    in >> columns >> rows;
+    std::vector<S> some;
+    while (in >> std::ws && in.peek() != EOF) some.push_back(number(in));
+    auto& heights = heights_.emplace_back();
+    for (std::size_t i = 0; i < std::size_t{columns} * rows; ++i) {
+      heights.push_back(some.at(i % some.size()));
+    }
+    const auto field = height_field<S>(corner, cell, columns, rows, heights);
+    if (!field) fail("no grid: " + name);
+    const auto id = static_cast<std::uint32_t>(heights_.size());
+    fields_.emplace(name, FieldAsset<S>(id, *field));
+    std::vector<Triangle<S, 3>> triangles(2 * std::size_t{columns - 1} * (rows - 1));
+    visit_within(*field, field->bounds, [&](std::span<const MeshTriangle<S>> parts) {
+      for (const auto& part : parts) triangles.at(part.index) = part.triangle;
+      return Walk::go_on;
+    });
+    meshes_.emplace_back(triangles);
+    assets_.emplace(name, MeshAsset<S>(id, meshes_.back().view()));
+  }
+
   void add(std::istream& in) {
     std::string motion, kind;
     in >> motion >> kind;
@@ -189,6 +229,17 @@ class Stage {
       std::string name;
       in >> name;
       finish(in, motion, BodyHull<S, N>{&hulls_.at(name), translation, {}});
+    } else if (kind == "mesh" || kind == "field") {
+      if constexpr (N == 3) {
+        const auto translation = vector<N>(in);
+        std::string name;
+        in >> name;
+        if (kind == "mesh") {
+          finish(in, motion, BodyMesh<S, N>{&assets_.at(name), translation, {}});
+        } else {
+          finish(in, motion, BodyHeightField<S, N>{&fields_.at(name), translation});
+        }
+      }
     } else {
       fail("unknown shape: " + kind);
     }
@@ -337,8 +388,8 @@ class Stage {
       std::cout << ' ' << int{body.quiet} << ' ' << body.sleeps << '\n';
     }
     for (const auto& contact : detail::WorldAccess::contacts(world_)) {
-      std::cout << "contact " << contact.a << ' ' << contact.b << ' ' << contact.touches << ' '
-                << int{contact.count};
+      std::cout << "contact " << contact.a << ' ' << contact.b << ' ' << contact.part << ' '
+                << contact.touches << ' ' << int{contact.count};
       for (std::size_t i = 0; i < contact.count; ++i) {
         std::cout << ' ' << contact.feature[i] << ' ' << contact.pressure[i].raw();
       }
@@ -366,9 +417,11 @@ class Stage {
   std::map<int, std::vector<std::string>> events_;  // by tick
   std::list<std::vector<Vec<S, N>>> points_;
   std::map<std::string, SolidHull<S, N>> hulls_;
-  World<S, N, Sphere, Capsule, Aabb, Obb, BodyHull, DistanceJoint, BallJoint, HingeJoint, WeldJoint,
-        SliderJoint, WheelJoint>
-      world_;
+  std::list<std::vector<S>> heights_;
+  std::list<OwnedMesh<S>> meshes_;
+  std::map<std::string, FieldAsset<S>> fields_;
+  std::map<std::string, MeshAsset<S>> assets_;
+  typename WorldOf<N>::Type world_;
 };
 
 /// The dimension of a scene, or 0.

@@ -3,8 +3,9 @@
 import body as bodies
 import fast
 import solver
+import terrain
 from fixed import Formats, cross, dot, ratio
-from manifold import manifold
+from manifold import combine, manifold, placed
 
 
 class Contact:
@@ -98,8 +99,8 @@ class World:
         b.sleeps, b.quiet = False, 0
 
     def remove(self, index):
-        for pair in [pair for pair in self.contacts if index in pair]:
-            self.rouse(pair)
+        for pair in [key for key in self.contacts if index in key[:2]]:
+            self.rouse(pair[:2])
             del self.contacts[pair]
         for joint in self.joints:
             if joint and index in (joint.a, joint.b):
@@ -176,27 +177,54 @@ class World:
     # 3. Contacts
 
     def find_contacts(self, pairs):
-        f, old, self.contacts = self.f, self.contacts, {}
+        old, self.contacts = self.contacts, {}
         for i, j in pairs:
             a, b = self.bodies[i], self.bodies[j]
-            d = [f.lever.near(y - x, f.F + 12) for x, y in zip(a.x, b.x)]
-            t = [f.lever.near(dot(axis, d), f.F + 36) for axis in a.axes]
-            r = [[ratio.near(dot(u, v), 60) for u in a.axes] for v in b.axes]
-            normal, points = manifold(a.shape, b.shape, r, t, self.margin)
-            if not points:
+            surfaces = [x.shape.kind == "surface" for x in (a, b)]
+            if all(surfaces):
                 continue
-            c = Contact(self.n)
-            c.offset, c.normal, c.points = d, normal, points
-            c.count, c.feature = len(points), [p[2] for p in points]
-            last = old.get((i, j))
-            pressures = dict(zip(last.feature, last.pressure)) if last else {}
-            c.pressure = [pressures.get(feature, 0) for feature in c.feature]
-            if last:
-                c.friction, c.touches = last.friction, last.touches
-            if a.is_sensor or b.is_sensor:
-                c.pressure, c.friction = [0] * c.count, [0] * (1 if self.n == 2 else 3)
-                c.touches = any(p[1] <= 0 for p in points)
-            self.contacts[i, j] = c
+            d, r, t = self.pose(a, b)
+            if not any(surfaces):
+                self.add_contact((i, j, 0), d, manifold(a.shape, b.shape, r, t, self.margin),
+                                 old.get((i, j, 0)))
+                continue
+            ground, other = (a, b) if surfaces[0] else (b, a)
+            found = terrain.contacts(self.f, ground.shape, other.shape, *self.pose(ground, other)[1:],
+                                     self.margin_raw, self.margin)
+            parts = {key[2]: c for key, c in old.items() if key[:2] == (i, j)}
+            for c in found:
+                if not c.points:
+                    continue
+                n, points = c.n, c.points
+                if ground is b:
+                    n = [ratio.near(-x, 60) for x in combine(n, r)]
+                    points = [(placed(t, p, r), s, name) for p, s, name in points]
+                self.add_contact((i, j, c.facet.index), d, (n, points),
+                                 terrain.last_of(found, c, parts))
+
+    def pose(self, a, b):
+        """The offset of b from a, and its axes and place in the frame of a."""
+        f = self.f
+        d = [f.lever.near(y - x, f.F + 12) for x, y in zip(a.x, b.x)]
+        t = [f.lever.near(dot(axis, d), f.F + 36) for axis in a.axes]
+        r = [[ratio.near(dot(u, v), 60) for u in a.axes] for v in b.axes]
+        return d, r, t
+
+    def add_contact(self, key, offset, found, last):
+        normal, points = found
+        if not points:
+            return
+        a, b = self.bodies[key[0]], self.bodies[key[1]]
+        c = self.contacts[key] = Contact(self.n)
+        c.offset, c.normal, c.points = offset, normal, points
+        c.count, c.feature = len(points), [p[2] for p in points]
+        pressures = dict(zip(last.feature, last.pressure)) if last else {}
+        c.pressure = [pressures.get(feature, 0) for feature in c.feature]
+        if last:
+            c.friction, c.touches = last.friction, last.touches
+        if a.is_sensor or b.is_sensor:
+            c.pressure, c.friction = [0] * c.count, [0] * (1 if self.n == 2 else 3)
+            c.touches = any(p[1] <= 0 for p in points)
 
     # 4. Islands
 
@@ -207,9 +235,9 @@ class World:
             while root[i] != i:
                 i = root[i]
             return i
-        solid = [(i, j) for i, j in self.contacts
+        solid = [(i, j, part) for i, j, part in self.contacts
                  if not self.bodies[i].is_sensor and not self.bodies[j].is_sensor]
-        linked = solid + [(j.a, j.b) for j in self.joints if j]
+        linked = [key[:2] for key in solid] + [(j.a, j.b) for j in self.joints if j]
         for i, j in linked:
             if self.bodies[i].can_move and self.bodies[j].can_move:
                 a, b = find(i), find(j)
@@ -230,7 +258,7 @@ class World:
                 if g in awake and b.sleeps:
                     b.quiet = 0
                 b.sleeps = g not in awake
-        active = [(i, j) for i, j in solid if self.is_awake(i) or self.is_awake(j)]
+        active = [key for key in solid if self.is_awake(key[0]) or self.is_awake(key[1])]
         return [groups[g] for g in groups if g in awake], active
 
     def is_awake(self, i):
@@ -241,7 +269,7 @@ class World:
     def coloured(self, active):
         used, order = {}, []
         for pair in sorted(active):
-            mine = [used.setdefault(i, set()) for i in pair if self.is_awake(i)]
+            mine = [used.setdefault(i, set()) for i in pair[:2] if self.is_awake(i)]
             colour = next((c for c in range(63) if not any(c in s for s in mine)), 63)
             for s in mine:
                 s.add(colour)
@@ -270,9 +298,9 @@ class World:
             if b.motion == "none":
                 continue
             yield " ".join(map(str, ["body", i, *b.x, *b.q, *b.v, *b.w, b.quiet, int(b.sleeps)]))
-        for (i, j), c in sorted(self.contacts.items()):
+        for key, c in sorted(self.contacts.items()):
             points = [x for p in zip(c.feature, c.pressure) for x in p]
-            yield " ".join(map(str, ["contact", i, j, int(c.touches), c.count, *points, *c.friction]))
+            yield " ".join(map(str, ["contact", *key, int(c.touches), c.count, *points, *c.friction]))
         for i, j in enumerate(self.joints):
             if j:
                 yield " ".join(map(str, ["joint", i, j.a, j.b, *j.push, *j.turn]))

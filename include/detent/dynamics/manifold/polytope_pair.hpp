@@ -156,10 +156,11 @@ template <Scalar S, int N, class Turn>
 }
 
 /// Two convex polytopes, each in the frame of its body; `pose` is that of b in the frame of a.
+/// `rim` has the edges of a, and the faces at them.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Manifold<S, N> polytope_manifold(
-    const Polytope<S, N>& a, const Polytope<S, N>& b, const RelativePose<S, N>& pose,
-    const typename Formats<S>::Gap& margin) noexcept {
+    const Polytope<S, N>& a, const Polytope<S, N>& rim, const Polytope<S, N>& b,
+    const RelativePose<S, N>& pose, const typename Formats<S>::Gap& margin) noexcept {
   using Gap = typename Formats<S>::Gap;
   using Lever = typename Formats<S>::Lever;
   if (a.faces.empty() || b.faces.empty()) return {};
@@ -174,10 +175,10 @@ template <Scalar S, int N>
   const bool is_of_b = of_b.separation > of_a.separation + ContactFormats<S>::tolerance;
   if constexpr (N == 3) {
     const auto face = nearest_to<Gap>(is_of_b ? of_b.separation : of_a.separation);
-    const auto best = best_edges(a, b, pose, b_points.view());
+    const auto best = best_edges(rim, b, pose, b_points.view());
     if (best.found && best.separation > margin) return {};
     if (best.found && best.separation > nearest_to<Gap>(face + ContactFormats<S>::tolerance)) {
-      const auto& edge = a.edges[best.a];
+      const auto& edge = rim.edges[best.a];
       const auto& other = b.edges[best.b];
       const RoundCore<S, 3> first{a.points[edge.from], a.points[edge.to], S(0)};
       const RoundCore<S, 3> second{b_points.at[other.from], b_points.at[other.to], S(0)};
@@ -189,6 +190,12 @@ template <Scalar S, int N>
   if (!is_of_b) return clipped_faces(a, of_a.face, b, b_points.view(), out, 0u, margin);
   auto result = clipped_faces(b, of_b.face, a, a_points.view(), back, 1u, margin);
   return result.count > 0 ? swapped(pose, result) : result;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Manifold<S, N> polytope_manifold(
+    const Polytope<S, N>& a, const Polytope<S, N>& b, const RelativePose<S, N>& pose,
+    const typename Formats<S>::Gap& margin) noexcept {
+  return polytope_manifold(a, a, b, pose, margin);
 }
 
 }  // namespace detent::detail

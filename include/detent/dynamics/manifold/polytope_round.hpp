@@ -146,6 +146,59 @@ template <Scalar S, int N>
   return best;
 }
 
+/// The part of a segment over a face, clipped against its sides.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Manifold<S, N> segment_on_face(
+    const Polytope<S, N>& shape, std::size_t number, const RoundCore<S, N>& core,
+    const typename Formats<S>::Gap& margin) noexcept {
+  ClippedPolygon<S, N, true> segment;
+  segment.add(core.a, 0);
+  segment.add(core.b, 1);
+  segment.clip(shape, shape.faces[number]);
+  const auto name = (static_cast<std::uint32_t>(number) + 1) * 64;
+  return segment.manifold(shape, shape.faces[number], core.radius, name, margin);
+}
+
+/// A polytope and a capsule in its frame: `number` is the face that keeps it farthest away, at
+/// `height`; `rim` has the edges, and the faces at them; meets(across) says whether the capsule's
+/// segment meets the polytope.
+template <Scalar S, int N, class Meets>
+[[nodiscard]] constexpr Manifold<S, N> polytope_capsule_manifold(
+    const Polytope<S, N>& shape, const Polytope<S, N>& rim, std::size_t number,
+    const typename Formats<S>::Gap& height, const RoundCore<S, N>& core, const Meets& meets,
+    const typename Formats<S>::Gap& margin) noexcept {
+  using Gap = typename Formats<S>::Gap;
+  using Lever = typename Formats<S>::Lever;
+  const auto limit = height + ContactFormats<S>::tolerance;
+  const auto across = best_across(rim, core);
+  const auto name = (std::uint32_t{1} << 30) + static_cast<std::uint32_t>(across.edge);
+  if (meets(across)) {
+    if (!across.found || across.separation <= limit) {
+      return segment_on_face(shape, number, core, margin);
+    }
+    // The segment is inside: from the edge, or corner, to it and on to its surface.
+    const auto separation = nearest_to<Gap>(across.separation - core.radius);
+    if (separation > margin) return {};
+    const auto& n = across.normal;
+    const auto back = half(across.separation + core.radius);
+    if constexpr (N == 3) {
+      const auto& edge = rim.edges[across.edge];
+      const RoundCore<S, 3> line{shape.points[edge.from], shape.points[edge.to], S(0)};
+      const auto feet = closest_feet(line, core);
+      return one_point<S, 3>(n, nearest_to<Lever>(feet.second - n * back), separation, name,
+                             margin);
+    } else {
+      const auto foot = foot_on(core, shape.points[across.edge]);
+      return one_point<S, 2>(n, nearest_to<Lever>(foot - n * back), separation, name, margin);
+    }
+  }
+  const ClosestOnPolytope<S, N> closest(shape, core);
+  const auto single = closest.manifold(number, margin);
+  if (single.count == 0 || closest.distance() > limit) return single;
+  const auto both = segment_on_face(shape, number, core, margin);
+  return both.count > 0 ? both : single;
+}
+
 /// A polytope and a round shape in its frame; the normal points from the polytope.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Manifold<S, N> polytope_round_manifold(
@@ -164,40 +217,10 @@ template <Scalar S, int N>
     if (plane.separation <= 0) return over_face(face, core.a, height, core.radius, margin);
     return ClosestOnPolytope<S, N>(shape, core).manifold(plane.face, margin);
   }
-  const auto on_face = [&] {
-    ClippedPolygon<S, N, true> segment;
-    segment.add(core.a, 0);
-    segment.add(core.b, 1);
-    segment.clip(shape, face);
-    const auto name = (static_cast<std::uint32_t>(plane.face) + 1) * 64;
-    return segment.manifold(shape, face, core.radius, name, margin);
+  const auto meets = [&](const AcrossSegment<S, N>& across) {
+    return plane.separation <= 0 && (!across.found || across.separation <= 0);
   };
-  const auto limit = height + ContactFormats<S>::tolerance;
-  const auto across = best_across(shape, core);
-  const auto name = (std::uint32_t{1} << 30) + static_cast<std::uint32_t>(across.edge);
-  if (plane.separation <= 0 && (!across.found || across.separation <= 0)) {
-    if (!across.found || across.separation <= limit) return on_face();
-    // The segment is inside: from the edge, or corner, to it and on to its surface.
-    const auto separation = nearest_to<Gap>(across.separation - core.radius);
-    if (separation > margin) return {};
-    const auto& n = across.normal;
-    const auto back = half(across.separation + core.radius);
-    if constexpr (N == 3) {
-      const auto& edge = shape.edges[across.edge];
-      const RoundCore<S, 3> line{shape.points[edge.from], shape.points[edge.to], S(0)};
-      const auto feet = closest_feet(line, core);
-      return one_point<S, 3>(n, nearest_to<Lever>(feet.second - n * back), separation, name,
-                             margin);
-    } else {
-      const auto foot = foot_on(core, shape.points[across.edge]);
-      return one_point<S, 2>(n, nearest_to<Lever>(foot - n * back), separation, name, margin);
-    }
-  }
-  const ClosestOnPolytope<S, N> closest(shape, core);
-  const auto single = closest.manifold(plane.face, margin);
-  if (single.count == 0 || closest.distance() > limit) return single;
-  const auto both = on_face();
-  return both.count > 0 ? both : single;
+  return polytope_capsule_manifold(shape, shape, plane.face, height, core, meets, margin);
 }
 
 }  // namespace detent::detail

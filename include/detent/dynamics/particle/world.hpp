@@ -44,14 +44,15 @@ constexpr void visit_placed(const World& world, const BodyId& id, const Body& bo
   if constexpr (std::is_same_v<Shape, BodyHull<S, N>>) {
     const SolidPoints<S, N> points(shape.asset, body.state);
     visit_parts_in(box, points.hull(), f);
-  } else {
+  } else if constexpr (!is_terrain<Shape>) {
     visit_parts_in(box, placed(world.pose(id), shape), f);
   }
 }
 
 }  // namespace detail
 
-/// The bodies of a world, where they are now, in the order of their indices; sensors are none.
+/// The bodies of a world, where they are now, in the order of their indices; sensors are none,
+/// nor are bodies that are meshes or height fields: particles pass them.
 template <class World>
 class WorldObstacles;
 

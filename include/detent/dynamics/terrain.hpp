@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "detent/dynamics/hull.hpp"
+#include "detent/scene/height_field/asset.hpp"
+#include "detent/scene/mesh/asset.hpp"
+
+namespace detent {
+
+/// A body that is a surface of triangles, in 3D: the mesh `asset`, rotated, then moved by
+/// `translation`. Worlds that hold such bodies list it: `World<q16_16, 3, Sphere, BodyMesh>`.
+///
+/// It has no mass: it is fixed or kinematic, whatever its options say. Triangles have one side: they
+/// touch bodies whose place is not behind them, where their corners are clockwise. Their indices must
+/// be different and below `part_limit`; others touch nothing. The caller owns the asset, which must
+/// outlive the world.
+template <Scalar S, int N>
+struct BodyMesh {
+  static_assert(N == 3, "meshes are surfaces in 3D");
+  static constexpr std::uint32_t part_limit = std::uint32_t{1} << 20;
+  const MeshAsset<S>* asset = nullptr;
+  Vec<S, N> translation{};
+  Rotation<S, N> rotation{};
+
+  [[nodiscard]] friend constexpr bool operator==(const BodyMesh&,
+                                                 const BodyMesh&) noexcept = default;
+};
+
+/// A body that is terrain, in 3D: the height field `asset`, moved by `translation`, with the same
+/// limits as `BodyMesh`. What is below its surface is solid: a body that reaches it from below is
+/// pushed out above.
+template <Scalar S, int N>
+struct BodyHeightField {
+  static_assert(N == 3, "height fields are surfaces in 3D");
+  static constexpr std::uint32_t part_limit = std::uint32_t{1} << 20;
+  const FieldAsset<S>* asset = nullptr;
+  Vec<S, N> translation{};
+
+  [[nodiscard]] friend constexpr bool operator==(const BodyHeightField&,
+                                                 const BodyHeightField&) noexcept = default;
+};
+
+namespace detail {
+
+template <class T>
+inline constexpr bool is_terrain = false;
+template <Scalar S, int N>
+inline constexpr bool is_terrain<BodyMesh<S, N>> = true;
+template <Scalar S, int N>
+inline constexpr bool is_terrain<BodyHeightField<S, N>> = true;
+
+/// Whether a body may be pushed out of a surface that its place is behind.
+template <class T>
+inline constexpr bool is_solid_below = false;
+template <Scalar S, int N>
+inline constexpr bool is_solid_below<BodyHeightField<S, N>> = true;
+
+/// The surface of a body that has its asset.
+template <Scalar S, int N>
+[[nodiscard]] constexpr const Mesh<S>& surface_of(const BodyMesh<S, N>& body) noexcept {
+  return body.asset->mesh();
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr const HeightField<S>& surface_of(
+    const BodyHeightField<S, N>& body) noexcept {
+  return body.asset->field();
+}
+
+template <Scalar S, int N>
+inline constexpr std::uint8_t shape_tag<BodyMesh<S, N>> = 11;
+template <Scalar S, int N>
+inline constexpr std::uint8_t shape_tag<BodyHeightField<S, N>> = 12;
+
+/// Reads the asset of a body's surface: bodies hold it in their frame, untranslated and unrotated.
+template <class Body, class Assets>
+[[nodiscard]] constexpr Restored read_surface(Reader& in, Body& body,
+                                              const Assets& assets) noexcept {
+  std::uint32_t id = 0;
+  std::uint64_t digest = 0;
+  in.get(id, digest, body.translation);
+  if constexpr (requires { body.rotation; }) in.get(body.rotation);
+  if (in.has_failed() || !(body == Body())) return Restored::corrupted;
+  return assets.find(id, digest, body.asset);
+}
+template <Scalar S, int N, class Assets>
+[[nodiscard]] constexpr Restored read_shape(Reader& in, BodyMesh<S, N>& body,
+                                            const Assets& assets) noexcept {
+  return read_surface(in, body, assets);
+}
+template <Scalar S, int N, class Assets>
+[[nodiscard]] constexpr Restored read_shape(Reader& in, BodyHeightField<S, N>& body,
+                                            const Assets& assets) noexcept {
+  return read_surface(in, body, assets);
+}
+
+}  // namespace detail
+
+/// Appends to a digest: id and digest of the surface (zeros for none), translation and rotation.
+template <class D, class Body>
+requires detail::is_terrain<Body>
+constexpr void append(D& digest, const Body& body) noexcept {
+  digest.add(body.asset ? body.asset->id() : std::uint32_t{0},
+             body.asset ? body.asset->digest() : std::uint64_t{0}, body.translation);
+  if constexpr (requires { body.rotation; }) digest.add(body.rotation);
+}
+
+/// Its fields, for the names of differences: see scene/fields.hpp.
+template <class Body, class F>
+requires detail::is_terrain<Body>
+constexpr void for_each_field(const Body& body, const F& f) {
+  f("surface", body.asset ? body.asset->id() : std::uint32_t{0});
+  f("digest of its triangles", body.asset ? body.asset->digest() : std::uint64_t{0});
+  f("translation", body.translation);
+  if constexpr (requires { body.rotation; }) for_each_field(body.rotation, f);
+}
+
+/// A surface has no mass.
+template <Scalar S, int N>
+[[nodiscard]] constexpr MassProperties<S, N> mass_properties(const BodyMesh<S, N>&, S) noexcept {
+  return {};
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr MassProperties<S, N> mass_properties(const BodyHeightField<S, N>&,
+                                                             S) noexcept {
+  return {};
+}
+
+}  // namespace detent

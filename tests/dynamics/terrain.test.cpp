@@ -1,0 +1,457 @@
+// SPDX-License-Identifier: MIT
+#include "detent/dynamics/terrain.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "detent/dynamics/fields.hpp"
+#include "detent/dynamics/snapshot.hpp"
+#include "detent/scene/height_field/height_field.hpp"
+#include "detent/scene/mesh/owned.hpp"
+#include "detent/scene/sync_test.hpp"
+#include "dynamics/stage.hpp"
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+namespace detent::test {
+namespace {
+
+template <Scalar S>
+using Ground = World<S, 3, Sphere, Capsule, Aabb, Obb, BodyHull, BodyMesh, BodyHeightField>;
+
+template <Scalar S>
+Vec<S, 3> point(double x, double y, double z) {
+  return {num<S>(x), num<S>(y), num<S>(z)};
+}
+
+/// The triangles of a square from -size to size with `cells` cells a side, at these heights.
+template <Scalar S, class Height>
+std::vector<Triangle<S, 3>> square(int cells, double size, const Height& height) {
+  std::vector<Triangle<S, 3>> triangles;
+  const double cell = 2 * size / cells;
+  const auto corner = [&](int i, int j) {
+    const double x = cell * i - size, z = cell * j - size;
+    return point<S>(x, height(x, z), z);
+  };
+  for (int j = 0; j < cells; ++j) {
+    for (int i = 0; i < cells; ++i) {
+      triangles.push_back({corner(i, j), corner(i, j + 1), corner(i + 1, j)});
+      triangles.push_back({corner(i + 1, j), corner(i, j + 1), corner(i + 1, j + 1)});
+    }
+  }
+  return triangles;
+}
+
+/// A mesh with its asset.
+template <Scalar S>
+struct Owned {
+  OwnedMesh<S> mesh;
+  MeshAsset<S> asset;
+
+  explicit Owned(const std::vector<Triangle<S, 3>>& triangles, std::uint32_t id = 1)
+      : mesh(triangles), asset(id, mesh.view()) {}
+};
+
+template <Scalar S>
+BodyOptions<S, 3> fixed() {
+  BodyOptions<S, 3> options;
+  options.motion = BodyMotion::fixed;
+  return options;
+}
+
+const auto level = [](double, double) { return 0.0; };
+const auto hills = [](double x, double z) {
+  const auto wave = [](double t) {
+    const double u = t - static_cast<int>(t);
+    return u * (1 - u);
+  };
+  return 1.5 * wave((x + 50) / 3) * wave((z + 50) / 4);
+};
+
+TEMPLATE_TEST_CASE("terrain: a ball rolls over many triangles with the bits of one face", "",
+                   q16_16, q24_8, q14_16) {
+  using S = TestType;
+  const Owned<S> fine(square<S>(40, 8, level)), coarse(square<S>(1, 8, level));
+  std::vector<S> heights(33 * 33);
+  const auto field = height_field<S>({num<S>(-8), num<S>(-8)}, num<S>(0.5), 33, 33, heights);
+  REQUIRE(field);
+  const FieldAsset<S> field_asset(2, *field);
+  std::vector<Ground<S>> worlds(4);
+  worlds[0].add(Aabb<S, 3>{point<S>(-8, -4, -8), point<S>(8, 0, 8)}, fixed<S>());
+  worlds[1].add(BodyMesh<S, 3>{&coarse.asset, point<S>(0, 0, 0), {}}, fixed<S>());
+  worlds[2].add(BodyMesh<S, 3>{&fine.asset, point<S>(0, 0, 0), {}}, fixed<S>());
+  worlds[3].add(BodyHeightField<S, 3>{&field_asset, point<S>(0, 0, 0)}, fixed<S>());
+  BodyOptions<S, 3> rolls;
+  rolls.velocity = point<S>(3, -1, 1.7);
+  rolls.angular_velocity = {num<S>(1), num<S>(2), num<S>(-4)};
+  for (auto& world : worlds) {
+    world.add(Sphere<S, 3>{point<S>(-7.13, 0.625, -5.21), num<S>(0.5)}, rolls);
+  }
+  int begun = 0;
+  for (int t = 0; t < 150; ++t) {
+    for (auto& world : worlds) world.step();
+    for (std::size_t i = 0; i < worlds[2].event_count(); ++i) begun += worlds[2].event(i).begins;
+    const auto state = [&](std::size_t i) {
+      return detail::WorldAccess::bodies(worlds[i])[1].state;
+    };
+    for (std::size_t i = 1; i < 4; ++i) REQUIRE(state(i).velocity == state(1).velocity);
+    for (std::size_t i = 1; i < 4; ++i) REQUIRE(state(i) == state(1));
+    // The box is about another centre, from which levers are the same for every scalar but q24_8.
+    REQUIRE(state(0).place.y == state(1).place.y);
+    if (std::is_same_v<S, q16_16>) REQUIRE(state(0) == state(1));
+  }
+  CHECK(worlds[2].position({1, 2}).x > num<S>(-2));
+  CHECK(begun == 1);  // from triangle to triangle it is one touch
+}
+
+double hundredths(Random& random, int least, int most) {
+  return static_cast<int>(random.between(least, most)) * 0.01;
+}
+
+/// A body near a surface, as the solver sees it.
+template <class Body, class Solid>
+auto contacts_of(const Body& body, const Solid& solid,
+                 const detail::RelativePose<q16_16, 3>& pose) {
+  std::vector<detail::FacetContact<q16_16>> list;
+  detail::FacetContacts<decltype(list), q16_16> contacts(list, 10000);
+  contacts.find(body, solid, pose, detail::extent_of(solid), num<q16_16>(0.02),
+                nearest_to<typename detail::Formats<q16_16>::Gap>(num<q16_16>(0.02)));
+  std::erase_if(list, [](const auto& contact) { return contact.manifold.count == 0; });
+  return list;
+}
+
+detail::RelativePose<q16_16, 3> pose_at(const Vec<q16_16, 3>& p, Random& random) {
+  detail::RelativePose<q16_16, 3> pose;
+  const auto turn = [&] { return Angle<q16_16>::turn(static_cast<int>(random.below(1000)), 1000); };
+  const auto rotation = Rotation<q16_16, 3>::from_euler(turn(), turn(), turn());
+  for (int i = 0; i < 3; ++i) {
+    pose.translation[i] = nearest_to<typename detail::Formats<q16_16>::Lever>(p[i]);
+    for (int k = 0; k < 3; ++k) {
+      pose.axes[static_cast<std::size_t>(k)][i] =
+          nearest_to<typename detail::Formats<q16_16>::Ratio>(rotation.axis(k)[i]);
+    }
+  }
+  return pose;
+}
+
+TEST_CASE("terrain: over a plane of triangles all normals are the plane's") {
+  using S = q16_16;
+  Random random(71);
+  CAPTURE(random.seed());
+  const std::vector<Vec<S, 3>> wedge{point<S>(-0.5, -0.3, -0.4), point<S>(0.5, -0.3, -0.4),
+                                     point<S>(0, -0.3, 0.6), point<S>(0, 0.5, 0)};
+  const auto solid = solid_hull(1, ConvexHull<S, 3>{wedge});
+  REQUIRE(solid);
+  const double slope = GENERATE(0.0, 0.5);
+  const int cells = GENERATE(8, 32);
+  const Owned<S> ground(square<S>(cells, 4, [&](double x, double) { return slope * x; }));
+  const BodyMesh<S, 3> body{&ground.asset, {}, {}};
+  const auto normal = detail::facet_of(ground.mesh.view().triangles[0].triangle)->normal();
+  std::size_t found = 0;
+  const auto exam = [&](const auto& shape, double height) {
+    const double x = hundredths(random, -200, 200), z = hundredths(random, -200, 200);
+    const auto pose = pose_at(point<S>(x, slope * x + height, z), random);
+    for (const auto& contact : contacts_of(body, shape, pose)) {
+      REQUIRE(contact.manifold.normal == normal);
+      ++found;
+    }
+  };
+  for (int round = 0; round < 150; ++round) {
+    const double height = hundredths(random, 5, 70);
+    exam(Sphere<S, 3>{{}, num<S>(0.4)}, height);
+    exam(Capsule<S, 3>{point<S>(-0.3, 0, 0), point<S>(0.3, 0, 0), num<S>(0.3)}, height);
+    exam(Obb<S, 3>{{}, point<S>(0.4, 0.3, 0.5), {}}, height);
+    exam(BodyHull<S, 3>{&*solid, {}, {}}, height);
+  }
+  CHECK(found > 600);
+}
+
+TEST_CASE("terrain: a body over a plane is as deep as over one face") {
+  using S = q16_16;
+  Random random(72);
+  CAPTURE(random.seed());
+  const Owned<S> ground(square<S>(12, 6, level));
+  const BodyMesh<S, 3> body{&ground.asset, {}, {}};
+  const auto margin = num<S>(0.02);
+  for (int round = 0; round < 300; ++round) {
+    const auto p = point<S>(hundredths(random, -200, 200), hundredths(random, 20, 70),
+                            hundredths(random, -200, 200));
+    const auto pose = pose_at(p, random);
+    const auto exam = [&](const auto& shape, const auto& lowest) {
+      const auto contacts = contacts_of(body, shape, pose);
+      CHECK(contacts.empty() == (lowest > margin));
+      if (contacts.empty()) return;
+      auto least = contacts[0].manifold.points[0].separation;
+      for (const auto& contact : contacts) {
+        for (int i = 0; i < contact.manifold.count; ++i) {
+          const auto& at = contact.manifold.points[static_cast<std::size_t>(i)];
+          least = (std::min)(least, at.separation);
+        }
+      }
+      CHECK(abs(least - lowest) <= num<S>(0.001));
+    };
+    exam(Sphere<S, 3>{{}, num<S>(0.4)}, p.y - num<S>(0.4));
+    const Obb<S, 3> box{{}, point<S>(0.4, 0.3, 0.5), {}};
+    using Lever = typename detail::Formats<S>::Lever;
+    auto depth = Lever();
+    for (int i = 0; i < 3; ++i) {
+      depth = nearest_to<Lever>(depth + abs(pose.axes[static_cast<std::size_t>(i)].y) *
+                                            box.half_extents[i]);
+    }
+    exam(box, p.y - depth);
+  }
+}
+
+TEST_CASE("terrain: edges and corners push where nothing rises from them") {
+  using S = q16_16;
+  Random random(73);
+  const auto pose = [&](double x, double y) {
+    auto result = pose_at(point<S>(x, y, 0.3), random);
+    result.axes = detail::axes_of<S, 3>(detail::upright<S, 3>());
+    return result;
+  };
+  const auto roof = [](double x, double) { return x < 0 ? x : -x; };
+  const auto gutter = [](double x, double) { return x < 0 ? -x : x; };
+  const Owned<S> ridge(square<S>(8, 4, roof)), valley(square<S>(8, 4, gutter));
+  const Sphere<S, 3> ball{{}, num<S>(0.5)};
+  const auto on_ridge = contacts_of(BodyMesh<S, 3>{&ridge.asset, {}, {}}, ball, pose(0.1, 0.45));
+  REQUIRE(on_ridge.size() == 1);
+  CHECK(abs(on_ridge[0].manifold.normal.x) < num<S>(0.25));
+  CHECK(on_ridge[0].manifold.normal.x > num<S>(0.2));
+  CHECK(on_ridge[0].manifold.normal.y > num<S>(0.97));
+  const auto in_valley = contacts_of(BodyMesh<S, 3>{&valley.asset, {}, {}}, ball, pose(0, 0.7));
+  REQUIRE(in_valley.size() == 2);
+  CHECK(in_valley[0].manifold.normal.x == -in_valley[1].manifold.normal.x);
+  // A box across the ridge rests on the ridge's edge.
+  const Obb<S, 3> box{{}, point<S>(0.3, 0.2, 0.1), {}};
+  for (const auto& contact :
+       contacts_of(BodyMesh<S, 3>{&ridge.asset, {}, {}}, box, pose(0, 0.19))) {
+    CHECK(contact.manifold.normal == detail::unit_axis<typename detail::Formats<S>::Ratio, 3>(1));
+  }
+  // Beside the plane's outer edge a ball leaves over that edge, and from behind it passes.
+  const Owned<S> plate(square<S>(8, 4, level));
+  const BodyMesh<S, 3> body{&plate.asset, {}, {}};
+  const auto outside = contacts_of(body, ball, pose(4.3, 0.3));
+  REQUIRE(outside.size() == 1);
+  CHECK(abs(outside[0].manifold.normal.x - outside[0].manifold.normal.y) < num<S>(0.01));
+  CHECK(contacts_of(body, ball, pose(0, -0.1)).empty());
+}
+
+/// Bodies of all kinds over a mesh of hills and a height field beside it.
+struct Landscape {
+  using S = q16_16;
+  Owned<S> mesh{square<S>(16, 8, hills)};
+  std::vector<S> heights;
+  std::vector<Vec<S, 3>> points{point<S>(-0.4, -0.3, -0.4), point<S>(0.4, -0.3, -0.4),
+                                point<S>(0, -0.3, 0.5), point<S>(0, 0.5, 0)};
+  SolidHull<S, 3> solid = *solid_hull(9, ConvexHull<S, 3>{points});
+  std::vector<FieldAsset<S>> fields;
+
+  Landscape() {
+    for (int j = 0; j <= 16; ++j) {
+      for (int i = 0; i <= 16; ++i) heights.push_back(num<S>(hills(i + 8, j - 8)));
+    }
+    fields.emplace_back(2, *height_field<S>({S(8), S(-8)}, S(1), 17, 17, heights));
+  }
+  template <class World>
+  void add_ground(World& world) const {
+    (void)world.put({0, 1}, BodyMesh<S, 3>{&mesh.asset, {}, {}}, fixed<S>());
+    (void)world.put({40, 2}, BodyHeightField<S, 3>{&fields[0], {}}, fixed<S>());
+  }
+  template <class World>
+  void fill(World& world) const {
+    add_ground(world);
+    for (int i = 0; i < 20; ++i) {
+      const auto p = point<S>(-6 + 1.4 * i, 1.2 + 0.1 * (i % 3), (i % 5) - 2.0);
+      const auto end = point<S>(-5.7 + 1.4 * i, 1.4 + 0.1 * (i % 3), (i % 5) - 1.9);
+      BodyOptions<S, 3> options;
+      options.velocity = point<S>(i % 3 - 1.0, 0, 1.5);
+      options.restitution = num<S>(i == 3 ? 0.5 : 0);
+      options.is_sensor = i == 7;
+      const auto index = static_cast<std::uint32_t>(i + 1);
+      const BodyId id{index, 3 + index};
+      switch (i % 4) {
+        case 0:
+          (void)world.put(id, Sphere<S, 3>{p, num<S>(0.35)}, options);
+          break;
+        case 1:
+          (void)world.put(id, Obb<S, 3>{p, point<S>(0.3, 0.2, 0.4), {}}, options);
+          break;
+        case 2:
+          (void)world.put(id, Capsule<S, 3>{p, end, num<S>(0.2)}, options);
+          break;
+        default:
+          (void)world.put(id, BodyHull<S, 3>{&solid, p, {}}, options);
+      }
+    }
+  }
+  [[nodiscard]] Restored restored(Ground<S>& world, std::span<const std::byte> bytes) const {
+    return restore(world, bytes, std::span(&mesh.asset, 1), fields, std::span(&solid, 1));
+  }
+};
+
+TEST_CASE("terrain: nothing falls through, from snapshots the bits go on") {
+  const Landscape land;
+  Ground<q16_16> world;
+  land.fill(world);
+  using Storage = Bounded<48>;
+  auto bounded = std::make_unique<BoundedWorld<Storage, q16_16, 3, Sphere, Capsule, Aabb, Obb,
+                                               BodyHull, BodyMesh, BodyHeightField>>();
+  land.fill(*bounded);
+  Ground<q16_16> other;
+  std::size_t most = 0;
+  for (int t = 0; t < 240; ++t) {
+    if (t % 60 == 30) {
+      other = Ground<q16_16>();
+      land.add_ground(other);
+      const auto bytes = snapshot(world);
+      REQUIRE(land.restored(other, bytes) == Restored::yes);
+      REQUIRE(snapshot(other) == bytes);
+    }
+    world.step();
+    if (t < 60) {
+      bounded->step();
+      REQUIRE(digest(*bounded) == digest(world));
+    }
+    if (t < 30) continue;
+    other.step();
+    REQUIRE(digest(world) == digest(other));
+    most = (std::max)(most, detail::WorldAccess::contacts(world).size());
+  }
+  CHECK(most > 25);
+  for (std::uint32_t i = 1; i <= 20; ++i) {
+    if (i == 8) continue;  // the sensor
+    const auto p = world.position({i, 3 + i});
+    CAPTURE(i);
+    const bool is_on = p.x > -8 && p.x < 24 && p.z > -8 && p.z < 8;
+    CHECK((p.y > 0 || !is_on));
+  }
+  CHECK(world.position({8, 11}).y < -10);
+}
+
+TEST_CASE("terrain: wrong assets and hostile bytes leave the world as it is") {
+  using S = q16_16;
+  const Landscape land;
+  Ground<S> world;
+  BodyOptions<S, 3> tray;
+  tray.motion = BodyMotion::kinematic;
+  (void)world.put({0, 1}, BodyMesh<S, 3>{&land.mesh.asset, {}, {}}, tray);
+  (void)world.put({1, 1}, Obb<S, 3>{point<S>(0.2, 1, 0.1), point<S>(0.5, 0.3, 0.5), {}});
+  (void)world.put({2, 1}, Obb<S, 3>{point<S>(0.2, 1.7, 0.1), point<S>(0.5, 0.3, 0.5), {}});
+  for (int t = 0; t < 60; ++t) world.step();
+  const auto bytes = snapshot(world);
+  Ground<S> fresh;
+  CHECK(restore(fresh, bytes) == Restored::unknown_asset);
+  const Owned<S> flat(square<S>(4, 8, level));
+  CHECK(restore(fresh, bytes, std::span(&flat.asset, 1)) == Restored::other_asset);
+  CHECK(fresh.size() == 0);
+  REQUIRE(land.restored(fresh, bytes) == Restored::yes);
+  CHECK(snapshot(fresh) == bytes);
+  Random random(74);
+  int read = 0;
+  for (int round = 0; round < 400; ++round) {
+    auto changed = bytes;
+    const auto at = random.below(changed.size() - 72) + 64;
+    changed[at] ^= static_cast<std::byte>(1u << random.below(8));
+    Digest sum;
+    sum.add_bytes(std::span<const std::byte>(changed).first(changed.size() - 8));
+    detail::store_word(changed.data() + changed.size() - 8, sum.value());
+    Ground<S> victim;
+    if (land.restored(victim, changed) != Restored::yes) continue;
+    ++read;
+    CHECK(snapshot(victim) == changed);
+    victim.step();
+  }
+  CHECK(read > 100);
+  // A triangle of a pair without a surface.
+  auto odd = world;
+  auto& contacts = detail::WorldAccess::contacts(odd);
+  REQUIRE(contacts.size() > 1);
+  REQUIRE(contacts[contacts.size() - 1].a == 1);
+  contacts[contacts.size() - 1].part = 5;
+  CHECK(land.restored(fresh, snapshot(odd)) == Restored::corrupted);
+}
+
+TEST_CASE("terrain: differences name the triangle") {
+  using S = q16_16;
+  const Owned<S> flat(square<S>(4, 4, level));
+  Ground<S> world;
+  (void)world.put({0, 1}, BodyMesh<S, 3>{&flat.asset, {}, {}}, fixed<S>());
+  (void)world.put({1, 2}, Sphere<S, 3>{point<S>(0.9, 0.5, 0.3), num<S>(0.5)});
+  world.step();
+  auto other = world;
+  auto& contacts = detail::WorldAccess::contacts(other);
+  REQUIRE(contacts.size() == 1);
+  REQUIRE(contacts[0].part != 0);
+  contacts[0].pressure[0] = {};
+  const auto found = diff(world, other);
+  REQUIRE(found);
+  CHECK(std::string(found->field.view()) ==
+        "contact 0:1 1:2 part " + std::to_string(contacts[0].part) + " point 0 pressure");
+  CHECK(digest(world) != digest(other));
+}
+
+TEST_CASE("terrain: without triangles, with equal or great indices, and far away, nothing breaks") {
+  using S = q16_16;
+  Random random(75);
+  CAPTURE(random.seed());
+  const auto number = [&](bool wild) {
+    return wild ? S::from_raw(static_cast<typename S::raw_type>(random.edgy(S::bits)))
+                : quotient_nearest<S>(static_cast<int>(random.between(-1000, 1000)), 250);
+  };
+  const auto anywhere = [&](bool wild) { return make_vec<3>([&](int) { return number(wild); }); };
+  std::size_t contacts = 0;
+  for (int round = 0; round < 60; ++round) {
+    std::vector<MeshTriangle<S>> triangles;
+    for (int i = 0; i < 60; ++i) {
+      const bool wild = random.one_in(4);
+      triangles.push_back({{anywhere(wild), anywhere(wild), anywhere(wild)},
+                           random.one_in(10) ? ~0u : static_cast<std::uint32_t>(random.below(40))});
+    }
+    std::vector<MeshNode<S>> nodes(tree_capacity(triangles.size()));
+    const MeshAsset<S> asset(1, *build_mesh<S>(triangles, nodes));
+    World<S, 3, Capsule, Obb, BodyMesh> world;
+    world.add(BodyMesh<S, 3>{nullptr, {}, {}}, fixed<S>());
+    world.add(BodyMesh<S, 3>{&asset, anywhere(random.one_in(3)), {}});
+    for (int i = 0; i < 8; ++i) {
+      const bool wild = random.one_in(4);
+      BodyOptions<S, 3> options;
+      options.velocity = anywhere(wild);
+      if (random.coin()) {
+        world.add(Capsule<S, 3>{anywhere(wild), anywhere(wild), number(wild)}, options);
+      } else {
+        world.add(Obb<S, 3>{anywhere(wild), anywhere(wild), {}}, options);
+      }
+    }
+    for (int t = 0; t < 4; ++t) world.step();
+    const auto& list = detail::WorldAccess::contacts(world);
+    contacts += list.size();
+    for (std::size_t i = 1; i < list.size(); ++i) {
+      const auto key = [&](std::size_t k) {
+        return std::array{list[k].a, list[k].b, list[k].part};
+      };
+      REQUIRE(key(i - 1) < key(i));
+    }
+    for (const auto& contact : list) REQUIRE(contact.part < BodyMesh<S, 3>::part_limit);
+  }
+  CHECK(contacts > 200);
+}
+
+TEMPLATE_TEST_CASE("terrain: every scalar has it", "", q8_8, q24_8, float, double) {
+  using S = TestType;
+  const Owned<S> flat(square<S>(10, 5, level));
+  Ground<S> world;
+  world.add(BodyMesh<S, 3>{&flat.asset, {}, {}}, fixed<S>());
+  const auto ball = world.add(Sphere<S, 3>{point<S>(0.25, 1, 0.25), num<S>(0.5)});
+  const auto box = world.add(Obb<S, 3>{point<S>(2.25, 1, 0.25), point<S>(0.5, 0.5, 0.5), {}});
+  for (int t = 0; t < 60; ++t) world.step();
+  CHECK(abs(world.position(*ball).y - num<S>(0.5)) <= num<S>(0.05));
+  CHECK(abs(world.position(*box).y - num<S>(0.5)) <= num<S>(0.05));
+}
+
+}  // namespace
+}  // namespace detent::test
