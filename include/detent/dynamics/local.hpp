@@ -150,7 +150,7 @@ template <Scalar S, int N>
 
 /// That of the box around a surface; of none without triangles.
 template <class Body>
-requires is_terrain<Body>
+requires is_surface_body<Body>
 [[nodiscard]] constexpr auto extent_of(const Body& body) noexcept {
   using Extent = decltype(extent_of(bounding_box(surface_of(body))));
   if (body.asset == nullptr) return Extent{};

@@ -253,7 +253,7 @@ template <Scalar S, int N, class... Shapes, class Assets>
 /// Whether a contact of this body names a part of it.
 template <class Body>
 [[nodiscard]] constexpr bool has_parts(const Body& body) noexcept {
-  return body.shape.visit([]<class Shape>(const Shape&) { return is_terrain<Shape>; });
+  return body.shape.visit([]<class Shape>(const Shape&) { return is_surface_body<Shape>; });
 }
 
 /// Reads the parts of a snapshot into lists, in which fixed bodies are already.

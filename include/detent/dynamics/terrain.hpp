@@ -46,11 +46,11 @@ struct BodyHeightField {
 namespace detail {
 
 template <class T>
-inline constexpr bool is_terrain = false;
+inline constexpr bool is_surface_body = false;
 template <Scalar S, int N>
-inline constexpr bool is_terrain<BodyMesh<S, N>> = true;
+inline constexpr bool is_surface_body<BodyMesh<S, N>> = true;
 template <Scalar S, int N>
-inline constexpr bool is_terrain<BodyHeightField<S, N>> = true;
+inline constexpr bool is_surface_body<BodyHeightField<S, N>> = true;
 
 /// Whether a body may be pushed out of a surface that its place is behind.
 template <class T>
@@ -100,7 +100,7 @@ template <Scalar S, int N, class Assets>
 
 /// Appends to a digest: id and digest of the surface (zeros for none), translation and rotation.
 template <class D, class Body>
-requires detail::is_terrain<Body>
+requires detail::is_surface_body<Body>
 constexpr void append(D& digest, const Body& body) noexcept {
   digest.add(body.asset ? body.asset->id() : std::uint32_t{0},
              body.asset ? body.asset->digest() : std::uint64_t{0}, body.translation);
@@ -109,7 +109,7 @@ constexpr void append(D& digest, const Body& body) noexcept {
 
 /// Its fields, for the names of differences: see scene/fields.hpp.
 template <class Body, class F>
-requires detail::is_terrain<Body>
+requires detail::is_surface_body<Body>
 constexpr void for_each_field(const Body& body, const F& f) {
   f("surface", body.asset ? body.asset->id() : std::uint32_t{0});
   f("digest of its triangles", body.asset ? body.asset->digest() : std::uint64_t{0});

@@ -142,7 +142,7 @@ class Tick {
     std::optional<Vec<typename F::Lever, N>> at;
     body.shape.visit([&]<class Mine>(const Mine& mine) {
       other.shape.visit([&]<class Other>(const Other& shape) {
-        if constexpr (!is_terrain<Mine> && !is_terrain<Other>) {
+        if constexpr (!is_surface_body<Mine> && !is_surface_body<Other>) {
           const auto radius = (max)(inner_radius(mine), S(0));
           at = stop_before(shape, other.reach, from, to, radius, margin);
         }
@@ -193,11 +193,11 @@ class Tick {
       while (old < before.size() && pair_of(before[old]) < pair) ++old;
       bodies[pair.a].shape.visit([&]<class A>(const A& first) {
         bodies[pair.b].shape.visit([&]<class B>(const B& second) {
-          if constexpr (is_terrain<A> && is_terrain<B>) {
+          if constexpr (is_surface_body<A> && is_surface_body<B>) {
             return;  // none of them can move
-          } else if constexpr (is_terrain<A>) {
+          } else if constexpr (is_surface_body<A>) {
             touch_terrain(bodies, pair, first, second, true, before, old, reach, margin);
-          } else if constexpr (is_terrain<B>) {
+          } else if constexpr (is_surface_body<B>) {
             touch_terrain(bodies, pair, second, first, false, before, old, reach, margin);
           } else {
             const auto& a = supports_[pair.a];
@@ -472,7 +472,7 @@ class Tick {
   List<BodyPair, pair_room> pairs_;
   Contacts current_;
   List<Found, contacts_room> found_;
-  List<FacetContact<S>, (is_terrain<Parts> || ...) ? contacts_room : 0> facets_;
+  List<FacetContact<S>, (is_surface_body<Parts> || ...) ? contacts_room : 0> facets_;
   List<ReadyContact<S, N>, contacts_room> ready_;
   List<std::uint8_t, contacts_room> colour_;
   List<std::uint64_t, bodies_room> used_;

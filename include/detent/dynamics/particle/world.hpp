@@ -44,7 +44,7 @@ constexpr void visit_placed(const World& world, const BodyId& id, const Body& bo
   if constexpr (std::is_same_v<Shape, BodyHull<S, N>>) {
     const SolidPoints<S, N> points(shape.asset, body.state);
     visit_parts_in(box, points.hull(), f);
-  } else if constexpr (!is_terrain<Shape>) {
+  } else if constexpr (!is_surface_body<Shape>) {
     visit_parts_in(box, placed(world.pose(id), shape), f);
   }
 }
