@@ -61,8 +61,23 @@ void visit_sheet(std::size_t index, Visit&& visit) {
   });
 }
 
+template <int Row, class Group, class Case>
+void judge_row(const Case& c, std::uint32_t index, std::optional<Finding>& finding) {
+  if (auto wrong = judge::judge<Row>(c, answer<Group, Row>(c))) {
+    finding = Finding{index, fields_of(c), std::move(wrong->expected), std::move(wrong->got)};
+  }
+}
+
+/// The cells of a group in one space. What compiles for long has a source for each: see
+/// parts/one_scalar.cpp.in.
 template <class Group, Scalar S, int N>
-std::vector<Answers> answers_of(std::uint32_t size, bool keep_bytes) {
+struct GroupSheet {
+  static std::vector<Answers> answers(std::uint32_t size, bool keep_bytes);
+  static std::optional<Finding> first_wrong(std::size_t row, std::uint32_t size);
+};
+
+template <class Group, Scalar S, int N>
+std::vector<Answers> GroupSheet<Group, S, N>::answers(std::uint32_t size, bool keep_bytes) {
   std::array<RowSink, rows_of<Group>()> sinks;
   for (auto& sink : sinks) sink.bytes = Sink(IntoBytes{keep_bytes, {}, {}});
   visit_cases<Group, S, N>(size, [&](const auto& c) { answer_all<Group>(c, sinks); });
@@ -75,15 +90,8 @@ std::vector<Answers> answers_of(std::uint32_t size, bool keep_bytes) {
   return answers;
 }
 
-template <int Row, class Group, class Case>
-void judge_row(const Case& c, std::uint32_t index, std::optional<Finding>& finding) {
-  if (auto wrong = judge::judge<Row>(c, answer<Group, Row>(c))) {
-    finding = Finding{index, fields_of(c), std::move(wrong->expected), std::move(wrong->got)};
-  }
-}
-
 template <class Group, Scalar S, int N>
-std::optional<Finding> first_wrong_answer(std::size_t row, std::uint32_t size) {
+std::optional<Finding> GroupSheet<Group, S, N>::first_wrong(std::size_t row, std::uint32_t size) {
   std::optional<Finding> finding;
   std::uint32_t index = 0;
   visit_cases<Group, S, N>(size, [&]<class Case>(const Case& c) {
@@ -104,7 +112,7 @@ std::vector<Answers> PartSheets<Part>::answer(std::size_t sheet, std::uint32_t s
                                               bool keep_bytes) {
   std::vector<Answers> answers;
   detail::visit_sheet<Part>(sheet, [&]<class Group, class S, int N>(Group, Space<S, N>) {
-    answers = detail::answers_of<Group, S, N>(size, keep_bytes);
+    answers = detail::GroupSheet<Group, S, N>::answers(size, keep_bytes);
   });
   return answers;
 }
@@ -123,7 +131,7 @@ std::optional<Finding> PartSheets<Part>::first_wrong(std::size_t sheet, std::siz
                                                      std::uint32_t size) {
   std::optional<Finding> finding;
   detail::visit_sheet<Part>(sheet, [&]<class Group, class S, int N>(Group, Space<S, N>) {
-    finding = detail::first_wrong_answer<Group, S, N>(row, size);
+    finding = detail::GroupSheet<Group, S, N>::first_wrong(row, size);
   });
   return finding;
 }

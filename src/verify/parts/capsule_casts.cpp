@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "verify/part_sheets.hpp"
 
-// The coarse scalars are in capsule_casts_coarse.cpp, so that a compiler needs less memory.
+// Each scalar has a source of its own: one_scalar.cpp.in.
 namespace detent::verify::detail {
 
 using Group = Casts<CapsuleKind, ObbKind, 3>;
-extern template std::vector<Answers> answers_of<Group, q24_8, 3>(std::uint32_t, bool);
-extern template std::optional<Finding> first_wrong_answer<Group, q24_8, 3>(std::size_t,
-                                                                           std::uint32_t);
-extern template std::vector<Answers> answers_of<Group, q8_8, 3>(std::uint32_t, bool);
-extern template std::optional<Finding> first_wrong_answer<Group, q8_8, 3>(std::size_t,
-                                                                          std::uint32_t);
+extern template struct GroupSheet<Group, q16_16, 3>;
+extern template struct GroupSheet<Group, q14_16, 3>;
+extern template struct GroupSheet<Group, q24_8, 3>;
+extern template struct GroupSheet<Group, q8_8, 3>;
 
 }  // namespace detent::verify::detail
 

@@ -1,4 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "verify/part_sheets.hpp"
 
+// Each scalar has a source of its own: one_scalar.cpp.in.
+namespace detent::verify::detail {
+
+using Group = Casts<ObbKind, ObbKind, 3>;
+extern template struct GroupSheet<Group, q16_16, 3>;
+extern template struct GroupSheet<Group, q14_16, 3>;
+extern template struct GroupSheet<Group, q24_8, 3>;
+extern template struct GroupSheet<Group, q8_8, 3>;
+
+}  // namespace detent::verify::detail
+
 template struct detent::verify::PartSheets<detent::verify::ObbCasts>;
