@@ -12,7 +12,7 @@ namespace detent::test {
 namespace {
 
 TEMPLATE_TEST_CASE("closest points: those of a compound's nearest part, the first of several",
-                   "[closest_points]", DETENT_EVERY_SPACE) {
+                   "[closest_points]", DETENT_EVERYDAY_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   using Points = std::pair<Vec<S, N>, Vec<S, N>>;

@@ -14,42 +14,6 @@ namespace {
 template <Scalar S, int N>
 using Points = std::pair<Vec<S, N>, Vec<S, N>>;
 
-/// Shapes that reach from x - 1 to x + 1 on the x axis, and whose ends lie there alone.
-template <Scalar S, int N, class Visit>
-void visit_pointed(double x, const Visit& visit) {
-  const auto one = num<S>(1);
-  const auto left = at<S, N>(x - 1), right = at<S, N>(x + 1);
-  visit(Sphere<S, N>{at<S, N>(x), one});
-  visit(Capsule<S, N>{at<S, N>(x), at<S, N>(x), one});
-  visit(Segment<S, N>{left, right});
-  visit(Triangle<S, N>{left, right, at<S, N>(x, 1)});
-  const std::array corners{left, at<S, N>(x, 1), right, at<S, N>(x, -1), at<S, N>(x, 0, 1)};
-  visit(ConvexHull<S, N>{corners});
-}
-/// The same with a face at both ends.
-template <Scalar S, int N, class Visit>
-void visit_shapes(double x, const Visit& visit) {
-  visit_pointed<S, N>(x, visit);
-  visit(Aabb<S, N>{at<S, N>(x - 1, -1, -1), at<S, N>(x + 1, 1, 1)});
-  visit(Obb<S, N>{at<S, N>(x), filled<S, N>(num<S>(1)), {}});
-}
-
-TEMPLATE_TEST_CASE("closest points: between every two kinds of shapes", "[closest_points]",
-                   DETENT_EVERYDAY_SPACES) {
-  using S = typename TestType::scalar;
-  constexpr int N = TestType::dimension;
-  const Points<S, N> expected{at<S, N>(-2), at<S, N>(3)};
-  visit_pointed<S, N>(-3, [&](const auto& a) {
-    visit_shapes<S, N>(4, [&](const auto& b) {
-      CHECK(closest_points(a, b) == expected);
-      CHECK(closest_points(b, a) == Points<S, N>{expected.second, expected.first});
-    });
-    const Plane<S, N> plane{toward<S, N>(1), num<S>(3)};
-    CHECK(closest_points(a, plane) == expected);
-    CHECK(closest_points(plane, a) == Points<S, N>{expected.second, expected.first});
-  });
-}
-
 TEMPLATE_TEST_CASE("closest points: of several pairs the one with the least point",
                    "[closest_points]", DETENT_EVERYDAY_FIXED_SPACES) {
   using S = typename TestType::scalar;

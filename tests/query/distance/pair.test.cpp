@@ -4,43 +4,10 @@
 #include <array>
 
 #include "detent/shape/frustum.hpp"
-#include "query/raycast/helpers.hpp"
+#include "query/distance/kinds.hpp"
 
 namespace detent::test {
 namespace {
-
-/// Shapes that reach from x - 1 to x + 1 on the x axis, and whose nearest points lie there.
-template <Scalar S, int N, class Visit>
-void visit_shapes(double x, const Visit& visit) {
-  const auto one = num<S>(1);
-  const auto left = at<S, N>(x - 1), right = at<S, N>(x + 1);
-  visit(Sphere<S, N>{at<S, N>(x), one});
-  visit(Aabb<S, N>{at<S, N>(x - 1, -1, -1), at<S, N>(x + 1, 1, 1)});
-  visit(Obb<S, N>{at<S, N>(x), filled<S, N>(one), {}});
-  visit(Triangle<S, N>{left, right, at<S, N>(x, 1)});
-  visit(Capsule<S, N>{at<S, N>(x), at<S, N>(x), one});
-  visit(Segment<S, N>{left, right});
-  const std::array corners{left, at<S, N>(x, 1), right, at<S, N>(x, -1), at<S, N>(x, 0, 1)};
-  visit(ConvexHull<S, N>{corners});
-}
-
-TEMPLATE_TEST_CASE("distance of two shapes: between every two kinds of shapes", "[distance]",
-                   DETENT_EVERY_SPACE) {
-  using S = typename TestType::scalar;
-  constexpr int N = TestType::dimension;
-  visit_shapes<S, N>(-3, [](const auto& a) {
-    visit_shapes<S, N>(4, [&](const auto& b) {
-      CHECK(distance(a, b) == num<S>(5));
-      CHECK(distance(b, a) == num<S>(5));
-    });
-    visit_shapes<S, N>(-1, [&](const auto& b) { CHECK(distance(a, b) == S(0)); });
-    visit_shapes<S, N>(-3, [&](const auto& b) { CHECK(distance(b, a) == S(0)); });
-    const Plane<S, N> plane{toward<S, N>(1), num<S>(4)};
-    CHECK(distance(a, plane) == num<S>(6));
-    CHECK(distance(plane, a) == num<S>(6));
-    CHECK(distance(Plane<S, N>{toward<S, N>(1), num<S>(-3)}, a) == S(0));
-  });
-}
 
 TEMPLATE_TEST_CASE("distance of two shapes: planes are apart only if parallel", "[distance]",
                    DETENT_EVERY_SPACE) {
@@ -59,7 +26,7 @@ TEMPLATE_TEST_CASE("distance of two shapes: an empty one is as far as can be exp
   constexpr int N = TestType::dimension;
   const Sphere<S, N> none{Vec<S, N>(), num<S>(-1)};
   const Aabb<S, N> inverted{at<S, N>(1), at<S, N>(-1)};
-  visit_shapes<S, N>(0, [&](const auto& shape) {
+  visit_kinds<S, N>(0, [&](const auto& shape) {
     CHECK(distance(shape, none) == largest<S>);
     CHECK(distance(inverted, shape) == largest<S>);
     CHECK(distance(shape, ConvexHull<S, N>()) == largest<S>);
@@ -75,7 +42,7 @@ TEMPLATE_TEST_CASE("distance of two shapes: a frustum is the hull of its corners
     corners[i] = at<S, 3>(i & 1 ? size : -size, i & 2 ? size : -size, size);
   }
   const Frustum<S> frustum(corners);
-  visit_shapes<S, 3>(6, [&](const auto& shape) {
+  visit_kinds<S, 3>(6, [&](const auto& shape) {
     CHECK(distance(frustum, shape) == distance(frustum.hull(), shape));
     CHECK(distance(shape, frustum) == distance(frustum, shape));
     CHECK(distance(frustum, shape) > S(0));

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+
+#include "detent/query/contact.hpp"
+#include "query/raycast/helpers.hpp"
+
+namespace detent::test {
+namespace {
+
+/// Shapes that reach from x - 1 to x + 1 on the x axis, and farther on the others; they end there
+/// in a point, an edge or a face perpendicular to the axis.
+template <Scalar S, int N, class Visit>
+void visit_shapes(double x, const Visit& visit) {
+  visit(Sphere<S, N>{at<S, N>(x), num<S>(1)});
+  visit(Aabb<S, N>{at<S, N>(x - 1, -4, -4), at<S, N>(x + 1, 4, 4)});
+  visit(Obb<S, N>{at<S, N>(x), at<S, N>(1, 4, 4), {}});
+  visit(Capsule<S, N>{at<S, N>(x, -8), at<S, N>(x, 8), num<S>(1)});
+  const std::array corners{at<S, N>(x - 1, -4, -4), at<S, N>(x - 1, 4, -4), at<S, N>(x - 1, 0, 4),
+                           at<S, N>(x + 1, -4, -4), at<S, N>(x + 1, 4, -4), at<S, N>(x + 1, 0, 4)};
+  visit(ConvexHull<S, N>{corners});
+}
+
+TEMPLATE_TEST_CASE("contact: the least translation of every two kinds of shapes", "[contact]",
+                   DETENT_EVERYDAY_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const auto right = toward<S, N>(1);
+  const auto check = [](const auto& found, double depth, const auto& normal) {
+    REQUIRE(found.has_value() == (depth >= 0));
+    if (!found) return;
+    CHECK(found->normal == normal);
+    CHECK(found->depth == num<S>(depth));
+  };
+  visit_shapes<S, N>(-3, [&](const auto& a) {
+    for (const double overlap : {0.5, 0.0, -1.0}) {
+      visit_shapes<S, N>(-1 - overlap, [&](const auto& b) {
+        check(contact(a, b), overlap, right);
+        check(contact(b, a), overlap, -right);
+      });
+    }
+  });
+}
+
+TEMPLATE_TEST_CASE("contact: a plane is left to the nearer side", "[contact]",
+                   DETENT_EVERYDAY_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const auto right = toward<S, N>(1);
+  visit_shapes<S, N>(4, [&](const auto& shape) {
+    const auto check = [&](double offset, double depth, bool to_the_right) {
+      const Plane<S, N> plane{right, num<S>(offset)};
+      const auto found = contact(plane, shape), back = contact(shape, plane);
+      REQUIRE(found);
+      REQUIRE(back);
+      CHECK(found->depth == num<S>(depth));
+      CHECK(back->depth == num<S>(depth));
+      CHECK(found->normal == (to_the_right ? right : -right));
+      CHECK(back->normal == -found->normal);
+    };
+    check(3.25, 0.25, true);
+    check(4, 1, true);
+    check(4.75, 0.25, false);
+    check(5, 0, false);
+    CHECK(!contact(shape, Plane<S, N>{right, num<S>(2.5)}));
+    CHECK(!contact(shape, Plane<S, N>{right, num<S>(5.5)}));
+  });
+}
+
+TEMPLATE_TEST_CASE("contact: an empty shape touches nothing", "[contact]", DETENT_EVERYDAY_SPACES) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  visit_shapes<S, N>(0, [&](const auto& shape) {
+    CHECK(!contact(shape, Sphere<S, N>{at<S, N>(0), num<S>(-1)}));
+    CHECK(!contact(Aabb<S, N>{at<S, N>(1), at<S, N>(-1)}, shape));
+    CHECK(!contact(shape, ConvexHull<S, N>()));
+  });
+}
+
+}  // namespace
+}  // namespace detent::test

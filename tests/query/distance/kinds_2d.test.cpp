@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#include "query/distance/kinds.hpp"
+
+namespace detent::test {
+
+TEMPLATE_TEST_CASE("distance of two shapes: between every two kinds of shapes in 2D", "[distance]",
+                   DETENT_EVERY_SCALAR) {
+  check_distances<TestType, 2>();
+}
+
+}  // namespace detent::test
