@@ -217,6 +217,54 @@ public struct ObjectHit2 {
   public uint has_triangle;
 }
 
+/// <summary>A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct Mover2 {
+  public Capsule2 shape;
+  public uint is_grounded;
+  public Id @object;
+  public Direction2 normal;
+  public Id frame;
+  public Vec2 local;
+  public Vec2 point;
+}
+
+/// <summary>How a character moves. Lengths in steps of 2^-16.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct Mover2Settings {
+  public Direction2 up;
+  public int skin;
+  public int step_height;
+  public int snap_distance;
+  public uint max_slope;
+}
+
+/// <summary>Something that a character touched during a move; the normal points away from it.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct Mover2Touch {
+  public Id @object;
+  public Vec2 point;
+  public Direction2 normal;
+}
+
+/// <summary>What a move did. The first `count` of the touches are set, the others zeros.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct Move2 {
+  public Vec2 moved;
+  public Vec2 carried;
+  public Vec2 pushed;
+  public uint count;
+  public uint is_stuck;
+  public Mover2Touch touched0;
+  public Mover2Touch touched1;
+  public Mover2Touch touched2;
+  public Mover2Touch touched3;
+  public Mover2Touch touched4;
+  public Mover2Touch touched5;
+  public Mover2Touch touched6;
+  public Mover2Touch touched7;
+}
+
 /// <summary>How a world steps. Lengths and speeds in steps of 2^-16.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct World2Settings {
@@ -441,6 +489,54 @@ public struct ObjectHit3 {
   public Direction3 normal;
   public uint triangle;
   public uint has_triangle;
+}
+
+/// <summary>A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct Mover3 {
+  public Capsule3 shape;
+  public uint is_grounded;
+  public Id @object;
+  public Direction3 normal;
+  public Id frame;
+  public Vec3 local;
+  public Vec3 point;
+}
+
+/// <summary>How a character moves. Lengths in steps of 2^-16.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct Mover3Settings {
+  public Direction3 up;
+  public int skin;
+  public int step_height;
+  public int snap_distance;
+  public uint max_slope;
+}
+
+/// <summary>Something that a character touched during a move; the normal points away from it.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct Mover3Touch {
+  public Id @object;
+  public Vec3 point;
+  public Direction3 normal;
+}
+
+/// <summary>What a move did. The first `count` of the touches are set, the others zeros.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct Move3 {
+  public Vec3 moved;
+  public Vec3 carried;
+  public Vec3 pushed;
+  public uint count;
+  public uint is_stuck;
+  public Mover3Touch touched0;
+  public Mover3Touch touched1;
+  public Mover3Touch touched2;
+  public Mover3Touch touched3;
+  public Mover3Touch touched4;
+  public Mover3Touch touched5;
+  public Mover3Touch touched6;
+  public Mover3Touch touched7;
 }
 
 /// <summary>How a world steps. Lengths and speeds in steps of 2^-16.</summary>
@@ -699,6 +795,18 @@ public static unsafe class C {
   public static extern int detent_scene2_overlaps(ContextMemory* context, uint scene, Pair* pairs, uint room, uint* count);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_scene2_cast(ContextMemory* context, uint scene, Shape2* shape, Direction2* direction, int max_distance, uint layers, ObjectHit2* hit);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_mover2_default_settings(Mover2Settings* settings);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_mover2_move(ContextMemory* context, uint scene, Mover2* mover, Vec2* by, Mover2Settings* settings, uint layers, Id ignored, Move2* result);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_mover2_clip_velocity(Vec2* velocity, Move2* result, Vec2* clipped);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_scene2_digest(ContextMemory* context, uint scene, ulong* digest);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -903,6 +1011,18 @@ public static unsafe class C {
   public static extern int detent_scene3_overlaps(ContextMemory* context, uint scene, Pair* pairs, uint room, uint* count);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_scene3_cast(ContextMemory* context, uint scene, Shape3* shape, Direction3* direction, int max_distance, uint layers, ObjectHit3* hit);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_mover3_default_settings(Mover3Settings* settings);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_mover3_move(ContextMemory* context, uint scene, Mover3* mover, Vec3* by, Mover3Settings* settings, uint layers, Id ignored, Move3* result);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_mover3_clip_velocity(Vec3* velocity, Move3* result, Vec3* clipped);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_scene3_digest(ContextMemory* context, uint scene, ulong* digest);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1025,6 +1145,10 @@ public static unsafe class C {
     if (sizeof(Manifold2) != 48) throw new TypeLoadException("detent_manifold2");
     if (sizeof(Sweep2) != 48) throw new TypeLoadException("detent_sweep2");
     if (sizeof(ObjectHit2) != 36) throw new TypeLoadException("detent_object_hit2");
+    if (sizeof(Mover2) != 64) throw new TypeLoadException("detent_mover2");
+    if (sizeof(Mover2Settings) != 24) throw new TypeLoadException("detent_mover2_settings");
+    if (sizeof(Mover2Touch) != 24) throw new TypeLoadException("detent_mover2_touch");
+    if (sizeof(Move2) != 224) throw new TypeLoadException("detent_move2");
     if (sizeof(World2Settings) != 32) throw new TypeLoadException("detent_world2_settings");
     if (sizeof(Body2Options) != 72) throw new TypeLoadException("detent_body2_options");
     if (sizeof(Joint2) != 108) throw new TypeLoadException("detent_joint2");
@@ -1047,6 +1171,10 @@ public static unsafe class C {
     if (sizeof(Manifold3) != 100) throw new TypeLoadException("detent_manifold3");
     if (sizeof(Sweep3) != 96) throw new TypeLoadException("detent_sweep3");
     if (sizeof(ObjectHit3) != 44) throw new TypeLoadException("detent_object_hit3");
+    if (sizeof(Mover3) != 84) throw new TypeLoadException("detent_mover3");
+    if (sizeof(Mover3Settings) != 28) throw new TypeLoadException("detent_mover3_settings");
+    if (sizeof(Mover3Touch) != 32) throw new TypeLoadException("detent_mover3_touch");
+    if (sizeof(Move3) != 300) throw new TypeLoadException("detent_move3");
     if (sizeof(World3Settings) != 36) throw new TypeLoadException("detent_world3_settings");
     if (sizeof(Body3Options) != 88) throw new TypeLoadException("detent_body3_options");
     if (sizeof(Joint3) != 156) throw new TypeLoadException("detent_joint3");

@@ -189,6 +189,35 @@ typedef struct detent_object_hit2 {
   uint32_t triangle;
   uint32_t has_triangle;
 } detent_object_hit2;
+typedef struct detent_mover2 {
+  detent_capsule2 shape;
+  uint32_t is_grounded;
+  detent_id object;
+  detent_direction2 normal;
+  detent_id frame;
+  detent_vec2 local;
+  detent_vec2 point;
+} detent_mover2;
+typedef struct detent_mover2_settings {
+  detent_direction2 up;
+  int32_t skin;
+  int32_t step_height;
+  int32_t snap_distance;
+  uint32_t max_slope;
+} detent_mover2_settings;
+typedef struct detent_mover2_touch {
+  detent_id object;
+  detent_vec2 point;
+  detent_direction2 normal;
+} detent_mover2_touch;
+typedef struct detent_move2 {
+  detent_vec2 moved;
+  detent_vec2 carried;
+  detent_vec2 pushed;
+  uint32_t count;
+  uint32_t is_stuck;
+  detent_mover2_touch touched[8];
+} detent_move2;
 typedef struct detent_world2_settings {
   int32_t ticks_per_second;
   int32_t substeps;
@@ -336,6 +365,35 @@ typedef struct detent_object_hit3 {
   uint32_t triangle;
   uint32_t has_triangle;
 } detent_object_hit3;
+typedef struct detent_mover3 {
+  detent_capsule3 shape;
+  uint32_t is_grounded;
+  detent_id object;
+  detent_direction3 normal;
+  detent_id frame;
+  detent_vec3 local;
+  detent_vec3 point;
+} detent_mover3;
+typedef struct detent_mover3_settings {
+  detent_direction3 up;
+  int32_t skin;
+  int32_t step_height;
+  int32_t snap_distance;
+  uint32_t max_slope;
+} detent_mover3_settings;
+typedef struct detent_mover3_touch {
+  detent_id object;
+  detent_vec3 point;
+  detent_direction3 normal;
+} detent_mover3_touch;
+typedef struct detent_move3 {
+  detent_vec3 moved;
+  detent_vec3 carried;
+  detent_vec3 pushed;
+  uint32_t count;
+  uint32_t is_stuck;
+  detent_mover3_touch touched[8];
+} detent_move3;
 typedef struct detent_world3_settings {
   int32_t ticks_per_second;
   int32_t substeps;
@@ -495,6 +553,20 @@ detent_status detent_scene2_all(const detent_context* context, detent_handle sce
 detent_status detent_scene2_overlaps(const detent_context* context,
                                                   detent_handle scene, detent_pair* pairs,
                                                   uint32_t room, uint32_t* count);
+detent_status detent_scene2_cast(const detent_context* context, detent_handle scene,
+                                              const detent_shape2* shape,
+                                              const detent_direction2* direction,
+                                              int32_t max_distance, uint32_t layers,
+                                              detent_object_hit2* hit);
+detent_status detent_mover2_default_settings(detent_mover2_settings* settings);
+detent_status detent_mover2_move(const detent_context* context, detent_handle scene,
+                                              detent_mover2* mover, const detent_vec2* by,
+                                              const detent_mover2_settings* settings,
+                                              uint32_t layers, detent_id ignored,
+                                              detent_move2* result);
+detent_status detent_mover2_clip_velocity(const detent_vec2* velocity,
+                                                       const detent_move2* result,
+                                                       detent_vec2* clipped);
 detent_status detent_scene2_digest(const detent_context* context, detent_handle scene,
                                                 uint64_t* digest);
 detent_status detent_scene2_snapshot(const detent_context* context,
@@ -660,6 +732,20 @@ detent_status detent_scene3_all(const detent_context* context, detent_handle sce
 detent_status detent_scene3_overlaps(const detent_context* context,
                                                   detent_handle scene, detent_pair* pairs,
                                                   uint32_t room, uint32_t* count);
+detent_status detent_scene3_cast(const detent_context* context, detent_handle scene,
+                                              const detent_shape3* shape,
+                                              const detent_direction3* direction,
+                                              int32_t max_distance, uint32_t layers,
+                                              detent_object_hit3* hit);
+detent_status detent_mover3_default_settings(detent_mover3_settings* settings);
+detent_status detent_mover3_move(const detent_context* context, detent_handle scene,
+                                              detent_mover3* mover, const detent_vec3* by,
+                                              const detent_mover3_settings* settings,
+                                              uint32_t layers, detent_id ignored,
+                                              detent_move3* result);
+detent_status detent_mover3_clip_velocity(const detent_vec3* velocity,
+                                                       const detent_move3* result,
+                                                       detent_vec3* clipped);
 detent_status detent_scene3_digest(const detent_context* context, detent_handle scene,
                                                 uint64_t* digest);
 detent_status detent_scene3_snapshot(const detent_context* context,
@@ -760,6 +846,10 @@ local sizes = {
   detent_manifold2 = 48,
   detent_sweep2 = 48,
   detent_object_hit2 = 36,
+  detent_mover2 = 64,
+  detent_mover2_settings = 24,
+  detent_mover2_touch = 24,
+  detent_move2 = 224,
   detent_world2_settings = 32,
   detent_body2_options = 72,
   detent_joint2 = 108,
@@ -782,6 +872,10 @@ local sizes = {
   detent_manifold3 = 100,
   detent_sweep3 = 96,
   detent_object_hit3 = 44,
+  detent_mover3 = 84,
+  detent_mover3_settings = 28,
+  detent_mover3_touch = 32,
+  detent_move3 = 300,
   detent_world3_settings = 36,
   detent_body3_options = 88,
   detent_joint3 = 156,
