@@ -141,12 +141,14 @@ class Tick {
     const auto from = seen_from(before, start.place), to = seen_from(after, body.state.place);
     std::optional<Vec<typename F::Lever, N>> at;
     body.shape.visit([&]<class Mine>(const Mine& mine) {
-      other.shape.visit([&]<class Other>(const Other& shape) {
-        if constexpr (!is_surface_body<Mine> && !is_surface_body<Other>) {
-          const auto radius = (max)(inner_radius(mine), S(0));
-          at = stop_before(shape, other.reach, from, to, radius, margin);
-        }
-      });
+      if constexpr (!is_surface_body<Mine>) {
+        const auto radius = (max)(inner_radius(mine), S(0));
+        other.shape.visit([&]<class Other>(const Other& shape) {
+          if constexpr (!is_surface_body<Other>) {
+            at = stop_before(shape, other.reach, from, to, radius, margin);
+          }
+        });
+      }
     });
     if (!at) return;
     const auto place = out_of(after, *at);
