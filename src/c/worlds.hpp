@@ -163,9 +163,9 @@ struct Worlds {
     });
   }
 
-  static detent_status defaults(std::uint32_t kind, typename T::Joint* joint) {
+  static detent_status defaults(std::uint32_t which, typename T::Joint* joint) {
     if (joint == nullptr) return DETENT_BAD_ARGUMENT;
-    return with_kind(kind, [&](const auto& own) -> detent_status {
+    return with_kind(which, [&](const auto& own) -> detent_status {
       *joint = joint_of(own);
       return DETENT_OK;
     });
@@ -201,8 +201,8 @@ struct Worlds {
                              typename T::Joint* joint) {
     return read(context, world, [&](const World& object) -> detent_status {
       if (joint == nullptr) return DETENT_BAD_ARGUMENT;
-      for (std::uint32_t kind = DETENT_DISTANCE_JOINT; kind <= DETENT_WHEEL_JOINT; ++kind) {
-        const auto status = with_kind(kind, [&]<class Joint>(const Joint&) {
+      for (std::uint32_t which = DETENT_DISTANCE_JOINT; which <= DETENT_WHEEL_JOINT; ++which) {
+        const auto status = with_kind(which, [&]<class Joint>(const Joint&) {
           const Joint* const found = object.template find_joint<Joint>(joint_id(id));
           if (found != nullptr) *joint = joint_of(*found);
           return yes_or_no(found != nullptr);
@@ -372,8 +372,8 @@ struct Worlds {
   static JointId joint_id(const detent_id& id) noexcept { return {id.index, id.generation}; }
   /// f(joint) with one of this kind as it is at first.
   template <class F>
-  static detent_status with_kind(std::uint32_t kind, const F& f) {
-    switch (kind) {
+  static detent_status with_kind(std::uint32_t which, const F& f) {
+    switch (which) {
       case DETENT_DISTANCE_JOINT:
         return f(DistanceJoint<S, N>());
       case DETENT_BALL_JOINT:
