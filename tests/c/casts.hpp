@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-//
-// Closest points and casts of the C interface give the bits of C++ on the cases of `verify`. All pairs
-// of kinds compile for minutes: ten pairs are compared, so that every kind moves and is met, and all
-// with DETENT_TEST_EVERY_CAST.
+#pragma once
 
 #include <tuple>
 #include <utility>
@@ -11,8 +8,11 @@
 #include "detent/query/closest_points.hpp"
 #include "shapes.hpp"
 
-namespace detent {
-namespace {
+// Closest points and casts of the C interface give the bits of C++ on the cases of `verify`. All pairs
+// of kinds compile for minutes: ten pairs are compared, so that every kind moves and is met, and all
+// with DETENT_TEST_EVERY_CAST.
+
+namespace detent::test_c {
 
 using S = q16_16;
 using c::Output;
@@ -72,10 +72,10 @@ constexpr bool is_compared(std::size_t i, std::size_t j) {
 #endif
 }
 
-template <int N>
-void check_dimension(std::uint64_t seed, int count) {
+/// Calls `check(a, b, way)` for pairs of random shapes.
+template <int N, class Check>
+void check_pairs(std::uint64_t seed, int count, const Check& check) {
   verify::Random random(seed);
-  Share hits;
   for (int i = 0; i < count; ++i) {
     CAPTURE(N, seed, i);
     Draw<N> draw{verify::ShapeScene<S, N>(random)};
@@ -84,22 +84,12 @@ void check_dimension(std::uint64_t seed, int count) {
     const auto second = draw.all();
     const auto way = draw.scene.aimed_ray();
     for_each_pair(first, second, [&]<std::size_t I, std::size_t J>(const auto& a, const auto& b) {
-      CAPTURE(I, J);
       if constexpr (is_compared(I, J)) {
-        check_closest_points<N>(a, b);
-        check_cast<N>(a, b, way, hits);
+        CAPTURE(I, J);
+        check(a, b, way);
       }
     });
   }
-  hits.check();
 }
 
-TEST_CASE("C casts: the bits are those of C++, as of closest points, in 2D") {
-  check_dimension<2>(21, 200);
-}
-TEST_CASE("C casts: the bits are those of C++, as of closest points, in 3D") {
-  check_dimension<3>(31, 200);
-}
-
-}  // namespace
-}  // namespace detent
+}  // namespace detent::test_c

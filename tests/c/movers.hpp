@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "c/movers.hpp"
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+// Characters and casts in scenes of the C interface: the bits of C++.
+
+namespace detent::test_c {
+
+using S = q16_16;
+using c::id_of;
+inline constexpr int one = 65536;
+
+inline S raw(std::int64_t n) { return S::from_raw(static_cast<std::int32_t>(n)); }
+
+/// The functions of a dimension.
+template <int N>
+struct Calls;
+#define DETENT_TEST_CALLS(N)                                             \
+  template <>                                                            \
+  struct Calls<N> {                                                      \
+    static constexpr auto create = detent_scene##N##_create;             \
+    static constexpr auto add = detent_scene##N##_add;                   \
+    static constexpr auto add_frame = detent_scene##N##_add_frame;       \
+    static constexpr auto move_frame = detent_scene##N##_move_frame;     \
+    static constexpr auto cast = detent_scene##N##_cast;                 \
+    static constexpr auto move = detent_mover##N##_move;                 \
+    static constexpr auto settings = detent_mover##N##_default_settings; \
+    static constexpr auto clip = detent_mover##N##_clip_velocity;        \
+  };
+DETENT_TEST_CALLS(2)
+DETENT_TEST_CALLS(3)
+
+/// A walk over a floor with boxes, balls and a platform, and a cast at each step.
+template <int N>
+void check_walk() {
+  using C = Calls<N>;
+  using T = c::Types<N>;
+  using In = c::Input<N>;
+  using Out = c::Output<N>;
+  test::Random random(60 + N);
+  detent_context context{};
+  detent_handle scene = 0;
+  REQUIRE(detent_open(&context, nullptr) == DETENT_OK);
+  REQUIRE(C::create(&context, &scene) == DETENT_OK);
+  typename c::SceneOf<N>::type twin;
+  const auto vec = [](const auto& f) { return make_vec<N>([&](int i) { return raw(f(i)); }); };
+
+  const Transform<S, N> still{vec([](int i) { return i == 0 ? one : 0; }), {}, S(1)};
+  const auto placed = Out::transform(still);
+  detent_id frame{};
+  REQUIRE(C::add_frame(&context, scene, &placed, {}, &frame) == DETENT_OK);
+  const auto own_frame = *twin.add_frame(still);
+  const auto add = [&](const auto& shape, std::uint32_t layers, bool on_frame) {
+    typename T::Shape given{};
+    Out::shape(given, shape);
+    const detent_traits traits{0, layers, DETENT_MOVING, on_frame ? frame : detent_id{}};
+    detent_id id{};
+    REQUIRE(C::add(&context, scene, &given, &traits, &id) == DETENT_OK);
+    REQUIRE(twin.add(shape, {layers, 0, Motion::moving, on_frame ? own_frame : FrameId{}}) ==
+            id_of(id));
+    return id;
+  };
+  add(Aabb{vec([](int i) { return i == 1 ? -one : -20 * one; }),
+           vec([](int i) { return i == 1 ? 0 : 20 * one; })},
+      1, false);
+  add(Aabb{vec([](int i) { return i == 1 ? 0 : -4 * one; }),
+           vec([](int i) { return i == 1 ? one / 4 : 4 * one; })},
+      1, true);
+  for (int i = 0; i < 12; ++i) {
+    const auto at = vec(
+        [&](int k) { return k == 1 ? 0 : static_cast<int>(random.between(-8 * one, 8 * one)); });
+    add(Sphere{at, raw(one / 2)}, random.one_in(3) ? 2u : 1u, false);
+  }
+  const auto self =
+      add(Sphere{vec([](int i) { return i == 1 ? one : 0; }), raw(one / 2)}, 1, false);
+
+  Mover<S, N, Capsule> own{{vec([](int i) { return i == 1 ? one : 0; }),
+                            vec([](int i) { return i == 1 ? 2 * one : 0; }), raw(one / 2)}};
+  typename T::Mover mover{};
+  mover.shape = {Out::vec(own.shape.a), Out::vec(own.shape.b), own.shape.radius.raw()};
+  typename T::MoverSettings settings{};
+  REQUIRE(C::settings(&settings) == DETENT_OK);
+  MoverSettings<S, N> own_settings;
+  const auto not_itself = [&](const ObjectInfo& info) {
+    return (info.layers & 1) != 0 && !(info.id == id_of(self));
+  };
+  int touches = 0, grounded = 0, carried = 0, hits = 0;
+  for (int step = 0; step < 200; ++step) {
+    CAPTURE(N, step);
+    if (step == 100) {
+      settings.step_height = 0;
+      own_settings.step_height = S(0);
+    }
+    const Transform<S, N> moved{
+        vec([&](int i) { return i == 0 ? one + step % 20 * (one / 32) : 0; }), {}, S(1)};
+    const auto to = Out::transform(moved);
+    REQUIRE(C::move_frame(&context, scene, frame, &to) == DETENT_OK);
+    REQUIRE(twin.move_frame(own_frame, moved));
+    const auto by = vec([&](int i) {
+      return i == 1 ? -one / 8
+                    : static_cast<int>(random.between(-one / 2, one / 2)) + (i == 0 ? one / 6 : 0);
+    });
+    const auto theirs = Out::vec(by);
+    typename T::Move result{};
+    const auto expected = own.move(twin, by, own_settings, not_itself);
+    REQUIRE(C::move(&context, scene, &mover, &theirs, step < 50 ? nullptr : &settings, 1, self,
+                    &result) == DETENT_OK);
+    REQUIRE(In::vec(mover.shape.a) == own.shape.a);
+    REQUIRE((mover.is_grounded == 1) == own.ground.is_grounded);
+    REQUIRE(id_of(mover.object) == own.ground.object);
+    REQUIRE(In().direction(mover.normal) == own.ground.normal);
+    REQUIRE(In::vec(mover.local) == own.ground.local);
+    REQUIRE(In::vec(mover.point) == own.ground.point);
+    REQUIRE(In::vec(result.moved) == expected.moved);
+    REQUIRE(In::vec(result.carried) == expected.carried);
+    REQUIRE(In::vec(result.pushed) == expected.pushed);
+    REQUIRE(result.count == expected.count);
+    REQUIRE((result.is_stuck == 1) == expected.is_stuck);
+    for (std::size_t i = 0; i < expected.count; ++i) {
+      REQUIRE(id_of(result.touched[i].object) == expected.touched[i].object);
+      REQUIRE(In::vec(result.touched[i].point) == expected.touched[i].point);
+      REQUIRE(In().direction(result.touched[i].normal) == expected.touched[i].normal);
+    }
+    typename T::Vec clipped{};
+    REQUIRE(C::clip(&theirs, &result, &clipped) == DETENT_OK);
+    REQUIRE(In::vec(clipped) == clip_velocity(by, expected));
+    touches += expected.count != 0 ? 1 : 0;
+    grounded += own.ground.is_grounded ? 1 : 0;
+    carried += expected.carried == Vec<S, N>{} ? 0 : 1;
+
+    typename T::Shape shape{};
+    Out::shape(shape, own.shape);
+    const auto axis = static_cast<int>(random.below(N));
+    const auto along = random.coin() ? Direction<S, N>::along(axis) : -Direction<S, N>::along(axis);
+    const auto way = Out::direction(along);
+    typename T::ObjectHit hit{};
+    const auto first = twin.nearest_hit(Cast{own.shape, along, S(5)}, InLayers{2});
+    REQUIRE(C::cast(&context, scene, &shape, &way, 5 * one, 2, &hit) ==
+            c::yes_or_no(first.has_value()));
+    hits += first ? 1 : 0;
+    if (!first) continue;
+    REQUIRE(id_of(hit.id) == first->id);
+    REQUIRE(hit.distance == first->distance.raw());
+    REQUIRE(In::vec(hit.point) == first->point);
+    REQUIRE(In().direction(hit.normal) == first->normal);
+  }
+  CHECK(touches > 20);
+  CHECK(grounded > 20);
+  CHECK(hits > 5);
+  CHECK(carried > 0);
+  CHECK(detent_close(&context) == DETENT_OK);
+}
+
+}  // namespace detent::test_c
