@@ -38,8 +38,8 @@ struct Mover {
   /// units:  world units
   /// domain: every input; an empty shape passes everything; a move that would leave the range of the
   ///         scalar ends
-  /// result: it ends overlapping nothing that it did not overlap at the start, and passes nothing on
-  ///         its way, however thin and fast; at most 28 casts
+  /// result: it ends overlapping nothing that it did not overlap at the start, and if that was nothing
+  ///         it passes nothing on its way, however thin and fast; at most 28 casts
   ///         (tests/scene/mover.test.cpp, tests/scene/mover_property.test.cpp)
   /// source: cast and clip, Quake, PM_SlideMove; planes, b2SolvePlanes of Box2D 3.1; steps and
   ///         ground as CharacterVirtual of Jolt Physics
