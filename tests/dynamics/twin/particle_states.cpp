@@ -13,32 +13,10 @@
 #include <vector>
 
 #include "detent/dynamics/particle/cloth.hpp"
-#include "detent/number/decimal.hpp"
+#include "scene_text.hpp"
 
 namespace detent::test {
 namespace {
-
-using S = q16_16;
-
-[[noreturn]] void fail(const std::string& what) {
-  std::cerr << "particle_states: " << what << "\n";
-  std::exit(2);
-}
-
-S number(std::istream& in) {
-  std::string text;
-  in >> text;
-  const auto value = S::parse(text);
-  if (!value) fail("not a number: " + text);
-  return *value;
-}
-
-template <int N>
-Vec<S, N> vector(std::istream& in) {
-  Vec<S, N> v{};
-  for (int i = 0; i < N; ++i) v[i] = number(in);
-  return v;
-}
 
 template <int N>
 Rotation<S, N> turned(std::int32_t c, std::int32_t s) {

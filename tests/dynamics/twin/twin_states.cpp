@@ -14,33 +14,11 @@
 #include <vector>
 
 #include "detent/dynamics/dynamics.hpp"
-#include "detent/number/decimal.hpp"
 #include "detent/scene/mesh/owned.hpp"
+#include "scene_text.hpp"
 
 namespace detent::test {
 namespace {
-
-using S = q16_16;
-
-[[noreturn]] void fail(const std::string& what) {
-  std::cerr << "twin_states: " << what << "\n";
-  std::exit(2);
-}
-
-S number(std::istream& in) {
-  std::string text;
-  in >> text;
-  const auto value = S::parse(text);
-  if (!value) fail("not a number: " + text);
-  return *value;
-}
-
-template <int N>
-Vec<S, N> vector(std::istream& in) {
-  Vec<S, N> v{};
-  for (int i = 0; i < N; ++i) v[i] = number(in);
-  return v;
-}
 
 template <int N>
 Rotation<S, N> turned(std::istream& in) {
