@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The build fails where a compiler takes more memory than it may, and only there.
+# The build warns where a compiler takes more memory than it should, and only there.
 set -euo pipefail
 
 command -v python3 >/dev/null || { echo 'skipped: there is no python3'; exit 77; }
@@ -9,12 +9,10 @@ trap 'rm -rf "$work"' EXIT
 echo 'int main() {}' >"$work/main.cpp"
 compile=("$1" -c "$work/main.cpp" -o "$work/main.o")
 
-tests/support/within_memory 900 "${compile[@]}"
-if message=$(tests/support/within_memory 5 "${compile[@]}" 2>&1); then
-  echo "no error for a compiler that takes more than 5 MB"
-  exit 1
-fi
-[[ $message == *"main.o took "*" MB, the limit is 5 MB"* ]] || { echo "unclear: $message"; exit 1; }
+message=$(tests/support/within_memory 900 "${compile[@]}" 2>&1)
+[[ -z $message ]] || { echo "a warning without a reason: $message"; exit 1; }
+message=$(tests/support/within_memory 5 "${compile[@]}" 2>&1)
+[[ $message == *"main.o took "*" MB, more than 5 MB"* ]] || { echo "unclear: $message"; exit 1; }
 if tests/support/within_memory 900 false; then
   echo "a compiler's error is lost"
   exit 1
