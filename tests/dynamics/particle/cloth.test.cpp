@@ -216,7 +216,7 @@ TEST_CASE("cloth: the same bits in whatever order constraints come and go") {
   }
 }
 
-TEST_CASE("cloth: what has no room is not added; what has needs no heap") {
+TEST_CASE("cloth: what has no room is not added, and what has needs no heap") {
   BoundedParticleSystem<Bounded<30>, q16_16, 3> small;
   ParticleSystem<q16_16, 3> large;
   const auto a = point<q16_16>(0, 0, 0), b = point<q16_16>(0.25, 0, 0),
