@@ -83,6 +83,10 @@ async function playFour() {
       (slingshot.sent() / slingshot.peers[0].wasm.frame()) * 60 / 3]);
     console.log(`${Object.keys(all).length} digests equal, the last ${all[frames]}; ${seconds} s; a page simulated `
       + `${again.toFixed(2)} frames again for each and sent ${Math.round(bytes)} bytes per 60 frames to each other player`);
+    await pages[0].evaluate(() => new Promise((done) => {
+      slingshot.redraw();
+      requestAnimationFrame(() => requestAnimationFrame(done));
+    }));
     await pages[0].screenshot({ path: `${folder}four.png` });
 
     // One leaves, the others go on.

@@ -458,5 +458,5 @@ if (asked.has('room')) {
 requestAnimationFrame(draw);
 if (!isAuto) banner('Round 1');
 if (!(views[0] instanceof View)) notice('This browser has no WebGL, so nothing is drawn.');
-window.slingshot = { peers, milestones: () => milestones, mode: () => mode, sent: () => sent };
+window.slingshot = { peers, milestones: () => milestones, mode: () => mode, sent: () => sent, redraw: () => { drawn = -Infinity; } };
 navigator.serviceWorker?.register('worker.js').catch(() => {});
