@@ -241,7 +241,7 @@ TEST_CASE("terrain: edges and corners push where nothing rises from them") {
   CHECK(contacts_of(body, ball, pose(0, -0.1)).empty());
 }
 
-/// Bodies of all kinds over a mesh of hills and a height field beside it.
+/// Bodies of all kinds over a mesh of hills, and over a height field to its right.
 struct Landscape {
   using S = q16_16;
   Owned<S> mesh{square<S>(16, 8, hills)};

@@ -31,8 +31,9 @@
 //   that it meets (4 each), user word (8), density, friction, restitution, damping of velocity and
 //   spin, shape type (1), the numbers of the shape (of a hull or a surface its id (4), its digest (8),
 //   and a translation and a rotation that do nothing); if one of them is not the default, locked axes
-//   (bits 0 to 5), sensor (bit 6) and fast (bit 7) in a byte, and the scale of gravity. Bit 30 of the word: after
-//   the spin comes what forces and torques will do in the next tick, a velocity and a spin;
+//   (bits 0 to 5), sensor (bit 6) and fast (bit 7) in a byte, and the scale of gravity. Bit 30 of the
+//   word: after the spin comes what forces and torques will do in the next tick, a velocity and a
+//   spin;
 // * each contact, in order of its bodies and its triangle: a word of the index of a (bits 0 to 19),
 //   the number of points (20 to 22), whether it touches (23) and the low bits of the triangle (24 to
 //   31); a word of the index of b (0 to 19) and the high bits of the triangle; of each point its
