@@ -39,7 +39,7 @@ function reference(target,   anchor, path) {
   path = normal(path)
   if (path ~ /^([A-Z]+|docs\/[a-z_]+)\.md$/)
     return "@ref " label_of(path) (anchor == "" ? "" : "-" anchor)
-  if (path ~ /^include\/detent\/(detent|version)\.hpp$|^include\/detent\/(number|math|shape|query|scene)\/[a-z_]+(\/[a-z_]+)?\.hpp$/ &&
+  if (path ~ /^include\/detent\/(detent|version)\.hpp$|^include\/detent\/(number|math|shape|query|scene|draw|lockstep|dynamics)\/[a-z_]+(\/[a-z_]+)?\.hpp$/ &&
       path !~ /\/(filter|kernel)\/|short_words/) {
     sub(/^include\//, "", path)
     return "@ref " path
