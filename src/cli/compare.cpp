@@ -23,6 +23,16 @@ Kind kind_of(const std::optional<Found>& a, const std::optional<Found>& b) {
   return std::abs(a->distance - b->distance) <= visible_distance ? Kind::same : Kind::distance;
 }
 
+Colour dimmed(const Colour& colour) {
+  const int grey = (2 * colour.red + 5 * colour.green + colour.blue) / 8;
+  const auto dark = static_cast<std::uint8_t>(8 + grey / 5);
+  return {dark, dark, dark};
+}
+
+std::string pixels(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " pixel" : " pixels");
+}
+
 }  // namespace
 
 Difference compare(const Tracer& a, const Tracer& b) {
@@ -61,12 +71,9 @@ Image difference_picture(const Image& picture, const Tracer& a, const Tracer& b)
     for (int x = 0; x < picture.width(); ++x, ++i) {
       Colour& pixel = result.at(x, y);
       switch (kind_of(found_a[i], found_b[i])) {
-        case Kind::same: {
-          const int grey = (2 * pixel.red + 5 * pixel.green + pixel.blue) / 8;
-          const auto dark = static_cast<std::uint8_t>(8 + grey / 5);
-          pixel = {dark, dark, dark};
+        case Kind::same:
+          pixel = dimmed(pixel);
           break;
-        }
         case Kind::distance:
           pixel = quiet;
           break;
@@ -79,8 +86,23 @@ Image difference_picture(const Image& picture, const Tracer& a, const Tracer& b)
 }
 
 std::string difference_caption(const Difference& difference) {
-  const std::size_t count = difference.disagreements();
-  return "red: shape differs at " + std::to_string(count) + (count == 1 ? " pixel" : " pixels");
+  return "red: shape differs at " + pixels(difference.disagreements());
+}
+
+Panel difference_panel(const Image& a, const Image& b) {
+  Image result = a;
+  std::size_t count = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      Colour& pixel = result.at(x, y);
+      const Colour& other = b.at(x, y);
+      const bool is_same =
+          pixel.red == other.red && pixel.green == other.green && pixel.blue == other.blue;
+      count += !is_same;
+      pixel = is_same ? dimmed(pixel) : loud;
+    }
+  }
+  return {result, "red: differs at " + pixels(count)};
 }
 
 Image panel_row(const std::vector<Panel>& panels) {

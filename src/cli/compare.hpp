@@ -38,6 +38,9 @@ struct Panel {
 };
 [[nodiscard]] Image panel_row(const std::vector<Panel>& panels);
 
+/// A dark copy of picture `a`, of the size of `b`, that marks the pixels in which they differ.
+[[nodiscard]] Panel difference_panel(const Image& a, const Image& b);
+
 /// Stacks rows of one width.
 [[nodiscard]] Image stacked(const std::vector<Image>& rows);
 

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "compare.hpp"
+#include "demo_bodies.hpp"
 #include "demo_casts.hpp"
 #include "embedded.hpp"
 #include "file.hpp"
@@ -118,6 +119,8 @@ void demo(const DemoOptions& options) {
   OutputFile file(path);
   const std::string cast_path = path_in(options, "casts.png");
   OutputFile cast_file(cast_path);
+  const std::string body_path = path_in(options, "bodies.png");
+  OutputFile body_file(body_path);
   // Read before anything is drawn, so that errors in it show at once.
   const std::string mesh_path = path_in(options, "mesh.png");
   std::optional<OutputFile> mesh_file;
@@ -143,6 +146,10 @@ void demo(const DemoOptions& options) {
   text += '\n' + casts.title + casts.rows;
   cast_file.write(casts.page.png());
   cast_file.commit();
+  const BodyPage bodies = body_page(options);
+  text += '\n' + bodies.title + bodies.rows;
+  body_file.write(bodies.page.png());
+  body_file.commit();
   file.commit();
 
   text +=
@@ -151,7 +158,7 @@ void demo(const DemoOptions& options) {
       "\n  off    the right shape, its distance off by more than 1/65536"
       "\nfar: every coordinate moved by " +
       std::string(far_away) + "; shadow rays start 1/1024 above a surface" + "\npicture: " + path +
-      "\npicture: " + cast_path + '\n';
+      "\npicture: " + cast_path + "\npicture: " + body_path + '\n';
   if (model) text += "picture: " + mesh_path + '\n';
   print(text);
 }

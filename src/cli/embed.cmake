@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: MIT
 #
-# cmake -DINPUT=arena.json -DOUTPUT=embedded.cpp -P embed.cmake
-# Writes a source file that holds the text of INPUT.
+# cmake -DINPUTS=a.json,b.json -DOUTPUT=embedded.cpp -P embed.cmake
+# Writes a source file that holds the text of each file, as a_json and b_json.
 
-file(READ "${INPUT}" content)
+set(texts "")
+string(REPLACE "," ";" inputs "${INPUTS}")
+foreach(input IN LISTS inputs)
+  get_filename_component(name "${input}" NAME_WE)
+  file(READ "${input}" content)
+  string(APPEND texts "const std::string_view ${name}_json = R\"json(${content})json\";\n")
+endforeach()
 file(WRITE "${OUTPUT}" "#include \"embedded.hpp\"
 
 namespace detent::cli {
 
-const std::string_view arena_json = R\"arena(${content})arena\";
-
+${texts}
 }  // namespace detent::cli
 ")

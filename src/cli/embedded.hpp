@@ -5,7 +5,8 @@
 
 namespace detent::cli {
 
-/// The text of scenes/arena.json, embedded at build time.
+/// The texts of scenes/arena.json and scenes/pyramid.json, embedded at build time.
 extern const std::string_view arena_json;
+extern const std::string_view pyramid_json;
 
 }  // namespace detent::cli

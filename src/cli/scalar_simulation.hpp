@@ -363,10 +363,9 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
   std::vector<Body> bodies_;
 };
 
-template <Scalar S>
+template <Scalar S, int N>
 std::unique_ptr<Simulation> make_simulation(const WorldModel& model, const Move& move) {
-  if (model.dimension == 2) return std::make_unique<ScalarSimulation<S, 2>>(model, move);
-  return std::make_unique<ScalarSimulation<S, 3>>(model, move);
+  return std::make_unique<ScalarSimulation<S, N>>(model, move);
 }
 
 }  // namespace detent::cli

@@ -49,8 +49,9 @@ class Simulation {
 /// The scalars in which worlds are simulated.
 inline constexpr std::array<std::string_view, 3> simulated_scalars{"q16_16", "float", "double"};
 
-/// Throws InputError when a number of the world does not fit the scalar.
-template <Scalar S>
+/// A world of N dimensions, as the model has. Throws InputError when a number of the world does not fit
+/// the scalar.
+template <Scalar S, int N>
 [[nodiscard]] std::unique_ptr<Simulation> make_simulation(const WorldModel& model,
                                                           const Move& move);
 [[nodiscard]] std::unique_ptr<Simulation> make_simulation(std::string_view scalar,

@@ -289,6 +289,26 @@ TEST_CASE("detent demo: casts go as far near the origin and far from it, and flo
   }
 }
 
+TEST_CASE(
+    "detent demo: bodies end far from the origin where they end near it, and float's do not") {
+  const Workshop shop;
+  const auto result = shop.run("demo --size 32x20 --out pictures");
+  REQUIRE(result.code == 0);
+  CHECK(content_of(shop.path("pictures/bodies.png")).starts_with("\x89PNG"));
+  for (const char* const row :
+       {"\nnear  q16_16         23      240       8       0  0.0000  0xedefdca51bb76193\n",
+        "\nfar   q16_16         23      240       8       0  0.0000  0x3753e927187205c9\n"}) {
+    CHECK(result.out.find(row) != std::string::npos);
+  }
+  const auto far_row = result.out.find("\nfar   float          23      240 ");
+  REQUIRE(far_row != std::string::npos);
+  std::istringstream row(result.out.substr(far_row));
+  std::string place, scalar;
+  int bodies = 0, ticks = 0, asleep = 0, off = 0;
+  REQUIRE(row >> place >> scalar >> bodies >> ticks >> asleep >> off);
+  CHECK(off > 10);
+}
+
 TEST_CASE("detent demo: a model is shown near and far as well, and q16_16 is right about it") {
   const Workshop shop;
   shop.write("hills.obj", hills());
@@ -298,7 +318,7 @@ TEST_CASE("detent demo: a model is shown near and far as well, and q16_16 is rig
   CHECK(content_of(shop.path("pictures/mesh.png")).starts_with("\x89PNG"));
   CHECK(
       result.out.ends_with("\npicture: pictures/demo.png\npicture: pictures/casts.png\n"
-                           "picture: pictures/mesh.png\n"));
+                           "picture: pictures/bodies.png\npicture: pictures/mesh.png\n"));
 
   const std::string title = "\nhills.obj, 800 triangles, 0.5 units long:\n";
   const auto start = result.out.find(title);

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "demo_bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "compare.hpp"
+#include "demo_casts.hpp"
+#include "embedded.hpp"
+#include "painter.hpp"
+#include "print.hpp"
+
+namespace detent::cli {
+namespace {
+
+constexpr int ticks = 240;  // the ball arrives at about 60
+constexpr int shown = 105;  // the tick of the picture
+
+/// How far bodies are from where they are in another world.
+struct Apart {
+  std::size_t off = 0;  // by more than 1/1024
+  double largest = 0;
+};
+
+Apart apart(const Simulation& a, const Simulation& b, std::size_t bodies) {
+  Apart result;
+  for (std::size_t i = 0; i < bodies; ++i) {
+    const auto p = a.position(i), q = b.position(i);
+    const double distance = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    result.off += distance > 1.0 / 1024;
+    result.largest = std::max(result.largest, distance);
+  }
+  return result;
+}
+
+struct Rows {
+  Image picture;
+  std::string text;
+};
+
+/// The world in one scalar, near and far.
+template <Scalar S>
+Rows rows(const WorldModel& model, const char* scalar, Size size) {
+  const Decimal distance = Decimal::parse(far_away).value();
+  const auto close = make_simulation<S, 3>(model, {});
+  const auto away = make_simulation<S, 3>(model, {{distance, distance, distance}});
+  const Painter painter(model, *close, size);
+  const auto step = [&](int count) {
+    for (int i = 0; i < count; ++i) {
+      close->step();
+      away->step();
+    }
+  };
+  step(shown);
+  const Image picture = painter.picture(close->facets()), other = painter.picture(away->facets());
+  step(ticks - shown);
+
+  std::string text;
+  for (const Simulation* const simulation : {close.get(), away.get()}) {
+    const Apart errors = apart(*simulation, *close, model.bodies.size());
+    text += demo_row({simulation == close.get() ? "near" : "far", scalar,
+                      std::to_string(model.bodies.size()), std::to_string(ticks),
+                      std::to_string(simulation->asleep()), std::to_string(errors.off),
+                      rounded(errors.largest, 4), hexadecimal(simulation->digest())});
+  }
+  const std::string name = scalar;
+  return {panel_row({{picture, name + ", near the origin"},
+                     {other, name + ", moved by " + far_away},
+                     difference_panel(picture, other)}),
+          text};
+}
+
+}  // namespace
+
+BodyPage body_page(const DemoOptions& options) {
+  const WorldModel model = parse_world("pyramid.json", std::string(pyramid_json));
+  const Rows fixed = rows<q16_16>(model, "q16_16", options.size);
+  const Rows floating = rows<float>(model, "float", options.size);
+  return {stacked({fixed.picture, floating.picture}),
+          "a ball thrown at a pyramid of boxes, far compared with near in the same scalar\n"
+          "(off: bodies that end more than 1/1024 from where they end near the origin):\n",
+          demo_row({"place", "scalar", "bodies", "ticks", "asleep", "off", "largest", "digest"}) +
+              fixed.text + floating.text};
+}
+
+}  // namespace detent::cli
