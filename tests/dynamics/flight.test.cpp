@@ -41,9 +41,9 @@ template <Scalar S, int N>
 void fly(BoxBody<S, N>& body, detail::Moving<S, N>& moving, const detail::Pace<S, N>& pace,
          int substeps) {
   for (int i = 0; i < substeps; ++i) {
-    detail::Axes<S, N> half_way{};
-    detail::accelerate(body, moving, half_way, pace);
-    detail::move(body, moving, half_way);
+    detail::Axes<S, N> half_way{}, axes = detail::axes_of<S, N>(body.state.orientation);
+    detail::accelerate(body, moving, axes, half_way, pace);
+    detail::move(body, moving, half_way, axes);
   }
 }
 

@@ -29,6 +29,30 @@ struct BodyState {
 template <Scalar S, int N>
 using Axes = std::array<Vec<typename Formats<S>::Ratio, N>, std::size_t{N}>;
 
+/// n / d, rounded to nearest, for |n| <= 1 and a d near 1, both in steps of 2^-60.
+///
+/// With d = 1 + e and |e| < 2^-28 the quotient is n - n e + n e^2 - ..., where the third term is less
+/// than 2^-56, and n e less than 2^-58 more than the product of e and n rounded down to 2^-30.
+/// So all but the first two terms are less than 2^-55. Only if that may change the rounding is there
+/// a division.
+template <class Ratio, class T>
+[[nodiscard]] constexpr Ratio quotient_of_near_one(const T& n, const T& d) noexcept {
+  if constexpr (is_fixed<Ratio>) {
+    static_assert(T::bits == 62 && T::frac == 60 && Ratio::frac == 30);
+    using Raw = typename T::raw_type;
+    constexpr Raw one = Raw(1) << 60, half = Raw(1) << 29, doubt = Raw(1) << 5;
+    const Raw e = d.raw() - one;
+    if (-(Raw(1) << 32) < e && e < Raw(1) << 32) {
+      const Raw x = n.raw() - ((n.raw() >> 30) * e >> 30);
+      const Raw raised = x + half, left = raised & (2 * half - 1);
+      if (doubt <= left && left <= 2 * half - doubt) {
+        return Ratio::assume_raw(static_cast<typename Ratio::raw_type>(raised >> 30));
+      }
+    }
+  }
+  return quotient_nearest<Ratio>(n, d);
+}
+
 /// The axes of an orientation: of a quaternion, the quotients of its quadratic forms and its
 /// squared length.
 template <Scalar S, int N>
@@ -42,7 +66,9 @@ template <Scalar S, int N>
     const auto norm = narrow_dot<bits>(q, q);
     Axes<S, N> axes;
     for (std::size_t i = 0; i < 3; ++i) {
-      axes[i] = quotient_nearest<typename Formats<S>::Ratio>(exact[i], norm);
+      axes[i] = make_vec<3>([&](int k) {
+        return quotient_of_near_one<typename Formats<S>::Ratio>(exact[i][k], norm);
+      });
     }
     return axes;
   }

@@ -73,12 +73,14 @@ struct ReadyContact {
   std::uint32_t a = 0, b = 0;
   std::uint8_t count = 0;
   bool is_wall = false;  // one of the bodies cannot be pushed
+  Pushed pushed{};
   Thrust<S, N> normal{};
   std::array<Thrust<S, N>, std::size_t{N - 1}> tangent{};
   std::array<Row<S, N>, capacity> pressure{};
   std::array<Row<S, N>, std::size_t{N - 1}> friction{};
   Row<S, N> twist{};
   std::array<typename F::Speed, capacity> gap{};      // at the start of the tick
+  std::array<typename F::Speed, capacity> gap_now{};  // after the last move
   std::array<typename F::Ratio, capacity> reach{};    // of a point, as a share of the farthest
   std::array<typename F::Speed, capacity> closing{};  // rate at the start of the tick
   std::array<bool, capacity> was_pushed{};
@@ -160,6 +162,7 @@ constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold
   const auto spread_b = scaled(b.spread, share_b);
   ready.count = static_cast<std::uint8_t>(manifold.count);
   ready.is_wall = share_a == 0 || share_b == 0;
+  ready.pushed = {share_a != 0, share_b != 0};
   const auto n = out_of_a(manifold.normal);
   ready.normal = push_along<S, N>(n, share_a, share_b);
   const auto stuck = lock<S, N>(ready.normal, a.locked, b.locked);
@@ -178,7 +181,7 @@ constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold
     const auto& point = manifold.points[i];
     at[i] = out_of_a(point.point);
     ready.pressure[i] = row_at(nearest_to<Arm>(at[i]), nearest_to<Arm>(at[i] - offset), n, stuck);
-    ready.gap[i] = saturate_to<typename F::Speed>(point.separation);
+    ready.gap[i] = ready.gap_now[i] = saturate_to<typename F::Speed>(point.separation);
   }
 
   // Friction acts at the mean of the points.

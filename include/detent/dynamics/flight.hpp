@@ -9,17 +9,23 @@
 
 namespace detent::detail {
 
-/// What rows need to know of a body, for where it is.
+/// What rows need to know of a body, for where it is. `axes` are those of its orientation.
 template <Scalar S, int N, class Shape>
-[[nodiscard]] constexpr Support<S, N> support_of(const BodyRecord<S, N, Shape>& body) noexcept {
+[[nodiscard]] constexpr Support<S, N> support_of(const BodyRecord<S, N, Shape>& body,
+                                                 const Axes<S, N>& axes) noexcept {
   Support<S, N> support;
-  support.axes = axes_of<S, N>(body.state.orientation);
+  support.axes = axes;
   support.place = body.state.place;
   support.locked = body.can_move() ? body.locked : std::uint8_t{0};
   support.spread =
       without_locked<S, N>(in_world<S, N>(body.inertia.inverse, support.axes), support.locked);
   support.is_fixed = body.motion == BodyMotion::fixed;
   return support;
+}
+
+template <Scalar S, int N, class Shape>
+[[nodiscard]] constexpr Support<S, N> support_of(const BodyRecord<S, N, Shape>& body) noexcept {
+  return support_of<S, N>(body, axes_of<S, N>(body.state.orientation));
 }
 
 /// Shares of the inverse masses: of two masses, the other one's share.
@@ -37,10 +43,11 @@ template <Scalar S, class Body>
 }
 
 /// The first half of a substep: gravity, forces, damping, locked axes, and the spin that keeps the angular momentum at
-/// the orientation half-way through it, whose axes go to `half_way`.
+/// the orientation half-way through it, whose axes go to `half_way`. `axes` are those of the body.
 template <Scalar S, int N, class Shape>
 constexpr void accelerate(const BodyRecord<S, N, Shape>& body, Moving<S, N>& moving,
-                          Axes<S, N>& half_way, const Pace<S, N>& pace) noexcept {
+                          const Axes<S, N>& axes, Axes<S, N>& half_way,
+                          const Pace<S, N>& pace) noexcept {
   using F = Formats<S>;
   using Ratio = typename F::Ratio;
   for (int i = 0; i < N; ++i) {
@@ -63,18 +70,18 @@ constexpr void accelerate(const BodyRecord<S, N, Shape>& body, Moving<S, N>& mov
   lock<S, N>(body.locked, moving.velocity, moving.spin);
   if constexpr (N == 3) {
     if (body.inertia.is_round) return;
-    const auto& q = body.state.orientation;
-    half_way = axes_of<S, 3>(turned<S, 3, 1>(q, moving.spin));
-    moving.spin = carried<S>(moving.spin, axes_of<S, 3>(q), half_way, body.inertia);
+    half_way = axes_of<S, 3>(turned<S, 3, 1>(body.state.orientation, moving.spin));
+    moving.spin = carried<S>(moving.spin, axes, half_way, body.inertia);
     lock<S, N>(body.locked, moving.velocity, moving.spin);
   }
 }
 
 /// The second half: moves by the velocity, turns by the spin, and carries the spin on to the new
-/// orientation. Places are exact, clamped at the ends of the world.
+/// orientation, whose axes go to `axes` if the body is not round. Places are exact, clamped at the
+/// ends of the world.
 template <Scalar S, int N, class Shape>
-constexpr void move(BodyRecord<S, N, Shape>& body, Moving<S, N>& moving,
-                    const Axes<S, N>& half_way) noexcept {
+constexpr void move(BodyRecord<S, N, Shape>& body, Moving<S, N>& moving, const Axes<S, N>& half_way,
+                    Axes<S, N>& axes) noexcept {
   using F = Formats<S>;
   if (body.can_move()) lock<S, N>(body.locked, moving.velocity, moving.spin);
   for (int i = 0; i < N; ++i) {
@@ -88,8 +95,8 @@ constexpr void move(BodyRecord<S, N, Shape>& body, Moving<S, N>& moving,
   body.state.orientation = turned<S, N>(body.state.orientation, moving.spin);
   if constexpr (N == 3) {
     if (body.inertia.is_round || !body.can_move()) return;
-    moving.spin =
-        carried<S>(moving.spin, half_way, axes_of<S, 3>(body.state.orientation), body.inertia);
+    axes = axes_of<S, 3>(body.state.orientation);
+    moving.spin = carried<S>(moving.spin, half_way, axes, body.inertia);
     lock<S, N>(body.locked, moving.velocity, moving.spin);
   }
 }

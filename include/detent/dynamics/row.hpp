@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "detent/dynamics/long_dot.hpp"
 #include "detent/dynamics/spin.hpp"
 
 namespace detent::detail {
@@ -52,21 +57,101 @@ template <Scalar S, int N, class F = Formats<S>>
   return saturate_to<typename F::Speed>(start + saturate_to<typename F::Speed>(sum));
 }
 
+/// The same without a unit vector: c_b . dw_b - c_a . dw_a.
+template <Scalar S, int N, class F = Formats<S>>
+[[nodiscard]] constexpr typename F::Speed turning_along(
+    const Row<S, N>& row, const Axial<typename F::Spin, N>& wa,
+    const Axial<typename F::Spin, N>& wb) noexcept {
+  typename F::Sum sum{};
+  for (std::size_t i = 0; i < wa.size(); ++i) {
+    sum = narrow_sum<62>(sum, narrow_difference<62>(narrow_product<62>(row.moment_b[i], wb[i]),
+                                                    narrow_product<62>(row.moment_a[i], wa[i])));
+  }
+  return saturate_to<typename F::Speed>(sum);
+}
+
+/// Whether some number is outside the range of T, which has at most 62 bits: one sum and one or a
+/// number, and one comparison for all of them.
+template <class T>
+class Spill {
+ public:
+  template <class X>
+  constexpr void note(const X& x) noexcept {
+    bits_ |= static_cast<std::uint64_t>(x.raw()) + (std::uint64_t{1} << T::bits);
+  }
+  [[nodiscard]] constexpr bool any() const noexcept { return bits_ >> T::bits >> 1 != 0; }
+
+ private:
+  std::uint64_t bits_ = 0;
+};
+
+/// Adds `sign` times share * impulse, each product rounded to nearest and clamped, to each component
+/// of a velocity or spin, and clamps the sum. `share` and `velocity` have the same number of
+/// components.
+///
+/// Nearly always nothing is clamped. |share| |impulse| <= 2^62 is rounded off by at least 22 bits, so
+/// sums with numbers of 30 bits fit 62 bits.
+template <int Sign, int Count, class V, class Shares, class Velocity, class Impulse>
+constexpr void push_each(const Shares& share, const Impulse& impulse, Velocity& velocity) noexcept {
+  const auto at = [](auto& v, int i) -> auto& {
+    if constexpr (requires { v.x; }) {
+      return v[i];
+    } else {
+      return v[static_cast<std::size_t>(i)];
+    }
+  };
+  if constexpr (is_fixed<V>) {
+    using Wide = Fixed<62, V::frac>;
+    Spill<V> spill;
+    std::array<Wide, std::size_t{Count}> sum;
+    for (int i = 0; i < Count; ++i) {
+      const auto part = nearest_to<Wide>(at(share, i) * impulse);
+      const auto whole = Sign > 0 ? narrow_sum<62>(at(velocity, i), part)
+                                  : narrow_difference<62>(at(velocity, i), part);
+      spill.note(part);
+      spill.note(whole);
+      sum[static_cast<std::size_t>(i)] = whole;
+    }
+    if (!spill.any()) {
+      for (int i = 0; i < Count; ++i) {
+        at(velocity, i) = narrow<V::bits>(sum[static_cast<std::size_t>(i)]);
+      }
+      return;
+    }
+  }
+  for (int i = 0; i < Count; ++i) {
+    auto& v = at(velocity, i);
+    const auto part = nearest_to<V>(at(share, i) * impulse);
+    v = Sign > 0 ? saturate_to<V>(v + part) : saturate_to<V>(v - part);
+  }
+}
+
+/// Which bodies of a row an impulse changes: the other one's shares are all 0.
+struct Pushed {
+  bool a = true, b = true;
+};
+
+/// Turns b along the row by `impulse` and a against it. A product is rounded, a spin clamped.
+template <Scalar S, int N, class F = Formats<S>>
+constexpr void turn_both(const Row<S, N>& row, const typename F::Impulse& impulse, Moving<S, N>& a,
+                         Moving<S, N>& b, const Pushed& pushed = {}) noexcept {
+  constexpr int turns = N == 2 ? 1 : 3;
+  using Spin = typename F::Spin;
+  if (impulse == 0) return;
+  if (pushed.a) push_each<-1, turns, Spin>(row.response_a, impulse, a.spin);
+  if (pushed.b) push_each<1, turns, Spin>(row.response_b, impulse, b.spin);
+}
+
 /// Pushes b along the row by `impulse` and a against it. A product is rounded, a velocity clamped.
 template <Scalar S, int N, class F = Formats<S>>
 constexpr void apply(const Thrust<S, N>& push, const Row<S, N>& row,
-                     const typename F::Impulse& impulse, Moving<S, N>& a,
-                     Moving<S, N>& b) noexcept {
+                     const typename F::Impulse& impulse, Moving<S, N>& a, Moving<S, N>& b,
+                     const Pushed& pushed = {}) noexcept {
   using Speed = typename F::Speed;
-  using Spin = typename F::Spin;
-  for (int i = 0; i < N; ++i) {
-    a.velocity[i] = saturate_to<Speed>(a.velocity[i] - nearest_to<Speed>(push.on_a[i] * impulse));
-    b.velocity[i] = saturate_to<Speed>(b.velocity[i] + nearest_to<Speed>(push.on_b[i] * impulse));
-  }
-  for (std::size_t i = 0; i < a.spin.size(); ++i) {
-    a.spin[i] = saturate_to<Spin>(a.spin[i] - nearest_to<Spin>(row.response_a[i] * impulse));
-    b.spin[i] = saturate_to<Spin>(b.spin[i] + nearest_to<Spin>(row.response_b[i] * impulse));
-  }
+  if (impulse == 0) return;
+  if (pushed.a) push_each<-1, N, Speed>(push.on_a, impulse, a.velocity);
+  if (pushed.b) push_each<1, N, Speed>(push.on_b, impulse, b.velocity);
+  turn_both<S, N>(row, impulse, a, b, pushed);
 }
 
 /// The change of spin by an impulse of 1 with this moment: `spread` is the inverse squared gyration
@@ -81,8 +166,8 @@ template <Scalar S, int N, class F = Formats<S>>
   } else {
     Axial<Response, N> result;
     for (int i = 0; i < 3; ++i) {
-      result[static_cast<std::size_t>(i)] = nearest_to<Response>(
-          dot(make_vec<3>([&](int j) { return spread[entry<3>(i, j)]; }), from_array(moment)));
+      result[static_cast<std::size_t>(i)] = nearest_dot<Response>(
+          from_array(moment), make_vec<3>([&](int j) { return spread[entry<3>(i, j)]; }));
     }
     return result;
   }

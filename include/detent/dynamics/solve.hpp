@@ -10,12 +10,12 @@ template <Scalar S, int N>
 constexpr void warm_start(const ReadyContact<S, N>& ready, const BodyContact<S, N>& contact,
                           Moving<S, N>& a, Moving<S, N>& b) noexcept {
   for (std::size_t i = 0; i < ready.count; ++i) {
-    apply(ready.normal, ready.pressure[i], contact.pressure[i], a, b);
+    apply(ready.normal, ready.pressure[i], contact.pressure[i], a, b, ready.pushed);
   }
   for (std::size_t t = 0; t < ready.friction.size(); ++t) {
-    apply(ready.tangent[t], ready.friction[t], contact.friction[t], a, b);
+    apply(ready.tangent[t], ready.friction[t], contact.friction[t], a, b, ready.pushed);
   }
-  if constexpr (N == 3) apply(Thrust<S, N>(), ready.twist, contact.friction[2], a, b);
+  if constexpr (N == 3) turn_both(ready.twist, contact.friction[2], a, b, ready.pushed);
 }
 
 /// Adds `change` to the impulse `total`, which stays in [0, its range].
@@ -29,7 +29,9 @@ template <Scalar S, class Impulse = typename Formats<S>::Impulse>
 
 enum class Pass : std::uint8_t { biased, relaxed };
 
-/// Pushes the bodies apart at each point of a contact, one after another.
+/// Pushes the bodies apart at each point of a contact, one after another. Bodies move between a
+/// biased pass and the relaxed one that follows, so gaps are computed in relaxed passes, and each
+/// biased pass has those of the pass before, at first those at the start of the tick.
 ///
 /// m t <= 2^60 and loss * total <= 2^57 steps: their difference fits 62 bits.
 template <Pass pass, Scalar S, int N>
@@ -45,8 +47,11 @@ constexpr void solve_pressure(ReadyContact<S, N>& ready, BodyContact<S, N>& cont
     auto& total = contact.pressure[i];
     const auto rate =
         rate_along<S, N>(ready.normal.along, row, a.velocity, a.spin, b.velocity, b.spin);
-    const auto gap =
-        rate_along<S, N>(ready.normal.along, row, a.shift, a.turn, b.shift, b.turn, ready.gap[i]);
+    if constexpr (pass == Pass::relaxed) {
+      ready.gap_now[i] =
+          rate_along<S, N>(ready.normal.along, row, a.shift, a.turn, b.shift, b.turn, ready.gap[i]);
+    }
+    const auto gap = ready.gap_now[i];
     Impulse change;
     if (gap > 0) {
       change = nearest_to<Impulse>(narrow_negative(narrow<62>(row.mass * (rate + gap))));
@@ -60,7 +65,7 @@ constexpr void solve_pressure(ReadyContact<S, N>& ready, BodyContact<S, N>& cont
     } else {
       change = nearest_to<Impulse>(narrow_negative(narrow<62>(row.mass * rate)));
     }
-    apply(ready.normal, row, push_more<S>(total, change), a, b);
+    apply(ready.normal, row, push_more<S>(total, change), a, b, ready.pushed);
     ready.was_pushed[i] = ready.was_pushed[i] || total > 0;
   }
 }
@@ -112,9 +117,11 @@ constexpr void solve_friction(const ReadyContact<S, N>& ready, BodyContact<S, N>
                             nearest_to<Impulse>(narrow<62>(ready.reach[i] * contact.pressure[i])));
     }
     const auto limit = limit_of(at_lever);
-    auto twist = wanted(Vec<typename F::Ratio, N>(), ready.twist, contact.friction[2]);
+    const auto spinning = turning_along<S, N>(ready.twist, a.spin, b.spin);
+    auto twist = saturate_to<Impulse>(contact.friction[2] -
+                                      nearest_to<Impulse>(narrow<62>(ready.twist.mass * spinning)));
     twist = (std::clamp)(twist, narrow_negative(limit), limit);
-    apply(Thrust<S, N>(), ready.twist, change(twist, contact.friction[2]), a, b);
+    turn_both(ready.twist, change(twist, contact.friction[2]), a, b, ready.pushed);
     contact.friction[2] = twist;
   }
 
@@ -124,7 +131,8 @@ constexpr void solve_friction(const ReadyContact<S, N>& ready, BodyContact<S, N>
   }
   clamp_to_disc<S, N>(impulse, limit_of(pressure));
   for (std::size_t t = 0; t < tangents; ++t) {
-    apply(ready.tangent[t], ready.friction[t], change(impulse[t], contact.friction[t]), a, b);
+    apply(ready.tangent[t], ready.friction[t], change(impulse[t], contact.friction[t]), a, b,
+          ready.pushed);
     contact.friction[t] = impulse[t];
   }
 }
@@ -145,7 +153,7 @@ constexpr void bounce(const ReadyContact<S, N>& ready, BodyContact<S, N>& contac
     const auto wanted =
         saturate_to<Speed>(rate + nearest_to<Speed>(narrow<62>(ready.bounce * ready.closing[i])));
     const auto change = nearest_to<Impulse>(narrow_negative(narrow<62>(row.mass * wanted)));
-    apply(ready.normal, row, push_more<S>(contact.pressure[i], change), a, b);
+    apply(ready.normal, row, push_more<S>(contact.pressure[i], change), a, b, ready.pushed);
   }
 }
 

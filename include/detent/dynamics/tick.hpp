@@ -372,7 +372,9 @@ class Tick {
 
   constexpr void substep(Bodies& bodies, Joints& joints, const Pace<S, N>& pace) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-      if (is_awake(bodies[i])) accelerate(bodies[i], moving_[i], half_way_[i], pace);
+      if (is_awake(bodies[i])) {
+        accelerate(bodies[i], moving_[i], supports_[i].axes, half_way_[i], pace);
+      }
     }
     group_.warm_start(joints, moving_);
     for (std::size_t i = 0; i < ready_.size(); ++i) {
@@ -387,7 +389,7 @@ class Tick {
     }
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const bool moves = is_awake(bodies[i]) || is_driven(bodies[i]);
-      if (moves) move(bodies[i], moving_[i], half_way_[i]);
+      if (moves) move(bodies[i], moving_[i], half_way_[i], supports_[i].axes);
     }
     group_.follow(joints, bodies, supports_);
     group_.template solve_all<Pass::relaxed>(joints, moving_);

@@ -80,13 +80,16 @@ class JointGroup {
     aim(joints, supports);
   }
 
-  /// Follows the bodies after a move.
+  /// Follows the bodies after a move, which has left their axes in `supports` if they can move and
+  /// are not round.
   template <class Bodies, class Supports>
   constexpr void follow(const List& joints, const Bodies& bodies, Supports& supports) {
     if (ready_.size() == 0) return;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (joined_[i] != 0 && bodies[i].motion != BodyMotion::fixed) {
-        supports[i] = support_of<S, N>(bodies[i]);
+        supports[i] = N == 3 && bodies[i].can_move() && !bodies[i].inertia.is_round
+                          ? support_of<S, N>(bodies[i], supports[i].axes)
+                          : support_of<S, N>(bodies[i]);
       }
     }
     aim(joints, supports);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/dynamics/axial.hpp"
+
+namespace detent::detail {
+
+/// The sum of three products of short numbers, of magnitudes of at most 2^30 (1 + 2^-28) steps, and
+/// long ones, of at most 52 bits, rounded to nearest once, in words of 64 bits.
+///
+/// A long number is 2^22 u + l with 0 <= l < 2^22. The sum over the u is at most 3 2^60 (1 + 2^-28),
+/// that over the l less than 2^54. Their whole part at 2^22, with its last bit set if anything is
+/// left over, is rounded as the sum itself, since two or more of its bits are rounded off.
+template <class T, class Short, class Long>
+[[nodiscard]] constexpr T nearest_dot(const Vec<Short, 3>& a, const Vec<Long, 3>& b) noexcept {
+  if constexpr (is_fixed<T>) {
+    constexpr int cut = 22;
+    using Whole = Fixed<62, Short::frac + Long::frac - cut>;
+    static_assert(Short::bits <= 31 && Long::bits <= 52 && Whole::frac >= T::frac + 2);
+    using Raw = typename Whole::raw_type;
+    constexpr Raw mask = (Raw(1) << cut) - 1;
+    Raw upper = 0, lower = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Raw x = a[i].raw(), y = b[i].raw();
+      upper += x * (y >> cut);
+      lower += x * (y & mask);
+    }
+    const Raw rest = (lower & mask) != 0 ? 1 : 0;
+    return nearest_to<T>(Whole::assume_raw((upper + (lower >> cut)) | rest));
+  } else {
+    return nearest_to<T>(dot(a, b));
+  }
+}
+
+}  // namespace detent::detail
