@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -28,29 +29,93 @@ template <Scalar S, int N>
 struct SweepEntry {
   BodyBox<S, N> bounds{};
   std::uint32_t body = 0;
+  std::uint8_t first_strip = 0, last_strip = 0;
+};
+
+/// Strips across the world along one axis other than x, with about as many bodies in each. A body is
+/// in all strips from that of its least coordinate to that of its most.
+template <Scalar S, int N>
+class Strips {
+ public:
+  using Bound = typename Formats<S>::Bound;
+  static constexpr std::size_t most_strips = 32;
+
+  /// Along the axis on which the middle half of the bodies is widest; by a sample of the bodies.
+  constexpr Strips(const SweepEntry<S, N>* bodies, std::size_t count) noexcept
+      : count_((std::min)(count / 64 + 1, most_strips)) {
+    if (count_ == 1) return;
+    Bound widest{};
+    for (int axis = 1; axis < N; ++axis) {
+      std::array<Bound, sample_size> sample{};
+      for (std::size_t i = 0; i < sample_size; ++i) {
+        sample[i] = bodies[i * count / sample_size].bounds.least[axis];
+      }
+      std::sort(sample.begin(), sample.end());
+      const auto width = nearest_to<Bound>(sample[3 * sample_size / 4] - sample[sample_size / 4]);
+      if (axis > 1 && width <= widest) continue;
+      widest = width;
+      axis_ = axis;
+      for (std::size_t k = 1; k < count_; ++k) ends_[k - 1] = sample[k * sample_size / count_];
+    }
+  }
+
+  [[nodiscard]] constexpr std::size_t count() const noexcept { return count_; }
+  [[nodiscard]] constexpr std::uint8_t first_of(const BodyBox<S, N>& box) const noexcept {
+    return strip_of(box.least[axis_]);
+  }
+  [[nodiscard]] constexpr std::uint8_t last_of(const BodyBox<S, N>& box) const noexcept {
+    return strip_of(box.most[axis_]);
+  }
+
+ private:
+  static constexpr std::size_t sample_size = 256;
+
+  [[nodiscard]] constexpr std::uint8_t strip_of(const Bound& x) const noexcept {
+    const auto last = ends_.begin() + static_cast<std::ptrdiff_t>(count_ - 1);
+    return static_cast<std::uint8_t>(std::upper_bound(ends_.begin(), last, x) - ends_.begin());
+  }
+
+  std::size_t count_;
+  int axis_ = 1;
+  std::array<Bound, most_strips> ends_{};  // where the next strip begins
 };
 
 /// Calls found(pair) for all pairs of bodies whose bounds overlap, in no particular order: a sweep
-/// along the x axis. Sorts `bodies`.
-template <Scalar S, int N, class Found>
-constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, const Found& found) noexcept {
+/// along the x axis in each strip. Bodies that overlap are both in the later one of their first
+/// strips, where they are found. Sorts `bodies`; `lane` has room for as many indices.
+template <Scalar S, int N, class Lane, class Found>
+constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Lane& lane, const Found& found) {
   std::sort(bodies, bodies + count, [](const auto& p, const auto& q) {
     if (p.bounds.least.x != q.bounds.least.x) return p.bounds.least.x < q.bounds.least.x;
     return p.body < q.body;
   });
+  const Strips<S, N> strips(bodies, count);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto& first = bodies[i];
-    for (std::size_t j = i + 1; j < count; ++j) {
-      const auto& second = bodies[j];
-      if (second.bounds.least.x > first.bounds.most.x) break;
-      bool overlap = true;
-      for (int k = 1; k < N; ++k) {
-        overlap = overlap && second.bounds.least[k] <= first.bounds.most[k] &&
-                  first.bounds.least[k] <= second.bounds.most[k];
+    bodies[i].first_strip = strips.first_of(bodies[i].bounds);
+    bodies[i].last_strip = strips.last_of(bodies[i].bounds);
+  }
+  lane.resize(count);
+  for (std::size_t strip = 0; strip < strips.count(); ++strip) {
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      lane[size] = static_cast<std::uint32_t>(i);
+      const bool is_in = bodies[i].first_strip <= strip && strip <= bodies[i].last_strip;
+      size += is_in ? 1u : 0u;
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto& first = bodies[lane[i]];
+      for (std::size_t j = i + 1; j < size; ++j) {
+        const auto& second = bodies[lane[j]];
+        if (second.bounds.least.x > first.bounds.most.x) break;
+        bool overlap = true;
+        for (int k = 1; k < N; ++k) {
+          overlap = overlap && second.bounds.least[k] <= first.bounds.most[k] &&
+                    first.bounds.least[k] <= second.bounds.most[k];
+        }
+        if (!overlap || (std::max)(first.first_strip, second.first_strip) != strip) continue;
+        found(first.body < second.body ? BodyPair{first.body, second.body}
+                                       : BodyPair{second.body, first.body});
       }
-      if (!overlap) continue;
-      found(first.body < second.body ? BodyPair{first.body, second.body}
-                                     : BodyPair{second.body, first.body});
     }
   }
 }

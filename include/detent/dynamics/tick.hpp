@@ -174,7 +174,7 @@ class Tick {
            static_cast<std::uint32_t>(i)});
     }
     if (swept_.size() == 0) return;
-    sweep(&swept_[0], swept_.size(), [&](const BodyPair& pair) {
+    sweep(&swept_[0], swept_.size(), lane_, [&](const BodyPair& pair) {
       const Body &a = bodies[pair.a], &b = bodies[pair.b];
       if (meet(a, b) && (a.can_move() || b.can_move()) && !group_.keeps_apart(pair) &&
           pairs_.size() < pair_room) {
@@ -473,6 +473,7 @@ class Tick {
   List<Moving<S, N>, bodies_room> moving_;
   List<Axes<S, N>, bodies_room> half_way_;  // the axes at the middle of the substep
   List<SweepEntry<S, N>, bodies_room> swept_;
+  List<std::uint32_t, bodies_room> lane_;
   List<BodyPair, pair_room> pairs_;
   Contacts current_;
   List<Found, contacts_room> found_;
