@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// What the solver computes in few instructions equals what it says, rounded once from the exact sum
+// or quotient; often near ties and at the ends of ranges.
+
+#include "support/catch.hpp"
+
+#include "dynamics/stage.hpp"
+#include "support/random.hpp"
+
+namespace detent {
+namespace {
+
+using F = detail::Formats<q16_16>;
+
+/// A number of T, often near the ends, near 0 or with many trailing zeros.
+template <class T>
+T draw(test::Random& random, int bits = T::bits) {
+  auto raw = random.between(-(std::int64_t{1} << bits) + 1, (std::int64_t{1} << bits) - 1);
+  const auto zeros = random.between(0, bits);
+  if (random.coin()) raw = raw >> zeros << zeros;
+  if (random.coin()) raw >>= random.between(0, bits);
+  raw += random.between(-1, 1);
+  const auto end = (std::int64_t{1} << bits) - 1;
+  raw = raw > end ? end : raw < -end ? -end : raw;
+  return T::assume_raw(static_cast<typename T::raw_type>(raw));
+}
+
+template <class T, class Short, class Long>
+void check_dots(test::Random& random) {
+  for (int k = 0; k < 20000; ++k) {
+    const auto a = make_vec<3>([&](int) { return draw<Short>(random, 30); });
+    auto b = make_vec<3>([&](int) { return draw<Long>(random); });
+    if (random.coin()) b.y = b.z = Long();
+    REQUIRE(detail::nearest_dot<T>(a, b) == nearest_to<T>(dot(a, b)));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("sums of long products are rounded once") {
+  test::Random random(1);
+  check_dots<F::FineSpin, F::Ratio, F::FineSpin>(random);
+  check_dots<F::Spin, F::Ratio, F::FineSpin>(random);
+  check_dots<F::Gyration, F::Ratio, F::Gyration>(random);
+  check_dots<F::Response, F::Moment, F::Gyration>(random);
+}
+
+TEST_CASE("sums that end just beside a tie are rounded by all of their bits") {
+  using Long = F::FineSpin;
+  // 2^-30 * (2^29 + 2^22) and less or more by one step of the product: ties of 2^-44 and beside
+  const Vec<F::Ratio, 3> a{F::Ratio::assume_raw(1), F::Ratio::assume_raw(1),
+                           F::Ratio::assume_raw(-1)};
+  for (std::int64_t whole = -5; whole <= 5; ++whole) {
+    for (std::int64_t rest = -2; rest <= 2; ++rest) {
+      const auto tie = (whole << 30) + (std::int64_t{1} << 29) + rest;
+      const Vec<Long, 3> b{Long::assume_raw(tie), Long::assume_raw(3), Long::assume_raw(3)};
+      REQUIRE(detail::nearest_dot<Long>(a, b) == nearest_to<Long>(dot(a, b)));
+    }
+  }
+}
+
+TEST_CASE("quotients by numbers near 1 are rounded once") {
+  using T = Fixed<62, 60>;
+  test::Random random(2);
+  const std::int64_t one = std::int64_t{1} << 60, half = std::int64_t{1} << 29;
+  for (int k = 0; k < 200000; ++k) {
+    const auto e =
+        random.between(-(std::int64_t{1} << 33), std::int64_t{1} << 33) >> random.between(0, 33);
+    const T d = T::assume_raw(one + e);
+    // A quotient that is within some steps of 2^-60 of a tie.
+    const auto step = random.between(-(std::int64_t{1} << 30), (std::int64_t{1} << 30) - 1);
+    const auto close = (step << 30) + half + random.between(-100, 100);
+    auto n = close + ((close >> 30) * e >> 30);
+    n = n > one + e ? one + e : n < -one - e ? -one - e : n;
+    const T numerator = T::assume_raw(random.coin() ? n : random.between(-one - e, one + e));
+    REQUIRE(detail::quotient_of_near_one<F::Ratio>(numerator, d) ==
+            quotient_nearest<F::Ratio>(numerator, d));
+  }
+}
+
+TEST_CASE("impulses are rounded and clamped component by component") {
+  test::Random random(3);
+  for (int k = 0; k < 50000; ++k) {
+    const auto share = make_vec<3>([&](int) { return draw<F::Response>(random); });
+    const auto impulse = draw<F::Impulse>(random);
+    const auto before = make_vec<3>([&](int) { return draw<F::Spin>(random); });
+    auto up = before, down = before;
+    detail::push_each<1, 3, F::Spin>(share, impulse, up);
+    detail::push_each<-1, 3, F::Spin>(share, impulse, down);
+    for (int i = 0; i < 3; ++i) {
+      const auto part = nearest_to<F::Spin>(share[i] * impulse);
+      REQUIRE(up[i] == saturate_to<F::Spin>(before[i] + part));
+      REQUIRE(down[i] == saturate_to<F::Spin>(before[i] - part));
+    }
+  }
+}
+
+TEST_CASE("a sweep in strips finds the pairs whose bounds overlap") {
+  using Entry = detail::SweepEntry<q16_16, 3>;
+  test::Random random(4);
+  for (const int count : {1, 2, 63, 64, 200, 2500}) {
+    std::vector<Entry> entries;
+    for (int i = 0; i < count; ++i) {
+      Entry entry;
+      entry.body = static_cast<std::uint32_t>(i);
+      const int large = i % 50 == 0 ? 20 : 1;
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto least = random.between(-40, 40), size = random.between(0, 4 * large);
+        entry.bounds.least[axis] = F::Bound(static_cast<int>(least));
+        entry.bounds.most[axis] = F::Bound(static_cast<int>(least + size));
+      }
+      entries.push_back(entry);
+    }
+    std::vector<detail::BodyPair> wanted, found;
+    for (const auto& a : entries) {
+      for (const auto& b : entries) {
+        bool overlap = a.body < b.body;
+        for (int axis = 0; axis < 3; ++axis) {
+          overlap = overlap && a.bounds.least[axis] <= b.bounds.most[axis] &&
+                    b.bounds.least[axis] <= a.bounds.most[axis];
+        }
+        if (overlap) wanted.push_back({a.body, b.body});
+      }
+    }
+    std::vector<std::uint32_t> lane;
+    detail::sweep(entries.data(), entries.size(), lane,
+                  [&](const detail::BodyPair& pair) { found.push_back(pair); });
+    std::sort(found.begin(), found.end());
+    REQUIRE(found == wanted);
+  }
+}
+
+}  // namespace detent
