@@ -52,5 +52,60 @@ TEMPLATE_TEST_CASE("lanes: vectors of the machine hold the numbers that arrays d
   }
 }
 
+TEMPLATE_TEST_CASE("lanes: marks are those of every comparison", "", std::int32_t, float, double) {
+  using T = TestType;
+  using Numbers = std::array<T, lane_count>;
+  Random random(0x3a26);
+  for (int i = 0; i < 2'000; ++i) {
+    std::array<Numbers, 4> numbers{};
+    for (auto& each : numbers) {
+      for (auto& x : each) x = static_cast<T>(random.one_in(4) ? 7 : random.wide(30));
+    }
+    const auto unmarked = [&]<class L>() {
+      typename L::Marks marks;
+      marks.add_above(L(numbers[0]), L(numbers[1]));
+      marks.add_above(L(numbers[2]), L(numbers[3]));
+      return marks.unmarked();
+    };
+    const auto expected = unmarked.template operator()<ArrayLanes<T>>();
+    REQUIRE(unmarked.template operator()<VectorLanes<T>>() == expected);
+    for (std::size_t k = 0; k < lane_count; ++k) {
+      const bool is_above = numbers[0][k] > numbers[1][k] || numbers[2][k] > numbers[3][k];
+      REQUIRE((expected >> k & 1) == (is_above ? 0 : 1));
+    }
+  }
+}
+
+TEST_CASE("lanes: integers are complemented, added and scaled") {
+  using Numbers = std::array<std::int32_t, lane_count>;
+  Random random(0x5ca1e);
+  for (int i = 0; i < 2'000; ++i) {
+    Numbers numbers{};
+    for (auto& x : numbers) x = static_cast<std::int32_t>(random.wide(29));
+    const auto factor = static_cast<std::uint32_t>(random.between(1, std::int64_t{1} << 30));
+    const int shift = static_cast<int>(random.between(29, 34));
+    const auto sum = static_cast<std::int32_t>(random.wide(29));
+    const bool flips = random.coin();
+    const auto taken = [&]<class L>() {
+      L lanes(numbers);
+      lanes.flip(L(flips ? -1 : 0));
+      lanes.add(L(sum));
+      lanes.raise(L(0));
+      lanes.scale(factor, shift);
+      lanes.subtract(L(sum));
+      Numbers result{};
+      lanes.store(result);
+      return result;
+    };
+    const auto expected = taken.template operator()<ArrayLanes<std::int32_t>>();
+    REQUIRE(taken.template operator()<VectorLanes<std::int32_t>>() == expected);
+    for (std::size_t k = 0; k < lane_count; ++k) {
+      const std::int64_t x = flips ? ~numbers[k] : numbers[k];
+      const auto product = static_cast<std::uint64_t>(std::max<std::int64_t>(x + sum, 0)) * factor;
+      REQUIRE(std::int64_t{expected[k]} == static_cast<std::int64_t>(product >> shift) - sum);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace detent::test

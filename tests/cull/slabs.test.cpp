@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "detent/cull/slabs.hpp"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <utility>
 
 #include "detent/cull/bins.hpp"
@@ -210,6 +212,96 @@ TEMPLATE_TEST_CASE("slabs: no part of a box's way between the planes is left out
   }
   CHECK(touching > 10'000);
   CHECK(tight > 1'000);
+}
+
+TEMPLATE_TEST_CASE("slabs: eight planes at a time lose no part of a way, and keep little else",
+                   "[slabs]", q16_16, q24_8, q8_8) {
+  using S = TestType;
+  using Component = direction_component<S>;
+  using Array = detail::ArrayLanes<std::int32_t>;
+  using Compared = detail::ComparedLanes<std::int32_t>;
+  using Planes = typename LaneSlab<S, Array>::Planes;
+  constexpr std::int64_t one = std::int64_t{1} << Component::frac;
+  constexpr int bits = S::bits - detail::Grid<S>::shift;
+  constexpr std::int64_t beyond = detail::Grid<S>::beyond;
+  Random random(0x51ae);
+  int tight = 0, parallel = 0, everywhere = 0, culled = 0;
+  for (int i = 0; i < 60'000; ++i) {
+    std::int64_t low = random.wide(bits), high = low;
+    if (random.one_in(3)) high = low + (random.wide(bits) & (beyond / 2 - 1));
+    if (random.one_in(20)) high = beyond;
+    if (random.one_in(20)) low = -beyond;
+    const std::int64_t speed = random.one_in(8)   ? random.between(-2, 2)
+                               : random.one_in(3) ? random.between(-one, one)
+                                                  : random.wide(Component::frac - 1);
+    const std::int64_t reach = std::clamp<std::int64_t>(
+        random.wide(bits) & ((std::int64_t{1} << bits) - 1), 64, std::int64_t{1} << bits);
+    const int exponent =
+        std::max(static_cast<int>(std::bit_width(static_cast<std::uint64_t>(reach))) - 26, 0);
+    const LaneSlab<S, Array> slab(low, high, raw<Component>(speed), reach, exponent);
+    const LaneSlab<S, Compared> same(low, high, raw<Component>(speed), reach, exponent);
+    const bool is_everywhere = low <= -beyond / 2 || high >= beyond / 2;
+    const bool back = speed < 0 && !is_everywhere;
+    REQUIRE(slab.is_backward() == back);
+    REQUIRE(same.is_backward() == back);
+
+    // Eight slabs that it touches, each at another distance, from up to a step beside its start.
+    std::array<std::int64_t, 8> distances{};
+    Planes lower{}, upper{}, enter{}, leave{}, enter_same{}, leave_same{};
+    for (std::size_t k = 0; k < 8; ++k) {
+      distances[k] = random.one_in(4) ? reach : random.between(0, reach);
+      const Integer moved = Integer(speed) * distances[k];
+      const auto floor = static_cast<std::int64_t>(moved >> Component::frac);
+      const auto ceiling = static_cast<std::int64_t>(-(-moved >> Component::frac));
+      const auto inner = [&] { return random.one_in(2) ? 0 : random.wide(bits) & (beyond - 1); };
+      const std::int64_t least = high + floor + 1 - inner(), most = low + ceiling - 1 + inner();
+      lower[k] = static_cast<std::int32_t>(std::clamp(std::min(least, most), -beyond, beyond));
+      upper[k] = static_cast<std::int32_t>(std::clamp(std::max(least, most), -beyond, beyond));
+    }
+    slab.enter(back ? upper : lower).store(enter);
+    slab.leave(back ? lower : upper).store(leave);
+    same.enter(back ? upper : lower).store(enter_same);
+    same.leave(back ? lower : upper).store(leave_same);
+    REQUIRE(enter_same == enter);
+    REQUIRE(leave_same == leave);
+    for (std::size_t k = 0; k < 8; ++k) {
+      const auto unit = std::int64_t{1} << exponent;
+      REQUIRE(std::int64_t{enter[k]} * unit <= distances[k]);
+      REQUIRE(std::int64_t{leave[k]} * unit >= distances[k]);
+    }
+    everywhere += is_everywhere;
+    parallel += speed == 0;
+    if (is_everywhere) continue;
+
+    // Slabs eleven steps behind it are left before it starts, and those twelve steps beyond its way
+    // are entered after its end.
+    const auto way = static_cast<std::int64_t>((Integer(back ? -speed : speed) * reach) / one) + 1;
+    const auto at = [&](std::int64_t x) {
+      Planes planes{};
+      planes.fill(static_cast<std::int32_t>(std::clamp(x, -beyond, beyond)));
+      return planes;
+    };
+    slab.leave(at(back ? high + 30 : low - 30)).store(leave);
+    slab.enter(at(back ? low - way - 30 : high + way + 30)).store(enter);
+    REQUIRE((leave[0] < 0 || exponent > 0));
+    REQUIRE((enter[0] > (reach >> exponent) || exponent > 0));
+    culled += leave[0] < 0 && enter[0] > (reach >> exponent);
+    // Times lose at most a few steps and ticks.
+    const std::int64_t fast = back ? -speed : speed;
+    if (fast < one / 64 || reach < 1024) continue;
+    const auto ahead = random.between(0, way - 1);
+    const Integer exact = (Integer(ahead) * one / fast) >> exponent;
+    const Integer step = (Integer(one) / fast >> exponent) + 1;
+    slab.enter(at(back ? low - ahead : high + ahead)).store(enter);
+    slab.leave(at(back ? high - ahead : low + ahead)).store(leave);
+    REQUIRE(exact - enter[0] <= 2 * step + 12);
+    REQUIRE(leave[0] - exact <= 10 * step + 12);
+    ++tight;
+  }
+  CHECK(tight > 1'000);
+  CHECK(parallel > 1'000);
+  CHECK(everywhere > 1'000);
+  CHECK(culled > 10'000);
 }
 
 TEMPLATE_TEST_CASE("bins: in order, and at least nine of sixteen", "[slabs]", q16_16, q8_8, float) {

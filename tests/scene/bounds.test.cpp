@@ -186,10 +186,19 @@ bool boxes_meet(const Ray<S, N>& ray, const B& b) {
   detail::TreeNode<S, N> node;
   node.set(0, detail::quantized_box(b));
   node.count = 1;
-  typename detail::RayProbe<S, N>::Key most{};
-  std::array<decltype(most), decltype(node)::width> keys;
   const detail::RayProbe<S, N> probe(ray);
-  return probe.keys(node, keys) == 1 && probe.reaches(keys[0]);
+  const auto meet = [&](const auto& keys) {
+    std::array<typename std::remove_cvref_t<decltype(keys)>::Key, decltype(node)::width> times;
+    return keys.keys(node, times) == 1 && keys.reaches(times[0]);
+  };
+  if constexpr (is_fixed<S>) {
+    using Array = detail::ArrayLanes<std::int32_t>;
+    using Compared = detail::ComparedLanes<std::int32_t>;
+    const bool do_meet = meet(detail::RayLanes<S, N, Array>(probe));
+    REQUIRE(meet(detail::RayLanes<S, N, Compared>(probe)) == do_meet);
+    if (!do_meet) return false;
+  }
+  return meet(detail::RayKeys<S, N>(probe));
 }
 
 /// Checks that of the pairs of shapes that `next` draws, those that overlap have boxes that

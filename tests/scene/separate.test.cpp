@@ -46,7 +46,9 @@ TEST_CASE("separate: a reference to a function object calls that object") {
     sum += static_cast<int>(i);
     return sum > 4 ? Walk::stop : Walk::go_on;
   };
-  const detail::ObjectVisitor visitor(add);
+  const std::array<int, 4> records{};
+  const detail::ObjectVisitor visitor(add, records.data());
+  visitor.ahead(3);
   CHECK(visitor(3) == Walk::go_on);
   CHECK(visitor(2) == Walk::stop);
   CHECK(sum == 5);

@@ -28,39 +28,60 @@ struct TreePart {
   [[nodiscard]] constexpr bool is_leaf() const noexcept { return is_object; }
 };
 
-/// Which boxes a ray or a moving box may reach, and lower bounds on the times when it does.
+/// A ray or a moving box, and the distance within which boxes matter.
 template <Scalar S, int N>
 class RayProbe {
  public:
-  using Key = typename RaySlab<S>::Time;
+  using Limit = typename RaySlab<S>::Time;
 
-  explicit constexpr RayProbe(const Ray<S, N>& ray) noexcept {
+  explicit constexpr RayProbe(const Ray<S, N>& ray) noexcept : direction_(ray.direction) {
     for (int i = 0; i < N; ++i) {
-      slabs_[static_cast<std::size_t>(i)] =
-          RaySlab<S>(Grid<S>::step(ray.origin[i]), ray.direction[i], Ticks<S>());
+      const auto axis = static_cast<std::size_t>(i);
+      from_.low[axis] = from_.high[axis] =
+          static_cast<typename Grid<S>::Coordinate>(Grid<S>::step(ray.origin[i]));
     }
     shorten(ray.max_distance);
   }
   /// For what is in `box`, which is not empty, and moves: as a ray, it ends within 2^29 steps.
   constexpr RayProbe(const QuantizedBox<S, N>& box, const Direction<S, N>& direction,
-                     const S& max_distance) noexcept {
-    for (int i = 0; i < N; ++i) {
-      const auto axis = static_cast<std::size_t>(i);
-      slabs_[axis] = RaySlab<S>(box.low[axis], box.high[axis], direction[i], Ticks<S>());
-    }
+                     const S& max_distance) noexcept
+      : from_(box), direction_(direction) {
     shorten(max_distance);
   }
 
+  [[nodiscard]] constexpr const QuantizedBox<S, N>& from() const noexcept { return from_; }
+  [[nodiscard]] constexpr const Direction<S, N>& direction() const noexcept { return direction_; }
+  [[nodiscard]] constexpr Limit limit() const noexcept { return limit_; }
   /// From now on, only boxes that may lie within `distance`.
-  constexpr void shorten(const S& distance) noexcept { limit_ = Key{Grid<S>::above(distance)}; }
-  [[nodiscard]] constexpr bool reaches(Key key) const noexcept { return key <= limit_; }
+  constexpr void shorten(const S& distance) noexcept { limit_ = Limit{Grid<S>::above(distance)}; }
+
+ private:
+  QuantizedBox<S, N> from_;
+  Direction<S, N> direction_;
+  Limit limit_{};
+};
+
+/// Which boxes a probe may reach, and lower bounds on the times when it does, one by one.
+template <Scalar S, int N>
+class RayKeys {
+ public:
+  using Key = typename RayProbe<S, N>::Limit;
+
+  explicit constexpr RayKeys(const RayProbe<S, N>& probe) noexcept : probe_(probe) {
+    for (std::size_t axis = 0; axis < slabs_.size(); ++axis) {
+      slabs_[axis] = RaySlab<S>(probe.from().low[axis], probe.from().high[axis],
+                                probe.direction()[static_cast<int>(axis)], Ticks<S>());
+    }
+  }
+
+  [[nodiscard]] constexpr bool reaches(Key key) const noexcept { return key <= probe_.limit(); }
 
   constexpr auto keys(const TreeNode<S, N>& node,
                       std::array<Key, TreeNode<S, N>::width>& keys) const noexcept {
     constexpr auto width = TreeNode<S, N>::width;
     std::array<Key, width> exits;
     keys.fill(Key(0));
-    exits.fill(limit_);
+    exits.fill(probe_.limit());
     for (std::size_t axis = 0; axis < slabs_.size(); ++axis) {
       const auto& slab = slabs_[axis];
       const auto* const front = (slab.is_backward() ? node.high : node.low)[axis].data();
@@ -79,8 +100,55 @@ class RayProbe {
   }
 
  private:
+  const RayProbe<S, N>& probe_;
   std::array<RaySlab<S>, static_cast<std::size_t>(N)> slabs_;
-  Key limit_{};
+};
+
+/// The same, for the eight boxes of a node at a time.
+template <Scalar S, int N, class Lanes>
+class RayLanes {
+ public:
+  using Key = std::int32_t;
+
+  explicit constexpr RayLanes(const RayProbe<S, N>& probe) noexcept
+      : probe_(probe),
+        reach_(std::clamp<std::int64_t>(probe.limit(), 64, longest)),
+        exponent_((std::max)(
+            static_cast<int>(std::bit_width(static_cast<std::uint64_t>(reach_))) - 26, 0)) {
+    for (std::size_t axis = 0; axis < slabs_.size(); ++axis) {
+      slabs_[axis] = Slab(probe.from().low[axis], probe.from().high[axis],
+                          probe.direction()[static_cast<int>(axis)], reach_, exponent_);
+    }
+  }
+
+  [[nodiscard]] constexpr bool reaches(Key key) const noexcept { return key <= limit(); }
+
+  constexpr auto keys(const TreeNode<S, N>& node,
+                      std::array<Key, TreeNode<S, N>::width>& keys) const noexcept {
+    Lanes in(Key{0}), out(limit());
+    for (std::size_t axis = 0; axis < slabs_.size(); ++axis) {
+      const Slab& slab = slabs_[axis];
+      in.raise(slab.enter((slab.is_backward() ? node.high : node.low)[axis]));
+      out.lower(slab.leave((slab.is_backward() ? node.low : node.high)[axis]));
+    }
+    in.store(keys);
+    return in.up_to(out) & ((1u << node.count) - 1);
+  }
+
+ private:
+  using Slab = LaneSlab<S, Lanes>;
+  /// No distance is longer, in steps.
+  static constexpr std::int64_t longest = std::int64_t{1} << (bits_of<S> - Grid<S>::shift);
+
+  /// In ticks, rounded up.
+  [[nodiscard]] constexpr Key limit() const noexcept {
+    return static_cast<Key>((std::min<std::int64_t>(probe_.limit(), reach_) >> exponent_) + 1);
+  }
+
+  const RayProbe<S, N>& probe_;
+  std::int64_t reach_;
+  int exponent_;
+  std::array<Slab, static_cast<std::size_t>(N)> slabs_;
 };
 
 /// Which boxes may lie within a distance of a point, and the squares of their distances.
@@ -130,39 +198,58 @@ class PointProbe {
   bool is_limited_ = false;
 };
 
-/// A tree as a probe walks it.
-template <class Tree, class Probe>
+/// A tree as a probe walks it. `Keys` are those of a probe, or a probe that has keys itself.
+template <class Tree, class Keys, class Visit>
 struct TreeSearch {
-  using Key = typename Probe::Key;
+  using Key = typename Keys::Key;
   using Part = TreePart;
   using Node = typename Tree::Node;
   static constexpr std::size_t most_children = Tree::width, room = Part::room;
 
   const Tree& tree;
-  const Probe& probe;
+  const Keys& keys;
+  const Visit& visit;
 
   [[nodiscard]] constexpr const Node& node(const Part& part) const noexcept {
     return tree.node(part.at);
   }
-  [[nodiscard]] constexpr std::uint32_t meets(const Node& node,
-                                              std::array<Key, most_children>& keys) const noexcept {
-    return probe.keys(node, keys);
+  [[nodiscard]] constexpr std::uint32_t meets(
+      const Node& node, std::array<Key, most_children>& times) const noexcept {
+    return keys.keys(node, times);
   }
   [[nodiscard]] constexpr Part child(const Node& node, std::size_t k) const noexcept {
-    if (node.level > 0) prefetch(&tree.node(node.child[k]), sizeof(node));
+    if (node.level > 0) {
+      prefetch(&tree.node(node.child[k]), sizeof(node));
+    } else if constexpr (requires { visit.ahead(node.child[k]); }) {
+      visit.ahead(node.child[k]);
+    }
     return {node.child[k], node.level == 0};
   }
-  [[nodiscard]] constexpr bool reaches(const Key& key) const noexcept { return probe.reaches(key); }
+  [[nodiscard]] constexpr bool reaches(const Key& key) const noexcept { return keys.reaches(key); }
 };
+
+template <class Tree, class Keys, class Visit>
+constexpr Walk visit_nearest_by(const Tree& tree, const Keys& keys, const Visit& visit) {
+  return visit_nearest_first({tree.root(), false}, TreeSearch<Tree, Keys, Visit>{tree, keys, visit},
+                             [&](const TreePart& object) { return visit(object.at); });
+}
 
 /// Visits the objects whose boxes `probe` reaches, nearer boxes first: calls visit(object), which may
 /// shorten the probe.
-template <class Tree, class Probe, class Visit>
-constexpr Walk visit_nearest(const Tree& tree, const Probe& probe, const Visit& visit) {
+template <class Tree, Scalar S, int N, class Visit>
+constexpr Walk visit_nearest(const Tree& tree, const PointProbe<S, N>& probe, const Visit& visit) {
   if (tree.is_empty()) return Walk::go_on;
-  const TreeSearch<Tree, Probe> search{tree, probe};
-  return visit_nearest_first({tree.root(), false}, search,
-                             [&](const TreePart& object) { return visit(object.at); });
+  return visit_nearest_by(tree, probe, visit);
+}
+template <class Tree, Scalar S, int N, class Visit>
+constexpr Walk visit_nearest(const Tree& tree, const RayProbe<S, N>& probe, const Visit& visit) {
+  if (tree.is_empty()) return Walk::go_on;
+  if constexpr (is_fixed<S> && has_full_lanes) {
+    if (!__builtin_is_constant_evaluated()) {
+      return visit_nearest_by(tree, RayLanes<S, N, ComparedLanes<std::int32_t>>(probe), visit);
+    }
+  }
+  return visit_nearest_by(tree, RayKeys<S, N>(probe), visit);
 }
 
 /// Visits the objects whose boxes overlap `box`: calls visit(object).
@@ -186,37 +273,53 @@ constexpr Walk visit_meeting(const Tree& tree, const typename Tree::Box& box, co
   return Walk::go_on;
 }
 
+/// A node of a tree, and the box around it, which its parent stores.
+template <class Tree>
+struct BoxedNode {
+  std::uint32_t at;
+  typename Tree::Box box;
+
+  [[nodiscard]] static constexpr BoxedNode root(const Tree& tree) noexcept {
+    return {tree.root(), tree.node(tree.root()).bounds()};
+  }
+  [[nodiscard]] static constexpr BoxedNode child(const typename Tree::Node& node,
+                                                 std::size_t i) noexcept {
+    return {node.child[i], node.box(i)};
+  }
+};
+
 /// Calls add(a, b) for the pairs of objects with overlapping boxes, one below node `a` of one
 /// tree and one below node `b` of another.
 template <class Tree, class Add>
-constexpr void visit_pairs_below(const Tree& first, std::uint32_t a, const Tree& second,
-                                 std::uint32_t b, const Add& add) {
-  const auto& node_a = first.node(a);
-  const auto& node_b = second.node(b);
+constexpr void visit_pairs_below(const Tree& first, const BoxedNode<Tree>& a, const Tree& second,
+                                 const BoxedNode<Tree>& b, const Add& add) {
+  using Boxed = BoxedNode<Tree>;
+  const auto& node_a = first.node(a.at);
+  const auto& node_b = second.node(b.at);
   if (node_a.level < node_b.level) {
-    const auto bounds = node_a.bounds();
-    for (auto mask = node_b.meeting(bounds); mask != 0; mask &= mask - 1) {
+    for (auto mask = node_b.meeting(a.box); mask != 0; mask &= mask - 1) {
       const auto j = static_cast<std::size_t>(std::countr_zero(mask));
-      visit_pairs_below(first, a, second, node_b.child[j], add);
+      visit_pairs_below(first, a, second, Boxed::child(node_b, j), add);
     }
     return;
   }
+  auto rows = node_a.meeting(b.box);
   if (node_a.level > node_b.level) {
-    const auto bounds = node_b.bounds();
-    for (auto mask = node_a.meeting(bounds); mask != 0; mask &= mask - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(mask));
-      visit_pairs_below(first, node_a.child[i], second, b, add);
+    for (; rows != 0; rows &= rows - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(rows));
+      visit_pairs_below(first, Boxed::child(node_a, i), second, b, add);
     }
     return;
   }
-  for (auto rows = node_a.meeting(node_b.bounds()); rows != 0; rows &= rows - 1) {
+  for (; rows != 0; rows &= rows - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(rows));
-    for (auto mask = node_b.meeting(node_a.box(i)); mask != 0; mask &= mask - 1) {
+    const auto row = Boxed::child(node_a, i);
+    for (auto mask = node_b.meeting(row.box); mask != 0; mask &= mask - 1) {
       const auto j = static_cast<std::size_t>(std::countr_zero(mask));
       if (node_a.level == 0) {
-        add(node_a.child[i], node_b.child[j]);
+        add(row.at, node_b.child[j]);
       } else {
-        visit_pairs_below(first, node_a.child[i], second, node_b.child[j], add);
+        visit_pairs_below(first, row, second, Boxed::child(node_b, j), add);
       }
     }
   }
@@ -225,19 +328,21 @@ constexpr void visit_pairs_below(const Tree& first, std::uint32_t a, const Tree&
 /// Calls add(a, b) once for each pair of objects below node `at` whose boxes overlap.
 template <class Tree, class Add>
 constexpr void visit_pairs(const Tree& tree, std::uint32_t at, const Add& add) {
+  using Boxed = BoxedNode<Tree>;
   const auto& node = tree.node(at);
   if (node.level > 0) {
     for (std::size_t i = 0; i < node.count; ++i) prefetch(&tree.node(node.child[i]), sizeof(node));
   }
   for (std::size_t i = 0; i < node.count; ++i) {
     if (node.level > 0) visit_pairs(tree, node.child[i], add);
-    const auto later = node.meeting(node.box(i)) & ~((2u << i) - 1);
+    const auto row = Boxed::child(node, i);
+    const auto later = node.meeting(row.box) & ~((2u << i) - 1);
     for (auto mask = later; mask != 0; mask &= mask - 1) {
       const auto j = static_cast<std::size_t>(std::countr_zero(mask));
       if (node.level == 0) {
-        add(node.child[i], node.child[j]);
+        add(row.at, node.child[j]);
       } else {
-        visit_pairs_below(tree, node.child[i], tree, node.child[j], add);
+        visit_pairs_below(tree, row, tree, Boxed::child(node, j), add);
       }
     }
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 #include "detent/cull/byte_grid.hpp"
 #include "detent/cull/lanes.hpp"
@@ -173,6 +174,92 @@ class RaySlab<Fixed<Bits, Frac>> {
   std::int64_t factor_ = 0, enter_from_ = 0, leave_from_ = 0;
   typename Ticks<S>::Time between_ = 0;
   int shift_ = 0;
+};
+
+/// One axis of a ray, or of a moving box, against planes of a scene's grid, in 32 bits and eight at a
+/// time. For `reach` steps along the ray, fewer than 2^29; in ticks of 2^exponent steps, of which
+/// `reach` has fewer than 2^26.          (tests/cull/slabs.test.cpp)
+///
+/// The part that matters moves by at most |d| reach steps on this axis. So planes are clamped to
+/// between 16 steps behind it and 16 steps beyond its end, and measured from there: x steps take
+/// x factor >> shift ticks, fewer than 10 reach, rounded down by less than three.
+/// A component |d| below 4 / reach counts as a power of two from 4 / reach to 8 / reach: the ray
+/// enters no later, and is at most eight steps too far when it leaves.
+template <Scalar S, class Lanes>
+class LaneSlab {
+  using Component = direction_component<S>;
+  static constexpr std::int64_t around = 16;
+  static constexpr int lost = 3;
+  static constexpr std::int64_t bound = std::int64_t{1} << 29;
+
+ public:
+  using Time = std::int32_t;
+  using Planes = std::array<Time, detail::lane_count>;
+
+  constexpr LaneSlab() noexcept = default;
+  /// For what starts between `low` and `high`; if one is at 2^29 steps or more, it is everywhere.
+  constexpr LaneSlab(std::int64_t low, std::int64_t high, const Component& direction,
+                     std::int64_t reach, int exponent) noexcept {
+    const std::int64_t speed = direction.raw();
+    if (low <= -bound || high >= bound) {
+      enter_ = Lanes(Time{0});
+      leave_ = Lanes(static_cast<Time>(2 * bound));
+      return;
+    }
+    is_backward_ = speed < 0;
+    if (is_backward_) low = std::exchange(high, ~low), low = ~low;
+    auto size = static_cast<std::uint64_t>(std::max<std::int64_t>(speed < 0 ? -speed : speed, 1));
+    std::int64_t ahead = 1;  // the grid is at most a step off
+    const auto longest = static_cast<std::uint64_t>(reach);
+    if (size * longest < std::uint64_t{4} << Component::frac) {
+      size = std::uint64_t{1} << (Component::frac + 3 - static_cast<int>(std::bit_width(longest)));
+      ahead += 8;
+    }
+    const auto width = static_cast<int>(std::bit_width(size));
+    factor_ = static_cast<std::uint32_t>((std::uint64_t{1} << (29 + width)) / size);
+    shift_ = 29 + width - Component::frac + exponent;
+    const auto moved = static_cast<std::int64_t>((size * longest) >> Component::frac) + 1;
+    mirror_ = Lanes(is_backward_ ? Time{-1} : Time{0});
+    enter_from_ = Lanes(static_cast<Time>(high - around));
+    leave_from_ = Lanes(static_cast<Time>(low - around));
+    span_ = Lanes(static_cast<Time>(moved + 2 * around));
+    enter_ = Lanes(static_cast<Time>(-ticks(around + 1) - lost));
+    leave_ = Lanes(static_cast<Time>(lost - ticks(around - ahead)));
+  }
+
+  /// Whether it enters a slab at its greatest coordinate.
+  [[nodiscard]] constexpr bool is_backward() const noexcept { return is_backward_; }
+
+  /// Lower bounds of the times at which it enters through planes, and upper bounds of those at which
+  /// it leaves; outside of the part that matters, of times that are outside too.
+  [[nodiscard]] constexpr Lanes enter(const Planes& planes) const noexcept {
+    return times(planes, enter_from_, enter_);
+  }
+  [[nodiscard]] constexpr Lanes leave(const Planes& planes) const noexcept {
+    return times(planes, leave_from_, leave_);
+  }
+
+ private:
+  [[nodiscard]] constexpr std::int64_t ticks(std::int64_t steps) const noexcept {
+    return (steps * std::int64_t{factor_}) >> shift_;
+  }
+  [[nodiscard]] constexpr Lanes times(const Planes& planes, const Lanes& from,
+                                      const Lanes& first) const noexcept {
+    Lanes x(planes);
+    x.flip(mirror_);
+    x.subtract(from);
+    x.raise(Lanes(Time{0}));
+    x.lower(span_);
+    x.scale(factor_, shift_);
+    x.add(first);
+    return x;
+  }
+
+  Lanes mirror_{Time{0}}, enter_from_{Time{0}}, leave_from_{Time{0}}, span_{Time{0}};
+  Lanes enter_{Time{0}}, leave_{Time{0}};
+  std::uint32_t factor_ = 0;
+  int shift_ = 0;
+  bool is_backward_ = false;
 };
 
 #if __STDC_HOSTED__

@@ -200,7 +200,7 @@ class Finder {
     if (__builtin_is_constant_evaluated()) {
       if (Job()(moving, target, visit) == Walk::go_on) Job()(fixed, target, visit);
     } else {
-      const ObjectVisitor visitor(visit);
+      const ObjectVisitor visitor(visit, store_.end() > 0 ? &store_[0] : nullptr);
       if (separately<Job>(moving, target, visitor) == Walk::go_on) {
         separately<Job>(fixed, target, visitor);
       }

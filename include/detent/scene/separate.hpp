@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <type_traits>
 
+#include "detent/cull/prefetch.hpp"
 #include "detent/cull/search.hpp"
 #include "detent/query/cast/pair.hpp"
 #include "detent/query/raycast/hit.hpp"
@@ -49,7 +51,21 @@ class FunctionRef {
   const void* object_;
   Result (*call_)(const void*, Args...);
 };
-using ObjectVisitor = FunctionRef<Walk, std::uint32_t>;
+/// Visits objects, and fetches their records ahead: of a large scene they are not in cache.
+class ObjectVisitor : public FunctionRef<Walk, std::uint32_t> {
+ public:
+  template <class F, class Record>
+  constexpr ObjectVisitor(const F& f, const Record* records) noexcept
+      : FunctionRef(f), records_(records), size_(sizeof(Record)) {}
+
+  constexpr void ahead([[maybe_unused]] std::uint32_t object) const noexcept {
+    prefetch(static_cast<const char*>(records_) + object * size_, size_);
+  }
+
+ private:
+  const void* records_;
+  std::size_t size_;
+};
 using PairVisitor = FunctionRef<void, std::uint32_t, std::uint32_t>;
 
 /// How far a moving shape gets before it touches a target. Specialised for targets that are not one
@@ -180,7 +196,9 @@ struct VisitPairs {
   constexpr void operator()(const Tree& tree, const Tree& other, const Visit& visit) const {
     if (tree.is_empty()) return;
     visit_pairs(tree, tree.root(), visit);
-    if (!other.is_empty()) visit_pairs_below(tree, tree.root(), other, other.root(), visit);
+    if (other.is_empty()) return;
+    using Boxed = BoxedNode<Tree>;
+    visit_pairs_below(tree, Boxed::root(tree), other, Boxed::root(other), visit);
   }
 };
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "detent/cull/lanes.hpp"
 #include "detent/cull/quantized_box.hpp"
 
 namespace detent::detail {
@@ -78,19 +79,21 @@ struct alignas(64) TreeNode {
 
   /// Which boxes overlap `box`.
   [[nodiscard]] constexpr Mask meeting(const Box& box) const noexcept {
-    // All ones where two boxes are disjoint: loops that compilers vectorise.
-    std::int32_t apart[width] = {};
+    using Coordinate = typename Box::Coordinate;
+    const Mask used = (1u << count) - 1;  // a box that is everywhere overlaps empty boxes too
+    if (__builtin_is_constant_evaluated()) return meeting<ArrayLanes<Coordinate>>(box) & used;
+    return meeting<ComparedLanes<Coordinate>>(box) & used;
+  }
+
+ private:
+  template <class Lanes>
+  [[nodiscard]] constexpr Mask meeting(const Box& box) const noexcept {
+    typename Lanes::Marks apart;
     for (std::size_t axis = 0; axis < low.size(); ++axis) {
-      const auto least = box.low[axis], most = box.high[axis];
-      const auto *const lows = low[axis].data(), *const highs = high[axis].data();
-      for (std::size_t i = 0; i < width; ++i) {
-        apart[i] |= (lows[i] > most ? -1 : 0) | (highs[i] < least ? -1 : 0);
-      }
+      apart.add_above(Lanes(low[axis]), Lanes(box.high[axis]));
+      apart.add_above(Lanes(box.low[axis]), Lanes(high[axis]));
     }
-    std::int32_t together = 0;
-    for (std::size_t i = 0; i < width; ++i) together |= ~apart[i] & (1 << i);
-    const auto mask = static_cast<Mask>(together);
-    return mask & ((1u << count) - 1);  // a box that is everywhere overlaps empty boxes too
+    return apart.unmarked();
   }
 };
 
