@@ -91,12 +91,7 @@ class Store {
 
   /// The lowest index of a moving object from `i` on, or `end()`.
   [[nodiscard]] constexpr std::size_t next_moving(std::size_t i) const noexcept {
-    for (std::size_t word = i / 64; word < is_moving_.size(); ++word) {
-      const auto bits =
-          is_moving_[word] & (word == i / 64 ? ~std::uint64_t{0} << (i % 64) : ~std::uint64_t{0});
-      if (bits != 0) return 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
-    }
-    return end();
+    return next_bit(i, end(), [&](std::size_t word) { return is_moving_[word]; });
   }
 
   [[nodiscard]] constexpr const auto& frames() const noexcept { return frames_; }
@@ -111,7 +106,8 @@ class Store {
 
   /// The id of the next object, or nothing when there is no room for one.
   [[nodiscard]] constexpr std::optional<ObjectId> next_id() noexcept {
-    while (is_object(first_free_)) ++first_free_;
+    first_free_ = static_cast<std::uint32_t>(
+        next_bit(first_free_, end(), [&](std::size_t word) { return ~is_used_[word]; }));
     if (first_free_ >= capacity || next_ > last_generation) return std::nullopt;
     return ObjectId{first_free_, next_};
   }
@@ -119,8 +115,9 @@ class Store {
   /// Adds the object, or replaces the moving object at this index. Its frame must exist.
   constexpr void put(const ObjectId& id, const Shape& shape, const Traits& traits) {
     if (id.index >= records_.size()) {
-      records_.resize(id.index + std::size_t{1});
       is_moving_.resize(id.index / 64 + std::size_t{1});
+      is_used_.resize(id.index / 64 + std::size_t{1});
+      records_.resize(id.index + std::size_t{1});
     }
     Record& record = records_[id.index];
     if (record.generation == id.generation && record.layers == traits.layers &&
@@ -129,12 +126,13 @@ class Store {
       return;  // unchanged
     }
     if (record.generation == 0) ++size_;
+    is_used_[id.index / 64] |= bit_of(id.index);
     next_ = (std::max)(next_, id.generation + 1);
     record.user = traits.user;
     record.generation = id.generation;
     record.layers = traits.layers;
     record.motion = traits.motion;
-    if (traits.motion == Motion::moving) is_moving_[id.index / 64] |= motion_bit(id.index);
+    if (traits.motion == Motion::moving) is_moving_[id.index / 64] |= bit_of(id.index);
     if (traits.frame != FrameId{}) {
       attach(id.index, traits.frame.index);
     } else {
@@ -149,7 +147,8 @@ class Store {
     set_box(i, Box::none());
     detach(i);
     records_[i] = Record();
-    is_moving_[i / 64] &= ~motion_bit(i);
+    is_moving_[i / 64] &= ~bit_of(i);
+    is_used_[i / 64] &= ~bit_of(i);
     --size_;
     first_free_ = (std::min)(first_free_, i);
   }
@@ -212,6 +211,7 @@ class Store {
   constexpr void clear() noexcept {
     records_.clear();
     is_moving_.clear();
+    is_used_.clear();
     attachments_.clear();
     frames_.clear();
     moving_.clear();
@@ -230,8 +230,22 @@ class Store {
  private:
   static constexpr std::size_t attachment_capacity = Storage::frame_capacity == 0 ? 0 : capacity;
 
-  static constexpr std::uint64_t motion_bit(std::uint32_t i) noexcept {
+  static constexpr std::uint64_t bit_of(std::uint32_t i) noexcept {
     return std::uint64_t{1} << (i % 64);
+  }
+
+  /// The lowest i from `first` on whose bit is set in words(i / 64), or `last`.
+  template <class Words>
+  [[nodiscard]] static constexpr std::size_t next_bit(std::size_t first, std::size_t last,
+                                                      const Words& words) noexcept {
+    if (first >= last) return last;
+    auto bits = words(first / 64) & ~std::uint64_t{0} << (first % 64);
+    for (std::size_t word = first / 64; true; bits = words(word)) {
+      if (bits != 0) {
+        return (std::min)(last, 64 * word + static_cast<std::size_t>(std::countr_zero(bits)));
+      }
+      if (64 * ++word >= last) return last;
+    }
   }
 
   constexpr void set_box(const std::uint32_t& i, const Box& box) {
@@ -290,7 +304,9 @@ class Store {
   }
 
   typename Storage::template List<Record, capacity> records_;
-  typename Storage::template List<std::uint64_t, capacity / 64 + 1> is_moving_;  // a bit for each
+  typename Storage::template List<std::uint64_t, capacity / 64 + 1>
+      is_moving_;  // a bit for each index
+  typename Storage::template List<std::uint64_t, capacity / 64 + 1> is_used_;
   typename Storage::template List<Attachment, attachment_capacity> attachments_;
   Frames<Storage, S, N> frames_;
   Tree<Storage, S, N> moving_;
