@@ -87,6 +87,45 @@ TEST_CASE("session: nobody plays before all are there") {
   CHECK(a.frame() == 1);
 }
 
+TEST_CASE("session: frames come one after another, and again if a packet interrupts one") {
+  auto a = session_of(0, 0, 8), b = session_of(1, 0, 8);
+  exchange(a, b, 0);
+  CHECK_FALSE(b.is_open());
+  b.close_frame();  // nothing is open
+  int interrupted = 0;
+  for (std::uint32_t i = 1; i < 120; ++i) {
+    const auto of = [&](std::uint32_t player) {
+      return Pad{static_cast<std::int8_t>(i / (3 + player) % 3 - 1), i % 7 == player};
+    };
+    a.advance(of(0), play);
+    bool is_first = true;
+    const auto played = b.frame();
+    while (const auto inputs = b.open_frame(of(1))) {
+      CHECK(b.is_open());
+      play(b.opened(), *inputs);
+      if (is_first && i % 3 == 0) {
+        const auto packet = packet_for(a, 1, i * tick);
+        if (!packet.empty()) {
+          REQUIRE(b.receive(0, packet, i * tick) == Received::yes);
+          CHECK_FALSE(b.is_open());
+          b.close_frame();
+          ++interrupted;
+        }
+      }
+      is_first = false;
+      b.close_frame();
+    }
+    CHECK((b.advanced() == Advanced::yes) == (b.frame() > played));
+    if (i % 4 == 0) exchange(a, b, i * tick);
+  }
+  CHECK(interrupted > 10);
+  CHECK(b.resimulated() > 10);
+  CHECK(a.matched_frame(1) > 90);
+  CHECK(b.matched_frame(0) > 90);
+  CHECK_FALSE(next(a, Kind::desync));
+  CHECK_FALSE(next(b, Kind::desync));
+}
+
 TEST_CASE("session: an input acts `delay` frames later, the same number everywhere") {
   for (const std::uint32_t delay : {0u, 1u, 5u, 8u}) {
     auto a = session_of(0, delay, 8), b = session_of(1, 0, 8);

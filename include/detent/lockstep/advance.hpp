@@ -70,12 +70,20 @@ auto Session<World, Input, Limits>::inputs_of(std::uint32_t frame) const -> Used
   return used;
 }
 
+/// Opens the next frame that is not simulated.
 template <RollbackWorld World, class Input, SessionLimits Limits>
-template <class Simulate>
-void Session<World, Input, Limits>::step(const Simulate& simulate) {
+auto Session<World, Input, Limits>::open() -> Inputs {
   const auto used = inputs_of(timeline_.done());
-  timeline_.step(used.inputs, used.bytes, simulate);
+  timeline_.open(used.bytes);
+  return used.inputs;
+}
+
+template <RollbackWorld World, class Input, SessionLimits Limits>
+void Session<World, Input, Limits>::close_frame() {
+  if (!is_open()) return;
+  timeline_.close();
   ++simulated_;
+  --left_;
   while (checksums_.count() < final_frame()) {
     checksums_.add(detail::WorldDigest(timeline_.result(checksums_.count())).all());
   }
@@ -103,29 +111,52 @@ std::optional<Advanced> Session<World, Input, Limits>::obstacle() {
 }
 
 template <RollbackWorld World, class Input, SessionLimits Limits>
-template <class Simulate>
-Advanced Session<World, Input, Limits>::advance(const Input& input, const Simulate& simulate) {
-  if (is_loading_) return Advanced::joining;
-  agree();
-  auto left = config_.frames_per_call;
-  for (; timeline_.done() < frame_ && left > 0; --left) step(simulate);
-  if (left == 0) return Advanced::catching_up;
-  if (const auto why = obstacle()) return *why;
+auto Session<World, Input, Limits>::open_frame(const Input& input) -> std::optional<Inputs> {
+  const auto stop = [&](Advanced why) -> std::optional<Inputs> {
+    is_advancing_ = false;
+    advanced_ = why;
+    return std::nullopt;
+  };
+  if (!is_advancing_) {
+    if (is_loading_) return stop(Advanced::joining);
+    agree();
+    left_ = config_.frames_per_call;
+    is_advancing_ = true;
+    has_played_ = false;
+  }
+  if (timeline_.done() < frame_) {
+    if (left_ == 0) return stop(Advanced::catching_up);
+    return open();
+  }
   // A spectator who fell behind plays several frames.
   constexpr std::uint32_t slack = 8;
-  do {
-    if (is_player() && own().count() <= frame_ + config_.delay) {
-      const auto pressed = detail::canonical<Input>(detail::bytes_of(input));
-      own().push(detail::wire_of<Input>(pressed, invitation()));
+  if (has_played_ && (is_player() || left_ == 0 || frame_ + slack >= known_of_others())) {
+    for (std::size_t i = 0; i < peer_count(); ++i) {
+      if (!is_dropped(i) && peers_[i].comparison.compare_waiting(checksums_)) found_desync(i);
     }
-    ++frame_;
-    step(simulate);
-    --left;
-  } while (!is_player() && left > 0 && frame_ + slack < known_of_others());
-  for (std::size_t i = 0; i < peer_count(); ++i) {
-    if (!is_dropped(i) && peers_[i].comparison.compare_waiting(checksums_)) found_desync(i);
+    return stop(Advanced::yes);
   }
-  return Advanced::yes;
+  if (!has_played_) {
+    if (left_ == 0) return stop(Advanced::catching_up);
+    if (const auto why = obstacle()) return stop(*why);
+  }
+  if (is_player() && own().count() <= frame_ + config_.delay) {
+    const auto pressed = detail::canonical<Input>(detail::bytes_of(input));
+    own().push(detail::wire_of<Input>(pressed, invitation()));
+  }
+  ++frame_;
+  has_played_ = true;
+  return open();
+}
+
+template <RollbackWorld World, class Input, SessionLimits Limits>
+template <class Simulate>
+Advanced Session<World, Input, Limits>::advance(const Input& input, const Simulate& simulate) {
+  while (const auto inputs = open_frame(input)) {
+    simulate(opened(), *inputs);
+    close_frame();
+  }
+  return advanced_;
 }
 
 template <RollbackWorld World, class Input, SessionLimits Limits>
@@ -147,6 +178,7 @@ bool Session<World, Input, Limits>::is_awaited(std::size_t player) const {
 /// Ends the players on whose last frame all agree.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 void Session<World, Input, Limits>::agree() {
+  timeline_.discard();
   for (std::size_t i = 0; i < config_.players; ++i) {
     const auto held = (std::min)(known_of(i), queues_[i].count());
     if (!members_.agree(peers_, i, held)) continue;

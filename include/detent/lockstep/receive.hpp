@@ -15,6 +15,7 @@ namespace detent {
 template <RollbackWorld World, class Input, SessionLimits Limits>
 Received Session<World, Input, Limits>::receive(std::size_t peer, std::span<const std::byte> bytes,
                                                 std::uint64_t now) {
+  timeline_.discard();
   if (bytes.size() > Limits.packet || peer >= peer_count() || peer == config_.self) {
     return Received::other_match;
   }

@@ -113,6 +113,25 @@ class Session {
   template <class Simulate>
   Advanced advance(const Input& input, const Simulate& simulate);
 
+  /// The frames of `advance` one after another, for callers that cannot pass a function:
+  ///
+  ///     while (const auto inputs = session.open_frame(pad)) {
+  ///       simulate(session.opened(), *inputs);
+  ///       session.close_frame();
+  ///     }
+  ///
+  /// Nothing when no more are due now: `advanced()` is what `advance` would return. A frame that was
+  /// not closed before the next call, or before one of `receive`, `poll` and `drop`, is opened again
+  /// as it was at first.
+  [[nodiscard]] std::optional<Inputs> open_frame(const Input& input);
+  /// The world of the open frame.
+  [[nodiscard]] World& opened() { return timeline_.opened(); }
+  [[nodiscard]] bool is_open() const { return timeline_.is_open(); }
+  /// The open frame is simulated. Nothing if none is open.
+  void close_frame();
+  /// What the last `advance`, or the frames of the last `open_frame`, did.
+  [[nodiscard]] Advanced advanced() const { return advanced_; }
+
   /// Calls send(peer, bytes) with what is due for each peer, at most one packet for each.
   template <class Send>
   void poll(std::uint64_t now, const Send& send);
@@ -224,8 +243,7 @@ class Session {
   template <class Visit>
   void with_evidence(std::uint32_t frame, const Visit& visit) const;
 
-  template <class Simulate>
-  void step(const Simulate& simulate);
+  [[nodiscard]] Inputs open();
   [[nodiscard]] std::optional<Advanced> obstacle();
 
   [[nodiscard]] bool is_due(std::size_t to, std::uint64_t now);
@@ -256,6 +274,9 @@ class Session {
   bool is_loading_ = false, is_guest_ = false, is_lost_ = false;
   bool is_paused_ = false;
   bool is_expelled_ = false;
+  std::uint32_t left_ = 0;  // frames that this call of `advance` may still simulate
+  bool is_advancing_ = false, has_played_ = false;
+  Advanced advanced_ = Advanced::connecting;
 };
 
 }  // namespace detent

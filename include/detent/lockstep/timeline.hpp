@@ -86,21 +86,26 @@ class Timeline {
   /// Goes back to before `frame`, if it is simulated.
   constexpr void go_back(std::uint32_t frame) noexcept { done_ = (std::min)(done_, frame); }
 
-  /// Simulates the next frame.
-  template <class Simulate>
-  constexpr void step(const FrameInputs<Input, Players>& inputs, const Used& bytes,
-                      const Simulate& simulate) {
-    World& next = worlds_[(done_ + 1) % Kept];
-    next = worlds_[done_ % Kept];
+  /// Opens the next frame: `opened` is to be simulated with the inputs of `bytes`, then closed.
+  constexpr void open(const Used& bytes) {
+    opened() = worlds_[done_ % Kept];
     used_[done_ % Kept] = bytes;
-    simulate(next, inputs);
+    is_open_ = true;
+  }
+  [[nodiscard]] constexpr bool is_open() const noexcept { return is_open_; }
+  [[nodiscard]] constexpr World& opened() noexcept { return worlds_[(done_ + 1) % Kept]; }
+  constexpr void close() noexcept {
+    is_open_ = false;
     latest_ = (std::max)(latest_, ++done_);
   }
+  /// Forgets the open frame: its inputs may have changed.
+  constexpr void discard() noexcept { is_open_ = false; }
 
  private:
   std::array<World, Kept> worlds_;  // before frame i at i modulo Kept
   std::array<Used, Kept> used_{};
   std::uint32_t done_ = 0, latest_ = 0, start_ = 0;
+  bool is_open_ = false;
 };
 
 }  // namespace detail
