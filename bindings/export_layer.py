@@ -3,7 +3,8 @@
 import re
 
 GROUPS = (('scene', 'scenes', 'Scenes'), ('world', 'worlds', 'Worlds'), ('body', 'worlds', 'Worlds'),
-          ('joint', 'worlds', 'Worlds'), ('hull', 'scenes', 'Hulls'), ('solid', 'worlds', 'Solids'), ('mover', 'movers', 'Movers'))
+          ('joint', 'worlds', 'Worlds'), ('hull', 'scenes', 'Hulls'), ('solid', 'worlds', 'Solids'), ('mover', 'movers', 'Movers'),
+          ('session', 'sessions', 'Sessions'), ('replay', 'sessions', 'Replays'))
 # Single functions that have a source for a few of them.
 OTHERS = {'contact': ('pairs', 'Pairs'), 'closest_points': ('closest', 'Closest'),
           'time_of_impact': ('pairs', 'Pairs'), 'cast': ('casts', 'Casts')}
@@ -18,6 +19,9 @@ def files(description, note):
         if parts[1] == 'scene' and parts[3] == 'cast':
             parts = {1: 'mover', 2: parts[2], 3: 'cast'}  # compiled with the casts of characters
         for prefix, header, room in GROUPS:
+            if parts[3] == 'diff':  # compiled with sessions, which find such fields too
+                header, room, called = 'sessions', 'Differences', f'of_{parts[1]}s'
+                break
             if parts[1] == prefix:
                 called = parts[3]
                 break

@@ -19,7 +19,7 @@ def files(description, note):
         return SCALARS.get(name) or pascal(name)
 
     def field(one):
-        name = 'r#as' if one.name == 'as' else one.name
+        name = {'as': 'r#as', 'self': 'self_', 'match': 'match_'}.get(one.name, one.name)
         kind = type_of(one.type) if one.type != 'pointer' else 'Option<Hook>'
         return f'    pub {name}: {f"[{kind}; {one.count}]" if one.count else kind},'
 

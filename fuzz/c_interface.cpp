@@ -43,7 +43,7 @@ class Caller {
     if (source_.below(8) != 7) {
       for (const std::size_t which : {0, 13, 2, 33, 13, 33, 4}) check(call(which));
     }
-    while (!source_.rest().empty()) check(call(source_.below(59)));
+    while (!source_.rest().empty()) check(call(source_.below(70)));
     std::uint32_t count = 0;
     check(detent_count(&context_, &count));
     require(detent_close(&context_) == DETENT_OK, [] { return "it does not close"; });
@@ -551,10 +551,123 @@ class Caller {
         }
         return status;
       }
+      case 59:
+      case 60: {
+        detent_session_settings settings{};
+        detent_session_default_settings(&settings);
+        settings.players = static_cast<std::uint32_t>(1 + source_.below(2));
+        settings.self = static_cast<std::uint32_t>(source_.below(2));
+        settings.input_size = static_cast<std::uint32_t>(source_.below(5));
+        settings.words = static_cast<std::uint32_t>(source_.below(3));
+        settings.replay_every = static_cast<std::uint32_t>(source_.below(3));
+        if (source_.below(8) == 7) settings.life = source_.byte();
+        if (source_.below(8) == 7) settings.absent = source_.byte();
+        if (source_.below(8) == 7) settings.spectators = static_cast<std::uint32_t>(number());
+        if (source_.below(8) == 7) settings.prediction = source_.byte();
+        if (source_.below(8) == 7) settings.frames_per_call = source_.byte();
+        const auto world = handle(4);
+        const auto status = create([&](auto* out) {
+          return detent_session3_create(context, or_null(&settings), world, out);
+        });
+        take_world(detent_session3_world, context, 12);
+        return status;
+      }
+      case 61: {
+        List<std::array<std::uint8_t, 32>> inputs;
+        const std::uint8_t pad[16] = {source_.byte()};
+        detent_frame frame{};
+        const auto status = detent_session3_begin_frame(context, handle(12), or_null(pad),
+                                                        or_null(&frame), or_null(&inputs.items));
+        inputs.check();
+        return status;
+      }
+      case 62:
+        return detent_session3_end_frame(context, handle(12));
+      case 63: {
+        std::array<std::uint8_t, DETENT_PACKET> packet{};
+        std::uint32_t peer = 0, size = 0;
+        now_ += source_.byte() * std::uint64_t{1000};
+        check(detent_session3_packet(context, handle(12), now_, or_null(&peer),
+                                     or_null(packet.data()), DETENT_PACKET, or_null(&size)));
+        // To another session, or back to where it came from; now and then with another byte.
+        if (source_.below(4) == 3) packet[source_.word(2) % DETENT_PACKET] ^= source_.byte();
+        return detent_session3_receive(context, handle(12), peer ^ 1, or_null(packet.data()), size,
+                                       now_);
+      }
+      case 64: {
+        List<char> name;
+        detent_session_event event{};
+        detent_session_status status{};
+        const auto session = handle(12);
+        check(detent_session3_status(context, session, or_null(&status)));
+        check(detent_session3_matched(context, session, layers, or_null(&count)));
+        check(detent_session3_is_awaited(context, session, layers));
+        const auto result = detent_session3_event(context, session, or_null(&event),
+                                                  or_null(name.items.data()), room);
+        name.check();
+        return result;
+      }
+      case 65: {
+        const auto session = handle(12);
+        if (source_.below(4) == 3) check(detent_session3_pause(context, session, layers % 3));
+        if (source_.below(4) == 3) check(detent_session3_drop(context, session, layers % 3));
+        return source_.below(4) == 3 ? detent_session3_destroy(context, session) : DETENT_OK;
+      }
+      case 66: {
+        save(detent_session3_replay, context, 12);
+        const auto world = handle(4);
+        const auto size = static_cast<std::uint32_t>(source_.below(5));
+        const auto words = static_cast<std::uint32_t>(source_.below(3));
+        const auto status = create([&](auto* out) {
+          return detent_replay3_create(context, or_null(saved()), saved_size_, world, size, words,
+                                       out);
+        });
+        take_world(detent_replay3_world, context, 14);
+        return status;
+      }
+      case 67: {
+        List<std::array<std::uint8_t, 32>> inputs;
+        detent_frame frame{};
+        detent_replay_check result{};
+        const auto replay = handle(14);
+        check(detent_replay3_begin_frame(context, replay, or_null(&frame), or_null(&inputs.items)));
+        inputs.check();
+        if (source_.below(4) != 3) check(detent_replay3_end_frame(context, replay));
+        check(detent_replay3_check(context, replay, or_null(&result)));
+        return source_.below(8) == 7 ? detent_replay3_destroy(context, replay) : DETENT_OK;
+      }
+      case 68: {
+        const std::array<std::uint32_t, 3> words{layers, layers, layers};
+        std::array<std::uint32_t, 3> read{};
+        const auto world = handle(4);
+        check(detent_world3_set_words(context, world, or_null(words.data())));
+        return detent_world3_words(context, world, or_null(read.data()));
+      }
+      case 69: {
+        List<char> names;
+        const bool is_scene = source_.below(2) == 1;
+        const auto kind = is_scene ? std::size_t{2} : std::size_t{4};
+        const auto a = handle(kind), b = handle(kind);
+        const auto diff = is_scene ? detent_scene3_diff : detent_world3_diff;
+        const auto status =
+            diff(context, a, b, layers % 4, or_null(names.items.data()), room, or_null(&count));
+        names.check();
+        return status;
+      }
       default:
         check(detent_world3_size(context, handle(4), or_null(&count)));
         return detent_world3_restore(context, handle(4), or_null(saved()), saved_size_);
     }
+  }
+
+  /// The world of the last session or replay becomes one of the handles.
+  template <class WorldOf>
+  void take_world(const WorldOf& world_of, detent_context* context, std::size_t kind) {
+    detent_handle world = 0;
+    check(world_of(context, handle(kind), or_null(&world)));
+    if (world == 0) return;
+    handles_[next_handle_++ % handles_.size()] = world;
+    last_[4] = world;
   }
 
   template <class Snapshot>
@@ -582,6 +695,7 @@ class Caller {
   std::size_t next_handle_ = 0, next_id_ = 0;
   std::array<std::uint8_t, 4096> saved_{};
   std::uint32_t saved_size_ = 0;
+  std::uint64_t now_ = 0;
 };
 
 }  // namespace

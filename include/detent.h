@@ -40,6 +40,7 @@ enum {
   DETENT_BROKEN = -7,            /**< an allocation failed during a change: destroy the scene or world */
   DETENT_FULL = -8,              /**< no more objects, bodies, handles or assets */
   DETENT_IN_USE = -9,            /**< an object refers to the asset; or the asset's id is taken */
+  DETENT_NOT_NOW = -10,          /**< a session's world changes in its frames only; or no frame is open */
   DETENT_NO_SNAPSHOT = -20,      /**< these bytes are not a snapshot */
   DETENT_OTHER_VERSION = -21,    /**< a snapshot of a version that this library does not read */
   DETENT_TRUNCATED = -22,        /**< the snapshot is cut off */
@@ -93,6 +94,56 @@ enum {
   DETENT_LOCK_TURN_Z = 32
 };
 
+/** What a session did when no frame is left to simulate. */
+enum {
+  DETENT_PLAYED = 0,      /**< it simulated a new frame with the given input */
+  DETENT_CONNECTING = 1,  /**< not every player has been heard */
+  DETENT_CATCHING_UP = 2, /**< frames to simulate again are left for the next time */
+  DETENT_STARVED = 3,     /**< an input of another player is needed first */
+  DETENT_AHEAD = 4,       /**< the others are behind: it waits one frame for them */
+  DETENT_PAUSED = 5,      /**< by a player */
+  DETENT_OVER = 6,        /**< a spectator without players, or 2^31 frames */
+  DETENT_JOINING = 7      /**< the snapshot of the match has not come yet */
+};
+
+/** What happened in a session. */
+enum {
+  DETENT_CONNECTED = 0,      /**< the first packet of this peer came */
+  DETENT_SILENT = 1,         /**< nothing came from it for `silence`; you may drop it */
+  DETENT_HEARD_AGAIN = 2,    /**< it was silent */
+  DETENT_PEER_PAUSED = 3,    /**< it paused */
+  DETENT_PEER_RESUMED = 4,   /**< it goes on */
+  DETENT_DROPPED = 5,        /**< this player is out, as one of those who go on decided */
+  DETENT_EXPELLED = 6,       /**< it dropped us: we go on alone */
+  DETENT_LEFT = 7,           /**< all agree: `frame` is the first without this player's input */
+  DETENT_TOO_SLOW = 8,       /**< a spectator fell behind by more than is kept */
+  DETENT_CONTRADICTION = 9,  /**< it sent a second, different input for `frame`; the first one stays */
+  DETENT_DESYNC = 10,        /**< its result of `frame` differs from ours; all before were equal */
+  DETENT_DESYNC_FIELD = 11,  /**< the first field that differs in that result: the name */
+  DETENT_ARRIVED = 12,       /**< it comes late or again, and gets a snapshot */
+  DETENT_LOADED = 13,        /**< we came late and have the world before `frame`, from this peer */
+  DETENT_NO_SUCH_WORLD = 14, /**< what it sent is no snapshot of our world: another one is asked */
+  DETENT_JOINED = 15         /**< this player takes part from `frame` on */
+};
+
+/** How a replay ends. */
+enum {
+  DETENT_REPLAY_WHOLE = 0,    /**< every byte was read */
+  DETENT_REPLAY_CUT = 1,      /**< the last block is not whole: its writer was stopped */
+  DETENT_REPLAY_CORRUPTED = 2 /**< a byte has been changed; the frames before it were read */
+};
+
+/** Most bytes of a player's input, of a packet, of a snapshot for who comes late and of the name of a
+ *  field; most words of a session's world; most players. */
+enum {
+  DETENT_INPUT = 16,
+  DETENT_PACKET = 1200,
+  DETENT_LATE_SNAPSHOT = 65536,
+  DETENT_NAME = 119,
+  DETENT_WORDS = 256,
+  DETENT_PLAYERS = 8
+};
+
 /** A status: see DETENT_OK. */
 typedef int32_t detent_status;
 
@@ -133,6 +184,64 @@ typedef struct detent_impact {
   int32_t distance;
   uint32_t is_hit;
 } detent_impact;
+
+/** A match and one peer in it. Times are in microseconds, of a clock that only this peer needs. */
+typedef struct detent_session_settings {
+  uint64_t match;           /**< the same for all peers: a random number, the host says it */
+  uint64_t send_interval;   /**< at least this between two packets to a peer */
+  uint64_t silence;         /**< a peer that sends nothing for this long is silent */
+  uint32_t self;            /**< peers are numbered: players first, then spectators */
+  uint32_t players;         /**< 1 to 8 */
+  uint32_t spectators;      /**< peers are at most 16 */
+  uint32_t delay;           /**< frames between an input and its effect, 0 to 8 */
+  uint32_t prediction;      /**< 0 to 16; 0: every frame waits for all inputs, and delay is 1 or more */
+  uint32_t frames_per_call; /**< the most that are simulated in one tick, 1 or more */
+  uint32_t absent;          /**< seats that are free at the start, a bit each: the same for all peers */
+  uint32_t life;            /**< 0; of who comes late or again, more than in its sessions before */
+  uint32_t wants_seat;      /**< 0 or 1: whether a player that comes late wants to play */
+  uint32_t input_size;      /**< bytes of a player's input, 1 to 16: the same for all peers */
+  uint32_t words;           /**< 32-bit words next to the world, 0 to 256: the same for all peers */
+  uint32_t replay_every;    /**< records a replay, with a digest after so many frames, 1 to 255; or 0 */
+} detent_session_settings;
+
+/** A frame to simulate, or why there is none. Players whose bit is set in `present` take part. */
+typedef struct detent_frame {
+  uint32_t number;   /**< from 0 */
+  uint32_t players;
+  uint32_t present;
+  uint32_t state;    /**< DETENT_PLAYED and the like, when there is none */
+} detent_frame;
+
+/** Something that happened in a session, with a peer or in a frame. */
+typedef struct detent_session_event {
+  uint32_t kind;       /**< DETENT_CONNECTED and the like */
+  uint32_t peer;
+  uint32_t frame;
+  uint32_t name_size;  /**< bytes of the name of the field */
+  uint32_t has_object;
+  detent_id object;    /**< the body that the field belongs to, if there is one */
+} detent_session_event;
+
+/** How far a session is. */
+typedef struct detent_session_status {
+  uint64_t digest;        /**< of the results of all frames before `checked_frame` */
+  uint64_t resimulated;   /**< frames that were simulated again, counted each time */
+  uint32_t frame;         /**< frames played */
+  uint32_t final_frame;   /**< frames whose results no packet can change */
+  uint32_t checked_frame;
+  uint32_t start_frame;   /**< 0, or that of the snapshot it began with */
+  uint32_t is_player;     /**< whether it plays: one that came late does once it has its seat */
+  uint32_t players;
+} detent_session_status;
+
+/** What simulating a replay again gave so far. */
+typedef struct detent_replay_check {
+  uint32_t state;    /**< DETENT_REPLAY_WHOLE and the like */
+  uint32_t frames;   /**< simulated */
+  uint32_t equal;    /**< the first so many have the recorded digest after the last of them */
+  uint32_t is_equal; /**< if 0, the first frame that differs is one of `equal` to `frames` */
+  uint32_t players;
+} detent_replay_check;
 
 /** What a scene stores with an object. */
 typedef struct detent_traits {
@@ -652,6 +761,9 @@ DETENT_API detent_status detent_close(detent_context* context);
 /** How many scenes, worlds and assets the context has. */
 DETENT_API detent_status detent_count(const detent_context* context, uint32_t* count);
 
+/** The settings of an ordinary session: two players, delay 2, prediction 8, inputs of one byte. */
+DETENT_API detent_status detent_session_default_settings(detent_session_settings* settings);
+
 /** A mesh of `face_count` triangles; `faces` has three indices of `vertices` for each. Copies them.
  *  `id` is the caller's name in snapshots: not 0, and DETENT_IN_USE if another mesh has it.
  *  DETENT_BAD_ARGUMENT if a vertex is missing; at most 256 meshes a context, or DETENT_FULL. */
@@ -1039,6 +1151,129 @@ DETENT_API detent_status detent_world2_snapshot(const detent_context* context,
 DETENT_API detent_status detent_world2_restore(detent_context* context, detent_handle world,
                                                  const void* bytes, uint32_t size);
 
+/** Names the first fields in which two worlds differ, such as `body 3:17 (sphere) velocity.y`, at most
+ *  `most` of them, each with a line feed behind it. Writes as much of that as `room` holds to `names`, and
+ *  its whole size to `size`. DETENT_NO if all fields are equal. */
+DETENT_API detent_status detent_world2_diff(const detent_context* context, detent_handle a,
+                                              detent_handle b, uint32_t most, void* names,
+                                              uint32_t room, uint32_t* size);
+
+/** The same for two scenes: `object 1:2 (sphere) center.y`. */
+DETENT_API detent_status detent_scene2_diff(const detent_context* context, detent_handle a,
+                                              detent_handle b, uint32_t most, void* names,
+                                              uint32_t room, uint32_t* size);
+
+/** A session of a match that all peers start from equal worlds: copies of `world`. Until it is
+ *  destroyed no solid hull of this dimension can be. */
+DETENT_API detent_status detent_session2_create(detent_context* context,
+                                                  const detent_session_settings* settings,
+                                                  detent_handle world, detent_handle* session);
+
+/** Destroys a session, and its world. */
+DETENT_API detent_status detent_session2_destroy(detent_context* context, detent_handle session);
+
+/** The world of a session, for all functions of worlds. It can be changed while a frame is open,
+ *  otherwise only read: it is then the one after the last frame that is simulated. */
+DETENT_API detent_status detent_session2_world(const detent_context* context,
+                                                 detent_handle session, detent_handle* world);
+
+/** Takes a packet that your transport got from `peer`, at the time `now`. Any bytes are safe. DETENT_NO if
+ *  it was not used: of another match, broken, or from one who was dropped. */
+DETENT_API detent_status detent_session2_receive(detent_context* context, detent_handle session,
+                                                   uint32_t peer, const void* bytes, uint32_t size,
+                                                   uint64_t now);
+
+/** Opens the next frame that is due, to be simulated by you: change the world of the session by the
+ *  inputs alone, step it, then call `detent_session2_end_frame`; and so on with the same input until
+ *  there is none. Frames come again after inputs that were guessed wrong. `inputs` gets `input_size`
+ *  bytes for each player. DETENT_NO if none is due now: `frame` says why. A frame that was not ended is
+ *  opened again as it was at first. */
+DETENT_API detent_status detent_session2_begin_frame(detent_context* context,
+                                                       detent_handle session, const void* input,
+                                                       detent_frame* frame, void* inputs);
+
+/** The open frame is simulated. DETENT_NOT_NOW if none is open. */
+DETENT_API detent_status detent_session2_end_frame(detent_context* context,
+                                                     detent_handle session);
+
+/** The next packet that is due at the time `now`, for your transport to send to `peer`, at most one for
+ *  each: ask until there is none. `room` is DETENT_PACKET or more. */
+DETENT_API detent_status detent_session2_packet(detent_context* context, detent_handle session,
+                                                  uint64_t now, uint32_t* peer, void* bytes,
+                                                  uint32_t room, uint32_t* size);
+
+/** What happened since, oldest first; DETENT_NO if nothing else did. Writes as much of the name of a field
+ *  as `room` holds; DETENT_NAME holds any. */
+DETENT_API detent_status detent_session2_event(detent_context* context, detent_handle session,
+                                                 detent_session_event* event, void* name,
+                                                 uint32_t room);
+
+/** How far the session is. */
+DETENT_API detent_status detent_session2_status(const detent_context* context,
+                                                  detent_handle session,
+                                                  detent_session_status* status);
+
+/** All frames before `frame` are known to be equal at `peer` and here. */
+DETENT_API detent_status detent_session2_matched(const detent_context* context,
+                                                   detent_handle session, uint32_t peer,
+                                                   uint32_t* frame);
+
+/** Whether this player keeps the session from going on. */
+DETENT_API detent_status detent_session2_is_awaited(const detent_context* context,
+                                                      detent_handle session, uint32_t player);
+
+/** Goes on without a peer. All who go on agree on the first frame without this player. */
+DETENT_API detent_status detent_session2_drop(detent_context* context, detent_handle session,
+                                                uint32_t peer);
+
+/** Stops (1) or goes on (0); the others see it. */
+DETENT_API detent_status detent_session2_pause(detent_context* context, detent_handle session,
+                                                 uint32_t is_paused);
+
+/** Writes the replay of all final frames so far to `bytes` if `room` holds it, and its size to `size`.
+ *  DETENT_NO if there is less room, or if the session records none: then the size is 0. One that came
+ *  late records none. */
+DETENT_API detent_status detent_session2_replay(const detent_context* context,
+                                                  detent_handle session, void* bytes, uint32_t room,
+                                                  uint32_t* size);
+
+/** The words next to the world of a session or a replay: what else of the game a rollback restores, as
+ *  many as its settings say. Zeros before the first frame. DETENT_NO for a world of its own. */
+DETENT_API detent_status detent_world2_words(const detent_context* context, detent_handle world,
+                                               uint32_t* words);
+
+/** Sets them, in an open frame. */
+DETENT_API detent_status detent_world2_set_words(detent_context* context, detent_handle world,
+                                                   const uint32_t* words);
+
+/** A replay to be simulated again, from a world with the same settings and fixed bodies as that of the
+ *  session at its start, and with its settings of inputs and words. Any bytes are safe. DETENT_NO_SNAPSHOT
+ *  if they are no replay, DETENT_OTHER_SCENE if it has other inputs, DETENT_OTHER_VERSION if its results
+ *  are those of another version; otherwise what `detent_world2_restore` says of its start. */
+DETENT_API detent_status detent_replay2_create(detent_context* context, const void* bytes,
+                                                 uint32_t size, detent_handle world,
+                                                 uint32_t input_size, uint32_t words,
+                                                 detent_handle* replay);
+
+/** Destroys a replay, and its world. */
+DETENT_API detent_status detent_replay2_destroy(detent_context* context, detent_handle replay);
+
+/** The world of a replay: as that of a session. */
+DETENT_API detent_status detent_replay2_world(const detent_context* context, detent_handle replay,
+                                                detent_handle* world);
+
+/** Opens the next frame, to be simulated by you as in the session. DETENT_NO at the end, or once a digest
+ *  differs. A frame that was not ended goes on. */
+DETENT_API detent_status detent_replay2_begin_frame(detent_context* context, detent_handle replay,
+                                                      detent_frame* frame, void* inputs);
+
+/** The open frame is simulated. DETENT_NOT_NOW if none is open. */
+DETENT_API detent_status detent_replay2_end_frame(detent_context* context, detent_handle replay);
+
+/** What simulating it gave so far. */
+DETENT_API detent_status detent_replay2_check(const detent_context* context, detent_handle replay,
+                                                detent_replay_check* check);
+
 /** Whether the ray touches the shape, and where. `hit` may be null. For the kinds from DETENT_SPHERE to
  *  DETENT_SEGMENT. Distance 0 if the ray starts inside. */
 DETENT_API detent_status detent_raycast3(const detent_ray3* ray, const detent_shape3* shape,
@@ -1406,12 +1641,140 @@ DETENT_API detent_status detent_world3_snapshot(const detent_context* context,
 DETENT_API detent_status detent_world3_restore(detent_context* context, detent_handle world,
                                                  const void* bytes, uint32_t size);
 
+/** Names the first fields in which two worlds differ, such as `body 3:17 (sphere) velocity.y`, at most
+ *  `most` of them, each with a line feed behind it. Writes as much of that as `room` holds to `names`, and
+ *  its whole size to `size`. DETENT_NO if all fields are equal. */
+DETENT_API detent_status detent_world3_diff(const detent_context* context, detent_handle a,
+                                              detent_handle b, uint32_t most, void* names,
+                                              uint32_t room, uint32_t* size);
+
+/** The same for two scenes: `object 1:2 (sphere) center.y`. */
+DETENT_API detent_status detent_scene3_diff(const detent_context* context, detent_handle a,
+                                              detent_handle b, uint32_t most, void* names,
+                                              uint32_t room, uint32_t* size);
+
+/** A session of a match that all peers start from equal worlds: copies of `world`. Until it is
+ *  destroyed no solid hull of this dimension can be. */
+DETENT_API detent_status detent_session3_create(detent_context* context,
+                                                  const detent_session_settings* settings,
+                                                  detent_handle world, detent_handle* session);
+
+/** Destroys a session, and its world. */
+DETENT_API detent_status detent_session3_destroy(detent_context* context, detent_handle session);
+
+/** The world of a session, for all functions of worlds. It can be changed while a frame is open,
+ *  otherwise only read: it is then the one after the last frame that is simulated. */
+DETENT_API detent_status detent_session3_world(const detent_context* context,
+                                                 detent_handle session, detent_handle* world);
+
+/** Takes a packet that your transport got from `peer`, at the time `now`. Any bytes are safe. DETENT_NO if
+ *  it was not used: of another match, broken, or from one who was dropped. */
+DETENT_API detent_status detent_session3_receive(detent_context* context, detent_handle session,
+                                                   uint32_t peer, const void* bytes, uint32_t size,
+                                                   uint64_t now);
+
+/** Opens the next frame that is due, to be simulated by you: change the world of the session by the
+ *  inputs alone, step it, then call `detent_session3_end_frame`; and so on with the same input until
+ *  there is none. Frames come again after inputs that were guessed wrong. `inputs` gets `input_size`
+ *  bytes for each player. DETENT_NO if none is due now: `frame` says why. A frame that was not ended is
+ *  opened again as it was at first. */
+DETENT_API detent_status detent_session3_begin_frame(detent_context* context,
+                                                       detent_handle session, const void* input,
+                                                       detent_frame* frame, void* inputs);
+
+/** The open frame is simulated. DETENT_NOT_NOW if none is open. */
+DETENT_API detent_status detent_session3_end_frame(detent_context* context,
+                                                     detent_handle session);
+
+/** The next packet that is due at the time `now`, for your transport to send to `peer`, at most one for
+ *  each: ask until there is none. `room` is DETENT_PACKET or more. */
+DETENT_API detent_status detent_session3_packet(detent_context* context, detent_handle session,
+                                                  uint64_t now, uint32_t* peer, void* bytes,
+                                                  uint32_t room, uint32_t* size);
+
+/** What happened since, oldest first; DETENT_NO if nothing else did. Writes as much of the name of a field
+ *  as `room` holds; DETENT_NAME holds any. */
+DETENT_API detent_status detent_session3_event(detent_context* context, detent_handle session,
+                                                 detent_session_event* event, void* name,
+                                                 uint32_t room);
+
+/** How far the session is. */
+DETENT_API detent_status detent_session3_status(const detent_context* context,
+                                                  detent_handle session,
+                                                  detent_session_status* status);
+
+/** All frames before `frame` are known to be equal at `peer` and here. */
+DETENT_API detent_status detent_session3_matched(const detent_context* context,
+                                                   detent_handle session, uint32_t peer,
+                                                   uint32_t* frame);
+
+/** Whether this player keeps the session from going on. */
+DETENT_API detent_status detent_session3_is_awaited(const detent_context* context,
+                                                      detent_handle session, uint32_t player);
+
+/** Goes on without a peer. All who go on agree on the first frame without this player. */
+DETENT_API detent_status detent_session3_drop(detent_context* context, detent_handle session,
+                                                uint32_t peer);
+
+/** Stops (1) or goes on (0); the others see it. */
+DETENT_API detent_status detent_session3_pause(detent_context* context, detent_handle session,
+                                                 uint32_t is_paused);
+
+/** Writes the replay of all final frames so far to `bytes` if `room` holds it, and its size to `size`.
+ *  DETENT_NO if there is less room, or if the session records none: then the size is 0. One that came
+ *  late records none. */
+DETENT_API detent_status detent_session3_replay(const detent_context* context,
+                                                  detent_handle session, void* bytes, uint32_t room,
+                                                  uint32_t* size);
+
+/** The words next to the world of a session or a replay: what else of the game a rollback restores, as
+ *  many as its settings say. Zeros before the first frame. DETENT_NO for a world of its own. */
+DETENT_API detent_status detent_world3_words(const detent_context* context, detent_handle world,
+                                               uint32_t* words);
+
+/** Sets them, in an open frame. */
+DETENT_API detent_status detent_world3_set_words(detent_context* context, detent_handle world,
+                                                   const uint32_t* words);
+
+/** A replay to be simulated again, from a world with the same settings and fixed bodies as that of the
+ *  session at its start, and with its settings of inputs and words. Any bytes are safe. DETENT_NO_SNAPSHOT
+ *  if they are no replay, DETENT_OTHER_SCENE if it has other inputs, DETENT_OTHER_VERSION if its results
+ *  are those of another version; otherwise what `detent_world3_restore` says of its start. */
+DETENT_API detent_status detent_replay3_create(detent_context* context, const void* bytes,
+                                                 uint32_t size, detent_handle world,
+                                                 uint32_t input_size, uint32_t words,
+                                                 detent_handle* replay);
+
+/** Destroys a replay, and its world. */
+DETENT_API detent_status detent_replay3_destroy(detent_context* context, detent_handle replay);
+
+/** The world of a replay: as that of a session. */
+DETENT_API detent_status detent_replay3_world(const detent_context* context, detent_handle replay,
+                                                detent_handle* world);
+
+/** Opens the next frame, to be simulated by you as in the session. DETENT_NO at the end, or once a digest
+ *  differs. A frame that was not ended goes on. */
+DETENT_API detent_status detent_replay3_begin_frame(detent_context* context, detent_handle replay,
+                                                      detent_frame* frame, void* inputs);
+
+/** The open frame is simulated. DETENT_NOT_NOW if none is open. */
+DETENT_API detent_status detent_replay3_end_frame(detent_context* context, detent_handle replay);
+
+/** What simulating it gave so far. */
+DETENT_API detent_status detent_replay3_check(const detent_context* context, detent_handle replay,
+                                                detent_replay_check* check);
+
 /* Every field has a fixed size and place, the same in every compiler. */
 typedef char detent_id_has_its_size[sizeof(detent_id) == 8 ? 1 : -1];
 typedef char detent_pair_has_its_size[sizeof(detent_pair) == 16 ? 1 : -1];
 typedef char detent_touch_has_its_size[sizeof(detent_touch) == 20 ? 1 : -1];
 typedef char detent_found_has_its_size[sizeof(detent_found) == 12 ? 1 : -1];
 typedef char detent_impact_has_its_size[sizeof(detent_impact) == 12 ? 1 : -1];
+typedef char detent_session_settings_has_its_size[sizeof(detent_session_settings) == 72 ? 1 : -1];
+typedef char detent_frame_has_its_size[sizeof(detent_frame) == 16 ? 1 : -1];
+typedef char detent_session_event_has_its_size[sizeof(detent_session_event) == 28 ? 1 : -1];
+typedef char detent_session_status_has_its_size[sizeof(detent_session_status) == 40 ? 1 : -1];
+typedef char detent_replay_check_has_its_size[sizeof(detent_replay_check) == 20 ? 1 : -1];
 typedef char detent_traits_has_its_size[sizeof(detent_traits) == 24 ? 1 : -1];
 typedef char detent_context_has_its_size[sizeof(detent_context) == 32 ? 1 : -1];
 typedef char detent_vec2_has_its_size[sizeof(detent_vec2) == 8 ? 1 : -1];

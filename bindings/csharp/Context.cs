@@ -41,6 +41,12 @@ public sealed unsafe class Context : IDisposable {
     *Memory = default(ContextMemory);
     Number.Check(C.detent_open(Memory, null));
   }
+  /// <summary>Two players, delay 2, prediction 8, inputs of one byte.</summary>
+  public static SessionSettings DefaultSessionSettings() {
+    SessionSettings settings;
+    Number.Check(C.detent_session_default_settings(&settings));
+    return settings;
+  }
   public void Dispose() {
     if (Memory == null) return;
     C.detent_close(Memory);

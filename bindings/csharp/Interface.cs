@@ -43,6 +43,69 @@ public struct Impact {
   public uint is_hit;
 }
 
+/// <summary>A match and one peer in it. Times are in microseconds, of a clock that only this peer needs.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct SessionSettings {
+  public ulong match;
+  public ulong send_interval;
+  public ulong silence;
+  public uint self;
+  public uint players;
+  public uint spectators;
+  public uint delay;
+  public uint prediction;
+  public uint frames_per_call;
+  public uint absent;
+  public uint life;
+  public uint wants_seat;
+  public uint input_size;
+  public uint words;
+  public uint replay_every;
+}
+
+/// <summary>A frame to simulate, or why there is none. Players whose bit is set in `present` take part.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct Frame {
+  public uint number;
+  public uint players;
+  public uint present;
+  public uint state;
+}
+
+/// <summary>Something that happened in a session, with a peer or in a frame.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct SessionEvent {
+  public uint kind;
+  public uint peer;
+  public uint frame;
+  public uint name_size;
+  public uint has_object;
+  public Id @object;
+}
+
+/// <summary>How far a session is.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct SessionStatus {
+  public ulong digest;
+  public ulong resimulated;
+  public uint frame;
+  public uint final_frame;
+  public uint checked_frame;
+  public uint start_frame;
+  public uint is_player;
+  public uint players;
+}
+
+/// <summary>What simulating a replay again gave so far.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct ReplayCheck {
+  public uint state;
+  public uint frames;
+  public uint equal;
+  public uint is_equal;
+  public uint players;
+}
+
 /// <summary>What a scene stores with an object.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Traits {
@@ -621,6 +684,7 @@ public static unsafe class C {
   public const int BROKEN = -7;
   public const int FULL = -8;
   public const int IN_USE = -9;
+  public const int NOT_NOW = -10;
   public const int NO_SNAPSHOT = -20;
   public const int OTHER_VERSION = -21;
   public const int TRUNCATED = -22;
@@ -658,6 +722,39 @@ public static unsafe class C {
   public const uint LOCK_TURN_X = 8;
   public const uint LOCK_TURN_Y = 16;
   public const uint LOCK_TURN_Z = 32;
+  public const uint PLAYED = 0;
+  public const uint CONNECTING = 1;
+  public const uint CATCHING_UP = 2;
+  public const uint STARVED = 3;
+  public const uint AHEAD = 4;
+  public const uint PAUSED = 5;
+  public const uint OVER = 6;
+  public const uint JOINING = 7;
+  public const uint CONNECTED = 0;
+  public const uint SILENT = 1;
+  public const uint HEARD_AGAIN = 2;
+  public const uint PEER_PAUSED = 3;
+  public const uint PEER_RESUMED = 4;
+  public const uint DROPPED = 5;
+  public const uint EXPELLED = 6;
+  public const uint LEFT = 7;
+  public const uint TOO_SLOW = 8;
+  public const uint CONTRADICTION = 9;
+  public const uint DESYNC = 10;
+  public const uint DESYNC_FIELD = 11;
+  public const uint ARRIVED = 12;
+  public const uint LOADED = 13;
+  public const uint NO_SUCH_WORLD = 14;
+  public const uint JOINED = 15;
+  public const uint REPLAY_WHOLE = 0;
+  public const uint REPLAY_CUT = 1;
+  public const uint REPLAY_CORRUPTED = 2;
+  public const uint INPUT = 16;
+  public const uint PACKET = 1200;
+  public const uint LATE_SNAPSHOT = 65536;
+  public const uint NAME = 119;
+  public const uint WORDS = 256;
+  public const uint PLAYERS = 8;
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_version();
@@ -676,6 +773,9 @@ public static unsafe class C {
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_count(ContextMemory* context, uint* count);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session_default_settings(SessionSettings* settings);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_mesh_create(ContextMemory* context, uint id, Vec3* vertices, uint vertex_count, uint* faces, uint face_count, uint* mesh);
@@ -903,6 +1003,78 @@ public static unsafe class C {
   public static extern int detent_world2_restore(ContextMemory* context, uint world, void* bytes, uint size);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_diff(ContextMemory* context, uint a, uint b, uint most, void* names, uint room, uint* size);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_scene2_diff(ContextMemory* context, uint a, uint b, uint most, void* names, uint room, uint* size);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session2_create(ContextMemory* context, SessionSettings* settings, uint world, uint* session);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session2_destroy(ContextMemory* context, uint session);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session2_world(ContextMemory* context, uint session, uint* world);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session2_receive(ContextMemory* context, uint session, uint peer, void* bytes, uint size, ulong now);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session2_begin_frame(ContextMemory* context, uint session, void* input, Frame* frame, void* inputs);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session2_end_frame(ContextMemory* context, uint session);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session2_packet(ContextMemory* context, uint session, ulong now, uint* peer, void* bytes, uint room, uint* size);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session2_event(ContextMemory* context, uint session, SessionEvent* @event, void* name, uint room);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session2_status(ContextMemory* context, uint session, SessionStatus* status);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session2_matched(ContextMemory* context, uint session, uint peer, uint* frame);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session2_is_awaited(ContextMemory* context, uint session, uint player);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session2_drop(ContextMemory* context, uint session, uint peer);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session2_pause(ContextMemory* context, uint session, uint is_paused);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session2_replay(ContextMemory* context, uint session, void* bytes, uint room, uint* size);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_words(ContextMemory* context, uint world, uint* words);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_set_words(ContextMemory* context, uint world, uint* words);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_replay2_create(ContextMemory* context, void* bytes, uint size, uint world, uint input_size, uint words, uint* replay);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_replay2_destroy(ContextMemory* context, uint replay);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_replay2_world(ContextMemory* context, uint replay, uint* world);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_replay2_begin_frame(ContextMemory* context, uint replay, Frame* frame, void* inputs);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_replay2_end_frame(ContextMemory* context, uint replay);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_replay2_check(ContextMemory* context, uint replay, ReplayCheck* check);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_raycast3(Ray3* ray, Shape3* shape, Hit3* hit);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1118,6 +1290,78 @@ public static unsafe class C {
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_restore(ContextMemory* context, uint world, void* bytes, uint size);
 
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_diff(ContextMemory* context, uint a, uint b, uint most, void* names, uint room, uint* size);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_scene3_diff(ContextMemory* context, uint a, uint b, uint most, void* names, uint room, uint* size);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session3_create(ContextMemory* context, SessionSettings* settings, uint world, uint* session);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session3_destroy(ContextMemory* context, uint session);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session3_world(ContextMemory* context, uint session, uint* world);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session3_receive(ContextMemory* context, uint session, uint peer, void* bytes, uint size, ulong now);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session3_begin_frame(ContextMemory* context, uint session, void* input, Frame* frame, void* inputs);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session3_end_frame(ContextMemory* context, uint session);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session3_packet(ContextMemory* context, uint session, ulong now, uint* peer, void* bytes, uint room, uint* size);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session3_event(ContextMemory* context, uint session, SessionEvent* @event, void* name, uint room);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session3_status(ContextMemory* context, uint session, SessionStatus* status);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session3_matched(ContextMemory* context, uint session, uint peer, uint* frame);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session3_is_awaited(ContextMemory* context, uint session, uint player);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session3_drop(ContextMemory* context, uint session, uint peer);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session3_pause(ContextMemory* context, uint session, uint is_paused);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_session3_replay(ContextMemory* context, uint session, void* bytes, uint room, uint* size);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_words(ContextMemory* context, uint world, uint* words);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_set_words(ContextMemory* context, uint world, uint* words);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_replay3_create(ContextMemory* context, void* bytes, uint size, uint world, uint input_size, uint words, uint* replay);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_replay3_destroy(ContextMemory* context, uint replay);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_replay3_world(ContextMemory* context, uint replay, uint* world);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_replay3_begin_frame(ContextMemory* context, uint replay, Frame* frame, void* inputs);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_replay3_end_frame(ContextMemory* context, uint replay);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_replay3_check(ContextMemory* context, uint replay, ReplayCheck* check);
+
   /// <summary>Throws if a structure has not the size that it has in C.</summary>
   public static void CheckSizes() {
     if (sizeof(Id) != 8) throw new TypeLoadException("detent_id");
@@ -1125,6 +1369,11 @@ public static unsafe class C {
     if (sizeof(Touch) != 20) throw new TypeLoadException("detent_touch");
     if (sizeof(Found) != 12) throw new TypeLoadException("detent_found");
     if (sizeof(Impact) != 12) throw new TypeLoadException("detent_impact");
+    if (sizeof(SessionSettings) != 72) throw new TypeLoadException("detent_session_settings");
+    if (sizeof(Frame) != 16) throw new TypeLoadException("detent_frame");
+    if (sizeof(SessionEvent) != 28) throw new TypeLoadException("detent_session_event");
+    if (sizeof(SessionStatus) != 40) throw new TypeLoadException("detent_session_status");
+    if (sizeof(ReplayCheck) != 20) throw new TypeLoadException("detent_replay_check");
     if (sizeof(Traits) != 24) throw new TypeLoadException("detent_traits");
     if (sizeof(ContextMemory) != 32) throw new TypeLoadException("detent_context");
     if (sizeof(Vec2) != 8) throw new TypeLoadException("detent_vec2");

@@ -127,11 +127,23 @@ public sealed unsafe class Scene2 {
       Number.Check(C.detent_scene2_restore(context.Memory, Handle, from, (uint)bytes.Length));
     }
   }
+  /// <summary>The first fields in which the two differ, a line each.</summary>
+  public string Diff(Scene2 other, uint most = 16) {
+    uint size;
+    if (!Number.Check(C.detent_scene2_diff(context.Memory, Handle, other.Handle, most, null, 0, &size))) {
+      return "";
+    }
+    var bytes = new byte[size];
+    fixed (byte* to = bytes) {
+      Number.Check(C.detent_scene2_diff(context.Memory, Handle, other.Handle, most, to, size, &size));
+    }
+    return System.Text.Encoding.ASCII.GetString(bytes);
+  }
 }
 
 /// <summary>Bodies that move. What is not here is in C, with Handle.</summary>
-public sealed unsafe class World2 {
-  readonly Context context;
+public unsafe class World2 {
+  internal readonly Context context;
   public readonly uint Handle;
 
   public static World2Settings DefaultSettings() {
@@ -145,6 +157,10 @@ public sealed unsafe class World2 {
     return options;
   }
 
+  internal World2(Context context, uint handle) {
+    this.context = context;
+    Handle = handle;
+  }
   public World2(Context context) : this(context, DefaultSettings()) {}
   public World2(Context context, World2Settings settings) {
     this.context = context;
@@ -199,6 +215,158 @@ public sealed unsafe class World2 {
     fixed (byte* from = bytes) {
       Number.Check(C.detent_world2_restore(context.Memory, Handle, from, (uint)bytes.Length));
     }
+  }
+  /// <summary>The first fields in which the two differ, a line each.</summary>
+  public string Diff(World2 other, uint most = 16) {
+    uint size;
+    if (!Number.Check(C.detent_world2_diff(context.Memory, Handle, other.Handle, most, null, 0, &size))) {
+      return "";
+    }
+    var bytes = new byte[size];
+    fixed (byte* to = bytes) {
+      Number.Check(C.detent_world2_diff(context.Memory, Handle, other.Handle, most, to, size, &size));
+    }
+    return System.Text.Encoding.ASCII.GetString(bytes);
+  }
+}
+
+/// <summary>The world of a session or replay, with words of the game that a rollback restores too. It
+/// can be changed in a frame, otherwise only be read.</summary>
+public sealed unsafe class PlayedWorld2 : World2 {
+  internal PlayedWorld2(Context context, uint handle) : base(context, handle) {}
+
+  /// <summary>As many words as the settings say.</summary>
+  public void GetWords(uint[] words) {
+    fixed (uint* to = words) Number.Check(C.detent_world2_words(context.Memory, Handle, to));
+  }
+  public void SetWords(uint[] words) {
+    fixed (uint* from = words) Number.Check(C.detent_world2_set_words(context.Memory, Handle, from));
+  }
+}
+
+/// <summary>A match over a network, from a world that all peers start with. Calls make no garbage but
+/// for Replay and the names of events.</summary>
+public sealed unsafe class Session2 {
+  readonly Context context;
+  public readonly uint Handle;
+  public readonly PlayedWorld2 World;
+  /// <summary>Of the open frame: the inputs of all players, one behind the other.</summary>
+  public readonly byte[] Inputs;
+  readonly uint inputSize;
+
+  public Session2(Context context, World2 start, SessionSettings settings) {
+    this.context = context;
+    uint handle, world;
+    Number.Check(C.detent_session2_create(context.Memory, &settings, start.Handle, &handle));
+    Handle = handle;
+    Number.Check(C.detent_session2_world(context.Memory, Handle, &world));
+    World = new PlayedWorld2(context, world);
+    inputSize = settings.input_size;
+    Inputs = new byte[C.PLAYERS * inputSize];
+  }
+  public void Destroy() { Number.Check(C.detent_session2_destroy(context.Memory, Handle)); }
+
+  /// <summary>True if there is a frame to simulate: change World by Inputs, step it, call EndFrame, and ask
+  /// again with the same input. Otherwise frame.state says why.</summary>
+  public bool BeginFrame(byte[] pad, out Frame frame) {
+    if (pad.Length != inputSize) throw new DetentException(C.BAD_ARGUMENT);
+    fixed (byte* from = pad, to = Inputs) fixed (Frame* into = &frame) {
+      return Number.Check(C.detent_session2_begin_frame(context.Memory, Handle, from, into, to));
+    }
+  }
+  public void EndFrame() { Number.Check(C.detent_session2_end_frame(context.Memory, Handle)); }
+  /// <summary>Takes a packet at a time in microseconds; false if it was not used.</summary>
+  public bool Receive(uint peer, byte[] packet, int size, ulong now) {
+    if ((uint)size > (uint)packet.Length) throw new DetentException(C.BAD_ARGUMENT);
+    fixed (byte* from = packet) {
+      return Number.Check(C.detent_session2_receive(context.Memory, Handle, peer, from, (uint)size, now));
+    }
+  }
+  /// <summary>The next packet that is due, in an array of C.PACKET bytes.</summary>
+  public bool Packet(ulong now, byte[] packet, out uint peer, out int size) {
+    uint to, count;
+    bool isDue;
+    fixed (byte* at = packet) {
+      isDue = Number.Check(C.detent_session2_packet(context.Memory, Handle, now, &to, at,
+                                                      (uint)packet.Length, &count));
+    }
+    peer = isDue ? to : 0;
+    size = isDue ? (int)count : 0;
+    return isDue;
+  }
+  /// <summary>What happened next, and the name of a field that differs, or null.</summary>
+  public bool Event(out SessionEvent happened, out string field) {
+    byte* name = stackalloc byte[(int)C.NAME];
+    SessionEvent own;
+    bool isThere = Number.Check(C.detent_session2_event(context.Memory, Handle, &own, name, C.NAME));
+    happened = isThere ? own : default(SessionEvent);
+    field = isThere && own.name_size != 0 ? new string((sbyte*)name, 0, (int)own.name_size) : null;
+    return isThere;
+  }
+  public SessionStatus Status {
+    get {
+      SessionStatus status;
+      Number.Check(C.detent_session2_status(context.Memory, Handle, &status));
+      return status;
+    }
+  }
+  /// <summary>All frames before this one are equal at the peer and here.</summary>
+  public uint Matched(uint peer) {
+    uint frame;
+    Number.Check(C.detent_session2_matched(context.Memory, Handle, peer, &frame));
+    return frame;
+  }
+  public bool IsAwaited(uint player) {
+    return Number.Check(C.detent_session2_is_awaited(context.Memory, Handle, player));
+  }
+  public void Drop(uint peer) { Number.Check(C.detent_session2_drop(context.Memory, Handle, peer)); }
+  public void Pause(bool isPaused) {
+    Number.Check(C.detent_session2_pause(context.Memory, Handle, isPaused ? 1u : 0u));
+  }
+  /// <summary>The replay of all final frames, or null if none is recorded.</summary>
+  public byte[] Replay() {
+    uint size;
+    Number.Check(C.detent_session2_replay(context.Memory, Handle, null, 0, &size));
+    if (size == 0) return null;
+    var bytes = new byte[size];
+    fixed (byte* to = bytes) {
+      Number.Check(C.detent_session2_replay(context.Memory, Handle, to, size, &size));
+    }
+    return bytes;
+  }
+}
+
+/// <summary>A replay that is simulated again, with the inputs and words of its session.</summary>
+public sealed unsafe class Replay2 {
+  readonly Context context;
+  public readonly uint Handle;
+  public readonly PlayedWorld2 World;
+  /// <summary>Of the open frame: the inputs of all players, one behind the other.</summary>
+  public readonly byte[] Inputs;
+
+  public Replay2(Context context, World2 start, byte[] bytes, uint inputSize, uint words) {
+    this.context = context;
+    uint handle, world;
+    fixed (byte* from = bytes) {
+      Number.Check(C.detent_replay2_create(context.Memory, from, (uint)bytes.Length, start.Handle,
+                                             inputSize, words, &handle));
+    }
+    Handle = handle;
+    Number.Check(C.detent_replay2_world(context.Memory, Handle, &world));
+    World = new PlayedWorld2(context, world);
+    Inputs = new byte[C.PLAYERS * inputSize];
+  }
+  public void Destroy() { Number.Check(C.detent_replay2_destroy(context.Memory, Handle)); }
+  public bool BeginFrame(out Frame frame) {
+    fixed (byte* to = Inputs) fixed (Frame* into = &frame) {
+      return Number.Check(C.detent_replay2_begin_frame(context.Memory, Handle, into, to));
+    }
+  }
+  public void EndFrame() { Number.Check(C.detent_replay2_end_frame(context.Memory, Handle)); }
+  public ReplayCheck Check() {
+    ReplayCheck check;
+    Number.Check(C.detent_replay2_check(context.Memory, Handle, &check));
+    return check;
   }
 }
 
@@ -324,11 +492,23 @@ public sealed unsafe class Scene3 {
       Number.Check(C.detent_scene3_restore(context.Memory, Handle, from, (uint)bytes.Length));
     }
   }
+  /// <summary>The first fields in which the two differ, a line each.</summary>
+  public string Diff(Scene3 other, uint most = 16) {
+    uint size;
+    if (!Number.Check(C.detent_scene3_diff(context.Memory, Handle, other.Handle, most, null, 0, &size))) {
+      return "";
+    }
+    var bytes = new byte[size];
+    fixed (byte* to = bytes) {
+      Number.Check(C.detent_scene3_diff(context.Memory, Handle, other.Handle, most, to, size, &size));
+    }
+    return System.Text.Encoding.ASCII.GetString(bytes);
+  }
 }
 
 /// <summary>Bodies that move. What is not here is in C, with Handle.</summary>
-public sealed unsafe class World3 {
-  readonly Context context;
+public unsafe class World3 {
+  internal readonly Context context;
   public readonly uint Handle;
 
   public static World3Settings DefaultSettings() {
@@ -342,6 +522,10 @@ public sealed unsafe class World3 {
     return options;
   }
 
+  internal World3(Context context, uint handle) {
+    this.context = context;
+    Handle = handle;
+  }
   public World3(Context context) : this(context, DefaultSettings()) {}
   public World3(Context context, World3Settings settings) {
     this.context = context;
@@ -396,6 +580,158 @@ public sealed unsafe class World3 {
     fixed (byte* from = bytes) {
       Number.Check(C.detent_world3_restore(context.Memory, Handle, from, (uint)bytes.Length));
     }
+  }
+  /// <summary>The first fields in which the two differ, a line each.</summary>
+  public string Diff(World3 other, uint most = 16) {
+    uint size;
+    if (!Number.Check(C.detent_world3_diff(context.Memory, Handle, other.Handle, most, null, 0, &size))) {
+      return "";
+    }
+    var bytes = new byte[size];
+    fixed (byte* to = bytes) {
+      Number.Check(C.detent_world3_diff(context.Memory, Handle, other.Handle, most, to, size, &size));
+    }
+    return System.Text.Encoding.ASCII.GetString(bytes);
+  }
+}
+
+/// <summary>The world of a session or replay, with words of the game that a rollback restores too. It
+/// can be changed in a frame, otherwise only be read.</summary>
+public sealed unsafe class PlayedWorld3 : World3 {
+  internal PlayedWorld3(Context context, uint handle) : base(context, handle) {}
+
+  /// <summary>As many words as the settings say.</summary>
+  public void GetWords(uint[] words) {
+    fixed (uint* to = words) Number.Check(C.detent_world3_words(context.Memory, Handle, to));
+  }
+  public void SetWords(uint[] words) {
+    fixed (uint* from = words) Number.Check(C.detent_world3_set_words(context.Memory, Handle, from));
+  }
+}
+
+/// <summary>A match over a network, from a world that all peers start with. Calls make no garbage but
+/// for Replay and the names of events.</summary>
+public sealed unsafe class Session3 {
+  readonly Context context;
+  public readonly uint Handle;
+  public readonly PlayedWorld3 World;
+  /// <summary>Of the open frame: the inputs of all players, one behind the other.</summary>
+  public readonly byte[] Inputs;
+  readonly uint inputSize;
+
+  public Session3(Context context, World3 start, SessionSettings settings) {
+    this.context = context;
+    uint handle, world;
+    Number.Check(C.detent_session3_create(context.Memory, &settings, start.Handle, &handle));
+    Handle = handle;
+    Number.Check(C.detent_session3_world(context.Memory, Handle, &world));
+    World = new PlayedWorld3(context, world);
+    inputSize = settings.input_size;
+    Inputs = new byte[C.PLAYERS * inputSize];
+  }
+  public void Destroy() { Number.Check(C.detent_session3_destroy(context.Memory, Handle)); }
+
+  /// <summary>True if there is a frame to simulate: change World by Inputs, step it, call EndFrame, and ask
+  /// again with the same input. Otherwise frame.state says why.</summary>
+  public bool BeginFrame(byte[] pad, out Frame frame) {
+    if (pad.Length != inputSize) throw new DetentException(C.BAD_ARGUMENT);
+    fixed (byte* from = pad, to = Inputs) fixed (Frame* into = &frame) {
+      return Number.Check(C.detent_session3_begin_frame(context.Memory, Handle, from, into, to));
+    }
+  }
+  public void EndFrame() { Number.Check(C.detent_session3_end_frame(context.Memory, Handle)); }
+  /// <summary>Takes a packet at a time in microseconds; false if it was not used.</summary>
+  public bool Receive(uint peer, byte[] packet, int size, ulong now) {
+    if ((uint)size > (uint)packet.Length) throw new DetentException(C.BAD_ARGUMENT);
+    fixed (byte* from = packet) {
+      return Number.Check(C.detent_session3_receive(context.Memory, Handle, peer, from, (uint)size, now));
+    }
+  }
+  /// <summary>The next packet that is due, in an array of C.PACKET bytes.</summary>
+  public bool Packet(ulong now, byte[] packet, out uint peer, out int size) {
+    uint to, count;
+    bool isDue;
+    fixed (byte* at = packet) {
+      isDue = Number.Check(C.detent_session3_packet(context.Memory, Handle, now, &to, at,
+                                                      (uint)packet.Length, &count));
+    }
+    peer = isDue ? to : 0;
+    size = isDue ? (int)count : 0;
+    return isDue;
+  }
+  /// <summary>What happened next, and the name of a field that differs, or null.</summary>
+  public bool Event(out SessionEvent happened, out string field) {
+    byte* name = stackalloc byte[(int)C.NAME];
+    SessionEvent own;
+    bool isThere = Number.Check(C.detent_session3_event(context.Memory, Handle, &own, name, C.NAME));
+    happened = isThere ? own : default(SessionEvent);
+    field = isThere && own.name_size != 0 ? new string((sbyte*)name, 0, (int)own.name_size) : null;
+    return isThere;
+  }
+  public SessionStatus Status {
+    get {
+      SessionStatus status;
+      Number.Check(C.detent_session3_status(context.Memory, Handle, &status));
+      return status;
+    }
+  }
+  /// <summary>All frames before this one are equal at the peer and here.</summary>
+  public uint Matched(uint peer) {
+    uint frame;
+    Number.Check(C.detent_session3_matched(context.Memory, Handle, peer, &frame));
+    return frame;
+  }
+  public bool IsAwaited(uint player) {
+    return Number.Check(C.detent_session3_is_awaited(context.Memory, Handle, player));
+  }
+  public void Drop(uint peer) { Number.Check(C.detent_session3_drop(context.Memory, Handle, peer)); }
+  public void Pause(bool isPaused) {
+    Number.Check(C.detent_session3_pause(context.Memory, Handle, isPaused ? 1u : 0u));
+  }
+  /// <summary>The replay of all final frames, or null if none is recorded.</summary>
+  public byte[] Replay() {
+    uint size;
+    Number.Check(C.detent_session3_replay(context.Memory, Handle, null, 0, &size));
+    if (size == 0) return null;
+    var bytes = new byte[size];
+    fixed (byte* to = bytes) {
+      Number.Check(C.detent_session3_replay(context.Memory, Handle, to, size, &size));
+    }
+    return bytes;
+  }
+}
+
+/// <summary>A replay that is simulated again, with the inputs and words of its session.</summary>
+public sealed unsafe class Replay3 {
+  readonly Context context;
+  public readonly uint Handle;
+  public readonly PlayedWorld3 World;
+  /// <summary>Of the open frame: the inputs of all players, one behind the other.</summary>
+  public readonly byte[] Inputs;
+
+  public Replay3(Context context, World3 start, byte[] bytes, uint inputSize, uint words) {
+    this.context = context;
+    uint handle, world;
+    fixed (byte* from = bytes) {
+      Number.Check(C.detent_replay3_create(context.Memory, from, (uint)bytes.Length, start.Handle,
+                                             inputSize, words, &handle));
+    }
+    Handle = handle;
+    Number.Check(C.detent_replay3_world(context.Memory, Handle, &world));
+    World = new PlayedWorld3(context, world);
+    Inputs = new byte[C.PLAYERS * inputSize];
+  }
+  public void Destroy() { Number.Check(C.detent_replay3_destroy(context.Memory, Handle)); }
+  public bool BeginFrame(out Frame frame) {
+    fixed (byte* to = Inputs) fixed (Frame* into = &frame) {
+      return Number.Check(C.detent_replay3_begin_frame(context.Memory, Handle, into, to));
+    }
+  }
+  public void EndFrame() { Number.Check(C.detent_replay3_end_frame(context.Memory, Handle)); }
+  public ReplayCheck Check() {
+    ReplayCheck check;
+    Number.Check(C.detent_replay3_check(context.Memory, Handle, &check));
+    return check;
   }
 }
 

@@ -25,6 +25,13 @@ export declare class DetentError extends Error {
   readonly status: number;
 }
 
+/** Kinds of events, and why a session has no frame to simulate. */
+export declare const events: Record<'connected' | 'silent' | 'heard_again' | 'peer_paused' | 'peer_resumed' |
+  'dropped' | 'expelled' | 'left' | 'too_slow' | 'contradiction' | 'desync' | 'desync_field' | 'arrived' |
+  'loaded' | 'no_such_world' | 'joined', number>;
+export declare const states: Record<'played' | 'connecting' | 'catching_up' | 'starved' | 'ahead' |
+  'paused' | 'over' | 'joining', number>;
+
 export type Id = types.Id;
 /** The types of a dimension. */
 export interface Of2 {
@@ -92,6 +99,8 @@ export declare class Context<D extends Of> {
   close(): void;
   scene(): Scene<D>;
   world(settings?: Partial<D['settings']>): World<D>;
+  session(start: World<D>, settings?: Partial<types.SessionSettings>): Session<D>;
+  replay(bytes: Uint8Array, start: World<D>, settings?: { input_size?: number; words?: number }): Replay<D>;
   /** In 3D. */
   mesh(name: number, vertices: types.Vec3[], faces: [number, number, number][]): Asset;
   hull(name: number, points: D['vec'][]): Asset;
@@ -114,6 +123,8 @@ declare class Held {
   remove(id: Id): boolean;
   snapshot(): Uint8Array;
   restore(snapshot: Uint8Array): void;
+  /** The names of the first fields in which the two differ. */
+  diff(other: this, most?: number): string[];
 }
 
 export declare class Scene<D extends Of> extends Held {
@@ -154,4 +165,39 @@ export declare class World<D extends Of> extends Held {
   localPoint(id: Id, point: D['vec']): D['vec'] | null;
   localFrame(id: Id, axis: D['vec'][]): D['vec'][] | null;
   events(): types.Touch[];
+}
+
+/** The world of a session or a replay: can be changed in a frame, otherwise only be read. */
+export declare class PlayedWorld<D extends Of> extends World<D> {
+  words: number[];
+  readonly wordCount: number;
+}
+/** A frame to simulate: the input of each player, null for one that takes no part. */
+export interface Frame {
+  number: number;
+  inputs: (Uint8Array | null)[];
+}
+declare class Played<D extends Of> extends Held {
+  readonly world: PlayedWorld<D>;
+  readonly inputSize: number;
+  readonly state: number;
+}
+
+export declare class Session<D extends Of> extends Played<D> {
+  frames(pad: Uint8Array): Generator<Frame>;
+  /** Times are in microseconds. */
+  receive(peer: number, packet: Uint8Array, now: number | bigint): boolean;
+  packets(now: number | bigint): { peer: number; bytes: Uint8Array }[];
+  event(): { kind: number; peer: number; frame: number; field: string; object: Id | null } | null;
+  readonly status: types.SessionStatus;
+  matched(peer: number): number;
+  isAwaited(player: number): boolean;
+  drop(peer: number): void;
+  pause(isPaused?: boolean): void;
+  replay(): Uint8Array | null;
+}
+
+export declare class Replay<D extends Of> extends Played<D> {
+  frames(): Generator<Frame>;
+  check(): types.ReplayCheck;
 }

@@ -39,6 +39,13 @@ export class DetentError extends Error {
   }
 }
 
+/** Kinds of events of sessions, and why a session has no frame to simulate. */
+export const events = Object.fromEntries(['CONNECTED', 'SILENT', 'HEARD_AGAIN', 'PEER_PAUSED', 'PEER_RESUMED',
+  'DROPPED', 'EXPELLED', 'LEFT', 'TOO_SLOW', 'CONTRADICTION', 'DESYNC', 'DESYNC_FIELD', 'ARRIVED', 'LOADED',
+  'NO_SUCH_WORLD', 'JOINED'].map((name) => [name.toLowerCase(), constants[name]]));
+export const states = Object.fromEntries(['PLAYED', 'CONNECTING', 'CATCHING_UP', 'STARVED', 'AHEAD', 'PAUSED',
+  'OVER', 'JOINING'].map((name) => [name.toLowerCase(), constants[name]]));
+
 const kinds = { sphere: 1, aabb: 2, obb: 3, plane: 4, triangle: 5, capsule: 6, segment: 7, point: 8 };
 const memberOf = ['', ...Object.keys(kinds), 'placed', 'placed', 'point'];
 const scratchSize = 4096;
@@ -377,6 +384,14 @@ class Context {
   world(settings = {}) {
     return new World(this, this.detent.space, settings);
   }
+  /** A match over a network that all peers begin with a copy of `start`. */
+  session(start, settings = {}) {
+    return new Session(this, this.detent.space, start, settings);
+  }
+  /** A replay, with the inputs and words of its session. */
+  replay(bytes, start, { input_size = 1, words = 0 } = {}) {
+    return new Replay(this, this.detent.space, bytes, start, input_size, words);
+  }
   /** In 3D. Triangles: three indices of vertices each. `name` is the mesh's id in snapshots, not 0. */
   mesh(name, vertices, faces) {
     return this.asset([vertices.flat(), faces.flat()], ([points, indices], out) =>
@@ -512,6 +527,36 @@ class Held {
   shape(memory, shape) {
     return memory.put(this.types.shape, shape);
   }
+  /** The names of the first fields in which the two differ, such as `body 3:17 (sphere) velocity.y`. */
+  diff(other, most = 16) {
+    return this.bytes('diff', other.handle, most).split('\n').slice(0, -1);
+  }
+  /** The bytes of a function that says how many there are, as a string of one character each. */
+  bytes(name, ...words) {
+    return String.fromCharCode(...this.data(name, ...words));
+  }
+  data(name, ...words) {
+    const { memory } = this.context.detent;
+    const size = this.out2(name, ...words, 0, 0);
+    const at = memory.allocate(size + 1);
+    try {
+      this.out2(name, ...words, at, size);
+      return new Uint8Array(memory.exports.memory.buffer, at, size).slice();
+    } finally {
+      memory.exports.free(at);
+    }
+  }
+  /** f(at, size) with a copy of bytes. */
+  withBytes(bytes, f) {
+    const { memory } = this.context.detent;
+    const at = memory.allocate(bytes.length + 1);
+    try {
+      new Uint8Array(memory.exports.memory.buffer, at, bytes.length).set(bytes);
+      return f(at, bytes.length);
+    } finally {
+      memory.exports.free(at);
+    }
+  }
 }
 
 /** Objects, and queries over all of them. */
@@ -615,6 +660,7 @@ class Scene extends Held {
 class World extends Held {
   constructor(context, space, settings) {
     super(context, space, 'world');
+    if (settings === null) return;  // of a session
     const type = `detent_world${space.dimension}_settings`;
     this.call((memory) => {
       const at = memory.place(layouts[type].size);
@@ -735,5 +781,161 @@ class World extends Held {
   /** The pairs that began or ended to touch in the last step. */
   events() {
     return this.list('events', 'detent_touch');
+  }
+}
+
+/** The world of a session or a replay. It can be changed in a frame, otherwise only be read. */
+class PlayedWorld extends World {
+  constructor(owner, wordCount) {
+    super(owner.context, owner.space, null);
+    this.handle = owner.out('world', 'uint32_t');
+    this.wordCount = wordCount;
+  }
+  /** What else of the game a rollback restores: unsigned numbers of 32 bits, 0 at first. */
+  get words() {
+    return this.call((memory) => {
+      const at = memory.place(4 * this.wordCount);
+      this.run('words', at);
+      return Array.from({ length: this.wordCount }, (_, i) => memory.read(at + 4 * i, 'uint32_t'));
+    });
+  }
+  set words(values) {
+    if (values.length !== this.wordCount) throw new RangeError(`there are ${this.wordCount} words`);
+    this.call((memory) => {
+      const at = memory.place(4 * this.wordCount);
+      values.forEach((value, i) => memory.write(at + 4 * i, 'uint32_t', value));
+      this.run('set_words', at);
+    });
+  }
+}
+
+/** What sessions and replays share. */
+class Played extends Held {
+  setUp(inputSize, wordCount) {
+    this.inputSize = inputSize;
+    this.world = new PlayedWorld(this, wordCount);
+  }
+  /** The frame that is opened, or null. */
+  open(...before) {
+    return this.call((memory) => {
+      const at = memory.place(layouts.detent_frame.size);
+      const inputs = memory.place(constants.PLAYERS * this.inputSize);
+      const yes = this.run('begin_frame', ...before, at, inputs);
+      const { number, players, present, state } = memory.read(at, 'detent_frame');
+      this.state = state;
+      if (!yes) return null;
+      const bytes = new Uint8Array(memory.exports.memory.buffer, inputs, players * this.inputSize).slice();
+      return { number, inputs: Array.from({ length: players }, (_, i) => ((present >> i) & 1
+        ? bytes.subarray(i * this.inputSize, (i + 1) * this.inputSize) : null)) };
+    });
+  }
+}
+
+/** A match over a network. A frame that an exception leaves is played again. */
+class Session extends Played {
+  constructor(context, space, start, settings) {
+    super(context, space, 'session');
+    const type = 'detent_session_settings';
+    this.call((memory) => {
+      const at = memory.place(layouts[type].size);
+      context.detent.run('session_default_settings', at);
+      memory.write(at, type, settings);
+      this.create(at, start.handle);
+      const given = memory.read(at, type);
+      this.setUp(given.input_size, given.words);
+    });
+    this.state = constants.CONNECTING;
+  }
+  /** The frames to simulate now, with this input, a Uint8Array, for the new one; `state` says why there are
+   *  no more. */
+  * frames(pad) {
+    if (pad.length !== this.inputSize) throw new RangeError(`an input has ${this.inputSize} bytes`);
+    for (;;) {
+      const frame = this.withBytes(pad, (at) => this.open(at));
+      if (!frame) return;
+      yield frame;
+      this.run('end_frame');
+    }
+  }
+  /** Takes a packet at a time in microseconds; false if it was not used. */
+  receive(peer, packet, now) {
+    return this.withBytes(packet, (at, size) => this.run('receive', peer, at, size, BigInt(now)));
+  }
+  /** What is due to be sent: { peer, bytes }. */
+  packets(now) {
+    const { memory } = this.context.detent;
+    const room = memory.allocate(constants.PACKET), list = [];
+    try {
+      return this.call(() => {
+        const peer = memory.place(4), size = memory.place(4);
+        while (this.run('packet', BigInt(now), peer, room, constants.PACKET, size)) {
+          const bytes = new Uint8Array(memory.exports.memory.buffer, room, memory.read(size, 'uint32_t'));
+          list.push({ peer: memory.read(peer, 'uint32_t'), bytes: bytes.slice() });
+        }
+        return list;
+      });
+    } finally {
+      memory.exports.free(room);
+    }
+  }
+  /** What happened next: { kind, peer, frame, field, object }, or null. */
+  event() {
+    return this.call((memory) => {
+      const at = memory.place(layouts.detent_session_event.size), name = memory.place(constants.NAME);
+      if (!this.run('event', at, name, constants.NAME)) return null;
+      const { kind, peer, frame, name_size, has_object, object } = memory.read(at, 'detent_session_event');
+      const field = String.fromCharCode(...new Uint8Array(memory.exports.memory.buffer, name, name_size));
+      return { kind, peer, frame, field, object: has_object ? object : null };
+    });
+  }
+  /** How far it is: frame, final_frame, digest and others. */
+  get status() {
+    return this.call((memory) => {
+      const at = memory.place(layouts.detent_session_status.size);
+      this.run('status', at);
+      return memory.read(at, 'detent_session_status');
+    });
+  }
+  /** All frames before this one are equal at the peer and here. */
+  matched(peer) {
+    return this.out2('matched', peer);
+  }
+  isAwaited(player) {
+    return this.run('is_awaited', player);
+  }
+  drop(peer) {
+    this.run('drop', peer);
+  }
+  pause(isPaused = true) {
+    this.run('pause', isPaused ? 1 : 0);
+  }
+  /** The replay of all final frames, or null if none is recorded (`replay_every`). */
+  replay() {
+    const bytes = this.data('replay');
+    return bytes.length === 0 ? null : bytes;
+  }
+}
+
+/** A replay that is simulated again. */
+class Replay extends Played {
+  constructor(context, space, bytes, start, inputSize, wordCount) {
+    super(context, space, 'replay');
+    this.withBytes(bytes, (at, size) => this.create(at, size, start.handle, inputSize, wordCount));
+    this.setUp(inputSize, wordCount);
+  }
+  /** All its frames, up to the first digest that differs. */
+  * frames() {
+    for (let frame = this.open(); frame; frame = this.open()) {
+      yield frame;
+      this.run('end_frame');
+    }
+  }
+  /** What simulating it gave so far. */
+  check() {
+    return this.call((memory) => {
+      const at = memory.place(layouts.detent_replay_check.size);
+      this.run('check', at);
+      return memory.read(at, 'detent_replay_check');
+    });
   }
 }

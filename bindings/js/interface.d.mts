@@ -12,6 +12,7 @@ export declare const NO_MEMORY: -6;
 export declare const BROKEN: -7;
 export declare const FULL: -8;
 export declare const IN_USE: -9;
+export declare const NOT_NOW: -10;
 export declare const NO_SNAPSHOT: -20;
 export declare const OTHER_VERSION: -21;
 export declare const TRUNCATED: -22;
@@ -49,6 +50,39 @@ export declare const LOCK_Z: 4;
 export declare const LOCK_TURN_X: 8;
 export declare const LOCK_TURN_Y: 16;
 export declare const LOCK_TURN_Z: 32;
+export declare const PLAYED: 0;
+export declare const CONNECTING: 1;
+export declare const CATCHING_UP: 2;
+export declare const STARVED: 3;
+export declare const AHEAD: 4;
+export declare const PAUSED: 5;
+export declare const OVER: 6;
+export declare const JOINING: 7;
+export declare const CONNECTED: 0;
+export declare const SILENT: 1;
+export declare const HEARD_AGAIN: 2;
+export declare const PEER_PAUSED: 3;
+export declare const PEER_RESUMED: 4;
+export declare const DROPPED: 5;
+export declare const EXPELLED: 6;
+export declare const LEFT: 7;
+export declare const TOO_SLOW: 8;
+export declare const CONTRADICTION: 9;
+export declare const DESYNC: 10;
+export declare const DESYNC_FIELD: 11;
+export declare const ARRIVED: 12;
+export declare const LOADED: 13;
+export declare const NO_SUCH_WORLD: 14;
+export declare const JOINED: 15;
+export declare const REPLAY_WHOLE: 0;
+export declare const REPLAY_CUT: 1;
+export declare const REPLAY_CORRUPTED: 2;
+export declare const INPUT: 16;
+export declare const PACKET: 1200;
+export declare const LATE_SNAPSHOT: 65536;
+export declare const NAME: 119;
+export declare const WORDS: 256;
+export declare const PLAYERS: 8;
 
 /** An object of a scene or a body of a world. No two have the same id, ever; {0, 0} is none. */
 export interface Id {
@@ -80,6 +114,64 @@ export interface Impact {
   time: number;
   distance: number;
   is_hit: number;
+}
+
+/** A match and one peer in it. Times are in microseconds, of a clock that only this peer needs. */
+export interface SessionSettings {
+  match: bigint;
+  send_interval: bigint;
+  silence: bigint;
+  self: number;
+  players: number;
+  spectators: number;
+  delay: number;
+  prediction: number;
+  frames_per_call: number;
+  absent: number;
+  life: number;
+  wants_seat: number;
+  input_size: number;
+  words: number;
+  replay_every: number;
+}
+
+/** A frame to simulate, or why there is none. Players whose bit is set in `present` take part. */
+export interface Frame {
+  number: number;
+  players: number;
+  present: number;
+  state: number;
+}
+
+/** Something that happened in a session, with a peer or in a frame. */
+export interface SessionEvent {
+  kind: number;
+  peer: number;
+  frame: number;
+  name_size: number;
+  has_object: number;
+  object: Id;
+}
+
+/** How far a session is. */
+export interface SessionStatus {
+  digest: bigint;
+  resimulated: bigint;
+  frame: number;
+  final_frame: number;
+  checked_frame: number;
+  start_frame: number;
+  is_player: number;
+  players: number;
+}
+
+/** What simulating a replay again gave so far. */
+export interface ReplayCheck {
+  state: number;
+  frames: number;
+  equal: number;
+  is_equal: number;
+  players: number;
 }
 
 /** What a scene stores with an object. */

@@ -12,6 +12,7 @@ export const NO_MEMORY = -6;
 export const BROKEN = -7;
 export const FULL = -8;
 export const IN_USE = -9;
+export const NOT_NOW = -10;
 export const NO_SNAPSHOT = -20;
 export const OTHER_VERSION = -21;
 export const TRUNCATED = -22;
@@ -49,6 +50,39 @@ export const LOCK_Z = 4;
 export const LOCK_TURN_X = 8;
 export const LOCK_TURN_Y = 16;
 export const LOCK_TURN_Z = 32;
+export const PLAYED = 0;
+export const CONNECTING = 1;
+export const CATCHING_UP = 2;
+export const STARVED = 3;
+export const AHEAD = 4;
+export const PAUSED = 5;
+export const OVER = 6;
+export const JOINING = 7;
+export const CONNECTED = 0;
+export const SILENT = 1;
+export const HEARD_AGAIN = 2;
+export const PEER_PAUSED = 3;
+export const PEER_RESUMED = 4;
+export const DROPPED = 5;
+export const EXPELLED = 6;
+export const LEFT = 7;
+export const TOO_SLOW = 8;
+export const CONTRADICTION = 9;
+export const DESYNC = 10;
+export const DESYNC_FIELD = 11;
+export const ARRIVED = 12;
+export const LOADED = 13;
+export const NO_SUCH_WORLD = 14;
+export const JOINED = 15;
+export const REPLAY_WHOLE = 0;
+export const REPLAY_CUT = 1;
+export const REPLAY_CORRUPTED = 2;
+export const INPUT = 16;
+export const PACKET = 1200;
+export const LATE_SNAPSHOT = 65536;
+export const NAME = 119;
+export const WORDS = 256;
+export const PLAYERS = 8;
 
 // Of each structure its size, whether it is a vector, its fields (name, type, offset,
 // elements) and the members of its union.
@@ -67,6 +101,21 @@ export const layouts = {
     union: [] },
   detent_impact: { size: 12, isVector: false,
     fields: [['time', 'int32_t', 0, 0], ['distance', 'int32_t', 4, 0], ['is_hit', 'uint32_t', 8, 0]],
+    union: [] },
+  detent_session_settings: { size: 72, isVector: false,
+    fields: [['match', 'uint64_t', 0, 0], ['send_interval', 'uint64_t', 8, 0], ['silence', 'uint64_t', 16, 0], ['self', 'uint32_t', 24, 0], ['players', 'uint32_t', 28, 0], ['spectators', 'uint32_t', 32, 0], ['delay', 'uint32_t', 36, 0], ['prediction', 'uint32_t', 40, 0], ['frames_per_call', 'uint32_t', 44, 0], ['absent', 'uint32_t', 48, 0], ['life', 'uint32_t', 52, 0], ['wants_seat', 'uint32_t', 56, 0], ['input_size', 'uint32_t', 60, 0], ['words', 'uint32_t', 64, 0], ['replay_every', 'uint32_t', 68, 0]],
+    union: [] },
+  detent_frame: { size: 16, isVector: false,
+    fields: [['number', 'uint32_t', 0, 0], ['players', 'uint32_t', 4, 0], ['present', 'uint32_t', 8, 0], ['state', 'uint32_t', 12, 0]],
+    union: [] },
+  detent_session_event: { size: 28, isVector: false,
+    fields: [['kind', 'uint32_t', 0, 0], ['peer', 'uint32_t', 4, 0], ['frame', 'uint32_t', 8, 0], ['name_size', 'uint32_t', 12, 0], ['has_object', 'uint32_t', 16, 0], ['object', 'detent_id', 20, 0]],
+    union: [] },
+  detent_session_status: { size: 40, isVector: false,
+    fields: [['digest', 'uint64_t', 0, 0], ['resimulated', 'uint64_t', 8, 0], ['frame', 'uint32_t', 16, 0], ['final_frame', 'uint32_t', 20, 0], ['checked_frame', 'uint32_t', 24, 0], ['start_frame', 'uint32_t', 28, 0], ['is_player', 'uint32_t', 32, 0], ['players', 'uint32_t', 36, 0]],
+    union: [] },
+  detent_replay_check: { size: 20, isVector: false,
+    fields: [['state', 'uint32_t', 0, 0], ['frames', 'uint32_t', 4, 0], ['equal', 'uint32_t', 8, 0], ['is_equal', 'uint32_t', 12, 0], ['players', 'uint32_t', 16, 0]],
     union: [] },
   detent_traits: { size: 24, isVector: false,
     fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['motion', 'uint32_t', 12, 0], ['frame', 'detent_id', 16, 0]],

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "detent/lockstep/config.hpp"
 #include "detent/version.hpp"
 
 namespace detent::c {
@@ -18,7 +19,8 @@ Context::~Context() {
   // Scenes refer to assets, which are destroyed after them.
   for (const bool assets : {false, true}) {
     for (std::uint32_t i = 0; i < end_; ++i) {
-      const bool is_asset = (slots_[i].handle & 15) >= static_cast<std::uint32_t>(Kind::mesh);
+      const auto kind = static_cast<Kind>(slots_[i].handle & 15);
+      const bool is_asset = kind >= Kind::mesh && kind <= Kind::solid3;
       if (slots_[i].handle != 0 && is_asset == assets) destroy(slots_[i]);
     }
   }
@@ -118,6 +120,8 @@ const char* detent_describe(detent_status status) {
       return "there is no room for more objects, handles or assets";
     case DETENT_IN_USE:
       return "an object or body refers to the asset, or its id is taken";
+    case DETENT_NOT_NOW:
+      return "the world of a session changes in its frames only, or no frame is open";
     case DETENT_NO_SNAPSHOT:
       return "these bytes are not a snapshot";
     case DETENT_OTHER_VERSION:
@@ -171,5 +175,20 @@ detent_status detent_count(const detent_context* context, uint32_t* count) {
   if (table == nullptr) return DETENT_BAD_CONTEXT;
   if (count == nullptr) return DETENT_BAD_ARGUMENT;
   *count = table->count();
+  return DETENT_OK;
+}
+
+detent_status detent_session_default_settings(detent_session_settings* settings) {
+  if (settings == nullptr) return DETENT_BAD_ARGUMENT;
+  const detent::SessionConfig own;
+  *settings = {};
+  settings->send_interval = own.send_interval;
+  settings->silence = own.silence;
+  settings->players = static_cast<std::uint32_t>(own.players);
+  settings->delay = own.delay;
+  settings->prediction = own.prediction;
+  settings->frames_per_call = own.frames_per_call;
+  settings->wants_seat = own.wants_seat ? 1 : 0;
+  settings->input_size = 1;
   return DETENT_OK;
 }

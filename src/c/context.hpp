@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -31,16 +32,33 @@ enum class Kind : std::uint32_t {
   hull3,
   field,
   solid2,
-  solid3
+  solid3,
+  session2,  // no assets from here on
+  session3,
+  replay2,
+  replay3
 };
 
 class Context;
+
+/// Words of the game that are next to the world of a session or replay.
+struct Words {
+  std::uint32_t count = 0;
+  std::array<std::uint32_t, DETENT_WORDS> values{};
+
+  [[nodiscard]] std::span<const std::uint32_t> span() const noexcept {
+    return {values.data(), count};
+  }
+};
 
 /// What a slot has: an object, how to destroy it, and whether it refers to an asset.
 struct Slot {
   detent_handle handle = 0;  // 0: free
   std::uint16_t generation = 0;
   bool is_broken = false;
+  bool is_owned = false;   // by a session or replay, which destroys it
+  bool is_locked = false;  // can only be read now
+  Words* words = nullptr;  // next to a world that is owned
   void* object = nullptr;
   void (*destroy)(Context&, void*) = nullptr;
   bool (*refers_to)(const void* object, const void* asset) = nullptr;
@@ -239,6 +257,7 @@ detent_status with_object(const detent_context* context, Kind kind, detent_handl
   Slot* const slot = table->find(kind, handle);
   if (slot == nullptr) return DETENT_BAD_HANDLE;
   if (slot->is_broken) return DETENT_BROKEN;
+  if (slot->is_locked) return DETENT_NOT_NOW;
   auto& object = *static_cast<T*>(slot->object);
   return guarded(slot, [&]() -> detent_status { return f(*table, object); });
 }
@@ -261,6 +280,7 @@ detent_status read_object(const detent_context* context, Kind kind, detent_handl
   if (table == nullptr) return DETENT_BAD_CONTEXT;
   Slot* const slot = table->find(kind, handle);
   if (slot == nullptr) return DETENT_BAD_HANDLE;
+  if (slot->is_owned) return DETENT_IN_USE;
   table->destroy(*slot);
   return DETENT_OK;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -307,6 +308,27 @@ struct Worlds {
                                        table.assets<SolidHull<S, N>>().span()));
     };
     return with_object<World>(context, kind, world, put);
+  }
+
+  static detent_status words(const detent_context* context, detent_handle world,
+                             std::uint32_t* words) {
+    return read_object<World>(context, kind, world, [&](const Context& table, const World&) {
+      const Words* const own = table.find(kind, world)->words;
+      if (own == nullptr) return detent_status{DETENT_NO};
+      if (words == nullptr && own->count != 0) return detent_status{DETENT_BAD_ARGUMENT};
+      std::copy_n(own->values.begin(), own->count, words);
+      return detent_status{DETENT_OK};
+    });
+  }
+  static detent_status set_words(detent_context* context, detent_handle world,
+                                 const std::uint32_t* words) {
+    return with_object<World>(context, kind, world, [&](const Context& table, World&) {
+      Words* const own = table.find(kind, world)->words;
+      if (own == nullptr) return detent_status{DETENT_NO};
+      if (words == nullptr && own->count != 0) return detent_status{DETENT_BAD_ARGUMENT};
+      std::copy_n(words, own->count, own->values.begin());
+      return detent_status{DETENT_OK};
+    });
   }
 
  private:

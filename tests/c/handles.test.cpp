@@ -73,7 +73,7 @@ detent_shape3 ball() {
 
 /// Makes one object of every type; the first that fails says why.
 detent_status make_all(detent_context* context, std::vector<detent_handle>& made) {
-  made.assign(8, 0);
+  made.assign(10, 0);
   const detent_vec2 flat[1] = {{0, 0}};
   detent_status status = detent_scene2_create(context, &made[0]);
   if (status == DETENT_OK) status = detent_scene3_create(context, &made[1]);
@@ -85,6 +85,11 @@ detent_status make_all(detent_context* context, std::vector<detent_handle>& made
   if (status == DETENT_OK) {
     status = detent_height_field_create(context, 1, &corner, 65536, 2, 2, heights, &made[7]);
   }
+  detent_session_settings settings{};
+  detent_session_default_settings(&settings);
+  settings.replay_every = 1;
+  if (status == DETENT_OK) status = detent_session2_create(context, &settings, made[2], &made[8]);
+  if (status == DETENT_OK) status = detent_session3_create(context, &settings, made[3], &made[9]);
   return status;
 }
 
@@ -184,7 +189,9 @@ TEST_CASE("C contexts: all memory goes back, and running out of it at any time i
       std::uint32_t count = 0;
       REQUIRE(detent_count(&context, &count) == DETENT_OK);
       std::uint32_t handles = 0;
-      for (const auto handle : made) handles += handle != 0 ? 1 : 0;
+      for (std::size_t i = 0; i < made.size(); ++i) {
+        if (made[i] != 0) handles += i < 8 ? 1 : 2;  // a session has a world
+      }
       CHECK(count == handles);
       CHECK(detent_close(&context) == DETENT_OK);
     }
@@ -223,6 +230,54 @@ TEST_CASE("C contexts: a scene whose lists find no memory is broken, and only th
   }
   CHECK(broken > 2);
   CHECK(broken < 12);
+}
+
+TEST_CASE("C sessions: one that finds no memory leaves nothing, and one that loses it is broken") {
+  detent_context context{};
+  detent_handle world = 0, session = 0;
+  detent_id id{};
+  const auto shape = ball();
+  REQUIRE(detent_open(&context, nullptr) == DETENT_OK);
+  REQUIRE(detent_world3_create(&context, nullptr, &world) == DETENT_OK);
+  REQUIRE(detent_world3_add(&context, world, &shape, nullptr, &id) == DETENT_OK);
+  detent_session_settings settings{};
+  REQUIRE(detent_session_default_settings(&settings) == DETENT_OK);
+  settings.players = 1;
+  int failures = 0;
+  for (int limit = 0;; ++limit) {
+    allowed = limit;
+    const auto status = detent_session3_create(&context, &settings, world, &session);
+    allowed = -1;
+    std::uint32_t count = 0;
+    CHECK(detent_count(&context, &count) == DETENT_OK);
+    CHECK(count == (status == DETENT_OK ? 3u : 1u));
+    CHECK((session != 0) == (status == DETENT_OK));
+    if (status == DETENT_OK) break;
+    REQUIRE(status == DETENT_NO_MEMORY);
+    ++failures;
+  }
+  CHECK(failures > 20);
+
+  detent_handle own = 0;
+  detent_frame frame{};
+  const std::uint8_t pad = 0;
+  std::uint8_t inputs = 0;
+  const auto begin = [&] {
+    return detent_session3_begin_frame(&context, session, &pad, &frame, &inputs);
+  };
+  REQUIRE(detent_session3_world(&context, session, &own) == DETENT_OK);
+  REQUIRE(begin() == DETENT_OK);
+  allowed = 0;
+  detent_status status = DETENT_OK;
+  for (int i = 0; i < 1000 && status == DETENT_OK; ++i) {
+    status = detent_world3_add(&context, own, &shape, nullptr, &id);
+  }
+  allowed = -1;
+  CHECK(status == DETENT_NO_MEMORY);
+  CHECK(detent_session3_end_frame(&context, session) == DETENT_BROKEN);
+  CHECK(begin() == DETENT_BROKEN);
+  CHECK(detent_session3_destroy(&context, session) == DETENT_OK);
+  CHECK(detent_close(&context) == DETENT_OK);
 }
 
 TEST_CASE("C worlds: settings and options out of range are errors") {
@@ -266,7 +321,7 @@ TEST_CASE("C statuses: each has words of its own") {
   for (int status = -30; status < 3; ++status) words.emplace_back(detent_describe(status));
   std::sort(words.begin(), words.end());
   words.erase(std::unique(words.begin(), words.end()), words.end());
-  CHECK(words.size() == 21);  // 20 of statuses, and those of a number that is none
+  CHECK(words.size() == 22);  // 21 of statuses, and those of a number that is none
 }
 
 }  // namespace

@@ -20,6 +20,136 @@ static void mix(uint64_t value) { sum = sum * 6364136223846793005u + value; }
 #define TRY(call) \
   if ((call) != DETENT_OK) return fprintf(stderr, "match.c:%d: it fails\n", __LINE__), 1
 
+/* A match for two by two sessions in one program. Packets take some frames, and each fifth is lost. */
+enum { FRAMES = 120, PADS = 2, LATE = 8 };
+
+typedef struct {
+  uint32_t to, size;
+  uint8_t bytes[DETENT_PACKET];
+} packet;
+static packet wire[4096];
+
+static void press(uint8_t* pad, uint32_t frame, uint32_t player) {
+  pad[0] = (uint8_t)(frame < 80 ? frame / (7 + 4 * player) % 5 : 0);
+  pad[1] = (uint8_t)(frame < 80 ? frame / 3 % 4 : 0);
+}
+
+static int simulate(detent_context* context, detent_handle world, const detent_id* balls,
+                    const detent_frame* frame, const uint8_t* inputs) {
+  uint32_t words[2], player;
+  TRY(detent_world3_words(context, world, words));
+  for (player = 0; player < frame->players; ++player) {
+    const uint8_t* pad = inputs + PADS * player;
+    detent_vec3 velocity = {0};
+    words[player] += pad[0];
+    if (pad[0] == 0) continue;
+    velocity.x = (pad[0] - 2) * ONE;
+    velocity.y = pad[1] * ONE;
+    TRY(detent_world3_set_velocity(context, world, balls[2 * player + pad[1] % 2], &velocity));
+  }
+  TRY(detent_world3_set_words(context, world, words));
+  TRY(detent_world3_step(context, world));
+  return 0;
+}
+
+static int play_for_two(detent_context* context) {
+  static uint8_t saved[65536];
+  detent_session_settings settings;
+  detent_body3_options options;
+  detent_shape3 shape = {0};
+  detent_handle start, sessions[2], worlds[2], replay, world;
+  detent_id floor, balls[4];
+  detent_frame frame;
+  detent_replay_check check;
+  detent_session_status status[2];
+  uint8_t inputs[2 * PADS], pad[PADS];
+  uint32_t sent = 0, first = 0, end = 0, player, tick, size, words[2];
+  uint64_t digest;
+  int i;
+
+  TRY(detent_world3_create(context, NULL, &start));
+  TRY(detent_body3_default_options(&options));
+  options.motion = DETENT_FIXED_BODY;
+  shape.kind = DETENT_AABB;
+  shape.as.aabb.min.x = shape.as.aabb.min.z = -20 * ONE;
+  shape.as.aabb.min.y = -ONE;
+  shape.as.aabb.max.x = shape.as.aabb.max.z = 20 * ONE;
+  shape.as.aabb.max.y = 0;
+  TRY(detent_world3_add(context, start, &shape, &options, &floor));
+  for (i = 0; i < 4; ++i) {
+    detent_shape3 ball = {0};
+    ball.kind = DETENT_SPHERE;
+    ball.as.sphere.center.x = (2 * i - 3) * ONE;
+    ball.as.sphere.center.y = 2 * ONE;
+    ball.as.sphere.radius = ONE / 2;
+    TRY(detent_world3_add(context, start, &ball, NULL, &balls[i]));
+  }
+
+  TRY(detent_session_default_settings(&settings));
+  settings.match = 4711;
+  settings.input_size = PADS;
+  settings.words = 2;
+  for (player = 0; player < 2; ++player) {
+    settings.self = player;
+    settings.replay_every = 10 * (1 - player);
+    TRY(detent_session3_create(context, &settings, start, &sessions[player]));
+    TRY(detent_session3_world(context, sessions[player], &worlds[player]));
+    TRY(detent_session3_status(context, sessions[player], &status[player]));
+  }
+  for (tick = 0; status[0].frame < FRAMES || status[1].frame < FRAMES; ++tick) {
+    const uint64_t now = (uint64_t)tick * 16667;
+    for (; end - first > LATE; ++first) {
+      const packet* p = &wire[first];
+      TRY(detent_session3_receive(context, sessions[p->to], 1 - p->to, p->bytes, p->size, now));
+    }
+    for (player = 0; player < 2; ++player) {
+      const detent_handle session = sessions[player];
+      uint32_t to;
+      press(pad, status[player].frame, player);
+      while (status[player].frame < FRAMES &&
+             detent_session3_begin_frame(context, session, pad, &frame, inputs) == DETENT_OK) {
+        if (simulate(context, worlds[player], balls, &frame, inputs)) return 1;
+        TRY(detent_session3_end_frame(context, session));
+      }
+      TRY(detent_session3_status(context, session, &status[player]));
+      while (end < 4096 && detent_session3_packet(context, session, now, &to, wire[end].bytes,
+                                                  DETENT_PACKET, &wire[end].size) == DETENT_OK) {
+        wire[end].to = to;
+        if (++sent % 5 != 0) ++end;
+      }
+    }
+  }
+  for (player = 0; player < 2; ++player) {
+    detent_session_event event;
+    while (detent_session3_event(context, sessions[player], &event, NULL, 0) == DETENT_OK) {
+      TRY(event.kind == DETENT_CONNECTED);
+    }
+    TRY(status[player].resimulated > 0);
+  }
+  TRY(detent_world3_digest(context, worlds[0], &digest));
+  mix(digest);
+  TRY(detent_world3_digest(context, worlds[1], &digest));
+  TRY(detent_world3_diff(context, worlds[0], worlds[1], 1, NULL, 0, &size) == DETENT_NO);
+  TRY(detent_world3_words(context, worlds[1], words));
+  mix(words[0]);
+  mix(words[1]);
+
+  TRY(detent_session3_replay(context, sessions[0], saved, sizeof saved, &size));
+  TRY(detent_replay3_create(context, saved, size, start, PADS, 2, &replay));
+  TRY(detent_replay3_world(context, replay, &world));
+  while (detent_replay3_begin_frame(context, replay, &frame, inputs) == DETENT_OK) {
+    if (simulate(context, world, balls, &frame, inputs)) return 1;
+    TRY(detent_replay3_end_frame(context, replay));
+  }
+  TRY(detent_replay3_check(context, replay, &check));
+  TRY(check.state == DETENT_REPLAY_WHOLE && check.is_equal);
+  TRY(check.frames == status[0].final_frame && check.frames > 100);
+  TRY(detent_replay3_destroy(context, replay));
+  TRY(detent_session3_destroy(context, sessions[0]));
+  TRY(detent_session3_destroy(context, sessions[1]));
+  return 0;
+}
+
 int main(void) {
   detent_context context = {{0}};
   detent_handle world, scene;
@@ -106,6 +236,7 @@ int main(void) {
   for (tick = 0; tick < 10; ++tick) TRY(detent_world3_step(&context, world));
   TRY(detent_world3_digest(&context, world, &digest));
   mix(digest);
+  if (play_for_two(&context)) return 1;
   TRY(detent_close(&context));
   printf("%016" PRIx64 "\n", sum);
   return 0;

@@ -29,6 +29,41 @@ void mix(std::uint64_t value) { sum = sum * 6364136223846793005u + value; }
 q16_16 raw(int value) { return q16_16::from_raw(value); }
 Vec3 at(int x, int y, int z) { return {raw(x), raw(y), raw(z)}; }
 
+/// What a player presses in a frame: it takes effect two frames later.
+struct Pad {
+  int speed, which;
+};
+Pad pressed(int frame, int player) {
+  if (frame < 0 || frame >= 80) return {0, 0};
+  return {frame / (7 + 4 * player) % 5, frame / 3 % 4};
+}
+
+/// The match for two that the bindings play by a session: here without one.
+void play_for_two() {
+  constexpr int frames = 120;
+  World<q16_16, 3, Sphere, Aabb, Obb, Capsule> world;
+  world.add(Aabb{at(-20 * one, -one, -20 * one), at(20 * one, 0, 20 * one)},
+            {.motion = BodyMotion::fixed});
+  std::array<BodyId, 4> balls;
+  for (int i = 0; i < 4; ++i) {
+    balls[static_cast<std::size_t>(i)] =
+        *world.add(Sphere{at((2 * i - 3) * one, 2 * one, 0), raw(one / 2)});
+  }
+  std::array<std::uint64_t, 2> words{};
+  for (int frame = 0; frame < frames; ++frame) {
+    for (int player = 0; player < 2; ++player) {
+      const auto pad = pressed(frame - 2, player);
+      words[static_cast<std::size_t>(player)] += static_cast<std::uint64_t>(pad.speed);
+      if (pad.speed == 0) continue;
+      world.set_velocity(balls[static_cast<std::size_t>(2 * player + pad.which % 2)],
+                         at((pad.speed - 2) * one, pad.which * one, 0));
+    }
+    world.step();
+  }
+  mix(digest(world));
+  for (const auto word : words) mix(word);
+}
+
 }  // namespace
 
 int main() {
@@ -78,5 +113,6 @@ int main() {
   if (restore(world, saved) != Restored::yes) return 1;
   for (int tick = 0; tick < 10; ++tick) world.step();
   mix(digest(world));
+  play_for_two();
   std::printf("%016llx\n", static_cast<unsigned long long>(sum));
 }

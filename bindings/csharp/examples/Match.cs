@@ -2,6 +2,7 @@
 // The scripted match of every binding: boxes fall on a floor, a scene has a ball around each, rays look
 // down at them. Ends with 16 digits that follow from every answer: those of tests/c/match.cpp.
 using System;
+using System.Collections.Generic;
 using Detent;
 
 public sealed class Match {
@@ -16,6 +17,92 @@ public sealed class Match {
   void Mix(ulong value) { unchecked { sum = sum * 6364136223846793005ul + value; } }
 
   static Vec3 At(int x, int y, int z) { return new Vec3 { x = x, y = y, z = z }; }
+
+  static void Press(byte[] pad, uint frame, uint player) {
+    pad[0] = (byte)(frame < 80 ? frame / (7 + 4 * player) % 5 : 0);
+    pad[1] = (byte)(frame < 80 ? frame / 3 % 4 : 0);
+  }
+  static void Simulate(PlayedWorld3 world, Id[] balls, uint[] words, byte[] inputs) {
+    world.GetWords(words);
+    for (int player = 0; player < 2; ++player) {
+      int speed = inputs[2 * player], which = inputs[2 * player + 1];
+      words[player] += (uint)speed;
+      if (speed == 0) continue;
+      world.SetVelocity(balls[2 * player + which % 2], At((speed - 2) * One, which * One, 0));
+    }
+    world.SetWords(words);
+    world.Step();
+  }
+  static void Require(bool isSo) {
+    if (!isSo) throw new Exception("the match for two is not as it should be");
+  }
+
+  // A match for two by two sessions in one program. Packets take some frames, and each fifth is lost.
+  void PlayForTwo(Context context) {
+    const uint frames = 120;
+    var start = new World3(context);
+    var ground = World3.DefaultOptions();
+    ground.motion = C.FIXED_BODY;
+    start.Add(D3.Aabb(At(-20 * One, -One, -20 * One), At(20 * One, 0, 20 * One)), ground);
+    var balls = new Id[4];
+    for (int i = 0; i < 4; ++i) balls[i] = start.Add(D3.Sphere(At((2 * i - 3) * One, 2 * One, 0), One / 2));
+    var sessions = new Session3[2];
+    for (uint i = 0; i < 2; ++i) {
+      var settings = Context.DefaultSessionSettings();
+      settings.match = 4711;
+      settings.self = i;
+      settings.input_size = settings.words = 2;
+      settings.replay_every = 10 * (1 - i);
+      sessions[i] = new Session3(context, start, settings);
+    }
+    var wire = new Queue<KeyValuePair<uint, byte[]>>();
+    var pad = new byte[2];
+    var words = new uint[2];
+    var room = new byte[C.PACKET];
+    int sent = 0;
+    Frame frame;
+    for (ulong now = 0; sessions[0].Status.frame < frames || sessions[1].Status.frame < frames; now += 16667) {
+      while (wire.Count > 8) {
+        var next = wire.Dequeue();
+        sessions[next.Key].Receive(1 - next.Key, next.Value, next.Value.Length, now);
+      }
+      for (uint player = 0; player < 2; ++player) {
+        var session = sessions[player];
+        uint played = session.Status.frame, to;
+        int size;
+        Press(pad, played, player);
+        while (played < frames && session.BeginFrame(pad, out frame)) {
+          Simulate(session.World, balls, words, session.Inputs);
+          session.EndFrame();
+        }
+        while (session.Packet(now, room, out to, out size)) {
+          if (++sent % 5 == 0) continue;
+          var packet = new byte[size];
+          Array.Copy(room, packet, size);
+          wire.Enqueue(new KeyValuePair<uint, byte[]>(to, packet));
+        }
+      }
+    }
+    foreach (var session in sessions) {
+      SessionEvent happened;
+      string field;
+      Require(session.Event(out happened, out field) && happened.kind == C.CONNECTED && field == null);
+      Require(!session.Event(out happened, out field) && session.Status.resimulated > 0);
+    }
+    Mix(sessions[0].World.Digest());
+    Require(sessions[0].World.Diff(sessions[1].World) == "");
+    sessions[1].World.GetWords(words);
+    Mix(words[0]);
+    Mix(words[1]);
+
+    var replay = new Replay3(context, start, sessions[0].Replay(), 2, 2);
+    while (replay.BeginFrame(out frame)) {
+      Simulate(replay.World, balls, words, replay.Inputs);
+      replay.EndFrame();
+    }
+    var check = replay.Check();
+    Require(check.is_equal == 1 && check.frames > 100 && check.frames == sessions[0].Status.final_frame);
+  }
 
   public string Play() {
     using (var context = new Context()) {
@@ -68,6 +155,7 @@ public sealed class Match {
       world.Restore(saved);
       for (int tick = 0; tick < 10; ++tick) world.Step();
       Mix(world.Digest());
+      PlayForTwo(context);
       return sum.ToString("x16");
     }
   }

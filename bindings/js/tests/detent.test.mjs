@@ -159,9 +159,11 @@ test('every method has a type', async () => {
   const library = await detent.load(3, file(3));
   const context = library.open();
   const inner = new Set(['call', 'run', 'withWords', 'asset', 'create', 'out', 'out2', 'list', 'shape',
-    'push', 'turn', 'transform', 'joint_', 'constructor']);
+    'push', 'turn', 'transform', 'joint_', 'constructor', 'bytes', 'data', 'withBytes', 'setUp', 'open']);
+  const world = context.world(), session = context.session(world, { replay_every: 1 });
   const pairs = await detent.loadPairs(3, file(3, 'pairs'));
-  for (const one of [library, library.space, pairs, context, context.scene(), context.world()]) {
+  for (const one of [library, library.space, pairs, context, context.scene(), session, session.world,
+    context.replay(session.replay(), world)]) {
     for (let of = Object.getPrototypeOf(one); of !== Object.prototype; of = Object.getPrototypeOf(of)) {
       for (const name of Object.getOwnPropertyNames(of)) {
         if (!inner.has(name)) assert.match(types, new RegExp(`\\b${name}[(:]`), name);

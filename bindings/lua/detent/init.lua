@@ -172,6 +172,97 @@ function special.options(self)
   return options
 end
 
+-- The names of the first fields in which two scenes or worlds differ.
+function special.diff(self, other, most)
+  local size = count()
+  self:call('diff', other.handle, most or 16, nil, 0, size)
+  local room, names = bytes(size[0]), {}
+  self:call('diff', other.handle, most or 16, room, size[0], size)
+  for name in ffi.string(room, size[0]):gmatch('[^\n]+') do names[#names + 1] = name end
+  return names
+end
+
+-- Of the world of a session or replay: a uint32_t[] of what else of the game a rollback restores.
+function special.words(self)
+  local words = ffi.new('uint32_t[256]')
+  self:call('words', words)
+  return words
+end
+
+-- Of sessions, with the input of this player, a string, and of replays: an iterator over the frames to
+-- simulate, and the string that each player pressed, or false for one that takes no part. `state` says why
+-- there are no more.
+function special.frames(self, pad)
+  local frame, inputs = ffi.new('detent_frame'), bytes(8 * self.input_size)
+  local is_open = false
+  return function()
+    if is_open then self:call('end_frame') end
+    if pad then
+      assert(#pad == self.input_size, 'an input of another size')
+      is_open = self:call('begin_frame', pad, frame, inputs)
+    else
+      is_open = self:call('begin_frame', frame, inputs)
+    end
+    self.state = frame.state
+    if not is_open then return nil end
+    local pressed = {}
+    for i = 0, frame.players - 1 do
+      local is_in = require('bit').band(frame.present, 2 ^ i) ~= 0
+      pressed[i + 1] = is_in and ffi.string(inputs + i * self.input_size, self.input_size)
+    end
+    return pressed, frame.number
+  end
+end
+
+-- Of sessions: takes a packet, a string, at a time in microseconds. False if it was not used.
+function special.receive(self, peer, packet, now) return self:call('receive', peer, packet, #packet, now) end
+
+-- Of sessions: an iterator over what is due to be sent, a peer and a string.
+function special.packets(self, now)
+  local peer, size, room = count(), count(), bytes(c.DETENT_PACKET)
+  return function()
+    if not self:call('packet', now, peer, room, c.DETENT_PACKET, size) then return nil end
+    return peer[0], ffi.string(room, size[0])
+  end
+end
+
+-- Of sessions: an iterator over what happened, and the names of fields.
+function special.events(self)
+  local event, name = ffi.new('detent_session_event'), bytes(c.DETENT_NAME)
+  return function()
+    if not self:call('event', event, name, c.DETENT_NAME) then return nil end
+    return event, ffi.string(name, event.name_size)
+  end
+end
+
+-- Of sessions: a structure that says how far it is.
+function special.status(self)
+  local status = ffi.new('detent_session_status')
+  self:call('status', status)
+  return status
+end
+
+function special.matched(self, peer)
+  local frame = count()
+  self:call('matched', peer, frame)
+  return frame[0]
+end
+
+-- Of sessions: the replay of all final frames, or nil if none is recorded.
+function special.replay(self)
+  local size = count()
+  self:call('replay', nil, 0, size)
+  local room = bytes(size[0])
+  return self:call('replay', room, size[0], size) and ffi.string(room, size[0]) or nil
+end
+
+-- Of replays: what simulating it gave so far.
+function special.check(self)
+  local check_ = ffi.new('detent_replay_check')
+  self:call('check', check_)
+  return check_
+end
+
 local Held = {}
 function Held.__index(self, name)
   if name == 'call' then return Held.call end
@@ -191,18 +282,39 @@ function Held.call(self, name, ...)
   return check(call(self.context, self.handle, ...))
 end
 
+local function wrapped(context, kind, dimension, handle)
+  return setmetatable({ context = context, handle = handle, prefix = 'detent_' .. kind .. dimension .. '_',
+    calls = {}, dimension = dimension, hit = ffi.typeof('detent_object_hit' .. dimension),
+    state = kind == 'world' and ffi.typeof('detent_body' .. dimension) or nil }, Held)
+end
+
+-- Worlds take settings, or nil; sessions settings and a world.
 local function held(context, kind, dimension, ...)
-  local prefix = 'detent_' .. kind .. dimension .. '_'
   local handle = ffi.new('detent_handle[1]')
-  -- worlds take settings, or nil
-  if kind == 'world' then
-    check(c[prefix .. 'create'](context, (...), handle))
-  else
-    check(c[prefix .. 'create'](context, handle))
-  end
-  return setmetatable({ context = context, handle = handle[0], prefix = prefix, calls = {},
-    dimension = dimension, hit = ffi.typeof('detent_object_hit' .. dimension),
-    state = ffi.typeof('detent_body' .. dimension) }, Held)
+  local create = c['detent_' .. kind .. dimension .. '_create']
+  local given = { ... }
+  local many = kind == 'world' and 1 or select('#', ...)
+  given[many + 1] = handle
+  check(create(context, unpack(given, 1, many + 1)))
+  return wrapped(context, kind, dimension, handle[0])
+end
+
+-- A session or replay, with its world.
+local function played(context, kind, dimension, input_size, ...)
+  local made = held(context, kind, dimension, ...)
+  local handle = ffi.new('detent_handle[1]')
+  made:call('world', handle)
+  rawset(made, 'world', wrapped(context, 'world', dimension, handle[0]))
+  rawset(made, 'input_size', input_size)
+  rawset(made, 'state', c.DETENT_CONNECTING)
+  return made
+end
+
+-- The settings of an ordinary session, to be changed.
+function detent.session_settings()
+  local settings = ffi.new('detent_session_settings')
+  check(c.detent_session_default_settings(settings))
+  return settings
 end
 
 local Context = {}
@@ -211,6 +323,22 @@ function Context:scene2() return held(self.memory, 'scene', 2) end
 function Context:scene3() return held(self.memory, 'scene', 3) end
 function Context:world2(settings) return held(self.memory, 'world', 2, settings) end
 function Context:world3(settings) return held(self.memory, 'world', 3, settings) end
+-- A match over a network, from a world that all peers start with.
+function Context:session2(start, settings)
+  return played(self.memory, 'session', 2, settings.input_size, settings, start.handle)
+end
+function Context:session3(start, settings)
+  return played(self.memory, 'session', 3, settings.input_size, settings, start.handle)
+end
+-- A replay, with the settings of its session.
+function Context:replay2(data, start, settings)
+  return played(self.memory, 'replay', 2, settings.input_size, data, #data, start.handle,
+    settings.input_size, settings.words)
+end
+function Context:replay3(data, start, settings)
+  return played(self.memory, 'replay', 3, settings.input_size, data, #data, start.handle,
+    settings.input_size, settings.words)
+end
 -- Destroys everything in it; without a call the garbage collector does it.
 function Context:close()
   ffi.gc(self.memory, nil)

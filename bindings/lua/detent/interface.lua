@@ -15,6 +15,7 @@ enum {
   DETENT_BROKEN = -7,
   DETENT_FULL = -8,
   DETENT_IN_USE = -9,
+  DETENT_NOT_NOW = -10,
   DETENT_NO_SNAPSHOT = -20,
   DETENT_OTHER_VERSION = -21,
   DETENT_TRUNCATED = -22,
@@ -56,6 +57,47 @@ enum {
   DETENT_LOCK_TURN_Y = 16,
   DETENT_LOCK_TURN_Z = 32
 };
+enum {
+  DETENT_PLAYED = 0,
+  DETENT_CONNECTING = 1,
+  DETENT_CATCHING_UP = 2,
+  DETENT_STARVED = 3,
+  DETENT_AHEAD = 4,
+  DETENT_PAUSED = 5,
+  DETENT_OVER = 6,
+  DETENT_JOINING = 7
+};
+enum {
+  DETENT_CONNECTED = 0,
+  DETENT_SILENT = 1,
+  DETENT_HEARD_AGAIN = 2,
+  DETENT_PEER_PAUSED = 3,
+  DETENT_PEER_RESUMED = 4,
+  DETENT_DROPPED = 5,
+  DETENT_EXPELLED = 6,
+  DETENT_LEFT = 7,
+  DETENT_TOO_SLOW = 8,
+  DETENT_CONTRADICTION = 9,
+  DETENT_DESYNC = 10,
+  DETENT_DESYNC_FIELD = 11,
+  DETENT_ARRIVED = 12,
+  DETENT_LOADED = 13,
+  DETENT_NO_SUCH_WORLD = 14,
+  DETENT_JOINED = 15
+};
+enum {
+  DETENT_REPLAY_WHOLE = 0,
+  DETENT_REPLAY_CUT = 1,
+  DETENT_REPLAY_CORRUPTED = 2
+};
+enum {
+  DETENT_INPUT = 16,
+  DETENT_PACKET = 1200,
+  DETENT_LATE_SNAPSHOT = 65536,
+  DETENT_NAME = 119,
+  DETENT_WORDS = 256,
+  DETENT_PLAYERS = 8
+};
 typedef int32_t detent_status;
 typedef uint32_t detent_handle;
 typedef struct detent_id {
@@ -80,6 +122,54 @@ typedef struct detent_impact {
   int32_t distance;
   uint32_t is_hit;
 } detent_impact;
+typedef struct detent_session_settings {
+  uint64_t match;
+  uint64_t send_interval;
+  uint64_t silence;
+  uint32_t self;
+  uint32_t players;
+  uint32_t spectators;
+  uint32_t delay;
+  uint32_t prediction;
+  uint32_t frames_per_call;
+  uint32_t absent;
+  uint32_t life;
+  uint32_t wants_seat;
+  uint32_t input_size;
+  uint32_t words;
+  uint32_t replay_every;
+} detent_session_settings;
+typedef struct detent_frame {
+  uint32_t number;
+  uint32_t players;
+  uint32_t present;
+  uint32_t state;
+} detent_frame;
+typedef struct detent_session_event {
+  uint32_t kind;
+  uint32_t peer;
+  uint32_t frame;
+  uint32_t name_size;
+  uint32_t has_object;
+  detent_id object;
+} detent_session_event;
+typedef struct detent_session_status {
+  uint64_t digest;
+  uint64_t resimulated;
+  uint32_t frame;
+  uint32_t final_frame;
+  uint32_t checked_frame;
+  uint32_t start_frame;
+  uint32_t is_player;
+  uint32_t players;
+} detent_session_status;
+typedef struct detent_replay_check {
+  uint32_t state;
+  uint32_t frames;
+  uint32_t equal;
+  uint32_t is_equal;
+  uint32_t players;
+} detent_replay_check;
 typedef struct detent_traits {
   uint64_t user;
   uint32_t layers;
@@ -452,6 +542,7 @@ const char* detent_describe(detent_status status);
 detent_status detent_open(detent_context* context, const detent_allocator* allocator);
 detent_status detent_close(detent_context* context);
 detent_status detent_count(const detent_context* context, uint32_t* count);
+detent_status detent_session_default_settings(detent_session_settings* settings);
 detent_status detent_mesh_create(detent_context* context, uint32_t id,
                                             const detent_vec3* vertices, uint32_t vertex_count,
                                             const uint32_t* faces, uint32_t face_count,
@@ -640,6 +731,63 @@ detent_status detent_world2_snapshot(const detent_context* context,
                                                   uint32_t* size);
 detent_status detent_world2_restore(detent_context* context, detent_handle world,
                                                  const void* bytes, uint32_t size);
+detent_status detent_world2_diff(const detent_context* context, detent_handle a,
+                                              detent_handle b, uint32_t most, void* names,
+                                              uint32_t room, uint32_t* size);
+detent_status detent_scene2_diff(const detent_context* context, detent_handle a,
+                                              detent_handle b, uint32_t most, void* names,
+                                              uint32_t room, uint32_t* size);
+detent_status detent_session2_create(detent_context* context,
+                                                  const detent_session_settings* settings,
+                                                  detent_handle world, detent_handle* session);
+detent_status detent_session2_destroy(detent_context* context, detent_handle session);
+detent_status detent_session2_world(const detent_context* context,
+                                                 detent_handle session, detent_handle* world);
+detent_status detent_session2_receive(detent_context* context, detent_handle session,
+                                                   uint32_t peer, const void* bytes, uint32_t size,
+                                                   uint64_t now);
+detent_status detent_session2_begin_frame(detent_context* context,
+                                                       detent_handle session, const void* input,
+                                                       detent_frame* frame, void* inputs);
+detent_status detent_session2_end_frame(detent_context* context,
+                                                     detent_handle session);
+detent_status detent_session2_packet(detent_context* context, detent_handle session,
+                                                  uint64_t now, uint32_t* peer, void* bytes,
+                                                  uint32_t room, uint32_t* size);
+detent_status detent_session2_event(detent_context* context, detent_handle session,
+                                                 detent_session_event* event, void* name,
+                                                 uint32_t room);
+detent_status detent_session2_status(const detent_context* context,
+                                                  detent_handle session,
+                                                  detent_session_status* status);
+detent_status detent_session2_matched(const detent_context* context,
+                                                   detent_handle session, uint32_t peer,
+                                                   uint32_t* frame);
+detent_status detent_session2_is_awaited(const detent_context* context,
+                                                      detent_handle session, uint32_t player);
+detent_status detent_session2_drop(detent_context* context, detent_handle session,
+                                                uint32_t peer);
+detent_status detent_session2_pause(detent_context* context, detent_handle session,
+                                                 uint32_t is_paused);
+detent_status detent_session2_replay(const detent_context* context,
+                                                  detent_handle session, void* bytes, uint32_t room,
+                                                  uint32_t* size);
+detent_status detent_world2_words(const detent_context* context, detent_handle world,
+                                               uint32_t* words);
+detent_status detent_world2_set_words(detent_context* context, detent_handle world,
+                                                   const uint32_t* words);
+detent_status detent_replay2_create(detent_context* context, const void* bytes,
+                                                 uint32_t size, detent_handle world,
+                                                 uint32_t input_size, uint32_t words,
+                                                 detent_handle* replay);
+detent_status detent_replay2_destroy(detent_context* context, detent_handle replay);
+detent_status detent_replay2_world(const detent_context* context, detent_handle replay,
+                                                detent_handle* world);
+detent_status detent_replay2_begin_frame(detent_context* context, detent_handle replay,
+                                                      detent_frame* frame, void* inputs);
+detent_status detent_replay2_end_frame(detent_context* context, detent_handle replay);
+detent_status detent_replay2_check(const detent_context* context, detent_handle replay,
+                                                detent_replay_check* check);
 detent_status detent_raycast3(const detent_ray3* ray, const detent_shape3* shape,
                                            detent_hit3* hit);
 detent_status detent_raycast3_many(const detent_ray3* rays, uint32_t count,
@@ -819,6 +967,63 @@ detent_status detent_world3_snapshot(const detent_context* context,
                                                   uint32_t* size);
 detent_status detent_world3_restore(detent_context* context, detent_handle world,
                                                  const void* bytes, uint32_t size);
+detent_status detent_world3_diff(const detent_context* context, detent_handle a,
+                                              detent_handle b, uint32_t most, void* names,
+                                              uint32_t room, uint32_t* size);
+detent_status detent_scene3_diff(const detent_context* context, detent_handle a,
+                                              detent_handle b, uint32_t most, void* names,
+                                              uint32_t room, uint32_t* size);
+detent_status detent_session3_create(detent_context* context,
+                                                  const detent_session_settings* settings,
+                                                  detent_handle world, detent_handle* session);
+detent_status detent_session3_destroy(detent_context* context, detent_handle session);
+detent_status detent_session3_world(const detent_context* context,
+                                                 detent_handle session, detent_handle* world);
+detent_status detent_session3_receive(detent_context* context, detent_handle session,
+                                                   uint32_t peer, const void* bytes, uint32_t size,
+                                                   uint64_t now);
+detent_status detent_session3_begin_frame(detent_context* context,
+                                                       detent_handle session, const void* input,
+                                                       detent_frame* frame, void* inputs);
+detent_status detent_session3_end_frame(detent_context* context,
+                                                     detent_handle session);
+detent_status detent_session3_packet(detent_context* context, detent_handle session,
+                                                  uint64_t now, uint32_t* peer, void* bytes,
+                                                  uint32_t room, uint32_t* size);
+detent_status detent_session3_event(detent_context* context, detent_handle session,
+                                                 detent_session_event* event, void* name,
+                                                 uint32_t room);
+detent_status detent_session3_status(const detent_context* context,
+                                                  detent_handle session,
+                                                  detent_session_status* status);
+detent_status detent_session3_matched(const detent_context* context,
+                                                   detent_handle session, uint32_t peer,
+                                                   uint32_t* frame);
+detent_status detent_session3_is_awaited(const detent_context* context,
+                                                      detent_handle session, uint32_t player);
+detent_status detent_session3_drop(detent_context* context, detent_handle session,
+                                                uint32_t peer);
+detent_status detent_session3_pause(detent_context* context, detent_handle session,
+                                                 uint32_t is_paused);
+detent_status detent_session3_replay(const detent_context* context,
+                                                  detent_handle session, void* bytes, uint32_t room,
+                                                  uint32_t* size);
+detent_status detent_world3_words(const detent_context* context, detent_handle world,
+                                               uint32_t* words);
+detent_status detent_world3_set_words(detent_context* context, detent_handle world,
+                                                   const uint32_t* words);
+detent_status detent_replay3_create(detent_context* context, const void* bytes,
+                                                 uint32_t size, detent_handle world,
+                                                 uint32_t input_size, uint32_t words,
+                                                 detent_handle* replay);
+detent_status detent_replay3_destroy(detent_context* context, detent_handle replay);
+detent_status detent_replay3_world(const detent_context* context, detent_handle replay,
+                                                detent_handle* world);
+detent_status detent_replay3_begin_frame(detent_context* context, detent_handle replay,
+                                                      detent_frame* frame, void* inputs);
+detent_status detent_replay3_end_frame(detent_context* context, detent_handle replay);
+detent_status detent_replay3_check(const detent_context* context, detent_handle replay,
+                                                detent_replay_check* check);
 ]]
 local sizes = {
   detent_id = 8,
@@ -826,6 +1031,11 @@ local sizes = {
   detent_touch = 20,
   detent_found = 12,
   detent_impact = 12,
+  detent_session_settings = 72,
+  detent_frame = 16,
+  detent_session_event = 28,
+  detent_session_status = 40,
+  detent_replay_check = 20,
   detent_traits = 24,
   detent_context = 32,
   detent_vec2 = 8,

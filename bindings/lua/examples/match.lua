@@ -13,6 +13,81 @@ end
 local function mix(value) sum = sum * 6364136223846793005ULL + value end
 local function word(length) return length % 4294967296 end
 
+-- What a player presses; it takes effect two frames later.
+local function press(frame, player)
+  if frame >= 80 then return '\0\0' end
+  return string.char(math.floor(frame / (7 + 4 * player)) % 5, math.floor(frame / 3) % 4)
+end
+
+local function simulate(world, balls, inputs)
+  local words = world:words()
+  for player = 0, 1 do
+    local speed, which = inputs[player + 1]:byte(1, 2)
+    words[player] = words[player] + speed
+    if speed ~= 0 then
+      world:set_velocity(balls[2 * player + which % 2], d3.vec((speed - 2) * ONE, which * ONE, 0))
+    end
+  end
+  world:set_words(words)
+  world:step()
+end
+
+-- A match for two by two sessions in one program. Packets take some frames, and each fifth is lost.
+local function play_for_two(context)
+  local FRAMES = 120
+  local start = context:world3()
+  local ground = start:options()
+  ground.motion = detent.c.DETENT_FIXED_BODY
+  start:add(d3.aabb({ -20 * ONE, -ONE, -20 * ONE }, { 20 * ONE, 0, 20 * ONE }), ground)
+  local balls, sessions = {}, {}
+  for i = 0, 3 do balls[i] = start:add(d3.sphere({ (2 * i - 3) * ONE, 2 * ONE, 0 }, ONE / 2)) end
+  local settings = detent.session_settings()
+  settings.match, settings.input_size, settings.words = 4711, 2, 2
+  for i = 0, 1 do
+    settings.self, settings.replay_every = i, 10 * (1 - i)
+    sessions[i] = context:session3(start, settings)
+  end
+  local wire, first, sent, now = {}, 1, 0, 0
+  while sessions[0]:status().frame < FRAMES or sessions[1]:status().frame < FRAMES do
+    while #wire - first + 1 > 8 do
+      local to, packet = unpack(wire[first])
+      first = first + 1
+      sessions[to]:receive(1 - to, packet, now)
+    end
+    for player = 0, 1 do
+      local session = sessions[player]
+      local frame = session:status().frame
+      if frame < FRAMES then
+        for inputs in session:frames(press(frame, player)) do simulate(session.world, balls, inputs) end
+      end
+      for to, packet in session:packets(now) do
+        sent = sent + 1
+        if sent % 5 ~= 0 then wire[#wire + 1] = { to, packet } end
+      end
+    end
+    now = now + 16667
+  end
+  for player = 0, 1 do
+    local happened = 0
+    for event in sessions[player]:events() do
+      assert(event.kind == detent.c.DETENT_CONNECTED)
+      happened = happened + 1
+    end
+    assert(happened == 1 and sessions[player]:status().resimulated > 0)
+  end
+  mix(sessions[0].world:digest())
+  assert(#sessions[0].world:diff(sessions[1].world) == 0)
+  local words = sessions[1].world:words()
+  mix(words[0])
+  mix(words[1])
+
+  local replay = context:replay3(sessions[0]:replay(), start, settings)
+  for inputs in replay:frames() do simulate(replay.world, balls, inputs) end
+  local check = replay:check()
+  assert(check.is_equal == 1 and check.frames > 100)
+  assert(check.frames == sessions[0]:status().final_frame)
+end
+
 local function play()
   state, sum = 1, 0ULL
   local context = detent.open()
@@ -61,6 +136,7 @@ local function play()
   world:restore(saved)
   for _ = 1, 10 do world:step() end
   mix(world:digest())
+  play_for_two(context)
   context:close()
   return require('bit').tohex(sum, 16)
 end

@@ -325,6 +325,14 @@ class _Held(_Owned):
     def restore(self, snapshot):
         self._call('restore', snapshot, len(snapshot))
 
+    def diff(self, other, most=16):
+        """The names of the first fields in which the two differ, such as `body 3:17 (sphere) velocity.y`."""
+        size = ctypes.c_uint32()
+        self._call('diff', other.handle, most, None, 0, byref(size))
+        room = ctypes.create_string_buffer(size.value)
+        self._call('diff', other.handle, most, room, size.value, byref(size))
+        return room.raw.decode().splitlines()
+
     def _list(self, name, kind, *arguments):
         room = 64
         while True:
@@ -585,6 +593,152 @@ class World(_Held):
                 for touch in self._list('events', c.detent_touch)]
 
 
+Frame = namedtuple('Frame', 'number inputs')
+Frame.__doc__ = 'A frame to simulate: the bytes of each player, None for one that takes no part.'
+Event = namedtuple('Event', 'kind peer frame field object')
+Event.__doc__ = 'What happened in a session: `kind` is one of `events`.'
+#: The kinds of events, and why a session has no frame to simulate.
+events = {name[7:].lower(): getattr(c, name) for name in (
+    'DETENT_CONNECTED', 'DETENT_SILENT', 'DETENT_HEARD_AGAIN', 'DETENT_PEER_PAUSED', 'DETENT_PEER_RESUMED',
+    'DETENT_DROPPED', 'DETENT_EXPELLED', 'DETENT_LEFT', 'DETENT_TOO_SLOW', 'DETENT_CONTRADICTION',
+    'DETENT_DESYNC', 'DETENT_DESYNC_FIELD', 'DETENT_ARRIVED', 'DETENT_LOADED', 'DETENT_NO_SUCH_WORLD',
+    'DETENT_JOINED')}
+states = {name[7:].lower(): getattr(c, name) for name in (
+    'DETENT_PLAYED', 'DETENT_CONNECTING', 'DETENT_CATCHING_UP', 'DETENT_STARVED', 'DETENT_AHEAD',
+    'DETENT_PAUSED', 'DETENT_OVER', 'DETENT_JOINING')}
+
+
+class PlayedWorld(World):
+    """The world of a session or a replay. It can be changed in a frame, otherwise only be read."""
+
+    def __init__(self, owner, word_count):
+        handle = ctypes.c_uint32()
+        _check(owner._function('world')(owner._context._open, owner.handle, byref(handle)))
+        self._space, self._kind, self._owner = owner._space, 'world', owner
+        self._word_count = word_count
+        _Owned.__init__(self, owner._context, handle.value, self._function('destroy'))
+
+    @property
+    def words(self):
+        """What else of the game a rollback restores: unsigned numbers of 32 bits, 0 at first."""
+        words = (ctypes.c_uint32 * self._word_count)()
+        self._call('words', words)
+        return list(words)
+
+    @words.setter
+    def words(self, values):
+        if len(values) != self._word_count:
+            raise ValueError(f'there are {self._word_count} words')
+        self._call('set_words', (ctypes.c_uint32 * self._word_count)(*values))
+
+
+class _Played(_Held):
+    """What sessions and replays share."""
+
+    def _setup(self, input_size, words):
+        self._input_size = input_size
+        self._inputs = (ctypes.c_uint8 * (c.DETENT_PLAYERS * input_size))()
+        self.world = PlayedWorld(self, words)
+
+    def _frames(self, *given):
+        frame = c.detent_frame()
+        while self._call('begin_frame', *given, frame, self._inputs):
+            size = self._input_size
+            yield Frame(frame.number, [bytes(self._inputs[i * size:(i + 1) * size])
+                                       if frame.present >> i & 1 else None for i in range(frame.players)])
+            self._call('end_frame')
+        self.state = frame.state
+
+
+class Session(_Played):
+    """A match over a network, from a world that all peers start with. Keywords are the fields of its
+    settings: `match`, `self`, `players`, `input_size`, `words` and others.
+
+        for frame in session.frames(pad):     # sixty times a second
+            simulate(session.world, frame.inputs)
+        for peer, packet in session.packets(now):
+            send(peer, packet)
+
+    A frame that an exception leaves is played again. `state` says why no more frames came."""
+
+    def __init__(self, context, space, world, settings):
+        given = c.detent_session_settings()
+        _check(_library.detent_session_default_settings(given))
+        _set(given, settings, space)
+        super().__init__(context, space, 'session', given, world.handle)
+        self._setup(given.input_size, given.words)
+        self.state = c.DETENT_CONNECTING
+
+    def frames(self, pad):
+        """The frames to simulate now, with this input of `input_size` bytes for the new one."""
+        if len(pad) != self._input_size:
+            raise ValueError(f'an input has {self._input_size} bytes')
+        return self._frames(bytes(pad))
+
+    def receive(self, peer, packet, now):
+        """Takes a packet, at a time in microseconds. False if it was not used."""
+        return self._call('receive', peer, bytes(packet), len(packet), now)
+
+    def packets(self, now):
+        """What is due to be sent, as (peer, bytes)."""
+        peer, size = ctypes.c_uint32(), ctypes.c_uint32()
+        room = ctypes.create_string_buffer(c.DETENT_PACKET)
+        while self._call('packet', now, byref(peer), room, c.DETENT_PACKET, byref(size)):
+            yield peer.value, room.raw[:size.value]
+
+    def events(self):
+        """What happened since, oldest first."""
+        event, room = c.detent_session_event(), ctypes.create_string_buffer(c.DETENT_NAME)
+        while self._call('event', event, room, c.DETENT_NAME):
+            yield Event(event.kind, event.peer, event.frame, room.raw[:event.name_size].decode(),
+                        _id(event.object) if event.has_object else None)
+
+    @property
+    def status(self):
+        """How far it is: `frame`, `final_frame`, `digest` and others."""
+        status = c.detent_session_status()
+        self._call('status', status)
+        return status
+
+    def matched(self, peer):
+        """All frames before this one are equal at the peer and here."""
+        frame = ctypes.c_uint32()
+        self._call('matched', peer, byref(frame))
+        return frame.value
+
+    def is_awaited(self, player):
+        return self._call('is_awaited', player)
+
+    def drop(self, peer):
+        self._call('drop', peer)
+
+    def pause(self, is_paused=True):
+        self._call('pause', int(is_paused))
+
+    def replay(self):
+        """The replay of all final frames, or None if none is recorded (`replay_every`)."""
+        size = ctypes.c_uint32()
+        self._call('replay', None, 0, byref(size))
+        room = ctypes.create_string_buffer(size.value)
+        return room.raw if self._call('replay', room, size.value, byref(size)) else None
+
+
+class Replay(_Played):
+    """A replay that is simulated again, by `frames`; `check` says whether its digests come out."""
+
+    def __init__(self, context, space, data, world, input_size, words):
+        super().__init__(context, space, 'replay', bytes(data), len(data), world.handle, input_size, words)
+        self._setup(input_size, words)
+
+    def frames(self):
+        return self._frames()
+
+    def check(self):
+        check = c.detent_replay_check()
+        self._call('check', check)
+        return check
+
+
 def _set(fields, values, space):
     for name, value in values.items():
         kind = dict(fields._fields_)[name]
@@ -621,6 +775,18 @@ class Context:
 
     def world3(self, **settings):
         return World(self, d3, **settings)
+
+    def session2(self, world, /, **settings):
+        return Session(self, d2, world, settings)
+
+    def session3(self, world, /, **settings):
+        return Session(self, d3, world, settings)
+
+    def replay2(self, data, world, input_size=1, words=0):
+        return Replay(self, d2, data, world, input_size, words)
+
+    def replay3(self, data, world, input_size=1, words=0):
+        return Replay(self, d3, data, world, input_size, words)
 
     def _asset(self, create, *arguments):
         handle = ctypes.c_uint32()

@@ -15,6 +15,7 @@ DETENT_NO_MEMORY = -6
 DETENT_BROKEN = -7
 DETENT_FULL = -8
 DETENT_IN_USE = -9
+DETENT_NOT_NOW = -10
 DETENT_NO_SNAPSHOT = -20
 DETENT_OTHER_VERSION = -21
 DETENT_TRUNCATED = -22
@@ -52,6 +53,39 @@ DETENT_LOCK_Z = 4
 DETENT_LOCK_TURN_X = 8
 DETENT_LOCK_TURN_Y = 16
 DETENT_LOCK_TURN_Z = 32
+DETENT_PLAYED = 0
+DETENT_CONNECTING = 1
+DETENT_CATCHING_UP = 2
+DETENT_STARVED = 3
+DETENT_AHEAD = 4
+DETENT_PAUSED = 5
+DETENT_OVER = 6
+DETENT_JOINING = 7
+DETENT_CONNECTED = 0
+DETENT_SILENT = 1
+DETENT_HEARD_AGAIN = 2
+DETENT_PEER_PAUSED = 3
+DETENT_PEER_RESUMED = 4
+DETENT_DROPPED = 5
+DETENT_EXPELLED = 6
+DETENT_LEFT = 7
+DETENT_TOO_SLOW = 8
+DETENT_CONTRADICTION = 9
+DETENT_DESYNC = 10
+DETENT_DESYNC_FIELD = 11
+DETENT_ARRIVED = 12
+DETENT_LOADED = 13
+DETENT_NO_SUCH_WORLD = 14
+DETENT_JOINED = 15
+DETENT_REPLAY_WHOLE = 0
+DETENT_REPLAY_CUT = 1
+DETENT_REPLAY_CORRUPTED = 2
+DETENT_INPUT = 16
+DETENT_PACKET = 1200
+DETENT_LATE_SNAPSHOT = 65536
+DETENT_NAME = 119
+DETENT_WORDS = 256
+DETENT_PLAYERS = 8
 
 
 class detent_id(Structure):
@@ -93,6 +127,74 @@ class detent_impact(Structure):
         ('time', c_int32),
         ('distance', c_int32),
         ('is_hit', c_uint32),
+    ]
+
+
+class detent_session_settings(Structure):
+    """A match and one peer in it. Times are in microseconds, of a clock that only this peer needs."""
+    _fields_ = [
+        ('match', c_uint64),
+        ('send_interval', c_uint64),
+        ('silence', c_uint64),
+        ('self', c_uint32),
+        ('players', c_uint32),
+        ('spectators', c_uint32),
+        ('delay', c_uint32),
+        ('prediction', c_uint32),
+        ('frames_per_call', c_uint32),
+        ('absent', c_uint32),
+        ('life', c_uint32),
+        ('wants_seat', c_uint32),
+        ('input_size', c_uint32),
+        ('words', c_uint32),
+        ('replay_every', c_uint32),
+    ]
+
+
+class detent_frame(Structure):
+    """A frame to simulate, or why there is none. Players whose bit is set in `present` take part."""
+    _fields_ = [
+        ('number', c_uint32),
+        ('players', c_uint32),
+        ('present', c_uint32),
+        ('state', c_uint32),
+    ]
+
+
+class detent_session_event(Structure):
+    """Something that happened in a session, with a peer or in a frame."""
+    _fields_ = [
+        ('kind', c_uint32),
+        ('peer', c_uint32),
+        ('frame', c_uint32),
+        ('name_size', c_uint32),
+        ('has_object', c_uint32),
+        ('object', detent_id),
+    ]
+
+
+class detent_session_status(Structure):
+    """How far a session is."""
+    _fields_ = [
+        ('digest', c_uint64),
+        ('resimulated', c_uint64),
+        ('frame', c_uint32),
+        ('final_frame', c_uint32),
+        ('checked_frame', c_uint32),
+        ('start_frame', c_uint32),
+        ('is_player', c_uint32),
+        ('players', c_uint32),
+    ]
+
+
+class detent_replay_check(Structure):
+    """What simulating a replay again gave so far."""
+    _fields_ = [
+        ('state', c_uint32),
+        ('frames', c_uint32),
+        ('equal', c_uint32),
+        ('is_equal', c_uint32),
+        ('players', c_uint32),
     ]
 
 
@@ -701,6 +803,11 @@ assert sizeof(detent_pair) == 16
 assert sizeof(detent_touch) == 20
 assert sizeof(detent_found) == 12
 assert sizeof(detent_impact) == 12
+assert sizeof(detent_session_settings) == 72
+assert sizeof(detent_frame) == 16
+assert sizeof(detent_session_event) == 28
+assert sizeof(detent_session_status) == 40
+assert sizeof(detent_replay_check) == 20
 assert sizeof(detent_traits) == 24
 assert sizeof(detent_context) == 32
 assert sizeof(detent_vec2) == 8
@@ -775,6 +882,9 @@ FUNCTIONS = {
     'detent_count': (c_int32, [
         POINTER(detent_context),
         POINTER(c_uint32),
+    ]),
+    'detent_session_default_settings': (c_int32, [
+        POINTER(detent_session_settings),
     ]),
     'detent_mesh_create': (c_int32, [
         POINTER(detent_context),
@@ -1228,6 +1338,150 @@ FUNCTIONS = {
         c_void_p,
         c_uint32,
     ]),
+    'detent_world2_diff': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+        c_uint32,
+        c_void_p,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_scene2_diff': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+        c_uint32,
+        c_void_p,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_session2_create': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_session_settings),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_session2_destroy': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_session2_world': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_session2_receive': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+        c_void_p,
+        c_uint32,
+        c_uint64,
+    ]),
+    'detent_session2_begin_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_void_p,
+        POINTER(detent_frame),
+        c_void_p,
+    ]),
+    'detent_session2_end_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_session2_packet': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint64,
+        POINTER(c_uint32),
+        c_void_p,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_session2_event': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_session_event),
+        c_void_p,
+        c_uint32,
+    ]),
+    'detent_session2_status': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_session_status),
+    ]),
+    'detent_session2_matched': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_session2_is_awaited': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+    ]),
+    'detent_session2_drop': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+    ]),
+    'detent_session2_pause': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+    ]),
+    'detent_session2_replay': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_void_p,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world2_words': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world2_set_words': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_replay2_create': (c_int32, [
+        POINTER(detent_context),
+        c_void_p,
+        c_uint32,
+        c_uint32,
+        c_uint32,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_replay2_destroy': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_replay2_world': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_replay2_begin_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_frame),
+        c_void_p,
+    ]),
+    'detent_replay2_end_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_replay2_check': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_replay_check),
+    ]),
     'detent_raycast3': (c_int32, [
         POINTER(detent_ray3),
         POINTER(detent_shape3),
@@ -1656,5 +1910,149 @@ FUNCTIONS = {
         c_uint32,
         c_void_p,
         c_uint32,
+    ]),
+    'detent_world3_diff': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+        c_uint32,
+        c_void_p,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_scene3_diff': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+        c_uint32,
+        c_void_p,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_session3_create': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_session_settings),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_session3_destroy': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_session3_world': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_session3_receive': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+        c_void_p,
+        c_uint32,
+        c_uint64,
+    ]),
+    'detent_session3_begin_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_void_p,
+        POINTER(detent_frame),
+        c_void_p,
+    ]),
+    'detent_session3_end_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_session3_packet': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint64,
+        POINTER(c_uint32),
+        c_void_p,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_session3_event': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_session_event),
+        c_void_p,
+        c_uint32,
+    ]),
+    'detent_session3_status': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_session_status),
+    ]),
+    'detent_session3_matched': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_session3_is_awaited': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+    ]),
+    'detent_session3_drop': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+    ]),
+    'detent_session3_pause': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_uint32,
+    ]),
+    'detent_session3_replay': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        c_void_p,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world3_words': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_world3_set_words': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_replay3_create': (c_int32, [
+        POINTER(detent_context),
+        c_void_p,
+        c_uint32,
+        c_uint32,
+        c_uint32,
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_replay3_destroy': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_replay3_world': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_replay3_begin_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_frame),
+        c_void_p,
+    ]),
+    'detent_replay3_end_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+    ]),
+    'detent_replay3_check': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_replay_check),
     ]),
 }

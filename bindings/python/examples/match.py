@@ -49,6 +49,60 @@ class Match:
         self.mix(self.scene.digest())
 
 
+FRAMES = 120
+
+
+def press(frame, player):
+    """What a player presses; it takes effect two frames later."""
+    return bytes((frame // (7 + 4 * player) % 5, frame // 3 % 4) if frame < 80 else (0, 0))
+
+
+def simulate(world, balls, inputs):
+    words = world.words
+    for player, (speed, which) in enumerate(inputs):
+        words[player] += speed
+        if speed:
+            world.set_velocity(balls[2 * player + which % 2], ((speed - 2) * ONE, which * ONE, 0))
+    world.words = words
+    world.step()
+
+
+def play_for_two(context, match):
+    """A match for two by two sessions in one program. Packets take some frames, and each fifth is lost."""
+    start = context.world3()
+    start.add(d3.aabb((-20 * ONE, -ONE, -20 * ONE), (20 * ONE, 0, 20 * ONE)), motion=detent.FIXED)
+    balls = [start.add(d3.sphere(((2 * i - 3) * ONE, 2 * ONE, 0), ONE // 2)) for i in range(4)]
+    sessions = [context.session3(start, match=4711, self=i, input_size=2, words=2,
+                                 replay_every=10 * (1 - i)) for i in range(2)]
+    wire, sent, tick = [], 0, 0
+    while any(session.status.frame < FRAMES for session in sessions):
+        now, tick = tick * 16667, tick + 1
+        while len(wire) > 8:
+            to, packet = wire.pop(0)
+            sessions[to].receive(1 - to, packet, now)
+        for player, session in enumerate(sessions):
+            if session.status.frame < FRAMES:
+                for frame in session.frames(press(session.status.frame, player)):
+                    simulate(session.world, balls, frame.inputs)
+            for to, packet in session.packets(now):
+                sent += 1
+                if sent % 5:
+                    wire.append((to, packet))
+    for session in sessions:
+        assert [event.kind for event in session.events()] == [detent.events['connected']]
+        assert session.status.resimulated > 0
+    match.mix(sessions[0].world.digest())
+    assert not sessions[0].world.diff(sessions[1].world)
+    for word in sessions[1].world.words:
+        match.mix(word)
+
+    replay = context.replay3(sessions[0].replay(), start, input_size=2, words=2)
+    for frame in replay.frames():
+        simulate(replay.world, balls, frame.inputs)
+    check = replay.check()
+    assert check.is_equal and check.frames == sessions[0].status.final_frame > 100
+
+
 def play():
     with detent.Context() as context:
         match = Match(context)
@@ -61,6 +115,7 @@ def play():
         for _ in range(10):
             match.world.step()
         match.mix(match.world.digest())
+        play_for_two(context, match)
         return f'{match.sum:016x}'
 
 

@@ -17,6 +17,7 @@ pub const NO_MEMORY: i32 = -6;
 pub const BROKEN: i32 = -7;
 pub const FULL: i32 = -8;
 pub const IN_USE: i32 = -9;
+pub const NOT_NOW: i32 = -10;
 pub const NO_SNAPSHOT: i32 = -20;
 pub const OTHER_VERSION: i32 = -21;
 pub const TRUNCATED: i32 = -22;
@@ -54,6 +55,39 @@ pub const LOCK_Z: u32 = 4;
 pub const LOCK_TURN_X: u32 = 8;
 pub const LOCK_TURN_Y: u32 = 16;
 pub const LOCK_TURN_Z: u32 = 32;
+pub const PLAYED: u32 = 0;
+pub const CONNECTING: u32 = 1;
+pub const CATCHING_UP: u32 = 2;
+pub const STARVED: u32 = 3;
+pub const AHEAD: u32 = 4;
+pub const PAUSED: u32 = 5;
+pub const OVER: u32 = 6;
+pub const JOINING: u32 = 7;
+pub const CONNECTED: u32 = 0;
+pub const SILENT: u32 = 1;
+pub const HEARD_AGAIN: u32 = 2;
+pub const PEER_PAUSED: u32 = 3;
+pub const PEER_RESUMED: u32 = 4;
+pub const DROPPED: u32 = 5;
+pub const EXPELLED: u32 = 6;
+pub const LEFT: u32 = 7;
+pub const TOO_SLOW: u32 = 8;
+pub const CONTRADICTION: u32 = 9;
+pub const DESYNC: u32 = 10;
+pub const DESYNC_FIELD: u32 = 11;
+pub const ARRIVED: u32 = 12;
+pub const LOADED: u32 = 13;
+pub const NO_SUCH_WORLD: u32 = 14;
+pub const JOINED: u32 = 15;
+pub const REPLAY_WHOLE: u32 = 0;
+pub const REPLAY_CUT: u32 = 1;
+pub const REPLAY_CORRUPTED: u32 = 2;
+pub const INPUT: u32 = 16;
+pub const PACKET: u32 = 1200;
+pub const LATE_SNAPSHOT: u32 = 65536;
+pub const NAME: u32 = 119;
+pub const WORDS: u32 = 256;
+pub const PLAYERS: u32 = 8;
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -101,6 +135,79 @@ pub struct Impact {
     pub is_hit: u32,
 }
 const _: () = assert!(std::mem::size_of::<Impact>() == 12);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A match and one peer in it. Times are in microseconds, of a clock that only this peer needs.
+pub struct SessionSettings {
+    pub match_: u64,
+    pub send_interval: u64,
+    pub silence: u64,
+    pub self_: u32,
+    pub players: u32,
+    pub spectators: u32,
+    pub delay: u32,
+    pub prediction: u32,
+    pub frames_per_call: u32,
+    pub absent: u32,
+    pub life: u32,
+    pub wants_seat: u32,
+    pub input_size: u32,
+    pub words: u32,
+    pub replay_every: u32,
+}
+const _: () = assert!(std::mem::size_of::<SessionSettings>() == 72);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A frame to simulate, or why there is none. Players whose bit is set in `present` take part.
+pub struct Frame {
+    pub number: u32,
+    pub players: u32,
+    pub present: u32,
+    pub state: u32,
+}
+const _: () = assert!(std::mem::size_of::<Frame>() == 16);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Something that happened in a session, with a peer or in a frame.
+pub struct SessionEvent {
+    pub kind: u32,
+    pub peer: u32,
+    pub frame: u32,
+    pub name_size: u32,
+    pub has_object: u32,
+    pub object: Id,
+}
+const _: () = assert!(std::mem::size_of::<SessionEvent>() == 28);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// How far a session is.
+pub struct SessionStatus {
+    pub digest: u64,
+    pub resimulated: u64,
+    pub frame: u32,
+    pub final_frame: u32,
+    pub checked_frame: u32,
+    pub start_frame: u32,
+    pub is_player: u32,
+    pub players: u32,
+}
+const _: () = assert!(std::mem::size_of::<SessionStatus>() == 40);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// What simulating a replay again gave so far.
+pub struct ReplayCheck {
+    pub state: u32,
+    pub frames: u32,
+    pub equal: u32,
+    pub is_equal: u32,
+    pub players: u32,
+}
+const _: () = assert!(std::mem::size_of::<ReplayCheck>() == 20);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -755,6 +862,7 @@ extern "C" {
     pub fn detent_open(context: *mut Context, allocator: *const c_void) -> i32;
     pub fn detent_close(context: *mut Context) -> i32;
     pub fn detent_count(context: *const Context, count: *mut u32) -> i32;
+    pub fn detent_session_default_settings(settings: *mut SessionSettings) -> i32;
     pub fn detent_mesh_create(context: *mut Context, id: u32, vertices: *const Vec3, vertex_count: u32, faces: *const u32, face_count: u32, mesh: *mut u32) -> i32;
     pub fn detent_height_field_create(context: *mut Context, id: u32, corner: *const Vec2, cell: i32, columns: u32, rows: u32, heights: *const i32, field: *mut u32) -> i32;
     pub fn detent_asset_destroy(context: *mut Context, asset: u32) -> i32;
@@ -830,6 +938,30 @@ extern "C" {
     pub fn detent_world2_digest_of(context: *const Context, world: u32, id: Id, digest: *mut u64) -> i32;
     pub fn detent_world2_snapshot(context: *const Context, world: u32, bytes: *mut c_void, room: u32, size: *mut u32) -> i32;
     pub fn detent_world2_restore(context: *mut Context, world: u32, bytes: *const c_void, size: u32) -> i32;
+    pub fn detent_world2_diff(context: *const Context, a: u32, b: u32, most: u32, names: *mut c_void, room: u32, size: *mut u32) -> i32;
+    pub fn detent_scene2_diff(context: *const Context, a: u32, b: u32, most: u32, names: *mut c_void, room: u32, size: *mut u32) -> i32;
+    pub fn detent_session2_create(context: *mut Context, settings: *const SessionSettings, world: u32, session: *mut u32) -> i32;
+    pub fn detent_session2_destroy(context: *mut Context, session: u32) -> i32;
+    pub fn detent_session2_world(context: *const Context, session: u32, world: *mut u32) -> i32;
+    pub fn detent_session2_receive(context: *mut Context, session: u32, peer: u32, bytes: *const c_void, size: u32, now: u64) -> i32;
+    pub fn detent_session2_begin_frame(context: *mut Context, session: u32, input: *const c_void, frame: *mut Frame, inputs: *mut c_void) -> i32;
+    pub fn detent_session2_end_frame(context: *mut Context, session: u32) -> i32;
+    pub fn detent_session2_packet(context: *mut Context, session: u32, now: u64, peer: *mut u32, bytes: *mut c_void, room: u32, size: *mut u32) -> i32;
+    pub fn detent_session2_event(context: *mut Context, session: u32, event: *mut SessionEvent, name: *mut c_void, room: u32) -> i32;
+    pub fn detent_session2_status(context: *const Context, session: u32, status: *mut SessionStatus) -> i32;
+    pub fn detent_session2_matched(context: *const Context, session: u32, peer: u32, frame: *mut u32) -> i32;
+    pub fn detent_session2_is_awaited(context: *const Context, session: u32, player: u32) -> i32;
+    pub fn detent_session2_drop(context: *mut Context, session: u32, peer: u32) -> i32;
+    pub fn detent_session2_pause(context: *mut Context, session: u32, is_paused: u32) -> i32;
+    pub fn detent_session2_replay(context: *const Context, session: u32, bytes: *mut c_void, room: u32, size: *mut u32) -> i32;
+    pub fn detent_world2_words(context: *const Context, world: u32, words: *mut u32) -> i32;
+    pub fn detent_world2_set_words(context: *mut Context, world: u32, words: *const u32) -> i32;
+    pub fn detent_replay2_create(context: *mut Context, bytes: *const c_void, size: u32, world: u32, input_size: u32, words: u32, replay: *mut u32) -> i32;
+    pub fn detent_replay2_destroy(context: *mut Context, replay: u32) -> i32;
+    pub fn detent_replay2_world(context: *const Context, replay: u32, world: *mut u32) -> i32;
+    pub fn detent_replay2_begin_frame(context: *mut Context, replay: u32, frame: *mut Frame, inputs: *mut c_void) -> i32;
+    pub fn detent_replay2_end_frame(context: *mut Context, replay: u32) -> i32;
+    pub fn detent_replay2_check(context: *const Context, replay: u32, check: *mut ReplayCheck) -> i32;
     pub fn detent_raycast3(ray: *const Ray3, shape: *const Shape3, hit: *mut Hit3) -> i32;
     pub fn detent_raycast3_many(rays: *const Ray3, count: u32, shape: *const Shape3, distances: *mut i32) -> i32;
     pub fn detent_contains3(shape: *const Shape3, point: *const Vec3) -> i32;
@@ -902,4 +1034,28 @@ extern "C" {
     pub fn detent_world3_digest_of(context: *const Context, world: u32, id: Id, digest: *mut u64) -> i32;
     pub fn detent_world3_snapshot(context: *const Context, world: u32, bytes: *mut c_void, room: u32, size: *mut u32) -> i32;
     pub fn detent_world3_restore(context: *mut Context, world: u32, bytes: *const c_void, size: u32) -> i32;
+    pub fn detent_world3_diff(context: *const Context, a: u32, b: u32, most: u32, names: *mut c_void, room: u32, size: *mut u32) -> i32;
+    pub fn detent_scene3_diff(context: *const Context, a: u32, b: u32, most: u32, names: *mut c_void, room: u32, size: *mut u32) -> i32;
+    pub fn detent_session3_create(context: *mut Context, settings: *const SessionSettings, world: u32, session: *mut u32) -> i32;
+    pub fn detent_session3_destroy(context: *mut Context, session: u32) -> i32;
+    pub fn detent_session3_world(context: *const Context, session: u32, world: *mut u32) -> i32;
+    pub fn detent_session3_receive(context: *mut Context, session: u32, peer: u32, bytes: *const c_void, size: u32, now: u64) -> i32;
+    pub fn detent_session3_begin_frame(context: *mut Context, session: u32, input: *const c_void, frame: *mut Frame, inputs: *mut c_void) -> i32;
+    pub fn detent_session3_end_frame(context: *mut Context, session: u32) -> i32;
+    pub fn detent_session3_packet(context: *mut Context, session: u32, now: u64, peer: *mut u32, bytes: *mut c_void, room: u32, size: *mut u32) -> i32;
+    pub fn detent_session3_event(context: *mut Context, session: u32, event: *mut SessionEvent, name: *mut c_void, room: u32) -> i32;
+    pub fn detent_session3_status(context: *const Context, session: u32, status: *mut SessionStatus) -> i32;
+    pub fn detent_session3_matched(context: *const Context, session: u32, peer: u32, frame: *mut u32) -> i32;
+    pub fn detent_session3_is_awaited(context: *const Context, session: u32, player: u32) -> i32;
+    pub fn detent_session3_drop(context: *mut Context, session: u32, peer: u32) -> i32;
+    pub fn detent_session3_pause(context: *mut Context, session: u32, is_paused: u32) -> i32;
+    pub fn detent_session3_replay(context: *const Context, session: u32, bytes: *mut c_void, room: u32, size: *mut u32) -> i32;
+    pub fn detent_world3_words(context: *const Context, world: u32, words: *mut u32) -> i32;
+    pub fn detent_world3_set_words(context: *mut Context, world: u32, words: *const u32) -> i32;
+    pub fn detent_replay3_create(context: *mut Context, bytes: *const c_void, size: u32, world: u32, input_size: u32, words: u32, replay: *mut u32) -> i32;
+    pub fn detent_replay3_destroy(context: *mut Context, replay: u32) -> i32;
+    pub fn detent_replay3_world(context: *const Context, replay: u32, world: *mut u32) -> i32;
+    pub fn detent_replay3_begin_frame(context: *mut Context, replay: u32, frame: *mut Frame, inputs: *mut c_void) -> i32;
+    pub fn detent_replay3_end_frame(context: *mut Context, replay: u32) -> i32;
+    pub fn detent_replay3_check(context: *const Context, replay: u32, check: *mut ReplayCheck) -> i32;
 }

@@ -26,7 +26,7 @@ use std::ffi::CStr;
 use std::fmt;
 use std::marker::PhantomData;
 
-pub use ffi::{Found, Id, Impact, Pair, Touch, Traits};
+pub use ffi::{Found, Id, Impact, Pair, ReplayCheck, SessionSettings, SessionStatus, Touch, Traits};
 
 /// A length of 1.
 pub const ONE: i32 = 1 << 16;
@@ -198,6 +198,55 @@ fn bytes(call: impl Fn(*mut std::os::raw::c_void, u32, *mut u32) -> i32) -> Resu
     let mut room = vec![0; size as usize];
     check(call(room.as_mut_ptr().cast(), size, &mut size))?;
     Ok(room)
+}
+
+/// The settings of an ordinary session.
+pub fn session_settings() -> SessionSettings {
+    let mut own = SessionSettings::default();
+    unsafe { ffi::detent_session_default_settings(&mut own) };
+    own
+}
+
+/// A frame to simulate: its number, and the input of each player.
+pub struct Frame {
+    frame: ffi::Frame,
+    inputs: [u8; 128],
+    input_size: usize,
+}
+
+impl Frame {
+    fn new(input_size: usize) -> Frame {
+        Frame { frame: ffi::Frame::default(), inputs: [0; 128], input_size }
+    }
+    /// The number of the frame, from 0.
+    pub fn number(&self) -> u32 {
+        self.frame.number
+    }
+    /// The number of players, those who left included.
+    pub fn players(&self) -> usize {
+        self.frame.players as usize
+    }
+    /// What a player pressed; `None` if it takes no part.
+    pub fn input(&self, player: usize) -> Option<&[u8]> {
+        let is_in = player < self.players() && self.frame.present >> player & 1 != 0;
+        let start = player * self.input_size;
+        if is_in { Some(&self.inputs[start..start + self.input_size]) } else { None }
+    }
+}
+
+/// What happened in a session.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Event {
+    /// Such as `ffi::DESYNC`.
+    pub kind: u32,
+    /// Whom it is about.
+    pub peer: u32,
+    /// The frame it is about.
+    pub frame: u32,
+    /// The name of a field that differs.
+    pub field: String,
+    /// The body that the field belongs to.
+    pub object: Option<Id>,
 }
 
 macro_rules! space {
@@ -756,9 +805,206 @@ macro_rules! space {
                 }
             }
 
+            impl<'a> World<'a> {
+                /// The world of a session or replay, which alone destroys it.
+                fn owned(context: &'a Context, handle: u32) -> World<'a> {
+                    World { context, handle, not_sync: PhantomData }
+                }
+                /// The names of the first `most` fields in which two worlds differ, such as
+                /// `body 3:17 (sphere) velocity.y`.
+                pub fn diff(&self, other: &World, most: u32) -> Result<Vec<String>> {
+                    let names = bytes(|to, room, size| unsafe {
+                        world_diff(self.at(), self.handle, other.handle, most, to, room, size)
+                    })?;
+                    Ok(String::from_utf8_lossy(&names).lines().map(String::from).collect())
+                }
+                /// The words next to the world of a session or replay, as many as its settings say.
+                pub fn words(&self) -> Result<[u32; 256]> {
+                    let mut words = [0; 256];
+                    check(unsafe { world_words(self.at(), self.handle, words.as_mut_ptr()) })?;
+                    Ok(words)
+                }
+                /// Sets them, in a frame.
+                pub fn set_words(&mut self, words: &[u32; 256]) -> Result<()> {
+                    check(unsafe { world_set_words(self.at(), self.handle, words.as_ptr()) }).map(|_| ())
+                }
+            }
+
             impl Drop for World<'_> {
                 fn drop(&mut self) {
                     unsafe { world_destroy(self.at(), self.handle) };
+                }
+            }
+
+            /// A match over a network, from a world that all peers start with.
+            pub struct Session<'a> {
+                world: World<'a>,
+                handle: u32,
+                input_size: usize,
+            }
+
+            impl<'a> Session<'a> {
+                /// A session that begins with a copy of `start`.
+                pub fn new(start: &World<'a>, settings: &SessionSettings) -> Result<Session<'a>> {
+                    let (context, mut handle, mut world) = (start.context, 0, 0);
+                    check(unsafe {
+                        session_create(context.pointer(), settings, start.handle, &mut handle)
+                    })?;
+                    check(unsafe { session_world(context.pointer(), handle, &mut world) })?;
+                    let world = World::owned(context, world);
+                    Ok(Session { world, handle, input_size: settings.input_size as usize })
+                }
+                fn at(&self) -> *mut ffi::Context {
+                    self.world.at()
+                }
+                /// The world after the last frame that is simulated.
+                pub fn world(&self) -> &World<'a> {
+                    &self.world
+                }
+                /// Calls `simulate` for all frames that are due: those with inputs that were guessed wrong
+                /// again, and the next one, with this input. Returns why there are no more, such as
+                /// `ffi::PLAYED`. A frame that `simulate` leaves with an error is played again.
+                pub fn advance(
+                    &mut self,
+                    pad: &[u8],
+                    mut simulate: impl FnMut(&mut World<'a>, &Frame) -> Result<()>,
+                ) -> Result<u32> {
+                    if pad.len() != self.input_size {
+                        return Err(Error(ffi::BAD_ARGUMENT));
+                    }
+                    let mut frame = Frame::new(self.input_size);
+                    while check(unsafe {
+                        session_begin_frame(self.at(), self.handle, pad.as_ptr().cast(),
+                                            &mut frame.frame, frame.inputs.as_mut_ptr().cast())
+                    })? {
+                        simulate(&mut self.world, &frame)?;
+                        check(unsafe { session_end_frame(self.at(), self.handle) })?;
+                    }
+                    Ok(frame.frame.state)
+                }
+                /// Takes a packet at a time in microseconds; false if it was not used.
+                pub fn receive(&mut self, peer: u32, packet: &[u8], now: u64) -> Result<bool> {
+                    check(unsafe {
+                        session_receive(self.at(), self.handle, peer, packet.as_ptr().cast(),
+                                        length(packet)?, now)
+                    })
+                }
+                /// Calls `send` with a peer and its packet, for all that are due.
+                pub fn poll(&mut self, now: u64, mut send: impl FnMut(u32, &[u8])) -> Result<()> {
+                    let mut room = [0; ffi::PACKET as usize];
+                    let (mut peer, mut size) = (0, 0);
+                    while check(unsafe {
+                        session_packet(self.at(), self.handle, now, &mut peer,
+                                       room.as_mut_ptr().cast(), ffi::PACKET, &mut size)
+                    })? {
+                        send(peer, &room[..size as usize]);
+                    }
+                    Ok(())
+                }
+                /// What happened next.
+                pub fn event(&mut self) -> Result<Option<Event>> {
+                    let mut event = ffi::SessionEvent::default();
+                    let mut name = [0u8; ffi::NAME as usize];
+                    let yes = check(unsafe {
+                        session_event(self.at(), self.handle, &mut event, name.as_mut_ptr().cast(),
+                                      ffi::NAME)
+                    })?;
+                    Ok(if yes {
+                        let field = &name[..event.name_size as usize];
+                        Some(Event {
+                            kind: event.kind,
+                            peer: event.peer,
+                            frame: event.frame,
+                            field: String::from_utf8_lossy(field).into_owned(),
+                            object: if event.has_object != 0 { Some(event.object) } else { None },
+                        })
+                    } else {
+                        None
+                    })
+                }
+                /// How far it is.
+                pub fn status(&self) -> Result<SessionStatus> {
+                    let mut status = SessionStatus::default();
+                    check(unsafe { session_status(self.at(), self.handle, &mut status) })?;
+                    Ok(status)
+                }
+                /// All frames before this one are equal at the peer and here.
+                pub fn matched(&self, peer: u32) -> Result<u32> {
+                    let mut frame = 0;
+                    check(unsafe { session_matched(self.at(), self.handle, peer, &mut frame) })?;
+                    Ok(frame)
+                }
+                /// Whether this player keeps the session from going on.
+                pub fn is_awaited(&self, player: u32) -> Result<bool> {
+                    check(unsafe { session_is_awaited(self.at(), self.handle, player) })
+                }
+                /// Goes on without a peer.
+                pub fn drop_peer(&mut self, peer: u32) -> Result<()> {
+                    check(unsafe { session_drop(self.at(), self.handle, peer) }).map(|_| ())
+                }
+                /// Stops, or goes on.
+                pub fn pause(&mut self, is_paused: bool) -> Result<()> {
+                    check(unsafe { session_pause(self.at(), self.handle, is_paused as u32) }).map(|_| ())
+                }
+                /// The replay of all final frames; empty if none is recorded (`replay_every`).
+                pub fn replay(&self) -> Result<Vec<u8>> {
+                    bytes(|to, room, size| unsafe {
+                        session_replay(self.at(), self.handle, to, room, size)
+                    })
+                }
+            }
+
+            impl Drop for Session<'_> {
+                fn drop(&mut self) {
+                    unsafe { session_destroy(self.at(), self.handle) };
+                }
+            }
+
+            /// A replay that is simulated again.
+            pub struct Replay<'a> {
+                world: World<'a>,
+                handle: u32,
+                input_size: usize,
+            }
+
+            impl<'a> Replay<'a> {
+                /// A replay that begins in `start`, with the inputs and words of its session.
+                pub fn new(start: &World<'a>, data: &[u8], input_size: u32, words: u32)
+                           -> Result<Replay<'a>> {
+                    let (context, mut handle, mut world) = (start.context, 0, 0);
+                    check(unsafe {
+                        replay_create(context.pointer(), data.as_ptr().cast(), length(data)?,
+                                      start.handle, input_size, words, &mut handle)
+                    })?;
+                    check(unsafe { replay_world(context.pointer(), handle, &mut world) })?;
+                    let world = World::owned(context, world);
+                    Ok(Replay { world, handle, input_size: input_size as usize })
+                }
+                fn at(&self) -> *mut ffi::Context {
+                    self.world.at()
+                }
+                /// Calls `simulate` for all frames, up to the first digest that differs.
+                pub fn play(
+                    &mut self,
+                    mut simulate: impl FnMut(&mut World<'a>, &Frame) -> Result<()>,
+                ) -> Result<ReplayCheck> {
+                    let mut frame = Frame::new(self.input_size);
+                    while check(unsafe {
+                        replay_begin_frame(self.at(), self.handle, &mut frame.frame,
+                                           frame.inputs.as_mut_ptr().cast())
+                    })? {
+                        simulate(&mut self.world, &frame)?;
+                        check(unsafe { replay_end_frame(self.at(), self.handle) })?;
+                    }
+                    let mut given = ReplayCheck::default();
+                    check(unsafe { replay_check(self.at(), self.handle, &mut given) })?;
+                    Ok(given)
+                }
+            }
+
+            impl Drop for Replay<'_> {
+                fn drop(&mut self) {
+                    unsafe { replay_destroy(self.at(), self.handle) };
                 }
             }
         }
@@ -835,6 +1081,29 @@ space! {
     world_restore = detent_world2_restore,
     world_default_settings = detent_world2_default_settings,
     body_default_options = detent_body2_default_options,
+    world_diff = detent_world2_diff,
+    world_words = detent_world2_words,
+    world_set_words = detent_world2_set_words,
+    session_create = detent_session2_create,
+    session_destroy = detent_session2_destroy,
+    session_world = detent_session2_world,
+    session_receive = detent_session2_receive,
+    session_begin_frame = detent_session2_begin_frame,
+    session_end_frame = detent_session2_end_frame,
+    session_packet = detent_session2_packet,
+    session_event = detent_session2_event,
+    session_status = detent_session2_status,
+    session_matched = detent_session2_matched,
+    session_is_awaited = detent_session2_is_awaited,
+    session_drop = detent_session2_drop,
+    session_pause = detent_session2_pause,
+    session_replay = detent_session2_replay,
+    replay_create = detent_replay2_create,
+    replay_destroy = detent_replay2_destroy,
+    replay_world = detent_replay2_world,
+    replay_begin_frame = detent_replay2_begin_frame,
+    replay_end_frame = detent_replay2_end_frame,
+    replay_check = detent_replay2_check,
     hull_create = detent_hull2_create,
 }
 
@@ -908,5 +1177,28 @@ space! {
     world_restore = detent_world3_restore,
     world_default_settings = detent_world3_default_settings,
     body_default_options = detent_body3_default_options,
+    world_diff = detent_world3_diff,
+    world_words = detent_world3_words,
+    world_set_words = detent_world3_set_words,
+    session_create = detent_session3_create,
+    session_destroy = detent_session3_destroy,
+    session_world = detent_session3_world,
+    session_receive = detent_session3_receive,
+    session_begin_frame = detent_session3_begin_frame,
+    session_end_frame = detent_session3_end_frame,
+    session_packet = detent_session3_packet,
+    session_event = detent_session3_event,
+    session_status = detent_session3_status,
+    session_matched = detent_session3_matched,
+    session_is_awaited = detent_session3_is_awaited,
+    session_drop = detent_session3_drop,
+    session_pause = detent_session3_pause,
+    session_replay = detent_session3_replay,
+    replay_create = detent_replay3_create,
+    replay_destroy = detent_replay3_destroy,
+    replay_world = detent_replay3_world,
+    replay_begin_frame = detent_replay3_begin_frame,
+    replay_end_frame = detent_replay3_end_frame,
+    replay_check = detent_replay3_check,
     hull_create = detent_hull3_create,
 }

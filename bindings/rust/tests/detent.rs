@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-use detent::{d2, ffi, Error, Id};
+use detent::{d2, ffi, Error};
 
 include!("../examples/match/play.rs");
 

@@ -93,4 +93,10 @@ detent_status detent_world2_snapshot(const detent_context* context, detent_handl
 detent_status detent_world2_restore(detent_context* context, detent_handle world, const void* bytes, uint32_t size) {
   return detent::c::Worlds<2>::restore(context, world, bytes, size);
 }
+detent_status detent_world2_words(const detent_context* context, detent_handle world, uint32_t* words) {
+  return detent::c::Worlds<2>::words(context, world, words);
+}
+detent_status detent_world2_set_words(detent_context* context, detent_handle world, const uint32_t* words) {
+  return detent::c::Worlds<2>::set_words(context, world, words);
+}
 // clang-format on

@@ -93,4 +93,10 @@ detent_status detent_world3_snapshot(const detent_context* context, detent_handl
 detent_status detent_world3_restore(detent_context* context, detent_handle world, const void* bytes, uint32_t size) {
   return detent::c::Worlds<3>::restore(context, world, bytes, size);
 }
+detent_status detent_world3_words(const detent_context* context, detent_handle world, uint32_t* words) {
+  return detent::c::Worlds<3>::words(context, world, words);
+}
+detent_status detent_world3_set_words(detent_context* context, detent_handle world, const uint32_t* words) {
+  return detent::c::Worlds<3>::set_words(context, world, words);
+}
 // clang-format on
