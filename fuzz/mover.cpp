@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A character in any scene, with any settings, ends every move overlapping nothing that it did not
-// overlap at its start, and, if that was nothing at all, on the same side of every plane. It moved by
-// what the result says, and the same move again has the same result.
+// overlap at its start, and on the same side of every plane that it did not overlap. It moved by what
+// the result says, and the same move again has the same result.
 
 #include <string>
 #include <type_traits>
@@ -62,7 +62,6 @@ template <Scalar S, int N, template <class, int> class Shape>
 void check_move(const World<S, N>& world, Mover<S, N, Shape>& mover, const Vec<S, N>& by,
                 const MoverSettings<S, N>& settings, const InLayers& filter) {
   const auto before = mover;
-  const bool was_free = !world.any(before.shape, filter);
   const auto result = mover.move(world, by, settings, filter);
   const char* fault = nullptr;  // visitors may not throw
   world.for_each([&](const ObjectInfo& object, const auto& target) {
@@ -70,7 +69,9 @@ void check_move(const World<S, N>& world, Mover<S, N, Shape>& mover, const Vec<S
     if (overlaps(mover.shape, target)) fault = "it overlaps what it did not overlap before";
     if constexpr (std::is_same_v<decltype(target), const Plane<S, N>&>) {
       // What carries the character moved before it did.
-      if (!was_free || world.frame_of(object.id) != FrameId{} || mover.shape.radius < 0) return;
+      const bool is_carried = before.ground.is_grounded && before.ground.frame != FrameId{};
+      const auto frame = world.frame_of(object.id).value_or(FrameId{});
+      if ((is_carried && frame == before.ground.frame) || mover.shape.radius < 0) return;
       if (side_of(target, mark(before.shape)) != side_of(target, mark(mover.shape))) {
         fault = "it passed a plane";
       }

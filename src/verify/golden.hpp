@@ -10,7 +10,7 @@
 // clang-format off
 namespace detent::verify::golden {
 
-inline constexpr int results_version = 2;
+inline constexpr int results_version = 3;
 
 inline constexpr std::array<std::uint64_t, 1368> full{
     0x97ae3c39ec4fd127u, 0x117e9eac14b96f24u, 0x0268b959be17a001u, 0x3b2f10e93b59eb5bu,
@@ -352,7 +352,7 @@ inline constexpr std::array<std::uint64_t, 1368> full{
     0xb9ec38026c6aee38u, 0x5a4ad3588c962473u, 0x4923d3b1dd9893a3u, 0x26cdecd3bdd6cdf2u,
     0x9214441de1413035u, 0x0b44ea23d8e6090au, 0xe7b6a076c0f4d738u, 0x4e970ada2acc8fbau,
     0xa03c92dd6f7a1bbcu, 0x6e16586c0666b081u, 0x668fc465a97ada3bu, 0x0bbf311c1e545592u,
-    0xede6c77cfa6be8a9u, 0x186e198bd53e3cdau, 0xfcd0039bb8e1a617u, 0xc6c980d4b5df3b6cu,
+    0x1ee537a7ff106530u, 0x158aebb9a200ba37u, 0xfd10f1aaa898fc6fu, 0x91580ed4dd8bd990u,
     0x3dcde50fdf9c0942u, 0x7eae1599e050cfaau, 0x7d81e1c540329397u, 0x1e8fda5e9cdb2c0au,
     0x0dc17326742666c1u, 0x64e5f7fe50edb304u, 0x9878be51874248a7u, 0x80269e00e5fa3c92u,};
 

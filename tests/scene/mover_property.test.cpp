@@ -11,9 +11,9 @@ struct Plate {
   Vec<S, 3> through;
 
   template <class World>
-  void add_to(World& world, Arena<S>& arena) const {
+  std::optional<ObjectId> add_to(World& world, Arena<S>& arena) const {
     if (arena.random.coin()) {
-      world.add(Plane<S, 3>{normal, nearest_to<S>(dot(normal, through))});
+      return world.add(Plane<S, 3>{normal, nearest_to<S>(dot(normal, through))});
     } else {
       const auto wide = S(500);
       Rotation<S, 3> turn;
@@ -21,7 +21,8 @@ struct Plate {
           normal.vec(), Direction<S, 3>::along(abs(normal[0]) < abs(normal[1]) ? 0 : 1).vec()));
       turn = Rotation<S, 3>::from_axes(
           {normal, *side, direction_of<S>(cross(normal.vec(), side->vec())).value_or(*side)});
-      world.add(Obb<S, 3>{through, {arena.number(arena.random.between(0, 1)), wide, wide}, turn});
+      return world.add(
+          Obb<S, 3>{through, {arena.number(arena.random.between(0, 1)), wide, wide}, turn});
     }
   }
   /// 1 or -1 if all of the segment is on one side, else 0.
@@ -67,6 +68,92 @@ TEST_CASE("mover property: never passes a plate as thin as the grid") {
   }
   INFO(rate);
   CHECK(rate.is_balanced());
+}
+
+namespace {
+
+/// Characters that start in something, near a plate that they may not pass.
+void pass_no_plate(int places, int moves) {
+  using S = q16_16;
+  long held = 0, stopped = 0;
+  for (int seed = 0; seed < places; ++seed) {
+    Arena<S> arena(static_cast<std::uint64_t>(seed));
+    auto& random = arena.random;
+    Arena<S>::World world;
+    Mover<S, 3, Capsule> mover{arena.character<Capsule>()};
+    const Plate<S> plate{arena.direction(), nearest_to<S>(mover.shape.a + arena.point(arena.unit))};
+    const auto id = plate.add_to(world, arena);
+    if (world.any(mover.shape)) continue;
+    const int side = plate.side_of(mover.shape.a, mover.shape.b);
+    REQUIRE(side != 0);
+    for (int i = 0; i < moves; ++i) {
+      CAPTURE(seed, i);
+      if (i % 4 == 0) {  // another thing to be in
+        const auto at = nearest_to<S>(mover.shape.a + arena.point(arena.unit / 2));
+        if (random.coin()) {
+          world.add(Sphere<S, 3>{at, arena.length()});
+        } else {
+          world.add(Aabb<S, 3>{
+              at, nearest_to<S>(at + Vec<S, 3>{arena.length(), arena.length(), arena.length()})});
+        }
+      }
+      auto by = random.coin() ? arena.point(60 * arena.unit) : arena.move();
+      if (dot(by, plate.normal) * side > 0 && random.one_in(3)) by = nearest_to<S>(-by);
+      if (world.any(mover.shape)) ++held;
+      const auto result = mover.move(world, by);
+      for (std::size_t k = 0; k < result.count; ++k) stopped += result.touched[k].object == id;
+      REQUIRE(plate.side_of(mover.shape.a, mover.shape.b) == side);
+      REQUIRE_FALSE(world.any(mover.shape, [&](const ObjectInfo& o) { return o.id == id; }));
+      if (distance(mover.shape.a, Vec<S, 3>{}) > 300) break;
+    }
+  }
+  CAPTURE(held, stopped);
+  CHECK(held > places);
+  CHECK(stopped > places / 4);
+}
+
+}  // namespace
+
+TEST_CASE("mover property: nor a plate where it starts in something else") {
+  pass_no_plate(150, 30);
+}
+
+TEST_CASE("mover property: nor a plate in a million moves from anywhere", "[.demand]") {
+  pass_no_plate(40000, 100);
+}
+
+TEST_CASE("mover property: no step leads through what it did not start in") {
+  using S = q16_16;
+  using World = Arena<S>::World;
+  int held = 0, cut = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Arena<S> arena(seed);
+    const Everything all;
+    for (int i = 0; i < 6; ++i) {
+      const auto start = arena.character<Sphere>();
+      detail::Stepper<S, 3, World, Sphere<S, 3>, Everything> steps(arena.world, all, start,
+                                                                   arena.number(arena.unit / 64));
+      steps.prepare();
+      const auto is_other = [&](const ObjectInfo& object) {
+        return !arena.world.any(start, [&](const ObjectInfo& o) { return o.id == object.id; });
+      };
+      held += steps.is_held();
+      for (int j = 0; j < 3; ++j) {
+        CAPTURE(seed, i, j);
+        const auto before = steps.shape();
+        const auto step = steps.look(arena.move());
+        steps.go(step.by);
+        cut += step.hit.has_value();
+        // A step is off its straight way by less than an ULP.
+        const Capsule<S, 3> way{before.center, steps.shape().center,
+                                nearest_to<S>(before.radius - arena.number(1))};
+        REQUIRE_FALSE(arena.world.any(way, is_other));
+        REQUIRE_FALSE(arena.world.any(steps.shape(), is_other));
+      }
+    }
+  }
+  CHECK(held > 100);
+  CHECK(cut > 300);
 }
 
 TEST_CASE("mover property: proceeds along a wall and along a crease of two") {

@@ -26,7 +26,8 @@ struct Mover {
   ///
   /// 1. the frame of the object that it stands on carries it along, rigidly (objects that move
   ///    otherwise do not: give platforms a frame);
-  /// 2. it is pushed out of what it overlaps, by contacts, in at most four steps;
+  /// 2. it is pushed out of what it overlaps, by contacts, in at most four steps, each at most four
+  ///    times as long as the greatest of their depths;
   /// 3. standing on ground, it walks: the horizontal part of `by` leads along walls, up slopes that
   ///    are not too steep and over steps, then down to ground within `snap_distance`, or it falls;
   /// 4. in the air, it flies and slides along what it meets, and stands on ground where it lands. A
@@ -38,8 +39,9 @@ struct Mover {
   /// units:  world units
   /// domain: every input; an empty shape passes everything; a move that would leave the range of the
   ///         scalar ends
-  /// result: it ends overlapping nothing that it did not overlap at the start, and if that was nothing
-  ///         it passes nothing on its way, however thin and fast; at most 28 casts
+  /// result: it passes nothing on its way, however thin and fast, and ends overlapping nothing, but
+  ///         what it overlaps at the start; a mesh or a terrain is one thing. At most 28 casts, twice
+  ///         as many if it starts in something
   ///         (tests/scene/mover.test.cpp, tests/scene/mover_property.test.cpp)
   /// source: cast and clip, Quake, PM_SlideMove; planes, b2SolvePlanes of Box2D 3.1; steps and
   ///         ground as CharacterVirtual of Jolt Physics

@@ -102,6 +102,13 @@ class HalfSpaces {
     count_ = kept;
   }
 
+  /// The greatest offset, at least 0: no shorter translation is in all half-spaces.
+  [[nodiscard]] constexpr S greatest_offset() const noexcept {
+    S greatest(0);
+    for (std::size_t i = 0; i < count_; ++i) greatest = (std::max)(greatest, list_[i].offset);
+    return greatest;
+  }
+
   /// The translation in all half-spaces, or outside by at most `slack`, that is closest to `to`; of
   /// several, the first in order of planes. Nothing if there is none.
   ///

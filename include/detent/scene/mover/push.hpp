@@ -64,13 +64,15 @@ template <Scalar S, int N, class World, class Shape, class Filter>
 }
 
 /// Pushes a character out of what it overlaps or is closer to than its skin. At most four times,
-/// and never into something else.
+/// and never into something else. Between two surfaces that nearly face each other it stays: the
+/// way out may lead anywhere.
 template <class Steps, class World, class Filter, Scalar S>
 constexpr void push_apart(Steps& steps, const World& world, const Filter& filter, const S& skin) {
   for (int i = 0; i < 4; ++i) {
     const auto spaces = ways_out<S, Steps::dimension>(world, grown(steps.shape(), skin), filter);
     const auto by = spaces.closest({}, quotient_floor<S>(skin, as_operand<S>(8)));
     if (!by || *by == Vec<S, Steps::dimension>{}) return;
+    if (squared_length(*by) > square(spaces.greatest_offset() * as_operand<S>(4))) return;
     steps.escape(*by);
     steps.prepare();
     if (steps.has_room()) return;

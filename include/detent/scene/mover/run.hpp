@@ -121,7 +121,7 @@ class MoverRun {
     push_apart(steps_, world_, filter_, skin_);
     result_.pushed = since(before, steps_.shape());
     steps_.prepare();
-    result_.is_stuck = !steps_.is_free(S(0));
+    result_.is_stuck = steps_.is_held();
   }
 
   /// Moves by `by`, along what is in the way. A character that `lands` loses its downward motion on

@@ -19,19 +19,21 @@ struct Met {
   const World& world;
   const Filter& filter;
   FrameId carrier{};           // what moves with this frame is not met
-  const Shape* inside{};       // what this shape overlaps is not met
+  const Shape* outside{};      // what this shape overlaps is not met
+  const Shape* inside{};       // only what this shape overlaps is met
   const Aabb<S, N>* around{};  // a box around the way
 
   [[nodiscard]] constexpr bool operator()(const ObjectInfo& object) const {
     if (!filter(object)) return false;
     if (carrier != FrameId{} && world.frame_of(object.id) == carrier) return false;
-    if (inside == nullptr && around == nullptr) return true;
+    if (outside == nullptr && inside == nullptr && around == nullptr) return true;
     bool is_met = true;
     world.visit(object.id, [&]<class Target>(const Target& target) {
       if constexpr (!is_surface_type<Target> && requires { bounding_box(target); }) {
         if (around != nullptr) is_met = overlaps(bounding_box(target), *around);
       }
-      if (inside != nullptr) is_met = is_met && !separately<job::Overlaps>(*inside, target);
+      if (inside != nullptr) is_met = is_met && separately<job::Overlaps>(*inside, target);
+      if (outside != nullptr) is_met = is_met && !separately<job::Overlaps>(*outside, target);
     });
     return is_met;
   }
@@ -46,7 +48,7 @@ struct Step {
   S offset{};                            // how far to move along its normal, to be a skin away
 };
 
-/// Moves a character along straight ways, on which it touches nothing.
+/// Moves a character along straight ways, on which it touches nothing but what it overlaps already.
 ///
 /// Casts are those of the shape grown by a guard, which is one ULP less for each step. Proof: until
 /// the end of a step the grown shape touches nothing. The end is then rounded to the grid, by at most
@@ -55,7 +57,10 @@ struct Step {
 /// nothing from there to the rounded end, where the next step starts.
 ///
 /// The guard starts with half of the skin. A step stops a whole skin before a plane, so that later
-/// steps along the plane pass it by the other half.
+/// steps along the plane pass it by the other half. Without room for that, the guard is 0, and
+/// `shorten` checks where each step ends.
+///
+/// What the shape overlaps is held apart from the rest, and stops only the inner part of it.
 template <Scalar S, int N, class World, class Shape, class Filter>
 class Stepper {
  public:
@@ -63,67 +68,52 @@ class Stepper {
   using Passes = Met<S, N, World, Shape, Filter>;
 
   constexpr Stepper(const World& world, const Filter& filter, const Shape& shape, const S& skin)
-      : world_(&world), filter_(&filter), start_(shape), shape_(shape), skin_(skin) {}
+      : world_(&world), filter_(&filter), start_(shape), shape_(shape), held_(shape), skin_(skin) {}
 
   [[nodiscard]] constexpr const Shape& shape() const noexcept { return shape_; }
+  /// All that may be in the way.
   [[nodiscard]] constexpr Passes passes() const noexcept {
-    return {*world_, *filter_, carrier_, is_deep_ ? &grown_start_ : nullptr};
+    return {*world_, *filter_, carrier_, is_deep_ ? &core_ : nullptr};
   }
 
   /// What moves with this frame is in no one's way, until the next `prepare`.
   constexpr void prepare(const FrameId& carrier = {}) {
     carrier_ = carrier;
-    is_deep_ = false;
-    is_tight_ = false;
+    is_held_ = is_deep_ = false;
     guard_ = floor_to<S>(half(skin_));
-    if (is_free(guard_)) return;
-    is_tight_ = true;
-    // Without this much room, only a part inside the shape is stopped by what the shape overlaps.
+    has_room_ = is_free(guard_);
+    if (has_room_) return;
+    held_ = shape_;
+    is_held_ = !is_free(S(0));
+    if (!is_held_ || world_->any(grown(shape_, guard_), others())) guard_ = S(0);
+    if (!is_held_) return;
     const S thick = thickness(shape_);
-    for (const int eighths : {0, 1, 2, 4}) {
-      guard_ = quotient_floor<S>(-thick * as_operand<S>(eighths), as_operand<S>(8));
-      if (is_free(guard_)) return;
+    for (const int eighths : {1, 2, 4}) {
+      sunk_ = quotient_floor<S>(-thick * as_operand<S>(eighths), as_operand<S>(8));
+      if (is_free(sunk_)) return;
     }
-    ignore_close();
+    core_ = grown(shape_, sunk_);
+    is_deep_ = true;
   }
   /// Whether the shape, grown by `by`, touches nothing.
   [[nodiscard]] constexpr bool is_free(const S& by) const {
     return !world_->any(grown(shape_, by), passes());
   }
   /// Whether nothing is within half of the skin.
-  [[nodiscard]] constexpr bool has_room() const { return !is_tight_; }
+  [[nodiscard]] constexpr bool has_room() const { return has_room_; }
+  /// Whether the shape overlaps something.
+  [[nodiscard]] constexpr bool is_held() const { return is_held_; }
 
   /// How far the character gets on its way by `by`. It stops a skin before what is in its way.
-  [[nodiscard]] constexpr Step<S, N> look(const Vec<S, N>& by) {
-    const auto direction = direction_of<S>(by);
-    if (!direction) return {{}, true};
-    // Rounding the direction moves the end of a longer way by more than a unit.
-    const S cap = floor_to<S>(half(half(largest<S>)));
-    const S whole = sqrt_ceil<S>(squared_length(by));
-    const S length = (std::min)(whole, cap);
-    const S reach = nearest_to<S>(length + (skin_ + skin_) + (skin_ + skin_));
-    const S guard = guard_;
-    spend();
-    const Cast way{grown(shape_, guard), *direction, reach};
-    const auto around = box_around(way);
-    auto passed = passes();
-    passed.around = &around;
-    const auto hit = world_->nearest_hit(way, passed);
-    Step<S, N> step;
-    step.is_whole = whole <= cap;
-    step.by = step.is_whole ? by : nearest_to<S>(*direction * length);
-    if (hit) stop(step, *hit, *direction, length, nearest_to<S>(skin_ - guard));
-    if (!stays_in_range(shape_, step.by, skin_)) return {{}, false};
-    if (is_tight_) shorten(step);
-    return step;
-  }
+  [[nodiscard]] constexpr Step<S, N> look(const Vec<S, N>& by) { return look(by, skin_, is_held_); }
 
-  /// Moves by `by`, or as far as nothing new is in the way: what is within half of the skin at the
-  /// start does not stop it.
+  /// Moves by `by`, or as far as nothing else is in the way: what the shape overlaps does not stop it.
+  ///
+  /// `by` is a solution of half-spaces within an eighth of the skin, so it may lead closer than a skin
+  /// to what is not overlapped, but not to three quarters of it.
   constexpr void escape(const Vec<S, N>& by) {
-    ignore_close();
-    is_tight_ = true;
-    go(look(by).by);
+    guard_ = S(0);
+    go(look(by, quotient_floor<S>(skin_ * as_operand<S>(3), as_operand<S>(4)), false).by);
   }
   constexpr void go_back(const Shape& shape) noexcept { shape_ = shape; }
 
@@ -135,6 +125,47 @@ class Stepper {
   constexpr void go(const Vec<S, N>& by) noexcept { shape_ = translated(shape_, by); }
 
  private:
+  /// What is in the way of the whole shape, and only of a part inside it.
+  [[nodiscard]] constexpr Passes others() const noexcept {
+    return {*world_, *filter_, carrier_, is_held_ ? &held_ : nullptr};
+  }
+  [[nodiscard]] constexpr Passes held() const noexcept {
+    auto passed = passes();
+    passed.inside = &held_;
+    return passed;
+  }
+
+  /// How far the character gets, if it stops `clear` before what is in its way.
+  [[nodiscard]] constexpr Step<S, N> look(const Vec<S, N>& by, const S& clear, bool stops_in_held) {
+    const auto direction = direction_of<S>(by);
+    if (!direction) return {{}, true};
+    // Rounding the direction moves the end of a longer way by more than a unit.
+    const S cap = floor_to<S>(half(half(largest<S>)));
+    const S whole = sqrt_ceil<S>(squared_length(by));
+    S length = (std::min)(whole, cap);
+    const S reach = nearest_to<S>(length + (skin_ + skin_) + (skin_ + skin_));
+    Step<S, N> step;
+    step.is_whole = whole <= cap;
+    step.by = step.is_whole ? by : nearest_to<S>(*direction * length);
+    const auto cast_grown = [&](const S& guard, Passes passed) {
+      const Cast way{grown(shape_, guard), *direction, reach};
+      const auto around = box_around(way);
+      passed.around = &around;
+      const auto hit = world_->nearest_hit(way, passed);
+      if (hit) stop(step, *hit, *direction, length, nearest_to<S>(clear - guard));
+    };
+    const bool is_tight = guard_ == 0;
+    cast_grown(guard_, others());
+    spend(guard_);
+    if (stops_in_held) {
+      cast_grown(sunk_, held());
+      spend(sunk_);
+    }
+    if (!stays_in_range(shape_, step.by, skin_)) return {{}, false};
+    if (is_tight) shorten(step);
+    return step;
+  }
+
   /// A box around all that a moving shape may touch.
   static constexpr Aabb<S, N> box_around(const Cast<Shape>& way) noexcept {
     Aabb<S, N> box;
@@ -147,16 +178,9 @@ class Stepper {
     return box;
   }
 
-  /// What is within half of the skin now is not in the way.
-  constexpr void ignore_close() noexcept {
-    guard_ = floor_to<S>(half(skin_));
-    grown_start_ = grown(shape_, guard_);
-    is_deep_ = true;
-  }
-
-  /// Cuts a step where the gap to the plane of a hit is `clear`.
+  /// Cuts a step of a `length` where the gap to the plane of a hit is `clear`.
   constexpr void stop(Step<S, N>& step, const ObjectHit<S, N>& hit,
-                      const Direction<S, N>& direction, const S& length, const S& clear) const {
+                      const Direction<S, N>& direction, S& length, const S& clear) const {
     auto closing = -dot(direction, hit.normal);
     if (closing < 0) closing = decltype(closing)(0);
     const auto gap = hit.distance * closing;
@@ -164,18 +188,23 @@ class Stepper {
     S distance(0);
     if (ahead > 0) distance = quotient_floor<S>(ahead, closing);
     if (distance >= length) return;
+    length = distance;
     step.is_whole = false;
     step.by = nearest_to<S>(direction * distance);
     step.hit = hit;
     step.offset = ceil_to<S>(clear - gap - dot(step.by, hit.normal));
   }
 
-  /// Without room for the guard, halves a step until its end overlaps nothing that the start did
-  /// not overlap.
+  /// Without room for the guard, halves a step until its end overlaps nothing that was not
+  /// overlapped.
+  ///
+  /// An end is less than 2 ULP from a point of the way. A shape that is 2 ULP thick does not pass a
+  /// plane in between without overlapping it at one of them; a thinner one is grown.
   constexpr void shorten(Step<S, N>& step) const {
-    const Passes not_at_start{*world_, *filter_, carrier_, &start_};
+    const S ulp = is_fixed<S> ? next_up(S(0)) : S(0);
+    const S margin = thickness(shape_) < ulp ? nearest_to<S>(ulp + ulp) : S(0);
     for (int i = 0; i < 8; ++i) {
-      if (!world_->any(translated(shape_, step.by), not_at_start)) return;
+      if (!world_->any(grown(translated(shape_, step.by), margin), others())) return;
       step.by = nearest_to<S>(half(step.by));
       step.is_whole = false;
     }
@@ -183,9 +212,9 @@ class Stepper {
   }
 
   /// The next guard. Scalars that round keep it.
-  constexpr void spend() noexcept {
+  static constexpr void spend(S& guard) noexcept {
     if constexpr (is_fixed<S>) {
-      if (guard_ != 0) guard_ = S::assume_raw(static_cast<typename S::raw_type>(guard_.raw() - 1));
+      if (guard != 0) guard = S::assume_raw(static_cast<typename S::raw_type>(guard.raw() - 1));
     }
   }
 
@@ -193,11 +222,14 @@ class Stepper {
   const Filter* filter_;
   Shape start_;
   Shape shape_;
-  Shape grown_start_{};
+  Shape held_;    // what this overlaps stops only a part inside the shape,
+  Shape core_{};  // and what this overlaps, nothing
   FrameId carrier_{};
   S skin_;
   S guard_{};
-  bool is_tight_ = false;
+  S sunk_{};  // the guard of that part
+  bool has_room_ = true;
+  bool is_held_ = false;
   bool is_deep_ = false;
 };
 
