@@ -51,7 +51,8 @@ class Tick {
   constexpr Tick(const Tick&) noexcept {}
   constexpr Tick& operator=(const Tick&) noexcept { return *this; }
 
-  constexpr void run(Bodies& bodies, Contacts& contacts, Joints& joints, const Pace<S, N>& pace,
+  /// One step. Returns whether it has changed nothing, so that the next one would not either.
+  constexpr bool run(Bodies& bodies, Contacts& contacts, Joints& joints, const Pace<S, N>& pace,
                      int substeps, const S& margin) {
     place(bodies);
     const bool has_fast = note_starts(bodies);
@@ -59,6 +60,7 @@ class Tick {
     find_pairs(bodies, margin);
     touch(bodies, contacts, margin, pace.margin);
     wake(bodies, joints);
+    const bool is_still = !has_fast && stands_still(bodies) && have_stayed(contacts);
     order(bodies);
     for (std::size_t i = 0; i < moving_.size(); ++i) moving_[i] = moving_of(bodies[i]);
     prepare_all(bodies);
@@ -71,7 +73,11 @@ class Tick {
     finish(bodies, pace);
     if (has_fast) stop_fast(bodies, margin);
     std::swap(contacts, current_);
+    return is_still;
   }
+
+  /// The contacts before the last run.
+  [[nodiscard]] constexpr const Contacts& contacts_before() const noexcept { return current_; }
 
   /// Calls f(index) for each joint that broke in the last run, in order.
   template <class Broken>
@@ -430,6 +436,22 @@ class Tick {
       body.state.velocity = {};
       body.state.spin = {};
     }
+  }
+
+  /// Whether no body moves by itself.
+  static constexpr bool stands_still(const Bodies& bodies) noexcept {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (is_awake(bodies[i]) || is_driven(bodies[i])) return false;
+    }
+    return true;
+  }
+  /// Whether the contacts found are those of the last tick.
+  constexpr bool have_stayed(const Contacts& before) const noexcept {
+    if (before.size() != current_.size()) return false;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      if (!(before[i] == current_[i])) return false;
+    }
+    return true;
   }
 
   static constexpr bool is_slow(const BodyState<S, N>& state, const Pace<S, N>& pace) noexcept {

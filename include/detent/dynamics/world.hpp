@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 
 #include "detent/cull/list.hpp"
 #include "detent/dynamics/joint/table.hpp"
@@ -105,6 +106,7 @@ class BasicWorld {
       body.state.spin = per_substep(options.angular_velocity);
     }
     detail::derive(body, pace_.rate);
+    is_still_ = false;
     next_ = (std::max)(next_, id.generation + 1);
     ++size_;
     return true;
@@ -132,12 +134,14 @@ class BasicWorld {
     return true;
   }
 
-  /// One tick: all substeps.
+  /// One tick: all substeps. Where all bodies sleep or are fixed, it takes no time.
   constexpr void step() {
     events_.clear();
-    before_ = contacts_;
-    tick_.run(bodies_, contacts_, joints_.list, pace_, settings_.substeps, settings_.margin);
+    if (is_still_) return;
+    const bool stood_still =
+        tick_.run(bodies_, contacts_, joints_.list, pace_, settings_.substeps, settings_.margin);
     joints_.take_broken(tick_, [&](const detail::BodyPair& pair) { rouse(pair); });
+    is_still_ = stood_still;
     note_events();
   }
 
@@ -340,7 +344,9 @@ class BasicWorld {
     const Body& body = bodies_[id.index];
     return body.generation == id.generation ? &body : nullptr;
   }
+  /// For a change.
   [[nodiscard]] constexpr Body* find(const BodyId& id) noexcept {
+    is_still_ = false;
     const BasicWorld& self = *this;
     return const_cast<Body*>(self.find(id));
   }
@@ -361,7 +367,8 @@ class BasicWorld {
             detail::spin_of<S, N>(body, detail::moment_of<S, N>(arm, push), per)};
   }
 
-  static constexpr void rouse(Body& body) noexcept {
+  constexpr void rouse(Body& body) noexcept {
+    is_still_ = false;
     body.sleeps = false;
     body.quiet = 0;
   }
@@ -391,6 +398,7 @@ class BasicWorld {
 
   /// A pair touches if one of its contacts does.
   constexpr void note_events() {
+    const auto& before = tick_.contacts_before();
     std::size_t i = 0, j = 0;
     const auto at = [](const auto& contacts, std::size_t k) {
       return k < contacts.size() ? detail::pair_of(contacts[k]) : detail::BodyPair{~0u, ~0u};
@@ -400,9 +408,9 @@ class BasicWorld {
       for (; k < contacts.size() && at(contacts, k) == pair; ++k) any = any || contacts[k].touches;
       return any;
     };
-    while (i < before_.size() || j < contacts_.size()) {
-      const auto pair = (std::min)(at(before_, i), at(contacts_, j));
-      const bool was = touches(before_, i, pair), is = touches(contacts_, j, pair);
+    while (i < before.size() || j < contacts_.size()) {
+      const auto pair = (std::min)(at(before, i), at(contacts_, j));
+      const bool was = touches(before, i, pair), is = touches(contacts_, j, pair);
       if (was != is) events_.push_back({id_of(pair.a), id_of(pair.b), is});
     }
   }
@@ -416,8 +424,8 @@ class BasicWorld {
   std::uint32_t first_free_ = 0;
   std::size_t size_ = 0;
   typename Storage::template List<TouchEvent, 2 * Tick::contacts_room> events_;
-  typename Tick::Contacts before_;
   Tick tick_;
+  bool is_still_ = false;  // the last step changed nothing, nor did anybody since: no step will
 };
 
 #if __STDC_HOSTED__
@@ -435,14 +443,17 @@ namespace detail {
 struct WorldAccess {
   template <class World>
   [[nodiscard]] static constexpr auto& bodies(World& world) noexcept {
+    stir(world);
     return world.bodies_;
   }
   template <class World>
   [[nodiscard]] static constexpr auto& contacts(World& world) noexcept {
+    stir(world);
     return world.contacts_;
   }
   template <class World>
   [[nodiscard]] static constexpr auto& joints(World& world) noexcept {
+    stir(world);
     return world.joints_;
   }
   template <class World>
@@ -463,6 +474,14 @@ struct WorldAccess {
     world.first_free_ = 0;
     world.size_ = size;
     world.events_.clear();
+    stir(world);
+  }
+
+ private:
+  /// A world that may be changed does not stand still.
+  template <class World>
+  static constexpr void stir(World& world) noexcept {
+    if constexpr (!std::is_const_v<World>) world.is_still_ = false;
   }
 };
 
