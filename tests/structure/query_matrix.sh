@@ -88,10 +88,10 @@ for ((i = 0; i < ${#shapes[@]}; ++i)); do
 done
 
 export compiler
-# The parameter lets g++ collect garbage earlier, for less memory; clang++ leaves it unused.
+# The parameters let g++ collect garbage seldom, but below 900 MB; clang++ leaves them unused.
 (cd "$work" && printf '%s\0' *.cpp) | xargs -0 -n 1 -P "$(nproc)" \
-  bash -c '"$compiler" -std=c++20 -O0 -ffunction-sections --param=ggc-min-expand=20 -Iinclude \
-    -c "$0/$1" -o "$0/${1%.cpp}.o"' "$work"
+  bash -c '"$compiler" -std=c++20 -O0 -ffunction-sections -Iinclude \
+    --param=ggc-min-heapsize=560000 --param=ggc-min-expand=10 -c "$0/$1" -o "$0/${1%.cpp}.o"' "$work"
 
 bits() { # cell
   local function=${function_of[$1]-}
