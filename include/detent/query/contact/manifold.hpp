@@ -277,12 +277,7 @@ class ContactBuilder {
       add(q, a_is_reference_, depth_less(drop(q, deepest)),
           both_by_role(face, corner(incident, i)));
     }
-    const std::size_t edges = incident.count < 3 ? incident.count - 1 : incident.count;
-    for (std::size_t k = 0; k < edges; ++k) {
-      for (std::size_t i = 0; i < reference.count; ++i) {
-        cross_edges(reference, i, incident, k, deepest);
-      }
-    }
+    cross_all_edges(reference, incident, deepest);
     for (std::size_t i = 0; i < reference.count && incident.count > 1; ++i) {
       const auto& r = reference.corners[i];
       bool is_corner = false;
@@ -349,20 +344,48 @@ class ContactBuilder {
     }
   }
 
-  /// Adds the crossing of edge i of the reference and edge k of the incident feature, between the
-  /// ends of both.
-  constexpr void cross_edges(const Feature<S, 3>& reference, std::size_t i,
-                             const Feature<S, 3>& incident, std::size_t k,
+  using Turn = decltype(turn_of(Direction<S, 3>(), Corner<S, 3>(), Corner<S, 3>(), Corner<S, 3>()));
+
+  /// Adds the crossings of all edges of the reference and the incident feature.
+  constexpr void cross_all_edges(const Feature<S, 3>& reference, const Feature<S, 3>& incident,
+                                 const Corner<S, 3>& deepest) noexcept {
+    const auto& r = reference.corners;
+    const auto next = [&](std::size_t i) { return i + 1 < reference.count ? i + 1 : 0; };
+    const std::size_t edges = incident.count < 3 ? incident.count - 1 : incident.count;
+    if (edges == 0) return;
+    // On which side of the edges of the reference the incident corners are: the first, and in turn
+    // the two ends of an edge.
+    std::array<std::array<Turn, Feature<S, 3>::most>, 3> sides{};
+    const auto find = [&](std::size_t at, std::size_t k) {
+      for (std::size_t i = 0; i < reference.count; ++i) {
+        sides[at][i] = turn_of(seen_, r[i], r[next(i)], incident.corners[k]);
+      }
+      return at;
+    };
+    for (std::size_t k = 0, start = find(0, 0), end = 0; k < edges; ++k, start = end) {
+      const std::size_t l = k + 1 < incident.count ? k + 1 : 0;
+      end = l == 0 ? 0 : find(1 + k % 2, l);
+      for (std::size_t i = 0; i < reference.count; ++i) {
+        const auto& from = sides[start][i];
+        const auto& to = sides[end][i];
+        if (!are_opposite(from, to)) continue;
+        cross_edges(reference, i, next(i), incident, k, l, from, to, deepest);
+      }
+    }
+  }
+  [[nodiscard]] static constexpr bool are_opposite(const Turn& x, const Turn& y) noexcept {
+    return (x < 0 && y > 0) || (x > 0 && y < 0);
+  }
+
+  /// Adds the crossing of the edge from i to j of the reference and the edge from k to l of the
+  /// incident feature, between the ends of both; `from` and `to` are on which side of the first the
+  /// second starts and ends.
+  constexpr void cross_edges(const Feature<S, 3>& reference, std::size_t i, std::size_t j,
+                             const Feature<S, 3>& incident, std::size_t k, std::size_t l,
+                             const Turn& from, const Turn& to,
                              const Corner<S, 3>& deepest) noexcept {
-    const std::size_t j = i + 1 < reference.count ? i + 1 : 0;
-    const std::size_t l = k + 1 < incident.count ? k + 1 : 0;
     const auto& r = reference.corners;
     const auto& q = incident.corners;
-    const auto are_opposite = [](const auto& x, const auto& y) {
-      return (x < 0 && y > 0) || (x > 0 && y < 0);
-    };
-    const auto from = turn_of(seen_, r[i], r[j], q[k]), to = turn_of(seen_, r[i], r[j], q[l]);
-    if (!are_opposite(from, to)) return;
     const auto start = turn_of(seen_, q[k], q[l], r[i]), end = turn_of(seen_, q[k], q[l], r[j]);
     if (!are_opposite(start, end)) return;
     const auto depth = depth_between(drop(q[k], deepest), drop(q[l], deepest), from, from - to);

@@ -122,6 +122,14 @@ template <Scalar S, int N>
       });
 }
 
+/// A push with its rounded normal, and the features that meet.
+template <Scalar S, int N>
+struct FacedPush {
+  Direction<S, N> normal;
+  Depth<S> depth;
+  Feature<S, N> a, b;
+};
+
 template <Scalar S, int N, class A, class B>
 [[nodiscard]] constexpr std::optional<Contact<S, N>> contact_of_cores(const A& a, const B& b,
                                                                       const S& radius_a,
@@ -143,13 +151,18 @@ template <Scalar S, int N, class A, class B>
     const auto corners_b = corners_of(b);
     const auto body_a = body_of_corners(corners_a);
     const auto body_b = body_of_corners(corners_b);
-    const auto push = least_push_between<S>(body_a, body_b, radius_a + radius_b);
+    using Faced = FacedPush<S, N>;
+    const auto push = least_push_between<S>(
+        body_a, body_b, radius_a + radius_b, [&](const auto& normal, const Depth<S>& depth) {
+          return std::optional<Faced>({unit_of<S>(normal), depth,
+                                       extreme_feature<S>(body_a, body_a, normal, true),
+                                       extreme_feature<S>(body_b, body_b, normal, false)});
+        });
     if (!push) return std::nullopt;
-    const auto normal = unit_of<S>(push->normal);
+    const auto& normal = push->normal;
     return make_contact(normal, push->depth, radius_a, radius_b, [&](auto& manifold) {
       manifold.meet(
-          extreme_feature<S>(body_a, body_a, push->normal, true),
-          extreme_feature<S>(body_b, body_b, push->normal, false),
+          push->a, push->b,
           [&](const auto& deepest) { return opposed_feature(a, body_a, deepest, -normal); },
           [&](const auto& deepest) { return opposed_feature(b, body_b, deepest, normal); });
     });

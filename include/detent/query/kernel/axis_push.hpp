@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include "detent/math/components.hpp"
 #include "detent/query/kernel/expansion.hpp"
@@ -44,7 +45,8 @@ inline constexpr bool is_unit_component<Fixed<Bits, Frac>> = Bits == Frac + 1;
 template <Number T, class A, class B, int N = A::dimension>
 class AxisPush {
  public:
-  constexpr AxisPush(const A& a, const B& b) noexcept : a_(a), b_(b) {}
+  constexpr AxisPush(const A& a, const B& b) noexcept
+      : a_(a), b_(b), some_a_(a.some()), some_b_(b.some()) {}
 
   /// Ends with the first push that is not positive.
   [[nodiscard]] constexpr auto least() const noexcept {
@@ -108,12 +110,14 @@ class AxisPush {
   template <Number V>
   [[nodiscard]] constexpr Vec<T, N> farthest(const Vec<V, N>& v) const noexcept {
     constexpr int bits = bits_of<T>;
-    return narrow<bits>(a_.template extreme<bits>(v, b_.some(), true) -
-                        b_.template extreme<bits>(v, a_.some(), false));
+    return narrow<bits>(a_.template extreme<bits>(v, some_b_, true) -
+                        b_.template extreme<bits>(v, some_a_, false));
   }
 
   const A& a_;
   const B& b_;
+  std::remove_cvref_t<decltype(std::declval<const A&>().some())> some_a_;
+  std::remove_cvref_t<decltype(std::declval<const B&>().some())> some_b_;
 };
 
 }  // namespace detent::detail

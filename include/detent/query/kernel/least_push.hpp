@@ -139,23 +139,24 @@ template <Scalar S, int N, Number Radius>
   return pushed_by(Expansion<Difference, Slabs, Span>(slabs, span).least_push());
 }
 
-/// Two convex bodies, with the sum of their radii.
-template <Scalar S, class A, class B, Number Radii>
-[[nodiscard]] constexpr auto least_push_between(const A& a, const B& b,
-                                                const Radii& radii) noexcept {
+/// Two convex bodies, with the sum of their radii: f(normal, depth) of the least push, which returns
+/// an optional; nothing if they do not touch. The normal is exact, at any length, and its type one of
+/// two: that of an axis of two edges is short.
+template <Scalar S, class A, class B, Number Radii, class F>
+[[nodiscard]] constexpr auto least_push_between(const A& a, const B& b, const Radii& radii,
+                                                const F& f) noexcept {
+  constexpr int N = A::dimension;
   using Longest = std::remove_cvref_t<decltype((a.some() - b.some()).x)>;
-  using Result = LeastPush<LongestNormal<Longest, A::dimension>, Depth<S>>;
-  const auto pushed_by = [&](const auto& push) {
-    return std::optional(
-        Result{widened<decltype(Result::normal)>(push.normal),
-               depth_of_height<S>(radii, push.height, squared_length(push.normal))});
+  using Normal = LongestNormal<Longest, N>;
+  using Result = std::remove_cvref_t<decltype(f(Normal(), Depth<S>()))>;
+  const auto depth_of = [&](const auto& push) {
+    return depth_of_height<S>(radii, push.height, squared_length(push.normal));
   };
   return with_gjk(a, b, [&](auto search) {
     using T = typename decltype(search)::Difference;
-    constexpr int N = A::dimension;
-    std::optional<Result> result;
+    Result result;
     if (const auto push = AxisPush<T, A, B>(a, b).least()) {
-      if (push->height > 0) return pushed_by(*push);
+      if (push->height > 0) return f(push->normal, depth_of(*push));
       if (push->height < 0 && radii == 0) return result;
     }
     const auto squared = search.squared_distance(squared_distance_of_none<T, N>());
@@ -163,13 +164,13 @@ template <Scalar S, class A, class B, Number Radii>
       const auto depth = depth_of_gap<S>(radii, squared);
       if (!depth) return result;
       with_direction(search.closest_feature(), [&](const auto& v) {
-        result = Result{widened<decltype(Result::normal)>(-v), *depth};
+        result = f(widened<Normal>(-v), *depth);
         return true;
       });
-    } else {
-      result = pushed_by(Expansion<T, A, B>(a, b).least_push());
+      return result;
     }
-    return result;
+    const auto push = Expansion<T, A, B>(a, b).least_push();
+    return f(widened<Normal>(push.normal), depth_of(push));
   });
 }
 
