@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "detent/number/fraction.hpp"
@@ -8,6 +9,14 @@
 #include "detent/shape/ray.hpp"
 
 namespace detent::detail {
+
+/// Whether a wrong guess of a branch costs more than a few operations on words. On small processors
+/// it does not.
+#if UINTPTR_MAX > 0xffffffff
+inline constexpr bool selects_by_mask = DETENT_NATIVE_INT128 == 1;
+#else
+inline constexpr bool selects_by_mask = false;
+#endif
 
 /// The part of a ray inside all slabs, as two exact fractions compared by cross-multiplying.
 ///
@@ -26,6 +35,16 @@ class RayClip {
   /// Keeps the distances t with low <= speed * t <= high.
   constexpr void keep(int slab, const Numerator& low, const Numerator& high,
                       const Denominator& speed) noexcept {
+    if constexpr (is_fixed<S> && selects_by_mask) {
+      if (speed != 0) {
+        const auto forward = forward_of(speed, speed, speed);
+        raise_enter(slab, {forward_of(low, high, speed), forward});
+        lower_exit({forward_of(high, low, speed), forward});
+      } else {
+        keep_parallel(low, high);
+      }
+      return;
+    }
     if (speed > 0) {
       raise_enter(slab, {low, speed});
       lower_exit({high, speed});
@@ -33,8 +52,8 @@ class RayClip {
       const auto forward = narrow_negative(speed);
       raise_enter(slab, {narrow_negative(high), forward});
       lower_exit({narrow_negative(low), forward});
-    } else if (low > 0 || high < 0) {
-      exit_ = {Numerator(-1), Denominator(1)};
+    } else {
+      keep_parallel(low, high);
     }
   }
 
@@ -57,17 +76,51 @@ class RayClip {
  private:
   using Distance = Fraction<Numerator, Denominator>;
 
+  /// a or b by arithmetic, where compilers would branch: which slab is entered last, nothing predicts.
+  template <Number T>
+  static constexpr T select(bool is_first, const T& a, const T& b) noexcept {
+    using Raw = decltype(a.raw() ^ b.raw());
+    return T::assume_raw(static_cast<typename T::raw_type>(
+        b.raw() ^ ((a.raw() ^ b.raw()) & -static_cast<Raw>(is_first))));
+  }
+  static constexpr Distance select(bool is_first, const Distance& a, const Distance& b) noexcept {
+    return {select(is_first, a.numerator, b.numerator),
+            select(is_first, a.denominator, b.denominator)};
+  }
+
+  /// x, or if the ray goes backward -y: all by arithmetic.
+  template <Number T>
+  static constexpr T forward_of(const T& x, const T& y, const Denominator& speed) noexcept {
+    using Raw = decltype(x.raw() ^ y.raw());
+    const auto sign = static_cast<Raw>(speed.raw() >> (8 * sizeof(speed.raw()) - 1));
+    const auto chosen = x.raw() ^ ((x.raw() ^ y.raw()) & sign);
+    return T::assume_raw(static_cast<typename T::raw_type>((chosen ^ sign) - sign));
+  }
+
   static constexpr bool less(const Distance& a, const Distance& b) noexcept {
     return narrow_product<ProductBits>(a.numerator, b.denominator) <
            narrow_product<ProductBits>(b.numerator, a.denominator);
   }
 
+  constexpr void keep_parallel(const Numerator& low, const Numerator& high) noexcept {
+    if (low > 0 || high < 0) exit_ = {Numerator(-1), Denominator(1)};
+  }
   constexpr void raise_enter(int slab, const Distance& candidate) noexcept {
+    if constexpr (is_fixed<S> && selects_by_mask) {
+      const bool is_later = less(enter_, candidate);
+      enter_ = select(is_later, candidate, enter_);
+      entered_ = is_later ? slab : entered_;
+      return;
+    }
     if (candidate.numerator <= 0 || !less(enter_, candidate)) return;
     enter_ = candidate;
     entered_ = slab;
   }
   constexpr void lower_exit(const Distance& candidate) noexcept {
+    if constexpr (is_fixed<S> && selects_by_mask) {
+      exit_ = select(less(candidate, exit_), candidate, exit_);
+      return;
+    }
     if (less(candidate, exit_)) exit_ = candidate;
   }
 
