@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: javascript.sh MATCH_IN_CPP
-# The WebAssembly modules compile and stay below their size; the tests of the JavaScript binding pass in
-# node, and the example of the page runs.
+# The WebAssembly modules compile and stay below their size; the tests of the JavaScript binding pass in node,
+# the example of the page runs, and Chromium, if it is installed, plays the match.
 set -euo pipefail
 command -v node >/dev/null || { echo 'skipped: there is no node'; exit 77; }
 (($(node -p 'process.versions.node.split(".")[0]') >= 20)) ||
@@ -12,6 +12,11 @@ trap 'rm -rf "$work"' EXIT
 bindings/js/build "$work"
 DETENT_WASM=$work DETENT_MATCH=$("$1") node --test bindings/js/tests/
 cp bindings/js/*.mjs "$work"
+if command -v chromium >/dev/null; then
+  cp -r bindings/js/examples "$work"
+  said=$(node tests/c/browser.mjs chromium "$work")
+  [[ $said == "$("$1")" ]] || { echo "in a browser the match ends with $said"; exit 1; }
+fi
 sed -n '/^```js$/,/^```$/{/^```/d;p}' docs/bindings.md | sed "s|'detent'|'./index.mjs'|" >"$work/page.mjs"
 said=$(node "$work/page.mjs")
 [[ $said == '9' ]] || { echo "the page prints $said"; exit 1; }

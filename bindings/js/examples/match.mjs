@@ -3,7 +3,6 @@
 // The scripted match of every binding: boxes fall on a floor, a scene has a ball around each, rays look
 // down at them. Prints 16 digits that follow from every answer: those of tests/c/match.cpp.
 
-import { pathToFileURL } from 'node:url';
 import { FIXED, ONE, UNIT, events, load } from '../index.mjs';
 
 const bodies = 12, ticks = 120, rays = 8;
@@ -122,4 +121,7 @@ export async function play(source) {
   return sum.toString(16).padStart(16, '0');
 }
 
-if (import.meta.url === pathToFileURL(process.argv[1]).href) console.log(await play());
+if (typeof process !== 'undefined') {  // in node, and not in a browser
+  const { pathToFileURL } = await import('node:url');
+  if (import.meta.url === pathToFileURL(process.argv[1]).href) console.log(await play());
+}
