@@ -170,6 +170,30 @@ TEST_CASE("terrain: over a plane of triangles all normals are the plane's") {
   CHECK(found > 600);
 }
 
+TEST_CASE("terrain: a first contact takes no impulses from those of other bodies") {
+  const Owned<q16_16> plane(square<q16_16>(1, 8, [](double, double) { return 0.0; }));
+  const auto run = [&](bool has_neighbour) {
+    Ground<q16_16> world;
+    REQUIRE(world.add(BodyMesh<q16_16, 3>{&plane.asset, {}, {}}, fixed<q16_16>()));
+    BodyOptions<q16_16, 3> options;
+    options.velocity = point<q16_16>(1, 0, 0.5);
+    options.restitution = num<q16_16>(0.5);
+    const auto ball =
+        *world.add(Sphere<q16_16, 3>{point<q16_16>(-4, 0.6, -4), num<q16_16>(0.5)}, options);
+    options.velocity = point<q16_16>(3, 0, -2);
+    if (has_neighbour) {
+      REQUIRE(world.add(Sphere<q16_16, 3>{point<q16_16>(-6, 0.5, -4), num<q16_16>(0.5)}, options));
+    }
+    std::vector<std::uint64_t> states;
+    for (int t = 0; t < 60; ++t) {
+      world.step();
+      states.push_back(digest_of(world, ball));
+    }
+    return states;
+  };
+  CHECK(run(true) == run(false));
+}
+
 TEST_CASE("terrain: a body over a plane is as deep as over one face") {
   using S = q16_16;
   Random random(72);

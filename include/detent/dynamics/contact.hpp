@@ -20,9 +20,10 @@ struct BodyContact {
   static constexpr std::size_t capacity = std::size_t{Manifold<S, N>::capacity};
 
   std::uint32_t a = 0, b = 0;  // indices of the bodies, a < b
-  std::uint32_t part = 0;      // the triangle of terrain; 0 for other bodies
+  std::uint32_t part = 0;      // the triangle of terrain, or b's part if both are compounds; or 0
   std::uint8_t count = 0;
-  bool touches = false;  // some point overlapped or was pushed in the last tick
+  bool touches = false;      // some point overlapped or was pushed in the last tick
+  std::uint16_t member = 0;  // the part of the compound, of a if both are; 0 without one
   std::array<std::uint32_t, capacity> feature{};
   std::array<Impulse, capacity> pressure{};
   Axial<Impulse, N> friction{};  // along the tangents; in 3D the last is the twist

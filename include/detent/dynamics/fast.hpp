@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "detent/dynamics/compound.hpp"
 #include "detent/dynamics/local.hpp"
 #include "detent/dynamics/manifold/pair.hpp"
 
@@ -44,13 +45,6 @@ template <Scalar S, int N>
   return least.value_or(S(0));
 }
 
-/// Where a body is at the start or the end of a tick.
-template <Scalar S, int N>
-struct Standing {
-  Vec<typename Formats<S>::Place, N> place{};
-  Axes<S, N> axes{};
-};
-
 /// A point of the world in the frame of a body: rounded as in a relative pose.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<typename Formats<S>::Lever, N> seen_from(
@@ -63,14 +57,10 @@ template <Scalar S, int N>
   });
 }
 
-/// The point of the world that is at `p` in the frame of a body, each coordinate rounded once.
+/// Of a compound the centre alone counts: it may be in none of the parts.
 template <Scalar S, int N>
-[[nodiscard]] constexpr Vec<typename Formats<S>::Place, N> out_of(
-    const Standing<S, N>& body, const Vec<typename Formats<S>::Lever, N>& p) noexcept {
-  return make_vec<N>([&](int k) {
-    const auto row = make_vec<N>([&](int i) { return body.axes[static_cast<std::size_t>(i)][k]; });
-    return nearest_to<typename Formats<S>::Place>(body.place[k] + dot(row, p));
-  });
+[[nodiscard]] constexpr S inner_radius(const BodyCompound<S, N>&) noexcept {
+  return S(0);
 }
 
 /// Where a point that moves from `from` straight to `to` has to stop in the frame of `shape`, or

@@ -18,7 +18,8 @@ namespace detent {
 
 namespace detail {
 
-inline constexpr std::string_view names_of_bodies[] = {"solid hull", "mesh", "height field"};
+inline constexpr std::string_view names_of_bodies[] = {"solid hull", "mesh", "height field",
+                                                       "compound"};
 /// The name of a shape in a world: those that only bodies have come after the names of scenes.
 template <class Shape>
 inline constexpr std::string_view body_shape_name =
@@ -158,8 +159,16 @@ constexpr void for_each_field(const BasicWorld<Storage, S, N, Shapes...>& world,
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto a = field_of(contacts[i].a).info();
     FieldName name(" contact");
-    detail::add_id(detail::add_id(name, a.id), field_of(contacts[i].b).id);
-    if (contacts[i].part != 0) name.add(" part ").add_number(contacts[i].part);
+    const auto with_part = [&](const auto& body, std::uint32_t part) {
+      if (detail::part_count(body) != 0) name.add(" part ").add_number(part);
+    };
+    const auto &first = bodies[contacts[i].a], &second = bodies[contacts[i].b];
+    const bool are_two = detail::part_count(first) != 0 && detail::part_count(second) != 0;
+    detail::add_id(name, a.id);
+    with_part(first, contacts[i].member);
+    detail::add_id(name, field_of(contacts[i].b).id);
+    with_part(second, are_two ? contacts[i].part : contacts[i].member);
+    if (contacts[i].part != 0 && !are_two) name.add(" part ").add_number(contacts[i].part);
     f(name, detail::ContactField{contacts[i], a});
   }
   if constexpr (BasicWorld<Storage, S, N, Shapes...>::has_joints) {

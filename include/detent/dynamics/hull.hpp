@@ -113,6 +113,11 @@ template <Scalar S, int N>
 
 namespace detail {
 
+template <class T>
+inline constexpr bool is_hull_body = false;
+template <Scalar S, int N>
+inline constexpr bool is_hull_body<BodyHull<S, N>> = true;
+
 template <Scalar S, int N>
 inline constexpr std::uint8_t shape_tag<BodyHull<S, N>> = 10;
 

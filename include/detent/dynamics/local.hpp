@@ -72,6 +72,18 @@ template <Scalar S, int N>
           upright<S, N>()};
 }
 
+/// A point of a body's frame that is rotated, then moved; each coordinate rounded once.
+template <Scalar S, int N, Number C>
+[[nodiscard]] constexpr Vec<typename Formats<S>::Place, N> placed_center(
+    const Vec<S, N>& translation, const Rotation<S, N>& rotation,
+    const Vec<C, N>& center) noexcept {
+  using Ratio = typename Formats<S>::Ratio;
+  return make_vec<N>([&](int k) {
+    const auto row = make_vec<N>([&](int i) { return Ratio(rotation.axis(i)[k]); });
+    return nearest_to<typename Formats<S>::Place>(translation[k] + dot(row, center));
+  });
+}
+
 /// A hull in the frame of its body, about its centre of mass.
 template <Scalar S, int N>
 struct LocalHull {
@@ -81,14 +93,10 @@ struct LocalHull {
 };
 template <Scalar S, int N>
 [[nodiscard]] constexpr LocalHull<S, N> local_form(const BodyHull<S, N>& body) noexcept {
-  using Ratio = typename Formats<S>::Ratio;
   BodyHull<S, N> shape;
   shape.asset = body.asset;
   const auto center = body.asset ? body.asset->center() : decltype(body.asset->center()){};
-  return {shape, make_vec<N>([&](int k) {
-            const auto row = make_vec<N>([&](int i) { return Ratio(body.rotation.axis(i)[k]); });
-            return nearest_to<typename Formats<S>::Place>(body.translation[k] + dot(row, center));
-          }),
+  return {shape, placed_center(body.translation, body.rotation, center),
           orientation_of(body.rotation)};
 }
 

@@ -24,6 +24,19 @@ template <class Contact>
   return {contact.a, contact.b};
 }
 
+/// What a contact is numbered by.
+struct ContactKey {
+  BodyPair pair{};
+  std::uint16_t member = 0;
+  std::uint32_t part = 0;
+  [[nodiscard]] friend constexpr auto operator<=>(const ContactKey&,
+                                                  const ContactKey&) noexcept = default;
+};
+template <class Contact>
+[[nodiscard]] constexpr ContactKey key_of(const Contact& contact) noexcept {
+  return {pair_of(contact), contact.member, contact.part};
+}
+
 /// A body in the sweep for pairs.
 template <Scalar S, int N>
 struct SweepEntry {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "detent/dynamics/compound.hpp"
 #include "detent/dynamics/local.hpp"
 #include "detent/dynamics/mass.hpp"
 #include "detent/dynamics/settings.hpp"
@@ -111,6 +112,12 @@ struct BodyRecord {
   }
 };
 
+/// How many parts a compound has; 0 for other bodies.
+template <Scalar S, int N, class Shape>
+[[nodiscard]] constexpr std::size_t part_count(const BodyRecord<S, N, Shape>& body) noexcept {
+  const auto* compound = compound_of<S, N>(body.shape);
+  return compound == nullptr ? 0 : compound->parts().size();
+}
 /// 1 - damping / rate, at least 0, rounded to nearest.
 template <Scalar S>
 [[nodiscard]] constexpr typename Formats<S>::Ratio kept(const S& damping, int rate) noexcept {

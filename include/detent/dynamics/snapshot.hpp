@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <tuple>
 
 #include "detent/dynamics/fields.hpp"
 #include "detent/dynamics/joint/bytes.hpp"
@@ -36,8 +36,10 @@
 //   spin;
 // * each contact, in order of its bodies and its triangle: a word of the index of a (bits 0 to 19),
 //   the number of points (20 to 22), whether it touches (23) and the low bits of the triangle (24 to
-//   31); a word of the index of b (0 to 19) and the high bits of the triangle; of each point its
-//   feature and pressure, then the impulses of friction: 52 bytes for four points in 3D;
+//   31); a word of the index of b (0 to 19) and the high bits of the triangle; if a body is a
+//   compound, its part (2 bytes); of each point its feature and pressure, then the impulses of
+//   friction: 52 bytes for four points in 3D. Of two compounds the part of b is where others have
+//   the triangle;
 // * each joint, in order of index: a word of its index (bits 0 to 20), whether its bodies collide
 //   (21), whether it has limits (22) and its kind (24 to 31); generation, index of a, index of b
 //   (4 bytes each); its numbers; the impulses of its pushes and turns;
@@ -117,14 +119,21 @@ template <class Body>
 }
 
 template <class D, class C>
-constexpr void describe_contact(D& out, const C& contact) noexcept {
+constexpr void describe_contact(D& out, const C& contact, bool has_member) noexcept {
   out.add(contact.a | std::uint32_t{contact.count} << 20 |
               (contact.touches ? std::uint32_t{1} << 23 : 0u) | contact.part << 24,
           contact.b | contact.part >> 8 << 20);
+  if (has_member) out.add(contact.member);
   for (std::size_t i = 0; i < contact.count; ++i) {
     out.add(contact.feature[i], contact.pressure[i]);
   }
   for (const auto& impulse : contact.friction) out.add(impulse);
+}
+
+/// Whether one of two bodies is a compound.
+template <class Body>
+[[nodiscard]] constexpr bool has_compound(const Body& a, const Body& b) noexcept {
+  return part_count(a) != 0 || part_count(b) != 0;
 }
 
 /// Calls f(body, before) for each body that is not fixed; `before` is the last of these or nullptr.
@@ -151,7 +160,11 @@ constexpr void describe_world(D& out, const World& world) noexcept {
         if (!alike) describe_make(out, body);
       });
   const auto& contacts = WorldAccess::contacts(world);
-  for (std::size_t i = 0; i < contacts.size(); ++i) describe_contact(out, contacts[i]);
+  const auto& bodies = WorldAccess::bodies(world);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto& contact = contacts[i];
+    describe_contact(out, contact, has_compound(bodies[contact.a], bodies[contact.b]));
+  }
   if constexpr (World::has_joints) describe_joints(out, WorldAccess::joints(world).list);
 }
 
@@ -251,10 +264,17 @@ template <Scalar S, int N, class... Shapes, class Assets>
   return is_body ? said : Restored::corrupted;
 }
 
-/// Whether a contact of this body names a part of it.
-template <class Body>
-[[nodiscard]] constexpr bool has_parts(const Body& body) noexcept {
-  return body.shape.visit([]<class Shape>(const Shape&) { return is_surface_body<Shape>; });
+/// Whether two bodies have parts, or triangles, of the numbers of a contact.
+template <class Body, class Contact>
+[[nodiscard]] constexpr bool has_parts(const Body& a, const Body& b,
+                                       const Contact& contact) noexcept {
+  const auto is_surface = [](const Body& body) {
+    return body.shape.visit([]<class Shape>(const Shape&) { return is_surface_body<Shape>; });
+  };
+  const auto of_a = part_count(a), of_b = part_count(b);
+  if (of_a != 0 && of_b != 0) return contact.member < of_a && contact.part < of_b;
+  return contact.member < (std::max)({std::size_t{1}, of_a, of_b}) &&
+         (contact.part == 0 || is_surface(a) || is_surface(b));
 }
 
 /// Reads the parts of a snapshot into lists, in which fixed bodies are already.
@@ -319,13 +339,14 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
     contact.part = word >> 24 | second >> 20 << 8;
     contact.count = static_cast<std::uint8_t>(word >> 20 & 7);
     contact.touches = (word >> 23 & 1) != 0;
-    const auto key = [](const auto& c) { return std::tuple(c.a, c.b, c.part); };
-    const bool follows = k == 0 || key(contacts[k - 1]) < key(contact);
-    if (in.has_failed() || !follows || contact.a >= contact.b || !is_body(contact.a) ||
-        !is_body(contact.b) || contact.count == 0 || contact.count > contact.feature.size() ||
-        (contact.part != 0 && !has_parts(bodies[contact.a]) && !has_parts(bodies[contact.b]))) {
+    if (in.has_failed() || contact.a >= contact.b || !is_body(contact.a) || !is_body(contact.b) ||
+        contact.count == 0 || contact.count > contact.feature.size()) {
       return Restored::corrupted;
     }
+    const auto &a = bodies[contact.a], &b = bodies[contact.b];
+    if (has_compound(a, b)) in.get(contact.member);
+    const bool follows = k == 0 || key_of(contacts[k - 1]) < key_of(contact);
+    if (in.has_failed() || !follows || !has_parts(a, b, contact)) return Restored::corrupted;
     for (std::size_t p = 0; p < contact.count; ++p) {
       in.get(contact.feature[p], contact.pressure[p]);
       if (contact.pressure[p] < typename F::Impulse()) return Restored::corrupted;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -47,6 +48,8 @@ class Tick {
   using Bodies = typename Storage::template List<Body, bodies_room>;
   using Contacts = typename Storage::template List<ContactState, contacts_room>;
 
+  static constexpr bool has_compounds = (is_compound_body<Parts> || ...);
+
   constexpr Tick() noexcept = default;
   constexpr Tick(const Tick&) noexcept {}
   constexpr Tick& operator=(const Tick&) noexcept { return *this; }
@@ -83,6 +86,25 @@ class Tick {
   template <class Broken>
   constexpr void for_each_broken(const Broken& f) const {
     group_.for_each_broken(f);
+  }
+
+  /// What a contact counts for in events: bodies, and the parts of compounds, but no triangles.
+  template <class Contact>
+  [[nodiscard]] static constexpr ContactKey touching(const Bodies& bodies,
+                                                     const Contact& contact) noexcept {
+    auto key = key_of(contact);
+    if (!has_compounds || compound_of<S, N>(bodies[key.pair.a].shape) == nullptr ||
+        compound_of<S, N>(bodies[key.pair.b].shape) == nullptr) {
+      key.part = 0;
+    }
+    return key;
+  }
+  /// The numbers of the parts of compounds; 0 for other bodies.
+  [[nodiscard]] static constexpr std::array<std::uint32_t, 2> parts_touching(
+      const Bodies& bodies, const ContactKey& key) noexcept {
+    if (compound_of<S, N>(bodies[key.pair.a].shape) == nullptr) return {0, key.member};
+    const bool are_two = compound_of<S, N>(bodies[key.pair.b].shape) != nullptr;
+    return {key.member, are_two ? key.part : 0};
   }
 
  private:
@@ -144,18 +166,35 @@ class Tick {
         other.motion == BodyMotion::fixed
             ? before
             : Standing<S, N>{other.state.place, axes_of<S, N>(other.state.orientation)};
-    const auto from = seen_from(before, start.place), to = seen_from(after, body.state.place);
-    std::optional<Vec<typename F::Lever, N>> at;
-    body.shape.visit([&]<class Mine>(const Mine& mine) {
-      if constexpr (!is_surface_body<Mine>) {
-        const auto radius = (max)(inner_radius(mine), S(0));
-        other.shape.visit([&]<class Other>(const Other& shape) {
-          if constexpr (!is_surface_body<Other>) {
-            at = stop_before(shape, other.reach, from, to, radius, margin);
-          }
-        });
+    const auto radius = body.shape.visit([]<class Mine>(const Mine& mine) {
+      if constexpr (is_surface_body<Mine>) {
+        return S(0);
+      } else {
+        return (max)(inner_radius(mine), S(0));
       }
     });
+    other.shape.visit([&]<class Other>(const Other& shape) {
+      if constexpr (is_compound_body<Other>) {
+        if (shape.asset == nullptr) return;
+        for (const auto& part : shape.asset->parts()) {
+          if (part.options().is_sensor) continue;
+          const auto pose = pose_in(*shape.asset, part);
+          visit_part(part, [&](const auto& solid) {
+            stop(body, start, solid, part.reach(), part_at(before, pose), part_at(after, pose),
+                 radius, margin);
+          });
+        }
+      } else if constexpr (!is_surface_body<Other>) {
+        stop(body, start, shape, other.reach, before, after, radius, margin);
+      }
+    });
+  }
+  template <class Other>
+  static constexpr void stop(Body& body, const Standing<S, N>& start, const Other& shape,
+                             const BodyExtent<S, N>& extent, const Standing<S, N>& before,
+                             const Standing<S, N>& after, const S& radius, const S& margin) {
+    const auto from = seen_from(before, start.place), to = seen_from(after, body.state.place);
+    const auto at = stop_before(shape, extent, from, to, radius, margin);
     if (!at) return;
     const auto place = out_of(after, *at);
     for (int k = 0; k < N; ++k) {
@@ -163,6 +202,14 @@ class Tick {
     }
     body.sleeps = false;
     body.quiet = 0;
+  }
+
+  /// Calls f with a part's shape in its own type, one that the world names.
+  template <class F2>
+  static constexpr void visit_part(const BodyPart<S, N>& part, const F2& f) {
+    part.shape().visit([&]<class Shape>(const Shape& shape) {
+      if constexpr (Among<Shape, Parts...>) f(shape);
+    });
   }
 
   /// Whether two bodies are in layers that meet.
@@ -203,17 +250,23 @@ class Tick {
         bodies[pair.b].shape.visit([&]<class B>(const B& second) {
           if constexpr (is_surface_body<A> && is_surface_body<B>) {
             return;  // none of them can move
+          } else if constexpr (is_compound_body<A> || is_compound_body<B>) {
+            touch_parts(bodies, pair, first, second, before, old, reach, margin);
           } else if constexpr (is_surface_body<A>) {
-            touch_terrain(bodies, pair, first, second, true, before, old, reach, margin);
+            touch_terrain(bodies, {pair}, first,
+                          Placed{second, supports_[pair.b], bodies[pair.b].reach}, true, before,
+                          old, reach, margin);
           } else if constexpr (is_surface_body<B>) {
-            touch_terrain(bodies, pair, second, first, false, before, old, reach, margin);
+            touch_terrain(bodies, {pair}, second,
+                          Placed{first, supports_[pair.a], bodies[pair.a].reach}, false, before,
+                          old, reach, margin);
           } else {
             const auto& a = supports_[pair.a];
             const auto& b = supports_[pair.b];
             const auto offset = offset_between(a, b);
             const auto pose = relative_pose(a, b, offset);
             const bool known = old < before.size() && pair_of(before[old]) == pair;
-            add_contact(bodies, pair, {manifold(first, second, pose, margin), offset},
+            add_contact(bodies, {pair}, {manifold(first, second, pose, margin), offset},
                         known ? &before[old] : nullptr);
           }
         });
@@ -221,36 +274,130 @@ class Tick {
     }
   }
 
-  /// The contacts of a surface, the first or the second of the pair, and a solid.
-  template <class Terrain, class Solid>
-  constexpr void touch_terrain(const Bodies& bodies, const BodyPair& pair, const Terrain& terrain,
-                               const Solid& solid, bool is_first, const Contacts& before,
-                               std::size_t old, const S& reach, const typename F::Lever& margin) {
-    const auto ground = is_first ? pair.a : pair.b, other = is_first ? pair.b : pair.a;
-    const auto pose = relative_pose(supports_[ground], supports_[other],
-                                    offset_between(supports_[ground], supports_[other]));
-    const auto offset = offset_between(supports_[pair.a], supports_[pair.b]);
-    const auto back = relative_pose(supports_[pair.a], supports_[pair.b], offset);
-    FacetContacts<decltype(facets_), S> contacts(facets_, contacts_room);
-    contacts.find(terrain, solid, pose, bodies[other].reach, reach, margin);
-    for (std::size_t i = 0; i < facets_.size() && current_.size() < contacts_room; ++i) {
-      const auto& found = facets_[i].manifold;
-      if (found.count == 0) continue;
-      const auto last = contacts.last_of(i, before, old);
-      add_contact(bodies, pair, {is_first ? found : swapped(back, found), offset},
-                  last < before.size() ? &before[last] : nullptr);
-      current_.back().part = facets_[i].part.index;
+  /// A shape in the world: a whole body, or a part of a compound.
+  template <class Shape>
+  struct Placed {
+    const Shape& shape;
+    const Support<S, N>& support;
+    const BodyExtent<S, N>& reach;
+    const RelativePose<S, N>* in_body = nullptr;  // the frame of a part in that of its body
+    std::uint32_t part = 0;
+  };
+  template <class Shape>
+  Placed(const Shape&, const Support<S, N>&, const BodyExtent<S, N>&) -> Placed<Shape>;
+  template <class Shape>
+  Placed(const Shape&, const Support<S, N>&, const BodyExtent<S, N>&, const RelativePose<S, N>*,
+         std::uint32_t) -> Placed<Shape>;
+
+  /// Calls f for each part of a compound in order, or once for a body of one shape.
+  template <class Shape, class Visit>
+  constexpr void for_each_placed(const Bodies& bodies, std::uint32_t body, const Shape& shape,
+                                 const Visit& f) const {
+    if constexpr (is_compound_body<Shape>) {
+      if (shape.asset == nullptr) return;
+      const auto parts = shape.asset->parts();
+      for (std::size_t k = 0; k < parts.size(); ++k) {
+        const auto pose = pose_in(*shape.asset, parts[k]);
+        const auto at = part_at(Standing<S, N>{supports_[body].place, supports_[body].axes}, pose);
+        Support<S, N> support;
+        support.place = at.place;
+        support.axes = at.axes;
+        visit_part(parts[k], [&](const auto& part) {
+          f(Placed{part, support, parts[k].reach(), &pose, static_cast<std::uint32_t>(k)});
+        });
+      }
+    } else {
+      f(Placed{shape, supports_[body], bodies[body].reach});
     }
   }
 
-  constexpr void add_contact(const Bodies& bodies, const BodyPair& pair, const Found& found,
+  /// The contacts of two bodies of which one at least is a compound.
+  template <class A, class B>
+  constexpr void touch_parts(const Bodies& bodies, const BodyPair& pair, const A& first,
+                             const B& second, const Contacts& before, std::size_t old,
+                             const S& reach, const typename F::Lever& margin) {
+    const auto known = [&](const ContactKey& key) {
+      while (old < before.size() && key_of(before[old]) < key) ++old;
+      return old < before.size() && key_of(before[old]) == key ? &before[old] : nullptr;
+    };
+    const auto numbered = [&](std::uint32_t part) {
+      return ContactKey{pair, static_cast<std::uint16_t>(part)};
+    };
+    if constexpr (is_surface_body<A>) {
+      for_each_placed(bodies, pair.b, second, [&](const auto& b) {
+        const auto key = numbered(b.part);
+        known(key);
+        touch_terrain(bodies, key, first, b, true, before, old, reach, margin);
+      });
+    } else if constexpr (is_surface_body<B>) {
+      for_each_placed(bodies, pair.a, first, [&](const auto& a) {
+        const auto key = numbered(a.part);
+        known(key);
+        touch_terrain(bodies, key, second, a, false, before, old, reach, margin);
+      });
+    } else {
+      const auto offset = offset_between(supports_[pair.a], supports_[pair.b]);
+      for_each_placed(bodies, pair.a, first, [&](const auto& a) {
+        const auto box_a = bounds_of<S, N>(a.support.place, a.support.axes, a.reach, reach);
+        for_each_placed(bodies, pair.b, second, [&](const auto& b) {
+          if (current_.size() == contacts_room) return;
+          const auto box_b = bounds_of<S, N>(b.support.place, b.support.axes, b.reach, reach);
+          if (!meet(box_a, box_b)) return;
+          const auto pose =
+              relative_pose(a.support, b.support, offset_between(a.support, b.support));
+          auto found = manifold(a.shape, b.shape, pose, margin);
+          if (found.count == 0) return;
+          auto key = numbered(is_compound_body<A> ? a.part : b.part);
+          if constexpr (is_compound_body<A>) {
+            found = in_body(*a.in_body, found);
+            key.part = b.part;
+          }
+          add_contact(bodies, key, {found, offset}, known(key));
+        });
+      });
+    }
+  }
+  static constexpr bool meet(const BodyBox<S, N>& a, const BodyBox<S, N>& b) noexcept {
+    for (int k = 0; k < N; ++k) {
+      if (a.most[k] < b.least[k] || b.most[k] < a.least[k]) return false;
+    }
+    return true;
+  }
+
+  /// The contacts of a surface, the first or the second of the pair, and a solid. Those of the last
+  /// tick with their bodies are in `before`, none earlier than `old`.
+  template <class Terrain, class Solid>
+  constexpr void touch_terrain(const Bodies& bodies, ContactKey key, const Terrain& terrain,
+                               const Placed<Solid>& solid, bool is_first, const Contacts& before,
+                               std::size_t old, const S& reach, const typename F::Lever& margin) {
+    const auto& ground = supports_[is_first ? key.pair.a : key.pair.b];
+    const auto& support = solid.support;
+    const auto pose = relative_pose(ground, support, offset_between(ground, support));
+    const auto offset = offset_between(supports_[key.pair.a], supports_[key.pair.b]);
+    const auto back = relative_pose(supports_[key.pair.a], supports_[key.pair.b], offset);
+    FacetContacts<decltype(facets_), S> contacts(facets_, contacts_room);
+    contacts.find(terrain, solid.shape, pose, solid.reach, reach, margin);
+    std::size_t end = old;
+    while (end < before.size() && pair_of(before[end]) == key.pair &&
+           before[end].member == key.member) {
+      ++end;
+    }
+    for (std::size_t i = 0; i < facets_.size() && current_.size() < contacts_room; ++i) {
+      const auto& found = facets_[i].manifold;
+      if (found.count == 0) continue;
+      const auto last = contacts.last_of(i, before, old, end);
+      key.part = facets_[i].part.index;
+      add_contact(bodies, key, {is_first ? found : swapped(back, found), offset},
+                  last < end ? &before[last] : nullptr);
+    }
+  }
+
+  constexpr void add_contact(const Bodies& bodies, const ContactKey& key, const Found& found,
                              const ContactState* before) {
     if (found.manifold.count == 0) return;
-    if (is_sensed(bodies, pair.a, pair.b)) {
-      current_.push_back(sensed(pair, found.manifold));
-    } else {
-      current_.push_back(continued(pair, found.manifold, before));
-    }
+    auto contact = continued(key, found.manifold, before);
+    if (is_sensed(bodies, contact)) contact = sensed(key, found.manifold);
+    current_.push_back(contact);
     found_.push_back(found);
   }
 
@@ -258,21 +405,41 @@ class Tick {
   static constexpr bool is_sensed(const Bodies& bodies, std::uint32_t a, std::uint32_t b) noexcept {
     return bodies[a].is_sensor || bodies[b].is_sensor;
   }
+  /// The same of a contact, whose parts may be sensors.
+  static constexpr bool is_sensed(const Bodies& bodies, const ContactState& contact) noexcept {
+    if (is_sensed(bodies, contact.a, contact.b)) return true;
+    if constexpr (has_compounds) {
+      const auto [a, b] = parts_of(bodies, contact);
+      return (a != nullptr && a->options().is_sensor) || (b != nullptr && b->options().is_sensor);
+    } else {
+      return false;
+    }
+  }
+  /// The parts that touch, nullptr for bodies that are no compounds.
+  static constexpr std::array<const BodyPart<S, N>*, 2> parts_of(
+      const Bodies& bodies, const ContactState& contact) noexcept {
+    const auto* a = compound_of<S, N>(bodies[contact.a].shape);
+    const auto* b = compound_of<S, N>(bodies[contact.b].shape);
+    return {a == nullptr ? nullptr : &a->parts()[contact.member],
+            b == nullptr ? nullptr : &b->parts()[a == nullptr ? contact.member : contact.part]};
+  }
   /// A contact with a sensor: whether they overlap.
-  static constexpr ContactState sensed(const BodyPair& pair,
+  static constexpr ContactState sensed(const ContactKey& key,
                                        const Manifold<S, N>& manifold) noexcept {
-    auto contact = continued(pair, manifold, nullptr);
+    auto contact = continued(key, manifold, nullptr);
     for (std::size_t i = 0; i < contact.count; ++i) {
       contact.touches = contact.touches || manifold.points[i].separation <= 0;
     }
     return contact;
   }
 
-  static constexpr ContactState continued(const BodyPair& pair, const Manifold<S, N>& manifold,
+  static constexpr ContactState continued(const ContactKey& key, const Manifold<S, N>& manifold,
                                           const ContactState* before) noexcept {
     ContactState contact;
-    contact.a = pair.a;
-    contact.b = pair.b;
+    contact.a = key.pair.a;
+    contact.b = key.pair.b;
+    contact.member = key.member;
+    contact.part = key.part;
     contact.count = static_cast<std::uint8_t>(manifold.count);
     for (std::size_t i = 0; i < contact.count; ++i) {
       contact.feature[i] = manifold.points[i].feature;
@@ -293,7 +460,7 @@ class Tick {
   constexpr void for_each_pushing(const Bodies& bodies, const Found& f) {
     for (std::size_t i = 0; i < current_.size(); ++i) {
       const auto a = current_[i].a, b = current_[i].b;
-      if (!is_sensed(bodies, a, b)) f(a, b);
+      if (!is_sensed(bodies, current_[i])) f(a, b);
     }
   }
 
@@ -334,7 +501,7 @@ class Tick {
     for (std::size_t i = 0; i < current_.size(); ++i) {
       const auto& contact = current_[i];
       const bool moves_a = is_awake(bodies[contact.a]), moves_b = is_awake(bodies[contact.b]);
-      if ((!moves_a && !moves_b) || is_sensed(bodies, contact.a, contact.b)) {
+      if ((!moves_a && !moves_b) || is_sensed(bodies, contact)) {
         colour_[i] = asleep;
         continue;
       }
@@ -366,8 +533,18 @@ class Tick {
       const auto [share_a, share_b] = mass_shares<S>(a, b);
       prepare(ready, found.manifold, supports_[ready.a], supports_[ready.b], found.offset, share_a,
               share_b);
-      ready.grip = sqrt_floor<Ratio>(a.friction * b.friction);
-      ready.bounce = saturate_to<Ratio>((max)(a.restitution, b.restitution));
+      auto friction = std::array{a.friction, b.friction};
+      auto restitution = std::array{a.restitution, b.restitution};
+      if constexpr (has_compounds) {
+        const auto parts = parts_of(bodies, current_[ready.contact]);
+        for (std::size_t k = 0; k < 2; ++k) {
+          if (parts[k] == nullptr) continue;
+          friction[k] = parts[k]->options().friction;
+          restitution[k] = parts[k]->options().restitution;
+        }
+      }
+      ready.grip = sqrt_floor<Ratio>(friction[0] * friction[1]);
+      ready.bounce = saturate_to<Ratio>((max)(restitution[0], restitution[1]));
       for (std::size_t k = 0; k < ready.count; ++k) {
         ready.closing[k] = rate_along<S, N>(ready.normal.along, ready.pressure[k],
                                             moving_[ready.a].velocity, moving_[ready.a].spin,

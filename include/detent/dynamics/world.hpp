@@ -20,10 +20,12 @@ struct WorldAccess;
 
 }  // namespace detail
 
-/// A pair of bodies that began or ended to touch in the last step, in order of their indices.
+/// A pair of bodies that began or ended to touch in the last step, in order of their indices; of
+/// compounds a pair of parts.
 struct TouchEvent {
   BodyId a, b;
   bool begins;
+  std::uint32_t part_a = 0, part_b = 0;  // the number of the part; 0 for other bodies
 
   [[nodiscard]] friend constexpr bool operator==(const TouchEvent&,
                                                  const TouchEvent&) noexcept = default;
@@ -64,7 +66,8 @@ class BasicWorld {
   [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
 
   /// Adds a body where the shape is. Its place is the shape's centre; a box's frame is its own,
-  /// other shapes start along the world's axes. Nothing if the world is full.
+  /// other shapes start along the world's axes. Nothing if the world is full, or for a compound with
+  /// a part of a kind that the world does not name.
   template <detail::Among<Parts...> Shape>
   requires(!detail::IsJoint<Shape>) constexpr std::optional<BodyId> add(
       const Shape& shape, const Options& options = {}) {
@@ -74,12 +77,15 @@ class BasicWorld {
   }
 
   /// Adds a body with an id of the caller's, such as one that a removed body had. False if the index
-  /// is in use or beyond the world's room.
+  /// is in use or beyond the world's room, or for a compound as above.
   template <detail::Among<Parts...> Shape>
   requires(!detail::IsJoint<Shape>) constexpr bool put(const BodyId& id, const Shape& shape,
                                                        const Options& options = {}) {
     if (id.generation == 0 || id.generation > last_generation || id.index >= capacity) return false;
     if (id.index < bodies_.size() && bodies_[id.index].generation != 0) return false;
+    if constexpr (detail::is_compound_body<Shape>) {
+      if (shape.asset != nullptr && !detail::has_only<Parts...>(*shape.asset)) return false;
+    }
     if (id.index >= bodies_.size()) bodies_.resize(id.index + std::size_t{1});
     const auto local = detail::local_form(shape);
     Body& body = bodies_[id.index];
@@ -238,9 +244,28 @@ class BasicWorld {
     }
     return Rotation<S, N>::from_axes(directions);
   }
-  /// Where the body's frame is: `placed(shape, world.pose(id))` is a shape of it in the world.
+  /// Where the body's frame is: `placed(world.pose(id), shape)` is a shape of it in the world.
   [[nodiscard]] constexpr Transform<S, N> pose(const BodyId& id) const noexcept {
     return {position(id), rotation(id), S(1)};
+  }
+  /// Where the frame is in which a hull's points or a compound's parts were given, its translation
+  /// rounded to nearest and clamped: `placed(world.frame(id), box)` is a part in the world. For other
+  /// shapes it is the pose.
+  [[nodiscard]] constexpr Transform<S, N> frame(const BodyId& id) const noexcept {
+    const Body* body = find(id);
+    if (body == nullptr) return {};
+    const auto axes = detail::axes_of<S, N>(body->state.orientation);
+    auto result = pose(id);
+    body->shape.visit([&](const auto& shape) {
+      if constexpr (requires { shape.asset->center(); }) {
+        if (shape.asset == nullptr) return;
+        result.translation = make_vec<N>([&](int k) {
+          const auto row = make_vec<N>([&](int i) { return axes[static_cast<std::size_t>(i)][k]; });
+          return saturate_to<S>(body->state.place[k] - dot(row, shape.asset->center()));
+        });
+      }
+    });
+    return result;
   }
   /// Units per second, rounded to nearest and clamped.
   [[nodiscard]] constexpr Vec<S, N> velocity(const BodyId& id) const noexcept {
@@ -400,18 +425,21 @@ class BasicWorld {
   constexpr void note_events() {
     const auto& before = tick_.contacts_before();
     std::size_t i = 0, j = 0;
-    const auto at = [](const auto& contacts, std::size_t k) {
-      return k < contacts.size() ? detail::pair_of(contacts[k]) : detail::BodyPair{~0u, ~0u};
+    const auto at = [&](const auto& contacts, std::size_t k) {
+      return k < contacts.size() ? Tick::touching(bodies_, contacts[k])
+                                 : detail::ContactKey{{~0u, ~0u}};
     };
-    const auto touches = [&](const auto& contacts, std::size_t& k, const detail::BodyPair& pair) {
+    const auto touches = [&](const auto& contacts, std::size_t& k, const detail::ContactKey& key) {
       bool any = false;
-      for (; k < contacts.size() && at(contacts, k) == pair; ++k) any = any || contacts[k].touches;
+      for (; k < contacts.size() && at(contacts, k) == key; ++k) any = any || contacts[k].touches;
       return any;
     };
     while (i < before.size() || j < contacts_.size()) {
-      const auto pair = (std::min)(at(before, i), at(contacts_, j));
-      const bool was = touches(before, i, pair), is = touches(contacts_, j, pair);
-      if (was != is) events_.push_back({id_of(pair.a), id_of(pair.b), is});
+      const auto key = (std::min)(at(before, i), at(contacts_, j));
+      const bool was = touches(before, i, key), is = touches(contacts_, j, key);
+      if (was == is) continue;
+      const auto [part_a, part_b] = Tick::parts_touching(bodies_, key);
+      events_.push_back({id_of(key.pair.a), id_of(key.pair.b), is, part_a, part_b});
     }
   }
 

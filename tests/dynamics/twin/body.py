@@ -137,18 +137,28 @@ def rows(entries):
     return [[a, xy, zx], [xy, b, yz], [zx, yz, c]]
 
 
-def set_mass(f, n, body, density):
-    shape = body.shape
+def properties(f, n, shape, density):
+    """Mass and squared gyration, rounded; 0 and None without mass."""
+    if shape.kind == "surface":
+        return 0, None
+    if shape.kind == "compound":
+        return shape.mass, shape.K
     solid = density > 0 and (shape.kind == "hull" or
                              (min(shape.sides) if shape.is_box else shape.radius_raw) > 0)
-    mass, K, den = mass_properties(f, n, body.shape, density) if solid else (0, None, 1)
+    mass, K, den = mass_properties(f, n, shape, density) if solid else (0, None, 1)
+    if mass <= 0:
+        return 0, None
+    return mass, [f.squared_gyration.quotient(x, den, 2 * f.F) for x in K]
+
+
+def set_mass(f, n, body, density):
+    mass, K = properties(f, n, body.shape, density)
     body.can_move = body.motion == "dynamic" and mass > 0
     body.mass = mass
     body.inverse = [0] * (1 if n == 2 else 6)
     body.is_round = n == 2 or mass <= 0
     if mass <= 0:
         return
-    K = [f.squared_gyration.quotient(x, den, 2 * f.F) for x in K]
     one = 1 << 2 * f.F + 30
     if n == 2:
         inverse = [f.gyration.quotient(one, K[0])]
@@ -166,6 +176,24 @@ def set_mass(f, n, body, density):
         body.inverse_share = rows([f.stretch.near(x * k, 96) for x in inverse])
     if body.can_move:
         body.inverse = inverse
+
+
+def placed(f, shape, place, frame):
+    """The place of a body whose shape is added there."""
+    if shape.kind not in ("hull", "compound"):
+        return [f.place.near(x, f.F) for x in place]
+    return [f.place.near((x << 36) + sum(a[k] * y for a, y in zip(frame, shape.mass_centre)),
+                         f.F + 36) for k, x in enumerate(place)]
+
+
+def bounds(f, n, x, A, shape, margin_raw):
+    near, out = f.bound.near, []
+    for k in range(n):
+        e = near(shape.radius_raw + 2 * margin_raw, f.F)
+        for axis, h in zip(A, shape.reach):
+            e = near((e << 30 - 12) + abs(axis[k]) * h, f.F + 30)
+        out.append((f.bound.clamp(x[k] - e), f.bound.clamp(x[k] + e)))
+    return out
 
 
 # Orientation

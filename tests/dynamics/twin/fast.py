@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """docs/dynamics.md, "A tick": step 10, fast bodies."""
 import body as bodies
+from compound import placed_parts
 from fixed import ONE, dot
 from manifold import manifold
 
@@ -14,7 +15,7 @@ def inner_radius(shape):
     if shape.kind == "hull":
         heights = [dot(face[0], shape.hull.points[face[1][0]]) for face in shape.hull.faces]
         return max(min(heights) >> 36, 0)
-    return max(shape.radius_raw, 0)
+    return max(shape.radius_raw, 0)  # of a compound 0
 
 
 def seen(f, x, A, p):
@@ -70,18 +71,28 @@ def stop_all(world, starts):
     for i, b in enumerate(world.bodies):
         if not b.is_fast or not b.can_move:
             continue
+        r = inner_radius(b.shape)
         for rank in range(4):
             for j, o in enumerate(world.bodies):
                 if (j == i or o.motion == "none" or rank_of(o) != rank or b.is_sensor or
                         o.is_sensor or "surface" in (b.shape.kind, o.shape.kind) or not (b.layers & o.meets and o.layers & b.meets) or
-                        frozenset((i, j)) in apart or o.shape.is_empty):
+                        frozenset((i, j)) in apart):
                     continue
-                A = bodies.axes(o.q)
-                p = stop_before(f, n, o.shape, seen(f, *starts[j], starts[i][0]), seen(f, o.x, A, b.x),
-                                inner_radius(b.shape), world.margin_raw)
-                if p is None:
-                    continue
-                x = [f.place.near((y << 24) + sum(a[k] * z for a, z in zip(A, p)), f.F + 36)
-                     for k, y in enumerate(o.x)]
-                b.x = [old if no else new for old, new, no in zip(b.x, x, b.locked_v)]
-                b.sleeps, b.quiet = False, 0
+                before = placed_parts(f, o.shape, *starts[j])
+                now = placed_parts(f, o.shape, o.x, bodies.axes(o.q))
+                for p, q in zip(before, now):
+                    if not (p.part and p.part.is_sensor) and not p.shape.is_empty:
+                        stop(world, b, starts[i][0], p, q, r)
+
+
+def stop(world, b, start, before, now, r):
+    """Stops b before a shape, with its places and axes at both times."""
+    f, A = world.f, now.axes
+    p = stop_before(f, world.n, now.shape, seen(f, before.x, before.axes, start), seen(f, now.x, A, b.x),
+                    r, world.margin_raw)
+    if p is None:
+        return
+    x = [f.place.near((y << 24) + sum(a[k] * z for a, z in zip(A, p)), f.F + 36)
+         for k, y in enumerate(now.x)]
+    b.x = [old if no else new for old, new, no in zip(b.x, x, b.locked_v)]
+    b.sleeps, b.quiet = False, 0

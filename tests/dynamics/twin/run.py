@@ -24,8 +24,8 @@ def field_of(line, i, n):
     elif words[0] == "joint":
         count, names = {"impulse": 99}, ["joint", "index", "a", "b"]
     else:
-        count = {"feature or pressure": 2 * int(words[5]), "friction": 1 if n == 2 else 3}
-        names = ["contact", "a", "b", "part", "touches", "points"]
+        count = {"feature or pressure": 2 * int(words[6]), "friction": 1 if n == 2 else 3}
+        names = ["contact", "a", "b", "part", "triangle", "touches", "points"]
     for name, times in count.items():
         names += ["%s %d" % (name, k) for k in range(times)]
     return names[i] if i < len(names) else "count"

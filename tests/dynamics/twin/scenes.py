@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Reads scenes.txt."""
 from body import Shape, axes, from_rotation, no_rotation
+from compound import Compound, Part
 from fixed import parse, unit
 from joints import Joint
 from terrain import Surface
@@ -46,7 +47,9 @@ def build(n, lines, bits=31, frac=16):
             points[words[1]] = [numbers[i:i + n] for i in range(0, len(numbers), n)]
         if words[0] == "grid":
             points[words[1]] = grid(words, num)
-        if words[0] == "body":
+        if words[0] == "part":
+            points.setdefault(words[1], []).append(part(world.f, n, words[2:], num, points))
+        elif words[0] == "body":
             add(world, n, words, num, points)
         elif words[0] == "joint":
             join(world, n, words, num)
@@ -113,6 +116,57 @@ def join(world, n, words, num):
     world.joints.append(Joint(kind, n, a, b, anchors, {"one": num("1"), **keys}))
 
 
+def read_shape(n, kind, rest, num, points):
+    """A shape and its place; takes their words."""
+    def vector(count=n):
+        values = [num(x) for x in rest[:count]]
+        del rest[:count]
+        return values
+    if kind == "ball":
+        place, radius = vector(), vector(1)[0]
+        return Shape(kind, n, radius=radius, ends=[[0] * n]), place
+    if kind == "box":
+        place = vector()
+        return Shape(kind, n, half=vector()), place
+    if kind == "hull":
+        place = vector()
+        return Shape(kind, n, points=points[rest.pop(0)]), place
+    if kind in ("mesh", "field"):
+        place = vector()
+        return Surface(points[rest.pop(0)], kind == "field"), place
+    low, high = vector(), vector()
+    place = [x + y >> 1 for x, y in zip(low, high)]
+    low, high = [[x - c for x, c in zip(p, place)] for p in (low, high)]
+    if kind == "aligned":
+        return Shape(kind, n, low=low, high=high), place
+    return Shape(kind, n, radius=vector(1)[0], ends=[low, high]), place
+
+
+def read_turn(n, rest):
+    """The frame of a `turned`, and its orientation."""
+    q = unit([int(rest.pop(0)) for _ in range(2 if n == 2 else 4)])
+    frame = axes(q)
+    return frame, q if n == 2 else unit(from_rotation(frame))
+
+
+def part(f, n, words, num, points):
+    kind, rest = words[0], words[1:]
+    shape, place = read_shape(n, kind, rest, num, points)
+    options = {key: num(DEFAULTS[key]) for key in ("density", "friction", "restitution")}
+    q, is_sensor = no_rotation(n), False
+    frame = axes(q)
+    while rest:
+        key = rest.pop(0)
+        if key == "sensor":
+            is_sensor = True
+        elif key == "turned":
+            frame, q = read_turn(n, rest)
+        else:
+            options[key] = num(rest.pop(0))
+    return Part(f, n, shape, place, q, frame, options["density"], options["friction"],
+                options["restitution"], is_sensor)
+
+
 def add(world, n, words, num, points):
     motion, kind, rest = words[1], words[2], words[3:]
 
@@ -120,26 +174,11 @@ def add(world, n, words, num, points):
         values = [num(x) for x in rest[:count]]
         del rest[:count]
         return values
-    if kind == "ball":
-        place, radius = vector(), vector(1)[0]
-        shape = Shape(kind, n, radius=radius, ends=[[0] * n])
-    elif kind == "box":
+    if kind == "compound":
         place = vector()
-        shape = Shape(kind, n, half=vector())
-    elif kind == "hull":
-        place = vector()
-        shape = Shape(kind, n, points=points[rest.pop(0)])
-    elif kind in ("mesh", "field"):
-        place = vector()
-        shape = Surface(points[rest.pop(0)], kind == "field")
+        shape = Compound(world.f, n, points[rest.pop(0)])
     else:
-        low, high = vector(), vector()
-        place = [x + y >> 1 for x, y in zip(low, high)]
-        low, high = [[x - c for x, c in zip(p, place)] for p in (low, high)]
-        if kind == "aligned":
-            shape = Shape(kind, n, low=low, high=high)
-        else:
-            shape = Shape(kind, n, radius=vector(1)[0], ends=[low, high])
+        shape, place = read_shape(n, kind, rest, num, points)
     options = {key: int(value) if key in ("layers", "meets", "locked") else num(value)
                for key, value in DEFAULTS.items()}
     options["sensor"] = options["fast"] = False
@@ -154,9 +193,7 @@ def add(world, n, words, num, points):
         elif key in ("sensor", "fast"):
             options[key] = True
         elif key == "turned":
-            q = unit([int(rest.pop(0)) for _ in range(len(q))])
-            frame = axes(q)
-            q = q if n == 2 else unit(from_rotation(frame))
+            frame, q = read_turn(n, rest)
         else:
             options[key] = vector(1)[0]
     world.add(motion, shape, place, q, options, frame)

@@ -51,8 +51,9 @@ class Solver:
         if n == 3:
             self.twist(p, middle)
         c.gap = [f.speed.near(s, f.F + 6) for _, s, _ in c.points]
-        c.grip = f.ratio.clamp(isqrt(max(a.friction * b.friction, 0) << 60 - 2 * f.F))
-        c.bounce = ratio.near(max(a.restitution, b.restitution), f.F)
+        friction = c.friction_of[0] * c.friction_of[1]
+        c.grip = f.ratio.clamp(isqrt(max(friction, 0) << 60 - 2 * f.F))
+        c.bounce = ratio.near(max(c.restitution_of), f.F)
         c.closing = [self.rate(row, a.v, a.w, b.v, b.w) for row in c.rows]
         c.pushed = [False] * c.count
 

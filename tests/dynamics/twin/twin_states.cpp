@@ -37,13 +37,14 @@ Rotation<S, N> turned(std::istream& in) {
 
 template <int N>
 struct WorldOf {
-  using Type = World<S, 3, Sphere, Capsule, Aabb, Obb, BodyHull, BodyMesh, BodyHeightField,
-                     DistanceJoint, BallJoint, HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
+  using Type =
+      World<S, 3, Sphere, Capsule, Aabb, Obb, BodyHull, BodyCompound, BodyMesh, BodyHeightField,
+            DistanceJoint, BallJoint, HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
 };
 template <>
 struct WorldOf<2> {
-  using Type = World<S, 2, Sphere, Capsule, Aabb, Obb, BodyHull, DistanceJoint, BallJoint,
-                     HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
+  using Type = World<S, 2, Sphere, Capsule, Aabb, Obb, BodyHull, BodyCompound, DistanceJoint,
+                     BallJoint, HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
 };
 
 /// The world of one scene; lines of other scenes are passed over.
@@ -70,6 +71,12 @@ class Stage {
         events_[tick].push_back(rest);
       } else if (mine && word == "points") {
         add_points(in);
+      } else if (mine && word == "part") {
+        in >> word;
+        auto& parts = parts_[word];
+        std::string kind;
+        in >> kind;
+        with_shape(in, kind, [&](const auto& shape) { add_part(in, parts, shape); });
       } else if (mine && word == "grid") {
         if constexpr (N == 3) add_grid(in);
       } else if (mine && word != "everyday") {
@@ -190,23 +197,15 @@ class Stage {
   void add(std::istream& in) {
     std::string motion, kind;
     in >> motion >> kind;
-    if (kind == "ball") {
-      const auto center = vector<N>(in);
-      finish(in, motion, Sphere<S, N>{center, number(in)});
-    } else if (kind == "box") {
-      const auto center = vector<N>(in);
-      finish(in, motion, Obb<S, N>{center, vector<N>(in), {}});
-    } else if (kind == "aligned") {
-      const auto low = vector<N>(in);
-      finish(in, motion, Aabb<S, N>{low, vector<N>(in)});
-    } else if (kind == "capsule") {
-      const auto a = vector<N>(in), b = vector<N>(in);
-      finish(in, motion, Capsule<S, N>{a, b, number(in)});
-    } else if (kind == "hull") {
+    if (kind == "compound") {
       const auto translation = vector<N>(in);
       std::string name;
       in >> name;
-      finish(in, motion, BodyHull<S, N>{&hulls_.at(name), translation, {}});
+      if (compounds_.count(name) == 0) {
+        const auto id = static_cast<std::uint32_t>(compounds_.size() + 1);
+        compounds_.emplace(name, solid_compound(id, parts_.at(name)).value());
+      }
+      finish(in, motion, BodyCompound<S, N>{&compounds_.at(name), translation, {}});
     } else if (kind == "mesh" || kind == "field") {
       if constexpr (N == 3) {
         const auto translation = vector<N>(in);
@@ -219,8 +218,52 @@ class Stage {
         }
       }
     } else {
+      with_shape(in, kind, [&](const auto& shape) { finish(in, motion, shape); });
+    }
+  }
+
+  template <class F>
+  void with_shape(std::istream& in, const std::string& kind, const F& f) {
+    if (kind == "ball") {
+      const auto center = vector<N>(in);
+      f(Sphere<S, N>{center, number(in)});
+    } else if (kind == "box") {
+      const auto center = vector<N>(in);
+      f(Obb<S, N>{center, vector<N>(in), {}});
+    } else if (kind == "aligned") {
+      const auto low = vector<N>(in);
+      f(Aabb<S, N>{low, vector<N>(in)});
+    } else if (kind == "capsule") {
+      const auto a = vector<N>(in), b = vector<N>(in);
+      f(Capsule<S, N>{a, b, number(in)});
+    } else if (kind == "hull") {
+      const auto translation = vector<N>(in);
+      std::string name;
+      in >> name;
+      f(BodyHull<S, N>{&hulls_.at(name), translation, {}});
+    } else {
       fail("unknown shape: " + kind);
     }
+  }
+
+  template <class Shape>
+  void add_part(std::istream& in, std::vector<BodyPart<S, N>>& parts, Shape shape) {
+    PartOptions<S> options;
+    for (std::string key; in >> key;) {
+      if (key == "density")
+        options.density = number(in);
+      else if (key == "friction")
+        options.friction = number(in);
+      else if (key == "restitution")
+        options.restitution = number(in);
+      else if (key == "sensor")
+        options.is_sensor = true;
+      else if (key == "turned") {
+        if constexpr (requires { shape.rotation; }) shape.rotation = turned<N>(in);
+      } else
+        fail("unknown option: " + key);
+    }
+    parts.emplace_back(shape, options);
   }
 
   template <class Shape>
@@ -366,8 +409,8 @@ class Stage {
       std::cout << ' ' << int{body.quiet} << ' ' << body.sleeps << '\n';
     }
     for (const auto& contact : detail::WorldAccess::contacts(world_)) {
-      std::cout << "contact " << contact.a << ' ' << contact.b << ' ' << contact.part << ' '
-                << contact.touches << ' ' << int{contact.count};
+      std::cout << "contact " << contact.a << ' ' << contact.b << ' ' << contact.member << ' '
+                << contact.part << ' ' << contact.touches << ' ' << int{contact.count};
       for (std::size_t i = 0; i < contact.count; ++i) {
         std::cout << ' ' << contact.feature[i] << ' ' << contact.pressure[i].raw();
       }
@@ -395,6 +438,8 @@ class Stage {
   std::map<int, std::vector<std::string>> events_;  // by tick
   std::list<std::vector<Vec<S, N>>> points_;
   std::map<std::string, SolidHull<S, N>> hulls_;
+  std::map<std::string, std::vector<BodyPart<S, N>>> parts_;
+  std::map<std::string, SolidCompound<S, N>> compounds_;
   std::list<std::vector<S>> heights_;
   std::list<OwnedMesh<S>> meshes_;
   std::map<std::string, FieldAsset<S>> fields_;

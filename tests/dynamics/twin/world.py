@@ -4,6 +4,7 @@ import body as bodies
 import fast
 import solver
 import terrain
+from compound import out_of_part, placed_parts
 from fixed import Formats, cross, dot, ratio
 from manifold import combine, manifold, placed
 
@@ -34,11 +35,7 @@ class World:
         f = self.f
         b = bodies.Body()
         b.motion, b.shape = motion, shape
-        b.x = [f.place.near(x, f.F) for x in place]
-        if shape.kind == "hull":
-            c = shape.mass_centre
-            b.x = [f.place.near((x << 36) + sum(a[k] * y for a, y in zip(frame, c)), f.F + 36)
-                   for k, x in enumerate(place)]
+        b.x = bodies.placed(f, shape, place, frame)
         b.q = list(q)
         still = motion == "fixed"
         b.v = [0 if still else f.speed.quotient(v, self.rate, f.F) for v in options["velocity"]]
@@ -153,18 +150,9 @@ class World:
 
     # 2. Pairs
 
-    def bounds(self, b):
-        f, out = self.f.bound, []
-        F = self.f.F
-        for k in range(self.n):
-            e = f.near(b.shape.radius_raw + 2 * self.margin_raw, F)
-            for axis, h in zip(b.axes, b.shape.reach):
-                e = f.near((e << 30 - 12) + abs(axis[k]) * h, F + 30)
-            out.append((f.clamp(b.x[k] - e), f.clamp(b.x[k] + e)))
-        return out
-
     def pairs(self):
-        boxes = [self.bounds(b) for b in self.bodies]
+        boxes = [bodies.bounds(self.f, self.n, b.x, b.axes, b.shape, self.margin_raw)
+                 for b in self.bodies]
         apart = {frozenset((j.a, j.b)) for j in self.joints if j and not j.numbers["collide"]}
         for i, a in enumerate(self.bodies):
             for j in range(i + 1, len(self.bodies)):
@@ -178,29 +166,40 @@ class World:
 
     def find_contacts(self, pairs):
         old, self.contacts = self.contacts, {}
+        f = self.f
         for i, j in pairs:
             a, b = self.bodies[i], self.bodies[j]
-            surfaces = [x.shape.kind == "surface" for x in (a, b)]
-            if all(surfaces):
+            if a.shape.kind == b.shape.kind == "surface":
                 continue
-            d, r, t = self.pose(a, b)
-            if not any(surfaces):
-                self.add_contact((i, j, 0), d, manifold(a.shape, b.shape, r, t, self.margin),
-                                 old.get((i, j, 0)))
+            d = self.pose(a, b)[0]
+            for p in placed_parts(f, a.shape, a.x, a.axes):
+                for q in placed_parts(f, b.shape, b.x, b.axes):
+                    if "surface" in (p.shape.kind, q.shape.kind):
+                        self.touch_surface((i, j, p.number or q.number), p, q, d, old)
+                        continue
+                    numbers = (p.number, q.number) if p.part else (q.number, 0)
+                    found = manifold(p.shape, q.shape, *self.pose(p, q)[1:], self.margin)
+                    if p.part and found[1]:
+                        found = out_of_part(f, p.part, *found)
+                    key = (i, j, *numbers)
+                    self.add_contact(key, (p.part, q.part), d, found, old.get(key))
+
+    def touch_surface(self, numbers, p, q, d, old):
+        a, b = self.bodies[numbers[0]], self.bodies[numbers[1]]
+        ground, other = (p, q) if p.shape.kind == "surface" else (q, p)
+        found = terrain.contacts(self.f, ground.shape, other.shape, *self.pose(ground, other)[1:],
+                                 self.margin_raw, self.margin)
+        parts = {key[3]: c for key, c in old.items() if key[:3] == numbers}
+        _, r, t = self.pose(a, b)
+        for c in found:
+            if not c.points:
                 continue
-            ground, other = (a, b) if surfaces[0] else (b, a)
-            found = terrain.contacts(self.f, ground.shape, other.shape, *self.pose(ground, other)[1:],
-                                     self.margin_raw, self.margin)
-            parts = {key[2]: c for key, c in old.items() if key[:2] == (i, j)}
-            for c in found:
-                if not c.points:
-                    continue
-                n, points = c.n, c.points
-                if ground is b:
-                    n = [ratio.near(-x, 60) for x in combine(n, r)]
-                    points = [(placed(t, p, r), s, name) for p, s, name in points]
-                self.add_contact((i, j, c.facet.index), d, (n, points),
-                                 terrain.last_of(found, c, parts))
+            n, points = c.n, c.points
+            if ground is q:
+                n = [ratio.near(-x, 60) for x in combine(n, r)]
+                points = [(placed(t, x, r), s, name) for x, s, name in points]
+            self.add_contact((*numbers, c.facet.index), (p.part, q.part), d, (n, points),
+                             terrain.last_of(found, c, parts))
 
     def pose(self, a, b):
         """The offset of b from a, and its axes and place in the frame of a."""
@@ -210,7 +209,7 @@ class World:
         r = [[ratio.near(dot(u, v), 60) for u in a.axes] for v in b.axes]
         return d, r, t
 
-    def add_contact(self, key, offset, found, last):
+    def add_contact(self, key, parts, offset, found, last):
         normal, points = found
         if not points:
             return
@@ -222,7 +221,10 @@ class World:
         c.pressure = [pressures.get(feature, 0) for feature in c.feature]
         if last:
             c.friction, c.touches = last.friction, last.touches
-        if a.is_sensor or b.is_sensor:
+        made = [part or body for part, body in zip(parts, (a, b))]
+        c.friction_of, c.restitution_of = [m.friction for m in made], [m.restitution for m in made]
+        c.is_sensed = any(x.is_sensor for x in (a, b, *made))
+        if c.is_sensed:
             c.pressure, c.friction = [0] * c.count, [0] * (1 if self.n == 2 else 3)
             c.touches = any(p[1] <= 0 for p in points)
 
@@ -235,8 +237,7 @@ class World:
             while root[i] != i:
                 i = root[i]
             return i
-        solid = [(i, j, part) for i, j, part in self.contacts
-                 if not self.bodies[i].is_sensor and not self.bodies[j].is_sensor]
+        solid = [key for key, c in self.contacts.items() if not c.is_sensed]
         linked = [key[:2] for key in solid] + [(j.a, j.b) for j in self.joints if j]
         for i, j in linked:
             if self.bodies[i].can_move and self.bodies[j].can_move:

@@ -70,16 +70,12 @@ class FacetContacts {
     }
   }
 
-  /// Where contact `i` was in the last tick, in the list from `first` on, the first contact of these
-  /// bodies; its size if it was not. One with the normal of a triangle of then, which is near but
+  /// Where contact `i` was in the last tick, among the contacts from `first` to `end`, those of these
+  /// bodies; `end` if it was not. One with the normal of a triangle of then, which is near but
   /// touches no more, continues the first of these that no other one has.
   template <class Contacts>
-  constexpr std::size_t last_of(std::size_t i, const Contacts& before, std::size_t first) noexcept {
-    const auto end = [&] {
-      std::size_t k = first;
-      while (k < before.size() && pair_of(before[k]) == pair_of(before[first])) ++k;
-      return k;
-    }();
+  constexpr std::size_t last_of(std::size_t i, const Contacts& before, std::size_t first,
+                                std::size_t end) noexcept {
     for (std::size_t k = first; k < end; ++k) {
       if (before[k].part == list_[i].part.index) return k;
     }
@@ -94,7 +90,7 @@ class FacetContacts {
         return k;
       }
     }
-    return before.size();
+    return end;
   }
 
  private:

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "detent/dynamics/local.hpp"
+#include "detent/dynamics/mass.hpp"
+#include "detent/scene/one_of.hpp"
+
+namespace detent {
+
+/// What a part of a compound is made of: as in `BodyOptions`, whose own fields of these names
+/// compounds do not read.
+template <Scalar S>
+struct PartOptions {
+  S density = S(1);  // mass per area or volume; 0: the part adds no mass
+  S friction = quotient_nearest<S>(detail::as_operand<S>(3), detail::as_operand<S>(5));  // 0.6
+  S restitution{};
+  bool is_sensor = false;  // its touches are reported, and push nobody
+};
+
+/// A shape of a compound, in the compound's frame: `BodyPart(Obb<q16_16, 2>{...})`, with options of
+/// its own if it needs some.
+template <Scalar S, int N>
+class BodyPart {
+  using F = detail::Formats<S>;
+  using Center = typename detail::MassFormats<S>::Center;
+
+ public:
+  using Shape = detail::OneOf<Sphere<S, N>, Capsule<S, N>, Aabb<S, N>, Obb<S, N>, BodyHull<S, N>>;
+
+  template <detail::Among<Sphere<S, N>, Capsule<S, N>, Aabb<S, N>, Obb<S, N>, BodyHull<S, N>> Part>
+  explicit constexpr BodyPart(const Part& shape, const PartOptions<S>& options = {}) noexcept
+      : options_(options) {
+    const auto local = detail::local_form(shape);
+    shape_ = Shape(local.shape);
+    place_ = make_vec<N>([&](int i) { return typename F::Place(local.center[i]); });
+    axes_ = detail::axes_of<S, N>(local.orientation);
+    reach_ = detail::extent_of(local.shape);
+    mass_ = turned(mass_properties(local.shape, options.density));
+    mass_.center = mass_.mass > 0 ? center_of(shape) : Vec<Center, N>();
+  }
+
+  /// The shape in its own frame: a hull's about its centre of mass, others' about their middle.
+  [[nodiscard]] constexpr const Shape& shape() const noexcept { return shape_; }
+  [[nodiscard]] constexpr const PartOptions<S>& options() const noexcept { return options_; }
+  /// Where that frame is in the compound's.
+  [[nodiscard]] constexpr const auto& place() const noexcept { return place_; }
+  [[nodiscard]] constexpr const detail::Axes<S, N>& axes() const noexcept { return axes_; }
+  [[nodiscard]] constexpr const detail::BodyExtent<S, N>& reach() const noexcept { return reach_; }
+  /// In the compound's frame.
+  [[nodiscard]] constexpr const MassProperties<S, N>& mass() const noexcept { return mass_; }
+
+ private:
+  template <class Part>
+  [[nodiscard]] constexpr Vec<Center, N> center_of(const Part& shape) const noexcept {
+    if constexpr (detail::is_hull_body<Part>) {
+      return make_vec<N>([&](int i) { return nearest_to<Center>(place_[i]); });
+    } else {
+      return mass_properties(shape, S(1)).center;
+    }
+  }
+  /// Along the compound's axes: each entry of the gyration rounded to nearest once.
+  [[nodiscard]] constexpr MassProperties<S, N> turned(MassProperties<S, N> mass) const noexcept {
+    if constexpr (N == 3) {
+      using Gyration = typename detail::MassFormats<S>::Gyration;
+      const auto& own = mass.gyration;
+      const auto entry = [&](int r, int c) {
+        const auto row = [&](int i) {
+          const auto& [a, b, d] = axes_;
+          return own.at(i, 0) * a[c] + own.at(i, 1) * b[c] + own.at(i, 2) * d[c];
+        };
+        return nearest_to<Gyration>(row(0) * axes_[0][r] + row(1) * axes_[1][r] +
+                                    row(2) * axes_[2][r]);
+      };
+      mass.gyration = {{entry(0, 0), entry(1, 1), entry(2, 2)},
+                       {entry(1, 2), entry(2, 0), entry(0, 1)}};
+    }
+    return mass;
+  }
+
+  Shape shape_{};
+  PartOptions<S> options_;
+  Vec<typename F::Place, N> place_{};
+  detail::Axes<S, N> axes_{};
+  detail::BodyExtent<S, N> reach_{};
+  MassProperties<S, N> mass_{};
+};
+template <template <Scalar, int> class Shape, Scalar S, int N>
+BodyPart(const Shape<S, N>&) -> BodyPart<S, N>;
+template <template <Scalar, int> class Shape, Scalar S, int N>
+BodyPart(const Shape<S, N>&, const PartOptions<S>&) -> BodyPart<S, N>;
+
+/// Several shapes that move as one, with an id chosen by the caller: what `BodyCompound` refers to.
+/// `solid_compound` makes one. Snapshots store the id and the digest of the parts.
+///
+/// The caller owns the parts and must not change them.
+template <Scalar S, int N>
+class SolidCompound {
+ public:
+  /// The most parts that it can have.
+  static constexpr std::size_t capacity = std::size_t{1} << 16;
+
+  constexpr SolidCompound() noexcept = default;
+
+  [[nodiscard]] constexpr std::span<const BodyPart<S, N>> parts() const noexcept { return parts_; }
+  [[nodiscard]] constexpr std::uint32_t id() const noexcept { return id_; }
+  [[nodiscard]] constexpr std::uint64_t digest() const noexcept { return digest_; }
+  /// The mass of all parts; its `center` is in the frame of the parts. Where parts overlap, masses
+  /// add.
+  [[nodiscard]] constexpr const MassProperties<S, N>& mass() const noexcept { return mass_; }
+  [[nodiscard]] constexpr const auto& center() const noexcept { return mass_.center; }
+  /// A box about the centre that holds all parts.
+  [[nodiscard]] constexpr const detail::BodyExtent<S, N>& reach() const noexcept { return reach_; }
+  /// Where the frame of a part is from the centre.
+  [[nodiscard]] constexpr auto offset(const BodyPart<S, N>& part) const noexcept {
+    using Lever = typename detail::Formats<S>::Lever;
+    return make_vec<N>([&](int i) { return nearest_to<Lever>(part.place()[i] - mass_.center[i]); });
+  }
+
+ private:
+  template <Scalar T, int M>
+  friend constexpr std::optional<SolidCompound<T, M>> solid_compound(
+      std::uint32_t id, std::span<const BodyPart<T, M>> parts) noexcept;
+
+  std::span<const BodyPart<S, N>> parts_;
+  std::uint64_t digest_ = 0;
+  std::uint32_t id_ = 0;
+  MassProperties<S, N> mass_{};
+  detail::BodyExtent<S, N> reach_{};
+};
+
+/// The compound of these parts, or nothing if there are none or more than
+/// `SolidCompound<S, N>::capacity`. Parts are known by their number in the list.
+///
+/// exact: mass, centre and gyration are those of the sum of the parts, each rounded once; see
+///        docs/dynamics.md                              (tests/dynamics/compound.test.cpp)
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<SolidCompound<S, N>> solid_compound(
+    std::uint32_t id, std::span<const BodyPart<S, N>> parts) noexcept {
+  using Solid = SolidCompound<S, N>;
+  if (parts.empty() || parts.size() > Solid::capacity) return std::nullopt;
+  Solid solid;
+  solid.parts_ = parts;
+  solid.id_ = id;
+  solid.mass_ = detail::sum_of<S, N>([&](const auto& add) {
+    for (const auto& part : parts) add(part.mass());
+  });
+  Digest digest;
+  for (const auto& part : parts) {
+    const auto& options = part.options();
+    part.shape().visit([&]<class Shape>(const Shape& shape) {
+      digest.add(detail::shape_tag<Shape>, shape, part.place());
+    });
+    for (const auto& axis : part.axes()) digest.add(axis);
+    digest.add(options.density, options.friction, options.restitution, options.is_sensor);
+    const auto at = make_vec<N>(
+        [&](int i) { return typename detail::Formats<S>::Place(solid.offset(part)[i]); });
+    const auto bounds = detail::bounds_of<S, N>(at, part.axes(), part.reach(), S(0));
+    solid.reach_.half_extents = make_vec<N>([&](int k) {
+      const auto most = (max)(abs(bounds.least[k]), abs(bounds.most[k]));
+      return (max)(solid.reach_.half_extents[k], saturate_to<S>(ceil_to<S>(most)));
+    });
+  }
+  solid.digest_ = digest.value();
+  return solid;
+}
+/// The same of an array or a vector of parts.
+template <class List>
+requires requires(const List& list) { std::span(list).front().mass(); }
+[[nodiscard]] constexpr auto solid_compound(std::uint32_t id, const List& list) noexcept {
+  return solid_compound(id, [&]<Scalar S, int N>(const BodyPart<S, N>* first) {
+    return std::span<const BodyPart<S, N>>(first, std::span(list).size());
+  }(std::span(list).data()));
+}
+
+/// A body of several shapes: the parts of `asset`, rotated, then moved by `translation`. Worlds that
+/// hold such bodies list it and the shapes of the parts: `World<q16_16, 2, Obb, BodyCompound>`.
+///
+/// The body's place is the parts' common centre of mass. Density, friction and restitution are those
+/// of the parts. The caller owns the asset, which must outlive the world; a body without one has no
+/// mass and touches nothing.
+template <Scalar S, int N>
+struct BodyCompound {
+  const SolidCompound<S, N>* asset = nullptr;
+  Vec<S, N> translation{};
+  Rotation<S, N> rotation{};
+
+  [[nodiscard]] friend constexpr bool operator==(const BodyCompound&,
+                                                 const BodyCompound&) noexcept = default;
+};
+
+/// Appends to a digest: id and digest of the compound (zeros for none), translation and rotation.
+template <class D, Scalar S, int N>
+constexpr void append(D& digest, const BodyCompound<S, N>& body) noexcept {
+  digest.add(body.asset ? body.asset->id() : std::uint32_t{0},
+             body.asset ? body.asset->digest() : std::uint64_t{0}, body.translation, body.rotation);
+}
+
+/// Its fields, for the names of differences: see scene/fields.hpp.
+template <Scalar S, int N, class F>
+constexpr void for_each_field(const BodyCompound<S, N>& body, const F& f) {
+  f("compound", body.asset ? body.asset->id() : std::uint32_t{0});
+  f("digest of its parts", body.asset ? body.asset->digest() : std::uint64_t{0});
+  f("translation", body.translation);
+  for_each_field(body.rotation, f);
+}
+
+/// The mass of the parts, each by its own density.
+template <Scalar S, int N>
+[[nodiscard]] constexpr MassProperties<S, N> mass_properties(const BodyCompound<S, N>& body,
+                                                             S) noexcept {
+  return body.asset ? body.asset->mass() : MassProperties<S, N>{};
+}
+
+namespace detail {
+
+template <class T>
+inline constexpr bool is_compound_body = false;
+template <Scalar S, int N>
+inline constexpr bool is_compound_body<BodyCompound<S, N>> = true;
+
+template <Scalar S, int N>
+inline constexpr std::uint8_t shape_tag<BodyCompound<S, N>> = 13;
+
+/// Reads a body's compound: bodies hold it in their frame, untranslated and unrotated.
+template <Scalar S, int N, class Assets>
+[[nodiscard]] constexpr Restored read_shape(Reader& in, BodyCompound<S, N>& body,
+                                            const Assets& assets) noexcept {
+  std::uint32_t id = 0;
+  std::uint64_t digest = 0;
+  in.get(id, digest, body.translation, body.rotation);
+  if (in.has_failed() || !(body == BodyCompound<S, N>())) return Restored::corrupted;
+  return assets.find(id, digest, body.asset);
+}
+
+/// A compound in the frame of its body, about its centre of mass.
+template <Scalar S, int N>
+struct LocalCompound {
+  BodyCompound<S, N> shape{};
+  Vec<typename Formats<S>::Place, N> center{};
+  Vec<typename Formats<S>::Ratio, BodyState<S, N>::orientation_size> orientation{};
+};
+template <Scalar S, int N>
+[[nodiscard]] constexpr LocalCompound<S, N> local_form(const BodyCompound<S, N>& body) noexcept {
+  BodyCompound<S, N> shape;
+  shape.asset = body.asset;
+  const auto center = body.asset ? body.asset->center() : decltype(body.asset->mass().center){};
+  return {shape, placed_center(body.translation, body.rotation, center),
+          orientation_of(body.rotation)};
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr BodyExtent<S, N> extent_of(const BodyCompound<S, N>& body) noexcept {
+  return body.asset ? body.asset->reach() : BodyExtent<S, N>{};
+}
+
+/// The compound of a body, or nullptr.
+template <Scalar S, int N, class... Shapes>
+[[nodiscard]] constexpr const SolidCompound<S, N>* compound_of(
+    const OneOf<Shapes...>& shape) noexcept {
+  if constexpr ((is_compound_body<Shapes> || ...)) {
+    const auto* body = shape.template get<BodyCompound<S, N>>();
+    return body == nullptr ? nullptr : body->asset;
+  } else {
+    return nullptr;
+  }
+}
+
+/// Whether all parts are of shapes among these.
+template <class... Shapes, Scalar S, int N>
+[[nodiscard]] constexpr bool has_only(const SolidCompound<S, N>& compound) noexcept {
+  for (const auto& part : compound.parts()) {
+    if (!part.shape().visit([]<class Part>(const Part&) { return Among<Part, Shapes...>; })) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The frame of a part in that of its body.
+template <Scalar S, int N>
+[[nodiscard]] constexpr RelativePose<S, N> pose_in(const SolidCompound<S, N>& compound,
+                                                   const BodyPart<S, N>& part) noexcept {
+  return {part.axes(), compound.offset(part)};
+}
+
+/// A manifold in the frame of a part, in the frame of its body: each number rounded once more.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Manifold<S, N> in_body(const RelativePose<S, N>& part,
+                                               Manifold<S, N> manifold) noexcept {
+  using Ratio = typename Formats<S>::Ratio;
+  using Lever = typename Formats<S>::Lever;
+  manifold.normal = nearest_to<Ratio>(turned(part, manifold.normal));
+  for (int i = 0; i < manifold.count; ++i) {
+    auto& p = manifold.points[static_cast<std::size_t>(i)].point;
+    p = placed_point<Lever>(part, p);
+  }
+  return manifold;
+}
+
+/// Where something is at a moment.
+template <Scalar S, int N>
+struct Standing {
+  Vec<typename Formats<S>::Place, N> place{};
+  Axes<S, N> axes{};
+};
+
+/// The point of the world that is at `p` in the frame of a body, each coordinate rounded once.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Vec<typename Formats<S>::Place, N> out_of(
+    const Standing<S, N>& body, const Vec<typename Formats<S>::Lever, N>& p) noexcept {
+  return make_vec<N>([&](int k) {
+    const auto row = make_vec<N>([&](int i) { return body.axes[static_cast<std::size_t>(i)][k]; });
+    return nearest_to<typename Formats<S>::Place>(body.place[k] + dot(row, p));
+  });
+}
+
+/// Where a part is, of a body that is at `body`: each number rounded once.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Standing<S, N> part_at(const Standing<S, N>& body,
+                                               const RelativePose<S, N>& part) noexcept {
+  Standing<S, N> result;
+  result.place = out_of(body, part.translation);
+  for (std::size_t j = 0; j < std::size_t{N}; ++j) {
+    result.axes[j] = make_vec<N>([&](int k) {
+      const auto row =
+          make_vec<N>([&](int i) { return body.axes[static_cast<std::size_t>(i)][k]; });
+      return nearest_to<typename Formats<S>::Ratio>(narrow_dot<62>(row, part.axes[j]));
+    });
+  }
+  return result;
+}
+
+}  // namespace detail
+
+}  // namespace detent
