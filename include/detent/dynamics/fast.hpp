@@ -5,6 +5,7 @@
 
 #include "detent/dynamics/compound.hpp"
 #include "detent/dynamics/local.hpp"
+#include "detent/dynamics/manifold/facet.hpp"
 #include "detent/dynamics/manifold/pair.hpp"
 
 // Continuous collision: a body that is marked as fast stops where its centre would come too close to
@@ -63,8 +64,16 @@ template <Scalar S, int N>
   return S(0);
 }
 
-/// Where a point that moves from `from` straight to `to` has to stop in the frame of `shape`, or
-/// nothing: it goes on. `radius` is that of a ball around the point.
+/// Where a point stops: the share of its way, and the point there.
+template <Scalar S, int N>
+struct Stop {
+  typename Formats<S>::Ratio share{};
+  Vec<typename Formats<S>::Lever, N> at{};
+};
+
+/// Where a point that moves from `from` straight to `to` has to stop before something convex, or
+/// nothing: it goes on. `touch(pose, reach)` is the manifold with a point whose body has that pose,
+/// `radius` that of a ball around the point.
 ///
 /// The ball stops half a margin before the shape. Where it starts within a margin, its contact stops
 /// it, and the point may come half as close as it was; where the point starts in the shape, it is
@@ -72,27 +81,25 @@ template <Scalar S, int N>
 /// never passes the distance that it aims at. After 16 steps the point stops where it is.
 ///
 /// result: a point outside the shape                    (tests/dynamics/fast.test.cpp)
-template <class Shape, Scalar S, int N, class Lever = typename Formats<S>::Lever>
-[[nodiscard]] constexpr std::optional<Vec<Lever, N>> stop_before(
-    const Shape& shape, const BodyExtent<S, N>& extent, const Vec<Lever, N>& from,
-    const Vec<Lever, N>& to, const S& radius, const S& margin) noexcept {
+template <Scalar S, int N, class Touch, class Lever = typename Formats<S>::Lever>
+[[nodiscard]] constexpr std::optional<Stop<S, N>> stop_on_way(const Touch& touch,
+                                                              const Vec<Lever, N>& from,
+                                                              const Vec<Lever, N>& to,
+                                                              const S& radius,
+                                                              const S& margin) noexcept {
   using Gap = typename Formats<S>::Gap;
   using Ratio = typename Formats<S>::Ratio;
   const auto way = to - from;
   const auto close = saturate_to<Gap>(radius + margin);
   auto reach = close;
-  for (int i = 0; i < N; ++i) {
-    const auto edge = extent.half_extents[i] + (extent.radius + (radius + margin));
-    if ((min)(from[i], to[i]) > edge || (max)(from[i], to[i]) < -edge) return std::nullopt;
-    reach = saturate_to<Gap>(reach + abs(way[i]));
-  }
+  for (int i = 0; i < N; ++i) reach = saturate_to<Gap>(reach + abs(way[i]));
   RelativePose<S, N> pose;
   for (int i = 0; i < N; ++i) pose.axes[static_cast<std::size_t>(i)] = unit_axis<Ratio, N>(i);
   pose.translation = from;
   Gap aim{};
   Ratio share{};
   for (int step = 0; step < 16; ++step) {
-    const auto found = manifold(shape, Sphere<S, N>{}, pose, reach);
+    const auto found = touch(pose, reach);
     if (found.count == 0) return std::nullopt;
     const auto distance = found.points[0].separation;
     if (step == 0) {
@@ -110,7 +117,59 @@ template <class Shape, Scalar S, int N, class Lever = typename Formats<S>::Lever
     pose.translation =
         make_vec<N>([&](int i) { return nearest_to<Lever>(from[i] + way[i] * share); });
   }
-  return pose.translation;
+  return Stop<S, N>{share, pose.translation};
+}
+
+/// Before the triangles of a surface, from where they can be seen: the earliest stop of all.
+template <class Body, Scalar S, class Lever = typename Formats<S>::Lever>
+[[nodiscard]] constexpr std::optional<Vec<Lever, 3>> stop_before_surface(const Body& body,
+                                                                         const Vec<Lever, 3>& from,
+                                                                         const Vec<Lever, 3>& to,
+                                                                         const S& radius,
+                                                                         const S& margin) noexcept {
+  if (body.asset == nullptr) return std::nullopt;
+  const auto room = radius + margin;
+  const Aabb<S, 3> box{
+      make_vec<3>([&](int i) { return saturate_to<S>(floor_to<S>((min)(from[i], to[i]) - room)); }),
+      make_vec<3>([&](int i) { return saturate_to<S>(ceil_to<S>((max)(from[i], to[i]) + room)); })};
+  std::optional<Stop<S, 3>> first;
+  visit_within(surface_of(body), box, [&](std::span<const MeshTriangle<S>> parts) {
+    for (const auto& part : parts) {
+      if (part.index >= Body::part_limit || !overlaps(bounding_box(part), box)) continue;
+      const auto facet = facet_of(part.triangle);
+      if (!facet) continue;
+      const auto stop = stop_on_way<S, 3>(
+          [&](const RelativePose<S, 3>& pose, const auto& reach) {
+            const auto point = placed_core(pose, round_core(Sphere<S, 3>{}));
+            return facet_manifold(*facet, point, false, reach);
+          },
+          from, to, radius, margin);
+      if (stop && (!first || stop->share < first->share)) first = stop;
+    }
+    return Walk::go_on;
+  });
+  return first ? std::optional(first->at) : std::nullopt;
+}
+
+/// Before a shape, in its frame.
+template <class Shape, Scalar S, int N, class Lever = typename Formats<S>::Lever>
+[[nodiscard]] constexpr std::optional<Vec<Lever, N>> stop_before(
+    const Shape& shape, const BodyExtent<S, N>& extent, const Vec<Lever, N>& from,
+    const Vec<Lever, N>& to, const S& radius, const S& margin) noexcept {
+  if constexpr (is_surface_body<Shape>) {
+    return stop_before_surface(shape, from, to, radius, margin);
+  } else {
+    for (int i = 0; i < N; ++i) {
+      const auto edge = extent.half_extents[i] + (extent.radius + (radius + margin));
+      if ((min)(from[i], to[i]) > edge || (max)(from[i], to[i]) < -edge) return std::nullopt;
+    }
+    const auto stop = stop_on_way<S, N>(
+        [&](const RelativePose<S, N>& pose, const auto& reach) {
+          return manifold(shape, Sphere<S, N>{}, pose, reach);
+        },
+        from, to, radius, margin);
+    return stop ? std::optional(stop->at) : std::nullopt;
+  }
 }
 
 }  // namespace detent::detail

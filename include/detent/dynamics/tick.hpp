@@ -184,7 +184,7 @@ class Tick {
                  radius, margin);
           });
         }
-      } else if constexpr (!is_surface_body<Other>) {
+      } else {
         stop(body, start, shape, other.reach, before, after, radius, margin);
       }
     });

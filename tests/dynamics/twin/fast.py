@@ -25,20 +25,37 @@ def seen(f, x, A, p):
 
 def stop_before(f, n, shape, start, end, r, margin):
     """r and margin in steps of the scalar; all else in levers."""
-    delta = [y - x for x, y in zip(start, end)]
+    point = bodies.Shape("ball", n, radius=0, ends=[[0] * n])
+    turn = [[ONE * (i == j) for j in range(n)] for i in range(n)]
+    if shape.kind == "surface":
+        box = [(f.scalar.clamp(min(p, q) - 64 * (r + margin) >> 6),
+                f.scalar.clamp(-(-max(p, q) - 64 * (r + margin) >> 6))) for p, q in zip(start, end)]
+        stops = []
+        for facet in shape.facets:
+            if all(p[0] <= q[1] and q[0] <= p[1] for p, q in zip(facet.box, box)):
+                stops.append(stop_on_way(
+                    f, lambda p, reach, facet=facet: facet.touch(point, turn, p, reach, False),
+                    start, end, r, margin))
+        return min((s for s in stops if s), default=(0, None))[1]
     for p, q, h in zip(start, end, shape.reach):
         e = 64 * (h + shape.radius_raw + r + margin)
         if min(p, q) > e or max(p, q) < -e:
             return None
+    stop = stop_on_way(f, lambda p, reach: manifold(shape, point, turn, p, reach), start, end, r,
+                       margin)
+    return stop and stop[1]
+
+
+def stop_on_way(f, touch, start, end, r, margin):
+    """t and p, or None."""
+    delta = [y - x for x, y in zip(start, end)]
     close = f.gap.clamp(64 * (r + margin))
     reach = close
     for x in delta:
         reach = f.gap.clamp(reach + abs(x))
-    point = bodies.Shape("ball", n, radius=0, ends=[[0] * n])
-    turn = [[ONE * (i == j) for j in range(n)] for i in range(n)]
     p, t = start, 0
     for step in range(16):
-        normal, points = manifold(shape, point, turn, p, reach)
+        normal, points = touch(p, reach)
         if not points:
             return None
         d = points[0][1]
@@ -55,7 +72,7 @@ def stop_before(f, n, shape, start, end, r, margin):
         if t >= ONE:
             return None
         p = [f.lever.near((x << 30) + t * y, f.F + 36) for x, y in zip(start, delta)]
-    return p
+    return t, p
 
 
 def rank_of(b):
@@ -75,7 +92,7 @@ def stop_all(world, starts):
         for rank in range(4):
             for j, o in enumerate(world.bodies):
                 if (j == i or o.motion == "none" or rank_of(o) != rank or b.is_sensor or
-                        o.is_sensor or "surface" in (b.shape.kind, o.shape.kind) or not (b.layers & o.meets and o.layers & b.meets) or
+                        o.is_sensor or not (b.layers & o.meets and o.layers & b.meets) or
                         frozenset((i, j)) in apart):
                     continue
                 before = placed_parts(f, o.shape, *starts[j])
