@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # usage: javascript.sh MATCH_IN_CPP
 # The WebAssembly modules compile and stay below their size; the tests of the JavaScript binding pass in node,
-# the example of the page runs, and Chromium, if it is installed, plays the match.
+# the example of the page runs; tsc and Chromium, if they are installed, compile its types and play the match.
 set -euo pipefail
 command -v node >/dev/null || { echo 'skipped: there is no node'; exit 77; }
 (($(node -p 'process.versions.node.split(".")[0]') >= 20)) ||
@@ -12,6 +12,12 @@ trap 'rm -rf "$work"' EXIT
 bindings/js/build "$work"
 DETENT_WASM=$work DETENT_MATCH=$("$1") node --test bindings/js/tests/
 cp bindings/js/*.mjs "$work"
+if command -v tsc >/dev/null; then  # Debian: node-typescript
+  mkdir -p "$work/types/node_modules/detent"
+  cp bindings/js/*.mts bindings/js/package.json "$work/types/node_modules/detent"
+  cp bindings/js/tests/types.mts "$work/types"
+  (cd "$work/types" && tsc --strict --noEmit --module nodenext --target es2022 --lib es2022,dom types.mts)
+fi
 if command -v chromium >/dev/null; then
   cp -r bindings/js/examples "$work"
   said=$(node tests/c/browser.mjs chromium "$work")
