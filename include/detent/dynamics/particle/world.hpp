@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "detent/dynamics/hull.hpp"
+#include "detent/dynamics/compound.hpp"
 #include "detent/dynamics/particle/obstacles.hpp"
 #include "detent/dynamics/world.hpp"
 #include "detent/scene/scene.hpp"
@@ -17,14 +17,14 @@ namespace detail {
 template <Scalar S, int N>
 class SolidPoints {
  public:
-  constexpr SolidPoints(const SolidHull<S, N>* solid, const BodyState<S, N>& state) noexcept {
+  constexpr SolidPoints(const SolidHull<S, N>* solid, const Standing<S, N>& body) noexcept {
     if (solid == nullptr) return;
-    const auto axes = axes_of<S, N>(state.orientation);
     for (const auto& point : solid->hull().points) {
       const auto local = point - solid->center();
       points_[count_++] = make_vec<N>([&](int k) {
-        const auto along = make_vec<N>([&](int i) { return axes[static_cast<std::size_t>(i)][k]; });
-        return saturate_to<S>(state.place[k] + dot(along, local));
+        const auto along =
+            make_vec<N>([&](int i) { return body.axes[static_cast<std::size_t>(i)][k]; });
+        return saturate_to<S>(body.place[k] + dot(along, local));
       });
     }
   }
@@ -37,22 +37,40 @@ class SolidPoints {
   std::size_t count_ = 0;
 };
 
-/// Calls f(shape) with the shape of a body in the world.
-template <class World, class Body, Scalar S, int N, class Shape, class F>
-constexpr void visit_placed(const World& world, const BodyId& id, const Body& body,
-                            const Aabb<S, N>& box, const Shape& shape, const F& f) {
+/// The place and the axes as a transform, each number rounded to nearest once.
+template <Scalar S, int N>
+[[nodiscard]] constexpr Transform<S, N> transform_of(const Standing<S, N>& at) noexcept {
+  std::array<Direction<S, N>, std::size_t{N}> directions;
+  for (std::size_t i = 0; i < std::size_t{N}; ++i) {
+    directions[i] = Direction<S, N>::assume_unit(nearest_to<direction_component<S>>(at.axes[i]));
+  }
+  return {make_vec<N>([&](int i) { return saturate_to<S>(at.place[i]); }),
+          Rotation<S, N>::from_axes(directions), S(1)};
+}
+
+/// Calls f(shape) with the shape of a body that is there, or with each part that is no sensor.
+template <Scalar S, int N, class Shape, class F>
+constexpr void visit_placed(const Standing<S, N>& at, const Aabb<S, N>& box, const Shape& shape,
+                            const F& f) {
   if constexpr (std::is_same_v<Shape, BodyHull<S, N>>) {
-    const SolidPoints<S, N> points(shape.asset, body.state);
+    const SolidPoints<S, N> points(shape.asset, at);
     visit_parts_in(box, points.hull(), f);
+  } else if constexpr (is_compound_body<Shape>) {
+    if (shape.asset == nullptr) return;
+    for (const auto& part : shape.asset->parts()) {
+      if (part.options().is_sensor) continue;
+      const auto there = part_at(at, pose_in(*shape.asset, part));
+      part.shape().visit([&](const auto& solid) { visit_placed(there, box, solid, f); });
+    }
   } else if constexpr (!is_surface_body<Shape>) {
-    visit_parts_in(box, placed(world.pose(id), shape), f);
+    visit_parts_in(box, placed(transform_of(at), shape), f);
   }
 }
 
 }  // namespace detail
 
-/// The bodies of a world, where they are now, in the order of their indices; sensors are none,
-/// nor are bodies that are meshes or height fields: particles pass them.
+/// The bodies of a world, where they are now, in the order of their indices, compounds part by part;
+/// sensors are none, nor are bodies that are meshes or height fields: particles pass them.
 template <class World>
 class WorldObstacles;
 
@@ -73,7 +91,7 @@ class WorldObstacles<BasicWorld<Storage, S, N, Parts...>> {
       visit(
           i,
           {make_vec<N>([](int) { return lowest<S>; }), make_vec<N>([](int) { return largest<S>; })},
-          [&](const auto& shape) { boxes_[i] = bounding_box(shape); });
+          [&](const auto& shape) { boxes_[i] = bounding_box(boxes_[i], bounding_box(shape)); });
     }
   }
 
@@ -88,9 +106,9 @@ class WorldObstacles<BasicWorld<Storage, S, N, Parts...>> {
   template <class F>
   constexpr void visit(std::size_t i, const Aabb<S, N>& box, const F& f) const {
     const auto& body = detail::WorldAccess::bodies(world_)[i];
-    const BodyId id{static_cast<std::uint32_t>(i), body.generation};
-    body.shape.visit(
-        [&](const auto& shape) { detail::visit_placed(world_, id, body, box, shape, f); });
+    const detail::Standing<S, N> at{body.state.place,
+                                    detail::axes_of<S, N>(body.state.orientation)};
+    body.shape.visit([&](const auto& shape) { detail::visit_placed(at, box, shape, f); });
   }
 
   const World& world_;
