@@ -118,9 +118,28 @@ std::int32_t write_view(const Match& match) {
   return static_cast<std::int32_t>(out - view_numbers.data());
 }
 
+void write_bytes(std::span<const std::byte> bytes) { written.add(bytes); }
+
+/// Begins to record at the first frame that is known here: with the seed, and for who came late with
+/// the match before that frame.
+void begin_recording() {
+  const Session& session = *session_place.get();
+  static std::array<std::byte, 8 + snapshot_room> first;
+  const std::uint64_t seed = session.config().match;
+  for (std::size_t i = 0; i < 8; ++i) first[i] = static_cast<std::byte>(seed >> (8 * i));
+  seen = session.start_frame();
+  chain = session.digest();
+  std::size_t size = 8;
+  if (seen > 0) size += snapshot(session.world(), std::span(first).subspan(8));
+  written.size = 0;
+  writer.begin({.kind = replay_kind,
+                .players = session.config().players,
+                .snapshot = std::span(first).first((std::min)(size, first.size()))},
+               write_bytes);
+}
+
 void record_final_frames() {
   Session& session = *session_place.get();
-  const auto sink = [](std::span<const std::byte> bytes) { written.add(bytes); };
   for (; seen < session.final_frame(); ++seen) {
     const Match* match = session.result(seen);
     const auto pads = session.inputs(seen);
@@ -128,7 +147,7 @@ void record_final_frames() {
     detent::Digest digest(chain);
     digest.add(detent::detail::WorldDigest(*match).all());
     chain = chains[seen % history] = digest.value();
-    writer.add(*pads, *match, sink);
+    writer.add(*pads, *match, write_bytes);
   }
 }
 
@@ -140,29 +159,35 @@ EXPORT(buffer) std::byte* buffer() { return exchange.data(); }
 EXPORT(buffer_size) std::size_t buffer_size() { return exchange.size(); }
 EXPORT(view_at) std::int32_t* view_at() { return view_numbers.data(); }
 
-/// Begins a match of two players, or four. All give the same seed.
+/// Begins a match of two players, or four. All give the same seed. Spectators have the numbers after
+/// the players'. Who comes late, or again, has a `life`: a greater number each time.
 EXPORT(start)
-void start(std::uint64_t seed, std::size_t self, std::uint32_t delay, std::size_t players) {
+void start(std::uint64_t seed, std::size_t self, std::uint32_t delay, std::size_t players,
+           std::uint32_t life) {
   const Match& match = start_place.make(seed, players);
-  session_place.make(
-      detent::SessionConfig{.match = seed, .self = self, .players = match.players, .delay = delay},
-      match);
-  seen = 0;
-  chain = 0;
+  begin(session_place.make(detent::SessionConfig{.match = seed,
+                                                 .self = self,
+                                                 .players = match.players,
+                                                 .spectators = most_spectators,
+                                                 .delay = delay,
+                                                 .life = life},
+                           match));
   flip_at.reset();
   event.reset();
-  written.size = 0;
-  std::array<std::byte, 8> snapshot{};
-  for (std::size_t i = 0; i < 8; ++i) snapshot[i] = static_cast<std::byte>(seed >> (8 * i));
-  writer.begin({.kind = replay_kind, .players = match.players, .snapshot = snapshot},
-               [](std::span<const std::byte> bytes) { written.add(bytes); });
+  begin_recording();
 }
 
 /// Takes a packet of another player from the buffer. 0 if it was good: see detent::Received.
 EXPORT(receive) int receive(std::size_t from, std::size_t size, double now) {
   const std::span<const std::byte> packet(exchange.data(), (std::min)(size, exchange.size()));
-  return static_cast<int>(session_place.get()->receive(from, packet, micros(now)));
+  const auto received = session_place.get()->receive(from, packet, micros(now));
+  if (seen < session_place.get()->start_frame()) begin_recording();  // the match so far has come
+  return static_cast<int>(received);
 }
+/// Whether this one plays, and does not only watch.
+EXPORT(is_player) int is_player() { return session_place.get()->is_player() ? 1 : 0; }
+/// The first frame that is known here; 0 unless it came late.
+EXPORT(start_frame) std::uint32_t start_frame() { return session_place.get()->start_frame(); }
 /// Whether the match waits for this player.
 EXPORT(is_awaited) int is_awaited(std::size_t player) {
   return session_place.get()->is_awaited(player) ? 1 : 0;
@@ -260,14 +285,15 @@ EXPORT(load_replay) int load_replay(std::size_t size) {
   replay_frame = 0;
   const auto snapshot = replay->snapshot();
   if (replay->state() != detent::ReplayState::whole) return static_cast<int>(replay->state());
-  if (!replay->is_kind(replay_kind) || snapshot.size() != 8 ||
+  if (!replay->is_kind(replay_kind) || snapshot.size() < 8 ||
       (replay->players() != 2 && replay->players() != most_players)) {
     return static_cast<int>(detent::ReplayState::no_replay);
   }
   std::uint64_t seed = 0;
   for (std::size_t i = 8; i-- > 0;) seed = seed << 8 | std::to_integer<std::uint64_t>(snapshot[i]);
-  replay_place.make(seed, replay->players());
-  return 0;
+  Match& match = replay_place.make(seed, replay->players());
+  const bool is_match = snapshot.size() == 8 || restore(match, snapshot.subspan(8));
+  return is_match ? 0 : static_cast<int>(detent::ReplayState::no_replay);
 }
 /// Plays one frame of the replay. 0 if there was one, 1 at the end, 2 if a digest differs.
 EXPORT(replay_step) int replay_step() {

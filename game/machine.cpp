@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A part of the corpus of `detent verify` for the page: does this machine give the golden answers?
+// Some parts of the corpus of `detent verify` for the page: does this machine give the golden answers?
+// They are those of DETENT_MACHINE_PARTS, separated by commas.
 #include <array>
 #include <string_view>
 
@@ -9,6 +10,8 @@
 using namespace detent::verify;
 
 namespace {
+
+using Here = List<DETENT_MACHINE_PARTS>;
 
 std::array<char, 1 << 16> text;
 std::size_t size = 0;
@@ -19,41 +22,79 @@ void put(std::string_view more) {
   }
 }
 
-/// Lines: name, digest, 1 if it is golden.
-void put_line(std::string_view name, std::uint64_t digest, bool is_golden) {
-  put(name);
+/// A line: name, digest, what is not golden or nothing.
+void put_line(const RowResult& row) {
+  put(row.name);
   put(" ");
-  for (int i = 60; i >= 0; i -= 4)
-    put(std::string_view(&"0123456789abcdef"[(digest >> i) & 15], 1));
-  put(is_golden ? " 1\n" : " 0\n");
+  for (int i = 60; i >= 0; i -= 4) {
+    put(std::string_view(&"0123456789abcdef"[(row.digest >> i) & 15], 1));
+  }
+  if (!row.is_golden) {
+    put(" ");
+    put(row.scalar);
+    put(row.dimension == 1 ? ",1D" : row.dimension == 2 ? ",2D" : ",3D");
+  }
+  put("\n");
 }
 
-template <class Part>
-void run() {
-  static_cast<void>(check<Part, Whole>(small_size, golden::small, [](const RowResult& row) {
-    put_line(row.name, row.digest, row.is_golden);
-  }));
+/// Calls visit(group, index of its first cell) for all groups of the parts that are here.
+template <class Visit>
+void visit_all(const Visit& visit) {
+  const auto visit_part = [&]<class Part>(Part) {
+    std::size_t first = first_cell<Part>();
+    visit_groups<Part>([&]<class Group>(Group group) {
+      visit(group, first);
+      first += rows_of<Group>() * spaces_of<Group>();
+    });
+  };
+  [&]<class... Part>(List<Part...>) { (visit_part(Part{}), ...); }(Here{});
 }
 
 }  // namespace
 
 #define EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
-EXPORT(text_at) const char* text_at() { return text.data(); }
+EXPORT(text_at) char* text_at() { return text.data(); }
 
-/// Runs the part with this number; returns how many letters its lines have, or -1 if there is none.
-EXPORT(run_part) int run_part(int number) {
+EXPORT(group_count) int group_count() {
+  int count = 0;
+  visit_all([&](auto, std::size_t) { ++count; });
+  return count;
+}
+
+/// How many queries the whole corpus has.
+EXPORT(row_count) std::size_t row_count() { return count_rows<Corpus>(); }
+
+/// Where the cells of a group begin among all of the corpus.
+EXPORT(first_cell_of) std::size_t first_cell_of(int number) {
+  std::size_t result = 0;
+  visit_all([&](auto, std::size_t first) {
+    if (number-- == 0) result = first;
+  });
+  return result;
+}
+
+/// Asks the questions of the group with this number, all of them or a microcontroller's share; returns
+/// how many letters its lines have.
+EXPORT(run_group) std::size_t run_group(int number, int is_full) {
   size = 0;
-  if (number == 0) {
-    run<Arithmetic>();
-  } else if (number == 1) {
-    run<Turns>();
-  } else if (number == 2) {
-    run<SolidRays>();
-  } else if (number == 3) {
-    run<RoundPoints>();
-  } else {
-    return -1;
+  visit_all([&]<class Group>(Group, std::size_t first) {
+    if (number-- != 0) return;
+    check_group<Group>(is_full != 0 ? full_size : small_size,
+                       is_full != 0 ? golden::full : golden::small, first, put_line);
+  });
+  return size;
+}
+
+/// The digest of that many digests, of 8 bytes each, in place of the text.
+EXPORT(digest_of) std::uint64_t digest_of(std::size_t count) {
+  detent::Digest digest;
+  for (std::size_t i = 0; i < count && 8 * i + 8 <= text.size(); ++i) {
+    std::uint64_t word = 0;
+    for (std::size_t k = 8; k-- > 0;) {
+      word = word << 8 | static_cast<unsigned char>(text[8 * i + k]);
+    }
+    digest.add(word);
   }
-  return static_cast<int>(size);
+  return digest.value();
 }

@@ -3,8 +3,8 @@
 // usage: node page.test.mjs FOLDER [FRAMES]
 // Plays the page that game/build made in FOLDER, in Chromium: two machines in one page, then two
 // pages and the relay, with lost packets, then a match of four, who are two pages and the programs of
-// game/check for this machine and a big-endian one; it breaks a bit, saves and opens a replay, plays by keyboard and mouse, and
-// goes offline; and it looks into the two other rooms. Pictures go to FOLDER. Most of it runs at several
+// game/check for this machine and a big-endian one; players leave and come back, and others watch; it breaks a bit, saves and
+// opens a replay, plays by keyboard and mouse, and goes offline; and it looks into the two other rooms. Pictures go to FOLDER. Most of it runs at several
 // times the speed: pages then draw once in four seconds, and drawing without a GPU takes long. With
 // FRAMES only the match of four is played, for so long.
 import assert from 'node:assert/strict';
@@ -58,15 +58,16 @@ async function untilPlayed(page, frames) {
 // A match of four: two pages, and two programs.
 async function playFour() {
   const isBig = existsSync(`${folder}s390x`);
+  const join = (...program) => {
+    const process = spawn('node', [`${folder}relay_peer.mjs`, '--room', 'four', '--players', '4', '--seed', seed,
+      '--speed', '8', '--loss', '0.15', address, ...program], { stdio: ['ignore', 'pipe', 'inherit'] });
+    const peer = { process, said: '', left: new Promise((done) => { process.on('exit', done); }) };
+    process.stdout.on('data', (text) => { peer.said += text; });
+    return peer;
+  };
   const programs = [[`${folder}native`], isBig ? ['qemu-s390x', `${folder}s390x`] : [`${folder}native`]];
   await check(`two pages, a program and one ${isBig ? 'on s390x' : 'more'} play ${frames} frames`, async () => {
-    const peers = programs.map((program) => {
-      const process = spawn('node', [`${folder}relay_peer.mjs`, '--room', 'four', '--players', '4', '--seed', seed,
-        '--speed', '8', '--loss', '0.15', address, ...program], { stdio: ['ignore', 'pipe', 'inherit'] });
-      const peer = { process, said: '', left: new Promise((done) => { process.on('exit', done); }) };
-      process.stdout.on('data', (text) => { peer.said += text; });
-      return peer;
-    });
+    const peers = programs.map((program) => join(...program));
     const query = `room=four&players=4&auto&seed=${seed}&speed=8&loss=15&latency=60&redraw=60000`;
     const start = Date.now(), pages = [await open(query)];
     await pages[0].waitForFunction(() => document.getElementById('notice').textContent.includes('3 of 4 are here'));
@@ -94,9 +95,14 @@ async function playFour() {
     await pages[0].waitForFunction(() => document.getElementById('notice').textContent.includes('has left; the match goes on'));
     const reached = await pages[0].evaluate(() => slingshot.peers[0].wasm.matched_frame());
     await pages[0].waitForFunction((frame) => slingshot.peers[0].wasm.matched_frame() > frame + 60, reached);
+    // A program takes the seat, and has the digests of all frames before it came.
+    peers.push(join(...programs[0]));
+    while (!peers[2].said.includes('\n')) await pages[0].waitForTimeout(50);
+    const [[frame, digest]] = Object.entries(parsed(peers[2].said));
+    assert.equal((await untilPlayed(pages[0], Number(frame)))[frame], digest);
     assert.equal(await pages[0].textContent('#verdict'), 'equal');
     for (const peer of peers) peer.process.kill();
-    assert.deepEqual(await Promise.all(peers.map((peer) => peer.left)), [0, 0]);
+    assert.deepEqual(await Promise.all(peers.map((peer) => peer.left)), [0, 0, 0]);
     await pages[0].close();
   });
 }
@@ -110,19 +116,34 @@ async function playAll() {
       await new Promise((done) => { socket.once('message', done); });
       sockets.push(socket);
     }
-    assert.deepEqual(heard[1], [{ is: 'start', seed: '1', self: 1, players: 2 }]);
+    assert.deepEqual(heard[1], [{ is: 'start', seed: '1', life: 0, here: [0], self: 1, players: 2 }]);
     for (const packet of [[], [0, 1], [2, 1], [255], [7, 7]]) sockets[0].send(new Uint8Array(packet));
     sockets[0].send('text');
     sockets[0].send(new Uint8Array([1, 42, 43]));
     await new Promise((done) => { sockets[1].once('message', done); });
-    const late = new WebSocket(`${address.replace('http', 'ws')}room/relay`);
-    const [answer] = await new Promise((done) => { late.once('message', (...message) => done(message)); });
-    assert.equal(JSON.parse(answer).is, 'full');
+    // Four more may watch; nobody else comes in.
+    const watchers = [], answers = [];
+    for (let i = 0; i < 5; ++i) {
+      watchers.push(new WebSocket(`${address.replace('http', 'ws')}room/relay?watch`));
+      answers.push(JSON.parse(await new Promise((done) => { watchers[i].once('message', done); })));
+    }
+    assert.deepEqual(answers.map((each) => each.self ?? each.is), [2, 3, 4, 5, 'full']);
+    assert.deepEqual(answers[1], { is: 'start', seed: '1', life: 2, here: [0, 1, 2], self: 3, players: 2 });
+    const isSaid = (i, what) => heard[i].some((each) => JSON.stringify(each) === JSON.stringify(what));
+    const until = async (holds) => { while (!holds()) await new Promise((done) => { setTimeout(done, 5); }); };
+    await until(() => isSaid(1, { is: 'came', who: 5, self: 1, players: 2 }));
+    watchers[0].close();
+    await until(() => isSaid(1, { is: 'left', who: 2, self: 1, players: 2 }));
     sockets[0].send(new Uint8Array(5000));  // too large: the relay hangs up
-    await new Promise((done) => { sockets[1].once('message', done); });
-    assert.deepEqual(heard[1].slice(1), [[0, 42, 43], { is: 'left', who: 0, self: 1, players: 2 }]);
-    assert.deepEqual(heard[0].map((each) => each.is), ['waiting', 'start']);
-    sockets[1].close();
+    await until(() => isSaid(1, { is: 'left', who: 0, self: 1, players: 2 }));
+    assert.deepEqual(heard[1][1], [0, 42, 43]);
+    assert.deepEqual(heard[1].filter(Array.isArray).length, 1);
+    assert.deepEqual(heard[0].slice(0, 2).map((each) => each.is), ['waiting', 'start']);
+    // Who comes back gets the seat that is free.
+    const again = new WebSocket(`${address.replace('http', 'ws')}room/relay?seat=1`);
+    const { self, life } = JSON.parse(await new Promise((done) => { again.once('message', done); }));
+    assert.deepEqual([self, life], [0, 5]);
+    for (const socket of [...watchers, again, sockets[1]]) socket.close();
   });
 
   const alone = await open(`auto&seed=${seed}&speed=10&latency=100&loss=15`);
@@ -171,6 +192,34 @@ async function playAll() {
     const said = await Promise.all(pages.map((page) => untilPlayed(page, 3000)));
     assert.deepEqual(said, [golden, golden]);
     await pages[1].screenshot({ path: `${folder}remote.png` });
+
+    // One reloads the page and comes back to its seat, and another one watches.
+    const name = await pages[1].textContent('#name-0');
+    await pages[1].reload();
+    await pages[1].waitForFunction(() => window.slingshot?.peers[0].wasm.is_player()
+      && slingshot.peers[0].wasm.start_frame() > 3000);
+    assert.equal(await pages[1].textContent('#name-0'), name);
+    pages.push(await open(`${query}&watch`));
+    await pages[2].waitForFunction(() => slingshot.mode() === 'remote' && slingshot.peers[0].wasm.start_frame() > 3000);
+    assert.equal(await pages[2].textContent('#name-0'), 'You are watching');
+    const last = 600 * Math.ceil(await pages[2].evaluate(() => slingshot.peers[0].wasm.frame()) / 600);
+    const digests = await Promise.all(pages.map(async (page) => (await untilPlayed(page, last))[last]));
+    assert.deepEqual(digests, [digests[0], digests[0], digests[0]]);
+    for (const page of pages) assert.equal(await page.textContent('#verdict'), 'equal');
+    const [download] = await Promise.all([pages[1].waitForEvent('download'), pages[1].click('#save')]);
+    const file = join(profile, 'late.dtnr');
+    await download.saveAs(file);
+    await pages[2].evaluate(() => { slingshot.redraw(); });
+    await pages[2].screenshot({ path: `${folder}watch.png` });
+    await pages[2].setInputFiles('#open', file);  // of a match from the middle on
+    await pages[2].waitForFunction(() => /over: \d+ frames, all digests equal/.test(document.getElementById('notice').textContent));
+    await pages[2].close();
+
+    // The relay fails, and comes back: so does who it lost.
+    await pages[1].evaluate(() => slingshot.hangUp());
+    await pages[0].waitForFunction(() => document.getElementById('notice').textContent.includes('comes back'));
+    await pages[1].waitForFunction((frame) => slingshot.peers[0].wasm.is_player()
+      && slingshot.peers[0].wasm.start_frame() > frame, last);
     await pages[1].close();
     await pages[0].waitForFunction(() => document.getElementById('notice').textContent.includes('has left'));
     await pages[0].close();
@@ -229,11 +278,17 @@ async function playAll() {
     await page.close();
   });
 
-  await check('this machine gives the golden answers', async () => {
+  await check('this machine gives the golden answers to what is compiled of the corpus', async () => {
     const page = await open('', 'machine.html');
-    await page.waitForFunction(() => window.machine);
-    const { golden: right, count } = await page.evaluate(() => window.machine);
-    assert.ok(count >= 35 && right === count, `${right} of ${count}`);
+    await page.evaluate(() => navigator.serviceWorker.ready);
+    await page.waitForFunction(() => !document.getElementById('quick').disabled);
+    assert.match(await page.textContent('#offer'), /^Both load \d+\.\d MB, in \d+ parts?, once/);
+    await page.click('#quick');
+    await page.waitForFunction(() => window.machine.isDone);
+    const { golden: right, count, total, all } = await page.evaluate(() => window.machine);
+    assert.ok(count >= 35 && right === count && total >= 199, `${right} of ${count}, ${total}`);
+    assert.equal(all !== '', count === total);
+    assert.ok((await page.textContent('#card')).includes(`${count} of ${count} queries have the golden digests`));
     await page.screenshot({ path: `${folder}machine.png` });
     await page.close();
   });
@@ -245,6 +300,9 @@ async function playAll() {
     await browser.setOffline(true);
     await page.reload();
     await page.waitForFunction(() => window.slingshot?.peers[0].wasm.frame() > 10);
+    await page.goto(`${address}machine.html`);
+    await page.click('#quick');
+    await page.waitForFunction(() => window.machine.isDone);
     await page.close();
   });
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// usage: node relay_peer.mjs [--room NAME] [--players N] [--seed N] [--speed N] [--loss SHARE] ADDRESS PROGRAM...
+// usage: node relay_peer.mjs [--room NAME] [--players N] [--seed N] [--speed N] [--loss SHARE] [--watch] ADDRESS PROGRAM...
 // Lets a program that speaks `peer pipe` join a room of the relay, natively or in an emulator, such
-// as `qemu-s390x peer`. It says when a frame is due and passes packets; it prints digests. When it
-// is terminated it leaves the match; its status is that of the program.
+// as `qemu-s390x peer`; a match that runs it joins late. It says when a frame is due and passes packets;
+// it prints digests. When it is terminated it leaves the match; its status is that of the program.
 import { spawn } from 'node:child_process';
 import { parseArgs } from 'node:util';
 import { WebSocket } from 'ws';
@@ -16,14 +16,15 @@ const { values, positionals: [address, ...program] } = parseArgs({
     seed: { type: 'string', default: '2026' },
     speed: { type: 'string', default: '1' },
     loss: { type: 'string', default: '0' },
+    watch: { type: 'boolean', default: false },
   },
 });
 
-const room = new URL(`room/${values.room}?seed=${values.seed}&players=${values.players}`, address);
+const room = new URL(`room/${values.room}?seed=${values.seed}&players=${values.players}${values.watch ? '&watch' : ''}`, address);
 room.protocol = room.protocol === 'https:' ? 'wss:' : 'ws:';
 const socket = new WebSocket(room);
 const tick = 1000 / 60;
-let peer, others = 0, played = 0, rest = Buffer.alloc(0);
+let peer, others = new Set(), played = 0, rest = Buffer.alloc(0);
 
 const clock = () => performance.now() * Number(values.speed);
 
@@ -36,9 +37,9 @@ function tell(now, from = 0, packet = Buffer.alloc(0), size = packet.length) {
   peer.stdin.write(Buffer.concat([head, packet]));
 }
 
-function start({ self, seed, players }) {
-  others = players - 1;
-  peer = spawn(program[0], [...program.slice(1), 'pipe', String(self), seed, String(players)], { stdio: ['pipe', 'pipe', 'inherit'] });
+function start({ self, seed, players, here, life }) {
+  others = new Set(here);
+  peer = spawn(program[0], [...program.slice(1), 'pipe', self, seed, players, life].map(String), { stdio: ['pipe', 'pipe', 'inherit'] });
   peer.stdin.on('error', () => {});
   peer.on('exit', (status) => process.exit(status ?? 1));
   peer.stdout.on('data', (bytes) => {
@@ -66,8 +67,10 @@ socket.on('message', (data, isBinary) => {
   }
   const said = JSON.parse(data);
   if (said.is === 'start') start(said);
+  if (said.is === 'came') others.add(said.who);
   if (said.is !== 'left') return;
-  if (--others === 0) socket.close();
+  others.delete(said.who);
+  if (others.size === 0) socket.close();
   else tell(played, said.who, undefined, 65535);
 });
 process.on('SIGTERM', () => socket.close());

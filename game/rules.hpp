@@ -141,13 +141,17 @@ constexpr void keep(Match& match, std::optional<detent::BodyId> id, Kind kind, s
   match.pieces[id->index] = {*id, kind, static_cast<std::uint8_t>(owner), 0, half};
 }
 
-constexpr void add_box(Match& match, Kind kind, std::size_t owner, const Point& center,
-                       const Point& half) {
+[[nodiscard]] constexpr detent::BodyOptions<S, 2> box_options(Kind kind) {
   detent::BodyOptions<S, 2> options;
   options.friction = 0.7_q16_16;
   if (kind == Kind::rock) options.motion = detent::BodyMotion::fixed;
   if (kind == Kind::stone) options.density = 2_q16_16;
-  const auto id = match.bodies.add(Box{center, half, {}}, options);
+  return options;
+}
+
+constexpr void add_box(Match& match, Kind kind, std::size_t owner, const Point& center,
+                       const Point& half) {
+  const auto id = match.bodies.add(Box{center, half, {}}, box_options(kind));
   keep(match, id, kind, owner, half);
   if (kind == Kind::king && id) match.sides[owner].king = *id;
 }

@@ -4,17 +4,34 @@
 #include <detent/lockstep/session.hpp>
 
 #include "rules.hpp"
+#include "snapshot.hpp"
 
 namespace slingshot {
 
+inline constexpr std::size_t most_spectators = 4;
+
 /// Two or four players who guess up to 8 frames ahead. The evidence lets a desync be named after half
-/// a second of delay.
-inline constexpr detent::SessionLimits limits{
-    .players = most_players, .peers = most_players, .prediction = 8, .evidence = 30, .packet = 512};
+/// a second of delay; who comes late gets a snapshot.
+inline constexpr detent::SessionLimits limits{.players = most_players,
+                                              .peers = most_players + most_spectators,
+                                              .prediction = 8,
+                                              .evidence = 30,
+                                              .packet = 512,
+                                              .snapshot = snapshot_room};
 using Session = detent::Session<Match, Pad, limits>;
 
 inline constexpr auto simulate = [](Match& match, const Session::Inputs& pads) {
   step(match, pads);
 };
+
+/// A session, for whom all spectators are still to come. With a `life`, it comes late itself.
+inline void begin(Session& session) {
+  const auto& config = session.config();
+  for (std::size_t i = 0; config.life == 0 && i < config.spectators; ++i) {
+    session.drop(config.players + i);
+  }
+  while (session.next_event()) {
+  }
+}
 
 }  // namespace slingshot

@@ -14,6 +14,7 @@ const tick = 1000 / 60, milestone = 600;
 const names = ['Red', 'Blue'], raws = 65536 / 360;
 const most = 4;  // players
 const clock = () => performance.now() * speed;
+const noPad = { angle: 8192, power: 160, fire: false };
 
 const module = await WebAssembly.compileStreaming(fetch('game.wasm'));
 const peers = [new Peer(module), new Peer(module)];
@@ -26,11 +27,12 @@ const views = [0, 1].map((i) => {
     return null;  // no WebGL: it is played, but not drawn
   }
 }).map((view) => view ?? { update() {}, draw() {}, accuse() {}, burst() {} });
-let links, mode, self, count = 2, present = [], socket, sent = 0, local = clock(), isFlipped = false, last = null;
-let strip = [], compared = 0, milestones = {};
+let links, mode, self, life = 0, count = 2, present = [], socket, sent = 0, local = clock(), isFlipped = false, last = null;
+let strip = [], compared = 0, milestones = {}, isHere = false, isSeated = false;
 
 const say = (text) => { at('status').textContent = text; };
 function playerName(player) {
+  if (player >= count) return `Spectator ${player - count + 1}`;
   return names[player % 2] + (count === 2 ? '' : player < 2 ? ' at the back' : ' in front');
 }
 const lower = (name) => name[0].toLowerCase() + name.slice(1);
@@ -50,7 +52,7 @@ function begin(newMode, seed) {
   strip = [];
   compared = sent = 0;
   milestones = {};
-  isFlipped = false;
+  isFlipped = isHere = isSeated = false;
   last = null;
   at('desync').textContent = '';
   at('pause').setAttribute('aria-pressed', false);
@@ -58,7 +60,7 @@ function begin(newMode, seed) {
   at('verdict').className = '';
   views.forEach((view) => view.accuse(-1));
   if (mode === 'local') peers.forEach((peer, i) => peer.start(seed, i));
-  if (mode === 'remote') peers[0].start(seed, self, count);
+  if (mode === 'remote') peers[0].start(seed, self, count, life);
   arrange();
 }
 
@@ -68,12 +70,13 @@ function arrange() {
   document.querySelector('.peer.right').hidden = isAlone;
   document.querySelector('.peer').className = `peer ${side % 2 === 0 ? 'left' : 'right'}`;
   at('name-0').textContent = mode === 'replay' ? 'Replay'
-    : mode === 'remote' ? `You are ${lower(playerName(side))}` : "Red's machine";
-  views[0].controlled = mode === 'replay' ? [] : [side];
-  at('pad-0').classList.toggle('idle', mode === 'replay' || isAuto);
+    : isWatching() ? 'You are watching' : mode === 'remote' ? `You are ${lower(playerName(side))}` : "Red's machine";
+  views[0].controlled = mode === 'replay' || isWatching() ? [] : [side];
+  at('pad-0').classList.toggle('idle', mode === 'replay' || isAuto || isWatching());
   at('pad-1').classList.toggle('idle', isComputer(1));
   at('computer-label').hidden = isAlone;
-  at('flip').hidden = at('save').hidden = at('pause').hidden = mode === 'replay';
+  at('flip').hidden = at('save').hidden = mode === 'replay';
+  at('pause').hidden = mode === 'replay' || isWatching();
   at('flip').textContent = `Flip one bit on ${mode === 'remote' ? 'this' : "blue's"} machine`;
   at('digest-name-0').textContent = mode === 'remote' ? 'here' : 'red';
   at('digest-name-0').className = side % 2 === 0 ? 'left' : 'right';
@@ -81,6 +84,7 @@ function arrange() {
   at('digest-name-1').textContent = mode !== 'remote' ? 'blue' : count > 2 ? 'all others' : 'there';
 }
 
+const isWatching = () => mode === 'remote' && self >= count;
 const isComputer = (side) => isAuto || (mode === 'local' && side === 1 && at('computer').checked);
 
 function padOf(peer, side) {
@@ -107,13 +111,16 @@ function step(now) {
     });
     compare(peers[0], Math.min(peers[0].wasm.final_frame(), peers[1].wasm.final_frame()));
   } else if (mode === 'remote') {
-    const packets = peers[0].play(padOf(peers[0], self), now);
-    played(peers[0], self);
-    for (const { to, packet } of packets) {
-      sent += packet.length;
-      links[0].send([to, ...packet], now);
+    const packets = peers[0].play(isWatching() ? noPad : padOf(peers[0], self), now);
+    if (!isWatching()) played(peers[0], self);
+    if (peers[0].result === 'joining') return send(packets, now);
+    if (!isHere) arrive();
+    if (life > 0 && !isSeated && peers[0].wasm.is_player()) {
+      isSeated = true;
+      notice('');
+      banner('You play again');
     }
-    links[0].deliver(now, (flown) => { if (socket?.readyState === WebSocket.OPEN) socket.send(new Uint8Array(flown)); });
+    send(packets, now);
     compare(peers[0], peers[0].wasm.matched_frame());
   } else if (mode === 'replay') {
     const state = viewer.wasm.replay_step();
@@ -121,6 +128,24 @@ function step(now) {
     if (state === 1) notice(`The replay is over: ${viewer.wasm.replay_frame()} frames, all digests equal. New match goes on.`);
     if (state !== 0) mode = 'shown';
   }
+}
+
+function send(packets, now) {
+  for (const { to, packet } of packets) {
+    sent += packet.length;
+    links[0].send([to, ...packet], now);
+  }
+  links[0].deliver(now, (flown) => { if (socket?.readyState === WebSocket.OPEN) socket.send(new Uint8Array(flown)); });
+}
+
+// The match so far has come, for who comes late.
+function arrive() {
+  isHere = true;
+  if (life === 0) return;
+  const from = peers[0].wasm.start_frame();
+  compared = from;
+  notice(isWatching() ? `You are watching since frame ${from}.` : `You are back since frame ${from}, and have your seat as soon as you keep up.`);
+  say(at('notice').textContent);
 }
 
 function compare(peer, until) {
@@ -151,6 +176,7 @@ function advance() {
   }
   const found = [...(mode === 'local' ? peers : [peers[0]])].find((peer) => peer.desync?.field);
   if (found && at('desync').textContent === '') report(found.desync);
+  if (mode === 'remote' && peers[0].isLost) comeBack('You fell behind.');
 }
 
 // ---- what is shown
@@ -235,7 +261,7 @@ function draw(now) {
   if (speed > 1 && now - drawn < redraw) return;  // in a hurry
   const seconds = Math.min(0.1, (now - drawn) / 1000);
   drawn = now;
-  if (mode === 'waiting') return;
+  if (mode === 'waiting' || (mode === 'remote' && !isHere)) return;
   const match = mode === 'replay' || mode === 'shown' ? viewer.replayMatch() : peers[0].match();
   noteChanges(match);
   views[0].update(match);
@@ -274,7 +300,7 @@ for (const slot of [0, 1]) {
   const canvas = at(`canvas-${slot}`);
   let from = null;
   canvas.addEventListener('pointerdown', (event) => {
-    if (mode === 'replay' || mode === 'shown' || isComputer(sideOf(slot))) return;
+    if (mode === 'replay' || mode === 'shown' || isWatching() || isComputer(sideOf(slot))) return;
     from = { x: event.clientX, y: event.clientY };
     canvas.setPointerCapture(event.pointerId);
   });
@@ -301,7 +327,7 @@ const keys = {
 const held = new Set();
 const whose = (side) => (mode === 'remote' ? self : isComputer(1) ? 0 : side);
 addEventListener('keydown', (event) => {
-  if (event.ctrlKey || event.altKey || event.metaKey) return;
+  if (event.ctrlKey || event.altKey || event.metaKey || isWatching()) return;
   // Sliders keep their arrows, buttons and boxes their space and enter.
   if (event.target.matches('input[type=range]') && event.code.startsWith('Arrow')) return;
   if (event.target.matches('button, input:not([type=range])') && !event.code.startsWith('Key')) return;
@@ -390,17 +416,28 @@ addEventListener('drop', (event) => {
 
 // ---- two browsers, or four
 
-function join(room, seed, wanted) {
+const roomNow = { name: '', seed: 0n, wanted: 2, isWatching: false };
+
+function linkTo(room, wanted, isWatching = false) {
+  return new URL(`?room=${room}${wanted === 2 ? '' : `&players=${wanted}`}${isWatching ? '&watch' : ''}`, location.href).href;
+}
+// Who comes back wants the seat that this tab had.
+const seatKey = (room) => `seat in ${room}`;
+
+function join(room, seed, wanted, isWatching) {
+  Object.assign(roomNow, { name: room, seed, wanted, isWatching });
   socket?.close();
-  const address = new URL(`room/${room}?seed=${seed}&players=${wanted}`, location.href);
+  const seat = sessionStorage.getItem(seatKey(room));
+  const address = new URL(`room/${room}?seed=${seed}&players=${wanted}`
+    + `${seat === null ? '' : `&seat=${seat}`}${isWatching ? '&watch' : ''}`, location.href);
   address.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
   socket = new WebSocket(address);
   socket.binaryType = 'arraybuffer';
-  const here = new URL(`?room=${room}${wanted === 2 ? '' : `&players=${wanted}`}`, location.href).href;
+  const here = linkTo(room, wanted);
   mode = 'waiting';
   let isAnswered = false;
   notice('Joining the match…');
-  navigator.clipboard?.writeText(here).catch(() => {});
+  if (!isWatching) navigator.clipboard?.writeText(here).catch(() => {});
   const own = socket;
   own.onmessage = ({ data }) => {
     if (socket !== own) return;
@@ -412,40 +449,59 @@ function join(room, seed, wanted) {
     isAnswered = true;
     const said = JSON.parse(data);
     if (said.is === 'waiting') {
-      notice(`${said.here} of ${said.players} are here. The match begins when all are. Link for the others: ${here}`);
+      notice(`${said.here} of ${said.players} are here. The match begins when all are. Link for the others: ${here}`
+        + ` To watch: ${linkTo(room, wanted, true)}`);
       say(`${said.here} of ${said.players} are here`);
     }
-    if (said.is === 'full') notice('This match has begun without you. New match begins another one.');
-    if (said.is === 'left') left(said.who);
+    if (said.is === 'full') notice('There is no room left in this match. New match begins another one.');
+    if (said.is === 'left' && mode === 'remote') left(said.who);
+    if (said.is === 'came' && mode === 'remote') came(said.who);
     if (said.is !== 'start') return;
-    self = said.self;
-    count = said.players;
-    present = Array.from({ length: count }, (_, player) => player).filter((player) => player !== self);
-    notice('');
+    ({ self, life, players: count } = said);
+    present = said.here.filter((player) => player < count);
+    sessionStorage.setItem(seatKey(room), self);
+    notice(life > 0 ? 'The others send the match so far…' : '');
     begin('remote', BigInt(said.seed));
+    if (self >= count) return banner('You are watching');
     setAim(self, 8192, 160);
     banner(`You are ${lower(playerName(self))}`);
   };
   own.onclose = () => {
-    if (mode !== 'waiting' || socket !== own) return;
+    if (socket !== own) return;
+    if (mode === 'remote') return comeBack('The relay is gone.');
+    if (mode !== 'waiting') return;
+    if (life > 0 && !isAnswered) return comeBack('The relay is gone.');
     begin('local', randomSeed());
     if (!isAnswered) notice('There is no relay here: ./dev play starts one.');
   };
 }
+// Joins again, late.
+function comeBack(why) {
+  mode = 'waiting';
+  life = Math.max(life, 1);
+  socket?.close();
+  socket = null;
+  notice(`${why} Coming back…`);
+  const { name, seed, wanted, isWatching } = roomNow;
+  setTimeout(() => { if (mode === 'waiting' && !socket) join(name, seed, wanted, isWatching); }, 1000);
+}
 function left(who) {
-  present = present.filter((player) => player !== who);
-  if (present.length === 0) {
-    notice(`${count === 2 ? 'The other player has' : 'All others have'} left. New match goes on here.`);
-    return;
-  }
   peers[0].wasm.drop(who);
-  notice(`${playerName(who)} has left; the match goes on.`);
+  present = present.filter((player) => player !== who);
+  if (who >= count) return notice(`${playerName(who)} has left.`);
+  notice(`${playerName(who)} has left; the match goes on. The link of this page leads to that seat.`);
+}
+function came(who) {
+  if (who >= count) return notice(`${playerName(who)} has come.`);
+  present.push(who);
+  notice(`${playerName(who)} comes back.`);
 }
 for (const [button, wanted] of [['invite', 2], ['invite-three', 4]]) {
   at(button).addEventListener('click', () => {
     const room = Array.from(crypto.getRandomValues(new Uint8Array(8)), (byte) => byte.toString(16).padStart(2, '0')).join('');
-    history.replaceState(null, '', `?room=${room}${wanted === 2 ? '' : `&players=${wanted}`}`);
-    join(room, randomSeed(), wanted);
+    history.replaceState(null, '', linkTo(room, wanted));
+    life = 0;
+    join(room, randomSeed(), wanted, false);
   });
 }
 
@@ -453,10 +509,11 @@ readWeather();
 begin('local', asked.has('seed') ? BigInt(asked.get('seed')) : randomSeed());
 for (const side of [0, 1]) setAim(side, 8192, 160);
 if (asked.has('room')) {
-  join(asked.get('room'), asked.has('seed') ? BigInt(asked.get('seed')) : randomSeed(), asked.get('players') === '4' ? 4 : 2);
+  join(asked.get('room'), asked.has('seed') ? BigInt(asked.get('seed')) : randomSeed(), asked.get('players') === '4' ? 4 : 2,
+    asked.has('watch'));
 }
 requestAnimationFrame(draw);
 if (!isAuto) banner('Round 1');
 if (!(views[0] instanceof View)) notice('This browser has no WebGL, so nothing is drawn.');
-window.slingshot = { peers, milestones: () => milestones, mode: () => mode, sent: () => sent, redraw: () => { drawn = -Infinity; } };
+window.slingshot = { peers, milestones: () => milestones, mode: () => mode, sent: () => sent, redraw: () => { drawn = -Infinity; }, hangUp: () => socket.close() };
 navigator.serviceWorker?.register('worker.js').catch(() => {});

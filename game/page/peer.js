@@ -3,20 +3,22 @@
 
 const one = 65536;
 export const kinds = ['none', 'rock', 'wood', 'stone', 'king', 'ball'];
-export const advanced = ['yes', 'connecting', 'catching up', 'starved', 'ahead', 'paused', 'over'];
-const desync = 10, desyncField = 11;
+export const advanced = ['yes', 'connecting', 'catching up', 'starved', 'ahead', 'paused', 'over', 'joining'];
+const tooSlow = 8, desync = 10, desyncField = 11;
 
 export class Peer {
   constructor(module) {
     this.wasm = new WebAssembly.Instance(module, {}).exports;
   }
 
-  start(seed, self, players = 2, delay = 2) {
+  // With a life it comes late: the others send the match so far.
+  start(seed, self, players = 2, life = 0, delay = 2) {
     this.seed = seed;
     this.self = self;
     this.desync = null;
+    this.isLost = false;
     this.events = [];
-    this.wasm.start(seed, self, delay, players);
+    this.wasm.start(seed, self, delay, players, life);
   }
 
   bytes(size) {
@@ -50,6 +52,7 @@ export class Peer {
       const field = new TextDecoder().decode(text.slice(0, text.indexOf(0)));
       this.desync = { frame, field, object: this.wasm.event_object(), known: this.wasm.frame() };
     }
+    if (kind === tooSlow && !this.wasm.is_player()) this.isLost = true;  // it comes again
     this.events.push(kind);
   }
 

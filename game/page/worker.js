@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Once loaded, the page works without a network. game/build fills in what is in capitals.
+// Once loaded, the page works without a network; so does the corpus, which is loaded when it is asked for.
+// game/build fills in what is in capitals.
 const cacheName = 'slingshot-VERSION';
 const files = FILES;
 
@@ -13,6 +14,22 @@ addEventListener('activate', (event) => {
   })());
 });
 addEventListener('fetch', (event) => {
-  if (event.request.method !== 'GET') return;
-  event.respondWith(caches.match(event.request, { ignoreSearch: true }).then((found) => found ?? fetch(event.request)));
+  const { request } = event;
+  if (request.method !== 'GET') return;
+  event.respondWith(request.url.includes('/corpus/') ? fetchCorpus(request)
+    : caches.match(request, { ignoreSearch: true }).then((found) => found ?? fetch(request)));
 });
+
+// What was loaded of this version; of the list what the server has now, if there is one.
+async function fetchCorpus(request) {
+  const cache = await caches.open(cacheName), isList = request.url.endsWith('.json');
+  const kept = await cache.match(request);
+  if (kept && !isList) return kept;
+  try {
+    const response = await fetch(request);
+    if (response.ok) await cache.put(request, response.clone());
+    return response;
+  } catch {
+    return kept ?? Response.error();
+  }
+}
