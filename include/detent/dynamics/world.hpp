@@ -62,6 +62,24 @@ class BasicWorld {
   explicit constexpr BasicWorld(const Settings& settings) noexcept
       : settings_(settings), pace_(detail::pace_of(settings)) {}
 
+  constexpr BasicWorld(const BasicWorld&) = default;
+  constexpr BasicWorld(BasicWorld&&) = default;
+  constexpr BasicWorld& operator=(BasicWorld&&) = default;
+  /// In the time of what is there: of a world within its own memory, empty room is not copied.
+  constexpr BasicWorld& operator=(const BasicWorld& other) {
+    settings_ = other.settings_;
+    pace_ = other.pace_;
+    copy_used(other.bodies_, bodies_);
+    copy_used(other.contacts_, contacts_);
+    joints_ = other.joints_;
+    next_ = other.next_;
+    first_free_ = other.first_free_;
+    size_ = other.size_;
+    copy_used(other.events_, events_);
+    is_still_ = other.is_still_;
+    return *this;
+  }
+
   [[nodiscard]] constexpr const Settings& settings() const noexcept { return settings_; }
   [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
 
@@ -440,6 +458,16 @@ class BasicWorld {
       if (was == is) continue;
       const auto [part_a, part_b] = Tick::parts_touching(bodies_, key);
       events_.push_back({id_of(key.pair.a), id_of(key.pair.b), is, part_a, part_b});
+    }
+  }
+
+  template <class List>
+  static constexpr void copy_used(const List& from, List& to) {
+    if constexpr (requires { Storage::is_growing; }) {
+      to = from;
+    } else {
+      to.resize(from.size());
+      for (std::size_t i = 0; i < from.size(); ++i) to[i] = from[i];
     }
   }
 
