@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# `./dev COMMAND --help` explains every command of ./dev, and neither builds nor installs anything.
+# `./dev COMMAND --help` explains every command of ./dev, and neither builds nor installs anything. All
+# packages that ./dev lists have a check.
 set -euo pipefail
 
 work=$(mktemp -d)
@@ -27,4 +28,10 @@ for command in $commands; do
   count=$((count + 1))
 done
 [[ $count -ge 11 ]] || { echo "found only these commands: $commands"; exit 1; }
+
+# A package without a check would never be installed, nor would those listed with it.
+for package in $(sed -n 's/^[a-z]*_packages=(\([^)]*\)).*/\1/p' dev); do
+  grep -qE "^    ([^)]* )?${package//+/\\+}( [^)]*)?\\)" dev ||
+    { echo "./dev does not check for the package $package"; exit 1; }
+done
 echo "$count commands explain themselves, and do nothing else"
