@@ -241,7 +241,10 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
     BodyOptions<S, N> options;
     options.motion = model.motion;
     options.locked = model.locked;
+    options.layers = model.layers.value_or(options.layers);
+    options.collides_with = model.collides_with.value_or(options.collides_with);
     options.is_sensor = model.is_sensor;
+    options.is_fast = model.is_fast;
     set(options.density, model.density, "density");
     set(options.friction, model.friction, "friction");
     set(options.restitution, model.restitution, "restitution");

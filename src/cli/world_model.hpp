@@ -34,7 +34,8 @@ struct BodyModel {
       gravity_scale;
   std::optional<Point> velocity, angular_velocity;
   std::uint8_t locked = 0;
-  bool is_sensor = false;
+  std::optional<std::uint32_t> layers, collides_with;
+  bool is_sensor = false, is_fast = false;
 };
 
 enum class JointKind { distance, ball, hinge, weld, slider, wheel };

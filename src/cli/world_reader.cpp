@@ -131,7 +131,10 @@ class WorldReader : private JsonFields {
       (*body.angular_velocity)[0] = *spin;
     }
     if (const JsonNode* const locked = find(node, "locked")) body.locked = locks(*locked);
+    body.layers = maybe_layers(node, "layers");
+    body.collides_with = maybe_layers(node, "collides_with");
     body.is_sensor = truth(node, "sensor");
+    body.is_fast = truth(node, "fast");
     return body;
   }
 
@@ -142,7 +145,7 @@ class WorldReader : private JsonFields {
       all.insert(all.end(), keys.begin(), keys.end());
       all.insert(all.end(), {"motion", "density", "friction", "restitution", "linear_damping",
                              "angular_damping", "gravity_scale", "velocity", "angular_velocity",
-                             "locked", "sensor"});
+                             "locked", "layers", "collides_with", "sensor", "fast"});
       allow_keys(node, owner, all);
     };
     if (type.text == "sphere") {
@@ -185,6 +188,17 @@ class WorldReader : private JsonFields {
     if (node.text == "kinematic") return BodyMotion::kinematic;
     if (node.text == "fixed") return BodyMotion::fixed;
     fail(node, "unknown motion " + in_quotes(node.text) + "; there are dynamic, kinematic, fixed");
+  }
+
+  std::optional<std::uint32_t> maybe_layers(const JsonNode& object, std::string_view key) const {
+    const JsonNode* const node = find(object, key);
+    if (node == nullptr) return std::nullopt;
+    expect(*node, Kind::array, std::string(key));
+    std::uint32_t layers = 0;
+    for (const JsonNode& item : node->items) {
+      layers |= std::uint32_t{1} << whole(item, "a layer of " + std::string(key), 0, 31);
+    }
+    return layers;
   }
 
   std::uint8_t locks(const JsonNode& node) const {

@@ -275,6 +275,10 @@ TEST_CASE("detent simulate: what is wrong with a world is named by line, and not
       "{\"bodies\": [\n{\"type\": \"sphere\", \"center\": [0, 1, 2], \"radius\": 1,\n"
       "\"locked\": [\"w\"]}]}",
       "3:12: unknown axis \"w\"; there are x, y, z, turn_x, turn_y, turn_z, turn");
+  refused(
+      "{\"bodies\": [\n{\"type\": \"sphere\", \"center\": [0, 1, 2], \"radius\": 1,\n"
+      "\"layers\": [32]}]}",
+      "3:12: a layer of layers is not a whole number from 0 to 31;");
   refused("{\"bodies\": [" + ball + "], \"joints\": [\n{\"type\": \"glue\"}]}",
           "2:10: unknown joint \"glue\"; there are distance, ball, hinge, weld, slider, wheel");
   refused("{\"bodies\": [" + ball +
@@ -291,6 +295,33 @@ TEST_CASE("detent simulate: what is wrong with a world is named by line, and not
           "2:38: unknown key \"limits\" in the ball joint; it may have type, a, b, at,");
   refused("{\"dimension\": 2, \"bodies\": [],\n\"camera\": {\"center\": [0, 0], \"height\": 0}}",
           "2:40: height must be more than 0; 20 is usual");
+}
+
+TEST_CASE("detent simulate: layers say what meets, and fast bodies pass no plate") {
+  const Workshop shop;
+  shop.write("layers.json", R"({"dimension": 2, "bodies": [
+    {"type": "aabb", "min": [-60, -1], "max": [60, 0], "motion": "fixed"},
+    {"type": "aabb", "min": [10, 0], "max": [10.02, 8], "motion": "fixed"},
+    {"id": "meets", "type": "sphere", "center": [0, 1], "radius": 0.5, "layers": [1]},
+    {"id": "falls", "type": "sphere", "center": [3, 1], "radius": 0.5, "layers": [2],
+     "collides_with": [2, 31]},
+    {"id": "shell", "type": "sphere", "center": [5, 3], "radius": 0.05, "velocity": [500, 0]},
+    {"id": "bullet", "type": "sphere", "center": [5, 5], "radius": 0.05, "velocity": [500, 0],
+     "fast": true}]})");
+  const auto result = shop.run("simulate layers.json --ticks 60 --every 60 --bodies");
+  INFO(result.out << result.err);
+  REQUIRE(result.code == 0);
+  const auto at = [&](const std::string& name) {
+    for (const auto& line : lines_of(result.out)) {
+      if (line.starts_with("{\"body\": \"" + name + '"')) return position_in(line);
+    }
+    FAIL(name);
+    return std::array<double, 3>{};
+  };
+  CHECK(at("meets")[1] > 0.4);
+  CHECK(at("falls")[1] < -1);
+  CHECK(at("shell")[0] > 11);
+  CHECK(at("bullet")[0] < 10);
 }
 
 TEST_CASE("detent simulate: wrong options and snapshots are refused, and nothing is written") {
