@@ -428,6 +428,8 @@ void time_snapshots(const Plan& plan) {
   for (int i = 0; i < 300; ++i) stage.world.step();
   auto saved = stage.world;
   auto bytes = snapshot(stage.world);
+  std::span<const SolidHull<q16_16, 3>> hulls;
+  if (stage.solid) hulls = {&*stage.solid, 1};
   double copy = 1e9, save = 1e9, load = 1e9;
   for (int i = 0; i < 50; ++i) {
     double start = now();
@@ -438,9 +440,7 @@ void time_snapshots(const Plan& plan) {
     snapshot(stage.world, std::span<std::byte>(bytes));
     save = std::min(save, now() - start);
     start = now();
-    const SolidHull<q16_16, 3>* const solids[] = {&*stage.solid};
-    static_cast<void>(solids);
-    if (restore(stage.world, bytes) != Restored::yes) std::abort();
+    if (restore(stage.world, bytes, hulls) != Restored::yes) std::abort();
     load = std::min(load, now() - start);
   }
   std::printf("%s,%zu contacts,%zu bytes,copy and back %.1f us,snapshot %.1f us,restore %.1f us\n",
