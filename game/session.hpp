@@ -11,11 +11,12 @@ namespace slingshot {
 inline constexpr std::size_t most_spectators = 4;
 
 /// Two or four players who guess up to 8 frames ahead. The evidence lets a desync be named after half
-/// a second of delay; who comes late gets a snapshot.
+/// a second of delay; who comes late gets a snapshot. A spectator may fall behind by 17 s.
 inline constexpr detent::SessionLimits limits{.players = most_players,
                                               .peers = most_players + most_spectators,
                                               .prediction = 8,
                                               .evidence = 30,
+                                              .history = 1024,
                                               .packet = 512,
                                               .snapshot = snapshot_room};
 using Session = detent::Session<Match, Pad, limits>;
