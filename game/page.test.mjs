@@ -3,10 +3,11 @@
 // usage: node page.test.mjs FOLDER [FRAMES]
 // Plays the page that game/build made in FOLDER, in Chromium: two machines in one page, then two
 // pages and the relay, with lost packets, then a match of four, who are two pages and the programs of
-// game/check for this machine and a big-endian one; players leave and come back, and others watch; it breaks a bit, saves and
-// opens a replay, plays by keyboard and mouse, and goes offline; and it looks into the two other rooms. Pictures go to FOLDER. Most of it runs at several
-// times the speed: pages then draw once in four seconds, and drawing without a GPU takes long. With
-// FRAMES only the match of four is played, for so long.
+// game/check for this machine and a big-endian one; players leave and come back, and others watch; it
+// breaks a bit, saves and drops a replay, plays by keyboard, mouse and touch, and goes offline; and it
+// looks into the two other rooms. Pictures go to FOLDER. Most of it runs at several times the speed:
+// pages then draw once in four seconds, and drawing without a GPU takes long. With FRAMES only the
+// match of four is played, for so long.
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -53,6 +54,16 @@ async function untilPlayed(page, frames) {
   await page.waitForFunction((n) => slingshot.milestones()[n], frames, { polling: isLong ? 1000 : 50 });
   const digests = await page.evaluate(() => slingshot.milestones());
   return Object.fromEntries(Object.entries(digests).filter(([frame]) => frame <= frames));
+}
+
+async function drop(page, file) {
+  const dataTransfer = await page.evaluateHandle((bytes) => {
+    const data = new DataTransfer();
+    data.items.add(new File([new Uint8Array(bytes)], 'match.dtnr'));
+    return data;
+  }, [...readFileSync(file)]);
+  await page.dispatchEvent('body', 'dragover', { dataTransfer });
+  await page.dispatchEvent('body', 'drop', { dataTransfer });
 }
 
 // A match of four: two pages, and two programs.
@@ -153,20 +164,19 @@ async function playAll() {
     await alone.screenshot({ path: `${folder}alone.png` });
   });
 
-  await check('a replay is saved, opened and plays to the same digests', async () => {
+  await check('a replay is saved, dropped on the page and plays to the same digests', async () => {
     const [download] = await Promise.all([alone.waitForEvent('download'), alone.click('#save')]);
     const file = join(profile, 'match.dtnr');
     await download.saveAs(file);
     const frames = Number(/-(\d+)\.dtnr$/.exec(download.suggestedFilename())[1]);
     assert.ok(frames >= 3000);
-    await alone.setInputFiles('#open', file);
+    await drop(alone, file);
     await alone.waitForFunction(() => document.getElementById('notice').textContent.includes('over'));
     const said = await alone.textContent('#notice');
     assert.equal(Number(/(\d+) frames, all digests equal/.exec(said)?.[1]), frames);
     const bytes = readFileSync(file);
     bytes[0] ^= 1;
     writeFileSync(file, bytes);
-    await alone.setInputFiles('#open', []);
     await alone.setInputFiles('#open', file);
     await alone.waitForFunction(() => document.getElementById('notice').textContent.includes('no replay'));
   });
@@ -227,7 +237,7 @@ async function playAll() {
 
   await playFour();
 
-  await check('it is played by keyboard, mouse and labelled sliders', async () => {
+  await check('it is played by keyboard, mouse, touch and labelled sliders', async () => {
     const page = await open('seed=3&loss=0&latency=0&speed=2');
     await page.uncheck('#computer');
     const shots = () => page.waitForFunction(() => slingshot.peers[0].match().pieces
@@ -253,6 +263,18 @@ async function playAll() {
     await page.screenshot({ path: `${folder}play.png` });
     assert.ok(Math.abs(await angle() - 32) < 1);
     await page.mouse.up();
+    await shots();
+    await isReady();
+    const finger = await browser.newCDPSession(page);
+    await finger.send('Emulation.setTouchEmulationEnabled', { enabled: true });
+    const touch = (type, ...points) => finger.send('Input.dispatchTouchEvent', {
+      type, touchPoints: points.map(([x, y]) => ({ x: box.x + x, y: box.y + y })),
+    });
+    await touch('touchStart', [200, 100]);
+    await touch('touchMove', [160, 140]);
+    await touch('touchMove', [150, 150]);
+    assert.ok(Math.abs(await angle() - 45) < 1);
+    await touch('touchEnd');
     await shots();
     const unnamed = await page.evaluate(() => [...document.querySelectorAll('input, button, canvas[role]')]
       .filter((each) => !(each.labels?.length || each.textContent.trim() || each.ariaLabel)).map((each) => each.id));
