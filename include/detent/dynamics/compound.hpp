@@ -33,6 +33,7 @@ class BodyPart {
  public:
   using Shape = detail::OneOf<Sphere<S, N>, Capsule<S, N>, Aabb<S, N>, Obb<S, N>, BodyHull<S, N>>;
 
+  /// A part where the shape is in the compound's frame.
   template <detail::Among<Sphere<S, N>, Capsule<S, N>, Aabb<S, N>, Obb<S, N>, BodyHull<S, N>> Part>
   explicit constexpr BodyPart(const Part& shape, const PartOptions<S>& options = {}) noexcept
       : options_(options) {
