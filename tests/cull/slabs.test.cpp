@@ -245,7 +245,7 @@ TEMPLATE_TEST_CASE("slabs: eight planes at a time lose no part of a way, and kee
     REQUIRE(slab.is_backward() == back);
     REQUIRE(same.is_backward() == back);
 
-    // Eight slabs that it touches, each at another distance, from up to a step beside its start.
+    // Eight slabs that it touches, each at another distance, from up to a step from its start.
     std::array<std::int64_t, 8> distances{};
     Planes lower{}, upper{}, enter{}, leave{}, enter_same{}, leave_same{};
     for (std::size_t k = 0; k < 8; ++k) {

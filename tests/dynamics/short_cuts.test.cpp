@@ -45,9 +45,9 @@ TEST_CASE("sums of long products are rounded once") {
   check_dots<F::Response, F::Moment, F::Gyration>(random);
 }
 
-TEST_CASE("sums that end just beside a tie are rounded by all of their bits") {
+TEST_CASE("sums that end just next to a tie are rounded by all of their bits") {
   using Long = F::FineSpin;
-  // 2^-30 * (2^29 + 2^22) and less or more by one step of the product: ties of 2^-44 and beside
+  // 2^-30 * (2^29 + 2^22) and less or more by one step of the product: ties of 2^-44 and next to
   const Vec<F::Ratio, 3> a{F::Ratio::assume_raw(1), F::Ratio::assume_raw(1),
                            F::Ratio::assume_raw(-1)};
   for (std::int64_t whole = -5; whole <= 5; ++whole) {
