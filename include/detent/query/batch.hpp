@@ -7,7 +7,8 @@
 //   raycast_each(ray, shapes, answers)     answers[i] = raycast(ray, shapes[i])
 //   raycast_any(rays, shape)            -> bool
 //   raycast_each(rays, shape, answers)
-// where `shapes` is a ShapeBatch and `rays` a RayBatch.
+// where `shapes` is a ShapeBatch and `rays` a RayBatch. Queries only read: any number of threads may
+// share a batch.                                                   (tests/scene/threads.cpp)
 
 #include "detent/query/batch/bounds.hpp"
 #include "detent/query/batch/rays.hpp"

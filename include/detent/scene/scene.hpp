@@ -44,6 +44,9 @@ namespace detent {
 ///
 /// A filter takes an `ObjectInfo` (for pairs two of them) and returns whether the object counts.
 ///
+/// Any number of threads may call const functions at once, while none changes the scene
+/// (tests/scene/threads.cpp).
+///
 /// exact:  the results of the queries on single shapes
 ///         (tests/scene/history.test.cpp, tests/scene/cast.test.cpp)
 template <class Storage, Scalar S, int N, class... Shapes>

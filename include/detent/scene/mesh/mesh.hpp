@@ -24,7 +24,8 @@ using MeshNode = StaticNode<S, 3>;
 /// storage. `build_mesh` makes one; `OwnedMesh` owns its storage.
 ///
 /// Results are those of a loop over all triangles, each decided exactly, so nothing slips between
-/// two that share an edge. The shape of the tree never shows.
+/// two that share an edge. The shape of the tree never shows. Queries only read: any number of
+/// threads may share a mesh (tests/scene/threads.cpp).
 template <Scalar S>
 struct Mesh {
   StaticTree<S, 3> tree;
