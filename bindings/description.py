@@ -3,7 +3,7 @@
 
 The file is C99 but for lines that begin with @: text between @each and @end stands once for each
 dimension, where {N} is the dimension, {x} the coordinates, {A} how many numbers an angular velocity
-has and {C} how many points a contact has; @generated and @layouts are written by `generate`.
+has, {C} how many points a contact has and {M} is one less than the dimension; @generated and @layouts are written by `generate`.
 """
 import re
 from dataclasses import dataclass, field
@@ -59,7 +59,7 @@ def expand(text):
         parts = []
         for n, x, a, c in ((2, 'x, y', 1, 2), (3, 'x, y, z', 3, 4)):
             parts.append(match[1].replace('{N}', str(n)).replace('{x}', x).replace('{A}', str(a))
-                         .replace('{C}', str(c)))
+                         .replace('{C}', str(c)).replace('{M}', str(n - 1)))
         return ''.join(parts)
     return re.sub(r'@each\n(.*?)@end\n', both, text, flags=re.S)
 

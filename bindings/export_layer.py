@@ -3,7 +3,7 @@
 import re
 
 GROUPS = (('scene', 'scenes', 'Scenes'), ('world', 'worlds', 'Worlds'), ('body', 'worlds', 'Worlds'),
-          ('joint', 'worlds', 'Worlds'), ('hull', 'scenes', 'Hulls'), ('solid', 'worlds', 'Solids'), ('mover', 'movers', 'Movers'),
+          ('joint', 'worlds', 'Worlds'), ('hull', 'scenes', 'Hulls'), ('solid', 'worlds', 'Solids'), ('part', 'worlds', 'Compounds'), ('compound', 'worlds', 'Compounds'), ('mover', 'movers', 'Movers'),
           ('session', 'sessions', 'Sessions'), ('replay', 'sessions', 'Replays'))
 # Single functions that have a source for a few of them.
 OTHERS = {'contact': ('pairs', 'Pairs'), 'closest_points': ('closest', 'Closest'),

@@ -10,6 +10,12 @@ def pascal(name):
     return ''.join(part.capitalize() for part in name.replace('detent_', '').split('_'))
 
 
+def has_union(description, struct):
+    """Itself or in a field: then Rust cannot compare or print it."""
+    inner = [description.structs.get(one.type) for one in struct.fields]
+    return bool(struct.union) or any(one and has_union(description, one) for one in inner)
+
+
 def files(description, note):
     lines = ['// SPDX-License-Identifier: MIT', f'// {note}', '//! The C interface as it is.', '',
              '#![allow(missing_docs)]', '', 'use std::os::raw::{c_char, c_void};', '']
@@ -37,7 +43,7 @@ def files(description, note):
             lines += [field(one) for one in struct.union]
             lines += ['}', '', '#[repr(C)]']
         default = '' if struct.name == 'detent_traits' else 'Default, '  # lib.rs has a better one
-        lines.append('#[derive(Clone, Copy)]' if struct.union else
+        lines.append('#[derive(Clone, Copy)]' if has_union(description, struct) else
                      f'#[derive(Clone, Copy, Debug, {default}PartialEq, Eq)]')
         lines += [f'/// {struct.doc}', f'pub struct {name} {{']
         lines += [field(one) for one in struct.fields]

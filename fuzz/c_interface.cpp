@@ -43,7 +43,7 @@ class Caller {
     if (source_.below(8) != 7) {
       for (const std::size_t which : {0, 13, 2, 33, 13, 33, 4}) check(call(which));
     }
-    while (!source_.rest().empty()) check(call(source_.below(70)));
+    while (!source_.rest().empty()) check(call(source_.below(73)));
     std::uint32_t count = 0;
     check(detent_count(&context_, &count));
     require(detent_close(&context_) == DETENT_OK, [] { return "it does not close"; });
@@ -57,6 +57,7 @@ class Caller {
  private:
   static constexpr std::uint32_t room = 4;
   static constexpr std::uint8_t guard = 0xa7;
+  static constexpr std::size_t compound_kind = 12, session_kind = 14, replay_kind = 16;
 
   /// A list with room for four, and a guard behind them.
   template <class T>
@@ -118,8 +119,11 @@ class Caller {
   }
   detent_shape3 shape3() {
     detent_shape3 shape{};
-    shape.kind = static_cast<std::uint32_t>(source_.below(13));
-    shape.asset = handle(shape.kind == DETENT_MESH ? 5 : shape.kind == DETENT_HULL ? 7 : 8);
+    shape.kind = static_cast<std::uint32_t>(source_.below(14));
+    shape.asset = handle(shape.kind == DETENT_MESH       ? 5
+                         : shape.kind == DETENT_HULL     ? 7
+                         : shape.kind == DETENT_COMPOUND ? compound_kind
+                                                         : 8);
     if (shape.kind == DETENT_HULL && source_.below(2) == 1) shape.asset = handle(10);
     switch (shape.kind) {
       case DETENT_OBB:
@@ -130,6 +134,7 @@ class Caller {
         break;
       case DETENT_HULL:
       case DETENT_MESH:
+      case DETENT_COMPOUND:
         shape.as.placed = {vec3(), rotation3(), source_.below(2) == 0 ? 65536 : number()};
         break;
       default:
@@ -150,7 +155,7 @@ class Caller {
     }
     return shape;
   }
-  /// Mostly the last handle of a kind (the lowest four bits of each); now and then an earlier one, one of
+  /// Mostly the last handle of a kind (the lowest five bits of each); now and then an earlier one, one of
   /// another kind, or any number.
   detent_handle handle(std::size_t kind) {
     const auto choice = source_.below(32);
@@ -201,7 +206,7 @@ class Caller {
     const auto status = make(or_null(&made));
     if (made != 0) {
       handles_[next_handle_++ % handles_.size()] = made;
-      last_[made & 15] = made;
+      last_[made & 31] = made;
     }
     return status;
   }
@@ -284,7 +289,7 @@ class Caller {
       case 11:
         return detent_world2_destroy(context, handle(3));
       case 12:
-        return detent_asset_destroy(context, handle(5 + source_.below(4)));
+        return detent_asset_destroy(context, handle(5 + source_.below(8)));
       case 13:
       case 14:
       case 15: {
@@ -388,6 +393,7 @@ class Caller {
         detent_body3_options options{};
         detent_body3_default_options(&options);
         options.motion = static_cast<std::uint32_t>(source_.below(16)) / 5;
+        options.is_fast = static_cast<std::uint32_t>(source_.below(16)) / 7;
         if (source_.below(16) == 15) options.density = number();
         if (source_.below(16) == 15) options.friction = number();
         if (source_.below(16) == 15) options.restitution = number();
@@ -569,36 +575,36 @@ class Caller {
         const auto status = create([&](auto* out) {
           return detent_session3_create(context, or_null(&settings), world, out);
         });
-        take_world(detent_session3_world, context, 12);
+        take_world(detent_session3_world, context, session_kind);
         return status;
       }
       case 61: {
         List<std::array<std::uint8_t, 32>> inputs;
         const std::uint8_t pad[16] = {source_.byte()};
         detent_frame frame{};
-        const auto status = detent_session3_begin_frame(context, handle(12), or_null(pad),
+        const auto status = detent_session3_begin_frame(context, handle(session_kind), or_null(pad),
                                                         or_null(&frame), or_null(&inputs.items));
         inputs.check();
         return status;
       }
       case 62:
-        return detent_session3_end_frame(context, handle(12));
+        return detent_session3_end_frame(context, handle(session_kind));
       case 63: {
         std::array<std::uint8_t, DETENT_PACKET> packet{};
         std::uint32_t peer = 0, size = 0;
         now_ += source_.byte() * std::uint64_t{1000};
-        check(detent_session3_packet(context, handle(12), now_, or_null(&peer),
+        check(detent_session3_packet(context, handle(session_kind), now_, or_null(&peer),
                                      or_null(packet.data()), DETENT_PACKET, or_null(&size)));
         // To another session, or back to where it came from; now and then with another byte.
         if (source_.below(4) == 3) packet[source_.word(2) % DETENT_PACKET] ^= source_.byte();
-        return detent_session3_receive(context, handle(12), peer ^ 1, or_null(packet.data()), size,
-                                       now_);
+        return detent_session3_receive(context, handle(session_kind), peer ^ 1,
+                                       or_null(packet.data()), size, now_);
       }
       case 64: {
         List<char> name;
         detent_session_event event{};
         detent_session_status status{};
-        const auto session = handle(12);
+        const auto session = handle(session_kind);
         check(detent_session3_status(context, session, or_null(&status)));
         check(detent_session3_matched(context, session, layers, or_null(&count)));
         check(detent_session3_is_awaited(context, session, layers));
@@ -608,13 +614,13 @@ class Caller {
         return result;
       }
       case 65: {
-        const auto session = handle(12);
+        const auto session = handle(session_kind);
         if (source_.below(4) == 3) check(detent_session3_pause(context, session, layers % 3));
         if (source_.below(4) == 3) check(detent_session3_drop(context, session, layers % 3));
         return source_.below(4) == 3 ? detent_session3_destroy(context, session) : DETENT_OK;
       }
       case 66: {
-        save(detent_session3_replay, context, 12);
+        save(detent_session3_replay, context, session_kind);
         const auto world = handle(4);
         const auto size = static_cast<std::uint32_t>(source_.below(5));
         const auto words = static_cast<std::uint32_t>(source_.below(3));
@@ -622,14 +628,14 @@ class Caller {
           return detent_replay3_create(context, or_null(saved()), saved_size_, world, size, words,
                                        out);
         });
-        take_world(detent_replay3_world, context, 14);
+        take_world(detent_replay3_world, context, replay_kind);
         return status;
       }
       case 67: {
         List<std::array<std::uint8_t, 32>> inputs;
         detent_frame frame{};
         detent_replay_check result{};
-        const auto replay = handle(14);
+        const auto replay = handle(replay_kind);
         check(detent_replay3_begin_frame(context, replay, or_null(&frame), or_null(&inputs.items)));
         inputs.check();
         if (source_.below(4) != 3) check(detent_replay3_end_frame(context, replay));
@@ -653,6 +659,34 @@ class Caller {
             diff(context, a, b, layers % 4, or_null(names.items.data()), room, or_null(&count));
         names.check();
         return status;
+      }
+      case 70: {
+        detent_part3 parts[2] = {};
+        for (auto& part : parts) {
+          check(detent_part3_defaults(or_null(&part)));
+          part.shape = shape3();
+          if (source_.below(4) != 3) part.shape.kind = DETENT_SPHERE;
+          if (source_.below(8) == 7) part.density = number();
+          if (source_.below(8) == 7) part.friction = number();
+          if (source_.below(8) == 7) part.is_sensor = static_cast<std::uint32_t>(source_.below(3));
+        }
+        const auto name = static_cast<std::uint32_t>(source_.below(4));
+        const auto size = static_cast<std::uint32_t>(source_.below(3));
+        return create([&](auto* out) {
+          return detent_compound3_create(context, name, or_null(parts), size, out);
+        });
+      }
+      case 71: {
+        const auto shape = shape3();
+        auto where = id();
+        where.index &= 0xffff;
+        const auto world = handle(4);
+        return detent_world3_add_as(context, world, where, or_null(&shape), nullptr);
+      }
+      case 72: {
+        detent_transform3 frame{};
+        const auto world = handle(4);
+        return detent_world3_frame(context, world, id(), or_null(&frame));
       }
       default:
         check(detent_world3_size(context, handle(4), or_null(&count)));
@@ -690,7 +724,7 @@ class Caller {
   Source source_;
   detent_context context_{};
   std::array<detent_handle, 4> handles_{};
-  std::array<detent_handle, 16> last_{};
+  std::array<detent_handle, 32> last_{};
   std::array<detent_id, 4> ids_{};
   std::size_t next_handle_ = 0, next_id_ = 0;
   std::array<std::uint8_t, 4096> saved_{};

@@ -63,8 +63,9 @@ enum {
   DETENT_SEGMENT = 7,     /**< in queries only: not an object of scenes */
   DETENT_POINT = 8,       /**< in queries of scenes only */
   DETENT_HULL = 9,        /**< in scenes: a hull, transformed by `placed`; in worlds a solid hull */
-  DETENT_MESH = 10,       /**< in scenes only, in 3D */
-  DETENT_HEIGHT_FIELD = 11 /**< in scenes only, in 3D: moved by `point`, not turned */
+  DETENT_MESH = 10,       /**< in scenes and worlds, in 3D */
+  DETENT_HEIGHT_FIELD = 11, /**< in scenes and worlds, in 3D: moved by `point`, not turned */
+  DETENT_COMPOUND = 12    /**< in worlds only: several shapes that move as one, placed by `placed` */
 };
 
 /** How an object of a scene takes part: fixed ones are the level, and not in snapshots. */
@@ -163,11 +164,13 @@ typedef struct detent_pair {
   detent_id second;
 } detent_pair;
 
-/** A pair of bodies that began (1) or ended (0) to touch in the last step. */
+/** A pair of bodies that began (1) or ended (0) to touch in the last step; of compounds a pair of parts. */
 typedef struct detent_touch {
   detent_id a;
   detent_id b;
   uint32_t begins;
+  uint32_t part_a; /**< the number of the part of a compound; 0 for other bodies */
+  uint32_t part_b;
 } detent_touch;
 
 /** An object that a query found, and its distance in steps of 2^-16. */
@@ -469,8 +472,19 @@ typedef struct detent_body2_options {
   int32_t gravity_scale; /**< of the world's gravity; 65536 is all of it */
   uint32_t locked;       /**< DETENT_LOCK_X | ... */
   uint32_t is_sensor;    /**< 1: touches are reported, and push nobody */
-  uint32_t reserved[2]; /**< not read; no compiler has to add bytes of its own */
+  uint32_t is_fast;      /**< 1: it never passes through others, however fast */
+  uint32_t reserved[1]; /**< not read; no compiler has to add bytes of its own */
 } detent_body2_options;
+
+/** A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is
+ *  made of, in steps of 2^-16. Start from `detent_part2_defaults`. */
+typedef struct detent_part2 {
+  detent_shape2 shape;
+  int32_t density;     /**< 0: the part adds no mass */
+  int32_t friction;
+  int32_t restitution;
+  uint32_t is_sensor;  /**< 1: its touches are reported, and push nobody */
+} detent_part2;
 
 /** A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those
  *  of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a
@@ -706,8 +720,19 @@ typedef struct detent_body3_options {
   int32_t gravity_scale; /**< of the world's gravity; 65536 is all of it */
   uint32_t locked;       /**< DETENT_LOCK_X | ... */
   uint32_t is_sensor;    /**< 1: touches are reported, and push nobody */
-  uint32_t reserved[3]; /**< not read; no compiler has to add bytes of its own */
+  uint32_t is_fast;      /**< 1: it never passes through others, however fast */
+  uint32_t reserved[2]; /**< not read; no compiler has to add bytes of its own */
 } detent_body3_options;
+
+/** A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is
+ *  made of, in steps of 2^-16. Start from `detent_part3_defaults`. */
+typedef struct detent_part3 {
+  detent_shape3 shape;
+  int32_t density;     /**< 0: the part adds no mass */
+  int32_t friction;
+  int32_t restitution;
+  uint32_t is_sensor;  /**< 1: its touches are reported, and push nobody */
+} detent_part3;
 
 /** A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those
  *  of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a
@@ -781,7 +806,8 @@ DETENT_API detent_status detent_height_field_create(detent_context* context, uin
                                                     uint32_t columns, uint32_t rows,
                                                     const int32_t* heights, detent_handle* field);
 
-/** Destroys a mesh, hull or height field. DETENT_IN_USE while an object of a scene refers to it. */
+/** Destroys a mesh, hull, height field or compound. DETENT_IN_USE while an object, a body or a compound
+ *  refers to it, or a session is there that might. */
 DETENT_API detent_status detent_asset_destroy(detent_context* context, detent_handle asset);
 
 /** Whether the ray touches the shape, and where. `hit` may be null. For the kinds from DETENT_SPHERE to
@@ -855,6 +881,18 @@ DETENT_API detent_status detent_hull2_create(detent_context* context, uint32_t i
 DETENT_API detent_status detent_solid2_create(detent_context* context, uint32_t id,
                                                 const detent_vec2* points, uint32_t count,
                                                 detent_handle* solid);
+
+/** A part that is a point without mass yet: density 1, friction 3/5, no restitution, no sensor. Set its
+ *  shape. */
+DETENT_API detent_status detent_part2_defaults(detent_part2* part);
+
+/** A compound of 1 to 65536 parts, for bodies of worlds: they keep their places to each other, and their
+ *  common centre of mass is the place of such a body. Where parts overlap, masses add. At most 256 a
+ *  context. Copies the parts, and keeps their solid hulls in use. DETENT_NO_QUERY for other kinds of shape.
+ *  `id` as for meshes. */
+DETENT_API detent_status detent_compound2_create(detent_context* context, uint32_t id,
+                                                   const detent_part2* parts, uint32_t count,
+                                                   detent_handle* compound);
 
 /** An empty scene, for all kinds of shape but segments and points. */
 DETENT_API detent_status detent_scene2_create(detent_context* context, detent_handle* scene);
@@ -1027,11 +1065,19 @@ DETENT_API detent_status detent_world2_create(detent_context* context,
 /** Destroys a world. */
 DETENT_API detent_status detent_world2_destroy(detent_context* context, detent_handle world);
 
-/** Adds a body: a sphere, AABB, OBB, capsule or solid hull, whose `placed` must have the scale 65536.
- *  `options` may be null: the ordinary ones. */
+/** Adds a body: a sphere, AABB, OBB, capsule, solid hull or compound; in 3D also a mesh or height field,
+ *  which are fixed or kinematic, whatever the options say. Where it has `placed`, the scale must be 65536.
+ *  `options` may be null: the ordinary ones; density, friction and restitution of compounds are those of
+ *  their parts. */
 DETENT_API detent_status detent_world2_add(detent_context* context, detent_handle world,
                                              const detent_shape2* shape,
                                              const detent_body2_options* options, detent_id* id);
+
+/** Adds a body with an id of the caller's, such as one that was removed. DETENT_NO if its index is taken or
+ *  too large, or the generation 0 or 2^32 - 1. */
+DETENT_API detent_status detent_world2_add_as(detent_context* context, detent_handle world,
+                                                detent_id id, const detent_shape2* shape,
+                                                const detent_body2_options* options);
 
 /** Removes a body and wakes those that touched it. DETENT_NO if there is none with this id. */
 DETENT_API detent_status detent_world2_remove(detent_context* context, detent_handle world,
@@ -1048,6 +1094,12 @@ DETENT_API detent_status detent_world2_body(const detent_context* context, deten
 DETENT_API detent_status detent_world2_bodies(const detent_context* context, detent_handle world,
                                                 const detent_id* ids, uint32_t count,
                                                 detent_body2* bodies);
+
+/** Where the frame is in which the points of a hull, the parts of a compound or the triangles of a surface
+ *  were given, rounded to nearest, with the scale 65536; of other shapes that of the body. DETENT_NO if
+ *  there is none with this id. */
+DETENT_API detent_status detent_world2_frame(const detent_context* context, detent_handle world,
+                                               detent_id id, detent_transform2* frame);
 
 /** Sets the velocity of a body, per second, and wakes it. Nothing happens to fixed bodies. */
 DETENT_API detent_status detent_world2_set_velocity(detent_context* context, detent_handle world,
@@ -1145,9 +1197,8 @@ DETENT_API detent_status detent_world2_snapshot(const detent_context* context,
                                                   detent_handle world, void* bytes, uint32_t room,
                                                   uint32_t* size);
 
-/** Makes the world the one of a snapshot taken with the same settings and fixed bodies, whose solid hulls
- *  the context has. Any bytes are
- *  safe; on an error the world is unchanged. */
+/** Makes the world the one of a snapshot taken with the same settings and fixed bodies, whose assets the
+ *  context has. Any bytes are safe; on an error the world is unchanged. */
 DETENT_API detent_status detent_world2_restore(detent_context* context, detent_handle world,
                                                  const void* bytes, uint32_t size);
 
@@ -1164,7 +1215,7 @@ DETENT_API detent_status detent_scene2_diff(const detent_context* context, deten
                                               uint32_t room, uint32_t* size);
 
 /** A session of a match that all peers start from equal worlds: copies of `world`. Until it is
- *  destroyed no solid hull of this dimension can be. */
+ *  destroyed no asset that its bodies can have can be. */
 DETENT_API detent_status detent_session2_create(detent_context* context,
                                                   const detent_session_settings* settings,
                                                   detent_handle world, detent_handle* session);
@@ -1346,6 +1397,18 @@ DETENT_API detent_status detent_solid3_create(detent_context* context, uint32_t 
                                                 const detent_vec3* points, uint32_t count,
                                                 detent_handle* solid);
 
+/** A part that is a point without mass yet: density 1, friction 3/5, no restitution, no sensor. Set its
+ *  shape. */
+DETENT_API detent_status detent_part3_defaults(detent_part3* part);
+
+/** A compound of 1 to 65536 parts, for bodies of worlds: they keep their places to each other, and their
+ *  common centre of mass is the place of such a body. Where parts overlap, masses add. At most 256 a
+ *  context. Copies the parts, and keeps their solid hulls in use. DETENT_NO_QUERY for other kinds of shape.
+ *  `id` as for meshes. */
+DETENT_API detent_status detent_compound3_create(detent_context* context, uint32_t id,
+                                                   const detent_part3* parts, uint32_t count,
+                                                   detent_handle* compound);
+
 /** An empty scene, for all kinds of shape but segments and points. */
 DETENT_API detent_status detent_scene3_create(detent_context* context, detent_handle* scene);
 
@@ -1517,11 +1580,19 @@ DETENT_API detent_status detent_world3_create(detent_context* context,
 /** Destroys a world. */
 DETENT_API detent_status detent_world3_destroy(detent_context* context, detent_handle world);
 
-/** Adds a body: a sphere, AABB, OBB, capsule or solid hull, whose `placed` must have the scale 65536.
- *  `options` may be null: the ordinary ones. */
+/** Adds a body: a sphere, AABB, OBB, capsule, solid hull or compound; in 3D also a mesh or height field,
+ *  which are fixed or kinematic, whatever the options say. Where it has `placed`, the scale must be 65536.
+ *  `options` may be null: the ordinary ones; density, friction and restitution of compounds are those of
+ *  their parts. */
 DETENT_API detent_status detent_world3_add(detent_context* context, detent_handle world,
                                              const detent_shape3* shape,
                                              const detent_body3_options* options, detent_id* id);
+
+/** Adds a body with an id of the caller's, such as one that was removed. DETENT_NO if its index is taken or
+ *  too large, or the generation 0 or 2^32 - 1. */
+DETENT_API detent_status detent_world3_add_as(detent_context* context, detent_handle world,
+                                                detent_id id, const detent_shape3* shape,
+                                                const detent_body3_options* options);
 
 /** Removes a body and wakes those that touched it. DETENT_NO if there is none with this id. */
 DETENT_API detent_status detent_world3_remove(detent_context* context, detent_handle world,
@@ -1538,6 +1609,12 @@ DETENT_API detent_status detent_world3_body(const detent_context* context, deten
 DETENT_API detent_status detent_world3_bodies(const detent_context* context, detent_handle world,
                                                 const detent_id* ids, uint32_t count,
                                                 detent_body3* bodies);
+
+/** Where the frame is in which the points of a hull, the parts of a compound or the triangles of a surface
+ *  were given, rounded to nearest, with the scale 65536; of other shapes that of the body. DETENT_NO if
+ *  there is none with this id. */
+DETENT_API detent_status detent_world3_frame(const detent_context* context, detent_handle world,
+                                               detent_id id, detent_transform3* frame);
 
 /** Sets the velocity of a body, per second, and wakes it. Nothing happens to fixed bodies. */
 DETENT_API detent_status detent_world3_set_velocity(detent_context* context, detent_handle world,
@@ -1635,9 +1712,8 @@ DETENT_API detent_status detent_world3_snapshot(const detent_context* context,
                                                   detent_handle world, void* bytes, uint32_t room,
                                                   uint32_t* size);
 
-/** Makes the world the one of a snapshot taken with the same settings and fixed bodies, whose solid hulls
- *  the context has. Any bytes are
- *  safe; on an error the world is unchanged. */
+/** Makes the world the one of a snapshot taken with the same settings and fixed bodies, whose assets the
+ *  context has. Any bytes are safe; on an error the world is unchanged. */
 DETENT_API detent_status detent_world3_restore(detent_context* context, detent_handle world,
                                                  const void* bytes, uint32_t size);
 
@@ -1654,7 +1730,7 @@ DETENT_API detent_status detent_scene3_diff(const detent_context* context, deten
                                               uint32_t room, uint32_t* size);
 
 /** A session of a match that all peers start from equal worlds: copies of `world`. Until it is
- *  destroyed no solid hull of this dimension can be. */
+ *  destroyed no asset that its bodies can have can be. */
 DETENT_API detent_status detent_session3_create(detent_context* context,
                                                   const detent_session_settings* settings,
                                                   detent_handle world, detent_handle* session);
@@ -1767,7 +1843,7 @@ DETENT_API detent_status detent_replay3_check(const detent_context* context, det
 /* Every field has a fixed size and place, the same in every compiler. */
 typedef char detent_id_has_its_size[sizeof(detent_id) == 8 ? 1 : -1];
 typedef char detent_pair_has_its_size[sizeof(detent_pair) == 16 ? 1 : -1];
-typedef char detent_touch_has_its_size[sizeof(detent_touch) == 20 ? 1 : -1];
+typedef char detent_touch_has_its_size[sizeof(detent_touch) == 28 ? 1 : -1];
 typedef char detent_found_has_its_size[sizeof(detent_found) == 12 ? 1 : -1];
 typedef char detent_impact_has_its_size[sizeof(detent_impact) == 12 ? 1 : -1];
 typedef char detent_session_settings_has_its_size[sizeof(detent_session_settings) == 72 ? 1 : -1];
@@ -1801,6 +1877,7 @@ typedef char detent_mover2_touch_has_its_size[sizeof(detent_mover2_touch) == 24 
 typedef char detent_move2_has_its_size[sizeof(detent_move2) == 224 ? 1 : -1];
 typedef char detent_world2_settings_has_its_size[sizeof(detent_world2_settings) == 32 ? 1 : -1];
 typedef char detent_body2_options_has_its_size[sizeof(detent_body2_options) == 72 ? 1 : -1];
+typedef char detent_part2_has_its_size[sizeof(detent_part2) == 56 ? 1 : -1];
 typedef char detent_joint2_has_its_size[sizeof(detent_joint2) == 108 ? 1 : -1];
 typedef char detent_body2_has_its_size[sizeof(detent_body2) == 40 ? 1 : -1];
 typedef char detent_vec3_has_its_size[sizeof(detent_vec3) == 12 ? 1 : -1];
@@ -1827,6 +1904,7 @@ typedef char detent_mover3_touch_has_its_size[sizeof(detent_mover3_touch) == 32 
 typedef char detent_move3_has_its_size[sizeof(detent_move3) == 300 ? 1 : -1];
 typedef char detent_world3_settings_has_its_size[sizeof(detent_world3_settings) == 36 ? 1 : -1];
 typedef char detent_body3_options_has_its_size[sizeof(detent_body3_options) == 88 ? 1 : -1];
+typedef char detent_part3_has_its_size[sizeof(detent_part3) == 84 ? 1 : -1];
 typedef char detent_joint3_has_its_size[sizeof(detent_joint3) == 156 ? 1 : -1];
 typedef char detent_body3_has_its_size[sizeof(detent_body3) == 76 ? 1 : -1];
 

@@ -20,12 +20,14 @@ public struct Pair {
   public Id second;
 }
 
-/// <summary>A pair of bodies that began (1) or ended (0) to touch in the last step.</summary>
+/// <summary>A pair of bodies that began (1) or ended (0) to touch in the last step; of compounds a pair of parts.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Touch {
   public Id a;
   public Id b;
   public uint begins;
+  public uint part_a;
+  public uint part_b;
 }
 
 /// <summary>An object that a query found, and its distance in steps of 2^-16.</summary>
@@ -357,8 +359,18 @@ public struct Body2Options {
   public int gravity_scale;
   public uint locked;
   public uint is_sensor;
+  public uint is_fast;
   public uint reserved0;
-  public uint reserved1;
+}
+
+/// <summary>A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part2_defaults`.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct Part2 {
+  public Shape2 shape;
+  public int density;
+  public int friction;
+  public int restitution;
+  public uint is_sensor;
 }
 
 /// <summary>A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it.</summary>
@@ -633,9 +645,19 @@ public struct Body3Options {
   public int gravity_scale;
   public uint locked;
   public uint is_sensor;
+  public uint is_fast;
   public uint reserved0;
   public uint reserved1;
-  public uint reserved2;
+}
+
+/// <summary>A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part3_defaults`.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct Part3 {
+  public Shape3 shape;
+  public int density;
+  public int friction;
+  public int restitution;
+  public uint is_sensor;
 }
 
 /// <summary>A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it.</summary>
@@ -705,6 +727,7 @@ public static unsafe class C {
   public const uint HULL = 9;
   public const uint MESH = 10;
   public const uint HEIGHT_FIELD = 11;
+  public const uint COMPOUND = 12;
   public const uint MOVING = 0;
   public const uint FIXED = 1;
   public const uint DYNAMIC_BODY = 0;
@@ -826,6 +849,12 @@ public static unsafe class C {
   public static extern int detent_solid2_create(ContextMemory* context, uint id, Vec2* points, uint count, uint* solid);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_part2_defaults(Part2* part);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_compound2_create(ContextMemory* context, uint id, Part2* parts, uint count, uint* compound);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_scene2_create(ContextMemory* context, uint* scene);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -931,6 +960,9 @@ public static unsafe class C {
   public static extern int detent_world2_add(ContextMemory* context, uint world, Shape2* shape, Body2Options* options, Id* id);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_add_as(ContextMemory* context, uint world, Id id, Shape2* shape, Body2Options* options);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_remove(ContextMemory* context, uint world, Id id);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -941,6 +973,9 @@ public static unsafe class C {
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_bodies(ContextMemory* context, uint world, Id* ids, uint count, Body2* bodies);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world2_frame(ContextMemory* context, uint world, Id id, Transform2* frame);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world2_set_velocity(ContextMemory* context, uint world, Id id, Vec2* velocity);
@@ -1114,6 +1149,12 @@ public static unsafe class C {
   public static extern int detent_solid3_create(ContextMemory* context, uint id, Vec3* points, uint count, uint* solid);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_part3_defaults(Part3* part);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_compound3_create(ContextMemory* context, uint id, Part3* parts, uint count, uint* compound);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_scene3_create(ContextMemory* context, uint* scene);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1219,6 +1260,9 @@ public static unsafe class C {
   public static extern int detent_world3_add(ContextMemory* context, uint world, Shape3* shape, Body3Options* options, Id* id);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_add_as(ContextMemory* context, uint world, Id id, Shape3* shape, Body3Options* options);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_remove(ContextMemory* context, uint world, Id id);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1229,6 +1273,9 @@ public static unsafe class C {
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_bodies(ContextMemory* context, uint world, Id* ids, uint count, Body3* bodies);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_world3_frame(ContextMemory* context, uint world, Id id, Transform3* frame);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_world3_set_velocity(ContextMemory* context, uint world, Id id, Vec3* velocity);
@@ -1366,7 +1413,7 @@ public static unsafe class C {
   public static void CheckSizes() {
     if (sizeof(Id) != 8) throw new TypeLoadException("detent_id");
     if (sizeof(Pair) != 16) throw new TypeLoadException("detent_pair");
-    if (sizeof(Touch) != 20) throw new TypeLoadException("detent_touch");
+    if (sizeof(Touch) != 28) throw new TypeLoadException("detent_touch");
     if (sizeof(Found) != 12) throw new TypeLoadException("detent_found");
     if (sizeof(Impact) != 12) throw new TypeLoadException("detent_impact");
     if (sizeof(SessionSettings) != 72) throw new TypeLoadException("detent_session_settings");
@@ -1400,6 +1447,7 @@ public static unsafe class C {
     if (sizeof(Move2) != 224) throw new TypeLoadException("detent_move2");
     if (sizeof(World2Settings) != 32) throw new TypeLoadException("detent_world2_settings");
     if (sizeof(Body2Options) != 72) throw new TypeLoadException("detent_body2_options");
+    if (sizeof(Part2) != 56) throw new TypeLoadException("detent_part2");
     if (sizeof(Joint2) != 108) throw new TypeLoadException("detent_joint2");
     if (sizeof(Body2) != 40) throw new TypeLoadException("detent_body2");
     if (sizeof(Vec3) != 12) throw new TypeLoadException("detent_vec3");
@@ -1426,6 +1474,7 @@ public static unsafe class C {
     if (sizeof(Move3) != 300) throw new TypeLoadException("detent_move3");
     if (sizeof(World3Settings) != 36) throw new TypeLoadException("detent_world3_settings");
     if (sizeof(Body3Options) != 88) throw new TypeLoadException("detent_body3_options");
+    if (sizeof(Part3) != 84) throw new TypeLoadException("detent_part3");
     if (sizeof(Joint3) != 156) throw new TypeLoadException("detent_joint3");
     if (sizeof(Body3) != 76) throw new TypeLoadException("detent_body3");
   }

@@ -37,16 +37,21 @@ export type Id = types.Id;
 export interface Of2 {
   vec: types.Vec2; shape: types.Shape2; ray: types.Ray2; hit: types.Hit2; objectHit: types.ObjectHit2;
   settings: types.World2Settings; options: types.Body2Options; body: types.Body2;
-  contactPoint: types.ContactPoint2; sweep: types.Sweep2; joint: types.Joint2;
+  contactPoint: types.ContactPoint2; sweep: types.Sweep2; joint: types.Joint2; part: types.Part2;
+  transform: types.Transform2;
 }
 export interface Of3 {
   vec: types.Vec3; shape: types.Shape3; ray: types.Ray3; hit: types.Hit3; objectHit: types.ObjectHit3;
   settings: types.World3Settings; options: types.Body3Options; body: types.Body3;
-  contactPoint: types.ContactPoint3; sweep: types.Sweep3; joint: types.Joint3;
+  contactPoint: types.ContactPoint3; sweep: types.Sweep3; joint: types.Joint3; part: types.Part3;
+  transform: types.Transform3;
 }
 type Of = Of2 | Of3;
 /** A shape: made by the functions of Space. */
 export type Shape<D extends Of> = Partial<D['shape']> & { kind: number };
+
+/** A part of a compound; what is left out is as usual. */
+export type Part<D extends Of> = Partial<Omit<D['part'], 'shape'>> & { shape: Shape<D> };
 
 /** Shapes, rays and queries of one dimension. */
 export declare class Space<D extends Of> {
@@ -106,6 +111,8 @@ export declare class Context<D extends Of> {
   hull(name: number, points: D['vec'][]): Asset;
   /** A convex hull for bodies. */
   solid(name: number, points: D['vec'][]): Asset;
+  /** Shapes that move as one body. */
+  compound(name: number, parts: Part<D>[]): Asset;
   /** In 3D. */
   heightField(name: number, corner: types.Vec2, cell: number, columns: number, rows: number,
     heights: ArrayLike<number>): Asset;
@@ -164,6 +171,7 @@ export declare class World<D extends Of> extends Held {
   broken(): Id[];
   localPoint(id: Id, point: D['vec']): D['vec'] | null;
   localFrame(id: Id, axis: D['vec'][]): D['vec'][] | null;
+  frame(id: Id): D['transform'] | null;
   events(): types.Touch[];
 }
 

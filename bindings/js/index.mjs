@@ -47,7 +47,11 @@ export const states = Object.fromEntries(['PLAYED', 'CONNECTING', 'CATCHING_UP',
   'OVER', 'JOINING'].map((name) => [name.toLowerCase(), constants[name]]));
 
 const kinds = { sphere: 1, aabb: 2, obb: 3, plane: 4, triangle: 5, capsule: 6, segment: 7, point: 8 };
-const memberOf = ['', ...Object.keys(kinds), 'placed', 'placed', 'point'];
+const memberOf = ['', ...Object.keys(kinds), 'placed', 'placed', 'point', 'placed'];
+/** The kinds of shape of assets, by the lowest bits of their handles; others are hulls. */
+const kindOfAsset = {
+  5: constants.MESH, 8: constants.HEIGHT_FIELD, 11: constants.COMPOUND, 12: constants.COMPOUND,
+};
 const scratchSize = 4096;
 
 /** The memory of the module, and one block of it for the arguments of a call. */
@@ -162,7 +166,7 @@ const axesOf = (dimension) => Array.from({ length: dimension }, (_, k) =>
   Array.from({ length: dimension }, (_, i) => (i === k ? UNIT : 0)));
 const typesOf = (dimension) => Object.fromEntries(
   ['vec', 'direction', 'rotation', 'transform', 'ray', 'shape', 'hit', 'object_hit', 'body', 'manifold',
-    'sweep', 'joint'].map((name) => [name, `detent_${name}${dimension}`]));
+    'sweep', 'joint', 'part'].map((name) => [name, `detent_${name}${dimension}`]));
 
 /** Shapes, rays and queries of one dimension. */
 class Space {
@@ -201,10 +205,10 @@ class Space {
   point(point) {
     return { kind: kinds.point, point };
   }
-  /** A mesh or hull transformed, or a height field moved, as a shape of a scene; or a solid hull of a
-   *  world. */
+  /** A mesh or hull transformed, or a height field moved, as a shape of a scene; of a world the
+   *  same, with a solid hull, or a compound. */
   placed(asset, translation, axis = this.axes, scale = ONE) {
-    const kind = { 5: constants.MESH, 8: constants.HEIGHT_FIELD }[asset.handle & 15] ?? constants.HULL;
+    const kind = kindOfAsset[asset.handle & 31] ?? constants.HULL;
     const shape = { kind, asset: asset.handle };
     if (kind === constants.HEIGHT_FIELD) return { ...shape, point: translation };
     return { ...shape, placed: { translation, rotation: { axis }, scale } };
@@ -405,6 +409,22 @@ class Context {
   solid(name, points) {
     return this.asset([points.flat()], ([list], out) =>
       this.detent.space.run('solid{N}_create', this.at, name, list, points.length, out));
+  }
+  /** Shapes that move as one body: each with `shape`, a sphere, AABB, OBB, capsule or placed solid hull, and
+   *  what it is made of. */
+  compound(name, parts) {
+    const { space } = this.detent;
+    const { size } = layouts[space.types.part];
+    return this.asset([new Int32Array(parts.length * size / 4)], ([list], out) => {
+      const { memory } = this.detent;
+      parts.forEach((part, i) => {
+        const at = list + i * size;
+        space.run('part{N}_defaults', at);
+        const made = memory.read(at, space.types.part);
+        memory.write(at, space.types.part, { ...made, ...part });
+      });
+      return space.run('compound{N}_create', this.at, name, list, parts.length, out);
+    });
   }
   /** In 3D. */
   heightField(name, corner, cell, columns, rows, heights) {
@@ -669,7 +689,8 @@ class World extends Held {
       this.create(at);
     });
   }
-  /** Adds a sphere, AABB, OBB, capsule or solid hull; options are the fields of a body's options. */
+  /** Adds a sphere, AABB, OBB, capsule or something `placed`: a solid hull, a compound, in 3D a mesh or
+   *  height field; options are the fields of a body's options. */
   add(shape, options = {}) {
     const type = `detent_body${this.space.dimension}_options`;
     return this.call((memory) => {
@@ -776,6 +797,14 @@ class World extends Held {
       const done = this.run('local_frame', memory.put('detent_id', id),
         memory.put(this.types.rotation, { axis }), local);
       return done ? memory.read(local, this.types.rotation).axis : null;
+    });
+  }
+  /** Where the parts of a compound, or the points of a hull, were given. */
+  frame(id) {
+    return this.call((memory) => {
+      const frame = memory.place(layouts[this.types.transform].size);
+      const done = this.run('frame', memory.put('detent_id', id), frame);
+      return done ? memory.read(frame, this.types.transform) : null;
     });
   }
   /** The pairs that began or ended to touch in the last step. */

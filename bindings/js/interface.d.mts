@@ -33,6 +33,7 @@ export declare const POINT: 8;
 export declare const HULL: 9;
 export declare const MESH: 10;
 export declare const HEIGHT_FIELD: 11;
+export declare const COMPOUND: 12;
 export declare const MOVING: 0;
 export declare const FIXED: 1;
 export declare const DYNAMIC_BODY: 0;
@@ -96,11 +97,13 @@ export interface Pair {
   second: Id;
 }
 
-/** A pair of bodies that began (1) or ended (0) to touch in the last step. */
+/** A pair of bodies that began (1) or ended (0) to touch in the last step; of compounds a pair of parts. */
 export interface Touch {
   a: Id;
   b: Id;
   begins: number;
+  part_a: number;
+  part_b: number;
 }
 
 /** An object that a query found, and its distance in steps of 2^-16. */
@@ -376,7 +379,17 @@ export interface Body2Options {
   gravity_scale: number;
   locked: number;
   is_sensor: number;
+  is_fast: number;
   reserved: number[];
+}
+
+/** A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part2_defaults`. */
+export interface Part2 {
+  shape: Shape2;
+  density: number;
+  friction: number;
+  restitution: number;
+  is_sensor: number;
 }
 
 /** A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it. */
@@ -598,7 +611,17 @@ export interface Body3Options {
   gravity_scale: number;
   locked: number;
   is_sensor: number;
+  is_fast: number;
   reserved: number[];
+}
+
+/** A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part3_defaults`. */
+export interface Part3 {
+  shape: Shape3;
+  density: number;
+  friction: number;
+  restitution: number;
+  is_sensor: number;
 }
 
 /** A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it. */

@@ -33,6 +33,7 @@ export const POINT = 8;
 export const HULL = 9;
 export const MESH = 10;
 export const HEIGHT_FIELD = 11;
+export const COMPOUND = 12;
 export const MOVING = 0;
 export const FIXED = 1;
 export const DYNAMIC_BODY = 0;
@@ -93,8 +94,8 @@ export const layouts = {
   detent_pair: { size: 16, isVector: false,
     fields: [['first', 'detent_id', 0, 0], ['second', 'detent_id', 8, 0]],
     union: [] },
-  detent_touch: { size: 20, isVector: false,
-    fields: [['a', 'detent_id', 0, 0], ['b', 'detent_id', 8, 0], ['begins', 'uint32_t', 16, 0]],
+  detent_touch: { size: 28, isVector: false,
+    fields: [['a', 'detent_id', 0, 0], ['b', 'detent_id', 8, 0], ['begins', 'uint32_t', 16, 0], ['part_a', 'uint32_t', 20, 0], ['part_b', 'uint32_t', 24, 0]],
     union: [] },
   detent_found: { size: 12, isVector: false,
     fields: [['distance', 'int32_t', 0, 0], ['id', 'detent_id', 4, 0]],
@@ -193,7 +194,10 @@ export const layouts = {
     fields: [['ticks_per_second', 'int32_t', 0, 0], ['substeps', 'int32_t', 4, 0], ['gravity', 'detent_vec2', 8, 0], ['margin', 'int32_t', 16, 0], ['push_speed', 'int32_t', 20, 0], ['bounce_threshold', 'int32_t', 24, 0], ['sleep_speed', 'int32_t', 28, 0]],
     union: [] },
   detent_body2_options: { size: 72, isVector: false,
-    fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['collides_with', 'uint32_t', 12, 0], ['motion', 'uint32_t', 16, 0], ['density', 'int32_t', 20, 0], ['friction', 'int32_t', 24, 0], ['restitution', 'int32_t', 28, 0], ['linear_damping', 'int32_t', 32, 0], ['angular_damping', 'int32_t', 36, 0], ['velocity', 'detent_vec2', 40, 0], ['angular_velocity', 'int32_t', 48, 1], ['gravity_scale', 'int32_t', 52, 0], ['locked', 'uint32_t', 56, 0], ['is_sensor', 'uint32_t', 60, 0], ['reserved', 'uint32_t', 64, 2]],
+    fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['collides_with', 'uint32_t', 12, 0], ['motion', 'uint32_t', 16, 0], ['density', 'int32_t', 20, 0], ['friction', 'int32_t', 24, 0], ['restitution', 'int32_t', 28, 0], ['linear_damping', 'int32_t', 32, 0], ['angular_damping', 'int32_t', 36, 0], ['velocity', 'detent_vec2', 40, 0], ['angular_velocity', 'int32_t', 48, 1], ['gravity_scale', 'int32_t', 52, 0], ['locked', 'uint32_t', 56, 0], ['is_sensor', 'uint32_t', 60, 0], ['is_fast', 'uint32_t', 64, 0], ['reserved', 'uint32_t', 68, 1]],
+    union: [] },
+  detent_part2: { size: 56, isVector: false,
+    fields: [['shape', 'detent_shape2', 0, 0], ['density', 'int32_t', 40, 0], ['friction', 'int32_t', 44, 0], ['restitution', 'int32_t', 48, 0], ['is_sensor', 'uint32_t', 52, 0]],
     union: [] },
   detent_joint2: { size: 108, isVector: false,
     fields: [['kind', 'uint32_t', 0, 0], ['a', 'detent_id', 4, 0], ['b', 'detent_id', 12, 0], ['anchor_a', 'detent_vec2', 20, 0], ['anchor_b', 'detent_vec2', 28, 0], ['frame_a', 'detent_rotation2', 36, 0], ['frame_b', 'detent_rotation2', 52, 0], ['collide', 'uint32_t', 68, 0], ['break_force', 'int32_t', 72, 0], ['has_limits', 'uint32_t', 76, 0], ['lower', 'int32_t', 80, 0], ['upper', 'int32_t', 84, 0], ['motor_speed', 'int32_t', 88, 0], ['motor_force', 'int32_t', 92, 0], ['length', 'int32_t', 96, 0], ['frequency', 'int32_t', 100, 0], ['damping_ratio', 'int32_t', 104, 0]],
@@ -271,7 +275,10 @@ export const layouts = {
     fields: [['ticks_per_second', 'int32_t', 0, 0], ['substeps', 'int32_t', 4, 0], ['gravity', 'detent_vec3', 8, 0], ['margin', 'int32_t', 20, 0], ['push_speed', 'int32_t', 24, 0], ['bounce_threshold', 'int32_t', 28, 0], ['sleep_speed', 'int32_t', 32, 0]],
     union: [] },
   detent_body3_options: { size: 88, isVector: false,
-    fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['collides_with', 'uint32_t', 12, 0], ['motion', 'uint32_t', 16, 0], ['density', 'int32_t', 20, 0], ['friction', 'int32_t', 24, 0], ['restitution', 'int32_t', 28, 0], ['linear_damping', 'int32_t', 32, 0], ['angular_damping', 'int32_t', 36, 0], ['velocity', 'detent_vec3', 40, 0], ['angular_velocity', 'int32_t', 52, 3], ['gravity_scale', 'int32_t', 64, 0], ['locked', 'uint32_t', 68, 0], ['is_sensor', 'uint32_t', 72, 0], ['reserved', 'uint32_t', 76, 3]],
+    fields: [['user', 'uint64_t', 0, 0], ['layers', 'uint32_t', 8, 0], ['collides_with', 'uint32_t', 12, 0], ['motion', 'uint32_t', 16, 0], ['density', 'int32_t', 20, 0], ['friction', 'int32_t', 24, 0], ['restitution', 'int32_t', 28, 0], ['linear_damping', 'int32_t', 32, 0], ['angular_damping', 'int32_t', 36, 0], ['velocity', 'detent_vec3', 40, 0], ['angular_velocity', 'int32_t', 52, 3], ['gravity_scale', 'int32_t', 64, 0], ['locked', 'uint32_t', 68, 0], ['is_sensor', 'uint32_t', 72, 0], ['is_fast', 'uint32_t', 76, 0], ['reserved', 'uint32_t', 80, 2]],
+    union: [] },
+  detent_part3: { size: 84, isVector: false,
+    fields: [['shape', 'detent_shape3', 0, 0], ['density', 'int32_t', 68, 0], ['friction', 'int32_t', 72, 0], ['restitution', 'int32_t', 76, 0], ['is_sensor', 'uint32_t', 80, 0]],
     union: [] },
   detent_joint3: { size: 156, isVector: false,
     fields: [['kind', 'uint32_t', 0, 0], ['a', 'detent_id', 4, 0], ['b', 'detent_id', 12, 0], ['anchor_a', 'detent_vec3', 20, 0], ['anchor_b', 'detent_vec3', 32, 0], ['frame_a', 'detent_rotation3', 44, 0], ['frame_b', 'detent_rotation3', 80, 0], ['collide', 'uint32_t', 116, 0], ['break_force', 'int32_t', 120, 0], ['has_limits', 'uint32_t', 124, 0], ['lower', 'int32_t', 128, 0], ['upper', 'int32_t', 132, 0], ['motor_speed', 'int32_t', 136, 0], ['motor_force', 'int32_t', 140, 0], ['length', 'int32_t', 144, 0], ['frequency', 'int32_t', 148, 0], ['damping_ratio', 'int32_t', 152, 0]],

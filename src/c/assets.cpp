@@ -6,6 +6,7 @@
 #include <span>
 
 #include "c/assets.hpp"
+#include "c/body_shapes.hpp"
 
 namespace detent::c {
 
@@ -58,17 +59,22 @@ detent_status add_asset(Context& context, std::uint32_t id, detent_handle* out, 
   return DETENT_OK;
 }
 
-/// An array of `count` elements that belongs to a holder, or nullptr.
+/// Memory for `count` elements that belongs to a holder, or nullptr.
 template <class T, class Array>
-T* keep(Context& context, Array& array, std::size_t count) noexcept {
+void* keep_memory(Context& context, Array& array, std::size_t count) noexcept {
   constexpr std::size_t slack = alignof(T);  // nodes of trees fill lines of the cache
   if (count == 0 || count > (static_cast<std::size_t>(-1) - slack) / sizeof(T)) return nullptr;
   auto size = count * sizeof(T) + slack;
   void* memory = context.allocate(size);
   if (memory == nullptr) return nullptr;
   array = {memory, size};
-  auto* const first = static_cast<T*>(std::align(alignof(T), count * sizeof(T), memory, size));
-  std::uninitialized_value_construct_n(first, count);
+  return std::align(alignof(T), count * sizeof(T), memory, size);
+}
+/// The same with elements in it.
+template <class T, class Array>
+T* keep(Context& context, Array& array, std::size_t count) noexcept {
+  auto* const first = static_cast<T*>(keep_memory<T>(context, array, count));
+  if (first != nullptr) std::uninitialized_value_construct_n(first, count);
   return first;
 }
 
@@ -121,6 +127,62 @@ template detent_status make_solid<2>(detent_context*, std::uint32_t, const deten
                                      std::uint32_t, detent_handle*);
 template detent_status make_solid<3>(detent_context*, std::uint32_t, const detent_vec3*,
                                      std::uint32_t, detent_handle*);
+
+/// Whether a part of a compound refers to a hull.
+template <int N>
+bool has_part_of(const void* holder, const void* asset) {
+  const auto* const compound = static_cast<const Holder<SolidCompound<S, N>>*>(holder)->asset;
+  bool does = false;
+  for (const auto& part : compound->parts()) {
+    part.shape().visit([&](const auto& shape) {
+      if constexpr (requires { shape.asset; }) does |= shape.asset == asset;
+    });
+  }
+  return does;
+}
+
+template <int N>
+detent_status make_compound(detent_context* context, std::uint32_t id,
+                            const typename Types<N>::Part* parts, std::uint32_t count,
+                            detent_handle* compound) {
+  using Part = BodyPart<S, N>;
+  static_assert(std::is_trivially_destructible_v<Part>);
+  Context* const table = table_of(context);
+  if (table == nullptr) return DETENT_BAD_CONTEXT;
+  if (compound == nullptr || parts == nullptr || count == 0 ||
+      count > SolidCompound<S, N>::capacity) {
+    return DETENT_BAD_ARGUMENT;
+  }
+  const auto make = [&](auto& holder, detent_status& why) -> std::optional<SolidCompound<S, N>> {
+    void* const memory = keep_memory<Part>(*table, holder.arrays[0], count);
+    if (memory == nullptr) return std::nullopt;
+    const Part* first = nullptr;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const auto& given = parts[i];
+      why = DETENT_BAD_ARGUMENT;
+      if (given.friction < 0 || given.restitution < 0 || given.is_sensor > 1) return std::nullopt;
+      const PartOptions<S> own{Input<N>::number(given.density), Input<N>::number(given.friction),
+                               Input<N>::number(given.restitution), given.is_sensor != 0};
+      why = with_part_shape<N>(*table, given.shape, [&](const auto& shape) -> detent_status {
+        auto* const part =
+            new (static_cast<std::byte*>(memory) + i * sizeof(Part)) Part(shape, own);
+        if (i == 0) first = part;
+        return DETENT_OK;
+      });
+      if (why != DETENT_OK) return std::nullopt;
+    }
+    return solid_compound(id, std::span<const Part>(first, count));
+  };
+  const auto status = add_asset<SolidCompound<S, N>>(*table, id, compound, make);
+  if (status == DETENT_OK) {
+    table->find(asset_kind<SolidCompound<S, N>>, *compound)->refers_to = has_part_of<N>;
+  }
+  return status;
+}
+template detent_status make_compound<2>(detent_context*, std::uint32_t, const detent_part2*,
+                                        std::uint32_t, detent_handle*);
+template detent_status make_compound<3>(detent_context*, std::uint32_t, const detent_part3*,
+                                        std::uint32_t, detent_handle*);
 
 }  // namespace detent::c
 
@@ -197,5 +259,7 @@ detent_status detent_asset_destroy(detent_context* context, detent_handle asset)
   if (const auto* const field = table->asset<FieldAsset<S>>(asset)) return destroy(field);
   if (const auto* const solid = table->asset<SolidHull<S, 2>>(asset)) return destroy(solid);
   if (const auto* const solid = table->asset<SolidHull<S, 3>>(asset)) return destroy(solid);
+  if (const auto* const one = table->asset<SolidCompound<S, 2>>(asset)) return destroy(one);
+  if (const auto* const one = table->asset<SolidCompound<S, 3>>(asset)) return destroy(one);
   return DETENT_BAD_HANDLE;
 }

@@ -19,8 +19,8 @@ Context::~Context() {
   // Scenes refer to assets, which are destroyed after them.
   for (const bool assets : {false, true}) {
     for (std::uint32_t i = 0; i < end_; ++i) {
-      const auto kind = static_cast<Kind>(slots_[i].handle & 15);
-      const bool is_asset = kind >= Kind::mesh && kind <= Kind::solid3;
+      const auto kind = static_cast<Kind>(slots_[i].handle & 31);
+      const bool is_asset = kind >= Kind::mesh && kind <= Kind::compound3;
       if (slots_[i].handle != 0 && is_asset == assets) destroy(slots_[i]);
     }
   }
@@ -34,6 +34,8 @@ Context::~Context() {
   release_list(fields_);
   release_list(solids2_);
   release_list(solids3_);
+  release_list(compounds2_);
+  release_list(compounds3_);
 }
 
 void Context::close() noexcept {
@@ -44,7 +46,8 @@ void Context::close() noexcept {
 
 Slot* Context::reserve(Kind kind, detent_status& status) noexcept {
   std::uint32_t index = 0;
-  while (index < end_ && (slots_[index].handle != 0 || slots_[index].generation == 0xffff)) ++index;
+  while (index < end_ && (slots_[index].handle != 0 || slots_[index].generation == last_generation))
+    ++index;
   if (index == slot_limit) {
     status = DETENT_FULL;
     return nullptr;
@@ -65,7 +68,7 @@ Slot* Context::reserve(Kind kind, detent_status& status) noexcept {
   Slot& slot = slots_[index];
   slot.generation = static_cast<std::uint16_t>(slot.generation + 1);
   slot.handle =
-      std::uint32_t{slot.generation} << 16 | index << 4 | static_cast<std::uint32_t>(kind);
+      std::uint32_t{slot.generation} << 17 | index << 5 | static_cast<std::uint32_t>(kind);
   ++count_;
   return &slot;
 }

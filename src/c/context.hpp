@@ -11,13 +11,14 @@
 #include <utility>
 
 #include "c/convert.hpp"
+#include "detent/dynamics/compound.hpp"
 #include "detent/dynamics/hull.hpp"
 #include "detent/scene/height_field.hpp"
 #include "detent/scene/hull.hpp"
 #include "detent/scene/mesh.hpp"
 
-// The table of a context. A handle is a generation (16 bits), an index of the table (12) and a kind
-// (4). A slot keeps the handle that it was given out with, so one comparison finds a wrong or stale
+// The table of a context. A handle is a generation (15 bits), an index of the table (12) and a kind
+// (5). A slot keeps the handle that it was given out with, so one comparison finds a wrong or stale
 // one. A slot whose generations are used up is never used again.
 namespace detent::c {
 
@@ -33,6 +34,8 @@ enum class Kind : std::uint32_t {
   field,
   solid2,
   solid3,
+  compound2,
+  compound3,
   session2,  // no assets from here on
   session3,
   replay2,
@@ -99,10 +102,15 @@ template <>
 inline constexpr Kind asset_kind<SolidHull<S, 2>> = Kind::solid2;
 template <>
 inline constexpr Kind asset_kind<SolidHull<S, 3>> = Kind::solid3;
+template <>
+inline constexpr Kind asset_kind<SolidCompound<S, 2>> = Kind::compound2;
+template <>
+inline constexpr Kind asset_kind<SolidCompound<S, 3>> = Kind::compound3;
 
 class Context {
  public:
   static constexpr std::uint32_t slot_limit = 1u << 12;
+  static constexpr std::uint16_t last_generation = (1u << 15) - 1;
 
   explicit Context(const detent_allocator& allocator) noexcept : allocator_(allocator) {}
   Context(const Context&) = delete;
@@ -128,8 +136,8 @@ class Context {
 
   /// The slot of a handle, or nullptr for one that is wrong or stale.
   [[nodiscard]] Slot* find(Kind kind, detent_handle handle) const noexcept {
-    const auto index = handle >> 4 & (slot_limit - 1);
-    if (index >= end_ || (handle & 15) != static_cast<std::uint32_t>(kind)) return nullptr;
+    const auto index = handle >> 5 & (slot_limit - 1);
+    if (index >= end_ || (handle & 31) != static_cast<std::uint32_t>(kind)) return nullptr;
     return slots_[index].handle == handle ? &slots_[index] : nullptr;
   }
   /// An empty slot with its handle, or nullptr: `status` says why.
@@ -183,6 +191,10 @@ class Context {
       return solids2_;
     } else if constexpr (asset_kind<Asset> == Kind::solid3) {
       return solids3_;
+    } else if constexpr (asset_kind<Asset> == Kind::compound2) {
+      return compounds2_;
+    } else if constexpr (asset_kind<Asset> == Kind::compound3) {
+      return compounds3_;
     } else {
       return fields_;
     }
@@ -203,6 +215,8 @@ class Context {
   Assets<FieldAsset<S>> fields_;
   Assets<SolidHull<S, 2>> solids2_;
   Assets<SolidHull<S, 3>> solids3_;
+  Assets<SolidCompound<S, 2>> compounds2_;
+  Assets<SolidCompound<S, 3>> compounds3_;
 };
 
 /// An asset and the arrays that it is a view of.

@@ -32,6 +32,7 @@ struct Types;
     using BodyOptions = detent_body##N##_options;     \
     using Body = detent_body##N;                      \
     using Joint = detent_joint##N;                    \
+    using Part = detent_part##N;                      \
     using Mover = detent_mover##N;                    \
     using MoverSettings = detent_mover##N##_settings; \
     using Move = detent_move##N;                      \
@@ -181,8 +182,8 @@ detent_status with_shape(const typename Types<N>::Shape& shape, const F& f) {
     case DETENT_SEGMENT:
       return call(in.segment(shape));
     default:
-      return shape.kind >= DETENT_POINT && shape.kind <= DETENT_HEIGHT_FIELD ? DETENT_NO_QUERY
-                                                                             : DETENT_BAD_ARGUMENT;
+      return shape.kind >= DETENT_POINT && shape.kind <= DETENT_COMPOUND ? DETENT_NO_QUERY
+                                                                         : DETENT_BAD_ARGUMENT;
   }
 }
 

@@ -42,7 +42,7 @@ struct Movers {
           break;
         }
         default:
-          return shape->kind >= DETENT_SPHERE && shape->kind <= DETENT_HEIGHT_FIELD
+          return shape->kind >= DETENT_SPHERE && shape->kind <= DETENT_COMPOUND
                      ? detent_status{DETENT_NO_QUERY}
                      : detent_status{DETENT_BAD_ARGUMENT};
       }

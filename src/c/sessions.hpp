@@ -46,8 +46,7 @@ template <int N>
 Restored restore(Game<N>& game, std::span<const std::byte> bytes) {
   const auto head = game.words.count * sizeof(std::uint32_t);
   if (bytes.size() < head) return Restored::truncated;
-  const auto restored = detent::restore(game.world, bytes.subspan(head),
-                                        game.table->template assets<SolidHull<S, N>>().span());
+  const auto restored = restore_with<N>(*game.table, game.world, bytes.subspan(head));
   for (std::size_t i = 0; restored == Restored::yes && i < game.words.count; ++i) {
     game.words.values[i] = detent::detail::load_word<std::uint32_t>(bytes.data() + 4 * i);
   }
@@ -102,10 +101,7 @@ struct Play {
     slot->refers_to = [](const void* object, const void* asset) {
       // Worlds of earlier frames may have any of them.
       const auto& game = static_cast<const Holder*>(object)->current();
-      for (const auto& one : game.table->template assets<SolidHull<S, N>>().span()) {
-        if (&one == asset) return true;
-      }
-      return false;
+      return bodies_can_have<N>(*game.table, asset);
     };
     slot->destroy = [](Context& context, void* object) {
       auto* const holder = static_cast<Holder*>(object);

@@ -6,18 +6,61 @@
 #include <cstdint>
 #include <span>
 
+#include "c/body_shapes.hpp"
 #include "c/scenes.hpp"
 #include "detent/dynamics/dynamics.hpp"
 
 namespace detent::c {
 
-/// Worlds of spheres, boxes, capsules and solid hulls with all kinds of joints, the options of their
-/// bodies, and joints.
+/// Worlds of spheres, boxes, capsules, solid hulls, compounds and, in 3D, surfaces, with all kinds of
+/// joints.
+template <int N>
+struct WorldOf;
+template <>
+struct WorldOf<2> {
+  using type = World<S, 2, Sphere, Aabb, Obb, Capsule, BodyHull, BodyCompound, DistanceJoint,
+                     BallJoint, HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
+};
+template <>
+struct WorldOf<3> {
+  using type =
+      World<S, 3, Sphere, Aabb, Obb, Capsule, BodyHull, BodyCompound, BodyMesh, BodyHeightField,
+            DistanceJoint, BallJoint, HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
+};
+
+/// The restored world of a snapshot, with the assets of a context.
+template <int N>
+[[nodiscard]] Restored restore_with(const Context& table, typename WorldOf<N>::type& world,
+                                    std::span<const std::byte> bytes) {
+  const auto hulls = table.assets<SolidHull<S, N>>().span();
+  const auto compounds = table.assets<SolidCompound<S, N>>().span();
+  if constexpr (N == 2) {
+    return detent::restore(world, bytes, hulls, compounds);
+  } else {
+    return detent::restore(world, bytes, hulls, compounds, table.assets<MeshAsset<S>>().span(),
+                           table.assets<FieldAsset<S>>().span());
+  }
+}
+/// Whether a body can have this asset of a context.
+template <int N>
+[[nodiscard]] bool bodies_can_have(const Context& table, const void* asset) {
+  const auto has = [&](const auto& assets) {
+    for (const auto& one : assets.span()) {
+      if (&one == asset) return true;
+    }
+    return false;
+  };
+  if (N == 3 && (has(table.assets<MeshAsset<S>>()) || has(table.assets<FieldAsset<S>>()))) {
+    return true;
+  }
+  return has(table.assets<SolidHull<S, N>>()) || has(table.assets<SolidCompound<S, N>>());
+}
+
+/// Worlds, the options of their bodies, and joints.
 template <int N>
 struct Worlds {
   using T = Types<N>;
-  using World = detent::World<S, N, Sphere, Aabb, Obb, Capsule, BodyHull, DistanceJoint, BallJoint,
-                              HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
+  using World = typename WorldOf<N>::type;
   using Settings = typename World::Settings;
   using Options = typename World::Options;
   static constexpr Kind kind = N == 2 ? Kind::world2 : Kind::world3;
@@ -46,6 +89,7 @@ struct Worlds {
     out->gravity_scale = own.gravity_scale.raw();
     out->locked = own.locked;
     out->is_sensor = own.is_sensor ? 1 : 0;
+    out->is_fast = own.is_fast ? 1 : 0;
     return DETENT_OK;
   }
 
@@ -85,15 +129,23 @@ struct Worlds {
       if (shape == nullptr || id == nullptr || !read_options(options, own)) {
         return DETENT_BAD_ARGUMENT;
       }
-      return with_body_shape(table, *shape, [&](const auto& read) -> detent_status {
-        if constexpr (requires { object.add(read, own); }) {
-          const auto added = object.add(read, own);
-          if (!added) return DETENT_FULL;
-          *id = id_of(*added);
-          return DETENT_OK;
-        } else {
-          return DETENT_NO_QUERY;
-        }
+      return with_body_shape<N>(table, *shape, [&](const auto& read) -> detent_status {
+        const auto added = object.add(read, own);
+        if (!added) return DETENT_FULL;
+        *id = id_of(*added);
+        return DETENT_OK;
+      });
+    };
+    return with_object<World>(context, kind, world, put);
+  }
+  static detent_status add_as(detent_context* context, detent_handle world, detent_id id,
+                              const typename T::Shape* shape,
+                              const typename T::BodyOptions* options) {
+    const auto put = [&](const Context& table, World& object) -> detent_status {
+      Options own;
+      if (shape == nullptr || !read_options(options, own)) return DETENT_BAD_ARGUMENT;
+      return with_body_shape<N>(table, *shape, [&](const auto& read) {
+        return yes_or_no(object.put(id_of(id), read, own));
       });
     };
     return with_object<World>(context, kind, world, put);
@@ -126,6 +178,15 @@ struct Worlds {
         const auto id = id_of(ids[i]);
         bodies[i] = object.contains(id) ? body_of(object, id) : typename T::Body();
       }
+      return DETENT_OK;
+    });
+  }
+  static detent_status frame(const detent_context* context, detent_handle world, detent_id id,
+                             typename T::Transform* frame) {
+    return read(context, world, [&](const World& object) -> detent_status {
+      if (frame == nullptr) return DETENT_BAD_ARGUMENT;
+      if (!object.contains(id_of(id))) return DETENT_NO;
+      *frame = Output<N>::transform(object.frame(id_of(id)));
       return DETENT_OK;
     });
   }
@@ -270,7 +331,8 @@ struct Worlds {
       *count = static_cast<std::uint32_t>(object.event_count());
       for (std::uint32_t i = 0; i < room && i < *count; ++i) {
         const auto& event = object.event(i);
-        events[i] = {id_of(event.a), id_of(event.b), event.begins ? 1u : 0u};
+        events[i] = {id_of(event.a), id_of(event.b), event.begins ? 1u : 0u, event.part_a,
+                     event.part_b};
       }
       return DETENT_OK;
     });
@@ -303,9 +365,8 @@ struct Worlds {
                                std::uint32_t size) {
     const auto put = [&](const Context& table, World& object) -> detent_status {
       if (bytes == nullptr && size != 0) return DETENT_BAD_ARGUMENT;
-      return status_of(detent::restore(object,
-                                       std::span(static_cast<const std::byte*>(bytes), size),
-                                       table.assets<SolidHull<S, N>>().span()));
+      return status_of(
+          restore_with<N>(table, object, std::span(static_cast<const std::byte*>(bytes), size)));
     };
     return with_object<World>(context, kind, world, put);
   }
@@ -375,20 +436,6 @@ struct Worlds {
       if (bodies[i].generation != 0 && does) return true;
     }
     return false;
-  }
-
-  /// f(shape) for a shape that bodies have.
-  template <class F>
-  static detent_status with_body_shape(const Context& table, const typename T::Shape& shape,
-                                       const F& f) {
-    if (shape.kind != DETENT_HULL) return with_shape<N>(shape, f);
-    const auto* const asset = table.asset<SolidHull<S, N>>(shape.asset);
-    if (asset == nullptr) return DETENT_BAD_HANDLE;
-    if (shape.as.placed.scale != S(1).raw()) return DETENT_BAD_ARGUMENT;
-    Input<N> in;
-    const auto placed = in.transform(shape.as.placed);
-    if (!in.is_valid()) return DETENT_NOT_UNIT;
-    return f(BodyHull<S, N>{asset, placed.translation, placed.rotation});
   }
 
   static JointId joint_id(const detent_id& id) noexcept { return {id.index, id.generation}; }
@@ -480,7 +527,7 @@ struct Worlds {
     if (options == nullptr) return true;
     if (options->motion > DETENT_FIXED_BODY || options->friction < 0 || options->restitution < 0 ||
         options->linear_damping < 0 || options->angular_damping < 0 || options->locked > 63 ||
-        options->is_sensor > 1) {
+        options->is_sensor > 1 || options->is_fast > 1) {
       return false;
     }
     own.motion = static_cast<BodyMotion>(options->motion);
@@ -496,6 +543,7 @@ struct Worlds {
     own.gravity_scale = Input<N>::number(options->gravity_scale);
     own.locked = static_cast<std::uint8_t>(options->locked);
     own.is_sensor = options->is_sensor != 0;
+    own.is_fast = options->is_fast != 0;
     own.layers = options->layers;
     own.collides_with = options->collides_with;
     own.user = options->user;

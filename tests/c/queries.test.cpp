@@ -123,11 +123,12 @@ TEST_CASE("C queries: directions that are no unit vectors and unknown kinds are 
   CHECK(detent_contains3(&plane, &point) == DETENT_NOT_UNIT);
   plane.as.plane.normal.x = 1 << 30;
   CHECK(detent_contains3(&plane, &point) == DETENT_OK);
-  for (const unsigned kind : {0u, 12u, 77u, 0xffffffffu}) {
+  for (const unsigned kind : {0u, 13u, 77u, 0xffffffffu}) {
     plane.kind = kind;
     CHECK(detent_contains3(&plane, &point) == DETENT_BAD_ARGUMENT);
   }
-  for (const unsigned kind : {DETENT_POINT, DETENT_HULL, DETENT_MESH, DETENT_HEIGHT_FIELD}) {
+  for (const unsigned kind :
+       {DETENT_POINT, DETENT_HULL, DETENT_MESH, DETENT_HEIGHT_FIELD, DETENT_COMPOUND}) {
     plane.kind = kind;
     CHECK(detent_contains3(&plane, &point) == DETENT_NO_QUERY);
   }

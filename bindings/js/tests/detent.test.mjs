@@ -132,6 +132,13 @@ test('joints and frames', async () => {
   assert.equal(world.addJoint(detent.joints.weld, wall, wall), null);
   const solid = context.solid(3, [[0, 0], [ONE, 0], [0, ONE]]);
   assert.ok(world.add(space.placed(solid, [9 * ONE, 9 * ONE])));
+  const dumbbell = context.compound(4, [
+    { shape: space.sphere([-ONE, 0], ONE / 2), density: 3 * ONE }, { shape: space.sphere([ONE, 0], ONE / 2) },
+    { shape: space.placed(solid, [0, ONE]), is_sensor: 1 }]);
+  const body = world.add(space.placed(dumbbell, [0, 20 * ONE]), { is_fast: 1 });
+  assert.deepEqual(world.frame(body).translation, [0, 20 * ONE]);
+  assert.ok(world.body(body).position[0] < 0);
+  assert.throws(() => solid.destroy(), { status: detent.status.IN_USE });
   const scene = context.scene(), frame = scene.addFrame([ONE, 0]);
   const ball = scene.add(space.sphere([0, 0], ONE), { frame });
   assert.equal(scene.moveFrame(frame, [7 * ONE, 0]), true);

@@ -37,7 +37,8 @@ enum {
   DETENT_POINT = 8,
   DETENT_HULL = 9,
   DETENT_MESH = 10,
-  DETENT_HEIGHT_FIELD = 11
+  DETENT_HEIGHT_FIELD = 11,
+  DETENT_COMPOUND = 12
 };
 enum { DETENT_MOVING = 0, DETENT_FIXED = 1 };
 enum { DETENT_DYNAMIC_BODY = 0, DETENT_KINEMATIC_BODY = 1, DETENT_FIXED_BODY = 2 };
@@ -112,6 +113,8 @@ typedef struct detent_touch {
   detent_id a;
   detent_id b;
   uint32_t begins;
+  uint32_t part_a;
+  uint32_t part_b;
 } detent_touch;
 typedef struct detent_found {
   int32_t distance;
@@ -332,8 +335,16 @@ typedef struct detent_body2_options {
   int32_t gravity_scale;
   uint32_t locked;
   uint32_t is_sensor;
-  uint32_t reserved[2];
+  uint32_t is_fast;
+  uint32_t reserved[1];
 } detent_body2_options;
+typedef struct detent_part2 {
+  detent_shape2 shape;
+  int32_t density;
+  int32_t friction;
+  int32_t restitution;
+  uint32_t is_sensor;
+} detent_part2;
 typedef struct detent_joint2 {
   uint32_t kind;
   detent_id a;
@@ -508,8 +519,16 @@ typedef struct detent_body3_options {
   int32_t gravity_scale;
   uint32_t locked;
   uint32_t is_sensor;
-  uint32_t reserved[3];
+  uint32_t is_fast;
+  uint32_t reserved[2];
 } detent_body3_options;
+typedef struct detent_part3 {
+  detent_shape3 shape;
+  int32_t density;
+  int32_t friction;
+  int32_t restitution;
+  uint32_t is_sensor;
+} detent_part3;
 typedef struct detent_joint3 {
   uint32_t kind;
   detent_id a;
@@ -586,6 +605,10 @@ detent_status detent_hull2_create(detent_context* context, uint32_t id,
 detent_status detent_solid2_create(detent_context* context, uint32_t id,
                                                 const detent_vec2* points, uint32_t count,
                                                 detent_handle* solid);
+detent_status detent_part2_defaults(detent_part2* part);
+detent_status detent_compound2_create(detent_context* context, uint32_t id,
+                                                   const detent_part2* parts, uint32_t count,
+                                                   detent_handle* compound);
 detent_status detent_scene2_create(detent_context* context, detent_handle* scene);
 detent_status detent_scene2_destroy(detent_context* context, detent_handle scene);
 detent_status detent_scene2_add(detent_context* context, detent_handle scene,
@@ -674,6 +697,9 @@ detent_status detent_world2_destroy(detent_context* context, detent_handle world
 detent_status detent_world2_add(detent_context* context, detent_handle world,
                                              const detent_shape2* shape,
                                              const detent_body2_options* options, detent_id* id);
+detent_status detent_world2_add_as(detent_context* context, detent_handle world,
+                                                detent_id id, const detent_shape2* shape,
+                                                const detent_body2_options* options);
 detent_status detent_world2_remove(detent_context* context, detent_handle world,
                                                 detent_id id);
 detent_status detent_world2_step(detent_context* context, detent_handle world);
@@ -682,6 +708,8 @@ detent_status detent_world2_body(const detent_context* context, detent_handle wo
 detent_status detent_world2_bodies(const detent_context* context, detent_handle world,
                                                 const detent_id* ids, uint32_t count,
                                                 detent_body2* bodies);
+detent_status detent_world2_frame(const detent_context* context, detent_handle world,
+                                               detent_id id, detent_transform2* frame);
 detent_status detent_world2_set_velocity(detent_context* context, detent_handle world,
                                                       detent_id id, const detent_vec2* velocity);
 detent_status detent_world2_set_angular_velocity(detent_context* context,
@@ -822,6 +850,10 @@ detent_status detent_hull3_create(detent_context* context, uint32_t id,
 detent_status detent_solid3_create(detent_context* context, uint32_t id,
                                                 const detent_vec3* points, uint32_t count,
                                                 detent_handle* solid);
+detent_status detent_part3_defaults(detent_part3* part);
+detent_status detent_compound3_create(detent_context* context, uint32_t id,
+                                                   const detent_part3* parts, uint32_t count,
+                                                   detent_handle* compound);
 detent_status detent_scene3_create(detent_context* context, detent_handle* scene);
 detent_status detent_scene3_destroy(detent_context* context, detent_handle scene);
 detent_status detent_scene3_add(detent_context* context, detent_handle scene,
@@ -910,6 +942,9 @@ detent_status detent_world3_destroy(detent_context* context, detent_handle world
 detent_status detent_world3_add(detent_context* context, detent_handle world,
                                              const detent_shape3* shape,
                                              const detent_body3_options* options, detent_id* id);
+detent_status detent_world3_add_as(detent_context* context, detent_handle world,
+                                                detent_id id, const detent_shape3* shape,
+                                                const detent_body3_options* options);
 detent_status detent_world3_remove(detent_context* context, detent_handle world,
                                                 detent_id id);
 detent_status detent_world3_step(detent_context* context, detent_handle world);
@@ -918,6 +953,8 @@ detent_status detent_world3_body(const detent_context* context, detent_handle wo
 detent_status detent_world3_bodies(const detent_context* context, detent_handle world,
                                                 const detent_id* ids, uint32_t count,
                                                 detent_body3* bodies);
+detent_status detent_world3_frame(const detent_context* context, detent_handle world,
+                                               detent_id id, detent_transform3* frame);
 detent_status detent_world3_set_velocity(detent_context* context, detent_handle world,
                                                       detent_id id, const detent_vec3* velocity);
 detent_status detent_world3_set_angular_velocity(detent_context* context,
@@ -1028,7 +1065,7 @@ detent_status detent_replay3_check(const detent_context* context, detent_handle 
 local sizes = {
   detent_id = 8,
   detent_pair = 16,
-  detent_touch = 20,
+  detent_touch = 28,
   detent_found = 12,
   detent_impact = 12,
   detent_session_settings = 72,
@@ -1062,6 +1099,7 @@ local sizes = {
   detent_move2 = 224,
   detent_world2_settings = 32,
   detent_body2_options = 72,
+  detent_part2 = 56,
   detent_joint2 = 108,
   detent_body2 = 40,
   detent_vec3 = 12,
@@ -1088,6 +1126,7 @@ local sizes = {
   detent_move3 = 300,
   detent_world3_settings = 36,
   detent_body3_options = 88,
+  detent_part3 = 84,
   detent_joint3 = 156,
   detent_body3 = 76,
 }

@@ -138,7 +138,7 @@ class _Space:
         self._identity = tuple(tuple(UNIT if i == k else 0 for i in range(dimension))
                                for k in range(dimension))
         for name in ('vec', 'direction', 'rotation', 'transform', 'ray', 'shape', 'hit', 'object_hit',
-                     'body', 'manifold', 'sweep', 'joint'):
+                     'body', 'manifold', 'sweep', 'joint', 'part'):
             setattr(self, f'_{name}', getattr(c, f'detent_{name}{dimension}'))
         self._words = ctypes.sizeof(self._ray) // 4
 
@@ -498,7 +498,8 @@ class World(_Held):
         super().__init__(context, space, 'world', given)
 
     def add(self, shape, **options):
-        """Adds a sphere, AABB, OBB, capsule or solid hull. Keywords are the fields of a body's options."""
+        """Adds a sphere, AABB, OBB, capsule or something `placed`: a solid hull, a compound, in 3D a mesh or
+        height field. Keywords are the fields of a body's options."""
         given = getattr(c, f'detent_body{self._space.dimension}_options')()
         _check(self._space._call('body{N}_default_options')(given))
         _set(given, options, self._space)
@@ -591,6 +592,20 @@ class World(_Held):
         """(a, b, begins) of the pairs that began or ended to touch in the last step."""
         return [(_id(touch.a), _id(touch.b), bool(touch.begins))
                 for touch in self._list('events', c.detent_touch)]
+
+    def touches(self):
+        """The same with the parts of compounds: (a, part_a, b, part_b, begins)."""
+        return [(_id(touch.a), touch.part_a, _id(touch.b), touch.part_b, bool(touch.begins))
+                for touch in self._list('events', c.detent_touch)]
+
+    def frame(self, which):
+        """Where the parts of a compound, or the points of a hull, were given: translation and axes; None
+        without the body."""
+        frame = self._space._transform()
+        if not self._call('frame', which._in_c(), frame):
+            return None
+        return (_Space._tuple(frame.translation),
+                tuple(_Space._tuple(axis) for axis in frame.rotation.axis))
 
 
 Frame = namedtuple('Frame', 'number inputs')
@@ -817,6 +832,23 @@ class Context:
     def solid2(self, name, points):
         return self._points(_library.detent_solid2_create, c.detent_vec2, name, points)
 
+    def _compound(self, space, name, parts):
+        given = (space._part * len(parts))()
+        for part, one in zip(given, parts):
+            _check(space._call('part{N}_defaults')(part))
+            one, options = one if isinstance(one, tuple) else (one, {})
+            part.shape = one
+            _set(part, dict(options), space)
+        return self._asset(space._call('compound{N}_create'), name, given, len(parts))
+
+    def compound3(self, name, parts):
+        """Shapes that move as one body: each a sphere, AABB, OBB, capsule or placed solid hull, or a tuple of
+        one and a dict with its density, friction, restitution, is_sensor."""
+        return self._compound(d3, name, parts)
+
+    def compound2(self, name, parts):
+        return self._compound(d2, name, parts)
+
     def height_field(self, name, corner, cell, columns, rows, heights):
         if len(heights) != columns * rows:
             raise ValueError('there must be columns * rows heights')
@@ -825,9 +857,11 @@ class Context:
 
 
 def placed(asset, translation, axes=None, scale=ONE):
-    """A shape of a scene: a mesh or hull transformed, or a height field moved; of a world: a solid hull."""
-    kind = {5: c.DETENT_MESH, 8: c.DETENT_HEIGHT_FIELD}.get(asset.handle & 15, c.DETENT_HULL)
-    space = d2 if asset.handle & 15 in (6, 9) else d3
+    """A shape of a scene: a mesh or hull transformed, or a height field moved; of a world: the
+    same, with a solid hull, or a compound."""
+    kind = {5: c.DETENT_MESH, 8: c.DETENT_HEIGHT_FIELD, 11: c.DETENT_COMPOUND,
+            12: c.DETENT_COMPOUND}.get(asset.handle & 31, c.DETENT_HULL)
+    space = d2 if asset.handle & 31 in (6, 9, 11) else d3
     shape = space._shape()
     shape.kind, shape.asset = kind, asset.handle
     if kind == c.DETENT_HEIGHT_FIELD:

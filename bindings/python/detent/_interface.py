@@ -36,6 +36,7 @@ DETENT_POINT = 8
 DETENT_HULL = 9
 DETENT_MESH = 10
 DETENT_HEIGHT_FIELD = 11
+DETENT_COMPOUND = 12
 DETENT_MOVING = 0
 DETENT_FIXED = 1
 DETENT_DYNAMIC_BODY = 0
@@ -105,11 +106,13 @@ class detent_pair(Structure):
 
 
 class detent_touch(Structure):
-    """A pair of bodies that began (1) or ended (0) to touch in the last step."""
+    """A pair of bodies that began (1) or ended (0) to touch in the last step; of compounds a pair of parts."""
     _fields_ = [
         ('a', detent_id),
         ('b', detent_id),
         ('begins', c_uint32),
+        ('part_a', c_uint32),
+        ('part_b', c_uint32),
     ]
 
 
@@ -472,7 +475,19 @@ class detent_body2_options(Structure):
         ('gravity_scale', c_int32),
         ('locked', c_uint32),
         ('is_sensor', c_uint32),
-        ('reserved', c_uint32 * 2),
+        ('is_fast', c_uint32),
+        ('reserved', c_uint32 * 1),
+    ]
+
+
+class detent_part2(Structure):
+    """A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part2_defaults`."""
+    _fields_ = [
+        ('shape', detent_shape2),
+        ('density', c_int32),
+        ('friction', c_int32),
+        ('restitution', c_int32),
+        ('is_sensor', c_uint32),
     ]
 
 
@@ -760,7 +775,19 @@ class detent_body3_options(Structure):
         ('gravity_scale', c_int32),
         ('locked', c_uint32),
         ('is_sensor', c_uint32),
-        ('reserved', c_uint32 * 3),
+        ('is_fast', c_uint32),
+        ('reserved', c_uint32 * 2),
+    ]
+
+
+class detent_part3(Structure):
+    """A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part3_defaults`."""
+    _fields_ = [
+        ('shape', detent_shape3),
+        ('density', c_int32),
+        ('friction', c_int32),
+        ('restitution', c_int32),
+        ('is_sensor', c_uint32),
     ]
 
 
@@ -800,7 +827,7 @@ class detent_body3(Structure):
 
 assert sizeof(detent_id) == 8
 assert sizeof(detent_pair) == 16
-assert sizeof(detent_touch) == 20
+assert sizeof(detent_touch) == 28
 assert sizeof(detent_found) == 12
 assert sizeof(detent_impact) == 12
 assert sizeof(detent_session_settings) == 72
@@ -834,6 +861,7 @@ assert sizeof(detent_mover2_touch) == 24
 assert sizeof(detent_move2) == 224
 assert sizeof(detent_world2_settings) == 32
 assert sizeof(detent_body2_options) == 72
+assert sizeof(detent_part2) == 56
 assert sizeof(detent_joint2) == 108
 assert sizeof(detent_body2) == 40
 assert sizeof(detent_vec3) == 12
@@ -860,6 +888,7 @@ assert sizeof(detent_mover3_touch) == 32
 assert sizeof(detent_move3) == 300
 assert sizeof(detent_world3_settings) == 36
 assert sizeof(detent_body3_options) == 88
+assert sizeof(detent_part3) == 84
 assert sizeof(detent_joint3) == 156
 assert sizeof(detent_body3) == 76
 
@@ -980,6 +1009,16 @@ FUNCTIONS = {
         POINTER(detent_context),
         c_uint32,
         POINTER(detent_vec2),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
+    'detent_part2_defaults': (c_int32, [
+        POINTER(detent_part2),
+    ]),
+    'detent_compound2_create': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_part2),
         c_uint32,
         POINTER(c_uint32),
     ]),
@@ -1195,6 +1234,13 @@ FUNCTIONS = {
         POINTER(detent_body2_options),
         POINTER(detent_id),
     ]),
+    'detent_world2_add_as': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_shape2),
+        POINTER(detent_body2_options),
+    ]),
     'detent_world2_remove': (c_int32, [
         POINTER(detent_context),
         c_uint32,
@@ -1216,6 +1262,12 @@ FUNCTIONS = {
         POINTER(detent_id),
         c_uint32,
         POINTER(detent_body2),
+    ]),
+    'detent_world2_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_transform2),
     ]),
     'detent_world2_set_velocity': (c_int32, [
         POINTER(detent_context),
@@ -1556,6 +1608,16 @@ FUNCTIONS = {
         c_uint32,
         POINTER(c_uint32),
     ]),
+    'detent_part3_defaults': (c_int32, [
+        POINTER(detent_part3),
+    ]),
+    'detent_compound3_create': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_part3),
+        c_uint32,
+        POINTER(c_uint32),
+    ]),
     'detent_scene3_create': (c_int32, [
         POINTER(detent_context),
         POINTER(c_uint32),
@@ -1768,6 +1830,13 @@ FUNCTIONS = {
         POINTER(detent_body3_options),
         POINTER(detent_id),
     ]),
+    'detent_world3_add_as': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_shape3),
+        POINTER(detent_body3_options),
+    ]),
     'detent_world3_remove': (c_int32, [
         POINTER(detent_context),
         c_uint32,
@@ -1789,6 +1858,12 @@ FUNCTIONS = {
         POINTER(detent_id),
         c_uint32,
         POINTER(detent_body3),
+    ]),
+    'detent_world3_frame': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        detent_id,
+        POINTER(detent_transform3),
     ]),
     'detent_world3_set_velocity': (c_int32, [
         POINTER(detent_context),

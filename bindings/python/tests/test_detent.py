@@ -141,6 +141,36 @@ class Test(unittest.TestCase):
         solid = self.context.solid2(3, [(0, 0), (ONE, 0), (0, ONE)])
         body = world.add(detent.placed(solid, (9 * ONE, 9 * ONE)))
         self.assertEqual(world.position(body), (9 * ONE + ONE // 3, 9 * ONE + ONE // 3))
+        # A dumbbell of a heavy ball, a light one and the hull falls on the wall.
+        dumbbell = self.context.compound2(4, [
+            (d2.sphere((-ONE, 0), ONE // 2), {'density': 3 * ONE}), d2.sphere((ONE, 0), ONE // 2),
+            (detent.placed(solid, (0, ONE)), {'is_sensor': 1})])
+        body = world.add(detent.placed(dumbbell, (0, 20 * ONE)), is_fast=1, velocity=(0, -ONE))
+        translation, axes = world.frame(body)
+        self.assertEqual(translation, (0, 20 * ONE))
+        self.assertEqual(axes, ((detent.UNIT, 0), (0, detent.UNIT)))
+        self.assertLess(world.position(body)[0], 0)
+        with self.assertRaises(detent.Error) as caught:
+            solid.destroy()
+        self.assertEqual(caught.exception.status, detent.c.DETENT_IN_USE)
+        parts = set()
+        for _ in range(240):
+            world.step()
+            parts |= {part for _, part_a, _, part_b, _ in world.touches() for part in (part_a, part_b)}
+        self.assertIn(2, parts)
+
+    def test_terrain(self):
+        world = self.context.world3()
+        floor = self.context.mesh(1, [(-9 * ONE, 0, -9 * ONE), (9 * ONE, 0, -9 * ONE), (0, 0, 9 * ONE)],
+                                  [(0, 2, 1)])
+        world.add(detent.placed(floor, (0, 0, 0)), motion=detent.FIXED)
+        field = self.context.height_field(2, (0, 0), 4 * ONE, 3, 3, [0] * 9)
+        world.add(detent.placed(field, (30 * ONE, 0, 0)), motion=detent.FIXED)
+        balls = [world.add(d3.sphere((x * ONE, 2 * ONE, z * ONE), ONE // 2)) for x, z in ((0, 0), (34, 4))]
+        for _ in range(120):
+            world.step()
+        for ball in balls:
+            self.assertAlmostEqual(detent.number(world.position(ball)[1]), 0.5, delta=0.05)
 
     def test_mover(self):
         scene = self.context.scene3()

@@ -38,6 +38,7 @@ pub const POINT: u32 = 8;
 pub const HULL: u32 = 9;
 pub const MESH: u32 = 10;
 pub const HEIGHT_FIELD: u32 = 11;
+pub const COMPOUND: u32 = 12;
 pub const MOVING: u32 = 0;
 pub const FIXED: u32 = 1;
 pub const DYNAMIC_BODY: u32 = 0;
@@ -109,13 +110,15 @@ const _: () = assert!(std::mem::size_of::<Pair>() == 16);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// A pair of bodies that began (1) or ended (0) to touch in the last step.
+/// A pair of bodies that began (1) or ended (0) to touch in the last step; of compounds a pair of parts.
 pub struct Touch {
     pub a: Id,
     pub b: Id,
     pub begins: u32,
+    pub part_a: u32,
+    pub part_b: u32,
 }
-const _: () = assert!(std::mem::size_of::<Touch>() == 20);
+const _: () = assert!(std::mem::size_of::<Touch>() == 28);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -500,9 +503,22 @@ pub struct Body2Options {
     pub gravity_scale: i32,
     pub locked: u32,
     pub is_sensor: u32,
-    pub reserved: [u32; 2],
+    pub is_fast: u32,
+    pub reserved: [u32; 1],
 }
 const _: () = assert!(std::mem::size_of::<Body2Options>() == 72);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+/// A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part2_defaults`.
+pub struct Part2 {
+    pub shape: Shape2,
+    pub density: i32,
+    pub friction: i32,
+    pub restitution: i32,
+    pub is_sensor: u32,
+}
+const _: () = assert!(std::mem::size_of::<Part2>() == 56);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -814,9 +830,22 @@ pub struct Body3Options {
     pub gravity_scale: i32,
     pub locked: u32,
     pub is_sensor: u32,
-    pub reserved: [u32; 3],
+    pub is_fast: u32,
+    pub reserved: [u32; 2],
 }
 const _: () = assert!(std::mem::size_of::<Body3Options>() == 88);
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+/// A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part3_defaults`.
+pub struct Part3 {
+    pub shape: Shape3,
+    pub density: i32,
+    pub friction: i32,
+    pub restitution: i32,
+    pub is_sensor: u32,
+}
+const _: () = assert!(std::mem::size_of::<Part3>() == 84);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -879,6 +908,8 @@ extern "C" {
     pub fn detent_time_of_impact2(a: *const Shape2, sweep_a: *const Sweep2, b: *const Shape2, sweep_b: *const Sweep2, target: i32, impact: *mut Impact) -> i32;
     pub fn detent_hull2_create(context: *mut Context, id: u32, points: *const Vec2, count: u32, hull: *mut u32) -> i32;
     pub fn detent_solid2_create(context: *mut Context, id: u32, points: *const Vec2, count: u32, solid: *mut u32) -> i32;
+    pub fn detent_part2_defaults(part: *mut Part2) -> i32;
+    pub fn detent_compound2_create(context: *mut Context, id: u32, parts: *const Part2, count: u32, compound: *mut u32) -> i32;
     pub fn detent_scene2_create(context: *mut Context, scene: *mut u32) -> i32;
     pub fn detent_scene2_destroy(context: *mut Context, scene: u32) -> i32;
     pub fn detent_scene2_add(context: *mut Context, scene: u32, shape: *const Shape2, traits: *const Traits, id: *mut Id) -> i32;
@@ -914,10 +945,12 @@ extern "C" {
     pub fn detent_world2_create(context: *mut Context, settings: *const World2Settings, world: *mut u32) -> i32;
     pub fn detent_world2_destroy(context: *mut Context, world: u32) -> i32;
     pub fn detent_world2_add(context: *mut Context, world: u32, shape: *const Shape2, options: *const Body2Options, id: *mut Id) -> i32;
+    pub fn detent_world2_add_as(context: *mut Context, world: u32, id: Id, shape: *const Shape2, options: *const Body2Options) -> i32;
     pub fn detent_world2_remove(context: *mut Context, world: u32, id: Id) -> i32;
     pub fn detent_world2_step(context: *mut Context, world: u32) -> i32;
     pub fn detent_world2_body(context: *const Context, world: u32, id: Id, body: *mut Body2) -> i32;
     pub fn detent_world2_bodies(context: *const Context, world: u32, ids: *const Id, count: u32, bodies: *mut Body2) -> i32;
+    pub fn detent_world2_frame(context: *const Context, world: u32, id: Id, frame: *mut Transform2) -> i32;
     pub fn detent_world2_set_velocity(context: *mut Context, world: u32, id: Id, velocity: *const Vec2) -> i32;
     pub fn detent_world2_set_angular_velocity(context: *mut Context, world: u32, id: Id, velocity: *const i32) -> i32;
     pub fn detent_world2_apply_impulse(context: *mut Context, world: u32, id: Id, impulse: *const Vec2, at: *const Vec2) -> i32;
@@ -975,6 +1008,8 @@ extern "C" {
     pub fn detent_time_of_impact3(a: *const Shape3, sweep_a: *const Sweep3, b: *const Shape3, sweep_b: *const Sweep3, target: i32, impact: *mut Impact) -> i32;
     pub fn detent_hull3_create(context: *mut Context, id: u32, points: *const Vec3, count: u32, hull: *mut u32) -> i32;
     pub fn detent_solid3_create(context: *mut Context, id: u32, points: *const Vec3, count: u32, solid: *mut u32) -> i32;
+    pub fn detent_part3_defaults(part: *mut Part3) -> i32;
+    pub fn detent_compound3_create(context: *mut Context, id: u32, parts: *const Part3, count: u32, compound: *mut u32) -> i32;
     pub fn detent_scene3_create(context: *mut Context, scene: *mut u32) -> i32;
     pub fn detent_scene3_destroy(context: *mut Context, scene: u32) -> i32;
     pub fn detent_scene3_add(context: *mut Context, scene: u32, shape: *const Shape3, traits: *const Traits, id: *mut Id) -> i32;
@@ -1010,10 +1045,12 @@ extern "C" {
     pub fn detent_world3_create(context: *mut Context, settings: *const World3Settings, world: *mut u32) -> i32;
     pub fn detent_world3_destroy(context: *mut Context, world: u32) -> i32;
     pub fn detent_world3_add(context: *mut Context, world: u32, shape: *const Shape3, options: *const Body3Options, id: *mut Id) -> i32;
+    pub fn detent_world3_add_as(context: *mut Context, world: u32, id: Id, shape: *const Shape3, options: *const Body3Options) -> i32;
     pub fn detent_world3_remove(context: *mut Context, world: u32, id: Id) -> i32;
     pub fn detent_world3_step(context: *mut Context, world: u32) -> i32;
     pub fn detent_world3_body(context: *const Context, world: u32, id: Id, body: *mut Body3) -> i32;
     pub fn detent_world3_bodies(context: *const Context, world: u32, ids: *const Id, count: u32, bodies: *mut Body3) -> i32;
+    pub fn detent_world3_frame(context: *const Context, world: u32, id: Id, frame: *mut Transform3) -> i32;
     pub fn detent_world3_set_velocity(context: *mut Context, world: u32, id: Id, velocity: *const Vec3) -> i32;
     pub fn detent_world3_set_angular_velocity(context: *mut Context, world: u32, id: Id, velocity: *const i32) -> i32;
     pub fn detent_world3_apply_impulse(context: *mut Context, world: u32, id: Id, impulse: *const Vec3, at: *const Vec3) -> i32;

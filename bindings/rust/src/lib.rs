@@ -255,7 +255,7 @@ macro_rules! space {
      $ShapeAs:ident $Hit:ident $ObjectHit:ident $Settings:ident $Options:ident $Body:ident
      $Sphere:ident $Aabb:ident $Obb:ident $Plane:ident $Triangle:ident $Capsule:ident
      $Segment:ident $ContactPoint:ident $Manifold:ident $Sweep:ident $Joint:ident
-     $Mover:ident $MoverSettings:ident $Move:ident;
+     $Mover:ident $MoverSettings:ident $Move:ident $Part:ident;
      $($alias:ident = $function:ident,)*) => {
         #[doc = $doc]
         pub mod $name {
@@ -265,7 +265,8 @@ macro_rules! space {
                 $Body as Body, $Hit as Hit, $ObjectHit as ObjectHit, $Options as BodyOptions,
                 $ContactPoint as ContactPoint, $Joint as Joint, $Manifold as Manifold, $Move as Move,
                 $Mover as Mover, $MoverSettings as MoverSettings, $Ray as Ray,
-                $Settings as WorldSettings, $Shape as Shape, $Sweep as Sweep,
+                $Part as Part, $Settings as WorldSettings, $Shape as Shape, $Sweep as Sweep,
+                $Transform as Transform,
             };
 
             pub(crate) fn vec(v: [i32; $n]) -> ffi::$Vec {
@@ -330,13 +331,15 @@ macro_rules! space {
             pub fn point(at: [i32; $n]) -> Shape {
                 made(ffi::POINT, ffi::$ShapeAs { point: vec(at) })
             }
-            /// A mesh or hull transformed, or a height field moved, as a shape of a scene.
+            /// A mesh or hull transformed, or a height field moved, as a shape of a scene; of a world
+            /// the same, with a solid hull, or a compound.
             pub fn placed(asset: &Asset, translation: [i32; $n], axes: [[i32; $n]; $n],
                           scale: i32) -> Shape {
                 let translation = vec(translation);
-                let kind = match asset.handle & 15 {
+                let kind = match asset.handle & 31 {
                     5 => ffi::MESH,
                     8 => ffi::HEIGHT_FIELD,
+                    11 | 12 => ffi::COMPOUND,
                     _ => ffi::HULL,
                 };
                 let of = if kind == ffi::HEIGHT_FIELD {
@@ -432,6 +435,25 @@ macro_rules! space {
                 check(unsafe {
                     solid_create(context.pointer(), name, points.as_ptr(), length(&points)?,
                                  &mut handle)
+                })?;
+                Ok(Asset { context, handle })
+            }
+            /// A part of a compound that is made of what bodies usually are.
+            pub fn part(shape: Shape) -> Part {
+                let mut own = Part {
+                    shape, density: 0, friction: 0, restitution: 0, is_sensor: 0,
+                };
+                unsafe { part_defaults(&mut own) };
+                own.shape = shape;
+                own
+            }
+            /// Shapes that move as one body: spheres, AABBs, OBBs, capsules and placed solid hulls.
+            pub fn compound<'a>(context: &'a Context, name: u32, parts: &[Part])
+                                -> Result<Asset<'a>> {
+                let mut handle = 0;
+                check(unsafe {
+                    compound_create(context.pointer(), name, parts.as_ptr(), length(parts)?,
+                                    &mut handle)
                 })?;
                 Ok(Asset { context, handle })
             }
@@ -668,7 +690,8 @@ macro_rules! space {
                 fn at(&self) -> *mut ffi::Context {
                     self.context.pointer()
                 }
-                /// Adds a sphere, AABB, OBB, capsule or solid hull.
+                /// Adds a sphere, AABB, OBB, capsule or something `placed`: a solid hull, a compound, in
+                /// 3D a mesh or height field.
                 pub fn add(&mut self, shape: &Shape, options: &BodyOptions) -> Result<Id> {
                     let mut id = Id::default();
                     check(unsafe { world_add(self.at(), self.handle, shape, options, &mut id) })?;
@@ -776,6 +799,14 @@ macro_rules! space {
                     let mut size = 0;
                     check(unsafe { world_size(self.at(), self.handle, &mut size) })?;
                     Ok(size)
+                }
+                /// Where the parts of a compound, or the points of a hull, were given.
+                pub fn frame(&self, id: Id) -> Result<Option<Transform>> {
+                    let mut frame = Transform::default();
+                    let yes = check(unsafe {
+                        world_frame(self.at(), self.handle, id, &mut frame)
+                    })?;
+                    Ok(if yes { Some(frame) } else { None })
                 }
                 /// The pairs that began or ended to touch in the last step.
                 pub fn events(&self) -> Result<Vec<Touch>> {
@@ -1017,7 +1048,7 @@ space! {
     Shape2As Hit2 ObjectHit2 World2Settings Body2Options Body2
     Sphere2 Aabb2 Obb2 Plane2 Triangle2 Capsule2
     Segment2 ContactPoint2 Manifold2 Sweep2 Joint2
-    Mover2 Mover2Settings Move2;
+    Mover2 Mover2Settings Move2 Part2;
     raycast_ = detent_raycast2,
     raycast_many_ = detent_raycast2_many,
     contains_ = detent_contains2,
@@ -1035,6 +1066,8 @@ space! {
     time_of_impact_ = detent_time_of_impact2,
     joint_defaults = detent_joint2_defaults,
     solid_create = detent_solid2_create,
+    part_defaults = detent_part2_defaults,
+    compound_create = detent_compound2_create,
     world_add_joint = detent_world2_add_joint,
     world_change_joint = detent_world2_change_joint,
     world_remove_joint = detent_world2_remove_joint,
@@ -1076,6 +1109,7 @@ space! {
     world_apply_torque = detent_world2_apply_torque,
     world_size = detent_world2_size,
     world_events = detent_world2_events,
+    world_frame = detent_world2_frame,
     world_digest = detent_world2_digest,
     world_snapshot = detent_world2_snapshot,
     world_restore = detent_world2_restore,
@@ -1113,7 +1147,7 @@ space! {
     Shape3As Hit3 ObjectHit3 World3Settings Body3Options Body3
     Sphere3 Aabb3 Obb3 Plane3 Triangle3 Capsule3
     Segment3 ContactPoint3 Manifold3 Sweep3 Joint3
-    Mover3 Mover3Settings Move3;
+    Mover3 Mover3Settings Move3 Part3;
     raycast_ = detent_raycast3,
     raycast_many_ = detent_raycast3_many,
     contains_ = detent_contains3,
@@ -1131,6 +1165,8 @@ space! {
     time_of_impact_ = detent_time_of_impact3,
     joint_defaults = detent_joint3_defaults,
     solid_create = detent_solid3_create,
+    part_defaults = detent_part3_defaults,
+    compound_create = detent_compound3_create,
     world_add_joint = detent_world3_add_joint,
     world_change_joint = detent_world3_change_joint,
     world_remove_joint = detent_world3_remove_joint,
@@ -1172,6 +1208,7 @@ space! {
     world_apply_torque = detent_world3_apply_torque,
     world_size = detent_world3_size,
     world_events = detent_world3_events,
+    world_frame = detent_world3_frame,
     world_digest = detent_world3_digest,
     world_snapshot = detent_world3_snapshot,
     world_restore = detent_world3_restore,

@@ -171,6 +171,15 @@ fn joints_and_frames() {
     let body = d2::placed(&solid, [9 * ONE, 9 * ONE], d2::AXES, ONE);
     world.add(&body, &options).unwrap();
     assert_eq!(solid.destroy(), Err(Error(ffi::IN_USE)));
+    let heavy = d2::Part { density: 3 * ONE, ..d2::part(d2::sphere([-ONE, 0], ONE / 2)) };
+    let parts = [heavy, d2::part(d2::sphere([ONE, 0], ONE / 2)),
+                 d2::part(d2::placed(&solid, [0, ONE], d2::AXES, ONE))];
+    let dumbbell = d2::compound(&context, 4, &parts).unwrap();
+    let body = d2::placed(&dumbbell, [0, 20 * ONE], d2::AXES, ONE);
+    let body = world.add(&body, &options).unwrap();
+    let frame = world.frame(body).unwrap().unwrap();
+    assert_eq!((frame.translation.x, frame.translation.y), (0, 20 * ONE));
+    assert_eq!(dumbbell.destroy(), Err(Error(ffi::IN_USE)));
 
     let mut scene = d2::Scene::new(&context).unwrap();
     let frame = scene.add_frame([ONE, 0], d2::AXES, ONE, Id::default()).unwrap().unwrap();

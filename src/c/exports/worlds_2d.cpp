@@ -6,6 +6,12 @@
 detent_status detent_solid2_create(detent_context* context, uint32_t id, const detent_vec2* points, uint32_t count, detent_handle* solid) {
   return detent::c::Solids<2>::create(context, id, points, count, solid);
 }
+detent_status detent_part2_defaults(detent_part2* part) {
+  return detent::c::Compounds<2>::defaults(part);
+}
+detent_status detent_compound2_create(detent_context* context, uint32_t id, const detent_part2* parts, uint32_t count, detent_handle* compound) {
+  return detent::c::Compounds<2>::create(context, id, parts, count, compound);
+}
 detent_status detent_world2_default_settings(detent_world2_settings* settings) {
   return detent::c::Worlds<2>::default_settings(settings);
 }
@@ -21,6 +27,9 @@ detent_status detent_world2_destroy(detent_context* context, detent_handle world
 detent_status detent_world2_add(detent_context* context, detent_handle world, const detent_shape2* shape, const detent_body2_options* options, detent_id* id) {
   return detent::c::Worlds<2>::add(context, world, shape, options, id);
 }
+detent_status detent_world2_add_as(detent_context* context, detent_handle world, detent_id id, const detent_shape2* shape, const detent_body2_options* options) {
+  return detent::c::Worlds<2>::add_as(context, world, id, shape, options);
+}
 detent_status detent_world2_remove(detent_context* context, detent_handle world, detent_id id) {
   return detent::c::Worlds<2>::remove(context, world, id);
 }
@@ -32,6 +41,9 @@ detent_status detent_world2_body(const detent_context* context, detent_handle wo
 }
 detent_status detent_world2_bodies(const detent_context* context, detent_handle world, const detent_id* ids, uint32_t count, detent_body2* bodies) {
   return detent::c::Worlds<2>::bodies(context, world, ids, count, bodies);
+}
+detent_status detent_world2_frame(const detent_context* context, detent_handle world, detent_id id, detent_transform2* frame) {
+  return detent::c::Worlds<2>::frame(context, world, id, frame);
 }
 detent_status detent_world2_set_velocity(detent_context* context, detent_handle world, detent_id id, const detent_vec2* velocity) {
   return detent::c::Worlds<2>::set_velocity(context, world, id, velocity);

@@ -6,6 +6,12 @@
 detent_status detent_solid3_create(detent_context* context, uint32_t id, const detent_vec3* points, uint32_t count, detent_handle* solid) {
   return detent::c::Solids<3>::create(context, id, points, count, solid);
 }
+detent_status detent_part3_defaults(detent_part3* part) {
+  return detent::c::Compounds<3>::defaults(part);
+}
+detent_status detent_compound3_create(detent_context* context, uint32_t id, const detent_part3* parts, uint32_t count, detent_handle* compound) {
+  return detent::c::Compounds<3>::create(context, id, parts, count, compound);
+}
 detent_status detent_world3_default_settings(detent_world3_settings* settings) {
   return detent::c::Worlds<3>::default_settings(settings);
 }
@@ -21,6 +27,9 @@ detent_status detent_world3_destroy(detent_context* context, detent_handle world
 detent_status detent_world3_add(detent_context* context, detent_handle world, const detent_shape3* shape, const detent_body3_options* options, detent_id* id) {
   return detent::c::Worlds<3>::add(context, world, shape, options, id);
 }
+detent_status detent_world3_add_as(detent_context* context, detent_handle world, detent_id id, const detent_shape3* shape, const detent_body3_options* options) {
+  return detent::c::Worlds<3>::add_as(context, world, id, shape, options);
+}
 detent_status detent_world3_remove(detent_context* context, detent_handle world, detent_id id) {
   return detent::c::Worlds<3>::remove(context, world, id);
 }
@@ -32,6 +41,9 @@ detent_status detent_world3_body(const detent_context* context, detent_handle wo
 }
 detent_status detent_world3_bodies(const detent_context* context, detent_handle world, const detent_id* ids, uint32_t count, detent_body3* bodies) {
   return detent::c::Worlds<3>::bodies(context, world, ids, count, bodies);
+}
+detent_status detent_world3_frame(const detent_context* context, detent_handle world, detent_id id, detent_transform3* frame) {
+  return detent::c::Worlds<3>::frame(context, world, id, frame);
 }
 detent_status detent_world3_set_velocity(detent_context* context, detent_handle world, detent_id id, const detent_vec3* velocity) {
   return detent::c::Worlds<3>::set_velocity(context, world, id, velocity);
