@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// usage: detent-bench-meshes MODEL.ply [RAYS]
+// usage: detent-bench-meshes NAME [MODEL.obj|MODEL.ply]
 //
-// Nearest hits of rays on a mesh and the time to build its tree, on one thread: detent in q16_16
-// and in float from the same source, Embree in robust mode, and Bullet. The model is scaled to 200
-// units; rays start on a sphere of radius 300 and aim at points of the inner box. All engines get
-// the same corners and rays, alternately, and times are CPU time of the thread. The hit counts of
-// detent and Embree must agree within one ray in 10,000.
+// Rays on a mesh and the time to build its tree, on one thread: detent in q16_16 and in float from the
+// same source, Embree in robust mode, and Bullet. The model, or a bumpy ball of 204,800 triangles, is
+// scaled to 200 units. Random rays start on a sphere of radius 300 and aim at points of the inner box;
+// camera rays are the pixels of a picture of the model. All engines get the same corners and rays, by
+// turns. Prints rows "question,triangles,engine,time", in nanoseconds of the thread, each the median of
+// a few rounds, where q16_16 is called NAME. The hit counts of detent and Embree must agree within one
+// ray in 10,000. tests/bench/engines makes a table of them.
 
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 #include <btBulletCollisionCommon.h>
@@ -45,32 +47,85 @@ struct Model {
   std::vector<detent::VertexIndices> faces;
 };
 
-/// The vertices and triangles of an ASCII PLY file, scaled to 200 units around the origin on the
-/// grid of q16_16.
-Model load(const char* path) {
+/// The vertices and triangles of an ASCII PLY file.
+Model load_ply(std::ifstream& in) {
   Model model;
-  std::ifstream in(path);
   std::size_t vertices = 0, faces = 0;
   for (std::string line; std::getline(in, line) && line.rfind("end_header", 0) != 0;) {
     if (line.rfind("element vertex ", 0) == 0) vertices = std::stoul(line.substr(15));
     if (line.rfind("element face ", 0) == 0) faces = std::stoul(line.substr(13));
   }
-  std::array<float, 3> low{1e30F, 1e30F, 1e30F}, high{-1e30F, -1e30F, -1e30F};
   std::string line;
   while (vertices-- > 0 && std::getline(in, line)) {
     std::istringstream numbers(line);
     auto& vertex = model.vertices.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      numbers >> vertex[i];
-      low[i] = std::min(low[i], vertex[i]);
-      high[i] = std::max(high[i], vertex[i]);
-    }
+    for (auto& x : vertex) numbers >> x;
   }
   while (faces-- > 0 && std::getline(in, line)) {
     std::istringstream numbers(line);
     int corners = 0;
     auto& face = model.faces.emplace_back();
     numbers >> corners >> face[0] >> face[1] >> face[2];
+  }
+  return model;
+}
+
+/// The vertices and triangles of an OBJ file, whose faces are triangles.
+Model load_obj(std::ifstream& in) {
+  Model model;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word == "v") {
+      auto& vertex = model.vertices.emplace_back();
+      for (auto& x : vertex) words >> x;
+    } else if (word == "f") {
+      auto& face = model.faces.emplace_back();
+      for (auto& corner : face) {
+        words >> word;  // a slash and other indices may follow
+        corner = static_cast<std::uint32_t>(std::stoul(word)) - 1;
+      }
+    }
+  }
+  return model;
+}
+
+/// A ball of 320 x 320 squares whose surface is bumpy.
+Model bumpy_ball() {
+  constexpr int side = 320;
+  constexpr double pi = 3.14159265358979;
+  Model model;
+  for (int i = 0; i <= side; ++i) {
+    for (int j = 0; j <= side; ++j) {
+      const double up = pi * i / side, around = 2 * pi * j / side;
+      const double radius = 1 + 0.1 * std::sin(13 * up) * std::cos(9 * around) +
+                            0.02 * std::sin(61 * up + 47 * around);
+      model.vertices.push_back({static_cast<float>(radius * std::sin(up) * std::cos(around)),
+                                static_cast<float>(radius * std::cos(up)),
+                                static_cast<float>(radius * std::sin(up) * std::sin(around))});
+    }
+  }
+  for (std::uint32_t i = 0; i < side; ++i) {
+    for (std::uint32_t j = 0; j < side; ++j) {
+      const std::uint32_t a = i * (side + 1) + j, b = a + side + 1;
+      model.faces.push_back({a, a + 1, b});
+      model.faces.push_back({a + 1, b + 1, b});
+    }
+  }
+  return model;
+}
+
+/// A model scaled to 200 units around the origin, on the grid of q16_16.
+Model load(const std::string& path) {
+  std::ifstream in(path);
+  Model model = path.empty() ? bumpy_ball() : path.ends_with(".obj") ? load_obj(in) : load_ply(in);
+  std::array<float, 3> low{1e30F, 1e30F, 1e30F}, high{-1e30F, -1e30F, -1e30F};
+  for (const auto& vertex : model.vertices) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], vertex[i]);
+      high[i] = std::max(high[i], vertex[i]);
+    }
   }
   double size = 0;
   for (std::size_t i = 0; i < 3; ++i) size = std::max<double>(size, high[i] - low[i]);
@@ -133,6 +188,12 @@ class Ours {
   [[nodiscard]] bool hit(const detent::Ray<S, 3>& ray) const {
     return raycast_nearest(ray, mesh_).has_value();
   }
+  [[nodiscard]] bool hit_any(const detent::Ray<S, 3>& ray) const { return raycast_any(ray, mesh_); }
+  /// The size of triangles and tree together.
+  [[nodiscard]] double bytes_a_triangle() const {
+    return static_cast<double>(mesh_.triangles.size_bytes() + mesh_.tree.nodes.size_bytes()) /
+           static_cast<double>(mesh_.triangles.size());
+  }
 
  private:
   std::vector<detent::Vec<S, 3>> vertices_;
@@ -182,6 +243,21 @@ class Embree {
     rtcIntersect1(scene_, &context, &query);
     return query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
   }
+  [[nodiscard]] bool hit_any(const detent::Ray<float, 3>& ray) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay query{};
+    query.org_x = ray.origin.x;
+    query.org_y = ray.origin.y;
+    query.org_z = ray.origin.z;
+    query.dir_x = ray.direction[0];
+    query.dir_y = ray.direction[1];
+    query.dir_z = ray.direction[2];
+    query.tfar = ray.max_distance;
+    query.mask = ~0U;
+    rtcOccluded1(scene_, &context, &query);
+    return query.tfar < 0;
+  }
 
  private:
   RTCDevice device_;
@@ -225,7 +301,30 @@ class Bullet {
 struct Rays {
   std::vector<detent::Ray<q16_16, 3>> fixed;
   std::vector<detent::Ray<float, 3>> floating;
+
+  void add(const detent::Vec<q16_16, 3>& origin, const detent::Vec<q16_16, 3>& way) {
+    const auto direction = normalize(way);
+    if (!direction) return;
+    fixed.push_back({origin, *direction, q16_16(1000)});
+    const auto as_float = [](const auto& v) {
+      return detent::make_vec<3>([&](int i) { return static_cast<float>(double(v[i])); });
+    };
+    floating.push_back({as_float(origin), *normalize(as_float(way)), 1000});
+  }
 };
+
+/// The pixels of a picture of 240 x 160, line by line.
+Rays camera_rays() {
+  Rays rays;
+  for (int y = 0; y < 160; ++y) {
+    for (int x = 0; x < 240; ++x) {
+      rays.add({q16_16(40), q16_16(80), q16_16(260)},
+               {q16_16::from_double((x - 120) * 0.9 - 40), q16_16::from_double((80 - y) * 0.9 - 80),
+                q16_16(-260)});
+    }
+  }
+  return rays;
+}
 
 Rays draw_rays(const Model& model, std::size_t count) {
   detent::test::Random random(7);
@@ -245,75 +344,99 @@ Rays draw_rays(const Model& model, std::size_t count) {
       origin[i] = q16_16::from_double(from[k]);
       way[i] = q16_16::from_double(half[k] * (uniform() - 0.5) - from[k]);  // the inner half
     }
-    const auto direction = normalize(way);
-    if (!direction) continue;
-    rays.fixed.push_back({origin, *direction, q16_16(1000)});
-    const auto as_float = [](const auto& v) {
-      return detent::make_vec<3>([&](int i) { return static_cast<float>(double(v[i])); });
-    };
-    rays.floating.push_back({as_float(origin), *normalize(as_float(way)), 1000});
+    rays.add(origin, way);
   }
   return rays;
 }
 
-/// The time and hits of one engine.
-struct Tally {
-  double time = 0;
-  std::size_t rays = 0, hits = 0;
+/// The times of a task in rounds, and the hits of the last.
+struct Times {
+  std::vector<double> list;
+  std::size_t hits = 0;
 
-  template <class Engine, class Ray>
-  void run(const Engine& engine, const std::vector<Ray>& list, std::size_t count) {
+  template <class Task>
+  void run(std::size_t count, const Task& task) {
     const double start = now();
-    for (std::size_t i = 0; i < count; ++i) hits += engine.hit(list[i]) ? 1 : 0;
-    time += now() - start;
-    rays += count;
+    hits = task();
+    list.push_back((now() - start) / static_cast<double>(count));
   }
-  [[nodiscard]] double per_ray() const { return time / static_cast<double>(rays); }
+  [[nodiscard]] double median() {
+    std::sort(list.begin(), list.end());
+    return list[list.size() / 2];
+  }
 };
+
+/// Casts rays in every engine, by turns, and prints their times. False if hits differ by too many.
+bool compare(const std::string& name, const std::string& kind, const Rays& rays,
+             const Ours<q16_16>& fixed, const Ours<float>& floating, const Embree& embree,
+             const Bullet& bullet, std::size_t triangles) {
+  const std::size_t count = rays.fixed.size();
+  const auto nearest = [](const auto& engine, const auto& list, std::size_t step) {
+    std::size_t hits = 0;
+    for (std::size_t i = 0; i < list.size(); i += step) hits += engine.hit(list[i]) ? 1 : 0;
+    return hits;
+  };
+  const auto any = [](const auto& engine, const auto& list) {
+    std::size_t hits = 0;
+    for (const auto& ray : list) hits += engine.hit_any(ray) ? 1 : 0;
+    return hits;
+  };
+  std::array<Times, 7> times;
+  for (int round = 0; round < 9; ++round) {
+    times[0].run(count, [&] { return nearest(fixed, rays.fixed, 1); });
+    times[1].run(count, [&] { return nearest(floating, rays.floating, 1); });
+    times[2].run(count, [&] { return nearest(embree, rays.floating, 1); });
+    times[3].run(count / 10, [&] { return nearest(bullet, rays.floating, 10); });
+    times[4].run(count, [&] { return any(fixed, rays.fixed); });
+    times[5].run(count, [&] { return any(floating, rays.floating); });
+    times[6].run(count, [&] { return any(embree, rays.floating); });
+  }
+  const std::array engines{name.c_str(), "float", "Embree", "Bullet"};
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    std::printf("%s %s,%zu,%s,%.1f\n", kind.c_str(), i < 4 ? "nearest" : "any", triangles,
+                engines[i % 4], times[i].median());
+  }
+  const auto allowed = static_cast<double>(count) * 1e-4;
+  return times[0].hits == times[4].hits && std::abs(static_cast<double>(times[0].hits) -
+                                                    static_cast<double>(times[2].hits)) <= allowed;
+}
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count < 2) {
-    std::puts("usage: detent-bench-meshes MODEL.ply [RAYS]");
+  if (count < 2 || arguments[1][0] == '-') {
+    std::puts("usage: detent-bench-meshes NAME [MODEL.obj|MODEL.ply]");
     return 2;
   }
-  Model model = load(arguments[1]);
+  const std::string name = arguments[1], path = count > 2 ? arguments[2] : "";
+  Model model = load(path);
   if (model.faces.empty()) {
-    std::printf("%s: no triangles; an ASCII PLY file is expected\n", arguments[1]);
+    std::printf("%s: no triangles; an OBJ or an ASCII PLY file is expected\n", path.c_str());
     return 2;
   }
-  const auto rays = draw_rays(model, count > 2 ? std::stoul(arguments[2]) : 40'000);
+  const std::size_t triangles = model.faces.size();
   Ours<q16_16> fixed(model);
   Ours<float> floating(model);
   Embree embree(model);
   Bullet bullet(model);
-  Tally in_fixed, in_float, in_embree, in_bullet;
-  std::array<double, 4> built{1e30, 1e30, 1e30, 1e30};
-  for (int round = 0; round < 5; ++round) {
-    built[0] = std::min(built[0], fixed.build(model));
-    built[1] = std::min(built[1], floating.build(model));
-    built[2] = std::min(built[2], embree.build(model));
-    built[3] = std::min(built[3], bullet.build());
-    in_fixed.run(fixed, rays.fixed, rays.fixed.size());
-    in_float.run(floating, rays.floating, rays.floating.size());
-    in_embree.run(embree, rays.floating, rays.floating.size());
-    in_bullet.run(bullet, rays.floating, rays.floating.size() / 10);
+  std::array<std::vector<double>, 4> built;
+  for (int round = 0; round < 7; ++round) {
+    built[0].push_back(fixed.build(model));
+    built[1].push_back(floating.build(model));
+    built[2].push_back(embree.build(model));
+    built[3].push_back(bullet.build());
   }
-  std::printf("%zu triangles, %zu rays, %s\n", model.faces.size(), rays.fixed.size(), __VERSION__);
-  const auto row = [&](const char* name, double build, const Tally& tally) {
-    std::printf(
-        "%-16s build %7.1f ms (%.2f of Embree)  nearest %7.0f ns (%.2f of Embree)  %.2f %% hit\n",
-        name, build, build / built[2], tally.per_ray(), tally.per_ray() / in_embree.per_ray(),
-        100 * static_cast<double>(tally.hits) / static_cast<double>(tally.rays));
-  };
-  row("detent q16_16", built[0], in_fixed);
-  row("detent float", built[1], in_float);
-  row("Embree robust", built[2], in_embree);
-  row("Bullet", built[3], in_bullet);
-  const auto ours = static_cast<double>(in_fixed.hits),
-             theirs = static_cast<double>(in_embree.hits);
-  if (std::abs(ours - theirs) > 1e-4 * static_cast<double>(in_fixed.rays)) {
+  const std::array engines{name.c_str(), "float", "Embree", "Bullet"};
+  for (std::size_t i = 0; i < built.size(); ++i) {
+    std::sort(built[i].begin(), built[i].end());
+    std::printf("build,%zu,%s,%.0f\n", triangles, engines[i], 1e6 * built[i][built[i].size() / 2]);
+  }
+  std::printf("bytes a triangle,%zu,%s,%.1f\n", triangles, name.c_str(), fixed.bytes_a_triangle());
+  const bool agree =
+      compare(name, "random", draw_rays(model, 40'000), fixed, floating, embree, bullet,
+              triangles) &
+      compare(name, "camera", camera_rays(), fixed, floating, embree, bullet, triangles);
+  if (!agree) {
     std::puts("detent and Embree disagree");
     return 1;
   }

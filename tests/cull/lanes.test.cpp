@@ -76,6 +76,24 @@ TEMPLATE_TEST_CASE("lanes: marks are those of every comparison", "", std::int32_
   }
 }
 
+TEST_CASE("lanes: bytes times a step are exact for every step that a grid may have") {
+  using Numbers = std::array<std::int32_t, lane_count>;
+  Random random(0xb17e5);
+  constexpr std::int32_t longest = 1 << 21;
+  for (int i = 0; i < 20'000; ++i) {
+    std::array<std::uint8_t, lane_count> bytes{};
+    for (auto& byte : bytes)
+      byte = static_cast<std::uint8_t>(random.one_in(4) ? 255 : random.next());
+    const auto step =
+        static_cast<std::int32_t>(random.one_in(8) ? (random.coin() ? longest : -longest)
+                                                   : random.between(-longest, longest));
+    const auto first = static_cast<std::int32_t>(random.wide(30));
+    Numbers result{};
+    VectorLanes<std::int32_t>(first, step, bytes).store(result);
+    for (std::size_t k = 0; k < lane_count; ++k) REQUIRE(result[k] == first + bytes[k] * step);
+  }
+}
+
 TEST_CASE("lanes: integers are complemented, added and scaled") {
   using Numbers = std::array<std::int32_t, lane_count>;
   Random random(0x5ca1e);

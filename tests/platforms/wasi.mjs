@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// usage: node --no-warnings wasi.mjs PROGRAM.wasm
+// usage: node --no-warnings wasi.mjs PROGRAM.wasm [ARGUMENT...]
 // Runs a WebAssembly program that was built for WASI; its exit status is ours.
 
 import { readFileSync } from 'node:fs';
 import { WASI } from 'node:wasi';
 
 const program = process.argv[2];
-const wasi = new WASI({ version: 'preview1', args: [program], returnOnExit: true });
+const wasi = new WASI({ version: 'preview1', args: process.argv.slice(2), returnOnExit: true });
 const module = new WebAssembly.Module(readFileSync(program));
 const instance = new WebAssembly.Instance(module, {
   wasi_snapshot_preview1: wasi.wasiImport,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * A plugin of qemu that counts the instructions a program executes between two `yield`s, which
- * Thumb compilers never emit on their own. usage: -plugin count_instructions.so,to=FILE
+ * compilers for Thumb and AArch64 never emit on their own. usage: -plugin count_instructions.so,to=FILE
  *
  * Debian has no header of qemu's plugin interface, so the parts used of its version 1 are declared
  * here.
@@ -46,8 +46,10 @@ static void instrument(qemu_plugin_id_t id, struct qemu_plugin_tb* block) {
   (void)id;
   for (size_t i = 0; i < qemu_plugin_tb_n_insns(block); ++i) {
     struct qemu_plugin_insn* instruction = qemu_plugin_tb_get_insn(block, i);
-    const int is_yield = qemu_plugin_insn_size(instruction) == 2 &&
-                         memcmp(qemu_plugin_insn_data(instruction), "\x10\xbf", 2) == 0;
+    const size_t size = qemu_plugin_insn_size(instruction);
+    const void* data = qemu_plugin_insn_data(instruction);
+    const int is_yield = (size == 2 && memcmp(data, "\x10\xbf", 2) == 0) ||
+                         (size == 4 && memcmp(data, "\x3f\x20\x03\xd5", 4) == 0);
     if (is_yield) {
       qemu_plugin_register_vcpu_insn_exec_cb(instruction, mark, no_registers, NULL);
     } else {

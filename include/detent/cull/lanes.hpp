@@ -96,6 +96,11 @@ class ArrayLanes {
 };
 
 #if defined(__GNUC__)
+#if __has_builtin(__builtin_shufflevector)
+#define DETENT_HAS_SHUFFLES 1
+#else
+#define DETENT_HAS_SHUFFLES 0
+#endif
 #if defined(__AVX2__)
 inline constexpr std::size_t vector_bytes = 32;
 #else
@@ -129,6 +134,10 @@ class VectorLanes {
   explicit VectorLanes(const std::array<T, lane_count>& numbers) noexcept
       : parts_(std::bit_cast<Parts>(numbers)) {}
   VectorLanes(T first, T step, const std::array<std::uint8_t, lane_count>& bytes) noexcept {
+    if constexpr (unpacks_bytes) {
+      multiply(first, step, bytes);
+      return;
+    }
     const auto count = [&](std::size_t k) { return static_cast<T>(bytes[k]); };
     for (std::size_t i = 0; i < part_count; ++i) {
       const std::size_t k = i * part_lanes;
@@ -155,6 +164,21 @@ class VectorLanes {
   }
   void scale(std::uint32_t factor, int shift) noexcept {
     for (std::size_t i = 0; i < part_count; ++i) {
+#if DETENT_HAS_SHUFFLES && !defined(__SSE2__)
+      if constexpr (Bytes == 16) {  // products of halves of a vector, as NEON and simd128 have them
+        using Quarters = typename VectorOf<std::uint32_t, 16>::type;
+        using Half = typename VectorOf<std::uint32_t, 8>::type;
+        const auto lanes = std::bit_cast<Quarters>(parts_[i]);
+        const Half lower = __builtin_shufflevector(lanes, lanes, 0, 1);
+        const Half upper = __builtin_shufflevector(lanes, lanes, 2, 3), by = Half{} + factor;
+        const Words words = __builtin_convertvector(by, Words);
+        const Words first = (__builtin_convertvector(lower, Words) * words) >> shift;
+        const Words second = (__builtin_convertvector(upper, Words) * words) >> shift;
+        parts_[i] = std::bit_cast<Part>(__builtin_shufflevector(
+            std::bit_cast<Quarters>(first), std::bit_cast<Quarters>(second), 0, 2, 4, 6));
+        continue;
+      }
+#endif
       const auto lanes = std::bit_cast<Words>(parts_[i]);  // the even lane is the lower half
       const Words even = times(lanes, factor) >> shift, odd = times(lanes >> 32, factor) >> shift;
       parts_[i] = std::bit_cast<Part>(even | (odd << 32));
@@ -199,6 +223,54 @@ class VectorLanes {
  private:
   using Words = typename VectorOf<std::uint64_t, Bytes>::type;
 
+#if DETENT_HAS_SHUFFLES
+  static constexpr bool unpacks_bytes =
+      std::is_same_v<T, std::int32_t> && Bytes == 16 && std::endian::native == std::endian::little;
+
+  /// first + step * bytes[k] in lane k. Compilers would take the bytes one by one, and SSE2 has no
+  /// products of 32 bits, modulo 2^32: their upper halves are those of b low plus b high.
+  void multiply(T first, T step, const std::array<std::uint8_t, lane_count>& bytes) noexcept {
+    if constexpr (unpacks_bytes) {
+      using Shorts = typename VectorOf<std::uint16_t, Bytes>::type;
+      const Words word{std::bit_cast<std::uint64_t>(bytes), 0};
+#if defined(__SSE2__) && !defined(__clang__)  // GCC's shuffle takes the bytes one by one
+      using Chars = typename VectorOf<char, Bytes>::type;
+      const auto counts =
+          std::bit_cast<Shorts>(__builtin_ia32_punpcklbw128(std::bit_cast<Chars>(word), Chars{}));
+#else
+      using Octets = typename VectorOf<std::uint8_t, Bytes>::type;
+      const auto counts = std::bit_cast<Shorts>(
+          __builtin_shufflevector(std::bit_cast<Octets>(word), Octets{}, 0, 16, 1, 16, 2, 16, 3, 16,
+                                  4, 16, 5, 16, 6, 16, 7, 16));
+#endif
+#if defined(__SSE2__)
+      using Signed = typename VectorOf<std::int16_t, Bytes>::type;
+      const auto bits = static_cast<std::uint32_t>(step);
+      const Shorts low = Shorts{} + static_cast<std::uint16_t>(bits & 0xffff);
+      const Shorts high = Shorts{} + static_cast<std::uint16_t>(bits >> 16);
+      const auto carried = std::bit_cast<Shorts>(
+          __builtin_ia32_pmulhuw128(std::bit_cast<Signed>(counts), std::bit_cast<Signed>(low)));
+      const Shorts lower = counts * low, upper = carried + counts * high;
+#else
+      const Shorts lower = counts, upper{};
+#endif
+      parts_[0] =
+          std::bit_cast<Part>(__builtin_shufflevector(lower, upper, 0, 8, 1, 9, 2, 10, 3, 11));
+      parts_[1] =
+          std::bit_cast<Part>(__builtin_shufflevector(lower, upper, 4, 12, 5, 13, 6, 14, 7, 15));
+      for (auto& part : parts_.at) {
+#if !defined(__SSE2__)
+        part *= step;
+#endif
+        part += first;
+      }
+    }
+  }
+#else
+  static constexpr bool unpacks_bytes = false;
+  void multiply(T, T, const std::array<std::uint8_t, lane_count>&) noexcept {}
+#endif
+
   /// The products of the lower halves.
   [[nodiscard]] static Words times(const Words& x, std::uint32_t factor) noexcept {
 #if defined(__clang__) || !defined(__SSE2__)
@@ -242,9 +314,10 @@ class VectorLanes {
 };
 #endif
 
-// Below AVX2 some of these operations have no instruction, and an array takes three quarters of the
-// time.
-#if defined(__GNUC__) && defined(__AVX2__)
+#undef DETENT_HAS_SHUFFLES
+
+// Vectors of 32 bits for rays against the nodes of a mesh.
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__))
 template <class T>
 using Lanes = VectorLanes<T>;
 #else
@@ -261,9 +334,10 @@ template <class T>
 using ComparedLanes = ArrayLanes<T>;
 #endif
 
-/// Whether lanes have instructions for all operations on 32 bits. Without those of SSE4.1 for the
-/// greater and the less, lanes save a quarter of a ray's instructions but no time.
-#if defined(__GNUC__) && defined(__SSE4_1__)
+/// Whether lanes have fast instructions for all operations on 32 bits. SSE2 lacks the greater and
+/// the less, and in node a product of simd128 takes many: there a ray saves too little in the few
+/// nodes that it meets for what it takes to prepare (docs/scene.md).   (tests/platforms/forms)
+#if defined(__GNUC__) && (defined(__SSE4_1__) || defined(__aarch64__))
 inline constexpr bool has_full_lanes = true;
 #else
 inline constexpr bool has_full_lanes = false;

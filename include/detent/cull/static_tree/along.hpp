@@ -58,6 +58,20 @@ class StaticRay {
     return meets<Lanes<Time>>(node, limit, enter) & children;
   }
 
+  /// The same in lanes of one form, of all eight places.
+  template <class Lanes>
+  [[nodiscard]] constexpr std::uint32_t meets(const Node& node, Time limit,
+                                              Times& enter) const noexcept {
+    Lanes in(Time{}), out(limit);
+    for (std::size_t i = 0; i < N; ++i) {
+      const auto planes = slabs_[i].on_grid(node.grids[i]);
+      in.raise(planes.template enter<Lanes>(node.sides[near_side_[i]]));
+      out.lower(planes.template leave<Lanes>(node.sides[near_side_[i] ^ 1]));
+    }
+    in.store(enter);
+    return in.up_to(out);
+  }
+
   /// A lower bound on the distance at which the ray enters a box, if it may before `limit`.
   [[nodiscard]] constexpr std::optional<Time> meets(const Aabb<S, N>& box,
                                                     const Time& limit) const noexcept {
@@ -73,19 +87,6 @@ class StaticRay {
 
  private:
   using Reach = typename Ticks<S>::Reach;
-
-  template <class Lanes>
-  [[nodiscard]] constexpr std::uint32_t meets(const Node& node, Time limit,
-                                              Times& enter) const noexcept {
-    Lanes in(Time{}), out(limit);
-    for (std::size_t i = 0; i < N; ++i) {
-      const auto planes = slabs_[i].on_grid(node.grids[i]);
-      in.raise(planes.template enter<Lanes>(node.sides[near_side_[i]]));
-      out.lower(planes.template leave<Lanes>(node.sides[near_side_[i] ^ 1]));
-    }
-    in.store(enter);
-    return in.up_to(out);
-  }
 
   constexpr StaticRay(const Ray<S, N>& ray, const Ticks<S>& ticks) noexcept
       : ticks_(ticks), slabs_(make_slabs(ray, ticks)) {

@@ -84,8 +84,7 @@ struct alignas(64) TreeNode {
     if (__builtin_is_constant_evaluated()) return meeting<ArrayLanes<Coordinate>>(box) & used;
     return meeting<ComparedLanes<Coordinate>>(box) & used;
   }
-
- private:
+  /// The same in lanes of one form, of all eight places.
   template <class Lanes>
   [[nodiscard]] constexpr Mask meeting(const Box& box) const noexcept {
     typename Lanes::Marks apart;

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: MIT
+//
+// usage: detent-bench-growth NAME [--peers] [--most OBJECTS] [--threads]
+// Scenes of 100 to OBJECTS (100,000) random spheres and boxes: rays, regions, pairs, changes,
+// loading and snapshots, in q16_16; with --peers also in float and in Bullet; with --threads also
+// rays of one and of two threads. Prints rows "question,size,NAME,time", in nanoseconds, each the
+// median of a few rounds; fails when a q16_16 result is not golden. tests/bench/engines makes a table
+// of them.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "bench/drawn_scene.hpp"
+#include "detent/scene/snapshot.hpp"
+#if DETENT_BENCH_BULLET
+#include <btBulletCollisionCommon.h>
+#endif
+
+namespace detent::bench {
+namespace {
+
+/// The median CPU time of a few runs, in nanoseconds.
+class Median {
+ public:
+  template <class F>
+  void time(const F& f) {
+    const double start = now();
+    f();
+    times_.push_back(now() - start);
+  }
+  [[nodiscard]] double value() {
+    const auto middle = times_.begin() + static_cast<std::ptrdiff_t>(times_.size() / 2);
+    std::nth_element(times_.begin(), middle, times_.end());
+    return *middle;
+  }
+
+ private:
+  static double now() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1e9 + static_cast<double>(time.tv_nsec);
+  }
+
+  std::vector<double> times_;
+};
+
+void print(const char* question, std::size_t size, const char* who, double time) {
+  std::printf("%s,%zu,%s,%.1f\n", question, size, who, time);
+  std::fflush(stdout);
+}
+
+constexpr std::size_t changes = 512;
+constexpr double region_radius = 100;
+
+/// What was found, to be compared with golden counts.
+struct Counts {
+  std::size_t hits = 0, in_regions = 0, pairs = 0;
+  friend bool operator==(const Counts&, const Counts&) = default;
+};
+
+/// Fewer rounds of large scenes.
+int rounds_of(std::size_t size) { return size > 200'000 ? 3 : size > 20'000 ? 5 : 9; }
+
+std::vector<std::uint32_t> draw_changes(std::size_t size) {
+  test::Random random(3);
+  std::vector<std::uint32_t> list(changes);
+  for (auto& i : list) i = static_cast<std::uint32_t>(random.below(size));
+  return list;
+}
+
+template <Scalar S>
+void add(Scene<S, 3, Sphere, Obb>& scene, const Drawn& drawn) {
+  for (const auto& [box, is_ball] : drawn.items) {
+    const Obb<S, 3> shape{as<S>(box.center), as<S>(box.half_extents), as<S>(box.rotation)};
+    if (is_ball) {
+      scene.add(Sphere<S, 3>{shape.center, shape.half_extents.x});
+    } else {
+      scene.add(shape);
+    }
+  }
+}
+
+template <Scalar S>
+Counts measure(const Drawn& drawn, const char* who) {
+  const std::size_t size = drawn.items.size();
+  const int count = rounds_of(size);
+  Counts counts;
+  Scene<S, 3, Sphere, Obb> scene;
+  Median load, optimize, nearest, any, region, pairs, change, move;
+  for (int i = 0; i < (count + 1) / 2; ++i) {
+    scene = {};
+    load.time([&] { add(scene, drawn); });
+    optimize.time([&] { scene.optimize(); });
+  }
+  std::vector<Ray<S, 3>> rays;
+  for (const auto& ray : drawn.rays) rays.push_back(as<S>(ray));
+  std::array<Found<S>, 64> room;
+  for (int i = 0; i < count; ++i) {
+    nearest.time([&] {
+      counts.hits = 0;
+      for (const auto& ray : rays) counts.hits += scene.nearest(ray) ? 1u : 0u;
+    });
+    any.time([&] {
+      for (const auto& ray : rays) counts.hits -= scene.any(ray) ? 1u : 0u;
+    });
+    if (counts.hits != 0) std::puts("any and nearest disagree"), std::exit(1);
+    for (const auto& ray : rays) counts.hits += scene.any(ray) ? 1u : 0u;
+    region.time([&] {
+      counts.in_regions = 0;
+      for (const auto& ray : rays) {
+        const Sphere<S, 3> sphere{ray.origin, as_number<S>(region_radius)};
+        counts.in_regions += scene.all(sphere, std::span(room));
+      }
+    });
+    pairs.time([&] { counts.pairs = scene.overlaps().size(); });
+  }
+  // Objects come and go in the places of others, so the scene stays as crowded as it was.
+  for (int i = 0; i < count; ++i) {
+    move.time([&] {
+      for (const auto k : draw_changes(size)) {
+        scene.move({k, k + 1}, as<S>(drawn.moves[0][k % drawn.moves[0].size()].second));
+      }
+    });
+  }
+  const auto places = draw_changes(size);
+  std::vector<ObjectId> ids(size);
+  scene.for_each([&](const ObjectInfo& info, const auto&) { ids[info.id.index] = info.id; });
+  for (int i = 0; i < count; ++i) {
+    change.time([&] {
+      for (const auto k : places) {
+        const auto& box = drawn.items[k].box;
+        scene.remove(ids[k]);
+        ids[k] = scene.add(Sphere<S, 3>{as<S>(box.center), as_number<S>(box.half_extents.x)})
+                     .value_or(no_object);
+      }
+    });
+  }
+  const auto print_time = [&](const char* question, Median& median, double calls) {
+    print(question, size, who, median.value() / calls);
+  };
+  print_time("nearest", nearest, ray_count);
+  print_time("any", any, ray_count);
+  print_time("region", region, ray_count);
+  print_time("pairs", pairs, 1);
+  print_time("move", move, changes);
+  print_time("remove and add", change, changes);
+  print_time("load", load, 1);
+  print_time("optimize", optimize, 1);
+  return counts;
+}
+
+#if DETENT_BENCH_BULLET
+
+btVector3 as_bullet(const Vec<double, 3>& v) {
+  return {static_cast<btScalar>(v.x), static_cast<btScalar>(v.y), static_cast<btScalar>(v.z)};
+}
+
+/// Bullet's regions and pairs are those of bounding boxes; only its rays ask the shapes.
+void measure_bullet(const Drawn& drawn) {
+  const std::size_t size = drawn.items.size();
+  const int count = size > 200'000 ? 1 : rounds_of(size);
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  btDbvtBroadphase broad_phase;
+  btCollisionWorld world(&dispatcher, &broad_phase, &configuration);
+  std::vector<std::unique_ptr<btCollisionShape>> shapes;
+  std::vector<std::unique_ptr<btCollisionObject>> objects;
+  Median load, optimize, nearest, region;
+  load.time([&] {
+    for (const auto& [box, is_ball] : drawn.items) {
+      btTransform place = btTransform::getIdentity();
+      place.setOrigin(as_bullet(box.center));
+      if (is_ball) {
+        shapes.push_back(
+            std::make_unique<btSphereShape>(static_cast<btScalar>(box.half_extents.x)));
+      } else {
+        shapes.push_back(std::make_unique<btBoxShape>(as_bullet(box.half_extents)));
+        btMatrix3x3 basis;
+        for (int i = 0; i < 3; ++i) {
+          for (int j = 0; j < 3; ++j) {
+            basis[i][j] = static_cast<btScalar>(box.rotation.axis(j)[i]);
+          }
+        }
+        place.setBasis(basis);
+      }
+      objects.push_back(std::make_unique<btCollisionObject>());
+      objects.back()->setCollisionShape(shapes.back().get());
+      objects.back()->setWorldTransform(place);
+      world.addCollisionObject(objects.back().get());
+    }
+  });
+  optimize.time([&] { broad_phase.optimize(); });
+  struct Counting : btBroadphaseAabbCallback {
+    std::size_t count = 0;
+    bool process(const btBroadphaseProxy*) override { return ++count > 0; }
+  } counting;
+  for (int i = 0; i < count; ++i) {
+    nearest.time([&] {
+      for (const auto& ray : drawn.rays) {
+        const auto from = as_bullet(ray.origin);
+        const auto to = as_bullet(ray.origin + ray.max_distance * ray.direction.vec());
+        btCollisionWorld::ClosestRayResultCallback closest(from, to);
+        world.rayTest(from, to, closest);
+      }
+    });
+    region.time([&] {
+      for (const auto& ray : drawn.rays) {
+        const auto center = as_bullet(ray.origin);
+        const btVector3 radius(region_radius, region_radius, region_radius);
+        broad_phase.aabbTest(center - radius, center + radius, counting);
+      }
+    });
+  }
+  print("nearest", size, "Bullet", nearest.value() / ray_count);
+  print("region", size, "Bullet", region.value() / ray_count);
+  print("load", size, "Bullet", load.value());
+  print("optimize", size, "Bullet", optimize.value());
+  world.getCollisionObjectArray().clear();
+}
+
+#endif
+
+/// Saves 1,000 moving spheres, restores them eight frames later, and copies them.
+void measure_snapshots(const char* who) {
+  using V = Vec<q16_16, 3>;
+  Scene<q16_16, 3, Sphere> scene;
+  test::Random random(1);
+  const auto draw = [&] { return q16_16(random.between(-500, 500)); };
+  for (int i = 0; i < 1000; ++i) {
+    const auto x = draw(), y = draw();
+    scene.add(Sphere<q16_16, 3>{{x, y, draw()}, q16_16(3)});
+  }
+  const auto before = scene;
+  const auto early = snapshot(scene);
+  for (std::uint32_t i = 0; i < 8000; ++i) {
+    const auto step = static_cast<int>(i % 1000);
+    scene.move({i % 1000, i % 1000 + 1},
+               V{q16_16(step % 3 - 1), q16_16(step % 5 - 2), q16_16(1 - step % 2 * 2)});
+  }
+  const auto late = snapshot(scene);
+  std::vector<std::byte> room(early.size());
+  Median save, load, copy;
+  bool is_right = true;
+  for (int i = 0; i < 2000; ++i) {
+    save.time([&] { snapshot(scene, room); });
+    load.time([&] { is_right &= restore(scene, i % 2 == 0 ? early : late) == Restored::yes; });
+    auto other = scene;
+    copy.time([&] { other = before; });
+  }
+  if (!is_right) std::puts("a snapshot is refused"), std::exit(1);
+  print("save", 1000, who, save.value());
+  print("restore", 1000, who, load.value());
+  print("copy", 1000, who, copy.value());
+}
+
+/// Nanoseconds a ray, by the clock on the wall, of so many threads that share one scene.
+void measure_threads(const Drawn& drawn, const char* who) {
+  Scene<q16_16, 3, Sphere, Obb> scene;
+  add(scene, drawn);
+  scene.optimize();
+  std::vector<Ray<q16_16, 3>> rays;
+  for (const auto& ray : drawn.rays) rays.push_back(as<q16_16>(ray));
+  constexpr int passes = 100;
+  std::array<std::vector<double>, 2> times;
+  for (int round = 0; round < 7; ++round) {
+    for (std::size_t count = 1; count <= 2; ++count) {
+      const auto cast = [&] {
+        std::size_t hits = 0;
+        for (int i = 0; i < passes; ++i) {
+          for (const auto& ray : rays) hits += scene.nearest(ray) ? 1u : 0u;
+        }
+        if (hits == 0) std::exit(1);
+      };
+      const auto start = std::chrono::steady_clock::now();
+      std::vector<std::thread> threads;
+      for (std::size_t i = 0; i < count; ++i) threads.emplace_back(cast);
+      for (auto& thread : threads) thread.join();
+      const std::chrono::duration<double, std::nano> time =
+          std::chrono::steady_clock::now() - start;
+      times[count - 1].push_back(time.count() / (static_cast<double>(count) * passes * ray_count));
+    }
+  }
+  for (std::size_t count = 1; count <= 2; ++count) {
+    auto& list = times[count - 1];
+    std::sort(list.begin(), list.end());
+    print(count == 1 ? "ray by 1 thread" : "ray by 2 threads", drawn.items.size(), who,
+          list[list.size() / 2]);
+  }
+}
+
+/// The hits, objects in regions and pairs of q16_16.
+struct Golden {
+  std::size_t size;
+  Counts counts;
+};
+constexpr Golden golden[] = {{100, {1109, 868, 26}},
+                             {1000, {1691, 3483, 293}},
+                             {10000, {1952, 19123, 3157}},
+                             {100000, {1996, 137579, 31678}},
+                             {1000000, {2000, 1160537, 318312}}};
+
+int run(const char* who, bool has_peers, std::size_t most, bool has_threads) {
+  bool is_right = true;
+  for (const auto& [size, expected] : golden) {
+    if (size > most) continue;
+    const Drawn drawn(static_cast<int>(size), 42);
+    const auto found = measure<q16_16>(drawn, who);
+    if (found != expected) {
+      is_right = false;
+      std::printf("golden: {%zu, {%zu, %zu, %zu}}\n", size, found.hits, found.in_regions,
+                  found.pairs);
+    }
+    if (has_peers) {
+      measure<float>(drawn, "float");
+#if DETENT_BENCH_BULLET
+      measure_bullet(drawn);
+#endif
+    }
+    if (has_threads && size == 10000) measure_threads(drawn, who);
+  }
+  measure_snapshots(who);
+  return is_right ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace detent::bench
+
+int main(int count, char** arguments) {
+  if (count < 2 || arguments[1][0] == '-') {
+    std::puts("usage: detent-bench-growth NAME [--peers] [--most OBJECTS] [--threads]");
+    return 2;
+  }
+  bool has_peers = false, has_threads = false;
+  std::size_t most = 100'000;
+  for (int i = 2; i < count; ++i) {
+    if (std::strcmp(arguments[i], "--peers") == 0) has_peers = true;
+    if (std::strcmp(arguments[i], "--threads") == 0) has_threads = true;
+    if (std::strcmp(arguments[i], "--most") == 0 && i + 1 < count) {
+      most = std::strtoull(arguments[i + 1], nullptr, 10);
+    }
+  }
+  return detent::bench::run(arguments[1], has_peers, most, has_threads);
+}
