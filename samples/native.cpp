@@ -3,10 +3,12 @@
 // usage: detent-samples NAME... | all [--ticks N] [--picture FILE.png] [--size WxH]
 //        detent-samples --list
 // Plays samples and prints their digests every 60 ticks and at the end, and what they say of
-// themselves then; `all` prints digests only. The picture is of the last tick. Bad arguments: one
-// line, and the status 2.
+// themselves then; `all` prints digests only. The picture is of the last tick, of several samples in
+// two columns. Bad arguments: one line, and the status 2.
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <string_view>
 
@@ -69,9 +71,6 @@ Command read(int count, char** words) {
     }
   }
   if (command.entries.empty()) refuse("which sample? --list shows them, 'all' plays all");
-  if (!command.picture.empty() && (command.is_all || command.entries.size() > 1)) {
-    refuse("--picture shows one sample; name one");
-  }
   return command;
 }
 
@@ -84,6 +83,12 @@ void print(const char* name, int tick, const Sample& sample) {
 
 int main(int count, char** words) {
   const Command command = read(count, words);
+  constexpr int gap = 8;
+  const auto rows = static_cast<int>((command.entries.size() + 1) / 2);
+  const bool is_alone = command.entries.size() == 1;
+  Image sheet(is_alone ? command.width : 2 * command.width + gap,
+              rows * (command.height + gap) - gap);
+  int place = 0;
   for (const Entry* entry : command.entries) {
     const auto sample = entry->make();
     for (int tick = 1; tick <= command.ticks; ++tick) {
@@ -94,8 +99,12 @@ int main(int count, char** words) {
     if (command.picture.empty()) continue;
     Picture picture;
     sample->draw(picture);
-    std::ofstream file(command.picture, std::ios::binary);
-    file << png_of(picture, sample->view(), command.width, command.height);
-    if (!file.flush()) refuse("cannot write " + command.picture);
+    sheet.place(painted(picture, sample->view(), command.width, command.height),
+                place % 2 * (command.width + gap), place / 2 * (command.height + gap));
+    ++place;
   }
+  if (command.picture.empty()) return 0;
+  std::ofstream file(command.picture, std::ios::binary);
+  file << sheet.png();
+  if (!file.flush()) refuse("cannot write " + command.picture);
 }

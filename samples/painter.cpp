@@ -69,30 +69,22 @@ class Canvas {
       for (int k = 0; k < 9; ++k) put(x + k % 3 - 1, y + k / 3 - 1, depth, a.vertex);
     }
   }
-  [[nodiscard]] std::string png() const {
-    const int width = width_ / fine, height = height_ / fine;
-    std::vector<std::uint8_t> pixels;
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) {
+  [[nodiscard]] Image reduced() const {
+    Image image(width_ / fine, height_ / fine);
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) {
         for (std::size_t channel = 0; channel < 3; ++channel) {
           int sum = 0;
           for (int k = 0; k < fine * fine; ++k) {
             sum += colours_[static_cast<std::size_t>((y * fine + k / fine) * width_ + x * fine +
                                                      k % fine)][channel];
           }
-          pixels.push_back(static_cast<std::uint8_t>(sum / (fine * fine)));
+          image.pixels[3 * static_cast<std::size_t>(y * image.width + x) + channel] =
+              static_cast<std::uint8_t>(sum / (fine * fine));
         }
       }
     }
-    std::string bytes;
-    stbi_write_png_compression_level = 16;
-    stbi_write_png_to_func(
-        [](void* to, void* data, int size) {
-          static_cast<std::string*>(to)->append(static_cast<const char*>(data),
-                                                static_cast<std::size_t>(size));
-        },
-        &bytes, width, height, 3, pixels.data(), 3 * width);
-    return bytes;
+    return image;
   }
 
  private:
@@ -114,7 +106,31 @@ class Canvas {
 
 }  // namespace
 
-std::string png_of(const Picture& picture, const View& view, int width, int height) {
+Image::Image(int wide, int high)
+    : width(wide),
+      height(high),
+      pixels(3 * static_cast<std::size_t>(wide) * static_cast<std::size_t>(high), 255) {}
+
+void Image::place(const Image& part, int x, int y) {
+  for (int row = 0; row < part.height; ++row) {
+    const auto from = part.pixels.begin() + 3 * row * part.width;
+    std::copy(from, from + 3 * part.width, pixels.begin() + 3 * ((y + row) * width + x));
+  }
+}
+
+std::string Image::png() const {
+  std::string bytes;
+  stbi_write_png_compression_level = 16;
+  stbi_write_png_to_func(
+      [](void* to, void* data, int size) {
+        static_cast<std::string*>(to)->append(static_cast<const char*>(data),
+                                              static_cast<std::size_t>(size));
+      },
+      &bytes, width, height, 3, pixels.data(), 3 * width);
+  return bytes;
+}
+
+Image painted(const Picture& picture, const View& view, int width, int height) {
   Canvas canvas(width * fine, height * fine);
   const auto wide = static_cast<float>(width * fine), high = static_cast<float>(height * fine);
   const auto m = matrix(view, wide / high);
@@ -136,7 +152,7 @@ std::string png_of(const Picture& picture, const View& view, int width, int heig
     const Seen a = seen(picture.lines[i]), b = seen(picture.lines[i + 1]);
     if (a.w > 0 && b.w > 0) canvas.stroke(a, b);
   }
-  return canvas.png();
+  return canvas.reduced();
 }
 
 }  // namespace samples
