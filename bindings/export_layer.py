@@ -16,8 +16,8 @@ def files(description, note):
         parts = re.fullmatch(r'detent_([a-z_]*?)([23])(?:_(\w+))?', function.name)
         if not parts:
             continue  # written by hand in context.cpp and assets.cpp
-        if parts[1] == 'scene' and parts[3] == 'cast':
-            parts = {1: 'mover', 2: parts[2], 3: 'cast'}  # compiled with the casts of characters
+        if parts[1] == 'scene' and (parts[3] or '').startswith('cast'):
+            parts = {1: 'mover', 2: parts[2], 3: parts[3]}  # compiled with the casts of characters
         for prefix, header, room in GROUPS:
             if parts[3] == 'diff':  # compiled with sessions, which find such fields too
                 header, room, called = 'sessions', 'Differences', f'of_{parts[1]}s'

@@ -538,7 +538,10 @@ class Caller {
       }
       case 57: {
         detent_mover3 mover{};
-        mover.shape = {vec3(), vec3(), number()};
+        mover.shape = shape3();
+        if (source_.below(8) != 7) {
+          mover.shape.kind = source_.below(2) == 0 ? DETENT_CAPSULE : DETENT_AABB;
+        }
         mover.is_grounded = static_cast<std::uint32_t>(source_.below(2));
         mover.normal = direction3();
         mover.frame = id();

@@ -407,10 +407,11 @@ typedef struct detent_object_hit2 {
   uint32_t has_triangle; /**< 1 or 0 */
 } detent_object_hit2;
 
-/** A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and
- *  the capsule to where it starts; zeros in `is_grounded` let it leave the ground. */
+/** A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros
+ *  and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule
+ *  whose ends are equal. */
 typedef struct detent_mover2 {
-  detent_capsule2 shape;
+  detent_shape2 shape;
   uint32_t is_grounded; /**< 1 or 0; if 0, the fields below are not read */
   detent_id object;
   detent_direction2 normal;
@@ -655,10 +656,11 @@ typedef struct detent_object_hit3 {
   uint32_t has_triangle; /**< 1 or 0 */
 } detent_object_hit3;
 
-/** A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and
- *  the capsule to where it starts; zeros in `is_grounded` let it leave the ground. */
+/** A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros
+ *  and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule
+ *  whose ends are equal. */
 typedef struct detent_mover3 {
-  detent_capsule3 shape;
+  detent_shape3 shape;
   uint32_t is_grounded; /**< 1 or 0; if 0, the fields below are not read */
   detent_id object;
   detent_direction3 normal;
@@ -1010,12 +1012,30 @@ DETENT_API detent_status detent_scene2_overlaps(const detent_context* context,
                                                   uint32_t room, uint32_t* count);
 
 /** The first object in `layers` that a moving shape touches: `detent_cast2` over all objects, for
- *  spheres, capsules and segments. DETENT_NO if there is none. `hit` may be null. */
+ *  spheres, AABBs, OBBs, capsules and segments; of several at one distance the least id. DETENT_NO if there
+ *  is none. `hit` may be null. */
 DETENT_API detent_status detent_scene2_cast(const detent_context* context, detent_handle scene,
                                               const detent_shape2* shape,
                                               const detent_direction2* direction,
                                               int32_t max_distance, uint32_t layers,
                                               detent_object_hit2* hit);
+
+/** Whether the moving shape touches any object in `layers`. */
+DETENT_API detent_status detent_scene2_cast_any(const detent_context* context,
+                                                  detent_handle scene,
+                                                  const detent_shape2* shape,
+                                                  const detent_direction2* direction,
+                                                  int32_t max_distance, uint32_t layers);
+
+/** All objects in `layers` that the moving shape touches, by distance, then id. Writes the first `room` of
+ *  them and their whole number to `count`. */
+DETENT_API detent_status detent_scene2_cast_all(const detent_context* context,
+                                                  detent_handle scene,
+                                                  const detent_shape2* shape,
+                                                  const detent_direction2* direction,
+                                                  int32_t max_distance, uint32_t layers,
+                                                  detent_object_hit2* hits, uint32_t room,
+                                                  uint32_t* count);
 
 /** The settings of an ordinary character: up is y, skin 1/64, steps and snapping 1/3, slopes to 50
  *  degrees. */
@@ -1024,7 +1044,8 @@ DETENT_API detent_status detent_mover2_default_settings(detent_mover2_settings* 
 /** Moves a character by `by`, gravity included, as far as the objects in `layers` other than `ignored`
  *  let it: carried by its ground, pushed out of what it overlaps, it walks and climbs steps, or flies,
  *  slides along what it meets and lands. It ends overlapping nothing that it did not overlap at the
- *  start. `settings` may be null: the ordinary ones. `result` may be null. */
+ *  start. `settings` may be null: the ordinary ones. `result` may be null. DETENT_NO_QUERY for other shapes
+ *  than capsules and AABBs. */
 DETENT_API detent_status detent_mover2_move(const detent_context* context, detent_handle scene,
                                               detent_mover2* mover, const detent_vec2* by,
                                               const detent_mover2_settings* settings,
@@ -1525,12 +1546,30 @@ DETENT_API detent_status detent_scene3_overlaps(const detent_context* context,
                                                   uint32_t room, uint32_t* count);
 
 /** The first object in `layers` that a moving shape touches: `detent_cast3` over all objects, for
- *  spheres, capsules and segments. DETENT_NO if there is none. `hit` may be null. */
+ *  spheres, AABBs, OBBs, capsules and segments; of several at one distance the least id. DETENT_NO if there
+ *  is none. `hit` may be null. */
 DETENT_API detent_status detent_scene3_cast(const detent_context* context, detent_handle scene,
                                               const detent_shape3* shape,
                                               const detent_direction3* direction,
                                               int32_t max_distance, uint32_t layers,
                                               detent_object_hit3* hit);
+
+/** Whether the moving shape touches any object in `layers`. */
+DETENT_API detent_status detent_scene3_cast_any(const detent_context* context,
+                                                  detent_handle scene,
+                                                  const detent_shape3* shape,
+                                                  const detent_direction3* direction,
+                                                  int32_t max_distance, uint32_t layers);
+
+/** All objects in `layers` that the moving shape touches, by distance, then id. Writes the first `room` of
+ *  them and their whole number to `count`. */
+DETENT_API detent_status detent_scene3_cast_all(const detent_context* context,
+                                                  detent_handle scene,
+                                                  const detent_shape3* shape,
+                                                  const detent_direction3* direction,
+                                                  int32_t max_distance, uint32_t layers,
+                                                  detent_object_hit3* hits, uint32_t room,
+                                                  uint32_t* count);
 
 /** The settings of an ordinary character: up is y, skin 1/64, steps and snapping 1/3, slopes to 50
  *  degrees. */
@@ -1539,7 +1578,8 @@ DETENT_API detent_status detent_mover3_default_settings(detent_mover3_settings* 
 /** Moves a character by `by`, gravity included, as far as the objects in `layers` other than `ignored`
  *  let it: carried by its ground, pushed out of what it overlaps, it walks and climbs steps, or flies,
  *  slides along what it meets and lands. It ends overlapping nothing that it did not overlap at the
- *  start. `settings` may be null: the ordinary ones. `result` may be null. */
+ *  start. `settings` may be null: the ordinary ones. `result` may be null. DETENT_NO_QUERY for other shapes
+ *  than capsules and AABBs. */
 DETENT_API detent_status detent_mover3_move(const detent_context* context, detent_handle scene,
                                               detent_mover3* mover, const detent_vec3* by,
                                               const detent_mover3_settings* settings,
@@ -1871,7 +1911,7 @@ typedef char detent_contact_point2_has_its_size[sizeof(detent_contact_point2) ==
 typedef char detent_manifold2_has_its_size[sizeof(detent_manifold2) == 48 ? 1 : -1];
 typedef char detent_sweep2_has_its_size[sizeof(detent_sweep2) == 48 ? 1 : -1];
 typedef char detent_object_hit2_has_its_size[sizeof(detent_object_hit2) == 36 ? 1 : -1];
-typedef char detent_mover2_has_its_size[sizeof(detent_mover2) == 64 ? 1 : -1];
+typedef char detent_mover2_has_its_size[sizeof(detent_mover2) == 84 ? 1 : -1];
 typedef char detent_mover2_settings_has_its_size[sizeof(detent_mover2_settings) == 24 ? 1 : -1];
 typedef char detent_mover2_touch_has_its_size[sizeof(detent_mover2_touch) == 24 ? 1 : -1];
 typedef char detent_move2_has_its_size[sizeof(detent_move2) == 224 ? 1 : -1];
@@ -1898,7 +1938,7 @@ typedef char detent_contact_point3_has_its_size[sizeof(detent_contact_point3) ==
 typedef char detent_manifold3_has_its_size[sizeof(detent_manifold3) == 100 ? 1 : -1];
 typedef char detent_sweep3_has_its_size[sizeof(detent_sweep3) == 96 ? 1 : -1];
 typedef char detent_object_hit3_has_its_size[sizeof(detent_object_hit3) == 44 ? 1 : -1];
-typedef char detent_mover3_has_its_size[sizeof(detent_mover3) == 84 ? 1 : -1];
+typedef char detent_mover3_has_its_size[sizeof(detent_mover3) == 124 ? 1 : -1];
 typedef char detent_mover3_settings_has_its_size[sizeof(detent_mover3_settings) == 28 ? 1 : -1];
 typedef char detent_mover3_touch_has_its_size[sizeof(detent_mover3_touch) == 32 ? 1 : -1];
 typedef char detent_move3_has_its_size[sizeof(detent_move3) == 300 ? 1 : -1];

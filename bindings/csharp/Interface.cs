@@ -282,10 +282,10 @@ public struct ObjectHit2 {
   public uint has_triangle;
 }
 
-/// <summary>A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground.</summary>
+/// <summary>A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Mover2 {
-  public Capsule2 shape;
+  public Shape2 shape;
   public uint is_grounded;
   public Id @object;
   public Direction2 normal;
@@ -566,10 +566,10 @@ public struct ObjectHit3 {
   public uint has_triangle;
 }
 
-/// <summary>A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground.</summary>
+/// <summary>A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Mover3 {
-  public Capsule3 shape;
+  public Shape3 shape;
   public uint is_grounded;
   public Id @object;
   public Direction3 normal;
@@ -927,6 +927,12 @@ public static unsafe class C {
   public static extern int detent_scene2_cast(ContextMemory* context, uint scene, Shape2* shape, Direction2* direction, int max_distance, uint layers, ObjectHit2* hit);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_scene2_cast_any(ContextMemory* context, uint scene, Shape2* shape, Direction2* direction, int max_distance, uint layers);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_scene2_cast_all(ContextMemory* context, uint scene, Shape2* shape, Direction2* direction, int max_distance, uint layers, ObjectHit2* hits, uint room, uint* count);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_mover2_default_settings(Mover2Settings* settings);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1227,6 +1233,12 @@ public static unsafe class C {
   public static extern int detent_scene3_cast(ContextMemory* context, uint scene, Shape3* shape, Direction3* direction, int max_distance, uint layers, ObjectHit3* hit);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_scene3_cast_any(ContextMemory* context, uint scene, Shape3* shape, Direction3* direction, int max_distance, uint layers);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_scene3_cast_all(ContextMemory* context, uint scene, Shape3* shape, Direction3* direction, int max_distance, uint layers, ObjectHit3* hits, uint room, uint* count);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_mover3_default_settings(Mover3Settings* settings);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1441,7 +1453,7 @@ public static unsafe class C {
     if (sizeof(Manifold2) != 48) throw new TypeLoadException("detent_manifold2");
     if (sizeof(Sweep2) != 48) throw new TypeLoadException("detent_sweep2");
     if (sizeof(ObjectHit2) != 36) throw new TypeLoadException("detent_object_hit2");
-    if (sizeof(Mover2) != 64) throw new TypeLoadException("detent_mover2");
+    if (sizeof(Mover2) != 84) throw new TypeLoadException("detent_mover2");
     if (sizeof(Mover2Settings) != 24) throw new TypeLoadException("detent_mover2_settings");
     if (sizeof(Mover2Touch) != 24) throw new TypeLoadException("detent_mover2_touch");
     if (sizeof(Move2) != 224) throw new TypeLoadException("detent_move2");
@@ -1468,7 +1480,7 @@ public static unsafe class C {
     if (sizeof(Manifold3) != 100) throw new TypeLoadException("detent_manifold3");
     if (sizeof(Sweep3) != 96) throw new TypeLoadException("detent_sweep3");
     if (sizeof(ObjectHit3) != 44) throw new TypeLoadException("detent_object_hit3");
-    if (sizeof(Mover3) != 84) throw new TypeLoadException("detent_mover3");
+    if (sizeof(Mover3) != 124) throw new TypeLoadException("detent_mover3");
     if (sizeof(Mover3Settings) != 28) throw new TypeLoadException("detent_mover3_settings");
     if (sizeof(Mover3Touch) != 32) throw new TypeLoadException("detent_mover3_touch");
     if (sizeof(Move3) != 300) throw new TypeLoadException("detent_move3");

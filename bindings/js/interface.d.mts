@@ -315,9 +315,9 @@ export interface ObjectHit2 {
   has_triangle: number;
 }
 
-/** A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground. */
+/** A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal. */
 export interface Mover2 {
-  shape: Capsule2;
+  shape: Shape2;
   is_grounded: number;
   object: Id;
   normal: Direction2;
@@ -547,9 +547,9 @@ export interface ObjectHit3 {
   has_triangle: number;
 }
 
-/** A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground. */
+/** A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal. */
 export interface Mover3 {
-  shape: Capsule3;
+  shape: Shape3;
   is_grounded: number;
   object: Id;
   normal: Direction3;

@@ -7,29 +7,29 @@
 #include "c/points.hpp"
 #include "detent/query/cast.hpp"
 
-// A moving shape against a shape. What takes long to compile is `cast_against`, for each moving shape
-// in a source of its own, in src/c/casts/.
+// A moving shape against a shape. What takes long to compile is `cast_at`, for each moving shape in a
+// source of its own, in src/c/casts/.
 namespace detent::c {
 
-template <int N, class Moving>
-detent_status cast_against(const Moving& moving, const Direction<S, N>& direction, S max_distance,
-                           const typename Types<N>::Shape& target,
-                           std::optional<CastHit<S, N>>& hit);
+/// `detent::cast`, of a capsule, OBB or hull at a capsule, OBB, plane or hull.
+template <class Moving, class Target, int N>
+std::optional<CastHit<S, N>> cast_at(const Moving& moving, const Direction<S, N>& direction,
+                                     S max_distance, const Target& target);
 
 #ifdef DETENT_C_CASTS_OF
-template <int N, class Moving>
-detent_status cast_against(const Moving& moving, const Direction<S, N>& direction, S max_distance,
-                           const typename Types<N>::Shape& target,
-                           std::optional<CastHit<S, N>>& hit) {
-  return with_points<N>(target, [&](const auto& other) -> detent_status {
-    hit = detent::cast(moving, direction, max_distance, other);
-    return DETENT_OK;
-  });
+template <class Moving, class Target, int N>
+std::optional<CastHit<S, N>> cast_at(const Moving& moving, const Direction<S, N>& direction,
+                                     S max_distance, const Target& target) {
+  return detent::cast(moving, direction, max_distance, target);
 }
-#define DETENT_C_CASTS(N)                                                                        \
-  template detent_status cast_against<N>(const DETENT_C_CASTS_OF<S, N>&, const Direction<S, N>&, \
-                                         S, const Types<N>::Shape&,                              \
-                                         std::optional<CastHit<S, N>>&);
+#define DETENT_C_CAST_AT(N, Target)                                             \
+  template std::optional<CastHit<S, N>> cast_at(const DETENT_C_CASTS_OF<S, N>&, \
+                                                const Direction<S, N>&, S, const Target<S, N>&);
+#define DETENT_C_CASTS(N)      \
+  DETENT_C_CAST_AT(N, Capsule) \
+  DETENT_C_CAST_AT(N, Obb)     \
+  DETENT_C_CAST_AT(N, Plane)   \
+  DETENT_C_CAST_AT(N, ConvexHull)
 #endif
 
 template <int N>
@@ -55,7 +55,10 @@ struct Casts {
         if constexpr (std::is_same_v<std::remove_cvref_t<decltype(moving)>, Plane<S, N>>) {
           return DETENT_NO_QUERY;
         } else {
-          return cast_against<N>(moving, along, length, *target, found);
+          return with_points<N>(*target, [&](const auto& other) -> detent_status {
+            found = cast_at(moving, along, length, other);
+            return DETENT_OK;
+          });
         }
       });
     }();

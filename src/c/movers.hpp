@@ -9,49 +9,101 @@
 #include "c/scenes.hpp"
 #include "detent/scene/mover.hpp"
 
-// Characters, and casts of round shapes in scenes.
+// Characters, and casts in scenes. What takes long to compile is in src/c/casts/, for boxes and for
+// capsules: `MoverOf` and `SceneCastOf`.
 namespace detent::c {
+
+template <int N>
+using SceneType = typename SceneOf<N>::type;
+
+/// Passes the objects of some layers, but for one.
+struct OthersInLayers {
+  std::uint32_t layers = 0;
+  ObjectId ignored;
+
+  bool operator()(const ObjectInfo& info) const noexcept {
+    return (info.layers & layers) != 0 && !(info.id == ignored);
+  }
+};
+template <int N, template <class, int> class Shape>
+struct MoverOf {
+  static MoveResult<S, N> move(const SceneType<N>& scene, Mover<S, N, Shape>& mover,
+                               const Vec<S, N>& by, const MoverSettings<S, N>& settings,
+                               const OthersInLayers& filter);
+};
+template <int N, template <class, int> class Shape>
+struct SceneCastOf {
+  using Moving = Cast<Shape<S, N>>;
+  static std::optional<ObjectHit<S, N>> nearest(const SceneType<N>& scene, const Moving& moving,
+                                                InLayers layers);
+  static bool any(const SceneType<N>& scene, const Moving& moving, InLayers layers);
+  static std::size_t all(const SceneType<N>& scene, const Moving& moving,
+                         std::span<ObjectHit<S, N>> room, InLayers layers);
+};
+
+#ifdef DETENT_C_MOVERS_OF
+template <int N, template <class, int> class Shape>
+MoveResult<S, N> MoverOf<N, Shape>::move(const SceneType<N>& scene, Mover<S, N, Shape>& mover,
+                                         const Vec<S, N>& by, const MoverSettings<S, N>& settings,
+                                         const OthersInLayers& filter) {
+  return mover.move(scene, by, settings, filter);
+}
+template <int N, template <class, int> class Shape>
+std::optional<ObjectHit<S, N>> SceneCastOf<N, Shape>::nearest(const SceneType<N>& scene,
+                                                              const Moving& moving,
+                                                              InLayers layers) {
+  return scene.nearest_hit(moving, layers);
+}
+template <int N, template <class, int> class Shape>
+bool SceneCastOf<N, Shape>::any(const SceneType<N>& scene, const Moving& moving, InLayers layers) {
+  return scene.any(moving, layers);
+}
+template <int N, template <class, int> class Shape>
+std::size_t SceneCastOf<N, Shape>::all(const SceneType<N>& scene, const Moving& moving,
+                                       std::span<ObjectHit<S, N>> room, InLayers layers) {
+  return scene.all_hits(moving, room, layers);
+}
+#endif
 
 template <int N>
 struct Movers {
   using T = Types<N>;
-  using Scene = typename SceneOf<N>::type;
+  using Scene = SceneType<N>;
   static constexpr Kind kind = SceneOf<N>::kind;
 
   static detent_status cast(const detent_context* context, detent_handle scene,
                             const typename T::Shape* shape, const typename T::Direction* direction,
                             std::int32_t max_distance, std::uint32_t layers,
                             typename T::ObjectHit* hit) {
-    return read_object<Scene>(context, kind, scene, [&](const Context&, const Scene& object) {
-      if (shape == nullptr || direction == nullptr) return detent_status{DETENT_BAD_ARGUMENT};
-      Input<N> in;
-      const auto along = in.direction(*direction);
-      Capsule<S, N> moving;
-      switch (shape->kind) {
-        case DETENT_SPHERE: {
-          const auto sphere = in.sphere(*shape);
-          moving = {sphere.center, sphere.center, sphere.radius};
-          break;
-        }
-        case DETENT_CAPSULE:
-          moving = in.capsule(*shape);
-          break;
-        case DETENT_SEGMENT: {
-          const auto segment = in.segment(*shape);
-          moving = {segment.start, segment.end, S(0)};
-          break;
-        }
-        default:
-          return shape->kind >= DETENT_SPHERE && shape->kind <= DETENT_COMPOUND
-                     ? detent_status{DETENT_NO_QUERY}
-                     : detent_status{DETENT_BAD_ARGUMENT};
-      }
-      if (!in.is_valid()) return detent_status{DETENT_NOT_UNIT};
-      const auto found =
-          object.nearest_hit(Cast{moving, along, Input<N>::number(max_distance)}, InLayers{layers});
-      if (found && hit != nullptr) *hit = Scenes<N>::hit_of(*found);
-      return yes_or_no(found.has_value());
-    });
+    return along(context, scene, shape, direction, max_distance,
+                 [&]<class Casts>(const Scene& object, const auto& moving, Casts) {
+                   const auto found = Casts::nearest(object, moving, InLayers{layers});
+                   if (found && hit != nullptr) *hit = Scenes<N>::hit_of(*found);
+                   return yes_or_no(found.has_value());
+                 });
+  }
+  static detent_status cast_any(const detent_context* context, detent_handle scene,
+                                const typename T::Shape* shape,
+                                const typename T::Direction* direction, std::int32_t max_distance,
+                                std::uint32_t layers) {
+    return along(context, scene, shape, direction, max_distance,
+                 [&]<class Casts>(const Scene& object, const auto& moving, Casts) {
+                   return yes_or_no(Casts::any(object, moving, InLayers{layers}));
+                 });
+  }
+  static detent_status cast_all(const detent_context* context, detent_handle scene,
+                                const typename T::Shape* shape,
+                                const typename T::Direction* direction, std::int32_t max_distance,
+                                std::uint32_t layers, typename T::ObjectHit* hits,
+                                std::uint32_t room, std::uint32_t* count) {
+    return along(
+        context, scene, shape, direction, max_distance,
+        [&]<class Casts>(const Scene& object, const auto& moving, Casts) {
+          return write_list<ObjectHit<S, N>>(
+              hits, room, count,
+              [&](auto list) { return Casts::all(object, moving, list, InLayers{layers}); },
+              Scenes<N>::hit_of);
+        });
   }
 
   static detent_status default_settings(typename T::MoverSettings* out) {
@@ -66,19 +118,31 @@ struct Movers {
                             typename T::Mover* mover, const typename T::Vec* by,
                             const typename T::MoverSettings* settings, std::uint32_t layers,
                             detent_id ignored, typename T::Move* result) {
-    return read_object<Scene>(context, kind, scene, [&](const Context&, const Scene& object) {
-      if (mover == nullptr || by == nullptr) return detent_status{DETENT_BAD_ARGUMENT};
+    return read_object<
+        Scene>(context, kind, scene, [&](const Context&, const Scene& object) -> detent_status {
+      if (mover == nullptr || by == nullptr) return DETENT_BAD_ARGUMENT;
       Input<N> in;
-      auto own = read(in, *mover);
       const auto how = settings == nullptr ? MoverSettings<S, N>() : read(in, *settings);
-      if (!in.is_valid()) return detent_status{DETENT_NOT_UNIT};
-      const auto moved =
-          own.move(object, Input<N>::vec(*by), how, [layers, ignored](const ObjectInfo& info) {
-            return (info.layers & layers) != 0 && !(info.id == id_of(ignored));
-          });
-      write(own, *mover);
-      if (result != nullptr) *result = move_of(moved);
-      return detent_status{DETENT_OK};
+      const auto way = Input<N>::vec(*by);
+      const auto go =
+          [&]<template <class, int> class Shape>(const Shape<S, N>& shape) -> detent_status {
+        Mover<S, N, Shape> own{shape};
+        own.ground = read_ground(in, *mover);
+        if (!in.is_valid()) return DETENT_NOT_UNIT;
+        const auto moved = MoverOf<N, Shape>::move(object, own, way, how, {layers, id_of(ignored)});
+        Output<N>::shape(mover->shape, own.shape);
+        write(own.ground, *mover);
+        if (result != nullptr) *result = move_of(moved);
+        return DETENT_OK;
+      };
+      switch (mover->shape.kind) {
+        case DETENT_CAPSULE:
+          return go(in.capsule(mover->shape));
+        case DETENT_AABB:
+          return go(in.aabb(mover->shape));
+        default:
+          return no_query(mover->shape.kind);
+      }
     });
   }
 
@@ -99,17 +163,57 @@ struct Movers {
   }
 
  private:
-  static Mover<S, N, Capsule> read(Input<N>& in, const typename T::Mover& mover) noexcept {
-    Mover<S, N, Capsule> own{{Input<N>::vec(mover.shape.a), Input<N>::vec(mover.shape.b),
-                              Input<N>::number(mover.shape.radius)}};
-    if (mover.is_grounded == 0) return own;
-    own.ground.is_grounded = true;
-    own.ground.object = id_of(mover.object);
-    own.ground.normal = in.direction(mover.normal);
-    own.ground.frame = {mover.frame.index, mover.frame.generation};
-    own.ground.local = Input<N>::vec(mover.local);
-    own.ground.point = Input<N>::vec(mover.point);
-    return own;
+  static detent_status no_query(std::uint32_t shape) noexcept {
+    return shape >= DETENT_SPHERE && shape <= DETENT_COMPOUND ? DETENT_NO_QUERY
+                                                              : DETENT_BAD_ARGUMENT;
+  }
+  /// f(scene, cast, how to ask it) for a moving shape of the caller's.
+  template <class F>
+  static detent_status along(const detent_context* context, detent_handle scene,
+                             const typename T::Shape* shape, const typename T::Direction* direction,
+                             std::int32_t max_distance, const F& f) {
+    return read_object<Scene>(
+        context, kind, scene, [&](const Context&, const Scene& object) -> detent_status {
+          if (shape == nullptr || direction == nullptr) return DETENT_BAD_ARGUMENT;
+          Input<N> in;
+          const auto way = in.direction(*direction);
+          const auto ask =
+              [&]<template <class, int> class Shape>(const Shape<S, N>& moving) -> detent_status {
+            if (!in.is_valid()) return DETENT_NOT_UNIT;
+            return f(object, Cast<Shape<S, N>>{moving, way, Input<N>::number(max_distance)},
+                     SceneCastOf<N, Shape>());
+          };
+          switch (shape->kind) {
+            case DETENT_SPHERE: {
+              const auto sphere = in.sphere(*shape);
+              return ask(Capsule<S, N>{sphere.center, sphere.center, sphere.radius});
+            }
+            case DETENT_SEGMENT: {
+              const auto segment = in.segment(*shape);
+              return ask(Capsule<S, N>{segment.start, segment.end, S(0)});
+            }
+            case DETENT_CAPSULE:
+              return ask(in.capsule(*shape));
+            case DETENT_AABB:
+              return ask(in.aabb(*shape));
+            case DETENT_OBB:
+              return ask(in.obb(*shape));
+            default:
+              return no_query(shape->kind);
+          }
+        });
+  }
+
+  static Ground<S, N> read_ground(Input<N>& in, const typename T::Mover& mover) noexcept {
+    Ground<S, N> ground;
+    if (mover.is_grounded == 0) return ground;
+    ground.is_grounded = true;
+    ground.object = id_of(mover.object);
+    ground.normal = in.direction(mover.normal);
+    ground.frame = {mover.frame.index, mover.frame.generation};
+    ground.local = Input<N>::vec(mover.local);
+    ground.point = Input<N>::vec(mover.point);
+    return ground;
   }
   static MoverSettings<S, N> read(Input<N>& in, const typename T::MoverSettings& given) noexcept {
     MoverSettings<S, N> own;
@@ -120,15 +224,13 @@ struct Movers {
     own.max_slope = Angle<S>::from_raw(given.max_slope);
     return own;
   }
-  static void write(const Mover<S, N, Capsule>& own, typename T::Mover& mover) noexcept {
-    mover.shape = {Output<N>::vec(own.shape.a), Output<N>::vec(own.shape.b),
-                   own.shape.radius.raw()};
-    mover.is_grounded = own.ground.is_grounded ? 1 : 0;
-    mover.object = id_of(own.ground.object);
-    mover.normal = Output<N>::direction(own.ground.normal);
-    mover.frame = {own.ground.frame.index, own.ground.frame.generation};
-    mover.local = Output<N>::vec(own.ground.local);
-    mover.point = Output<N>::vec(own.ground.point);
+  static void write(const Ground<S, N>& ground, typename T::Mover& mover) noexcept {
+    mover.is_grounded = ground.is_grounded ? 1 : 0;
+    mover.object = id_of(ground.object);
+    mover.normal = Output<N>::direction(ground.normal);
+    mover.frame = {ground.frame.index, ground.frame.generation};
+    mover.local = Output<N>::vec(ground.local);
+    mover.point = Output<N>::vec(ground.point);
   }
   static typename T::Move move_of(const MoveResult<S, N>& own) noexcept {
     typename T::Move result{};

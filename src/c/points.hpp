@@ -22,26 +22,36 @@ template <int N>
   return corners;
 }
 
-/// Calls f(points) with a capsule, OBB, plane or hull that has the points of the shape.
+/// Returns f(points) for a capsule, OBB, plane or hull that has the points of the shape.
+template <class Shape, class F>
+auto as_points(const Shape& shape, const F& f) {
+  return f(shape);
+}
+template <int N, class F>
+auto as_points(const Segment<S, N>& segment, const F& f) {
+  return f(Capsule<S, N>{segment.start, segment.end, S(0)});
+}
+template <int N, class F>
+auto as_points(const Sphere<S, N>& sphere, const F& f) {
+  return f(Capsule<S, N>{sphere.center, sphere.center, sphere.radius});
+}
+template <int N, class F>
+auto as_points(const Triangle<S, N>& triangle, const F& f) {
+  const std::array corners{triangle.a, triangle.b, triangle.c};
+  return f(ConvexHull<S, N>{std::span<const Vec<S, N>>(corners)});
+}
+template <int N, class F>
+auto as_points(const Aabb<S, N>& box, const F& f) {
+  if (is_empty(box)) return f(ConvexHull<S, N>());
+  const auto corners = corners_of(box);
+  return f(ConvexHull<S, N>{std::span<const Vec<S, N>>(corners)});
+}
+
+/// The same for a shape of C.
 template <int N, class F>
 detent_status with_points(const typename Types<N>::Shape& shape, const F& f) {
-  return with_shape<N>(shape, [&](const auto& read) -> detent_status {
-    using Shape = std::remove_cvref_t<decltype(read)>;
-    const auto hull_of = [&](const auto& corners) {
-      return f(ConvexHull<S, N>{std::span<const Vec<S, N>>(corners)});
-    };
-    if constexpr (std::is_same_v<Shape, Segment<S, N>>) {
-      return f(Capsule<S, N>{read.start, read.end, S(0)});
-    } else if constexpr (std::is_same_v<Shape, Triangle<S, N>>) {
-      return hull_of(std::array{read.a, read.b, read.c});
-    } else if constexpr (std::is_same_v<Shape, Aabb<S, N>>) {
-      return is_empty(read) ? f(ConvexHull<S, N>()) : hull_of(corners_of(read));
-    } else if constexpr (std::is_same_v<Shape, Sphere<S, N>>) {
-      return f(Capsule<S, N>{read.center, read.center, read.radius});
-    } else {
-      return f(read);
-    }
-  });
+  return with_shape<N>(shape,
+                       [&](const auto& read) -> detent_status { return as_points(read, f); });
 }
 
 }  // namespace detent::c

@@ -3,7 +3,8 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
+#include <span>
+#include <type_traits>
 
 #include "c/movers.hpp"
 #include "support/catch.hpp"
@@ -30,6 +31,8 @@ struct Calls;
     static constexpr auto add_frame = detent_scene##N##_add_frame;       \
     static constexpr auto move_frame = detent_scene##N##_move_frame;     \
     static constexpr auto cast = detent_scene##N##_cast;                 \
+    static constexpr auto cast_any = detent_scene##N##_cast_any;         \
+    static constexpr auto cast_all = detent_scene##N##_cast_all;         \
     static constexpr auto move = detent_mover##N##_move;                 \
     static constexpr auto settings = detent_mover##N##_default_settings; \
     static constexpr auto clip = detent_mover##N##_clip_velocity;        \
@@ -37,9 +40,42 @@ struct Calls;
 DETENT_TEST_CALLS(2)
 DETENT_TEST_CALLS(3)
 
-/// A walk over a floor with boxes, balls and a platform, and a cast at each step.
-template <int N>
-void check_walk() {
+/// A cast of a shape through the scene: the first object, any, and all.
+template <int N, class Shape>
+bool check_cast(const detent_context& context, detent_handle scene,
+                const typename c::SceneOf<N>::type& twin, const typename c::Types<N>::Shape& shape,
+                const Shape& own, const Direction<S, N>& along) {
+  using C = Calls<N>;
+  using Hit = typename c::Types<N>::ObjectHit;
+  const auto way = c::Output<N>::direction(along);
+  const Cast moving{own, along, S(5)};
+  const auto same = [](const Hit& hit, const ObjectHit<S, N>& expected) {
+    REQUIRE(id_of(hit.id) == expected.id);
+    REQUIRE(hit.distance == expected.distance.raw());
+    REQUIRE(c::Input<N>::vec(hit.point) == expected.point);
+    REQUIRE(c::Input<N>().direction(hit.normal) == expected.normal);
+  };
+  Hit hit{};
+  const auto first = twin.nearest_hit(moving, InLayers{2});
+  REQUIRE(C::cast(&context, scene, &shape, &way, 5 * one, 2, &hit) ==
+          c::yes_or_no(first.has_value()));
+  if (first) same(hit, *first);
+  REQUIRE(C::cast_any(&context, scene, &shape, &way, 5 * one, 2) ==
+          c::yes_or_no(first.has_value()));
+  std::array<Hit, 3> hits{};
+  std::array<ObjectHit<S, N>, 3> expected{};
+  std::uint32_t count = 0;
+  const auto all = twin.all_hits(moving, std::span(expected), InLayers{3});
+  REQUIRE(C::cast_all(&context, scene, &shape, &way, 5 * one, 3, hits.data(), 3, &count) ==
+          DETENT_OK);
+  REQUIRE(count == all);
+  for (std::size_t i = 0; i < all && i < 3; ++i) same(hits[i], expected[i]);
+  return first.has_value();
+}
+
+/// A walk over a floor with boxes, balls and a platform, and casts at each step.
+template <int N, template <class, int> class Shape>
+void check_walk(const Shape<S, N>& walker) {
   using C = Calls<N>;
   using T = c::Types<N>;
   using In = c::Input<N>;
@@ -81,10 +117,9 @@ void check_walk() {
   const auto self =
       add(Sphere{vec([](int i) { return i == 1 ? one : 0; }), raw(one / 2)}, 1, false);
 
-  Mover<S, N, Capsule> own{{vec([](int i) { return i == 1 ? one : 0; }),
-                            vec([](int i) { return i == 1 ? 2 * one : 0; }), raw(one / 2)}};
+  Mover<S, N, Shape> own{walker};
   typename T::Mover mover{};
-  mover.shape = {Out::vec(own.shape.a), Out::vec(own.shape.b), own.shape.radius.raw()};
+  Out::shape(mover.shape, own.shape);
   typename T::MoverSettings settings{};
   REQUIRE(C::settings(&settings) == DETENT_OK);
   MoverSettings<S, N> own_settings;
@@ -112,7 +147,11 @@ void check_walk() {
     const auto expected = own.move(twin, by, own_settings, not_itself);
     REQUIRE(C::move(&context, scene, &mover, &theirs, step < 50 ? nullptr : &settings, 1, self,
                     &result) == DETENT_OK);
-    REQUIRE(In::vec(mover.shape.a) == own.shape.a);
+    if constexpr (std::is_same_v<Shape<S, N>, Capsule<S, N>>) {
+      REQUIRE(In().capsule(mover.shape) == own.shape);
+    } else {
+      REQUIRE(In().aabb(mover.shape) == own.shape);
+    }
     REQUIRE((mover.is_grounded == 1) == own.ground.is_grounded);
     REQUIRE(id_of(mover.object) == own.ground.object);
     REQUIRE(In().direction(mover.normal) == own.ground.normal);
@@ -135,27 +174,36 @@ void check_walk() {
     grounded += own.ground.is_grounded ? 1 : 0;
     carried += expected.carried == Vec<S, N>{} ? 0 : 1;
 
-    typename T::Shape shape{};
-    Out::shape(shape, own.shape);
     const auto axis = static_cast<int>(random.below(N));
     const auto along = random.coin() ? Direction<S, N>::along(axis) : -Direction<S, N>::along(axis);
-    const auto way = Out::direction(along);
-    typename T::ObjectHit hit{};
-    const auto first = twin.nearest_hit(Cast{own.shape, along, S(5)}, InLayers{2});
-    REQUIRE(C::cast(&context, scene, &shape, &way, 5 * one, 2, &hit) ==
-            c::yes_or_no(first.has_value()));
-    hits += first ? 1 : 0;
-    if (!first) continue;
-    REQUIRE(id_of(hit.id) == first->id);
-    REQUIRE(hit.distance == first->distance.raw());
-    REQUIRE(In::vec(hit.point) == first->point);
-    REQUIRE(In().direction(hit.normal) == first->normal);
+    const bool is_hit = check_cast<N>(context, scene, twin, mover.shape, own.shape, along);
+    hits += is_hit ? 1 : 0;
+    if constexpr (std::is_same_v<Shape<S, N>, Aabb<S, N>>) {
+      const auto& box = own.shape;
+      const auto middle = [&](int i) { return nearest_to<S>(half(box.min[i] + box.max[i])); };
+      const Obb<S, N> turned{make_vec<N>(middle), make_vec<N>([](int) { return raw(one / 2); }),
+                             Rotation<S, N>()};
+      typename T::Shape given{};
+      Out::shape(given, turned);
+      check_cast<N>(context, scene, twin, given, turned, along);
+    }
   }
   CHECK(touches > 20);
   CHECK(grounded > 20);
   CHECK(hits > 5);
   CHECK(carried > 0);
   CHECK(detent_close(&context) == DETENT_OK);
+}
+
+template <int N>
+Capsule<S, N> person() {
+  return {make_vec<N>([](int i) { return raw(i == 1 ? one : 0); }),
+          make_vec<N>([](int i) { return raw(i == 1 ? 2 * one : 0); }), raw(one / 2)};
+}
+template <int N>
+Aabb<S, N> crate() {
+  return {make_vec<N>([](int i) { return raw(i == 1 ? one / 2 : -one / 2); }),
+          make_vec<N>([](int i) { return raw(i == 1 ? 2 * one : one / 2); })};
 }
 
 }  // namespace detent::test_c

@@ -283,7 +283,7 @@ typedef struct detent_object_hit2 {
   uint32_t has_triangle;
 } detent_object_hit2;
 typedef struct detent_mover2 {
-  detent_capsule2 shape;
+  detent_shape2 shape;
   uint32_t is_grounded;
   detent_id object;
   detent_direction2 normal;
@@ -467,7 +467,7 @@ typedef struct detent_object_hit3 {
   uint32_t has_triangle;
 } detent_object_hit3;
 typedef struct detent_mover3 {
-  detent_capsule3 shape;
+  detent_shape3 shape;
   uint32_t is_grounded;
   detent_id object;
   detent_direction3 normal;
@@ -672,6 +672,18 @@ detent_status detent_scene2_cast(const detent_context* context, detent_handle sc
                                               const detent_direction2* direction,
                                               int32_t max_distance, uint32_t layers,
                                               detent_object_hit2* hit);
+detent_status detent_scene2_cast_any(const detent_context* context,
+                                                  detent_handle scene,
+                                                  const detent_shape2* shape,
+                                                  const detent_direction2* direction,
+                                                  int32_t max_distance, uint32_t layers);
+detent_status detent_scene2_cast_all(const detent_context* context,
+                                                  detent_handle scene,
+                                                  const detent_shape2* shape,
+                                                  const detent_direction2* direction,
+                                                  int32_t max_distance, uint32_t layers,
+                                                  detent_object_hit2* hits, uint32_t room,
+                                                  uint32_t* count);
 detent_status detent_mover2_default_settings(detent_mover2_settings* settings);
 detent_status detent_mover2_move(const detent_context* context, detent_handle scene,
                                               detent_mover2* mover, const detent_vec2* by,
@@ -917,6 +929,18 @@ detent_status detent_scene3_cast(const detent_context* context, detent_handle sc
                                               const detent_direction3* direction,
                                               int32_t max_distance, uint32_t layers,
                                               detent_object_hit3* hit);
+detent_status detent_scene3_cast_any(const detent_context* context,
+                                                  detent_handle scene,
+                                                  const detent_shape3* shape,
+                                                  const detent_direction3* direction,
+                                                  int32_t max_distance, uint32_t layers);
+detent_status detent_scene3_cast_all(const detent_context* context,
+                                                  detent_handle scene,
+                                                  const detent_shape3* shape,
+                                                  const detent_direction3* direction,
+                                                  int32_t max_distance, uint32_t layers,
+                                                  detent_object_hit3* hits, uint32_t room,
+                                                  uint32_t* count);
 detent_status detent_mover3_default_settings(detent_mover3_settings* settings);
 detent_status detent_mover3_move(const detent_context* context, detent_handle scene,
                                               detent_mover3* mover, const detent_vec3* by,
@@ -1093,7 +1117,7 @@ local sizes = {
   detent_manifold2 = 48,
   detent_sweep2 = 48,
   detent_object_hit2 = 36,
-  detent_mover2 = 64,
+  detent_mover2 = 84,
   detent_mover2_settings = 24,
   detent_mover2_touch = 24,
   detent_move2 = 224,
@@ -1120,7 +1144,7 @@ local sizes = {
   detent_manifold3 = 100,
   detent_sweep3 = 96,
   detent_object_hit3 = 44,
-  detent_mover3 = 84,
+  detent_mover3 = 124,
   detent_mover3_settings = 28,
   detent_mover3_touch = 32,
   detent_move3 = 300,

@@ -17,6 +17,7 @@ a `Context` makes scenes and worlds:
 The library is the file named by DETENT_LIBRARY, the one in the wheel, or the installed libdetent.so.
 """
 import array
+import concurrent.futures
 import ctypes
 import ctypes.util
 import os
@@ -198,16 +199,28 @@ class _Space:
         hit = self._hit()
         return hit if _check(self._call('raycast{N}')(ray, shape, hit)) else None
 
-    def raycast_many(self, rays, shape):
+    def raycast_many(self, rays, shape, threads=1):
         """The distances of many rays from a numpy array or a buffer of int32: a row is origin, direction
-        and max_distance. -1 for no hit. A numpy array for one, otherwise an array of int32."""
+        and max_distance. -1 for no hit. A numpy array for one, otherwise an array of int32. `threads` share
+        the rays; the answers are the same."""
         pointer, count, keep = _int32(rays)
         if count % self._words:
             raise ValueError(f'a ray has {self._words} numbers')
         room, to = _like(rays, count // self._words)
-        _check(self._call('raycast{N}_many')(
-            ctypes.cast(pointer, ctypes.POINTER(self._ray)), count // self._words, shape,
-            ctypes.cast(to, ctypes.POINTER(ctypes.c_int32))))
+        call, count = self._call('raycast{N}_many'), count // self._words
+
+        def cast(part):
+            first, last = count * part // threads, count * (part + 1) // threads
+            return call(ctypes.cast(pointer + 4 * self._words * first, ctypes.POINTER(self._ray)),
+                        last - first, shape,
+                        ctypes.cast(to + 4 * first, ctypes.POINTER(ctypes.c_int32)))
+        if threads == 1:
+            _check(cast(0))
+        else:
+            # ctypes lets other threads run during a call.
+            with concurrent.futures.ThreadPoolExecutor(threads) as pool:
+                for status in pool.map(cast, range(threads)):
+                    _check(status)
         del keep
         return room
 
@@ -412,14 +425,27 @@ class Scene(_Held):
         return room.reshape(count, words) if hasattr(room, 'reshape') else room
 
     def cast(self, shape, direction, max_distance, layers=ALL_LAYERS):
-        """The first object that a moving sphere, capsule or segment touches, as a `Hit`, or None."""
+        """The first object that a moving sphere, AABB, OBB, capsule or segment touches, as a `Hit`, or
+        None."""
         hit = self._space._object_hit()
         return Hit(hit) if self._call('cast', shape, self._space._direction(*direction), max_distance,
                                       layers, hit) else None
 
+    def cast_any(self, shape, direction, max_distance, layers=ALL_LAYERS):
+        return self._call('cast_any', shape, self._space._direction(*direction), max_distance, layers)
+
+    def cast_all(self, shape, direction, max_distance, layers=ALL_LAYERS):
+        """All objects that the moving shape touches, as `Hit`s, by distance, then id."""
+        return [Hit(hit) for hit in self._list('cast_all', self._space._object_hit, shape,
+                                               self._space._direction(*direction), max_distance, layers)]
+
     def mover(self, start, end, radius, **settings):
         """A character that is a capsule; keywords are the fields of its settings."""
-        return Mover(self, start, end, radius, settings)
+        return Mover(self, self._space.capsule(start, end, radius), settings)
+
+    def box_mover(self, least, greatest, **settings):
+        """A character that is an AABB."""
+        return Mover(self, self._space.aabb(least, greatest), settings)
 
     def nearest(self, question, layers=ALL_LAYERS):
         """(distance, id) of the nearest object that a point finds, or another shape overlaps; or None."""
@@ -455,23 +481,28 @@ class Hit:
 
 
 class Mover:
-    """A character: a capsule that walks, slides along walls, climbs steps and is carried by frames.
+    """A character: a capsule or AABB that walks, slides along walls, climbs steps and is carried by frames.
     `state` is all of it, and can be saved as bytes(state)."""
 
-    def __init__(self, scene, start, end, radius, settings):
+    def __init__(self, scene, shape, settings):
         self._scene, self._space = scene, scene._space
         n = self._space.dimension
         self.state = getattr(c, f'detent_mover{n}')()
-        self.state.shape.a = self._space._vec(*start)
-        self.state.shape.b = self._space._vec(*end)
-        self.state.shape.radius = radius
+        self.state.shape = shape
         self.settings = getattr(c, f'detent_mover{n}_settings')()
         self.last_move = getattr(c, f'detent_move{n}')()
         _check(self._space._call('mover{N}_default_settings')(self.settings))
         _set(self.settings, settings, self._space)
 
     is_grounded = property(lambda self: bool(self.state.is_grounded))
-    position = property(lambda self: _Space._tuple(self.state.shape.a))
+
+    @property
+    def position(self):
+        """The first end of the capsule, the least corner of the box."""
+        shape = self.state.shape
+        is_box = shape.kind == c.DETENT_AABB
+        return _Space._tuple(shape.as_.aabb.min if is_box else shape.as_.capsule.a)
+
 
     def move(self, by, layers=ALL_LAYERS, ignored=Id(0, 0)):
         """Moves by a vector, gravity included, as far as objects let it. How far it came."""

@@ -401,9 +401,9 @@ class detent_object_hit2(Structure):
 
 
 class detent_mover2(Structure):
-    """A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground."""
+    """A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal."""
     _fields_ = [
-        ('shape', detent_capsule2),
+        ('shape', detent_shape2),
         ('is_grounded', c_uint32),
         ('object', detent_id),
         ('normal', detent_direction2),
@@ -701,9 +701,9 @@ class detent_object_hit3(Structure):
 
 
 class detent_mover3(Structure):
-    """A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground."""
+    """A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal."""
     _fields_ = [
-        ('shape', detent_capsule3),
+        ('shape', detent_shape3),
         ('is_grounded', c_uint32),
         ('object', detent_id),
         ('normal', detent_direction3),
@@ -855,7 +855,7 @@ assert sizeof(detent_contact_point2) == 16
 assert sizeof(detent_manifold2) == 48
 assert sizeof(detent_sweep2) == 48
 assert sizeof(detent_object_hit2) == 36
-assert sizeof(detent_mover2) == 64
+assert sizeof(detent_mover2) == 84
 assert sizeof(detent_mover2_settings) == 24
 assert sizeof(detent_mover2_touch) == 24
 assert sizeof(detent_move2) == 224
@@ -882,7 +882,7 @@ assert sizeof(detent_contact_point3) == 20
 assert sizeof(detent_manifold3) == 100
 assert sizeof(detent_sweep3) == 96
 assert sizeof(detent_object_hit3) == 44
-assert sizeof(detent_mover3) == 84
+assert sizeof(detent_mover3) == 124
 assert sizeof(detent_mover3_settings) == 28
 assert sizeof(detent_mover3_touch) == 32
 assert sizeof(detent_move3) == 300
@@ -1175,6 +1175,25 @@ FUNCTIONS = {
         c_int32,
         c_uint32,
         POINTER(detent_object_hit2),
+    ]),
+    'detent_scene2_cast_any': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape2),
+        POINTER(detent_direction2),
+        c_int32,
+        c_uint32,
+    ]),
+    'detent_scene2_cast_all': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape2),
+        POINTER(detent_direction2),
+        c_int32,
+        c_uint32,
+        POINTER(detent_object_hit2),
+        c_uint32,
+        POINTER(c_uint32),
     ]),
     'detent_mover2_default_settings': (c_int32, [
         POINTER(detent_mover2_settings),
@@ -1771,6 +1790,25 @@ FUNCTIONS = {
         c_int32,
         c_uint32,
         POINTER(detent_object_hit3),
+    ]),
+    'detent_scene3_cast_any': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape3),
+        POINTER(detent_direction3),
+        c_int32,
+        c_uint32,
+    ]),
+    'detent_scene3_cast_all': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_shape3),
+        POINTER(detent_direction3),
+        c_int32,
+        c_uint32,
+        POINTER(detent_object_hit3),
+        c_uint32,
+        POINTER(c_uint32),
     ]),
     'detent_mover3_default_settings': (c_int32, [
         POINTER(detent_mover3_settings),

@@ -182,6 +182,16 @@ class Test(unittest.TestCase):
         self.assertTrue(player.is_grounded)
         self.assertAlmostEqual(detent.number(player.position[0]), 2.5, delta=0.05)
         self.assertAlmostEqual(detent.number(player.position[1]), 0.5, delta=0.05)
+        crate = scene.box_mover((-ONE // 2, ONE, -ONE // 2), (ONE // 2, 2 * ONE, ONE // 2), step_height=0)
+        for _ in range(60):
+            crate.move((ONE // 8, -ONE // 8, 0))
+        self.assertTrue(crate.is_grounded)
+        self.assertAlmostEqual(detent.number(crate.position[0]), 2, delta=0.05)
+        box = d3.aabb((0, ONE, 0), (ONE, 2 * ONE, ONE))
+        self.assertEqual(scene.cast(box, (detent.UNIT, 0, 0), 9 * ONE).distance, 2 * ONE)
+        self.assertTrue(scene.cast_any(box, (0, -detent.UNIT, 0), ONE))
+        self.assertFalse(scene.cast_any(box, (0, detent.UNIT, 0), ONE))
+        self.assertEqual([hit.id for hit in scene.cast_all(box, (detent.UNIT, 0, 0), 9 * ONE)], [wall])
         self.assertEqual(player.clip((ONE, 0, 0)), (0, 0, 0))
         player.move((ONE, 0, 0), ignored=wall)
         self.assertGreater(player.position[0], 3 * ONE)
@@ -214,6 +224,8 @@ class Test(unittest.TestCase):
         which = scene.add(box)
         distances = d3.raycast_many(rays, box)
         self.assertEqual(list(distances), [5 * ONE, -1, 6 * ONE])
+        for threads in (2, 5):
+            self.assertEqual(list(d3.raycast_many(rays, box, threads=threads)), list(distances))
         hits = scene.raycast_many(rays)
         words = [int(word) for word in (hits.reshape(-1) if hasattr(hits, 'reshape') else hits)]
         each = len(words) // 3

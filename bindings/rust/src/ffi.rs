@@ -423,10 +423,10 @@ pub struct ObjectHit2 {
 const _: () = assert!(std::mem::size_of::<ObjectHit2>() == 36);
 
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground.
+#[derive(Clone, Copy)]
+/// A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal.
 pub struct Mover2 {
-    pub shape: Capsule2,
+    pub shape: Shape2,
     pub is_grounded: u32,
     pub object: Id,
     pub normal: Direction2,
@@ -434,7 +434,7 @@ pub struct Mover2 {
     pub local: Vec2,
     pub point: Vec2,
 }
-const _: () = assert!(std::mem::size_of::<Mover2>() == 64);
+const _: () = assert!(std::mem::size_of::<Mover2>() == 84);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -750,10 +750,10 @@ pub struct ObjectHit3 {
 const _: () = assert!(std::mem::size_of::<ObjectHit3>() == 44);
 
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// A character: a capsule that walks, and what it stands on. It is all of its state. Set it to zeros and the capsule to where it starts; zeros in `is_grounded` let it leave the ground.
+#[derive(Clone, Copy)]
+/// A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal.
 pub struct Mover3 {
-    pub shape: Capsule3,
+    pub shape: Shape3,
     pub is_grounded: u32,
     pub object: Id,
     pub normal: Direction3,
@@ -761,7 +761,7 @@ pub struct Mover3 {
     pub local: Vec3,
     pub point: Vec3,
 }
-const _: () = assert!(std::mem::size_of::<Mover3>() == 84);
+const _: () = assert!(std::mem::size_of::<Mover3>() == 124);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -934,6 +934,8 @@ extern "C" {
     pub fn detent_scene2_all(context: *const Context, scene: u32, question: *const Shape2, layers: u32, found: *mut Found, room: u32, count: *mut u32) -> i32;
     pub fn detent_scene2_overlaps(context: *const Context, scene: u32, pairs: *mut Pair, room: u32, count: *mut u32) -> i32;
     pub fn detent_scene2_cast(context: *const Context, scene: u32, shape: *const Shape2, direction: *const Direction2, max_distance: i32, layers: u32, hit: *mut ObjectHit2) -> i32;
+    pub fn detent_scene2_cast_any(context: *const Context, scene: u32, shape: *const Shape2, direction: *const Direction2, max_distance: i32, layers: u32) -> i32;
+    pub fn detent_scene2_cast_all(context: *const Context, scene: u32, shape: *const Shape2, direction: *const Direction2, max_distance: i32, layers: u32, hits: *mut ObjectHit2, room: u32, count: *mut u32) -> i32;
     pub fn detent_mover2_default_settings(settings: *mut Mover2Settings) -> i32;
     pub fn detent_mover2_move(context: *const Context, scene: u32, mover: *mut Mover2, by: *const Vec2, settings: *const Mover2Settings, layers: u32, ignored: Id, result: *mut Move2) -> i32;
     pub fn detent_mover2_clip_velocity(velocity: *const Vec2, result: *const Move2, clipped: *mut Vec2) -> i32;
@@ -1034,6 +1036,8 @@ extern "C" {
     pub fn detent_scene3_all(context: *const Context, scene: u32, question: *const Shape3, layers: u32, found: *mut Found, room: u32, count: *mut u32) -> i32;
     pub fn detent_scene3_overlaps(context: *const Context, scene: u32, pairs: *mut Pair, room: u32, count: *mut u32) -> i32;
     pub fn detent_scene3_cast(context: *const Context, scene: u32, shape: *const Shape3, direction: *const Direction3, max_distance: i32, layers: u32, hit: *mut ObjectHit3) -> i32;
+    pub fn detent_scene3_cast_any(context: *const Context, scene: u32, shape: *const Shape3, direction: *const Direction3, max_distance: i32, layers: u32) -> i32;
+    pub fn detent_scene3_cast_all(context: *const Context, scene: u32, shape: *const Shape3, direction: *const Direction3, max_distance: i32, layers: u32, hits: *mut ObjectHit3, room: u32, count: *mut u32) -> i32;
     pub fn detent_mover3_default_settings(settings: *mut Mover3Settings) -> i32;
     pub fn detent_mover3_move(context: *const Context, scene: u32, mover: *mut Mover3, by: *const Vec3, settings: *const Mover3Settings, layers: u32, ignored: Id, result: *mut Move3) -> i32;
     pub fn detent_mover3_clip_velocity(velocity: *const Vec3, result: *const Move3, clipped: *mut Vec3) -> i32;

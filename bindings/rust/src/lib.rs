@@ -459,7 +459,17 @@ macro_rules! space {
             }
             /// A character: a capsule from `a` to `b` in the air.
             pub fn mover(a: [i32; $n], b: [i32; $n], radius: i32) -> Mover {
-                Mover { shape: ffi::$Capsule { a: vec(a), b: vec(b), radius }, ..Mover::default() }
+                mover_of(capsule(a, b, radius))
+            }
+            /// A character: an AABB in the air.
+            pub fn box_mover(min: [i32; $n], max: [i32; $n]) -> Mover {
+                mover_of(aabb(min, max))
+            }
+            fn mover_of(shape: Shape) -> Mover {
+                Mover {
+                    shape, is_grounded: 0, object: Id::default(), frame: Id::default(),
+                    normal: Default::default(), local: Default::default(), point: Default::default(),
+                }
             }
             /// The settings of an ordinary character.
             pub fn mover_settings() -> MoverSettings {
@@ -535,6 +545,23 @@ macro_rules! space {
                                    &mut hit)
                     })?;
                     Ok(if yes { Some(hit) } else { None })
+                }
+                /// Whether the moving shape touches any object.
+                pub fn cast_any(&self, shape: &Shape, toward: [i32; $n], max_distance: i32,
+                                layers: u32) -> Result<bool> {
+                    let toward = direction(toward);
+                    check(unsafe {
+                        scene_cast_any(self.at(), self.handle, shape, &toward, max_distance, layers)
+                    })
+                }
+                /// All objects that the moving shape touches, by distance, then id.
+                pub fn cast_all(&self, shape: &Shape, toward: [i32; $n], max_distance: i32,
+                                layers: u32) -> Result<Vec<ObjectHit>> {
+                    let toward = direction(toward);
+                    list(|to, room, count| unsafe {
+                        scene_cast_all(self.at(), self.handle, shape, &toward, max_distance, layers,
+                                       to, room, count)
+                    })
                 }
                 /// Moves a character by a vector, gravity included, as far as the objects in `layers`
                 /// other than `ignored` let it.
@@ -1058,6 +1085,8 @@ space! {
     distance_ = detent_distance2,
     contact_ = detent_contact2,
     scene_cast = detent_scene2_cast,
+    scene_cast_any = detent_scene2_cast_any,
+    scene_cast_all = detent_scene2_cast_all,
     mover_move = detent_mover2_move,
     mover_default_settings = detent_mover2_default_settings,
     mover_clip_velocity = detent_mover2_clip_velocity,
@@ -1157,6 +1186,8 @@ space! {
     distance_ = detent_distance3,
     contact_ = detent_contact3,
     scene_cast = detent_scene3_cast,
+    scene_cast_any = detent_scene3_cast_any,
+    scene_cast_all = detent_scene3_cast_all,
     mover_move = detent_mover3_move,
     mover_default_settings = detent_mover3_default_settings,
     mover_clip_velocity = detent_mover3_clip_velocity,

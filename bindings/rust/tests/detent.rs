@@ -205,11 +205,21 @@ fn characters() {
         last = scene.move_character(&mut player, by, &settings, !0, Id::default()).unwrap();
     }
     assert_eq!(player.is_grounded, 1);
-    assert!((player.shape.a.x - 5 * ONE / 2).abs() < ONE / 20);
+    assert!((unsafe { player.shape.of.capsule.a.x } - 5 * ONE / 2).abs() < ONE / 20);
     assert_eq!(d2::clip_velocity([ONE, 0], &last), Ok([0, 0]));
     let ball = d2::sphere([0, 5 * ONE], ONE);
     let hit = scene.cast(&ball, [UNIT, 0], 9 * ONE, !0).unwrap().unwrap();
     assert_eq!((hit.id, hit.distance), (wall, 2 * ONE));
+    let crate_ = d2::aabb([0, 5 * ONE], [ONE, 6 * ONE]);
+    let hits = scene.cast_all(&crate_, [UNIT, 0], 9 * ONE, !0).unwrap();
+    assert_eq!((hits.len(), hits[0].id, hits[0].distance), (1, wall, 2 * ONE));
+    assert_eq!(scene.cast_any(&crate_, [0, UNIT], ONE, !0), Ok(false));
+    let mut walker = d2::box_mover([0, ONE], [ONE, 2 * ONE]);
+    for _ in 0..60 {
+        let by = [ONE / 8, -ONE / 8];
+        scene.move_character(&mut walker, by, &settings, !0, Id::default()).unwrap();
+    }
+    assert_eq!(walker.is_grounded, 1);
 }
 
 #[test]

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "c/casts.hpp"
+#include "detent/scene/hull/placed.hpp"
+#include "detent/scene/scene.hpp"
+
+// Casts of boxes against the objects of scenes, by those of src/c/casts/: the distance comes with the
+// hit, so that each pair is compiled once.
+
+namespace detent::c {
+
+/// A hull of a scene, as the points that it has.
+template <int N, class F>
+auto as_points(const PlacedHull<S, N>& placed, const F& f) {
+  return f(detent::detail::HullPoints(placed).hull());
+}
+
+/// The cast of a box at a shape of a scene.
+template <class Box, class Target, int N>
+std::optional<CastHit<S, N>> cast_box(const Box& box, const Direction<S, N>& direction,
+                                      S max_distance, const Target& target) {
+  if constexpr (std::is_same_v<Box, Aabb<S, N>> && std::is_same_v<Target, Aabb<S, N>>) {
+    return detent::cast(box, direction, max_distance, target);  // see Casts<N>::cast
+  } else {
+    return as_points(box, [&](const auto& moving) {
+      return as_points(target, [&](const auto& other) {
+        return cast_at(moving, direction, max_distance, other);
+      });
+    });
+  }
+}
+}  // namespace detent::c
+
+namespace detent::detail {
+
+using c::S;
+
+#define DETENT_C_BOX_CAST(N, Box, Shape)                                                      \
+  template <>                                                                                 \
+  inline std::optional<detent::CastHit<S, N>>                                                 \
+  call_separate<job::CastHit, std::optional<detent::CastHit<S, N>>>(                          \
+      const Cast<Box<S, N>>& moving, const Shape<S, N>& shape) noexcept {                     \
+    return c::cast_box(moving.shape, moving.direction, moving.max_distance, shape);           \
+  }                                                                                           \
+  template <>                                                                                 \
+  inline std::optional<S> call_separate<job::CastDistance, std::optional<S>>(                 \
+      const Cast<Box<S, N>>& moving, const Shape<S, N>& shape) noexcept {                     \
+    const auto hit = c::cast_box(moving.shape, moving.direction, moving.max_distance, shape); \
+    return hit ? std::optional(hit->distance) : std::nullopt;                                 \
+  }
+#define DETENT_C_BOX_CASTS(N, Box)    \
+  DETENT_C_BOX_CAST(N, Box, Sphere)   \
+  DETENT_C_BOX_CAST(N, Box, Aabb)     \
+  DETENT_C_BOX_CAST(N, Box, Obb)      \
+  DETENT_C_BOX_CAST(N, Box, Plane)    \
+  DETENT_C_BOX_CAST(N, Box, Triangle) \
+  DETENT_C_BOX_CAST(N, Box, Capsule)  \
+  DETENT_C_BOX_CAST(N, Box, PlacedHull)
+DETENT_C_BOX_CASTS(2, Aabb)
+DETENT_C_BOX_CASTS(2, Obb)
+DETENT_C_BOX_CASTS(3, Aabb)
+DETENT_C_BOX_CASTS(3, Obb)
+
+}  // namespace detent::detail
