@@ -2,17 +2,17 @@
 # SPDX-License-Identifier: MIT
 # usage: packages.sh BUILD KIND
 # A package that packages/build makes of BUILD is unpacked in an empty folder, where the program of
-# docs/bindings.md for its language runs. KIND is one of its kinds, or `recipes` for vcpkg and Conan.
+# its own README runs, which is that of docs/bindings.md for its language. KIND is one of its kinds, or `recipes` for vcpkg and Conan.
 set -euo pipefail
 build=$1 kind=$2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 version=$(sed -n 's/#define DETENT_VERSION_[A-Z]* //p' include/detent/version.hpp | paste -sd .)
 
-# page LANGUAGE: the program of the page.
-page() { sed -n '/^```'"$1"'$/,/^```$/{/^```/d;p}' docs/bindings.md; }
+# program LANGUAGE README: its program.
+program() { sed -n '/^```'"$1"'$/,/^```$/{/^```/d;p}' "$2"; }
 expect() {
-  if [[ $1 != "$2" ]]; then echo "the program of the page prints '$1' instead of '$2'"; exit 1; fi
+  if [[ $1 != "$2" ]]; then echo "the program of its README prints '$1' instead of '$2'"; exit 1; fi
   echo "the $kind package works from an empty folder"
 }
 # package PATTERN: packs; the name of the file.
@@ -38,14 +38,14 @@ case $kind in
     else
       python3 -m zipfile -e "$file" "$work/site"
     fi
-    page python >"$work/page.py"
+    program python "$work"/site/detent-*.dist-info/METADATA >"$work/page.py"
     expect "$(cd "$work" && env -u DETENT_LIBRARY PYTHONPATH="$work/site" python3 page.py)" 'True 9.0'
     ;;
   crate)
     file=$(package "detent-$version.crate")
     tar -xzf "$file" -C "$work"
     mkdir -p "$work/user/src"
-    page rust | sed 's/^    Ok(())$/    println!("ran"); Ok(())/' >"$work/user/src/main.rs"
+    program rust "$work/detent-$version/README.md" | sed 's/^    Ok(())$/    println!("ran"); Ok(())/' >"$work/user/src/main.rs"
     printf '%s\n' '[package]' 'name = "user"' 'version = "1.0.0"' 'edition = "2021"' '[dependencies]' \
       "detent = { path = \"$work/detent-$version\" }" >"$work/user/Cargo.toml"
     library=$(realpath "$build/src/c")
@@ -55,9 +55,9 @@ case $kind in
   npm)
     file=$(package "detent-$version.tgz")
     mkdir "$work/user"
-    page js >"$work/user/page.mjs"
     cd "$work/user"
     npm install --silent --offline --no-audit --no-fund "$file" >/dev/null
+    program js node_modules/detent/README.md >page.mjs
     expect "$(node page.mjs)" 9
     ;;
   recipes)
