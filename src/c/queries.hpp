@@ -28,6 +28,55 @@ inline constexpr int rank<Segment<S, N>> = 6;
 template <class Shape>
 inline constexpr bool is_segment = rank<Shape> == 6;
 
+/// Reads a shape whose kind is known.
+template <template <class, int> class Shape, int N>
+[[nodiscard]] Shape<S, N> read(Input<N>& in, const typename Types<N>::Shape& shape) noexcept {
+  if constexpr (std::is_same_v<Shape<S, N>, Sphere<S, N>>) {
+    return in.sphere(shape);
+  } else if constexpr (std::is_same_v<Shape<S, N>, Aabb<S, N>>) {
+    return in.aabb(shape);
+  } else if constexpr (std::is_same_v<Shape<S, N>, Obb<S, N>>) {
+    return in.obb(shape);
+  } else if constexpr (std::is_same_v<Shape<S, N>, Plane<S, N>>) {
+    return in.plane(shape);
+  } else if constexpr (std::is_same_v<Shape<S, N>, Triangle<S, N>>) {
+    return in.triangle(shape);
+  } else if constexpr (std::is_same_v<Shape<S, N>, Capsule<S, N>>) {
+    return in.capsule(shape);
+  } else {
+    return in.segment(shape);
+  }
+}
+
+/// `Ask::of<Shape>(arguments...)` for a kind of shape: functions of their own, to which this jumps, so
+/// that a sphere does not pay for the registers and the stack that an OBB needs.
+template <class Ask, class... Arguments>
+[[gnu::always_inline]] inline detent_status jump(std::uint32_t kind, Arguments... arguments) {
+  switch (kind) {
+    case DETENT_SPHERE:
+      return Ask::template of<Sphere>(arguments...);
+    case DETENT_AABB:
+      return Ask::template of<Aabb>(arguments...);
+    case DETENT_OBB:
+      return Ask::template of<Obb>(arguments...);
+    case DETENT_PLANE:
+      return Ask::template of<Plane>(arguments...);
+    case DETENT_TRIANGLE:
+      return Ask::template of<Triangle>(arguments...);
+    case DETENT_CAPSULE:
+      return Ask::template of<Capsule>(arguments...);
+    case DETENT_SEGMENT:
+      return Ask::template of<Segment>(arguments...);
+    default:
+      return kind >= DETENT_POINT && kind <= DETENT_COMPOUND ? DETENT_NO_QUERY
+                                                             : DETENT_BAD_ARGUMENT;
+  }
+}
+
+/// Shapes whose overlaps are a few instructions: a call more would cost as much.
+template <class Shape>
+inline constexpr bool is_plain = rank<Shape> <= 1;
+
 template <int N>
 struct Queries {
   using T = Types<N>;
@@ -35,17 +84,8 @@ struct Queries {
   static detent_status raycast(const typename T::Ray* ray, const typename T::Shape* shape,
                                typename T::Hit* hit) {
     if (ray == nullptr || shape == nullptr) return DETENT_BAD_ARGUMENT;
-    Input<N> in;
-    const auto along = in.ray(*ray);
-    if (!in.is_valid()) return DETENT_NOT_UNIT;
-    return with_shape<N>(*shape, [&](const auto& target) {
-      if (hit == nullptr) return yes_or_no(detent::raycast(along, target).has_value());
-      const auto found = detent::raycast_hit(along, target);
-      if (!found) return detent_status{DETENT_NO};
-      *hit = {found->distance.raw(), Output<N>::vec(found->point),
-              Output<N>::direction(found->normal)};
-      return detent_status{DETENT_OK};
-    });
+    return hit == nullptr ? jump<IsHit>(shape->kind, shape, ray)
+                          : jump<FirstHit>(shape->kind, shape, ray, hit);
   }
 
   static detent_status raycast_many(const typename T::Ray* rays, std::uint32_t count,
@@ -67,47 +107,24 @@ struct Queries {
 
   static detent_status contains(const typename T::Shape* shape, const typename T::Vec* point) {
     if (shape == nullptr || point == nullptr) return DETENT_BAD_ARGUMENT;
-    const auto at = Input<N>::vec(*point);
-    return with_shape<N>(*shape, [&](const auto& target) {
-      return yes_or_no(detail::separately<detail::job::Contains>(target, at));
-    });
+    return jump<Holds>(shape->kind, shape, point);
   }
 
   static detent_status overlaps(const typename T::Shape* a, const typename T::Shape* b) {
     if (a == nullptr || b == nullptr) return DETENT_BAD_ARGUMENT;
-    return with_shape<N>(*a, [&](const auto& one) {
-      return with_shape<N>(*b, [&](const auto& other) {
-        using A = std::remove_cvref_t<decltype(one)>;
-        using B = std::remove_cvref_t<decltype(other)>;
-        if constexpr (is_segment<A>) {
-          return yes_or_no(detail::separately<detail::job::Intersects>(one, other));
-        } else if constexpr (is_segment<B>) {
-          return yes_or_no(detail::separately<detail::job::Intersects>(other, one));
-        } else {
-          return yes_or_no(detail::separately<detail::job::Overlaps>(one, other));
-        }
-      });
-    });
+    return jump<Meets>(a->kind, a, b);
   }
 
   static detent_status closest_point(const typename T::Shape* shape, const typename T::Vec* point,
                                      typename T::Vec* closest) {
     if (shape == nullptr || point == nullptr || closest == nullptr) return DETENT_BAD_ARGUMENT;
-    const auto at = Input<N>::vec(*point);
-    return with_shape<N>(*shape, [&](const auto& target) -> detent_status {
-      *closest = Output<N>::vec(detent::closest_point(target, at));
-      return DETENT_OK;
-    });
+    return jump<Nearest>(shape->kind, shape, point, closest);
   }
 
   static detent_status distance_to_point(const typename T::Shape* shape,
                                          const typename T::Vec* point, std::int32_t* distance) {
     if (shape == nullptr || point == nullptr || distance == nullptr) return DETENT_BAD_ARGUMENT;
-    const auto at = Input<N>::vec(*point);
-    return with_shape<N>(*shape, [&](const auto& target) -> detent_status {
-      *distance = detail::separately<detail::job::Distance>(target, at).raw();
-      return DETENT_OK;
-    });
+    return jump<Away>(shape->kind, shape, point, distance);
   }
 
   static detent_status distance(const typename T::Shape* a, const typename T::Shape* b,
@@ -126,6 +143,98 @@ struct Queries {
       });
     });
   }
+
+ private:
+  struct IsHit {
+    template <template <class, int> class Shape>
+    [[gnu::noinline]] static detent_status of(const typename T::Shape* shape,
+                                              const typename T::Ray* ray) {
+      Input<N> in;
+      const auto along = in.ray(*ray);
+      const auto target = read<Shape>(in, *shape);
+      if (!in.is_valid()) return DETENT_NOT_UNIT;
+      return yes_or_no(detent::raycast(along, target).has_value());
+    }
+  };
+  struct FirstHit {
+    template <template <class, int> class Shape>
+    [[gnu::noinline]] static detent_status of(const typename T::Shape* shape,
+                                              const typename T::Ray* ray, typename T::Hit* hit) {
+      Input<N> in;
+      const auto along = in.ray(*ray);
+      const auto target = read<Shape>(in, *shape);
+      if (!in.is_valid()) return DETENT_NOT_UNIT;
+      const auto found = detent::raycast_hit(along, target);
+      if (!found) return DETENT_NO;
+      *hit = {found->distance.raw(), Output<N>::vec(found->point),
+              Output<N>::direction(found->normal)};
+      return DETENT_OK;
+    }
+  };
+  struct Holds {
+    template <template <class, int> class Shape>
+    [[gnu::noinline]] static detent_status of(const typename T::Shape* shape,
+                                              const typename T::Vec* point) {
+      Input<N> in;
+      const auto target = read<Shape>(in, *shape);
+      if (!in.is_valid()) return DETENT_NOT_UNIT;
+      const auto at = Input<N>::vec(*point);
+      if constexpr (is_plain<Shape<S, N>>) return yes_or_no(detent::contains(target, at));
+      return yes_or_no(detail::separately<detail::job::Contains>(target, at));
+    }
+  };
+  struct Nearest {
+    template <template <class, int> class Shape>
+    [[gnu::noinline]] static detent_status of(const typename T::Shape* shape,
+                                              const typename T::Vec* point,
+                                              typename T::Vec* closest) {
+      Input<N> in;
+      const auto target = read<Shape>(in, *shape);
+      if (!in.is_valid()) return DETENT_NOT_UNIT;
+      *closest = Output<N>::vec(detent::closest_point(target, Input<N>::vec(*point)));
+      return DETENT_OK;
+    }
+  };
+  struct Away {
+    template <template <class, int> class Shape>
+    [[gnu::noinline]] static detent_status of(const typename T::Shape* shape,
+                                              const typename T::Vec* point,
+                                              std::int32_t* distance) {
+      Input<N> in;
+      const auto target = read<Shape>(in, *shape);
+      if (!in.is_valid()) return DETENT_NOT_UNIT;
+      const auto at = Input<N>::vec(*point);
+      *distance = detail::separately<detail::job::Distance>(target, at).raw();
+      return DETENT_OK;
+    }
+  };
+  struct Meets {
+    template <template <class, int> class First>
+    [[gnu::noinline]] static detent_status of(const typename T::Shape* a,
+                                              const typename T::Shape* b) {
+      return jump<Both<First>>(b->kind, a, b);
+    }
+    template <template <class, int> class First>
+    struct Both {
+      template <template <class, int> class Second>
+      [[gnu::noinline]] static detent_status of(const typename T::Shape* a,
+                                                const typename T::Shape* b) {
+        Input<N> in;
+        const auto one = read<First>(in, *a);
+        const auto other = read<Second>(in, *b);
+        if (!in.is_valid()) return DETENT_NOT_UNIT;
+        if constexpr (is_plain<First<S, N>> && is_plain<Second<S, N>>) {
+          return yes_or_no(detent::overlaps(one, other));
+        } else if constexpr (is_segment<First<S, N>>) {
+          return yes_or_no(detail::separately<detail::job::Intersects>(one, other));
+        } else if constexpr (is_segment<Second<S, N>>) {
+          return yes_or_no(detail::separately<detail::job::Intersects>(other, one));
+        } else {
+          return yes_or_no(detail::separately<detail::job::Overlaps>(one, other));
+        }
+      }
+    };
+  };
 };
 
 }  // namespace detent::c
