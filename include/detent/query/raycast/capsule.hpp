@@ -6,6 +6,7 @@
 
 #include "detent/query/kernel/within_segment.hpp"
 #include "detent/query/raycast/capsule/cylinder.hpp"
+#include "detent/query/raycast/capsule/entry_filter.hpp"
 #include "detent/query/raycast/capsule/normal.hpp"
 #include "detent/query/raycast/capsule/part.hpp"
 #include "detent/query/raycast/hit.hpp"
@@ -14,13 +15,6 @@
 namespace detent {
 
 namespace detail {
-
-/// Where a ray enters a capsule. At an end, the sphere there gives the distance, if any.
-template <Scalar S>
-struct CapsuleEntry {
-  CapsulePart part;
-  std::optional<S> distance{};
-};
 
 /// Where a ray enters a capsule, at a distance up to `limit`.
 template <Scalar S, int N, Number L, Number R>
@@ -38,6 +32,36 @@ template <Scalar S, int N, Number L, Number R>
   const auto part = entered_part(ray, side);
   if (part != CapsulePart::side) return {part};
   return {part, side.first_root(limit)};
+}
+
+/// The axis of a capsule, from the end that `entry` calls the first.
+template <Scalar S, int N>
+struct AxisEntry {
+  Segment<S, N> axis;
+  CapsuleEntry<S> entry;
+};
+
+/// Where `ray` enters `capsule`, which must have a radius >= 0.
+template <Scalar S, int N>
+[[nodiscard]] constexpr AxisEntry<S, N> exact_axis_entry(const Ray<S, N>& ray,
+                                                         const Capsule<S, N>& capsule) noexcept {
+  const auto axis = facing_axis(ray, capsule);
+  return {axis, with_cylinder(ray, axis, capsule.radius, [&](const auto& cylinder) {
+            return capsule_entry(cylinder, ray.max_distance);
+          })};
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr AxisEntry<S, N> axis_entry(const Ray<S, N>& ray,
+                                                   const Capsule<S, N>& capsule) noexcept {
+  if constexpr (is_fixed<S> && filter_pays<S>) {
+    const auto m = ray.origin - capsule.a, e = capsule.b - capsule.a;
+    if (fits<29>(m) && fits<29>(e)) {
+      const auto entry = decide_capsule_entry(ray.direction, at_most<29>(m), at_most<29>(e),
+                                              capsule.radius, ray.max_distance);
+      if (entry.is_sure) return {{capsule.a, capsule.b}, entry.value};
+    }
+  }
+  return exact_axis_entry(ray, capsule);
 }
 
 /// The sphere about the end through which a ray enters or leaves a capsule.
@@ -61,12 +85,9 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<S> raycast(const Ray<S, N>& ray,
                                                  const Capsule<S, N>& capsule) noexcept {
   if (capsule.radius < 0 || ray.max_distance < 0) return std::nullopt;
-  const auto axis = detail::facing_axis(ray, capsule);
-  const auto [part, distance] = detail::with_cylinder(
-      ray, axis, capsule.radius,
-      [&](const auto& cylinder) { return detail::capsule_entry(cylinder, ray.max_distance); });
-  if (!is_end(part)) return distance;
-  return raycast(ray, detail::end_of(axis, capsule.radius, part));
+  const auto [axis, entry] = detail::axis_entry(ray, capsule);
+  if (!is_end(entry.part)) return entry.distance;
+  return raycast(ray, detail::end_of(axis, capsule.radius, entry.part));
 }
 
 /// Distance, point and normal where `ray` first touches `capsule`, or nothing.
@@ -78,21 +99,18 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<RayHit<S, N>> raycast_hit(
     const Ray<S, N>& ray, const Capsule<S, N>& capsule) noexcept {
   if (capsule.radius < 0 || ray.max_distance < 0) return std::nullopt;
-  const auto axis = detail::facing_axis(ray, capsule);
-  struct Entry {
-    detail::CapsuleEntry<S> at;
-    Direction<S, N> normal;
-  };
-  const Entry entry = detail::with_cylinder(ray, axis, capsule.radius, [&](const auto& cylinder) {
-    const auto at = detail::capsule_entry(cylinder, ray.max_distance);
-    const bool is_side = at.part == detail::CapsulePart::side && at.distance;
-    return Entry{at,
-                 is_side && capsule.radius > 0 ? detail::side_normal(cylinder) : -ray.direction};
-  });
-  const auto [part, distance] = entry.at;
-  if (is_end(part)) return raycast_hit(ray, detail::end_of(axis, capsule.radius, part));
-  if (!distance) return std::nullopt;
-  return detail::hit_at(ray, *distance, entry.normal);
+  const auto [axis, entry] = detail::axis_entry(ray, capsule);
+  if (is_end(entry.part)) {
+    return raycast_hit(ray, detail::end_of(axis, capsule.radius, entry.part));
+  }
+  if (!entry.distance) return std::nullopt;
+  if (entry.part == detail::CapsulePart::inside || capsule.radius == 0) {
+    return detail::hit_at(ray, *entry.distance, -ray.direction);
+  }
+  return detail::hit_at(ray, *entry.distance,
+                        detail::with_cylinder(ray, axis, capsule.radius, [](const auto& cylinder) {
+                          return detail::side_normal(cylinder);
+                        }));
 }
 
 /// Distances at which `ray` enters and leaves `capsule`, or nothing.
