@@ -3,7 +3,7 @@
 // usage: detent-bench-growth NAME [--peers] [--most OBJECTS] [--threads]
 // Scenes of 100 to OBJECTS (100,000) random spheres and boxes: rays, regions, pairs, changes,
 // loading and snapshots, in q16_16; with --peers also in float and in Bullet; with --threads also
-// rays of one and of two threads. Prints rows "question,size,NAME,time", in nanoseconds, each the
+// rays of one and of two threads, and shadow rays alone and together. Prints rows "question,size,NAME,time", in nanoseconds, each the
 // median of a few rounds; fails when a q16_16 result is not golden. tests/bench/engines makes a table
 // of them.
 
@@ -295,6 +295,45 @@ void measure_threads(const Drawn& drawn, const char* who) {
   }
 }
 
+/// Shadow rays in the order of a picture's pixels, one after another and in one call, by turns.
+template <class Scene>
+void measure_shadows(Scene& scene, const Drawn& drawn, const char* who) {
+  using S = q16_16;
+  using V = Vec<S, 3>;
+  add(scene, drawn);
+  scene.optimize();
+  std::vector<Ray<S, 3>> shadows;
+  for (int y = 0; y < 160; ++y) {
+    for (int x = 0; x < 240; ++x) {
+      const Ray<S, 3> ray{V{S(0), S(0), S(1500)},
+                          *normalize(V{S((x - 120) * 8), S((80 - y) * 8), S(-1600)}), S(4000)};
+      const auto hit = scene.nearest(ray);
+      if (!hit) continue;
+      const auto from = point_at(ray, nearest_to<S>(hit->distance - S::from_double(0.125)));
+      shadows.push_back(
+          {from, *normalize(nearest_to<S>(V{S(1200), S(1900), S(900)} - from)), S(2500)});
+    }
+  }
+  const std::span<const Ray<S, 3>> rays(shadows);
+  const auto answers = std::make_unique<bool[]>(rays.size());
+  if constexpr (requires { scene.any_each(rays, std::span(answers.get(), 0)); }) {
+    Median alone, together;
+    for (int i = 0; i < 9; ++i) {
+      std::ptrdiff_t hits = 0;
+      alone.time([&] {
+        for (const auto& ray : rays) hits += scene.any(ray) ? 1 : 0;
+      });
+      together.time([&] { scene.any_each(rays, std::span(answers.get(), rays.size())); });
+      if (std::count(answers.get(), answers.get() + rays.size(), true) != hits) {
+        std::puts("shadows alone and together disagree"), std::exit(1);
+      }
+    }
+    const auto calls = static_cast<double>(rays.size());
+    print("shadow alone", drawn.items.size(), who, alone.value() / calls);
+    print("shadow together", drawn.items.size(), who, together.value() / calls);
+  }
+}
+
 /// The hits, objects in regions and pairs of q16_16.
 struct Golden {
   std::size_t size;
@@ -322,6 +361,10 @@ int run(const char* who, bool has_peers, std::size_t most, bool has_threads) {
 #if DETENT_BENCH_BULLET
       measure_bullet(drawn);
 #endif
+    }
+    if (has_threads && (size == 1000 || size == 10000)) {
+      Scene<q16_16, 3, Sphere, Obb> scene;
+      measure_shadows(scene, drawn, who);
     }
     if (has_threads && size == 10000) measure_threads(drawn, who);
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -106,6 +107,18 @@ class Finder {
   constexpr void collect(const Vec<S, N>& point, const Filter& filter, const Add& add) const {
     visit_meeting(point, filter,
                   [&](std::size_t i) { return add(found_at(i, point)), Walk::go_on; });
+  }
+
+  /// Where a ray hits an object, if that is one shape: a surface takes as long as the tree.
+  [[nodiscard]] constexpr std::optional<S> distance_to(std::size_t object,
+                                                       const Ray<S, N>& ray) const noexcept {
+    return store_[object].shape.visit([&]<class Shape>(const Shape& shape) -> std::optional<S> {
+      if constexpr (is_surface_type<Shape>) {
+        return std::nullopt;
+      } else {
+        return separately<job::Raycast>(ray, shape);
+      }
+    });
   }
 
   /// The hit of a ray or a moving shape on an object that it is known to hit.

@@ -33,6 +33,7 @@ namespace detent {
 ///   sphere of negative radius), although `distance(shape, point)` returns the greatest number for
 ///   it;
 /// * `any(question, filter)`, whether there is any such object;
+/// * `any_each(rays, answers, filter)`, the same for many rays;
 /// * `all(question, filter)`, each object that overlaps the query shape, sorted by distance, then
 ///   by id. For a ray or a cast, that is the distance at which it first touches the object;
 ///   otherwise it is the distance of the object from the point, the start of a segment, the center
@@ -83,6 +84,26 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
       return Walk::stop;
     });
     return is_found;
+  }
+
+  /// Writes what `any` returns for each ray, for as many as `answers` has room. The object that
+  /// stopped one ray is the first that the next one is tested against, so shadow rays in the order of
+  /// a picture take half the time.
+  ///
+  /// exact:  as `any`, whatever the order                 (tests/scene/many_rays.test.cpp)
+  template <ObjectFilter Filter = Everything>
+  constexpr void any_each(std::span<const Ray<S, N>> rays, std::span<bool> answers,
+                          const Filter& filter = {}) const {
+    std::optional<std::size_t> last;
+    for (std::size_t i = 0; i < (std::min)(rays.size(), answers.size()); ++i) {
+      answers[i] = last && finder().distance_to(*last, rays[i]).has_value();
+      if (answers[i]) continue;
+      finder().visit_meeting(rays[i], filter, [&](std::size_t object) {
+        answers[i] = true;
+        last = object;
+        return Walk::stop;
+      });
+    }
   }
 
   /// Every object that overlaps the query shape, by distance, then id.
