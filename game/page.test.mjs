@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// usage: node page.test.mjs FOLDER [FRAMES]
+// usage: node page.test.mjs FOLDER [FRAMES | corpus]
 // Plays the page that game/build made in FOLDER, in Chromium: two machines in one page, then two
 // pages and the relay, with lost packets, then a match of four, who are two pages and the programs of
 // game/check for this machine and a big-endian one; players leave and come back, and others watch; it
 // breaks a bit, saves and drops a replay, plays by keyboard, mouse and touch, and goes offline; and it
 // looks into the two other rooms. Pictures go to FOLDER. Most of it runs at several times the speed:
 // pages then draw once in four seconds, and drawing without a GPU takes long. With FRAMES only the
-// match of four is played, for so long.
+// match of four is played, for so long. With `corpus` the page only asks all questions of the whole corpus.
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -18,7 +18,8 @@ import { join, resolve } from 'node:path';
 const folder = `${resolve(process.argv[2])}/`;
 const parsed = (text) => Object.fromEntries(text.trim().split('\n').map((line) => line.split(' ')));
 const goldenOf = (file) => parsed(readFileSync(new URL(file, import.meta.url), 'utf8'));
-const golden = goldenOf('golden.txt'), frames = Number(process.argv[3] ?? 3000), isLong = process.argv.length > 3;
+const golden = goldenOf('golden.txt'), isLong = process.argv.length > 3, isCorpus = process.argv[3] === 'corpus';
+const frames = isLong && !isCorpus ? Number(process.argv[3]) : 3000;
 const { chromium } = createRequire(folder)('playwright-core');
 const { WebSocket } = createRequire(folder)('ws');
 const seed = 2026;  // golden.txt was played with it
@@ -118,6 +119,21 @@ async function playFour() {
   });
 }
 
+// All that `detent verify` asks: the digest of all digests is the one that it prints.
+async function askAll() {
+  const [, expected] = /^ *all +\d+ +([0-9a-f]{16}) +ok$/m.exec(readFileSync(new URL('../docs/verify.md', import.meta.url), 'utf8'));
+  await check(`this machine gives the golden answers to all questions: ${expected}`, async () => {
+    const page = await open('', 'machine.html');
+    await page.click('#whole');
+    await page.waitForFunction(() => window.machine.isDone, null, { polling: 1000 });
+    const { golden: right, count, total, all } = await page.evaluate(() => window.machine);
+    assert.deepEqual([right, count, all], [total, total, expected]);
+    assert.ok((await page.textContent('#card')).includes(`all: ${expected}`));
+    await page.screenshot({ path: `${folder}corpus.png` });
+    await page.close();
+  });
+}
+
 async function playAll() {
   await check('the relay passes packets to the player that they are for, and nothing else', async () => {
     const sockets = [], heard = [[], []];
@@ -183,7 +199,10 @@ async function playAll() {
   await alone.close();
 
   await check('a bit that is flipped is named, by frame, object and field, within 60 frames', async () => {
-    const page = await open('auto&seed=7&speed=2');
+    const page = await open('auto&seed=7&speed=2'), heard = [];
+    await page.exposeFunction('hear', (text) => heard.push(text));
+    await page.evaluate(() => new MutationObserver(() => window.hear(document.querySelector('[role=status]#status').textContent))
+      .observe(document.getElementById('status'), { childList: true }));
     await page.waitForFunction(() => slingshot.peers[1].wasm.frame() > 30);
     await page.click('#flip');
     await page.waitForFunction(() => document.getElementById('desync').textContent !== '');
@@ -192,6 +211,9 @@ async function playAll() {
     const frames = Number(/known (\d+) frames later/.exec(said)[1]);
     assert.ok(frames > 0 && frames <= 60, said);
     assert.equal(await page.textContent('#verdict'), 'DIFFERENT');
+    // Screen readers say both: the digests of a live region, and the field at once.
+    assert.match(heard.join(), /The digests differ since frame \d+/);
+    assert.equal(await page.locator('#desync').getAttribute('role'), 'alert');
     await page.screenshot({ path: `${folder}desync.png` });
     await page.close();
   });
@@ -276,11 +298,52 @@ async function playAll() {
     assert.ok(Math.abs(await angle() - 45) < 1);
     await touch('touchEnd');
     await shots();
-    const unnamed = await page.evaluate(() => [...document.querySelectorAll('input, button, canvas[role]')]
-      .filter((each) => !(each.labels?.length || each.textContent.trim() || each.ariaLabel)).map((each) => each.id));
-    assert.deepEqual(unnamed, []);
     await page.close();
   });
+
+  const everywhere = ['The match', 'Exact against float', 'Your machine'];
+  for (const [path, names] of [
+    ['', ['New match', 'Invite a friend', 'Invite three', 'Pause', 'Sound', 'Blue is the computer', ...everywhere, /^The field as red/,
+      'Angle', 'Power', 'Shoot', /^The field as blue/, 'Latency, one way', 'Packets lost', /^Flip one bit/, 'Save replay', 'Open replay']],
+    ['exact.html', [...everywhere, 'Distance from the origin, along both axes', 'Again']],
+    ['machine.html', [...everywhere, 'Ask 64 questions of each kind', 'Ask all of them']],
+  ]) {
+    await check(`/${path} is reached by keyboard and read by screen readers`, async () => {
+      const page = await open('seed=3&speed=2&redraw=60000', path);
+      await page.emulateMedia({ reducedMotion: 'reduce' });
+      await page.waitForFunction(() => !document.querySelector('button:disabled'));
+      await page.addScriptTag({ path: createRequire(folder).resolve('axe-core') });
+      const { violations, passes } = await page.evaluate(() => window.axe.run());
+      assert.deepEqual(violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)]), []);
+      assert.ok(passes.length > 15);
+      // What the browser tells a screen reader; then the order of the tabulator.
+      const reader = await browser.newCDPSession(page);
+      const { nodes } = await reader.send('Accessibility.getFullAXTree');
+      const has = (node, what) => node.properties?.some(({ name, value }) => name === what && value.value);
+      const controls = nodes.filter((node) => has(node, 'focusable') && node.role.value !== 'RootWebArea');
+      assert.equal(controls.length, names.length);
+      for (const { role } of controls) assert.match(role.value, /^(button|checkbox|link|slider|image|img)$/i);
+      for (const each of names) {
+        const fits = ({ name }) => (each instanceof RegExp ? each.test(name.value) : each === name.value);
+        assert.equal(controls.filter(fits).length, 1, `${each}: ${controls.map(({ name }) => name.value)}`);
+      }
+      const inOrder = await page.evaluate(() => [...document.querySelectorAll('a, button, input, canvas[tabindex]')]
+        .filter((each) => each.checkVisibility({ checkVisibilityCSS: true })).map((each) => each.id || each.textContent));
+      for (const each of inOrder) {
+        await page.keyboard.press('Tab');
+        const [is, outline] = await page.evaluate(() => {
+          const { activeElement: here } = document;
+          return [here.id || here.textContent, getComputedStyle(here.closest('.file') ?? here).outline];
+        });
+        assert.equal(is, each);
+        assert.match(outline, /solid 3px/);
+      }
+      if (path === '') {
+        assert.equal(await page.evaluate(() => getComputedStyle(document.getElementById('banner-0')).transitionDuration), '0s');
+      }
+      await page.close();
+    });
+  }
 
   await check('far from the origin q16_16 is equal, bit by bit, and float is not', async () => {
     const page = await open('', 'exact.html');
@@ -330,7 +393,7 @@ async function playAll() {
 }
 
 try {
-  await (isLong ? playFour() : playAll());
+  await (isCorpus ? askAll() : isLong ? playFour() : playAll());
   assert.deepEqual(errors, []);
   console.log('no console errors');
 } finally {

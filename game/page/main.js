@@ -156,9 +156,10 @@ function compare(peer, until) {
     const theirs = mode === 'local' ? peers[1].digest(compared)
       : peer.desync && compared >= peer.desync.frame ? null : ours;
     strip.push({ ours, theirs });
-    if (ours !== theirs) {
+    if (ours !== theirs && at('verdict').className === '') {
       at('verdict').textContent = 'DIFFERENT';
       at('verdict').className = 'bad';
+      say(`The digests differ since frame ${compared}`);
     }
     if ((compared + 1) % milestone === 0) milestones[compared + 1] = hex(ours);
   }
