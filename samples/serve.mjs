@@ -7,13 +7,22 @@ import { createServer } from 'node:http';
 import { extname, join, normalize, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 
-const { values, positionals } = parseArgs({
-  allowPositionals: true, options: { port: { type: 'string', default: '8081' } },
-});
-const folder = resolve(positionals[0]), port = Number(values.port);
-if (!(Number.isInteger(port) && port >= 0 && port < 65536)) {
-  console.error(`serve: '${values.port}' is no port; write a number from 0 to 65535`);
+function refuse(why) {
+  console.error(`serve: ${why}`);
   process.exit(2);
+}
+function options() {
+  try {
+    return parseArgs({ allowPositionals: true, options: { port: { type: 'string', default: '8081' } } });
+  } catch (error) {
+    return refuse(error.message.split('. ')[0]);
+  }
+}
+const { values, positionals } = options();
+if (positionals.length !== 1) refuse('name one folder');
+const folder = resolve(positionals[0]), port = Number(values.port);
+if (!/^\d+$/.test(values.port) || port > 65535) {
+  refuse(`'${values.port}' is no port; write a number from 0 to 65535`);
 }
 const types = {
   '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript', '.png': 'image/png',
@@ -30,8 +39,5 @@ const server = createServer(async (request, response) => {
     response.writeHead(404).end('not found');
   }
 });
-server.on('error', (error) => {
-  console.error(`serve: ${error.message}; choose another --port`);
-  process.exit(2);
-});
+server.on('error', (error) => refuse(`${error.message}; choose another --port`));
 server.listen(port, '127.0.0.1', () => console.log(`http://localhost:${server.address().port}/`));
