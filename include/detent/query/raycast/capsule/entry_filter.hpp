@@ -73,8 +73,9 @@ template <Scalar S, int N, Number L>
   if (!is_sure || !floor.is_sure) return unsure;
   if (floor.value >= limit) return {{CapsulePart::none}, true};
   // On a grid 2^31 times finer t is within 2^21 steps, and its product with d.e within 2^18.
-  using Fine = Fixed<62, S::frac + 31>;
-  const auto rise = high_product(Fine::assume_raw(t.template scaled<Fine::frac>()), de);
+  using FineDistance = Fixed<62, S::frac + 31>;
+  const auto rise =
+      high_product(FineDistance::assume_raw(t.template scaled<FineDistance::frac>()), de);
   using Height = Fixed<62, decltype(rise)::frac>;
   const Approximate y{narrow<62>(narrow_floor<Height>(me) + rise), height_error<Height>};
   const auto part = part_at_height(y, narrow_floor<Height>(ee));
