@@ -231,7 +231,7 @@ constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<cons
     ObjectHeader object;
     object.read(in);
     const auto shape = snapshot.shape(object.tag);
-    remove_until(std::min<std::size_t>(object.index, store.end()));
+    if (first < object.index) remove_until(std::min<std::size_t>(object.index, store.end()));
     Traits traits{object.layers, object.user, Motion::moving, {}};
     if (object.frame != nowhere) {
       traits.frame = {object.frame, store.frames()[object.frame].generation};

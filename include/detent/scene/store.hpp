@@ -122,8 +122,9 @@ class Store {
     Record& record = records_[id.index];
     if (record.generation == id.generation && record.layers == traits.layers &&
         record.user == traits.user && record.motion == Motion::moving &&
-        record.attachment == nowhere && traits.frame == FrameId{} && record.shape == shape) {
-      return;  // unchanged
+        record.attachment == nowhere && traits.frame == FrameId{}) {
+      if (!(record.shape == shape)) assign(id.index, shape);
+      return;  // all else is unchanged
     }
     if (record.generation == 0) ++size_;
     is_used_[id.index / 64] |= bit_of(id.index);
