@@ -17,6 +17,14 @@ class Vehicle final : public Sample {
     terrain = FieldAsset<S>(1, field);
     world.add(BodyHeightField<S, 3>{&terrain, {}}, fixed_body());
 
+    for (std::size_t i = 0; i < 4; ++i) {
+      // Fences, where the ground ends.
+      const S end = i % 2 == 0 ? S(size - 1) : S(1 - size), thin = 0.2_q16_16, far = S(size - 1);
+      fences[i] = i < 2 ? Box{{end, {}, {}}, {thin, 3_q16_16, far}, {}}
+                        : Box{{{}, {}, end}, {far, 3_q16_16, thin}, {}};
+      world.add(fences[i], fixed_body());
+    }
+
     BodyOptions<S, 3> metal, rubber;
     metal.density = 2_q16_16;
     const Point start{-30_q16_16, 3.2_q16_16, 0_q16_16}, half{1.2_q16_16, 0.3_q16_16, 0.6_q16_16};
@@ -42,10 +50,9 @@ class Vehicle final : public Sample {
     ++tick;
     is_driven = is_driven || input.keys != 0;
     const int along = is_driven ? input.along() : 1;
-    const int across = is_driven ? input.across() : (tick / 90 % 4 == 1) - (tick / 90 % 4 == 3);
+    const int across = is_driven ? input.across() : by_itself();
     // The wheels turn towards where they should be by a part of the way.
-    const S aim = saturate_to<S>(across * -0.45_q16_16);
-    steering += quotient_nearest<S>(aim - steering, 8);
+    steering += quotient_nearest<S>(across * -0.45_q16_16 - steering, 8);
     for (std::size_t i = 0; i < 4; ++i) {
       if (i < 2) joints[i].frame_a = axle(Angle<S>::from_radians(steering));
       joints[i].motor_speed = S(-24 * along);
@@ -66,6 +73,7 @@ class Vehicle final : public Sample {
         }
       }
     }
+    for (const Box& fence : fences) draw_solid(picture, fence, stone);
     car.draw(world, picture);
     const Box cabin{{-0.25_q16_16, 0.5_q16_16, {}}, {0.65_q16_16, 0.25_q16_16, 0.5_q16_16}, {}};
     draw_solid(picture, placed(world.pose(car.id), cabin), pale);
@@ -97,6 +105,14 @@ class Vehicle final : public Sample {
   static constexpr int size = 49, cell = 2;
   static constexpr Colour grass{0x9c, 0xbf, 0x7d}, meadow{0x8f, 0xb4, 0x72};
 
+  /// To and fro, and back where the ground ends.
+  [[nodiscard]] int by_itself() const {
+    const auto place = world.position(car.id);
+    const auto ahead = world.rotation(car.id).axis(0);
+    const bool is_far = abs(place.x) > 20 || abs(place.z) > 20;
+    if (is_far && place.x * ahead[0] + place.z * ahead[2] > 0) return 1;
+    return is_far ? 0 : (tick / 90 % 4 == 1) - (tick / 90 % 4 == 3);
+  }
   /// Hills: sums of sines, correctly rounded, so that the ground is the same everywhere too.
   static S height(int column, int row) {
     const auto wave = [](int phase, int period) { return sin(Angle<S>::turn(phase, period)); };
@@ -115,6 +131,7 @@ class Vehicle final : public Sample {
   HeightField<S> field;
   FieldAsset<S> terrain;
   Bodies world;
+  std::array<Box, 4> fences;
   Drawn<Box> car;
   std::array<Drawn<Ball>, 4> wheels;
   std::array<WheelJoint<S, 3>, 4> joints;
