@@ -235,7 +235,6 @@ EXPORT(resimulated) double resimulated() {
 EXPORT(digest) std::uint64_t digest(std::uint32_t frame) {
   return frame < seen && seen - frame <= history ? chains[frame % history] : 0;
 }
-EXPORT(final_match_digest) std::uint64_t final_match_digest() { return chain; }
 
 /// The kind of the next event, or -1; its field is in the buffer, as text that ends in 0.
 EXPORT(next_event) int next_event() {
@@ -312,5 +311,6 @@ EXPORT(replay_step) int replay_step() {
   return detent::detail::WorldDigest(match).all() == *block_digest ? 0 : 2;
 }
 EXPORT(replay_frame) std::uint32_t replay_frame_number() { return replay_frame; }
+/// How its file ended, once all of it is played: see detent::ReplayState.
 EXPORT(replay_state) int replay_state() { return replay ? static_cast<int>(replay->state()) : -1; }
 EXPORT(replay_view) std::int32_t replay_view() { return write_view(*replay_place.get()); }

@@ -191,6 +191,11 @@ async function playAll() {
     const said = await alone.textContent('#notice');
     assert.equal(Number(/(\d+) frames, all digests equal/.exec(said)?.[1]), frames);
     const bytes = readFileSync(file);
+    bytes[bytes.length >> 1] ^= 1;
+    writeFileSync(file, bytes);
+    await drop(alone, file);
+    await alone.waitForFunction(() => document.getElementById('notice').textContent.includes('has changed after'));
+    assert.ok(Number(/after (\d+) frames/.exec(await alone.textContent('#notice'))[1]) < frames);
     bytes[0] ^= 1;
     writeFileSync(file, bytes);
     await alone.setInputFiles('#open', file);
@@ -299,6 +304,24 @@ async function playAll() {
     await touch('touchEnd');
     await shots();
     await page.close();
+  });
+
+  await check('two machines stand side by side; a link invites another; sliders change the wire', async () => {
+    const pages = [await open('seed=4&speed=2&redraw=60000')];
+    const boxes = await Promise.all([0, 1].map((i) => pages[0].locator(`#canvas-${i}`).boundingBox()));
+    assert.ok(boxes[0].y === boxes[1].y && boxes[0].x + boxes[0].width <= boxes[1].x);
+    await pages[0].fill('#loss', '30');
+    await pages[0].fill('#latency', '20');
+    assert.deepEqual(await Promise.all(['loss', 'latency'].map((each) => pages[0].textContent(`#${each}-text`))), ['30 %', '20 ms']);
+    await pages[0].click('#invite');
+    await pages[0].waitForFunction(() => document.getElementById('notice').textContent.includes('1 of 2 are here'));
+    const [link] = /http\S+/.exec(await pages[0].textContent('#notice'));
+    assert.equal(link, pages[0].url());
+    pages.push(await open(`${new URL(link).search.slice(1)}&speed=2&redraw=60000`));
+    for (const page of pages) await page.waitForFunction(() => slingshot.peers[0].wasm.matched_frame() > 60);
+    const [red, blue] = await Promise.all(pages.map((page) => page.textContent('#name-0')));
+    assert.deepEqual([red, blue], ['You are red', 'You are blue']);
+    for (const page of pages) await page.close();
   });
 
   const everywhere = ['The match', 'Exact against float', 'Your machine'];

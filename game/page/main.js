@@ -125,7 +125,11 @@ function step(now) {
   } else if (mode === 'replay') {
     const state = viewer.wasm.replay_step();
     if (state === 2) notice(`The replay differs before frame ${viewer.wasm.replay_frame()}.`);
-    if (state === 1) notice(`The replay is over: ${viewer.wasm.replay_frame()} frames, all digests equal. New match goes on.`);
+    if (state === 1) {
+      const isWhole = viewer.wasm.replay_state() === 0, frames = `${viewer.wasm.replay_frame()} frames, all digests equal`;
+      notice(isWhole ? `The replay is over: ${frames}. New match goes on.`
+        : `The file is cut off or has changed after ${frames}. New match goes on.`);
+    }
     if (state !== 0) mode = 'shown';
   }
 }

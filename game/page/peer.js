@@ -17,7 +17,6 @@ export class Peer {
     this.self = self;
     this.desync = null;
     this.isLost = false;
-    this.events = [];
     this.wasm.start(seed, self, delay, players, life);
   }
 
@@ -53,7 +52,6 @@ export class Peer {
       this.desync = { frame, field, object: this.wasm.event_object(), known: this.wasm.frame() };
     }
     if (kind === tooSlow && !this.wasm.is_player()) this.isLost = true;  // it comes again
-    this.events.push(kind);
   }
 
   digest(frame) { return BigInt.asUintN(64, this.wasm.digest(frame)); }
