@@ -13,57 +13,13 @@
 #include "detent/scene/height_field/height_field.hpp"
 #include "detent/scene/mesh/owned.hpp"
 #include "detent/scene/sync_test.hpp"
-#include "dynamics/stage.hpp"
+#include "dynamics/terrain.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
 namespace detent::test {
 namespace {
 
-template <Scalar S>
-using Ground = World<S, 3, Sphere, Capsule, Aabb, Obb, BodyHull, BodyMesh, BodyHeightField>;
-
-template <Scalar S>
-Vec<S, 3> point(double x, double y, double z) {
-  return {num<S>(x), num<S>(y), num<S>(z)};
-}
-
-/// The triangles of a square from -size to size with `cells` cells a side, at these heights.
-template <Scalar S, class Height>
-std::vector<Triangle<S, 3>> square(int cells, double size, const Height& height) {
-  std::vector<Triangle<S, 3>> triangles;
-  const double cell = 2 * size / cells;
-  const auto corner = [&](int i, int j) {
-    const double x = cell * i - size, z = cell * j - size;
-    return point<S>(x, height(x, z), z);
-  };
-  for (int j = 0; j < cells; ++j) {
-    for (int i = 0; i < cells; ++i) {
-      triangles.push_back({corner(i, j), corner(i, j + 1), corner(i + 1, j)});
-      triangles.push_back({corner(i + 1, j), corner(i, j + 1), corner(i + 1, j + 1)});
-    }
-  }
-  return triangles;
-}
-
-/// A mesh with its asset.
-template <Scalar S>
-struct Owned {
-  OwnedMesh<S> mesh;
-  MeshAsset<S> asset;
-
-  explicit Owned(const std::vector<Triangle<S, 3>>& triangles, std::uint32_t id = 1)
-      : mesh(triangles), asset(id, mesh.view()) {}
-};
-
-template <Scalar S>
-BodyOptions<S, 3> fixed() {
-  BodyOptions<S, 3> options;
-  options.motion = BodyMotion::fixed;
-  return options;
-}
-
-const auto level = [](double, double) { return 0.0; };
 const auto hills = [](double x, double z) {
   const auto wave = [](double t) {
     const double u = t - static_cast<int>(t);
@@ -71,42 +27,6 @@ const auto hills = [](double x, double z) {
   };
   return 1.5 * wave((x + 50) / 3) * wave((z + 50) / 4);
 };
-
-TEMPLATE_TEST_CASE("terrain: a ball rolls over many triangles with the bits of one face", "",
-                   q16_16, q24_8, q14_16) {
-  using S = TestType;
-  const Owned<S> fine(square<S>(40, 8, level)), coarse(square<S>(1, 8, level));
-  std::vector<S> heights(33 * 33);
-  const auto field = height_field<S>({num<S>(-8), num<S>(-8)}, num<S>(0.5), 33, 33, heights);
-  REQUIRE(field);
-  const FieldAsset<S> field_asset(2, *field);
-  std::vector<Ground<S>> worlds(4);
-  worlds[0].add(Aabb<S, 3>{point<S>(-8, -4, -8), point<S>(8, 0, 8)}, fixed<S>());
-  worlds[1].add(BodyMesh<S, 3>{&coarse.asset, point<S>(0, 0, 0), {}}, fixed<S>());
-  worlds[2].add(BodyMesh<S, 3>{&fine.asset, point<S>(0, 0, 0), {}}, fixed<S>());
-  worlds[3].add(BodyHeightField<S, 3>{&field_asset, point<S>(0, 0, 0)}, fixed<S>());
-  BodyOptions<S, 3> rolls;
-  rolls.velocity = point<S>(3, -1, 1.7);
-  rolls.angular_velocity = {num<S>(1), num<S>(2), num<S>(-4)};
-  for (auto& world : worlds) {
-    world.add(Sphere<S, 3>{point<S>(-7.13, 0.625, -5.21), num<S>(0.5)}, rolls);
-  }
-  int begun = 0;
-  for (int t = 0; t < 150; ++t) {
-    for (auto& world : worlds) world.step();
-    for (std::size_t i = 0; i < worlds[2].event_count(); ++i) begun += worlds[2].event(i).begins;
-    const auto state = [&](std::size_t i) {
-      return detail::WorldAccess::bodies(worlds[i])[1].state;
-    };
-    for (std::size_t i = 1; i < 4; ++i) REQUIRE(state(i).velocity == state(1).velocity);
-    for (std::size_t i = 1; i < 4; ++i) REQUIRE(state(i) == state(1));
-    // The box is about another centre, from which levers are the same for every scalar but q24_8.
-    REQUIRE(state(0).place.y == state(1).place.y);
-    if (std::is_same_v<S, q16_16>) REQUIRE(state(0) == state(1));
-  }
-  CHECK(worlds[2].position({1, 2}).x > num<S>(-2));
-  CHECK(begun == 1);  // from triangle to triangle it is one touch
-}
 
 double hundredths(Random& random, int least, int most) {
   return static_cast<int>(random.between(least, most)) * 0.01;
@@ -463,18 +383,6 @@ TEST_CASE("terrain: without triangles, with equal or great indices, and far away
     for (const auto& contact : list) REQUIRE(contact.part < BodyMesh<S, 3>::part_limit);
   }
   CHECK(contacts > 200);
-}
-
-TEMPLATE_TEST_CASE("terrain: every scalar has it", "", q8_8, q24_8, float, double) {
-  using S = TestType;
-  const Owned<S> flat(square<S>(10, 5, level));
-  Ground<S> world;
-  world.add(BodyMesh<S, 3>{&flat.asset, {}, {}}, fixed<S>());
-  const auto ball = world.add(Sphere<S, 3>{point<S>(0.25, 1, 0.25), num<S>(0.5)});
-  const auto box = world.add(Obb<S, 3>{point<S>(2.25, 1, 0.25), point<S>(0.5, 0.5, 0.5), {}});
-  for (int t = 0; t < 60; ++t) world.step();
-  CHECK(abs(world.position(*ball).y - num<S>(0.5)) <= num<S>(0.05));
-  CHECK(abs(world.position(*box).y - num<S>(0.5)) <= num<S>(0.05));
 }
 
 }  // namespace

@@ -10,34 +10,5 @@ TEMPLATE_TEST_CASE("cast: a box against every kind of shape", "[cast]", (Space<q
   visit_boxes<S, N>(-3, [](const auto& shape) { check_casts<S, N>(shape); });
 }
 
-TEST_CASE("cast: the distance of a box to a triangle is rounded down", "[cast]") {
-  using S = q16_16;
-  const Aabb<S, 3> box{at<S, 3>(-1, -1, -1), at<S, 3>(0, 0, 0)};
-  // The corner (0, 0, 0) meets x + y + z = 1 at x = y = z = 1 / 3.
-  const Triangle<S, 3> triangle{at<S, 3>(1, 0, 0), at<S, 3>(0, 1, 0), at<S, 3>(0, 0, 1)};
-  const auto hit = cast(box, toward<S, 3>(1, 1, 1), num<S>(9), triangle);
-  REQUIRE(hit);
-  CHECK(hit->distance == S::from_raw(37837));  // 65536 / sqrt(3) = 37837.2
-  CHECK(hit->normal == toward<S, 3>(-1, -1, -1));
-}
-
-TEST_CASE("cast: of several closest points of the target, the least is the point", "[cast]") {
-  using S = q16_16;
-  const Aabb<S, 3> floor{at<S, 3>(-9, -9, -1), at<S, 3>(9, 9, 0)};
-  const auto down = toward<S, 3>(0, 0, -1);
-  // Upper and lower side are parallel; where the boxes touch exactly, they share an area.
-  const Aabb<S, 3> box{at<S, 3>(1, 2, 3), at<S, 3>(4, 5, 6)};
-  const auto landed = cast(box, down, num<S>(9), floor);
-  REQUIRE(landed);
-  CHECK(*landed == CastHit<S, 3>{num<S>(3), at<S, 3>(1, 2, 0), -down});
-  const Obb<S, 3> turned{at<S, 3>(0, 0, 3), at<S, 3>(1, 1, 1), Rotation<S, 3>()};
-  CHECK(cast(turned, down, num<S>(9), Plane<S, 3>{-down, S(0)})->point == at<S, 3>(-1, -1, 0));
-  const Capsule<S, 3> lying{at<S, 3>(2, 1, 5), at<S, 3>(-1, 1, 5), num<S>(1)};
-  CHECK(cast(lying, down, num<S>(9), floor) == CastHit<S, 3>{num<S>(4), at<S, 3>(-1, 1, 0), -down});
-  const Obb<S, 3> base{at<S, 3>(0, 0, -1), at<S, 3>(9, 9, 1), Rotation<S, 3>()};
-  CHECK(cast(lying, down, num<S>(9), base) == CastHit<S, 3>{num<S>(4), at<S, 3>(-1, 1, 0), -down});
-  CHECK(cast(base, -down, num<S>(9), lying) == CastHit<S, 3>{num<S>(4), at<S, 3>(-1, 1, 4), down});
-}
-
 }  // namespace
 }  // namespace detent::test
