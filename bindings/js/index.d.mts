@@ -38,13 +38,15 @@ export interface Of2 {
   vec: types.Vec2; shape: types.Shape2; ray: types.Ray2; hit: types.Hit2; objectHit: types.ObjectHit2;
   settings: types.World2Settings; options: types.Body2Options; body: types.Body2;
   contactPoint: types.ContactPoint2; sweep: types.Sweep2; joint: types.Joint2; part: types.Part2;
-  transform: types.Transform2;
+  transform: types.Transform2; mover: types.Mover2; moverSettings: types.Mover2Settings;
+  move: types.Move2;
 }
 export interface Of3 {
   vec: types.Vec3; shape: types.Shape3; ray: types.Ray3; hit: types.Hit3; objectHit: types.ObjectHit3;
   settings: types.World3Settings; options: types.Body3Options; body: types.Body3;
   contactPoint: types.ContactPoint3; sweep: types.Sweep3; joint: types.Joint3; part: types.Part3;
-  transform: types.Transform3;
+  transform: types.Transform3; mover: types.Mover3; moverSettings: types.Mover3Settings;
+  move: types.Move3;
 }
 type Of = Of2 | Of3;
 /** A shape: made by the functions of Space. */
@@ -85,24 +87,31 @@ export declare class Pairs<D extends Of> {
     target?: number): types.Impact | null;
 }
 
-export declare class Detent<D extends Of> {
+export declare class Detent<D extends Of, S extends Scene<D> = Scene<D>> {
   readonly space: Space<D>;
   readonly version: number;
   readonly resultsVersion: number;
-  open(): Context<D>;
+  readonly hasMovers: boolean;
+  open(): Context<D, S>;
 }
 
 type Source = URL | string | Response | BufferSource | WebAssembly.Module;
 /** The module of a dimension, by default detent2.wasm or detent3.wasm next to index.mjs. */
 export declare function load(dimension: 2, source?: Source): Promise<Detent<Of2>>;
 export declare function load(dimension: 3, source?: Source): Promise<Detent<Of3>>;
+/** In place of it, a module that also has characters and casts in scenes, by default movers2.wasm or
+ *  movers3.wasm. */
+export declare function loadWithMovers(dimension: 2, source?: Source):
+  Promise<Detent<Of2, SceneWithMovers<Of2>>>;
+export declare function loadWithMovers(dimension: 3, source?: Source):
+  Promise<Detent<Of3, SceneWithMovers<Of3>>>;
 /** The module of queries of two shapes, by default pairs2.wasm or pairs3.wasm. */
 export declare function loadPairs(dimension: 2, source?: Source): Promise<Pairs<Of2>>;
 export declare function loadPairs(dimension: 3, source?: Source): Promise<Pairs<Of3>>;
 
-export declare class Context<D extends Of> {
+export declare class Context<D extends Of, S extends Scene<D> = Scene<D>> {
   close(): void;
-  scene(): Scene<D>;
+  scene(): S;
   world(settings?: Partial<D['settings']>): World<D>;
   session(start: World<D>, settings?: Partial<types.SessionSettings>): Session<D>;
   replay(bytes: Uint8Array, start: World<D>, settings?: { input_size?: number; words?: number }): Replay<D>;
@@ -152,6 +161,32 @@ export declare class Scene<D extends Of> extends Held {
   any(question: Shape<D>, layers?: number): boolean;
   all(question: Shape<D>, layers?: number): types.Found[];
   overlaps(): types.Pair[];
+}
+
+/** A scene of `loadWithMovers`. */
+export declare class SceneWithMovers<D extends Of> extends Scene<D> {
+  /** The first object that a moving sphere, AABB, OBB, capsule or segment touches. */
+  cast(shape: Shape<D>, direction: D['vec'], max_distance: number, layers?: number): D['objectHit'] | null;
+  castAny(shape: Shape<D>, direction: D['vec'], max_distance: number, layers?: number): boolean;
+  /** By distance, then id. */
+  castAll(shape: Shape<D>, direction: D['vec'], max_distance: number, layers?: number): D['objectHit'][];
+  /** A character that is a capsule or an AABB. */
+  mover(shape: Shape<D>, settings?: Partial<D['moverSettings']>): Mover<D>;
+}
+
+export declare class Mover<D extends Of> {
+  /** All of it: keep it to go back, assign it to do so. */
+  state: D['mover'];
+  settings: D['moverSettings'];
+  readonly isGrounded: boolean;
+  /** The first end of the capsule, the least corner of the box. */
+  readonly position: D['vec'];
+  /** What the last move did and touched, null before the first. */
+  readonly lastMove: Omit<D['move'], 'count'> | null;
+  /** Gravity is part of `by`. Returns how far it moved. */
+  move(by: D['vec'], options?: { layers?: number; ignored?: Id }): D['vec'];
+  /** The part of a velocity that does not lead into what it touched in the last move. */
+  clip(velocity: D['vec']): D['vec'];
 }
 
 export declare class World<D extends Of> extends Held {

@@ -156,8 +156,13 @@ async function instantiate(source) {
 export async function load(dimension, source = new URL(`./detent${dimension}.wasm`, import.meta.url)) {
   return new Detent(await instantiate(source), dimension);
 }
-/** The same for contacts, closest points, casts and times of impact of two shapes: by default from
- *  pairs2.wasm or pairs3.wasm. */
+/** The same with characters and casts in scenes: a larger module, by default movers2.wasm or movers3.wasm.
+ *  It replaces the one that `load` takes, since scenes are in the memory of their module. */
+export async function loadWithMovers(dimension, source = new URL(`./movers${dimension}.wasm`, import.meta.url)) {
+  return new Detent(await instantiate(source), dimension);
+}
+/** Contacts, closest points, casts and times of impact of two shapes: by default from pairs2.wasm or
+ *  pairs3.wasm. */
 export async function loadPairs(dimension, source = new URL(`./pairs${dimension}.wasm`, import.meta.url)) {
   return new Pairs(new Module(await instantiate(source)), dimension);
 }
@@ -166,7 +171,7 @@ const axesOf = (dimension) => Array.from({ length: dimension }, (_, k) =>
   Array.from({ length: dimension }, (_, i) => (i === k ? UNIT : 0)));
 const typesOf = (dimension) => Object.fromEntries(
   ['vec', 'direction', 'rotation', 'transform', 'ray', 'shape', 'hit', 'object_hit', 'body', 'manifold',
-    'sweep', 'joint', 'part'].map((name) => [name, `detent_${name}${dimension}`]));
+    'sweep', 'joint', 'part', 'mover', 'move'].map((name) => [name, `detent_${name}${dimension}`]));
 
 /** Shapes, rays and queries of one dimension. */
 class Space {
@@ -352,6 +357,7 @@ class Detent extends Module {
     this.space = new Space(this, dimension);
     this.version = exports.detent_version();
     this.resultsVersion = exports.detent_results_version();
+    this.hasMovers = `detent_mover${dimension}_move` in exports;
   }
   /** The `count` words that f(from, to) writes, given a copy of some. */
   withWords(words, count, f) {
@@ -383,7 +389,8 @@ class Context {
     this.detent.run('close', this.at);
   }
   scene() {
-    return new Scene(this, this.detent.space);
+    const { detent } = this;
+    return new (detent.hasMovers ? SceneWithMovers : Scene)(this, detent.space);
   }
   world(settings = {}) {
     return new World(this, this.detent.space, settings);
@@ -673,6 +680,85 @@ class Scene extends Held {
   }
   overlaps() {
     return this.list('overlaps', 'detent_pair');
+  }
+}
+
+/** A scene of a module with characters and casts. */
+class SceneWithMovers extends Scene {
+  /** The first object that a sphere, AABB, OBB, capsule or segment touches as it moves along a direction, or
+   *  null. */
+  cast(shape, direction, max_distance, layers = ALL_LAYERS) {
+    return this.call((memory) => {
+      const hit = memory.place(layouts[this.types.object_hit].size);
+      const yes = this.run('cast', ...this.moving(memory, shape, direction, max_distance), layers, hit);
+      return yes ? memory.read(hit, this.types.object_hit) : null;
+    });
+  }
+  castAny(shape, direction, max_distance, layers = ALL_LAYERS) {
+    return this.call((memory) =>
+      this.run('cast_any', ...this.moving(memory, shape, direction, max_distance), layers));
+  }
+  /** All objects that the moving shape touches, by distance, then id. */
+  castAll(shape, direction, max_distance, layers = ALL_LAYERS) {
+    return this.call((memory) => this.list('cast_all', this.types.object_hit,
+      ...this.moving(memory, shape, direction, max_distance), layers));
+  }
+  moving(memory, shape, direction, max_distance) {
+    return [this.shape(memory, shape), memory.put(this.types.direction, direction), max_distance];
+  }
+  /** A character that is a capsule or an AABB: `settings` are the fields of a mover's settings. */
+  mover(shape, settings = {}) {
+    return new Mover(this, shape, settings);
+  }
+}
+
+/** A character that walks, slides along walls, climbs steps and is carried by frames. `state` is all of it, a
+ *  plain object: keep it to go back, assign it to do so. */
+class Mover {
+  #result = null;
+  constructor(scene, shape, settings) {
+    this.scene = scene;
+    this.lastMove = null;
+    this.settingsType = `detent_mover${scene.space.dimension}_settings`;
+    scene.call((memory) => {
+      this.state = memory.read(memory.put(scene.types.mover, { shape }), scene.types.mover);
+      const at = memory.place(layouts[this.settingsType].size);
+      scene.space.run('mover{N}_default_settings', at);
+      this.settings = { ...memory.read(at, this.settingsType), ...settings };
+    });
+  }
+  get isGrounded() {
+    return this.state.is_grounded === 1;
+  }
+  /** The first end of the capsule, the least corner of the box. */
+  get position() {
+    const { capsule, aabb } = this.state.shape;
+    return capsule ? capsule.a : aabb.min;
+  }
+  /** Moves by `by`, gravity included, as far as the objects in `layers` other than `ignored` let it, and
+   *  returns how far. `lastMove` then says more. */
+  move(by, { layers = ALL_LAYERS, ignored = { index: 0, generation: 0 } } = {}) {
+    const { scene } = this, { types } = scene;
+    return scene.call((memory) => {
+      const state = memory.put(types.mover, this.state), result = memory.place(layouts[types.move].size);
+      scene.space.run('mover{N}_move', scene.context.at, scene.handle, state, memory.put(types.vec, by),
+        memory.put(this.settingsType, this.settings), layers, memory.put('detent_id', ignored), result);
+      this.state = memory.read(state, types.mover);
+      this.#result = memory.read(result, types.move);
+      const { count, touched, ...rest } = this.#result;
+      this.lastMove = { ...rest, touched: touched.slice(0, count) };
+      return [...rest.moved];
+    });
+  }
+  /** The part of a velocity that does not lead into what it touched in the last move. */
+  clip(velocity) {
+    const { scene } = this, { types } = scene;
+    return scene.call((memory) => {
+      const clipped = memory.place(16);
+      scene.space.run('mover{N}_clip_velocity', memory.put(types.vec, velocity),
+        memory.put(types.move, this.#result ?? {}), clipped);
+      return memory.read(clipped, types.vec);
+    });
   }
 }
 

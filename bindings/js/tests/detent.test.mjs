@@ -147,6 +147,92 @@ test('joints and frames', async () => {
   context.close();
 });
 
+test('walks end as in Python', async () => {
+  const library = await detent.loadWithMovers(3, file(3, 'movers'));
+  const { space } = library, context = library.open(), scene = context.scene();
+  const whole = (x) => Math.floor(x);
+  scene.add(space.aabb([-20 * ONE, -ONE, -20 * ONE], [20 * ONE, 0, 20 * ONE]));
+  for (let i = 1; i < 5; ++i) scene.add(space.aabb([i * ONE, 0, -ONE], [9 * ONE, i * ONE / 4, ONE]));
+  scene.add(space.sphere([-4 * ONE, 0, whole(ONE / 3)], ONE));
+  const lift = scene.addFrame([0, 0, 6 * ONE]);
+  scene.add(space.aabb([-2 * ONE, 0, -2 * ONE], [2 * ONE, ONE / 8, 2 * ONE]), { frame: lift });
+  const third = ONE / 3;
+  const ends = [space.capsule([0, ONE, 0], [0, 2 * ONE, 0], ONE / 2),
+    space.aabb([whole(-third), ONE, whole(-third)], [whole(third), 2 * ONE, whole(third)])].map((shape) => {
+    const walker = scene.mover(shape);
+    let digest = 0;
+    for (let tick = 0; tick < 160; ++tick) {
+      const [x, z] = [[1, 0], [-1, 0], [0, 1], [1, -1]][whole(tick / 40)];
+      scene.moveFrame(lift, [tick * ONE / 64, 0, 6 * ONE]);
+      walker.move([whole(x * ONE / 6), -ONE / 8, whole(z * ONE / 6)]);
+      for (const word of [...walker.position, walker.isGrounded ? 1 : 0]) {
+        digest = (Math.imul(digest, 31) + word) >>> 0;
+      }
+    }
+    return [walker.position, digest];
+  });
+  assert.deepEqual(ends, [[[450224, 33792, 99329], 3697782969], [[452882, 1024, 66561], 3168979696]]);
+  context.close();
+});
+
+test('characters and casts in scenes', async () => {
+  const library = await detent.loadWithMovers(3, file(3, 'movers'));
+  const { space } = library, context = library.open(), scene = context.scene();
+  const floor = scene.add(space.aabb([-9 * ONE, -ONE, -9 * ONE], [9 * ONE, 0, 9 * ONE]));
+  const wall = scene.add(space.aabb([3 * ONE, 0, -9 * ONE], [4 * ONE, 9 * ONE, 9 * ONE]), { layers: 2 });
+  const player = scene.mover(space.capsule([0, ONE, 0], [0, 2 * ONE, 0], ONE / 2), { step_height: 0 });
+  assert.equal(player.lastMove, null);
+  for (let i = 0; i < 60; ++i) player.move([ONE / 8, -ONE / 8, 0]);
+  assert.equal(player.isGrounded, true);
+  assert.ok(Math.abs(detent.number(player.position[0]) - 2.5) < 0.05);
+  assert.deepEqual(player.state.object, floor);
+  assert.deepEqual(player.lastMove.touched.map((touch) => touch.object).sort((a, b) => a.index - b.index),
+    [floor, wall]);
+  assert.deepEqual(player.clip([ONE, 0, 0]), [0, 0, 0]);
+  const { state } = player;
+  assert.ok(player.move([ONE, 0, 0], { ignored: wall })[0] > ONE / 2);
+  const there = player.position;
+  player.state = state;
+  player.move([ONE, 0, 0], { layers: 1 });
+  assert.deepEqual(player.position, there);
+  const ball = space.sphere([0, 5 * ONE, 0], ONE);
+  assert.throws(() => scene.mover(ball).move([ONE, 0, 0]), { status: status.NO_QUERY });
+
+  const hit = scene.cast(ball, [UNIT, 0, 0], 9 * ONE);
+  assert.deepEqual([hit.id, hit.distance, hit.point, hit.normal],
+    [wall, 2 * ONE, [3 * ONE, 5 * ONE, 0], [-UNIT, 0, 0]]);
+  assert.equal(scene.cast(ball, [UNIT, 0, 0], 2 * ONE - 1), null);
+  const capsule = space.capsule([0, 2 * ONE, 0], [0, 3 * ONE, 0], ONE / 2);
+  assert.equal(scene.cast(capsule, [0, -UNIT, 0], 9 * ONE).distance, 1.5 * ONE);
+  const box = space.aabb([0, ONE, 0], [ONE, 2 * ONE, ONE]);
+  for (const shape of [ball, capsule, box]) {
+    assert.deepEqual(scene.castAll(shape, [UNIT, 0, 0], 9 * ONE).map(({ id }) => id), [wall]);
+    assert.equal(scene.castAny(shape, [UNIT, 0, 0], 9 * ONE), true);
+    assert.equal(scene.castAny(shape, [UNIT, 0, 0], 9 * ONE, 1), false);
+    assert.equal(scene.castAny(shape, [0, UNIT, 0], 9 * ONE), false);
+  }
+  const slope = [-UNIT / 5 * 4, -UNIT / 5 * 3, 0].map(Math.round);
+  assert.deepEqual(scene.castAll(space.aabb([6 * ONE, 3 * ONE, 0], [7 * ONE, 4 * ONE, ONE]), slope, 20 * ONE)
+    .map(({ id }) => id), [wall, floor]);
+  assert.throws(() => scene.cast(ball, [1, 0, 0], ONE), { status: status.NOT_UNIT });
+  context.close();
+});
+
+test('characters and casts in scenes in 2D', async () => {
+  const library = await detent.loadWithMovers(2, file(2, 'movers'));
+  const { space } = library, context = library.open(), scene = context.scene();
+  const floor = scene.add(space.aabb([-9 * ONE, -ONE], [9 * ONE, 0]));
+  const walker = scene.mover(space.aabb([0, ONE], [ONE, 2 * ONE]));
+  for (let i = 0; i < 20; ++i) walker.move([ONE / 8, -ONE / 8]);
+  assert.deepEqual([walker.position, walker.isGrounded], [[20 * ONE / 8, 1024], true]);
+  const hits = scene.castAll(space.sphere([0, 5 * ONE], ONE), [0, -UNIT], 9 * ONE);
+  assert.deepEqual(hits.map(({ id, distance }) => [id, distance]), [[floor, 4 * ONE]]);
+  const plain = await detent.load(2, file(2));
+  assert.equal(plain.hasMovers, false);
+  assert.equal(plain.open().scene().cast, undefined);
+  context.close();
+});
+
 test('errors', async () => {
   const library = await detent.load(3, file(3));
   const { space } = library, context = library.open(), scene = context.scene();
@@ -166,10 +252,12 @@ test('every method has a type', async () => {
   const library = await detent.load(3, file(3));
   const context = library.open();
   const inner = new Set(['call', 'run', 'withWords', 'asset', 'create', 'out', 'out2', 'list', 'shape',
-    'push', 'turn', 'transform', 'joint_', 'constructor', 'bytes', 'data', 'withBytes', 'setUp', 'open']);
+    'push', 'turn', 'transform', 'joint_', 'constructor', 'bytes', 'data', 'withBytes', 'setUp', 'open', 'moving']);
   const world = context.world(), session = context.session(world, { replay_every: 1 });
   const pairs = await detent.loadPairs(3, file(3, 'pairs'));
-  for (const one of [library, library.space, pairs, context, context.scene(), session, session.world,
+  const walked = (await detent.loadWithMovers(3, file(3, 'movers'))).open().scene();
+  const mover = walked.mover(library.space.aabb([0, 0, 0], [ONE, ONE, ONE]));
+  for (const one of [library, library.space, pairs, context, context.scene(), walked, mover, session, session.world,
     context.replay(session.replay(), world)]) {
     for (let of = Object.getPrototypeOf(one); of !== Object.prototype; of = Object.getPrototypeOf(of)) {
       for (const name of Object.getOwnPropertyNames(of)) {

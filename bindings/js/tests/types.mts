@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compiled by tsc, strictly: the types of what a program calls.
-import { FIXED, ONE, UNIT, events, load, states } from 'detent';
+import { FIXED, ONE, UNIT, events, load, loadWithMovers, states } from 'detent';
 const detent = await load(3);
 const { space } = detent;
 const context = detent.open();
@@ -26,5 +26,12 @@ if (file) for (const frame of context.replay(file, start, { input_size: 2, words
 const names: string[] = start.diff(session.world);
 const hit = context.scene().raycast(space.ray([0, 0, 0], [UNIT, 0, 0], ONE));
 console.log(digest, names, hit?.id.index);
+const walked = (await loadWithMovers(2)).open().scene();
+const walker = walked.mover({ kind: 6, capsule: { a: [0, 0], b: [0, ONE], radius: ONE } }, { step_height: 0 });
+const moved: [number, number] = walker.move([ONE, 0], { layers: 1 });
+console.log(moved, walker.isGrounded, walker.lastMove?.touched[0]?.object.index, walked.castAll(
+  { kind: 1, sphere: { center: [0, 0], radius: 1 } }, [UNIT, 0], ONE).length);
+// @ts-expect-error: a scene of the module without them
+context.scene().castAny(space.sphere([0, 0, 0], ONE), [UNIT, 0, 0], ONE);
 // @ts-expect-error: a point of another dimension
 space.sphere([0, 0], ONE);

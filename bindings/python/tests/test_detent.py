@@ -198,6 +198,28 @@ class Test(unittest.TestCase):
         hit = scene.cast(d3.sphere((0, 5 * ONE, 0), ONE), (UNIT, 0, 0), 9 * ONE)
         self.assertEqual((hit.id, hit.distance), (wall, 2 * ONE))
 
+    def test_walk(self):
+        """Over steps, round a ball and on a frame that moves; in JavaScript the numbers are the same."""
+        scene = self.context.scene3()
+        scene.add(d3.aabb((-20 * ONE, -ONE, -20 * ONE), (20 * ONE, 0, 20 * ONE)))
+        for i in range(1, 5):
+            scene.add(d3.aabb((i * ONE, 0, -ONE), (9 * ONE, i * ONE // 4, ONE)))
+        scene.add(d3.sphere((-4 * ONE, 0, ONE // 3), ONE))
+        lift = scene.add_frame((0, 0, 6 * ONE))
+        scene.add(d3.aabb((-2 * ONE, 0, -2 * ONE), (2 * ONE, ONE // 8, 2 * ONE)), frame=lift)
+        ends = []
+        for walker in (scene.mover((0, ONE, 0), (0, 2 * ONE, 0), ONE // 2),
+                       scene.box_mover((-ONE // 3, ONE, -ONE // 3), (ONE // 3, 2 * ONE, ONE // 3))):
+            digest = 0
+            for tick in range(160):
+                x, z = ((1, 0), (-1, 0), (0, 1), (1, -1))[tick // 40]
+                scene.move_frame(lift, (tick * ONE // 64, 0, 6 * ONE))
+                walker.move((x * ONE // 6, -ONE // 8, z * ONE // 6))
+                for word in (*walker.position, walker.is_grounded):
+                    digest = (digest * 31 + word) % (1 << 32)
+            ends.append((walker.position, digest))
+        self.assertEqual(ends, [((450224, 33792, 99329), 3697782969), ((452882, 1024, 66561), 3168979696)])
+
     def test_frames(self):
         scene = self.context.scene2()
         frame = scene.add_frame((ONE, 0))
