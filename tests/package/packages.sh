@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: packages.sh BUILD KIND
-# A package that packages/build makes of BUILD is unpacked in an empty folder, where the program of
-# its own README runs, which is that of docs/bindings.md for its language. KIND is one of its kinds, or `recipes` for vcpkg and Conan.
+# A package that packages/build makes of BUILD is unpacked in an empty folder, where the program of its own
+# README runs. KIND is one of its kinds, or `recipes` for vcpkg and Conan.
 set -euo pipefail
 build=$1 kind=$2
 work=$(mktemp -d)
@@ -29,6 +29,7 @@ case $kind in
     dpkg-deb -x "$file" "$work/root"
     [[ $(dpkg-deb -f "$file" Version) == "$version" ]] || { echo 'another version'; exit 1; }
     bash tests/package/c_consumer.sh "$work/root/usr"
+    bash tests/package/readme.sh "$work"/root/usr/share/doc/*/README.md "$work/root/usr"
     ;;
   wheel)
     file=$(package "detent-$version-*.whl")

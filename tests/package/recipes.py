@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 # usage: recipes.py BUILD VERSION
 """The recipes of vcpkg and Conan, run with stand-ins for the functions of both: the port's steps leave a
-package that has its files where vcpkg wants them, the recipe exports what CMake needs. Neither tool is
-in Debian, so they themselves have not run."""
+package that has its files where vcpkg wants them, the recipe exports what CMake needs. With both packages the
+programs of their READMEs run, by the lines for CMake of vcpkg's usage and Conan's README. Neither tool is in
+Debian, so they themselves have not run."""
 import glob
 import importlib.util
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -19,6 +21,7 @@ options = open('CMakeLists.txt', encoding='utf-8').read()
 PORT = r'''
 set(CURRENT_PACKAGES_DIR "@packages@")
 set(CURRENT_PORT_DIR "@port@")
+set(PORT detent)
 function(vcpkg_cmake_configure)
   cmake_parse_arguments(PARSE_ARGV 0 given "" "SOURCE_PATH" "OPTIONS")
   if(NOT EXISTS "${given_SOURCE_PATH}/CMakeLists.txt" OR given_UNPARSED_ARGUMENTS)
@@ -65,10 +68,38 @@ def vcpkg(work):
     given = [line.split('-D', 1)[1].split('=')[0] for line in said.splitlines() if '-D' in line]
     assert given and all(f'option({name} ' in options for name in given), given
     assert os.path.exists(os.path.join(work, 'vcpkg/share/detent/LICENSE'))
+    # A project with the lines of the port's usage, and the programs of the README of the installation.
+    root = os.path.join(work, 'vcpkg')
+    with open(os.path.join(root, 'share/detent/usage'), encoding='utf-8') as file:
+        usage = re.findall('^    (.*)', file.read(), re.M)
+    assert len(usage) == 4, usage
+    with open(os.path.join(root, 'share/doc/detent/README.md'), encoding='utf-8') as file:
+        text = file.read()
+    for name, source, lines in (('cpp', 'main.cpp', usage[:2]), ('c', 'main.c', usage[2:])):
+        project = '\n'.join(['cmake_minimum_required(VERSION 3.23)', 'project(user LANGUAGES C CXX)',
+                             lines[0], f'add_executable(main {source})', lines[1]])
+        program = re.search(f'^```{name}\n(.*?)^```', text, re.M | re.S)[1]
+        run_project(os.path.join(work, name), {source: program, 'CMakeLists.txt': project}, root, 'main')
+
+
+def run_project(folder, files, root, target):
+    """Builds a project with what is installed in a root, and compares what it prints."""
+    os.makedirs(folder)
+    for name, content in files.items():
+        with open(os.path.join(folder, name), 'w', encoding='utf-8') as file:
+            file.write(content + '\n')
+    for command in (['-S', folder, '-B', folder, f'-DCMAKE_PREFIX_PATH={root}',
+                     '-DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF'], ['--build', folder]):
+        done = subprocess.run(['cmake', *command], capture_output=True, text=True)
+        assert done.returncode == 0, done.stdout + done.stderr
+    said = subprocess.run([os.path.join(folder, target)], check=True, capture_output=True, text=True).stdout
+    assert said == 'a ball at 9\n', said
 
 
 def conan(work):
     """Runs the recipe with the few functions of Conan that it uses."""
+    root = os.path.join(work, 'conan_package')
+
     def copy(_, pattern, source, target):
         for path in glob.glob(os.path.join(source, pattern)):
             to = os.path.join(target, os.path.relpath(path, source))
@@ -91,7 +122,11 @@ def conan(work):
 
         def configure(self):
             pass
-        build = install = configure
+        build = configure
+
+        def install(self):
+            subprocess.run(['cmake', '--install', build, '--prefix', root], check=True,
+                           stdout=subprocess.DEVNULL)
 
     modules = {'conan': {'ConanFile': object}, 'conan.tools': {},
                'conan.tools.cmake': {'CMake': CMake, 'CMakeToolchain': Toolchain,
@@ -112,6 +147,10 @@ def conan(work):
     for step in ('export_sources', 'layout', 'generate', 'build', 'package', 'package_info'):
         getattr(recipe, step)()
     assert recipe.cpp_info.builddirs == ['lib/cmake/detent']
+    with open('packages/conan/README.md', encoding='utf-8') as file:
+        blocks = dict(re.findall('^```(\\w+)\n(.*?)^```', file.read(), re.M | re.S))
+    run_project(os.path.join(work, 'conan_user'), {'main.cpp': blocks['cpp'], 'CMakeLists.txt': blocks['cmake']},
+                os.path.join(root, recipe.cpp_info.builddirs[0]), 'game')
     # What was exported can be configured without the rest of the repository.
     subprocess.run(['cmake', '-S', os.path.join(work, 'conan'), '-B', os.path.join(work, 'configured'),
                     '-DDETENT_BUILD_TESTS=OFF', '-DDETENT_BUILD_TOOL=OFF', '-DDETENT_BUILD_DEMO=OFF'],

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # usage: single_header.sh COMPILER
 # The single header of src/amalgamate has every header once, and compiles without a warning. The
-# examples compile with it alone, one of them runs, and two sources with it link.
+# examples compile with it alone, one of them runs, the program at its top runs, and two sources with it link.
 set -euo pipefail
 command -v python3 >/dev/null || { echo 'skipped: there is no python3'; exit 77; }
 compiler=$1
@@ -27,6 +27,10 @@ for example in tests/examples/*.cpp; do
 done
 "${compile[@]}" "$work/raycast.cpp" -o "$work/raycast"
 "$work/raycast" >/dev/null || { echo 'the example fails with the single header'; exit 1; }
+
+sed '/^#pragma once$/q' "$work/detent.hpp" | sed -n 's|^//     ||p; s|^//$||p' >"$work/top.cpp"
+"${compile[@]}" "$work/top.cpp" -o "$work/top"
+[[ $("$work/top") == 'a ball at 9' ]] || { echo 'the program at its top fails'; exit 1; }
 
 printf '#include "detent.hpp"\ndetent::q16_16 one() { return detent::q16_16::from_raw(65536); }\n' \
   >"$work/one.cpp"
