@@ -14,6 +14,7 @@
 #include "detent/number/literals.hpp"
 #include "error.hpp"
 #include "file.hpp"
+#include "gzip.hpp"
 
 namespace detent::cli {
 namespace {
@@ -131,7 +132,7 @@ struct FileCheck {
 FileCheck check_file(const std::string& path) {
   std::string bytes;
   try {
-    bytes = read_file(path);
+    bytes = unpacked(path, read_file(path));
   } catch (const InputError& error) {
     return {{ReplayState::no_replay, 0, 0, true}, error.what()};
   }

@@ -2,11 +2,14 @@
 #include "replay.hpp"
 
 #include <unistd.h>
+#include <zlib.h>
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "error.hpp"
+#include "gzip.hpp"
 #include "support/catch.hpp"
 
 using namespace detent;
@@ -44,6 +47,20 @@ ReplayReport check(const std::string& path, const std::string& shard = "1/1") {
 }
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+/// `bytes` as a file of gzip.
+std::string packed(const Folder& folder, const std::string& bytes) {
+  const auto path = folder.path() + "/packed.tmp";
+  const auto file = gzopen(path.c_str(), "wb");
+  REQUIRE(file != nullptr);
+  REQUIRE(gzwrite(file, bytes.data(), static_cast<unsigned>(bytes.size())) ==
+          static_cast<int>(bytes.size()));
+  REQUIRE(gzclose(file) == Z_OK);
+  std::ifstream stream(path, std::ios::binary);
+  std::string result{std::istreambuf_iterator<char>(stream), {}};
+  std::filesystem::remove(path);
+  return result;
 }
 
 }  // namespace
@@ -110,6 +127,45 @@ TEST_CASE("replay check: files that are no replays are named, and the others are
   REQUIRE(missing.problems.size() == 1);
   CHECK(has(missing.problems[0], "missing"));
   CHECK(missing.totals.unreadable == 1);
+}
+
+TEST_CASE("replay check: files of gzip are unpacked") {
+  const Folder folder;
+  const auto right = example(5);
+  const auto small = packed(folder, right);
+  CHECK(small.size() < right.size());
+  folder.add("a.gz", small);
+  folder.add("b.gz", small.substr(0, small.size() / 2));
+  folder.add("c.gz", packed(folder, right.substr(0, right.size() - 10)));
+  const auto report = check(folder.path());
+  CHECK(report.totals == ReplayTotals{3, 2, 0, 1, 1, 300 + 240});
+  REQUIRE(report.problems.size() == 1);
+  CHECK(has(report.problems[0], "b.gz: damaged or cut off"));
+}
+
+TEST_CASE("unpacked: one file of gzip after another, and damaged ones") {
+  const Folder folder;
+  CHECK(unpacked("f", "") == "");
+  CHECK(unpacked("f", "\x1f") == "\x1f");
+  CHECK(unpacked("f", "plain") == "plain");
+  const std::string text(300'000, 'a');
+  const auto one = packed(folder, text), other = packed(folder, "bc");
+  CHECK(unpacked("f", one) == text);
+  CHECK(unpacked("f", one + other) == text + "bc");
+  for (std::size_t size = 2; size < other.size(); ++size) {
+    CHECK_THROWS_AS(unpacked("f", other.substr(0, size)), InputError);
+    CHECK_THROWS_AS(unpacked("f", one + other.substr(0, size)), InputError);
+  }
+  for (std::size_t i = 10; i < other.size(); ++i) {  // after the header, which has a date
+    auto changed = other;
+    changed[i] = static_cast<char>(changed[i] ^ 0x10);
+    try {
+      const auto content = unpacked("f", changed);
+      CHECK(content == "bc");  // a bit that nothing reads
+    } catch (const InputError& error) {
+      CHECK(has(error.what(), "f: damaged or cut off"));
+    }
+  }
 }
 
 TEST_CASE("replay check: shards add up to the whole") {
