@@ -20,7 +20,7 @@
 #include "bench/drawn_scene.hpp"
 #include "detent/scene/snapshot.hpp"
 #if DETENT_BENCH_BULLET
-#include <btBulletCollisionCommon.h>
+#include "bench/bullet_scene.hpp"
 #endif
 
 namespace detent::bench {
@@ -158,10 +158,6 @@ Counts measure(const Drawn& drawn, const char* who) {
 
 #if DETENT_BENCH_BULLET
 
-btVector3 as_bullet(const Vec<double, 3>& v) {
-  return {static_cast<btScalar>(v.x), static_cast<btScalar>(v.y), static_cast<btScalar>(v.z)};
-}
-
 /// Bullet's regions and pairs are those of bounding boxes; only its rays ask the shapes.
 void measure_bullet(const Drawn& drawn) {
   const std::size_t size = drawn.items.size();
@@ -170,32 +166,9 @@ void measure_bullet(const Drawn& drawn) {
   btCollisionDispatcher dispatcher(&configuration);
   btDbvtBroadphase broad_phase;
   btCollisionWorld world(&dispatcher, &broad_phase, &configuration);
-  std::vector<std::unique_ptr<btCollisionShape>> shapes;
-  std::vector<std::unique_ptr<btCollisionObject>> objects;
+  BulletObjects bullet;
   Median load, optimize, nearest, region;
-  load.time([&] {
-    for (const auto& [box, is_ball] : drawn.items) {
-      btTransform place = btTransform::getIdentity();
-      place.setOrigin(as_bullet(box.center));
-      if (is_ball) {
-        shapes.push_back(
-            std::make_unique<btSphereShape>(static_cast<btScalar>(box.half_extents.x)));
-      } else {
-        shapes.push_back(std::make_unique<btBoxShape>(as_bullet(box.half_extents)));
-        btMatrix3x3 basis;
-        for (int i = 0; i < 3; ++i) {
-          for (int j = 0; j < 3; ++j) {
-            basis[i][j] = static_cast<btScalar>(box.rotation.axis(j)[i]);
-          }
-        }
-        place.setBasis(basis);
-      }
-      objects.push_back(std::make_unique<btCollisionObject>());
-      objects.back()->setCollisionShape(shapes.back().get());
-      objects.back()->setWorldTransform(place);
-      world.addCollisionObject(objects.back().get());
-    }
-  });
+  load.time([&] { bullet.add_to(world, drawn); });
   optimize.time([&] { broad_phase.optimize(); });
   struct Counting : btBroadphaseAabbCallback {
     std::size_t count = 0;

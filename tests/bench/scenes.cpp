@@ -7,13 +7,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 #include <vector>
 
 #include "bench/drawn_scene.hpp"
 #include "detent/scene/snapshot.hpp"
 #if DETENT_BENCH_BULLET
-#include <btBulletCollisionCommon.h>
+#include "bench/bullet_scene.hpp"
 #endif
 
 namespace detent::bench {
@@ -63,41 +62,16 @@ Measured measure(const Drawn& drawn) {
 
 #if DETENT_BENCH_BULLET
 
-btVector3 as_bullet(const Vec<double, 3>& v) {
-  return {static_cast<btScalar>(v.x), static_cast<btScalar>(v.y), static_cast<btScalar>(v.z)};
-}
-
 Measured measure_bullet(const Drawn& drawn) {
   Measured result;
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);
   btDbvtBroadphase broad_phase;
   btCollisionWorld world(&dispatcher, &broad_phase, &configuration);
-  std::vector<std::unique_ptr<btCollisionShape>> shapes;
-  std::vector<std::unique_ptr<btCollisionObject>> objects;
+  BulletObjects bullet;
   Timer build, cast, move, pairs;
   build.time([&] {
-    for (const auto& [box, is_ball] : drawn.items) {
-      btTransform place = btTransform::getIdentity();
-      place.setOrigin(as_bullet(box.center));
-      if (is_ball) {
-        shapes.push_back(
-            std::make_unique<btSphereShape>(static_cast<btScalar>(box.half_extents.x)));
-      } else {
-        shapes.push_back(std::make_unique<btBoxShape>(as_bullet(box.half_extents)));
-        btMatrix3x3 basis;
-        for (int i = 0; i < 3; ++i) {
-          for (int j = 0; j < 3; ++j) {
-            basis[i][j] = static_cast<btScalar>(box.rotation.axis(j)[i]);
-          }
-        }
-        place.setBasis(basis);
-      }
-      objects.push_back(std::make_unique<btCollisionObject>());
-      objects.back()->setCollisionShape(shapes.back().get());
-      objects.back()->setWorldTransform(place);
-      world.addCollisionObject(objects.back().get());
-    }
+    bullet.add_to(world, drawn);
     broad_phase.optimize();
   });
   for (const auto& moves : drawn.moves) {
@@ -113,9 +87,9 @@ Measured measure_bullet(const Drawn& drawn) {
     });
     move.time([&] {
       for (const auto& [i, by] : moves) {
-        auto& place = objects[i]->getWorldTransform();
+        auto& place = bullet.objects[i]->getWorldTransform();
         place.setOrigin(place.getOrigin() + as_bullet(by));
-        world.updateSingleAabb(objects[i].get());
+        world.updateSingleAabb(bullet.objects[i].get());
       }
     });
     pairs.time([&] { broad_phase.calculateOverlappingPairs(&dispatcher); });
