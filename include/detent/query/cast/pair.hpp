@@ -38,15 +38,9 @@ template <bool WithNormal, class A, class B, Scalar S, int N>
                                                                const S& limit,
                                                                const B& b) noexcept {
   if (limit < 0 || !has_points(a) || !has_points(b)) return std::nullopt;
-  if constexpr (!WithNormal && is_kind<A, Sphere> && is_kind<B, Sphere>) {
-    const auto radius = a.radius + b.radius;
-    if (radius > 0) {
-      const auto distance = distance_to_ball(a.center, b.center, direction, limit, radius);
-      if (!distance) return std::nullopt;
-      return Touch<S, N>{*distance, std::nullopt};
-    }
-  }
-  if constexpr (is_kind<A, Aabb> && is_kind<B, Aabb>) {
+  if constexpr (is_kind<A, Sphere> && is_kind<B, Sphere>) {
+    return touch_of_spheres<WithNormal>(a, b, direction, limit);
+  } else if constexpr (is_kind<A, Aabb> && is_kind<B, Aabb>) {
     return touch_of_boxes(a, b, direction, limit);
   } else {
     return with_motion(

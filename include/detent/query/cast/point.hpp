@@ -141,6 +141,11 @@ template <class A, class B, Scalar S, int N>
                                  [&](const auto&, const auto& on_thin, const auto& v) {
                                    return nearly_rounded_beyond(on_thin, radius, v);
                                  });
+  } else if constexpr (is_kind<CoreA, Vec> && is_kind<CoreB, Vec>) {
+    const auto v = a - b + direction.vec() * distance;
+    if (radius == 0 || is_zero(v)) return b;
+    using One = std::remove_cvref_t<decltype(S() + S())>;
+    return nearly_rounded_beyond(RationalPoint{b * One(1), One(1)}, radius, v);
   } else {
     const auto body = body_of(a);
     if constexpr (filter_pays<S> && is_thin<CoreA> && !is_kind<CoreB, Plane>) {

@@ -120,6 +120,38 @@ template <Scalar S, int N, Number R>
   return quadratic.first_root(limit);
 }
 
+/// The first touch of two spheres with points. The normal is found as that of other round bodies.
+template <bool WithNormal, Scalar S, int N>
+[[nodiscard]] constexpr std::optional<Touch<S, N>> touch_of_spheres(
+    const Sphere<S, N>& a, const Sphere<S, N>& b, const Direction<S, N>& direction,
+    const S& limit) noexcept {
+  const auto radius = a.radius + b.radius;
+  const auto between = b.center - a.center;
+  const auto body_a = body_of(a.center), body_b = body_of(b.center);
+  if (!(radius > 0)) {
+    const auto distance = boxes_within(body_a, body_b, direction, S(0), limit);
+    if (!distance) return std::nullopt;
+    if (is_zero(between)) return Touch<S, N>{S(0), std::nullopt};
+    return Touch<S, N>{*distance, -direction};
+  }
+  const auto distance = distance_to_ball(a.center, b.center, direction, limit, radius);
+  if (!distance) return std::nullopt;
+  Touch<S, N> touch{*distance, std::nullopt};
+  if constexpr (WithNormal) {
+    if (squared_length(between) > square(radius)) {
+      using Component = direction_component<S>;
+      constexpr int most = is_fixed<S> ? bits_of<Component> + 2 : 0;
+      using Body = std::remove_cvref_t<decltype(body_a)>;
+      const Approach<Body, Body, Component, S, most> fine(body_a, body_b, direction.vec(), radius,
+                                                          finer_by<most>(radius));
+      touch.normal = -fine.with_touch_of_points(
+          between, fine.scaled(*distance), fine.scaled(limit),
+          [&](const auto& v) { return direction_of<S>(shortened<240>(v)).value_or(direction); });
+    }
+  }
+  return touch;
+}
+
 /// The first touch of bodies within `radius` > 0.
 ///
 /// The normal is that of the closest points less than two steps of a grid of time before, in which

@@ -107,15 +107,40 @@ class Approach {
   [[nodiscard]] constexpr auto with_touch(const Time& time, const Time& limit,
                                           const F& f) const noexcept {
     return with_touch_of(
-        [&](const Time& at, const auto& g) { return this->with_feature(at, at, g); }, time, limit,
-        f);
+        [&](const Time& at, const auto& g) {
+          return this->with_feature(at, at, [&](const auto& found) { return across(found, g); });
+        },
+        time, limit, f);
   }
   /// The same where the closest differences of corners are known to lie in one feature.
   template <class Feature, class F>
   [[nodiscard]] constexpr auto with_touch_on(const Feature& feature, const Time& time,
                                              const Time& limit, const F& f) const noexcept {
-    return with_touch_of([&](const Time& at, const auto& g) { return with_moved(feature, at, g); },
-                         time, limit, f);
+    return with_touch_of(
+        [&](const Time& at, const auto& g) {
+          return with_moved(feature, at, [&](const auto& found) { return across(found, g); });
+        },
+        time, limit, f);
+  }
+  /// The same for two points, whose difference is `corner` at the start.
+  template <Number T, class F>
+  [[nodiscard]] constexpr auto with_touch_of_points(const Vec<T, dimension>& corner,
+                                                    const Time& time, const Time& limit,
+                                                    const F& f) const noexcept {
+    return with_touch_of(
+        [&](const Time& at, const auto& g) {
+          return by_width<short_bits>(
+              [&](const auto& place) {
+                return g(place, [&] {
+                  const auto excess = squared_length(place) - square(radius_);
+                  using One = std::remove_cvref_t<decltype(place.x)>;
+                  using Quotient = std::remove_cvref_t<decltype(quotient(excess, One(1)))>;
+                  return excess > 0 ? quotient(excess, One(1)) : Quotient();
+                });
+              },
+              moved(corner, way_ * at));
+        },
+        time, limit, f);
   }
 
   /// The clearance at `time`, and how far the body can move from there.
@@ -168,19 +193,25 @@ class Approach {
         b.low() - a.high(), b.high() - a.low());
   }
 
-  template <class FeatureAt, class F>
-  [[nodiscard]] constexpr auto with_touch_of(const FeatureAt& feature_at, Time time,
+  /// Calls g(v, excess) for the vector v across a feature, where excess() are the leading bits of
+  /// |p|^2 - radius^2 for its closest point p.
+  template <class Feature, class G>
+  [[nodiscard]] constexpr auto across(const Feature& feature, const G& g) const noexcept {
+    return with_direction(feature, [&](const auto& v) {
+      return g(v, [&] { return this->leading_excess(feature); });
+    });
+  }
+
+  template <class VectorAt, class F>
+  [[nodiscard]] constexpr auto with_touch_of(const VectorAt& vector_at, Time time,
                                              const Time& limit, const F& f) const noexcept {
     using Result = decltype(f(std::declval<Way>()));
     for (Patience<S> patience; patience.step();) {
       Time next = time;
-      const Result result = feature_at(time, [&](const auto& feature) {
-        return with_direction(feature, [&](const auto& v) {
-          const auto along = dot(v, way_);
-          if (along > 0)
-            next = (std::min)(sum(time, steps(leading_excess(feature), v, along)), limit);
-          return f(v);
-        });
+      const Result result = vector_at(time, [&](const auto& v, const auto& excess) {
+        const auto along = dot(v, way_);
+        if (along > 0) next = (std::min)(sum(time, steps(excess(), v, along)), limit);
+        return f(v);
       });
       if (!(next > time)) return result;
       time = next;
@@ -188,22 +219,29 @@ class Approach {
     return f(Way());
   }
 
+  /// A difference of corners, scaled and moved.
+  template <Number T>
+  [[nodiscard]] constexpr auto moved(const Vec<T, dimension>& corner,
+                                     const Vec<Offset, dimension>& offset) const noexcept {
+    using MovedA = SweptBody<A, Offset, Shift>;
+    using MovedB = SweptBody<B, Offset, Shift>;
+    using Moved = decltype(std::declval<MovedB>().some() - std::declval<MovedA>().some());
+    return make_vec<dimension>([&](int i) {
+      return narrow<bits_of<std::remove_cvref_t<decltype(Moved().x)>>>(
+          scale_up<bits_of<T> + Shift>(corner[i], shift_) - offset[i]);
+    });
+  }
+
   /// Calls f(simplex) with a feature of differences, scaled and moved.
   template <class Feature, class F>
   [[nodiscard]] constexpr auto with_moved(const Feature& feature, const Time& time,
                                           const F& f) const noexcept {
-    using MovedA = SweptBody<A, Offset, Shift>;
-    using MovedB = SweptBody<B, Offset, Shift>;
-    using Moved = decltype(std::declval<MovedB>().some() - std::declval<MovedA>().some());
-    constexpr int bits = bits_of<std::remove_cvref_t<decltype(feature.corners[0].x)>> + Shift;
     const Vec<Offset, dimension> offset = way_ * time;
-    std::array<Moved, static_cast<std::size_t>(dimension)> corners;
+    std::array<decltype(moved(feature.corners[0], offset)), static_cast<std::size_t>(dimension)>
+        corners;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const auto& corner = feature.corners[k < static_cast<std::size_t>(feature.count) ? k : 0];
-      corners[k] = make_vec<dimension>([&](int i) {
-        return narrow<bits_of<std::remove_cvref_t<decltype(Moved().x)>>>(
-            scale_up<bits>(corner[i], shift_) - offset[i]);
-      });
+      corners[k] = moved(corner, offset);
     }
     const auto with = [&](const auto&... corner) {
       using T = std::common_type_t<std::remove_cvref_t<decltype(corner.x)>...>;
