@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// usage: detent-bench-worlds [--only q16_16|float|bullet] [--steps N] [--passes N] [--snapshots] [SCENE...]
+// usage: detent-bench-worlds [--only q16_16|float|bullet] [--steps N] [--passes N] [--snapshots | --threads N] [SCENE...]
 // Steps scenes of bodies in q16_16, in float and in Bullet, which take turns step by step, and prints
 // a table as CSV: milliseconds a step, the mean of steps 60 to 299 of the least of the passes. Sleeping
 // is off, but for the scene "asleep". With --only it runs one of them, such as for a profiler. The
-// last column is the digest of q16_16, which an optimisation must not change.
+// last column is the digest of q16_16, which an optimisation must not change. --threads compares one
+// thread with N, by the clock on the wall.
 
 #include <time.h>
 
@@ -22,6 +23,7 @@
 
 #include "bench/worlds/stage.hpp"
 #include "detent/dynamics/snapshot.hpp"
+#include "support/pool.hpp"
 
 #ifdef DETENT_BENCH_BULLET
 #include <btBulletDynamicsCommon.h>
@@ -113,9 +115,9 @@ struct BulletStage {
 };
 #endif
 
-double now() {
+double now(clockid_t clock = CLOCK_THREAD_CPUTIME_ID) {
   timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  clock_gettime(clock, &time);
   return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) / 1e6;
 }
 
@@ -123,6 +125,7 @@ struct Options {
   std::string only{};
   int steps = 0, passes = 2;
   bool snapshots = false;
+  std::size_t threads = 0;
   std::vector<std::string> scenes{};
 };
 
@@ -197,6 +200,34 @@ void time_snapshots(const Plan& plan) {
               copy * 1e3, save * 1e3, load * 1e3);
 }
 
+/// Milliseconds a step on one thread and on several, which take turns: the mean of the second half of
+/// all steps, each the least of the passes.
+void time_threads(const Plan& plan, const Options& options) {
+  test::Pool pool(options.threads);
+  const auto steps = static_cast<std::size_t>(options.steps > 0 ? options.steps : plan.steps);
+  std::vector<double> one(steps, 1e9), many(steps, 1e9);
+  for (int pass = 0; pass < options.passes; ++pass) {
+    Stage<q16_16> alone(plan), together(plan);
+    for (std::size_t i = 0; i < steps; ++i) {
+      double start = now(CLOCK_MONOTONIC);
+      alone.world.step();
+      one[i] = std::min(one[i], now(CLOCK_MONOTONIC) - start);
+      start = now(CLOCK_MONOTONIC);
+      together.world.step(pool);
+      many[i] = std::min(many[i], now(CLOCK_MONOTONIC) - start);
+      if (digest(alone.world) != digest(together.world)) std::abort();
+    }
+  }
+  const auto mean = [&](const std::vector<double>& times) {
+    double sum = 0;
+    for (std::size_t i = steps / 2; i < steps; ++i) sum += times[i];
+    return sum / static_cast<double>(steps - steps / 2);
+  };
+  const double a = mean(one), b = mean(many);
+  std::printf("%s,%.4f,%.4f,%.2f\n", plan.name.c_str(), a, b, a / b);
+  std::fflush(stdout);
+}
+
 }  // namespace
 }  // namespace detent::bench
 
@@ -214,6 +245,8 @@ int main(int count, char** arguments) {
       options.passes = std::atoi(arguments[++i]);
     } else if (argument == "--snapshots") {
       options.snapshots = true;
+    } else if (argument == "--threads" && has_value) {
+      options.threads = static_cast<std::size_t>(std::atoi(arguments[++i]));
     } else {
       options.scenes.push_back(argument);
     }
@@ -222,6 +255,10 @@ int main(int count, char** arguments) {
     const auto& wanted = options.scenes;
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), plan.name) == wanted.end())
       continue;
-    options.snapshots ? time_snapshots(plan) : run(plan, options);
+    if (options.threads != 0) {
+      time_threads(plan, options);
+    } else {
+      options.snapshots ? time_snapshots(plan) : run(plan, options);
+    }
   }
 }

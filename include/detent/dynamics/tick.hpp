@@ -19,6 +19,7 @@
 #include "detent/dynamics/record.hpp"
 #include "detent/dynamics/relative.hpp"
 #include "detent/dynamics/solve.hpp"
+#include "detent/dynamics/threads.hpp"
 #include "detent/scene/one_of.hpp"
 
 namespace detent::detail {
@@ -55,32 +56,38 @@ class Tick {
   constexpr Tick& operator=(const Tick&) noexcept { return *this; }
 
   /// One step. Returns whether it has changed nothing, so that the next one would not either.
+  ///
+  /// What `threads` may run at once writes to elements of its own only: contacts of a colour share no
+  /// body that can move.
+  template <class Threads>
   constexpr bool run(Bodies& bodies, Contacts& contacts, Joints& joints, const Pace<S, N>& pace,
-                     int substeps, const S& margin) {
-    place(bodies);
+                     int substeps, const S& margin, const Threads& threads) {
+    place(bodies, threads);
     const bool has_fast = note_starts(bodies);
     group_.part(joints);
     find_pairs(bodies, margin);
-    touch(bodies, contacts, margin, pace.margin);
+    touch(bodies, contacts, margin, pace.margin, threads);
     wake(bodies, joints);
     const bool is_still = !has_fast && stands_still(bodies) && have_stayed(contacts);
-    order(bodies);
+    const auto ends = order(bodies);
     for (std::size_t i = 0; i < moving_.size(); ++i) moving_[i] = moving_of(bodies[i]);
-    prepare_all(bodies);
+    prepare_all(bodies, threads);
     group_.prepare(joints, bodies, supports_, pace.rate);
-    for (int i = 0; i < substeps; ++i) substep(bodies, joints, pace);
-    for (std::size_t i = 0; i < ready_.size(); ++i) {
-      auto& ready = ready_[i];
-      bounce(ready, current_[ready.contact], moving_[ready.a], moving_[ready.b], pace.bounce);
-    }
+    for (int i = 0; i < substeps; ++i) substep(bodies, joints, pace, ends, threads);
+    for_each_ready(ends, threads, [&](ReadyContact<S, N>& ready) {
+      bounce(ready, found_.contacts[ready.contact], moving_[ready.a], moving_[ready.b],
+             pace.bounce);
+    });
     finish(bodies, pace);
     if (has_fast) stop_fast(bodies, margin);
-    std::swap(contacts, current_);
+    std::swap(contacts, found_.contacts);
     return is_still;
   }
 
   /// The contacts before the last run.
-  [[nodiscard]] constexpr const Contacts& contacts_before() const noexcept { return current_; }
+  [[nodiscard]] constexpr const Contacts& contacts_before() const noexcept {
+    return found_.contacts;
+  }
 
   /// Calls f(index) for each joint that broke in the last run, in order.
   template <class Broken>
@@ -108,19 +115,33 @@ class Tick {
   }
 
  private:
+  template <class T, std::size_t Room>
+  using List = typename Storage::template List<T, Room>;
+
   /// A pair's manifold, kept from the search for contacts until they are prepared.
   struct Found {
     Manifold<S, N> manifold{};
     Vec<typename F::Lever, N> offset{};
   };
 
-  constexpr void place(const Bodies& bodies) {
+  static constexpr int colours = 64;
+  using ColourEnds = std::array<std::uint32_t, colours + 1>;
+
+  /// The contacts of some pairs, in order, and their manifolds.
+  struct Search {
+    Contacts contacts;
+    List<Found, contacts_room> manifolds;
+    List<FacetContact<S>, (is_surface_body<Parts> || ...) ? contacts_room : 0> facets;
+  };
+
+  template <class Threads>
+  constexpr void place(const Bodies& bodies, const Threads& threads) {
     supports_.resize(bodies.size());
     moving_.resize(bodies.size());
     half_way_.resize(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+    threads.each(0, bodies.size(), bodies_a_call, [&](std::size_t i) {
       if (bodies[i].generation != 0) supports_[i] = support_of<S, N>(bodies[i]);
-    }
+    });
   }
 
   /// Notes where bodies are, if one of them is fast.
@@ -237,13 +258,50 @@ class Tick {
     if (pairs_.size() != 0) std::sort(&pairs_[0], &pairs_[0] + pairs_.size());
   }
 
-  /// The contacts of this tick, in order of their bodies, with the impulses of the last.
+  /// The contacts of this tick, in order of their bodies, with the impulses of the last. On several
+  /// threads each has a list of its own, which are then put one behind another.
+  template <class Threads>
   constexpr void touch(const Bodies& bodies, const Contacts& before, const S& reach,
-                       const typename F::Lever& margin) {
-    current_.clear();
-    found_.clear();
+                       const typename F::Lever& margin, const Threads& threads) {
+    constexpr bool has_lists = requires { Storage::is_growing; };
+    found_.contacts.clear();
+    found_.manifolds.clear();
+    if constexpr (Threads::are_many && has_lists) {
+      searches_.resize((pairs_.size() + pairs_a_call - 1) / pairs_a_call);
+      threads.each(0, searches_.size(), 1, [&](std::size_t k) {
+        auto mine = std::move(searches_[k]);
+        mine.contacts.clear();
+        mine.manifolds.clear();
+        const auto begin = k * pairs_a_call;
+        touch(bodies, before, reach, margin, begin, (std::min)(begin + pairs_a_call, pairs_.size()),
+              mine);
+        searches_[k] = std::move(mine);
+      });
+      for (const auto& part : searches_) {
+        for (std::size_t i = 0; i < part.contacts.size(); ++i) {
+          if (found_.contacts.size() == contacts_room) return;
+          found_.contacts.push_back(part.contacts[i]);
+          found_.manifolds.push_back(part.manifolds[i]);
+        }
+      }
+    } else {
+      touch(bodies, before, reach, margin, 0, pairs_.size(), found_);
+    }
+  }
+
+  /// The contacts of the pairs from `begin` to before `end`.
+  constexpr void touch(const Bodies& bodies, const Contacts& before, const S& reach,
+                       const typename F::Lever& margin, std::size_t begin, std::size_t end,
+                       Search& out) const {
     std::size_t old = 0;
-    for (std::size_t p = 0; p < pairs_.size() && current_.size() < contacts_room; ++p) {
+    if (begin != 0) {
+      old = static_cast<std::size_t>(
+          std::partition_point(
+              before.data(), before.data() + before.size(),
+              [&](const ContactState& contact) { return pair_of(contact) < pairs_[begin]; }) -
+          before.data());
+    }
+    for (std::size_t p = begin; p < end && out.contacts.size() < contacts_room; ++p) {
       const BodyPair pair = pairs_[p];
       while (old < before.size() && pair_of(before[old]) < pair) ++old;
       bodies[pair.a].shape.visit([&]<class A>(const A& first) {
@@ -251,15 +309,15 @@ class Tick {
           if constexpr (is_surface_body<A> && is_surface_body<B>) {
             return;  // none of them can move
           } else if constexpr (is_compound_body<A> || is_compound_body<B>) {
-            touch_parts(bodies, pair, first, second, before, old, reach, margin);
+            touch_parts(bodies, pair, first, second, before, old, reach, margin, out);
           } else if constexpr (is_surface_body<A>) {
             touch_terrain(bodies, {pair}, first,
                           Placed{second, supports_[pair.b], bodies[pair.b].reach}, true, before,
-                          old, reach, margin);
+                          old, reach, margin, out);
           } else if constexpr (is_surface_body<B>) {
             touch_terrain(bodies, {pair}, second,
                           Placed{first, supports_[pair.a], bodies[pair.a].reach}, false, before,
-                          old, reach, margin);
+                          old, reach, margin, out);
           } else {
             const auto& a = supports_[pair.a];
             const auto& b = supports_[pair.b];
@@ -267,7 +325,7 @@ class Tick {
             const auto pose = relative_pose(a, b, offset);
             const bool known = old < before.size() && pair_of(before[old]) == pair;
             add_contact(bodies, {pair}, {manifold(first, second, pose, margin), offset},
-                        known ? &before[old] : nullptr);
+                        known ? &before[old] : nullptr, out);
           }
         });
       });
@@ -315,7 +373,7 @@ class Tick {
   template <class A, class B>
   constexpr void touch_parts(const Bodies& bodies, const BodyPair& pair, const A& first,
                              const B& second, const Contacts& before, std::size_t old,
-                             const S& reach, const typename F::Lever& margin) {
+                             const S& reach, const typename F::Lever& margin, Search& out) const {
     const auto known = [&](const ContactKey& key) {
       while (old < before.size() && key_of(before[old]) < key) ++old;
       return old < before.size() && key_of(before[old]) == key ? &before[old] : nullptr;
@@ -327,20 +385,20 @@ class Tick {
       for_each_placed(bodies, pair.b, second, [&](const auto& b) {
         const auto key = numbered(b.part);
         known(key);
-        touch_terrain(bodies, key, first, b, true, before, old, reach, margin);
+        touch_terrain(bodies, key, first, b, true, before, old, reach, margin, out);
       });
     } else if constexpr (is_surface_body<B>) {
       for_each_placed(bodies, pair.a, first, [&](const auto& a) {
         const auto key = numbered(a.part);
         known(key);
-        touch_terrain(bodies, key, second, a, false, before, old, reach, margin);
+        touch_terrain(bodies, key, second, a, false, before, old, reach, margin, out);
       });
     } else {
       const auto offset = offset_between(supports_[pair.a], supports_[pair.b]);
       for_each_placed(bodies, pair.a, first, [&](const auto& a) {
         const auto box_a = bounds_of<S, N>(a.support.place, a.support.axes, a.reach, reach);
         for_each_placed(bodies, pair.b, second, [&](const auto& b) {
-          if (current_.size() == contacts_room) return;
+          if (out.contacts.size() == contacts_room) return;
           const auto box_b = bounds_of<S, N>(b.support.place, b.support.axes, b.reach, reach);
           if (!meet(box_a, box_b)) return;
           const auto pose =
@@ -352,7 +410,7 @@ class Tick {
             found = in_body(*a.in_body, found);
             key.part = b.part;
           }
-          add_contact(bodies, key, {found, offset}, known(key));
+          add_contact(bodies, key, {found, offset}, known(key), out);
         });
       });
     }
@@ -369,36 +427,37 @@ class Tick {
   template <class Terrain, class Solid>
   constexpr void touch_terrain(const Bodies& bodies, ContactKey key, const Terrain& terrain,
                                const Placed<Solid>& solid, bool is_first, const Contacts& before,
-                               std::size_t old, const S& reach, const typename F::Lever& margin) {
+                               std::size_t old, const S& reach, const typename F::Lever& margin,
+                               Search& out) const {
     const auto& ground = supports_[is_first ? key.pair.a : key.pair.b];
     const auto& support = solid.support;
     const auto pose = relative_pose(ground, support, offset_between(ground, support));
     const auto offset = offset_between(supports_[key.pair.a], supports_[key.pair.b]);
     const auto back = relative_pose(supports_[key.pair.a], supports_[key.pair.b], offset);
-    FacetContacts<decltype(facets_), S> contacts(facets_, contacts_room);
+    FacetContacts<decltype(out.facets), S> contacts(out.facets, contacts_room);
     contacts.find(terrain, solid.shape, pose, solid.reach, reach, margin);
     std::size_t end = old;
     while (end < before.size() && pair_of(before[end]) == key.pair &&
            before[end].member == key.member) {
       ++end;
     }
-    for (std::size_t i = 0; i < facets_.size() && current_.size() < contacts_room; ++i) {
-      const auto& found = facets_[i].manifold;
+    for (std::size_t i = 0; i < out.facets.size() && out.contacts.size() < contacts_room; ++i) {
+      const auto& found = out.facets[i].manifold;
       if (found.count == 0) continue;
       const auto last = contacts.last_of(i, before, old, end);
-      key.part = facets_[i].part.index;
+      key.part = out.facets[i].part.index;
       add_contact(bodies, key, {is_first ? found : swapped(back, found), offset},
-                  last < end ? &before[last] : nullptr);
+                  last < end ? &before[last] : nullptr, out);
     }
   }
 
-  constexpr void add_contact(const Bodies& bodies, const ContactKey& key, const Found& found,
-                             const ContactState* before) {
+  static constexpr void add_contact(const Bodies& bodies, const ContactKey& key, const Found& found,
+                                    const ContactState* before, Search& out) {
     if (found.manifold.count == 0) return;
     auto contact = continued(key, found.manifold, before);
     if (is_sensed(bodies, contact)) contact = sensed(key, found.manifold);
-    current_.push_back(contact);
-    found_.push_back(found);
+    out.contacts.push_back(contact);
+    out.manifolds.push_back(found);
   }
 
   /// Whether one of two bodies is a sensor, so that nothing is pushed.
@@ -458,9 +517,9 @@ class Tick {
   /// Calls f(a, b) for the bodies of each contact without a sensor.
   template <class Found>
   constexpr void for_each_pushing(const Bodies& bodies, const Found& f) {
-    for (std::size_t i = 0; i < current_.size(); ++i) {
-      const auto a = current_[i].a, b = current_[i].b;
-      if (!is_sensed(bodies, current_[i])) f(a, b);
+    for (std::size_t i = 0; i < found_.contacts.size(); ++i) {
+      const auto a = found_.contacts[i].a, b = found_.contacts[i].b;
+      if (!is_sensed(bodies, found_.contacts[i])) f(a, b);
     }
   }
 
@@ -492,14 +551,15 @@ class Tick {
   }
 
   /// A colour for each contact that is awake: the least that no earlier contact of its bodies has;
-  /// the last colour for all others. Contacts of a colour share no body that can move.
-  constexpr void order(const Bodies& bodies) {
+  /// the last colour for all others. Contacts of a colour but the last share no body that can move.
+  /// Returns where in `ready_` each colour ends.
+  constexpr ColourEnds order(const Bodies& bodies) {
     used_.clear();
     used_.resize(bodies.size());
-    colour_.resize(current_.size());
-    std::array<std::uint32_t, colours + 1> start{};
-    for (std::size_t i = 0; i < current_.size(); ++i) {
-      const auto& contact = current_[i];
+    colour_.resize(found_.contacts.size());
+    ColourEnds start{};
+    for (std::size_t i = 0; i < found_.contacts.size(); ++i) {
+      const auto& contact = found_.contacts[i];
       const bool moves_a = is_awake(bodies[contact.a]), moves_b = is_awake(bodies[contact.b]);
       if ((!moves_a && !moves_b) || is_sensed(bodies, contact)) {
         colour_[i] = asleep;
@@ -515,28 +575,44 @@ class Tick {
     for (std::size_t c = 0; c < colours; ++c) start[c + 1] += start[c];
     ready_.clear();
     ready_.resize(start[colours]);
-    for (std::size_t i = 0; i < current_.size(); ++i) {
+    for (std::size_t i = 0; i < found_.contacts.size(); ++i) {
       if (colour_[i] == asleep) continue;
       auto& ready = ready_[start[colour_[i]]++];
       ready.contact = static_cast<std::uint32_t>(i);
-      ready.a = current_[i].a;
-      ready.b = current_[i].b;
+      ready.a = found_.contacts[i].a;
+      ready.b = found_.contacts[i].b;
     }
+    return start;
   }
 
-  constexpr void prepare_all(const Bodies& bodies) {
+  /// Calls f for each contact that is awake in order of colours; those of a colour at once.
+  template <class Threads, class Visit>
+  constexpr void for_each_ready(const ColourEnds& ends, const Threads& threads, const Visit& f) {
+    const auto visit = [&](std::size_t i) { f(ready_[i]); };
+    std::size_t first = 0;
+    if constexpr (Threads::are_many) {
+      for (std::size_t c = 0; c + 1 < colours; ++c) {
+        threads.each(first, ends[c], contacts_a_call, visit);
+        first = ends[c];
+      }
+    }
+    OneThread().each(first, ready_.size(), 1, visit);
+  }
+
+  template <class Threads>
+  constexpr void prepare_all(const Bodies& bodies, const Threads& threads) {
     using Ratio = typename F::Ratio;
-    for (std::size_t i = 0; i < ready_.size(); ++i) {
+    threads.each(0, ready_.size(), contacts_a_call, [&](std::size_t i) {
       auto& ready = ready_[i];
       const Body &a = bodies[ready.a], &b = bodies[ready.b];
-      const auto& found = found_[ready.contact];
+      const auto& found = found_.manifolds[ready.contact];
       const auto [share_a, share_b] = mass_shares<S>(a, b);
       prepare(ready, found.manifold, supports_[ready.a], supports_[ready.b], found.offset, share_a,
               share_b);
       auto friction = std::array{a.friction, b.friction};
       auto restitution = std::array{a.restitution, b.restitution};
       if constexpr (has_compounds) {
-        const auto parts = parts_of(bodies, current_[ready.contact]);
+        const auto parts = parts_of(bodies, found_.contacts[ready.contact]);
         for (std::size_t k = 0; k < 2; ++k) {
           if (parts[k] == nullptr) continue;
           friction[k] = parts[k]->options().friction;
@@ -550,38 +626,37 @@ class Tick {
                                             moving_[ready.a].velocity, moving_[ready.a].spin,
                                             moving_[ready.b].velocity, moving_[ready.b].spin);
       }
-    }
+    });
   }
 
-  constexpr void substep(Bodies& bodies, Joints& joints, const Pace<S, N>& pace) {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+  template <class Threads>
+  constexpr void substep(Bodies& bodies, Joints& joints, const Pace<S, N>& pace,
+                         const ColourEnds& ends, const Threads& threads) {
+    threads.each(0, bodies.size(), bodies_a_call, [&](std::size_t i) {
       if (is_awake(bodies[i])) {
         accelerate(bodies[i], moving_[i], supports_[i].axes, half_way_[i], pace);
       }
-    }
+    });
     group_.warm_start(joints, moving_);
-    for (std::size_t i = 0; i < ready_.size(); ++i) {
-      const auto& ready = ready_[i];
-      warm_start(ready, current_[ready.contact], moving_[ready.a], moving_[ready.b]);
-    }
+    for_each_ready(ends, threads, [&](const ReadyContact<S, N>& ready) {
+      warm_start(ready, found_.contacts[ready.contact], moving_[ready.a], moving_[ready.b]);
+    });
     group_.template solve_all<Pass::biased>(joints, moving_);
-    for (std::size_t i = 0; i < ready_.size(); ++i) {
-      auto& ready = ready_[i];
-      solve_pressure<Pass::biased>(ready, current_[ready.contact], moving_[ready.a],
+    for_each_ready(ends, threads, [&](ReadyContact<S, N>& ready) {
+      solve_pressure<Pass::biased>(ready, found_.contacts[ready.contact], moving_[ready.a],
                                    moving_[ready.b], pace.push);
-    }
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+    });
+    threads.each(0, bodies.size(), bodies_a_call, [&](std::size_t i) {
       const bool moves = is_awake(bodies[i]) || is_driven(bodies[i]);
       if (moves) move(bodies[i], moving_[i], half_way_[i], supports_[i].axes);
-    }
+    });
     group_.follow(joints, bodies, supports_);
     group_.template solve_all<Pass::relaxed>(joints, moving_);
-    for (std::size_t i = 0; i < ready_.size(); ++i) {
-      auto& ready = ready_[i];
-      auto& contact = current_[ready.contact];
+    for_each_ready(ends, threads, [&](ReadyContact<S, N>& ready) {
+      auto& contact = found_.contacts[ready.contact];
       solve_pressure<Pass::relaxed>(ready, contact, moving_[ready.a], moving_[ready.b], pace.push);
       solve_friction(ready, contact, moving_[ready.a], moving_[ready.b]);
-    }
+    });
   }
 
   /// Writes velocities back, and lets quiet islands sleep.
@@ -592,7 +667,7 @@ class Tick {
       for (std::size_t k = 0; k < ready.count; ++k) {
         touches = touches || ready.was_pushed[k] || ready.gap[k] <= 0;
       }
-      current_[ready.contact].touches = touches;
+      found_.contacts[ready.contact].touches = touches;
     }
     for (std::size_t i = 0; i < bodies.size(); ++i) awake_[i] = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -624,9 +699,9 @@ class Tick {
   }
   /// Whether the contacts found are those of the last tick.
   constexpr bool have_stayed(const Contacts& before) const noexcept {
-    if (before.size() != current_.size()) return false;
+    if (before.size() != found_.contacts.size()) return false;
     for (std::size_t i = 0; i < before.size(); ++i) {
-      if (!(before[i] == current_[i])) return false;
+      if (!(before[i] == found_.contacts[i])) return false;
     }
     return true;
   }
@@ -661,12 +736,14 @@ class Tick {
     return islands_.of(static_cast<std::uint32_t>(body));
   }
 
-  static constexpr int colours = 64;
   static constexpr std::uint8_t asleep = 0xff;
   static constexpr std::size_t pair_room = 4 * contacts_room;
 
-  template <class T, std::size_t Room>
-  using List = typename Storage::template List<T, Room>;
+  // How much one call of a thread does: some microseconds, so that waiting for others costs less.
+  static constexpr std::size_t bodies_a_call = 64;
+  static constexpr std::size_t pairs_a_call = 32;
+  static constexpr std::size_t contacts_a_call = 32;
+
   List<Support<S, N>, bodies_room> supports_;
   List<Standing<S, N>, bodies_room> starts_;  // empty without a fast body
   List<Moving<S, N>, bodies_room> moving_;
@@ -674,9 +751,8 @@ class Tick {
   List<SweepEntry<S, N>, bodies_room> swept_;
   List<std::uint32_t, bodies_room> lane_;
   List<BodyPair, pair_room> pairs_;
-  Contacts current_;
-  List<Found, contacts_room> found_;
-  List<FacetContact<S>, (is_surface_body<Parts> || ...) ? contacts_room : 0> facets_;
+  Search found_;
+  List<Search, 0> searches_;  // of worlds that grow, on several threads
   List<ReadyContact<S, N>, contacts_room> ready_;
   List<std::uint8_t, contacts_room> colour_;
   List<std::uint64_t, bodies_room> used_;

@@ -159,14 +159,16 @@ class BasicWorld {
   }
 
   /// One tick: all substeps. Where all bodies sleep or are fixed, it takes no time.
-  constexpr void step() {
-    events_.clear();
-    if (is_still_) return;
-    const bool stood_still =
-        tick_.run(bodies_, contacts_, joints_.list, pace_, settings_.substeps, settings_.margin);
-    joints_.take_broken(tick_, [&](const detail::BodyPair& pair) { rouse(pair); });
-    is_still_ = stood_still;
-    note_events();
+  constexpr void step() { step_on(detail::OneThread()); }
+  /// The same with the threads of the caller's, a callable: `threads(count, f)` calls f(i) once for
+  /// each i below `count`, on any threads in any order, and returns after all calls have. They share
+  /// contacts and flights; joints stay on this thread, and the search for the contacts of a
+  /// `BoundedWorld` does.
+  ///
+  /// exact:  the bits of `step()`                         (tests/dynamics/threads.test.cpp)
+  template <Threads T>
+  constexpr void step(T&& threads) {
+    step_on(detail::ManyThreads<std::remove_reference_t<T>>{threads});
   }
 
   /// Adds a joint of two bodies, and wakes them. Nothing if the world has no room, or not both
@@ -382,6 +384,16 @@ class BasicWorld {
   friend struct detail::WorldAccess;
   static constexpr std::uint32_t last_generation = 0xfffffffeu;
 
+  template <class Threads>
+  constexpr void step_on(const Threads& threads) {
+    events_.clear();
+    if (is_still_) return;
+    const bool stood_still = tick_.run(bodies_, contacts_, joints_.list, pace_, settings_.substeps,
+                                       settings_.margin, threads);
+    joints_.take_broken(tick_, [&](const detail::BodyPair& pair) { rouse(pair); });
+    is_still_ = stood_still;
+    note_events();
+  }
   [[nodiscard]] constexpr const Body* find(const BodyId& id) const noexcept {
     if (id.generation == 0 || id.index >= bodies_.size()) return nullptr;
     const Body& body = bodies_[id.index];

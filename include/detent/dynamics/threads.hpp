@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+
+#include "detent/number/require_cxx20.hpp"
+
+namespace detent {
+
+namespace detail {
+
+/// Stands for what a world gives to `Threads`.
+struct AnyCall {
+  constexpr void operator()(std::size_t) const noexcept {}
+};
+
+}  // namespace detail
+
+/// What runs parts of a step at once: `threads(count, f)` calls f(i) once for each i below `count`, on
+/// any threads in any order, and returns after all calls have, seeing what they have written. A thread
+/// pool of the caller's; `f` lives until `threads` returns, and throws nothing unless memory runs out.
+template <class T>
+concept Threads = std::invocable<T&, std::size_t, const detail::AnyCall&>;
+
+namespace detail {
+
+/// Runs all on the calling thread.
+struct OneThread {
+  static constexpr bool are_many = false;
+
+  /// Calls f(i) for each i from `first` to before `last`, in order.
+  template <class F>
+  constexpr void each(std::size_t first, std::size_t last, std::size_t /*a_call*/,
+                      const F& f) const {
+    for (std::size_t i = first; i < last; ++i) f(i);
+  }
+};
+
+/// Runs much on the threads of the caller's, in calls for so many elements; little on this one.
+template <Threads T>
+struct ManyThreads {
+  static constexpr bool are_many = true;
+  T& threads;
+
+  template <class F>
+  constexpr void each(std::size_t first, std::size_t last, std::size_t a_call, const F& f) const {
+    if (last - first <= a_call) return OneThread().each(first, last, a_call, f);
+    threads((last - first + a_call - 1) / a_call, [&](std::size_t k) {
+      const auto begin = first + k * a_call;
+      OneThread().each(begin, (std::min)(begin + a_call, last), a_call, f);
+    });
+  }
+};
+
+}  // namespace detail
+
+}  // namespace detent
