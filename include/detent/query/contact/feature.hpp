@@ -8,6 +8,7 @@
 
 #include "detent/math/components.hpp"
 #include "detent/math/direction.hpp"
+#include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/core.hpp"
 #include "detent/query/kernel/least_common_point.hpp"
 #include "detent/query/kernel/length.hpp"
@@ -95,13 +96,26 @@ template <Scalar S>
 template <Scalar S, class Body, class World, Number V, int N>
 [[nodiscard]] constexpr Feature<S, N> extreme_feature(const Body& body, const World& world,
                                                       const Vec<V, N>& v, bool farthest) noexcept {
-  constexpr int bits = bits_of<decltype(body.some().x)> + 1;
-  const auto best = body.template extreme<bits>(v, body.some(), farthest);
   Feature<S, N> feature;
-  const auto& corners = body.corners();
-  const auto& in_world = world.corners();
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (dot(v, corners[i] - best) == 0) feature.add(nearest_to<Length<S>>(in_world[i]), i);
+  if constexpr (IsBoxBody<Body>) {
+    std::size_t upper = 0, either = 0;
+    for (int i = 0; i < N; ++i) {
+      const auto along = dot(v, body.span(i));
+      upper |= std::size_t{(along > 0) == farthest} << i;
+      either |= std::size_t{along == 0} << i;
+    }
+    for (std::size_t sides = 0; sides < std::size_t{1} << N; ++sides) {
+      if ((sides | either) == (upper | either))
+        feature.add(nearest_to<Length<S>>(world.corner(sides)), sides);
+    }
+  } else {
+    constexpr int bits = bits_of<decltype(body.some().x)> + 1;
+    const auto best = body.template extreme<bits>(v, body.some(), farthest);
+    const auto& corners = body.corners();
+    const auto& in_world = world.corners();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      if (dot(v, corners[i] - best) == 0) feature.add(nearest_to<Length<S>>(in_world[i]), i);
+    }
   }
   return feature;
 }
@@ -188,9 +202,8 @@ template <Scalar S, class Body, Number T, int N>
   const int axis = longest_axis(along);
   const std::size_t end = along[axis] < 0 ? 1 : 0;
   Feature<S, N> feature;
-  const auto& corners = body.corners();
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if ((i >> axis & 1) == end) feature.add(nearest_to<Length<S>>(corners[i]), i);
+  for (std::size_t sides = 0; sides < std::size_t{1} << N; ++sides) {
+    if ((sides >> axis & 1) == end) feature.add(nearest_to<Length<S>>(body.corner(sides)), sides);
   }
   return feature;
 }

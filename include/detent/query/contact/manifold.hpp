@@ -9,6 +9,7 @@
 #include "detent/query/contact/feature.hpp"
 #include "detent/query/kernel/expansion.hpp"
 #include "detent/query/kernel/length.hpp"
+#include "detent/query/kernel/rounded_point.hpp"
 
 namespace detent::detail {
 
@@ -183,7 +184,7 @@ class ContactBuilder {
     const All along = ahead < 0 ? All(0) : ahead > whole ? whole : ahead;
     push(make_vec<N>([&](int i) {
            const auto start = from[i] + normal_[i] * to_surface(is_on_b, depth);
-           return quotient_nearest<S>(start * whole + (to[i] - from[i]) * along, whole);
+           return rounded<S>(start * whole + (to[i] - from[i]) * along, whole);
          }),
          depth, feature, place);
   }
@@ -247,10 +248,16 @@ class ContactBuilder {
                   reference.corners[i]);
     }
   }
+  /// over / under, rounded to nearest, for under != 0.
+  template <Number Over, Number Under>
+  [[nodiscard]] static constexpr Far quotient(const Over& over, const Under& under) noexcept {
+    return under < 0 ? rounded<Far>(narrow_negative(over), narrow_negative(under))
+                     : rounded<Far>(over, under);
+  }
   template <Number Drop, Number Part, Number All>
   [[nodiscard]] constexpr Far depth_between(const Drop& from, const Drop& to, const Part& part,
                                             const All& all) const noexcept {
-    return depth_less(quotient_nearest<Far>(from * all + (to - from) * part, all));
+    return depth_less(quotient(from * all + (to - from) * part, all));
   }
 
   constexpr void clip(const Feature<S, 2>& reference, const Feature<S, 2>& incident,
@@ -392,7 +399,7 @@ class ContactBuilder {
     const auto feature = both_by_role(edge(reference, i, j), edge(incident, k, l));
     const auto all = start - end;
     const auto place = make_vec<3>([&](int axis) {
-      return quotient_nearest<Far>(r[i][axis] * all + (r[j][axis] - r[i][axis]) * start, all);
+      return quotient(r[i][axis] * all + (r[j][axis] - r[i][axis]) * start, all);
     });
     if (a_is_reference_) {
       add_between(r[i], r[j], start, all, false, depth, feature, place);

@@ -1,28 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <type_traits>
 #include <utility>
 
 #include "detent/math/components.hpp"
+#include "detent/number/filter/filtered.hpp"
+#include "detent/query/kernel/axis_filter.hpp"
 #include "detent/query/kernel/expansion.hpp"
 
 namespace detent::detail {
-
-/// A type that holds every number of A and of B.
-template <Number A, Number B>
-struct holder_of {
-  using type = A;
-};
-template <int BitsA, int FracA, int BitsB, int FracB>
-struct holder_of<Fixed<BitsA, FracA>, Fixed<BitsB, FracB>> {
-  static constexpr int frac = (std::max)(FracA, FracB);
-  using type = Fixed<(std::max)(BitsA - FracA, BitsB - FracB) + frac, frac>;
-};
-template <Number A, Number B>
-using HolderOf = typename holder_of<A, B>::type;
 
 /// Whether T is the type of a direction's components.
 template <Number T>
@@ -53,24 +42,25 @@ class AxisPush {
     using Result = Push<Vec<Axis, N>, decltype(dot(Vec<Axis, N>(), Vec<T, N>()))>;
     std::optional<Result> best;
     if (!a_.has_few_edges() || !b_.has_few_edges()) return best;
-    const auto offer = [&](const auto& axis) {
-      if (is_zero(axis)) return;
+    const auto offer = [&](const auto& axis, int sign) {
+      if (is_zero(axis) || (best && !(best->height > 0))) return;
       const auto across = make_vec<N>([&](int i) { return Axis(axis[i]); });
-      for (const auto& normal : {across, narrow_negative(across)}) {
-        if (best && !(best->height > 0)) return;
-        const Result push{normal, dot(normal, farthest(normal))};
-        if (!best || !(push.height > 0) || is_less(push, *best)) best = push;
-      }
+      const auto normal = sign < 0 ? narrow_negative(across) : across;
+      const Result push{normal, dot(normal, farthest(normal))};
+      if (!best || !(push.height > 0) || is_less(push, *best)) best = push;
     };
-    if constexpr (N == 2) {
-      const auto offer_across = [&](const auto& e) { offer(Vec{e.y, narrow_negative(e.x)}); };
-      a_.for_each_edge(offer_across);
-      b_.for_each_edge(offer_across);
+    if constexpr (N == 3 && is_fixed<T> && has_filters && IsBoxBody<A> && IsBoxBody<B>) {
+      AxisFilter<A, B> filter(a_, b_);
+      for_each_axis([&](const auto& axis) { filter.add(axis); });
+      std::size_t i = 0;
+      for_each_axis([&](const auto& axis) {
+        filter.for_each_side(i++, [&](int sign) { offer(axis, sign); });
+      });
     } else {
-      offer_pairs(a_, offer);
-      offer_pairs(b_, offer);
-      a_.for_each_edge(
-          [&](const auto& e) { b_.for_each_edge([&](const auto& f) { offer(axis_of(e, f)); }); });
+      for_each_axis([&](const auto& axis) {
+        offer(axis, 1);
+        offer(axis, -1);
+      });
     }
     return best;
   }
@@ -95,13 +85,27 @@ class AxisPush {
       N == 2, HolderOf<EdgeA, EdgeB>,
       HolderOf<Across<EdgeA, EdgeB>, HolderOf<Across<EdgeA, EdgeA>, Across<EdgeB, EdgeB>>>>;
 
+  /// Calls f with a vector along each axis, some maybe 0 or twice.
+  template <class F>
+  constexpr void for_each_axis(const F& f) const noexcept {
+    if constexpr (N == 2) {
+      const auto across = [&](const auto& e) { f(Vec{e.y, narrow_negative(e.x)}); };
+      a_.for_each_edge(across);
+      b_.for_each_edge(across);
+    } else {
+      for_each_pair(a_, f);
+      for_each_pair(b_, f);
+      a_.for_each_edge(
+          [&](const auto& e) { b_.for_each_edge([&](const auto& g) { f(axis_of(e, g)); }); });
+    }
+  }
   template <class Body, class F>
-  static constexpr void offer_pairs(const Body& body, const F& offer) noexcept {
+  static constexpr void for_each_pair(const Body& body, const F& f) noexcept {
     int i = 0;
     body.for_each_edge([&](const auto& e) {
       int j = 0;
-      body.for_each_edge([&](const auto& f) {
-        if (j++ < i) offer(axis_of(e, f));
+      body.for_each_edge([&](const auto& g) {
+        if (j++ < i) f(axis_of(e, g));
       });
       ++i;
     });

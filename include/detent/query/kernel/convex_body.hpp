@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 #include "detent/query/kernel/support.hpp"
 #include "detent/shape/aabb.hpp"
@@ -48,6 +49,14 @@ template <Number T>
   }
 }
 
+/// Whether a body is a box: `span(i)` leads from one end to the other on axis i, half of
+/// `doubled_middle()` is in the middle, and `corner(sides)` is as in `corners_by_sides`.
+template <class Body>
+concept IsBoxBody = requires(const Body& body) {
+  body.doubled_middle();
+  body.span(0);
+};
+
 /// A nonempty box, from `low` to `high`, as a convex body for GJK.
 template <Number S, int N>
 class AabbBody {
@@ -60,13 +69,21 @@ class AabbBody {
   explicit constexpr AabbBody(const Box& box) noexcept : low_(box.min), high_(box.max) {}
 
   [[nodiscard]] constexpr auto corners() const noexcept {
-    return corners_by_sides<N>([this](std::size_t sides) {
-      return make_vec<N>([&](int i) { return (sides >> i & 1) != 0 ? high_[i] : low_[i]; });
-    });
+    return corners_by_sides<N>([this](std::size_t sides) { return corner(sides); });
+  }
+  [[nodiscard]] constexpr Vec<S, N> corner(std::size_t sides) const noexcept {
+    return make_vec<N>([&](int i) { return (sides >> i & 1) != 0 ? high_[i] : low_[i]; });
   }
   [[nodiscard]] constexpr const Vec<S, N>& some() const noexcept { return low_; }
   [[nodiscard]] constexpr const Vec<S, N>& low() const noexcept { return low_; }
   [[nodiscard]] constexpr const Vec<S, N>& high() const noexcept { return high_; }
+
+  [[nodiscard]] constexpr auto doubled_middle() const noexcept { return low_ + high_; }
+  [[nodiscard]] constexpr auto span(int i) const noexcept {
+    Vec<decltype(S() - S()), N> result{};
+    result[i] = high_[i] - low_[i];
+    return result;
+  }
 
   static constexpr bool has_few_edges() noexcept { return true; }
   using Edge = Vec<decltype(least_of<S>()), N>;
@@ -122,9 +139,10 @@ class SpannedBody {
         senses_(senses) {}
 
   [[nodiscard]] constexpr auto corners() const noexcept {
-    return corners_by_sides<N>([this](std::size_t sides) {
-      return corner([&](int i, int) { return (sides >> i & 1) != 0; });
-    });
+    return corners_by_sides<N>([this](std::size_t sides) { return corner(sides); });
+  }
+  [[nodiscard]] constexpr auto corner(std::size_t sides) const noexcept {
+    return corner([&](int i, int) { return (sides >> i & 1) != 0; });
   }
   [[nodiscard]] constexpr auto some() const noexcept {
     return corner([](int, int) { return true; });
@@ -135,6 +153,9 @@ class SpannedBody {
   [[nodiscard]] constexpr auto high() const noexcept {
     return corner([this](int i, int j) { return edge(i)[j] > 0; });
   }
+
+  [[nodiscard]] constexpr auto doubled_middle() const noexcept { return center_ + center_; }
+  [[nodiscard]] constexpr auto span(int i) const noexcept { return edge(i) + edge(i); }
 
   static constexpr bool has_few_edges() noexcept { return true; }
   using Edge = Vec<V, N>;
@@ -174,6 +195,7 @@ class SpannedBody {
   }
   /// In component j: the center, plus each edge i with is_added(i, j), minus the others.
   template <class IsAdded>
+  requires std::is_invocable_v<const IsAdded&, int, int>
   [[nodiscard]] constexpr auto corner(const IsAdded& is_added) const noexcept {
     auto result = center_;
     for (int j = 0; j < N; ++j) {

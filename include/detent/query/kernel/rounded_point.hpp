@@ -28,7 +28,7 @@ template <Number X, Number Square, Number Y>
 
 /// over / under on the grid of 2^-25 steps of S, off by less than `error`; only if `is_short`, which
 /// says that it is in the range of S (docs/filters.md, lemma 12).
-template <Scalar S>
+template <Number S>
 struct ShortQuotient {
   using Value = Fixed<63, S::frac + 25>;
   static constexpr Steps<8> error{};
@@ -47,7 +47,7 @@ struct ShortQuotient {
 };
 
 /// over / under, rounded to nearest, for under > 0.
-template <Scalar S, Number Over, Number Under>
+template <Number S, Number Over, Number Under>
 [[nodiscard]] constexpr S rounded(const Over& over, const Under& under) noexcept {
   if constexpr (is_fixed<S>) {
     const ShortQuotient<S> quotient(over, under);
