@@ -91,6 +91,33 @@ TEST_CASE("root: 64-bit roots are right at both ends of every chord", "[number]"
   CHECK(exam.count() >= 1'000'000);
 }
 
+// Each machine uses one of them.
+TEST_CASE("root: by table and by division, the floor or one more, exact for squares", "[number]") {
+  const auto is_floor_or_next = [](const BigInteger& root, std::uint64_t a) {
+    const BigInteger below = root - 1, above = root + 1;
+    return below * below < a && above * above > a;
+  };
+  int wrong = 0;
+  const auto check = [&](std::uint64_t a) {
+    wrong += is_floor_or_next(detail::root_by_table(a), a) ? 0 : 1;
+    wrong += is_floor_or_next(detail::root_by_division(a), a) ? 0 : 1;
+  };
+  Random random(0x500a);
+  INFO(random);
+  for (std::uint64_t chord = 64; chord < 256; ++chord) {
+    const std::uint64_t first = chord << 56, last = first + (ones >> 8);
+    for (int i = 0; i < 100; ++i) {
+      check(first + static_cast<std::uint64_t>(i));
+      check(last - static_cast<std::uint64_t>(i));
+      check(first + (random.next() >> 8));
+      const std::uint64_t root = (std::uint64_t{1} << 31) | (random.next() >> 32);
+      check(root * root);
+      check(root * root + 1);
+    }
+  }
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("root: 128-bit roots are the floor of the real ones", "[number]") {
   Examiner exam;
   Random random(0x5008);

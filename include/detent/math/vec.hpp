@@ -296,7 +296,11 @@ template <Number A, Number B, int N>
 /// The distance between two points, rounded down and clamped to the range of the scalar.
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Vec<S, N>& a, const Vec<S, N>& b) noexcept {
-  return sqrt_floor<S>(squared_distance(a, b));
+  if constexpr (N <= 3 && detail::has_short_differences<S>) {
+    return distance_floor(to_array(a), to_array(b));
+  } else {
+    return sqrt_floor<S>(squared_distance(a, b));
+  }
 }
 
 }  // namespace detent

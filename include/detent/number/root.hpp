@@ -40,30 +40,100 @@ constexpr std::uint32_t root_guess(std::uint64_t a) noexcept {
   return (chord >> 12) + static_cast<std::uint32_t>(((chord & 0xfff) * along) >> 16);  // Q20
 }
 
-/// floor(sqrt(a)) or one more, up to 2^32 - 1, for a >= 2^62: a chord of the root and one Newton
+/// Chords of 1 / sqrt(x), lowered by half their greatest distance from the curve. Entry i - 64
+/// covers x in [i/256, (i+1)/256): the value at the left end (upper 20 bits, Q18) and the fall to
+/// the right end (lower 12 bits, Q18).
+inline constexpr auto reciprocal_root_chords = [] {
+  // round(2^18 * sqrt(512 / i)), digit by digit: compile time only. Half entries for the middle.
+  const auto value = [](std::uint64_t i) {
+    std::uint64_t root = 0;
+    for (std::uint64_t digit = std::uint64_t{1} << 27; digit != 0; digit >>= 1) {
+      const std::uint64_t next = root | digit;
+      if (next * next * i <= std::uint64_t{512} << 52) root |= digit;
+    }
+    return root;  // Q26
+  };
+  std::array<std::uint32_t, 192> chords{};
+  for (std::uint32_t i = 64; i < 256; ++i) {
+    const std::uint64_t left = value(2 * i), right = value(2 * i + 2);
+    const std::uint64_t lowered = ((left + right) / 2 - value(2 * i + 1)) / 2;
+    const auto rounded = [](std::uint64_t x) { return static_cast<std::uint32_t>((x + 128) >> 8); };
+    const std::uint32_t first = rounded(left - lowered);
+    chords[i - 64] = (first << 12) | (first - rounded(right - lowered));
+  }
+  return chords;
+}();
+
+/// 2^50 / sqrt(a) for a >= 2^62, along a chord, with a relative error below 2^-16: at least 2^18,
+/// and below 2^19.
+///
+/// For x = a / 2^64, the curve bends by 3/32 (1/256)^2 / x^2 of the value between the ends, half of
+/// which is below 2^-20.4 / x^2, and quantizing adds less than 1.5 steps of 2^-18.
+constexpr std::uint32_t reciprocal_root_guess(std::uint64_t a) noexcept {
+  const std::uint32_t chord = reciprocal_root_chords[(a >> 56) - 64];
+  const std::uint64_t fall = (chord & 0xfff) * ((a >> 40) & 0xffff);
+  return (chord >> 12) - static_cast<std::uint32_t>(fall >> 16);
+}
+
+/// Whether a product of words is an instruction, and a table worth its bytes.
+#if UINTPTR_MAX > 0xffffffff
+inline constexpr bool has_long_registers = true;
+#else
+inline constexpr bool has_long_registers = false;
+#endif
+
+/// floor(sqrt(a)) or one more, up to 2^32, for a >= 2^62: a chord of the root and one Newton
 /// (Heron) step.
 ///
 /// One Heron step from relative error e gives r * (1 + e^2 / (2 (1 + e))): never below r = sqrt(a),
 /// and above it by less than 2^32 * 2^-33 / 2 = 1/4. Nested floors equal one floor, so the step is
 /// floor(r) or floor(r) + 1.
-constexpr std::uint64_t root_or_next(std::uint64_t a) noexcept {
+constexpr std::uint64_t root_by_division(std::uint64_t a) noexcept {
   const std::uint32_t guess = root_guess(a);
   const std::uint64_t quotient = divide_halves((a >> 13) << 12, guess << 12).quotient;
-  const std::uint64_t root = (std::uint64_t{guess} << 11) + quotient;
+  return (std::uint64_t{guess} << 11) + quotient;
+}
+
+/// The same, without a division: g + (a - g^2) y / 2 + 3/4 for g = a y and a chord y of 1 / r, where
+/// r = sqrt(a).
+///
+/// For y = (1 + e) / r that is r (1 - 3 e^2 / 2 - e^3 / 2) + 3/4; what g drops, less than 3, changes
+/// it by less than 2^-14. For x = a / 2^64, r = 2^32 sqrt(x) and |e| < 2^-20.4 / x^2 + 2^-17.4
+/// sqrt(x), so 3 e^2 r / 2 is below 0.7, which it comes near for x = 1/4. So the result is the floor
+/// of a number between r and r + 1.
+constexpr std::uint64_t root_by_table(std::uint64_t a) noexcept {
+  const std::uint64_t reciprocal = reciprocal_root_guess(a);
+  const std::uint64_t guess = ((a >> 32) * reciprocal) >> 18;
+  const auto rest = static_cast<std::int64_t>(a - guess * guess) >> 6;
+  const std::int64_t twice = rest * static_cast<std::int64_t>(reciprocal);
+  constexpr std::int64_t three_quarters = std::int64_t{3} << 43;
+  return guess + static_cast<std::uint64_t>((twice + three_quarters) >> 45);
+}
+
+/// floor(sqrt(a)) or one more, up to 2^32, for a >= 2^62; exact for a square.
+constexpr std::uint64_t newton_root(std::uint64_t a) noexcept {
+  return has_long_registers ? root_by_table(a) : root_by_division(a);
+}
+
+/// The same, up to 2^32 - 1.
+constexpr std::uint64_t root_or_next(std::uint64_t a) noexcept {
+  const std::uint64_t root = newton_root(a);
   return root - (root >> 32);  // 2^32 itself is one too many
 }
 
 /// 2^94 / sqrt(a) for a >= 2^62, with a relative error below 2^-44: the reciprocal of a chord,
 /// corrected by three terms of a series.
 ///
-/// For y = 2^51 / guess, d = 1 - a y^2 / 2^126 is below 2^-15.5. So in
+/// For y = 2^63 / sqrt(a) within 2^-16, d = 1 - a y^2 / 2^126 is within 2^-15. So in
 /// 2^63 / sqrt(a) = y (1 - d)^(-1/2) = y (1 + d / 2 + 3 d^2 / 8 + ...) the next term is below
-/// 2^-48. With d in steps of 2^-46, floors lose less than three of these steps.
+/// 2^-46. With d in steps of 2^-46, floors lose less than three of these steps.
 constexpr std::uint64_t reciprocal_root(std::uint64_t a) noexcept {
-  const std::uint64_t y = ((std::uint64_t{1} << 51) - 1) / root_guess(a);  // below 2^32
-  const std::uint64_t high = multiply_words(a, y * y).high;                // about 2^62
+  const std::uint64_t y = has_long_registers
+                              ? std::uint64_t{reciprocal_root_guess(a)} << 13
+                              : ((std::uint64_t{1} << 51) - 1) / root_guess(a);  // below 2^32
+  const std::uint64_t high = multiply_words(a, y * y).high;                      // about 2^62
   const std::int64_t d = (std::int64_t{1} << 46) - static_cast<std::int64_t>(high >> 16);
-  const std::int64_t series = (d >> 1) + ((3 * d * d) >> 49);
+  const std::int64_t series = (d >> 1) + ((3 * (d * d >> 2)) >> 47);
   return (y << 31) + static_cast<std::uint64_t>((static_cast<std::int64_t>(y) * series) >> 15);
 }
 
@@ -72,14 +142,28 @@ constexpr std::uint64_t at_most_root(std::uint64_t root, std::uint64_t n) noexce
   return root - (root * root > n ? 1u : 0u);
 }
 
+/// floor(sqrt(n)): floor(sqrt(n * 4^k)) / 2^k, rounded down. A root below 2^31 needs no care for
+/// its next.
+template <bool IsBelow31Bits>
+[[nodiscard]] constexpr std::uint32_t root_floor(std::uint64_t n) noexcept {
+  // 0 would have no leading bit. If n | 1 is a square, its root is exact, and one more than that of n.
+  const std::uint64_t positive = n | 1;
+  const int shift = std::countl_zero(positive) & ~1;
+  const std::uint64_t even = positive << shift;
+  const std::uint64_t next = IsBelow31Bits ? newton_root(even) : root_or_next(even);
+  return static_cast<std::uint32_t>(at_most_root(next >> (shift / 2), n));
+}
+
 }  // namespace detail
 
-/// floor(sqrt(n)), exactly: floor(sqrt(n * 4^k)) / 2^k, rounded down.
+/// floor(sqrt(n)), exactly.
 [[nodiscard]] constexpr std::uint32_t square_root_floor(std::uint64_t n) noexcept {
-  const std::uint64_t positive = n + (n == 0 ? 1u : 0u);  // branchless: 0 is computed as 1
-  const int shift = std::countl_zero(positive) & ~1;
-  const std::uint64_t root = detail::root_or_next(positive << shift) >> (shift / 2);
-  return static_cast<std::uint32_t>(detail::at_most_root(root, n));
+  return detail::root_floor<false>(n);
+}
+
+/// floor(sqrt(n)) for n < 2^62, exactly.
+[[nodiscard]] constexpr std::uint32_t short_root_floor(std::uint64_t n) noexcept {
+  return detail::root_floor<true>(n);
 }
 
 /// floor(sqrt(high * 2^64 + low)), exactly.

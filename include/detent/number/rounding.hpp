@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
@@ -324,6 +326,10 @@ template <class T, int B, int F>
   } else if constexpr (B + (std::max)(shift, 0) <= 126) {
     const auto raw = integer_cast<Int128>(x.raw());
     const Wide<2> n(shift < 0 ? shift_right_floor(raw, -shift) : shift_left(raw, shift));
+    if constexpr (T::bits == 31) {
+      if ((n.word(1) | n.word(0) >> 62) != 0) return n.is_negative() ? T() : (T::max)();
+      return T::assume_raw(static_cast<typename T::raw_type>(short_root_floor(n.word(0))));
+    }
     return detail::clamp_root<T>(square_root_floor(n.word(1), n.word(0)));
   } else {
     using Long = Wide<(B <= 255 ? 4 : 5)>;
@@ -332,6 +338,34 @@ template <class T, int B, int F>
     if (n.word(2) != 0) return detail::clamp_raw<T>(Wide<2>::from_words({0, 1}));  // n = 2^128
     return detail::clamp_root<T>(square_root_floor(n.word(1), n.word(0)));
   }
+}
+
+namespace detail {
+
+/// Whether |a - b| is below 2^32 steps for numbers a, b of type T, on a machine that squares it in a
+/// register.
+template <class T>
+inline constexpr bool has_short_differences = false;
+template <int F>
+inline constexpr bool has_short_differences<Fixed<31, F>> = has_long_registers;
+
+}  // namespace detail
+
+/// sqrt((a[0] - b[0])^2 + (a[1] - b[1])^2 + ...), rounded down and clamped.
+///
+/// The squares fit a word. The root is beyond T if one of them is at least 2^62, or their sum; and
+/// up to three that are not fit a word again.
+template <class T, std::size_t N>
+requires(detail::has_short_differences<T>&& N <= 3) [[nodiscard]] constexpr T
+    distance_floor(const std::array<T, N>& a, const std::array<T, N>& b) noexcept {
+  std::uint64_t sum = 0, all = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto d = static_cast<std::uint64_t>(std::int64_t{a[i].raw()} - b[i].raw());
+    sum += d * d;
+    all |= d * d;
+  }
+  if ((all | sum) >> 62 != 0) return (T::max)();
+  return T::assume_raw(static_cast<typename T::raw_type>(short_root_floor(sum)));
 }
 
 /// The square root of `x`, rounded up to the grid of `T` and clamped; 0 for a negative `x`.

@@ -25,7 +25,7 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Aabb<S, N>& box, const Vec<S, N>& point) noexcept {
   if (is_empty(box)) return largest<S>;
-  return sqrt_floor<S>(squared_distance(box, point));
+  return distance(point, detail::clamp_to(box, point));
 }
 
 }  // namespace detent
