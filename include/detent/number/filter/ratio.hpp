@@ -142,13 +142,13 @@ template <Scalar S, Number T, Number Over, Number Under, int Frac, class Error>
     const auto [value, error] = ratio.quotient;
     const std::int64_t scaled = std::int64_t{x.raw()} * (std::int64_t{1} << (64 - Frac));
     const Wide<2> product(wrapping_multiply<Int128>(scaled, value.raw()));
-    constexpr std::uint64_t half = std::uint64_t{1} << 63;
     // |x| is at most 2^T::bits.
     const auto product_error = static_cast<std::uint64_t>(error.raw()) << (T::bits + 64 - Frac);
     const auto whole = static_cast<std::int64_t>(product.word(1));
-    const std::uint64_t fraction = product.word(0);
-    const std::int64_t nearest = base.raw() + whole + (fraction > half ? 1 : 0);
-    const bool is_sure = fraction - (half - product_error) > 2 * product_error;
+    // Half and the error added: a fraction below twice the error was near a half.
+    const std::uint64_t fraction = product.word(0) + ((std::uint64_t{1} << 63) + product_error);
+    const std::int64_t nearest = base.raw() + whole + (fraction < product.word(0) ? 1 : 0);
+    const bool is_sure = fraction >= 2 * product_error;
     const auto exact = [&] {
       return detail::add_quotient(base, x, ratio.over, ratio.under, whole);
     };

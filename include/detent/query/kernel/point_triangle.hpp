@@ -2,6 +2,7 @@
 #pragma once
 
 #include "detent/math/components.hpp"
+#include "detent/number/filter/residue.hpp"
 #include "detent/query/kernel/collapsed.hpp"
 #include "detent/query/kernel/point_segment.hpp"
 #include "detent/shape/triangle.hpp"
@@ -25,6 +26,11 @@ template <Scalar S>
 [[nodiscard]] constexpr bool holds(const Triangle<S, 3>& triangle,
                                    const Vec<S, 3>& point) noexcept {
   const auto& [a, b, c] = triangle;
+  if constexpr (is_fixed<S> && has_long_registers) {
+    // A point beyond the plane, as nearly all are.
+    const auto volume = is_zero_volume(to_array(point - a), to_array(b - a), to_array(c - a));
+    if (volume == Filtered::no) return false;
+  }
   const auto normal = cross(b - a, c - a);
   if (is_zero(normal)) return holds(collapsed(triangle), point);
   if (dot(normal, point - a) != 0) return false;
