@@ -40,8 +40,8 @@ class RayClip {
         const auto forward = forward_of(speed, speed, speed);
         raise_enter(slab, {forward_of(low, high, speed), forward});
         lower_exit({forward_of(high, low, speed), forward});
-      } else {
-        keep_parallel(low, high);
+      } else if (high < 0 || low > 0) {
+        exit_ = {Numerator(-1), Denominator(1)};
       }
       return;
     }
@@ -52,8 +52,8 @@ class RayClip {
       const auto forward = narrow_negative(speed);
       raise_enter(slab, {narrow_negative(high), forward});
       lower_exit({narrow_negative(low), forward});
-    } else {
-      keep_parallel(low, high);
+    } else if (low > 0 || high < 0) {
+      exit_ = {Numerator(-1), Denominator(1)};
     }
   }
 
@@ -102,9 +102,6 @@ class RayClip {
            narrow_product<ProductBits>(b.numerator, a.denominator);
   }
 
-  constexpr void keep_parallel(const Numerator& low, const Numerator& high) noexcept {
-    if (low > 0 || high < 0) exit_ = {Numerator(-1), Denominator(1)};
-  }
   constexpr void raise_enter(int slab, const Distance& candidate) noexcept {
     if constexpr (is_fixed<S> && selects_by_mask) {
       const bool is_later = less(enter_, candidate);
