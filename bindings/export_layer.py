@@ -3,8 +3,11 @@
 import re
 
 GROUPS = (('scene', 'scenes', 'Scenes'), ('world', 'worlds', 'Worlds'), ('body', 'worlds', 'Worlds'),
-          ('joint', 'worlds', 'Worlds'), ('hull', 'scenes', 'Hulls'), ('solid', 'worlds', 'Solids'), ('part', 'worlds', 'Compounds'), ('compound', 'worlds', 'Compounds'), ('mover', 'movers', 'Movers'),
-          ('session', 'sessions', 'Sessions'), ('replay', 'sessions', 'Replays'))
+          ('joint', 'worlds', 'Worlds'), ('hull', 'scenes', 'Hulls'), ('solid', 'worlds', 'Solids'),
+          ('part', 'worlds', 'Compounds'), ('compound', 'worlds', 'Compounds'),
+          ('mover', 'movers', 'Movers'), ('session', 'sessions', 'Sessions'),
+          ('replay', 'sessions', 'Replays'), ('shapes', 'unions', 'Unions'), ('ray', 'unions', 'Rays'),
+          ('camera', 'frusta', 'Cameras'), ('frustum', 'frusta', 'Frusta'))
 # Single functions that have a source for a few of them.
 OTHERS = {'contact': ('pairs', 'Pairs'), 'closest_points': ('closest', 'Closest'),
           'time_of_impact': ('pairs', 'Pairs'), 'cast': ('casts', 'Casts')}
@@ -18,7 +21,12 @@ def files(description, note):
             continue  # written by hand in context.cpp and assets.cpp
         if parts[1] == 'scene' and (parts[3] or '').startswith('cast'):
             parts = {1: 'mover', 2: parts[2], 3: parts[3]}  # compiled with the casts of characters
+        if (parts[3] or '').startswith('frustum_'):
+            parts = {1: 'frustum', 2: parts[2], 3: parts[3].replace('frustum', parts[1])}
         for prefix, header, room in GROUPS:
+            if parts[1] == 'shapes' and parts[3] in OTHERS:  # compiled with those of two shapes
+                (header, room), called = OTHERS[parts[3]], f'{parts[3]}_of_shapes'
+                break
             if parts[3] == 'diff':  # compiled with sessions, which find such fields too
                 header, room, called = 'sessions', 'Differences', f'of_{parts[1]}s'
                 break

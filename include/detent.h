@@ -768,6 +768,33 @@ typedef struct detent_body3 {
   uint32_t is_asleep;
 } detent_body3;
 
+/** A camera: where it is and what its lens sees. The pose is that of `detent_camera3_look_at`: axis 0 to the
+ *  right, axis 1 up, looking along -axis 2; its scale is ignored. */
+typedef struct detent_camera3 {
+  detent_transform3 pose;
+  uint32_t has_perspective; /**< 1 or 0 */
+  uint32_t fov;             /**< of a perspective from top to bottom, in 2^-32 of a turn: above 0, below 165.7 degrees */
+  int32_t aspect;           /**< of a perspective: width over height, in steps of 2^-16; above 0 */
+  int32_t half_width;       /**< without perspective, a length above 0 */
+  int32_t half_height;      /**< without perspective, a length above 0 */
+  int32_t near_distance;    /**< less than `far_distance`; of a perspective above 0 */
+  int32_t far_distance;
+} detent_camera3;
+
+/** What a camera sees: the convex hull of eight corners. Corner i is on the right if i & 1, at the top if
+ *  i & 2, and far if i & 4; every query is exact for eight points in any order. */
+typedef struct detent_frustum3 {
+  detent_vec3 corners[8];
+} detent_frustum3;
+
+/** A point of the screen: pixels from the top left corner in steps of 2^-16, so that 32768 is the middle of
+ *  the first, and the depth along the line of sight, a length. */
+typedef struct detent_screen_point3 {
+  int32_t x;
+  int32_t y;
+  int32_t depth;
+} detent_screen_point3;
+
 /** The version of the library: major * 10000 + minor * 100 + patch. */
 DETENT_API int32_t detent_version(void);
 
@@ -871,6 +898,92 @@ DETENT_API detent_status detent_time_of_impact2(const detent_shape2* a,
                                                   const detent_shape2* b,
                                                   const detent_sweep2* sweep_b, int32_t target,
                                                   detent_impact* impact);
+
+/** Whether the point is on the ray, exactly. */
+DETENT_API detent_status detent_ray2_contains(const detent_ray2* ray, const detent_vec2* point);
+
+/** The point of the ray closest to `point`, each coordinate rounded to nearest. */
+DETENT_API detent_status detent_ray2_closest_point(const detent_ray2* ray,
+                                                     const detent_vec2* point,
+                                                     detent_vec2* closest);
+
+/** The distance from the ray to `point`, rounded down. */
+DETENT_API detent_status detent_ray2_distance_to_point(const detent_ray2* ray,
+                                                         const detent_vec2* point,
+                                                         int32_t* distance);
+
+/** Where the ray first touches any of `count` shapes; of several at one distance the first in the list. The
+ *  functions of `detent_shapes2` take the union of several shapes, which may be none: of the kinds from
+ *  DETENT_SPHERE to DETENT_SEGMENT, and DETENT_HULL of `context`, whose transformed points are rounded to
+ *  nearest. `context` may be null if there is no hull, and `hit` may be null. */
+DETENT_API detent_status detent_shapes2_raycast(const detent_context* context,
+                                                  const detent_ray2* ray,
+                                                  const detent_shape2* shapes, uint32_t count,
+                                                  detent_hit2* hit);
+
+/** Whether the point is in any of the shapes, exactly. */
+DETENT_API detent_status detent_shapes2_contains(const detent_context* context,
+                                                   const detent_shape2* shapes, uint32_t count,
+                                                   const detent_vec2* point);
+
+/** Whether any of the shapes of one list has a point in common with one of the other, exactly. */
+DETENT_API detent_status detent_shapes2_overlaps(const detent_context* context,
+                                                   const detent_shape2* a, uint32_t a_count,
+                                                   const detent_shape2* b, uint32_t b_count);
+
+/** The closest point of the shape nearest to `point`, each coordinate rounded to nearest; of several at one
+ *  distance, rounded down, the first. `point` itself for no shapes. */
+DETENT_API detent_status detent_shapes2_closest_point(const detent_context* context,
+                                                        const detent_shape2* shapes,
+                                                        uint32_t count, const detent_vec2* point,
+                                                        detent_vec2* closest);
+
+/** The distance from the nearest shape to `point`, rounded down; the greatest int32_t for no shapes. */
+DETENT_API detent_status detent_shapes2_distance_to_point(const detent_context* context,
+                                                            const detent_shape2* shapes,
+                                                            uint32_t count,
+                                                            const detent_vec2* point,
+                                                            int32_t* distance);
+
+/** The least distance between a shape of one list and one of the other, rounded down; 0 if they share a
+ *  point, the greatest int32_t if a list is empty. */
+DETENT_API detent_status detent_shapes2_distance(const detent_context* context,
+                                                   const detent_shape2* a, uint32_t a_count,
+                                                   const detent_shape2* b, uint32_t b_count,
+                                                   int32_t* distance);
+
+/** The closest points of the two shapes that are nearest to each other, each coordinate rounded to nearest;
+ *  of several shapes at one distance, rounded down, the first of a, then of b; of several pairs of points
+ *  the one whose point of b has the least x, then y, then z. The origin twice if a list is empty. */
+DETENT_API detent_status detent_shapes2_closest_points(const detent_context* context,
+                                                         const detent_shape2* a, uint32_t a_count,
+                                                         const detent_shape2* b, uint32_t b_count,
+                                                         detent_vec2* point_a,
+                                                         detent_vec2* point_b);
+
+/** `detent_cast2` of one moving shape, which may be a hull, at any of `count` shapes; of several at one
+ *  distance the first. `hit` may be null. */
+DETENT_API detent_status detent_shapes2_cast(const detent_context* context,
+                                               const detent_shape2* shape,
+                                               const detent_direction2* direction,
+                                               int32_t max_distance,
+                                               const detent_shape2* targets, uint32_t count,
+                                               detent_hit2* hit);
+
+/** `detent_contact2` of two shapes of which each may be a hull. `contact` may be null. */
+DETENT_API detent_status detent_shapes2_contact(const detent_context* context,
+                                                  const detent_shape2* a,
+                                                  const detent_shape2* b,
+                                                  detent_manifold2* contact);
+
+/** `detent_time_of_impact2` of two shapes of which each may be a hull. `sweep_b` and `impact` may be
+ *  null. */
+DETENT_API detent_status detent_shapes2_time_of_impact(const detent_context* context,
+                                                         const detent_shape2* a,
+                                                         const detent_sweep2* sweep_a,
+                                                         const detent_shape2* b,
+                                                         const detent_sweep2* sweep_b,
+                                                         int32_t target, detent_impact* impact);
 
 /** A convex hull of at most 64 points, in any order. Copies them. `id` as for meshes. */
 DETENT_API detent_status detent_hull2_create(detent_context* context, uint32_t id,
@@ -1406,6 +1519,92 @@ DETENT_API detent_status detent_time_of_impact3(const detent_shape3* a,
                                                   const detent_sweep3* sweep_b, int32_t target,
                                                   detent_impact* impact);
 
+/** Whether the point is on the ray, exactly. */
+DETENT_API detent_status detent_ray3_contains(const detent_ray3* ray, const detent_vec3* point);
+
+/** The point of the ray closest to `point`, each coordinate rounded to nearest. */
+DETENT_API detent_status detent_ray3_closest_point(const detent_ray3* ray,
+                                                     const detent_vec3* point,
+                                                     detent_vec3* closest);
+
+/** The distance from the ray to `point`, rounded down. */
+DETENT_API detent_status detent_ray3_distance_to_point(const detent_ray3* ray,
+                                                         const detent_vec3* point,
+                                                         int32_t* distance);
+
+/** Where the ray first touches any of `count` shapes; of several at one distance the first in the list. The
+ *  functions of `detent_shapes3` take the union of several shapes, which may be none: of the kinds from
+ *  DETENT_SPHERE to DETENT_SEGMENT, and DETENT_HULL of `context`, whose transformed points are rounded to
+ *  nearest. `context` may be null if there is no hull, and `hit` may be null. */
+DETENT_API detent_status detent_shapes3_raycast(const detent_context* context,
+                                                  const detent_ray3* ray,
+                                                  const detent_shape3* shapes, uint32_t count,
+                                                  detent_hit3* hit);
+
+/** Whether the point is in any of the shapes, exactly. */
+DETENT_API detent_status detent_shapes3_contains(const detent_context* context,
+                                                   const detent_shape3* shapes, uint32_t count,
+                                                   const detent_vec3* point);
+
+/** Whether any of the shapes of one list has a point in common with one of the other, exactly. */
+DETENT_API detent_status detent_shapes3_overlaps(const detent_context* context,
+                                                   const detent_shape3* a, uint32_t a_count,
+                                                   const detent_shape3* b, uint32_t b_count);
+
+/** The closest point of the shape nearest to `point`, each coordinate rounded to nearest; of several at one
+ *  distance, rounded down, the first. `point` itself for no shapes. */
+DETENT_API detent_status detent_shapes3_closest_point(const detent_context* context,
+                                                        const detent_shape3* shapes,
+                                                        uint32_t count, const detent_vec3* point,
+                                                        detent_vec3* closest);
+
+/** The distance from the nearest shape to `point`, rounded down; the greatest int32_t for no shapes. */
+DETENT_API detent_status detent_shapes3_distance_to_point(const detent_context* context,
+                                                            const detent_shape3* shapes,
+                                                            uint32_t count,
+                                                            const detent_vec3* point,
+                                                            int32_t* distance);
+
+/** The least distance between a shape of one list and one of the other, rounded down; 0 if they share a
+ *  point, the greatest int32_t if a list is empty. */
+DETENT_API detent_status detent_shapes3_distance(const detent_context* context,
+                                                   const detent_shape3* a, uint32_t a_count,
+                                                   const detent_shape3* b, uint32_t b_count,
+                                                   int32_t* distance);
+
+/** The closest points of the two shapes that are nearest to each other, each coordinate rounded to nearest;
+ *  of several shapes at one distance, rounded down, the first of a, then of b; of several pairs of points
+ *  the one whose point of b has the least x, then y, then z. The origin twice if a list is empty. */
+DETENT_API detent_status detent_shapes3_closest_points(const detent_context* context,
+                                                         const detent_shape3* a, uint32_t a_count,
+                                                         const detent_shape3* b, uint32_t b_count,
+                                                         detent_vec3* point_a,
+                                                         detent_vec3* point_b);
+
+/** `detent_cast3` of one moving shape, which may be a hull, at any of `count` shapes; of several at one
+ *  distance the first. `hit` may be null. */
+DETENT_API detent_status detent_shapes3_cast(const detent_context* context,
+                                               const detent_shape3* shape,
+                                               const detent_direction3* direction,
+                                               int32_t max_distance,
+                                               const detent_shape3* targets, uint32_t count,
+                                               detent_hit3* hit);
+
+/** `detent_contact3` of two shapes of which each may be a hull. `contact` may be null. */
+DETENT_API detent_status detent_shapes3_contact(const detent_context* context,
+                                                  const detent_shape3* a,
+                                                  const detent_shape3* b,
+                                                  detent_manifold3* contact);
+
+/** `detent_time_of_impact3` of two shapes of which each may be a hull. `sweep_b` and `impact` may be
+ *  null. */
+DETENT_API detent_status detent_shapes3_time_of_impact(const detent_context* context,
+                                                         const detent_shape3* a,
+                                                         const detent_sweep3* sweep_a,
+                                                         const detent_shape3* b,
+                                                         const detent_sweep3* sweep_b,
+                                                         int32_t target, detent_impact* impact);
+
 /** A convex hull of at most 64 points, in any order. Copies them. `id` as for meshes. */
 DETENT_API detent_status detent_hull3_create(detent_context* context, uint32_t id,
                                                const detent_vec3* points, uint32_t count,
@@ -1880,6 +2079,81 @@ DETENT_API detent_status detent_replay3_end_frame(detent_context* context, deten
 DETENT_API detent_status detent_replay3_check(const detent_context* context, detent_handle replay,
                                                 detent_replay_check* check);
 
+/** The pose of a camera at `eye` that looks at `target`; `up` is upward in the image. Axes are rounded to
+ *  nearest, the scale is 65536. DETENT_NO if eye and target are equal, or `up` is along the line of sight. */
+DETENT_API detent_status detent_camera3_look_at(const detent_vec3* eye, const detent_vec3* target,
+                                                const detent_vec3* up, detent_transform3* pose);
+
+/** What the camera sees, each coordinate of a corner rounded to nearest. All functions of cameras return
+ *  DETENT_BAD_ARGUMENT for a lens that sees nothing: a number is not as its comment says, or the greatest
+ *  tangent of half an angle of view, rounded, is not above 0 and below 8. */
+DETENT_API detent_status detent_camera3_frustum(const detent_camera3* camera,
+                                                detent_frustum3* frustum);
+
+/** The ray under the middle of a pixel of an image of `width` times `height` pixels, counted from the top
+ *  left; outside the image too, and through its middle if it has no pixels. Its length is the greatest. */
+DETENT_API detent_status detent_camera3_pick_ray(const detent_camera3* camera, int32_t width,
+                                                 int32_t height, int32_t column, int32_t row,
+                                                 detent_ray3* ray);
+
+/** Where the camera sees a point, also outside the image; numbers are rounded to nearest and clamped.
+ *  DETENT_NO if it is not in front of a perspective camera, or the axes lie in a plane. */
+DETENT_API detent_status detent_camera3_project(const detent_camera3* camera, int32_t width,
+                                                int32_t height, const detent_vec3* point,
+                                                detent_screen_point3* seen);
+
+/** The point under the middle of a pixel at `depth`, a length along the line of sight; rounded to nearest. */
+DETENT_API detent_status detent_camera3_unproject(const detent_camera3* camera, int32_t width,
+                                                  int32_t height, int32_t column, int32_t row,
+                                                  int32_t depth, detent_vec3* point);
+
+/** Whether the ray touches the frustum, and where. `hit` may be null. Distance 0 if it starts inside. */
+DETENT_API detent_status detent_frustum3_raycast(const detent_ray3* ray,
+                                                 const detent_frustum3* frustum, detent_hit3* hit);
+
+/** Whether the point is in the frustum or on its surface, exactly. */
+DETENT_API detent_status detent_frustum3_contains(const detent_frustum3* frustum,
+                                                  const detent_vec3* point);
+
+/** Whether the frustum has a point in common with any of `count` shapes, as for `detent_shapes3_raycast`. */
+DETENT_API detent_status detent_frustum3_overlaps(const detent_context* context,
+                                                  const detent_frustum3* frustum,
+                                                  const detent_shape3* shapes, uint32_t count);
+
+/** Whether two frusta have a point in common, exactly. */
+DETENT_API detent_status detent_frustum3_overlaps_frustum(const detent_frustum3* a,
+                                                          const detent_frustum3* b);
+
+/** The point of the frustum closest to `point`, each coordinate rounded to nearest. */
+DETENT_API detent_status detent_frustum3_closest_point(const detent_frustum3* frustum,
+                                                       const detent_vec3* point,
+                                                       detent_vec3* closest);
+
+/** The distance from the frustum to `point`, rounded down. */
+DETENT_API detent_status detent_frustum3_distance_to_point(const detent_frustum3* frustum,
+                                                           const detent_vec3* point,
+                                                           int32_t* distance);
+
+/** Of the objects in `layers` that the frustum overlaps, the one nearest to the middle of its near corners.
+ *  `found` may be null. */
+DETENT_API detent_status detent_scene3_frustum_nearest(const detent_context* context,
+                                                       detent_handle scene,
+                                                       const detent_frustum3* frustum,
+                                                       uint32_t layers, detent_found* found);
+
+/** Whether the frustum overlaps any object in `layers`. */
+DETENT_API detent_status detent_scene3_frustum_any(const detent_context* context,
+                                                   detent_handle scene,
+                                                   const detent_frustum3* frustum, uint32_t layers);
+
+/** All objects in `layers` that the frustum overlaps, by distance from the middle of its near corners, then
+ *  id. Writes the first `room` of them and their whole number to `count`. */
+DETENT_API detent_status detent_scene3_frustum_all(const detent_context* context,
+                                                   detent_handle scene,
+                                                   const detent_frustum3* frustum, uint32_t layers,
+                                                   detent_found* found, uint32_t room,
+                                                   uint32_t* count);
+
 /* Every field has a fixed size and place, the same in every compiler. */
 typedef char detent_id_has_its_size[sizeof(detent_id) == 8 ? 1 : -1];
 typedef char detent_pair_has_its_size[sizeof(detent_pair) == 16 ? 1 : -1];
@@ -1947,6 +2221,9 @@ typedef char detent_body3_options_has_its_size[sizeof(detent_body3_options) == 8
 typedef char detent_part3_has_its_size[sizeof(detent_part3) == 84 ? 1 : -1];
 typedef char detent_joint3_has_its_size[sizeof(detent_joint3) == 156 ? 1 : -1];
 typedef char detent_body3_has_its_size[sizeof(detent_body3) == 76 ? 1 : -1];
+typedef char detent_camera3_has_its_size[sizeof(detent_camera3) == 80 ? 1 : -1];
+typedef char detent_frustum3_has_its_size[sizeof(detent_frustum3) == 96 ? 1 : -1];
+typedef char detent_screen_point3_has_its_size[sizeof(detent_screen_point3) == 12 ? 1 : -1];
 
 #ifdef __cplusplus
 }

@@ -694,6 +694,40 @@ public struct Body3 {
   public uint is_asleep;
 }
 
+/// <summary>A camera: where it is and what its lens sees. The pose is that of `detent_camera3_look_at`: axis 0 to the right, axis 1 up, looking along -axis 2; its scale is ignored.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct Camera3 {
+  public Transform3 pose;
+  public uint has_perspective;
+  public uint fov;
+  public int aspect;
+  public int half_width;
+  public int half_height;
+  public int near_distance;
+  public int far_distance;
+}
+
+/// <summary>What a camera sees: the convex hull of eight corners. Corner i is on the right if i &amp; 1, at the top if i &amp; 2, and far if i &amp; 4; every query is exact for eight points in any order.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct Frustum3 {
+  public Vec3 corners0;
+  public Vec3 corners1;
+  public Vec3 corners2;
+  public Vec3 corners3;
+  public Vec3 corners4;
+  public Vec3 corners5;
+  public Vec3 corners6;
+  public Vec3 corners7;
+}
+
+/// <summary>A point of the screen: pixels from the top left corner in steps of 2^-16, so that 32768 is the middle of the first, and the depth along the line of sight, a length.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public struct ScreenPoint3 {
+  public int x;
+  public int y;
+  public int depth;
+}
+
 public static unsafe class C {
   public const int OK = 1;
   public const int NO = 0;
@@ -841,6 +875,45 @@ public static unsafe class C {
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_time_of_impact2(Shape2* a, Sweep2* sweep_a, Shape2* b, Sweep2* sweep_b, int target, Impact* impact);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_ray2_contains(Ray2* ray, Vec2* point);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_ray2_closest_point(Ray2* ray, Vec2* point, Vec2* closest);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_ray2_distance_to_point(Ray2* ray, Vec2* point, int* distance);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes2_raycast(ContextMemory* context, Ray2* ray, Shape2* shapes, uint count, Hit2* hit);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes2_contains(ContextMemory* context, Shape2* shapes, uint count, Vec2* point);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes2_overlaps(ContextMemory* context, Shape2* a, uint a_count, Shape2* b, uint b_count);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes2_closest_point(ContextMemory* context, Shape2* shapes, uint count, Vec2* point, Vec2* closest);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes2_distance_to_point(ContextMemory* context, Shape2* shapes, uint count, Vec2* point, int* distance);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes2_distance(ContextMemory* context, Shape2* a, uint a_count, Shape2* b, uint b_count, int* distance);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes2_closest_points(ContextMemory* context, Shape2* a, uint a_count, Shape2* b, uint b_count, Vec2* point_a, Vec2* point_b);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes2_cast(ContextMemory* context, Shape2* shape, Direction2* direction, int max_distance, Shape2* targets, uint count, Hit2* hit);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes2_contact(ContextMemory* context, Shape2* a, Shape2* b, Manifold2* contact);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes2_time_of_impact(ContextMemory* context, Shape2* a, Sweep2* sweep_a, Shape2* b, Sweep2* sweep_b, int target, Impact* impact);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_hull2_create(ContextMemory* context, uint id, Vec2* points, uint count, uint* hull);
@@ -1149,6 +1222,45 @@ public static unsafe class C {
   public static extern int detent_time_of_impact3(Shape3* a, Sweep3* sweep_a, Shape3* b, Sweep3* sweep_b, int target, Impact* impact);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_ray3_contains(Ray3* ray, Vec3* point);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_ray3_closest_point(Ray3* ray, Vec3* point, Vec3* closest);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_ray3_distance_to_point(Ray3* ray, Vec3* point, int* distance);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes3_raycast(ContextMemory* context, Ray3* ray, Shape3* shapes, uint count, Hit3* hit);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes3_contains(ContextMemory* context, Shape3* shapes, uint count, Vec3* point);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes3_overlaps(ContextMemory* context, Shape3* a, uint a_count, Shape3* b, uint b_count);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes3_closest_point(ContextMemory* context, Shape3* shapes, uint count, Vec3* point, Vec3* closest);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes3_distance_to_point(ContextMemory* context, Shape3* shapes, uint count, Vec3* point, int* distance);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes3_distance(ContextMemory* context, Shape3* a, uint a_count, Shape3* b, uint b_count, int* distance);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes3_closest_points(ContextMemory* context, Shape3* a, uint a_count, Shape3* b, uint b_count, Vec3* point_a, Vec3* point_b);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes3_cast(ContextMemory* context, Shape3* shape, Direction3* direction, int max_distance, Shape3* targets, uint count, Hit3* hit);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes3_contact(ContextMemory* context, Shape3* a, Shape3* b, Manifold3* contact);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_shapes3_time_of_impact(ContextMemory* context, Shape3* a, Sweep3* sweep_a, Shape3* b, Sweep3* sweep_b, int target, Impact* impact);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_hull3_create(ContextMemory* context, uint id, Vec3* points, uint count, uint* hull);
 
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
@@ -1421,6 +1533,48 @@ public static unsafe class C {
   [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
   public static extern int detent_replay3_check(ContextMemory* context, uint replay, ReplayCheck* check);
 
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_camera3_look_at(Vec3* eye, Vec3* target, Vec3* up, Transform3* pose);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_camera3_frustum(Camera3* camera, Frustum3* frustum);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_camera3_pick_ray(Camera3* camera, int width, int height, int column, int row, Ray3* ray);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_camera3_project(Camera3* camera, int width, int height, Vec3* point, ScreenPoint3* seen);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_camera3_unproject(Camera3* camera, int width, int height, int column, int row, int depth, Vec3* point);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_frustum3_raycast(Ray3* ray, Frustum3* frustum, Hit3* hit);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_frustum3_contains(Frustum3* frustum, Vec3* point);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_frustum3_overlaps(ContextMemory* context, Frustum3* frustum, Shape3* shapes, uint count);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_frustum3_overlaps_frustum(Frustum3* a, Frustum3* b);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_frustum3_closest_point(Frustum3* frustum, Vec3* point, Vec3* closest);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_frustum3_distance_to_point(Frustum3* frustum, Vec3* point, int* distance);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_scene3_frustum_nearest(ContextMemory* context, uint scene, Frustum3* frustum, uint layers, Found* found);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_scene3_frustum_any(ContextMemory* context, uint scene, Frustum3* frustum, uint layers);
+
+  [DllImport("detent", CallingConvention = CallingConvention.Cdecl)]
+  public static extern int detent_scene3_frustum_all(ContextMemory* context, uint scene, Frustum3* frustum, uint layers, Found* found, uint room, uint* count);
+
   /// <summary>Throws if a structure has not the size that it has in C.</summary>
   public static void CheckSizes() {
     if (sizeof(Id) != 8) throw new TypeLoadException("detent_id");
@@ -1489,6 +1643,9 @@ public static unsafe class C {
     if (sizeof(Part3) != 84) throw new TypeLoadException("detent_part3");
     if (sizeof(Joint3) != 156) throw new TypeLoadException("detent_joint3");
     if (sizeof(Body3) != 76) throw new TypeLoadException("detent_body3");
+    if (sizeof(Camera3) != 80) throw new TypeLoadException("detent_camera3");
+    if (sizeof(Frustum3) != 96) throw new TypeLoadException("detent_frustum3");
+    if (sizeof(ScreenPoint3) != 12) throw new TypeLoadException("detent_screen_point3");
   }
 }
 

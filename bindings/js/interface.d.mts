@@ -653,3 +653,27 @@ export interface Body3 {
   angular_velocity: number[];
   is_asleep: number;
 }
+
+/** A camera: where it is and what its lens sees. The pose is that of `detent_camera3_look_at`: axis 0 to the right, axis 1 up, looking along -axis 2; its scale is ignored. */
+export interface Camera3 {
+  pose: Transform3;
+  has_perspective: number;
+  fov: number;
+  aspect: number;
+  half_width: number;
+  half_height: number;
+  near_distance: number;
+  far_distance: number;
+}
+
+/** What a camera sees: the convex hull of eight corners. Corner i is on the right if i & 1, at the top if i & 2, and far if i & 4; every query is exact for eight points in any order. */
+export interface Frustum3 {
+  corners: Vec3[];
+}
+
+/** A point of the screen: pixels from the top left corner in steps of 2^-16, so that 32768 is the middle of the first, and the depth along the line of sight, a length. */
+export interface ScreenPoint3 {
+  x: number;
+  y: number;
+  depth: number;
+}

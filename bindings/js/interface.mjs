@@ -286,4 +286,13 @@ export const layouts = {
   detent_body3: { size: 76, isVector: false,
     fields: [['position', 'detent_vec3', 0, 0], ['rotation', 'detent_rotation3', 12, 0], ['velocity', 'detent_vec3', 48, 0], ['angular_velocity', 'int32_t', 60, 3], ['is_asleep', 'uint32_t', 72, 0]],
     union: [] },
+  detent_camera3: { size: 80, isVector: false,
+    fields: [['pose', 'detent_transform3', 0, 0], ['has_perspective', 'uint32_t', 52, 0], ['fov', 'uint32_t', 56, 0], ['aspect', 'int32_t', 60, 0], ['half_width', 'int32_t', 64, 0], ['half_height', 'int32_t', 68, 0], ['near_distance', 'int32_t', 72, 0], ['far_distance', 'int32_t', 76, 0]],
+    union: [] },
+  detent_frustum3: { size: 96, isVector: false,
+    fields: [['corners', 'detent_vec3', 0, 8]],
+    union: [] },
+  detent_screen_point3: { size: 12, isVector: false,
+    fields: [['x', 'int32_t', 0, 0], ['y', 'int32_t', 4, 0], ['depth', 'int32_t', 8, 0]],
+    union: [] },
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -7,6 +8,7 @@
 
 #include "c/assets.hpp"
 #include "c/body_shapes.hpp"
+#include "c/hulls.hpp"
 
 namespace detent::c {
 
@@ -127,6 +129,24 @@ template detent_status make_solid<2>(detent_context*, std::uint32_t, const deten
                                      std::uint32_t, detent_handle*);
 template detent_status make_solid<3>(detent_context*, std::uint32_t, const detent_vec3*,
                                      std::uint32_t, detent_handle*);
+
+template <int N>
+detent_status HullRoom<N>::read(const detent_context* context,
+                                const typename Types<N>::Shape& shape) {
+  const Context* const table = table_of(context);
+  if (table == nullptr) return DETENT_BAD_CONTEXT;
+  const auto* const asset = table->asset<HullAsset<S, N>>(shape.asset);
+  if (asset == nullptr) return DETENT_BAD_HANDLE;
+  Input<N> in;
+  const auto transform = in.transform(shape.as.placed);
+  if (!in.is_valid()) return DETENT_NOT_UNIT;
+  const detail::HullPoints<S, N> placed(PlacedHull<S, N>{asset, transform});
+  count = placed.hull().points.size();
+  std::copy_n(placed.hull().points.begin(), count, points.begin());
+  return DETENT_OK;
+}
+template struct HullRoom<2>;
+template struct HullRoom<3>;
 
 /// Whether a part of a compound refers to a hull.
 template <int N>

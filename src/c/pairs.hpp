@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "c/convert.hpp"
+#include "c/hulls.hpp"
 #include "detent/query/contact.hpp"
 #include "detent/query/time_of_impact.hpp"
 
@@ -19,15 +19,17 @@ struct Pairs {
                                typename T::Manifold* contact) {
     if (a == nullptr || b == nullptr) return DETENT_BAD_ARGUMENT;
     return with_shape<N>(*a, [&](const auto& one) {
-      return with_shape<N>(*b, [&](const auto& other) -> detent_status {
-        if constexpr (requires { detent::contact(one, other); }) {
-          const auto found = detent::contact(one, other);
-          if (found && contact != nullptr) *contact = contact_of(*found);
-          return yes_or_no(found.has_value());
-        } else {
-          return DETENT_NO_QUERY;
-        }
-      });
+      return with_shape<N>(*b,
+                           [&](const auto& other) { return contact_between(one, other, contact); });
+    });
+  }
+  static detent_status contact_of_shapes(const detent_context* context, const typename T::Shape* a,
+                                         const typename T::Shape* b,
+                                         typename T::Manifold* contact) {
+    if (a == nullptr || b == nullptr) return DETENT_BAD_ARGUMENT;
+    if (a->kind != DETENT_HULL && b->kind != DETENT_HULL) return Pairs::contact(a, b, contact);
+    return with_a_hull(context, *a, *b, [&](const auto& one, const auto& other) {
+      return contact_between(one, other, contact);
     });
   }
 
@@ -35,36 +37,93 @@ struct Pairs {
                                       const typename T::Shape* b, const typename T::Sweep* sweep_b,
                                       std::int32_t target, detent_impact* impact) {
     if (a == nullptr || sweep_a == nullptr || b == nullptr) return DETENT_BAD_ARGUMENT;
-    Input<N> in;
-    const auto motion_a = sweep(in, *sweep_a);
-    const auto motion_b = sweep_b == nullptr ? Sweep<S, N>() : sweep(in, *sweep_b);
-    if (!in.is_valid()) return DETENT_NOT_UNIT;
+    Motion motion(*sweep_a, sweep_b, target);
+    if (!motion.is_valid) return DETENT_NOT_UNIT;
+    return with_shape<N>(*a, [&](const auto& one) {
+      return with_shape<N>(
+          *b, [&](const auto& other) { return impact_between(one, other, motion, impact); });
+    });
+  }
+  static detent_status time_of_impact_of_shapes(const detent_context* context,
+                                                const typename T::Shape* a,
+                                                const typename T::Sweep* sweep_a,
+                                                const typename T::Shape* b,
+                                                const typename T::Sweep* sweep_b,
+                                                std::int32_t target, detent_impact* impact) {
+    if (a == nullptr || sweep_a == nullptr || b == nullptr) return DETENT_BAD_ARGUMENT;
+    if (a->kind != DETENT_HULL && b->kind != DETENT_HULL) {
+      return Pairs::time_of_impact(a, sweep_a, b, sweep_b, target, impact);
+    }
+    Motion motion(*sweep_a, sweep_b, target);
+    if (!motion.is_valid) return DETENT_NOT_UNIT;
+    return with_a_hull(context, *a, *b, [&](const auto& one, const auto& other) {
+      return impact_between(one, other, motion, impact);
+    });
+  }
+
+ private:
+  /// How both shapes move, and how close counts.
+  struct Motion {
+    bool is_valid;
+    bool moves_b;
+    Sweep<S, N> a, b;
+    S target;
+
+    Motion(const typename T::Sweep& sweep_a, const typename T::Sweep* sweep_b,
+           std::int32_t within) noexcept
+        : moves_b(sweep_b != nullptr), target(Input<N>::number(within)) {
+      Input<N> in;
+      a = sweep(in, sweep_a);
+      if (moves_b) b = sweep(in, *sweep_b);
+      is_valid = in.is_valid();
+    }
+  };
+
+  template <class A, class B>
+  static detent_status contact_between(const A& a, const B& b, typename T::Manifold* contact) {
+    if constexpr (requires { detent::contact(a, b); }) {
+      const auto found = detent::contact(a, b);
+      if (found && contact != nullptr) *contact = contact_of(*found);
+      return yes_or_no(found.has_value());
+    } else {
+      return DETENT_NO_QUERY;
+    }
+  }
+  template <class A, class B>
+  static detent_status impact_between(const A& a, const B& b, const Motion& motion,
+                                      detent_impact* impact) {
     const auto result = [&](const auto& found) {
       if (found && impact != nullptr) {
         *impact = {found->time.raw(), found->distance.raw(), found->is_hit ? 1u : 0u};
       }
       return yes_or_no(found.has_value());
     };
-    const S within = Input<N>::number(target);
-    return with_shape<N>(*a, [&](const auto& one) {
-      return with_shape<N>(*b, [&](const auto& other) -> detent_status {
-        using A = std::remove_cvref_t<decltype(one)>;
-        using B = std::remove_cvref_t<decltype(other)>;
-        if constexpr (std::is_same_v<A, Segment<S, N>> || std::is_same_v<B, Segment<S, N>>) {
-          return DETENT_NO_QUERY;
-        } else if constexpr (requires { detent::time_of_impact(one, motion_a, other, motion_b); }) {
-          return result(detent::time_of_impact(one, motion_a, other, motion_b, within));
-        } else if constexpr (requires { detent::time_of_impact(one, motion_a, other, within); }) {
-          if (sweep_b != nullptr) return DETENT_NO_QUERY;
-          return result(detent::time_of_impact(one, motion_a, other, within));
-        } else {
-          return DETENT_NO_QUERY;
-        }
+    if constexpr (std::is_same_v<A, Segment<S, N>> || std::is_same_v<B, Segment<S, N>>) {
+      return DETENT_NO_QUERY;
+    } else if constexpr (requires { detent::time_of_impact(a, motion.a, b, motion.b); }) {
+      return result(detent::time_of_impact(a, motion.a, b, motion.b, motion.target));
+    } else if constexpr (requires { detent::time_of_impact(a, motion.a, b, motion.target); }) {
+      if (motion.moves_b) return DETENT_NO_QUERY;
+      return result(detent::time_of_impact(a, motion.a, b, motion.target));
+    } else {
+      return DETENT_NO_QUERY;
+    }
+  }
+  /// f(a, b) for two shapes of which one or both are hulls.
+  template <class F>
+  static detent_status with_a_hull(const detent_context* context, const typename T::Shape& a,
+                                   const typename T::Shape& b, const F& f) {
+    if (a.kind != DETENT_HULL) {
+      return with_shape<N>(a, [&](const auto& one) {
+        return with_hull<N>(context, b, [&](const auto& other) { return f(one, other); });
       });
+    }
+    return with_hull<N>(context, a, [&](const auto& one) {
+      const auto pair = [&](const auto& other) { return f(one, other); };
+      return b.kind == DETENT_HULL ? with_hull<N>(context, b, pair) : with_shape<N>(b, pair);
     });
   }
 
- private:
   static typename T::Manifold contact_of(const Contact<S, N>& contact) noexcept {
     typename T::Manifold out{};
     out.normal = Output<N>::direction(contact.normal);

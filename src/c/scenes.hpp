@@ -321,6 +321,9 @@ struct Scenes {
             Output<N>::vec(hit.point), Output<N>::direction(hit.normal),
             hit.triangle.value_or(0),  hit.triangle ? 1u : 0u};
   }
+  static detent_found found_of(const Found<S>& found) noexcept {
+    return {found.distance.raw(), id_of(found.id)};
+  }
 
  private:
   template <class F>
@@ -435,9 +438,6 @@ struct Scenes {
     if (traits == nullptr) return {};
     return {traits->layers, traits->user, static_cast<Motion>(traits->motion),
             frame_of(traits->frame)};
-  }
-  static detent_found found_of(const Found<S>& found) noexcept {
-    return {found.distance.raw(), id_of(found.id)};
   }
   static detent_status write_nearest(const Scene& scene, const Ray<S, N>& ray, std::uint32_t layers,
                                      typename T::ObjectHit& hit) {

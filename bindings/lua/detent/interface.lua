@@ -555,6 +555,24 @@ typedef struct detent_body3 {
   int32_t angular_velocity[3];
   uint32_t is_asleep;
 } detent_body3;
+typedef struct detent_camera3 {
+  detent_transform3 pose;
+  uint32_t has_perspective;
+  uint32_t fov;
+  int32_t aspect;
+  int32_t half_width;
+  int32_t half_height;
+  int32_t near_distance;
+  int32_t far_distance;
+} detent_camera3;
+typedef struct detent_frustum3 {
+  detent_vec3 corners[8];
+} detent_frustum3;
+typedef struct detent_screen_point3 {
+  int32_t x;
+  int32_t y;
+  int32_t depth;
+} detent_screen_point3;
 int32_t detent_version(void);
 int32_t detent_results_version(void);
 const char* detent_describe(detent_status status);
@@ -599,6 +617,57 @@ detent_status detent_time_of_impact2(const detent_shape2* a,
                                                   const detent_shape2* b,
                                                   const detent_sweep2* sweep_b, int32_t target,
                                                   detent_impact* impact);
+detent_status detent_ray2_contains(const detent_ray2* ray, const detent_vec2* point);
+detent_status detent_ray2_closest_point(const detent_ray2* ray,
+                                                     const detent_vec2* point,
+                                                     detent_vec2* closest);
+detent_status detent_ray2_distance_to_point(const detent_ray2* ray,
+                                                         const detent_vec2* point,
+                                                         int32_t* distance);
+detent_status detent_shapes2_raycast(const detent_context* context,
+                                                  const detent_ray2* ray,
+                                                  const detent_shape2* shapes, uint32_t count,
+                                                  detent_hit2* hit);
+detent_status detent_shapes2_contains(const detent_context* context,
+                                                   const detent_shape2* shapes, uint32_t count,
+                                                   const detent_vec2* point);
+detent_status detent_shapes2_overlaps(const detent_context* context,
+                                                   const detent_shape2* a, uint32_t a_count,
+                                                   const detent_shape2* b, uint32_t b_count);
+detent_status detent_shapes2_closest_point(const detent_context* context,
+                                                        const detent_shape2* shapes,
+                                                        uint32_t count, const detent_vec2* point,
+                                                        detent_vec2* closest);
+detent_status detent_shapes2_distance_to_point(const detent_context* context,
+                                                            const detent_shape2* shapes,
+                                                            uint32_t count,
+                                                            const detent_vec2* point,
+                                                            int32_t* distance);
+detent_status detent_shapes2_distance(const detent_context* context,
+                                                   const detent_shape2* a, uint32_t a_count,
+                                                   const detent_shape2* b, uint32_t b_count,
+                                                   int32_t* distance);
+detent_status detent_shapes2_closest_points(const detent_context* context,
+                                                         const detent_shape2* a, uint32_t a_count,
+                                                         const detent_shape2* b, uint32_t b_count,
+                                                         detent_vec2* point_a,
+                                                         detent_vec2* point_b);
+detent_status detent_shapes2_cast(const detent_context* context,
+                                               const detent_shape2* shape,
+                                               const detent_direction2* direction,
+                                               int32_t max_distance,
+                                               const detent_shape2* targets, uint32_t count,
+                                               detent_hit2* hit);
+detent_status detent_shapes2_contact(const detent_context* context,
+                                                  const detent_shape2* a,
+                                                  const detent_shape2* b,
+                                                  detent_manifold2* contact);
+detent_status detent_shapes2_time_of_impact(const detent_context* context,
+                                                         const detent_shape2* a,
+                                                         const detent_sweep2* sweep_a,
+                                                         const detent_shape2* b,
+                                                         const detent_sweep2* sweep_b,
+                                                         int32_t target, detent_impact* impact);
 detent_status detent_hull2_create(detent_context* context, uint32_t id,
                                                const detent_vec2* points, uint32_t count,
                                                detent_handle* hull);
@@ -856,6 +925,57 @@ detent_status detent_time_of_impact3(const detent_shape3* a,
                                                   const detent_shape3* b,
                                                   const detent_sweep3* sweep_b, int32_t target,
                                                   detent_impact* impact);
+detent_status detent_ray3_contains(const detent_ray3* ray, const detent_vec3* point);
+detent_status detent_ray3_closest_point(const detent_ray3* ray,
+                                                     const detent_vec3* point,
+                                                     detent_vec3* closest);
+detent_status detent_ray3_distance_to_point(const detent_ray3* ray,
+                                                         const detent_vec3* point,
+                                                         int32_t* distance);
+detent_status detent_shapes3_raycast(const detent_context* context,
+                                                  const detent_ray3* ray,
+                                                  const detent_shape3* shapes, uint32_t count,
+                                                  detent_hit3* hit);
+detent_status detent_shapes3_contains(const detent_context* context,
+                                                   const detent_shape3* shapes, uint32_t count,
+                                                   const detent_vec3* point);
+detent_status detent_shapes3_overlaps(const detent_context* context,
+                                                   const detent_shape3* a, uint32_t a_count,
+                                                   const detent_shape3* b, uint32_t b_count);
+detent_status detent_shapes3_closest_point(const detent_context* context,
+                                                        const detent_shape3* shapes,
+                                                        uint32_t count, const detent_vec3* point,
+                                                        detent_vec3* closest);
+detent_status detent_shapes3_distance_to_point(const detent_context* context,
+                                                            const detent_shape3* shapes,
+                                                            uint32_t count,
+                                                            const detent_vec3* point,
+                                                            int32_t* distance);
+detent_status detent_shapes3_distance(const detent_context* context,
+                                                   const detent_shape3* a, uint32_t a_count,
+                                                   const detent_shape3* b, uint32_t b_count,
+                                                   int32_t* distance);
+detent_status detent_shapes3_closest_points(const detent_context* context,
+                                                         const detent_shape3* a, uint32_t a_count,
+                                                         const detent_shape3* b, uint32_t b_count,
+                                                         detent_vec3* point_a,
+                                                         detent_vec3* point_b);
+detent_status detent_shapes3_cast(const detent_context* context,
+                                               const detent_shape3* shape,
+                                               const detent_direction3* direction,
+                                               int32_t max_distance,
+                                               const detent_shape3* targets, uint32_t count,
+                                               detent_hit3* hit);
+detent_status detent_shapes3_contact(const detent_context* context,
+                                                  const detent_shape3* a,
+                                                  const detent_shape3* b,
+                                                  detent_manifold3* contact);
+detent_status detent_shapes3_time_of_impact(const detent_context* context,
+                                                         const detent_shape3* a,
+                                                         const detent_sweep3* sweep_a,
+                                                         const detent_shape3* b,
+                                                         const detent_sweep3* sweep_b,
+                                                         int32_t target, detent_impact* impact);
 detent_status detent_hull3_create(detent_context* context, uint32_t id,
                                                const detent_vec3* points, uint32_t count,
                                                detent_handle* hull);
@@ -1085,6 +1205,46 @@ detent_status detent_replay3_begin_frame(detent_context* context, detent_handle 
 detent_status detent_replay3_end_frame(detent_context* context, detent_handle replay);
 detent_status detent_replay3_check(const detent_context* context, detent_handle replay,
                                                 detent_replay_check* check);
+detent_status detent_camera3_look_at(const detent_vec3* eye, const detent_vec3* target,
+                                                const detent_vec3* up, detent_transform3* pose);
+detent_status detent_camera3_frustum(const detent_camera3* camera,
+                                                detent_frustum3* frustum);
+detent_status detent_camera3_pick_ray(const detent_camera3* camera, int32_t width,
+                                                 int32_t height, int32_t column, int32_t row,
+                                                 detent_ray3* ray);
+detent_status detent_camera3_project(const detent_camera3* camera, int32_t width,
+                                                int32_t height, const detent_vec3* point,
+                                                detent_screen_point3* seen);
+detent_status detent_camera3_unproject(const detent_camera3* camera, int32_t width,
+                                                  int32_t height, int32_t column, int32_t row,
+                                                  int32_t depth, detent_vec3* point);
+detent_status detent_frustum3_raycast(const detent_ray3* ray,
+                                                 const detent_frustum3* frustum, detent_hit3* hit);
+detent_status detent_frustum3_contains(const detent_frustum3* frustum,
+                                                  const detent_vec3* point);
+detent_status detent_frustum3_overlaps(const detent_context* context,
+                                                  const detent_frustum3* frustum,
+                                                  const detent_shape3* shapes, uint32_t count);
+detent_status detent_frustum3_overlaps_frustum(const detent_frustum3* a,
+                                                          const detent_frustum3* b);
+detent_status detent_frustum3_closest_point(const detent_frustum3* frustum,
+                                                       const detent_vec3* point,
+                                                       detent_vec3* closest);
+detent_status detent_frustum3_distance_to_point(const detent_frustum3* frustum,
+                                                           const detent_vec3* point,
+                                                           int32_t* distance);
+detent_status detent_scene3_frustum_nearest(const detent_context* context,
+                                                       detent_handle scene,
+                                                       const detent_frustum3* frustum,
+                                                       uint32_t layers, detent_found* found);
+detent_status detent_scene3_frustum_any(const detent_context* context,
+                                                   detent_handle scene,
+                                                   const detent_frustum3* frustum, uint32_t layers);
+detent_status detent_scene3_frustum_all(const detent_context* context,
+                                                   detent_handle scene,
+                                                   const detent_frustum3* frustum, uint32_t layers,
+                                                   detent_found* found, uint32_t room,
+                                                   uint32_t* count);
 ]]
 local sizes = {
   detent_id = 8,
@@ -1153,6 +1313,9 @@ local sizes = {
   detent_part3 = 84,
   detent_joint3 = 156,
   detent_body3 = 76,
+  detent_camera3 = 80,
+  detent_frustum3 = 96,
+  detent_screen_point3 = 12,
 }
 for name, size in pairs(sizes) do assert(ffi.sizeof(name) == size, name) end
 return sizes

@@ -825,6 +825,36 @@ class detent_body3(Structure):
     ]
 
 
+class detent_camera3(Structure):
+    """A camera: where it is and what its lens sees. The pose is that of `detent_camera3_look_at`: axis 0 to the right, axis 1 up, looking along -axis 2; its scale is ignored."""
+    _fields_ = [
+        ('pose', detent_transform3),
+        ('has_perspective', c_uint32),
+        ('fov', c_uint32),
+        ('aspect', c_int32),
+        ('half_width', c_int32),
+        ('half_height', c_int32),
+        ('near_distance', c_int32),
+        ('far_distance', c_int32),
+    ]
+
+
+class detent_frustum3(Structure):
+    """What a camera sees: the convex hull of eight corners. Corner i is on the right if i & 1, at the top if i & 2, and far if i & 4; every query is exact for eight points in any order."""
+    _fields_ = [
+        ('corners', detent_vec3 * 8),
+    ]
+
+
+class detent_screen_point3(Structure):
+    """A point of the screen: pixels from the top left corner in steps of 2^-16, so that 32768 is the middle of the first, and the depth along the line of sight, a length."""
+    _fields_ = [
+        ('x', c_int32),
+        ('y', c_int32),
+        ('depth', c_int32),
+    ]
+
+
 assert sizeof(detent_id) == 8
 assert sizeof(detent_pair) == 16
 assert sizeof(detent_touch) == 28
@@ -891,6 +921,9 @@ assert sizeof(detent_body3_options) == 88
 assert sizeof(detent_part3) == 84
 assert sizeof(detent_joint3) == 156
 assert sizeof(detent_body3) == 76
+assert sizeof(detent_camera3) == 80
+assert sizeof(detent_frustum3) == 96
+assert sizeof(detent_screen_point3) == 12
 
 
 FUNCTIONS = {
@@ -991,6 +1024,95 @@ FUNCTIONS = {
         POINTER(detent_hit2),
     ]),
     'detent_time_of_impact2': (c_int32, [
+        POINTER(detent_shape2),
+        POINTER(detent_sweep2),
+        POINTER(detent_shape2),
+        POINTER(detent_sweep2),
+        c_int32,
+        POINTER(detent_impact),
+    ]),
+    'detent_ray2_contains': (c_int32, [
+        POINTER(detent_ray2),
+        POINTER(detent_vec2),
+    ]),
+    'detent_ray2_closest_point': (c_int32, [
+        POINTER(detent_ray2),
+        POINTER(detent_vec2),
+        POINTER(detent_vec2),
+    ]),
+    'detent_ray2_distance_to_point': (c_int32, [
+        POINTER(detent_ray2),
+        POINTER(detent_vec2),
+        POINTER(c_int32),
+    ]),
+    'detent_shapes2_raycast': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_ray2),
+        POINTER(detent_shape2),
+        c_uint32,
+        POINTER(detent_hit2),
+    ]),
+    'detent_shapes2_contains': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape2),
+        c_uint32,
+        POINTER(detent_vec2),
+    ]),
+    'detent_shapes2_overlaps': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape2),
+        c_uint32,
+        POINTER(detent_shape2),
+        c_uint32,
+    ]),
+    'detent_shapes2_closest_point': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape2),
+        c_uint32,
+        POINTER(detent_vec2),
+        POINTER(detent_vec2),
+    ]),
+    'detent_shapes2_distance_to_point': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape2),
+        c_uint32,
+        POINTER(detent_vec2),
+        POINTER(c_int32),
+    ]),
+    'detent_shapes2_distance': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape2),
+        c_uint32,
+        POINTER(detent_shape2),
+        c_uint32,
+        POINTER(c_int32),
+    ]),
+    'detent_shapes2_closest_points': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape2),
+        c_uint32,
+        POINTER(detent_shape2),
+        c_uint32,
+        POINTER(detent_vec2),
+        POINTER(detent_vec2),
+    ]),
+    'detent_shapes2_cast': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape2),
+        POINTER(detent_direction2),
+        c_int32,
+        POINTER(detent_shape2),
+        c_uint32,
+        POINTER(detent_hit2),
+    ]),
+    'detent_shapes2_contact': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape2),
+        POINTER(detent_shape2),
+        POINTER(detent_manifold2),
+    ]),
+    'detent_shapes2_time_of_impact': (c_int32, [
+        POINTER(detent_context),
         POINTER(detent_shape2),
         POINTER(detent_sweep2),
         POINTER(detent_shape2),
@@ -1613,6 +1735,95 @@ FUNCTIONS = {
         c_int32,
         POINTER(detent_impact),
     ]),
+    'detent_ray3_contains': (c_int32, [
+        POINTER(detent_ray3),
+        POINTER(detent_vec3),
+    ]),
+    'detent_ray3_closest_point': (c_int32, [
+        POINTER(detent_ray3),
+        POINTER(detent_vec3),
+        POINTER(detent_vec3),
+    ]),
+    'detent_ray3_distance_to_point': (c_int32, [
+        POINTER(detent_ray3),
+        POINTER(detent_vec3),
+        POINTER(c_int32),
+    ]),
+    'detent_shapes3_raycast': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_ray3),
+        POINTER(detent_shape3),
+        c_uint32,
+        POINTER(detent_hit3),
+    ]),
+    'detent_shapes3_contains': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape3),
+        c_uint32,
+        POINTER(detent_vec3),
+    ]),
+    'detent_shapes3_overlaps': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape3),
+        c_uint32,
+        POINTER(detent_shape3),
+        c_uint32,
+    ]),
+    'detent_shapes3_closest_point': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape3),
+        c_uint32,
+        POINTER(detent_vec3),
+        POINTER(detent_vec3),
+    ]),
+    'detent_shapes3_distance_to_point': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape3),
+        c_uint32,
+        POINTER(detent_vec3),
+        POINTER(c_int32),
+    ]),
+    'detent_shapes3_distance': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape3),
+        c_uint32,
+        POINTER(detent_shape3),
+        c_uint32,
+        POINTER(c_int32),
+    ]),
+    'detent_shapes3_closest_points': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape3),
+        c_uint32,
+        POINTER(detent_shape3),
+        c_uint32,
+        POINTER(detent_vec3),
+        POINTER(detent_vec3),
+    ]),
+    'detent_shapes3_cast': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape3),
+        POINTER(detent_direction3),
+        c_int32,
+        POINTER(detent_shape3),
+        c_uint32,
+        POINTER(detent_hit3),
+    ]),
+    'detent_shapes3_contact': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape3),
+        POINTER(detent_shape3),
+        POINTER(detent_manifold3),
+    ]),
+    'detent_shapes3_time_of_impact': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_shape3),
+        POINTER(detent_sweep3),
+        POINTER(detent_shape3),
+        POINTER(detent_sweep3),
+        c_int32,
+        POINTER(detent_impact),
+    ]),
     'detent_hull3_create': (c_int32, [
         POINTER(detent_context),
         c_uint32,
@@ -2167,5 +2378,90 @@ FUNCTIONS = {
         POINTER(detent_context),
         c_uint32,
         POINTER(detent_replay_check),
+    ]),
+    'detent_camera3_look_at': (c_int32, [
+        POINTER(detent_vec3),
+        POINTER(detent_vec3),
+        POINTER(detent_vec3),
+        POINTER(detent_transform3),
+    ]),
+    'detent_camera3_frustum': (c_int32, [
+        POINTER(detent_camera3),
+        POINTER(detent_frustum3),
+    ]),
+    'detent_camera3_pick_ray': (c_int32, [
+        POINTER(detent_camera3),
+        c_int32,
+        c_int32,
+        c_int32,
+        c_int32,
+        POINTER(detent_ray3),
+    ]),
+    'detent_camera3_project': (c_int32, [
+        POINTER(detent_camera3),
+        c_int32,
+        c_int32,
+        POINTER(detent_vec3),
+        POINTER(detent_screen_point3),
+    ]),
+    'detent_camera3_unproject': (c_int32, [
+        POINTER(detent_camera3),
+        c_int32,
+        c_int32,
+        c_int32,
+        c_int32,
+        c_int32,
+        POINTER(detent_vec3),
+    ]),
+    'detent_frustum3_raycast': (c_int32, [
+        POINTER(detent_ray3),
+        POINTER(detent_frustum3),
+        POINTER(detent_hit3),
+    ]),
+    'detent_frustum3_contains': (c_int32, [
+        POINTER(detent_frustum3),
+        POINTER(detent_vec3),
+    ]),
+    'detent_frustum3_overlaps': (c_int32, [
+        POINTER(detent_context),
+        POINTER(detent_frustum3),
+        POINTER(detent_shape3),
+        c_uint32,
+    ]),
+    'detent_frustum3_overlaps_frustum': (c_int32, [
+        POINTER(detent_frustum3),
+        POINTER(detent_frustum3),
+    ]),
+    'detent_frustum3_closest_point': (c_int32, [
+        POINTER(detent_frustum3),
+        POINTER(detent_vec3),
+        POINTER(detent_vec3),
+    ]),
+    'detent_frustum3_distance_to_point': (c_int32, [
+        POINTER(detent_frustum3),
+        POINTER(detent_vec3),
+        POINTER(c_int32),
+    ]),
+    'detent_scene3_frustum_nearest': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_frustum3),
+        c_uint32,
+        POINTER(detent_found),
+    ]),
+    'detent_scene3_frustum_any': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_frustum3),
+        c_uint32,
+    ]),
+    'detent_scene3_frustum_all': (c_int32, [
+        POINTER(detent_context),
+        c_uint32,
+        POINTER(detent_frustum3),
+        c_uint32,
+        POINTER(detent_found),
+        c_uint32,
+        POINTER(c_uint32),
     ]),
 }

@@ -883,6 +883,39 @@ pub struct Body3 {
 }
 const _: () = assert!(std::mem::size_of::<Body3>() == 76);
 
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A camera: where it is and what its lens sees. The pose is that of `detent_camera3_look_at`: axis 0 to the right, axis 1 up, looking along -axis 2; its scale is ignored.
+pub struct Camera3 {
+    pub pose: Transform3,
+    pub has_perspective: u32,
+    pub fov: u32,
+    pub aspect: i32,
+    pub half_width: i32,
+    pub half_height: i32,
+    pub near_distance: i32,
+    pub far_distance: i32,
+}
+const _: () = assert!(std::mem::size_of::<Camera3>() == 80);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// What a camera sees: the convex hull of eight corners. Corner i is on the right if i & 1, at the top if i & 2, and far if i & 4; every query is exact for eight points in any order.
+pub struct Frustum3 {
+    pub corners: [Vec3; 8],
+}
+const _: () = assert!(std::mem::size_of::<Frustum3>() == 96);
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A point of the screen: pixels from the top left corner in steps of 2^-16, so that 32768 is the middle of the first, and the depth along the line of sight, a length.
+pub struct ScreenPoint3 {
+    pub x: i32,
+    pub y: i32,
+    pub depth: i32,
+}
+const _: () = assert!(std::mem::size_of::<ScreenPoint3>() == 12);
+
 #[link(name = "detent")]
 extern "C" {
     pub fn detent_version() -> i32;
@@ -906,6 +939,19 @@ extern "C" {
     pub fn detent_closest_points2(a: *const Shape2, b: *const Shape2, point_a: *mut Vec2, point_b: *mut Vec2) -> i32;
     pub fn detent_cast2(shape: *const Shape2, direction: *const Direction2, max_distance: i32, target: *const Shape2, hit: *mut Hit2) -> i32;
     pub fn detent_time_of_impact2(a: *const Shape2, sweep_a: *const Sweep2, b: *const Shape2, sweep_b: *const Sweep2, target: i32, impact: *mut Impact) -> i32;
+    pub fn detent_ray2_contains(ray: *const Ray2, point: *const Vec2) -> i32;
+    pub fn detent_ray2_closest_point(ray: *const Ray2, point: *const Vec2, closest: *mut Vec2) -> i32;
+    pub fn detent_ray2_distance_to_point(ray: *const Ray2, point: *const Vec2, distance: *mut i32) -> i32;
+    pub fn detent_shapes2_raycast(context: *const Context, ray: *const Ray2, shapes: *const Shape2, count: u32, hit: *mut Hit2) -> i32;
+    pub fn detent_shapes2_contains(context: *const Context, shapes: *const Shape2, count: u32, point: *const Vec2) -> i32;
+    pub fn detent_shapes2_overlaps(context: *const Context, a: *const Shape2, a_count: u32, b: *const Shape2, b_count: u32) -> i32;
+    pub fn detent_shapes2_closest_point(context: *const Context, shapes: *const Shape2, count: u32, point: *const Vec2, closest: *mut Vec2) -> i32;
+    pub fn detent_shapes2_distance_to_point(context: *const Context, shapes: *const Shape2, count: u32, point: *const Vec2, distance: *mut i32) -> i32;
+    pub fn detent_shapes2_distance(context: *const Context, a: *const Shape2, a_count: u32, b: *const Shape2, b_count: u32, distance: *mut i32) -> i32;
+    pub fn detent_shapes2_closest_points(context: *const Context, a: *const Shape2, a_count: u32, b: *const Shape2, b_count: u32, point_a: *mut Vec2, point_b: *mut Vec2) -> i32;
+    pub fn detent_shapes2_cast(context: *const Context, shape: *const Shape2, direction: *const Direction2, max_distance: i32, targets: *const Shape2, count: u32, hit: *mut Hit2) -> i32;
+    pub fn detent_shapes2_contact(context: *const Context, a: *const Shape2, b: *const Shape2, contact: *mut Manifold2) -> i32;
+    pub fn detent_shapes2_time_of_impact(context: *const Context, a: *const Shape2, sweep_a: *const Sweep2, b: *const Shape2, sweep_b: *const Sweep2, target: i32, impact: *mut Impact) -> i32;
     pub fn detent_hull2_create(context: *mut Context, id: u32, points: *const Vec2, count: u32, hull: *mut u32) -> i32;
     pub fn detent_solid2_create(context: *mut Context, id: u32, points: *const Vec2, count: u32, solid: *mut u32) -> i32;
     pub fn detent_part2_defaults(part: *mut Part2) -> i32;
@@ -1008,6 +1054,19 @@ extern "C" {
     pub fn detent_closest_points3(a: *const Shape3, b: *const Shape3, point_a: *mut Vec3, point_b: *mut Vec3) -> i32;
     pub fn detent_cast3(shape: *const Shape3, direction: *const Direction3, max_distance: i32, target: *const Shape3, hit: *mut Hit3) -> i32;
     pub fn detent_time_of_impact3(a: *const Shape3, sweep_a: *const Sweep3, b: *const Shape3, sweep_b: *const Sweep3, target: i32, impact: *mut Impact) -> i32;
+    pub fn detent_ray3_contains(ray: *const Ray3, point: *const Vec3) -> i32;
+    pub fn detent_ray3_closest_point(ray: *const Ray3, point: *const Vec3, closest: *mut Vec3) -> i32;
+    pub fn detent_ray3_distance_to_point(ray: *const Ray3, point: *const Vec3, distance: *mut i32) -> i32;
+    pub fn detent_shapes3_raycast(context: *const Context, ray: *const Ray3, shapes: *const Shape3, count: u32, hit: *mut Hit3) -> i32;
+    pub fn detent_shapes3_contains(context: *const Context, shapes: *const Shape3, count: u32, point: *const Vec3) -> i32;
+    pub fn detent_shapes3_overlaps(context: *const Context, a: *const Shape3, a_count: u32, b: *const Shape3, b_count: u32) -> i32;
+    pub fn detent_shapes3_closest_point(context: *const Context, shapes: *const Shape3, count: u32, point: *const Vec3, closest: *mut Vec3) -> i32;
+    pub fn detent_shapes3_distance_to_point(context: *const Context, shapes: *const Shape3, count: u32, point: *const Vec3, distance: *mut i32) -> i32;
+    pub fn detent_shapes3_distance(context: *const Context, a: *const Shape3, a_count: u32, b: *const Shape3, b_count: u32, distance: *mut i32) -> i32;
+    pub fn detent_shapes3_closest_points(context: *const Context, a: *const Shape3, a_count: u32, b: *const Shape3, b_count: u32, point_a: *mut Vec3, point_b: *mut Vec3) -> i32;
+    pub fn detent_shapes3_cast(context: *const Context, shape: *const Shape3, direction: *const Direction3, max_distance: i32, targets: *const Shape3, count: u32, hit: *mut Hit3) -> i32;
+    pub fn detent_shapes3_contact(context: *const Context, a: *const Shape3, b: *const Shape3, contact: *mut Manifold3) -> i32;
+    pub fn detent_shapes3_time_of_impact(context: *const Context, a: *const Shape3, sweep_a: *const Sweep3, b: *const Shape3, sweep_b: *const Sweep3, target: i32, impact: *mut Impact) -> i32;
     pub fn detent_hull3_create(context: *mut Context, id: u32, points: *const Vec3, count: u32, hull: *mut u32) -> i32;
     pub fn detent_solid3_create(context: *mut Context, id: u32, points: *const Vec3, count: u32, solid: *mut u32) -> i32;
     pub fn detent_part3_defaults(part: *mut Part3) -> i32;
@@ -1099,4 +1158,18 @@ extern "C" {
     pub fn detent_replay3_begin_frame(context: *mut Context, replay: u32, frame: *mut Frame, inputs: *mut c_void) -> i32;
     pub fn detent_replay3_end_frame(context: *mut Context, replay: u32) -> i32;
     pub fn detent_replay3_check(context: *const Context, replay: u32, check: *mut ReplayCheck) -> i32;
+    pub fn detent_camera3_look_at(eye: *const Vec3, target: *const Vec3, up: *const Vec3, pose: *mut Transform3) -> i32;
+    pub fn detent_camera3_frustum(camera: *const Camera3, frustum: *mut Frustum3) -> i32;
+    pub fn detent_camera3_pick_ray(camera: *const Camera3, width: i32, height: i32, column: i32, row: i32, ray: *mut Ray3) -> i32;
+    pub fn detent_camera3_project(camera: *const Camera3, width: i32, height: i32, point: *const Vec3, seen: *mut ScreenPoint3) -> i32;
+    pub fn detent_camera3_unproject(camera: *const Camera3, width: i32, height: i32, column: i32, row: i32, depth: i32, point: *mut Vec3) -> i32;
+    pub fn detent_frustum3_raycast(ray: *const Ray3, frustum: *const Frustum3, hit: *mut Hit3) -> i32;
+    pub fn detent_frustum3_contains(frustum: *const Frustum3, point: *const Vec3) -> i32;
+    pub fn detent_frustum3_overlaps(context: *const Context, frustum: *const Frustum3, shapes: *const Shape3, count: u32) -> i32;
+    pub fn detent_frustum3_overlaps_frustum(a: *const Frustum3, b: *const Frustum3) -> i32;
+    pub fn detent_frustum3_closest_point(frustum: *const Frustum3, point: *const Vec3, closest: *mut Vec3) -> i32;
+    pub fn detent_frustum3_distance_to_point(frustum: *const Frustum3, point: *const Vec3, distance: *mut i32) -> i32;
+    pub fn detent_scene3_frustum_nearest(context: *const Context, scene: u32, frustum: *const Frustum3, layers: u32, found: *mut Found) -> i32;
+    pub fn detent_scene3_frustum_any(context: *const Context, scene: u32, frustum: *const Frustum3, layers: u32) -> i32;
+    pub fn detent_scene3_frustum_all(context: *const Context, scene: u32, frustum: *const Frustum3, layers: u32, found: *mut Found, room: u32, count: *mut u32) -> i32;
 }

@@ -9,4 +9,10 @@ detent_status detent_contact3(const detent_shape3* a, const detent_shape3* b, de
 detent_status detent_time_of_impact3(const detent_shape3* a, const detent_sweep3* sweep_a, const detent_shape3* b, const detent_sweep3* sweep_b, int32_t target, detent_impact* impact) {
   return detent::c::Pairs<3>::time_of_impact(a, sweep_a, b, sweep_b, target, impact);
 }
+detent_status detent_shapes3_contact(const detent_context* context, const detent_shape3* a, const detent_shape3* b, detent_manifold3* contact) {
+  return detent::c::Pairs<3>::contact_of_shapes(context, a, b, contact);
+}
+detent_status detent_shapes3_time_of_impact(const detent_context* context, const detent_shape3* a, const detent_sweep3* sweep_a, const detent_shape3* b, const detent_sweep3* sweep_b, int32_t target, detent_impact* impact) {
+  return detent::c::Pairs<3>::time_of_impact_of_shapes(context, a, sweep_a, b, sweep_b, target, impact);
+}
 // clang-format on
