@@ -43,7 +43,7 @@ class Caller {
     if (source_.below(8) != 7) {
       for (const std::size_t which : {0, 13, 2, 33, 13, 33, 4}) check(call(which));
     }
-    while (!source_.rest().empty()) check(call(source_.below(73)));
+    while (!source_.rest().empty()) check(call(source_.below(76)));
     std::uint32_t count = 0;
     check(detent_count(&context_, &count));
     require(detent_close(&context_) == DETENT_OK, [] { return "it does not close"; });
@@ -691,9 +691,80 @@ class Caller {
         const auto world = handle(4);
         return detent_world3_frame(context, world, id(), or_null(&frame));
       }
+      case 73:
+        return ask_lists(context);
+      case 74: {
+        detent_frustum3 frustum{};
+        for (auto& corner : frustum.corners) corner = vec3();
+        const auto scene = handle(2);
+        if (source_.below(2) == 0) {
+          const auto shape = shape3();
+          return detent_frustum3_overlaps(context, or_null(&frustum), or_null(&shape), 1);
+        }
+        return ask<detent_found>([&](auto* found, auto* number_of) {
+          return detent_scene3_frustum_all(context, scene, or_null(&frustum), layers, found, room,
+                                           number_of);
+        });
+      }
+      case 75: {
+        detent_camera3 camera{};
+        camera.pose = {vec3(), rotation3(), 65536};
+        camera.has_perspective = static_cast<std::uint32_t>(source_.below(3));
+        camera.fov = static_cast<std::uint32_t>(source_.word(4));
+        camera.aspect = number();
+        camera.half_width = number();
+        camera.half_height = number();
+        camera.near_distance = number();
+        camera.far_distance = number();
+        detent_frustum3 frustum{};
+        detent_ray3 ray{};
+        const auto width = number(), height = number(), column = number(), row = number();
+        check(detent_camera3_frustum(or_null(&camera), or_null(&frustum)));
+        check(detent_camera3_pick_ray(&camera, width, height, column, row, or_null(&ray)));
+        const auto point = vec3();
+        detent_screen_point3 seen{};
+        return detent_camera3_project(&camera, width, height, or_null(&point), or_null(&seen));
+      }
       default:
         check(detent_world3_size(context, handle(4), or_null(&count)));
         return detent_world3_restore(context, handle(4), or_null(saved()), saved_size_);
+    }
+  }
+
+  /// A query of lists of shapes.
+  detent_status ask_lists(const detent_context* context) {
+    const detent_shape3 a[2] = {shape3(), shape3()};
+    const detent_shape3 b[1] = {shape3()};
+    const auto point = vec3();
+    const auto along = direction3();
+    const auto length = number();
+    const auto count = static_cast<std::uint32_t>(source_.below(3));
+    detent_vec3 one{}, other{};
+    detent_hit3 hit{};
+    std::int32_t distance = 0;
+    switch (source_.below(7)) {
+      case 0: {
+        const detent_ray3 ray{point, along, length};
+        return detent_shapes3_raycast(context, or_null(&ray), or_null(a), count, or_null(&hit));
+      }
+      case 1:
+        return detent_shapes3_overlaps(context, or_null(a), count, or_null(b), 1);
+      case 2:
+        return detent_shapes3_closest_point(context, or_null(a), count, or_null(&point),
+                                            or_null(&one));
+      case 3:
+        return detent_shapes3_distance(context, or_null(a), count, or_null(b), 1,
+                                       or_null(&distance));
+      case 4:
+        return detent_shapes3_closest_points(context, or_null(a), count, or_null(b), 1,
+                                             or_null(&one), or_null(&other));
+      case 5:
+        return detent_shapes3_cast(context, or_null(b), or_null(&along), length, or_null(a), count,
+                                   or_null(&hit));
+      default: {
+        detent_manifold3 contact{};
+        return detent_shapes3_contact(context, or_null(a), or_null(b), or_null(&contact));
+      }
     }
   }
 

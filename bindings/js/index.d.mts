@@ -56,6 +56,10 @@ export type Shape<D extends Of> = Partial<D['shape']> & { kind: number };
 export type Part<D extends Of> = Partial<Omit<D['part'], 'shape'>> & { shape: Shape<D> };
 
 /** Shapes, rays and queries of one dimension. */
+/** What a camera sees: with perspective, or without. `fov` is in 2^-32 of a turn. */
+export type Lens = { near_distance: number; far_distance: number } &
+  ({ fov: number; aspect: number } | { half_width: number; half_height: number });
+
 export declare class Space<D extends Of> {
   ray(origin: D['vec'], direction: D['vec'], max_distance?: number): D['ray'];
   sphere(center: D['vec'], radius: number): Shape<D>;
@@ -67,6 +71,11 @@ export declare class Space<D extends Of> {
   segment(start: D['vec'], end: D['vec']): Shape<D>;
   point(at: D['vec']): Shape<D>;
   placed(asset: Asset, translation: D['vec'], axis?: D['vec'][], scale?: number): Shape<D>;
+  /** Cameras and frusta are in 3D, of the module of `loadWithMovers`. Null if the camera has no view. */
+  camera(eye: types.Vec3, target: types.Vec3, lens: Lens, up?: types.Vec3): types.Camera3 | null;
+  frustum(camera: types.Camera3): types.Frustum3;
+  /** The ray under the middle of a pixel of an image: width and height, column and row. */
+  pickRay(camera: types.Camera3, size: [number, number], pixel: [number, number]): types.Ray3;
   raycast(ray: D['ray'], shape: Shape<D>): D['hit'] | null;
   /** Distances, -1 for no hit; a ray is origin, direction and max_distance. */
   raycastMany(rays: Int32Array, shape: Shape<D>): Int32Array;
@@ -170,6 +179,8 @@ export declare class SceneWithMovers<D extends Of> extends Scene<D> {
   castAny(shape: Shape<D>, direction: D['vec'], max_distance: number, layers?: number): boolean;
   /** By distance, then id. */
   castAll(shape: Shape<D>, direction: D['vec'], max_distance: number, layers?: number): D['objectHit'][];
+  /** Objects that a frustum overlaps, by distance from its near corners, then id. In 3D. */
+  visible(frustum: types.Frustum3, layers?: number): types.Found[];
   /** A character that is a capsule or an AABB. */
   mover(shape: Shape<D>, settings?: Partial<D['moverSettings']>): Mover<D>;
 }

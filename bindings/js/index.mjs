@@ -219,6 +219,35 @@ class Space {
     return { ...shape, placed: { translation, rotation: { axis }, scale } };
   }
 
+  /** A camera at `eye` that looks at `target`; `lens` has near_distance, far_distance, and fov (in 2^-32 of a
+   *  turn) and aspect, or half_width and half_height. Null if it has no view. Cameras and frusta are in 3D. */
+  camera(eye, target, lens, up = [0, ONE, 0]) {
+    return this.detent.call((memory) => {
+      const pose = memory.place(layouts.detent_transform3.size);
+      const points = [eye, target, up].map((v) => memory.put('detent_vec3', v));
+      const yes = this.detent.run('camera3_look_at', ...points, pose);
+      if (!yes) return null;
+      const has_perspective = 'fov' in lens ? 1 : 0;
+      return { pose: memory.read(pose, 'detent_transform3'), has_perspective, ...lens };
+    });
+  }
+  /** What a camera sees: { corners }. */
+  frustum(camera) {
+    return this.detent.call((memory) => {
+      const at = memory.place(layouts.detent_frustum3.size);
+      this.detent.run('camera3_frustum', memory.put('detent_camera3', camera), at);
+      return memory.read(at, 'detent_frustum3');
+    });
+  }
+  /** The ray under the middle of a pixel of an image of a size. */
+  pickRay(camera, [width, height], [column, row]) {
+    return this.detent.call((memory) => {
+      const at = memory.place(layouts.detent_ray3.size);
+      this.detent.run('camera3_pick_ray', memory.put('detent_camera3', camera), width, height, column, row, at);
+      return memory.read(at, 'detent_ray3');
+    });
+  }
+
   raycast(ray, shape) {
     return this.detent.call((memory) => {
       const hit = memory.place(layouts[this.types.hit].size);
@@ -705,6 +734,12 @@ class SceneWithMovers extends Scene {
   }
   moving(memory, shape, direction, max_distance) {
     return [this.shape(memory, shape), memory.put(this.types.direction, direction), max_distance];
+  }
+  /** All objects that a frustum overlaps, such as `space.frustum(camera)`, by distance from the middle of its
+   *  near corners, then id. In 3D. */
+  visible(frustum, layers = ALL_LAYERS) {
+    return this.call((memory) => this.list('frustum_all', 'detent_found',
+      memory.put('detent_frustum3', frustum), layers));
   }
   /** A character that is a capsule or an AABB: `settings` are the fields of a mover's settings. */
   mover(shape, settings = {}) {

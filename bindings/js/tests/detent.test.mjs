@@ -218,6 +218,21 @@ test('characters and casts in scenes', async () => {
   context.close();
 });
 
+test('cameras and what they see', async () => {
+  const library = await detent.loadWithMovers(3, file(3, 'movers'));
+  const { space } = library, context = library.open(), scene = context.scene();
+  const ball = scene.add(space.sphere([0, 0, 0], ONE));
+  scene.add(space.sphere([0, 0, 20 * ONE], ONE));
+  const lens = { fov: 2 ** 29, aspect: ONE, near_distance: ONE, far_distance: 50 * ONE };
+  const camera = space.camera([0, 0, 10 * ONE], [0, 0, 0], lens);
+  assert.deepEqual(scene.visible(space.frustum(camera)), [{ distance: 8 * ONE, id: ball }]);
+  assert.deepEqual(scene.raycast(space.pickRay(camera, [641, 481], [320, 240])).id, ball);
+  assert.equal(scene.raycast(space.pickRay(camera, [641, 481], [0, 0])), null);
+  assert.equal(space.camera([0, 0, 0], [0, 0, 0], lens), null);
+  assert.throws(() => space.frustum({ ...camera, aspect: 0 }), { status: status.BAD_ARGUMENT });
+  context.close();
+});
+
 test('characters and casts in scenes in 2D', async () => {
   const library = await detent.loadWithMovers(2, file(2, 'movers'));
   const { space } = library, context = library.open(), scene = context.scene();

@@ -31,6 +31,9 @@ const walker = walked.mover({ kind: 6, capsule: { a: [0, 0], b: [0, ONE], radius
 const moved: [number, number] = walker.move([ONE, 0], { layers: 1 });
 console.log(moved, walker.isGrounded, walker.lastMove?.touched[0]?.object.index, walked.castAll(
   { kind: 1, sphere: { center: [0, 0], radius: 1 } }, [UNIT, 0], ONE).length);
+const wide = await loadWithMovers(3);
+const camera = wide.space.camera([0, 0, ONE], [0, 0, 0], { half_width: ONE, half_height: ONE, near_distance: 0, far_distance: ONE });
+if (camera) console.log(wide.open().scene().visible(wide.space.frustum(camera)).length);
 // @ts-expect-error: a scene of the module without them
 context.scene().castAny(space.sphere([0, 0, 0], ONE), [UNIT, 0, 0], ONE);
 // @ts-expect-error: a point of another dimension

@@ -265,6 +265,49 @@ class _Space:
         return hit if _check(self._call('cast{N}')(shape, self._direction(*direction), max_distance,
                                                    target, hit)) else None
 
+    # Lists of shapes are their union; hulls among them are of `context`.
+
+    def raycast_union(self, ray, shapes, context=None):
+        """Where the ray first touches any of the shapes, or None: distance, point and normal."""
+        hit = self._hit()
+        return hit if self._of_list('raycast', context, ray, *self._list_of(shapes), hit) else None
+
+    def contains_union(self, shapes, point, context=None):
+        return self._of_list('contains', context, *self._list_of(shapes), self._vec(*point))
+
+    def overlaps_union(self, one, other, context=None):
+        return self._of_list('overlaps', context, *self._list_of(one), *self._list_of(other))
+
+    def distance_union(self, shapes, other, context=None):
+        """The least distance of shapes of two lists, or of a list and a point (a tuple)."""
+        distance = ctypes.c_int32()
+        if isinstance(other, tuple):
+            self._of_list('distance_to_point', context, *self._list_of(shapes), self._vec(*other),
+                          byref(distance))
+        else:
+            self._of_list('distance', context, *self._list_of(shapes), *self._list_of(other),
+                          byref(distance))
+        return distance.value
+
+    def closest_points_union(self, one, other, context=None):
+        """The closest points of the two shapes of both lists that are nearest to each other."""
+        first, second = self._vec(), self._vec()
+        self._of_list('closest_points', context, *self._list_of(one), *self._list_of(other), first, second)
+        return self._tuple(first), self._tuple(second)
+
+    def cast_union(self, shape, direction, max_distance, targets, context=None):
+        """Where a moving shape first touches any of the targets, or None."""
+        hit = self._hit()
+        return hit if self._of_list('cast', context, shape, self._direction(*direction), max_distance,
+                                    *self._list_of(targets), hit) else None
+
+    def _list_of(self, shapes):
+        shapes = list(shapes)
+        return (self._shape * len(shapes))(*shapes), len(shapes)
+
+    def _of_list(self, name, context, *arguments):
+        return _check(self._call(f'shapes{{N}}_{name}')(context and context._open, *arguments))
+
     def sweep(self, start, end, start_axes=None, end_axes=None):
         """The motion of a frame, for `time_of_impact`."""
         return self._sweep(self._vec(*start), self._vec(*end), self._rotated(start_axes),
@@ -282,8 +325,32 @@ class _Space:
         return tuple(getattr(v, field) for field, _ in v._fields_)
 
 
+class _Space3(_Space):
+    """What there is in 3D alone: cameras."""
+
+    def camera(self, eye, target, near_distance, far_distance, up=(0, ONE, 0), **lens):
+        """A camera at `eye` that looks at `target`, with `fov` (in 2^-32 of a turn) and `aspect`, or with
+        `half_width` and `half_height`. None if it has no direction of view."""
+        camera = c.detent_camera3(near_distance=near_distance, far_distance=far_distance,
+                                  has_perspective=int('fov' in lens), **lens)
+        vectors = (self._vec(*v) for v in (eye, target, up))
+        return camera if _check(_library.detent_camera3_look_at(*vectors, camera.pose)) else None
+
+    def frustum(self, camera):
+        """What a camera sees, for `Scene.visible`."""
+        frustum = c.detent_frustum3()
+        _check(_library.detent_camera3_frustum(camera, frustum))
+        return frustum
+
+    def pick_ray(self, camera, size, pixel):
+        """The ray under the middle of a pixel (column, row) of an image of a size (width, height)."""
+        ray = self._ray()
+        _check(_library.detent_camera3_pick_ray(camera, *size, *pixel, ray))
+        return ray
+
+
 d2 = _Space(2)
-d3 = _Space(3)
+d3 = _Space3(3)
 
 
 class _Owned:
@@ -461,6 +528,12 @@ class Scene(_Held):
         """(distance, id) of all objects that the shape overlaps, by distance, then id."""
         return [(found.distance, _id(found.id))
                 for found in self._list('all', c.detent_found, question, layers)]
+
+    def visible(self, frustum, layers=ALL_LAYERS):
+        """(distance, id) of all objects that a frustum overlaps, by distance from the middle of its near
+        corners, then id. In 3D."""
+        return [(found.distance, _id(found.id))
+                for found in self._list('frustum_all', c.detent_found, frustum, layers)]
 
     def overlaps(self):
         """All pairs of objects that overlap."""

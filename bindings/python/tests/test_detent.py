@@ -172,6 +172,33 @@ class Test(unittest.TestCase):
         for ball in balls:
             self.assertAlmostEqual(detent.number(world.position(ball)[1]), 0.5, delta=0.05)
 
+    def test_camera(self):
+        scene = self.context.scene3()
+        ball = scene.add(d3.sphere((0, 0, 0), ONE))
+        scene.add(d3.sphere((0, 0, 20 * ONE), ONE))
+        camera = d3.camera((0, 0, 10 * ONE), (0, 0, 0), ONE, 50 * ONE, fov=1 << 29, aspect=ONE)
+        self.assertEqual(scene.visible(d3.frustum(camera)), [(8 * ONE, ball)])
+        self.assertEqual(scene.raycast(d3.pick_ray(camera, (641, 481), (320, 240))).id, ball)
+        self.assertIsNone(scene.raycast(d3.pick_ray(camera, (641, 481), (0, 0))))
+        self.assertIsNone(d3.camera((0, 0, 0), (0, 0, 0), ONE, 2 * ONE, fov=1 << 29, aspect=ONE))
+        camera.aspect = 0
+        with self.assertRaises(detent.Error):
+            d3.frustum(camera)
+
+    def test_union(self):
+        pair = [d3.sphere((5 * ONE, 0, 0), ONE), d3.aabb((2 * ONE, -ONE, -ONE), (3 * ONE, ONE, ONE))]
+        ray = d3.ray((0, 0, 0), (detent.UNIT, 0, 0), 9 * ONE)
+        self.assertEqual(d3.raycast_union(ray, pair).distance, 2 * ONE)
+        self.assertIsNone(d3.raycast_union(ray, []))
+        self.assertTrue(d3.contains_union(pair, (5 * ONE, 0, 0)))
+        self.assertFalse(d3.contains_union(pair, (0, 0, 0)))
+        ball = d3.sphere((0, 0, 0), ONE)
+        self.assertFalse(d3.overlaps_union(pair, [ball]))
+        self.assertEqual(d3.distance_union(pair, (0, 0, 0)), 2 * ONE)
+        self.assertEqual(d3.distance_union(pair, [ball]), ONE)
+        self.assertEqual(d3.closest_points_union(pair, [ball]), ((2 * ONE, 0, 0), (ONE, 0, 0)))
+        self.assertEqual(d3.cast_union(ball, (detent.UNIT, 0, 0), 9 * ONE, pair).distance, ONE)
+
     def test_mover(self):
         scene = self.context.scene3()
         scene.add(d3.aabb((-9 * ONE, -ONE, -9 * ONE), (9 * ONE, 0, 9 * ONE)))
