@@ -260,9 +260,9 @@ TEMPLATE_TEST_CASE("mass: 0 without volume or without density", "[mass]", q16_16
   CHECK(mass_properties(ConvexHull<S, 3>{}, one) == Solid{});
   const std::array<Vec<S, 3>, 4> square{at<S, 3>(0, 0, 1), at<S, 3>(1, 0, 1), at<S, 3>(1, 1, 1),
                                         at<S, 3>(0, 1, 1)};
-  CHECK(mass_properties(ConvexHull(square), one) == Solid{});
+  CHECK(mass_properties(ConvexHull{square}, one) == Solid{});
   const std::array<Vec<S, 2>, 3> line{at<S, 2>(0, 0), at<S, 2>(1, 1), at<S, 2>(2, 2)};
-  CHECK(mass_properties(ConvexHull(line), one) == Flat{});
+  CHECK(mass_properties(ConvexHull{line}, one) == Flat{});
   CHECK(mass_properties(std::span<const Solid>{}) == Solid{});
 }
 

@@ -78,7 +78,8 @@ void compare_many(std::int64_t reach, std::int64_t grid, int asked, Count& count
     const S radius = number(1, reach / 2);
     if (!(radius > 0)) continue;
     const S limit = number(0, 8 * reach);
-    const detail::HullBody a(core), b(target);
+    const detail::HullBody a(core);
+    const detail::HullBody b(target);
     compare(a, b, *direction, radius, limit, count);
     const detail::HullBody start(std::array{core[0]});
     compare(start, b, *direction, radius, limit, count);
