@@ -57,7 +57,8 @@ class Input {
       return {number(v.x), number(v.y), number(v.z)};
     }
   }
-  Direction<S, N> direction(const typename T::Direction& d) noexcept {
+  /// Inlined: a direction returned in registers is stored in other words than it is loaded in.
+  [[gnu::always_inline]] Direction<S, N> direction(const typename T::Direction& d) noexcept {
     const auto read = [&] {
       if constexpr (N == 2) {
         return Direction<S, N>::from_raw({d.x, d.y});
