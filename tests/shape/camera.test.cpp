@@ -147,13 +147,17 @@ std::optional<Camera<T>> random_camera(Random& random) {
       random.one_in(3) ? random_frame<T, 3>(random) : random_rotation<T, 3>(random),
       random_fixed<T>(random)};
   const auto near = random.one_in(3) ? random_fixed<T>(random) : T::from_raw(1);
+  const bool has_perspective = !random.one_in(3);
+  const auto far_distance = positive();
+  const auto aspect_or_half_height =
+      has_perspective ? T(static_cast<int>(random.between(1, T::bits - T::frac > 1 ? 2 : 1)))
+                      : positive();
   const auto lens =
-      random.one_in(3)
-          ? Lens<T>::orthographic(positive(), positive(), near, positive())
-          : Lens<T>::perspective(
+      has_perspective
+          ? Lens<T>::perspective(
                 Angle<T>::from_raw(static_cast<std::uint32_t>(random.between(1 << 20, 1 << 30))),
-                T(static_cast<int>(random.between(1, T::bits - T::frac > 1 ? 2 : 1))), near,
-                positive());
+                aspect_or_half_height, near, far_distance)
+          : Lens<T>::orthographic(positive(), aspect_or_half_height, near, far_distance);
   if (!lens) return std::nullopt;
   return Camera<T>{pose, *lens};
 }
