@@ -5,6 +5,7 @@
 #include <array>
 #include <tuple>
 
+#include "c/single.hpp"
 #include "detent/scene/scene.hpp"
 #include "shapes.hpp"
 
@@ -17,16 +18,10 @@ using c::Output;
 /// The functions of a dimension.
 template <int N>
 struct Calls;
-#define DETENT_TEST_CALLS(N)                                               \
-  template <>                                                              \
-  struct Calls<N> {                                                        \
-    static constexpr auto raycast = detent_raycast##N;                     \
-    static constexpr auto raycast_many = detent_raycast##N##_many;         \
-    static constexpr auto contains = detent_contains##N;                   \
-    static constexpr auto overlaps = detent_overlaps##N;                   \
-    static constexpr auto closest_point = detent_closest_point##N;         \
-    static constexpr auto distance_to_point = detent_distance_to_point##N; \
-    static constexpr auto distance = detent_distance##N;                   \
+#define DETENT_TEST_CALLS(N)                                       \
+  template <>                                                      \
+  struct Calls<N> : c::Single<N> {                                 \
+    static constexpr auto raycast_many = detent_raycast##N##_many; \
   };
 DETENT_TEST_CALLS(2)
 DETENT_TEST_CALLS(3)
