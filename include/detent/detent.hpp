@@ -25,6 +25,8 @@
 #include "detent/scene/mesh/owned.hpp"
 #endif
 
+#include "detent/dynamics/dynamics.hpp"
+
 #include "detent/draw/draw.hpp"
 
 #include "detent/lockstep/lockstep.hpp"
