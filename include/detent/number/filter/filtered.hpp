@@ -8,7 +8,7 @@
 
 // Define DETENT_SMALL_CODE to choose between two ways to the same results: 0 is faster, 1 needs
 // less code, because it omits filters that cost more code than the exact number. The default is 1
-// with 32-bit registers and -Os, otherwise 0.
+// for -Os with 32-bit registers, otherwise 0.
 #ifndef DETENT_SMALL_CODE
 #if DETENT_SHORT_WORDS && defined(__OPTIMIZE_SIZE__)
 #define DETENT_SMALL_CODE 1
