@@ -23,10 +23,10 @@ namespace detent {
 /// scale is ignored.
 ///
 /// With the axes exactly as stored, the point at screen coordinates x, y and depth d is
-/// position + x w axis(0) + y h axis(1) - d axis(2), where w and h are half the width and height
-/// that the lens sees at d. `unproject` is this point, `project` the exact inverse, `pick_ray` the
-/// line of these points for one x and y, and `Frustum` has the eight points at x = +-1, y = +-1,
-/// d = near or far.
+///   position + x w axis(0) + y h axis(1) - d axis(2),
+/// where w and h are half the width and height that the lens sees at d. `unproject` is this point,
+/// `project` the exact inverse, `pick_ray` the line of these points for one x and y, and `Frustum`
+/// has the eight points at x = +-1, y = +-1, d = near or far.
 template <Scalar S>
 struct Camera {
   Transform<S, 3> pose;
