@@ -228,13 +228,13 @@ class VectorLanes {
   static constexpr bool unpacks_bytes =
       std::is_same_v<T, std::int32_t> && Bytes == 16 && std::endian::native == std::endian::little;
 
-  /// first + step * bytes[k] in lane k. Compilers would take the bytes one by one, and SSE2 has no
-  /// products of 32 bits, modulo 2^32: their upper halves are those of b low plus b high.
+  /// first + step * bytes[k] in lane k. Compilers would extract the bytes one by one, and SSE2 has
+  /// no 32-bit products modulo 2^32: their upper halves are those of b low plus b high.
   void multiply(T first, T step, const std::array<std::uint8_t, lane_count>& bytes) noexcept {
     if constexpr (unpacks_bytes) {
       using Shorts = typename VectorOf<std::uint16_t, Bytes>::type;
       const Words word{std::bit_cast<std::uint64_t>(bytes), 0};
-#if defined(__SSE2__) && !defined(__clang__)  // GCC's shuffle takes the bytes one by one
+#if defined(__SSE2__) && !defined(__clang__)  // GCC's shuffle extracts the bytes one by one
       using Chars = typename VectorOf<char, Bytes>::type;
       const auto counts =
           std::bit_cast<Shorts>(__builtin_ia32_punpcklbw128(std::bit_cast<Chars>(word), Chars{}));

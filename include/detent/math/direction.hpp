@@ -92,7 +92,7 @@ constexpr void append(D& digest, const Direction<S, N>& direction) noexcept {
 
 /// The direction of a vector of any number type, or nothing for the zero vector.
 ///
-/// domain: every vector, however short or long
+/// domain: every vector, of any length
 /// exact:  each component is the exact one rounded to nearest    (tests/math/direction.test.cpp)
 template <Scalar S, Number T, int N>
 [[nodiscard]] constexpr std::optional<Direction<S, N>> direction_of(const Vec<T, N>& v) noexcept {

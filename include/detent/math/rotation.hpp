@@ -185,7 +185,7 @@ template <Scalar S, int N>
 
 /// Rotates the vector `v` from the world into the local frame.
 ///
-/// result: the inverse of `rotate` as far as the axes are orthonormal
+/// result: the inverse of `rotate` if the axes are orthonormal
 /// exact:  dot(axis(i), v), rounded to nearest, ties to even, and clamped
 ///         (tests/math/rotation.test.cpp)
 template <Scalar S, int N>
@@ -228,7 +228,7 @@ template <Scalar S, int N>
   return Rotation<S, N>::from_axes(axes);
 }
 
-/// The inverse rotation: the world's axes in the local frame, as far as the axes are orthonormal.
+/// The inverse rotation: the world's axes in the local frame, if the axes are orthonormal.
 ///
 /// exact: each row of the matrix normalised, rounded to nearest     (tests/math/transform.test.cpp)
 template <Scalar S, int N>

@@ -32,13 +32,13 @@ struct OrbitCamera {
   Angle<S> pitch{};
   OrbitLimits<S> limits{};
 
-  /// Turns by `yaw_step` around the target, and by `pitch_step` up, as far as the limits allow.
+  /// Turns by `yaw_step` around the target, and by `pitch_step` up, within the limits.
   constexpr void rotate(Angle<S> yaw_step, Angle<S> pitch_step) noexcept {
     yaw += yaw_step;
     pitch = sum_within(pitch, pitch_step, limits.min_pitch, limits.max_pitch);
   }
 
-  /// Multiplies the distance, rounded to nearest, as far as the limits allow.
+  /// Multiplies the distance, rounded to nearest, within the limits.
   constexpr void zoom(const S& factor) noexcept {
     distance = nearest_to<S>(distance * factor);
     if (distance > limits.max_distance) distance = limits.max_distance;

@@ -231,8 +231,8 @@ template <Scalar S, int N>
   return Body(box.center, edges, senses);
 }
 
-// body_of(shape): a point or a nonempty polytope as a convex body for GJK (see support.hpp). An oriented box
-// is what its edges span.
+// body_of(shape): a point or a nonempty polytope as a convex body for GJK (see support.hpp). An
+// oriented box is the one that its edges span.
 
 template <Number S, int N>
 [[nodiscard]] constexpr auto body_of(const Vec<S, N>& point) noexcept {

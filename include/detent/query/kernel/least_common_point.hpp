@@ -255,8 +255,8 @@ class CommonPointOfPlanes {
   Vec<U, 3> u_;
 };
 
-/// Returns f(p, q), where p on `a` lies over q on `b`, seen perpendicular to both features, and p is
-/// the least such point. The caller knows that there is one.
+/// Returns f(p, q), where p on `a` lies over q on `b`, perpendicular to both features, and p is the
+/// least such point. The caller knows that there is one.
 template <class A, class B, class F>
 constexpr auto least_common_point(const A& a, const B& b, const F& f) noexcept {
   const auto extent = extent_of(a, b);
@@ -269,8 +269,8 @@ constexpr auto least_common_point(const A& a, const B& b, const F& f) noexcept {
   return common_point_on_lines(a, b, extent.e, extent.e, f);
 }
 
-/// Returns f(p, q), where p on `a` lies over q on `b`, seen along u, and p is the least such point.
-/// The caller knows that there is one, and that u crosses the planes of the features.
+/// Returns f(p, q), where p on `a` lies over q on `b` along u, and p is the least such point. The
+/// caller knows that there is one, and that u crosses the planes of the features.
 template <class A, class B, Number U, int N, class F>
 constexpr auto least_common_point(const A& a, const B& b, const Vec<U, N>& u, const F& f) noexcept {
   const auto extent = extent_of(a, b);
