@@ -13,7 +13,7 @@ namespace detent {
 /// Sorts numbers of [least, greatest] into 16 bins of equal width, in order, without a division.
 /// The result is the same on every machine.
 ///
-/// The width of a bin is a power of two, the smallest with which 16 bins suffice. So at least 9 are
+/// The width of a bin is the smallest power of two for which 16 bins suffice. So at least 9 are
 /// used, unless the range holds fewer numbers.
 template <Number T>
 class Bins;
@@ -54,7 +54,7 @@ class Bins<F> {
   F least_, scale_;
 };
 
-/// Rounds sizes down to 14 bits, for products that are only compared.
+/// Rounds sizes down to 14 bits, for products that are only compared with each other.
 ///
 /// `longest` is the greatest size.
 template <Number T>

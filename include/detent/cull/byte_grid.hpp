@@ -26,11 +26,11 @@ class ByteGrid<Fixed<Bits, Frac>> {
     while (ceiling(size) > 255) ++shift_;
   }
 
-  /// The last plane that is not above x, clamped to the grid.
+  /// The last plane at or below x, clamped to the grid.
   [[nodiscard]] constexpr std::uint8_t below(const S& x) const noexcept {
     return byte(offset(x) >> shift_);
   }
-  /// The first plane that is not below x, clamped to the grid.
+  /// The first plane at or above x, clamped to the grid.
   [[nodiscard]] constexpr std::uint8_t above(const S& x) const noexcept {
     return byte(ceiling(offset(x)));
   }

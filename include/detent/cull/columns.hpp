@@ -14,10 +14,10 @@
 #include "detent/shape/segment.hpp"
 
 // Conservative culling of many boxes and rays, quantized to columns of small numbers. Compilers
-// turn the loop over them into vectors. Candidates that remain are tested exactly. What is culled
-// does not meet, so culling changes no result.
+// vectorize the loop over them. The remaining candidates are tested exactly, and nothing that meets
+// is culled, so culling changes no result.
 
-// Compilers limit inlining in a large source, and do not vectorize a loop that calls something.
+// Compilers limit inlining in a large source, and do not vectorize a loop with calls.
 #if defined(__GNUC__)
 #define DETENT_INLINE_CALLS __attribute__((flatten))
 #else
@@ -37,7 +37,7 @@ template <Scalar S, int N>
 struct LaneBox {
   Vec<quantized<S>, N> center, extent;
 
-  /// The box of no shape, and of a shape that may be anywhere.
+  /// The box that meets nothing, and the box of a shape that may be anywhere.
   [[nodiscard]] static constexpr LaneBox nowhere() noexcept {
     return {{}, make_vec<N>([](int) { return narrow_negative(quantized_limit<S>); })};
   }
@@ -98,7 +98,7 @@ template <class Block, class Item>
 }
 
 /// Whether the ray of lane l certainly misses the box of lane l: an axis of the box separates them,
-/// or one perpendicular to such an axis and the ray.
+/// or an axis perpendicular to such an axis and the ray.
 ///
 /// `slack` covers the rounding of a product's factors and of the product. In steps, |w| and the
 /// extent each err by 3 along the ray's slope (at most 3 * 0.71 together), the slopes by 2^-16 (0.5
@@ -159,8 +159,8 @@ class BatchGrid {
     return true;
   }
 
-  /// A box in the region, or an empty one. Its extent is larger than the least by the possible error
-  /// of a ray's position: 1.5 at its start and 2.5 at its end, and 0.5 in their middle.
+  /// A box in the region, or an empty one. Its extent is enlarged by the possible error of a ray's
+  /// position: 1.5 at its start and 2.5 at its end, and 0.5 in their middle.
   [[nodiscard]] constexpr LaneBox<S, N> quantize(const Aabb<S, N>& box) const noexcept {
     if (is_empty(box)) return LaneBox<S, N>::nowhere();
     LaneBox<S, N> result;

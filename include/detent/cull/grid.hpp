@@ -12,14 +12,15 @@
 
 namespace detent::detail {
 
-/// How far a shape reaches from its center or core, on the grid, rounded up. Every constructor adds
-/// the margin that boxes need (quantized_box.hpp), where the scalar's range does not cut it off.
+/// The reach of a shape from its center or core, on the grid, rounded up. Every constructor adds
+/// the margin that boxes need (quantized_box.hpp), unless the scalar's range cuts it off.
 ///                                  (tests/cull/grid.test.cpp, tests/scene/bounds.test.cpp)
 template <Scalar S>
 class Reach;
 
-/// The grid of a scene's boxes: coordinates quantized so that their differences fit 32 bits, rounded
-/// outward. Conservative: what it separates is disjoint, what it lets through is tested exactly.
+/// The grid of a scene's boxes: coordinates quantized so that their differences fit 32 bits,
+/// rounded outward. Conservative: boxes that it separates are disjoint, all others are tested
+/// exactly.
 template <Scalar S>
 struct Grid {
   using Coordinate = S;
@@ -62,10 +63,10 @@ struct Grid<Fixed<Bits, Frac>> {
     constexpr Coordinate dropped = (Coordinate{1} << shift) - 1;
     return x >= (S::max)() ? beyond : (raw >> shift) + ((raw & dropped) == 0 ? 0 : 1);
   }
-  /// The last step that is not above x.
+  /// The last step at or below x.
   static constexpr std::int64_t step(const S& x) noexcept { return x.raw() >> shift; }
-  /// A coordinate as a raw number, for `RaySlab`. What no scalar plus a distance reaches is clamped,
-  /// to be less than 2^33 from every scalar.
+  /// A coordinate as a raw number, for `RaySlab`. Coordinates beyond the reach of any scalar plus a
+  /// distance are clamped to less than 2^33 from every scalar.
   static constexpr std::int64_t plane(Coordinate x) noexcept {
     constexpr std::int64_t most = std::int64_t{11} << 29;
     return std::clamp(std::int64_t{x} * (std::int64_t{1} << shift), -most, most);

@@ -9,8 +9,8 @@
 
 namespace detent::detail {
 
-/// Offers `item` to `kept`, after `seen` others. While there is room, the list takes it; a full
-/// list keeps the least of all items offered, whatever their order. Call sort_kept at the end.
+/// Offers `item` to `kept`, after `seen` others. A list with room takes it; a full list keeps the
+/// least of all items offered, whatever their order. Call sort_kept at the end.
 ///
 /// A full list is a heap with its greatest item in front.
 template <class Item>
@@ -27,8 +27,8 @@ constexpr void keep_first(std::span<Item> kept, std::size_t seen, const Item& it
 
 /// Sorts the items that keep_first kept of the `seen` items offered.
 ///
-/// Uses the heap that a full list already is. std::sort looks at 16 items at a time, which GCC
-/// takes for an index out of bounds if an array is shorter.
+/// A full list already is a heap. std::sort looks at 16 items at a time, for which GCC warns of an
+/// index out of bounds if an array is shorter.
 template <class Item>
 constexpr void sort_kept(std::span<Item> kept, std::size_t seen) noexcept {
   const auto items = kept.first((std::min)(seen, kept.size()));

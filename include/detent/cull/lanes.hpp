@@ -9,11 +9,11 @@
 
 #include "detent/number/require_cxx20.hpp"
 
-// Eight numbers side by side. Where the machine has the vector instructions, lanes are a compiler's
-// vector (an extension of GCC and Clang). Elsewhere, and for constants, they are an array with the
-// same operations, and so the same numbers.                    (tests/cull/lanes.test.cpp)
+// Eight numbers side by side. If the machine has vector instructions, lanes are a vector type of
+// the compiler (an extension of GCC and Clang). Otherwise, and in constant expressions, they are an
+// array with the same operations and results.                           (tests/cull/lanes.test.cpp)
 //
-// Nothing else knows what vectors a machine has.
+// Only this header depends on the machine's vectors.
 
 namespace detent::detail {
 
@@ -34,7 +34,8 @@ class ArrayLanes {
     }
   }
 
-  /// Of integers: every lane's complement where all bits of x are set, and not where none are.
+  /// For integers: complements each lane in which all bits of x are set, and keeps those in which
+  /// none are.
   constexpr void flip(const ArrayLanes& x) noexcept {
     for (std::size_t k = 0; k < lane_count; ++k) numbers_[k] ^= x.numbers_[k];
   }
@@ -44,7 +45,7 @@ class ArrayLanes {
   constexpr void subtract(const ArrayLanes& x) noexcept {
     for (std::size_t k = 0; k < lane_count; ++k) numbers_[k] -= x.numbers_[k];
   }
-  /// Of integers of 32 bits, none negative: (lane * factor) >> shift, which fits 31 bits.
+  /// For non-negative 32-bit integers: (lane * factor) >> shift, which fits 31 bits.
   constexpr void scale(std::uint32_t factor, int shift) noexcept {
     for (std::size_t k = 0; k < lane_count; ++k) {
       const auto product = static_cast<std::uint64_t>(numbers_[k]) * factor;
@@ -112,8 +113,8 @@ struct VectorOf {
   typedef T type __attribute__((vector_size(Bytes)));
 };
 
-/// Lanes in as many vectors as they take: compilers are poor at dividing larger ones themselves.
-/// Named by the size of a vector, for programs whose sources are compiled for several machines.
+/// Lanes in as many vectors as they need: compilers are poor at splitting larger ones. The vector
+/// size is part of the type, for programs whose sources are compiled for several machines.
 template <class T, std::size_t Bytes = vector_bytes>
 class VectorLanes {
   static constexpr std::size_t part_lanes = Bytes / sizeof(T);
@@ -165,7 +166,7 @@ class VectorLanes {
   void scale(std::uint32_t factor, int shift) noexcept {
     for (std::size_t i = 0; i < part_count; ++i) {
 #if DETENT_HAS_SHUFFLES && !defined(__SSE2__)
-      if constexpr (Bytes == 16) {  // products of halves of a vector, as NEON and simd128 have them
+      if constexpr (Bytes == 16) {  // products of halves of a vector, as in NEON and simd128
         using Quarters = typename VectorOf<std::uint32_t, 16>::type;
         using Half = typename VectorOf<std::uint32_t, 8>::type;
         const auto lanes = std::bit_cast<Quarters>(parts_[i]);
@@ -227,13 +228,13 @@ class VectorLanes {
   static constexpr bool unpacks_bytes =
       std::is_same_v<T, std::int32_t> && Bytes == 16 && std::endian::native == std::endian::little;
 
-  /// first + step * bytes[k] in lane k. Compilers would take the bytes one by one, and SSE2 has no
-  /// products of 32 bits, modulo 2^32: their upper halves are those of b low plus b high.
+  /// first + step * bytes[k] in lane k. Compilers would extract the bytes one by one, and SSE2 has
+  /// no 32-bit products modulo 2^32: their upper halves are those of b low plus b high.
   void multiply(T first, T step, const std::array<std::uint8_t, lane_count>& bytes) noexcept {
     if constexpr (unpacks_bytes) {
       using Shorts = typename VectorOf<std::uint16_t, Bytes>::type;
       const Words word{std::bit_cast<std::uint64_t>(bytes), 0};
-#if defined(__SSE2__) && !defined(__clang__)  // GCC's shuffle takes the bytes one by one
+#if defined(__SSE2__) && !defined(__clang__)  // GCC's shuffle extracts the bytes one by one
       using Chars = typename VectorOf<char, Bytes>::type;
       const auto counts =
           std::bit_cast<Shorts>(__builtin_ia32_punpcklbw128(std::bit_cast<Chars>(word), Chars{}));
@@ -286,7 +287,7 @@ class VectorLanes {
 #endif
   }
 
-  /// A bit for each lane, where lanes have all bits or none.
+  /// A bit for each lane, if lanes have all bits or none.
   [[nodiscard]] static std::uint32_t bits_of(const PartMarks& marks) noexcept {
 #if defined(__AVX2__)
     if constexpr (sizeof(T) == 4) {
@@ -316,7 +317,7 @@ class VectorLanes {
 
 #undef DETENT_HAS_SHUFFLES
 
-// Vectors of 32 bits for rays against the nodes of a mesh.
+// 32-bit lanes for rays against the nodes of a mesh.
 #if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__))
 template <class T>
 using Lanes = VectorLanes<T>;
@@ -325,7 +326,7 @@ template <class T>
 using Lanes = ArrayLanes<T>;
 #endif
 
-/// Lanes that are only compared, for which every machine with vectors has instructions.
+/// Lanes that are only compared; every machine with vectors has instructions for that.
 #if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__))
 template <class T>
 using ComparedLanes = VectorLanes<T>;
@@ -334,9 +335,9 @@ template <class T>
 using ComparedLanes = ArrayLanes<T>;
 #endif
 
-/// Whether lanes have fast instructions for all operations on 32 bits. SSE2 lacks the greater and
-/// the less, and in node a product of simd128 takes many: there a ray saves too little in the few
-/// nodes that it meets for what it takes to prepare (docs/scene.md).   (tests/platforms/forms)
+/// Whether lanes have fast instructions for all 32-bit operations. SSE2 lacks maximum and minimum,
+/// and a simd128 product takes many instructions in node: there a ray meets too few nodes to pay
+/// for its preparation (docs/scene.md).                                     (tests/platforms/forms)
 #if defined(__GNUC__) && (defined(__SSE4_1__) || defined(__aarch64__))
 inline constexpr bool has_full_lanes = true;
 #else

@@ -41,7 +41,7 @@ class FixedList {
   std::size_t size_ = 0;
 };
 
-/// Without room: its elements are never accessed.
+/// A list without room: its elements are never accessed.
 template <class T>
 class FixedList<T, 0> {
  public:
@@ -56,7 +56,7 @@ class FixedList<T, 0> {
   constexpr void reserve(std::size_t) const noexcept {}
 
  private:
-  /// Never called. Unreachable for compilers, or they would warn of an element out of bounds.
+  /// Never called. Marked unreachable, because compilers would warn of an element out of bounds.
   [[noreturn]] static constexpr T& none() noexcept {
 #if defined(_MSC_VER) && !defined(__clang__)
     __assume(false);
@@ -72,7 +72,7 @@ class FixedList<T, 0> {
 /// Storage of a scene that allocates as it grows.
 struct Growing {
   static constexpr bool is_growing = true;
-  /// The most objects, and the most frames, whatever a snapshot claims.
+  /// The most objects, and the most frames, even if a snapshot claims more.
   static constexpr std::size_t capacity = std::size_t{1} << 20;
   static constexpr std::size_t frame_capacity = capacity;
   template <class T, std::size_t>

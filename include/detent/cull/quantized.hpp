@@ -7,8 +7,8 @@
 
 namespace detent {
 
-// Quantized numbers of 16 bits, eight to a vector register of 128 bits: they rule out most of many
-// shapes, with a known error. `float` and `double` are not quantized.
+// Quantized 16-bit numbers, eight per 128-bit vector register: they rule out most of many shapes,
+// with a known error. `float` and `double` are not quantized.
 
 namespace detail {
 
@@ -64,8 +64,8 @@ template <int Frac>
   DETENT_ASSERT(raw > lowest<Fixed<15, Frac>>.raw());
   return Fixed<15, Frac>::assume_raw(static_cast<std::int16_t>(raw < 0 ? -raw : raw));
 }
-/// `count` steps of the grid; for `float` and `double`, whose coordinates are at most `size`, more
-/// than their error.
+/// `count` steps of the grid; for `float` and `double`, with coordinates up to `size`, more than
+/// their error.
 template <int Bits, int Frac>
 [[nodiscard]] constexpr Fixed<15, 0> quantized_steps(int count, const Fixed<Bits, Frac>&) noexcept {
   return Fixed<15, 0>(count);

@@ -16,11 +16,11 @@
 // A box around the points of each shape is not enough: round shapes measure distances to an `Obb`
 // in the frame of the box, whose axes are only nearly perpendicular. Let |dot(axis(i), axis(j))| be
 // at most e = 2^-10 off 0, and off 1 for i = j. Then A, with the axes as rows, changes lengths by a
-// factor within sqrt(1 +- 3 e). Its inverse is A^T (A A^T)^-1, where the last factor is 1 within
-// 3 e / (1 - 3 e) < 4 e = 2^-8 (in the sum of the absolute values of a row). So the slabs lie
-// within the edges if each half extent is lengthened by 2^-8 of the greatest, and points within r
-// of them in the frame are within r (1 + 2^-8). That is the margin of a `Reach`.
-// Boxes with other axes count as everywhere.         (tests/scene/history.test.cpp, skewed boxes)
+// factor within sqrt(1 +- 3 e). Its inverse is A^T (A A^T)^-1, where the last factor is 1 within 3
+// e / (1 - 3 e) < 4 e = 2^-8 (in the sum of the absolute values of a row). So the slabs lie within
+// the edges if each half extent is lengthened by 2^-8 of the greatest, and points within r of them
+// in the frame are within r (1 + 2^-8). That is the margin of a `Reach`. Boxes with other axes
+// count as unbounded.                                  (tests/scene/history.test.cpp, skewed boxes)
 
 namespace detent::detail {
 
@@ -32,7 +32,7 @@ struct QuantizedBox {
   std::array<Coordinate, static_cast<std::size_t>(N)> high;
 
   constexpr QuantizedBox() noexcept = default;
-  /// A box that ends where the scalar's range does has been clamped there: it has no end.
+  /// A box that ends where the scalar's range ends was clamped there, so it counts as unbounded.
   explicit constexpr QuantizedBox(const Aabb<S, N>& box) noexcept {
     const bool none = detent::is_empty(box);
     for (int i = 0; i < N; ++i) {

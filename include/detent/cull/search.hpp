@@ -22,7 +22,7 @@ struct TreePart {
   std::uint32_t at;
   bool is_object;
 
-  /// The most parts that wait in a walk: seven of each level.
+  /// The most parts that wait during a walk: seven per level.
   static constexpr std::size_t room = 7 * tree_depth;
 
   [[nodiscard]] constexpr bool is_leaf() const noexcept { return is_object; }
@@ -42,7 +42,7 @@ class RayProbe {
     }
     shorten(ray.max_distance);
   }
-  /// For what is in `box`, which is not empty, and moves: as a ray, it ends within 2^29 steps.
+  /// For the moving contents of `box`, which is not empty. Like a ray, it ends within 2^29 steps.
   constexpr RayProbe(const QuantizedBox<S, N>& box, const Direction<S, N>& direction,
                      const S& max_distance) noexcept
       : from_(box), direction_(direction) {
@@ -52,7 +52,7 @@ class RayProbe {
   [[nodiscard]] constexpr const QuantizedBox<S, N>& from() const noexcept { return from_; }
   [[nodiscard]] constexpr const Direction<S, N>& direction() const noexcept { return direction_; }
   [[nodiscard]] constexpr Limit limit() const noexcept { return limit_; }
-  /// From now on, only boxes that may lie within `distance`.
+  /// From now on, only boxes that may lie within `distance` matter.
   constexpr void shorten(const S& distance) noexcept { limit_ = Limit{Grid<S>::above(distance)}; }
 
  private:
@@ -61,7 +61,7 @@ class RayProbe {
   Limit limit_{};
 };
 
-/// Which boxes a probe may reach, and lower bounds on the times when it does, one by one.
+/// Which boxes a probe may reach, and lower bounds on the times, one box at a time.
 template <Scalar S, int N>
 class RayKeys {
  public:
@@ -151,7 +151,7 @@ class RayLanes {
   std::array<Slab, static_cast<std::size_t>(N)> slabs_;
 };
 
-/// Which boxes may lie within a distance of a point, and the squares of their distances.
+/// Which boxes may lie within a distance of a point, and their squared distances.
 template <Scalar S, int N>
 class PointProbe {
  public:
@@ -165,7 +165,7 @@ class PointProbe {
     const auto limit = static_cast<Key>(Grid<S>::above(distance)) + Key(1);  // rounded down
     limit_ = limit * limit;
   }
-  /// A distance measured in the frame of a box may be 2^-8 less (bounds.hpp).
+  /// A distance measured in the frame of a box may be smaller by 2^-8 (bounds.hpp).
   [[nodiscard]] constexpr bool reaches(Key key) const noexcept {
     return !is_limited_ || key - key / 64 <= limit_;
   }
@@ -198,7 +198,7 @@ class PointProbe {
   bool is_limited_ = false;
 };
 
-/// A tree as a probe walks it. `Keys` are those of a probe, or a probe that has keys itself.
+/// A tree as traversed by a probe. `Keys` are those of a probe, or a probe with its own keys.
 template <class Tree, class Keys, class Visit>
 struct TreeSearch {
   using Key = typename Keys::Key;

@@ -12,12 +12,12 @@
 #include "detent/number/integer.hpp"
 #include "detent/number/scalar.hpp"
 
-// A ray against the slabs of boxes. All that culls rays by trees, of scenes and of meshes, takes its
-// distances from here.
+// A ray against the slabs of boxes. All ray traversals of trees, in scenes and meshes, use these
+// distances.
 
 namespace detent {
 
-/// The unit of distance along a ray while boxes are culled.
+/// The unit of ray distance during traversal.
 ///
 /// No distance past `longest` matters: the ray has left all planes, or has ended.
 template <Scalar S>
@@ -52,8 +52,8 @@ class GridTimes {
   Time enter_, leave_, step_;
 };
 
-/// A tick is 2^exponent steps of the coordinates, and at least 2^-23 of `longest`: times of 32 bits,
-/// of which one vector instruction compares eight.
+/// A tick is 2^exponent steps of the coordinates, and at least 2^-23 of `longest`: 32-bit times, of
+/// which one vector instruction compares eight.
 template <int Bits, int Frac>
 class Ticks<Fixed<Bits, Frac>> {
   using S = Fixed<Bits, Frac>;
@@ -72,7 +72,7 @@ class Ticks<Fixed<Bits, Frac>> {
 
   [[nodiscard]] constexpr const S& longest() const noexcept { return longest_; }
   [[nodiscard]] constexpr int exponent() const noexcept { return exponent_; }
-  /// A step, and as many as take three ticks or more.
+  /// One step, plus as many as take three ticks or more.
   [[nodiscard]] constexpr std::int64_t margin() const noexcept { return margin_; }
   [[nodiscard]] constexpr Time time(const S& distance) const noexcept {
     const std::int64_t raw = (std::min)(distance, longest_).raw();
@@ -93,12 +93,12 @@ class Ticks<Fixed<Bits, Frac>> {
   std::int64_t margin_ = 4;
 };
 
-/// m / 2^shift ticks a step is 1 / |d|, rounded down by less than one part in 2^29. Below 2^29
-/// ticks, the product and its own rounding lose less than two. So a plane is entered a step early,
-/// and left a step and three ticks late: `margin`.
+/// m / 2^shift ticks per step is 1 / |d|, rounded down by less than one part in 2^29. Below 2^29
+/// ticks, the product and its own rounding lose less than two. So the ray enters a plane one step
+/// early, and leaves it one step and three ticks late: `margin`.
 ///
-/// A direction of 0 counts as the least one. A ray along a side of a box is then in the box from
-/// before its start, and beyond its end: the margin of four steps takes longer than any ray.
+/// A direction of 0 counts as the least nonzero one. A ray along a side of a box is then in the box
+/// from before its start to beyond its end: the margin of four steps takes longer than any ray.
 ///
 /// Coordinates are in steps of a grid; planes are less than 2^33 from the origin or from the sides of
 /// a moving box, so products fit 64 bits.
@@ -111,11 +111,11 @@ class RaySlab<Fixed<Bits, Frac>> {
   using Time = std::int64_t;
 
   constexpr RaySlab() noexcept = default;
-  /// For planes on a grid; `origin` is the last step that is not above the origin of the ray.
+  /// For planes on a grid; `origin` is the last step at or below the origin of the ray.
   constexpr RaySlab(std::int64_t origin, const Component& direction, const Ticks<S>& ticks) noexcept
       : RaySlab(origin, origin, direction, ticks) {}
-  /// For a moving box, whose sides start at `low` and `high`: it enters a slab when its front does,
-  /// and leaves it when its back does.
+  /// For a moving box, whose sides start at `low` and `high`: its front enters a slab first, and
+  /// its back leaves it last.
   constexpr RaySlab(std::int64_t low, std::int64_t high, const Component& direction,
                     const Ticks<S>& ticks) noexcept {
     const std::int64_t speed = direction.raw();
@@ -153,7 +153,7 @@ class RaySlab<Fixed<Bits, Frac>> {
   ///
   /// A step is at most 2^21 ticks, so 255 steps are less than 2^29. A ray with longer steps is so
   /// nearly parallel to the planes that it crosses less than four steps in the 2^23 ticks that
-  /// matter. It is turned to have steps of exactly 2^21 ticks, and four steps are added.
+  /// matter. It gets steps of exactly 2^21 ticks, and four steps are added.
   [[nodiscard]] constexpr auto on_grid(const ByteGrid<S>& grid) const noexcept {
     using Short = typename Ticks<S>::Time;
     constexpr std::int64_t longest_step = 1 << 21;
@@ -176,15 +176,15 @@ class RaySlab<Fixed<Bits, Frac>> {
   int shift_ = 0;
 };
 
-/// One axis of a ray, or of a moving box, against planes of a scene's grid, in 32 bits and eight at a
-/// time. For `reach` steps along the ray, fewer than 2^29; in ticks of 2^exponent steps, of which
-/// `reach` has fewer than 2^26.          (tests/cull/slabs.test.cpp)
+/// One axis of a ray, or of a moving box, against planes of a scene's grid, in 32 bits and eight at
+/// a time. Covers `reach` steps along the ray, fewer than 2^29, in ticks of 2^exponent steps, fewer
+/// than 2^26.                                                           (tests/cull/slabs.test.cpp)
 ///
 /// The part that matters moves by at most |d| reach steps on this axis. So planes are clamped to
-/// between 16 steps behind it and 16 steps beyond its end, and measured from there: x steps take
-/// x factor >> shift ticks, fewer than 10 reach, rounded down by less than three.
-/// A component |d| below 4 / reach counts as a power of two from 4 / reach to 8 / reach: the ray
-/// enters no later, and is at most eight steps too far when it leaves.
+/// the range from 16 steps behind it to 16 steps beyond its end, and measured from there: x steps
+/// take x factor >> shift ticks, fewer than 10 reach, rounded down by less than three. A component
+/// |d| below 4 / reach counts as a power of two from 4 / reach to 8 / reach: the ray enters no
+/// later, and is at most eight steps too far when it leaves.
 template <Scalar S, class Lanes>
 class LaneSlab {
   using Component = direction_component<S>;
@@ -197,7 +197,8 @@ class LaneSlab {
   using Planes = std::array<Time, detail::lane_count>;
 
   constexpr LaneSlab() noexcept = default;
-  /// For what starts between `low` and `high`; if one is at 2^29 steps or more, it is everywhere.
+  /// For a box that starts between `low` and `high`; if one of them is at 2^29 steps or more, the
+  /// box is unbounded.
   constexpr LaneSlab(std::int64_t low, std::int64_t high, const Component& direction,
                      std::int64_t reach, int exponent) noexcept {
     const std::int64_t speed = direction.raw();
@@ -230,8 +231,8 @@ class LaneSlab {
   /// Whether it enters a slab at its greatest coordinate.
   [[nodiscard]] constexpr bool is_backward() const noexcept { return is_backward_; }
 
-  /// Lower bounds of the times at which it enters through planes, and upper bounds of those at which
-  /// it leaves; outside of the part that matters, of times that are outside too.
+  /// Lower bounds of the times at which it enters through planes, and upper bounds of those at
+  /// which it leaves; times outside the part that matters have bounds outside it too.
   [[nodiscard]] constexpr Lanes enter(const Planes& planes) const noexcept {
     return times(planes, enter_from_, enter_);
   }
@@ -270,7 +271,7 @@ class Ticks<F> {
   using Time = F;
   using Reach = F;
 
-  /// For planes at any distance: times get no margin but their own rounding.
+  /// For planes at any distance: times have no margin except their own rounding.
   constexpr Ticks() noexcept = default;
   constexpr Ticks(F reach, F limit) noexcept
       : reach_(reach), longest_((std::min)(limit, reach * 2)), shortest_(F{1} / (1 << 14)) {}

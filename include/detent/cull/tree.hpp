@@ -36,7 +36,7 @@ class Tree {
     is_in_bulk_ = false;
   }
 
-  /// Rebuilds the tree for the current boxes: better than a tree built by adding them one by one.
+  /// Rebuilds the tree for the current boxes; the result is better than adding them one by one.
   /// Needs room for all boxes, which a bounded tree takes on the stack.
   ///
   /// source: White and Jain, Similarity Indexing: Algorithms and Performance, 1996 (VAMSplit)
@@ -53,7 +53,7 @@ class Tree {
     root_ = entries[0].child;
   }
 
-  /// Between these two calls, moving many objects is cheaper, and no query is allowed.
+  /// Between these two calls moving many objects is cheaper, but queries are not allowed.
   constexpr void begin_bulk() noexcept { is_in_bulk_ = true; }
   constexpr void end_bulk() noexcept {
     is_in_bulk_ = false;
@@ -224,7 +224,7 @@ class Tree {
     }
   }
 
-  /// Divides the boxes of a full node and one more between it and a new node, at the cut along an
+  /// Splits the boxes of a full node plus one more between it and a new node, at the cut along an
   /// axis that leaves the least area.
   constexpr std::uint32_t split(std::uint32_t at, const Entry& extra) {
     std::array<Entry, width + 1> entries;

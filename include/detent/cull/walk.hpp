@@ -9,13 +9,13 @@
 
 #include "detent/number/require_cxx20.hpp"
 
-// Walks over trees, height fields and batches find candidates: they visit each item that may matter,
-// and perhaps others. All have one contract:
+// Walks over trees, height fields and batches find candidates: they visit each item that may
+// matter, and possibly others. All have the same contract:
 //
 // * A walk calls visit(item), or visit(item, limit) if it is ordered by distance. `limit` is the
 //   distance beyond which nothing matters any more; visit may lower it, never raise it.
 // * visit returns Walk::go_on, or Walk::stop to end the walk.
-// * The walk returns Walk::stop if visit did, and Walk::go_on if it has come to its end.
+// * The walk returns Walk::stop if visit did, and Walk::go_on if it reached its end.
 
 namespace detent {
 

@@ -29,7 +29,7 @@ template <int Bits, Number A, Number B, int N>
 
 /// The angle between two vectors, in [0, 1/2] turn.
 ///
-/// domain: every pair of vectors; 0 where one of them is the zero vector
+/// domain: every pair of vectors; 0 if one of them is the zero vector
 /// exact:  off by less than 0.5 + 2^-28 units of 2^-32 turn; a multiple of an eighth of a turn is
 ///         exact                                              (tests/math/angle_between.test.cpp)
 /// source: atan2(|u x v|, dot(u, v)): no division, and no arc cosine, which is inaccurate near 0

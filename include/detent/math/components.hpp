@@ -13,7 +13,7 @@ template <Number T, int N>
   return true;
 }
 
-/// The axis of the component of greatest magnitude, the first if several.
+/// The axis of the component of greatest magnitude; the first in case of a tie.
 template <Number T, int N>
 [[nodiscard]] constexpr int longest_axis(const Vec<T, N>& v) noexcept {
   int longest = 0;
@@ -23,7 +23,7 @@ template <Number T, int N>
   return longest;
 }
 
-/// A vector without component `axis`, in an order that keeps orientation.
+/// A vector without component `axis`, in the order that preserves orientation.
 template <Number T>
 [[nodiscard]] constexpr Vec<T, 2> without(const Vec<T, 3>& v, int axis) noexcept {
   return {v[(axis + 1) % 3], v[(axis + 2) % 3]};

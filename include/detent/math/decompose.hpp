@@ -8,7 +8,7 @@
 #include "detent/math/project.hpp"
 #include "detent/math/transform.hpp"
 
-// Transforms to matrices and back; frames made orthonormal again.
+// Conversions between transforms and matrices; orthonormalization of frames.
 
 namespace detent {
 
@@ -72,9 +72,9 @@ template <Scalar S, Number T>
 
 }  // namespace detail
 
-/// Makes a frame orthonormal again, such as after many products. Axis 0 keeps its direction, axis 1
-/// is turned as little as makes it perpendicular to axis 0, and axis 2 becomes perpendicular to
-/// both, on the side where it was. Nothing if the axes are linearly dependent.
+/// Orthonormalizes a frame, for instance after many products. Axis 0 keeps its direction, axis 1
+/// turns by the least angle that makes it perpendicular to axis 0, and axis 2 becomes perpendicular
+/// to both, on its own side. Nothing if the axes are linearly dependent.
 ///
 /// exact:  each axis is the direction of the exact vector, rounded to nearest, so that their angles
 ///         are right within 2^-29 (2^-13)                         (tests/math/decompose.test.cpp)
@@ -90,8 +90,8 @@ template <Scalar S, int N>
 /// The transform with this matrix, or nothing if there is none: a last row other than 0 0 0 1,
 /// columns that are not perpendicular or not of one length, or a mirror in 2D.
 ///
-/// result: a matrix of scalars has been rounded, so each component may be up to 4 units away from
-///         that of the transform found, and no farther; a mirror in 3D has a negative scale
+/// result: a matrix of scalars has been rounded, so each component may differ by up to 4 units from
+///         that of the result, but no more; a mirror in 3D has a negative scale
 /// exact:  the axes are the Gram-Schmidt frame of the columns, the scale is the best fit for these
 ///         axes, each rounded once                                (tests/math/decompose.test.cpp)
 template <Scalar S, int Size>

@@ -12,7 +12,7 @@ namespace detent {
 
 namespace detail {
 
-/// The components with these raw numbers; for scalars that round, these numbers themselves.
+/// The components with these raw numbers; for scalars that round, the numbers themselves.
 template <Number T, class Raw, std::size_t Size>
 [[nodiscard]] constexpr std::array<T, Size> from_raw(const std::array<Raw, Size>& raw) noexcept {
   std::array<T, Size> components;
@@ -28,7 +28,7 @@ template <Number T, class Raw, std::size_t Size>
 
 }  // namespace detail
 
-/// A unit vector, made only by normalising or from raw bits that are checked.
+/// A unit vector, made only by normalising or from checked raw bits.
 ///
 /// Components are Q2.30 for 32-bit scalars (Q2.14 for 16-bit ones): no component exceeds 1 and the
 /// length is 1 within 2^-29 (2^-13). Queries use the direction exactly as stored.
@@ -49,8 +49,8 @@ class Direction {
     return result;
   }
 
-  /// The direction with these raw components, or nothing when they do not form a unit vector (a
-  /// length off by more than 2^-29, or 2^-13 for 16-bit components; a component beyond 1).
+  /// The direction with these raw components, or nothing if they do not form a unit vector (a
+  /// length off by more than 2^-29, or 2^-13 for 16-bit components, or a component beyond 1).
   [[nodiscard]] static constexpr std::optional<Direction> from_raw(
       const std::array<Raw, std::size_t{N}>& raw) noexcept {
     const auto components = detail::from_raw<Component>(raw);
@@ -92,7 +92,7 @@ constexpr void append(D& digest, const Direction<S, N>& direction) noexcept {
 
 /// The direction of a vector of any number type, or nothing for the zero vector.
 ///
-/// domain: every vector, however short or long
+/// domain: every vector, of any length
 /// exact:  each component is the exact one rounded to nearest    (tests/math/direction.test.cpp)
 template <Scalar S, Number T, int N>
 [[nodiscard]] constexpr std::optional<Direction<S, N>> direction_of(const Vec<T, N>& v) noexcept {
@@ -145,7 +145,7 @@ template <Scalar S, int N>
   return narrow_dot<detail::cosine_bits<S>>(a.vec(), b.vec());
 }
 
-/// The squared length, exactly: 1 within the rounding of the components.
+/// The squared length, exactly: 1 up to the rounding of the components.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto squared_length(const Direction<S, N>& d) noexcept {
   return dot(d, d);

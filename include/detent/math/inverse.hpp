@@ -8,8 +8,8 @@
 #include "detent/math/mat.hpp"
 #include "detent/math/width.hpp"
 
-// Determinants, minors, cofactors, the adjugate, the inverse. All of them are exact, except that an
-// inverse is rounded once.
+// Determinants, minors, cofactors, the adjugate, the inverse. All are exact, except that an inverse
+// is rounded once.
 
 namespace detent {
 
@@ -60,7 +60,7 @@ constexpr std::array<int, 4> indices_without(int index) noexcept {
 
 }  // namespace detail
 
-/// The determinant: the volume of the parallelepiped that the columns span, negative when they are
+/// The determinant: the volume of the parallelepiped spanned by the columns, negative if they are
 /// left-handed.
 ///
 /// exact: always                                                 (tests/math/inverse.test.cpp)
@@ -75,7 +75,7 @@ template <Number T, int N>
   return detail::determinant_of<N - 1>(m, detail::indices_without(i), detail::indices_without(j));
 }
 
-/// The minor of (i, j), negated where i + j is odd.
+/// The minor of (i, j), negated if i + j is odd.
 template <Number T, int N>
 [[nodiscard]] constexpr auto cofactor_of(const Mat<T, N, N>& m, int i, int j) noexcept {
   const auto minor_value = minor_of(m, i, j);
@@ -114,7 +114,7 @@ template <Scalar S, Number T, int N>
 
 }  // namespace detail
 
-/// The inverse of `m`, or nothing when the determinant is 0.
+/// The inverse of `m`, or nothing if the determinant is 0.
 ///
 /// domain: every matrix of scalars
 /// exact:  whether it is singular; each component is that of the exact inverse rounded to nearest,

@@ -20,13 +20,13 @@ struct slope_of<Fixed<Bits, Frac>> {
 
 }  // namespace detail
 
-/// What a camera sees in its own frame, where it looks along -z: the depths from near to far, and
+/// The view volume in the camera's own frame, looking along -z: the depths from near to far, and
 /// half the width and height of the image at each depth.
 ///
 /// At depth d these are slope(i) * d + extent(i), with i = 0 for the width and 1 for the height. A
 /// perspective lens has slopes, the tangents of half its angles of view, and no extents; an
-/// orthographic one has extents and no slopes. A lens is exactly these numbers, and everything that
-/// is computed from it is exact for them.
+/// orthographic one has extents and no slopes. A lens is exactly these numbers, and everything
+/// computed from it is exact for them.
 template <Scalar S>
 class Lens {
  public:
@@ -57,8 +57,8 @@ class Lens {
     return lens;
   }
 
-  /// The lens without perspective, which sees a box: from -half_width to half_width, from
-  /// -half_height to half_height, and from near to far.
+  /// The orthographic lens, which sees a box: from -half_width to half_width, from -half_height to
+  /// half_height, and from near to far.
   ///
   /// domain: nothing unless half_width > 0, half_height > 0 and near_distance < far_distance
   [[nodiscard]] static constexpr std::optional<Lens> orthographic(S half_width, S half_height,

@@ -112,7 +112,7 @@ template <Number S, Number T, int R, int C>
   return make_mat<R, C>([&](int i, int j) { return nearest_to<S>(m(i, j)); });
 }
 
-/// The components row by row, as they are written.
+/// The components row by row.
 template <Number T, int R, int C>
 [[nodiscard]] constexpr auto to_row_major(const Mat<T, R, C>& m) noexcept {
   std::array<T, static_cast<std::size_t>(R * C)> components;

@@ -12,8 +12,8 @@
 
 namespace detent {
 
-/// The frame of a camera at `eye` that looks at `target`, with `up` upward in the image; nothing if
-/// `target` is `eye` or `up` is parallel to the line of sight, exactly.
+/// The frame of a camera at `eye` that looks at `target`, with `up` pointing up in the image;
+/// nothing if `target` is `eye` or `up` is parallel to the line of sight, exactly.
 ///
 /// domain: every point; `up` of any length, perpendicular or not
 /// exact:  each component of each axis rounded to nearest          (tests/math/projection.test.cpp)

@@ -9,8 +9,8 @@
 
 namespace detent {
 
-/// A rotation in space as a unit quaternion w + x i + y j + z k: four numbers where a `Rotation`
-/// has nine, and the form in which rotations are blended. `q` and `-q` are the same rotation.
+/// A rotation in space as a unit quaternion w + x i + y j + z k: four numbers instead of a
+/// `Rotation`'s nine, and the form to blend rotations. `q` and `-q` are the same rotation.
 ///
 /// Components are those of a `Direction`: Q2.30 for 32-bit scalars (Q2.14 for 16-bit ones), and the
 /// length is 1 within 2^-29 (2^-13). Every function uses the quaternion exactly as stored; its
@@ -24,7 +24,7 @@ class Quat {
   /// The identity.
   constexpr Quat() noexcept { xyzw_.w = Component(1); }
 
-  /// The quaternion with the raw components x, y, z, w, or nothing when they do not form a unit
+  /// The quaternion with the raw components x, y, z, w, or nothing if they do not form a unit
   /// quaternion.
   [[nodiscard]] static constexpr std::optional<Quat> from_raw(
       const std::array<Raw, 4>& raw) noexcept {
@@ -54,7 +54,7 @@ class Quat {
     return assume_unit(from_array(*unit));
   }
 
-  /// The rotation by `angle` about `axis`, counter-clockwise when the axis points at the viewer.
+  /// The rotation by `angle` about `axis`, counter-clockwise if the axis points at the viewer.
   ///
   /// result: w is not negative
   /// exact:  components off by less than 0.5 + 2^-27 of their units    (tests/math/quat.test.cpp)
@@ -68,7 +68,7 @@ class Quat {
   }
 
   /// The rotation by `x` about the world's x axis, then by `y` about its y axis, then by `z` about
-  /// its z axis, as `Rotation::from_euler`.
+  /// its z axis, like `Rotation::from_euler`.
   ///
   /// exact: components off by less than 0.5 + 2^-27 of their units    (tests/math/quat.test.cpp)
   [[nodiscard]] static constexpr Quat from_euler(Angle<S> x, Angle<S> y, Angle<S> z) noexcept {
@@ -83,13 +83,13 @@ class Quat {
          nearest_to<Component>(cc * sz - ss * cz), nearest_to<Component>(cc * cz + ss * sz)});
   }
 
-  /// The quaternion of a rotation; of its two signs, the one whose first non-zero component in the
-  /// order w, x, y, z is positive.
+  /// The quaternion of a rotation, with the sign that makes the first non-zero component in the
+  /// order w, x, y, z positive.
   ///
   /// domain: every frame; a shearing or mirroring one gives some rotation too
   /// exact:  the longest row of 4 q q^T, computed from the axes, normalised with correct rounding;
-  ///         where the axes are those of a rotation, correctly rounded, components are off by less
-  ///         than 1.5 of their units                                   (tests/math/quat.test.cpp)
+  ///         if the axes are those of a rotation, correctly rounded, components are off by less
+  ///         than 1.5 of their units                                     (tests/math/quat.test.cpp)
   /// source: Shepperd, Quaternion from Rotation Matrix (1978)
   [[nodiscard]] static constexpr Quat from_rotation(const Rotation<S, 3>& rotation) noexcept {
     const auto m = [&](int row, int column) { return rotation.axis(column)[row]; };
@@ -117,7 +117,7 @@ class Quat {
     return q;
   }
 
-  /// The component of i; `y`, `z` and `w` are those of j, k and 1.
+  /// The component of i; `y`, `z` and `w` belong to j, k and 1.
   [[nodiscard]] constexpr Component x() const noexcept { return xyzw_.x; }
   [[nodiscard]] constexpr Component y() const noexcept { return xyzw_.y; }
   [[nodiscard]] constexpr Component z() const noexcept { return xyzw_.z; }
@@ -153,7 +153,7 @@ template <Scalar S>
   return narrow_dot<detail::cosine_bits<S>>(p.vec(), q.vec());
 }
 
-/// The squared length, exactly: 1 within the rounding of the components.
+/// The squared length, exactly: 1 up to the rounding of the components.
 template <Scalar S>
 [[nodiscard]] constexpr auto squared_length(const Quat<S>& q) noexcept {
   return dot(q, q);
@@ -220,7 +220,7 @@ template <Scalar S>
       .value_or(d);
 }
 
-/// Rotates the vector or direction `v` from the world into the local frame; as exact as `rotate`.
+/// Rotates the vector or direction `v` from the world into the local frame, as exactly as `rotate`.
 template <Scalar S>
 [[nodiscard]] constexpr Vec<S, 3> inverse_rotate(const Quat<S>& q, const Vec<S, 3>& v) noexcept {
   return rotate(conjugate(q), v);

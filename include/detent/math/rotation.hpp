@@ -51,8 +51,8 @@ class Rotation {
     for (int i = 0; i < N; ++i) axes_[static_cast<std::size_t>(i)] = Axis::along(i);
   }
 
-  /// The frame with these axes, unchanged. Axes that are not perpendicular, or left-handed, make a
-  /// frame that shears or mirrors; every function of a frame is defined for those too.
+  /// The frame with these axes, unchanged. Axes that are not perpendicular, or are left-handed,
+  /// make a frame that shears or mirrors; all functions of frames accept those too.
   [[nodiscard]] static constexpr Rotation from_axes(
       const std::array<Axis, std::size_t{N}>& axes) noexcept {
     Rotation rotation;
@@ -95,7 +95,7 @@ class Rotation {
     return from_columns(columns);
   }
 
-  /// The rotation by `angle` about `axis`, counter-clockwise when the axis points at the viewer.
+  /// The rotation by `angle` about `axis`, counter-clockwise if the axis points at the viewer.
   ///
   /// exact:  the rotation about the line through `axis` as stored; components off by less than
   ///         0.5 + 2^-27 of their units                            (tests/math/rotation.test.cpp)
@@ -185,7 +185,7 @@ template <Scalar S, int N>
 
 /// Rotates the vector `v` from the world into the local frame.
 ///
-/// result: the inverse of `rotate` as far as the axes are orthonormal
+/// result: the inverse of `rotate` if the axes are orthonormal
 /// exact:  dot(axis(i), v), rounded to nearest, ties to even, and clamped
 ///         (tests/math/rotation.test.cpp)
 template <Scalar S, int N>
@@ -194,8 +194,8 @@ template <Scalar S, int N>
   return make_vec<N>([&](int i) { return nearest_to<S>(dot(rotation.axis(i), v)); });
 }
 
-/// Rotates the direction `d` from the local frame into the world. Axes that are not those of a
-/// rotation may give 0; the result is then `d` itself.
+/// Rotates the direction `d` from the local frame into the world. If the axes are not those of a
+/// rotation, the sum may be 0; the result is then `d` itself.
 ///
 /// exact: the direction of the exact sum, each component rounded to nearest
 ///        (tests/math/transform.test.cpp)
@@ -210,7 +210,7 @@ template <Scalar S, int N>
       .value_or(d);
 }
 
-/// Rotates the direction `d` from the world into the local frame; as exact as `rotate`.
+/// Rotates the direction `d` from the world into the local frame, as exactly as `rotate`.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Direction<S, N> inverse_rotate(const Rotation<S, N>& rotation,
                                                        const Direction<S, N>& d) noexcept {
@@ -228,7 +228,7 @@ template <Scalar S, int N>
   return Rotation<S, N>::from_axes(axes);
 }
 
-/// The inverse rotation: the world's axes in the local frame, as far as the axes are orthonormal.
+/// The inverse rotation: the world's axes in the local frame, if the axes are orthonormal.
 ///
 /// exact: each row of the matrix normalised, rounded to nearest     (tests/math/transform.test.cpp)
 template <Scalar S, int N>

@@ -11,7 +11,7 @@ namespace detent {
 /// The rotation between `p` and `q` at t, along the chord between them: fastest in the middle.
 ///
 /// domain: t is clamped to [0, 1]
-/// result: the shorter way: if dot(p, q) is negative, the way to -q; `p` at 0 and `q` or `-q` at 1,
+/// result: on the shorter way: if dot(p, q) is negative, towards -q; `p` at 0 and `q` or `-q` at 1,
 ///         as stored
 /// exact:  each component of the unit quaternion along (1 - t) p + t q, rounded to nearest
 ///         (tests/math/slerp.test.cpp)

@@ -13,9 +13,9 @@ namespace detent {
 ///
 /// At time t the frame's origin is at (1 - t) start + t end, and its rotation is that of the
 /// quaternion (1 - t) p + t q, where p and q are `Quat::from_rotation` of the two rotations and q
-/// has the sign of the shorter way (if both ways are equally long, its own). So the frame turns
-/// about a fixed axis by less than or exactly half a turn, fastest in the middle: at most 4 / pi
-/// times the mean. In 2D the axis is the z axis.
+/// has the sign of the shorter way (its own if both ways are equally long). So the frame turns
+/// about a fixed axis by at most half a turn, fastest in the middle: at most 4 / pi times the mean.
+/// In 2D the axis is the z axis.
 template <Scalar S, int N>
 struct Sweep {
   Vec<S, N> start, end;
@@ -41,7 +41,7 @@ template <Scalar S>
 [[nodiscard]] constexpr const Rotation<S, 3>& in_space(const Rotation<S, 3>& rotation) noexcept {
   return rotation;
 }
-/// A rotation of the plane as one about the z axis, and back.
+/// Converts a rotation of the plane to one about the z axis, and back.
 template <Scalar S>
 [[nodiscard]] constexpr Rotation<S, 3> in_space(const Rotation<S, 2>& rotation) noexcept {
   using Axis = Direction<S, 3>;
@@ -64,7 +64,7 @@ template <int N, Scalar S>
   }
 }
 
-/// How the frame of a sweep turns: by the quaternion (1 - t) start + t end.
+/// The rotation of a sweep's frame: by the quaternion (1 - t) start + t end.
 template <Scalar S, int N>
 class Turn {
  public:
@@ -76,7 +76,7 @@ class Turn {
     if (dot(start_, end_) < 0) end_ = -end_;
   }
 
-  /// Whether the rotation is the same at all times, and whether it is then none.
+  /// Whether the rotation is the same at all times; whether it is then the identity.
   [[nodiscard]] constexpr bool is_still() const noexcept { return start_ == end_; }
   [[nodiscard]] constexpr bool is_none() const noexcept {
     return is_still() && start_ == Quat<S>();
@@ -85,21 +85,21 @@ class Turn {
   /// The rotation at time t; a point at distance r from the origin is off by less than 2^-28 r
   /// (2^-12 r for 16-bit scalars).
   ///
-  /// In units of 2^-30: rounding the quaternion's components moves it by at most 1, so it turns
-  /// points by 2 r more or less; rounding the matrix moves them by at most 3 / 2 r.
+  /// In units of 2^-30: rounding the quaternion's components moves it by at most 1, so points move
+  /// by at most 2 r; rounding the matrix moves them by at most 3 / 2 r.
   [[nodiscard]] constexpr Rotation<S, N> at(const Time& t) const noexcept {
     const auto q = start_.vec() + (end_.vec() - start_.vec()) * t;
     return from_space<N>(to_rotation(Quat<S>::along(q).value_or(start_)));
   }
 
-  /// An upper bound, at most 2, on how the frame bends paths: over a time d, a point at distance r
-  /// from the origin strays by at most r bend() d^2 from moving evenly between where it starts and
-  /// ends.
+  /// An upper bound, at most 2, on the curvature of paths in the frame: over a time d, a point at
+  /// distance r from the origin deviates by at most r bend() d^2 from uniform motion between its
+  /// start and its end.
   ///
   /// The quaternion q moves by v = end - start in a line at distance h from 0, so the frame turns
-  /// at the rate w = 2 |v| h / |q|^2. A point at distance r from the axis is accelerated by
-  /// r sqrt(w^4 + w'^2) = 4 r |v|^2 h / |q|^3 <= 4 r |v|^2 / |q|^2, and strays by at most
-  /// d^2 / 8 of that. With m the lesser of |start|^2 and |end|^2, and c >= 0 their dot product,
+  /// at the rate w = 2 |v| h / |q|^2. A point at distance r from the axis is accelerated by r
+  /// sqrt(w^4 + w'^2) = 4 r |v|^2 h / |q|^3 <= 4 r |v|^2 / |q|^2, and deviates by at most d^2 / 8
+  /// of that. With m the lesser of |start|^2 and |end|^2, and c >= 0 their dot product,
   /// |q|^2 >= m - 2 t (1 - t) (m - c) >= min(m, (m + c) / 2).
   [[nodiscard]] constexpr auto bend() const noexcept {
     using Bound = decltype(Time() + Time() + Time());

@@ -7,8 +7,8 @@
 
 namespace detent {
 
-/// A transform from a local frame into the world, p -> translation + scale * rotation * p: moves,
-/// rotates and uniformly scales a model.
+/// A transform from a local frame into the world, p -> translation + scale * rotation * p: a
+/// translation, a rotation and a uniform scale.
 ///
 /// scale:  1 is a rigid motion; a negative scale mirrors through the origin of the frame
 template <Scalar S, int N>
@@ -87,8 +87,8 @@ template <Scalar S, int N, Number T>
 /// Transforms the point `p` from the world into the local frame.
 ///
 /// domain: every transform; with scale 0 a coordinate is a quotient by 0: 0 or an end of the range
-/// result: the inverse of `transform_point` as far as the axes are orthonormal: a round trip moves
-///         a point by less than 8 units if the scale is 1 and nothing is clamped
+/// result: the inverse of `transform_point` if the axes are orthonormal; a round trip moves a point
+///         by less than 8 units if the scale is 1 and nothing is clamped
 /// exact:  dot(axis(i), p - translation) / scale, rounded to nearest, ties to even, and clamped
 ///         (tests/math/transform.test.cpp)
 template <Scalar S, int N>

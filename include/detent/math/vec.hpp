@@ -13,8 +13,8 @@ namespace detent {
 /// A vector or point of two or three components, or of four for quaternions and for the points that
 /// projection matrices multiply.
 ///
-/// Coordinates are `Scalar`s. Results of formulas are any `Number`: sums, differences and products
-/// have the component type that holds them exactly.
+/// Coordinates are `Scalar`s. Results can be any `Number`: sums, differences and products have the
+/// component type that holds them exactly.
 template <Number T, int N>
 struct Vec;
 
@@ -197,7 +197,7 @@ template <Number A, Number B, int N>
   if constexpr (N == 2) {
     return a.x * b.x + a.y * b.y;
   } else {
-    // Three or four terms need two bits more than one, in whichever order they are added.
+    // Three or four terms need two bits more than one, whatever the order of addition.
     constexpr int bits = detail::result_bits(bits_of<A> + bits_of<B> + 2);
     if constexpr (N == 3) {
       return narrow<bits>(a.x * b.x + a.y * b.y + a.z * b.z);
@@ -207,8 +207,8 @@ template <Number A, Number B, int N>
   }
 }
 
-/// The dot product. The caller must prove that |a| |b| fits `Bits`; then so does every partial sum,
-/// and the whole is computed in an integer of that size.
+/// The dot product. The caller must prove that |a| |b| fits `Bits`; then every partial sum fits
+/// too, and everything is computed in an integer of that size.
 template <int Bits, Number A, Number B, int N>
 [[nodiscard]] constexpr auto narrow_dot(const Vec<A, N>& a, const Vec<B, N>& b) noexcept {
   // Not const: GCC 12 keeps const objects of several words in memory.
@@ -258,8 +258,8 @@ template <Number T, int N>
 
 namespace detail {
 
-/// The type of the length of a vector with components of type T. Unconstrained: GCC 12 takes a
-/// constraint here for one that depends on itself, where `normalize` asks whether it is a scalar.
+/// The type of the length of a vector with components of type T. Unconstrained: when `normalize`
+/// checks whether it is a scalar, GCC 12 would consider a constraint here recursive.
 template <class T>
 struct length_of {
   using type = T;
@@ -271,8 +271,8 @@ requires(Bits == 32 || Bits == 33) struct length_of<Fixed<Bits, Frac>> {
 
 }  // namespace detail
 
-/// The length of `v`, rounded down and clamped to the range of its component type. So it is a
-/// scalar if the components are; it is one too for a sum or difference of 32-bit scalars, and
+/// The length of `v`, rounded down and clamped to the range of its component type: a scalar if the
+/// components are scalars. For a sum or difference of 32-bit scalars it is a scalar too, so
 /// `length(a - b)` is `distance(a, b)`. `length<T>(v)` rounds down to T instead.
 template <Scalar S, int N>
 [[nodiscard]] constexpr S length(const Vec<S, N>& v) noexcept {

@@ -38,10 +38,10 @@ template <int Bits, Number T, int N>
 
 }  // namespace detail
 
-/// f(x...), computed in narrower integers if all of x, numbers or vectors, fit `Bits`.
+/// f(x...), computed in narrower integers if all operands, numbers or vectors, fit `Bits`.
 ///
-/// A formula that needs 256 bits for the whole domain needs 128 for operands of ordinary size.
-/// Decisions of `f` are exact in either, so the path changes only the time.
+/// A formula that needs 256 bits for the whole domain needs 128 for operands of ordinary size. `f`
+/// is exact in both, so the width only changes the time.
 template <int Bits, class F, class... Operands>
 [[nodiscard]] constexpr auto by_width(const F& f, const Operands&... x) noexcept {
   if ((fits<Bits>(x) && ...)) return f(detail::at_most<Bits>(x)...);

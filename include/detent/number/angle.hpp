@@ -23,8 +23,8 @@ class Angle;
 
 namespace detail {
 
-/// The types in which formulas compute before they round once: for sines and for their quotients up
-/// to 4. Products with two components of a direction fit 128 bits.
+/// The types for intermediate sines, and for their quotients up to 4, before the final rounding.
+/// Products with two components of a direction fit 128 bits.
 template <Scalar S>
 struct Precise {
   using Sine = S;
@@ -36,7 +36,7 @@ struct Precise<Fixed<Bits, Frac>> {
   using Ratio = Fixed<62, 60>;
 };
 
-/// 2 pi and 1 / 2 pi with as many bits as fit products with a scalar in 128 bits. Every such
+/// 2 pi and 1 / 2 pi, with the most bits for which products with a scalar fit 128 bits. Every such
 /// product is rounded correctly (tests/number/angle.test.cpp: "constants").
 inline constexpr auto two_pi = Fixed<94, 91>::assume_raw(
     integer_cast<Int128>(Wide<2>::from_words({0x885a308d313198a3u, 0x3243f6a8u})));
@@ -64,7 +64,7 @@ class Angle<Fixed<Bits, Frac>> {
 
   /// numerator / denominator of a turn: `turn(1, 4)` is a right angle.
   ///
-  /// domain: every numerator; 0 for the denominator 0, which is a caller's mistake
+  /// domain: every numerator; 0 for the denominator 0, which is a caller's bug
   /// exact:  rounded to nearest, ties to even
   [[nodiscard]] static constexpr Angle turn(int numerator, int denominator) noexcept {
     DETENT_ASSERT(denominator != 0);
@@ -86,7 +86,7 @@ class Angle<Fixed<Bits, Frac>> {
   /// The angle in units of 2^-32 turn, from 0 to a turn.
   [[nodiscard]] constexpr raw_type raw() const noexcept { return raw_; }
 
-  // Names in parentheses are safe from the macros of Arduino.h; callers next to those macros write
+  // Parentheses protect names from the macros of Arduino.h; callers with those macros write
   // (angle.degrees)() too.
 
   /// The angle in (-180, 180], rounded to nearest, ties to even, and clamped.
@@ -130,7 +130,7 @@ class Angle<Fixed<Bits, Frac>> {
 };
 
 #if __STDC_HOSTED__
-/// Radians. Values from outside and sums are brought into [-pi, pi]; nothing is promised.
+/// Radians. Inputs and sums are reduced to [-pi, pi], without promises.
 template <Scalar S>
 requires std::floating_point<S>
 class Angle<S> {
@@ -207,7 +207,7 @@ struct SineCosine {
 
 }  // namespace detail
 
-/// The sine of an angle, as the angle's scalar or as a given type: `sin<T>(angle)`.
+/// The sine of an angle, as the angle's scalar or, with `sin<T>(angle)`, as a given type.
 ///
 /// domain: every angle; T any `Fixed` with at most 30 fractional bits
 /// result: 0, 1 and -1 at the quarter turns; sin(-a) = -sin(a); clamped to T

@@ -7,8 +7,8 @@
 #include "detent/number/angle.hpp"
 #include "detent/number/root.hpp"
 
-// Arcs: the angle whose sine and cosine are known up to a common factor, fractions of it, and half
-// of a given angle. Formulas for vectors and quaternions round once, from these.
+// Arcs: an angle given by its sine and cosine up to a common factor, fractions of it, and half of a
+// given angle. Formulas for vectors and quaternions use these and round once.
 
 namespace detent {
 
@@ -16,7 +16,7 @@ namespace detail {
 
 /// The phase of the vector (a, b), 0 <= b <= a and 2^62 <= a < 2^63: at most an eighth of a turn.
 ///
-/// As `octant_phase`, from the quotient b / a in Q62. The quotient is off by less than two of its
+/// Like `octant_phase`, from the quotient b / a in Q62. The quotient is off by less than two of its
 /// units, which is 1.3 units of 2^-64 turn.
 constexpr std::uint64_t long_octant_phase(std::uint64_t b, std::uint64_t a) noexcept {
   const auto quotient = [](std::uint64_t numerator, int shift, std::uint64_t denominator) {
@@ -47,8 +47,8 @@ constexpr std::uint64_t phase_of_arc(const Fixed<Bits1, Frac1>& squared_sine,
   const Integer adjacent = wrapping_multiply<Integer>(cosine.raw(), cosine.raw());
   const int length = bit_length((std::max)(opposite, adjacent));
   if (length == 0) return 0;
-  // Both squares times the same power of 4, so that the greater is 125 or 126 bits long: their
-  // roots lose less than 1, in 2^62.
+  // Scales both squares by the same power of 4, so that the greater has 125 or 126 bits: their
+  // roots, of about 2^62, lose less than 1.
   const int shift = (126 - length) & ~1;
   const auto root = [shift](const Integer& square) {
     const auto scaled = integer_cast<Wide<2>>(shift >= 0 ? shift_left(square, shift)
@@ -99,7 +99,7 @@ template <Scalar S, int Bits1, int Frac1, int Bits2, int Frac2>
 }
 
 /// sin((1 - t) a) and sin(t a) for the angle a of `angle_of_arc` and t in [0, 1]: the weights of
-/// the ends of an arc for the point at t.
+/// the ends of an arc for its point at t.
 ///
 /// exact: off by less than 2^-59 each                                 (tests/number/arc.test.cpp)
 template <int Bits1, int Frac1, int Bits2, int Frac2, int B, int F>
@@ -125,10 +125,11 @@ template <int B, int F>
                                        Sine::assume_raw(cosine_q62(phase))};
 }
 
-/// `half_sine_cosine` with a relative error of the sine below 2^-61, however small the angle.
+/// `half_sine_cosine` with a relative error of the sine below 2^-61, even for tiny angles.
 template <int B, int F>
 [[nodiscard]] constexpr auto half_tangent(Angle<Fixed<B, F>> angle) noexcept {
-  // As `sine_q62`: sin(pi z / 2) = z f(z^2), z in Q62 and f in Q63, with the product kept whole.
+  // Like `sine_q62`: sin(pi z / 2) = z f(z^2), z in Q62 and f in Q63, but the product keeps all
+  // bits.
   using Sine = Fixed<126, 125>;
   const std::uint64_t phase = detail::half_phase(angle);
   const bool negative = phase >> 63 != 0;

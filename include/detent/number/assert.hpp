@@ -3,9 +3,9 @@
 
 #include "detent/number/require_cxx20.hpp"
 
-// DETENT_ASSERTIONS is 1 where preconditions and proved invariants are checked. Define it to
-// choose; otherwise it is 1 in debug builds: not optimised, NDEBUG not defined, on an operating
-// system. It changes no result and no type.
+// DETENT_ASSERTIONS is 1 to check preconditions and proved invariants. Define it to choose; the
+// default is 1 in debug builds: not optimised, NDEBUG not defined, on an operating system. It
+// changes no result and no type.
 #ifndef DETENT_ASSERTIONS
 #if defined(NDEBUG) || defined(__OPTIMIZE__) || !__STDC_HOSTED__ || \
     (defined(_MSC_VER) && !defined(_DEBUG))
@@ -15,9 +15,9 @@
 #endif
 #endif
 
-/// Checks a condition where DETENT_ASSERTIONS is 1; a failure ends the program.
+/// Checks a condition if DETENT_ASSERTIONS is 1; a failure aborts the program.
 ///
-/// A project with its own handler defines DETENT_ASSERT before it includes detent.
+/// To use your own handler, define DETENT_ASSERT before you include detent.
 #ifndef DETENT_ASSERT
 #if !DETENT_ASSERTIONS
 #define DETENT_ASSERT(...) static_cast<void>(0)

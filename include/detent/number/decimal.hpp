@@ -20,7 +20,7 @@ namespace detail {
 template <int Bits>
 using Limbs = std::array<std::uint32_t, static_cast<std::size_t>((Bits + 31) / 32)>;
 
-/// x = x * factor + addend; returns what did not fit.
+/// x = x * factor + addend; returns the carry.
 constexpr std::uint32_t multiply_add(std::span<std::uint32_t> x, std::uint32_t factor,
                                      std::uint32_t addend) noexcept {
   std::uint64_t carry = addend;
@@ -78,10 +78,10 @@ constexpr Raw raw_of(const std::array<std::uint32_t, Size>& limbs, bool negative
 
 constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 
-/// A decimal as spelt: the significant digits d1 d2 d3 ... of 0.d1d2d3... * 10^point, d1 > 0.
+/// A parsed decimal: the significant digits d1 d2 d3 ... of 0.d1d2d3... * 10^point, d1 > 0.
 struct Decimal {
   bool negative = false;
-  std::string_view digits;  // from d1 on, perhaps with one '.' among them; empty for zero
+  std::string_view digits;  // from d1 on, possibly with one '.'; empty for zero
   std::int64_t point = 0;
 
   /// Takes the next digit; zeros follow the last one.
@@ -97,7 +97,8 @@ struct Decimal {
 /// [+-] digits [. digits] [(e|E) [+-] digits], at least one digit before the exponent; nothing
 /// else.
 constexpr std::optional<Decimal> scan_decimal(std::string_view text) noexcept {
-  // Longer than any text, so a larger exponent decides the result alone; ten times it still fits.
+  // Longer than any text, so any larger exponent decides the result; ten times the limit still
+  // fits.
   constexpr std::int64_t exponent_limit = 100'000'000'000'000'000;
   std::size_t at = 0;
   const auto look = [&] { return at < text.size() ? text[at] : '\0'; };
@@ -144,8 +145,8 @@ constexpr std::optional<Decimal> scan_decimal(std::string_view text) noexcept {
 
 /// |decimal| * 2^frac rounded to nearest, ties to even; nothing when it does not fit into `result`.
 ///
-/// The rounding is decided by multiples of 2^-(frac+1), which have at most frac + 1 decimals. So
-/// that many digits of the fraction are kept; of later digits only whether any is not 0.
+/// Multiples of 2^-(frac+1) decide the rounding. They have at most frac + 1 decimals, so it keeps
+/// that many digits of the fraction, and for later digits only whether any is nonzero.
 template <int Frac>
 constexpr bool round_decimal(Decimal decimal, std::span<std::uint32_t> result) noexcept {
   for (std::uint32_t& limb : result) limb = 0;
@@ -183,7 +184,7 @@ constexpr bool round_decimal(Decimal decimal, std::span<std::uint32_t> result) n
 
 }  // namespace detail
 
-/// The number a decimal text denotes, or nothing when it is malformed or out of range.
+/// The number written as decimal text, or nothing if it is malformed or out of range.
 ///
 /// domain: [+-] digits [. digits] [(e|E) [+-] digits], of any length: "-1.25", ".5", "5.", "1e-3";
 ///         no spaces, no other characters

@@ -18,8 +18,8 @@ namespace detent {
 /// A running XXH64 over the values added so far.
 ///
 /// Every value contributes its canonical bytes: numbers in little-endian order at their own width,
-/// members in the order they are declared, no padding. So the digest is the same on machines of
-/// either byte order and does not depend on how a compiler lays out a struct.
+/// members in declaration order, no padding. So the digest depends neither on byte order nor on
+/// struct layout.
 ///
 /// source: Yann Collet, xxHash fast digest algorithm, XXH64                  (tests/number/digest)
 class Digest {
@@ -29,7 +29,7 @@ class Digest {
   explicit constexpr Digest(std::uint64_t seed) noexcept
       : seed_(seed), lanes_{seed + p1 + p2, seed + p2, seed, seed - p1} {}
 
-  /// Appends each value in turn, by its `append(digest, value)`.
+  /// Appends each value in turn, with its `append(digest, value)`.
   template <class... Values>
   constexpr void add(const Values&... values) noexcept {
     (append(*this, values), ...);
@@ -158,8 +158,8 @@ constexpr void append(Digest& digest, const std::array<T, Size>& values) noexcep
   for (const T& value : values) digest.add(value);
 }
 
-/// A type with a function `append(digest, value)`, found by argument-dependent lookup, that adds
-/// what the value contributes. An aggregate lists its fields:
+/// A type with a function `append(digest, value)`, found by argument-dependent lookup, that appends
+/// the value to the digest. An aggregate lists its fields:
 ///
 ///     template <class D, Scalar S, int N>
 ///     constexpr void append(D& digest, const Ray<S, N>& ray) noexcept {

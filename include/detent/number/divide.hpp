@@ -47,7 +47,8 @@ constexpr Division<Wide<Words>> divide_long(const Wide<Words>& numerator,
   const int scale = 32 * length - bit_length(denominator);  // makes the leading digit >= 2^31
   const Digits v = split(denominator << scale);
   Digits u = split(numerator << scale);
-  // The numerator is non-negative, so its top bit is 0. Bits that the scale shifts out go here.
+  // The numerator is non-negative, so its top bit is 0. Receives the bits that the scale shifts
+  // out.
   if (scale > 0)
     at(u, digits) = static_cast<std::uint32_t>(numerator.word(Words - 1) >> (64 - scale));
 
@@ -136,8 +137,8 @@ template <class Int>
 /// floor(numerator / denominator) for numerator >= 0, denominator > 0 and a quotient below 2^32;
 /// the denominator's type may be narrower.
 ///
-/// Let n and d be leading bits, 32 of the denominator's. Then q = floor(n / (d + 1)) is at most 4
-/// too small. It is correct where n - q d leaves room for the dropped bits.
+/// Let n and d be the leading bits, 32 of the denominator. Then q = floor(n / (d + 1)) is too small
+/// by at most 4. It is correct if n - q d leaves room for the dropped bits.
 template <class N, class D>
 [[nodiscard]] constexpr std::int64_t short_quotient(const N& numerator,
                                                     const D& denominator) noexcept {

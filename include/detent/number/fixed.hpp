@@ -67,8 +67,9 @@ known_integer_is_out_of_range() noexcept;
 
 }  // namespace detail
 
-// Arguments of this constructor are constants nearly always: inlined, its checks and clamps cost
-// nothing, and a compiler that minds code size would call it.  (tests/size: raycast/aabb)
+// The arguments of this constructor are nearly always constants, so once inlined, its checks and
+// clamps cost nothing; but a compiler that optimises for size would not inline it.
+// (tests/size: raycast/aabb)
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define DETENT_INLINE_CONSTANT __attribute__((always_inline))
 #else
@@ -86,12 +87,12 @@ known_integer_is_out_of_range() noexcept;
 ///
 /// Sums, differences and products are exact: the result type has the bits they need, and a result
 /// that would need more than `widest_bits` does not compile. Numbers lose bits only in functions
-/// whose name says so (rounding.hpp) and in `+=`, `-=`, `*=`, where the left side is the
-/// destination.
+/// whose name says so (rounding.hpp) and in `+=`, `-=`, `*=`, which round to the type of the left
+/// side.
 ///
-/// domain: values from outside (text, integers, doubles, raw bits) are in [lowest(), max()], the
-///         range of a two's complement integer of Bits + 1 bits; +2^Bits occurs only as the result
-///         of arithmetic, such as -lowest(), and never where Bits fills its integer type
+/// domain: inputs (text, integers, doubles, raw bits) are in [lowest(), max()], the range of a
+///         two's complement integer of Bits + 1 bits; +2^Bits occurs only as the result of
+///         arithmetic, such as -lowest(), and never where Bits fills its integer type
 template <int Bits, int Frac>
 class Fixed {
  public:
@@ -103,15 +104,15 @@ class Fixed {
 
   /// The integer `value`, which must be in [lowest(), max()]; `saturate_to<T>(n)` clamps others.
   ///
-  /// A value known to be out of range does not compile: in constant expressions, in clang wherever
-  /// the argument is a constant, in GCC where -O1 or higher finds it to be one. Elsewhere it is
-  /// asserted, then clamped.
+  /// A value known to be out of range does not compile: in constant expressions, in clang if the
+  /// argument is a constant, in GCC if -O1 or higher finds it constant. Elsewhere it is asserted,
+  /// then clamped.
   template <std::integral Int>
   DETENT_INLINE_CONSTANT explicit constexpr Fixed(Int value) noexcept DETENT_REFUSE_IF(
       detail::is_out_of_range<Fixed>(value),
       "detent: this integer is out of the number's range: saturate_to<T>(n) clamps it");
 
-  /// The same number in a type that holds every number of the old one.
+  /// Converts from a type all of whose numbers this type holds.
   template <int B, int F>
   requires detail::KeepsEveryNumber<B, F, Bits, Frac> DETENT_INLINE_TINY constexpr Fixed(
       const Fixed<B, F>& other) noexcept
@@ -151,10 +152,10 @@ class Fixed {
   /// The nearest double; exact up to 53 significant bits. For tools and tests.
   [[nodiscard]] explicit constexpr operator double() const noexcept;
 
-  /// The integer that is stored: the number times 2^Frac.
+  /// The stored integer: the number times 2^Frac.
   [[nodiscard]] DETENT_INLINE_TINY constexpr raw_type raw() const noexcept { return raw_; }
 
-  /// The greatest number from outside: (2^Bits - 1) / 2^Frac.
+  /// The greatest input: (2^Bits - 1) / 2^Frac.
   [[nodiscard]] DETENT_INLINE_TINY static constexpr Fixed(max)() noexcept {
     return Fixed(wrapping_subtract<raw_type>(shift_left(raw_type(1), Bits), raw_type(1)), RawTag{});
   }
@@ -163,7 +164,7 @@ class Fixed {
     return Fixed(wrapping_subtract<raw_type>(raw_type(0), shift_left(raw_type(1), Bits)), RawTag{});
   }
 
-  /// Rounds the exact result to nearest, ties to even; asserts that it is in range, else clamps.
+  /// Rounds the exact result to nearest, ties to even; asserts that it is in range, and clamps.
   template <class T>
   requires detail::Operand<T>
   constexpr Fixed& operator+=(const T& other) noexcept;
@@ -276,8 +277,8 @@ template <int B, int F>
   return -std::as_const(x);
 }
 
-/// The negative of a literal: -1_q16_16 is a q16_16 too. A literal is a `const` value so that this
-/// overload is chosen. Only a constant whose negative is in range compiles.
+/// The negative of a literal: -1_q16_16 is a q16_16 too. Literals are `const` values to select this
+/// overload. It compiles only for constants whose negative is in range.
 template <int B, int F>
 [[nodiscard]] consteval Fixed<B, F> operator-(const Fixed<B, F>&& x) {
   if (x == Fixed<B, F>::lowest() && detail::fills_container(B)) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The counterparts of rounding.hpp for float and double: the plain operation, rounded as the
-// language and the platform do. They let one source run in every scalar, and promise nothing.
+// The counterparts of rounding.hpp for float and double: plain operations, rounded as the platform
+// does. They let the same source run in every scalar, and promise nothing.
 
 #include <cmath>
 #include <concepts>

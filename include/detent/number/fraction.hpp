@@ -9,7 +9,7 @@
 
 namespace detent {
 
-/// A quotient not divided yet: signs and comparisons need no division, and most rays miss. The
+/// An undivided quotient: signs and comparisons need no division, and most rays miss. The
 /// denominator is positive.
 template <Number N, Number D>
 struct Fraction {
@@ -38,7 +38,7 @@ template <Number N, Number D, Number T>
 
 namespace detail {
 
-/// A fraction's raw numbers divided: value * 2^(D::frac - N::frac) as quotient and remainder.
+/// Quotient and remainder of a fraction's raw numbers: value * 2^(D::frac - N::frac).
 template <class N, class D>
 constexpr auto divide_raw(const Fraction<N, D>& x) noexcept {
   using Integer = IntegerFor<(std::max)(N::bits, D::bits)>;
@@ -50,8 +50,8 @@ constexpr auto divide_raw(const Fraction<N, D>& x) noexcept {
 
 /// Whether one fraction is less than another, exactly.
 ///
-/// The whole parts decide; if they are equal, the remainders over their denominators do. So no
-/// product is wider than the two denominators together, however wide the numerators are.
+/// Compares the whole parts, then, if they are equal, the remainders over their denominators. So no
+/// product is wider than both denominators together, however wide the numerators are.
 template <Number N1, Number D1, Number N2, Number D2>
 [[nodiscard]] constexpr bool operator<(const Fraction<N1, D1>& a,
                                        const Fraction<N2, D2>& b) noexcept {
@@ -75,7 +75,7 @@ template <Number N1, Number D1, Number N2, Number D2>
 
 /// The square root of a non-negative fraction, rounded down to the grid of `T` and clamped.
 ///
-/// Rounding the quotient down to the grid of the squares first loses nothing: floor(sqrt(floor(y)))
+/// Rounding the quotient down to the grid of the squares first is harmless: floor(sqrt(floor(y)))
 /// is floor(sqrt(y)).
 template <Number T, Number N, Number D>
 [[nodiscard]] constexpr T sqrt_floor(const Fraction<N, D>& x) noexcept {
@@ -114,7 +114,7 @@ template <Number T, Number N, Number D>
   }
 }
 
-/// The value of a non-negative fraction rounded down to the grid of `T`, or nothing when the exact
+/// The value of a non-negative fraction rounded down to the grid of `T`, or nothing if the exact
 /// value is greater than `limit`.
 template <Number T, Number N, Number D>
 [[nodiscard]] constexpr std::optional<T> floor_within(const Fraction<N, D>& x,

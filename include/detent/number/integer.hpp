@@ -74,7 +74,7 @@ template <class To, class From>
 
 namespace detail {
 
-/// The unsigned type in which a built-in signed integer wraps without undefined behaviour.
+/// The unsigned type to wrap a built-in signed integer without undefined behaviour.
 template <class Int>
 struct unsigned_of {
   using type = std::make_unsigned_t<std::common_type_t<Int, std::int32_t>>;
@@ -117,7 +117,7 @@ template <class To, class A, class B>
 template <class To, class A, class B>
 [[nodiscard]] DETENT_INLINE_TINY constexpr To wrapping_multiply(const A& a, const B& b) noexcept {
   if constexpr (detail::is_wide<To>) {
-    // Operands keep their own widths: shorter ones need fewer word products.
+    // Operands keep their widths: shorter ones need fewer word products.
     constexpr int a_words = detail::words_of<A>, b_words = detail::words_of<B>;
     if constexpr (DETENT_SHORT_WORDS && a_words == 1 && b_words == 1) {
       const auto [low, high] = multiply_signed_halves(a, b);

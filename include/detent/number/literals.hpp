@@ -38,8 +38,8 @@ consteval LiteralValue<T> parse_literal(std::string_view spelling) {
   return {value.value_or(T()), value.has_value(), T::parse({text.data(), length}).has_value()};
 }
 
-/// The type of a literal of which only the negative is in range, such as 32768_q16_16. The minus
-/// sign is its only operation.
+/// The type of a literal whose negative alone is in range, such as 32768_q16_16. It has only a
+/// minus sign.
 template <class T>
 struct only_the_negative_of_this_literal_is_in_range {
   constexpr only_the_negative_of_this_literal_is_in_range() noexcept = default;
@@ -54,7 +54,7 @@ template <class T>
   return T::lowest();
 }
 
-/// Returns a `const` value, unlike other functions, so that the minus sign recognizes a literal.
+/// Returns a `const` value, so that the minus sign recognizes a literal.
 template <class T, char... Spelling>
 [[nodiscard]] constexpr decltype(auto) literal() noexcept {
   constexpr std::array<char, sizeof...(Spelling)> spelling{Spelling...};

@@ -28,7 +28,7 @@ struct common_fixed_of<Fixed<Bits1, Frac1>, Fixed<Bits2, Frac2>> {
       Fixed<(std::max)(bits_on_grid<Bits1, Frac1, frac>, bits_on_grid<Bits2, Frac2, frac>), frac>;
 };
 
-/// Some of the types are `Fixed` and all others are built-in numbers, at least one of each.
+/// Whether some of the types are `Fixed` and all others are built-in numbers, at least one of each.
 template <class... T>
 concept FixedAndBuiltIn = (is_fixed<T> || ...) && (std::is_arithmetic_v<T> || ...) &&
                           ((is_fixed<T> || std::is_arithmetic_v<T>)&&...);
@@ -39,7 +39,7 @@ concept FixedAndBuiltIn = (is_fixed<T> || ...) && (std::is_arithmetic_v<T> || ..
 template <class A, class B>
 using common_fixed = typename detail::common_fixed_of<A, B>::type;
 
-/// The lesser of two numbers, exactly, in a type that holds either.
+/// The lesser of two numbers, exactly, in a type that holds both.
 template <int Bits1, int Frac1, int Bits2, int Frac2>
 [[nodiscard]] constexpr auto(min)(const Fixed<Bits1, Frac1>& a,
                                   const Fixed<Bits2, Frac2>& b) noexcept {
@@ -55,7 +55,7 @@ template <std::floating_point Float>
   return b < a ? b : a;
 }
 
-/// The greater of two numbers, exactly, in a type that holds either.
+/// The greater of two numbers, exactly, in a type that holds both.
 template <int Bits1, int Frac1, int Bits2, int Frac2>
 [[nodiscard]] constexpr auto(max)(const Fixed<Bits1, Frac1>& a,
                                   const Fixed<Bits2, Frac2>& b) noexcept {
@@ -74,8 +74,7 @@ template <std::floating_point Float>
 /// `x` clamped to [low, high], exactly. The result has the type that holds both ends; if the grid
 /// of `x` is finer, it has that grid and as many bits before the point.
 ///
-/// domain: low <= high; otherwise a mistake, which is asserted, and the result is one of the two
-///         ends
+/// domain: low <= high, which is asserted; otherwise the result is one of the two ends
 template <int B, int F, int LowBits, int LowFrac, int HighBits, int HighFrac>
 [[nodiscard]] constexpr auto(clamp)(const Fixed<B, F>& x, const Fixed<LowBits, LowFrac>& low,
                                     const Fixed<HighBits, HighFrac>& high) noexcept {

@@ -2,8 +2,7 @@
 #pragma once
 
 // Operators on a `Fixed` and a built-in number: exact for integers, deleted for `float` and
-// `double`. Operators without an exact result are deleted too. Compilers show the deleted
-// line.
+// `double`. Operators without an exact result are deleted too; compilers show the deleted line.
 
 #include <compare>
 #include <concepts>

@@ -5,8 +5,8 @@
 
 namespace detent {
 
-/// Limits the steps of a search that provably ends with exact numbers: no limit for those, 100
-/// steps for numbers that round, with which it may not end.
+/// Limits the steps of a search. With exact numbers it provably ends, so there is no limit; with
+/// numbers that round it might not, so the limit is 100 steps.
 template <Number T>
 class Patience {
  public:

@@ -30,10 +30,10 @@ class Quadratic {
     return narrow_difference<product_bits>(square_, product_);
   }
 
-  /// The lesser root rounded down, or nothing when the exact root is greater than `limit`. Requires
+  /// The lesser root rounded down, or nothing if the exact root is greater than `limit`. Requires
   /// b < 0 < c, so that both roots are positive, and -b within the range of b.
   ///
-  /// The leading bits of sqrt(D) decide, or else all of it and the sign of the polynomial
+  /// The leading bits of sqrt(D) decide, or else all of its bits and the sign of the polynomial
   /// (docs/filters.md, lemma 3).
   template <Scalar T>
   [[nodiscard]] constexpr std::optional<T> first_root(const T& limit) const noexcept {
@@ -56,8 +56,8 @@ class Quadratic {
   /// `first_root` one binary digit at a time, without a quotient or a square root: slower, in less
   /// than a third of the code.
   ///
-  /// For the polynomial p and the digits so far as t, p(t + s) = p(t) + s p'(t) + s^2 a and
-  /// s p'(t + s) = s p'(t) + 2 s^2 a. The digit s belongs to the root if neither passes 0.
+  /// With the polynomial p and the digits so far t, p(t + s) = p(t) + s p'(t) + s^2 a and s
+  /// p'(t + s) = s p'(t) + 2 s^2 a. The digit s belongs to the root if neither passes 0.
   template <Scalar T>
   [[nodiscard]] constexpr std::optional<T> first_root_by_digits(const T& limit) const noexcept {
     // For a ray p(t) = |m + t d|^2 - r^2: for a scalar t, one bit more than b^2 needs.
@@ -87,8 +87,8 @@ class Quadratic {
     return root;
   }
 
-  /// The greater root rounded down, or `limit` when the root is greater. Requires roots, the
-  /// greater of which is not negative.
+  /// The greater root rounded down, or `limit` if it is greater. There must be roots, and the
+  /// greater must not be negative.
   template <Scalar T>
   [[nodiscard]] constexpr T last_root(const T& limit) const noexcept {
     const bool is_falling = a_ * limit + b_ < 0;  // the greater root, or both, are beyond

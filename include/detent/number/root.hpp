@@ -31,7 +31,7 @@ inline constexpr auto root_chords = [] {
   return chords;
 }();
 
-/// sqrt(a) / 2^12 for a >= 2^62, along a chord: at least 2^19, and below 2^20.
+/// sqrt(a) / 2^12 for a >= 2^62, from a chord: at least 2^19, and below 2^20.
 ///
 /// A chord lies below the root by at most 2^-17 of it, and quantizing adds 2^-19.
 constexpr std::uint32_t root_guess(std::uint64_t a) noexcept {
@@ -64,7 +64,7 @@ inline constexpr auto reciprocal_root_chords = [] {
   return chords;
 }();
 
-/// 2^50 / sqrt(a) for a >= 2^62, along a chord, with a relative error below 2^-16: at least 2^18,
+/// 2^50 / sqrt(a) for a >= 2^62, from a chord, with a relative error below 2^-16: at least 2^18,
 /// and below 2^19.
 ///
 /// For x = a / 2^64, the curve bends by 3/32 (1/256)^2 / x^2 of the value between the ends, half of
@@ -75,7 +75,7 @@ constexpr std::uint32_t reciprocal_root_guess(std::uint64_t a) noexcept {
   return (chord >> 12) - static_cast<std::uint32_t>(fall >> 16);
 }
 
-/// Whether a product of words is an instruction, and a table worth its bytes.
+/// Whether multiplying words is one instruction, and a table worth its bytes.
 #if UINTPTR_MAX > 0xffffffff
 inline constexpr bool has_long_registers = true;
 #else
@@ -97,10 +97,10 @@ constexpr std::uint64_t root_by_division(std::uint64_t a) noexcept {
 /// The same, without a division: g + (a - g^2) y / 2 + 3/4 for g = a y and a chord y of 1 / r, where
 /// r = sqrt(a).
 ///
-/// For y = (1 + e) / r that is r (1 - 3 e^2 / 2 - e^3 / 2) + 3/4; what g drops, less than 3, changes
-/// it by less than 2^-14. For x = a / 2^64, r = 2^32 sqrt(x) and |e| < 2^-20.4 / x^2 + 2^-17.4
-/// sqrt(x), so 3 e^2 r / 2 is below 0.7, which it comes near for x = 1/4. So the result is the floor
-/// of a number between r and r + 1.
+/// For y = (1 + e) / r that is r (1 - 3 e^2 / 2 - e^3 / 2) + 3/4; what g drops, less than 3,
+/// changes it by less than 2^-14. For x = a / 2^64, r = 2^32 sqrt(x) and
+/// |e| < 2^-20.4 / x^2 + 2^-17.4 sqrt(x), so 3 e^2 r / 2 is below 0.7, which x = 1/4 nearly
+/// reaches. So the result is the floor of a number between r and r + 1.
 constexpr std::uint64_t root_by_table(std::uint64_t a) noexcept {
   const std::uint64_t reciprocal = reciprocal_root_guess(a);
   const std::uint64_t guess = ((a >> 32) * reciprocal) >> 18;
@@ -115,7 +115,7 @@ constexpr std::uint64_t newton_root(std::uint64_t a) noexcept {
   return has_long_registers ? root_by_table(a) : root_by_division(a);
 }
 
-/// The same, up to 2^32 - 1.
+/// The same, but at most 2^32 - 1.
 constexpr std::uint64_t root_or_next(std::uint64_t a) noexcept {
   const std::uint64_t root = newton_root(a);
   return root - (root >> 32);  // 2^32 itself is one too many
@@ -142,11 +142,12 @@ constexpr std::uint64_t at_most_root(std::uint64_t root, std::uint64_t n) noexce
   return root - (root * root > n ? 1u : 0u);
 }
 
-/// floor(sqrt(n)): floor(sqrt(n * 4^k)) / 2^k, rounded down. A root below 2^31 needs no care for
-/// its next.
+/// floor(sqrt(n)): floor(sqrt(n * 4^k)) / 2^k, rounded down. `IsBelow31Bits` skips the clamp to
+/// 2^32 - 1, which such roots never need.
 template <bool IsBelow31Bits>
 [[nodiscard]] constexpr std::uint32_t root_floor(std::uint64_t n) noexcept {
-  // 0 would have no leading bit. If n | 1 is a square, its root is exact, and one more than that of n.
+  // 0 has no leading bit. If n | 1 is a square greater than n, its root is exact, and one more than
+  // that of n.
   const std::uint64_t positive = n | 1;
   const int shift = std::countl_zero(positive) & ~1;
   const std::uint64_t even = positive << shift;

@@ -57,8 +57,8 @@ DETENT_INLINE_TINY constexpr bool is_within(const Int& raw) noexcept {
 
 /// floor(numerator / denominator) and the remainder, on the grid of T; `denominator` is not 0.
 ///
-/// The integers are those of value(n) / value(d) * 2^T::frac, with the shift on the side that keeps
-/// them whole and the denominator made positive.
+/// Computes value(n) / value(d) * 2^T::frac in integers: the shift goes to the side that keeps them
+/// whole, and the denominator is made positive.
 template <class T, class N, class D>
 struct GridQuotient {
   static constexpr int shift = T::frac - N::frac + D::frac;
@@ -122,7 +122,7 @@ template <class T, int B, int F>
   }
 }
 
-/// `nearest_to` where the result is expected to leave the range of `T` and be clamped.
+/// `nearest_to` for results that are expected to exceed the range of `T` and be clamped.
 template <class T, int B, int F>
 [[nodiscard]] constexpr T saturate_to(const Fixed<B, F>& x) noexcept {
   return nearest_to<T>(x);
@@ -253,14 +253,14 @@ template <int Bits, int B, int F>
   return narrow<Bits>(Fixed<B, F>::assume_raw(shift_right_floor(x.raw(), count)));
 }
 
-/// How often x > 0 can be doubled within its bits.
+/// How often x > 0 can be doubled without exceeding its bits.
 template <int B, int F>
 [[nodiscard]] constexpr int headroom(const Fixed<B, F>& x) noexcept {
   return B - bit_length(x.raw());
 }
 
-/// n / d rounded down to the grid of `T` and clamped. n / 0 is the end of the range on the side of
-/// n, 0 / 0 is 0.
+/// n / d rounded down to the grid of `T` and clamped. n / 0 is the end of the range with the sign
+/// of n, 0 / 0 is 0.
 template <class T, int BN, int FN, int BD, int FD>
 [[nodiscard]] constexpr T quotient_floor(const Fixed<BN, FN>& n, const Fixed<BD, FD>& d) noexcept {
   if (sign_of(d.raw()) == 0) return detail::quotient_by_zero<T>(n);
@@ -342,7 +342,7 @@ template <class T, int B, int F>
 
 namespace detail {
 
-/// Whether |a - b| is below 2^32 steps for numbers a, b of type T, on a machine that squares it in a
+/// Whether |a - b| is below 2^32 steps for numbers a, b of type T, and the machine squares it in a
 /// register.
 template <class T>
 inline constexpr bool has_short_differences = false;
@@ -353,8 +353,8 @@ inline constexpr bool has_short_differences<Fixed<31, F>> = has_long_registers;
 
 /// sqrt((a[0] - b[0])^2 + (a[1] - b[1])^2 + ...), rounded down and clamped.
 ///
-/// The squares fit a word. The root is beyond T if one of them is at least 2^62, or their sum; and
-/// up to three that are not fit a word again.
+/// Each square fits a word. If one of them, or their sum, is at least 2^62, the root exceeds T;
+/// otherwise the sum of up to three fits a word.
 template <class T, std::size_t N>
 requires(detail::has_short_differences<T>&& N <= 3) [[nodiscard]] constexpr T
     distance_floor(const std::array<T, N>& a, const std::array<T, N>& b) noexcept {

@@ -10,7 +10,7 @@
 namespace detent {
 
 /// Whether a type rounds each operation as the platform does: `float` and `double`. A test adds a
-/// type of its own that tracks this rounding (fuzz/traced.hpp).
+/// type that tracks this rounding (fuzz/traced.hpp).
 template <class T>
 inline constexpr bool is_floating = std::same_as<T, float> || std::same_as<T, double>;
 
@@ -22,10 +22,10 @@ concept Number = is_fixed<T> || is_floating<T>;
 /// 0 <= Frac < Bits, `float` or `double`.
 ///
 /// With at most 31 bits every query has an integer wide enough for its exact result. 31 bits are
-/// also enough for a player's world; `q14_16` and `q8_8` trade range for speed. With Frac < Bits
-/// the number 1 exists: a transform without scaling has scale 1. With Frac >= 0 every integer in
-/// range is on the grid. `Fixed<1, 0>` is the smallest, with coordinates from -2 to 1. `float` and
-/// `double` run through the same formulas, without the promise, for comparison.
+/// also enough for a game world; `q14_16` and `q8_8` trade range for speed. With Frac < Bits the
+/// number 1 exists: a transform without scaling has scale 1. With Frac >= 0 every integer in range
+/// is on the grid. `Fixed<1, 0>` is the smallest, with coordinates from -2 to 1. `float` and
+/// `double` use the same formulas, without promises, for comparison.
 template <class T>
 concept Scalar = Number<T> &&(!is_fixed<T> || requires {
   requires T::bits <= 31;
@@ -33,8 +33,8 @@ concept Scalar = Number<T> &&(!is_fixed<T> || requires {
   requires T::frac < T::bits;
 });
 
-/// How many bits the magnitude of a number of this type may need; 0 for `float` and `double`, whose
-/// bits are not counted.
+/// The most bits that the magnitude of a number of this type needs; 0 for `float` and `double`,
+/// whose bits are not counted.
 template <Number T>
 inline constexpr int bits_of = 0;
 template <int Bits, int Frac>
@@ -95,7 +95,7 @@ struct finer_of<Fixed<Bits, Frac>, Count> {
 /// The type of a component of a unit vector, as large as a scalar: Q2.30 for coordinates of 16 to
 /// 31 bits and Q2.14 for shorter ones; `float` and `double` themselves.
 ///
-/// The grid is never coarser, however short the scalar: proofs rely on lengths within 2^-13 of 1.
+/// The grid is never coarser, even for shorter scalars: proofs rely on lengths within 2^-13 of 1.
 template <Scalar S>
 using direction_component = typename detail::direction_component_of<S>::type;
 

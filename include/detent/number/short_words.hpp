@@ -5,8 +5,8 @@
 
 #include "detent/number/require_cxx20.hpp"
 
-// DETENT_SHORT_WORDS is 1 where registers have 32 bits: wide integers are then computed from halves
-// of their words. Define it to choose; it changes speed, never a result.
+// DETENT_SHORT_WORDS is 1 with 32-bit registers: wide integers are then computed in half words.
+// Define it to choose; it changes speed, never a result.
 #ifndef DETENT_SHORT_WORDS
 #if UINTPTR_MAX <= 0xffffffff && !defined(__wasm__) && !defined(__x86_64__)
 #define DETENT_SHORT_WORDS 1
@@ -17,7 +17,7 @@
 
 // On such machines compilers consider a sum of wide integers too long to inline, although passing
 // its operands through memory takes longer than the sum. Without optimization they inline nothing,
-// and a game spends half its time in calls of the tiniest functions.  (./dev size compile)
+// and a game spends half its time calling tiny functions.                      (./dev size compile)
 #if DETENT_SHORT_WORDS && defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
 #define DETENT_INLINE_WHEN_SHORT __attribute__((always_inline))
 #else

@@ -9,14 +9,14 @@
 #include "detent/number/wide.hpp"
 
 // Sine and arc tangent on integers. A phase is an angle modulo one turn in units of 2^-64 turn; a
-// binary angle is its upper half. Sums of either wrap, as angles do.
+// binary angle is its upper half. Sums of either wrap, like angles.
 
 namespace detent {
 
 namespace detail {
 
 /// c[0] - w (c[1] - w (c[2] - ...)), where c[k] is in units of 2^-(E + k) and w in units of 2^-63;
-/// the result is in units of 2^-E. With falling coefficients no difference is negative.
+/// the result is in units of 2^-E. With decreasing coefficients no difference is negative.
 template <std::size_t Terms>
 constexpr std::uint64_t alternating_series(const std::array<std::uint64_t, Terms>& c,
                                            std::uint64_t w) noexcept {
@@ -27,15 +27,15 @@ constexpr std::uint64_t alternating_series(const std::array<std::uint64_t, Terms
 
 /// sin(pi z / 2) / z as a series in z^2 on [0, 1], E = 63: the equioscillating fit, off by 2^-71.8.
 /// Coefficients are rounded from the last to the first, refitting the rest each time. c[1] is 2
-/// larger than the fit: this centres the truncation error of the steps, and a quarter turn gives
-/// exactly 1. With c[0] 1 smaller a sine would fall onto a tie of Q2.30
+/// larger than the fit: this centres the truncation error of the steps and makes a quarter turn
+/// give exactly 1. If c[0] were 1 smaller, a sine would fall on a tie of Q2.30
 /// (tests/number/angle_exhaustive.cpp).
 inline constexpr std::array<std::uint64_t, 10> sine_series = {
     0xc90fdaa22168c235u, 0xa55de7312df295f0u, 0x28cd78ceeb55c27fu, 0x04cb4b3398af4ac0u,
     0x00541e0d21faa6deu, 0x0003c60e9fb6bdd5u, 0x00001e8f43330821u, 0x000000b7d69994abu,
     0x00000003556d17b8u, 0x000000000bf226cbu};
 
-/// atan(t) / (2 pi t) as a series in (64 t)^2 on [0, 1/64], E = 66: fitted likewise, off by
+/// atan(t) / (2 pi t) as a series in (64 t)^2 on [0, 1/64], E = 66: fitted in the same way, off by
 /// 2^-67.8.
 inline constexpr std::array<std::uint64_t, 4> arc_tangent_series = {
     0xa2f9836e4e441487u, 0x0006ca6579eddc89u, 0x00000082613577aau, 0x000000000ba2d5d3u};
@@ -122,7 +122,7 @@ inline constexpr auto fine_two_pi = Fixed<127, 124>::assume_raw(
 ///
 /// The sign of b cos - a sin. Over all rays halfway between two binary angles in the octant and all
 /// a, b up to 2^31, its magnitude is at least 2^-59.7 (angle_exhaustive.cpp tries them all, with
-/// continued fractions); the series, cut at 2^-124, are off by less than 2^-115.
+/// continued fractions); the series, truncated at 2^-124, are off by less than 2^-115.
 constexpr bool lies_above(std::uint64_t b, std::uint64_t a, const Fixed<30, 33>& turns) noexcept {
   const Fine x = nearest_to<Fine>(turns * fine_two_pi);
   Fine term(1), cosine(1), sine(0);

@@ -39,8 +39,8 @@ namespace detail {
 
 /// Whether 2^Frac m[i] / |m| exceeds q + 1/2: whether m[i]^2 2^(2 Frac + 2) > (2q + 1)^2 |m|^2.
 ///
-/// They are never equal. Otherwise, without a common factor of the m, 2^(Frac + 1) would divide
-/// |m|. But if the squares of up to four integers sum to a multiple of 8, all of them are even
+/// They are never equal: after removing common factors of the m, 2^(Frac + 1) would divide |m|. But
+/// if the squares of up to four integers sum to a multiple of 8, all of the integers are even
 /// (modulo 8).
 template <int Bits, int Frac, class Magnitude, std::size_t N>
 [[nodiscard]] constexpr bool is_above_half(const std::array<Magnitude, N>& m, std::size_t i,
@@ -60,8 +60,8 @@ template <int Bits, int Frac, class Magnitude, std::size_t N>
 ///
 /// exact:  each component is the exact one rounded to nearest    (tests/math/direction.test.cpp)
 ///
-/// A component is compared exactly only where its share is so close to a midpoint that the error
-/// could change the rounding.
+/// A component is compared exactly only if its share is so close to a midpoint that the error could
+/// change the rounding.
 template <class Component, int B, int F, std::size_t N>
 [[nodiscard]] constexpr std::optional<std::array<Component, N>> unit_vector(
     const std::array<Fixed<B, F>, N>& v) noexcept {

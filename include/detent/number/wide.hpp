@@ -11,13 +11,13 @@
 
 #include "detent/number/short_words.hpp"
 
-// Define DETENT_PORTABLE_INT128 to 1 to use our own 128-bit integer even where the compiler has
+// Define DETENT_PORTABLE_INT128 to 1 to use the library's 128-bit integer even if the compiler has
 // one. It changes speed, never a result. clang-cl has one, but Microsoft's runtime library lacks
-// the functions that divide it.
+// its division functions.
 #ifndef DETENT_PORTABLE_INT128
 #define DETENT_PORTABLE_INT128 0
 #endif
-// DETENT_NATIVE_INT128 is 1 where 128-bit integers are those of the compiler.
+// DETENT_NATIVE_INT128 is 1 if 128-bit integers are the compiler's.
 #if defined(__SIZEOF_INT128__) && !defined(_MSC_VER) && !DETENT_PORTABLE_INT128
 #define DETENT_NATIVE_INT128 1
 #else

@@ -9,7 +9,7 @@
 
 #include "detent/number/scalar.hpp"
 
-// Stores and loads numbers as little-endian bytes of their own width, the bytes that a digest
+// Stores and loads numbers as little-endian bytes of their own width, the same bytes that a digest
 // takes.
 
 namespace detent::detail {
@@ -46,8 +46,8 @@ template <class T>
   }
 }
 
-/// The number with these bits. Where a `Fixed` is narrower than its integer, bits out of its range
-/// are clamped.
+/// The number with these bits. If a `Fixed` is narrower than its integer, bits out of range are
+/// clamped.
 template <class T>
 [[nodiscard]] constexpr T from_word(Word<T> word) noexcept {
   if constexpr (is_fixed<T>) {

@@ -7,8 +7,8 @@
 
 namespace detent {
 
-/// Barycentric weights of a point in a triangle, exact and not yet divided: a / total, b / total
-/// and c / total, with a + b + c = total > 0.
+/// Barycentric weights of a point in a triangle, as exact numerators over a common denominator:
+/// a / total, b / total and c / total, with a + b + c = total > 0.
 ///
 /// The point is in the triangle if none is negative.
 template <Number T>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How two shapes that overlap are separated; touching counts:
+// How to separate two shapes that overlap; touching counts:
 //   contact(a, b)       -> optional<Contact<S, N>>   normal, depth and points
-//   separation(contact) -> Vec<S, N>                 by which b, moved, no longer touches a
+//   separation(contact) -> Vec<S, N>                 moves b so that it no longer touches a
 
 #include "detent/query/contact/contact.hpp"
 #include "detent/query/contact/pair.hpp"

@@ -5,7 +5,7 @@
 //   distance(shape, point)         -> S                   rounded down, 0 inside
 //   distance(a, b)                 -> S                   rounded down, 0 if they share a point
 //   squared_distance(shape, point) -> Fixed or Fraction   exact; not for sphere and capsule, where
-//                                                         it is no polynomial or quotient
+//                                                         it is not rational
 
 #include "detent/query/distance/aabb.hpp"
 #include "detent/query/distance/capsule.hpp"

@@ -7,8 +7,8 @@
 
 namespace detent {
 
-/// The point that three planes share, or nothing if their normals are coplanar: then they share no
-/// point, a line or a plane.
+/// The point that three planes share, or nothing if their normals are coplanar, in which case they
+/// share no point, a line or a plane.
 ///
 /// units:  world units
 /// domain: every input; coordinates are clamped to the scalar's range

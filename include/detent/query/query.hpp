@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The query layer: hit or miss, distances and points.
+// The query layer: overlaps, raycasts, casts, distances, closest points and contacts.
 
 #include "detent/query/barycentric.hpp"
 #include "detent/query/batch.hpp"

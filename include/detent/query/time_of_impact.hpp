@@ -23,8 +23,8 @@ inline constexpr bool has_corners = IsShape<T>&& requires(const T& shape) {
 template <class A, class B>
 concept HaveImpact = has_corners<A> && has_corners<B> && !MixedArguments<A, B>;
 
-/// The distance at which bodies count as touching unless the caller says otherwise: 8 units, which
-/// is above all that rounding adds for bodies of ordinary size.
+/// The default distance at which bodies count as touching: 8 units, more than rounding adds for
+/// bodies of ordinary size.
 template <Scalar S>
 [[nodiscard]] constexpr S touching_distance() noexcept {
   if constexpr (is_fixed<S>) {
@@ -46,19 +46,19 @@ template <class A, class B, Scalar S, int N>
 }  // namespace detail
 
 /// The time in [0, 1] at which two moving shapes first touch, rounded down to a time at which they
-/// are nearly touching, or nothing if they stay apart. Each shape is given in the frame that its
-/// sweep moves.
+/// nearly touch, or nothing if they stay apart. Each shape is given in the frame that its sweep
+/// moves.
 ///
 /// units:  times in [0, 1] on the grid of directions (Q2.30; Q2.14 for 16-bit scalars)
-/// domain: every input; a shape that is empty, and a `ConvexHull` without points, touches nothing.
-///         Oriented boxes are what their edges span
-/// result: apart at every time before `time`, in exact arithmetic for the motions of `Sweep`; time 0
-///         if they touch at the start. At `time` the exact distance is at most `distance`, and that
-///         is at most `target`, or where this is more: 10 units, plus 2^-25 (2^-9 for 16-bit scalars)
-///         of the distance of the shapes' points from the origins of their frames, plus the way that
-///         points go in one unit of time. Shapes that pass each other within that distance may be
-///         reported. At most 128 steps; a search that needs more ends with `is_hit` false
-///         (tests/oracle/impact_pairs.test.cpp)
+/// domain: every input; an empty shape, including a `ConvexHull` without points, touches nothing.
+///         An oriented box is the one that its edges span
+/// result: apart at every time before `time`, in exact arithmetic for the motions of `Sweep`; time
+///         0 if they touch at the start. At `time` the exact distance is at most `distance`, which
+///         is at most the greater of `target` and this: 10 units, plus 2^-25 (2^-9 for 16-bit
+///         scalars) of the distance of the shapes' points from the origins of their frames, plus
+///         the distance that points travel in one unit of time. Shapes that pass each other within
+///         that distance may be reported. At most 128 steps; a search that needs more ends with
+///         `is_hit` false                                      (tests/oracle/impact_pairs.test.cpp)
 /// source: conservative advancement; see ImpactSearch
 template <class A, class B, Scalar S, int N>
 requires detail::HaveImpact<A, B>
@@ -71,7 +71,7 @@ requires detail::HaveImpact<A, B>
 
 /// The time of impact with a shape of the world that does not move, such as a plane.
 ///
-/// domain: as for two moving shapes; a `Plane` is met from either side
+/// domain: as for two moving shapes; a `Plane` can be met from either side
 template <class A, class B, Scalar S, int N>
 requires detail::HaveImpact<A, B>
 [[nodiscard]] constexpr std::optional<Impact<S>> time_of_impact(

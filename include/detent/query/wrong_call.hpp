@@ -5,11 +5,11 @@
 #include "detent/query/kernel/core.hpp"
 
 // Overloads that catch wrong calls: the error is one sentence that says what to write instead.
-// Every query is a better match, so they change no correct call, and a concept that checks for such
-// a call finds none.
+// Every query is a better match, so correct calls do not change, and a concept that checks for a
+// wrong call finds none.
 //
-// GCC shows the line of a deleted function. clang would also list all other overloads, so there
-// they are marked unavailable, which it treats as deleted.
+// GCC shows the line of a deleted function. clang would also list all other overloads, so for clang
+// they are marked unavailable, which it treats like deleted.
 #if defined(__clang__)
 #define DETENT_INSTEAD(sentence) __attribute__((unavailable(sentence)))
 #else

@@ -7,7 +7,7 @@ namespace detent {
 
 /// The points between two corners on every axis; a rectangle in 2D.
 ///
-/// Equal corners on an axis make it flat; min > max on any axis makes it the empty set.
+/// Equal corners on an axis make the box flat; min > max on any axis makes it empty.
 template <Scalar S, int N>
 struct Aabb {
   Vec<S, N> min;

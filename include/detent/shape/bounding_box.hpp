@@ -24,7 +24,7 @@ namespace detent {
 
 namespace detail {
 
-/// The empty box that leaves any other unchanged in a union.
+/// The empty box, the identity of unions.
 template <class Box>
 inline constexpr Box no_box;
 template <Scalar S, int N>

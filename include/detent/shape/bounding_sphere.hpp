@@ -11,10 +11,10 @@
 //   bounding_sphere(shape) -> Sphere<S, N>
 //
 // The center is the middle of the bounding box, or the shape's own. The radius is the smallest on
-// the grid that reaches every point from there. Around points it is at most sqrt(N) times that of
-// the smallest sphere, because no side of the bounding box exceeds that sphere's diameter. Radii
-// are clamped to the greatest scalar: only a sphere that needs a longer one leaves points out. An
-// empty shape has an empty sphere.
+// the grid that reaches every point from there. For points it is at most sqrt(N) times that of the
+// smallest sphere, because no side of the bounding box exceeds that sphere's diameter. Radii are
+// clamped to the greatest scalar, so only a sphere that needs a greater radius leaves points out.
+// An empty shape has an empty sphere.
 
 namespace detent {
 
@@ -84,7 +84,7 @@ template <Scalar S, int N>
           })))};
 }
 
-/// A sphere around the edges of an `Obb`, its axes exactly as stored, about its center.
+/// A sphere about the center of an `Obb` and around its edges, with its axes exactly as stored.
 ///
 /// exact: the radius rounded up                            (tests/shape/bounding.test.cpp)
 template <Scalar S, int N>
@@ -109,7 +109,7 @@ template <Scalar S, int N>
   return {box.center, sqrt_ceil<S>(farthest)};
 }
 
-/// A sphere around all parts of a compound: it encloses the spheres around the parts.
+/// A sphere around the spheres of all parts of a compound.
 template <class Shape, class... Shapes>
 [[nodiscard]] constexpr auto bounding_sphere(const Compound<Shape, Shapes...>& compound) noexcept {
   using Result = decltype(bounding_sphere(Shape()));

@@ -10,12 +10,12 @@
 #include "detent/shape/frustum.hpp"
 #include "detent/shape/ray.hpp"
 
-// Cameras, in 3D only: a point of the world to the screen and back, and the ray under the mouse.
+// Cameras, in 3D only: world to screen and back, and the ray under the mouse.
 //
-// Screen coordinates x and y are in [-1, 1], from left to right and from bottom to top, however
-// many pixels the image has. With a `Viewport` they are pixels, counted from the top left.
-// The depth of a point is its distance in front of the camera along the line of sight, in world
-// units, not along the ray and not the nonlinear depth of a depth buffer.
+// Screen coordinates x and y are in [-1, 1], from left to right and from bottom to top, for any
+// image size. With a `Viewport` they are pixels, counted from the top left. The depth of a point is
+// its distance in front of the camera along the line of sight, in world units, not along the ray
+// and not the nonlinear depth of a depth buffer.
 
 namespace detent {
 
@@ -25,8 +25,8 @@ namespace detent {
 /// With the axes exactly as stored, the point at screen coordinates x, y and depth d is
 ///   position + x w axis(0) + y h axis(1) - d axis(2),
 /// where w and h are half the width and height that the lens sees at d. `unproject` is this point,
-/// `project` is the exact inverse, `pick_ray` the line of these points for one x and y, and
-/// `Frustum` has the eight at x = +-1, y = +-1, d = near or far.
+/// `project` the exact inverse, `pick_ray` the line of these points for one x and y, and `Frustum`
+/// has the eight points at x = +-1, y = +-1, d = near or far.
 template <Scalar S>
 struct Camera {
   Transform<S, 3> pose;
@@ -72,7 +72,7 @@ constexpr void append(D& digest, const ScreenPoint<T, S>& point) noexcept {
 
 namespace detail {
 
-/// Pixels are counted in 24 bits, so that the directions of rays fit their integers.
+/// Pixel counts have 24 bits, so that the directions of rays fit their integers.
 template <Scalar S>
 using PixelCount = std::conditional_t<is_fixed<S>, Fixed<24, 0>, S>;
 template <Scalar S>
@@ -97,7 +97,7 @@ struct OnScreen {
 template <Number X, Number Unit>
 OnScreen(X, X, Unit) -> OnScreen<X, Unit>;
 
-/// The middle of a pixel; that of the image if it has none.
+/// The middle of a pixel, or of the image if it has no pixels.
 template <Scalar S>
 [[nodiscard]] constexpr auto on_screen(const Viewport& viewport, std::int32_t column,
                                        std::int32_t row) noexcept {
@@ -112,8 +112,8 @@ template <Scalar S>
                 width * height};
 }
 
-/// From the eye to the point at depth `depth`, times the unit of the screen coordinates;
-/// half_size(i) is half the width or height of what is seen there.
+/// The vector from the eye to the point at depth `depth`, times the unit of the screen coordinates;
+/// half_size(i) is half the width or height of the view there.
 template <Scalar S, Number X, Number Unit, class F, Number D>
 [[nodiscard]] constexpr auto seen(const Rotation<S, 3>& frame, const OnScreen<X, Unit>& at,
                                   const F& half_size, const D& depth) noexcept {
@@ -186,9 +186,9 @@ template <class T, Scalar S, class F>
 /// Where `camera` sees `point`: screen coordinates, in [-1, 1] inside the image, and depth.
 /// Coordinates are scalars, or of a given type: `project<T>(camera, point)`.
 ///
-/// domain: nothing for a point beside or behind a camera with perspective (depth 0 or less), and
-///         if the pose's axes lie in a plane
-/// result: points nearer than near and farther than far too
+/// domain: nothing for a point beside or behind a perspective camera (depth 0 or less), and if the
+///         pose's axes lie in a plane
+/// result: also points nearer than near or farther than far
 /// exact:  each number is the exact quotient rounded to nearest, ties to even, and clamped
 ///         (tests/shape/camera.test.cpp)
 template <class To = void, Scalar S>
@@ -201,7 +201,7 @@ template <class To = void, Scalar S>
 }
 
 /// The same in pixels: (0, 0) is the top left corner of the image, (0.5, 0.5) the middle of its
-/// first pixel. `project<q16_16>` holds any screen where the scalar is too short.
+/// first pixel. If the scalar is too short, `project<q16_16>` holds any screen.
 ///
 /// exact:  as above                                          (tests/shape/camera.test.cpp)
 template <class To = void, Scalar S>
@@ -219,7 +219,7 @@ template <class To = void, Scalar S>
 
 /// The point at screen coordinates `x` and `y`, of any number type, and `depth`.
 ///
-/// domain: every x, y and depth, outside the image and behind the camera too
+/// domain: every x, y and depth, even outside the image and behind the camera
 /// exact:  each coordinate is the exact one rounded to nearest, ties to even, and clamped
 ///         (tests/shape/camera.test.cpp)
 template <Scalar S, Number X>
@@ -242,7 +242,7 @@ template <Scalar S>
 /// The ray of the points that `camera` sees at screen coordinates `x` and `y`, of any number type:
 /// from the eye, or without perspective from the near plane.
 ///
-/// domain: every x and y, outside the image too; straight ahead where the pose's axes give no
+/// domain: every x and y, even outside the image; straight ahead if the pose's axes give no
 ///         direction
 /// result: max_distance is the greatest scalar; objects nearer than the near plane are hit too
 /// exact:  each component of the direction is the exact one rounded to nearest; the eye is exact, a

@@ -7,7 +7,7 @@ namespace detent {
 
 /// The points within `radius` of the segment from `a` to `b`; a stadium in 2D.
 ///
-/// Equal ends make it a sphere, a radius of 0 a segment; a negative radius is the empty set.
+/// Equal ends make it a sphere, a radius of 0 a segment; a negative radius makes it empty.
 template <Scalar S, int N>
 struct Capsule {
   Vec<S, N> a;

@@ -12,7 +12,7 @@ namespace detent {
 /// The union of several shapes, given as one list for each type of shape:
 /// `Compound{spheres, boxes}` of a `std::array<Sphere<S, 3>, 4>` and a `std::vector<Obb<S, 3>>`.
 ///
-/// A view: the lists stay with the caller and must outlive it. Empty lists and empty shapes add
+/// A view: the caller owns the lists, which must outlive it. Empty lists and empty shapes add
 /// nothing. Parts are in the order of the lists. A list of compounds is allowed.
 template <class... Shapes>
 struct Compound {

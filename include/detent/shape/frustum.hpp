@@ -25,11 +25,11 @@ struct FrustumPlane {
 
 }  // namespace detail
 
-/// What a camera sees: the convex hull of eight corners, in 3D only. It is a query shape with all
-/// queries of a `ConvexHull`; a scene finds what it overlaps, and does not hold one.
+/// A camera's view volume: the convex hull of eight corners, in 3D only. It supports all queries of
+/// a `ConvexHull`; scenes can be queried with one, but cannot hold one.
 ///
 /// Corner i is on the right if i & 1, at the top if i & 2, and far if i & 4. Eight points in any
-/// other order, or coplanar, have a hull too, and every query is exact for it.
+/// other order, or coplanar points, have a hull too, and every query is exact for it.
 template <Scalar S>
 class Frustum {
  public:
@@ -52,7 +52,7 @@ class Frustum {
   /// Six half spaces that contain the hull: right, left, top, bottom, far, near.
   ///
   /// A normal is rounded, and the reach is the exact maximum of dot(normal, corner). So each
-  /// contains all corners whatever the normal, and no rounding can cut a corner off.
+  /// contains all corners whatever the normal, and rounding cannot cut off a corner.
   [[nodiscard]] constexpr const std::array<detail::FrustumPlane<S>, 6>& planes() const noexcept {
     return planes_;
   }

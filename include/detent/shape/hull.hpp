@@ -11,16 +11,16 @@
 
 namespace detent {
 
-/// The smallest convex set that holds `points`: a view of points that the caller keeps.
+/// The smallest convex set that contains `points`: a view of points that the caller owns.
 ///
 /// The points may be in any order, repeat, or lie inside the hull. Coplanar, collinear or
-/// coincident points make it the polygon, segment or point that they span; no points make it the
-/// empty set.
+/// coincident points make it the polygon, segment or point that they span; without points it is
+/// empty.
 template <Scalar S, int N>
 struct ConvexHull {
   std::span<const Vec<S, N>> points;
 
-  /// Whether two hulls name the same points in the same order.
+  /// Whether two hulls have the same points in the same order.
   [[nodiscard]] friend constexpr bool operator==(const ConvexHull& a,
                                                  const ConvexHull& b) noexcept {
     return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end());

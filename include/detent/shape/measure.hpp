@@ -11,7 +11,7 @@
 //   area(shape)    of triangles, and of boxes and discs in 2D
 //   volume(shape)  of boxes and balls in 3D
 //
-// Each result is as wide as it needs; `nearest_to<S>` rounds it to a scalar. An empty shape
+// Each result has as many bits as it needs; `nearest_to<S>` rounds it to a scalar. An empty shape
 // measures 0.
 
 namespace detent {

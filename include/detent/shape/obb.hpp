@@ -7,9 +7,9 @@ namespace detent {
 
 /// A box rotated by `rotation` about its center; an oriented rectangle in 2D.
 ///
-/// `rotation.axis(i)` is the box's local axis i in the world. Raycasts treat the box as slabs,
-/// {x : |dot(axis(i), x - center)| <= half_extents[i] for all i}, with the axes exactly as stored.
-/// A half extent of 0 makes it flat; a negative one makes it the empty set.
+/// `rotation.axis(i)` is the box's local axis i in the world. Raycasts treat the box as slabs, {x :
+/// |dot(axis(i), x - center)| <= half_extents[i] for all i}, with the axes exactly as stored. A
+/// half extent of 0 makes it flat; a negative one makes it empty.
 template <Scalar S, int N>
 struct Obb {
   Vec<S, N> center;

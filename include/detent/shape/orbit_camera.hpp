@@ -6,7 +6,7 @@
 
 namespace detent {
 
-/// How near and far, how low and high an `OrbitCamera` may go.
+/// The range of distance and pitch of an `OrbitCamera`.
 template <Scalar S>
 struct OrbitLimits {
   S min_distance = S(1);
@@ -18,11 +18,11 @@ struct OrbitLimits {
                                                  const OrbitLimits&) noexcept = default;
 };
 
-/// A camera that circles a target and always looks at it.
+/// A camera that orbits a target and always looks at it.
 ///
 /// At yaw 0 and pitch 0 it is on the target's +z side and looks along -z. Yaw turns it towards +x,
-/// around the y axis; pitch lifts it. The operations keep distance and pitch within the limits,
-/// which are 88 degrees up and down by default; fields that the caller sets are used as they are.
+/// around the y axis; pitch lifts it. The operations keep distance and pitch within the limits, by
+/// default 88 degrees up and down; fields set by the caller are used as they are.
 template <Scalar S>
 struct OrbitCamera {
   Lens<S> lens;
@@ -32,13 +32,13 @@ struct OrbitCamera {
   Angle<S> pitch{};
   OrbitLimits<S> limits{};
 
-  /// Turns by `yaw_step` around the target, and by `pitch_step` up, as far as the limits allow.
+  /// Turns by `yaw_step` around the target, and by `pitch_step` up, within the limits.
   constexpr void rotate(Angle<S> yaw_step, Angle<S> pitch_step) noexcept {
     yaw += yaw_step;
     pitch = sum_within(pitch, pitch_step, limits.min_pitch, limits.max_pitch);
   }
 
-  /// Multiplies the distance, rounded to nearest, as far as the limits allow.
+  /// Multiplies the distance, rounded to nearest, within the limits.
   constexpr void zoom(const S& factor) noexcept {
     distance = nearest_to<S>(distance * factor);
     if (distance > limits.max_distance) distance = limits.max_distance;
@@ -52,7 +52,7 @@ struct OrbitCamera {
     target = nearest_to<S>(target + right * frame.axis(0).vec() + up * frame.axis(1).vec());
   }
 
-  /// exact: as `Rotation::from_euler`
+  /// exact: like `Rotation::from_euler`
   [[nodiscard]] constexpr Rotation<S, 3> rotation() const noexcept {
     return Rotation<S, 3>::from_euler(-pitch, yaw, Angle<S>());
   }

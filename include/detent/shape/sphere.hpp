@@ -7,7 +7,7 @@ namespace detent {
 
 /// The points within `radius` of `center`; a disc in 2D.
 ///
-/// A radius of 0 is one point; a negative radius is the empty set.
+/// A radius of 0 makes it a point; a negative radius makes it empty.
 template <Scalar S, int N>
 struct Sphere {
   Vec<S, N> center;

@@ -32,7 +32,7 @@ class StaticRay {
 
   constexpr StaticRay(const Ray<S, N>& ray, const Aabb<S, N>& bounds) noexcept
       : StaticRay(ray, Ticks<S>(reach(ray, bounds), ray.max_distance)) {}
-  /// For what is in `box`, which is not empty, and moves.
+  /// For the moving contents of `box`, which is not empty.
   constexpr StaticRay(const QuantizedBox<S, N>& box, const Direction<S, N>& direction,
                       const S& max_distance, const Aabb<S, N>& bounds) noexcept
       : ticks_(reach(box, bounds), max_distance) {
@@ -42,7 +42,7 @@ class StaticRay {
     }
   }
 
-  /// A distance along the ray in ticks, clamped where it no longer matters.
+  /// A distance along the ray in ticks, clamped to the range that matters.
   [[nodiscard]] constexpr Time time(const S& distance) const noexcept {
     return ticks_.time(distance);
   }
@@ -58,7 +58,7 @@ class StaticRay {
     return meets<Lanes<Time>>(node, limit, enter) & children;
   }
 
-  /// The same in lanes of one form, of all eight places.
+  /// The same with one type of lanes, for all eight children.
   template <class Lanes>
   [[nodiscard]] constexpr std::uint32_t meets(const Node& node, Time limit,
                                               Times& enter) const noexcept {
@@ -139,7 +139,7 @@ class StaticRay {
   std::array<std::size_t, std::size_t{N}> near_side_{};
 };
 
-/// A static tree as a ray walks it.
+/// A static tree as traversed by a ray.
 template <Scalar S, int N, class Item>
 struct TreeAlong : StaticParts<typename Ticks<S>::Time, S, N> {
   using Base = StaticParts<typename Ticks<S>::Time, S, N>;
@@ -158,7 +158,7 @@ struct TreeAlong : StaticParts<typename Ticks<S>::Time, S, N> {
     const auto part = Base::child(node, k);
     const void* at = part.is_leaf() ? static_cast<const void*>(&items[part.first])
                                     : &this->tree.nodes[part.first];
-    prefetch(at, sizeof(Node));  // for items, too, as many bytes as a node has
+    prefetch(at, sizeof(Node));  // for items, too, the size of a node
     return part;
   }
   [[nodiscard]] constexpr bool reaches(const Key& enter) const noexcept { return enter <= last; }

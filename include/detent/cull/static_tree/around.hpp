@@ -13,7 +13,7 @@ namespace detent {
 
 namespace detail {
 
-/// A static tree as a search around a place walks it.
+/// A static tree as traversed by a nearest-item search.
 template <Scalar S, int N, class DistanceTo>
 struct TreeAround : StaticParts<S, S, N> {
   using Node = StaticNode<S, N>;
@@ -25,7 +25,7 @@ struct TreeAround : StaticParts<S, S, N> {
                                               std::array<S, Node::width>& keys) const noexcept {
     std::uint32_t met = 0;
     for (std::size_t k = 0; k < node.children; ++k) {
-      // Rounding down and clamping keep order, so a box is never farther than its contents.
+      // Rounding down and clamping preserve order, so a box is never farther than its contents.
       keys[k] = distance_to(node.box(k));
       if (keys[k] <= limit) met |= std::uint32_t{1} << k;
     }

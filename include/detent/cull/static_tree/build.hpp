@@ -18,7 +18,7 @@ namespace detent {
 
 namespace detail {
 
-/// A box as numbers that all decrease when it grows: its least coordinates, and its greatest ones
+/// A box as numbers that all decrease when it grows: its least coordinates, and the greatest ones
 /// `reversed`.
 template <Scalar S, int N>
 class GrowingBox {
@@ -220,8 +220,8 @@ class StaticBuilder {
   };
 
   /// Splits a range of two items or more at the plane with the least expected cost, among those
-  /// between 16 bins on each axis; the first of equals. If all items have the same middle, cuts the
-  /// list in half. In a long list, a sample of 256 items or some more chooses the plane.
+  /// between 16 bins on each axis; ties go to the first. If all items have the same middle, cuts
+  /// the list in half. In a long list, a sample of at least 256 items chooses the plane.
   ///
   /// source: Wald, On fast Construction of SAH-based Bounding Volume Hierarchies (2007)
   [[nodiscard]] constexpr std::pair<Range, Range> split(const Range& range) noexcept {
@@ -230,7 +230,8 @@ class StaticBuilder {
         [&](int i) { return Bins<S>(range.middles.least(i), range.middles.greatest(i)); });
     std::array<AxisBins, std::size_t{N}> bins;
     if (std::is_constant_evaluated()) {
-      // Otherwise GCC 12 lets all bins share one box, and keeps its value for the whole program.
+      // Without this loop GCC 12 lets all bins share one box, and keeps its value for the whole
+      // program.
       for (auto& axis : bins) {
         for (auto& bin : axis) bin = Bin();
       }
@@ -266,7 +267,7 @@ class StaticBuilder {
       sum.box.grow(bins[i].box);
       above[i] = cost_of(sum.box, sum.count);
     }
-    // Only planes below a bin that is not empty: others split the items as the next one does.
+    // Only planes below a non-empty bin: others split the items like the next one.
     Bin below = bins[0];
     for (std::size_t i = 1; i < bin_count; ++i) {
       if (bins[i].count == 0) continue;
@@ -279,7 +280,7 @@ class StaticBuilder {
     }
   }
 
-  /// It fits: both counts together are one count, and no part is larger than the whole.
+  /// Fits: both counts sum to one count, and no part is larger than the whole.
   [[nodiscard]] static constexpr Cost sum_of(const Cost& a, const Cost& b) noexcept {
     return narrow_sum<bits_of<Cost>>(a, b);
   }

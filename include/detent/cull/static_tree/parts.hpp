@@ -18,7 +18,7 @@ struct StaticPart {
   std::uint32_t count;
 
   static constexpr std::size_t most_children = 8;
-  /// The most parts that wait in a walk: seven of each level.
+  /// The most parts that wait during a walk: seven per level.
   static constexpr std::size_t room = (most_children - 1) * static_tree_depth;
 
   [[nodiscard]] constexpr bool is_leaf() const noexcept { return count != 0; }
@@ -26,7 +26,7 @@ struct StaticPart {
 
 inline constexpr StaticPart whole_tree{0, 0};
 
-/// A static tree as walks take it; `KeyOf` is how near a part is.
+/// A static tree for walks; `KeyOf` measures how near a part is.
 template <class KeyOf, Scalar S, int N>
 struct StaticParts {
   using Key = KeyOf;

@@ -30,7 +30,7 @@ template <Scalar S, int N>
   return met;
 }
 
-/// A static tree as a search in a box walks it.
+/// A static tree as traversed by a search in a box.
 template <Scalar S, int N, class MayTouch>
 struct TreeWithin : StaticParts<Unordered, S, N> {
   using Node = StaticNode<S, N>;

@@ -7,7 +7,7 @@
 
 #include "detent/cull/tree/node.hpp"
 
-// Groups the boxes of a tree: those whose common box has a small surface belong together.
+// Groups the boxes of a tree so that the box around each group has a small surface.
 
 namespace detent::detail {
 
@@ -45,7 +45,7 @@ template <Scalar S, int N>
   }
 }
 
-/// The box of a node that grows least in area when extended by `box`; of equals, the smallest.
+/// The box of a node that grows least in area when extended by `box`; ties go to the smallest.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::size_t best_place(const TreeNode<S, N>& node,
                                                const QuantizedBox<S, N>& box) noexcept {
@@ -77,7 +77,7 @@ template <Scalar S, int N>
 }
 
 /// Orders entries so that neighbours are near each other: repeatedly cuts them in two along the
-/// axis on which their centers spread most, between whole subtrees.
+/// axis with the greatest spread of centers, between whole subtrees.
 template <Scalar S, int N>
 constexpr void arrange(TreeEntry<S, N>* first, std::size_t count) {
   constexpr std::size_t width = TreeNode<S, N>::width;

@@ -84,7 +84,7 @@ struct alignas(64) TreeNode {
     if (__builtin_is_constant_evaluated()) return meeting<ArrayLanes<Coordinate>>(box) & used;
     return meeting<ComparedLanes<Coordinate>>(box) & used;
   }
-  /// The same in lanes of one form, of all eight places.
+  /// The same with one type of lanes, for all eight entries.
   template <class Lanes>
   [[nodiscard]] constexpr Mask meeting(const Box& box) const noexcept {
     typename Lanes::Marks apart;

@@ -98,9 +98,9 @@ template <class S, int B, int F, std::size_t N>
 /// (x - sqrt(d) y) / length for several x and y, approximately, with two divisions in all: the
 /// components of a unit vector from a center to a point where a line meets a sphere.
 ///
-/// The unit is so small that the length is at least 2^60. |x| and sqrt(d) are at most 1 + 2^-28
-/// times the length, the quotient is at most 1 + 2^-28, and |y| at most 1. The quotient is off by
-/// less than 2^-42, or one step of T squared.
+/// The unit is small enough for the length to be at least 2^60. |x| and sqrt(d) are at most
+/// 1 + 2^-28 times the length, the quotient is at most 1 + 2^-28, and |y| at most 1. The quotient
+/// is off by less than 2^-42, or one step of T squared.
 template <class T, class D, class Length>
 class RootRatio;
 

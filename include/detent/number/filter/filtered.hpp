@@ -6,9 +6,9 @@
 
 #include "detent/number/rounding.hpp"
 
-// Define DETENT_SMALL_CODE to choose between two ways to the same results: 0 is faster, 1 is less
-// code, without filters that cost more code than an exact number alone. The default is 1 where
-// registers have 32 bits, with -Os, otherwise 0.
+// Define DETENT_SMALL_CODE to choose between two ways to the same results: 0 is faster, 1 needs
+// less code, because it omits filters that cost more code than the exact number. The default is 1
+// for -Os with 32-bit registers, otherwise 0.
 #ifndef DETENT_SMALL_CODE
 #if DETENT_SHORT_WORDS && defined(__OPTIMIZE_SIZE__)
 #define DETENT_SMALL_CODE 1
@@ -25,18 +25,18 @@ namespace detent {
 // source: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
 //         Predicates (1997); the name is CGAL's
 
-/// The answer of a filter: of a yes or no question, or the sign of a number.
+/// The answer of a filter: to a yes-or-no question, or the sign of a number.
 enum class Filtered : int { no = -1, unsure = 0, yes = 1 };
 
-/// Whether to filter where an exact number alone would do with less code.
+/// Whether to filter where the exact number alone would need less code.
 inline constexpr bool has_filters = DETENT_SMALL_CODE == 0;
 
-/// Whether a filter pays before the full products of coordinates with this scalar.
+/// Whether a filter pays off before the full products of coordinates in this scalar.
 template <Scalar S>
 inline constexpr bool filter_pays = bits_of<S> > 15 && has_filters;
 
-/// A cheap value of an exact number: they differ by less than `error`. In an array or a vector,
-/// each component does.
+/// A cheap approximation of an exact number: they differ by less than `error`. In an array or a
+/// vector, each component does.
 template <class T, class Error = T>
 struct Approximate {
   T value;
@@ -52,7 +52,7 @@ struct Steps {
   [[nodiscard]] static constexpr std::int64_t raw() noexcept { return Count; }
 };
 
-/// What a filter makes of its question: `value`, if it is sure.
+/// The result of a filter: `value`, valid if `is_sure`.
 template <class T>
 struct Decided {
   T value;
@@ -62,12 +62,12 @@ struct Decided {
 /// Whether the exact number is positive; `no` if it is negative.
 template <Number T, Number Error>
 [[nodiscard]] constexpr Filtered decide(const Approximate<T, Error>& x) noexcept {
-  // Branchless: yes or no is unpredictable.
+  // Branchless: the answer is unpredictable.
   return static_cast<Filtered>(int{x.value >= x.error} - int{x.value <= narrow_negative(x.error)});
 }
 
-/// The exact number rounded down to the grid of `T`, which must be able to hold it. Unsure, the
-/// result is `value` or the step below it, if the error is at most half a step.
+/// The exact number rounded down to the grid of `T`, which must be able to hold it. If unsure, the
+/// result is `value` or the step below it, provided that the error is at most half a step.
 template <class T, int B, int F, class Error>
 [[nodiscard]] constexpr Decided<T> decide_floor(const Approximate<Fixed<B, F>, Error>& x) noexcept {
   constexpr int shift = F - T::frac;
@@ -78,8 +78,8 @@ template <class T, int B, int F, class Error>
           fraction >= 2 * std::int64_t{x.error.raw()}};
 }
 
-/// The exact number rounded to nearest on the grid of `T`, which must be able to hold it. Unsure,
-/// it is so close to the midpoint below `value` that the error may take it across.
+/// The exact number rounded to nearest on the grid of `T`, which must be able to hold it. If
+/// unsure, it is so close to the midpoint below `value` that the error may move it across.
 template <class T, int B, int F, class Error>
 [[nodiscard]] constexpr Decided<T> decide_nearest(
     const Approximate<Fixed<B, F>, Error>& x) noexcept {
@@ -104,7 +104,7 @@ template <class T>
   return T::assume_raw(static_cast<typename T::raw_type>(x.raw() - (is_up ? 0 : 1)));
 }
 
-/// The filter's answer, or else that of `exact()`, which may take the value of which it is unsure.
+/// The filter's answer, or else that of `exact()`, which may take the unsure value as an argument.
 template <class Exact>
 [[nodiscard]] constexpr bool or_exact(Filtered filtered, const Exact& exact) noexcept {
   if (filtered != Filtered::unsure) return filtered == Filtered::yes;
@@ -121,7 +121,7 @@ template <class T, class Exact>
   }
 }
 
-/// The sign that the filter finds, or else that of `exact()`, which may be 0.
+/// The filter's sign, or else that of `exact()`, which may be 0.
 template <class Exact>
 [[nodiscard]] constexpr int sign_or_exact(Filtered filtered, const Exact& exact) noexcept {
   if (filtered != Filtered::unsure) return static_cast<int>(filtered);

@@ -13,7 +13,7 @@ namespace detent {
 
 namespace detail {
 
-/// Of x >= 0: word * 2^exponent <= x < (word + 1) * 2^exponent. The top bit of the word is set
+/// For x >= 0: word * 2^exponent <= x < (word + 1) * 2^exponent. The top bit of the word is set
 /// unless x is 0.
 struct LeadingWord {
   std::uint64_t word;
@@ -47,8 +47,8 @@ template <class Int>
 
 /// 2^126 / x for x >= 2^63, rounded down to within 2^-58 of it.
 ///
-/// A division by one more than the leading half of x gives 33 bits, less than 2^-31 + 2^-32 too
-/// small. A Newton step with the known error squares it and stays below.
+/// Dividing by one more than the leading half of x gives 33 bits, too small by less than
+/// 2^-31 + 2^-32. A Newton step squares that error and stays below.
 [[nodiscard]] constexpr std::uint64_t reciprocal(std::uint64_t x) noexcept {
   const std::uint64_t first = ~std::uint64_t{0} / ((x >> 32) + 1);
   constexpr std::uint64_t below_one = (std::uint64_t{1} << 62) - 1;
@@ -63,8 +63,8 @@ struct Relative {
   int bits;
 };
 
-/// The leading bits of a number >= 0, word * 2^exponent: the cheap value of a long integer, of a
-/// root or of a quotient. The top bit of the word is set unless the number is 0.
+/// The leading bits of a number >= 0, word * 2^exponent: a cheap approximation of a long integer, a
+/// root or a quotient. The top bit of the word is set unless the number is 0.
 ///
 /// The relative error of sums, products and quotients of a dozen numbers is below 2^-56, with
 /// square roots among them below 2^-42 (docs/filters.md, lemma 1).
@@ -148,7 +148,7 @@ namespace detail {
           Fixed<63, 0>::assume_raw((std::int64_t{1} << (64 - error.bits)) + 2)};
 }
 
-/// The exact number rounded down to the grid of `T`; unsure, too, if it is 0 or does not fit.
+/// The exact number rounded down to the grid of `T`; also unsure if it is 0 or does not fit.
 template <class T>
 [[nodiscard]] constexpr Decided<T> decide_floor(const Approximate<Leading, Relative>& x) noexcept {
   const auto [word, exponent] = x.value;

@@ -40,9 +40,9 @@ template <std::floating_point T>
 }
 
 /// The roots of a t^2 + 2 b t + c = 0 with a > 0, for numbers too wide for `Quadratic`. The caller
-/// has its own formula for b^2 - a c >= 0, as a product d e.
+/// supplies b^2 - a c >= 0 as a product d e.
 ///
-/// The leading bits of a root decide how it is rounded, or else the sign of the polynomial does
+/// The leading bits of a root decide its rounding, or else the sign of the polynomial does
 /// (docs/filters.md, lemma 4).
 template <Number A, Number B, Number C, Number D, Number E>
 class LongQuadratic {
@@ -52,7 +52,7 @@ class LongQuadratic {
     if constexpr (is_fixed<D>) root_ = sqrt(Leading(d) * Leading(e));
   }
 
-  /// The error of the next two, which have a square root in them.
+  /// The error of the next two functions, which involve a square root.
   static constexpr Relative error{42};
 
   /// The leading bits of the root that `first_root` rounds.
@@ -65,7 +65,7 @@ class LongQuadratic {
     return Leading(-c_) / (Leading(b_) + root_);
   }
 
-  /// The lesser root rounded down, or nothing when the exact root is greater than `limit`. Requires
+  /// The lesser root rounded down, or nothing if the exact root is greater than `limit`. Requires
   /// b < 0 < c, so that both roots are positive.
   template <Scalar T>
   [[nodiscard]] constexpr std::optional<T> first_root(const T& limit) const noexcept {
@@ -86,7 +86,7 @@ class LongQuadratic {
     return t;
   }
 
-  /// The greater root rounded down, or `limit` when the root is greater. The root must not be
+  /// The greater root rounded down, or `limit` if the root is greater. The root must not be
   /// negative.
   template <Scalar T>
   [[nodiscard]] constexpr T last_root(const T& limit) const noexcept {

@@ -8,8 +8,8 @@
 
 namespace detent {
 
-/// over / under, divided once and then multiplied by several numbers (`add_product`). For `float`
-/// and `double`, the two numbers.
+/// over / under, divided once, to multiply several numbers (`add_product`). For `float` and
+/// `double`, just the two numbers.
 template <Number Over, Number Under>
 struct Ratio {
   Over over;
@@ -20,7 +20,7 @@ struct Ratio {
 };
 
 /// A ratio of known magnitude, with the approximate quotient of the raw numbers. For `float` and
-/// `double`, the two numbers.
+/// `double`, just the two numbers.
 template <Number Over, Number Under, int Frac, class Error>
 struct BoundedRatio {
   Over over;
@@ -98,7 +98,7 @@ namespace detail {
 /// floor(x * over / under), computed from a quotient with an error below a half.
 ///
 /// The remainder is small enough to be computed modulo its integer's size. It shows on which side
-/// of a half the exact quotient is.
+/// of a half the exact quotient lies.
 template <class S, class T, class Over, class Under>
 [[nodiscard]] constexpr S add_quotient(const S& base, const T& x, const Over& over,
                                        const Under& under, std::int64_t whole) noexcept {
@@ -145,7 +145,7 @@ template <Scalar S, Number T, Number Over, Number Under, int Frac, class Error>
     // |x| is at most 2^T::bits.
     const auto product_error = static_cast<std::uint64_t>(error.raw()) << (T::bits + 64 - Frac);
     const auto whole = static_cast<std::int64_t>(product.word(1));
-    // Half and the error added: a fraction below twice the error was near a half.
+    // After adding a half and the error, a fraction below twice the error was near a half.
     const std::uint64_t fraction = product.word(0) + ((std::uint64_t{1} << 63) + product_error);
     const std::int64_t nearest = base.raw() + whole + (fraction < product.word(0) ? 1 : 0);
     const bool is_sure = fraction >= 2 * product_error;
@@ -176,8 +176,8 @@ template <int B, int F, Number Over, Number Under>
 /// sqrt(square - over^2 / under) >= 0 rounded down to the grid of `T` and clamped: a side of a
 /// right triangle, given the ratio over / under.
 ///
-/// Only the ratio has an error: times `over`, and one step for the floor of their product. The
-/// filter is unsure where that might cross another square.
+/// Only the ratio has an error: it is multiplied by `over`, plus one step for the floor of the
+/// product. The filter is unsure if that might cross another square.
 template <Number T, Number Square, Number Over, Number Under, int Frac, class Error>
 [[nodiscard]] constexpr Decided<T> decide_side_floor(
     const Square& square, const BoundedRatio<Over, Under, Frac, Error>& ratio) noexcept {

@@ -8,7 +8,7 @@
 
 namespace detent {
 
-/// Whether a . (b x c) is 0, from its steps modulo 2^64: `no`, or `unsure` where they are 0.
+/// Whether a . (b x c) is 0, from its value in steps modulo 2^64: `no`, or `unsure` if that is 0.
 ///
 /// Additions and products of words are exact modulo 2^64, however long the number is.
 template <int B, int F>

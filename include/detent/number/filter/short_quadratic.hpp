@@ -5,8 +5,8 @@
 
 namespace detent {
 
-/// x y in steps 2^64 coarser than those of the exact product, rounded down: less than one of them
-/// too small. It is the upper word of a product of two words.
+/// x y rounded down to steps 2^64 coarser than those of the exact product: the upper word of a
+/// product of two words.
 template <int BX, int FX, int BY, int FY>
 [[nodiscard]] constexpr auto high_product(const Fixed<BX, FX>& x, const Fixed<BY, FY>& y) noexcept {
   static_assert(BX <= 63 && BY <= 63 && BX + BY > 64);
@@ -15,7 +15,7 @@ template <int BX, int FX, int BY, int FY>
   return High::assume_raw(static_cast<typename High::raw_type>(product.word(1)));
 }
 
-/// The greatest even number of times that x > 0 can be doubled within `Bits`.
+/// The greatest even number of doublings for which x > 0 stays within `Bits`.
 template <int Bits, int B, int F>
 [[nodiscard]] constexpr int even_headroom(const Fixed<B, F>& x) noexcept {
   static_assert(B <= Bits);
@@ -23,7 +23,7 @@ template <int Bits, int B, int F>
 }
 
 /// The lesser root of a t^2 + 2 b t + c = 0 for a line and a surface of degree 2, from coefficients
-/// cut to 60 bits and scaled so that a c is not far below b^2. Each is within one step of the
+/// truncated to 60 bits and scaled so that a c is not far below b^2. Each is within one step of the
 /// exact one (docs/filters.md, lemma 14).
 class ShortQuadratic {
  public:
@@ -49,10 +49,10 @@ class ShortQuadratic {
     return b_ < 0 && discriminant_ > error_ ? Filtered::yes : Filtered::unsure;
   }
 
-  /// The error of the next.
+  /// The error of `first_root`.
   static constexpr Relative error{41};
 
-  /// The lesser root, if `has_roots`; unsure where the discriminant is too small.
+  /// The lesser root, if `has_roots`; unsure if the discriminant is too small.
   [[nodiscard]] constexpr Decided<Leading> first_root() const noexcept {
     using Root = Fixed<62, 0>;
     const auto root = Root::assume_raw(

@@ -8,15 +8,15 @@
 namespace detent {
 
 // Quotients by the length of a direction or its square, which are 1 within 2^-28, or 2^-12 in 16
-// bits: corrected by a series instead of divided.
+// bits: a series replaces the division.
 
 /// n / d for n >= 0 and d > 0, rounded down to the grid of `T`, which is no finer than n's, and
-/// clamped; fast where d is within 2^-28 of 1. The exact n must not be above its value. Unsure, the
+/// clamped; fast if d is within 2^-28 of 1. The exact n must not be above its value. If unsure, the
 /// result is `value` or the step below it.
 ///
-/// For d = 1 + e the quotient is n (1 - e + e^2 - ...). So n - n e, taken on the grid of T, is at
-/// most a few steps off. The remainder is small enough to be computed modulo 2^64 and gives the
-/// number of steps. The filter is sure if the remainder is not less than the error of n.
+/// For d = 1 + e the quotient is n (1 - e + e^2 - ...). So n - n e on the grid of T is at most a
+/// few steps off. The remainder is small enough to be computed modulo 2^64 and gives the number of
+/// steps. The filter is sure if the remainder is not less than the error of n.
 template <class T, int BN, int FN, int BD, int FD>
 [[nodiscard]] constexpr Decided<T> decide_quotient_floor(const Approximate<Fixed<BN, FN>>& n,
                                                          const Fixed<BD, FD>& d) noexcept {
@@ -52,7 +52,7 @@ template <class T, int BN, int FN, int BD, int FD>
 /// direction.
 ///
 /// 1 / sqrt(1 + e) = 1 - e / 2 + ...: the rest of the series is below 3 e^2 / 8, which is less than
-/// 2^6 steps of n. The squares are compared only where that might cross a step of T.
+/// 2^6 steps of n. The squares are compared only if that might cross a step of T.
 template <class T, int BN, int FN, int BD, int FD>
 [[nodiscard]] constexpr T divide_by_length(const Fixed<BN, FN>& n,
                                            const Fixed<BD, FD>& d) noexcept {

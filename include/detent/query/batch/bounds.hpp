@@ -18,7 +18,7 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<Aabb<S, N>> within_range(const Aabb<S, N>& box) noexcept {
   if (is_empty(box)) return box;
   for (int i = 0; i < N; ++i) {
-    // A clamped box ends there.
+    // The box may have been clamped.
     if (box.min[i] == lowest<S> || box.max[i] == largest<S>) return std::nullopt;
   }
   return box;
@@ -34,9 +34,10 @@ template <Scalar S, int N>
   return std::nullopt;
 }
 
-/// For rays a box is its slabs. If the cosines of its axes are at most e = 2^-10, a point with
+/// To rays, a box is its slabs. If the cosines between its axes are at most e = 2^-10, a point with
 /// coordinates |y_i| <= h along them is the sum of z_i axis(i) with |z_i - y_i| <= 1.01 e * 3 h. So
-/// the box around the edges, grown by h / 64, is enough. Slabs along skewed axes may be anywhere.
+/// the box around the edges, grown by h / 64, contains the slabs. Slabs along skewed axes may be
+/// anywhere.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto ray_bounds(const Obb<S, N>& box) noexcept {
   using Result = std::optional<Aabb<S, N>>;

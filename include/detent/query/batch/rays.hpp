@@ -12,10 +12,10 @@ namespace detent {
 
 /// Many rays, for shapes that few of them hit.
 ///
-/// It refers to the caller's rays and keeps their parts within a box, `frame`, as columns of 16-bit
-/// numbers, in blocks that the caller provides. A query with a shape in the frame culls most rays
-/// by the columns, eight or more at a time, and casts the others one by one, so its results are
-/// those of a loop over all rays. With other shapes it casts every ray.
+/// It refers to the caller's rays and stores their parts within a box, `frame`, as columns of
+/// 16-bit numbers, in blocks that the caller provides. A query with a shape in the frame uses the
+/// columns to cull most rays, eight or more at a time, and casts the others one by one, so its
+/// results are those of a loop over all rays. With other shapes it casts every ray.
 ///
 /// domain: every shape except compounds
 template <Scalar S, int N>
@@ -73,7 +73,7 @@ class RayBatch {
 /// Whether any ray of a batch touches `shape`.
 ///
 /// domain: every input
-/// exact:  as `raycast`, which gets the `options`                      (tests/query/batch.test.cpp)
+/// exact:  like `raycast`, which gets the `options`                    (tests/query/batch.test.cpp)
 template <Scalar S, int N, class Shape, class... Options>
 [[nodiscard]] constexpr bool raycast_any(const RayBatch<S, N>& batch, const Shape& shape,
                                          const Options&... options) noexcept {
@@ -85,7 +85,7 @@ template <Scalar S, int N, class Shape, class... Options>
   return any;
 }
 
-/// Writes what `raycast` returns for each ray of a batch, for as many as `answers` has room.
+/// Writes the result of `raycast` for each ray of a batch, as many as fit `answers`.
 template <Scalar S, int N, class Shape, class... Options>
 constexpr void raycast_each(const RayBatch<S, N>& batch, const Shape& shape,
                             std::span<std::optional<S>> answers,

@@ -17,10 +17,10 @@ namespace detent {
 
 /// Many shapes of one type, for rays that hit few of them.
 ///
-/// It refers to the caller's shapes and keeps their bounding boxes as columns of 16-bit numbers, in
-/// blocks that the caller provides; shapes that the blocks have no room for are not culled. A query
-/// culls most shapes by the columns, eight or more at a time, and tests the others one by one, so
-/// its results are those of a loop over all shapes.
+/// It refers to the caller's shapes and stores their bounding boxes as columns of 16-bit numbers,
+/// in blocks that the caller provides; shapes that do not fit the blocks are not culled. A query
+/// uses the columns to cull most shapes, eight or more at a time, and tests the others one by one,
+/// so its results are those of a loop over all shapes.
 ///
 /// domain: every shape except compounds; planes, boxes with skewed axes and shapes that reach an
 ///         end of the scalar's range are never culled
@@ -105,12 +105,12 @@ struct BatchHit {
                                                  const BatchHit&) noexcept = default;
 };
 
-/// The shape that `ray` touches first, or nothing; the first of several at one distance.
+/// The shape that `ray` touches first, or nothing; ties go to the first shape.
 ///
 /// units:  lengths in world units; direction is unit length
 /// domain: every input
 /// result: the least distance that `raycast` returns for any shape; `options` are passed to it
-/// exact:  as `raycast`                                     (tests/query/batch.test.cpp)
+/// exact:  like `raycast`                                              (tests/query/batch.test.cpp)
 template <Scalar S, int N, class Shape, class... Options>
 [[nodiscard]] constexpr std::optional<BatchHit<S>> raycast_first(
     const Ray<S, N>& ray, const ShapeBatch<Shape>& batch, const Options&... options) noexcept {
@@ -138,7 +138,7 @@ template <Scalar S, int N, class Shape, class... Options>
   return any;
 }
 
-/// Writes what `raycast` returns for each shape of a batch, for as many as `answers` has room.
+/// Writes the result of `raycast` for each shape of a batch, as many as fit `answers`.
 template <Scalar S, int N, class Shape, class... Options>
 constexpr void raycast_each(const Ray<S, N>& ray, const ShapeBatch<Shape>& batch,
                             std::span<std::optional<S>> answers,

@@ -11,7 +11,7 @@ namespace detent {
 
 namespace detail {
 
-/// As `cast`, the distance alone.
+/// Like `cast`, but only the distance.
 template <class A, Scalar S, int N, class... Shapes>
 [[nodiscard]] constexpr std::optional<S> cast_distance(
     const A& shape, const Direction<S, N>& direction, const std::type_identity_t<S>& max_distance,

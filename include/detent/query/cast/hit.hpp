@@ -8,11 +8,11 @@ namespace detent {
 /// Where a moving shape first touches a target.
 ///
 /// `distance` is how far it has moved, rounded down. `point` is the point of the target closest to
-/// the shape moved that far; of several, the one with the least x, then y, then z; if they share a
-/// point there, the one that `closest_points(target, shape)` gives. `normal` is that of the target
-/// where they touch, and faces the shape. If they share a point at the start, the distance is 0,
-/// `point` the shape's first point (a center, end `a` or first corner) and `normal` the opposite of
-/// the direction, as for a ray that starts inside a solid.
+/// the moved shape; ties go to the least x, then y, then z; if they share a point there, it is the
+/// one that `closest_points(target, shape)` gives. `normal` is the target's normal at the touch,
+/// facing the shape. If they share a point at the start, the distance is 0, `point` the shape's
+/// first point (a center, end `a` or first corner) and `normal` the opposite of the direction, like
+/// for a ray that starts inside a solid.
 template <Scalar S, int N>
 struct CastHit {
   S distance{};

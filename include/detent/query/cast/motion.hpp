@@ -7,12 +7,13 @@
 #include "detent/query/kernel/core.hpp"
 #include "detent/query/kernel/point_obb.hpp"
 
-// A core that moves along a direction and another one that stays, as convex bodies. Points and
-// segments see an oriented box as its slabs, in its frame; for others it is what its edges span.
+// A core that moves along a direction and another one at rest, as convex bodies. To points and
+// segments, an oriented box is its slabs, in its frame; to others it is the box that its edges
+// span.
 
 namespace detent::detail {
 
-/// Turns vectors of a frame back. The result is the gradient of dot(v, x') for the position x' in
+/// Turns vectors of a frame back into the world: the gradient of dot(v, x') for the position x' in
 /// the frame.
 template <Scalar S, int N>
 struct FromFrame {

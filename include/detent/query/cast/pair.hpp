@@ -77,24 +77,24 @@ requires HaveCast<A, B>
 /// Where `shape`, moving along `direction` by at most `max_distance`, first touches `target`, or
 /// nothing.
 ///
-/// An oriented box is its slabs, in its frame, where the other shape is a segment, a sphere or a
-/// capsule; to other shapes it is the box that its edges span.
+/// To segments, spheres and capsules, an oriented box is its slabs, in its frame; to other shapes
+/// it is the box that its edges span.
 ///
 /// units:  lengths in world units; the direction is a unit vector, used exactly as stored
 /// domain: every input; empty shapes touch nothing, and a negative max_distance is a miss
 /// result: a hit at 0 if they share a point at the start, touching included; a hit past
-///         max_distance is a miss. Between two shapes without a radius the normal is that of a face
-///         of their Minkowski difference that the motion meets; if it meets only an edge or a
-///         corner, of one of the faces there that it could enter through, chosen by the order of
-///         the corners alone, and of two AABBs that of the lowest axis; if it slides along a flat
-///         difference, the opposite of the direction
+///         max_distance is a miss. Between two shapes without a radius, the normal is that of the
+///         face of their Minkowski difference that the motion meets. If it meets only an edge or a
+///         corner, it is that of one of the faces there through which it could enter, chosen only
+///         by the order of the corners, and for two AABBs that of the lowest axis. If it slides
+///         along a flat difference, it is the opposite of the direction
 /// exact:  hit or miss exact; distance rounded down, error in [0, 1) ULP. Normals within 1 ULP of
 ///         2^-30 (2^-14 in 16 bits); those of planes as stored, those between shapes without a
 ///         radius rounded to nearest. Points of a sphere or capsule within 1/2 + 2^-12 ULP, others
-///         rounded to nearest. Where a shape slides along a target at the distance of its radius,
-///         exactly, and where that begins is less than 2^-32 of a unit (of the grid; 2^-16 in 16
-///         bits, 2^-6 for a capsule next to a box in its frame) before a point of the grid of
-///         distances, the distance may be that point
+///         rounded to nearest. One exception: if a shape slides along a target at exactly the
+///         distance of its radius, and starts to do so less than 2^-32 of a unit (of the grid;
+///         2^-16 in 16 bits, 2^-6 for a capsule next to a box in its frame) before a point of the
+///         distance grid, the distance may be that point
 ///         (tests/oracle/cast_round.test.cpp, tests/oracle/cast_polytopes.test.cpp)
 template <class A, class B, Scalar S, int N>
 requires detail::HaveCast<A, B>

@@ -10,11 +10,11 @@
 
 namespace detent::detail {
 
-/// The first touch of a shape that moves along `direction` with a plane: of the corner of its core
-/// that is closest to the plane.
+/// The first touch of a shape that moves along `direction` with a plane: that of the corner of its
+/// core closest to the plane.
 ///
-/// At the height h over the plane, times the length of its normal n, falling by s = -n . d, it
-/// touches where (h - s t)^2 = r^2 n^2 first.
+/// With its height h over the plane, times the length of the normal n, and s = -n . d, it first
+/// touches where (h - s t)^2 = r^2 n^2.
 template <bool WithNormal, class A, Scalar S, int N>
 [[nodiscard]] constexpr std::optional<Touch<S, N>> first_touch(const A& a,
                                                                const Direction<S, N>& direction,
@@ -40,7 +40,7 @@ template <bool WithNormal, class A, Scalar S, int N>
   const auto along = dot(plane.normal, direction);
   const auto speed = is_above ? along : narrow_negative(along);  // negative if it falls
   if (!(speed < 0)) return std::nullopt;
-  // Whether the body reaches the plane at t, or not before t.
+  // Whether the body reaches the plane by t, or not before t.
   const auto left = [&](const S& t) { return height + speed * t; };
   const auto distance = [&]() -> std::optional<S> {
     if constexpr (is_fixed<S>) {

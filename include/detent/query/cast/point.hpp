@@ -15,12 +15,12 @@
 #include "detent/query/kernel/touch_witness.hpp"
 #include "detent/query/kernel/weights.hpp"
 
-// The point of a target closest to a shape that has moved. A moved pose is exact on a finer grid.
+// The point of a target closest to a moved shape. The moved pose is exact on a finer grid.
 
 namespace detent::detail {
 
-/// The point of the body `b`, grown by `radius`, closest to `a`; both are where they are. If they
-/// share a point, as `common_point` chooses.
+/// The point of the body `b`, grown by `radius`, closest to `a`, neither moving. If they share a
+/// point, the one that `common_point` chooses.
 template <Scalar S, class A, class B, int N = A::dimension>
 [[nodiscard]] constexpr Vec<S, N> closest_point_of_body(const A& a, const B& b,
                                                         const S& radius) noexcept {
@@ -50,8 +50,8 @@ template <Scalar S, class A, class B, int N = A::dimension>
   });
 }
 
-/// The point of a plane closest to the body `a`, which is on one side of it: the foot of the closest
-/// corner, of several that of the least one.
+/// The point of a plane closest to the body `a`, which is on one side of it: the foot of the
+/// closest corner; ties go to the least one.
 template <class A, Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point_of_plane(const A& a,
                                                          const Plane<S, N>& plane) noexcept {
@@ -68,9 +68,9 @@ template <class A, Scalar S, int N>
   return rounded<S>(RationalPoint{nearest * whole - n * height(nearest), whole});
 }
 
-/// Returns f(on_box, on_thin, v) for an oriented box and a point, which is at `place` in the frame
-/// of the box: rational points of both, in the frame of the box and in the world, and a vector from
-/// the latter to the former in the world.
+/// Returns f(on_box, on_thin, v) for an oriented box and a point at `place` in the frame of the
+/// box: rational points on both, in the frame of the box and in the world, and a vector from the
+/// latter to the former in the world.
 template <Scalar S, int N, Number T, class F>
 [[nodiscard]] constexpr auto with_closest_in_frame(const Obb<S, N>& box, const Vec<S, N>& center,
                                                    const Vec<T, N>& place, const F& f) noexcept {
@@ -79,8 +79,8 @@ template <Scalar S, int N, Number T, class F>
   return f(RationalPoint{clamped * One(1), One(1)}, RationalPoint{center * One(1), One(1)},
            from_frame(box, clamped - place));
 }
-/// The same for a segment, which starts at `place` in the frame of the box. Of several closest
-/// points of the segment, the least.
+/// The same for a segment that starts at `place` in the frame of the box. Ties go to the least
+/// point of the segment.
 template <Scalar S, int N, Number T, class F>
 [[nodiscard]] constexpr auto with_closest_in_frame(const Obb<S, N>& box,
                                                    const Segment<S, N>& segment,
@@ -110,8 +110,8 @@ template <Scalar S, int N>
   return segment.start;
 }
 
-/// Where the start of a thin core is in the frame of a box, after it moved along `direction`; a
-/// negative distance is the box's.
+/// The start of a thin core in the frame of a box, after moving along `direction`; if the distance
+/// is negative, the box moved.
 template <class Thin, Scalar S, int N, Number D>
 [[nodiscard]] constexpr auto place_in_frame(const Obb<S, N>& box, const Thin& thin,
                                             const Direction<S, N>& direction,

@@ -17,8 +17,7 @@ struct SpaceOfPoint<Vec<S, N>> {
 
 }  // namespace detail
 
-/// A question: what does `shape` touch first if it moves along `direction` by at most
-/// `max_distance`?
+/// The query of what `shape` touches first if it moves along `direction` by at most `max_distance`.
 template <class Shape>
 struct Cast {
   using S = typename detail::SpaceOfPoint<typename detail::PointOf<Shape>::type>::scalar;

@@ -25,8 +25,8 @@ struct Touch {
   std::optional<Direction<S, N>> normal;
 };
 
-/// The way of a body clipped to the times at which its box, grown by `radius`, meets the box around
-/// another body.
+/// The path of a body, clipped to the times at which its box, grown by `radius`, meets the box
+/// around another body.
 template <class A, class B, class Way, Number R, Scalar S>
 [[nodiscard]] constexpr auto clip_of_boxes(const A& a, const B& b, const Way& way, const R& radius,
                                            const S& limit) noexcept {
@@ -41,15 +41,15 @@ template <class A, class B, class Way, Number R, Scalar S>
 }
 
 /// A distance of at most `limit`, rounded down, before which bodies are not within `radius`: until
-/// then the boxes around them are farther apart along some axis. Nothing if they stay so.
+/// then their boxes are farther apart along some axis. Nothing if they stay apart.
 template <class A, class B, class Way, Number R, Scalar S>
 [[nodiscard]] constexpr std::optional<S> boxes_within(const A& a, const B& b, const Way& way,
                                                       const R& radius, const S& limit) noexcept {
   return clip_of_boxes(a, b, way, radius, limit).first_distance();
 }
 
-/// The first touch of two boxes with the same axes; the normal is that of the lowest axis on which
-/// they are the last to meet.
+/// The first touch of two boxes with the same axes; the normal is that of the axis on which they
+/// meet last; ties go to the lowest axis.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<Touch<S, N>> touch_of_boxes(const Aabb<S, N>& a,
                                                                   const Aabb<S, N>& b,
@@ -94,8 +94,8 @@ template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S,
   return touch;
 }
 
-/// By how many bits a grid of time is finer on which a normal turns by less than an eighth of its
-/// own step; at most `Most`, which is enough for any radius.
+/// How many bits finer the time grid must be for a normal to turn by less than an eighth of its own
+/// step; at most `Most`, which is enough for any radius.
 template <int Most, Number R>
 [[nodiscard]] constexpr int finer_by(const R& radius) noexcept {
   return (std::max)(Most + 1 - bits_of<R> + headroom(radius), 0);
@@ -120,7 +120,7 @@ template <Scalar S, int N, Number R>
   return quadratic.first_root(limit);
 }
 
-/// The first touch of two spheres with points. The normal is found as that of other round bodies.
+/// The first touch of two spheres with points. The normal is found like that of other round bodies.
 template <bool WithNormal, Scalar S, int N>
 [[nodiscard]] constexpr std::optional<Touch<S, N>> touch_of_spheres(
     const Sphere<S, N>& a, const Sphere<S, N>& b, const Direction<S, N>& direction,
@@ -154,8 +154,8 @@ template <bool WithNormal, Scalar S, int N>
 
 /// The first touch of bodies within `radius` > 0.
 ///
-/// The normal is that of the closest points less than two steps of a grid of time before, in which
-/// it turns by less than 2 steps / radius: less than a quarter of its own step.
+/// The normal is that of the closest points less than two steps of a time grid earlier. In that
+/// time it turns by less than 2 steps / radius: less than a quarter of its own step.
 template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S, int N, Number R>
 [[nodiscard]] constexpr std::optional<Touch<S, N>> touch_of_round(
     const A& a, const B& b, const Way& way, const ToWorld& to_world,

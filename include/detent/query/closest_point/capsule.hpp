@@ -14,7 +14,7 @@ namespace detent {
 
 namespace detail {
 
-/// One coordinate of a capsule's closest point where the query point projects between the ends: the
+/// One coordinate of a capsule's closest point if the query point projects between the ends: the
 /// axis point, over / whole, plus `radius` along `outward`, with |outward|^2 = whole * square.
 template <Scalar S, Number Over, Number Whole, Number Outward, Number Square>
 struct CapsuleSide {
@@ -30,7 +30,7 @@ struct CapsuleSide {
   template <Number T>
   [[nodiscard]] constexpr int sign_of_difference(const T& x) const noexcept {
     const auto short_of = x * whole - over;
-    // On the grid of x, or wider where x's own bits have no room for a radius of 14 or 30 bits.
+    // On the grid of x, or wider if x's bits cannot hold a radius of 14 or 30 bits.
     using Radius = std::conditional_t<std::convertible_to<S, T>, T, decltype(x + radius)>;
     const auto step = Radius(radius) * outward;
     const int step_sign = (step > 0) - (step < 0);

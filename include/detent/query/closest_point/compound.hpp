@@ -11,9 +11,10 @@ namespace detent {
 ///
 /// units:  world units
 /// domain: every input; a compound without parts gives `point`
-/// result: of parts with equal `distance`s, if only by rounding or clamping, the first counts
-/// exact:  the part is the nearest within 1 ULP of the scalar; each coordinate is rounded as its
-///         `closest_point` says                          (tests/query/compound.test.cpp)
+/// result: of parts with equal `distance`s, even if equal only by rounding or clamping, the first
+///         counts
+/// exact:  the part is the nearest within 1 ULP of the scalar; each coordinate is rounded as by its
+///         `closest_point`                                          (tests/query/compound.test.cpp)
 template <class... Shapes, Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point(const Compound<Shapes...>& compound,
                                                 const Vec<S, N>& point) noexcept {

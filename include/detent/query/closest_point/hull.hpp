@@ -8,7 +8,7 @@ namespace detent {
 
 /// The point of `hull` closest to `point`; `point` itself if inside.
 ///
-/// It is the closest point of the corner, edge or face where GJK ends.
+/// It is the closest point on the corner, edge or face where GJK ends.
 ///
 /// units:  world units
 /// domain: every input; an empty hull gives `point`

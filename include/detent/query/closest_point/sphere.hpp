@@ -30,13 +30,13 @@ template <Scalar S, int N>
   } else {
     const auto steps = step_along(radius, to_array(from_center));
     return make_vec<N>([&](int i) {
-      // Between center and point, except for the error of a step, which may take it past the lowest
+      // Between center and point, except for the error of a step, which may move it past the lowest
       // or the greatest number.
       const auto sum = narrow_sum<bits_of<finer<S, 30>> + 1>(
           center[i], steps.value[static_cast<std::size_t>(i)]);
       const auto nearest = decide_nearest<S>(Approximate{sum, steps.error});
-      // The sign of radius d / |d| - (x - center). If both terms have one sign, it is the sign of
-      // the difference of their squares.
+      // The sign of radius d / |d| - (x - center). If both terms have the same sign, the difference
+      // of their squares has the sign.
       return or_exact(nearest, [&](const S& upper) {
         const auto middle = midpoint_below(upper);
         return nearest_at_midpoint(

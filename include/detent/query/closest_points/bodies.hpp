@@ -13,12 +13,11 @@
 
 namespace detent::detail {
 
-/// The points of a and b, in this order.
+/// The points of a and b, in that order.
 template <Scalar S, int N>
 using PointPair = std::pair<Vec<S, N>, Vec<S, N>>;
 
-/// The closest points of all that is within a radius of two bodies; both radii are 0 unless
-/// `AreRound`.
+/// The closest points of two bodies, each grown by a radius; both radii are 0 unless `AreRound`.
 template <Scalar S, bool AreRound, class A, class B, int N = A::dimension>
 class ClosestPoints {
  public:

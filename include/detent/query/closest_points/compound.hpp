@@ -14,9 +14,10 @@ namespace detent {
 ///
 /// units:  world units
 /// domain: every input; a compound without parts gives the origin twice
-/// result: of parts with equal `distance`s, if only by rounding or clamping, the first counts
-/// exact:  the part is the nearest within 1 ULP of the scalar; each coordinate is rounded as
-///         `closest_points` of the part says       (tests/query/closest_points/compound.test.cpp)
+/// result: of parts with equal `distance`s, even if equal only by rounding or clamping, the first
+///         counts
+/// exact:  the part is the nearest within 1 ULP of the scalar; each coordinate is rounded as by
+///         `closest_points` of the part              (tests/query/closest_points/compound.test.cpp)
 template <class First, class... Rest, class Shape>
 requires(!detail::IsPoint<Shape>)
     [[nodiscard]] constexpr auto closest_points(const Compound<First, Rest...>& compound,

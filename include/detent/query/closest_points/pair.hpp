@@ -27,7 +27,7 @@ template <class A, class B>
 concept HaveClosestPoints = HasClosestPoints<A> && HasClosestPoints<B> && !MixedArguments<A, B>;
 
 /// The closest points of two boxes that are apart: on each axis their ends if they are apart there,
-/// or else the first common place.
+/// or else their first common coordinate.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_of_boxes(
     const Aabb<S, N>& a, const Aabb<S, N>& b) noexcept {
@@ -71,24 +71,23 @@ template <bool AreRound, Scalar S, class A, class B>
 }  // namespace detail
 
 /// The closest points of two shapes or segments, as a pair: the point of `a` and the point of `b`.
-/// Where the shapes meet, both are the same point.
+/// If the shapes share a point, both are the same point.
 ///
-/// Of several closest pairs, it is the one whose point of `a` has the least x, then y, then z. The
-/// core of a sphere is its center, that of a capsule its axis, that of another shape itself; the
-/// points of round shapes are where the segment between those of the cores, p and q, leaves them.
+/// Ties go to the pair whose point of `a` has the least x, then y, then z. The core of a sphere is
+/// its center, that of a capsule its axis, that of any other shape the shape itself; the points of
+/// round shapes are where the segment between those of the cores, p and q, leaves them.
 ///
-/// Where cores share a point, the common point is the first corner of a's core that is in b's, in
-/// the order of the shape's fields (of a box, the lower end first on each axis, x fastest; of a
+/// If the cores share a point, the common point is the first corner of a's core that is in b's, in
+/// the order of the shape's fields (for a box, the lower end first on each axis, x fastest; for a
 /// hull, its points); or else the first corner of b's core in a's; or else where the first segment
 /// between two corners of a's core, in lexicographic order, enters b's core; or else the same with
-/// b's corners. Round shapes with cores apart meet on the segment from p to q: at q if that is in
-/// `a`, otherwise where it leaves `a`.
+/// b's corners. Round shapes that overlap with their cores apart share a point on the segment from
+/// p to q: q if it is in `a`, otherwise where the segment leaves `a`.
 ///
-/// Planes have no corners: where one is parallel to the other, and where they meet, the points are
-/// those closest to the origin. An oriented box is its slabs, measured in its frame, where the other
-/// shape is a segment, a sphere or a capsule: of several closest pairs, it is then the one with the
-/// least point of the axis, and where that enters the box, it is the common point. To other shapes
-/// it is the box that its edges span.
+/// Planes have no corners: if they are parallel, and if they meet, the points are those closest to
+/// the origin. To segments, spheres and capsules, an oriented box is its slabs, measured in its
+/// frame: ties then go to the pair with the least point of the axis, and the common point is where
+/// the axis enters the box. To other shapes it is the box that its edges span.
 ///
 /// units:  world units
 /// domain: every input; the origin twice if a shape is empty

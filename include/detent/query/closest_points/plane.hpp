@@ -13,8 +13,8 @@
 
 namespace detent::detail {
 
-/// Where a plane cuts a body that it meets: at the first corner in the plane, or else between the
-/// first two corners on different sides of it.
+/// A point where a plane cuts a body that it meets: the first corner in the plane, or else a point
+/// between the first two corners on different sides of it.
 template <Scalar S, int N, class Body>
 [[nodiscard]] constexpr Vec<S, N> common_point_with_plane(const Plane<S, N>& plane,
                                                           const Body& body) noexcept {
@@ -38,7 +38,7 @@ template <Scalar S, int N, class Body>
   return result;
 }
 
-/// The closest points of a plane and all that is within a radius of a body.
+/// The closest points of a plane and a body grown by a radius.
 template <Scalar S, int N, class Body>
 [[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_to_plane(
     const Plane<S, N>& plane, const Body& body, const S& radius) noexcept {

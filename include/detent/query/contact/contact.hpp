@@ -12,11 +12,11 @@ namespace detent {
 /// One point of a contact, on the surface of the first shape, and how deep the second shape is
 /// there: its surface is at point - depth * normal.
 ///
-/// `feature` names the corners, edges or faces that meet, and stays the same while they do: the
-/// lower 16 bits those of the first shape, the upper 16 bits those of the second. Of each half, the
-/// bytes are the numbers of the two corners of an edge, twice the number of a corner, or 0xffff for
-/// a face. Corner i of a box is at the upper end of axis k if bit k of i is set; hulls, triangles
-/// and segments count their corners in order, modulo 255.
+/// `feature` identifies the corners, edges or faces that meet, and stays the same while they meet:
+/// the lower 16 bits those of the first shape, the upper 16 bits those of the second. In each half,
+/// the bytes are the numbers of the two corners of an edge, twice the number of a corner, or 0xffff
+/// for a face. Corner i of a box is at the upper end of axis k if bit k of i is set; hulls,
+/// triangles and segments count their corners in order, modulo 255.
 template <Scalar S, int N>
 struct ContactPoint {
   Vec<S, N> point;
@@ -27,8 +27,8 @@ struct ContactPoint {
                                                  const ContactPoint&) noexcept = default;
 };
 
-/// How two shapes a and b that overlap are separated by the least translation: b moves by `depth`
-/// along `normal`, which points from a to b. Of `points`, the first `count` are set.
+/// The least translation that separates two overlapping shapes a and b: b moves by `depth` along
+/// `normal`, which points from a to b. The first `count` of `points` are set.
 template <Scalar S, int N>
 struct Contact {
   Direction<S, N> normal;

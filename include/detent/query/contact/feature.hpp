@@ -15,12 +15,12 @@
 
 namespace detent::detail {
 
-/// A corner of a shape, which may be out of the range of S.
+/// A corner of a shape; it may be out of the range of S.
 template <Scalar S, int N>
 using Corner = Vec<Length<S>, N>;
 
-/// A face, an edge or a corner of a shape: its corners, rounded to the grid, with their numbers in
-/// the shape. Corners count once. Of more than `most` corners the first ones count.
+/// A face, an edge or a corner of a shape: its distinct corners, rounded to the grid, with their
+/// numbers in the shape; at most the first `most` of them.
 template <Scalar S, int N>
 struct Feature {
   static constexpr std::size_t most = 32;
@@ -46,8 +46,8 @@ template <Scalar S>
   return dot(d, cross(q - p, r - p));
 }
 
-/// Keeps only the outermost corners of a flat feature, counter-clockwise seen against d, from the
-/// least one on; of a straight one, both ends.
+/// Keeps only the outermost corners of a flat feature, counter-clockwise seen against d, starting
+/// with the least one; of a straight feature, both ends.
 ///
 /// source: Jarvis, On the Identification of the Convex Hull of a Finite Set of Points (1973)
 template <Scalar S>
@@ -91,8 +91,8 @@ template <Scalar S>
   return result;
 }
 
-/// The feature of `body` that is farthest along v, or least far, exactly; its corners in the world
-/// are those of `world`.
+/// The feature of `body` that is farthest along v, or least far, exactly; `world` gives its corners
+/// in the world.
 template <Scalar S, class Body, class World, Number V, int N>
 [[nodiscard]] constexpr Feature<S, N> extreme_feature(const Body& body, const World& world,
                                                       const Vec<V, N>& v, bool farthest) noexcept {
@@ -131,8 +131,8 @@ template <Number T>
   return cross(p[1] - p[0], p[2] - p[0]);
 }
 
-/// Finds the face of a hull that holds `corner` and is most opposed to d; all corners of a hull
-/// without faces.
+/// Finds the face of a hull that contains `corner` and is most opposed to d; for a hull without
+/// faces, all its corners.
 template <class Body, Scalar S, int N>
 class OpposedFace {
  public:
@@ -208,8 +208,8 @@ template <Scalar S, class Body, Number T, int N>
   return feature;
 }
 
-/// The feature of a core that meets a face with the outward normal d, given its corner or edge that
-/// reaches deepest: the face most opposed to d; a whole segment or a point.
+/// The feature of a core that meets a face with the outward normal d, given the core's deepest
+/// corner or edge: the face most opposed to d; a whole segment or a point.
 template <class Core, class Body, Scalar S, int N>
 [[nodiscard]] constexpr Feature<S, N> opposed_feature(const Core& core, const Body& body,
                                                       const Feature<S, N>& deepest,

@@ -13,9 +13,9 @@
 
 namespace detent::detail {
 
-/// The points where two features meet that face each other across a contact's normal, seen along
-/// it. Corners on the grid and the rounded normal are exact here; each coordinate and each depth is
-/// rounded once.
+/// The contact points of two features that face each other across a contact's normal, projected
+/// along it. Corners on the grid and the rounded normal are taken as exact; each coordinate and
+/// each depth is rounded once.
 ///
 /// The reference is the feature whose plane is perpendicular to the normal; the incident one is
 /// clipped against its sides. Points are corners of the incident feature over the reference,
@@ -23,8 +23,8 @@ namespace detent::detail {
 template <Scalar S, int N>
 class ContactBuilder {
  public:
-  /// `depth` is that of the cores (negative if they are apart), `radius_a` that of the first shape,
-  /// `radii` the sum.
+  /// `depth` is that of the cores (negative if they are apart), `radius_a` the radius of the first
+  /// shape, `radii` the sum of both.
   template <Number Depth, Number Radii>
   constexpr ContactBuilder(const Direction<S, N>& normal, const Depth& depth, const S& radius_a,
                            const Radii& radii) noexcept
@@ -34,15 +34,16 @@ class ContactBuilder {
         radius_a_(radius_a),
         radii_(radii) {}
 
-  /// Meets the features a and b of the shapes in their order. `wide_a` and `wide_b` give the faces
-  /// that meet a reference face of the other.
+  /// Intersects the features a and b of the shapes, in their order. `wide_a` and `wide_b` return
+  /// the faces that meet a reference face of the other shape.
   template <class WideA, class WideB>
   constexpr void meet(Feature<S, N> a, Feature<S, N> b, const WideA& wide_a,
                       const WideB& wide_b) noexcept {
     a = outline(a, seen_);
     b = outline(b, seen_);
     const bool a_is_face = a.count >= std::size_t{N}, b_is_face = b.count >= std::size_t{N};
-    // Of two faces the one with the positive normal, so that swapping the shapes keeps the choice.
+    // If both are faces, the one with the positive normal, so that swapping the shapes keeps the
+    // choice.
     a_is_reference_ = a_is_face && (!b_is_face || seen_ == normal_);
     if (a_is_reference_) {
       clip(a, b_is_face ? b : incident_of(wide_b(b), b), b.corners[0]);
@@ -71,7 +72,7 @@ class ContactBuilder {
     if (count_ == 0) add(b.corners[0], true, depth_, both(face, corner(b, 0)));
   }
 
-  /// Meets a plane, which is one of the shapes, and a feature of the other, whose deepest one is
+  /// Intersects a plane, one of the shapes, and a feature of the other, whose deepest feature is
   /// `deepest`.
   constexpr void meet_plane(bool plane_is_a, const Feature<S, N>& feature,
                             const Feature<S, N>& deepest) noexcept {
@@ -85,8 +86,8 @@ class ContactBuilder {
     if (count_ == 0) add(lowest, plane_is_a, depth_, both_by_role(face, corner(incident, 0)));
   }
 
-  /// Writes the points to keep: the deepest, the one farthest from it, and in 3D those that add the
-  /// largest area on either side of these two. Ties go to the first point.
+  /// Writes the points to keep: the deepest, the farthest from it, and in 3D those that add the
+  /// largest area on either side of the line through these two. Ties go to the first point.
   constexpr void write(Contact<S, N>& contact) const noexcept {
     const auto best = [&](const auto& value) {
       std::size_t found = 0;
@@ -135,14 +136,14 @@ class ContactBuilder {
   [[nodiscard]] static constexpr std::uint32_t both(std::uint32_t a, std::uint32_t b) noexcept {
     return a | b << 16;
   }
-  /// The same from parts of the reference and the incident feature.
+  /// The same, given parts of the reference and the incident feature.
   [[nodiscard]] constexpr std::uint32_t both_by_role(std::uint32_t reference,
                                                      std::uint32_t incident) const noexcept {
     return a_is_reference_ ? both(reference, incident) : both(incident, reference);
   }
 
-  /// The outline of a face. Of a face seen edge-on, which is its two ends, the deepest feature may be
-  /// in between: then it counts alone.
+  /// The outline of a face. A face seen edge-on is its two ends; if the deepest feature is in
+  /// between, only that counts.
   [[nodiscard]] constexpr Feature<S, N> incident_of(const Feature<S, N>& wide,
                                                     const Feature<S, N>& deepest) const noexcept {
     const auto seen = outline(wide, seen_);
@@ -155,7 +156,8 @@ class ContactBuilder {
     return outline(deepest, seen_);
   }
 
-  /// By how much less a point of the incident feature reaches into the reference than `deepest`.
+  /// How much less deeply than `deepest` a point of the incident feature reaches into the
+  /// reference.
   [[nodiscard]] constexpr auto drop(const Corner<S, N>& point,
                                     const Corner<S, N>& deepest) const noexcept {
     return a_is_reference_ ? dot(normal_, point - deepest) : dot(normal_, deepest - point);
@@ -202,8 +204,8 @@ class ContactBuilder {
                          feature};
   }
 
-  /// Two segments in one line as seen along the normal, or a segment and a point: `place` is the
-  /// place along the line.
+  /// Two segments, or a segment and a point, whose projections along the normal are in one line:
+  /// `place` is the position along that line.
   template <class Place>
   constexpr void overlap(const Feature<S, N>& reference, const Feature<S, N>& incident,
                          const Corner<S, N>& deepest, const Place& place) noexcept {
@@ -228,7 +230,7 @@ class ContactBuilder {
                 at - first, last - first);
     }
     if (count_ > 0) return;
-    // They meet in ends, but for the rounding of the normal.
+    // Without the rounding of the normal, they would meet in ends.
     const auto beyond = [&](const auto& at) { return at < low ? low - at : at - high; };
     const std::size_t i = beyond(last) < beyond(first) ? incident.count - 1 : 0;
     add(incident.corners[i], a_is_reference_, depth_,
@@ -269,13 +271,13 @@ class ContactBuilder {
   constexpr void clip(const Feature<S, 3>& reference, const Feature<S, 3>& incident,
                       const Corner<S, 3>& deepest) noexcept {
     clip_within(reference, incident, deepest, 0);
-    // They meet in their rims, but for the rounding of the normal.
+    // Without the rounding of the normal, they would meet in their rims.
     if (count_ == 0) clip_within(reference, incident, deepest, 4);
     if (count_ > 0) return;
     add(deepest, a_is_reference_, depth_, both_by_role(face, corner(incident, 0)));
   }
 
-  /// `slack` is how many of the least steps of S a corner may be outside.
+  /// `slack` is how many steps of S a corner may be outside.
   constexpr void clip_within(const Feature<S, 3>& reference, const Feature<S, 3>& incident,
                              const Corner<S, 3>& deepest, int slack) noexcept {
     for (std::size_t i = 0; i < incident.count; ++i) {
@@ -360,8 +362,8 @@ class ContactBuilder {
     const auto next = [&](std::size_t i) { return i + 1 < reference.count ? i + 1 : 0; };
     const std::size_t edges = incident.count < 3 ? incident.count - 1 : incident.count;
     if (edges == 0) return;
-    // On which side of the edges of the reference the incident corners are: the first, and in turn
-    // the two ends of an edge.
+    // The side of the incident corners relative to the edges of the reference: the first corner,
+    // and in turn the two ends of an edge.
     std::array<std::array<Turn, Feature<S, 3>::most>, 3> sides{};
     const auto find = [&](std::size_t at, std::size_t k) {
       for (std::size_t i = 0; i < reference.count; ++i) {
@@ -385,8 +387,8 @@ class ContactBuilder {
   }
 
   /// Adds the crossing of the edge from i to j of the reference and the edge from k to l of the
-  /// incident feature, between the ends of both; `from` and `to` are on which side of the first the
-  /// second starts and ends.
+  /// incident feature, between the ends of both; `from` and `to` are the sides of the first edge on
+  /// which the second starts and ends.
   constexpr void cross_edges(const Feature<S, 3>& reference, std::size_t i, std::size_t j,
                              const Feature<S, 3>& incident, std::size_t k, std::size_t l,
                              const Turn& from, const Turn& to,
@@ -409,13 +411,14 @@ class ContactBuilder {
   }
 
   Direction<S, N> normal_;
-  Direction<S, N> seen_;  // the positive one of both directions: the same with the shapes swapped
+  Direction<S, N> seen_;  // the positive one of both directions: invariant under swapping
   Far depth_;
   S radius_a_;
   decltype(S() + S()) radii_;
   bool a_is_reference_ = true;
   std::array<ContactPoint<S, N>, most> points_{};
-  // Where points to keep are chosen: on the grid, the same with the shapes swapped.
+  // The positions by which to choose the points to keep: on the grid, invariant under swapping the
+  // shapes.
   std::array<Corner<S, N>, most> places_{};
   std::size_t count_ = 0;
 };

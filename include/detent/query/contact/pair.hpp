@@ -30,7 +30,7 @@ template <Scalar S, int N>
   return d;
 }
 
-/// The corners of a core that has few; others are bodies themselves.
+/// The corners of a core with few corners; other cores are bodies themselves.
 template <class Core>
 [[nodiscard]] constexpr auto corners_of(const Core& core) noexcept {
   if constexpr (is_kind<Core, Vec>) {
@@ -43,7 +43,7 @@ template <class Core>
     return core;
   }
 }
-/// Points, segments and triangles are bodies of one type, so that there is little to compile.
+/// Points, segments and triangles are bodies of one type, to save compile time.
 template <Scalar S, int N, std::size_t Count>
 [[nodiscard]] constexpr auto body_of_corners(const std::array<Vec<S, N>, Count>& corners) noexcept {
   return HullBody(ConvexHull<S, N>{corners});
@@ -53,7 +53,7 @@ template <class Core>
   return body_of(core);
 }
 
-/// Makes the contact of a push; meet(manifold) finds its points.
+/// The contact of a push; meet(manifold) finds its points.
 template <Scalar S, int N, Number Depth, class Meet>
 [[nodiscard]] constexpr std::optional<Contact<S, N>> make_contact(const Direction<S, N>& normal,
                                                                   const Depth& depth,
@@ -171,32 +171,34 @@ template <Scalar S, int N, class A, class B>
 
 }  // namespace detail
 
-/// How two shapes or segments that share a point are separated by the least translation, or nothing
-/// if they share none. Touching is a contact of depth 0.
+/// The least translation that separates two shapes or segments that share a point, or nothing if
+/// they share none. Touching is a contact of depth 0.
 ///
-/// Of several least translations, one along a face of the shapes' difference is chosen (out of a
-/// flat difference, along a perpendicular to it). Of several of those it is the one whose normal,
-/// turned so that its first component that is not 0 is positive, has the greatest x, then y, then
-/// z; and of both directions of a line the positive one. So contact(b, a) is the mirror image of
-/// contact(a, b), unless both directions are equally right. A plane is its surface: a shape leaves
-/// it to either side, and equally deep on both, to the side of its normal.
+/// If several translations are equally short, the result is one along a face normal of the shapes'
+/// difference (for a flat difference, along a perpendicular to it). To choose among several of
+/// those, flip each normal so that its first nonzero component is positive, and take the greatest
+/// x, then y, then z; of the two directions of a line, take the positive one. So contact(b, a) is
+/// the mirror image of contact(a, b), unless both directions are equally right. A plane is only its
+/// surface: a shape leaves it to either side, and if both are equally deep, to the side of its
+/// normal.
 ///
-/// Points: where the normal is that of a face, the face of the other shape most opposed to it is
-/// clipped against its sides; a segment or the axis of a capsule as a whole; of a face seen edge-on
-/// its ends, or if it is deepest between them, its deepest corner or edge. At most four points are
-/// kept, two in 2D: the deepest, the farthest from it, and those that add the largest area on either
-/// side. Two parallel edges have the two ends of what they share; else there is one point. Of a face
-/// with more than 32 corners, the first 32 count.
+/// Points: if the normal is that of a face, the most opposed face of the other shape is clipped
+/// against the sides of that face. A segment or the axis of a capsule is clipped as a whole; a face
+/// seen edge-on has its ends, or, if it is deepest between them, its deepest corner or edge. At
+/// most four points are kept, two in 2D: the deepest, the farthest from it, and those that add the
+/// largest area on either side. Two parallel edges give the two ends of their overlap; all other
+/// pairs give one point. Of a face with more than 32 corners, the first 32 count.
 ///
-/// An oriented box is its slabs, and depths are measured in its frame, where the other shape is a
-/// segment, a sphere or a capsule; to other shapes it is the box that its edges span.
+/// To segments, spheres and capsules, an oriented box is its slabs, and depths are measured in its
+/// frame; to other shapes it is the box that its edges span.
 ///
 /// units:  world units
 /// domain: every input; an empty shape touches nothing; depths are clamped to the greatest scalar
-/// exact:  whether there is a contact; the depth rounded up, error in [0, 1) ULP; the normal that
-///         of a plane as stored, else each component rounded to nearest; points and their depths
-///         within 4 ULP and 2^-27 of the distance from the origin, for they use corners of oriented
-///         boxes rounded to the grid and the rounded normal  (tests/oracle/contact_pairs.test.cpp)
+/// exact:  whether there is a contact; the depth rounded up, error in [0, 1) ULP; the normal of a
+///         plane as stored, otherwise each component rounded to nearest; points and their depths
+///         within 4 ULP and 2^-27 of the distance from the origin, because they use the rounded
+///         normal and corners of oriented boxes rounded to the grid
+///         (tests/oracle/contact_pairs.test.cpp)
 /// source: van den Bergen (2001), for polytopes: see query/kernel/expansion.hpp
 template <class A, class B>
 requires detail::HaveContact<A, B>
@@ -209,8 +211,8 @@ requires detail::HaveContact<A, B>
                                         detail::radius_of(a), detail::radius_of(b));
 }
 
-/// The translation on the grid by which b, moved, no longer touches a, given contact(a, b): a
-/// little more than its depth along its normal, each component rounded away from 0.
+/// The translation on the grid that moves b so that it no longer touches a, given contact(a, b):
+/// slightly more than the depth along the normal, each component rounded away from 0.
 ///
 /// units:  world units
 /// domain: a depth less than the greatest scalar; a greater translation is clamped
@@ -218,9 +220,9 @@ requires detail::HaveContact<A, B>
 ///         (tests/oracle/contact_pairs.test.cpp)
 ///
 /// Proof: let u be the exact unit normal, d the depth. The normal's product with u is at least
-/// 1 - 2^-28: it is off by 2^-31 a component where it is rounded, by 2^-29 in length where it is
-/// stored, and a box's frame is off by 3 2^-31. Rounding away from 0 moves further along u. So it is
-/// enough to move by more than d (1 + 2^-27), which d + 2^-27 d, rounded down, + 1 ULP is.
+/// 1 - 2^-28: a rounded normal is off by 2^-31 per component, a stored one by 2^-29 in length, and
+/// a box's frame by 3 2^-31. Rounding away from 0 moves further along u. So it is enough to move by
+/// more than d (1 + 2^-27), and d + 2^-27 d, rounded down, + 1 ULP is more.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> separation(const Contact<S, N>& contact) noexcept {
   if constexpr (!is_fixed<S>) {

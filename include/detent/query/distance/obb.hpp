@@ -9,7 +9,7 @@ namespace detent {
 /// The squared distance from `point` to `box`, 0 inside, measured in the frame of the box: the sum
 /// of the squares of the excess of |dot(axis(i), point - center)| over half_extents[i].
 ///
-/// It equals the world distance as far as the axes are orthonormal.
+/// It equals the world distance if the axes are orthonormal.
 ///
 /// domain: every input; an empty box gives the greatest number of the result's type
 /// exact:  always                                                (tests/oracle/point_obb.test.cpp)

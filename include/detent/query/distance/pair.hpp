@@ -41,8 +41,8 @@ template <Scalar S, int N, class Body>
   return Fraction{square(gap), squared_length(n)};
 }
 
-/// The squared distance of two planes, 0 unless they are parallel. Parallel normals may point either
-/// way and differ in length: on axis i, where b's is not 0, the planes are
+/// The squared distance of two planes, 0 unless they are parallel. Parallel normals may have
+/// opposite signs and differ in length: for an axis i on which b's is not 0, the planes are
 /// |a.offset b.normal[i] - b.offset a.normal[i]| / (|b.normal[i]| |a.normal|) apart.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto squared_gap_of_planes(const Plane<S, N>& a,
@@ -88,7 +88,7 @@ template <class A, class B>
   }
 }
 
-/// Whether the gap of two cores is that of two bodies: see `squared_gap`.
+/// Whether the gap between two cores is a gap between two bodies: see `squared_gap`.
 template <class A, class B>
 inline constexpr bool has_gap_of_bodies = [] {
   if (is_kind<A, Vec> || is_kind<B, Vec> || is_kind<A, Plane> || is_kind<B, Plane>) return false;
@@ -116,8 +116,8 @@ template <Scalar S, class A, class B>
 
 /// The distance between two shapes or segments, 0 if they share a point.
 ///
-/// An oriented box is its slabs, and distances are measured in its frame, where the other shape is
-/// a segment, a sphere or a capsule; to other shapes it is the box that its edges span.
+/// To segments, spheres and capsules, an oriented box is its slabs, and distances are measured in
+/// its frame; to other shapes it is the box that its edges span.
 ///
 /// units:  world units
 /// domain: every input; clamped to the greatest scalar, which is the result if a shape is empty

@@ -26,7 +26,7 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Ray<S, N>& ray, const Vec<S, N>& point) noexcept {
   if (ray.max_distance < 0) return largest<S>;
-  // Avoids the exact fraction where that is wide and the point projects onto the ray.
+  // Avoids the exact fraction if it is wide and the point projects onto the ray.
   if constexpr (15 < bits_of<S>) {
     const auto from_origin = point - ray.origin;
     const auto along = dot(from_origin, ray.direction);

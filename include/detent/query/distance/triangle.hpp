@@ -19,8 +19,8 @@ template <Number T>
 
 }  // namespace detail
 
-/// The squared distance from `point` to `triangle`: 0 inside a 2D one, which is solid, and
-/// (n . w)^2 / n^2 above the face of a 3D one, with n = (b - a) x (c - a) and w from a to the
+/// The squared distance from `point` to `triangle`: 0 inside a 2D triangle, which is solid, and
+/// (n . w)^2 / n^2 above the face of a 3D triangle, with n = (b - a) x (c - a) and w from a to the
 /// point.
 ///
 /// domain: every input; a collapsed triangle is the segment or point that its corners span
@@ -44,7 +44,7 @@ template <Scalar S, int N>
   }
 }
 
-/// The distance from `point` to `triangle`, 0 inside a 2D one.
+/// The distance from `point` to `triangle`, 0 inside a 2D triangle.
 ///
 /// units:  world units
 /// domain: every input; clamped to the greatest scalar

@@ -17,7 +17,7 @@ concept MeetsSegments =
 
 }  // namespace detail
 
-/// The same with the arguments swapped, for every shape.
+/// `intersects` with the arguments swapped, for every shape.
 template <class Shape, Scalar S, int N>
 requires detail::MeetsSegments<Shape, Segment<S, N>>
 [[nodiscard]] constexpr bool intersects(const Shape& shape, const Segment<S, N>& segment) noexcept {

@@ -12,8 +12,8 @@
 
 namespace detent::detail {
 
-/// A lower bound of `x`, on the grid of `T` and clamped: less than 2^-37 of x and a step too small.
-/// The relative error of `x` must be below 2^-38.
+/// A lower bound of `x`, on the grid of `T` and clamped, too small by less than 2^-37 of x plus one
+/// step. The relative error of `x` must be below 2^-38.
 template <class T>
 [[nodiscard]] constexpr T floor_below(Leading x) noexcept {
   using Raw = typename T::raw_type;
@@ -25,11 +25,11 @@ template <class T>
   return T::assume_raw(static_cast<Raw>(dropped > 63 ? 0 : x.word >> dropped));
 }
 
-/// How far a body is from another one, compared with a radius.
+/// The distance between two bodies, compared with a radius.
 enum class Clearance { none, touch, apart };
 
-/// The distance, rounded down and clamped, that a body can move before its distance from another
-/// one may reach the radius. `approaches` is false if it never does.
+/// How far a body can move, rounded down and clamped, before its distance from another one may
+/// reach the radius. `approaches` is false if it never does.
 template <Number Time>
 struct Lead {
   Clearance clearance = Clearance::none;
@@ -41,10 +41,10 @@ struct Lead {
 /// by Newton's method. Time is in the unit of `way`.
 ///
 /// The distance of the bodies is a convex function of time. If p is the closest point of b - a at
-/// some time, the bodies stay p . (p - t way) / |p| apart at least. So a step by
-/// (|p| - radius) |p| / (p . way) is not past the first touch. The step is rounded down to the grid
-/// of time; once it is 0, the way to the next time on the grid decides. All decisions are exact:
-/// how the step is rounded changes only how many steps there are.
+/// some time, the bodies are at least p . (p - t way) / |p| apart. So a step by (|p| - radius)
+/// |p| / (p . way) does not pass the first touch. The step is rounded down to the grid of time;
+/// once it is 0, the motion up to the next time on the grid decides. All decisions are exact: the
+/// rounding of steps only changes their number.
 ///
 /// Scaled by 2^shift, the scene and its times are the same on a finer grid; `shift` is at most
 /// `Shift`.
@@ -63,7 +63,7 @@ class Approach {
   constexpr Approach(const A& a, const B& b, const Way& way, const R& radius, int shift) noexcept
       : a_(a), b_(b), way_(way), radius_(scale_up<bits_of<Radius>>(radius, shift)), shift_(shift) {}
 
-  /// `time` of the scene that is not scaled.
+  /// `time` in the unscaled scene.
   template <Number T>
   [[nodiscard]] constexpr Time scaled(const T& time) const noexcept {
     return scale_up<bits_of<Time>>(time, shift_);
@@ -101,8 +101,8 @@ class Approach {
   /// less than two times of the grid before it. The bodies touch between `time` and `limit`, and not
   /// before.
   ///
-  /// The distance has a curvature of at most 1 / radius. So a step of Newton's method covers at
-  /// least half of the way to the first touch.
+  /// The curvature of the distance is at most 1 / radius. So a Newton step covers at least half of
+  /// the way to the first touch.
   template <class F>
   [[nodiscard]] constexpr auto with_touch(const Time& time, const Time& limit,
                                           const F& f) const noexcept {
@@ -112,7 +112,7 @@ class Approach {
         },
         time, limit, f);
   }
-  /// The same where the closest differences of corners are known to lie in one feature.
+  /// The same if the closest differences of corners are known to lie in one feature.
   template <class Feature, class F>
   [[nodiscard]] constexpr auto with_touch_on(const Feature& feature, const Time& time,
                                              const Time& limit, const F& f) const noexcept {
@@ -193,8 +193,8 @@ class Approach {
         b.low() - a.high(), b.high() - a.low());
   }
 
-  /// Calls g(v, excess) for the vector v across a feature, where excess() are the leading bits of
-  /// |p|^2 - radius^2 for its closest point p.
+  /// Calls g(v, excess) for the vector v across a feature, where excess() returns the leading bits
+  /// of |p|^2 - radius^2 for its closest point p.
   template <class Feature, class G>
   [[nodiscard]] constexpr auto across(const Feature& feature, const G& g) const noexcept {
     return with_direction(feature, [&](const auto& v) {
@@ -257,7 +257,7 @@ class Approach {
   }
 
   /// Calls f(numerator, denominator) with |p|^2 - radius^2 for the point p of the feature closest to
-  /// 0. Without `Faces` it is no face in 3D, whose numbers are the longest.
+  /// 0. Without `Faces` the feature is not a face in 3D, whose numbers are the longest.
   template <bool Faces = true, Number T, int N, class F>
   [[nodiscard]] constexpr auto with_excess(const Simplex<T, N>& feature,
                                            const F& f) const noexcept {
@@ -309,9 +309,9 @@ class Approach {
     }
   }
 
-  /// |p|^2 - radius^2 or its leading bits, 0 if it is negative. For a face in 3D, whose exact number
-  /// would be the longest, it is the difference of such bits: the closest vector of a face does not
-  /// depend on when it is.
+  /// |p|^2 - radius^2 or its leading bits, 0 if it is negative. For a face in 3D, whose exact
+  /// number would be the longest, it is the difference of such bits, since the closest vector of a
+  /// face does not depend on time.
   template <Number T, int N>
   [[nodiscard]] constexpr auto leading_excess(const Simplex<T, N>& feature) const noexcept {
     if constexpr (is_fixed<S> && N == 3) {
@@ -345,8 +345,8 @@ class Approach {
   }
 
   /// A lower bound of (|p| - r) |v| / (v . way) for excess = |p|^2 - r^2 and the closest point p,
-  /// which is parallel to v: (|p| - r) = excess / (|p| + r). It is less than 2^-37 of its value too
-  /// small, and then rounded down.
+  /// which is parallel to v: (|p| - r) = excess / (|p| + r). It is too small by less than 2^-37 of
+  /// its value, and then rounded down.
   template <class Excess, Number V, Number Along>
   [[nodiscard]] constexpr Time steps(const Excess& excess, const Vec<V, dimension>& v,
                                      const Along& along) const noexcept {
@@ -360,7 +360,7 @@ class Approach {
     }
   }
 
-  /// Whether the body does not touch before `time`, at which it touches.
+  /// Whether `time`, at which the body touches, is the first touch.
   [[nodiscard]] constexpr bool is_first_touch(const Time& time) const noexcept {
     const auto lead = lead_at(time);
     if (lead.clearance != Clearance::touch) return false;

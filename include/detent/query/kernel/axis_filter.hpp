@@ -26,8 +26,8 @@ struct holder_of<Fixed<BitsA, FracA>, Fixed<BitsB, FracB>> {
 template <Number A, Number B>
 using HolderOf = typename holder_of<A, B>::type;
 
-/// Filter: which axes can be the least push of two boxes, and to which side (docs/filters.md, lemma
-/// 15). The differences of two boxes are all points within half of each of six spans of a middle. So
+/// Filter: which axes can give the least push of two boxes, and to which side (docs/filters.md,
+/// lemma 15). The differences of two boxes are a middle plus up to half of each of six spans. So
 /// along v they reach sum |v . span| / 2 - |v . middle| beyond 0 on the nearer side.
 template <class A, class B>
 class AxisFilter {
@@ -71,8 +71,8 @@ class AxisFilter {
     least_ = (std::min)(least_, axis.length);
   }
 
-  /// Calls f(sign) for the sides of axis i, in the order of `add`, on which it may be the least push
-  /// or prove that the boxes are apart.
+  /// Calls f(sign) for the sides of axis i, in the order of `add`, on which it may give the least
+  /// push or prove that the boxes are apart.
   template <class F>
   constexpr void for_each_side(std::size_t i, const F& f) const noexcept {
     const auto& axis = axes_[i];

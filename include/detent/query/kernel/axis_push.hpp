@@ -19,16 +19,16 @@ inline constexpr bool is_unit_component = false;
 template <int Bits, int Frac>
 inline constexpr bool is_unit_component<Fixed<Bits, Frac>> = Bits == Frac + 1;
 
-/// The least push of b out of a among those perpendicular to two edges (in 2D to one), for boxes,
+/// The least push of b out of a among those perpendicular to two edges (in 2D, to one), for boxes,
 /// triangles, segments and points; nothing for bodies with more edges, or too few.
 ///
-/// If its height is positive, it is the least of all, and that of a facet. If it is negative, the
-/// bodies are apart. If it is 0, they may be apart, touch, or be flat together.
+/// If its height is positive, it is the least push of all, and that of a facet. If it is negative,
+/// the bodies are apart. If it is 0, they may be apart, touch, or lie in one plane.
 ///
-/// P, the differences a - b, reaches no less far along any direction than the distance d of its
-/// nearest facet from the origin, and each facet is perpendicular to two edges; so the least push is
-/// among those tried. If d > 0, the ball of radius d about the origin touches the surface of P only
-/// at facets, each with the normal of the ball there; so no other direction reaches d.
+/// Along every direction, P, the differences a - b, reaches at least the distance d of its nearest
+/// facet from the origin, and each facet is perpendicular to two edges. So the least push is among
+/// those tried. If d > 0, the ball of radius d about the origin touches the surface of P only at
+/// facets, each with the normal of the ball there; so no other direction reaches d.
 ///
 /// source: Gottschalk, Lin, Manocha, OBBTree (1996), the axes; see Expansion for P
 template <Number T, class A, class B, int N = A::dimension>
@@ -68,8 +68,8 @@ class AxisPush {
  private:
   using EdgeA = decltype(A::Edge::x);
   using EdgeB = decltype(B::Edge::x);
-  /// The cross product of two edges. Components of directions do not exceed 1, so those of theirs do
-  /// not exceed 2.
+  /// The cross product of two edges. Components of directions do not exceed 1, so those of their
+  /// cross products do not exceed 2.
   template <Number E, Number F>
   [[nodiscard]] static constexpr auto axis_of(const Vec<E, 3>& e, const Vec<F, 3>& f) noexcept {
     if constexpr (is_unit_component<E> && is_unit_component<F>) {
@@ -85,7 +85,7 @@ class AxisPush {
       N == 2, HolderOf<EdgeA, EdgeB>,
       HolderOf<Across<EdgeA, EdgeB>, HolderOf<Across<EdgeA, EdgeA>, Across<EdgeB, EdgeB>>>>;
 
-  /// Calls f with a vector along each axis, some maybe 0 or twice.
+  /// Calls f with a vector along each axis; some may be 0 or repeat.
   template <class F>
   constexpr void for_each_axis(const F& f) const noexcept {
     if constexpr (N == 2) {

@@ -13,12 +13,12 @@
 #include "detent/shape/triangle.hpp"
 
 // The first test of a frustum's queries: a shape that lies beyond one of the six planes is outside.
-// It rejects most of what is outside; the hull decides the rest.
+// It rejects most shapes that are outside; the hull decides the rest.
 
 namespace detent::detail {
 
-// least_along(normal, shape): a lower bound of dot(normal, x) over the points x of a shape that is
-// not empty. All are exact, except where they say otherwise.
+// least_along(normal, shape): a lower bound of dot(normal, x) over the points x of a nonempty
+// shape. Each is exact unless it says otherwise.
 
 template <Scalar S>
 [[nodiscard]] constexpr auto least_along(const Direction<S, 3>& normal,
@@ -52,7 +52,7 @@ inline constexpr auto longest_direction = [] {
   }
 }();
 
-/// A lower bound, by `longest_direction`.
+/// A lower bound, using `longest_direction`.
 template <Scalar S>
 [[nodiscard]] constexpr auto least_along(const Direction<S, 3>& normal,
                                          const Capsule<S, 3>& capsule) noexcept {
@@ -65,7 +65,7 @@ template <Scalar S>
   return dot(normal, sphere.center) - sphere.radius * longest_direction<S>;
 }
 
-/// A lower bound: cosines are rounded up. The box is what its edges span.
+/// A lower bound: cosines are rounded up. The box is the one that its edges span.
 template <Scalar S>
 [[nodiscard]] constexpr auto least_along(const Direction<S, 3>& normal,
                                          const Obb<S, 3>& box) noexcept {

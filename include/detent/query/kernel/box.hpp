@@ -10,8 +10,8 @@
 namespace detent::detail {
 
 // A 3D box against another box or a triangle. If they are apart, a face of one or a pair of their
-// edges separates them (separation.hpp). All these tests share a few products with the edges of the
-// boxes and the normals of their faces.
+// edges separates them (separation.hpp). All these tests share a few products with the boxes' edges
+// and face normals.
 
 /// The coordinate axes as the edges of a box.
 struct WorldFrame {
@@ -77,11 +77,10 @@ class EdgeFrame {
   Volume volume_;
 };
 
-/// Whether two boxes overlap; `apart` leads from one center to the other. Not both may be flat.
+/// Whether two boxes overlap; `apart` leads from one center to the other. At most one may be flat.
 ///
 /// The triple product of two edges of one with an edge of the other serves its face and four pairs
-/// of edges, so 18 of them cover the 15 directions. For 32-bit scalars their types give the sums
-/// 126 bits.
+/// of edges, so 18 of them cover the 15 directions. For 32-bit scalars the sums have 126 bits.
 ///
 /// source: Gottschalk, Lin, Manocha, OBBTree: A Hierarchical Structure for Rapid Interference
 ///         Detection (1996)
@@ -132,10 +131,10 @@ template <Number Height, Number Along, Number H>
 /// Whether a box that is not flat meets the triangle with these corners, given relative to its
 /// center.
 ///
-/// All corners are in a cube that is 2^Side wide, and twice the area of a triangle in a square is
-/// at most that of the square. Projected onto the cross product of an edge of the box and one of
-/// the triangle, two corners coincide, and the third is off by the projection of the box edge onto
-/// the normal.
+/// All corners are in a cube of side 2^Side, and twice the area of a triangle in a square is at
+/// most that of the square. Projected onto the cross product of an edge of the box and one of the
+/// triangle, two corners coincide, and the third is off by the projection of the box edge onto the
+/// normal.
 ///
 /// source: Akenine-Moeller, Fast 3D Triangle-Box Overlap Testing (2001)
 template <int Side, class Frame, Number H, Number T>

@@ -33,7 +33,7 @@ class AxisFrame {
   const Rotation<S, N>& rotation_;
 };
 
-/// Whether any two axes are perpendicular within 2^-26.
+/// Whether every two axes are perpendicular within 2^-26.
 constexpr bool is_square(const WorldFrame&) noexcept { return true; }
 template <Scalar S, int N>
 constexpr bool is_square(const AxisFrame<S, N>& frame) noexcept {
@@ -46,7 +46,7 @@ template <Number Sum>
   return narrow<34>(scale_down<34>(sum, 18) + Fixed<34, Sum::frac>::from_raw(8));
 }
 
-/// The least f(i) over N axes i. `f` takes i as a constant, so that compilers make no loop of it.
+/// The least f(i) over N axes i. `f` takes i as a constant, so that compilers unroll the loop.
 template <int N, class F>
 [[nodiscard]] constexpr auto least_of(const F& f) noexcept {
   const auto x = f(std::integral_constant<int, 0>()), y = f(std::integral_constant<int, 1>());

@@ -10,7 +10,7 @@ namespace detent::detail {
 
 /// Filter: whether a box meets a triangle with these corners, given relative to its center. It uses
 /// projections onto the axes of the box, truncated by less than one step (docs/filters.md, lemma
-/// 6): the axes alone decide, or the projections serve as coordinates.
+/// 6): the axes decide, or the projections serve as coordinates.
 template <Scalar S, Number H, Number T>
 [[nodiscard]] constexpr Filtered decide_box_meets_triangle(
     const AxisFrame<S, 3>& box, const Vec<H, 3>& half_extents,

@@ -10,8 +10,8 @@
 
 namespace detent::detail {
 
-/// Whether a wrong guess of a branch costs more than a few operations on words. On small processors
-/// it does not.
+/// Whether a branch misprediction costs more than a few word operations. On small processors it
+/// does not.
 #if UINTPTR_MAX > 0xffffffff
 inline constexpr bool selects_by_mask = DETENT_NATIVE_INT128 == 1;
 #else
@@ -59,7 +59,8 @@ class RayClip {
 
   [[nodiscard]] constexpr bool is_empty() const noexcept { return less(exit_, enter_); }
 
-  /// The slab entered last, the first named if several; `no_slab` if the ray starts inside all.
+  /// The slab entered last, in case of a tie the first one given; `no_slab` if the ray starts
+  /// inside all.
   [[nodiscard]] constexpr int entered() const noexcept { return entered_; }
 
   // If not empty, 0 <= enter <= exit <= limit.
@@ -76,7 +77,7 @@ class RayClip {
  private:
   using Distance = Fraction<Numerator, Denominator>;
 
-  /// a or b by arithmetic, where compilers would branch: which slab is entered last, nothing predicts.
+  /// a or b, branchless: which slab is entered last is unpredictable.
   template <Number T>
   static constexpr T select(bool is_first, const T& a, const T& b) noexcept {
     using Raw = decltype(a.raw() ^ b.raw());
@@ -88,7 +89,7 @@ class RayClip {
             select(is_first, a.denominator, b.denominator)};
   }
 
-  /// x, or if the ray goes backward -y: all by arithmetic.
+  /// x, or -y if the ray goes backward; branchless.
   template <Number T>
   static constexpr T forward_of(const T& x, const T& y, const Denominator& speed) noexcept {
     using Raw = decltype(x.raw() ^ y.raw());

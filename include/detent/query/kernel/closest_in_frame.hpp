@@ -31,11 +31,11 @@ template <Scalar S, int N>
   return {on_box, rounded_beyond(p, radius, narrow_negative(from_frame(box, beyond)))};
 }
 
-/// Where the points t d, t in [0, 1], are closest to the box from `low` to `high`: the first such t,
-/// or the last one, as a fraction.
+/// The t in [0, 1] for which t d is closest to the box from `low` to `high`: the first such t, or
+/// the last one, as a fraction.
 ///
 /// If they pass through all slabs that d is not parallel to, they are closest there. Otherwise
-/// there is one closest point: an end, or where the excesses g + t speed of the axes outside their
+/// there is one closest point: an end, or where the excesses g + t speed on the axes outside their
 /// slabs are least (see compare_slabs).
 template <Number T, Number D, int N>
 [[nodiscard]] constexpr auto closest_time(const Vec<T, N>& low, const Vec<T, N>& high,
@@ -63,8 +63,8 @@ template <Number T, Number D, int N>
   });
 }
 
-/// The closest points of a box and a capsule around `axis`; if several are equally close, those
-/// with the least point of the axis, or where it first enters the box.
+/// The closest points of a box and a capsule around `axis`; ties go to the least point of the axis,
+/// or to where it first enters the box.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_in_frame(
     const Obb<S, N>& box, const Segment<S, N>& axis, const S& radius) noexcept {

@@ -12,7 +12,7 @@
 
 namespace detent::detail {
 
-/// Calls f with the corners of a body in their order, until it returns true. Returns whether it did.
+/// Calls f with the corners of a body in order, until it returns true. Returns whether it did.
 template <class Body, class F>
 constexpr bool any_corner(const Body& body, const F& f) noexcept {
   const auto from = body.some();
@@ -23,7 +23,7 @@ constexpr bool any_corner(const Body& body, const F& f) noexcept {
   return is_found;
 }
 
-/// Calls f(corner, other) for all corners of a body and all that come later, until it returns true.
+/// Calls f(corner, other) for every corner of a body and each later one, until it returns true.
 template <class Body, class F>
 constexpr bool any_two_corners(const Body& body, const F& f) noexcept {
   int i = 0;
@@ -46,13 +46,13 @@ struct CommonCorner<Fixed<BitsA, FracA>, Fixed<BitsB, FracB>> {
   using type = common_fixed<Fixed<BitsA, FracA>, Fixed<BitsB, FracB>>;
 };
 
-/// Finds where the segment from p to q, which meets a body outside of which p lies, first enters it.
-/// No corner of the body is on the segment.
+/// Finds where the segment from p to q first enters a body that it meets, if p is outside. No
+/// corner of the body is on the segment.
 ///
-/// It enters through the interior of a face, which holds a triangle of corners that it pierces, or
-/// of an edge, which it crosses. (In the plane of a face or along an edge it would enter earlier, at
-/// the border.) All such triangles and segments of corners are inside the body, so the first point
-/// on any of them is the one.
+/// It enters through the interior of a face, where it pierces a triangle of corners, or of an edge,
+/// which it crosses. (In the plane of a face or along an edge it would enter earlier, at the
+/// border.) All such triangles and segments of corners are inside the body, so the first point on
+/// any of them is the entry.
 template <Scalar S, Number P, class Body, int N = Body::dimension>
 class Entry {
  public:
@@ -97,7 +97,7 @@ class Entry {
     });
   }
 
-  /// Counts s / all. It is at least 0, because the body is ahead of p.
+  /// Takes s / all into account. It is at least 0, because the body is ahead of p.
   template <Number T>
   static constexpr void count(const T& s, const T& all, Fraction<T, T>& least) noexcept {
     const auto here = make_fraction(s, all);
@@ -123,7 +123,7 @@ class Entry {
     count(s, all, crossed_);
   }
 
-  /// The segment pierces the triangle of k, l, m, if it passes all edges on one side.
+  /// The segment pierces the triangle of k, l, m if it passes all edges on the same side.
   constexpr void pierce_triangle(const Edge& k, const Edge& l, const Edge& m) noexcept {
     const auto kl = cross(k, l);
     const auto a = dot(e_, kl), b = dot(e_, cross(l, m)), c = dot(e_, cross(m, k));
@@ -140,13 +140,14 @@ class Entry {
   Fraction<Volume, Volume> pierced_{Volume(2), Volume(1)};
 };
 
-/// A point of two bodies that overlap, rounded to nearest: the first corner of `a` that is in `b`;
-/// or else the first corner of `b` in `a`; or else where the first of the segments between two
-/// corners of `a` that meets `b`, in the order of their first and then of their second corner,
-/// enters it; or else the same with `b`'s corners.
+/// A common point of two bodies that overlap, rounded to nearest: the first corner of `a` that is
+/// in `b`; or else the first corner of `b` in `a`; or else where the first segment between two
+/// corners of `a` that meets `b`, in the order of first and then second corner, enters it; or else
+/// the same with `b`'s corners.
 ///
-/// One of these exists: of the common points, a corner is where one face of each body meet, only in
-/// that point. So the dimensions of the two have a sum of at most 3, and one is a corner or an edge.
+/// One of these exists: each corner of the intersection is the only common point of one face of
+/// each body. So the dimensions of the two faces have a sum of at most 3, and one of them is a
+/// corner or an edge.
 template <Scalar S, class A, class B, int N = A::dimension>
 [[nodiscard]] constexpr Vec<S, N> common_point(const A& a, const B& b) noexcept {
   using P = typename CommonCorner<std::remove_cvref_t<decltype(a.some().x)>,

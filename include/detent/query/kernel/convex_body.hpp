@@ -13,7 +13,7 @@
 
 namespace detent::detail {
 
-/// On each axis, the end of a box that is extreme along v: the upper, the lower, or, where v is
+/// On each axis, the end of a box that is extreme along v: the upper, the lower, or, if v is
 /// perpendicular, both. Calls f with every choice of ends: an array, true for the upper one.
 template <int N, class AlongV, class F>
 constexpr void for_each_extreme_end(const AlongV& along, bool farthest, const F& f) noexcept {
@@ -39,7 +39,7 @@ template <int N, class Corner>
   return corners;
 }
 
-/// A positive number of few bits on the grid of T.
+/// A positive number with few bits on the grid of T.
 template <Number T>
 [[nodiscard]] constexpr auto least_of() noexcept {
   if constexpr (is_fixed<T>) {
@@ -49,8 +49,8 @@ template <Number T>
   }
 }
 
-/// Whether a body is a box: `span(i)` leads from one end to the other on axis i, half of
-/// `doubled_middle()` is in the middle, and `corner(sides)` is as in `corners_by_sides`.
+/// Whether a body is a box: `span(i)` leads from one end to the other on axis i, `doubled_middle()`
+/// is twice the middle, and `corner(sides)` is as in `corners_by_sides`.
 template <class Body>
 concept IsBoxBody = requires(const Body& body) {
   body.doubled_middle();
@@ -122,8 +122,8 @@ AabbBody(const Vec<S, N>&, const Vec<S, N>&) -> AabbBody<S, N>;
 
 /// The body {center + sum s_i edges[i] : |s_i| <= 1}; `senses[i]` points the same way as edges[i].
 ///
-/// The center is below 2^b and a component of an edge at most 2^b in numbers of b bits, so the
-/// components of a corner are below 2^(b + 2).
+/// With b bits, the center is below 2^b and a component of an edge at most 2^b, so the components
+/// of a corner are below 2^(b + 2).
 template <Number E, Number V, int N>
 class SpannedBody {
  public:
@@ -193,7 +193,8 @@ class SpannedBody {
   [[nodiscard]] constexpr const Vec<E, N>& edge(int i) const noexcept {
     return edges_[static_cast<std::size_t>(i)];
   }
-  /// In component j: the center, plus each edge i with is_added(i, j), minus the others.
+  /// Component j is that of the center, plus those of each edge i with is_added(i, j), minus those
+  /// of the others.
   template <class IsAdded>
   requires std::is_invocable_v<const IsAdded&, int, int>
   [[nodiscard]] constexpr auto corner(const IsAdded& is_added) const noexcept {
@@ -230,8 +231,8 @@ template <Scalar S, int N>
   return Body(box.center, edges, senses);
 }
 
-// body_of(shape): a point or a nonempty polytope as a convex body for GJK (see support.hpp). An oriented box
-// is what its edges span.
+// body_of(shape): a point or a nonempty polytope as a convex body for GJK (see support.hpp). An
+// oriented box is the one that its edges span.
 
 template <Number S, int N>
 [[nodiscard]] constexpr auto body_of(const Vec<S, N>& point) noexcept {

@@ -7,8 +7,8 @@
 #include "detent/shape/segment.hpp"
 #include "detent/shape/sphere.hpp"
 
-// A shape is all points within its radius of its core: a sphere's center, a capsule's axis, or the
-// shape itself.
+// A shape is the set of points within its radius of its core: a sphere's center, a capsule's axis,
+// or the shape itself.
 
 namespace detent::detail {
 

@@ -8,8 +8,8 @@
 
 namespace detent::detail {
 
-/// The differences b - a of the corners of two bodies, which have the bodies' Minkowski difference
-/// as their hull: points for `Stab`. Corner i of `a` and corner j of `b` give point i + j * count,
+/// The differences b - a of the corners of two bodies, whose hull is the bodies' Minkowski
+/// difference: points for `Stab`. Corner i of `a` and corner j of `b` give point i + j * count,
 /// where count is the number of corners of `a`.
 template <class CornersA, class CornersB>
 class Differences {
@@ -21,7 +21,8 @@ class Differences {
     return b_[i / a_.size()] - a_[i % a_.size()];
   }
 
-  /// As for a list of all points; without `first` from the extreme corners of each body.
+  /// The same as for a list of all points; without `first` it uses the extreme corners of each
+  /// body.
   template <class V, class From>
   [[nodiscard]] friend constexpr PointIndex entering_point(const Differences& points, const V& v,
                                                            const From& from, bool first) noexcept {

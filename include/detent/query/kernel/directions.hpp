@@ -7,7 +7,7 @@
 
 namespace detent::detail {
 
-/// Holds every direction that `with_direction` makes of differences of type T, on one grid.
+/// Holds every direction that `with_direction` computes from differences of type T, on one grid.
 template <Number T, int N>
 struct Directions {
   using type = std::remove_cvref_t<decltype(facet_normal(Simplex<T, N>()).x)>;
@@ -19,7 +19,7 @@ struct Directions<T, 3> {
       decltype((Vec<T, 3>() * squared_length(Edge()) - Edge() * dot(Edge(), Vec<T, 3>())).x)>;
 };
 
-/// v, times the power of two that takes it to the grid of T.
+/// v, scaled by a power of two to the grid of T.
 template <Number T, Number V, int N>
 [[nodiscard]] constexpr Vec<T, N> on_grid_of(const Vec<V, N>& v) noexcept {
   return make_vec<N>([&](int i) {

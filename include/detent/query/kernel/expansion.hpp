@@ -24,13 +24,13 @@ template <Number T, int N>
   return false;
 }
 
-/// Which of two directions, given by vectors that are not 0, is chosen where both are equally
-/// right: the positive one of each line through the origin counts (its first component that is not
-/// 0 is positive), and of two lines the one whose unit vector has the greater x, then y, then z. Of
-/// both directions of one line it is the positive one.
+/// Breaks ties between two directions, given by nonzero vectors. Each line through the origin has a
+/// positive direction, whose first nonzero component is positive. Of two lines, it chooses the one
+/// whose positive unit vector has the greater x, then y, then z; of the two directions of one line,
+/// the positive one.
 ///
-/// So the choice depends on the directions alone, and mirrored directions give the mirrored choice
-/// unless both directions of the line may be chosen.
+/// So the choice depends only on the directions, and mirrored directions give the mirrored choice
+/// unless both directions of a line are candidates.
 template <Number T, int N>
 [[nodiscard]] constexpr bool is_preferred(const Vec<T, N>& v, const Vec<T, N>& over) noexcept {
   const bool v_positive = is_positive(v), over_positive = is_positive(over);
@@ -46,7 +46,7 @@ template <Number T, int N>
   return v_positive && !over_positive;
 }
 
-/// By how much one body must move along `normal` to leave another: height / |normal|.
+/// How far one body must move along `normal` to leave another: height / |normal|.
 template <class Normal, class Height>
 struct Push {
   Normal normal{};
@@ -96,21 +96,22 @@ struct squared_depth_of<Fixed<Bits, Frac>> {
 /// points.
 ///
 /// The differences a - b of all points are a convex polytope P that holds the origin. If b moves by
-/// v, the difference moves by -v; so the bodies touch at most in their surfaces when v is outside P
+/// v, the difference moves by -v. So the bodies touch at most in their surfaces if v is outside P
 /// or on its surface, and the least such v is the perpendicular to the nearest facet of P.
 ///
-/// The search keeps a polytope Q whose corners are some of P. Each facet of Q has a signed distance
-/// from the origin. Take the least. If P reaches no farther along its normal, then it is a facet of
-/// P, and no other is nearer: the least signed distance of Q is at most that of P, which contains
-/// Q. Otherwise the corner of P farthest along the normal is added: it replaces the facets that it
-/// sees. Each step adds a corner of P, so the search ends.
+/// The search keeps a polytope Q whose corners are corners of P. Each facet of Q has a signed
+/// distance from the origin. Take the nearest facet. If P reaches no farther along its normal, it
+/// is a facet of P, and no other is nearer: the least signed distance of Q is at most that of P,
+/// which contains Q. Otherwise add the corner of P farthest along the normal, which replaces the
+/// facets that it sees. Each step adds a corner of P, so the search ends.
 ///
-/// Facets at equal distances are ordered by `is_preferred`. At the least distance d > 0 all facets
-/// of P are facets of Q in the end, since otherwise the point where one of them touches the ball of
-/// radius d would be outside Q. If d = 0, the search goes on until all facets of Q through the
-/// origin are facets of P. Then both have the same cone at the origin, so the same facets there.
+/// `is_preferred` orders facets at equal distances. If the least distance d is positive, all facets
+/// of P at that distance are facets of Q in the end: otherwise the point where one of them touches
+/// the ball of radius d would be outside Q. If d = 0, the search goes on until all facets of Q
+/// through the origin are facets of P. Then both have the same cone at the origin, so the same
+/// facets there.
 ///
-/// A flat P pushes along a perpendicular to it, by 0. Where Q has too many corners, all facets of P
+/// A flat P pushes along a perpendicular to it, by 0. If Q has too many corners, all facets of P
 /// are compared instead.
 ///
 /// source: van den Bergen, Proximity Queries and Penetration Depth Computation on 3D Game Objects
@@ -137,7 +138,7 @@ class Expansion {
     return facets_[nearest()].push;
   }
 
-  /// The same push, for a P that is not flat, without room for a polytope: of all facets, each
+  /// The same push, for a P that is not flat, without storing a polytope: from all facets, each
   /// spanned by corners of one body or by an edge of each. It takes much longer.
   [[nodiscard]] constexpr Push<Normal, Height> least_facet() const noexcept {
     std::optional<Push<Normal, Height>> best;
@@ -185,7 +186,7 @@ class Expansion {
   static constexpr std::size_t most_facets = N == 2 ? most_corners : 2 * most_corners - 4;
   using Index = std::uint8_t;
   using SquaredDepth = typename squared_depth_of<T>::type;
-  /// A side of a facet: the corners of an edge in 3D; one corner and which end it is in 2D.
+  /// A side of a facet: in 3D the corners of an edge, in 2D one corner and which end it is.
   struct Ridge {
     Index from, to;
     [[nodiscard]] constexpr bool operator==(const Ridge&) const noexcept = default;
@@ -223,8 +224,7 @@ class Expansion {
                         b_.template extreme<bits>(v, a_.some(), false));
   }
 
-  /// Adds a corner that is off the plane through the last one, perpendicular to `v`, if there is
-  /// one.
+  /// Adds a corner off the plane through the last corner perpendicular to `v`, if there is one.
   template <Number V>
   constexpr bool leave(const Vec<V, N>& v) noexcept {
     const auto at = dot(v, simplex_.newest());
@@ -319,7 +319,7 @@ class Expansion {
     corners_[added] = corner;
     std::array<Ridge, 3 * most_facets> rim{};
     std::size_t ridges = 0;
-    // A ridge between two facets that the corner sees occurs twice, in both directions.
+    // A ridge between two facets that the corner sees occurs twice, once in each direction.
     const auto see = [&](int from, int to) {
       const Ridge back{static_cast<Index>(to), static_cast<Index>(from)};
       for (std::size_t i = 0; i < ridges; ++i) {
@@ -344,7 +344,7 @@ class Expansion {
       }
       facets_[i] = facets_[--facet_count_];
     }
-    // Never with exact numbers.
+    // Cannot happen with exact numbers.
     if (facet_count_ + ridges > most_facets) return false;
     for (std::size_t i = 0; i < ridges; ++i) {
       if constexpr (N == 2) {

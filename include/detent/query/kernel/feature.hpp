@@ -19,7 +19,7 @@ struct NearestFeature {
 /// The corners, edges and face of a triangle of corners a, b, c.
 enum class TrianglePart { a, b, c, ab, ac, bc, face };
 
-/// The feature closest to a point p, for a triangle that has an area, from the vectors between its
+/// The feature closest to a point p, for a triangle with an area, from the vectors between its
 /// corners and to p.
 ///
 /// Products of the dot products give the side of an edge on which the point lies: by Lagrange's
@@ -42,8 +42,8 @@ template <Number T, int N>
   return TrianglePart::face;
 }
 
-/// The feature of `triangle` closest to `point`; for a collapsed triangle, the segment that it is.
-/// In 2D it is the face if the point is inside.
+/// The feature of `triangle` closest to `point`; for a collapsed triangle, its segment. In 2D it is
+/// the face if the point is inside.
 template <Scalar S, int N>
 [[nodiscard]] constexpr NearestFeature<S, N> nearest_feature(const Triangle<S, N>& triangle,
                                                              const Vec<S, N>& point) noexcept {

@@ -17,12 +17,12 @@ inline constexpr bool is_fine = bits_of<T> > 48;
 /// Finds the point closest to the origin among the differences a - b of points of two convex
 /// bodies, by GJK. `T` holds the components of such differences.
 ///
-/// It keeps a simplex of differences of corners, reduced to the feature that holds its closest
+/// It keeps a simplex of differences of corners, reduced to the feature that contains its closest
 /// point p. Each step takes the corner w with the least p . w. If p . w >= p . p, no difference is
 /// closer than p. Otherwise w is added, and the new simplex reaches closer to the origin than the
-/// old one. The search ends, because the distance falls with every step and the corners make only
-/// finitely many simplices. No new corner lies in the span of the feature, where p . x = p . p, so
-/// the simplex is never flat. All decisions are signs of integers, which are exact.
+/// old one. The search ends, because the distance decreases with every step and the corners have
+/// only finitely many simplices. No new corner lies in the span of the feature, where p . x = p .
+/// p, so the simplex is never flat. All decisions are signs of integers, which are exact.
 ///
 /// source: Gilbert, Johnson, Keerthi, A Fast Procedure for Computing the Distance Between Complex
 ///         Objects in Three-Dimensional Space (1988); Ericson, Real-Time Collision Detection, 9.5
@@ -57,7 +57,7 @@ class Gjk {
  private:
   /// With `until_apart`, stops as soon as a separating plane is known.
   constexpr void search(bool until_apart) noexcept {
-    // Shorter directions are multiplied in the next narrower integers.
+    // Shorter directions use the next narrower integers.
     constexpr int bits = (is_fine<T> ? 253 : 125) - bits_of<T>;
     const auto advances = [&](const auto& v) {
       return by_width<bits>([&](const auto& u) { return advance(u, until_apart); }, v);

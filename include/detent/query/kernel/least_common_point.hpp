@@ -7,21 +7,21 @@
 #include "detent/math/components.hpp"
 #include "detent/number/rounding.hpp"
 
-// Where two flat features of polytopes lie over each other: the common point with the least x, then
-// y, then z.
+// The overlap of two flat, parallel features of polytopes: its point with the least x, then y, then
+// z.
 //
-// A feature is the hull of the corners that `for_each(f)` passes to f, all in a plane (in 2D on a
-// line); `some()` is one of them. The corners of both features have one type, which also holds
-// their differences. The planes of both features are parallel. Seen along u, which crosses them,
-// one point lies over another if their difference is a multiple of u. The caller knows that some
-// points do. Both features may be single points, segments or polygons; corners may repeat, and
-// corners that are not extreme in their feature do not matter.
+// A feature is the hull of the corners that `for_each(f)` passes to f, all in one plane (in 2D on
+// one line); `some()` is one of them. The corners of both features have one type, which also holds
+// their differences. The planes of both features are parallel. Along u, which crosses them, one
+// point lies over another if their difference is a multiple of u. The caller knows that some points
+// do. Both features may be single points, segments or polygons; corners may repeat, and corners
+// that are not extreme in their feature do not matter.
 //
-// Seen along u, the common points are a convex polygon, and its least point is a corner of it: the
-// least corner of one feature, if that is over the other feature; or else the crossing of two
-// edges. (A corner of one feature inside the other is least near itself only if it is least in its
-// feature, and on an edge it is a crossing.) A segment between any two corners of a feature lies
-// inside, so segments that are not edges add only common points, none of which is less.
+// Projected along u, the common points are a convex polygon, whose least point is one of its
+// corners: the least corner of one feature, if that is over the other feature; or else a crossing
+// of two edges. (A corner of one feature inside the other is least near itself only if it is least
+// in its feature, and on an edge it is a crossing.) A segment between any two corners of a feature
+// lies inside, so segments that are not edges add only common points, none of which is less.
 
 namespace detent::detail {
 
@@ -103,9 +103,9 @@ template <class A, class B>
   return extent;
 }
 
-/// Two features in one line or in parallel ones with the direction `e`, or two points with e = 0.
-/// `w` is a vector with w . u = 0 and w . e > 0, or 0 for two points. Returns f(p, q) with the least
-/// common point p on `a` and q on `b`.
+/// Two features on one line or on parallel lines with the direction `e`, or two points with e = 0.
+/// `w` is a vector with w . u = 0 and w . e > 0, or 0 for two points. Returns f(p, q) with the
+/// least common point p on `a` and q on `b`.
 template <class A, class B, Number E, Number W, int N, class F>
 constexpr auto common_point_on_lines(const A& a, const B& b, const Vec<E, N>& e, const Vec<W, N>& w,
                                      const F& f) noexcept {
@@ -122,7 +122,7 @@ constexpr auto common_point_on_lines(const A& a, const B& b, const Vec<E, N>& e,
                   : f(past(p, narrow_negative(ahead)), past(q, Under()));
 }
 
-/// Two features in parallel planes with the directions e and f, seen along u.
+/// Two features in parallel planes with the directions e and f, projected along u.
 template <class A, class B, Number U>
 class CommonPointOfPlanes {
  public:
@@ -167,7 +167,7 @@ class CommonPointOfPlanes {
   using Over = std::remove_cvref_t<decltype(Part() + (Part() + Part()))>;
   using Point = RationalPoint<Over, Volume, 3>;
 
-  /// Twice the area of the triangle of v and w, seen along u, times a common factor.
+  /// Twice the area of the triangle of v and w, projected along u, times a common factor.
   [[nodiscard]] constexpr Volume volume(const Edge& v, const Edge& w) const noexcept {
     return dot(u_, cross(v, w));
   }
@@ -193,8 +193,8 @@ class CommonPointOfPlanes {
     return past(from, oriented(all, all), e_ * s + f_ * t);
   }
 
-  /// Whether `corner` is over a feature. Seen from it, the other corners fill a wedge of less than
-  /// half a turn, from `right` to `left`, if it is not.
+  /// Whether `corner` is over a feature. If it is not, the feature's corners, seen from it, fill a
+  /// wedge of less than half a turn, from `right` to `left`.
   template <class Feature>
   [[nodiscard]] constexpr bool is_over(const Edge& corner, const Feature& feature) const noexcept {
     Edge right = edge_between(feature.some(), corner), left = right;
@@ -216,8 +216,8 @@ class CommonPointOfPlanes {
     return is_inside;
   }
 
-  /// Whether no two corners of a are on different sides of the line from p to q. The answer could
-  /// always be yes; but a face of 30 corners has 435 segments.
+  /// Whether no two corners of a are on different sides of the line from p to q. Always returning
+  /// true would be correct, but a face of 30 corners has 435 segments.
   [[nodiscard]] constexpr bool is_edge(const Edge& p, const Edge& q) const noexcept {
     const auto along = edge_between(q, p);
     bool is_left = false, is_right = false;
@@ -230,7 +230,7 @@ class CommonPointOfPlanes {
     return !is_left || !is_right;
   }
 
-  /// Whether w points against v, or is 0, seen along u, where the two are parallel.
+  /// Whether the projection of w points against that of v, to which it is parallel, or is 0.
   [[nodiscard]] constexpr bool is_opposite(const Edge& v, const Edge& w) const noexcept {
     const auto side = cross(u_, v), other = cross(u_, w);
     const int i = longest_axis(side);
@@ -255,8 +255,8 @@ class CommonPointOfPlanes {
   Vec<U, 3> u_;
 };
 
-/// Returns f(p, q), where p on `a` lies over q on `b`, seen perpendicular to both features, and p is
-/// the least such point. The caller knows that there is one.
+/// Returns f(p, q), where p on `a` lies over q on `b`, perpendicular to both features, and p is the
+/// least such point. The caller knows that there is one.
 template <class A, class B, class F>
 constexpr auto least_common_point(const A& a, const B& b, const F& f) noexcept {
   const auto extent = extent_of(a, b);
@@ -269,8 +269,8 @@ constexpr auto least_common_point(const A& a, const B& b, const F& f) noexcept {
   return common_point_on_lines(a, b, extent.e, extent.e, f);
 }
 
-/// Returns f(p, q), where p on `a` lies over q on `b`, seen along u, and p is the least such point.
-/// The caller knows that there is one, and that u crosses the planes of the features.
+/// Returns f(p, q), where p on `a` lies over q on `b` along u, and p is the least such point. The
+/// caller knows that there is one, and that u crosses the planes of the features.
 template <class A, class B, Number U, int N, class F>
 constexpr auto least_common_point(const A& a, const B& b, const Vec<U, N>& u, const F& f) noexcept {
   const auto extent = extent_of(a, b);

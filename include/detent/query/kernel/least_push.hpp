@@ -17,9 +17,9 @@
 
 namespace detent::detail {
 
-/// The least translation that separates two shapes, each all points within a radius of its core:
-/// `normal` leads from a to b, exactly and at any length (or as a `Direction`), and b must move
-/// along it by `depth`, which is rounded up to the grid.
+/// The least translation that separates two shapes, each a core grown by a radius: `normal` leads
+/// from a to b, exact and of any length (or a `Direction`), and b must move along it by `depth`,
+/// rounded up to the grid.
 template <class Normal, Number Depth>
 struct LeastPush {
   Normal normal;
@@ -34,7 +34,7 @@ struct LeastPushInFrame {
   Depth depth;
 };
 
-/// `v` in a vector type that holds every number of its own.
+/// `v` in a vector type that holds all its numbers.
 template <class Wide, Number T, int N>
 [[nodiscard]] constexpr Wide widened(const Vec<T, N>& v) noexcept {
   return make_vec<N>([&](int i) { return decltype(Wide::x)(v[i]); });
@@ -52,8 +52,9 @@ using LongestNormal = std::conditional_t<
 template <Scalar S>
 using Depth = decltype(S() + S() + Length<S>());
 
-/// The depth of shapes with these radii whose cores are the root of `squared` apart; nothing if
-/// they do not touch. The radii are on the grid, so the distance may be rounded down first.
+/// The depth of shapes with these radii if the distance of their cores is the root of `squared`;
+/// nothing if they do not touch. The radii are on the grid, so the distance may be rounded down
+/// first.
 template <Scalar S, Number Radii, Number Over, Number Under>
 [[nodiscard]] constexpr std::optional<Depth<S>> depth_of_gap(
     const Radii& radii, const Fraction<Over, Under>& squared) noexcept {
@@ -62,15 +63,15 @@ template <Scalar S, Number Radii, Number Over, Number Under>
   return Depth<S>(radii - gap);
 }
 
-/// The depth of shapes with these radii whose cores must move by height / |normal|.
+/// The depth of shapes with these radii if their cores must move by height / |normal|.
 template <Scalar S, Number Radii, Number Height, Number Square>
 [[nodiscard]] constexpr Depth<S> depth_of_height(const Radii& radii, const Height& height,
                                                  const Square& squared_normal) noexcept {
   return radii + sqrt_ceil<Length<S>>(Fraction{square(height), squared_normal});
 }
 
-/// A plane, which is its surface, and a body with this radius. Of equal depths the one on the side
-/// of the plane's normal is chosen.
+/// A plane, which is only its surface, and a body with this radius. Ties go to the side of the
+/// plane's normal.
 template <Scalar S, int N, class Body, Number Radius>
 [[nodiscard]] constexpr auto least_push_from_plane(const Plane<S, N>& plane, const Body& body,
                                                    const Radius& radius) noexcept {
@@ -139,9 +140,9 @@ template <Scalar S, int N, Number Radius>
   return pushed_by(Expansion<Difference, Slabs, Span>(slabs, span).least_push());
 }
 
-/// Two convex bodies, with the sum of their radii: f(normal, depth) of the least push, which returns
-/// an optional; nothing if they do not touch. The normal is exact, at any length, and its type one of
-/// two: that of an axis of two edges is short.
+/// Two convex bodies, with the sum of their radii: returns f(normal, depth) for the least push,
+/// where f returns an optional; nothing if they do not touch. The normal is exact, of any length,
+/// and has one of two types: the shorter one for an axis of two edges.
 template <Scalar S, class A, class B, Number Radii, class F>
 [[nodiscard]] constexpr auto least_push_between(const A& a, const B& b, const Radii& radii,
                                                 const F& f) noexcept {

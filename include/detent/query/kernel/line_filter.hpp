@@ -7,8 +7,8 @@
 
 namespace detent::detail {
 
-/// Filter for the line of a ray: rules out triangles that it misses, in less time than `raycast`
-/// takes, by their corners projected along the line (docs/filters.md, lemma 11).
+/// Filter for the line of a ray: rules out triangles that it misses, faster than `raycast`, by
+/// their corners projected along the line (docs/filters.md, lemma 11).
 ///
 /// source: Woop, Benthin and Wald, Watertight Ray/Triangle Intersection (2013), without division
 template <Scalar S>
@@ -18,7 +18,8 @@ class LineFilter {
       : origin_(ray.origin), direction_(ray.direction) {}
 
   /// Whether the line meets `triangle`: `no` or `unsure`. Always unsure for scalars that round,
-  /// which could only guess, and for directions without z, which project all corners onto one line.
+  /// which could only guess, and for directions with z = 0, which would project all corners onto
+  /// one line.
   [[nodiscard]] constexpr Filtered meets(const Triangle<S, 3>& triangle) const noexcept {
     if constexpr (is_fixed<S>) {
       const auto a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
@@ -44,8 +45,8 @@ class LineFilter {
   }
 
  private:
-  // For offsets w with components up to m: at most sqrt(2) m |d|, and at most |d|^2 times
-  // sqrt(3) m^2, twice the area of the largest triangle in a cube.
+  // For offsets w with components up to m: at most sqrt(2) m |d|, and at most |d|^2 times sqrt(3)
+  // m^2, where the latter is twice the area of the largest triangle in a cube.
   static constexpr int seen_bits = bits_of<decltype(S() - S())> + direction_component<S>::frac + 1;
   static constexpr int turn_bits = 2 * seen_bits - 1;
 

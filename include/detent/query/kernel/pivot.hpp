@@ -10,10 +10,10 @@
 // The pivot rule of the linear program in stab.hpp: which point enters the basis, and which column
 // leaves.
 //
-// A point in front of the plane of the basis enters: the farthest. The column whose weight is the
-// first to fall to 0 leaves, so the line stabs the new basis too. A step that moves nothing, since
-// that weight was 0 already, is degenerate: it is followed by steps that take the first point and
-// the first column that qualify, until one moves. So no basis repeats, and the search ends.
+// The point farthest in front of the plane of the basis enters. The column whose weight falls to 0
+// first leaves, so the line stabs the new basis too. A step that moves nothing, because that weight
+// already was 0, is degenerate: after it, steps take the first point and the first column that
+// qualify, until one moves. So no basis repeats, and the search ends.
 //
 // source: Dantzig's simplex method; Bland, New Finite Pivoting Rules for the Simplex Method (1977)
 
@@ -24,8 +24,8 @@ using PointIndex = std::ptrdiff_t;
 /// The index of a column that is a direction.
 inline constexpr PointIndex no_point = -1;
 
-/// The point that lies farthest against v from `from`, or with `first` the first one that lies
-/// against it; `no_point` if none does.
+/// The point farthest against v from `from`, or with `first` the first point against it; `no_point`
+/// if there is none.
 template <Number V, Number S, int N>
 [[nodiscard]] constexpr PointIndex entering_point(std::span<const Vec<S, N>> points,
                                                   const Vec<V, N>& v, const Vec<S, N>& from,
@@ -43,7 +43,7 @@ template <Number V, Number S, int N>
   return best;
 }
 
-/// A basis and a point w that enters it.
+/// A basis and an entering point w.
 ///
 /// The line has the direction d and passes through 0. The weights of columns a, b, c are the
 /// volumes d . (b x c), d . (c x a), d . (a x b), and the sides of w are d . (w x a), d . (w x b),
@@ -55,8 +55,8 @@ struct Pivot {
   std::array<Weight, static_cast<std::size_t>(N)> sides;
   std::array<PointIndex, static_cast<std::size_t>(N)> indices;
 
-  /// The column that leaves, the one of the least index if several weights reach 0 first; N if no
-  /// weight falls. The falls have the sum of the weights, so only rounding allows that.
+  /// The leaving column, in case of a tie the one with the least index; N if no weight falls. The
+  /// falls have the sum of the weights, so that only happens by rounding.
   [[nodiscard]] constexpr int leaving() const noexcept {
     int result = N;
     for (int i = 0; i < N; ++i) {
@@ -66,8 +66,8 @@ struct Pivot {
   }
 
  private:
-  /// How fast weight i falls as that of w grows and the sum of all stays the same. With another sum
-  /// that stays the same, such as that of points, weights fall faster or slower in proportion to
+  /// How fast weight i falls as that of w grows and the total stays constant. If another sum stays
+  /// constant, such as that of the points, weights fall faster or slower in proportion to
   /// themselves, and reach 0 in the same order.
   [[nodiscard]] constexpr auto fall(int i) const noexcept {
     if constexpr (N == 2) {

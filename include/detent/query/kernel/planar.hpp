@@ -11,12 +11,13 @@
 
 namespace detent::detail {
 
-// A line against a flat shape in the same plane: the 2D case, and in 3D the case of a ray within
-// the plane of a triangle or against a collapsed triangle.
+// A line against a flat shape in the same plane: the 2D case, and in 3D a ray in the plane of a
+// triangle or against a collapsed triangle.
 
 /// A line through `origin` along `direction` in a plane, and the exact predicates on it.
 ///
-/// `direction` is a direction or one with a component dropped: no longer than a direction.
+/// `direction` is a direction, or one with a component dropped, so it is no longer than a
+/// direction.
 template <Scalar S>
 struct PlanarLine {
   using Speed = direction_component<S>;
@@ -78,11 +79,11 @@ struct TriangleSpan {
   int entry_edge;
 };
 
-/// The part of `line` in a triangle that has an area.
+/// The part of `line` in a triangle with an area.
 ///
-/// The line crosses an edge whose ends are not strictly on one side of it. It enters through the
-/// edges that it crosses toward the inside and leaves through the others. At a corner it crosses
-/// two edges in the same point.
+/// The line crosses an edge whose ends are not strictly on the same side of it. It enters through
+/// the edges that it crosses toward the inside and leaves through the others. At a corner it
+/// crosses two edges at the same point.
 template <Scalar S>
 [[nodiscard]] constexpr std::optional<TriangleSpan<S>> span(
     const PlanarLine<S>& line, const Triangle<S, 2>& triangle) noexcept {
@@ -95,8 +96,8 @@ template <Scalar S>
     const auto& from = sides[static_cast<std::size_t>(i)];
     const auto& to = sides[static_cast<std::size_t>((i + 1) % 3)];
     if ((from > 0 && to > 0) || (from < 0 && to < 0) || from == to) continue;
-    // Counter-clockwise, the inside is left of an edge, so an edge that leads from the line's left
-    // to its right has the inside ahead.
+    // In counter-clockwise order the inside is left of an edge, so an edge that leads from the
+    // line's left to its right has the inside ahead.
     int& crossed = (to < from) == counter_clockwise ? enter : exit;
     if (crossed == none) crossed = i;
   }
@@ -123,7 +124,7 @@ template <Scalar S>
   const auto start_offset = cross(ray.direction, to_start);
   int dropped = 0;
   if (is_zero(across)) {
-    // Parallel, or a point: it meets the line only if it lies in it. Any axis may be dropped except
+    // Parallel, or a point: it meets the line only if it lies on it. Any axis may be dropped except
     // the line's longest.
     if (!is_zero(start_offset)) return std::nullopt;
     dropped = (longest_axis(ray.direction.vec()) + 1) % 3;

@@ -12,7 +12,7 @@ template <Scalar S, Number T, int N>
   return make_vec<N>([&](int i) { return dot(box.rotation.axis(i), v); });
 }
 
-/// The vector sum v[i] axis(i) in the world, for a vector in a turned frame.
+/// The vector sum v[i] axis(i) in the world, for a vector in a rotated frame.
 template <Scalar S, Number T, int N>
 [[nodiscard]] constexpr auto from_frame(const Rotation<S, N>& frame, const Vec<T, N>& v) noexcept {
   return make_vec<N>(
@@ -42,8 +42,8 @@ template <Number T, Scalar S>
   return lowered < low ? low : lowered;
 }
 
-/// By how much |dot(axis(i), point - center)| exceeds half_extents[i] on each axis (0 if it does
-/// not), with the sign of the dot product. The box must not be empty.
+/// The excess of |dot(axis(i), point - center)| over half_extents[i] on each axis (0 if there is
+/// none), with the sign of the dot product. The box must not be empty.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto excess(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {
   const auto from_center = point - box.center;

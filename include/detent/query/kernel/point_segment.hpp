@@ -41,7 +41,7 @@ template <Number T, int N>
   const auto along = dot(w, e);
   const auto whole = squared_length(e);
   using Under = decltype(squared_length(e));
-  // |w x e|^2 <= |w|^2 |e|^2; the sum type also holds |w|^2 where the grid has hardly any integer
+  // |w x e|^2 <= |w|^2 |e|^2; the sum type also holds |w|^2 if the grid has hardly any integer
   // bits.
   using Product = decltype(whole * whole);
   using Square = decltype(squared_length(w - e));

@@ -27,7 +27,7 @@ template <Scalar S>
                                    const Vec<S, 3>& point) noexcept {
   const auto& [a, b, c] = triangle;
   if constexpr (is_fixed<S> && has_long_registers) {
-    // A point beyond the plane, as nearly all are.
+    // A point off the plane, as nearly all are.
     const auto volume = is_zero_volume(to_array(point - a), to_array(b - a), to_array(c - a));
     if (volume == Filtered::no) return false;
   }

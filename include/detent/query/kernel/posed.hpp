@@ -13,11 +13,11 @@
 #include "detent/shape/segment.hpp"
 #include "detent/shape/triangle.hpp"
 
-// Polytopes in the frame of a body, as their corners, and where they are once the frame is posed.
+// Polytopes as corners in the frame of a body, and posed in the world.
 
 namespace detent::detail {
 
-// local_corners(core): the corners that span it, in the frame of the body.
+// local_corners(core): its corners in the frame of the body.
 
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto local_corners(const Vec<S, N>& point) noexcept {
@@ -39,7 +39,7 @@ template <Scalar S, int N>
   }
   return corners;
 }
-/// An oriented box is what its edges span. A component is below 2^b + 3 * 2^b in numbers of b bits.
+/// An oriented box is the one that its edges span. With b bits, a component is below 2^b + 3 * 2^b.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto local_corners(const Obb<S, N>& box) noexcept {
   using Component = direction_component<S>;
@@ -69,7 +69,7 @@ template <Scalar S, int N>
 template <Scalar S>
 using Posed = decltype(Length<S>() + Length<S>());
 
-/// Where a frame is: its origin, exactly, and the rows of its rotation's matrix.
+/// The pose of a frame: its origin, exactly, and the rows of its rotation's matrix.
 template <Scalar S, int N>
 class Pose {
  public:
@@ -95,7 +95,7 @@ class Pose {
   }
 
  private:
-  /// Between two points of the range, so within it.
+  /// Lies between two points of the range, so within the range.
   static constexpr auto origin_at(const Sweep<S, N>& sweep, const Component& t) noexcept {
     return narrow<bits_of<S> + bits_of<Component>>(sweep.start + (sweep.end - sweep.start) * t);
   }
@@ -104,7 +104,7 @@ class Pose {
   std::array<Vec<Component, N>, static_cast<std::size_t>(N)> rows_;
 };
 
-/// The corners of a hull, posed when they are read.
+/// The corners of a hull, posed on access.
 template <Scalar S, int N>
 class PosedPoints {
  public:
@@ -220,8 +220,8 @@ class Swept {
     }
   }
 
-  /// How far corners stray, over the time d, from moving evenly between where they start and end:
-  /// by at most bend() d^2.
+  /// Over a time d, corners deviate from uniform motion between their start and end by at most
+  /// bend() d^2.
   [[nodiscard]] constexpr auto bend() const noexcept { return radius_ * bend_; }
   [[nodiscard]] constexpr auto straying(const Time& d) const noexcept { return bend() * square(d); }
 

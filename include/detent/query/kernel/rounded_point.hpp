@@ -26,8 +26,8 @@ template <Number X, Number Square, Number Y>
   return x_sign * ((left > right) - (left < right));
 }
 
-/// over / under on the grid of 2^-25 steps of S, off by less than `error`; only if `is_short`, which
-/// says that it is in the range of S (docs/filters.md, lemma 12).
+/// over / under on the grid of 2^-25 steps of S, off by less than `error`; valid only if
+/// `is_short`, which says that it is in the range of S (docs/filters.md, lemma 12).
 template <Number S>
 struct ShortQuotient {
   using Value = Fixed<63, S::frac + 25>;
@@ -63,7 +63,7 @@ template <Scalar S, Number Over, Number Under, int N>
   return make_vec<N>([&](int i) { return rounded<S>(p.over[i], p.under); });
 }
 
-/// Coordinate i of p + radius v / |v| before it is rounded: a sum and its error, in range.
+/// Coordinate i of p + radius v / |v| before rounding: a sum and its error, in range.
 template <Scalar S, Number Over, Number Under, class Moves, int N>
 [[nodiscard]] constexpr auto approximate_beyond(const RationalPoint<Over, Under, N>& p,
                                                 const Moves& moves, int i) noexcept {
@@ -103,8 +103,7 @@ template <Scalar S, Number Over, Number Under, Number V, int N>
   }
 }
 
-/// The same for a v so long that no exact comparison fits: off from the exact point by at most
-/// 1/2 + 2^-12 ULP.
+/// The same for a v too long for an exact comparison: within 1/2 + 2^-12 ULP of the exact point.
 template <Scalar S, Number Over, Number Under, Number V, int N>
 [[nodiscard]] constexpr Vec<S, N> nearly_rounded_beyond(const RationalPoint<Over, Under, N>& p,
                                                         const S& radius,

@@ -14,7 +14,7 @@ template <Number A, Number B>
   return (a > 0 && b > 0) || (a < 0 && b < 0);
 }
 
-/// Whether the bounding boxes of two segments share a point. For collinear segments that decides:
+/// Whether the bounding boxes of two segments share a point. That decides for collinear segments:
 /// the order of a coordinate that changes is the order along the line.
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool bounds_meet(const Segment<S, N>& p, const Segment<S, N>& q) noexcept {
@@ -25,8 +25,8 @@ template <Scalar S, int N>
   return true;
 }
 
-/// Whether the ends of `q` are not strictly on one side of the line through `p`. True if the ends
-/// of `p` are equal.
+/// Whether the ends of `q` are not strictly on the same side of the line through `p`. True if the
+/// ends of `p` are equal.
 template <Scalar S>
 [[nodiscard]] constexpr bool line_meets(const Segment<S, 2>& p, const Segment<S, 2>& q) noexcept {
   const auto along = p.end - p.start;

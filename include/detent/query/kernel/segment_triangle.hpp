@@ -15,9 +15,9 @@ template <Number T>
 
 enum class Crossing { none, in_plane, point };
 
-/// How a segment meets a 3D triangle with corners 0, `b` and `c`: in no point, in one, or perhaps
-/// in more because it lies in the plane of the triangle. A collapsed triangle has every segment in
-/// its plane.
+/// How a segment meets a 3D triangle with corners 0, `b` and `c`: in no point, in one, or, if it
+/// lies in the plane of the triangle, possibly in more. Every segment counts as in the plane of a
+/// collapsed triangle.
 ///
 /// The heights n . x of its ends over the plane, for n = b x c, decide whether the segment crosses
 /// it. Volumes over the segment are the barycentric weights of the crossing times `whole`.

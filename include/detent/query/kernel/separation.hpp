@@ -10,7 +10,7 @@
 
 namespace detent::detail {
 
-/// Directions and how far a box reaches along each, to either side.
+/// Directions and the reach of a box along each, to either side.
 template <Number G, Number H, int N>
 struct Edges {
   std::array<Vec<G, N>, static_cast<std::size_t>(N)> directions;
@@ -31,9 +31,9 @@ template <Scalar S, Number H, int N>
 /// Separating axes of a box about the origin, {sum of s[k] extents[k] generators[k] : |s[k]| <= 1},
 /// and the hull of some points.
 ///
-/// If they are apart, they stay apart when every extent grows a little. If the generators span the
-/// space, the difference of the two sets then has an interior, whatever the extents were and even
-/// for a single point. So it has faces, one of which separates. A face is spanned by two edges,
+/// If they are apart, they stay apart if every extent grows a little. If the generators span the
+/// space, the difference of the two sets then has an interior, whatever the extents were, even for
+/// a single point. So it has faces, one of which separates them. A face is spanned by two edges,
 /// each parallel to a generator or to the line through two of the points. So it is enough to try
 /// the directions perpendicular to two of these; in 2D, to one.
 ///
@@ -100,7 +100,7 @@ struct Separation {
 };
 
 /// Whether the hull of `points` and the box about the origin spanned by `edges` are apart. The
-/// edges are those of one box or of two.
+/// edges belong to one box or two.
 template <int N, Number P, std::size_t Points, Number G, Number H,
           std::same_as<Edges<G, H, N>>... More>
 [[nodiscard]] constexpr bool are_apart(const std::array<Vec<P, N>, Points>& points,

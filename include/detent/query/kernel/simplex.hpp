@@ -9,7 +9,7 @@
 
 namespace detent::detail {
 
-/// Up to N + 1 points, none in the line or plane of the others; the newest is last.
+/// Up to N + 1 points, none on the line or in the plane of the others; the newest is last.
 template <Number T, int N>
 struct Simplex {
   std::array<Vec<T, N>, static_cast<std::size_t>(N + 1)> corners{};
@@ -66,9 +66,9 @@ struct Fan {
   std::array<Edge, static_cast<std::size_t>(N)> edges{};
 };
 
-/// The feature of `simplex` whose relative interior holds the point closest to the origin. The
-/// newest corner must be one of its corners. A full simplex that holds the origin is returned
-/// whole.
+/// The feature of `simplex` whose relative interior contains the point closest to the origin. The
+/// newest corner must be one of its corners. Returns the whole simplex if it is full and contains
+/// the origin.
 ///
 /// The closest point is then also the closest in the cone of all `newest + t_i edge_i`, t_i >= 0.
 /// It is the projection of the origin onto the span of the edges with t_i > 0 (by the signs of
@@ -126,7 +126,7 @@ template <Number T>
 }
 
 /// Returns f(v) for a vector v that points from the origin to the closest point of a feature of at
-/// most N corners; v = 0 if the feature holds the origin.
+/// most N corners; v = 0 if the feature contains the origin.
 template <Number T, int N, class F>
 constexpr auto with_direction(const Simplex<T, N>& feature, const F& f) noexcept {
   const auto& corner = feature.newest();

@@ -15,13 +15,13 @@
 
 namespace detent::detail {
 
-/// Finds N points of a hull whose simplex (a triangle, in 2D a segment) a ray's line stabs, and
-/// then such a simplex that it stabs first or last.
+/// Finds N points of a hull whose simplex (a triangle, in 2D a segment) a ray's line stabs, then
+/// the first or last such simplex.
 ///
 /// This is a linear program: find nonnegative weights of the points, with the sum 1, that give the
-/// point of the line at the least distance. A basis has N columns: points and, at first, directions
-/// across the line that make up for what the points lack. Points enter it and columns leave by the
-/// rule of pivot.hpp.
+/// point of the line at the least distance. A basis has N columns: points and, initially,
+/// directions across the line as slack variables. Points enter and columns leave by the rule of
+/// pivot.hpp.
 ///
 /// With w from the ray's origin to a point, the weights of a, b, c are the volumes d . (w_b x w_c),
 /// d . (w_c x w_a), d . (w_a x w_b) over their sum.
@@ -56,7 +56,7 @@ class Stab {
     orient();
   }
 
-  /// Whether the line meets the hull. If so, the basis has only points from then on, except for
+  /// Whether the line meets the hull. If so, the basis then consists of points, except for
   /// directions across the line in which the hull has no extent.
   [[nodiscard]] constexpr bool meets() noexcept {
     descend([this] { return lack(); });
@@ -69,7 +69,7 @@ class Stab {
     return true;
   }
 
-  /// Moves to a simplex that the line stabs first, or last.
+  /// Moves to the first or the last simplex that the line stabs.
   constexpr void go_to_first() noexcept {
     descend([this] { return normal(); });
   }
@@ -162,8 +162,8 @@ class Stab {
     if (dot(normal(), direction_) < 0) std::swap(at(N - 2), at(N - 1));
   }
 
-  /// A vector g for a column i that is a direction: as a point p moves by v, the amount of the
-  /// direction that makes up for p falls by g . v, times that common factor.
+  /// A vector g for a column i that is a direction: if a point p moves by v, the slack of that
+  /// direction falls by g . v, times that common factor.
   [[nodiscard]] constexpr auto gradient(int i) const noexcept {
     const int first = point();
     if constexpr (N == 2) {
@@ -176,7 +176,7 @@ class Stab {
     }
   }
 
-  /// The negated vector along which points make up for more of the directions of the basis.
+  /// The negated vector along which points reduce the slack of the basis.
   [[nodiscard]] constexpr auto lack() const noexcept {
     using Sum = decltype(gradient(0) + gradient(0));
     constexpr int bits = bits_of<decltype(Sum::x)>;
@@ -187,8 +187,7 @@ class Stab {
     return sum;
   }
 
-  /// Lets points enter that lie against the vector `gradient_of()` of the basis, until there is
-  /// none.
+  /// Lets points against the vector `gradient_of()` of the basis enter until there is none.
   template <class GradientOf>
   constexpr void descend(const GradientOf& gradient_of) noexcept {
     bool moved = true;
@@ -220,7 +219,7 @@ class Stab {
     return weight[index(leaving)] > 0;
   }
 
-  /// Replaces a direction of weight 0 that some point needs by that point. Returns whether it did.
+  /// Replaces a direction of weight 0 by a point that needs it. Returns whether it did.
   constexpr bool replace_direction() noexcept {
     for (int i = 0; i < N; ++i) {
       if (is_point(i)) continue;

@@ -11,13 +11,13 @@
 namespace detent::detail {
 
 // The interface of a convex body for GJK: `some()` is one of its corners, all corners lie between
-// `low()` and `high()`, and `extreme<Bits>(v, from, farthest)` is a corner that is farthest along
-// v, or least far if not `farthest`. `for_each_extreme<Bits>(v, from, farthest, f)` passes all such
-// corners to f, some maybe twice; all corners if v is 0. A body that scans all of its corners
+// `low()` and `high()`, and `extreme<Bits>(v, from, farthest)` is a corner farthest along v, or
+// least far if not `farthest`. `for_each_extreme<Bits>(v, from, farthest, f)` passes all such
+// corners to f, some possibly twice; all corners if v is 0. A body that scans all its corners
 // measures them from a point `from`; the caller guarantees that no component of a corner minus
-// `from` exceeds `Bits`. `corners()` is an array or a span of all corners, and perhaps of other
-// points of the body. If `has_few_edges()`, `for_each_edge(f)` passes a vector along each edge to f,
-// once for parallel ones, and perhaps other vectors.
+// `from` exceeds `Bits`. `corners()` is an array or a span of all corners, and possibly other
+// points of the body. If `has_few_edges()`, `for_each_edge(f)` passes a vector along each edge to
+// f, once for parallel edges, and possibly other vectors.
 
 /// The hull of at least one point; `Points` is a span or an array of them.
 template <Number S, int N, class Points = std::span<const Vec<S, N>>>
@@ -88,8 +88,8 @@ class HullBody {
     }
   }
 
-  /// The same in one pass: calls f(corner, is_better), where `is_better` means that the corners
-  /// before are not extreme.
+  /// The same in one pass: calls f(corner, is_better), where `is_better` means that the previous
+  /// corners are not extreme.
   template <int Bits, Number V, Number T, class F>
   constexpr void find_extreme(const Vec<V, N>& v, const Vec<T, N>& from, bool farthest,
                               const F& f) const noexcept {
@@ -161,7 +161,7 @@ class ExtremeCorners {
   Vec<V, N> v_;
   Vec<O, N> origin_;
   bool farthest_;
-  // The first of them; faces have seldom more. With more, all are scanned for again.
+  // The first of them; faces seldom have more. If there are more, all corners are scanned again.
   std::array<Vec<T, N>, 8> corners_{};
   std::size_t count_ = 0;
 };

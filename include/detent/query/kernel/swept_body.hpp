@@ -8,8 +8,8 @@
 
 namespace detent::detail {
 
-/// A convex body for GJK: `body`, scaled by 2^shift, wherever it is while it moves from the offset
-/// `start` to the offset `end`. `shift` is at most `Shift`.
+/// A convex body for GJK: the volume swept by `body`, scaled by 2^shift, from the offset `start` to
+/// the offset `end`. `shift` is at most `Shift`.
 template <class Body, Number T, int Shift>
 class SweptBody {
  public:

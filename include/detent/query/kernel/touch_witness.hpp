@@ -18,7 +18,7 @@
 
 namespace detent::detail {
 
-/// The leading bits of a vector: those of its components, dropping equally many at their ends.
+/// The leading bits of a vector's components, each with the same number of low bits dropped.
 template <int Bits, Number V, int N>
 [[nodiscard]] constexpr auto shortened(const Vec<V, N>& v) noexcept {
   if constexpr (bits_of<V> <= Bits) {
@@ -30,7 +30,7 @@ template <int Bits, Number V, int N>
   }
 }
 
-/// Looks for the first touch of the body `a`, moving along `way`, and the body `b` within a radius.
+/// Finds the first touch, within a radius, of the body `a`, moving along `way`, and the body `b`.
 template <class A, class B, Number W, Scalar S, Number R>
 class TouchWitness {
  public:
@@ -66,7 +66,7 @@ class TouchWitness {
     return unsure;
   }
 
-  /// The corner differences of a feature, where they are at the start.
+  /// The corner differences of a feature at the start.
   struct Feature {
     std::array<Corner, static_cast<std::size_t>(dimension)> corners;
     int count;
@@ -78,10 +78,10 @@ class TouchWitness {
       return result;
     }
   };
-  /// The feature that holds the closest differences from `time` on, for which `first` was sure, to
-  /// the next time on the grid; nothing if it is not one feature all the time.
+  /// The feature that contains the closest differences from `time`, for which `first` was sure, to
+  /// the next time on the grid; nothing if it is not the same feature throughout.
   ///
-  /// Where they are on it and all others lie behind it are inequalities linear in time.
+  /// That they are on it, and that all others lie behind it, are inequalities linear in time.
   [[nodiscard]] constexpr std::optional<Feature> feature_from(const S& time) const noexcept {
     const Feature feature = found();
     if (!holds_closest(feature, time)) return std::nullopt;
@@ -97,8 +97,8 @@ class TouchWitness {
     return {distance, distance < largest<T> && meet_at(S(0), after(distance))};
   }
 
-  /// The point of `b` closest to `a` at `time`, rounded to nearest; nothing if that is not as
-  /// simple as the foot of the only closest corner of `a`.
+  /// The point of `b` closest to `a` at `time`, rounded to nearest; nothing unless it is simply the
+  /// foot of the only closest corner of `a`.
   [[nodiscard]] constexpr std::optional<Vec<S, dimension>> closest_point(const S& time) noexcept {
     std::optional<Vec<S, dimension>> result;
     if (!find(time)) return result;
@@ -161,7 +161,7 @@ class TouchWitness {
   }
 
   /// Calls f(v, p) if the closest difference at `time` lies in a feature: it is the rational point
-  /// p, along v. Returns whether it does, and what f returns is true.
+  /// p, along v. Returns whether it does and f returns true.
   template <class F>
   [[nodiscard]] constexpr bool with_closest(const Feature& feature, const S& time,
                                             const F& f) const noexcept {
@@ -201,8 +201,8 @@ class TouchWitness {
     return with_closest(feature, time, [](const auto&, const auto&) { return true; });
   }
 
-  /// Finds the feature that holds the closest difference at `time`, roughly, and a direction across
-  /// it: GJK (see gjk.hpp) on rounded corners.
+  /// Finds, approximately, the feature that contains the closest difference at `time`, and a
+  /// direction across it: GJK (see gjk.hpp) on rounded corners.
   [[nodiscard]] constexpr bool find(const S& time) noexcept {
     const int dropped = (std::max)(
         (std::max)(length_of(moved(low_, time)), length_of(moved(high_, time))) - (Rough::bits - 1),
@@ -282,7 +282,7 @@ class TouchWitness {
   using Weighted =
       Vec<Fixed<weighted_bits, std::remove_cvref_t<decltype(Moved().x)>::frac>, dimension>;
 
-  /// Calls f(weights) with those of the closest point of a feature to 0, times a common factor.
+  /// Calls f(weights) with the weights of the feature's point closest to 0, times a common factor.
   template <class F>
   [[nodiscard]] static constexpr bool with_weights(const Simplex<Rough, dimension>& simplex,
                                                    const F& f) noexcept {

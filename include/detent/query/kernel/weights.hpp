@@ -7,8 +7,8 @@
 #include "detent/query/kernel/common_point.hpp"
 #include "detent/query/kernel/simplex.hpp"
 
-// With scalars that round, corners of one face are rarely at the same height exactly, so features
-// are not found by comparing heights. The feature where GJK ends has a face of both bodies.
+// With scalars that round, corners of one face rarely have exactly the same height, so features are
+// not found by comparing heights. The feature where GJK ends contains a face of both bodies.
 
 namespace detent::detail {
 

@@ -8,8 +8,8 @@
 
 namespace detent::detail {
 
-/// Whether the point `w` is within `reach` >= 0 of the segment from 0 to `e`: |w x e|^2 <=
-/// reach^2 e^2 where it projects between the ends.
+/// Whether the point `w` is within `reach` >= 0 of the segment from 0 to `e`: |w x e|^2 <= reach^2
+/// e^2 if it projects between the ends.
 ///
 /// source: Ericson, Real-Time Collision Detection, 5.1.2.1
 template <Number T, Number W, Number R, int N>
@@ -37,7 +37,7 @@ template <Number T, Number M, Number R>
 /// Whether the segments from 0 along `d` and from `m` along `e` come within `reach` >= 0 of each
 /// other.
 ///
-/// Tests the points s d and m + t e where their lines are closest, if these are between the ends.
+/// Tests the points s d and m + t e where their lines are closest, if both are between the ends.
 /// Otherwise tests each end that one of them is beyond, as for the minimum of any convex quadratic
 /// function over a square; for parallel segments, every end.
 ///
@@ -79,8 +79,7 @@ struct Bounds {
 };
 
 /// Whether two bounding boxes are farther apart than `reach` on some axis; then so are their
-/// shapes. Most shapes are, so this comes before anything that needs long integers, and is
-/// branchless.
+/// shapes. Most shapes are, so this comes before anything with long integers, and is branchless.
 template <Scalar S, int N, Number R>
 [[nodiscard]] constexpr bool are_apart(const Bounds<S, N>& a, const Bounds<S, N>& b,
                                        const R& reach) noexcept {

@@ -11,7 +11,7 @@
 
 namespace detent::detail {
 
-/// By how much `x` is below `low` (negative) or above `high`; 0 between them.
+/// How far `x` is below `low` (negative) or above `high`; 0 between them.
 template <Number X, Number T>
 [[nodiscard]] constexpr auto excess(const X& x, const T& low, const T& high) noexcept {
   using Excess = decltype(x - low);
@@ -34,7 +34,7 @@ template <Number A, Number B, int N>
   }
 }
 
-/// Whether all points t d, t in [0, 1], are on one axis farther away than `limit` from the box from
+/// Whether on some axis all points t d, t in [0, 1], are farther than `limit` from the box from
 /// `low` to `high`.
 template <Number T, Number D, Number R, int N>
 [[nodiscard]] constexpr bool are_beyond_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
@@ -51,11 +51,11 @@ template <Number T, Number D, Number R, int N>
 /// [0, 1], and returns its result. The vector is given as such or, if it is perpendicular to
 /// `speed`, as g and `speed`: g - speed (g . speed) / speed^2.
 ///
-/// The squared distance from the box is the sum of the squares of the excesses: a convex function
-/// f(t) of quadratic pieces, which change where the point enters or leaves a slab. If f is still
-/// falling there, its minimum comes later. So each axis yields the side of its slab on which the
-/// minimum lies. If the axes outside their slabs have the excesses g[i] + t d[i], the minimum is
-/// |g x d|^2 / d^2.
+/// The squared distance from the box is the sum of the squares of the excesses: a convex, piecewise
+/// quadratic function f(t), whose pieces change where the point enters or leaves a slab. If f is
+/// still falling there, its minimum comes later. So each axis gives the side of its slab on which
+/// the minimum lies. If the axes outside their slabs have the excesses g[i] + t d[i], the minimum
+/// is |g x d|^2 / d^2.
 template <Number T, Number D, int N, class Visit>
 [[nodiscard]] constexpr auto nearest_of_slabs(const Vec<T, N>& low, const Vec<T, N>& high,
                                               const Vec<D, N>& d, const Visit& visit) noexcept {

@@ -6,7 +6,7 @@
 
 namespace detent::detail {
 
-/// Where the point `p` projects onto the triangle 0, `b`, `c` along its normal n = b x c: its
+/// The projection of the point `p` onto the triangle 0, `b`, `c` along its normal n = b x c:
 /// barycentric weights times n^2, which is 0 for a collapsed triangle.
 ///
 /// n . (b x p), n . (p x c) and n^2 are computed by Lagrange's identity.

@@ -11,8 +11,8 @@ namespace detent {
 
 /// Whether two boxes share a point, surfaces included.
 ///
-/// The oriented box is what its edges span: center + sum of s[i] half_extents[i] axis(i) with
-/// |s[i]| <= 1.
+/// The oriented box is the one that its edges span: center + sum of s[i] half_extents[i] axis(i)
+/// with |s[i]| <= 1.
 ///
 /// domain: every input; a box with min > max on some axis or a negative half extent is empty and
 ///         overlaps nothing

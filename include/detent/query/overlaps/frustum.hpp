@@ -14,7 +14,7 @@ namespace detent {
 
 namespace detail {
 
-/// A shape to test against a frustum: one that has `overlaps` with hulls, and can be culled.
+/// A shape that can be tested against a frustum: it has `overlaps` with hulls, and can be culled.
 template <class Shape, class S>
 concept MeetsFrusta = Culled<Shape, S> &&
     requires(const Shape& shape, const ConvexHull<S, 3>& hull) {
@@ -25,7 +25,7 @@ concept MeetsFrusta = Culled<Shape, S> &&
 
 /// Whether `frustum` shares a point with `shape`: a sphere, AABB, OBB, triangle, capsule or hull.
 ///
-/// Six planes reject first (`is_beyond`), the hull of the corners decides.
+/// Six planes reject first (`is_beyond`), then the hull of the corners decides.
 ///
 /// domain: every input; an empty shape overlaps nothing
 /// exact:  yes or no exact, for the hull of the corners; touching counts

@@ -28,7 +28,7 @@ template <Scalar S, int N>
   return Body(box.center, edges, edges);
 }
 
-/// Filter for `overlaps` with coordinates of half the bits: tests a box that contains `box` and one
+/// Filter for `overlaps` with half the bits per coordinate: tests a box that contains `box` and one
 /// that `box` contains (docs/filters.md, lemma 9).
 template <Scalar S, int N>
 [[nodiscard]] constexpr Filtered decide_overlap(const Obb<S, N>& box,
@@ -45,8 +45,8 @@ template <Scalar S, int N>
 
 /// Whether `box` and `hull` share a point.
 ///
-/// The box is what its edges span, {center + sum s_i half_extents[i] axis(i) : |s_i| <= 1}, with
-/// the axes exactly as stored.
+/// The box is the one that its edges span, {center + sum s_i half_extents[i] axis(i) : |s_i| <= 1},
+/// with the axes exactly as stored.
 ///
 /// domain: every input; an empty box or hull overlaps nothing
 /// exact:  yes or no exact; touching counts                        (tests/oracle/obb_hull.test.cpp)

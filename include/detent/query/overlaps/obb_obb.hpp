@@ -10,7 +10,8 @@ namespace detent {
 
 /// Whether two boxes share a point, surfaces included.
 ///
-/// Each box is what its edges span: center + sum of s[i] half_extents[i] axis(i) with |s[i]| <= 1.
+/// Each box is the one that its edges span: center + sum of s[i] half_extents[i] axis(i) with
+/// |s[i]| <= 1.
 ///
 /// domain: every input; a box with a negative half extent is empty and overlaps nothing
 /// exact:  yes or no exact                                         (tests/oracle/obb_obb.test.cpp)

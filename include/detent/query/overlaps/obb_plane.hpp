@@ -11,7 +11,8 @@ namespace detent {
 
 /// Whether `box`, which is solid, has a point in `plane`, with the normal exactly as stored.
 ///
-/// The box is what its edges span: center + sum of s[i] half_extents[i] axis(i) with |s[i]| <= 1.
+/// The box is the one that its edges span: center + sum of s[i] half_extents[i] axis(i) with
+/// |s[i]| <= 1.
 ///
 /// domain: every input; a box with a negative half extent is empty and overlaps nothing
 /// exact:  yes or no exact                                       (tests/oracle/obb_plane.test.cpp)
@@ -26,12 +27,12 @@ template <Scalar S, int N>
       make_vec<N>([&](int i) { return abs(dot(plane.normal, box.rotation.axis(i))); });
   const auto exact = [&] { return narrow_abs(height) <= dot(box.half_extents, along); };
   if constexpr (filter_pays<S>) {
-    // Truncated to the bits of an axis, cosines are too small by less than one unit.
+    // Cosines truncated to the bits of an axis are too small by less than one unit.
     using Cosine = direction_component<S>;
     const auto cosines = make_vec<N>([&](int i) { return narrow_floor<Cosine>(along[i]); });
     const auto unit = make_vec<N>([](int) { return Cosine::from_raw(1); });
     const auto reach = narrow_dot<bits>(box.half_extents, cosines);
-    // std::max, because GCC 12 makes a branch of a magnitude that is compared.
+    // std::max, because GCC 12 turns the comparison of a magnitude into a branch.
     const auto slack = narrow_difference<bits>(reach, (std::max)(height, narrow_negative(height)));
     return or_exact(decide(Approximate{slack, narrow_dot<bits>(box.half_extents, unit)}), exact);
   } else {

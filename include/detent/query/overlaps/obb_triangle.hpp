@@ -13,7 +13,8 @@ namespace detent {
 
 /// Whether `box` and `triangle` share a point, edges and surfaces included.
 ///
-/// The box is what its edges span: center + sum of s[i] half_extents[i] axis(i) with |s[i]| <= 1.
+/// The box is the one that its edges span: center + sum of s[i] half_extents[i] axis(i) with
+/// |s[i]| <= 1.
 ///
 /// domain: every input; a box with a negative half extent is empty and overlaps nothing; a
 ///         collapsed triangle is the segment or point that its corners span

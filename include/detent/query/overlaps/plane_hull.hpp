@@ -6,7 +6,7 @@
 
 namespace detent {
 
-/// Whether `plane` and `hull` share a point: not all points are strictly on one side.
+/// Whether `plane` and `hull` share a point: not all points are strictly on the same side.
 ///
 /// domain: every input; an empty hull overlaps nothing
 /// exact:  yes or no exact; touching counts              (tests/oracle/hull_round_pairs.test.cpp)

@@ -13,7 +13,7 @@ namespace detent {
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool overlaps(const Plane<S, N>& a, const Plane<S, N>& b) noexcept {
   if (!detail::are_parallel(a.normal, b.normal.vec())) return true;
-  // Parallel normals may point either way and differ in length: the planes are the same if their
+  // Parallel normals may have opposite signs and differ in length: the planes are the same if their
   // equations are proportional.
   for (int i = 0; i < N; ++i) {
     if (a.normal[i] * b.offset != b.normal[i] * a.offset) return false;

@@ -7,7 +7,7 @@ namespace detent {
 
 namespace detail {
 
-/// Whether the line of some edge of `a`, a 2D triangle with this doubled area, separates `a` and
+/// Whether the line of some edge of `a`, a 2D triangle with this doubled area, separates it from
 /// `b`.
 template <Scalar S, Number Area>
 [[nodiscard]] constexpr bool edge_separates(const Triangle<S, 2>& a, const Area& area,
@@ -59,7 +59,7 @@ template <Scalar S>
 /// Their intersection is convex and ends at an edge of one of them.
 ///
 /// domain: every input; a collapsed triangle is the segment or point that its corners span
-/// exact:  yes or no exact, also in one plane             (tests/oracle/triangle_triangle.test.cpp)
+/// exact:  yes or no exact, also if coplanar              (tests/oracle/triangle_triangle.test.cpp)
 /// source: Ericson, Real-Time Collision Detection, 5.2.10
 template <Scalar S>
 [[nodiscard]] constexpr bool overlaps(const Triangle<S, 3>& a, const Triangle<S, 3>& b) noexcept {

@@ -34,7 +34,7 @@ template <Scalar S, int N, Number L, Number R>
   return {part, side.first_root(limit)};
 }
 
-/// The axis of a capsule, from the end that `entry` calls the first.
+/// The axis of a capsule, starting at the first end of `entry`.
 template <Scalar S, int N>
 struct AxisEntry {
   Segment<S, N> axis;
@@ -125,7 +125,7 @@ template <Scalar S, int N>
   const auto exit = detail::with_cylinder(ray, axis, capsule.radius, [&](const auto& cylinder) {
     const auto part = detail::left_part(cylinder);
     if (part == detail::CapsulePart::side) return cylinder.side().last_root(ray.max_distance);
-    // The sphere at the exit may lie wholly beyond the end of the ray.
+    // The sphere at the exit may lie entirely beyond the end of the ray.
     const detail::RaySphere<S, N> sphere(ray, detail::end_of(axis, capsule.radius, part));
     return (std::min)(sphere.quadratic().last_root(ray.max_distance), ray.max_distance);
   });

@@ -8,8 +8,8 @@ namespace detent {
 /// Where a ray first touches a shape.
 ///
 /// `distance` is the exact one rounded down, so `point` lies on the surface or before it, except
-/// for the rounding of its coordinates. `normal` is that of the exact point and faces the ray. If
-/// the ray starts inside a solid, it is the opposite of the direction.
+/// for the rounding of its coordinates. `normal` is the normal at the exact point, facing the ray.
+/// If the ray starts inside a solid, it is the opposite of the direction.
 template <Scalar S, int N>
 struct RayHit {
   S distance{};

@@ -30,9 +30,9 @@ template <Scalar S, int N>
 /// Distance, point and normal where `ray` first touches `hull`, or nothing.
 ///
 /// result: the normal is that of the face hit, on the side of the ray; on an edge or corner, that
-///         of one of the faces there that the ray could enter through, chosen by the order of the
-///         points alone; the opposite of the direction if the ray starts inside or on the hull,
-///         lies in the plane of a flat hull, or meets one that is a segment or a point
+///         of one of the faces there through which the ray could enter, chosen only by the order of
+///         the points; the opposite of the direction if the ray starts inside or on the hull, lies
+///         in the plane of a flat hull, or meets one that is a segment or a point
 /// exact:  each component of the normal is the exact one rounded to nearest
 ///         (tests/oracle/ray_hull.test.cpp)
 template <Scalar S, int N>

@@ -51,8 +51,8 @@ template <Scalar S, int N>
 ///
 /// units:  lengths in world units; directions are unit length
 /// domain: every input
-/// result: 0 for a ray that starts in the plane, whichever way it goes; a hit past max_distance is
-///         a miss; with Facing::front, rays from behind and within the plane miss
+/// result: 0 for a ray that starts in the plane, in any direction; a hit past max_distance is a
+///         miss; with Facing::front, rays from behind and within the plane miss
 /// exact:  hit or miss exact; distance rounded down, error in [0, 1) ULP
 ///         (tests/oracle/ray_plane.test.cpp)
 template <Scalar S, int N>

@@ -55,9 +55,9 @@ struct RaySphere {
   decltype(inside_distance(squared_length(Offset()), S())) c;
 
  private:
-  /// A component of the normal, in long integers. Scaling the scene by 2^k keeps the direction
-  /// and makes r as long as its type allows. So the error of the root, below 1, is below 2^-28
-  /// steps of the result (2^-12 in 16 bits), however small the sphere is.
+  /// A component of the normal, in long integers. Scaling the scene by 2^k keeps the direction and
+  /// makes r as long as its type allows. So the error of the root, below 1, is below 2^-28 steps of
+  /// the result (2^-12 in 16 bits), even for the smallest sphere.
   template <Number Closest, Number Discriminant>
   [[nodiscard]] constexpr auto component(const Closest& closest,
                                          const direction_component<S>& along,

@@ -62,7 +62,7 @@ template <Scalar S>
   return Result({oriented(meeting.height()), det});
 }
 
-/// The part of the line of `ray` in a triangle that it is parallel to or that has collapsed.
+/// The part of the line of `ray` in a triangle that is parallel to it or collapsed.
 template <Scalar S>
 [[nodiscard]] constexpr std::optional<PlanarSpan<S>> edge_on_span(
     const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, const RayTriangle<S>& meeting) noexcept {
@@ -98,8 +98,8 @@ template <Scalar S>
 
 /// Distance along `ray` at which it first touches `triangle`, or nothing.
 ///
-/// A ray in the triangle's plane hits where it first meets it. With Facing::front, rays hit only
-/// the side from which a, b, c appear counter-clockwise.
+/// A ray in the triangle's plane hits where it first meets the triangle. With Facing::front, rays
+/// hit only the side from which a, b, c appear counter-clockwise.
 ///
 /// units:  lengths in world units; direction is unit length
 /// domain: every input; a collapsed triangle is the segment or point that its corners span
@@ -171,8 +171,8 @@ template <Scalar S>
 
 /// Distance, point and normal where `ray` first touches the 2D `triangle`, or nothing.
 ///
-/// result: the outward normal of the edge entered, the first of ab, bc, ca if several; the opposite
-///         of the direction if the ray starts inside or the triangle has collapsed
+/// result: the outward normal of the edge entered, in case of a tie the first of ab, bc, ca; the
+///         opposite of the direction if the ray starts inside or the triangle has collapsed
 /// exact:  each component of the normal is the exact one rounded to nearest
 ///         (tests/oracle/ray_triangle.test.cpp)
 template <Scalar S>

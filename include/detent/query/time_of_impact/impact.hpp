@@ -6,8 +6,8 @@
 namespace detent {
 
 /// When two moving bodies meet: they are apart at every time before `time`, and at `time` they are
-/// at most `distance` apart. If not `is_hit`, the search ended early, and whether they meet later is
-/// not known; a caller may go on from `time`.
+/// at most `distance` apart. If not `is_hit`, the search ended early, and they may or may not meet
+/// later; the caller can continue from `time`.
 template <Scalar S>
 struct Impact {
   direction_component<S> time{};

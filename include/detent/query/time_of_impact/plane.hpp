@@ -6,7 +6,7 @@
 #include "detent/query/time_of_impact/search.hpp"
 #include "detent/shape/plane.hpp"
 
-// A plane as the second body of a search for impacts: it does not move, and its normal is always the
+// A plane as the second body of an impact search: it does not move, and its normal is always the
 // axis.
 
 namespace detent::detail {

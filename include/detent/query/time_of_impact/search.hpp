@@ -11,8 +11,8 @@
 
 namespace detent::detail {
 
-/// How two posed bodies lie: their distance rounded down, and the direction from b to a between
-/// their closest points, which is the axis that separates them best; no axis if they touch.
+/// The relation of two posed bodies: their distance rounded down, and the direction from b to a
+/// between their closest points, which is the best separating axis; no axis if they touch.
 template <Scalar S, int N, Number Between>
 struct GapBetween {
   Between distance;
@@ -43,12 +43,12 @@ template <class A, class B, Scalar S, int N>
          dot(axis, b.template extreme<bits>(n, a.some(), true));
 }
 
-/// The search for the time of impact of two moving polytopes, each with all points within a radius.
+/// The search for the time of impact of two moving polytopes, each grown by a radius.
 ///
-/// If bodies are apart along an axis at two times by more than their corners stray in between from
-/// moving evenly, they are apart at all times in between: along the axis, each corner of either
-/// body is then beyond each of the other. From a time at which they are apart, the search takes the
-/// axis between the closest points, goes as far as this holds, and starts again from there.
+/// If at two times the gap along an axis exceeds the deviation of the corners from uniform motion,
+/// the bodies are apart at all times in between: along the axis, each corner of one body is then
+/// beyond each corner of the other. From a time at which they are apart, the search takes the axis
+/// between the closest points, advances as far as this holds, and repeats.
 ///
 /// source: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems (1996), 2.3: conservative
 ///         advancement; Catto, Continuous Collision (2013): to the end along a fixed axis
@@ -63,7 +63,7 @@ class ImpactSearch {
   constexpr ImpactSearch(const A& a, const B& b, const Reach& reach) noexcept
       : a_(a), b_(b), reach_(reach), error_(a.error() + b.error()) {}
 
-  /// What was found, and in how many steps.
+  /// The impact, and the number of steps.
   struct Result {
     std::optional<Impact<S>> impact;
     int steps;
@@ -110,7 +110,7 @@ class ImpactSearch {
   using Gap = decltype(gap_along(Direction<S, N>(), std::declval<A>().at(Time()),
                                  std::declval<B>().at(Time())));
 
-  /// The motion along one axis from one time on.
+  /// The motion along one axis, starting at one time.
   class Path {
    public:
     constexpr Path(const ImpactSearch& search, const Direction<S, N>& axis, const Time& start,
@@ -135,7 +135,7 @@ class ImpactSearch {
                                          const Slack& at_end) const noexcept {
       Time low = start_, high(1);
       auto at_low = at_start, at_high = at_end;
-      // Beyond this time, what the bodies stray is more than the slack.
+      // Beyond this time, the bodies' deviation exceeds the slack.
       const auto bend = search_.a_.bend() + search_.b_.bend();
       if (const Time d = sqrt_floor<Time>(Fraction{at_start, bend}); bend > 0 && low + d < high) {
         high = floor_to<Time>(low + d);

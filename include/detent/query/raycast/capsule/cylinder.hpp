@@ -32,13 +32,14 @@ struct RayCylinder {
         ee(squared_length(e)),
         de(dot(e, d)) {}
 
-  /// The quadratic of the side, a t^2 + 2 b t + c = |(m + t d) x e|^2 - r^2 e^2, for a line that meets the cylinder.
+  /// The quadratic of the side, a t^2 + 2 b t + c = |(m + t d) x e|^2 - r^2 e^2, for a line that
+  /// meets the cylinder.
   [[nodiscard]] constexpr auto side() const noexcept {
     return LongQuadratic(a, approach(), start(), reach(), ee);
   }
 
   /// Whether |m . k| > r (|kx| + |ky| + |kz|), which is at least r |k|; in 2D, whether both ends
-  /// are on one side of the line by more than r |d|. It settles most misses, in integers half as
+  /// are on one side of the line by more than r |d|. It decides most misses, in integers half as
   /// long as those of `reach`.
   [[nodiscard]] constexpr bool is_far() const noexcept {
     if constexpr (N == 2) {
@@ -72,7 +73,7 @@ struct RayCylinder {
   decltype(dot(Vec<Length, N>(), Direction<S, N>())) de;
 
  private:
-  /// m . (d x e), which is 0 in 2D, for vectors of one plane.
+  /// m . (d x e), which is 0 in 2D, where the vectors are coplanar.
   [[nodiscard]] constexpr auto determinant() const noexcept {
     if constexpr (N == 2) {
       return decltype(narrow<volume>(m.x * k))();

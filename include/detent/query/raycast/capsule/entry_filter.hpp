@@ -9,7 +9,7 @@
 
 namespace detent::detail {
 
-/// Where a ray enters a capsule. At an end, the sphere there gives the distance, if any.
+/// Where a ray enters a capsule. At an end, the sphere there gives the distance, if it is hit.
 template <Scalar S>
 struct CapsuleEntry {
   CapsulePart part;
@@ -20,7 +20,7 @@ template <class Height>
 inline constexpr auto height_error = Height::from_raw(1 << 18);
 
 /// The part that a line crosses at the height `y` along the axis of squared length `ee`, where
-/// `first` is the one at 0: lengths times that of the axis.
+/// `first` is the end at 0. Lengths are multiplied by that of the axis.
 template <Number Y, Number E>
 [[nodiscard]] constexpr Decided<CapsulePart> part_at_height(const Approximate<Y>& y,
                                                             const E& ee) noexcept {

@@ -20,11 +20,11 @@ template <Scalar S, int N, Number L, Number R, Number Back>
 }
 
 /// The unit vector from the axis to the point where the line enters through the side, for a
-/// radius > 0. Leading bits decide its components where they settle the rounding.
+/// radius > 0. Leading bits decide its components if they settle the rounding.
 ///
 /// The line is closest to the axis at the offset (m . k) k / a from it, where k = d x e. The entry
-/// is farther back along e x k = e^2 d - (d . e) e, by what is left of the radius. Together, over r,
-/// ((m . k) e^2 k - sqrt(b^2 - a c) e x k) / (r a e^2).
+/// is farther back along e x k = e^2 d - (d . e) e, by the rest of the radius. The sum, divided by
+/// r, is ((m . k) e^2 k - sqrt(b^2 - a c) e x k) / (r a e^2).
 template <Scalar S, Number L, Number R>
 [[nodiscard]] constexpr Direction<S, 3> side_normal(const RayCylinder<S, 3, L, R>& ray) noexcept {
   const auto back = make_vec<3>([&](int i) { return ray.ee * ray.d[i] - ray.de * ray.e[i]; });

@@ -15,7 +15,7 @@ enum class CapsulePart { none, inside, first_end, side, last_end };
   return part == CapsulePart::first_end || part == CapsulePart::last_end;
 }
 
-/// The part that the ray is at for t, by its distance along the axis, m . e + t d . e.
+/// The part at which the ray is for t, from its distance along the axis, m . e + t d . e.
 template <Scalar S, int N, Number L, Number R>
 [[nodiscard]] constexpr Decided<CapsulePart> part_at(const RayCylinder<S, N, L, R>& ray,
                                                      const Leading& t) noexcept {
@@ -32,8 +32,8 @@ template <Scalar S, int N, Number L, Number R>
   return {CapsulePart::side, first == Filtered::yes && last == Filtered::no};
 }
 
-/// Signs for the point where the line meets the plane through an end, across the axis: after or
-/// before the line is closest to the axis, and outside or inside the sphere about the end.
+/// Signs for the point where the line meets the plane through an end, perpendicular to the axis:
+/// after or before the line is closest to the axis, and outside or inside the sphere about the end.
 struct EndPlane {
   int after_closest;
   int outside;
