@@ -11,7 +11,7 @@
 //
 // So a step of 8 raw units along the normal, rounding included, leaves every convex shape. If a
 // ball of radius r around c is inside the shape, a step of 8 / r of the way to c enters it, because
-// the shape contains balls of radius up to 8 around the points of that way.
+// the shape contains balls of radius up to 8 around the points of that segment.
 
 #include <algorithm>
 

@@ -17,7 +17,7 @@ namespace detent::fuzz {
 
 /// Decodes bytes into shapes, many of which touch, graze, are parallel, coincide, are tiny or reach
 /// the ends of the domain: bytes mostly choose how a point, direction or length follows from
-/// earlier ones, and only otherwise its value.
+/// earlier ones, and otherwise its value.
 template <Scalar S, int N>
 class Decoder {
  public:

@@ -57,7 +57,7 @@ T number(const X& x) {
   }
 }
 
-/// Converts shapes to another number type. It owns what hulls and compounds refer to.
+/// Converts shapes to another number type. It owns the data that hulls and compounds refer to.
 template <class T, int N>
 class Converter {
  public:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Any bytes may be read as a replay: reading ends, within the bytes, and what is read is what those
-// bytes say. The input is read as it is, and as the blocks of a replay with a right head and right
-// checksums, so that the rest of the reader is reached too: then each block has its frames, and
-// writing them again gives the same inputs.
+// Any bytes may be read as a replay: reading ends, within the bytes, and returns what those bytes
+// encode. The input is read directly, and as the blocks of a replay with a correct head and
+// checksums, to reach the rest of the reader: then each block has its frames, and writing them
+// again gives the same inputs.
 
 #include <array>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A character in any scene, with any settings, ends every move overlapping nothing that it did not
-// overlap at its start, and on the same side of every plane that it did not overlap. It moved by what
-// the result says, and the same move again has the same result.
+// overlap at its start, and on the same side of every plane that it did not overlap. It moved by
+// the reported distance, and repeating the move gives the same result.
 
 #include <string>
 #include <type_traits>
@@ -17,7 +17,7 @@ namespace {
 template <Scalar S, int N>
 using World = Scene<S, N, Sphere, Aabb, Triangle, Plane>;
 
-/// A point of a shape: all of it moves by the same vector.
+/// A point of a shape, which moves by the same vector as all of it.
 template <Scalar S, int N>
 Vec<S, N> mark(const Sphere<S, N>& sphere) {
   return sphere.center;
@@ -68,7 +68,7 @@ void check_move(const World<S, N>& world, Mover<S, N, Shape>& mover, const Vec<S
     if (!filter(object) || overlaps(before.shape, target)) return;
     if (overlaps(mover.shape, target)) fault = "it overlaps what it did not overlap before";
     if constexpr (std::is_same_v<decltype(target), const Plane<S, N>&>) {
-      // What carries the character moved before it did.
+      // The character's carrier moved before it did.
       const bool is_carried = before.ground.is_grounded && before.ground.frame != FrameId{};
       const auto frame = world.frame_of(object.id).value_or(FrameId{});
       if ((is_carried && frame == before.ground.frame) || mover.shape.radius < 0) return;

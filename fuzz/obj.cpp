@@ -2,7 +2,7 @@
 //
 // Reading an OBJ model of any bytes gives a mesh whose triangles refer to existing vertices, finite
 // and at most 10 units from the origin, or an error that names the file and the remedy. A face that
-// names a vertex by more digits than there can be vertices is always rejected.
+// names a vertex by more digits than any vertex number has is always rejected.
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A scene that is mirrored, has its axes permuted, is moved along the grid, or has the parts of a
-// shape in another order gives the same results: decisions, distances and intervals to the bit,
-// closest points to the bit once transformed back.
+// A scene that is mirrored, has its axes permuted, is translated along the grid, or has the parts
+// of a shape in another order gives the same results: decisions, distances and intervals to the
+// bit, closest points to the bit once transformed back.
 
 #include "decode.hpp"
 #include "detent/query/closest_point.hpp"
@@ -80,7 +80,7 @@ class Isometry {
   Ray<S, N> operator()(const Ray<S, N>& ray) {
     return {(*this)(ray.origin), (*this)(ray.direction), ray.max_distance};
   }
-  /// A shift would change the offset by an amount that need not be on the grid.
+  /// A plane is not shifted: its offset would change by an amount that need not be on the grid.
   Plane<S, N> operator()(const Plane<S, N>& plane) {
     for (const auto shift : shift_) inside_ = inside_ && shift == 0;
     return {(*this)(plane.normal), plane.offset};

@@ -33,8 +33,8 @@ namespace detent::fuzz {
 /// No constant is fitted to observations. A comparison is decided if the difference exceeds the sum
 /// of both bounds, or if both sides are the same expression; `all_decided` records it.
 ///
-/// `exact` follows the same path in long double, so it is the real number up to a small share of
-/// the bound, where long double has more bits than F.
+/// `exact` follows the same path in long double. If that has more bits than F, it is the real
+/// number up to a small share of the bound.
 template <class F>
 struct Traced {
   using Wide = long double;

@@ -14,7 +14,7 @@ namespace detent::c {
 
 namespace {
 
-/// Returns an asset's arrays to the context and frees its place.
+/// Returns an asset's arrays to the context and frees its slot.
 template <class Asset>
 void destroy_asset(Context& context, void* object) {
   auto* const holder = static_cast<Holder<Asset>*>(object);
@@ -64,7 +64,7 @@ detent_status add_asset(Context& context, std::uint32_t id, detent_handle* out, 
 /// Memory for `count` elements that belongs to a holder, or nullptr.
 template <class T, class Array>
 void* keep_memory(Context& context, Array& array, std::size_t count) noexcept {
-  constexpr std::size_t slack = alignof(T);  // nodes of trees fill lines of the cache
+  constexpr std::size_t slack = alignof(T);  // nodes of trees are aligned to cache lines
   if (count == 0 || count > (static_cast<std::size_t>(-1) - slack) / sizeof(T)) return nullptr;
   auto size = count * sizeof(T) + slack;
   void* memory = context.allocate(size);
@@ -72,7 +72,7 @@ void* keep_memory(Context& context, Array& array, std::size_t count) noexcept {
   array = {memory, size};
   return std::align(alignof(T), count * sizeof(T), memory, size);
 }
-/// The same with elements in it.
+/// The same, initialised with elements.
 template <class T, class Array>
 T* keep(Context& context, Array& array, std::size_t count) noexcept {
   auto* const first = static_cast<T*>(keep_memory<T>(context, array, count));
@@ -85,7 +85,7 @@ using FieldHolder = Holder<FieldAsset<S>>;
 
 }  // namespace
 
-/// Keeps an asset of points, which make(hull) makes of a copy, or not.
+/// Stores an asset of points, which make(hull) makes from a copy, or nothing.
 template <class Asset, int N, class Make>
 detent_status add_points(detent_context* context, std::uint32_t id,
                          const typename Types<N>::Vec* points, std::uint32_t count,

@@ -7,7 +7,7 @@
 // The shapes of bodies, and of the parts of compounds.
 namespace detent::c {
 
-/// f(asset, pose) for a shape that is an asset and where it is, unscaled.
+/// f(asset, pose) for a shape given as an asset and its pose, unscaled.
 template <int N, class Asset, class F>
 detent_status with_posed(const Context& table, const typename Types<N>::Shape& shape, const F& f) {
   const auto* const asset = table.asset<Asset>(shape.asset);
@@ -18,7 +18,7 @@ detent_status with_posed(const Context& table, const typename Types<N>::Shape& s
   return in.is_valid() ? f(asset, pose) : DETENT_NOT_UNIT;
 }
 
-/// f(shape) for one that a part of a compound has.
+/// f(shape) for the shape of a part of a compound.
 template <int N, class F>
 detent_status with_part_shape(const Context& table, const typename Types<N>::Shape& shape,
                               const F& f) {
@@ -36,7 +36,7 @@ detent_status with_part_shape(const Context& table, const typename Types<N>::Sha
   });
 }
 
-/// f(shape) for one that a body has.
+/// f(shape) for the shape of a body.
 template <int N, class F>
 detent_status with_body_shape(const Context& table, const typename Types<N>::Shape& shape,
                               const F& f) {

@@ -7,12 +7,12 @@
 #include "detent/scene/hull/placed.hpp"
 #include "detent/scene/scene.hpp"
 
-// Casts of boxes against the objects of scenes, by those of src/c/casts/: the distance comes with the
-// hit, so that each pair is compiled once.
+// Casts of boxes against the objects of scenes, through those of src/c/casts/: the distance is
+// taken from the hit, so that each pair is compiled once.
 
 namespace detent::c {
 
-/// A hull of a scene, as the points that it has.
+/// A hull of a scene, as its points.
 template <int N, class F>
 auto as_points(const PlacedHull<S, N>& placed, const F& f) {
   return f(detent::detail::HullPoints(placed).hull());

@@ -7,8 +7,8 @@
 #include "c/hulls.hpp"
 #include "detent/query/cast.hpp"
 
-// A moving shape against a shape. What takes long to compile is `cast_at`, for each moving shape in a
-// source of its own, in src/c/casts/.
+// A moving shape against a shape. `cast_at`, which takes long to compile, is in src/c/casts/, a
+// source for each moving shape.
 namespace detent::c {
 
 /// `detent::cast`, of a capsule, OBB or hull at a capsule, OBB, plane or hull.
@@ -95,7 +95,7 @@ struct Casts {
   static detent_status at(const typename T::Shape& shape, const Direction<S, N>& along, S length,
                           const typename T::Shape& target, Found& found) {
     if (shape.kind == DETENT_AABB && target.kind == DETENT_AABB) {
-      // Of two of them the normal is that of the lowest axis, which their corners do not say.
+      // With two AABBs the normal is that of the lowest axis, which their corners do not determine.
       found = detent::cast(Input<N>().aabb(shape), along, length, Input<N>().aabb(target));
       return DETENT_OK;
     }

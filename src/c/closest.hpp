@@ -47,7 +47,7 @@ struct Closest {
     }
     *point_a = *point_b = typename T::Vec{};
     if (one == nullptr) return DETENT_OK;
-    // As C++ does of two compounds: the shape of the second list comes first.
+    // As C++ does for two compounds: the shape of the second list comes first.
     return with_hull_or_points<N>(context, *other, [&](const auto& second) {
       return with_hull_or_points<N>(
           context, *one, [&](const auto& first) { return write(second, first, point_b, point_a); });

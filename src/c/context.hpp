@@ -18,8 +18,8 @@
 #include "detent/scene/mesh.hpp"
 
 // The table of a context. A handle is a generation (15 bits), an index of the table (12) and a kind
-// (5). A slot keeps the handle that it was given out with, so one comparison finds a wrong or stale
-// one. A slot whose generations are used up is never used again.
+// (5). A slot keeps the handle that was issued for it, so one comparison finds a wrong or stale
+// one. A slot whose generations are used up is never reused.
 namespace detent::c {
 
 enum class Kind : std::uint32_t {
@@ -44,7 +44,7 @@ enum class Kind : std::uint32_t {
 
 class Context;
 
-/// Words of the game that are next to the world of a session or replay.
+/// The game's words next to the world of a session or replay.
 struct Words {
   std::uint32_t count = 0;
   std::array<std::uint32_t, DETENT_WORDS> values{};
@@ -54,26 +54,26 @@ struct Words {
   }
 };
 
-/// What a slot has: an object, how to destroy it, and whether it refers to an asset.
+/// The content of a slot: an object, how to destroy it, and whether it refers to an asset.
 struct Slot {
   detent_handle handle = 0;  // 0: free
   std::uint16_t generation = 0;
   bool is_broken = false;
-  bool is_owned = false;   // by a session or replay, which destroys it
-  bool is_locked = false;  // can only be read now
-  Words* words = nullptr;  // next to a world that is owned
+  bool is_owned = false;   // owned by a session or replay, which destroys it
+  bool is_locked = false;  // read-only at present
+  Words* words = nullptr;  // those of an owned world
   void* object = nullptr;
   void (*destroy)(Context&, void*) = nullptr;
   bool (*refers_to)(const void* object, const void* asset) = nullptr;
 };
 
-/// Assets of one type, at addresses that do not change; free ones have the id 0.
+/// Assets of one type, at stable addresses; free ones have the id 0.
 template <class Asset>
 struct Assets {
   static constexpr std::uint32_t capacity = sizeof(Asset) < 1024 ? 256 : 64;
 
   Asset* list = nullptr;
-  std::uint32_t end = 0;  // free ones from here on
+  std::uint32_t end = 0;  // free from here on
   detent_handle handles[capacity] = {};
 
   [[nodiscard]] std::span<const Asset> span() const noexcept { return {list, end}; }
@@ -116,7 +116,7 @@ class Context {
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
   ~Context();
-  /// Destroys everything and gives back the memory of the table itself.
+  /// Destroys everything and frees the memory of the table itself.
   void close() noexcept;
 
   [[nodiscard]] void* allocate(std::size_t size) noexcept {
@@ -219,7 +219,7 @@ class Context {
   Assets<SolidCompound<S, 3>> compounds3_;
 };
 
-/// An asset and the arrays that it is a view of.
+/// An asset and the arrays that it views.
 template <class Asset>
 struct Holder {
   struct Array {
@@ -236,7 +236,7 @@ const Asset* Context::asset(detent_handle handle) const noexcept {
   return slot == nullptr ? nullptr : static_cast<const Holder<Asset>*>(slot->object)->asset;
 }
 
-/// The first word of an open context: a number that only this address has.
+/// The first word of an open context: a number unique to this address.
 [[nodiscard]] inline std::uint64_t mark_of(const detent_context* context) noexcept {
   return 0x9d4e'7c31'a5f2'60b9u ^ reinterpret_cast<std::uintptr_t>(context);
 }
@@ -246,7 +246,7 @@ const Asset* Context::asset(detent_handle handle) const noexcept {
   return reinterpret_cast<Context*>(static_cast<std::uintptr_t>(context->words[1]));
 }
 
-/// Returns f(); an allocation that fails in it breaks the object in `slot`, if one is given.
+/// Returns f(); if an allocation in it fails, the object in `slot`, if given, is marked as broken.
 template <class F>
 detent_status guarded(Slot* slot, const F& f) noexcept {
 #if defined(__cpp_exceptions)
@@ -275,7 +275,7 @@ detent_status with_object(const detent_context* context, Kind kind, detent_handl
   auto& object = *static_cast<T*>(slot->object);
   return guarded(slot, [&]() -> detent_status { return f(*table, object); });
 }
-/// The same for calls that only read: nothing is broken by them.
+/// The same for calls that only read: they break nothing.
 template <class T, class F>
 detent_status read_object(const detent_context* context, Kind kind, detent_handle handle,
                           const F& f) noexcept {
@@ -299,8 +299,7 @@ detent_status read_object(const detent_context* context, Kind kind, detent_handl
   return DETENT_OK;
 }
 
-/// Writes the results of query(room), which are `From`s as large as `To`s, to memory of the
-/// caller's.
+/// Writes the results of query(room), which are `From`s as large as `To`s, to the caller's memory.
 template <class From, class To, class Query, class Convert>
 detent_status write_list(To* to, std::uint32_t room, std::uint32_t* count, const Query& query,
                          const Convert& convert) {

@@ -7,7 +7,7 @@
 #include "detent.h"
 #include "detent/query/query.hpp"
 
-// Raw integers of the C interface to numbers, vectors and shapes, and back.
+// Converts raw integers of the C interface to numbers, vectors and shapes, and back.
 namespace detent::c {
 
 using S = q16_16;
@@ -41,7 +41,7 @@ DETENT_C_TYPES(2)
 DETENT_C_TYPES(3)
 #undef DETENT_C_TYPES
 
-/// Reads structures of C; `is_valid` says whether all directions were unit vectors.
+/// Reads C structures; `is_valid` says whether all directions were unit vectors.
 template <int N>
 class Input {
   using T = Types<N>;
@@ -57,7 +57,8 @@ class Input {
       return {number(v.x), number(v.y), number(v.z)};
     }
   }
-  /// Inlined: a direction returned in registers is stored in other words than it is loaded in.
+  /// Inlined: otherwise a direction returned in registers is stored in other words than it is
+  /// loaded in.
   [[gnu::always_inline]] Direction<S, N> direction(const typename T::Direction& d) noexcept {
     const auto read = [&] {
       if constexpr (N == 2) {
@@ -107,7 +108,7 @@ class Input {
   bool is_valid_ = true;
 };
 
-/// Writes structures of C.
+/// Writes C structures.
 template <int N>
 struct Output {
   using T = Types<N>;
@@ -160,7 +161,7 @@ struct Output {
   }
 };
 
-/// Calls f(shape) for one of the kinds that a single query takes, and returns what it returns.
+/// Calls f(shape) for one of the kinds that a single query takes, and returns its result.
 template <int N, class F>
 detent_status with_shape(const typename Types<N>::Shape& shape, const F& f) {
   Input<N> in;

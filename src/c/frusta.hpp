@@ -11,7 +11,7 @@
 #include "detent/math/projection.hpp"
 #include "detent/shape/camera.hpp"
 
-// Cameras, and queries of what they see.
+// Cameras, and queries of their frusta.
 namespace detent::c {
 
 template <int N>

@@ -32,14 +32,15 @@ detent_status with_hull(const detent_context* context, const typename Types<N>::
   return f(ConvexHull<S, N>{std::span<const Vec<S, N>>(room.points).first(room.count)});
 }
 
-/// The same for a hull as it is, and for other shapes as capsule, OBB, plane or hull: see points.hpp.
+/// The same for a hull as given, and for other shapes as capsule, OBB, plane or hull: see
+/// points.hpp.
 template <int N, class F>
 detent_status with_hull_or_points(const detent_context* context,
                                   const typename Types<N>::Shape& shape, const F& f) {
   return shape.kind == DETENT_HULL ? with_hull<N>(context, shape, f) : with_points<N>(shape, f);
 }
 
-/// Whether all shapes of a list can be read: DETENT_OK, or the error of the first that cannot.
+/// DETENT_OK if all shapes of a list can be read, otherwise the error of the first that cannot.
 template <int N>
 detent_status check_shapes(const detent_context* context, const typename Types<N>::Shape* shapes,
                            std::uint32_t count) {

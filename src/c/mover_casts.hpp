@@ -6,8 +6,8 @@
 #include "c/convert.hpp"
 #include "detent/scene/scene.hpp"
 
-// Casts of a capsule against the shapes of scenes, for characters: compiled in src/c/casts/, a source
-// for each dimension and answer.
+// Casts of a capsule against the shapes of scenes, for characters: compiled in src/c/casts/, a
+// source for each dimension and result.
 
 #ifndef DETENT_C_MOVER_CASTS
 #define DETENT_C_MOVER_CASTS extern template

@@ -9,14 +9,14 @@
 #include "c/scenes.hpp"
 #include "detent/scene/mover.hpp"
 
-// Characters, and casts in scenes. What takes long to compile is in src/c/casts/, for boxes and for
-// capsules: `MoverOf` and `SceneCastOf`.
+// Characters, and casts in scenes. `MoverOf` and `SceneCastOf`, which take long to compile, are in
+// src/c/casts/, for boxes and for capsules.
 namespace detent::c {
 
 template <int N>
 using SceneType = typename SceneOf<N>::type;
 
-/// Passes the objects of some layers, but for one.
+/// Passes the objects of some layers, except one.
 struct OthersInLayers {
   std::uint32_t layers = 0;
   ObjectId ignored;
@@ -167,7 +167,7 @@ struct Movers {
     return shape >= DETENT_SPHERE && shape <= DETENT_COMPOUND ? DETENT_NO_QUERY
                                                               : DETENT_BAD_ARGUMENT;
   }
-  /// f(scene, cast, how to ask it) for a moving shape of the caller's.
+  /// f(scene, cast, query) for the caller's moving shape.
   template <class F>
   static detent_status along(const detent_context* context, detent_handle scene,
                              const typename T::Shape* shape, const typename T::Direction* direction,

@@ -62,7 +62,7 @@ struct Pairs {
   }
 
  private:
-  /// How both shapes move, and how close counts.
+  /// The motion of both shapes, and the distance that counts as close.
   struct Motion {
     bool is_valid;
     bool moves_b;

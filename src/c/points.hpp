@@ -7,10 +7,10 @@
 
 #include "c/convert.hpp"
 
-// Kinds of shape as fewer types, for queries that take minutes to compile for every pair: triangles and
-// AABBs as the hull of their corners, spheres and segments as capsules, with equal ends or the radius 0.
-// Only queries whose answers depend on the points alone use this, and on whether a shape is round or
-// thin next to an OBB (tests/c/pairs.test.cpp compares all kinds).
+// Maps kinds of shape to fewer types, for queries that take minutes to compile for every pair:
+// triangles and AABBs become the hull of their corners, spheres and segments capsules, with equal
+// ends or the radius 0. Only for queries whose results depend only on the points, and on whether a
+// shape is round or thin next to an OBB (tests/c/pairs.test.cpp compares all kinds).
 namespace detent::c {
 
 template <int N>
@@ -22,7 +22,7 @@ template <int N>
   return corners;
 }
 
-/// Returns f(points) for a capsule, OBB, plane or hull that has the points of the shape.
+/// Returns f(points) for a capsule, OBB, plane or hull with the points of the shape.
 template <class Shape, class F>
 auto as_points(const Shape& shape, const F& f) {
   return f(shape);

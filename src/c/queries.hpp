@@ -9,7 +9,8 @@
 // Queries of one shape or two. The exports call the functions of the same names.
 namespace detent::c {
 
-/// The order in which a distance takes its shapes: it is the same either way, and compiled once.
+/// The canonical order of the shapes of a distance, which is symmetric, so that each pair is
+/// compiled once.
 template <class T>
 inline constexpr int rank = 0;
 template <int N>
@@ -48,8 +49,8 @@ template <template <class, int> class Shape, int N>
   }
 }
 
-/// `Ask::of<Shape>(arguments...)` for a kind of shape: functions of their own, to which this jumps, so
-/// that a sphere does not pay for the registers and the stack that an OBB needs.
+/// `Ask::of<Shape>(arguments...)` for a kind of shape: separate functions, to which this jumps, so
+/// that a sphere does not pay for the registers and the stack of an OBB.
 template <class Ask, class... Arguments>
 [[gnu::always_inline]] inline detent_status jump(std::uint32_t kind, Arguments... arguments) {
   switch (kind) {
@@ -73,15 +74,15 @@ template <class Ask, class... Arguments>
   }
 }
 
-// One function without calls, where space allows: a ray that is passed on in memory waits for its words
-// to be stored, 10 ns of a raycast.
+// One function without calls, if space allows: passing a ray on in memory waits for its words to be
+// stored, which costs 10 ns of a raycast.
 #ifdef __OPTIMIZE_SIZE__
 #define DETENT_C_FLAT [[gnu::noinline]]
 #else
 #define DETENT_C_FLAT [[gnu::noinline, gnu::flatten]]
 #endif
 
-/// Shapes whose overlaps are a few instructions: a call more would cost as much.
+/// Shapes whose overlaps are a few instructions: one more call would cost as much.
 template <class Shape>
 inline constexpr bool is_plain = rank<Shape> <= 1;
 

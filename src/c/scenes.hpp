@@ -334,7 +334,7 @@ struct Scenes {
   static detent_status read(const detent_context* context, detent_handle scene, const F& f) {
     return read_object<Scene>(context, kind, scene, f);
   }
-  /// f(scene, ray) for a ray of the caller's.
+  /// f(scene, ray) for the caller's ray.
   template <class F>
   static detent_status along(const detent_context* context, detent_handle scene,
                              const typename T::Ray* ray, const F& f) {
@@ -345,7 +345,7 @@ struct Scenes {
       return in.is_valid() ? f(object, along) : DETENT_NOT_UNIT;
     });
   }
-  /// f(scene, shape) for a query shape of the caller's.
+  /// f(scene, shape) for the caller's query shape.
   template <class F>
   static detent_status about(const detent_context* context, detent_handle scene,
                              const typename T::Shape* question, const F& f) {

@@ -16,11 +16,11 @@
 #include "detent/lockstep/replay.hpp"
 #include "detent/scene/difference.hpp"
 
-// Sessions and replays of the worlds of C. Their simulation is not a function that is called: a frame
-// is opened, the caller changes the world through a handle of its own, and the frame is closed.
+// Sessions and replays of the worlds of C. Simulation is not a callback: a frame is opened, the
+// caller changes the world through its handle, and the frame is closed.
 namespace detent::c {
 
-/// What a rollback restores: a world and the words next to it.
+/// The state that a rollback restores: a world and the words next to it.
 template <int N>
 struct Game {
   typename Worlds<N>::World world;
@@ -58,7 +58,7 @@ struct Press {
   std::array<std::uint8_t, DETENT_INPUT> bytes{};
 };
 
-/// What sessions and replays of a dimension share.
+/// The common part of sessions and replays of a dimension.
 template <int N>
 struct Play {
   using World = typename Worlds<N>::World;
@@ -99,7 +99,7 @@ struct Play {
     slot = table.find(Holder::kind, handle);
     slot->object = memory;
     slot->refers_to = [](const void* object, const void* asset) {
-      // Worlds of earlier frames may have any of them.
+      // Worlds of earlier frames may refer to any of them.
       const auto& game = static_cast<const Holder*>(object)->current();
       return bodies_can_have<N>(*game.table, asset);
     };
@@ -115,7 +115,7 @@ struct Play {
     return DETENT_OK;
   }
 
-  /// Lets the handle of the world mean the present one.
+  /// Points the handle of the world to the current one.
   template <class Holder>
   static void show(Context& table, Holder& holder) {
     Slot* const slot = table.find(world_kind, holder.world);
@@ -161,7 +161,7 @@ struct Play {
     }
   }
 
-  /// What only a world with these inputs and words can simulate.
+  /// The kind of replay: only a world with these inputs and words can simulate it.
   static FieldName kind_of(std::uint32_t input_size, std::uint32_t words) {
     return FieldName("detent.h ")
         .add_number(N)
@@ -195,7 +195,7 @@ struct Recorder {
       writer->add(*inputs, *result, sink());
     }
   }
-  /// All of it, without ending the block that goes on.
+  /// The whole replay so far, without ending the current block.
   [[nodiscard]] std::vector<std::byte> bytes(const Session& session) const {
     Recorder copy = *this;
     const auto* const last = frames == 0 ? nullptr : session.result(frames - 1);
@@ -559,7 +559,7 @@ struct Replays {
   }
 };
 
-/// In which fields two worlds or scenes differ, a line each.
+/// The fields in which two worlds or scenes differ, one line each.
 template <int N>
 struct Differences {
   static detent_status of_worlds(const detent_context* context, detent_handle a, detent_handle b,

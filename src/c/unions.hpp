@@ -7,8 +7,8 @@
 #include "c/hulls.hpp"
 #include "c/single.hpp"
 
-// Queries of the union of several shapes, as C++ has them of a `Compound`: what one shape answers is asked
-// of the functions of the interface, and only hulls are queried here. And queries of rays as shapes.
+// Queries of the union of several shapes, as C++ has for a `Compound`: single shapes go through the
+// functions of the interface, and only hulls are queried here. Also queries of rays as shapes.
 namespace detent::c {
 
 template <int N>
@@ -147,8 +147,8 @@ struct Unions {
     if (shape.kind == DETENT_HULL) return with_hull<N>(context, shape, of_hull);
     return call(arguments...);
   }
-  /// of_hull(hull, other) if one of both is a hull, otherwise call(arguments...). For queries that are the
-  /// same with their shapes exchanged, and depend on the points of the shapes alone.
+  /// of_hull(hull, other) if either is a hull, otherwise call(arguments...). For queries that are
+  /// symmetric in their shapes and depend only on the points of the shapes.
   template <class F, class... Parameters, class... Arguments>
   static detent_status answer_pair(const detent_context* context, const Shape& a, const Shape& b,
                                    const F& of_hull, detent_status (*call)(Parameters...),

@@ -41,7 +41,7 @@ template <int N>
                            table.assets<FieldAsset<S>>().span());
   }
 }
-/// Whether a body can have this asset of a context.
+/// Whether a body can have this asset.
 template <int N>
 [[nodiscard]] bool bodies_can_have(const Context& table, const void* asset) {
   const auto has = [&](const auto& assets) {
@@ -439,7 +439,7 @@ struct Worlds {
   }
 
   static JointId joint_id(const detent_id& id) noexcept { return {id.index, id.generation}; }
-  /// f(joint) with one of this kind as it is at first.
+  /// f(joint) with a default one of this kind.
   template <class F>
   static detent_status with_kind(std::uint32_t which, const F& f) {
     switch (which) {
@@ -481,7 +481,7 @@ struct Worlds {
       f(joint.damping_ratio, given.damping_ratio);
     }
   }
-  /// f(joint) for a joint of the caller's.
+  /// f(joint) for the caller's joint.
   template <class F>
   static detent_status with_joint(const typename T::Joint& given, const F& f) {
     if (given.collide > 1 || given.has_limits > 1 || given.break_force < 0 ||

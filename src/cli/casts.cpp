@@ -6,7 +6,7 @@ namespace {
 
 constexpr double skin = 1.0 / 1024;
 
-/// splitmix64, as the tests use it.
+/// splitmix64, as in the tests.
 class Generator {
  public:
   /// A multiple of 1/65536 in [low, high).

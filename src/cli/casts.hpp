@@ -10,8 +10,8 @@
 
 namespace detent::cli {
 
-/// A capsule that moves, or a ball if its ends are equal. The numbers are whole multiples of 1/65536,
-/// but for the direction, which has any length.
+/// A moving capsule, or a ball if its ends are equal. The numbers are whole multiples of 1/65536,
+/// except for the direction, which may have any length.
 struct Throw {
   std::array<double, 3> a;
   std::array<double, 3> b;
@@ -27,9 +27,9 @@ struct CastReport {
   std::vector<std::optional<double>> distances;
   /// Of all distances.
   std::uint64_t digest = 0;
-  /// If they are drawn: where they end, as meshes that are not moved yet.
+  /// If they are drawn: their ends, as meshes that are not moved yet.
   std::vector<ShapeModel> bodies;
-  /// Their starts and their ways.
+  /// Their starts and paths.
   std::vector<Outline> lines;
   /// The points and normals where they touch.
   std::vector<Outline> marks;

@@ -22,7 +22,7 @@ struct CastOptions {
   std::string out;  // empty for standard output
 };
 
-/// How far above a surface its shadow rays start: 64 steps of q16_16.
+/// The height above a surface at which its shadow rays start: 64 steps of q16_16.
 inline constexpr const char* default_bias = "0.0009765625";
 
 struct RenderOptions {

@@ -17,7 +17,7 @@ namespace {
 constexpr int ticks = 240;  // the ball arrives at about 60
 constexpr int shown = 105;  // the tick of the picture
 
-/// How far bodies are from where they are in another world.
+/// The distance of bodies from their positions in another world.
 struct Apart {
   std::size_t off = 0;  // by more than 1/1024
   double largest = 0;

@@ -8,8 +8,8 @@
 
 namespace detent::cli {
 
-/// A ball thrown at a pyramid of boxes, near and far in both scalars; and a table of how far bodies end
-/// from where they end near the origin.
+/// A ball thrown at a pyramid of boxes, near and far in both scalars; and a table of the distances
+/// of bodies from where they end near the origin.
 struct BodyPage {
   Image page;
   std::string title;

@@ -14,7 +14,7 @@
 namespace detent::cli {
 namespace {
 
-/// The view of the two casts that are shown, from the side to which they move.
+/// The view of the two casts that are shown, from the side towards which they move.
 CameraModel cast_camera() {
   return {{},
           point_of("7", "15.5", "53"),
@@ -23,7 +23,7 @@ CameraModel cast_camera() {
           {Decimal::parse("34").value(), {}}};
 }
 
-/// How casts in a scalar and a place differ from those of q16_16 near the origin.
+/// The differences of casts in one scalar and at one distance from those of q16_16 near the origin.
 struct CastErrors {
   std::size_t hits = 0;
   std::size_t wrong = 0;  // a hit instead of a miss, or the reverse
@@ -60,7 +60,7 @@ std::string demo_row(const std::array<std::string, 8>& cells) {
 CastPage cast_page(const Scene& scene, const DemoOptions& options) {
   constexpr int count = 2000;
   const Decimal distance = Decimal::parse(far_away).value();
-  // Where float's shadows are right too.
+  // Large enough for correct shadows in float.
   const Decimal bias = Decimal::parse("0.00390625").value();
   const auto throws = random_throws(count);
   std::optional<CastReport> exact;

@@ -9,7 +9,7 @@
 
 namespace detent::cli {
 
-/// How far the second half of the demonstration is from the origin, on each axis.
+/// The distance of the second half of the demonstration from the origin, on each axis.
 inline constexpr const char* far_away = "28000";
 
 /// A row of a table of the demonstration.

@@ -31,7 +31,7 @@ struct Field {
   std::string value;
 };
 
-/// A frame or an object: whatever has an id.
+/// A frame or an object: anything with an id.
 struct Part {
   std::uint32_t generation = 0;
   std::string type;

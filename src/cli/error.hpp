@@ -13,7 +13,7 @@ struct Place {
   int column = 0;
 };
 
-/// What was wrong with the input or the command, and what the user can do about it.
+/// What is wrong with the input or the command, and how the user can fix it.
 ///
 /// The text is a complete line: "FILE:LINE:COLUMN: what is wrong; remedy". All errors with a cause
 /// outside the program end up here; `main` prints the line and exits with 2. Control characters

@@ -9,8 +9,8 @@
 #include "detent/shape/shape.hpp"
 #include "oracle/integer.hpp"
 
-// Rays and shapes of any scalar, exactly: floats too. The oracle of the tests, which shares no code
-// with the library, decides them in integers, on a grid that is fine enough for every number.
+// Rays and shapes of any scalar, exactly, including floats. The oracle of the tests, which shares
+// no code with the library, decides them in integers, on a grid fine enough for every number.
 
 namespace detent::cli {
 

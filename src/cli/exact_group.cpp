@@ -15,7 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double trusted = 1 << 30;         // no box is culled beyond it
 constexpr double margin = 1.0 / (1 << 10);  // on each side of a box
 
-/// Three numbers of a list, from the `place`th three on.
+/// Three numbers of a list, starting at index 3 * `place`.
 Doubles approximate(const std::vector<Exact>& numbers, std::size_t place) {
   return {numbers[3 * place].approximate(), numbers[3 * place + 1].approximate(),
           numbers[3 * place + 2].approximate()};

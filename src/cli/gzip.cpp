@@ -42,7 +42,7 @@ std::string unpacked(const std::string& path, std::string bytes) {
   std::string content;
   std::size_t taken = 0;
   while (true) {
-    // zlib counts in 32 bits, and takes bytes that it does not change.
+    // zlib counts in 32 bits, and takes a non-const pointer although it does not write.
     const std::size_t part = std::min<std::size_t>(bytes.size() - taken, 1 << 20);
     stream.next_in = reinterpret_cast<Bytef*>(bytes.data() + taken);
     stream.avail_in = static_cast<uInt>(part);
@@ -57,7 +57,7 @@ std::string unpacked(const std::string& path, std::string bytes) {
     }
     if (status == Z_STREAM_END) {
       if (taken == bytes.size()) return content;
-      inflateReset(&stream);  // one file of gzip after another is one file
+      inflateReset(&stream);  // concatenated gzip files are one file
     } else if (status != Z_OK || (taken == bytes.size() && size == 0)) {
       throw InputError(path, {}, "damaged or cut off, as gzip says; copy the file again");
     }

@@ -5,8 +5,8 @@
 
 namespace detent::cli {
 
-/// The content of the file `path`, whose bytes these are: unpacked if it is one of gzip, else as they
-/// are. Throws InputError if they are damaged or cut off, or hold more than 1 GiB.
+/// The content of the file `path` with these bytes: decompressed if it is a gzip file, otherwise
+/// unchanged. Throws InputError if it is damaged or truncated, or holds more than 1 GiB.
 [[nodiscard]] std::string unpacked(const std::string& path, std::string bytes);
 
 }  // namespace detent::cli

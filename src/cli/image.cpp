@@ -21,7 +21,7 @@ namespace {
 
 constexpr int text_scale = 2;
 
-/// The format in which stb_easy_font writes a corner of a rectangle.
+/// The vertex format of stb_easy_font.
 struct Corner {
   float x, y, z;
   std::array<unsigned char, 4> colour;

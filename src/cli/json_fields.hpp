@@ -16,8 +16,8 @@ namespace detent::cli {
 /// Truncates long names, so that a message stays readable whatever the file contains.
 [[nodiscard]] std::string in_quotes(std::string_view name);
 
-/// Reads the fields of a JSON file; whatever is not as it should be throws an InputError with its
-/// place and what to write.
+/// Reads the fields of a JSON file; anything invalid throws an InputError with its position and
+/// what to write.
 class JsonFields {
  protected:
   using Kind = JsonNode::Kind;

@@ -48,7 +48,7 @@ class Overlay {
   }
 
  private:
-  /// The part of the depth of the picture's rays, where they are one pixel high, that is too close.
+  /// The depth of the near plane, in lengths of the view's vectors.
   static constexpr double closest = 1e-3;
 
   /// Depth, right and up, in lengths of the view's vectors.

@@ -43,7 +43,7 @@ struct Corner {
   double x, y, nearness;
 };
 
-/// A picture of triangles in which the nearest one counts.
+/// A picture of triangles with a depth buffer.
 class Canvas {
  public:
   Canvas(int width, int height)
@@ -55,7 +55,7 @@ class Canvas {
   [[nodiscard]] int width() const { return image_.width(); }
   [[nodiscard]] int height() const { return image_.height(); }
 
-  /// `colour(x, y, nearness)` is that of a sample.
+  /// `colour(x, y, nearness)` returns the colour of a sample.
   template <class ColourAt>
   void fill(const std::array<Corner, 3>& t, const ColourAt& colour) {
     const double area = cross(t[0], t[1], t[2].x, t[2].y);
@@ -131,7 +131,8 @@ std::vector<std::array<Double3, 3>> in_front(const std::array<Double3, 3>& t) {
   return parts;
 }
 
-/// A view of all bodies that are not fixed, or of all if all are, and half as much around them.
+/// A view of all bodies that are not fixed, or of all if all are, with a margin of half their
+/// extent.
 View view_of(const std::vector<Facet>& facets, Size size) {
   Double3 low{}, high{};
   bool is_empty = true;
@@ -232,7 +233,7 @@ Image Painter::picture(const std::vector<Facet>& facets) const {
       for (std::size_t i = 0; i < 3; ++i) corners[i] = on_screen(t[i], t[i][0]);
       canvas.fill(corners, [&](int x, int y, double nearness) {
         if (!facet.is_fixed) return light;
-        // A checker of one unit, on the two axes that the normal is least along.
+        // A checker of one unit, on the two axes along which the normal is least.
         const double depth = 1 / nearness;
         const double right = (x - middle_x) / scale * depth, up = (middle_y - y) / scale * depth;
         double squares = 0;

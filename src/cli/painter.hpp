@@ -11,11 +11,11 @@
 
 namespace detent::cli {
 
-/// Draws the bodies of a world, in doubles: a picture is for the eye, and no number comes from it.
+/// Draws the bodies of a world, in doubles: pictures are for display, and affect no result.
 class Painter {
  public:
-  /// Throws InputError when a world in three dimensions has no camera, or one without a direction.
-  /// Without a camera, one in two dimensions is seen around the bodies that are not fixed.
+  /// Throws InputError when a 3D world has no camera, or one without a direction. A 2D world
+  /// without a camera is seen around the bodies that are not fixed.
   Painter(const WorldModel& model, const Simulation& start, Size size);
 
   [[nodiscard]] Image picture(const std::vector<Facet>& facets) const;
@@ -24,7 +24,7 @@ class Painter {
   Size size_;
   bool is_flat_;
   std::array<double, 3> light_{};
-  // What is seen: as for `View`; in two dimensions from infinitely far away, along -z.
+  // The view: as for `View`; in 2D from infinitely far away, along -z.
   View view_{};
 };
 

@@ -13,7 +13,7 @@ namespace detent::cli {
 ///
 /// A convex polygon becomes the fan around its first corner, except that one with four corners is
 /// cut along its shorter diagonal. Any other polygon loses one ear after the other, as seen along
-/// its normal. Where there is no ear, as in a polygon that crosses itself, some corner is cut off
+/// its normal. If there is no ear, as in a self-intersecting polygon, some corner is cut off
 /// anyway.
 ///
 /// source: ear clipping, Meisters, Polygons Have Ears; only the neighbours of a cut ear are checked

@@ -14,14 +14,14 @@ struct ReplayOptions {
   std::string shard = "1/1";
 };
 
-/// What checking replays gave: a line for each file that is not as it should be, and the totals.
+/// The result of checking replays: a line for each file with a problem, and the totals.
 struct ReplayReport {
   std::vector<std::string> problems;
   ReplayTotals totals;
 };
 
 /// Simulates replays of the example world again: those of the shard, by name. Throws InputError if
-/// a path does not exist or the shard is none.
+/// a path does not exist or the shard is invalid.
 [[nodiscard]] ReplayReport check_replays(const ReplayOptions& options);
 
 /// `detent replay check`: prints the report; the exit code (docs/tool.md).
@@ -37,7 +37,7 @@ struct ExampleOptions {
 /// The bytes of a replay of the example world: two players whose balls push blocks about.
 [[nodiscard]] std::string example_replay(const ExampleOptions& options);
 
-/// `detent replay example`: writes one (docs/tool.md).
+/// `detent replay example`: writes such a replay (docs/tool.md).
 void replay_example(const ExampleOptions& options);
 
 }  // namespace detent::cli

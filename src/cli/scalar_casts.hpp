@@ -98,7 +98,7 @@ class Caster {
     return best;
   }
 
-  /// A sphere as a capsule, the same set of points: casts of balls and at balls need no code.
+  /// A sphere as a capsule, the same set of points, so balls need no code of their own.
   static Capsule<S, 3> as_target(const Sphere<S, 3>& sphere) {
     return {sphere.center, sphere.center, sphere.radius};
   }
@@ -107,7 +107,7 @@ class Caster {
     return form;
   }
 
-  /// Whether the box around the way of a shape meets that of a target.
+  /// Whether the box around the path of a shape overlaps that of a target.
   template <class Form>
   static bool may_touch(const Capsule<S, 3>& shape, const Direction<S, 3>& direction,
                         const S& reach, const Form& form) {
@@ -131,7 +131,7 @@ class Caster {
     ShapeModel body{{}, colour, {}, MeshModel{point_of("0", "0", "0"), {}, {}}};
     Sink sink{report.lines, std::get<MeshModel>(body.form), move_};
     draw(sink, capsule, way);
-    // The tubes that its ends go through.
+    // The tubes that its ends sweep.
     for (const auto& end : {capsule.a, capsule.b}) {
       draw(sink, Capsule<S, 3>{end, nearest_to<S>(end + by), capsule.radius}, way);
     }

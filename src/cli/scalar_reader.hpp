@@ -18,7 +18,7 @@ class ScalarReader {
  protected:
   explicit ScalarReader(std::string file) : file_(std::move(file)) {}
 
-  /// The type for vectors of which only the direction counts, scaled by a power of ten so that at
+  /// The type for vectors of which only the direction matters, scaled by a power of ten so that at
   /// least 17 of their digits fit.
   using Component = std::conditional_t<is_fixed<S>, Fixed<62, 31>, S>;
   /// A full turn in degrees is out of range for the smallest scalar.

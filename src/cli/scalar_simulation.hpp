@@ -125,10 +125,10 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
 
   struct Body {
     BodyId id{};
-    std::vector<Facet> facets;  // in its frame
+    std::vector<Facet> facets;  // in the frame of the body
   };
-  /// Collects what is drawn of a shape in the frame of its body: in two dimensions the triangles
-  /// from its middle to its outline, which fill it, because it is convex.
+  /// Collects the drawing of a shape in the frame of its body: in 2D the triangles from its middle
+  /// to its outline, which fill it because it is convex.
   struct Sink {
     std::vector<Facet>& facets;
     Point3 middle{};
@@ -315,7 +315,7 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
     }
   }
 
-  /// Sets the fields that a kind of joint has; the reader has refused others.
+  /// Sets the fields of a kind of joint; the reader has rejected others.
   template <class Joint>
   void add(const JointModel& model) {
     Joint joint;
@@ -361,7 +361,7 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
   Move move_;
   Point3 back_{};
   std::deque<std::vector<Vec<S, N>>> points_;
-  std::vector<SolidHull<S, N>> hulls_;  // never more than reserved: bodies refer to them
+  std::vector<SolidHull<S, N>> hulls_;  // capacity is reserved: bodies refer to them
   Joined world_;
   std::vector<Body> bodies_;
 };

@@ -14,7 +14,7 @@ struct SimulateOptions {
   Move offset;
   int ticks = 300;
   int every = 1;                   // a digest every so many ticks
-  bool has_bodies = false;         // also print where the bodies are in the end
+  bool has_bodies = false;         // also print the final poses of the bodies
   std::string resume;              // a snapshot to start from; empty for none
   std::string out;                 // the snapshot to write; empty for none
   std::optional<int> snapshot_at;  // its tick; the last without one

@@ -31,26 +31,27 @@ class Simulation {
   [[nodiscard]] virtual std::uint64_t digest() const = 0;
 
   [[nodiscard]] virtual std::size_t joint_count() const = 0;
-  /// How many bodies sleep.
+  /// The number of sleeping bodies.
   [[nodiscard]] virtual std::size_t asleep() const = 0;
-  /// Where a body is, moved back by the move that the world was made with.
+  /// The position of a body, without the offset that the world was made with.
   [[nodiscard]] virtual std::array<double, 3> position(std::size_t body) const = 0;
   /// A line of JSON for each body.
   [[nodiscard]] virtual std::string json_lines() const = 0;
 
   [[nodiscard]] virtual std::string snapshot() const = 0;
-  /// Makes the world that of a snapshot in `file`; throws InputError when it is none of this world.
+  /// Restores the world from a snapshot in `file`; throws InputError when it is not one of this
+  /// world.
   virtual void restore(const std::string& file, std::string_view bytes) = 0;
 
-  /// All bodies, moved back like `position`.
+  /// All bodies, without the offset, like `position`.
   [[nodiscard]] virtual std::vector<Facet> facets() const = 0;
 };
 
 /// The scalars in which worlds are simulated.
 inline constexpr std::array<std::string_view, 3> simulated_scalars{"q16_16", "float", "double"};
 
-/// A world of N dimensions, as the model has. Throws InputError when a number of the world does not fit
-/// the scalar.
+/// A world of N dimensions, the model's dimension. Throws InputError when a number of the world
+/// does not fit the scalar.
 template <Scalar S, int N>
 [[nodiscard]] std::unique_ptr<Simulation> make_simulation(const WorldModel& model,
                                                           const Move& move);

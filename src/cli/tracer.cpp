@@ -8,7 +8,7 @@
 namespace detent::cli {
 namespace {
 
-/// This thread's CPU time: time when a busy machine suspends it does not count.
+/// This thread's CPU time, which excludes time when a busy machine suspends it.
 double thread_nanoseconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -45,7 +45,7 @@ std::vector<double> time_per_ray(const std::vector<const Tracer*>& tracers) {
   }
   for (std::size_t batch = 0; batch < batches; ++batch) {
     for (std::size_t turn = 0; turn < lanes.size(); ++turn) {
-      const std::size_t i = (batch + turn) % lanes.size();  // rotates who goes first
+      const std::size_t i = (batch + turn) % lanes.size();  // rotates the order
       lanes[i].nanoseconds.push_back(time_of(*tracers[i], lanes[i]) /
                                      (lanes[i].rays * lanes[i].repeats));
     }

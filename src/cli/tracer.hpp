@@ -15,14 +15,14 @@
 
 namespace detent::cli {
 
-/// A result in a form that can be compared across scalars: which shape, and how far. Every scalar's
+/// A result that can be compared across scalars: the shape and the distance. Every scalar's
 /// distance is exactly a double.
 struct Found {
   std::size_t shape;
   double distance;
 };
 
-/// How many results exact arithmetic contradicts, by more than 1/65536.
+/// The number of results that exact arithmetic contradicts, by more than 1/65536.
 struct Verdict {
   std::size_t wrong = 0;  // a false hit, a false miss, or not the nearest shape
   std::size_t off = 0;    // the right shape at another distance

@@ -155,13 +155,13 @@ std::uint64_t question_count(const std::vector<Row>& rows, std::uint32_t size) {
                          [&](auto sum, const Row& row) { return sum + row.questions(size); });
 }
 
-/// What is known about a row that differs from golden.
+/// The known facts about a row that differs from golden.
 struct Difference {
   const Row* row;
   std::vector<const Cell*> cells;    // those that differ
   const Cell* found_in = nullptr;    // where exact arithmetic disagrees
   std::optional<Finding> finding;    // the wrong result there
-  bool has_other_questions = false;  // the corpus itself came out different
+  bool has_other_questions = false;  // the corpus itself differs
 };
 
 /// Looks for the first wrong result in `cells`, in order.

@@ -13,7 +13,7 @@
 
 namespace detent::cli {
 
-/// The result of a ray: which shape, and where.
+/// The result of a ray: the shape, and the point.
 template <Scalar S>
 struct Answer {
   std::size_t shape;
@@ -38,7 +38,7 @@ class World {
 
   [[nodiscard]] const std::vector<Shape>& shapes() const { return shapes_; }
 
-  /// The tree over all shapes but planes and meshes, if the scene has many.
+  /// The tree over all shapes except planes and meshes, if the scene has many.
   [[nodiscard]] const auto& tree() const { return tree_; }
 
   /// The nearest shape along `ray`; of equally near ones the first in the file.
@@ -54,7 +54,7 @@ class World {
       }
       best = shape;
       distance = to_shape;
-      // Culls what is farther, but keeps what rounds down to the same distance.
+      // Culls farther shapes, but keeps those that round down to the same distance.
       rest.max_distance = std::min(ray.max_distance, next_up(to_shape));
       return true;
     };
@@ -101,7 +101,7 @@ class World {
   /// Up to this many shapes, a list is as fast as a tree.
   static constexpr std::size_t longest_list = 16;
 
-  /// Each is added under its index in the file, which decides between equally near ones.
+  /// Each is added under its index in the file, which decides between equally near shapes.
   template <class Form>
   bool add_to_tree(const Form& form, std::size_t place) {
     if constexpr (requires { tree_.add(form); }) {

@@ -12,7 +12,7 @@
 
 namespace detent::cli {
 
-/// How far a scene is moved before its numbers become scalars; exact decimals, 0 for no move.
+/// The offset of a scene before its numbers become scalars; exact decimals, 0 for none.
 struct Move {
   std::array<Decimal, 3> by;
 
@@ -74,7 +74,7 @@ class WorldBuilder : private ScalarReader<S> {
                      angle({half, model.field_of_view.place}, "field_of_view"));
   }
 
-  /// The region around what the camera looks at, as far as that is away.
+  /// The region around the camera's target, with its distance as the reach.
   [[nodiscard]] DrawRegion<S, 3> region() const {
     const auto target = position(scene_.camera->target, "target");
     return {target, detent::length<S>(target - position(scene_.camera->position, "position"))};

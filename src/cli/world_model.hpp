@@ -23,7 +23,7 @@ struct HullModel {
   Turn rotation;
 };
 
-/// What a file says of a body; what it leaves out is as in `BodyOptions`.
+/// A body in a file; missing fields are as in `BodyOptions`.
 struct BodyModel {
   std::optional<std::string> id;
   Colour colour;
@@ -40,13 +40,13 @@ struct BodyModel {
 
 enum class JointKind { distance, ball, hinge, weld, slider, wheel };
 
-/// What a file says of a joint; what it leaves out is as in dynamics/joint/kinds.hpp.
+/// A joint in a file; missing fields are as in dynamics/joint/kinds.hpp.
 struct JointModel {
   JointKind kind{};
   Place place;
   std::size_t a = 0, b = 0;  // bodies
   Point anchor_a, anchor_b;  // in the world
-  Turn frame;                // of both, in the world
+  Turn frame;                // in both bodies, in world coordinates
   bool collide = false;
   std::optional<std::array<Literal, 2>> limits;
   std::optional<Literal> break_force, least, most, length, frequency, damping_ratio, max_force,
@@ -59,7 +59,7 @@ struct FlatCamera {
   Literal height;
 };
 
-/// A world of bodies in a JSON file, its numbers as written there.
+/// A world of bodies in a JSON file, with its numbers as written there.
 struct WorldModel {
   std::string file;
   int dimension = 3;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The compiler is a platform too: it evaluates the first questions of every cell of the volume Basics
-// while it compiles this file, and fails when a result is not golden. This checks machines whose
-// programs cannot be run:
+// Compile-time evaluation is a platform as well: the compiler evaluates the first questions of
+// every cell of the volume Basics while it compiles this file, and fails when a result is not
+// golden. This checks machines whose programs cannot be run:
 //
 //     c++ -std=c++20 -Iinclude -Isrc -fsyntax-only src/verify/constant.cpp
 //
-// That takes g++ 4 GB of memory. DETENT_VERIFY_PARTS=SolidRays,FlatRays evaluates only these parts of
-// corpus.hpp. Questions of the other volumes take more steps than compilers allow for a constant.
+// That takes g++ 4 GB of memory. DETENT_VERIFY_PARTS=SolidRays,FlatRays evaluates only these parts
+// of corpus.hpp. Questions of the other volumes take more steps than compilers allow for a
+// constant.
 
 #include "verify/check.hpp"
 

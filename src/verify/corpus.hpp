@@ -39,8 +39,8 @@ inline constexpr std::uint32_t constant_size = 3;
 template <class... Items>
 struct List {};
 
-/// The parts of the corpus, where all of it is too much at once: for a compiler, or a chip's flash.
-/// Those that are `large` do not fit the smallest chips, with 256 KB of flash and 16 KB of memory.
+/// The parts of the corpus, for compilers or chips that cannot take all of it at once. Those that
+/// are `large` do not fit the smallest chips, with 256 KB of flash and 16 KB of memory.
 struct SolidRays {
   static constexpr std::string_view name = "SolidRays";
   using Groups = List<Spheres, Aabbs, Obbs>;
@@ -282,7 +282,7 @@ constexpr auto parts_of(List<Items...>) {
 
 }  // namespace detail
 
-/// The corpus in four programs, where one is too much for a compiler.
+/// The corpus in four programs, for compilers that cannot take it in one.
 struct Basics {
   static constexpr std::string_view name = "Basics";
   using Parts = List<SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints, FlatPoints, LinePoints,

@@ -220,7 +220,7 @@ Fields fields_of(const PairCase<S, N, First, Second>& c) {
   }
   return fields;
 }
-/// Both shapes, the names of the target's fields after "target".
+/// Both shapes, with the target's field names after "target".
 template <Scalar S, int N, class First, class Second>
 Fields fields_of(const CastCase<S, N, First, Second>& c) {
   Fields fields, second;

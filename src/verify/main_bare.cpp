@@ -10,12 +10,12 @@
 //
 //     g++ -std=c++20 -O2 -Iinclude -Isrc src/verify/main_bare.cpp -o verify && ./verify
 //
-// DETENT_VERIFY_PART=SolidRays (or another part or volume of corpus.hpp) runs only that, for small
-// memories of compilers and machines.
-// DETENT_VERIFY_QUARTER=0 (to 3) runs every query in one of the four scalars only, which compiles in
-// a quarter of the time; the other quarters run the rest.
+// DETENT_VERIFY_PART=SolidRays (or another part or volume of corpus.hpp) runs only that, if a
+// compiler or machine has little memory.
+// DETENT_VERIFY_QUARTER=0 (to 3) runs every query in only one of the four scalars, which compiles
+// in a quarter of the time; the other quarters run the rest.
 // DETENT_VERIFY_SMALL runs a microcontroller's share of the questions (seconds at 48 MHz).
-// DETENT_VERIFY_NO_MAIN leaves out `main`, for a hosted compiler whose program has its own.
+// DETENT_VERIFY_NO_MAIN leaves out `main`, for a hosted program that has its own.
 
 #include "verify/check.hpp"
 

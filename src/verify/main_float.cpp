@@ -3,7 +3,7 @@
 // The contrast to main_bare.cpp: the questions of q16_16, in the highest dimension of each,
 // converted to float and run through the same templates in float arithmetic. There are no golden
 // values: the digests are this platform's own. It leaves out text, which the library does not have
-// for floats, shapes that move, and surfaces and scenes, which run the same queries as other rows.
+// for floats, moving shapes, and surfaces and scenes, which run the same queries as other rows.
 //
 //     g++ -std=c++20 -O2 -Iinclude -Isrc src/verify/main_float.cpp -o floats && ./floats
 

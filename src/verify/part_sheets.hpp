@@ -68,7 +68,7 @@ void judge_row(const Case& c, std::uint32_t index, std::optional<Finding>& findi
   }
 }
 
-/// The cells of a group in one space. What compiles for long has a source for each: see
+/// The cells of a group in one space. Groups that take long to compile have a source for each: see
 /// parts/one_scalar.cpp.in.
 template <class Group, Scalar S, int N>
 struct GroupSheet {

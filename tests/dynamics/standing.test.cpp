@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Scenes that stand, swing or fall, in q16_16 and in double, with golden digests: the figures of
-// docs/dynamics.md, "How well it stands".
+// docs/dynamics.md, "Stability".
 #include <numbers>
 
 #include "dynamics/joint/helpers.hpp"

@@ -74,7 +74,7 @@ template <Scalar S, int N>
 bool meets_front(const Ray<S, N>& ray, const Plane<S, N>& plane) {
   return dot(widen(raw(plane.normal)), widen(raw(ray.direction))) < 0;
 }
-/// By Cramer's rule, so that it does not reuse the cross product.
+/// By Cramer's rule, to avoid reusing the cross product.
 template <Scalar S>
 bool meets_front(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle) {
   const auto a = raw(triangle.a), d = widen(raw(ray.direction));

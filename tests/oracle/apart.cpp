@@ -12,8 +12,8 @@
 namespace detent::oracle {
 namespace {
 
-/// Points that are not corners may stay: each candidate is a distance between points of the hulls.
-/// Disjoint hulls are closest at a point of one or at two segments between points.
+/// Points that are not corners may remain: each candidate is a distance between points of the
+/// hulls. Disjoint hulls are closest at a point of one or at two segments between points.
 template <int N>
 Moment squared_apart(const Hull<N>& a, const Hull<N>& b) {
   if (hulls_meet(a, b)) return {};
@@ -47,7 +47,7 @@ Moment squared_apart(const Wall<N>& wall, const Hull<N>& hull) {
   return *least;
 }
 
-/// Of parallel planes, the distance of one to the foot of the origin on the other.
+/// Parallel planes: the distance of one to the foot of the origin on the other.
 template <int N>
 Moment squared_apart(const Wall<N>& a, const Wall<N>& b) {
   if (meet(a, b)) return {};
@@ -56,8 +56,8 @@ Moment squared_apart(const Wall<N>& a, const Wall<N>& b) {
   return squared_apart(a, foot);
 }
 
-/// Points and segments read an oriented box as its slabs: both in its frame, in steps of
-/// 1 / (one under) raw units.
+/// For points and segments an oriented box is its slabs: both in its frame, in steps of 1 / (one
+/// under) raw units.
 template <int N>
 Moment squared_apart(const TurnedBox<N>& box, const Hull<N>& thin) {
   const auto placed = in_frame(box, thin);

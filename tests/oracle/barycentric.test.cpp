@@ -7,7 +7,7 @@ namespace detent::oracle {
 namespace {
 
 /// Whether the weights are right: they add up to their total, and the weighted corners give the
-/// point, or the foot of the perpendicular from it. Only one set of weights does.
+/// point, or the foot of the perpendicular from it. Only one set of weights does that.
 template <Scalar S, int N>
 std::string mistakes(const Triangle<S, N>& triangle, const Vec<S, N>& point) {
   const auto given = barycentric(triangle, point);

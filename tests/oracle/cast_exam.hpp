@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "detent/query/cast.hpp"
-// The hulls come before what looks them up.
+// The hulls come before the headers that look them up.
 #include "oracle/hull.hpp"
 //
 #include "oracle/cast_judge.hpp"
@@ -37,7 +37,7 @@ class CastExam {
       if (complaint.empty() && found) {
         ++hits;
         if (found->distance == S(0)) ++starts;
-        // Hit or miss where the motion ends at the touch.
+        // Hit or miss for motions that end at the touch.
         for (const int more : {-1, 0, 1}) {
           const S limit = Draw<S, N>::scalar(raw_of(found->distance) + more);
           if (limit > most || !complaint.empty()) continue;

@@ -13,7 +13,7 @@
 #include "oracle/push.hpp"
 #include "oracle/travel.hpp"
 
-/// What is wrong with the answer of a cast; empty if nothing is.
+/// Describes a wrong result of a cast; empty if it is right.
 namespace detent::oracle {
 
 template <class A, Scalar S, int N, class B>
@@ -21,8 +21,8 @@ Travel<N> travel_of(const A& shape, const Direction<S, N>& direction, const B& t
   return {exact(shape), exact(target), widen(raw(direction)), one_of<S>()};
 }
 
-/// The oracle tells whether a body that moved between two times touched another one. So it needs no
-/// search: a distance k is right if the bodies are apart until just before k, but not until just
+/// The oracle decides whether a body that moved between two times touched another one. So it needs
+/// no search: a distance k is right if the bodies are apart until just before k, but not until just
 /// before k + 1.
 template <Scalar S, int N>
 std::string fault_of_distance(const Travel<N>& travel, const std::optional<CastHit<S, N>>& found,
@@ -40,8 +40,8 @@ std::string fault_of_distance(const Travel<N>& travel, const std::optional<CastH
   return "";
 }
 
-/// By how many units distances in the frame of an oriented box may differ from those in the world;
-/// nothing if its axes are not perpendicular.
+/// The number of units by which distances in the frame of an oriented box may differ from those in
+/// the world; nothing if its axes are not perpendicular.
 template <int N>
 std::optional<Integer> stretch_of(const Solid<N>& solid) {
   const auto* box = std::get_if<TurnedBox<N>>(&solid);
@@ -56,8 +56,8 @@ std::optional<Integer> stretch_of(const Solid<N>& solid) {
   return Integer(64 * longest / box->one);
 }
 
-/// Of a hit after the start: the point is on the target but for its rounding, and within 3 units of
-/// the moved shape, which is less than a unit of time before the touch.
+/// For a hit after the start: the point is on the target up to rounding, and within 3 units of the
+/// moved shape, which is less than a unit of time before the touch.
 template <class B, Scalar S, int N>
 std::string fault_of_point(const Travel<N>& travel, const B& target, const CastHit<S, N>& found) {
   for (int i = 0; i < N; ++i) {
@@ -74,8 +74,8 @@ std::string fault_of_point(const Travel<N>& travel, const B& target, const CastH
   return *clearance(to_point, k, k, 1) <= 0 ? "" : "the point is off the shape";
 }
 
-/// Of polytopes: between the distance and one unit more, the plane across the normal through the
-/// target's corners that are farthest out touches the shape, but for the rounding of the normal.
+/// For polytopes: between the distance and one unit more, the plane perpendicular to the normal
+/// through the target's outermost corners touches the shape, up to the rounding of the normal.
 template <int N>
 bool is_supporting(const Travel<N>& travel, const Vector<N>& inward, const Integer& k) {
   const auto of = [&](const auto& shape, const auto& target) {
@@ -84,7 +84,7 @@ bool is_supporting(const Travel<N>& travel, const Vector<N>& inward, const Integ
     if constexpr (std::same_as<A, Wall<N>> || std::same_as<B, Wall<N>> ||
                   (std::same_as<A, TurnedBox<N>> && std::same_as<B, Edge<N>>) ||
                   (std::same_as<B, TurnedBox<N>> && std::same_as<A, Edge<N>>)) {
-      return true;  // not these, or in the frame of the box
+      return true;  // not polytopes, or in the frame of the box
     } else {
       const auto a = hull_of(core(shape)), b = hull_of(core(target));
       const Integer under = lcm(a.under, b.under);
@@ -107,7 +107,7 @@ bool is_supporting(const Travel<N>& travel, const Vector<N>& inward, const Integ
   return std::visit(of, travel.shape, travel.target);
 }
 
-/// Of a hit after the start: the normal is that of the plane, within 1 ULP that of the closest
+/// For a hit after the start: the normal is that of the plane, within 1 ULP that of the closest
 /// points at the touch, or that of a supporting plane of polytopes.
 template <class A, class B, Scalar S, int N>
 std::string fault_of_normal(const Travel<N>& travel, const A& a, const B& b,

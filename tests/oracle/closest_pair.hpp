@@ -99,7 +99,8 @@ Corners<N> corners_of(const Obb<S, N>& box) {
   return result;
 }
 
-/// What `closest_points` must round: an exact point, and how far and in which direction to go on.
+/// The exact value that `closest_points` must round: a point, and a distance and a direction from
+/// it.
 template <int N>
 struct Exact {
   Position<N> point;
@@ -136,8 +137,8 @@ bool is_rounded(const Exact<N>& exact, const Vec<S, N>& point) {
   return true;
 }
 
-/// The program whose unknowns are the weights of a's corners and of b's, with the sum 1 each, of one
-/// point: of a, and, moved by v, of b.
+/// The program whose unknowns are the weights of a's corners and of b's, each with the sum 1, of
+/// one point: of a, and of b translated by v.
 template <int N>
 Program common_points(const Corners<N>& a, const Corners<N>& b, const Position<N>& v) {
   const std::size_t unknowns = a.size() + b.size();
@@ -156,7 +157,7 @@ Program common_points(const Corners<N>& a, const Corners<N>& b, const Position<N
   return program;
 }
 
-/// The least point of a that is also one of b moved by v; nothing if there is none.
+/// The least point of a that is also one of b translated by v; nothing if there is none.
 template <int N>
 std::optional<Position<N>> least_common(const Corners<N>& a, const Corners<N>& b,
                                         const Position<N>& v) {
@@ -174,7 +175,7 @@ std::optional<Position<N>> least_common(const Corners<N>& a, const Corners<N>& b
   return result;
 }
 
-/// Where the segment from p to q first meets b; nothing if it does not.
+/// The point where the segment from p to q first meets b; nothing if it does not.
 template <int N>
 std::optional<Position<N>> entry(const Position<N>& p, const Position<N>& q, const Corners<N>& b) {
   const auto program = common_points<N>({p, q}, b, Position<N>{});
@@ -217,7 +218,7 @@ ExactPair<N> surface_points(const Position<N>& p, const Position<N>& q, const Ra
   return {on_a, {q, radius_b, minus(p, q)}};
 }
 
-/// The closest difference of two polytopes: where GJK ends, which nothing here relies on, because
+/// The closest difference of two polytopes, found by GJK; nothing here relies on that, because
 /// `closest_polytopes` proves it.
 template <Scalar S, int N, class A, class B>
 Position<N> proposed_difference(const A& a, const B& b) {
@@ -263,7 +264,7 @@ std::optional<ExactPair<N>> closest_polytopes(const Corners<N>& a, const Corners
     if (!point) return std::nullopt;
     return ExactPair<N>{{*point}, {*point}};
   }
-  // No difference is before the plane through v; so v is the closest one, if it is a difference.
+  // No difference is before the plane through v, so v is the closest one if it is a difference.
   Rational least = dot(v, a.front()), most = dot(v, b.front());
   for (const auto& corner : a) least = std::min(least, dot(v, corner));
   for (const auto& corner : b) most = std::max(most, dot(v, corner));
@@ -443,7 +444,7 @@ std::optional<ExactPair<N>> closest_cores(const A& a, const B& b, S radius_a, S 
   }
 }
 
-/// The exact closest points of two shapes, which have points; nothing if a proof fails.
+/// The exact closest points of two non-empty shapes; nothing if a proof fails.
 template <Scalar S, int N, class A, class B>
 std::optional<ExactPair<N>> closest_pair(const A& a, const B& b) {
   return closest_cores<S, N>(detail::core_of(a), detail::core_of(b), detail::radius_of(a),

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "detent/query/closest_points/pair.hpp"
-// The hulls come before what looks them up.
+// The hulls come before the headers that look them up.
 #include "oracle/hull.hpp"
 //
 #include "oracle/closest_pair.hpp"
@@ -55,7 +55,7 @@ class ClosestPointsExam {
     CHECK(apart >= (std::is_same_v<A, Plane<S, N>> && std::is_same_v<A, B> ? 1 : count / 10));
   }
 
-  /// A with itself and with each of the others, in both orders where one has a different part.
+  /// A with itself and with each of the others, in both orders if these have different code.
   template <class A, class... Others>
   void examine_with(long count) {
     examine<A, A>(count);
@@ -74,7 +74,7 @@ class ClosestPointsExam {
   Draw<S, N> draw_;
 };
 
-/// `count` pairs of every round or flat shape and any other.
+/// `count` pairs of every round or flat shape with any other.
 template <Scalar S, int N>
 void examine_round_points(std::uint64_t seed, long count) {
   ClosestPointsExam<S, N> exam(seed);

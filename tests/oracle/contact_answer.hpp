@@ -12,14 +12,14 @@
 
 namespace detent::oracle {
 
-/// Whether a contact is the oracle's: the depth rounded up, the normal to nearest or, of a plane or
-/// of a box in its own frame along an axis, as stored.
+/// Whether a contact is the oracle's: the depth rounded up; the normal rounded to nearest or, for a
+/// plane or for a box in its own frame along an axis, as stored.
 template <Scalar S, int N>
 bool is_contact(const std::optional<Contact<S, N>>& found, const std::optional<Push<N>>& truth) {
   if (!found || !truth) return !found && !truth;
   if (raw(found->depth) != std::min(truth->depth, raw(S::max()))) return false;
   const auto& n = truth->normal;
-  if (is_zero(n)) return true;  // of a box in its own frame, if the frame is flat
+  if (is_zero(n)) return true;  // for a box in its own frame, if the frame is flat
   bool is_rounded = true, is_stored = true;
   for (std::size_t i = 0; i < n.size(); ++i) {
     const Integer given = static_cast<std::int64_t>(found->normal[static_cast<int>(i)].raw());
@@ -29,7 +29,7 @@ bool is_contact(const std::optional<Contact<S, N>>& found, const std::optional<P
   return is_rounded || is_stored;
 }
 
-/// A solid that is no plane, moved by raw units.
+/// A solid that is not a plane, translated by raw units.
 template <int N>
 Solid<N> moved(Solid<N> solid, const Vector<N>& by) {
   const auto move = [&](auto&... points) {
@@ -58,7 +58,7 @@ Solid<N> moved(Solid<N> solid, const Vector<N>& by) {
   return solid;
 }
 
-/// Whether a box's axes are perpendicular but for their rounding.
+/// Whether a box's axes are perpendicular up to their rounding.
 template <class Shape>
 bool is_rigid(const Shape& shape) {
   if constexpr (requires { shape.rotation; }) {
@@ -77,7 +77,7 @@ bool is_rigid(const Shape& shape) {
   return true;
 }
 
-/// Whether the separation of a contact separates, and no shorter way along its normal does.
+/// Whether the separation of a contact separates, and no shorter translation along its normal does.
 template <Scalar S, int N, class A, class B>
 bool is_separation(const A& a, const B& b, const Contact<S, N>& found) {
   if (found.depth >= S::max() || !is_rigid(a) || !is_rigid(b)) return true;
@@ -99,8 +99,8 @@ bool is_separation(const A& a, const B& b, const Contact<S, N>& found) {
   return meets_after(by);
 }
 
-/// Whether the points of a contact are points of a, to which b reaches as deep as they say, within
-/// the bound of their docstring.
+/// Whether the points of a contact are points of a, and b is as deep there as they say, within the
+/// bound of their docstring.
 template <Scalar S, int N, class A, class B>
 bool has_right_points(const A& a, const B& b, const Contact<S, N>& found) {
   if (found.count == 0) return false;
@@ -139,7 +139,7 @@ bool are_mirrored(const Contact<S, N>& found, const Contact<S, N>& back) {
   return true;
 }
 
-/// What is wrong with the contacts of a and b in both orders, or nothing.
+/// Describes what is wrong with the contacts of a and b in both orders; empty if nothing is.
 template <Scalar S, int N, class A, class B>
 const char* mistake(const A& a, const B& b, const std::optional<Contact<S, N>>& found,
                     const std::optional<Contact<S, N>>& back) {

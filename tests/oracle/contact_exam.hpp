@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "detent/query/contact.hpp"
-// The hulls come before what looks them up.
+// The hulls come before the headers that look them up.
 #include "oracle/hull.hpp"
 //
 #include "oracle/contact_answer.hpp"

@@ -48,8 +48,8 @@ std::vector<Vector<N>> points_over(const Hull<N>& hull, const Integer& under) {
   return points;
 }
 
-/// The box and a thin shape in the frame of the box, which is its slabs: both in steps of
-/// 1 / (one under) raw units.
+/// The box and a thin shape in the frame of the box, as slabs: both in steps of 1 / (one under) raw
+/// units.
 template <int N>
 struct InFrame {
   Hull<N> box, thin;

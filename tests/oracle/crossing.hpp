@@ -42,8 +42,8 @@ struct NormalizedNormal final : Normal<N> {
   [[nodiscard]] std::string text() const override;
 };
 
-/// Where a line is in a shape: the first and the last time, rounded down, and the normal at the
-/// first.
+/// The interval of a line in a shape: the first and the last time, rounded down, and the normal at
+/// the first.
 template <int N>
 struct Crossing {
   Integer enter, exit;

@@ -18,8 +18,8 @@ constexpr unsigned instant_bits = 38;
 constexpr unsigned instant_bits = 128;
 #endif
 
-/// The last integer of [from, beyond) that satisfies `holds`, as all before it do. `guess` only
-/// saves steps.
+/// The last integer of [from, beyond) that satisfies `holds`, given that all before it do. `guess`
+/// only saves steps.
 template <class Holds>
 Integer last_where(Integer from, Integer beyond, const Integer& guess, Holds holds) {
   for (const int step : {-1, 2}) {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "detent/query/distance/pair.hpp"
-// The hulls come before what looks them up.
+// The hulls come before the headers that look them up.
 #include "oracle/hull.hpp"
 //
 #include "oracle/pair_exam.hpp"

@@ -21,7 +21,7 @@ enum class Kind {
   degenerate,  // on the lattice, collapsed or empty
 };
 
-/// What the shapes of one case have in common, so that they can overlap.
+/// The common setting of the shapes of one case, so that they can overlap.
 template <int N>
 struct Setting {
   Kind kind;
@@ -108,7 +108,7 @@ class Artist {
   }
 
   /// The corners of a shape: on the lattice often in one line or plane along it; degenerate ones
-  /// often in one point or any line.
+  /// often in one point or on any line.
   template <std::size_t Count>
   std::array<Vec<S, N>, Count> corners() {
     std::array<Raw<N>, Count> result;

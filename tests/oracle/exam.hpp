@@ -25,7 +25,7 @@ class Exam {
   Draw<S, N> draw;
 
   /// Runs `count` cases, each a ray and a shape from `generate`, most followed by the same case
-  /// with the ray cut at the hit. Of the cases as drawn, `low` to `high` percent must hit.
+  /// with the ray cut at the hit. `low` to `high` percent of the cases as drawn must hit.
   template <class Generate>
   void family(const char* name, long count, int low, int high, Generate generate) {
     test::HitRate rate;

@@ -16,7 +16,7 @@ std::string describe(const Frustum<S>& frustum) {
   return describe(frustum.hull());
 }
 
-/// Eight points of a setting in any order, often coplanar or equal, or what a camera sees.
+/// Eight points of a setting in any order, often coplanar or equal, or the frustum of a camera.
 template <Scalar S>
 Frustum<S> draw_frustum(Artist<S, 3>& artist) {
   auto& random = artist.random;

@@ -94,7 +94,7 @@ class Bodies {
   std::size_t next_hull_ = 0;
 };
 
-/// What a sweep of cases saw.
+/// Counts of a sweep of cases.
 struct Tally {
   test::HitRate hits;
   long cases = 0, steps = 0, unfinished = 0;

@@ -65,7 +65,7 @@ void add_corners(motion::Body& body, const Obb<S, N>& box) {
   }
 }
 
-/// The quaternion of a rotation; in 2D of that about the z axis, half its angle.
+/// The quaternion of a rotation; in 2D of the rotation about the z axis, with half its angle.
 template <Scalar S, int N>
 std::array<double, 4> quaternion(const Rotation<S, N>& rotation) {
   Rotation<S, 3> space;
@@ -95,7 +95,7 @@ motion::Body moving(const Shape& shape, const Sweep<S, N>& sweep) {
   return body;
 }
 
-/// What the greatest distance at a hit may be, in raw units: see `time_of_impact`.
+/// The upper bound of the distance at a hit, in raw units: see `time_of_impact`.
 template <Scalar S>
 double stated_distance(const motion::Body& a, const motion::Body& b, const S& target) {
   const double unit = std::ldexp(1.0, -direction_component<S>::frac);
@@ -107,9 +107,9 @@ double stated_distance(const motion::Body& a, const motion::Body& b, const S& ta
   return std::max(static_cast<double>(target.raw()), rounding + unit * (way(a) + way(b)));
 }
 
-/// Says what is wrong with the answer for two bodies, or nothing: they must be apart at every
-/// sampled time before that of the impact, or at every sampled time if there is none, and as close
-/// as stated at the impact.
+/// Describes what is wrong with the result for two bodies; empty if nothing is. They must be apart
+/// at every sampled time before that of the impact, or at every sampled time if there is none, and
+/// as close as stated at the impact.
 template <Scalar S>
 std::optional<std::string> fault_of(const std::optional<Impact<S>>& impact, const motion::Body& a,
                                     const motion::Body& b, const S& target, int samples) {

@@ -9,7 +9,8 @@
 #ifdef DETENT_ORACLE_SHORT_INTEGERS
 #include "oracle/short_integer.hpp"
 #else
-// GCC sees a union's other member destroyed where an integer is made in one of two branches.
+// GCC warns that a union's other member is destroyed where an integer is made in one of two
+// branches.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
@@ -20,9 +21,9 @@
 #endif
 #endif
 
-/// The oracle: the definitions of the shapes, evaluated in exact integers and fractions. It includes
-/// nothing of the library, and none of its formulas may be the library's own, so that a wrong idea
-/// cannot confirm itself. `exact.hpp` reads the library's shapes.
+/// The oracle: the definitions of the shapes, evaluated in exact integers and fractions. It
+/// includes nothing of the library and shares none of its formulas, so that a wrong idea cannot
+/// confirm itself. `exact.hpp` reads the library's shapes.
 namespace detent::oracle {
 
 #ifdef DETENT_ORACLE_SHORT_INTEGERS

@@ -59,7 +59,7 @@ bool edge_meets(const Edge<N>& edge, const TurnedBox<N>& box) {
   return meets_slabs<N>(start, step, low, high);
 }
 
-/// Round shapes are tested as a distance from a core. A box against them or a segment is a set of
+/// Round shapes are tested by the distance from a core. Against them or a segment a box is a set of
 /// slabs; otherwise it is the hull of its corners.
 template <int N, class A, class B>
 bool do_meet(const A& a, const B& b) {

@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
-// Moving bodies a second time: posed by the definition of their motion, and their distance the least
-// of all pairs of features. In doubles of raw units, whose errors are below 2^-12 of a unit. It
-// includes nothing of the library.
+// An independent implementation of moving bodies: poses by the definition of their motion,
+// distances as the least of all pairs of features. It uses doubles of raw units, whose errors are
+// below 2^-12 of a unit, and includes nothing of the library.
 
 namespace detent::oracle::motion {
 
@@ -58,7 +58,7 @@ struct Body {
     return result;
   }
 
-  /// How far its core reaches from the origin of its frame.
+  /// The radius of its core about the origin of its frame.
   [[nodiscard]] double reach() const {
     double most = 0;
     for (const auto& corner : corners) most = std::max(most, length(corner));
@@ -66,7 +66,7 @@ struct Body {
   }
 };
 
-/// The shortest vector offered, and its direction more exactly than its own coordinates say.
+/// The shortest vector offered, with a direction that is more accurate than its own coordinates.
 struct Shortest {
   Point direction{};
   double length = std::numeric_limits<double>::infinity();
@@ -80,7 +80,7 @@ struct Shortest {
   }
 };
 
-/// From a point to a segment or back, where `sign` is -1.
+/// From a point to a segment, or the reverse if `sign` is -1.
 inline void offer_point(Shortest& best, const Point& p, const Point& a, const Point& b,
                         double sign) {
   const Point u = minus(b, a);
@@ -110,7 +110,8 @@ inline void offer_segments(Shortest& best, const Point& a, const Point& b, const
   best.offer(minus(along(c, v, t), along(a, u, s)), cross(u, v));
 }
 
-/// From the inside of a triangle to a point, if it is closest there, or back, where `sign` is -1.
+/// From the inside of a triangle to a point, if it is closest there, or the reverse if `sign` is
+/// -1.
 inline void offer_face(Shortest& best, const Point& p, const Point& a, const Point& b,
                        const Point& c, double sign) {
   const Point n = cross(minus(b, a), minus(c, a));
@@ -151,14 +152,14 @@ inline double distance(const std::vector<Point>& a, const std::vector<Point>& b)
   faces(a, b, 1);
   faces(b, a, -1);
   if (!(best.length > 1e-3)) return 0;
-  // They are apart only if its direction separates them, by the distance.
+  // They are apart only if that direction separates them, by that distance.
   double most_a = -std::numeric_limits<double>::infinity(), least_b = -most_a;
   for (const auto& p : a) most_a = std::max(most_a, dot(minus(p, a[0]), best.direction));
   for (const auto& p : b) least_b = std::min(least_b, dot(minus(p, a[0]), best.direction));
   return std::max(least_b - most_a, 0.0);
 }
 
-/// How far two bodies are apart at time t; 0 or less if they touch.
+/// The distance of two bodies at time t; 0 or less if they touch.
 inline double gap(const Body& a, const Body& b, double t) {
   return distance(a.at(t), b.at(t)) - a.radius - b.radius;
 }

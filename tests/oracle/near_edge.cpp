@@ -81,7 +81,7 @@ bool near_slabs(const Slabs<N>& slabs, const Integer& reach) {
       under += slabs.along[i] * slabs.along[i];
     }
     if (!under.is_zero() && near_at(slabs, over, under, reach)) return true;
-    // If every moving coordinate gets inside, that begins at a crossing.
+    // If every moving coordinate gets inside, the common interval begins at a crossing.
     const auto axis = static_cast<std::size_t>(choice / 3) % slabs.low.size();
     const Integer& bound = choice % 3 == 1 ? slabs.low[axis] : slabs.high[axis];
     const auto t = Moment::fraction(bound - slabs.start[axis], slabs.along[axis]);
@@ -149,8 +149,8 @@ bool near_edge(const TurnedBox<N>& box, const Edge<N>& edge, const Integer& reac
   return near_slabs(slabs, reach);
 }
 
-/// The distance of disjoint sets is that of an end of the segment from the hull, of the segment from
-/// a point, or of the segment from a segment of two points.
+/// The distance of disjoint sets is that of an end of the segment from the hull, of the segment
+/// from a point, or of the segment from a segment between two points.
 template <int N>
 bool near_edge(const Cloud<N>& cloud, const Edge<N>& edge, const Integer& reach) {
   if (cloud.points.empty()) return false;

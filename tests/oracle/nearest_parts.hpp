@@ -66,7 +66,7 @@ void add_face(std::vector<Place<N>>& candidates, const Vector<N>& p, const Vecto
 }
 
 /// The point of the hull of `points` closest to p, which is outside: on a line or a triangle of
-/// theirs.
+/// these points.
 template <int N>
 Place<N> nearest_outside(const std::vector<Vector<N>>& points, const Vector<N>& p) {
   std::vector<Place<N>> candidates;

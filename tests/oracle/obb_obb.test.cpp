@@ -8,7 +8,7 @@ namespace {
 
 template <Scalar S, int N>
 void examine(std::uint64_t seed, long count) {
-  // Frames with repeated axes, so that even the axes of both together may not span space.
+  // Frames with repeated axes, so that even all axes together may not span space.
   const auto more = [count](auto& exam) {
     auto& draw = exam.draw;
     auto& random = draw.random;

@@ -14,7 +14,7 @@
 
 namespace detent::oracle {
 
-/// The library's decision whether two shapes overlap; segments have a query of their own.
+/// Whether two shapes overlap, by the library; segments have a separate query.
 template <class A, class B>
 bool ask(const A& a, const B& b) {
   return overlaps(a, b);
@@ -95,8 +95,8 @@ struct SpaceOf<Shape<S, N>> {
   using type = test::Space<S, N>;
 };
 
-/// Runs `count` random queries of every kind on pairs of the shapes A and B; `more(exam)` adds its
-/// own families.
+/// Runs `count` random queries of every kind on pairs of the shapes A and B; `more(exam)` adds
+/// further families.
 template <class A, class B, class More>
 void examine_pair(std::uint64_t seed, long count, Aim aim, const More& more) {
   using S = typename SpaceOf<A>::type::scalar;

@@ -15,8 +15,8 @@ using Rational = boost::multiprecision::number<
 
 inline Rational square(const Rational& x) { return x * x; }
 
-/// A linear program: of all x >= 0 with the sums of x[j] * column j equal to the right sides, those
-/// for which a cost is least.
+/// A linear program: minimises a cost over all x >= 0 with the sums of x[j] * column j equal to the
+/// right sides.
 ///
 /// source: Dantzig's simplex method in two phases; Bland, New Finite Pivoting Rules (1977)
 class Program {
@@ -52,7 +52,7 @@ class Program {
     if (!descend(table, basis, artificial, columns).is_zero()) return std::nullopt;
     Row padded = cost;
     padded.resize(columns, Rational(0));
-    // An artificial unknown that is still in the basis is 0. It leaves where it can.
+    // An artificial unknown that is still in the basis is 0. It leaves if it can.
     for (std::size_t i = 0; i < rows; ++i) {
       if (basis[i] < unknowns_) continue;
       for (std::size_t j = 0; j < unknowns_; ++j) {

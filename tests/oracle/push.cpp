@@ -7,7 +7,7 @@
 #include "oracle/nearest_parts.hpp"
 
 // Each direction across two edges, where edges are all lines between corners of one shape, is tried
-// as an axis on which the shapes are projected.
+// as an axis for projecting the shapes.
 namespace detent::oracle {
 namespace {
 
@@ -17,7 +17,7 @@ Integer ceil_root(const Moment& square) {
   return root * root * square.under < square.over ? Integer(root + 1) : root;
 }
 
-/// How deep shapes are in each other whose cores are the root of `squared` apart.
+/// The depth of overlap of shapes whose cores are the root of `squared` apart.
 template <int N>
 std::optional<Push<N>> from_gap(const Vector<N>& normal, const Moment& squared,
                                 const Integer& radii) {
@@ -48,7 +48,7 @@ bool is_preferred(const Vector<N>& v, const Vector<N>& over) {
   return sign_of<N>(v) > sign_of<N>(over);
 }
 
-/// The span of points, by its dimension and a vector along it or across it.
+/// The affine span of points: its dimension, and a vector along or across it.
 template <int N>
 struct Span {
   std::size_t dimension = 0;
@@ -103,7 +103,7 @@ class Axes {
       Vector<N> x{};
       x[0] = 1;
       if (span.dimension == 1) {
-        // The x axis less its part along the line.
+        // The x axis minus its component along the line.
         const auto& d = span.along;
         for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] * dot(d, d) - d[0] * d[i];
         if (is_zero(x)) x[1] = 1;

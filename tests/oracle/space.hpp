@@ -18,8 +18,8 @@ struct Space {
 /// The arguments of TEMPLATE_TEST_CASE; with a type list, the test names would lose the types.
 /// Everyday runs use the widest and the narrowest scalar, one in each dimension. DETENT_TEST_ALL
 /// uses these in both dimensions and every other scalar in one; DETENT_TEST_EVERY_SPACE uses every
-/// scalar in both. The everyday spaces by name are for examples of queries that take minutes to
-/// compile otherwise, and whose oracles run in all spaces.
+/// scalar in both. The everyday spaces by name are for examples of queries that would otherwise
+/// take minutes to compile, and whose oracles run in all spaces.
 #define DETENT_SPACE(name, dimension) (detent::test::Space<name, dimension>)
 #define DETENT_SPACES_OF(name) DETENT_SPACE(detent::name, 3), DETENT_SPACE(detent::name, 2)
 #define DETENT_EVERYDAY_FIXED_SPACES DETENT_SPACE(detent::q16_16, 3), DETENT_SPACE(detent::q8_8, 2)

@@ -17,9 +17,9 @@ struct Apart {
   Moment squared;
 };
 
-/// From a point of `b` to one of `a`: one is a corner and the other in a corner, edge or face, or
-/// both are in edges. All of these are candidates, and the least is the distance of the hulls,
-/// which must not meet. It is not reduced: over is any positive multiple.
+/// The vector from a point of `b` to one of `a`: one is a corner and the other in a corner, edge or
+/// face, or both are in edges. All of these are candidates, and the least is the distance of the
+/// hulls, which must not meet. It is not reduced: over is any positive multiple.
 template <int N>
 Apart<N> closest(const Hull<N>& a, const Hull<N>& b) {
   const Integer under = lcm(a.under, b.under);
@@ -90,8 +90,8 @@ concept Thin = std::same_as<Core, Edge<2>> || std::same_as<Core, Edge<3>>;
 template <class Core>
 concept Turned = std::same_as<Core, TurnedBox<2>> || std::same_as<Core, TurnedBox<3>>;
 
-/// Returns f(a, b, box) for the swept core and the other one, in the frame of the box where there is
-/// one, or else with a null pointer.
+/// Returns f(a, b, box) for the swept core and the other one, in the frame of the box if there is
+/// one, otherwise with a null pointer.
 template <int N, class A, class B, class F>
 auto with_hulls(const Travel<N>& travel, const A& a, const B& b, const Integer& from,
                 const Integer& to, const Integer& under, const F& f) {

@@ -7,7 +7,7 @@
 
 namespace detent::oracle {
 
-/// A shape that moves by direction / one in a raw unit of time, and a target that stays.
+/// A shape that moves by direction / one in a raw unit of time, and a fixed target.
 template <int N>
 struct Travel {
   Solid<N> shape, target;
@@ -23,7 +23,8 @@ struct Travel {
                                            const Integer& to, const Integer& under);
 
 /// A vector of any length from the target's core to the shape's, between their closest points at a
-/// time at which they are apart. In the frame of a box that is its slabs, it is turned back.
+/// time at which they are apart. If a box is represented by slabs, the vector is rotated back from
+/// its frame.
 [[nodiscard]] Vector<2> gap(const Travel<2>& travel, const Integer& time, const Integer& under);
 [[nodiscard]] Vector<3> gap(const Travel<3>& travel, const Integer& time, const Integer& under);
 

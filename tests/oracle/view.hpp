@@ -10,9 +10,9 @@
 #include "detent/shape/obb.hpp"
 #include "number/big_integer.hpp"
 
-/// What a camera sees, without any rounding: the convex set whose corners are the exact ones. It
-/// decides by separating axes, in integers of any length, where the library searches with GJK and
-/// rounds the corners.
+/// The frustum of a camera without any rounding: the convex set with the exact corners. It decides
+/// by separating axes, in integers of any length, where the library searches with GJK and rounds
+/// the corners.
 namespace detent::oracle {
 
 using BigPoint = std::array<test::BigInteger, 3>;

@@ -66,8 +66,8 @@ constexpr void draw_solid_box(Sink& sink, const BoxCorners<S, 3>& corners, const
 
 }  // namespace detail
 
-/// Draws the edges of a box: 12 lines, in 2D 4. Corners of an `Obb` are rounded once, as its edges
-/// span them. An empty box has no lines.
+/// Draws the edges of a box: 12 lines, in 2D 4. Corners of an `Obb` are rounded once. An empty box
+/// has no lines.
 template <class Sink, Scalar S, int N>
 requires DrawSink<Sink, S, N>
 constexpr void draw(Sink& sink, const Aabb<S, N>& box, const Colour& colour) {
@@ -79,7 +79,7 @@ constexpr void draw(Sink& sink, const Obb<S, N>& box, const Colour& colour) {
   if (!is_empty(box)) detail::draw_box(sink, detail::box_corners(box), colour);
 }
 
-/// Draws the 12 edges of a frustum, between its corners as they are numbered.
+/// Draws the 12 edges of a frustum.
 template <class Sink, Scalar S>
 requires DrawSink<Sink, S, 3>
 constexpr void draw(Sink& sink, const Frustum<S>& frustum, const Colour& colour) {

@@ -25,7 +25,7 @@ inline constexpr auto circle_sines = [] {
   return raw;
 }();
 
-/// The sine of `i` / 32 turn, for every `i` from -32 on.
+/// The sine of `i` / 32 turn, for every `i` >= -32.
 template <Scalar S>
 [[nodiscard]] constexpr auto circle_sine(int i) noexcept {
   using Component = direction_component<S>;
@@ -49,7 +49,7 @@ template <Scalar S, int N>
   return nearest_to<S>(center + (u * circle_cosine<S>(i) + v * circle_sine<S>(i)) * radius);
 }
 
-/// A direction perpendicular to `w`, as far as rounding allows.
+/// A direction perpendicular to `w`, up to rounding.
 template <Scalar S>
 [[nodiscard]] constexpr Direction<S, 2> perpendicular(const Direction<S, 2>& w) noexcept {
   return Direction<S, 2>::assume_unit({narrow_negative(w[1]), w[0]});

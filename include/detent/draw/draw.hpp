@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Debug drawing, for a sink of lines and triangles that the caller writes:
+// Debug drawing, to a sink of lines and triangles that you implement:
 //   draw(sink, shape, colour)         the edges of a shape, as lines; planes take a region too
 //   draw_solid(sink, shape, colour)   its surface, as triangles, in 3D
-//   draw(sink, point, colour, size)   a cross; for a contact or a hit with its normals
+//   draw(sink, point, colour, size)   a cross; contacts and hits also draw their normals
 //   draw_sweep(sink, shape, direction, distance, colour)   a moving shape, at its start and end
 //   draw(sink, scene, colours)        every object of a scene
 //   draw_tree(sink, scene), draw_tree(sink, mesh)          the boxes of the trees
-// Nothing that is drawn changes. Points are rounded to the grid of the scalar and clamped to its
-// range, so drawings are for eyes only.
+// Drawing changes none of its arguments. Points are rounded to the grid of the scalar and clamped
+// to its range, so drawings are for display only.
 
 #include "detent/draw/box.hpp"
 #include "detent/draw/compound.hpp"

@@ -14,7 +14,7 @@ namespace detent {
 
 namespace detail {
 
-/// Points of the part of a plane that is drawn, by coordinates in quarters of its reach.
+/// Points of the drawn part of a plane, by coordinates in quarters of its reach.
 template <Scalar S>
 class PlaneSquare {
  public:
@@ -43,8 +43,8 @@ constexpr void draw(Sink& sink, const Segment<S, N>& segment, const Colour& colo
   sink.line(segment.start, segment.end, colour);
 }
 
-/// Draws a ray as one line, to where it ends or leaves the range of the scalar. An empty ray has
-/// none.
+/// Draws a ray as one line, to its end or to the end of the scalar's range. An empty ray has no
+/// line.
 ///
 /// exact: the far end is `point_at` of a distance rounded down   (tests/draw/shapes.test.cpp)
 template <class Sink, Scalar S, int N>
@@ -74,8 +74,8 @@ constexpr void draw_solid(Sink& sink, const Triangle<S, 3>& triangle, const Colo
 
 /// Draws the part of a plane in a region: a grid of 9 by 9 lines, in 2D one line.
 ///
-/// exact: points are off the plane by the rounding of two points, and by 2^-29 of the reach (2^-13
-///        for 16-bit scalars)                                    (tests/draw/shapes.test.cpp)
+/// exact: points are off the plane by at most the rounding of two points plus 2^-29 of the reach
+///        (2^-13 for 16-bit scalars)                              (tests/draw/shapes.test.cpp)
 template <class Sink, Scalar S>
 requires DrawSink<Sink, S, 3>
 constexpr void draw(Sink& sink, const Plane<S, 3>& plane, const Colour& colour,

@@ -14,7 +14,7 @@ namespace detent {
 
 namespace detail {
 
-/// A sink that draws on another one, moved by a vector: each point is rounded once more.
+/// A sink that draws on another one, translated by a vector: each point is rounded once more.
 template <class Sink, Scalar S, int N>
 class MovedSink {
  public:
@@ -39,7 +39,7 @@ class MovedSink {
 
 }  // namespace detail
 
-/// Draws a point as a cross: one line an axis, `size` long on both sides.
+/// Draws a point as a cross: one line per axis, `size` long on both sides.
 template <class Sink, Scalar S, int N>
 requires DrawSink<Sink, S, N>
 constexpr void draw(Sink& sink, const Vec<S, N>& point, const Colour& colour, const S& size) {
@@ -49,7 +49,7 @@ constexpr void draw(Sink& sink, const Vec<S, N>& point, const Colour& colour, co
   }
 }
 
-/// Draws a point of a surface as a cross, and the normal there, 4 times `size` long.
+/// Draws a surface point as a cross, and the normal there, 4 times `size` long.
 template <class Sink, Scalar S, int N>
 requires DrawSink<Sink, S, N>
 constexpr void draw(Sink& sink, const Vec<S, N>& point, const Direction<S, N>& normal,
@@ -58,7 +58,7 @@ constexpr void draw(Sink& sink, const Vec<S, N>& point, const Direction<S, N>& n
   sink.line(point, nearest_to<S>(point + normal * size * 4), colour);
 }
 
-/// Draws where a ray or a moving shape touches: a cross and the normal.
+/// Draws the point where a ray or a moving shape touches: a cross and the normal.
 template <class Sink, Scalar S, int N>
 requires DrawSink<Sink, S, N>
 constexpr void draw(Sink& sink, const RayHit<S, N>& hit, const Colour& colour, const S& size) {
@@ -79,8 +79,8 @@ constexpr void draw(Sink& sink, const Contact<S, N>& contact, const Colour& colo
   }
 }
 
-/// Draws a moving shape: where it starts, where it touches after `distance`, and its way, the line
-/// between the middles of its boxes there. An empty shape draws nothing.
+/// Draws a moving shape at its start and where it touches, after `distance`, and its path, the line
+/// between the centres of its boxes there. An empty shape draws nothing.
 ///
 /// exact: the shape at the end is that at the start, each point moved by direction * distance,
 ///        rounded to nearest                                      (tests/draw/hit.test.cpp)

@@ -12,9 +12,9 @@ namespace detent {
 
 namespace detail {
 
-/// The edges of a hull without a list of its faces, by exact signs: the points i and j end an edge
-/// if all other points lie to one side of a plane through both, and those of their line between them.
-/// Time grows with the cube of the number of points.
+/// The edges of a hull without a list of its faces, by exact signs: points i and j span an edge if
+/// all other points are on one side of a plane through both, and those on their line are between
+/// them. Time grows with the cube of the number of points.
 template <Scalar S, int N>
 class HullEdges {
  public:
@@ -25,7 +25,7 @@ class HullEdges {
     return hull_.points[i];
   }
 
-  /// Of equal points only the first ends edges.
+  /// Of equal points only the first spans edges.
   [[nodiscard]] constexpr bool is_first(std::size_t i) const noexcept {
     std::size_t first = 0;
     while (hull_.points[first] != hull_.points[i]) ++first;
@@ -36,8 +36,9 @@ class HullEdges {
     return is_longest(i, j) && is_outside(i, j);
   }
 
-  /// The point farthest to the left of the line from i to j, seen against it, so that the facet
-  /// through i, j and that point has all others behind it; nothing if all points are on the line.
+  /// The point farthest to the left of the line from i to j, seen against it, so that all other
+  /// points are behind the facet through i, j and that point; nothing if all points are on the
+  /// line.
   [[nodiscard]] constexpr std::optional<std::size_t> leftmost(std::size_t i,
                                                               std::size_t j) const noexcept
       requires(N == 3) {
@@ -90,7 +91,7 @@ class HullEdges {
       }
       return !(has_left && has_right);
     } else {
-      // Behind the facet on the left, and not across the line in its plane.
+      // Behind the facet on the left, and in its plane not across the line.
       const auto left = leftmost(i, j);
       if (!left) return true;
       const auto normal = cross(from(i, j), from(i, *left));
@@ -108,11 +109,11 @@ class HullEdges {
 
 }  // namespace detail
 
-/// Draws every edge of a hull once, also those between sides that are almost level: 12 lines for a
-/// box, none for a single point.
+/// Draws every edge of a hull once, also those between nearly coplanar sides: 12 lines for a box,
+/// none for a single point.
 ///
 /// domain: every hull; meant for up to 100 points, since time grows with the cube of their number
-/// exact:  the edges of the hull of the points as they are       (tests/draw/hull.test.cpp)
+/// exact:  the edges of the hull of the points as given          (tests/draw/hull.test.cpp)
 template <class Sink, Scalar S, int N>
 requires DrawSink<Sink, S, N>
 constexpr void draw(Sink& sink, const ConvexHull<S, N>& hull, const Colour& colour) {

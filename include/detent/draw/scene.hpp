@@ -13,7 +13,7 @@
 
 namespace detent {
 
-/// Colours of objects: one for what moves, one for what is fixed.
+/// Colours of objects: one for moving and one for fixed objects.
 struct ColourByMotion {
   Colour moving = palette_colour(0);
   Colour fixed = palette_colour(1);
@@ -32,7 +32,7 @@ struct ColourByKind {
   }
 };
 
-/// Colours of the boxes of a tree: one for each level, the root's first.
+/// Colours of the boxes of a tree: one for each level, starting at the root.
 struct ColourByLevel {
   [[nodiscard]] constexpr Colour operator()(std::size_t level) const noexcept {
     return palette_colour(level);
@@ -57,7 +57,7 @@ constexpr void draw(Sink& sink, const BasicScene<Storage, S, N, Shapes...>& scen
 
 namespace detail {
 
-/// A box of the grid in the world; where it has no end, up to the end of the scalar's range.
+/// A box of the grid in the world; clipped to the scalar's range where it is unbounded.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Aabb<S, N> unquantized(const QuantizedBox<S, N>& box) noexcept {
   return {
@@ -87,9 +87,9 @@ constexpr void draw_part(Sink& sink, const Surface& surface, const Part& part, s
 
 }  // namespace detail
 
-/// Draws the boxes of the trees over a scene's objects, in the colour `colours(level)`: level 0 for
-/// those in the root. Boxes are rounded outward and have a margin; their arrangement depends on what
-/// happened to the scene, and no answer depends on it.
+/// Draws the boxes of the trees over a scene's objects, in the colour `colours(level)`: level 0 is
+/// the root's. Boxes are rounded outward and have a margin; their arrangement depends on the
+/// scene's history, and no result depends on it.
 template <class Sink, class Storage, Scalar S, int N, class... Shapes,
           class Colours = ColourByLevel>
 requires DrawSink<Sink, S, N>
@@ -101,7 +101,8 @@ constexpr void draw_tree(Sink& sink, const BasicScene<Storage, S, N, Shapes...>&
   }
 }
 
-/// Draws the boxes of the tree over the triangles of a mesh, or of the rectangles of a height field.
+/// Draws the boxes of the tree over the triangles of a mesh, or over the rectangles of a height
+/// field.
 template <class Sink, template <class> class Surface, Scalar S, class Colours = ColourByLevel>
 requires is_surface<Surface> && DrawSink<Sink, S, 3>
 constexpr void draw_tree(Sink& sink, const Surface<S>& surface, const Colours& colours = {}) {

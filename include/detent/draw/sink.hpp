@@ -18,9 +18,9 @@ struct Colour {
   [[nodiscard]] friend constexpr bool operator==(const Colour&, const Colour&) noexcept = default;
 };
 
-/// Where drawings go, a type of the caller's: it has line(a, b, colour) and, in 3D,
-/// triangle(a, b, c, colour), for points `Vec<S, N>` of the world. `draw` calls the first only,
-/// `draw_solid` the second only.
+/// The target of drawings, a type of your own: it has line(a, b, colour) and, in 3D, triangle(a, b,
+/// c, colour), for points `Vec<S, N>` of the world. `draw` calls only the first, `draw_solid` only
+/// the second.
 template <class Sink, class S, int N>
 concept DrawSink = Scalar<S> && requires(Sink& sink, const Vec<S, N>& point, const Colour& colour) {
   sink.line(point, point, colour);
@@ -42,8 +42,8 @@ template <Scalar S>
 
 }  // namespace detail
 
-/// What is drawn of a plane, which has no end: a square around the point of the plane closest to
-/// `center`, from -reach to reach on both axes; in 2D a line of that length.
+/// The drawn part of a plane: a square around the point of the plane closest to `center`, from
+/// -reach to reach on both axes; in 2D a line of that length.
 template <Scalar S, int N>
 struct DrawRegion {
   Vec<S, N> center{};
@@ -53,7 +53,7 @@ struct DrawRegion {
 template <Scalar S, int N>
 DrawRegion(Vec<S, N>, S) -> DrawRegion<S, N>;
 
-/// Colours that most people can distinguish, in the order in which they are used.
+/// Colours that most people can distinguish, in order of use.
 ///
 /// source: Okabe and Ito, Color Universal Design, 2008
 inline constexpr std::array<Colour, 8> draw_palette = {
@@ -61,7 +61,7 @@ inline constexpr std::array<Colour, 8> draw_palette = {
     Colour{0xf0, 0xe4, 0x42}, Colour{0x00, 0x72, 0xb2}, Colour{0xd5, 0x5e, 0x00},
     Colour{0xcc, 0x79, 0xa7}, Colour{0xbb, 0xbb, 0xbb}};
 
-/// Colour `i` of the palette, from the start again after the last.
+/// Colour `i` of the palette, cyclically.
 [[nodiscard]] constexpr Colour palette_colour(std::size_t i) noexcept {
   return draw_palette[i % draw_palette.size()];
 }

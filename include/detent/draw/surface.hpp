@@ -22,7 +22,7 @@ constexpr void for_each_triangle(const Surface<S>& surface, const Visit& visit) 
 
 }  // namespace detail
 
-/// Draws a mesh or a height field, placed or not: three lines a triangle, so that inner edges are
+/// Draws a mesh or a height field, placed or not: three lines per triangle, so inner edges are
 /// drawn twice.
 template <class Sink, template <class> class Surface, Scalar S>
 requires is_surface<Surface> && DrawSink<Sink, S, 3>

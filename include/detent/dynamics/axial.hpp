@@ -8,7 +8,7 @@
 
 namespace detent::detail {
 
-/// What turns: a number in 2D, a vector in 3D.
+/// An axial quantity: a number in 2D, a vector in 3D.
 template <Number T, int N>
 using Axial = std::array<T, std::size_t{N == 2 ? 1 : 3}>;
 
@@ -29,8 +29,8 @@ template <Scalar S, int N, class F = Formats<S>>
   }
 }
 
-/// A symmetric matrix that turns with a body, such as an inertia: in 2D a number, in 3D the entries
-/// 00, 11, 22, 12, 20, 01.
+/// A symmetric matrix about the centre of a body, such as an inertia: in 2D a number, in 3D the
+/// entries 00, 11, 22, 12, 20, 01.
 template <Number T, int N>
 using Spread = std::array<T, std::size_t{N == 2 ? 1 : 6}>;
 

@@ -10,7 +10,7 @@
 
 namespace detent::detail {
 
-/// Where a body is and how it moves: the state of a match.
+/// The pose and motion of a body: the state of a match.
 template <Scalar S, int N>
 struct BodyState {
   using F = Formats<S>;
@@ -31,10 +31,10 @@ using Axes = std::array<Vec<typename Formats<S>::Ratio, N>, std::size_t{N}>;
 
 /// n / d, rounded to nearest, for |n| <= 1 and a d near 1, both in steps of 2^-60.
 ///
-/// With d = 1 + e and |e| < 2^-28 the quotient is n - n e + n e^2 - ..., where the third term is less
-/// than 2^-56, and n e less than 2^-58 more than the product of e and n rounded down to 2^-30.
-/// So all but the first two terms are less than 2^-55. Only if that may change the rounding is there
-/// a division.
+/// With d = 1 + e and |e| < 2^-28 the quotient is n - n e + n e^2 - ..., where the third term is
+/// less than 2^-56, and n e exceeds the product of e and n rounded down to 2^-30 by less than
+/// 2^-58. So all terms after the first two are less than 2^-55. It only divides if they may change
+/// the rounding.
 template <class Ratio, class T>
 [[nodiscard]] constexpr Ratio quotient_of_near_one(const T& n, const T& d) noexcept {
   if constexpr (is_fixed<Ratio>) {
@@ -77,7 +77,7 @@ template <Scalar S, int N>
 /// The orientation after a turn by `angle` (in radians; in 3D a rotation vector in the world) times
 /// 2^-halvings: q + angle q, of unit length again, each component rounded to nearest once.
 ///
-/// Its length before that is at least 1, so it has a direction. (1 + 7) 2^59 fits 62 bits.
+/// Its length before normalising is at least 1, so it has a direction. (1 + 7) 2^59 fits 62 bits.
 template <Scalar S, int N, int Halvings = 0>
 [[nodiscard]] constexpr auto turned(
     const Vec<typename Formats<S>::Ratio, BodyState<S, N>::orientation_size>& q,

@@ -13,18 +13,18 @@
 
 namespace detent {
 
-/// What a part of a compound is made of: as in `BodyOptions`, whose own fields of these names
-/// compounds do not read.
+/// The material of a part of a compound, as in `BodyOptions`. Compounds ignore the fields of these
+/// names there.
 template <Scalar S>
 struct PartOptions {
   S density = S(1);  // mass per area or volume; 0: the part adds no mass
   S friction = quotient_nearest<S>(detail::as_operand<S>(3), detail::as_operand<S>(5));  // 0.6
   S restitution{};
-  bool is_sensor = false;  // its touches are reported, and push nobody
+  bool is_sensor = false;  // its touches are reported, and it pushes nothing
 };
 
-/// A shape of a compound, in the compound's frame: `BodyPart(Obb<q16_16, 2>{...})`, with options of
-/// its own if it needs some.
+/// A shape of a compound, in the compound's frame: `BodyPart(Obb<q16_16, 2>{...})`, optionally with
+/// options.
 template <Scalar S, int N>
 class BodyPart {
   using F = detail::Formats<S>;
@@ -33,7 +33,7 @@ class BodyPart {
  public:
   using Shape = detail::OneOf<Sphere<S, N>, Capsule<S, N>, Aabb<S, N>, Obb<S, N>, BodyHull<S, N>>;
 
-  /// A part where the shape is in the compound's frame.
+  /// A part with its shape in the compound's frame.
   template <detail::Among<Sphere<S, N>, Capsule<S, N>, Aabb<S, N>, Obb<S, N>, BodyHull<S, N>> Part>
   explicit constexpr BodyPart(const Part& shape, const PartOptions<S>& options = {}) noexcept
       : options_(options) {
@@ -46,10 +46,10 @@ class BodyPart {
     mass_.center = mass_.mass > 0 ? center_of(shape) : Vec<Center, N>();
   }
 
-  /// The shape in its own frame: a hull's about its centre of mass, others' about their middle.
+  /// The shape in its own frame: a hull's origin is its centre of mass, other shapes' their middle.
   [[nodiscard]] constexpr const Shape& shape() const noexcept { return shape_; }
   [[nodiscard]] constexpr const PartOptions<S>& options() const noexcept { return options_; }
-  /// Where that frame is in the compound's.
+  /// The position of that frame in the compound's.
   [[nodiscard]] constexpr const auto& place() const noexcept { return place_; }
   [[nodiscard]] constexpr const detail::Axes<S, N>& axes() const noexcept { return axes_; }
   [[nodiscard]] constexpr const detail::BodyExtent<S, N>& reach() const noexcept { return reach_; }
@@ -96,14 +96,14 @@ BodyPart(const Shape<S, N>&) -> BodyPart<S, N>;
 template <template <Scalar, int> class Shape, Scalar S, int N>
 BodyPart(const Shape<S, N>&, const PartOptions<S>&) -> BodyPart<S, N>;
 
-/// Several shapes that move as one, with an id chosen by the caller: what `BodyCompound` refers to.
-/// `solid_compound` makes one. Snapshots store the id and the digest of the parts.
+/// Several shapes that move as one body, with an id chosen by the caller; `BodyCompound` refers to
+/// it. `solid_compound` makes one. Snapshots store the id and the digest of the parts.
 ///
 /// The caller owns the parts and must not change them.
 template <Scalar S, int N>
 class SolidCompound {
  public:
-  /// The most parts that it can have.
+  /// The most parts of a compound.
   static constexpr std::size_t capacity = std::size_t{1} << 16;
 
   constexpr SolidCompound() noexcept = default;
@@ -115,9 +115,9 @@ class SolidCompound {
   /// add.
   [[nodiscard]] constexpr const MassProperties<S, N>& mass() const noexcept { return mass_; }
   [[nodiscard]] constexpr const auto& center() const noexcept { return mass_.center; }
-  /// A box about the centre that holds all parts.
+  /// A box about the centre that contains all parts.
   [[nodiscard]] constexpr const detail::BodyExtent<S, N>& reach() const noexcept { return reach_; }
-  /// Where the frame of a part is from the centre.
+  /// The position of a part's frame relative to the centre.
   [[nodiscard]] constexpr auto offset(const BodyPart<S, N>& part) const noexcept {
     using Lever = typename detail::Formats<S>::Lever;
     return make_vec<N>([&](int i) { return nearest_to<Lever>(part.place()[i] - mass_.center[i]); });
@@ -135,8 +135,8 @@ class SolidCompound {
   detail::BodyExtent<S, N> reach_{};
 };
 
-/// The compound of these parts, or nothing if there are none or more than
-/// `SolidCompound<S, N>::capacity`. Parts are known by their number in the list.
+/// The compound of these parts, or nothing if there are none or more than `SolidCompound<S,
+/// N>::capacity`. Parts are identified by their index in the list.
 ///
 /// exact: mass, centre and gyration are those of the sum of the parts, each rounded once; see
 ///        docs/dynamics.md                              (tests/dynamics/compound.test.cpp)
@@ -170,7 +170,7 @@ template <Scalar S, int N>
   solid.digest_ = digest.value();
   return solid;
 }
-/// The same of an array or a vector of parts.
+/// The same for an array or a vector of parts.
 template <class List>
 requires requires(const List& list) { std::span(list).front().mass(); }
 [[nodiscard]] constexpr auto solid_compound(std::uint32_t id, const List& list) noexcept {
@@ -304,14 +304,14 @@ template <Scalar S, int N>
   return manifold;
 }
 
-/// Where something is at a moment.
+/// A pose at a given time.
 template <Scalar S, int N>
 struct Standing {
   Vec<typename Formats<S>::Place, N> place{};
   Axes<S, N> axes{};
 };
 
-/// The point of the world that is at `p` in the frame of a body, each coordinate rounded once.
+/// The world position of a point `p` in the frame of a body, each coordinate rounded once.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<typename Formats<S>::Place, N> out_of(
     const Standing<S, N>& body, const Vec<typename Formats<S>::Lever, N>& p) noexcept {
@@ -321,7 +321,7 @@ template <Scalar S, int N>
   });
 }
 
-/// Where a part is, of a body that is at `body`: each number rounded once.
+/// The pose of a part of a body at `body`: each number rounded once.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Standing<S, N> part_at(const Standing<S, N>& body,
                                                const RelativePose<S, N>& part) noexcept {

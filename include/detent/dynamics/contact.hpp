@@ -13,7 +13,7 @@
 
 namespace detent::detail {
 
-/// What two bodies in contact remember from tick to tick: the impulses that start the next solve.
+/// The state of a contact between ticks: the impulses that warm-start the next solve.
 template <Scalar S, int N>
 struct BodyContact {
   using Impulse = typename Formats<S>::Impulse;
@@ -32,8 +32,8 @@ struct BodyContact {
                                                  const BodyContact&) noexcept = default;
 };
 
-/// A soft constraint in units of the substep: the share of the velocity that is taken, the share of
-/// the overlap that is added to it, and the share of the impulse so far that is given back.
+/// A soft constraint in units of the substep: the share of the velocity removed, the share of the
+/// overlap added to it, and the share of the accumulated impulse given back.
 template <Scalar S>
 struct Softness {
   typename Formats<S>::Ratio rigid{}, pull{}, loss{};
@@ -52,7 +52,7 @@ inline constexpr Softness<S> contact_softness = softness<S>(1011764717, 38230596
 template <Scalar S>
 inline constexpr Softness<S> wall_softness = softness<S>(1042960878, 75948940);
 
-/// What the solver needs to know of a body besides its motion.
+/// The solver's data about a body besides its motion.
 template <Scalar S, int N>
 struct Support {
   using F = Formats<S>;
@@ -98,8 +98,8 @@ template <Scalar S, int N>
           make_vec<N>([&](int i) { return nearest_to<Ratio>(share_b * n[i]); })};
 }
 
-/// Takes the locked axes out of a push; the part of the motion along it that is lost, rounded once a
-/// body.
+/// Removes the locked axes from a push. Returns the part of the motion along it that is lost,
+/// rounded once per body.
 template <Scalar S, int N>
 [[nodiscard]] constexpr typename Formats<S>::Give lock(Thrust<S, N>& push, std::uint8_t locked_a,
                                                        std::uint8_t locked_b) noexcept {

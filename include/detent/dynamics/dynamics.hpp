@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Bodies that move: worlds, their snapshots and digests, mass properties; particles, ropes and cloth.
+// Rigid bodies: worlds, their snapshots and digests, mass properties; particles, ropes and cloth.
 
 #include "detent/dynamics/fields.hpp"
 #include "detent/dynamics/mass.hpp"

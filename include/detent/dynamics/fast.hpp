@@ -8,12 +8,13 @@
 #include "detent/dynamics/manifold/facet.hpp"
 #include "detent/dynamics/manifold/pair.hpp"
 
-// Continuous collision: a body that is marked as fast stops where its centre would come too close to
-// another body, or pass through it, within a tick.
+// Continuous collision: within a tick, a body marked as fast stops before its centre comes too
+// close to another body or passes through it.
 
 namespace detent::detail {
 
-/// The radius of a ball about the centre of a body that is within its shape; not positive for none.
+/// The radius of a ball about the centre of a body that is within its shape; not positive if there
+/// is none.
 template <Scalar S, int N>
 [[nodiscard]] constexpr S inner_radius(const Sphere<S, N>& ball) noexcept {
   return ball.radius;
@@ -58,27 +59,27 @@ template <Scalar S, int N>
   });
 }
 
-/// Of a compound the centre alone counts: it may be in none of the parts.
+/// For a compound only the centre counts: it may be outside all parts.
 template <Scalar S, int N>
 [[nodiscard]] constexpr S inner_radius(const BodyCompound<S, N>&) noexcept {
   return S(0);
 }
 
-/// Where a point stops: the share of its way, and the point there.
+/// Where a point stops: the fraction of its path, and the position there.
 template <Scalar S, int N>
 struct Stop {
   typename Formats<S>::Ratio share{};
   Vec<typename Formats<S>::Lever, N> at{};
 };
 
-/// Where a point that moves from `from` straight to `to` has to stop before something convex, or
-/// nothing: it goes on. `touch(pose, reach)` is the manifold with a point whose body has that pose,
-/// `radius` that of a ball around the point.
+/// Where a point that moves straight from `from` to `to` has to stop before a convex shape, or
+/// nothing if it does not stop. `touch(pose, reach)` is the manifold with a point whose body has
+/// that pose, `radius` that of a ball around the point.
 ///
-/// The ball stops half a margin before the shape. Where it starts within a margin, its contact stops
-/// it, and the point may come half as close as it was; where the point starts in the shape, it is
-/// free. The distance from a convex shape is a convex function of the way, so that Newton's method
-/// never passes the distance that it aims at. After 16 steps the point stops where it is.
+/// The ball stops half a margin before the shape. If it starts within a margin, its contact stops
+/// it, and the point may come half as close as it was; if the point starts in the shape, it is
+/// free. The distance from a convex shape is a convex function of the path, so Newton's method
+/// never passes its target distance. After 16 steps the point stops where it is.
 ///
 /// result: a point outside the shape                    (tests/dynamics/fast.test.cpp)
 template <Scalar S, int N, class Touch, class Lever = typename Formats<S>::Lever>
@@ -120,7 +121,7 @@ template <Scalar S, int N, class Touch, class Lever = typename Formats<S>::Lever
   return Stop<S, N>{share, pose.translation};
 }
 
-/// Before the triangles of a surface, from where they can be seen: the earliest stop of all.
+/// For the triangles of a surface, seen from their front: the earliest stop of all.
 template <class Body, Scalar S, class Lever = typename Formats<S>::Lever>
 [[nodiscard]] constexpr std::optional<Vec<Lever, 3>> stop_before_surface(const Body& body,
                                                                          const Vec<Lever, 3>& from,
@@ -151,7 +152,7 @@ template <class Body, Scalar S, class Lever = typename Formats<S>::Lever>
   return first ? std::optional(first->at) : std::nullopt;
 }
 
-/// Before a shape, in its frame.
+/// For a shape, in its frame.
 template <class Shape, Scalar S, int N, class Lever = typename Formats<S>::Lever>
 [[nodiscard]] constexpr std::optional<Vec<Lever, N>> stop_before(
     const Shape& shape, const BodyExtent<S, N>& extent, const Vec<Lever, N>& from,

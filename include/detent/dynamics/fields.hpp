@@ -12,7 +12,7 @@
 #include "detent/scene/object.hpp"
 #include "detent/scene/shape_tag.hpp"
 
-// The fields of a world, so that `diff`, `SyncTest` and `Session` can name what differs.
+// The fields of a world, so that `diff`, `SyncTest` and `Session` can name differences.
 
 namespace detent {
 
@@ -20,7 +20,7 @@ namespace detail {
 
 inline constexpr std::string_view names_of_bodies[] = {"solid hull", "mesh", "height field",
                                                        "compound"};
-/// The name of a shape in a world: those that only bodies have come after the names of scenes.
+/// The name of a shape in a world; names of shapes that only bodies have follow those of scenes.
 template <class Shape>
 inline constexpr std::string_view body_shape_name =
     shape_tag<Shape> < std::size(shape_names)
@@ -41,7 +41,7 @@ struct BodyField {
 template <class Body>
 BodyField(const Body&, BodyId) -> BodyField<Body>;
 
-/// What moves comes first: it is what a desync should name.
+/// Motion comes first, so that a desync names it.
 template <class Body, class F>
 constexpr void for_each_field(const BodyField<Body>& field, const F& f) {
   const Body& body = field.body;

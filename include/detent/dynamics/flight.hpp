@@ -9,7 +9,7 @@
 
 namespace detent::detail {
 
-/// What rows need to know of a body, for where it is. `axes` are those of its orientation.
+/// The data that rows need about a body in its current pose. `axes` are those of its orientation.
 template <Scalar S, int N, class Shape>
 [[nodiscard]] constexpr Support<S, N> support_of(const BodyRecord<S, N, Shape>& body,
                                                  const Axes<S, N>& axes) noexcept {
@@ -28,7 +28,7 @@ template <Scalar S, int N, class Shape>
   return support_of<S, N>(body, axes_of<S, N>(body.state.orientation));
 }
 
-/// Shares of the inverse masses: of two masses, the other one's share.
+/// Shares of the inverse masses: each is the other mass over the sum of both.
 template <Scalar S, class Body>
 [[nodiscard]] constexpr auto mass_shares(const Body& a, const Body& b) noexcept {
   using Ratio = typename Formats<S>::Ratio;
@@ -42,8 +42,9 @@ template <Scalar S, class Body>
   return share;
 }
 
-/// The first half of a substep: gravity, forces, damping, locked axes, and the spin that keeps the angular momentum at
-/// the orientation half-way through it, whose axes go to `half_way`. `axes` are those of the body.
+/// The first half of a substep: gravity, forces, damping, locked axes, and the spin that keeps the
+/// angular momentum at the orientation in the middle of the substep, whose axes go to `half_way`.
+/// `axes` are those of the body.
 template <Scalar S, int N, class Shape>
 constexpr void accelerate(const BodyRecord<S, N, Shape>& body, Moving<S, N>& moving,
                           const Axes<S, N>& axes, Axes<S, N>& half_way,
@@ -76,9 +77,9 @@ constexpr void accelerate(const BodyRecord<S, N, Shape>& body, Moving<S, N>& mov
   }
 }
 
-/// The second half: moves by the velocity, turns by the spin, and carries the spin on to the new
-/// orientation, whose axes go to `axes` if the body is not round. Places are exact, clamped at the
-/// ends of the world.
+/// The second half: moves by the velocity, turns by the spin, and carries the spin to the new
+/// orientation, whose axes go to `axes` if the body is not round. Positions are exact, clamped at
+/// the ends of the world.
 template <Scalar S, int N, class Shape>
 constexpr void move(BodyRecord<S, N, Shape>& body, Moving<S, N>& moving, const Axes<S, N>& half_way,
                     Axes<S, N>& axes) noexcept {

@@ -5,7 +5,8 @@
 
 namespace detent::detail {
 
-/// The number types of a world, for each scalar; `float` and `double` are used for all of them.
+/// The number types of a world, for each scalar; `float` and `double` use the scalar for all of
+/// them.
 ///
 /// Lengths are counted in steps of the scalar's grid, so every scalar runs the same integers: a
 /// world of q24_8 is one of q16_16 with lengths 256 times as large.  (tests/dynamics/formats.test.cpp)
@@ -39,7 +40,7 @@ template <int Bits, int Frac>
 struct Formats<Fixed<Bits, Frac>> {
   /// A coordinate of a body's centre: the scalar's range on a grid 2^12 times finer.
   using Place = Fixed<Bits + 12, Frac + 12>;
-  /// A side of a box around a body.
+  /// A bound of a box around a body.
   using Bound = Fixed<Bits + 15, Frac + 12>;
   /// A length per substep. [-4, 4), 960 units a second at 240 substeps
   using Speed = Fixed<30, Frac + 12>;
@@ -65,7 +66,7 @@ struct Formats<Fixed<Bits, Frac>> {
   using Gyration = Fixed<52, 66 - 2 * Frac>;
   /// A sum of products of moments and spins.
   using Sum = Fixed<62, Frac + 34>;
-  /// A moment times a response: the part of turning in the inverse of an effective mass.
+  /// A moment times a response: the contribution of turning to the inverse of an effective mass.
   using Give = Fixed<59, 30>;
   /// A ratio of two inertias. [-2^17, 2^17)
   using Stretch = Fixed<47, 30>;
@@ -73,7 +74,7 @@ struct Formats<Fixed<Bits, Frac>> {
   using FineSpin = Fixed<51, 44>;
   /// A length between two points of joined bodies. [-512, 512)
   using Reach = Fixed<37, Frac + 12>;
-  /// A change of the spin of b against a: an impulse of turning. [-8, 8)
+  /// A change of the spin of b relative to a: an angular impulse. [-8, 8)
   using Turn = Fixed<31, 28>;
   /// The change of spin of one body by a turn of 1. [-128, 128)
   using TurnShare = Fixed<31, 24>;

@@ -14,15 +14,15 @@
 
 namespace detent {
 
-/// A convex polygon or polyhedron that bodies share, with its faces and an id chosen by the caller:
-/// what `BodyHull` refers to. `solid_hull` makes one. Snapshots store the id and the digest of the
+/// A convex polygon or polyhedron that bodies share, with its faces and an id chosen by the caller;
+/// `BodyHull` refers to it. `solid_hull` makes one. Snapshots store the id and the digest of the
 /// points; the digest shows whether they are the same.
 ///
 /// The caller owns the points and must not change them.
 template <Scalar S, int N>
 class SolidHull {
  public:
-  /// The most points that it can have.
+  /// The most points of a hull.
   static constexpr std::size_t capacity = 32;
 
   constexpr SolidHull() noexcept : SolidHull(0, ConvexHull<S, N>()) {}
@@ -32,7 +32,7 @@ class SolidHull {
   [[nodiscard]] constexpr std::uint64_t digest() const noexcept { return digest_; }
   /// The centre of mass, in the frame of the points.
   [[nodiscard]] constexpr const auto& center() const noexcept { return center_; }
-  /// The faces, about the centre of mass.
+  /// The faces, relative to the centre of mass.
   [[nodiscard]] constexpr detail::Polytope<S, N> faces() const noexcept { return parts_.view(); }
 
  private:
@@ -54,7 +54,7 @@ class SolidHull {
 /// volume at density 1.
 ///
 /// units:  lengths in world units
-/// domain: every hull; points inside it, and on its faces and edges, change nothing
+/// domain: every hull; points inside it, or on its faces and edges, make no difference
 /// exact:  which points are corners of which face; unit vectors rounded once to nearest
 ///                                                       (tests/dynamics/hull.test.cpp)
 template <Scalar S, int N>

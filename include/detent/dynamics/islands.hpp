@@ -17,7 +17,7 @@ class Islands {
     for (std::size_t i = 0; i < bodies; ++i) root_[i] = static_cast<std::uint32_t>(i);
   }
 
-  /// The least body of an island.
+  /// The lowest body of an island.
   [[nodiscard]] constexpr std::uint32_t of(std::uint32_t body) noexcept {
     while (root_[body] != body) {
       root_[body] = root_[root_[body]];

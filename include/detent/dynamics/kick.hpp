@@ -14,7 +14,7 @@ struct Kick {
   Axial<typename F::Spin, N> spin{};
 };
 
-/// The moment of a vector that acts at `r` from the centre: exact.
+/// The moment of a vector applied at `r` from the centre: exact.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto moment_of(const Vec<typename Formats<S>::Lever, N>& r,
                                        const Vec<S, N>& v) noexcept {
@@ -26,7 +26,7 @@ template <Scalar S, int N>
   }
 }
 
-/// What `push` over `per` does to the velocity of a body that can move, each component rounded once.
+/// The change of velocity of a movable body by `push` over `per`, each component rounded once.
 template <Scalar S, int N, class Shape>
 [[nodiscard]] constexpr auto velocity_of(const BodyRecord<S, N, Shape>& body, const Vec<S, N>& push,
                                          int per) noexcept {
@@ -37,8 +37,8 @@ template <Scalar S, int N, class Shape>
   });
 }
 
-/// What a moment over `per` does to its spin: the inverse inertia in the world times the moment, each
-/// component rounded once.
+/// The change of its spin by a moment over `per`: the inverse inertia in the world times the
+/// moment, each component rounded once.
 template <Scalar S, int N, class Shape, class Moment>
 [[nodiscard]] constexpr auto spin_of(const BodyRecord<S, N, Shape>& body, const Moment& moment,
                                      int per) noexcept {

@@ -11,7 +11,7 @@
 
 namespace detent::detail {
 
-/// A shape in the frame of its body, and the frame in the world: its origin is the centre, rounded
+/// A shape in the frame of its body, and that frame in the world: its origin is the centre, rounded
 /// down to the scalar's grid.
 template <Scalar S, int N, class Shape>
 struct Local {
@@ -28,7 +28,7 @@ template <Scalar S, int N>
   return q;
 }
 
-/// The orientation of a rotation: its first axis in 2D, its quaternion in 3D, of unit length again.
+/// The orientation of a rotation: its first axis in 2D, its quaternion in 3D, normalised.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto orientation_of(const Rotation<S, N>& rotation) noexcept {
   using Ratio = typename Formats<S>::Ratio;
@@ -72,7 +72,7 @@ template <Scalar S, int N>
           upright<S, N>()};
 }
 
-/// A point of a body's frame that is rotated, then moved; each coordinate rounded once.
+/// A point of a body's frame, rotated, then translated; each coordinate rounded once.
 template <Scalar S, int N, Number C>
 [[nodiscard]] constexpr Vec<typename Formats<S>::Place, N> placed_center(
     const Vec<S, N>& translation, const Rotation<S, N>& rotation,
@@ -84,7 +84,7 @@ template <Scalar S, int N, Number C>
   });
 }
 
-/// A hull in the frame of its body, about its centre of mass.
+/// A hull in the frame of its body, relative to its centre of mass.
 template <Scalar S, int N>
 struct LocalHull {
   BodyHull<S, N> shape{};
@@ -100,7 +100,7 @@ template <Scalar S, int N>
           orientation_of(body.rotation)};
 }
 
-/// A surface in the frame of its body, which is that of its asset.
+/// A surface in the frame of its body, which is its asset's frame.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Local<S, N, BodyMesh<S, N>> local_form(
     const BodyMesh<S, N>& body) noexcept {
@@ -116,8 +116,8 @@ template <Scalar S, int N>
   return {shape, body.translation, upright<S, N>()};
 }
 
-/// Half the sides of a box about the origin of the body's frame that holds the shape, and a radius
-/// to add to them.
+/// Half the sides of a box about the origin of the body's frame, and a radius to add to them, that
+/// together contain the shape.
 template <Scalar S, int N>
 struct BodyExtent {
   Vec<S, N> half_extents{};
@@ -156,7 +156,7 @@ template <Scalar S, int N>
   return extent;
 }
 
-/// That of the box around a surface; of none without triangles.
+/// That of the box around a surface; 0 without triangles.
 template <class Body>
 requires is_surface_body<Body>
 [[nodiscard]] constexpr auto extent_of(const Body& body) noexcept {
@@ -166,15 +166,15 @@ requires is_surface_body<Body>
   return is_empty(box) ? Extent{} : extent_of(box);
 }
 
-/// BodyBox of a body along the world's axes.
+/// The bounds of a body along the world's axes.
 template <Scalar S, int N>
 struct BodyBox {
   using Bound = typename Formats<S>::Bound;
   Vec<Bound, N> least{}, most{};
 };
 
-/// Holds the shape with twice `margin` around it: what two manifolds within `margin` need, and more
-/// than all roundings.
+/// Contains the shape with twice `margin` around it: enough for two manifolds within `margin`, and
+/// more than all roundings.
 template <Scalar S, int N>
 [[nodiscard]] constexpr BodyBox<S, N> bounds_of(const Vec<typename Formats<S>::Place, N>& place,
                                                 const Axes<S, N>& axes,

@@ -6,11 +6,12 @@
 namespace detent::detail {
 
 /// The sum of three products of short numbers, of magnitudes of at most 2^30 (1 + 2^-28) steps, and
-/// long ones, of at most 52 bits, rounded to nearest once, in words of 64 bits.
+/// long ones, of at most 52 bits, rounded to nearest once, in 64-bit words.
 ///
-/// A long number is 2^22 u + l with 0 <= l < 2^22. The sum over the u is at most 3 2^60 (1 + 2^-28),
-/// that over the l less than 2^54. Their whole part at 2^22, with its last bit set if anything is
-/// left over, is rounded as the sum itself, since two or more of its bits are rounded off.
+/// A long number is 2^22 u + l with 0 <= l < 2^22. The sum over the u is at most 3 2^60 (1 +
+/// 2^-28), that over the l less than 2^54. Their sum in units of 2^22, rounded down with a sticky
+/// last bit for the remainder, rounds like the exact sum, because at least two more bits are
+/// rounded off.
 template <class T, class Short, class Long>
 [[nodiscard]] constexpr T nearest_dot(const Vec<Short, 3>& a, const Vec<Long, 3>& b) noexcept {
   if constexpr (is_fixed<T>) {

@@ -9,7 +9,7 @@
 
 namespace detent::detail {
 
-/// The pose of body b in the frame of body a. All later decisions about the pair are exact about
+/// The pose of body b in the frame of body a. All later decisions about the pair are exact for
 /// these numbers.
 template <Scalar S, int N>
 struct RelativePose {
@@ -28,8 +28,8 @@ struct ManifoldPoint {
   std::uint32_t feature = 0;                   // names the features; unique within a manifold
 };
 
-/// Where two bodies touch or nearly touch. Points are in the order of their features' canonical
-/// choice, which depends on the shapes and their relative pose alone.
+/// The manifold of two bodies that touch or nearly touch. The order of points is canonical: it
+/// depends only on the shapes and their relative pose.
 template <Scalar S, int N>
 struct Manifold {
   static constexpr int capacity = N == 2 ? 2 : 4;

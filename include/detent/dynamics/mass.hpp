@@ -40,19 +40,19 @@ template <Scalar S, int N>
   return detail::box_properties(shape, density);
 }
 
-/// The hull's points may be in any order and lie inside it. Takes time in proportion to the cube of
-/// their number: for bodies that are made, not for every tick.
+/// The hull's points may be in any order and may be inside it. The time is proportional to the cube
+/// of their number: call this when making bodies, not every tick.
 template <Scalar S, int N>
 [[nodiscard]] constexpr MassProperties<S, N> mass_properties(const ConvexHull<S, N>& shape,
                                                              S density) noexcept {
   return detail::hull_properties(shape, density);
 }
 
-/// The properties of several parts that move as one body, given in one frame. Parts may overlap:
+/// The properties of several parts that move as one body, given in one frame. Where parts overlap,
 /// masses add.
 ///
-/// domain: up to 2^20 parts; those without mass count nothing
-/// result: the same in whatever order the parts are
+/// domain: up to 2^20 parts; those without mass are ignored
+/// result: independent of the order of the parts
 /// exact:  from the parts' rounded properties, each field rounded once (tests/dynamics/mass.test.cpp)
 /// source: the parallel axis theorem
 template <Scalar S, int N>

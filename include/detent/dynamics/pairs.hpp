@@ -24,7 +24,7 @@ template <class Contact>
   return {contact.a, contact.b};
 }
 
-/// What a contact is numbered by.
+/// The number of a contact.
 struct ContactKey {
   BodyPair pair{};
   std::uint16_t member = 0;
@@ -45,15 +45,15 @@ struct SweepEntry {
   std::uint8_t first_strip = 0, last_strip = 0;
 };
 
-/// Strips across the world along one axis other than x, with about as many bodies in each. A body is
-/// in all strips from that of its least coordinate to that of its most.
+/// Strips across the world along one axis other than x, with about equally many bodies in each. A
+/// body is in all strips from that of its least coordinate to that of its greatest.
 template <Scalar S, int N>
 class Strips {
  public:
   using Bound = typename Formats<S>::Bound;
   static constexpr std::size_t most_strips = 32;
 
-  /// Along the axis on which the middle half of the bodies is widest; by a sample of the bodies.
+  /// Chooses the axis on which the middle half of a sample of the bodies is widest.
   constexpr Strips(const SweepEntry<S, N>* bodies, std::size_t count) noexcept
       : count_((std::min)(count / 64 + 1, most_strips)) {
     if (count_ == 1) return;
@@ -94,8 +94,8 @@ class Strips {
 };
 
 /// Calls found(pair) for all pairs of bodies whose bounds overlap, in no particular order: a sweep
-/// along the x axis in each strip. Bodies that overlap are both in the later one of their first
-/// strips, where they are found. Sorts `bodies`; `lane` has room for as many indices.
+/// along the x axis in each strip. Overlapping bodies are both in the later of their first strips,
+/// and are reported there. Sorts `bodies`; `lane` has room for as many indices.
 template <Scalar S, int N, class Lane, class Found>
 constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Lane& lane, const Found& found) {
   std::sort(bodies, bodies + count, [](const auto& p, const auto& q) {

@@ -44,16 +44,16 @@ template <Scalar S, int N>
           nearest_to<typename F::Lever>(settings.margin)};
 }
 
-/// Whether a body does not move along an axis, by the bits of `AxisLock`.
+/// Whether a body is locked along an axis, by the bits of `AxisLock`.
 [[nodiscard]] constexpr bool is_locked(std::uint8_t locked, int axis) noexcept {
   return ((locked >> axis) & 1) != 0;
 }
-/// Whether it does not turn about an axis; in 2D about the only one.
+/// Whether it is locked against turning about an axis; in 2D about the only one.
 template <int N>
 [[nodiscard]] constexpr bool is_turn_locked(std::uint8_t locked, int axis) noexcept {
   return N == 2 ? (locked & AxisLock::turn) != 0 : is_locked(locked, axis + 3);
 }
-/// Velocity and spin without what is locked.
+/// Velocity and spin without the locked components.
 template <Scalar S, int N>
 constexpr void lock(std::uint8_t locked, Vec<typename Formats<S>::Speed, N>& velocity,
                     Axial<typename Formats<S>::Spin, N>& spin) noexcept {
@@ -85,7 +85,7 @@ struct BodyRecord {
   std::uint32_t generation = 0;  // 0 for an unused index
   BodyMotion motion = BodyMotion::fixed;
   bool sleeps = false;
-  std::uint8_t quiet = 0;  // ticks in a row that it was slow, up to 255
+  std::uint8_t quiet = 0;  // consecutive ticks in which it was slow, up to 255
   std::uint32_t layers = 0, collides_with = 0;
   std::uint64_t user = 0;
   S density{}, friction{}, restitution{}, linear_damping{}, angular_damping{};
@@ -98,7 +98,7 @@ struct BodyRecord {
   Vec<typename F::Speed, N> push{};  // by forces, in each substep of the next tick
   Axial<typename F::Spin, N> twist{};
 
-  // These follow from the others.
+  // Derived from the others.
   typename MassProperties<S, N>::Formats::Mass mass{};
   Inertia<S, N> inertia{};
   BodyExtent<S, N> reach{};
@@ -112,7 +112,7 @@ struct BodyRecord {
   }
 };
 
-/// How many parts a compound has; 0 for other bodies.
+/// The number of parts of a compound; 0 for other bodies.
 template <Scalar S, int N, class Shape>
 [[nodiscard]] constexpr std::size_t part_count(const BodyRecord<S, N, Shape>& body) noexcept {
   const auto* compound = compound_of<S, N>(body.shape);
@@ -158,7 +158,7 @@ template <Scalar S>
   return inertia;
 }
 
-/// Computes what follows from the shape, the density and the damping.
+/// Computes the fields derived from the shape, the density and the damping.
 template <Scalar S, int N, class Shape>
 constexpr void derive(BodyRecord<S, N, Shape>& body, int rate) noexcept {
   body.shape.visit([&](const auto& shape) {

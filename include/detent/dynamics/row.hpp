@@ -10,7 +10,7 @@
 
 namespace detent::detail {
 
-/// What the solver changes of a body.
+/// The state of a body that the solver changes.
 template <Scalar S, int N>
 struct Moving {
   using F = Formats<S>;
@@ -40,7 +40,7 @@ struct Thrust {
   Vec<Ratio, N> on_a{}, on_b{};
 };
 
-/// How fast b leaves a along a row: n . (dv_b - dv_a) + c_b . dw_b - c_a . dw_a.
+/// The rate at which b leaves a along a row: n . (dv_b - dv_a) + c_b . dw_b - c_a . dw_a.
 ///
 /// |n . dv| <= 2^31 sqrt(3) 2^30 (1 + 2^-28) and c . dw <= 2^29 sqrt(3) 2^30 sqrt(3), all with two
 /// bodies, fit 62 bits; the first is rounded to the grid of the second, the sum once more.
@@ -89,8 +89,8 @@ class Spill {
 /// of a velocity or spin, and clamps the sum. `share` and `velocity` have the same number of
 /// components.
 ///
-/// Nearly always nothing is clamped. |share| |impulse| <= 2^62 is rounded off by at least 22 bits, so
-/// sums with numbers of 30 bits fit 62 bits.
+/// Clamping is rare. |share| |impulse| <= 2^62 is rounded off by at least 22 bits, so sums with
+/// numbers of 30 bits fit 62 bits.
 template <int Sign, int Count, class V, class Shares, class Velocity, class Impulse>
 constexpr void push_each(const Shares& share, const Impulse& impulse, Velocity& velocity) noexcept {
   const auto at = [](auto& v, int i) -> auto& {
@@ -126,12 +126,12 @@ constexpr void push_each(const Shares& share, const Impulse& impulse, Velocity& 
   }
 }
 
-/// Which bodies of a row an impulse changes: the other one's shares are all 0.
+/// The bodies of a row that an impulse changes: the other one's shares are all 0.
 struct Pushed {
   bool a = true, b = true;
 };
 
-/// Turns b along the row by `impulse` and a against it. A product is rounded, a spin clamped.
+/// Turns b along the row by `impulse` and a oppositely. A product is rounded, a spin clamped.
 template <Scalar S, int N, class F = Formats<S>>
 constexpr void turn_both(const Row<S, N>& row, const typename F::Impulse& impulse, Moving<S, N>& a,
                          Moving<S, N>& b, const Pushed& pushed = {}) noexcept {
@@ -142,7 +142,7 @@ constexpr void turn_both(const Row<S, N>& row, const typename F::Impulse& impuls
   if (pushed.b) push_each<1, turns, Spin>(row.response_b, impulse, b.spin);
 }
 
-/// Pushes b along the row by `impulse` and a against it. A product is rounded, a velocity clamped.
+/// Pushes b along the row by `impulse` and a oppositely. A product is rounded, a velocity clamped.
 template <Scalar S, int N, class F = Formats<S>>
 constexpr void apply(const Thrust<S, N>& push, const Row<S, N>& row,
                      const typename F::Impulse& impulse, Moving<S, N>& a, Moving<S, N>& b,
@@ -193,8 +193,9 @@ template <Scalar S>
   using Ratio = typename Formats<S>::Ratio;
   return quotient_nearest<Ratio>(as_operand<Ratio>(raw), as_operand<Ratio>(1 << 30));
 }
-/// 1 / (1 - lost + c_a j_a + c_b j_b), rounded to nearest; `lost` is the part of the motion along the
-/// row that locked axes take. Less than 1 / 64 counts as none: then nothing can push along the row.
+/// 1 / (1 - lost + c_a j_a + c_b j_b), rounded to nearest; `lost` is the part of the motion along
+/// the row that locked axes remove. 0 if the denominator is less than 1 / 64: then nothing can push
+/// along the row.
 template <Scalar S, int N, class F = Formats<S>>
 constexpr void complete(Row<S, N>& row, const Spread<typename F::Gyration, N>& spread_a,
                         const Spread<typename F::Gyration, N>& spread_b,

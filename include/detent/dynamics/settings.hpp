@@ -15,7 +15,7 @@ using BodyId = ObjectId;
 /// How a body moves.
 enum class BodyMotion : std::uint8_t {
   dynamic,    // by gravity, contacts and its velocity
-  kinematic,  // by its velocity alone: nothing stops it
+  kinematic,  // only by its velocity: nothing stops it
   fixed,      // never
 };
 
@@ -27,7 +27,7 @@ template <Scalar S>
   return quotient_nearest<S>(as_operand<S>(n), as_operand<S>(d));
 }
 
-/// 10 units per second and second, down the y axis in 2D and in 3D.
+/// 10 units per second squared, down the y axis in 2D and in 3D.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> standard_gravity() noexcept {
   Vec<S, N> gravity{};
@@ -45,7 +45,7 @@ struct AxisLock {
   static constexpr std::uint8_t turn = turn_x | turn_y | turn_z;
 };
 
-/// What a body is made of, and how it starts. Seconds are those of the world's settings.
+/// The properties of a body and its initial motion. Seconds are those of the world's settings.
 template <Scalar S, int N>
 struct BodyOptions {
   BodyMotion motion = BodyMotion::dynamic;

@@ -234,7 +234,8 @@ template <class Shape, class Assets>
   }
 }
 
-/// Reads what a body is made of; other results than `yes` for bytes that are no body of this world.
+/// Reads the properties of a body; returns a reason other than `yes` for bytes that are not a body
+/// of this world.
 template <Scalar S, int N, class... Shapes, class Assets>
 [[nodiscard]] constexpr Restored read_make(Reader& in, BodyRecord<S, N, OneOf<Shapes...>>& body,
                                            const Assets& assets) noexcept {
@@ -277,7 +278,7 @@ template <class Body, class Contact>
          (contact.part == 0 || is_surface(a) || is_surface(b));
 }
 
-/// Reads the parts of a snapshot into lists, in which fixed bodies are already.
+/// Reads the parts of a snapshot into lists that already have the fixed bodies.
 template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Assets>
 [[nodiscard]] constexpr Restored read_world(Reader& in, const WorldHeader& header, Bodies& bodies,
                                             Contacts& contacts, Joints& joints,
@@ -392,11 +393,11 @@ template <Scalar S, int N, class... Shapes>
 }
 #endif
 
-/// Makes `world` the one of the snapshot, or returns why it is unchanged.
+/// Sets `world` to the state of a snapshot, or returns why it is unchanged.
 ///
 /// domain: any bytes
-/// result: `other_scene` also for other settings; a world restored steps bit by bit as the one that
-///         was saved                                    (tests/dynamics/snapshot.test.cpp)
+/// result: `other_scene` also for different settings; a restored world steps bit by bit like the
+///         one that was saved                                    (tests/dynamics/snapshot.test.cpp)
 template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
 [[nodiscard]] constexpr Restored restore(BasicWorld<Storage, S, N, Shapes...>& world,
                                          std::span<const std::byte> bytes, const Lists&... lists) {
@@ -471,7 +472,7 @@ struct WholeDigest<BasicWorld<Storage, S, N, Shapes...>> {
 
 }  // namespace detail
 
-/// 64 bits of one body: where it is, how it moves and what it is made of; 0 without such a body.
+/// 64 bits of one body: its pose, motion and properties; 0 if it does not exist.
 template <class Storage, Scalar S, int N, class... Shapes>
 [[nodiscard]] constexpr std::uint64_t digest_of(const BasicWorld<Storage, S, N, Shapes...>& world,
                                                 const BodyId& id) noexcept {

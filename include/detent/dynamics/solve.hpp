@@ -5,7 +5,7 @@
 
 namespace detent::detail {
 
-/// Starts a substep from the impulses of the last.
+/// Warm-starts a substep with the impulses of the last.
 template <Scalar S, int N>
 constexpr void warm_start(const ReadyContact<S, N>& ready, const BodyContact<S, N>& contact,
                           Moving<S, N>& a, Moving<S, N>& b) noexcept {
@@ -30,8 +30,8 @@ template <Scalar S, class Impulse = typename Formats<S>::Impulse>
 enum class Pass : std::uint8_t { biased, relaxed };
 
 /// Pushes the bodies apart at each point of a contact, one after another. Bodies move between a
-/// biased pass and the relaxed one that follows, so gaps are computed in relaxed passes, and each
-/// biased pass has those of the pass before, at first those at the start of the tick.
+/// biased pass and the following relaxed one, so relaxed passes compute gaps, and each biased pass
+/// uses those of the previous pass, at first those at the start of the tick.
 ///
 /// m t <= 2^60 and loss * total <= 2^57 steps: their difference fits 62 bits.
 template <Pass pass, Scalar S, int N>
@@ -137,7 +137,7 @@ constexpr void solve_friction(const ReadyContact<S, N>& ready, BodyContact<S, N>
   }
 }
 
-/// Lets bodies that met faster than `threshold` bounce.
+/// Bounces bodies that met faster than `threshold`.
 template <Scalar S, int N>
 constexpr void bounce(const ReadyContact<S, N>& ready, BodyContact<S, N>& contact, Moving<S, N>& a,
                       Moving<S, N>& b, const typename Formats<S>::Speed& threshold) noexcept {

@@ -6,7 +6,7 @@
 
 namespace detent::detail {
 
-/// How a body resists turning.
+/// The inertia of a body.
 template <Scalar S, int N>
 struct Inertia {
   using F = Formats<S>;
@@ -14,9 +14,9 @@ struct Inertia {
   Spread<typename F::Gyration, N> inverse{};  // of the squared gyration, in the body's frame
   Spread<typename F::Ratio, N> share{};  // the squared gyration over its greatest diagonal entry
   Spread<typename F::Stretch, N> inverse_share{};
-  bool is_round = true;  // it turns alike about every axis: no torque, no change of spin
+  bool is_round = true;  // the same about every axis: no gyroscopic torque
 
-  /// Whether the frame's axes are those of inertia, so that all other entries are 0.
+  /// Whether the frame's axes are the principal ones, so that all other entries are 0.
   [[nodiscard]] constexpr bool is_diagonal() const noexcept {
     if constexpr (N == 2) return true;
     return share[3] == 0 && share[4] == 0 && share[5] == 0 && inverse_share[3] == 0 &&
@@ -47,7 +47,7 @@ template <Scalar S, int N, Number T>
   }
 }
 
-/// The spin with which the body keeps its angular momentum while its axes turn from `from` to `to`.
+/// The spin that keeps a body's angular momentum while its axes turn from `from` to `to`.
 ///
 /// Every product is rounded to a step of 2^-44, the result once more.
 template <Scalar S>

@@ -13,10 +13,10 @@ namespace detent {
 /// A body that is a surface of triangles, in 3D: the mesh `asset`, rotated, then moved by
 /// `translation`. Worlds that hold such bodies list it: `World<q16_16, 3, Sphere, BodyMesh>`.
 ///
-/// It has no mass: it is fixed or kinematic, whatever its options say. Triangles have one side: they
-/// touch bodies whose place is not behind them, where their corners are clockwise. Their indices must
-/// be different and below `part_limit`; others touch nothing. The caller owns the asset, which must
-/// outlive the world.
+/// It has no mass: it is fixed or kinematic, whatever its options are. Triangles are one-sided:
+/// they touch bodies whose centre is not behind them, where their corners are clockwise. Their
+/// indices must be different and below `part_limit`; others touch nothing. The caller owns the
+/// asset, which must outlive the world.
 template <Scalar S, int N>
 struct BodyMesh {
   static_assert(N == 3, "meshes are surfaces in 3D");
@@ -30,8 +30,8 @@ struct BodyMesh {
 };
 
 /// A body that is terrain, in 3D: the height field `asset`, moved by `translation`, with the same
-/// limits as `BodyMesh`. What is below its surface is solid: a body that reaches it from below is
-/// pushed out above.
+/// limits as `BodyMesh`. Everything below its surface is solid: a body that reaches it from below
+/// is pushed out above.
 template <Scalar S, int N>
 struct BodyHeightField {
   static_assert(N == 3, "height fields are surfaces in 3D");
@@ -52,13 +52,13 @@ inline constexpr bool is_surface_body<BodyMesh<S, N>> = true;
 template <Scalar S, int N>
 inline constexpr bool is_surface_body<BodyHeightField<S, N>> = true;
 
-/// Whether a body may be pushed out of a surface that its place is behind.
+/// Whether a body may be pushed out of a surface when its centre is behind it.
 template <class T>
 inline constexpr bool is_solid_below = false;
 template <Scalar S, int N>
 inline constexpr bool is_solid_below<BodyHeightField<S, N>> = true;
 
-/// The surface of a body that has its asset.
+/// The surface of a body that has an asset.
 template <Scalar S, int N>
 [[nodiscard]] constexpr const Mesh<S>& surface_of(const BodyMesh<S, N>& body) noexcept {
   return body.asset->mesh();

@@ -11,16 +11,17 @@ namespace detent {
 
 namespace detail {
 
-/// Stands for what a world gives to `Threads`.
+/// Stands for the callables that a world passes to `Threads`.
 struct AnyCall {
   constexpr void operator()(std::size_t) const noexcept {}
 };
 
 }  // namespace detail
 
-/// What runs parts of a step at once: `threads(count, f)` calls f(i) once for each i below `count`, on
-/// any threads in any order, and returns after all calls have, seeing what they have written. A thread
-/// pool of the caller's; `f` lives until `threads` returns, and throws nothing unless memory runs out.
+/// Runs parts of a step in parallel: `threads(count, f)` calls f(i) once for each i below `count`,
+/// on any threads in any order, and returns after all calls have, with their writes visible.
+/// Usually your thread pool; `f` lives until `threads` returns, and throws nothing unless memory
+/// runs out.
 template <class T>
 concept Threads = std::invocable<T&, std::size_t, const detail::AnyCall&>;
 
@@ -38,7 +39,8 @@ struct OneThread {
   }
 };
 
-/// Runs much on the threads of the caller's, in calls for so many elements; little on this one.
+/// Runs large loops on the caller's threads, in calls of so many elements each, and small loops on
+/// this one.
 template <Threads T>
 struct ManyThreads {
   static constexpr bool are_many = true;

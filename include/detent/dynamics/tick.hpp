@@ -95,7 +95,7 @@ class Tick {
     group_.for_each_broken(f);
   }
 
-  /// What a contact counts for in events: bodies, and the parts of compounds, but no triangles.
+  /// The identity of a contact in events: bodies, and the parts of compounds, but no triangles.
   template <class Contact>
   [[nodiscard]] static constexpr ContactKey touching(const Bodies& bodies,
                                                      const Contact& contact) noexcept {
@@ -106,7 +106,7 @@ class Tick {
     }
     return key;
   }
-  /// The numbers of the parts of compounds; 0 for other bodies.
+  /// The indices of the parts of compounds; 0 for other bodies.
   [[nodiscard]] static constexpr std::array<std::uint32_t, 2> parts_touching(
       const Bodies& bodies, const ContactKey& key) noexcept {
     if (compound_of<S, N>(bodies[key.pair.a].shape) == nullptr) return {0, key.member};
@@ -144,7 +144,7 @@ class Tick {
     });
   }
 
-  /// Notes where bodies are, if one of them is fast.
+  /// Records where bodies are, if one of them is fast.
   constexpr bool note_starts(const Bodies& bodies) {
     starts_.clear();
     bool has_fast = false;
@@ -159,8 +159,8 @@ class Tick {
     return body.is_fast && body.generation != 0 && body.can_move();
   }
 
-  /// Stops fast bodies on their way through this tick, by others in the order of their ranks. What
-  /// comes last holds: fixed bodies.
+  /// Stops fast bodies on their paths through this tick, before other bodies in the order of their
+  /// ranks. The last stop counts: fixed bodies come last.
   constexpr void stop_fast(Bodies& bodies, const S& margin) {
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
       if (!is_fast(bodies[i])) continue;
@@ -225,7 +225,7 @@ class Tick {
     body.quiet = 0;
   }
 
-  /// Calls f with a part's shape in its own type, one that the world names.
+  /// Calls f with the shape of a part, as one of the types that the world names.
   template <class F2>
   static constexpr void visit_part(const BodyPart<S, N>& part, const F2& f) {
     part.shape().visit([&]<class Shape>(const Shape& shape) {
@@ -259,7 +259,7 @@ class Tick {
   }
 
   /// The contacts of this tick, in order of their bodies, with the impulses of the last. On several
-  /// threads each has a list of its own, which are then put one behind another.
+  /// threads each block of pairs has its own list, and the lists are concatenated in order.
   template <class Threads>
   constexpr void touch(const Bodies& bodies, const Contacts& before, const S& reach,
                        const typename F::Lever& margin, const Threads& threads) {
@@ -347,7 +347,7 @@ class Tick {
   Placed(const Shape&, const Support<S, N>&, const BodyExtent<S, N>&, const RelativePose<S, N>*,
          std::uint32_t) -> Placed<Shape>;
 
-  /// Calls f for each part of a compound in order, or once for a body of one shape.
+  /// Calls f for each part of a compound in order, or once for a body with a single shape.
   template <class Shape, class Visit>
   constexpr void for_each_placed(const Bodies& bodies, std::uint32_t body, const Shape& shape,
                                  const Visit& f) const {
@@ -369,7 +369,7 @@ class Tick {
     }
   }
 
-  /// The contacts of two bodies of which one at least is a compound.
+  /// The contacts of two bodies, at least one of which is a compound.
   template <class A, class B>
   constexpr void touch_parts(const Bodies& bodies, const BodyPair& pair, const A& first,
                              const B& second, const Contacts& before, std::size_t old,
@@ -422,8 +422,8 @@ class Tick {
     return true;
   }
 
-  /// The contacts of a surface, the first or the second of the pair, and a solid. Those of the last
-  /// tick with their bodies are in `before`, none earlier than `old`.
+  /// The contacts of a surface, the first or the second of the pair, and a solid. `before` has the
+  /// contacts of the last tick; those of these bodies are at `old` or later.
   template <class Terrain, class Solid>
   constexpr void touch_terrain(const Bodies& bodies, ContactKey key, const Terrain& terrain,
                                const Placed<Solid>& solid, bool is_first, const Contacts& before,
@@ -464,7 +464,7 @@ class Tick {
   static constexpr bool is_sensed(const Bodies& bodies, std::uint32_t a, std::uint32_t b) noexcept {
     return bodies[a].is_sensor || bodies[b].is_sensor;
   }
-  /// The same of a contact, whose parts may be sensors.
+  /// The same for a contact, whose parts may be sensors.
   static constexpr bool is_sensed(const Bodies& bodies, const ContactState& contact) noexcept {
     if (is_sensed(bodies, contact.a, contact.b)) return true;
     if constexpr (has_compounds) {
@@ -474,7 +474,7 @@ class Tick {
       return false;
     }
   }
-  /// The parts that touch, nullptr for bodies that are no compounds.
+  /// The parts that touch; nullptr for bodies that are not compounds.
   static constexpr std::array<const BodyPart<S, N>*, 2> parts_of(
       const Bodies& bodies, const ContactState& contact) noexcept {
     const auto* a = compound_of<S, N>(bodies[contact.a].shape);
@@ -550,9 +550,9 @@ class Tick {
     }
   }
 
-  /// A colour for each contact that is awake: the least that no earlier contact of its bodies has;
-  /// the last colour for all others. Contacts of a colour but the last share no body that can move.
-  /// Returns where in `ready_` each colour ends.
+  /// Assigns a colour to each awake contact: the least that no earlier contact of its bodies has,
+  /// or the last colour if there is none. Except for the last colour, contacts of a colour share no
+  /// body that can move. Returns where in `ready_` each colour ends.
   constexpr ColourEnds order(const Bodies& bodies) {
     used_.clear();
     used_.resize(bodies.size());
@@ -585,7 +585,7 @@ class Tick {
     return start;
   }
 
-  /// Calls f for each contact that is awake in order of colours; those of a colour at once.
+  /// Calls f for each awake contact in order of colours; those of one colour in parallel.
   template <class Threads, class Visit>
   constexpr void for_each_ready(const ColourEnds& ends, const Threads& threads, const Visit& f) {
     const auto visit = [&](std::size_t i) { f(ready_[i]); };
@@ -697,7 +697,7 @@ class Tick {
     }
     return true;
   }
-  /// Whether the contacts found are those of the last tick.
+  /// Whether the contacts found are the same as in the last tick.
   constexpr bool have_stayed(const Contacts& before) const noexcept {
     if (before.size() != found_.contacts.size()) return false;
     for (std::size_t i = 0; i < before.size(); ++i) {

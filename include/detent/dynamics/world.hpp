@@ -20,7 +20,7 @@ struct WorldAccess;
 
 }  // namespace detail
 
-/// A pair of bodies that began or ended to touch in the last step, in order of their indices; of
+/// A pair of bodies that began or stopped touching in the last step, in order of their indices; for
 /// compounds a pair of parts.
 struct TouchEvent {
   BodyId a, b;
@@ -35,9 +35,9 @@ struct TouchEvent {
 /// `BoundedWorld<Bounded<64>, q16_16, 3, Sphere>` for one that never allocates. Joints are named with
 /// the shapes, `World<q16_16, 3, Sphere, BallJoint, HingeJoint>`; others cost nothing.
 ///
-/// A step is a function of the bodies, the joints, their ids and the contacts they are in: in whatever order
-/// bodies were added and removed, and whether the world was restored from a snapshot or not, the
-/// bits are the same. docs/dynamics.md defines every number of a step and where it is rounded.
+/// A step is a function of the bodies, the joints, their ids and their contacts: the bits do not
+/// depend on the order in which bodies were added and removed, or on whether the world was restored
+/// from a snapshot. docs/dynamics.md defines every number of a step and where it is rounded.
 ///
 /// units:  lengths in world units, times in seconds, angles in radians
 /// domain: scalars with up to 31 bits; ticks per second times substeps in [1, 32767]
@@ -65,7 +65,7 @@ class BasicWorld {
   constexpr BasicWorld(const BasicWorld&) = default;
   constexpr BasicWorld(BasicWorld&&) = default;
   constexpr BasicWorld& operator=(BasicWorld&&) = default;
-  /// In the time of what is there: of a world within its own memory, empty room is not copied.
+  /// Takes time proportional to the contents: the unused capacity of a bounded world is not copied.
   constexpr BasicWorld& operator=(const BasicWorld& other) {
     settings_ = other.settings_;
     pace_ = other.pace_;
@@ -83,9 +83,9 @@ class BasicWorld {
   [[nodiscard]] constexpr const Settings& settings() const noexcept { return settings_; }
   [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
 
-  /// Adds a body where the shape is. Its place is the shape's centre; a box's frame is its own,
-  /// other shapes start along the world's axes. Nothing if the world is full, or for a compound with
-  /// a part of a kind that the world does not name.
+  /// Adds a body at the position of the shape. Its position is the shape's centre; a box's frame is
+  /// its own, other shapes start along the world's axes. Nothing if the world is full, or for a
+  /// compound with a part of a type that the world does not name.
   template <detail::Among<Parts...> Shape>
   requires(!detail::IsJoint<Shape>) constexpr std::optional<BodyId> add(
       const Shape& shape, const Options& options = {}) {
@@ -94,7 +94,7 @@ class BasicWorld {
     return put(id, shape, options) ? std::optional(id) : std::nullopt;
   }
 
-  /// Adds a body with an id of the caller's, such as one that a removed body had. False if the index
+  /// Adds a body with an id of the caller, such as one that a removed body had. False if the index
   /// is in use or beyond the world's room, or for a compound as above.
   template <detail::Among<Parts...> Shape>
   requires(!detail::IsJoint<Shape>) constexpr bool put(const BodyId& id, const Shape& shape,
@@ -137,7 +137,7 @@ class BasicWorld {
   }
 
   /// Removes a body and its joints, and wakes the bodies that it touched or was joined to. False if
-  /// there is none with this id.
+  /// no body has this id.
   constexpr bool remove(const BodyId& id) {
     if (find(id) == nullptr) return false;
     std::size_t kept = 0;
@@ -158,12 +158,12 @@ class BasicWorld {
     return true;
   }
 
-  /// One tick: all substeps. Where all bodies sleep or are fixed, it takes no time.
+  /// One tick: all substeps. If all bodies sleep or are fixed, it takes no time.
   constexpr void step() { step_on(detail::OneThread()); }
-  /// The same with the threads of the caller's, a callable: `threads(count, f)` calls f(i) once for
-  /// each i below `count`, on any threads in any order, and returns after all calls have. They share
-  /// contacts and flights; joints stay on this thread, and the search for the contacts of a
-  /// `BoundedWorld` does.
+  /// The same on the caller's threads: `threads(count, f)` calls f(i) once for each i below
+  /// `count`, on any threads in any order, and returns after all calls have. Contacts and the
+  /// motion of bodies run in parallel; joints stay on this thread, as does the search for the
+  /// contacts of a `BoundedWorld`.
   ///
   /// exact:  the bits of `step()`                         (tests/dynamics/threads.test.cpp)
   template <Threads T>
@@ -171,16 +171,16 @@ class BasicWorld {
     step_on(detail::ManyThreads<std::remove_reference_t<T>>{threads});
   }
 
-  /// Adds a joint of two bodies, and wakes them. Nothing if the world has no room, or not both
-  /// bodies.
+  /// Adds a joint of two bodies, and wakes them. Nothing if the world has no room, or if a body
+  /// does not exist.
   template <detail::Among<Parts...> Joint>
   requires detail::IsJoint<Joint>
   constexpr std::optional<JointId> add(const Joint& joint) {
     const auto id = joints_.vacant();
     return put(id, joint) ? std::optional(id) : std::nullopt;
   }
-  /// Adds a joint with an id of the caller's. False if the index is in use or beyond the world's
-  /// room, or if the world has not both bodies.
+  /// Adds a joint with an id of the caller. False if the index is in use or beyond the world's
+  /// room, or if a body does not exist.
   template <detail::Among<Parts...> Joint>
   requires detail::IsJoint<Joint>
   constexpr bool put(const JointId& id, const Joint& joint) {
@@ -188,8 +188,8 @@ class BasicWorld {
     rouse(joints_.list[id.index].bodies());
     return true;
   }
-  /// Makes a joint another one of the same kind, such as one with another motor, and wakes its
-  /// bodies. It keeps its impulses. False without such a joint, or without both bodies.
+  /// Replaces a joint by another one of the same kind, such as one with a different motor, and
+  /// wakes its bodies. It keeps its impulses. False if the joint or a body does not exist.
   template <detail::Among<Parts...> Joint>
   requires detail::IsJoint<Joint>
   constexpr bool change(const JointId& id, const Joint& joint) {
@@ -200,7 +200,7 @@ class BasicWorld {
     rouse(record.bodies());
     return true;
   }
-  /// Removes a joint and wakes its bodies. False if there is none with this id.
+  /// Removes a joint and wakes its bodies. False if no joint has this id.
   constexpr bool remove(const JointId& id) requires(has_joints) {
     if (joints_.find(id) == nullptr) return false;
     rouse(joints_.take(id.index));
@@ -209,7 +209,7 @@ class BasicWorld {
   [[nodiscard]] constexpr bool contains(const JointId& id) const noexcept requires(has_joints) {
     return joints_.find(id) != nullptr;
   }
-  /// The joint as it was added or last changed, or nullptr if there is none of this kind.
+  /// The joint as it was added or last changed, or nullptr if no joint of this kind has this id.
   template <detail::Among<Parts...> Joint>
   requires detail::IsJoint<Joint>
   [[nodiscard]] constexpr const Joint* find_joint(const JointId& id) const noexcept {
@@ -219,7 +219,7 @@ class BasicWorld {
   [[nodiscard]] constexpr std::size_t joint_count() const noexcept requires(has_joints) {
     return joints_.size;
   }
-  /// The joints that broke in the last step, which are removed, in order of their indices.
+  /// The joints that broke in the last step and were removed, in order of their indices.
   [[nodiscard]] constexpr std::size_t broken_count() const noexcept requires(has_joints) {
     return joints_.broken.size();
   }
@@ -264,12 +264,12 @@ class BasicWorld {
     }
     return Rotation<S, N>::from_axes(directions);
   }
-  /// Where the body's frame is: `placed(world.pose(id), shape)` is a shape of it in the world.
+  /// The pose of the body's frame: `placed(world.pose(id), shape)` is its shape in the world.
   [[nodiscard]] constexpr Transform<S, N> pose(const BodyId& id) const noexcept {
     return {position(id), rotation(id), S(1)};
   }
-  /// Where the frame is in which a hull's points or a compound's parts were given, its translation
-  /// rounded to nearest and clamped: `placed(world.frame(id), box)` is a part in the world. For other
+  /// The frame in which a hull's points or a compound's parts were given, its translation rounded
+  /// to nearest and clamped: `placed(world.frame(id), box)` is a part in the world. For other
   /// shapes it is the pose.
   [[nodiscard]] constexpr Transform<S, N> frame(const BodyId& id) const noexcept {
     const Body* body = find(id);
@@ -306,7 +306,7 @@ class BasicWorld {
     return body != nullptr && body->sleeps;
   }
 
-  /// Sets what a body does from now on, and wakes it. Nothing happens to fixed bodies.
+  /// Sets the velocity of a body, and wakes it. Ignored for fixed bodies.
   constexpr void set_velocity(const BodyId& id, const Vec<S, N>& velocity) noexcept {
     Body* body = find(id);
     if (body == nullptr || body->motion == BodyMotion::fixed) return;
@@ -321,8 +321,8 @@ class BasicWorld {
     rouse(*body);
   }
 
-  /// Changes velocity and spin at once as an impulse at the point `at` of the world does, and wakes
-  /// the body. Nothing happens to bodies that are not dynamic or have no mass.
+  /// Changes velocity and spin at once, by an impulse at the point `at` of the world, and wakes the
+  /// body. Ignored for bodies that are not dynamic or have no mass.
   ///
   /// units:  impulse in units of mass times units per second; `at` within 512 units of the centre
   ///         along each axis, farther ones count as there
@@ -334,7 +334,7 @@ class BasicWorld {
     detail::add<S, N>(kick(*body, impulse, at, pace_.rate), body->state.velocity, body->state.spin);
     rouse(*body);
   }
-  /// An impulse at the centre: it turns nothing.
+  /// An impulse at the centre: the spin does not change.
   constexpr void apply_impulse(const BodyId& id, const Vec<S, N>& impulse) noexcept {
     Body* body = find_movable(id);
     if (body == nullptr) return;
@@ -342,10 +342,11 @@ class BasicWorld {
                       body->state.velocity, body->state.spin);
     rouse(*body);
   }
-  /// Lets a force act at the point `at` of the world in each substep of the next step, and wakes the
-  /// body. Forces and torques of one step add up; `at` and the body's orientation are those of now.
+  /// Applies a force at the point `at` of the world in each substep of the next step, and wakes the
+  /// body. Forces and torques of one step add up; `at` and the body's orientation are the current
+  /// ones.
   ///
-  /// units:  force in units of mass times units per second and second
+  /// units:  force in units of mass times units per second squared
   /// exact:  each component of the changes per substep rounded once       (tests/dynamics/push.test.cpp)
   constexpr void apply_force(const BodyId& id, const Vec<S, N>& force,
                              const Vec<S, N>& at) noexcept {
@@ -354,7 +355,7 @@ class BasicWorld {
     detail::add<S, N>(kick(*body, force, at, pace_.rate * pace_.rate), body->push, body->twist);
     rouse(*body);
   }
-  /// A force at the centre: it turns nothing.
+  /// A force at the centre: the spin does not change.
   constexpr void apply_force(const BodyId& id, const Vec<S, N>& force) noexcept {
     Body* body = find_movable(id);
     if (body == nullptr) return;
@@ -362,9 +363,9 @@ class BasicWorld {
                       body->push, body->twist);
     rouse(*body);
   }
-  /// Lets a torque act in each substep of the next step, and wakes the body.
+  /// Applies a torque in each substep of the next step, and wakes the body.
   ///
-  /// units:  torque in units of mass times squared units per second and second; about the world's axes
+  /// units:  torque in units of mass times squared units per second squared; about the world's axes
   /// exact:  each component of the change per substep rounded once        (tests/dynamics/push.test.cpp)
   constexpr void apply_torque(const BodyId& id, const detail::Axial<S, N>& torque) noexcept {
     Body* body = find_movable(id);
@@ -374,7 +375,7 @@ class BasicWorld {
     rouse(*body);
   }
 
-  /// Pairs that began or ended to touch in the last step.
+  /// Pairs that began or stopped touching in the last step.
   [[nodiscard]] constexpr std::size_t event_count() const noexcept { return events_.size(); }
   [[nodiscard]] constexpr const TouchEvent& event(std::size_t i) const noexcept {
     return events_[i];
@@ -399,7 +400,7 @@ class BasicWorld {
     const Body& body = bodies_[id.index];
     return body.generation == id.generation ? &body : nullptr;
   }
-  /// For a change.
+  /// For modification.
   [[nodiscard]] constexpr Body* find(const BodyId& id) noexcept {
     is_still_ = false;
     const BasicWorld& self = *this;
@@ -493,7 +494,8 @@ class BasicWorld {
   std::size_t size_ = 0;
   typename Storage::template List<TouchEvent, 2 * Tick::contacts_room> events_;
   Tick tick_;
-  bool is_still_ = false;  // the last step changed nothing, nor did anybody since: no step will
+  // Neither the last step nor a call since changed anything, so no further step will.
+  bool is_still_ = false;
 };
 
 #if __STDC_HOSTED__
@@ -501,7 +503,7 @@ class BasicWorld {
 template <Scalar S, int N, template <Scalar, int> class... Shapes>
 using World = BasicWorld<Growing, S, N, Shapes<S, N>...>;
 #endif
-/// A world within its own memory: `BoundedWorld<Bounded<64>, q16_16, 2, Sphere, Obb>`.
+/// A world stored inside the object: `BoundedWorld<Bounded<64>, q16_16, 2, Sphere, Obb>`.
 template <class Storage, Scalar S, int N, template <Scalar, int> class... Shapes>
 using BoundedWorld = BasicWorld<Storage, S, N, Shapes<S, N>...>;
 
@@ -546,7 +548,7 @@ struct WorldAccess {
   }
 
  private:
-  /// A world that may be changed does not stand still.
+  /// A world that may be modified is no longer at rest.
   template <class World>
   static constexpr void stir(World& world) noexcept {
     if constexpr (!std::is_const_v<World>) world.is_still_ = false;

@@ -8,13 +8,13 @@
 
 #include "detent/lockstep/session.hpp"
 
-// How a session goes on.
+// How a session advances.
 
 namespace detent {
 
-/// The number of frames whose inputs of one player are known; all, once it is agreed that it left.
-/// Players never agree on fewer inputs than one of them holds, so a spectator takes for known only
-/// what all other players hold.
+/// The number of frames for which one player's inputs are known; all, once its departure is agreed.
+/// Players never agree on fewer inputs than one of them holds, so a spectator only counts inputs
+/// that all other players hold.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 std::uint32_t Session<World, Input, Limits>::known_of(std::size_t player) const {
   if (members_.end(player)) return last_frame + lead;
@@ -42,7 +42,7 @@ std::uint32_t Session<World, Input, Limits>::known() const {
   return is_player() ? (std::min)(others, queues_[config_.self].count()) : others;
 }
 
-/// Whether nobody plays any more, as seen by a spectator.
+/// Whether no player is left, as seen by a spectator.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 bool Session<World, Input, Limits>::is_deserted() const {
   if (is_player()) return false;
@@ -52,7 +52,7 @@ bool Session<World, Input, Limits>::is_deserted() const {
   return true;
 }
 
-/// The inputs of a frame: those that are known, and guesses.
+/// The inputs of a frame: known ones and predictions.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 auto Session<World, Input, Limits>::inputs_of(std::uint32_t frame) const -> Used {
   Used used{Inputs(frame, config_.players)};
@@ -89,7 +89,7 @@ void Session<World, Input, Limits>::close_frame() {
   }
 }
 
-/// What keeps the next frame from being played now.
+/// Why the next frame cannot be played now.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 std::optional<Advanced> Session<World, Input, Limits>::obstacle() {
   bool is_paused = is_paused_;
@@ -128,7 +128,7 @@ auto Session<World, Input, Limits>::open_frame(const Input& input) -> std::optio
     if (left_ == 0) return stop(Advanced::catching_up);
     return open();
   }
-  // A spectator who fell behind plays several frames.
+  // A spectator that fell behind plays several frames.
   constexpr std::uint32_t slack = 8;
   if (has_played_ && (is_player() || left_ == 0 || frame_ + slack >= known_of_others())) {
     for (std::size_t i = 0; i < peer_count(); ++i) {
@@ -175,7 +175,7 @@ bool Session<World, Input, Limits>::is_awaited(std::size_t player) const {
   return false;
 }
 
-/// Ends the players on whose last frame all agree.
+/// Ends the players on whose last frame all peers agree.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 void Session<World, Input, Limits>::agree() {
   timeline_.discard();

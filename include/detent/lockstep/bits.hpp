@@ -7,15 +7,15 @@
 
 #include "detent/number/require_cxx20.hpp"
 
-// Numbers of a few bits in a packet: the lowest bit first, in bytes of increasing address, so the
-// bytes are the same on machines of either byte order.
+// Numbers of a few bits in a packet: lowest bit first, in bytes of increasing address, so the bytes
+// are the same for both byte orders.
 
 namespace detent::detail {
 
 /// Appends bits as far as there is room, and counts all of them.
 class BitWriter {
  public:
-  /// Goes on after `count` bits that are in `room` already.
+  /// Continues after `count` bits that are already in `room`.
   explicit constexpr BitWriter(std::span<std::byte> room, std::size_t count = 0) noexcept
       : room_(room), size_(count) {}
 
@@ -29,12 +29,12 @@ class BitWriter {
     }
   }
   constexpr void add_flag(bool value) noexcept { add(value ? 1 : 0, 1); }
-  /// Appends a number that is mostly small: three bits at a time, each with a flag for more.
+  /// Appends a number that is usually small: three bits at a time, each with a flag for more.
   constexpr void add_short(std::uint32_t value) noexcept {
     for (; value >= 8; value >>= 3) add((value & 7u) | 8u, 4);
     add(value, 4);
   }
-  /// Appends the difference of two counts that are mostly close.
+  /// Appends the difference of two counts that are usually close.
   constexpr void add_difference(std::uint32_t value, std::uint32_t from) noexcept {
     const std::uint32_t difference = value - from;
     const bool is_negative = (difference >> 31) != 0;
@@ -50,7 +50,7 @@ class BitWriter {
   std::size_t size_;
 };
 
-/// Reads what a `BitWriter` wrote. Past the end it reads zeros and `has_failed`.
+/// Reads the output of a `BitWriter`. Past the end it reads zeros and `has_failed`.
 class BitReader {
  public:
   constexpr BitReader() noexcept = default;
@@ -89,7 +89,7 @@ class BitReader {
 
   constexpr void fail() noexcept { has_failed_ = true; }
   [[nodiscard]] constexpr bool has_failed() const noexcept { return has_failed_; }
-  /// Whether all was read but the zeros that fill the last byte.
+  /// Whether only the zeros that pad the last byte are left.
   [[nodiscard]] constexpr bool is_at_end() noexcept {
     const auto left = 8 * bytes_.size() - position_;
     return !has_failed_ && left < 8 && number(static_cast<int>(left)) == 0;

@@ -12,8 +12,8 @@
 
 namespace detent::detail {
 
-/// A digest for every final frame, each chained to the one before: two peers with equal digests of a
-/// frame had equal results in all frames until then.
+/// A digest for every final frame, each chained to the previous one: two peers with equal digests
+/// of a frame had equal results in all frames up to it.
 template <std::size_t History>
 class Checksums {
  public:
@@ -37,7 +37,7 @@ class Checksums {
     chain_ = digest.value();
     values_[count_++ % History] = static_cast<std::uint32_t>(chain_);
   }
-  /// Digests of up to `DigestRun::most` frames from `first` on, without those that are not kept.
+  /// Digests of up to `DigestRun::most` frames from `first` on, except those no longer stored.
   [[nodiscard]] constexpr DigestRun run(std::uint32_t first) const noexcept {
     const auto kept = (std::min)(count_, static_cast<std::uint32_t>(History));
     const auto oldest = (std::max)(count_ - kept, start_);
@@ -56,11 +56,12 @@ class Checksums {
 
 /// Compares the digests of one other peer with ours, and finds the first frame that differs.
 ///
-/// While all is equal a packet has the newest digest alone; once one differs, those of many frames.
+/// While all are equal, a packet has only the newest digest; once one differs, it has those of many
+/// frames.
 class Comparison {
  public:
   constexpr Comparison() noexcept = default;
-  /// Of two peers that have equal digests of all frames before `start`, as far as they can know.
+  /// For two peers with equal digests of all frames before `start`, as far as they can know.
   explicit constexpr Comparison(std::uint32_t start) noexcept : matched_(start) {}
 
   /// All frames before this one are equal.
@@ -68,7 +69,7 @@ class Comparison {
   [[nodiscard]] constexpr bool has_found() const noexcept { return found_.has_value(); }
   [[nodiscard]] constexpr std::uint32_t found() const noexcept { return *found_; }
 
-  /// Takes the other one's digests; whether the first frame that differs has now been found.
+  /// Takes the other peer's digests; returns whether the first differing frame has now been found.
   template <std::size_t History>
   [[nodiscard]] constexpr bool compare(const DigestRun& run,
                                        const Checksums<History>& ours) noexcept {
@@ -91,7 +92,7 @@ class Comparison {
     }
     return false;
   }
-  /// Compares a digest that came before ours was known.
+  /// Compares a digest that arrived before ours was known.
   template <std::size_t History>
   [[nodiscard]] constexpr bool compare_waiting(const Checksums<History>& ours) noexcept {
     if (!waiting_ || waiting_->frame >= ours.count()) return false;
@@ -105,7 +106,7 @@ class Comparison {
 
   constexpr void forget_waiting() noexcept { waiting_.reset(); }
 
-  /// What the other one should have next.
+  /// The digests that the other peer needs next.
   template <std::size_t History>
   [[nodiscard]] constexpr DigestRun next(const Checksums<History>& ours) const noexcept {
     if (found_) return ours.run(*found_ - (std::min)(*found_, DigestRun::most * 3 / 4));

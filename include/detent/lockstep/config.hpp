@@ -9,13 +9,13 @@
 
 namespace detent {
 
-/// The sizes of a session's storage, which is inside it.
+/// The sizes of a session's inline storage.
 struct SessionLimits {
   std::size_t players = 8;      // at most 8
   std::size_t peers = 16;       // players and spectators, at most 16
   std::size_t prediction = 16;  // frames that may be simulated with predicted inputs, at most 16
-  std::size_t evidence = 32;    // results of final frames that are kept, to name what differs
-  std::size_t history = 128;    // frames whose inputs are kept, at least 128
+  std::size_t evidence = 32;    // final results that are stored, to name differences
+  std::size_t history = 128;    // frames whose inputs are stored, at least 128
   std::size_t events = 64;
   std::size_t packet = 1200;  // bytes of the largest packet, at least 512
   std::size_t snapshot = 0;   // bytes of the largest snapshot, for late joiners; 0: none
@@ -29,20 +29,20 @@ struct SessionLimits {
 
 /// A match and one peer in it. Times are in microseconds, of a clock that only this peer needs.
 struct SessionConfig {
-  std::uint64_t match = 0;  // the same for all peers: a random number, the host says it
+  std::uint64_t match = 0;  // the same for all peers: a random number, chosen by the host
   std::size_t self = 0;     // peers are numbered: players first, then spectators
   std::size_t players = 2;
   std::size_t spectators = 0;
   std::uint32_t delay = 2;               // frames between an input and its effect, 0 to 8
   std::uint32_t prediction = 8;          // 0: every frame waits for all inputs (pure lockstep)
-  std::uint64_t send_interval = 10'000;  // at least this between two packets to a peer
+  std::uint64_t send_interval = 10'000;  // at least this long between two packets to a peer
   std::uint64_t silence = 2'000'000;     // a peer that sends nothing for this long is `silent`
   std::uint32_t frames_per_call = 17;    // the most that `advance` simulates, at least 1
-  std::uint32_t absent = 0;  // seats that are free at the start, a bit each: the same for all peers
-  // 0 for a peer that is there from the start. One that joins late or again gives a number greater
-  // than in its earlier sessions of this match, such as the time in seconds.
+  std::uint32_t absent = 0;  // free seats at the start, one bit each: the same for all peers
+  // 0 for a peer that is present from the start. One that joins late or rejoins uses a number
+  // greater than in its earlier sessions of this match, such as the time in seconds.
   std::uint32_t life = 0;
-  bool wants_seat = true;  // a player that comes late: whether it wants to play, or only to watch
+  bool wants_seat = true;  // whether a late player wants to play, or only to watch
 
   /// The nearest config that these limits allow; without prediction the delay is at least 1.
   [[nodiscard]] constexpr SessionConfig within(const SessionLimits& limits) const noexcept {

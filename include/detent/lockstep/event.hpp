@@ -12,25 +12,25 @@
 
 namespace detent {
 
-/// What happened in a session. `peer` is who it is about.
+/// An event of a session. `peer` is the peer it concerns.
 struct SessionEvent {
-  /// What happened.
+  /// The kind of event.
   enum class Kind : std::uint8_t {
-    connected,      // the first packet of this peer came
-    silent,         // nothing came from it for `silence`; the caller may `drop` it
-    heard_again,    // it was silent
+    connected,      // the first packet of this peer arrived
+    silent,         // nothing arrived from it for `silence`; the caller may `drop` it
+    heard_again,    // it is no longer silent
     paused,         // it paused
-    resumed,        // it goes on
-    dropped,        // this player is out, as one of those who go on decided
-    expelled,       // it dropped us: we go on alone
-    left,           // all who go on agree: `frame` is the first without this player's input
-    too_slow,       // a spectator fell behind by more than is kept; it gets nothing more
+    resumed,        // it resumed
+    dropped,        // this player is out, as decided by one of the remaining peers
+    expelled,       // it dropped us: we continue alone
+    left,           // all remaining peers agree: `frame` is the first without this player's input
+    too_slow,       // a spectator fell behind by more than is stored; it gets nothing more
     contradiction,  // it sent a second, different input for `frame`; the first one stays
     desync,         // its result of `frame` differs from ours; all before were equal
     desync_field,   // the first field that differs in that result: `field`, `object`
-    arrived,        // it comes late or again, and gets a snapshot
-    loaded,         // we came late and have the world before `frame`, from this peer
-    no_snapshot,    // what this peer sent is no snapshot of our world: another peer is asked
+    arrived,        // it joins late or rejoins, and gets a snapshot
+    loaded,         // we joined late and have the world before `frame`, from this peer
+    no_snapshot,    // this peer's snapshot is not one of our world: we ask another peer
     joined,         // this player takes part from `frame` on
   };
 
@@ -41,7 +41,7 @@ struct SessionEvent {
   std::optional<ObjectId> object;  // the scene object that the field belongs to, if any
 };
 
-/// The kind of an event in words.
+/// The kind of an event as text.
 [[nodiscard]] constexpr std::string_view describe(SessionEvent::Kind kind) noexcept {
   switch (kind) {
     case SessionEvent::Kind::connected:
@@ -82,7 +82,7 @@ struct SessionEvent {
 
 namespace detail {
 
-/// The events that the caller has not taken yet. When full, further ones are counted, not kept.
+/// Events that the caller has not taken yet. When full, further ones are counted but not stored.
 template <std::size_t Capacity>
 class EventQueue {
  public:

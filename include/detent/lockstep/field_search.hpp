@@ -12,7 +12,7 @@
 
 namespace detent::detail {
 
-/// The result of a frame and the inputs that led to it, as fields.
+/// The result of a frame and its inputs, as fields.
 template <class World, class Inputs>
 struct Evidence {
   const Inputs& inputs;
@@ -24,8 +24,8 @@ constexpr void for_each_field(const Evidence<World, Inputs>& evidence, const F& 
   f("", evidence.world);
 }
 
-/// Finds the first field that differs between two peers that know each other's digests alone: both
-/// digest their first fields up to 16 ends, the first digest that differs gives the next 16 ends.
+/// Finds the first field that differs between two peers that exchange only digests: both digest
+/// their first fields up to 16 ends, and the first digest that differs gives the next 16 ends.
 class FieldSearch {
  public:
   /// Sets the digests for the next packet.
@@ -36,7 +36,7 @@ class FieldSearch {
   constexpr void start(std::uint32_t frame) noexcept { next_.frame = frame; }
   [[nodiscard]] constexpr const FieldDigests& next() const noexcept { return next_; }
 
-  /// Takes a step of the other peer's; the number of the field once it is known.
+  /// Takes a step of the other peer; returns the number of the field once it is known.
   template <class Fields>
   [[nodiscard]] constexpr std::optional<std::uint32_t> hear(const FieldDigests& theirs,
                                                             const Fields& fields) {
@@ -47,7 +47,7 @@ class FieldSearch {
     if (way == FieldDigests::ways) return std::nullopt;
     const auto low = theirs.low + way * theirs.width();
     if (theirs.level == FieldDigests::levels - 1) {
-      next_ = ours;  // the other one needs it to finish
+      next_ = ours;  // the other peer needs it to finish
       is_found_ = true;
       return low;
     }

@@ -19,14 +19,14 @@ namespace detent {
 ///     static constexpr void write(const Input& input, std::byte* to) noexcept;
 ///     static constexpr Input read(const std::byte* from) noexcept;   // any bytes are an input
 ///
-/// Numbers, enums, `Fixed`, bool, arrays of these and structs of single bytes have one already. A
-/// struct of the game's lists its fields:
+/// Numbers, enums, `Fixed`, bool, arrays of these and structs of single bytes have a codec. For a
+/// struct of your own, list its fields:
 ///
 ///     template <>
 ///     struct detent::InputCodec<Pad> : detent::FieldCodec<&Pad::x, &Pad::z, &Pad::jump> {};
 ///
-/// A peer may send any bytes, so any value of each field, an enum's unnamed ones too. Fields that
-/// are not listed are those of `Input{}`.
+/// A peer may send any bytes, so any value of each field, including unnamed values of an enum.
+/// Unlisted fields keep their values in `Input{}`.
 ///
 /// (tests/lockstep/packet.test.cpp)
 template <class Input>
@@ -145,13 +145,13 @@ template <class Input>
   InputCodec<Input>::write(input, bytes.data());
   return bytes;
 }
-/// The bytes of the input that any bytes mean: equal for equal inputs.
+/// The canonical bytes of the input that any bytes decode to: equal for equal inputs.
 template <class Input>
 [[nodiscard]] constexpr InputBytes<Input> canonical(const InputBytes<Input>& bytes) noexcept {
   return bytes_of<Input>(InputCodec<Input>::read(bytes.data()));
 }
 
-/// Appends one input after another: a bit if it is unchanged, else its changed bytes.
+/// Appends one input after another: a bit if it is unchanged, otherwise its changed bytes.
 template <std::size_t Size>
 constexpr void pack(BitWriter& out, const std::array<std::byte, Size>& input,
                     const std::array<std::byte, Size>& before) noexcept {
@@ -162,7 +162,8 @@ constexpr void pack(BitWriter& out, const std::array<std::byte, Size>& input,
     if (input[i] != before[i]) out.add(std::to_integer<std::uint64_t>(input[i]), 8);
   }
 }
-/// Changes `input`, the one before, to the next one. Fails on what `pack` does not write.
+/// Advances `input` from the previous input to the next one. Fails on bits that `pack` does not
+/// write.
 template <std::size_t Size>
 constexpr void unpack(BitReader& in, std::array<std::byte, Size>& input) noexcept {
   if (!in.flag()) return;

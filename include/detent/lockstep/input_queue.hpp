@@ -10,11 +10,11 @@
 
 namespace detent::detail {
 
-/// What a player's input of a frame says besides what it presses: nothing, or which seat is given to
-/// a guest. Of a frame in which the player is absent it is `absent`.
+/// An extra byte of a player's input: nothing, or the seat that it gives to a guest. In a frame
+/// without the player it is `absent`.
 inline constexpr std::byte no_word{0}, absent{0xff};
 
-/// An input as it is kept and sent: its bytes, and one more for that.
+/// An input as stored and sent: its bytes, and that extra byte.
 template <class Input>
 using WireInput = std::array<std::byte, InputCodec<Input>::size + 1>;
 
@@ -32,7 +32,7 @@ template <class Input>
   std::copy(wire.begin(), wire.end() - 1, input.begin());
   return input;
 }
-/// The input that any bytes mean: equal for equal inputs.
+/// The input that any bytes decode to: equal for equal inputs.
 template <class Input>
 [[nodiscard]] constexpr WireInput<Input> canonical_wire(const WireInput<Input>& wire,
                                                         std::size_t players) noexcept {
@@ -40,8 +40,8 @@ template <class Input>
   return wire_of<Input>(canonical<Input>(input_of<Input>(wire)), is_seat ? wire.back() : no_word);
 }
 
-/// The inputs of one player, frame after frame without a gap; the last `History` are kept. An input
-/// never changes once it is here.
+/// The inputs of one player, frame after frame without a gap; the last `History` are stored. A
+/// stored input never changes.
 template <class Input, std::size_t History>
 class InputQueue {
  public:
@@ -52,18 +52,18 @@ class InputQueue {
   [[nodiscard]] constexpr bool has(std::uint32_t frame) const noexcept {
     return frame < count_ && count_ - frame <= History && frame >= first_;
   }
-  /// The input of a frame; of one that is not kept, some other.
+  /// The input of a frame; if it is no longer stored, some other input.
   [[nodiscard]] constexpr const Bytes& operator[](std::uint32_t frame) const noexcept {
     return inputs_[frame % History];
   }
-  /// The input before `frame`; before the first one `Input{}`. It must be kept: `has_before`.
+  /// The input before `frame`; before the first one `Input{}`. It must be stored: `has_before`.
   [[nodiscard]] constexpr Bytes before(std::uint32_t frame) const noexcept {
     return frame == 0 ? wire_of<Input>(bytes_of(Input{})) : inputs_[(frame - 1) % History];
   }
   [[nodiscard]] constexpr bool has_before(std::uint32_t frame) const noexcept {
     return frame == 0 ? first_ == 0 : has(frame - 1);
   }
-  /// What a frame without input is predicted to have: the last input again.
+  /// The prediction for a frame without input: the last input again.
   [[nodiscard]] constexpr Bytes last() const noexcept { return before(count_); }
 
   constexpr void push(const Bytes& input) noexcept { inputs_[count_++ % History] = input; }
@@ -109,7 +109,7 @@ class InputQueue {
  private:
   std::array<Bytes, History> inputs_{};
   std::uint32_t count_ = 0;
-  std::uint32_t first_ = 0;  // inputs before this frame never were here
+  std::uint32_t first_ = 0;  // inputs before this frame were never here
 };
 
 }  // namespace detent::detail

@@ -9,20 +9,21 @@
 
 #include "detent/lockstep/session.hpp"
 
-// How a peer comes late, or again. It asks one player for a snapshot and gets it in slices; then it
-// follows the match as a spectator does. A seat is given by a word in the input of a player, so all
-// learn of it in the same frame, whatever packets are lost:
+// How a peer joins late, or rejoins. It requests a snapshot from one player and gets it in slices;
+// then it follows the match as a spectator. A seat is given by a word in the input of a player, so
+// all peers learn of it in the same frame, whichever packets are lost:
 //
 // * The word is in the input of frame f; the player takes part from frame f + `notice` on. Every
-//   peer that knows all inputs of frame f acts on it before it simulates frame f + `notice`:
-//   predictions reach `prediction` <= 16 frames beyond what is known.
-// * It counts only if the seat is free in frame f, which all who know that frame know alike.
-// * A guest holds no input that some player does not hold. So no player can have agreed without it
-//   on the end of another one, and hold less: the argument in members.hpp goes on to hold.
+//   peer that knows all inputs of frame f acts on it before it simulates frame f + `notice`,
+//   because
+//   predictions reach `prediction` <= 16 frames beyond the known inputs.
+// * It counts only if the seat is free in frame f. All peers that know that frame agree on this.
+// * A guest holds no input that some player does not hold. So no player can have agreed on another
+//   player's end without the guest and hold less: the argument in members.hpp still holds.
 
 namespace detent {
 
-/// Takes the inputs that give seats, once all of their frame is known.
+/// Takes the inputs that give seats, once all inputs of their frame are known.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 void Session<World, Input, Limits>::admit() {
   std::uint32_t end = 0;
@@ -38,7 +39,7 @@ void Session<World, Input, Limits>::admit() {
   }
 }
 
-/// Lets a player take part from `frame` on.
+/// Admits a player from `frame` on.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 void Session<World, Input, Limits>::let_in(std::size_t seat, std::uint32_t frame) {
   members_.admit(seat, frame);
@@ -79,8 +80,8 @@ std::byte Session<World, Input, Limits>::invitation() {
   return detail::no_word;
 }
 
-/// What a peer that plays or watches under another number of its life is now; whether its packet
-/// is of its present life.
+/// Updates a peer whose packet has a different life number; returns whether the packet is of its
+/// current life.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 bool Session<World, Input, Limits>::meet(std::size_t peer, const detail::Packet& packet) {
   const auto life = packet.join ? packet.join->life : 0;
@@ -90,7 +91,7 @@ bool Session<World, Input, Limits>::meet(std::size_t peer, const detail::Packet&
     from.life = life;
   }
   if (life < from.life) return false;
-  // Nor does one play that has no world: the seat was given to its session before.
+  // A peer without a world does not play either: the seat belonged to its previous session.
   const bool is_empty = peer < config_.players && !from.is_guest && !from.is_started &&
                         packet.join && !packet.join->is_loaded;
   if (life == from.life && !is_empty) return true;
@@ -102,7 +103,7 @@ bool Session<World, Input, Limits>::meet(std::size_t peer, const detail::Packet&
   return true;
 }
 
-/// Takes what a guest says of itself; whether the rest of its packet means anything yet.
+/// Takes a guest's join state; returns whether the rest of its packet is valid yet.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 bool Session<World, Input, Limits>::hear_guest(std::size_t from, const detail::Packet& packet) {
   if (!packet.join) return true;
@@ -116,7 +117,7 @@ bool Session<World, Input, Limits>::hear_guest(std::size_t from, const detail::P
   return true;
 }
 
-/// Takes a snapshot for the guest that asks us, unless another one is being served.
+/// Takes a snapshot for the guest that asks us, unless another guest is being served.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 void Session<World, Input, Limits>::serve() {
   if constexpr (can_serve) {
@@ -125,18 +126,18 @@ void Session<World, Input, Limits>::serve() {
       const detail::Peer& peer = peers_[outgoing_.to()];
       const bool is_there = outgoing_.is_for(outgoing_.to(), peer.life) && peer.is_guest &&
                             !peer.is_started && !peer.is_silent;
-      // Inputs after the snapshot must stay for as long as the guest needs to get it.
+      // Inputs after the snapshot must stay stored until the guest has it.
       const bool is_old = outgoing_.frame() + Limits.history * 3 / 4 < own().count();
       if (is_there && !is_old) return;
       outgoing_.stop();
     }
     const auto frame = checksums_.count();
     if (frame == 0 || !timeline_.has_result(frame - 1)) return;
-    if (served_ != 0 && frame < served_ + notice) return;  // guests cannot make us work
+    if (served_ != 0 && frame < served_ + notice) return;  // limits the work that guests can cause
     for (std::size_t i = 0; i < config_.players; ++i) {
       if (members_.begin(i) != 0 && members_.begin(i) >= frame + notice) return;
     }
-    // In turns, so that no guest keeps the others away.
+    // Round robin, so that no guest starves the others.
     for (std::size_t k = 1; k <= peer_count(); ++k) {
       const auto i = (outgoing_.to() + k) % peer_count();
       const detail::Peer& peer = peers_[i];
@@ -153,8 +154,8 @@ void Session<World, Input, Limits>::serve() {
 }
 
 /// Writes the match before a final frame: frame 4 bytes, players 1, digest of all frames before 8;
-/// of each seat 1 if it is free, else 0, its term 1, the first frame of that 4, its last input; the
-/// world. 0 if there is no room.
+/// for each seat 1 if it is free, else 0, its term 1, the first frame of that term 4, its last
+/// input; the world. Returns 0 if there is no room.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 std::size_t Session<World, Input, Limits>::write_snapshot(std::uint32_t frame,
                                                           std::span<std::byte> room) const {
@@ -180,7 +181,7 @@ std::size_t Session<World, Input, Limits>::write_snapshot(std::uint32_t frame,
   return size > rest.size() ? 0 : snapshot_head(config_.players) + size;
 }
 
-/// Begins with the snapshot that has come; whether it is one.
+/// Starts with the received snapshot; returns whether it is valid.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 bool Session<World, Input, Limits>::read_snapshot(std::span<const std::byte> bytes) {
   const auto head = snapshot_head(config_.players);
@@ -230,7 +231,7 @@ bool Session<World, Input, Limits>::read_snapshot(std::span<const std::byte> byt
   for (auto& peer : peers_) peer.comparison = detail::Comparison(frame);
   for (std::size_t i = 0; i < config_.players; ++i) {
     if (members_.is_dropped(i)) continue;
-    peers_[i].is_guest = false;  // it came late too, and plays by now
+    peers_[i].is_guest = false;  // it also joined late, and already plays
     peers_[i].awaits_life = members_.term(i) > 0 && peers_[i].life == 0;
   }
   simulated_ = admitted_ = start_ = frame_ = frame;
@@ -238,7 +239,7 @@ bool Session<World, Input, Limits>::read_snapshot(std::span<const std::byte> byt
   return true;
 }
 
-/// What we do with packets before we have a world.
+/// Handles packets before we have a world.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 void Session<World, Input, Limits>::load(std::size_t from, const detail::Packet& packet,
                                          std::uint64_t now) {
@@ -259,7 +260,7 @@ void Session<World, Input, Limits>::load(std::size_t from, const detail::Packet&
   }
 }
 
-/// Asks the next player who was heard.
+/// Asks the next player that was heard.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 void Session<World, Input, Limits>::ask_another(std::uint64_t now) {
   incoming_.forget();
@@ -272,7 +273,7 @@ void Session<World, Input, Limits>::ask_another(std::uint64_t now) {
   }
 }
 
-/// What we say of ourselves, if we came late.
+/// Our join state, if we joined late.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 std::optional<detail::JoinState> Session<World, Input, Limits>::join_state() const {
   if (config_.life == 0) return std::nullopt;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Matches over a network, without the network: `Session` takes packets and gives packets;
-// `ReplayWriter` and `check_replay` keep a match and simulate it again.
+// Matches over a network, without networking code: `Session` takes and produces packets;
+// `ReplayWriter` and `check_replay` record a match and simulate it again.
 
 #include "detent/lockstep/config.hpp"
 #include "detent/lockstep/event.hpp"

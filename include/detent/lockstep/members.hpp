@@ -10,14 +10,15 @@
 
 namespace detent::detail {
 
-/// Who plays, and from which frame on a player that was dropped counts as absent.
+/// Which players take part, and the frame from which a dropped player counts as absent.
 ///
-/// Those who go on must use the same inputs of the one who left, though each got another number of
-/// them. Who drops a player takes no more packets of it, says so in every packet, and passes on its
-/// inputs to who has fewer. All who hear of it do the same; the one who was dropped goes on alone.
-/// Once all who go on have dropped the same players and hold equally many inputs, none can ever get
-/// another one: that number is the first frame without the player. Every peer that goes on sees this
-/// sooner or later, even if one of them is dropped on the way. (tests/lockstep/drop_out.test.cpp)
+/// The remaining peers must use the same inputs of a dropped player, although each received a
+/// different number of them. A peer that drops a player accepts no more packets from it, announces
+/// this in every packet, and forwards the player's inputs to peers that have fewer. Every peer that
+/// learns of the drop does the same; the dropped player continues alone. Once all remaining peers
+/// have dropped the same players and hold equally many inputs, none can ever get another one: that
+/// number is the first frame without the player. Every remaining peer eventually sees this, even if
+/// one of them is dropped in the meantime. (tests/lockstep/drop_out.test.cpp)
 class Members {
  public:
   constexpr Members(std::size_t self, std::size_t players) noexcept
@@ -28,12 +29,12 @@ class Members {
     return player < players_ && ((dropped_ >> player) & 1u) != 0;
   }
   constexpr void drop(std::size_t player) noexcept { dropped_ |= 1u << player; }
-  /// Sets a seat that nobody has from `end` on.
+  /// Marks a seat as free from `end` on.
   constexpr void leave_empty(std::size_t player, std::uint32_t end) noexcept {
     drop(player);
     ends_[player] = end;
   }
-  /// How many times the seat was given again. What was said of it in an earlier term is void.
+  /// How often the seat was reassigned. Statements about an earlier term are void.
   [[nodiscard]] constexpr std::uint8_t term(std::size_t player) const noexcept {
     return terms_[player];
   }
@@ -44,11 +45,11 @@ class Members {
     terms_[player] = term;
     begins_[player] = begin;
   }
-  /// The first frame of the player's present term; 0 in the first.
+  /// The first frame of the player's current term; 0 in the first.
   [[nodiscard]] constexpr std::uint32_t begin(std::size_t player) const noexcept {
     return begins_[player];
   }
-  /// Whether the seat is free in a frame whose inputs are known, and may be given.
+  /// Whether the seat is free, and may be given, in a frame whose inputs are known.
   [[nodiscard]] constexpr bool is_free(std::size_t player, std::uint32_t frame) const noexcept {
     return ends_[player] && *ends_[player] <= frame && terms_[player] < 255;
   }
@@ -60,20 +61,20 @@ class Members {
     ++terms_[player];
   }
 
-  /// The first frame without a player's input, once it is agreed.
+  /// The first frame without a player's input, once agreed.
   [[nodiscard]] constexpr const std::optional<std::uint32_t>& end(
       std::size_t player) const noexcept {
     return ends_[player];
   }
 
-  /// Whether this player goes on, or is one that waits for `peers` to agree.
+  /// Whether this player continues, or waits for `peers` to agree on its end.
   template <class Peers>
   [[nodiscard]] constexpr bool agrees(const Peers& peers, std::size_t other, std::size_t player,
                                       std::uint32_t held) const noexcept {
     return other == self_ || is_dropped(other) ||
            (peers[other].dropped == dropped_ && peers[other].held[player] == held);
   }
-  /// Ends a dropped player at `held` inputs if all agree; whether that happened now.
+  /// Ends a dropped player at `held` inputs if all agree; returns whether that happened now.
   template <class Peers>
   [[nodiscard]] constexpr bool agree(const Peers& peers, std::size_t player,
                                      std::uint32_t held) noexcept {

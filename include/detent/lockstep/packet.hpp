@@ -12,8 +12,9 @@
 
 // Packets of a session. Twelve bytes of header, little endian:
 //   magic 2, version 1, sender 1, checksum 8: XXH64, seeded by the match, of all the rest
-// then bits: `Packet::write` is the list. A packet is read whole or not at all. The checksum finds
-// packets of other matches and broken ones; it keeps nobody out. Authenticity is the transport's.
+// then bits: `Packet::write` is the list. A packet is read whole or not at all. The checksum
+// detects packets of other matches and damaged ones; it is not authentication, which is up to the
+// transport.
 
 namespace detent::detail {
 
@@ -27,7 +28,7 @@ struct PacketHeader {
 
   std::size_t sender = 0;
 
-  /// Completes a packet whose rest is written.
+  /// Completes a packet whose other bytes are written.
   constexpr void seal(std::span<std::byte> packet, std::uint64_t match) const noexcept {
     store_word(packet.data(), right_magic);
     store_word(packet.data() + 2, right_version);
@@ -89,9 +90,9 @@ struct FieldDigests {
   }
 };
 
-/// What a peer that came late, or again, says of itself.
+/// The state that a late or returning peer sends about itself.
 struct JoinState {
-  std::uint32_t life = 0;   // greater than in its sessions before
+  std::uint32_t life = 0;   // greater than in its earlier sessions
   bool wants_seat = false;  // and has none
   bool is_loaded = false;   // it has the world before frame `start`, otherwise it asks for one:
   std::uint32_t start = 0;
@@ -116,20 +117,20 @@ struct Packet {
   std::uint32_t frame = 0;  // the frame that it simulates next
   std::uint32_t ahead = 0;  // how far it believes to be ahead of the receiver, plus 128
   bool is_paused = false;
-  std::uint32_t dropped = 0;                       // the players that it dropped, a bit each
+  std::uint32_t dropped = 0;                       // the players that it dropped, one bit each
   std::array<std::uint32_t, most_players> held{};  // how many inputs of each player it holds
   std::array<InputRun, most_players> runs{};
   std::size_t run_count = 0;
   DigestRun digests;
   std::optional<FieldDigests> fields;
-  std::array<std::uint8_t, most_players> terms{};  // how many times each seat was given again
+  std::array<std::uint8_t, most_players> terms{};  // how often each seat was reassigned
   std::optional<JoinState> join;
   std::optional<Slice> slice;
 
-  /// The most bytes of a packet with a slice but without inputs, besides the slice.
+  /// The most bytes of a packet with a slice but without inputs, excluding the slice.
   static constexpr std::size_t slice_room = 160;
 
-  /// All but the inputs of the runs, which `write_run(out, run)` appends.
+  /// Everything except the inputs of the runs, which `write_run(out, run)` appends.
   template <class WriteRun>
   constexpr void write(BitWriter& out, std::size_t players,
                        const WriteRun& write_run) const noexcept {
@@ -168,7 +169,7 @@ struct Packet {
     if (slice) write(out, *slice);
   }
 
-  /// Reads what `write` wrote after the header, or nothing.
+  /// Reads the output of `write` after the header, or returns nothing.
   template <class Input>
   [[nodiscard]] static constexpr std::optional<Packet> read(std::span<const std::byte> bytes,
                                                             std::size_t players) noexcept {

@@ -8,7 +8,7 @@
 
 #include "detent/lockstep/session.hpp"
 
-// What a session does with packets.
+// How a session handles packets.
 
 namespace detent {
 
@@ -52,14 +52,15 @@ void Session<World, Input, Limits>::apply(std::size_t from, const detail::Packet
   peer.hear(packet, config_.players);
   if (peer.is_paused != was_paused) tell(peer.is_paused ? Kind::paused : Kind::resumed, from);
   if (from < config_.players && !peer.is_guest) {
-    // What it says of the terms that we know; one that it has seen end was dropped in it.
+    // The terms that we know; a player whose term it saw end was dropped in that term.
     std::uint32_t dropped = 0;
     for (std::size_t i = 0; i < config_.players; ++i) {
       const auto bit = 1u << i;
       if (packet.terms[i] == members_.term(i)) dropped |= packet.dropped & bit;
       if (packet.terms[i] > members_.term(i)) dropped |= bit;
     }
-    // Whom one drops, all drop; who hears that it is dropped itself goes on alone.
+    // A player dropped by one peer is dropped by all; a player that learns that it was dropped
+    // continues alone.
     if (is_player() && ((dropped >> config_.self) & 1u) != 0) {
       tell(Kind::expelled, from);
       is_expelled_ = true;
@@ -84,7 +85,7 @@ void Session<World, Input, Limits>::apply(std::size_t from, const detail::Packet
   compare(from, packet);
 }
 
-/// Takes inputs: each player's from itself, those of one who was dropped from who goes on.
+/// Takes inputs: each player's from itself, those of a dropped player from the remaining peers.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 void Session<World, Input, Limits>::take(std::size_t from, detail::InputRun run) {
   const auto player = run.player;
@@ -123,7 +124,7 @@ void Session<World, Input, Limits>::take(std::size_t from, detail::InputRun run)
 template <RollbackWorld World, class Input, SessionLimits Limits>
 void Session<World, Input, Limits>::compare(std::size_t from, const detail::Packet& packet) {
   detail::Peer& peer = peers_[from];
-  if (packet.dropped != members_.dropped()) return;  // it may play on with others
+  if (packet.dropped != members_.dropped()) return;  // it may still play with others
   if (peer.comparison.compare(packet.digests, checksums_)) found_desync(from);
   if (!packet.fields || !peer.comparison.has_found() || !odd_ ||
       peer.comparison.found() != odd_frame_) {
@@ -141,7 +142,7 @@ void Session<World, Input, Limits>::compare(std::size_t from, const detail::Pack
   });
 }
 
-/// Reports the first frame that differs at a peer, and keeps our result of it.
+/// Reports the first frame that differs at a peer, and stores our result of it.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 void Session<World, Input, Limits>::found_desync(std::size_t peer) {
   const auto frame = peers_[peer].comparison.found();

@@ -15,19 +15,20 @@
 #include "detent/scene/world.hpp"
 #include "detent/version.hpp"
 
-// Replays: the first snapshot and the inputs of a match, with a digest of the world now and then.
+// Replays: the first snapshot and the inputs of a match, with periodic digests of the world.
 //   head:  "DTNR", format 2 bytes, results_version 4, players 1, bytes of an input 2, of the kind 1
 //          and of the snapshot 4, all little endian; kind; snapshot; XXH64 of all that, 8
 //   block: bytes of inputs 2, frames 1, digest of the world after the last of them 8, inputs as
-//          bits; the low half of XXH64 of all that, seeded by the digest of the head or block
-//          before, 4
-// A file grows by whole blocks. What a crash cut off is not read; all before it is.
+//        bits; the low half of XXH64 of all that, seeded by the digest of the previous head or
+//        block, 4
+// A file grows by whole blocks. A block cut off by a crash is skipped; everything before it is
+// read.
 
 namespace detent {
 
-/// What a replay says before its frames.
+/// The properties that a replay stores before its frames.
 struct ReplayInfo {
-  std::string_view kind;  // of the world: what can simulate it; at most 255 bytes
+  std::string_view kind;  // the kind of world: which game can simulate it; at most 255 bytes
   std::size_t players = 2;
   std::uint32_t results = static_cast<std::uint32_t>(results_version);
   std::span<const std::byte> snapshot;  // of the world before the first frame
@@ -58,7 +59,7 @@ struct ReplayFormat {
 ///     // for every frame before session.final_frame():
 ///     replay.add(*session.inputs(frame), *session.result(frame), sink);
 ///
-/// A frame with unchanged inputs takes a bit for each player and one more; a block adds 15 bytes.
+/// A frame with unchanged inputs takes one bit per player and one more; a block adds 15 bytes.
 ///
 /// (tests/lockstep/replay.test.cpp)
 template <class Input, std::size_t Players = 8>
@@ -114,7 +115,8 @@ class ReplayWriter : detail::ReplayFormat {
     if (++frames_ == every_ || bits_ + worst_frame > 8 * capacity) end(world, sink);
   }
 
-  /// Ends a block now, with the world after its last frame: at the end of a match, at the latest.
+  /// Ends a block now, with the world after its last frame. Call it at the latest at the end of a
+  /// match.
   template <RollbackWorld World, class Sink>
   constexpr void end(const World& world, const Sink& sink) {
     if (frames_ == 0) return;
@@ -144,14 +146,14 @@ class ReplayWriter : detail::ReplayFormat {
 /// Whether bytes are a replay, and how it ends.
 enum class ReplayState : std::uint8_t {
   whole,          // every byte was read
-  cut,            // the last block is not whole: its writer was stopped
-  corrupted,      // a byte has been changed; the frames before it were read
-  no_replay,      // no replay of this format, or its head is not whole
-  other_inputs,   // of another number of players or size of inputs
-  other_results,  // recorded with another `results_version`
+  cut,            // the last block is incomplete: its writer was stopped
+  corrupted,      // a byte has changed; the frames before it were read
+  no_replay,      // not a replay of this format, or its head is incomplete
+  other_inputs,   // of a different number of players or size of inputs
+  other_results,  // recorded with a different `results_version`
 };
 
-/// Reads a replay of bytes that must outlive it. Any bytes may be given.
+/// Reads a replay from bytes that must outlive it. It accepts any bytes.
 template <class Input, std::size_t Players = 8>
 class ReplayReader : detail::ReplayFormat {
  public:
@@ -172,8 +174,8 @@ class ReplayReader : detail::ReplayFormat {
     return true;
   }
 
-  /// Calls visit(inputs) for each frame of the next block, in order; the digest of the world after
-  /// the last of them, or nothing at the end: see `state`.
+  /// Calls visit(inputs) for each frame of the next block, in order. Returns the digest of the
+  /// world after the last of them, or nothing at the end: see `state`.
   template <class Visit>
   [[nodiscard]] constexpr std::optional<std::uint64_t> next_block(const Visit& visit) {
     if (state_ != ReplayState::whole || left().empty()) return std::nullopt;
@@ -187,7 +189,7 @@ class ReplayReader : detail::ReplayFormat {
         detail::load_word<std::uint32_t>(block.data() + block_head + size)) {
       return stop(ReplayState::corrupted);
     }
-    // The checksum may be a forger's: bits that are missing read as unchanged inputs.
+    // The checksum may be forged: missing bits read as unchanged inputs.
     detail::BitReader in(block.subspan(block_head, size));
     const auto frames = detail::load_word<std::uint8_t>(block.data() + 2);
     for (std::uint32_t i = 0; i < frames; ++i) visit(next_frame(in));
@@ -252,16 +254,16 @@ class ReplayReader : detail::ReplayFormat {
   ReplayState state_;
 };
 
-/// What simulating a replay again gave.
+/// The result of simulating a replay again.
 struct ReplayCheck {
-  ReplayState state{};       // of the replay: `cut` and `corrupted` ones are checked up to there
+  ReplayState state{};  // of the replay: `cut` and `corrupted` ones are checked up to that point
   std::uint32_t frames = 0;  // simulated
-  std::uint32_t equal = 0;   // the first so many have the recorded digest after the last of them
+  std::uint32_t equal = 0;   // the first so many match the recorded digest after the last of them
   bool is_equal = true;      // otherwise the first frame that differs is one of `equal` to `frames`
 };
 
 /// Simulates a replay from a world that the caller restored from its snapshot, up to the first
-/// digest that differs. Recorded with `every` = 1, that names the frame.
+/// digest that differs. If recorded with `every` = 1, that identifies the frame.
 template <class Input, std::size_t Players = 8, RollbackWorld World, class Simulate>
 [[nodiscard]] constexpr ReplayCheck check_replay(ReplayReader<Input, Players> replay, World world,
                                                  const Simulate& simulate) {

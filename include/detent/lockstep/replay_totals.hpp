@@ -10,15 +10,16 @@
 
 namespace detent {
 
-/// What checks of many replays gave. Totals of parts add up to those of the whole, in any order.
+/// The results of checking many replays. Totals of parts add up to those of the whole, in any
+/// order.
 ///
 /// (tests/lockstep/replay_totals.test.cpp)
 struct ReplayTotals {
   std::uint64_t files = 0;
-  std::uint64_t equal = 0;       // all digests came out, up to the end or to where it was cut off
-  std::uint64_t different = 0;   // one did not
-  std::uint64_t unreadable = 0;  // no replay, of another version or game, or a byte has changed
-  std::uint64_t cut = 0;         // of the equal ones: the last block is not whole
+  std::uint64_t equal = 0;       // all digests match, up to the end or to where it was cut off
+  std::uint64_t different = 0;   // a digest differs
+  std::uint64_t unreadable = 0;  // not a replay, of another version or game, or a byte has changed
+  std::uint64_t cut = 0;         // of the equal ones: the last block is incomplete
   std::uint64_t frames = 0;      // simulated
 
   constexpr ReplayTotals& operator+=(const ReplayTotals& other) noexcept {
@@ -49,8 +50,8 @@ struct ReplayTotals {
                                                  const ReplayTotals&) noexcept = default;
 };
 
-/// Whether a file of this name belongs to shard `shard`, 1 to `shards`: each name is in one of them,
-/// the same on every machine.
+/// Whether a file of this name belongs to shard `shard`, 1 to `shards`: each name is in exactly
+/// one, the same on every machine.
 [[nodiscard]] constexpr bool is_in_shard(std::string_view name, std::uint32_t shard,
                                          std::uint32_t shards) noexcept {
   Digest digest;

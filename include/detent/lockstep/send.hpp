@@ -9,7 +9,7 @@
 
 #include "detent/lockstep/session.hpp"
 
-// What a session sends.
+// How a session sends.
 
 namespace detent {
 
@@ -33,13 +33,13 @@ void Session<World, Input, Limits>::poll(std::uint64_t now, const Send& send) {
   }
 }
 
-/// Whether a packet should go to this peer now. Watches its silence too.
+/// Whether a packet should go to this peer now. Also detects its silence.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 bool Session<World, Input, Limits>::is_due(std::size_t to, std::uint64_t now) {
   detail::Peer& peer = peers_[to];
   if (!peer.is_sent && !peer.is_heard)
-    peer.last_heard = now;  // as if: who never comes is silent too
-  // One who is out drops nobody: those who go on hear of it from who dropped it.
+    peer.last_heard = now;  // so that a peer that never appears becomes silent
+  // A dropped player drops nobody: the remaining peers tell it.
   if (!is_met(to)) return peer.owes_notice && !is_expelled_;
   if (!peer.is_silent && detail::elapsed(now, peer.last_heard) >= config_.silence) {
     peer.is_silent = true;
@@ -48,7 +48,7 @@ bool Session<World, Input, Limits>::is_due(std::size_t to, std::uint64_t now) {
   return !peer.is_sent || detail::elapsed(now, peer.last_sent) >= config_.send_interval;
 }
 
-/// Adds inputs of a player from `first` on, as many as fit in `bits`.
+/// Adds a player's inputs from `first` on, as many as fit in `bits`.
 template <RollbackWorld World, class Input, SessionLimits Limits>
 void Session<World, Input, Limits>::add_run(detail::Packet& packet, std::size_t player,
                                             std::uint32_t first, std::size_t& bits) const {

@@ -21,13 +21,13 @@
 
 namespace detent {
 
-/// A world whose snapshots a session can send to who comes late: with functions
+/// A world whose snapshots a session can send to late peers: with functions
 ///
 ///     std::size_t snapshot(const World&, std::span<std::byte> room);   // written if it fits
 ///     bool restore(World&, std::span<const std::byte> bytes);          // any bytes; or `Restored`
 ///
-/// found by argument-dependent lookup. Scenes and worlds of bodies have them. What they leave out,
-/// such as fixed bodies, must be in the world that a session starts with.
+/// found by argument-dependent lookup. Scenes and worlds of bodies have them. State that they leave
+/// out, such as fixed bodies, must be in the world that a session starts with.
 template <class World>
 concept SnapshotWorld = requires(World& world, const World& from, std::span<std::byte> room,
                                  std::span<const std::byte> bytes) {
@@ -35,32 +35,32 @@ concept SnapshotWorld = requires(World& world, const World& from, std::span<std:
   restore(world, bytes);
 };
 
-/// What `Session::receive` did with a packet.
+/// The result of `Session::receive`.
 enum class Received : std::uint8_t {
   yes,
-  other_match,  // or broken, of another version or not from this peer
-  malformed,    // it says what no session says; nothing of it was used
+  other_match,  // or damaged, of another version or not from this peer
+  malformed,    // no session sends such a packet; nothing of it was used
   dropped,      // its sender was dropped
 };
 
-/// What `Session::advance` did.
+/// The result of `Session::advance`.
 enum class Advanced : std::uint8_t {
   yes,          // it simulated a new frame with the given input
-  connecting,   // not every player has been heard
-  catching_up,  // frames to simulate again are left for the next call
+  connecting,   // not every player has been heard yet
+  catching_up,  // frames to resimulate are left for the next call
   starved,      // an input of another player is needed first: see `is_awaited`
-  ahead,        // the others are behind; waits one frame for them
+  ahead,        // the others are behind; waits one frame
   paused,       // by a player, or by `pause`
-  over,         // a spectator without players, or 2^31 frames
-  joining,      // the snapshot of the match has not come yet
+  over,         // a spectator without players, or after 2^31 frames
+  joining,      // the snapshot of the match has not arrived yet
 };
 
-/// A match of 2 to 8 players and spectators who simulate the same world and exchange inputs alone.
+/// A match of 2 to 8 players and spectators who simulate the same world and exchange only inputs.
 ///
-/// It knows neither sockets nor clocks: packets go in by `receive` and out by `poll`, and the caller
-/// says what time it is. Packets may be lost, doubled, delayed and reordered. An input takes effect
-/// `delay` frames later. Until the inputs of others come they are predicted to stay the same, for
-/// up to `prediction` frames; frames that used a wrong guess are simulated again.
+/// It uses neither sockets nor clocks: packets go in by `receive` and out by `poll`, and the caller
+/// passes the time. Packets may be lost, duplicated, delayed and reordered. An input takes effect
+/// `delay` frames later. Until the inputs of others arrive they are predicted to stay the same, for
+/// up to `prediction` frames; frames with a wrong prediction are simulated again.
 ///
 ///     Session<Game, Pad> session({.match = id, .self = 0}, game);
 ///     // for every packet:             session.receive(peer, bytes, now);
@@ -68,18 +68,19 @@ enum class Advanced : std::uint8_t {
 ///     //                               session.poll(now, send);
 ///     // simulate(Game&, const FrameInputs<Pad, 8>&) is the game; send(peer, span of bytes) is yours
 ///
-/// World: a `RollbackWorld`, which `simulate` changes by its inputs alone (`SyncTest` shows that).
-/// Input: anything with an `InputCodec`. All storage is inside, sized by `Limits`: nothing here
-/// allocates, unless copies of the world do.
+/// World: a `RollbackWorld`, which `simulate` changes only by its inputs (`SyncTest` checks that).
+/// Input: anything with an `InputCodec`. All storage is inside the session, sized by `Limits`:
+/// nothing here allocates, unless copies of the world do.
 ///
-/// Any bytes may come in. A peer can neither change an input that it sent, nor make another write
-/// out of bounds, wait unseen, or go on with other inputs unnoticed: one that sends different inputs
-/// to different peers shows as a `desync` whose field is `input`. Who may join, and that packets are
-/// from whom they seem to be, is up to the transport.                      (fuzz/lockstep.cpp)
+/// Any bytes may come in. A peer can neither change an input that it sent, nor make another peer
+/// write out of bounds, wait without being reported, or continue with different inputs unnoticed:
+/// sending different inputs to different peers shows as a `desync` whose field is `input`. The
+/// transport decides who may join and must authenticate senders.
+/// (fuzz/lockstep.cpp)
 ///
-/// A peer that comes late, or again after its program ended, starts a session with a `life` and with
-/// the same world at the start as all others. It gets a snapshot in slices, catches up, and takes its
-/// seat if that is free and it wants to; `Limits.snapshot` must have room at both ends.
+/// A peer that joins late, or rejoins after its program ended, starts a session with a `life` and
+/// with the same initial world as all others. It gets a snapshot in slices, catches up, and takes
+/// its seat if the seat is free and it wants to; `Limits.snapshot` must have room at both ends.
 /// (tests/lockstep/join.test.cpp)
 ///
 /// (tests/lockstep/session.test.cpp, tests/lockstep/match.test.cpp, tests/examples/lockstep.cpp)
@@ -105,11 +106,11 @@ class Session {
     }
   }
 
-  /// Takes a packet that the transport got from `peer`.
+  /// Takes a packet that the transport received from `peer`.
   Received receive(std::size_t peer, std::span<const std::byte> bytes, std::uint64_t now);
 
-  /// Simulates frames again whose inputs were guessed wrong, then the next frame, if it may. The
-  /// input was used if the result is `yes`.
+  /// Resimulates frames whose inputs were mispredicted, then simulates the next frame, if it may.
+  /// The input was used if the result is `yes`.
   template <class Simulate>
   Advanced advance(const Input& input, const Simulate& simulate);
 
@@ -120,36 +121,36 @@ class Session {
   ///       session.close_frame();
   ///     }
   ///
-  /// Nothing when no more are due now: `advanced()` is what `advance` would return. A frame that was
-  /// not closed before the next call, or before one of `receive`, `poll` and `drop`, is opened again
-  /// as it was at first.
+  /// Returns nothing when no more frames are due now: `advanced()` is what `advance` would return.
+  /// A frame that was not closed before the next call, or before one of `receive`, `poll` and
+  /// `drop`, is reopened in its initial state.
   [[nodiscard]] std::optional<Inputs> open_frame(const Input& input);
   /// The world of the open frame.
   [[nodiscard]] World& opened() { return timeline_.opened(); }
   [[nodiscard]] bool is_open() const { return timeline_.is_open(); }
-  /// The open frame is simulated. Nothing if none is open.
+  /// Closes the open frame, once simulated. Does nothing if none is open.
   void close_frame();
-  /// What the last `advance`, or the frames of the last `open_frame`, did.
+  /// The result of the last `advance`, or of the frames of the last `open_frame`.
   [[nodiscard]] Advanced advanced() const { return advanced_; }
 
-  /// Calls send(peer, bytes) with what is due for each peer, at most one packet for each.
+  /// Calls send(peer, bytes) for each peer to which a packet is due, at most one packet each.
   template <class Send>
   void poll(std::uint64_t now, const Send& send);
 
-  /// What happened since, oldest first.
+  /// The events since the last call, oldest first.
   [[nodiscard]] std::optional<SessionEvent> next_event() { return events_.pop(); }
 
-  /// The world after the last frame that is simulated.
+  /// The world after the last simulated frame.
   [[nodiscard]] const World& world() const { return timeline_.world(); }
   /// The number of frames played.
   [[nodiscard]] std::uint32_t frame() const { return frame_; }
   /// The number of frames whose results are final: no packet can change them.
   [[nodiscard]] std::uint32_t final_frame() const { return (std::min)(known(), timeline_.done()); }
-  /// The world after a frame, while it is kept.
+  /// The world after a frame, while it is stored.
   [[nodiscard]] const World* result(std::uint32_t frame) const {
     return timeline_.has_result(frame) ? &timeline_.result(frame) : nullptr;
   }
-  /// The inputs of a final frame, while they are kept.
+  /// The inputs of a final frame, while they are stored.
   [[nodiscard]] std::optional<Inputs> inputs(std::uint32_t frame) const {
     if (frame >= final_frame() || frame + Limits.history / 2 < frame_ || frame < start_) {
       return std::nullopt;
@@ -164,21 +165,21 @@ class Session {
     return peer < peers_.size() ? peers_[peer].comparison.matched() : 0;
   }
 
-  /// Goes on without a peer, as the caller decides when it is silent. All who go on agree on the
-  /// first frame without this player.
+  /// Continues without a peer; the caller decides this when the peer is silent. All remaining peers
+  /// agree on the first frame without this player.
   void drop(std::size_t peer);
-  /// Whether this peer was dropped, by anyone.
+  /// Whether any peer dropped this one.
   [[nodiscard]] bool is_dropped(std::size_t peer) const {
     return peer < peers_.size() && (members_.is_dropped(peer) || peers_[peer].is_gone);
   }
-  /// Whether this peer plays: it is a player, and if it came late it has its seat.
+  /// Whether this peer plays: it is a player and, if it joined late, has its seat.
   [[nodiscard]] bool is_player() const { return config_.self < config_.players && !is_guest_; }
-  /// The first frame that is known here: 0, or the one of the snapshot it began with.
+  /// The first frame known here: 0, or that of the snapshot it started with.
   [[nodiscard]] std::uint32_t start_frame() const { return start_; }
-  /// Stops, or goes on; the others see it.
+  /// Pauses or resumes; the others see it.
   void pause(bool is_paused) { is_paused_ = is_paused; }
 
-  /// Whether this player keeps the session from going on.
+  /// Whether this player holds up the session.
   [[nodiscard]] bool is_awaited(std::size_t player) const;
 
   /// Frames that were simulated more than once, counted each time.
@@ -195,7 +196,7 @@ class Session {
     Inputs inputs;
     typename Timeline::Used bytes{};
   };
-  static constexpr std::uint32_t lead = 64;  // inputs that are kept beyond final frames
+  static constexpr std::uint32_t lead = 64;  // inputs stored beyond final frames
   static constexpr std::uint32_t last_frame = 0x7fffffff - lead;
 
   static constexpr std::uint32_t notice = 32;  // frames from giving a seat to taking it
@@ -203,7 +204,7 @@ class Session {
   static_assert(Limits.snapshot == 0 || SnapshotWorld<World>,
                 "who comes late needs snapshot(world, room) and restore(world, bytes)");
   static constexpr std::size_t slice_size = Limits.packet - detail::Packet::slice_room;
-  static constexpr std::size_t most_peers_mark = 15;  // asks nobody yet
+  static constexpr std::size_t most_peers_mark = 15;  // no source yet
 
   [[nodiscard]] std::size_t peer_count() const { return config_.players + config_.spectators; }
   [[nodiscard]] Queue& own() { return queues_[config_.self]; }
@@ -234,7 +235,7 @@ class Session {
   void load(std::size_t from, const detail::Packet& packet, std::uint64_t now);
   void ask_another(std::uint64_t now);
   [[nodiscard]] std::optional<detail::JoinState> join_state() const;
-  /// Whether packets go to this peer and are read from it.
+  /// Whether packets are sent to this peer and read from it.
   [[nodiscard]] bool is_met(std::size_t peer) const {
     return !is_dropped(peer) || peers_[peer].is_guest;
   }
@@ -259,7 +260,7 @@ class Session {
   detail::Checksums<Limits.history> checksums_;
   detail::EventQueue<Limits.events> events_;
   detail::Waiting waiting_;
-  std::optional<World> odd_;  // our result of the frame that differs
+  std::optional<World> odd_;  // our result of the differing frame
   typename Timeline::Used odd_inputs_{};
   std::uint32_t odd_frame_ = 0;
   std::uint32_t frame_ = 0;
@@ -267,7 +268,7 @@ class Session {
   detail::Outgoing<Limits.snapshot, slice_size> outgoing_;
   detail::Incoming<Limits.snapshot, slice_size> incoming_;
   std::optional<std::size_t> source_;  // the player that we ask for a snapshot
-  std::uint64_t progress_ = 0;         // when the last slice came
+  std::uint64_t progress_ = 0;         // when the last slice arrived
   std::uint32_t start_ = 0;
   std::uint32_t admitted_ = 0;  // frames whose words are read
   std::uint32_t served_ = 0;    // the frame of the last snapshot

@@ -10,19 +10,19 @@ namespace detent::detail {
 
 /// Estimates by how many frames this peer is ahead of another, without clocks.
 ///
-/// Each sees the other's frame as it was when the packet left, so both believe to be ahead by the
-/// latency; half the difference of both beliefs is free of it. Both are smoothed over some 16 frames.
+/// Each peer sees the other's frame as it was when the packet left, so both estimates are too high
+/// by the latency; half their difference cancels it. Both are smoothed over about 16 frames.
 class TimeSync {
  public:
-  /// A frame goes by: `ahead` is our frame minus the last one heard of.
+  /// Counts a frame: `ahead` is our frame minus the last one heard of.
   constexpr void count(std::int32_t ahead) noexcept {
     ours_ += (std::clamp(ahead, -limit, limit) * unit - ours_) / smoothing;
   }
-  /// What the other one believes, from a packet.
+  /// Takes the other peer's estimate, from a packet.
   constexpr void hear(std::uint32_t ahead) noexcept {
     theirs_ = (static_cast<std::int32_t>(ahead) - bias) * unit;
   }
-  /// What we believe, for a packet.
+  /// Our estimate, for a packet.
   [[nodiscard]] constexpr std::uint32_t said() const noexcept {
     const auto rounded = (ours_ + (ours_ < 0 ? -unit / 2 : unit / 2)) / unit;
     return static_cast<std::uint32_t>(rounded + bias);
@@ -38,8 +38,8 @@ class TimeSync {
   std::int32_t ours_ = 0, theirs_ = 0;  // in 1/256 frame
 };
 
-/// Lets the one who is ahead wait: one frame in `spacing` at most, so that it is not seen, and a
-/// peer that lies about its frame slows the others by no more.
+/// Makes the peer that is ahead wait: at most one frame in `spacing`, so that it is not visible,
+/// and a peer that lies about its frame slows the others by no more.
 class Waiting {
  public:
   static constexpr std::uint32_t spacing = 8;

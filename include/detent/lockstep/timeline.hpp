@@ -11,19 +11,19 @@
 
 namespace detent {
 
-/// The inputs of one frame, as a simulation gets them: equal on all peers once they are final.
+/// The inputs of one frame, as passed to a simulation: equal on all peers once final.
 template <class Input, std::size_t Players>
 class FrameInputs {
  public:
-  /// Inputs of a frame in which nobody plays yet.
+  /// Inputs of a frame without players, until they are set.
   constexpr FrameInputs(std::uint32_t frame, std::size_t players) noexcept
       : frame_(frame), players_(players) {}
 
   /// The number of the frame, from 0.
   [[nodiscard]] constexpr std::uint32_t frame() const noexcept { return frame_; }
-  /// The number of players, those who left included.
+  /// The number of players, including those who left.
   [[nodiscard]] constexpr std::size_t size() const noexcept { return players_; }
-  /// What a player pressed; `Input{}` after the player left.
+  /// A player's input; `Input{}` after the player left.
   [[nodiscard]] constexpr const Input& operator[](std::size_t player) const noexcept {
     return inputs_[player];
   }
@@ -51,7 +51,7 @@ template <class T, std::size_t... I>
   return {((void)I, value)...};
 }
 
-/// The worlds before the last frames and after the last one, with the inputs that were used.
+/// The worlds before the last frames and after the last one, with their inputs.
 template <class World, class Input, std::size_t Players, std::size_t Kept>
 class Timeline {
  public:
@@ -61,10 +61,10 @@ class Timeline {
   explicit constexpr Timeline(const World& start)
       : worlds_(copies(start, std::make_index_sequence<Kept>())) {}
 
-  /// The number of frames that are simulated.
+  /// The number of simulated frames.
   [[nodiscard]] constexpr std::uint32_t done() const noexcept { return done_; }
   [[nodiscard]] constexpr const World& world() const noexcept { return worlds_[done_ % Kept]; }
-  /// Whether the world after a frame is still here.
+  /// Whether the world after a frame is still stored.
   [[nodiscard]] constexpr bool has_result(std::uint32_t frame) const noexcept {
     return frame < done_ && latest_ - frame <= Kept && frame + 1 >= start_;
   }
@@ -75,7 +75,8 @@ class Timeline {
     return used_[frame % Kept];
   }
 
-  /// Begins before `frame` with the world that load(world) makes, which returns whether it did.
+  /// Starts before `frame` with the world that load(world) makes; load returns whether it
+  /// succeeded.
   template <class Load>
   [[nodiscard]] constexpr bool start(std::uint32_t frame, const Load& load) {
     if (!load(worlds_[frame % Kept])) return false;
@@ -83,10 +84,10 @@ class Timeline {
     return true;
   }
 
-  /// Goes back to before `frame`, if it is simulated.
+  /// Goes back to before `frame`, if it has been simulated.
   constexpr void go_back(std::uint32_t frame) noexcept { done_ = (std::min)(done_, frame); }
 
-  /// Opens the next frame: `opened` is to be simulated with the inputs of `bytes`, then closed.
+  /// Opens the next frame: simulate `opened` with the inputs of `bytes`, then close it.
   constexpr void open(const Used& bytes) {
     opened() = worlds_[done_ % Kept];
     used_[done_ % Kept] = bytes;
@@ -98,7 +99,7 @@ class Timeline {
     is_open_ = false;
     latest_ = (std::max)(latest_, ++done_);
   }
-  /// Forgets the open frame: its inputs may have changed.
+  /// Discards the open frame: its inputs may have changed.
   constexpr void discard() noexcept { is_open_ = false; }
 
  private:

@@ -10,17 +10,18 @@
 #include "detent/lockstep/packet.hpp"
 #include "detent/number/digest.hpp"
 
-// Snapshots in slices, for peers that come late: docs/lockstep.md.
+// Snapshots in slices, for late peers: docs/lockstep.md.
 
 namespace detent::detail {
 
-/// A snapshot that is sent to one guest, in slices of `Size` bytes.
+/// A snapshot on its way to one guest, in slices of `Size` bytes.
 template <std::size_t Room, std::size_t Size>
 class Outgoing {
  public:
-  /// Where the bytes of a new snapshot go.
+  /// The storage for a new snapshot.
   [[nodiscard]] constexpr std::span<std::byte> room() noexcept { return bytes_; }
-  /// Sends the first `total` bytes of `room` from now on: a match before `frame`, for a life of a peer.
+  /// Sends the first `total` bytes of `room` from now on: a match before `frame`, for a life of a
+  /// peer.
   constexpr void start(std::size_t to, std::uint32_t life, std::uint32_t frame, std::size_t total) {
     to_ = to;
     life_ = life;
@@ -39,7 +40,7 @@ class Outgoing {
   [[nodiscard]] constexpr std::size_t to() const noexcept { return to_; }
   [[nodiscard]] constexpr std::uint32_t frame() const noexcept { return frame_; }
 
-  /// The next slice that the guest lacks, each in its turn.
+  /// The next slice that the guest lacks, in cyclic order.
   [[nodiscard]] constexpr Slice next(const JoinState& guest) noexcept {
     const auto count = static_cast<std::uint32_t>((total_ + Size - 1) / Size);
     const bool is_mine = guest.frame == frame_;
@@ -69,12 +70,12 @@ class Outgoing {
   std::uint64_t digest_ = 0;
 };
 
-/// A snapshot that comes in slices, in any order. Any slices may come: all that they can do is to
-/// make it begin again.
+/// A snapshot received in slices, in any order. Any slices may arrive: at worst they make it start
+/// over.
 template <std::size_t Room, std::size_t Size>
 class Incoming {
  public:
-  /// Takes a slice; whether it is a new one.
+  /// Takes a slice; returns whether it is new.
   [[nodiscard]] constexpr bool take(const Slice& slice) {
     if (slice.total == 0 || slice.total > Room) return false;
     const auto count = (slice.total + Size - 1) / Size;
@@ -96,7 +97,7 @@ class Incoming {
     while (first_ < count && has_[first_]) ++first_;
     return true;
   }
-  /// Whether all bytes are here, and are those of the digest.
+  /// Whether all bytes have arrived and match the digest.
   [[nodiscard]] constexpr bool is_whole() const {
     if (total_ == 0 || first_ * Size < total_) return false;
     Digest digest;
@@ -114,7 +115,7 @@ class Incoming {
     digest_ = 0;
   }
 
-  /// What has arrived, for the sender.
+  /// Reports the received slices, for the sender.
   constexpr void describe(JoinState& join) const noexcept {
     join.frame = total_ == 0 ? 0 : frame_;
     join.first = first_;

@@ -12,7 +12,7 @@
 
 namespace detent::detail {
 
-/// Writes the bytes that a digest would be fed, as far as there is room, and counts all of them.
+/// Writes the bytes that a digest would read, as far as there is room, and counts all of them.
 class Writer {
  public:
   Writer() noexcept = default;
@@ -48,8 +48,8 @@ inline constexpr std::size_t byte_count = [] {
   return count.size();
 }();
 
-/// Loads values without bounds checks. Bytes that encode no value set `is_wrong`, and loading goes
-/// on with some value.
+/// Loads values without bounds checks. Bytes that encode no value set `is_wrong`, and loading
+/// continues with an arbitrary valid value.
 class Loader {
  public:
   explicit constexpr Loader(const std::byte* from) noexcept : from_(from) {}

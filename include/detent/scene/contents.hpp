@@ -32,7 +32,7 @@ struct SceneAccess;
 /// for an object in no frame.
 ///
 /// Functions that read or change an object or a frame return false, or nothing, when it does not
-/// exist; also for `no_object` and `no_frame`.
+/// exist, including for `no_object` and `no_frame`.
 ///
 /// Fixed objects are not in snapshots. Once one is added, changed, moved or removed, earlier
 /// snapshots cannot be restored: `restore` returns `Restored::other_fixed_part`.
@@ -144,7 +144,7 @@ class SceneContents {
   [[nodiscard]] constexpr bool contains(const ObjectId& id) const noexcept {
     return store_.find(id) != nullptr;
   }
-  /// What filters see of an object.
+  /// The properties of an object that filters see.
   [[nodiscard]] constexpr std::optional<ObjectInfo> info(const ObjectId& id) const noexcept {
     if (!contains(id)) return std::nullopt;
     return store_.info(id.index);

@@ -111,7 +111,7 @@ template <class World>
 [[nodiscard]] constexpr bool is_part_of(const FieldName& name, const FieldName& whole) noexcept {
   const auto text = name.view(), start = whole.view();
   const auto size = start.size();
-  // Not starts_with, which on a bare machine needs a function that throws.
+  // Not starts_with: on a bare machine it needs a function that throws.
   if (text.size() < size || !std::equal(start.begin(), start.end(), text.begin())) return false;
   return text.size() == size || text[size] == ' ' || text[size] == '.' || text[size] == '[';
 }
@@ -126,9 +126,8 @@ template <class World>
   return end - first;
 }
 
-/// The fields in which two worlds differ, one after another: a value differs, or only one of them
-/// has the field; then its parts are skipped. Found by bisection over digests, so no list of fields
-/// is kept.
+/// Iterates over the fields in which two worlds differ: the value differs, or only one world has
+/// the field; its parts are then skipped. Bisects digests, so it stores no list of fields.
 template <class World>
 class FieldDifferences {
  public:
@@ -185,9 +184,9 @@ struct FieldDifference {
   std::optional<ObjectId> object;  // the object or body that it belongs to, if any
 };
 
-/// Calls visit(difference) for the first fields in which two worlds differ, in their order, at most
-/// `most` of them, and returns how many there were. Of an object, a body or an element that only
-/// one of them has, its first field is visited and the others are not.
+/// Calls visit(difference) for the first fields in which two worlds differ, in order, at most
+/// `most` of them, and returns their number. If only one world has an object, a body or an element,
+/// only its first field is visited.
 ///
 /// domain: worlds of bodies, scenes, and any type that lists its fields
 /// result: 0 if all fields are equal

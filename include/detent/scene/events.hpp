@@ -18,9 +18,9 @@ namespace detent {
 ///     events.update(pairs);
 ///     for (const Overlap& pair : events.began()) ...
 ///
-/// The events follow from the pairs of two frames and nothing else. So a world that rolls back holds
-/// its events next to its scene, as a field (see `RollbackWorld`); or it holds none, and two updates
-/// with the pairs of the scenes before and after a frame give the same again.
+/// The events depend only on the pairs of two frames. A world that rolls back keeps its events next
+/// to its scene, as a field (see `RollbackWorld`); or it keeps none and recomputes them by two
+/// updates, with the pairs of the scenes before and after a frame.
 ///
 /// result: each list sorted by first id, then by second. A pair ends when one of its objects is
 ///         removed, or filtered out: `ended` may hold ids that the scene no longer has. An object
@@ -29,16 +29,17 @@ namespace detent {
 template <class Storage, std::size_t Pairs>
 class BasicOverlapEvents {
  public:
-  /// Goes on by a frame, to the overlapping pairs that `scene.overlaps` gives: sorted, each once.
+  /// Advances by one frame, to the overlapping pairs that `scene.overlaps` gives: sorted, each
+  /// once.
   ///
-  /// domain: of more pairs than there is room for, the first are kept
+  /// domain: if there is no room for all pairs, the first are kept
   /// result: whether all were kept
   constexpr bool update(std::span<const Overlap> pairs) {
     DETENT_ASSERT(std::is_sorted(pairs.begin(), pairs.end()));
     const bool fits = pairs.size() <= Pairs;
     if (!fits) pairs = pairs.first(Pairs);
     for (auto* list : {&began_, &stayed_, &ended_}) list->clear();
-    // Both lists are sorted: the lesser of their next pairs is in one of them only.
+    // Both lists are sorted, so the lesser of their next pairs is in only one of them.
     std::size_t i = 0, k = 0;
     while (i < now_.size() || k < pairs.size()) {
       if (k == pairs.size() || (i < now_.size() && now_[i] < pairs[k])) {
@@ -55,11 +56,11 @@ class BasicOverlapEvents {
     return fits;
   }
 
-  /// The pairs that overlap in this frame and did not in the one before.
+  /// The pairs that overlap in this frame and did not in the previous one.
   [[nodiscard]] constexpr std::span<const Overlap> began() const noexcept { return view(began_); }
   /// The pairs that overlap in both.
   [[nodiscard]] constexpr std::span<const Overlap> stayed() const noexcept { return view(stayed_); }
-  /// The pairs that overlapped in the frame before and no longer do.
+  /// The pairs that overlapped in the previous frame and no longer do.
   [[nodiscard]] constexpr std::span<const Overlap> ended() const noexcept { return view(ended_); }
   /// The pairs that overlap in this frame: those that began and those that stayed.
   [[nodiscard]] constexpr std::span<const Overlap> now() const noexcept { return view(now_); }
@@ -77,7 +78,7 @@ class BasicOverlapEvents {
     return {list.data(), list.size()};
   }
 
-  // Not the one of std::ranges, which libc++ 14 lacks.
+  // Not std::ranges::equal, which libc++ 14 lacks.
   [[nodiscard]] static constexpr bool same(std::span<const Overlap> a,
                                            std::span<const Overlap> b) noexcept {
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
@@ -99,7 +100,7 @@ constexpr void for_each_field(const BasicOverlapEvents<Storage, Pairs>& events, 
 using OverlapEvents = BasicOverlapEvents<Growing, static_cast<std::size_t>(-1)>;
 #endif
 
-/// Events of up to `Pairs` pairs a frame, in memory inside itself.
+/// Events of up to `Pairs` pairs a frame, stored inside the object.
 template <std::size_t Pairs>
 using BoundedOverlapEvents = BasicOverlapEvents<Bounded<Pairs>, Pairs>;
 

@@ -17,13 +17,13 @@ class FieldName {
   static constexpr std::size_t capacity = 119;
 
   constexpr FieldName() noexcept = default;
-  /// The name that a string literal spells.
+  /// The name in a string literal.
   template <std::size_t Size>
   explicit constexpr FieldName(const char (&literal)[Size]) noexcept {
     add(literal);
   }
 
-  /// Appends text; what exceeds `capacity` is dropped.
+  /// Appends text, truncated to `capacity` characters in all.
   template <std::size_t Size>
   constexpr FieldName& add(const char (&literal)[Size]) noexcept {
     return add(std::string_view(literal, Size - 1));

@@ -82,8 +82,8 @@ class Finder {
           moving, RayProbe<S, N>(box, moving.direction, moving.max_distance), filter, visit);
     }
   }
-  /// For a point, visits every object that is not empty, for `Scene::nearest`: an empty one has no
-  /// box in a tree.
+  /// For `Scene::nearest` of a point: visits every object that is not empty. Empty ones have no box
+  /// in a tree.
   template <class Filter, class Visit>
   constexpr void visit_found(const Vec<S, N>& point, const Filter& filter,
                              const Visit& visit) const {
@@ -109,7 +109,8 @@ class Finder {
                   [&](std::size_t i) { return add(found_at(i, point)), Walk::go_on; });
   }
 
-  /// Where a ray hits an object, if that is one shape: a surface takes as long as the tree.
+  /// The distance at which a ray hits an object of a single shape. Surfaces are left to the tree
+  /// walk, which takes as long.
   [[nodiscard]] constexpr std::optional<S> distance_to(std::size_t object,
                                                        const Ray<S, N>& ray) const noexcept {
     return store_[object].shape.visit([&]<class Shape>(const Shape& shape) -> std::optional<S> {
@@ -137,7 +138,7 @@ class Finder {
       if constexpr (is_surface_type<Shape>) {
         auto shorter = question;
         if constexpr (is_fixed<S>) {
-          // The hit is known to be at this distance, so the walk need not go beyond.
+          // The hit is known to be at this distance, so the traversal can stop there.
           shorter.max_distance = (std::min)(question.max_distance, next_up(found.distance));
         }
         if (const auto first = first_on_surface(shorter, shape)) {

@@ -13,7 +13,7 @@
 
 namespace detent::detail {
 
-/// What the last change to a scene's frames did to one frame.
+/// The effect of the last change to a scene's frames on one frame.
 enum class Placement : std::uint8_t { as_it_was, moved, unknown };
 
 /// A coordinate system, with its transforms to its parent and to the world.
@@ -109,9 +109,9 @@ class Frames {
     frame.world = compose(frames_[frame.parent].world, frame.local);
   }
 
-  /// Recomputes the world transforms below frames that have moved, in time linear in the frames
-  /// whatever their order: climbs from each to the next ancestor whose placement is known, and
-  /// places the frames that it passed on the way back.
+  /// Recomputes the world transforms below moved frames, in linear time for any order of frames:
+  /// climbs from each to the next ancestor whose placement is known, and places the frames in
+  /// between on the way back.
   constexpr void spread() noexcept {
     for (std::uint32_t k = 0; k < frames_.size(); ++k) {
       std::uint32_t at = k, below = nowhere;

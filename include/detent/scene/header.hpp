@@ -27,7 +27,7 @@ enum class Restored {
   other_mesh = other_asset,
 };
 
-/// The reason in words.
+/// The reason as text.
 [[nodiscard]] constexpr std::string_view describe(Restored restored) noexcept {
   switch (restored) {
     case Restored::yes:

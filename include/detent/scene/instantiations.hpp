@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What `detent::detent` compiles once for scenes in `q16_16`, whatever shapes they list: queries on
-// a shape or a pair, trees and their walks. scene/scene.hpp includes this header in programs
-// that link the library (DETENT_USE_LIBRARY). It changes no result and no type.
+// Compiled once in `detent::detent` for scenes in `q16_16` with any list of shapes: queries on a
+// shape or a pair, and trees with their traversals. scene/scene.hpp includes this header in
+// programs that link the library (DETENT_USE_LIBRARY). It changes no result and no type.
 
 #include <cstdint>
 #include <optional>
@@ -11,7 +11,7 @@
 #include "detent/scene/bytes.hpp"
 #include "detent/scene/scene.hpp"
 
-// src/instantiations/ includes this header too, without the `extern`.
+// src/instantiations/ includes this header without the `extern`.
 #ifndef DETENT_INSTANTIATION
 #define DETENT_INSTANTIATION extern template
 #endif

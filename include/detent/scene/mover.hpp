@@ -9,7 +9,8 @@
 namespace detent {
 
 /// A character: a capsule, sphere or axis-aligned box that walks, slides along walls, climbs steps
-/// and is carried by what it stands on. It is all of its state: a world keeps it and the velocity.
+/// and is carried by the ground it stands on. The object is the whole state; a world stores it and
+/// the velocity.
 ///
 ///     Mover<q16_16, 3, Capsule> player{{feet, head, radius}};
 ///     velocity.y -= gravity;
@@ -21,8 +22,8 @@ struct Mover {
   Shape<S, N> shape;  // where it is, in the world
   Ground<S, N> ground{};
 
-  /// Moves by `by`, what the character wants to move in a frame, gravity included, as far as the
-  /// objects of a scene that pass `filter` let it:
+  /// Moves by `by`, the desired motion of a frame, gravity included, as far as the objects of a
+  /// scene that pass `filter` allow:
   ///
   /// 1. the frame of the object that it stands on carries it along, rigidly (objects that move
   ///    otherwise do not: give platforms a frame);
@@ -30,18 +31,18 @@ struct Mover {
   ///    times as long as the greatest of their depths;
   /// 3. standing on ground, it walks: the horizontal part of `by` leads along walls, up slopes that
   ///    are not too steep and over steps, then down to ground within `snap_distance`, or it falls;
-  /// 4. in the air, it flies and slides along what it meets, and stands on ground where it lands. A
-  ///    motion away from its ground by more than an eighth of the skin leaves it, as a jump does;
-  ///    `ground = {}` leaves it too.
+  /// 4. in the air, it flies and slides along obstacles, and stands on the ground where it lands. A
+  ///    motion away from its ground by more than an eighth of the skin leaves the ground, as a jump
+  ///    does; so does `ground = {}`.
   ///
-  /// It stays a skin away from what it walks along, but in gaps that are narrower.
+  /// It stays a skin away from the surfaces it moves along, except in narrower gaps.
   ///
   /// units:  world units
   /// domain: every input; an empty shape passes everything; a move that would leave the range of the
   ///         scalar ends
-  /// result: it passes nothing on its way, however thin and fast, and ends overlapping nothing, but
-  ///         what it overlaps at the start; a mesh or a terrain is one thing. At most 28 casts, twice
-  ///         as many if it starts in something
+  /// result: it never passes through an object on its way, however thin the object and fast the
+  ///         move, and ends overlapping nothing except what it overlapped at the start; a mesh or a
+  ///         terrain is one object. At most 28 casts, twice as many if it starts inside something
   ///         (tests/scene/mover.test.cpp, tests/scene/mover_property.test.cpp)
   /// source: cast and clip, Quake, PM_SlideMove; planes, b2SolvePlanes of Box2D 3.1; steps and
   ///         ground as CharacterVirtual of Jolt Physics
@@ -68,7 +69,7 @@ constexpr void for_each_field(const Mover<S, N, Shape>& mover, const F& f) {
   f("ground", mover.ground);
 }
 
-/// The part of `velocity` that does not lead into what the character touched: the closest to it.
+/// The part of `velocity` that does not lead into the touched surfaces: the closest vector to it.
 ///
 /// result: 0 where no velocity is left
 ///         (tests/scene/mover.test.cpp)

@@ -34,7 +34,7 @@ using ObjectId = detail::Id<struct ObjectTag>;
 /// default id refers to the world.
 using FrameId = detail::Id<struct FrameTag>;
 
-/// Ids that nothing ever has, for `value_or` where an addition may fail.
+/// Ids that no object or frame ever has, for `value_or` where an addition may fail.
 inline constexpr ObjectId no_object{};
 inline constexpr FrameId no_frame{0xffffffffu, 0};
 
@@ -42,7 +42,7 @@ inline constexpr FrameId no_frame{0xffffffffu, 0};
 /// objects never move during a match and are the same for all players from the start.
 enum class Motion : std::uint8_t { moving, fixed };
 
-/// What a scene stores with the shape of an object.
+/// The properties that a scene stores with the shape of an object.
 struct Traits {
   std::uint32_t layers = 1;  // any bits; filters define their meaning
   std::uint64_t user = 0;    // any word; saved, never read
@@ -52,7 +52,7 @@ struct Traits {
   [[nodiscard]] friend constexpr bool operator==(const Traits&, const Traits&) noexcept = default;
 };
 
-/// What a filter sees of an object.
+/// The properties of an object that a filter sees.
 struct ObjectInfo {
   ObjectId id;
   std::uint32_t layers;

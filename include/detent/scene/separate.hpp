@@ -14,9 +14,9 @@
 #include "detent/shape/moved.hpp"
 #include "detent/shape/segment.hpp"
 
-// What scenes call as functions of their own, neither inline nor constexpr. Programs that link
-// `detent::detent` take them from it, for the types that scene/instantiations.hpp lists; elsewhere
-// they are templates like any other.
+// Functions that scenes call through separate, non-inline, non-constexpr symbols. Programs that
+// link `detent::detent` take them from it, for the types that scene/instantiations.hpp lists;
+// elsewhere they are ordinary templates.
 
 namespace detent::detail {
 
@@ -26,17 +26,17 @@ Result call_separate(Args&... args) noexcept(noexcept(Job()(args...))) {
   return Job()(args...);
 }
 
-/// `Job()(args...)`; in constant expressions too.
+/// `Job()(args...)`, also in constant expressions.
 template <class Job, class... Args>
 constexpr auto separately(Args&... args) noexcept(noexcept(Job()(args...)))
     -> decltype(Job()(args...)) {
-  // Compilers do not compile the branch of the builtin that is never taken; that of
-  // std::is_constant_evaluated() goes through half of GCC.
+  // Compilers do not compile the branch of the builtin that is never taken; with
+  // std::is_constant_evaluated() GCC still processes half of it.
   if (__builtin_is_constant_evaluated()) return Job()(args...);
   return call_separate<Job, decltype(Job()(args...))>(args...);
 }
 
-/// A reference to a function object, so that a walk is compiled once for all of them.
+/// A reference to a function object, so that a traversal is compiled once for all of them.
 template <class Result, class... Args>
 class FunctionRef {
  public:
@@ -51,7 +51,7 @@ class FunctionRef {
   const void* object_;
   Result (*call_)(const void*, Args...);
 };
-/// Visits objects, and fetches their records ahead: of a large scene they are not in cache.
+/// Visits objects and prefetches their records: those of a large scene are not in cache.
 class ObjectVisitor : public FunctionRef<Walk, std::uint32_t> {
  public:
   template <class F, class Record>
@@ -68,8 +68,8 @@ class ObjectVisitor : public FunctionRef<Walk, std::uint32_t> {
 };
 using PairVisitor = FunctionRef<void, std::uint32_t, std::uint32_t>;
 
-/// How far a moving shape gets before it touches a target. Specialised for targets that are not one
-/// convex shape.
+/// The distance that a moving shape travels before it touches a target. Specialised for targets
+/// that are not a single convex shape.
 template <class Target>
 struct CastAt {
   template <class Moving>
@@ -79,7 +79,7 @@ struct CastAt {
   }
 };
 
-/// Function objects, in a namespace of their own because kernels use the same names.
+/// Function objects, in their own namespace because kernels use the same names.
 namespace job {
 
 struct Raycast {
@@ -96,7 +96,7 @@ struct RaycastHit {
     return raycast_hit(ray, shape);
   }
 };
-/// How far a moving shape gets: `moving` is a `detent::Cast`.
+/// The distance that a moving shape travels: `moving` is a `detent::Cast`.
 struct CastDistance {
   template <class Moving, class Target>
   [[nodiscard]] constexpr auto operator()(const Moving& moving,

@@ -29,8 +29,8 @@ inline constexpr std::uint8_t shape_tag<Triangle<S, N>> = 5;
 template <Scalar S, int N>
 inline constexpr std::uint8_t shape_tag<Capsule<S, N>> = 6;
 
-/// The names of shapes in the lists of differences, by their numbers; those that only some scenes
-/// have are in mesh/, hull/ and height_field/.
+/// The names of shapes in lists of differences, by number; the folders mesh/, hull/ and
+/// height_field/ name shapes that only some scenes have.
 inline constexpr std::string_view shape_names[] = {"shape", "sphere",      "aabb",    "obb",
                                                    "plane", "triangle",    "capsule", "mesh",
                                                    "hull",  "height field"};

@@ -130,7 +130,7 @@ class SnapshotReader {
     return 0;
   }
 
-  /// Reads the shape with this tag; nothing when the scene has no such type.
+  /// Reads the shape with this tag, or nothing when the scene has no such type.
   [[nodiscard]] constexpr std::optional<Shape> shape(std::uint8_t tag) noexcept {
     std::optional<Shape> result;
     (void)((shape_tag<Shapes> == tag ? (read<Shapes>(result), true) : false) || ...);
@@ -247,7 +247,7 @@ constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<cons
 }  // namespace detail
 
 /// Writes the canonical bytes of the moving part of a scene to `room`; returns their number. If
-/// `room` is smaller, its contents are of no use.
+/// `room` is too small, its contents are unspecified.
 template <class Storage, Scalar S, int N, class... Shapes>
 constexpr std::size_t snapshot(const BasicScene<Storage, S, N, Shapes...>& scene,
                                std::span<std::byte> room) noexcept {
@@ -270,10 +270,10 @@ template <class Storage, Scalar S, int N, class... Shapes>
 }
 
 /// Replaces the moving objects and the frames of `scene` by those of a snapshot, or leaves the
-/// scene unchanged and returns why. Whatever the bytes are, it allocates no more memory than the
-/// objects of a full scene need. The meshes, hulls and height fields of moving objects are looked
-/// up by id and digest in `lists` of `MeshAsset<S>`, `HullAsset<S, N>` and `FieldAsset<S>`, which
-/// must outlive the scene.
+/// scene unchanged and returns why. No bytes make it allocate more memory than the objects of a
+/// full scene need. The meshes, hulls and height fields of moving objects are looked up by id and
+/// digest in `lists` of `MeshAsset<S>`, `HullAsset<S, N>` and `FieldAsset<S>`, which must outlive
+/// the scene.
 template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
 [[nodiscard]] constexpr Restored restore(BasicScene<Storage, S, N, Shapes...>& scene,
                                          std::span<const std::byte> bytes, const Lists&... lists) {

@@ -22,8 +22,8 @@ namespace detent::detail {
 /// The objects of a scene, by index, and the trees over them.
 ///
 /// Its state: for each object its id, shape (in its frame), layers, user word and motion; for each
-/// frame its id, parent and transform; and the generation of the next id. All else follows from
-/// these: shapes in the world, boxes, trees, and the lowest free index.
+/// frame its id, parent and transform; and the generation of the next id. Everything else is
+/// derived: shapes in the world, boxes, trees, and the lowest free index.
 template <class Storage, Scalar S, int N, class... Shapes>
 class Store {
  public:
@@ -95,7 +95,7 @@ class Store {
   }
 
   [[nodiscard]] constexpr const auto& frames() const noexcept { return frames_; }
-  /// To replace them: every object attached to them must then be put again.
+  /// For replacing the frames: every object attached to them must then be put again.
   [[nodiscard]] constexpr auto& frames() noexcept { return frames_; }
   [[nodiscard]] constexpr const auto& tree(Motion motion) const noexcept {
     return motion == Motion::moving ? moving_ : fixed_;
@@ -124,7 +124,7 @@ class Store {
         record.user == traits.user && record.motion == Motion::moving &&
         record.attachment == nowhere && traits.frame == FrameId{}) {
       if (!(record.shape == shape)) assign(id.index, shape);
-      return;  // all else is unchanged
+      return;  // everything else is unchanged
     }
     if (record.generation == 0) ++size_;
     is_used_[id.index / 64] |= bit_of(id.index);

@@ -14,7 +14,7 @@
 
 namespace detent {
 
-/// A frame that had another result when it was simulated again.
+/// A frame that had a different result when it was simulated again.
 struct Desync {
   std::uint64_t frame;             // from 0; the first that differs
   std::optional<ObjectId> object;  // the scene object that the field belongs to, if any
@@ -22,7 +22,7 @@ struct Desync {
       // `scene object 3:17 (sphere) center.y`, `velocity[1].x` or `score`
 };
 
-/// Finds what a rollback would break, without a second player: after every frame it goes back by a
+/// Finds what would break a rollback, without a second player: after every frame it goes back by a
 /// window of frames, simulates them again with the same inputs, and compares each with its first
 /// result.
 ///
@@ -36,7 +36,7 @@ struct Desync {
 /// `SyncTest<World, Input, 8> test;` stores its window inside itself: with a `BoundedScene` nothing
 /// allocates. World and input then need default constructors.
 ///
-/// A world is a scene, or a type of the caller's that lists its fields: see `RollbackWorld`.
+/// A world is a scene, or a type of your own that lists its fields: see `RollbackWorld`.
 ///
 /// (tests/scene/sync_test.test.cpp, tests/examples/sync_world.cpp)
 template <RollbackWorld World, std::copyable Input, std::size_t Window = 0>

@@ -12,10 +12,10 @@
 
 namespace detent {
 
-/// All that a rollback must restore, as a type of the game's own. It has
+/// The state that a rollback must restore, as a type of your game. It has
 ///
-/// * independent copies: what it refers to by pointer or reference is shared by all copies and must
-///   not change;
+/// * independent copies: data that it refers to by pointer or reference is shared by all copies and
+///   must not change;
 /// * `for_each_field(world, f)` in its namespace, which calls f(name, field) for each of its
 ///   fields.
 ///
@@ -109,8 +109,8 @@ constexpr void for_each_field(const BasicScene<Storage, S, N, Shapes...>& scene,
 
 namespace detail {
 
-/// How a field with parts is digested as a whole, faster than part by part: `add(all, fixed, value)`
-/// adds all of it, and what never moves. Not defined for most types.
+/// How to digest a field with parts as a whole, faster than part by part: `add(all, fixed, value)`
+/// adds all of it, and the part that never moves. Not defined for most types.
 template <class T>
 struct WholeDigest;
 

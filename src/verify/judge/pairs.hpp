@@ -39,7 +39,7 @@ std::string exact_words(const oracle::Exact<N>& exact) {
   return list(exact.point) + " and on by " + exact.radius.str() + " along " + list(exact.direction);
 }
 
-/// The closest points of two shapes: their exact differences are proved.
+/// The closest points of two shapes: their exact differences are checked.
 template <int Row, Scalar S, int N, class First, class Second>
 std::optional<Wrong> judge(const PairCase<S, N, First, Second>& c,
                            const std::array<Vec<S, N>, 2>& got) {
@@ -56,8 +56,8 @@ std::optional<Wrong> judge(const PairCase<S, N, First, Second>& c,
   return Wrong{exact_words(exact->first) + ", " + exact_words(exact->second), words(got)};
 }
 
-/// Depth and normal of a contact are exact. That its separation separates, and that its points are
-/// on both surfaces, is judged within the bounds of their docstrings.
+/// Depth and normal of a contact are exact. The judge checks that its separation separates, and
+/// that its points are on both surfaces, within the bounds of their docstrings.
 template <int Row, Scalar S, int N, class First, class Second>
 std::optional<Wrong> judge(const PairCase<S, N, First, Second>& c,
                            const std::optional<Contact<S, N>>& got) {

@@ -22,7 +22,8 @@ struct View {
   /// The grid of the points that the camera sees.
   static constexpr int grid = S::frac + S::frac + slope_frac + axis_frac;
 
-  /// From the eye to the point at x, y (raw, in units of 2^-S::frac) and a depth, on the grid.
+  /// The vector from the eye to the point at x, y (raw, in units of 2^-S::frac) and a depth, on the
+  /// grid.
   [[nodiscard]] oracle::Vector<3> offset(const Integer& x, const Integer& y,
                                          const Integer& depth) const {
     oracle::Vector<3> result;

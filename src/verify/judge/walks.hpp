@@ -8,7 +8,7 @@
 #include "verify/describe_worlds.hpp"
 #include "verify/judge/exact.hpp"
 
-// A move of a character has many right answers; the judge checks what is promised of each.
+// A move of a character has many right results; the judge checks what each of them promises.
 
 namespace detent::verify::judge {
 

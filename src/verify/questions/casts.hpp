@@ -11,7 +11,7 @@
 #include "verify/questions/kinds.hpp"
 #include "verify/questions/pairs.hpp"
 
-// Shapes that move: straight until they touch a target, or turning too.
+// Moving shapes: straight until they touch a target, or also turning.
 
 namespace detent::verify {
 
@@ -62,7 +62,7 @@ constexpr void append(D& digest, const ImpactCase<S, N, First, Second>& c) noexc
   digest.add(c.a, c.sweep_a, c.b, c.sweep_b);
 }
 
-/// Draws shapes around the origins of their frames, and how these move: mostly so that they pass
+/// Draws shapes around the origins of their frames, and their motions: mostly so that they pass
 /// close to each other.
 template <Scalar S, int N>
 class SweepScene : public ShapeScene<S, N> {

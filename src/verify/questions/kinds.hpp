@@ -7,7 +7,7 @@
 
 #include "verify/draw/shapes.hpp"
 
-// The kinds of shapes: the name used in row names, the type, and how one is drawn.
+// The kinds of shapes: the name used in row names, the type, and how to draw one.
 
 namespace detent::verify {
 

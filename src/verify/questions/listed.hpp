@@ -11,7 +11,7 @@
 
 namespace detent::verify {
 
-/// The result of a query that writes its first finds to a buffer and returns how many there are.
+/// The result of a query that writes its first results to a buffer and returns their total number.
 /// Some results do not fit the buffer.
 template <class T, std::size_t Room>
 struct Listed {

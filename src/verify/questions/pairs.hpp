@@ -26,7 +26,7 @@ constexpr void append(D& digest, const PairCase<S, N, First, Second>& c) noexcep
   digest.add(c.a, c.b);
 }
 
-/// In these dimensions, or in both: each takes a compiler seconds, or tens of them.
+/// In these dimensions, or in both: each takes seconds or tens of seconds to compile.
 template <int... Dimensions>
 struct PairGroup {
   template <int N>
@@ -55,7 +55,7 @@ struct Overlaps : PairDraw<First, Second> {
   }
 };
 
-/// Of the questions, one in twelve: pairs of polytopes take long to judge.
+/// Runs one question in twelve: pairs of polytopes take long to judge.
 template <class First, class Second>
 struct Distances : PairDraw<First, Second> {
   static constexpr RowName name{"distance/", First::name, "_", Second::name};

@@ -292,7 +292,7 @@ struct SceneRecords : SceneGroup {
   }
 };
 
-/// The pairs that began, stayed and ended: those of all frames counted, with a digest of the lists.
+/// The pairs that began, stayed and ended: counts over all frames, and a digest of the lists.
 struct Events {
   std::uint32_t began = 0, stayed = 0, ended = 0;
   Digest lists{};

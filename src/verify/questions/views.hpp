@@ -10,7 +10,7 @@
 #include "detent/shape/camera.hpp"
 #include "verify/draw/numbers.hpp"
 
-// What cameras see.
+// Queries on cameras and frusta.
 
 namespace detent::verify {
 
@@ -50,7 +50,7 @@ struct Views {
     constexpr auto one = std::int64_t{1} << S::frac;
     constexpr auto limit = Numbers<S>::limit;
     ViewCase<S, N> c{};
-    // Mostly near each other, at a scale of their own.
+    // Mostly near each other, each pair at its own scale.
     const auto reach = std::int64_t{1} << random.between(4, S::bits - 1);
     const auto near = [&] {
       Raw<N> raw;

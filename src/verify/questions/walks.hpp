@@ -10,11 +10,11 @@
 #include "detent/scene/scene.hpp"
 #include "verify/draw/numbers.hpp"
 
-// Characters in a fixed place.
+// Characters at a fixed location.
 
 namespace detent::verify {
 
-/// Ground, two steps, a wall, and a lift, which is in a frame: all of one kind, for compilers.
+/// Ground, two steps, a wall, and a lift in a frame: all of one shape type, to compile faster.
 template <Scalar S, int N>
 struct Place {
   static constexpr std::int64_t unit = std::int64_t{1} << S::frac;
@@ -39,7 +39,7 @@ struct Place {
   }
 };
 
-/// A capsule that moves a few times; before each move so does the lift.
+/// A capsule that moves a few times, each time after the lift.
 template <Scalar S, int N>
 struct WalkCase {
   static constexpr std::size_t moves = 3;
@@ -60,7 +60,7 @@ constexpr void append(D& digest, const WalkCase<S, N>& c) noexcept {
   digest.add(c.start, c.step_height, c.snap_distance, c.lift, c.by);
 }
 
-/// The character after a move, and what it did.
+/// The character after a move, and the move's result.
 template <Scalar S, int N>
 struct Walked {
   Mover<S, N, Capsule> mover{};

@@ -30,7 +30,7 @@ template <class T, Scalar S, int N, Number V>
   });
 }
 
-/// Computes the rows of a joint for where its bodies are now.
+/// Computes the rows of a joint for the current poses of its bodies.
 template <Scalar S, int N, class Ready>
 class Aim {
  public:
@@ -93,7 +93,7 @@ class Aim {
     return axis;
   }
 
-  /// The anchors from the centres, and the anchor of b from that of a.
+  /// The anchors relative to the centres, and the anchor of b relative to that of a.
   constexpr void find_points(const JointEnds<S, N>& joint) noexcept {
     from_a_ = out_of<Reach, S, N>(a_.axes, joint.anchor_a);
     from_b_ = out_of<Reach, S, N>(b_.axes, joint.anchor_b);
@@ -113,7 +113,7 @@ class Aim {
     return nearest_to<Ratio>(narrow_dot<62>(axes_a_[i], axes_b_[j]));
   }
 
-  /// A push along `along`, at the anchors or, for a line, at that of b alone.
+  /// A push along `along`, at both anchors or, for a line, at that of b only.
   template <class Gap>
   constexpr void push(std::size_t i, const Vec<Ratio, N>& along, const Gap& gap,
                       bool is_line = false) noexcept {
@@ -173,7 +173,7 @@ class Aim {
       return to_array(axes_a_[2]);
     }
   }
-  /// The motor of a hinge or a wheel, and the rows that keep axes 2 together.
+  /// The motor of a hinge or a wheel, and the rows that align axes 2.
   constexpr void turning() noexcept {
     turn(0, hinge_axis(), Spin{});
     if constexpr (N == 3) {
@@ -181,8 +181,8 @@ class Aim {
       turn(4, to_array(axes_a_[1]), nearest_to<Spin>(cosine(0, 2)));
     }
   }
-  /// The rows that keep the frames together. In 3D the gap is the half of the sum of all
-  /// a_i x b_i, which is at most 3 / 2 (1 + 2^-28).
+  /// The rows that align the frames. In 3D the gap is half of the sum of all a_i x b_i, which is at
+  /// most 3 / 2 (1 + 2^-28).
   constexpr void stiff() noexcept {
     if constexpr (N == 2) {
       turn(0, {Ratio(1)}, angle_of_vector<S>(cosine(0, 0), cosine(1, 0)));

@@ -68,7 +68,7 @@ constexpr void describe_joints(D& out, const List& joints) noexcept {
   }
 }
 
-/// Reads a joint of this kind, whose first word is `word`. False for bytes that are none.
+/// Reads a joint of this kind, whose first word is `word`. False for invalid bytes.
 template <class Joint, class Record, class Bodies>
 [[nodiscard]] constexpr bool read_joint(Reader& in, Record& record, std::uint32_t word,
                                         const Bodies& bodies) noexcept {
@@ -90,7 +90,7 @@ template <class Joint, class Record, class Bodies>
          joint.a.index != joint.b.index && has_limits(joint) == ((word >> 22 & 1) != 0);
 }
 
-/// Reads the joints of a snapshot into a table without any.
+/// Reads the joints of a snapshot into an empty table.
 template <class Storage, Scalar S, int N, class... Joints, class Bodies>
 [[nodiscard]] constexpr Restored read_joints(
     Reader& in, JointTable<JointGroup<Storage, S, N, Joints...>>& table, std::uint32_t count,

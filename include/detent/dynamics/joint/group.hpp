@@ -10,10 +10,10 @@
 
 namespace detent::detail {
 
-/// How many joints a world with room for so many bodies has room for.
+/// The joint capacity of a world with this body capacity.
 [[nodiscard]] constexpr std::size_t joint_room(std::size_t bodies) noexcept { return 2 * bodies; }
 
-/// The joints of a tick. Nothing of it outlives the step.
+/// The joints of a tick. It is scratch data that does not outlive the step.
 template <class Storage, Scalar S, int N, class... Joints>
 class JointGroup {
  public:
@@ -22,7 +22,7 @@ class JointGroup {
   using List = typename Storage::template List<Record, room>;
   using Broken = typename Storage::template List<JointId, room>;
 
-  /// Finds the pairs that may not touch.
+  /// Finds the pairs that may not collide.
   constexpr void part(const List& joints) {
     apart_.clear();
     for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -80,7 +80,7 @@ class JointGroup {
     aim(joints, supports);
   }
 
-  /// Follows the bodies after a move, which has left their axes in `supports` if they can move and
+  /// Updates the rows after bodies have moved. `supports` has their new axes if they can move and
   /// are not round.
   template <class Bodies, class Supports>
   constexpr void follow(const List& joints, const Bodies& bodies, Supports& supports) {
@@ -171,7 +171,7 @@ class JointGroup {
   typename Storage::template List<std::uint8_t, Storage::capacity> joined_;
 };
 
-/// A world that names no joint.
+/// A world without joint types.
 template <class Storage, Scalar S, int N>
 class JointGroup<Storage, S, N> {
  public:

@@ -10,31 +10,31 @@
 //
 // Anchors and frames are in the frames of their bodies, so a joint does not depend on where the
 // bodies are when it is added; `world.local_point` and `world.local_frame` convert from the world.
-// Seconds are those of the world's settings, forces are in units of density times length^N times
-// length per second and second, torques in forces times lengths, angles in radians.
+// Time is in the seconds of the world's settings, forces are in units of density times length^N
+// times length per second squared, torques in forces times lengths, angles in radians.
 
 namespace detent {
 
 /// The id of a joint of a world: as for bodies.
 using JointId = detail::Id<struct JointTag>;
 
-/// Has no joint, for `value_or` where an addition may fail.
+/// The id of no joint, for `value_or` where an addition may fail.
 inline constexpr JointId no_joint{};
 
-/// What all joints have.
+/// The fields that all joints have.
 template <Scalar S, int N>
 struct JointEnds {
   BodyId a{}, b{};
   Vec<S, N> anchor_a{}, anchor_b{};  // in the frames of a and b, less than 512 units away (Q16.16)
-  bool collide = false;              // whether a and b may touch each other
-  S break_force = S(0);              // a greater force ends the joint; 0: none does
+  bool collide = false;              // whether a and b may collide
+  S break_force = S(0);              // a greater force breaks the joint; 0: never
 
   [[nodiscard]] friend constexpr bool operator==(const JointEnds&,
                                                  const JointEnds&) noexcept = default;
 };
 
-/// Joints that know directions: axis 0 of `frame_a` is where a slider goes; in 3D a hinge and the
-/// axle of a wheel turn about axis 2. Angles are from axis 0 of `frame_a` to axis 0 of `frame_b`.
+/// Joints with directions: a slider moves along axis 0 of `frame_a`; in 3D a hinge and the axle of
+/// a wheel turn about axis 2. Angles are from axis 0 of `frame_a` to axis 0 of `frame_b`.
 template <Scalar S, int N>
 struct FramedEnds : JointEnds<S, N> {
   Rotation<S, N> frame_a{}, frame_b{};  // in the frames of a and b
@@ -58,8 +58,8 @@ struct DistanceJoint : JointEnds<S, N> {
                                                  const DistanceJoint&) noexcept = default;
 };
 
-/// Keeps two points together; the bodies turn about them. With a frequency the joint is soft: with
-/// one body fixed, it drags the other one to a point.
+/// Keeps two points together; the bodies can turn about them. With a frequency the joint is soft:
+/// if one body is fixed, it drags the other one to a point.
 ///
 /// units:  frequency in oscillations per second; max_force is the most along each axis of the world
 /// domain: a frequency of 0 is a rigid joint, a max_force of 0 has no limit
@@ -73,11 +73,12 @@ struct BallJoint : JointEnds<S, N> {
                                                  const BallJoint&) noexcept = default;
 };
 
-/// Keeps two points together and, in 3D, the axes 2 of both frames. Limits of the angle are within
-/// a half turn; the motor drives at `motor_speed` with at most `motor_torque`, if that is not 0.
+/// Keeps two points together and, in 3D, axis 2 of both frames aligned. Limits of the angle are
+/// within half a turn; the motor drives at `motor_speed` with at most `motor_torque`, if that is
+/// not 0.
 ///
 /// units:  lower and upper in radians, motor_speed in radians per second
-/// domain: angles are in (-pi, pi]; a body that turns beyond passes from one end to the other
+/// domain: angles are in (-pi, pi]; a body that turns farther wraps from one end to the other
 /// exact:  as docs/dynamics.md says                            (tests/dynamics/joint/joint.test.cpp)
 template <Scalar S, int N>
 struct HingeJoint : FramedEnds<S, N> {
@@ -89,7 +90,7 @@ struct HingeJoint : FramedEnds<S, N> {
                                                  const HingeJoint&) noexcept = default;
 };
 
-/// Keeps two points together, and the frames of both bodies.
+/// Keeps two points together and the frames of both bodies aligned.
 ///
 /// exact:  as docs/dynamics.md says                            (tests/dynamics/joint/joint.test.cpp)
 template <Scalar S, int N>
@@ -98,8 +99,8 @@ struct WeldJoint : FramedEnds<S, N> {
                                                  const WeldJoint&) noexcept = default;
 };
 
-/// Keeps the frames of both bodies, and the point of b on axis 0 through the point of a. It may be a
-/// spring about `length`, and have limits and a motor as a hinge has.
+/// Keeps the frames of both bodies aligned, and the point of b on the line along axis 0 through the
+/// point of a. It may be a spring about `length`, and have limits and a motor like a hinge.
 ///
 /// units:  lower, upper and length in world units, motor_speed in units per second
 /// domain: translations of less than 512 units
@@ -134,7 +135,7 @@ struct WheelJoint : FramedEnds<S, N> {
 
 namespace detail {
 
-/// The number of a joint's kind in snapshots and digests, 0 for what is no joint. It never changes.
+/// The number of a joint's kind in snapshots and digests, 0 for other types. It never changes.
 template <class T>
 inline constexpr std::uint8_t joint_tag = 0;
 template <Scalar S, int N>
@@ -155,7 +156,6 @@ concept IsJoint = (joint_tag<T> != 0);
 
 template <class... Ts>
 struct Types {
-  /// List<Ts...>
   template <template <class...> class List>
   using In = List<Ts...>;
 };

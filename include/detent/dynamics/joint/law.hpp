@@ -9,16 +9,16 @@
 
 namespace detent::detail {
 
-/// What a row of a joint wants of its gap and its rate.
+/// The target of a row of a joint.
 enum class Law : std::uint8_t {
   none,
-  equal,   // no gap
+  equal,   // gap 0
   spring,  // a soft `equal`
-  limit,   // no gap below 0: it only pushes
-  motor,   // a rate of `target`
+  limit,   // gap at least 0: it only pushes
+  motor,   // rate `target`
 };
 
-/// A row of a joint, of a push or a turn: everything but its direction.
+/// A row of a joint, for a push or a turn, except for its direction.
 ///
 /// `Rate` is a Speed or a Spin, `Total` the impulse of that grid.
 template <Scalar S, class Rate, class Total>
@@ -50,7 +50,7 @@ template <Scalar S>
           quotient_nearest<Ratio>(S(1), whole)};
 }
 
-/// The impulse of a row after one more solve, and that it was `total` before.
+/// The impulse of a row after one more solve, and the impulse before it, `total`.
 ///
 /// rigid rate + pull gap <= 2^61 fits 62 bits, as does m t + loss total <= 2^60 + 2^61.
 template <Pass pass, Scalar S, class Rate, class Total>

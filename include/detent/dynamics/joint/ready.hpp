@@ -14,7 +14,7 @@
 
 namespace detent::detail {
 
-/// How many rows a joint has: of pushes and of turns.
+/// The number of rows of a joint: pushes and turns.
 template <class Joint>
 struct RowsOf;
 template <Scalar S, int N>
@@ -42,7 +42,7 @@ struct RowsOf<WheelJoint<S, N>> {
   static constexpr std::size_t push = N + 3, turn = N == 2 ? 3 : 5;
 };
 
-/// A joint of a world. Its impulses start the next solve.
+/// A joint of a world. Its impulses warm-start the next solve.
 template <Scalar S, int N, class... Joints>
 struct JointRecord {
   using F = Formats<S>;
@@ -83,7 +83,7 @@ template <class T, Scalar S, class Body>
   return saturate_to<T>(over(a) + over(b));
 }
 
-/// Sets the laws of a joint's rows, which last for a tick.
+/// Sets the laws of a joint's rows, which are constant for a tick.
 template <Scalar S, int N, class Ready, class Body>
 class LayOut {
  public:

@@ -28,7 +28,7 @@ struct TurnRow {
   typename F::Spin gap{};
 };
 
-/// How fast b turns about `axis` against a.
+/// The rate at which b turns about `axis` relative to a.
 ///
 /// |axis| |wb - wa| <= 2^30 (1 + 2^-28) 2^31 sqrt(3) fits 62 bits.
 template <Scalar S, int N, class F = Formats<S>>
@@ -43,7 +43,7 @@ template <Scalar S, int N, class F = Formats<S>>
   }
 }
 
-/// Turns b by `turn` and a against it. A product is rounded, a spin clamped.
+/// Turns b by `turn` and a in the opposite direction. A product is rounded, a spin clamped.
 template <Scalar S, int N, class F = Formats<S>>
 constexpr void apply(const TurnRow<S, N>& row, const typename F::Turn& turn, Moving<S, N>& a,
                      Moving<S, N>& b) noexcept {
@@ -54,8 +54,8 @@ constexpr void apply(const TurnRow<S, N>& row, const typename F::Turn& turn, Mov
   }
 }
 
-/// Makes a row's shares: with y = G axis of either body and s the sum of both axis . y, they are
-/// y / s, or 0 where s is not positive. Returns s.
+/// Computes a row's shares: with y = G axis of either body and s the sum of both axis . y, they are
+/// y / s, or 0 if s is not positive. Returns s.
 template <Scalar S, int N, class F = Formats<S>>
 constexpr auto share_out(TurnRow<S, N>& row, const Spread<typename F::Gyration, N>& spread_a,
                          const Spread<typename F::Gyration, N>& spread_b) noexcept {

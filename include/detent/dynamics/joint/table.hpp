@@ -21,7 +21,7 @@ struct JointTable {
     if (id.generation == 0 || id.index >= list.size()) return nullptr;
     return list[id.index].generation == id.generation ? &list[id.index] : nullptr;
   }
-  /// The id of the next joint that is added.
+  /// The id for the next joint.
   [[nodiscard]] constexpr JointId vacant() noexcept {
     while (first_free < list.size() && list[first_free].generation != 0) ++first_free;
     return {first_free, next};
@@ -38,7 +38,7 @@ struct JointTable {
     ++size;
     return true;
   }
-  /// Removes a joint, which must be there, and returns its bodies.
+  /// Removes an existing joint and returns its bodies.
   constexpr BodyPair take(std::uint32_t index) {
     const auto pair = list[index].bodies();
     list[index] = {};
@@ -55,7 +55,7 @@ struct JointTable {
       if (pair.a == body || pair.b == body) f(take(static_cast<std::uint32_t>(i)));
     }
   }
-  /// Removes what broke in the last run of `tick`.
+  /// Removes the joints that broke in the last run of `tick`.
   template <class Tick, class F>
   constexpr void take_broken(const Tick& tick, const F& f) {
     broken.clear();
@@ -66,7 +66,7 @@ struct JointTable {
   }
 };
 
-/// That of a world that names no joint.
+/// The table of a world without joint types.
 template <class Storage, Scalar S, int N>
 struct JointTable<JointGroup<Storage, S, N>> {
   typename JointGroup<Storage, S, N>::List list{};

@@ -9,9 +9,9 @@ namespace detent::detail {
 /// The separations along the faces' axes of two boxes, exactly: that of a's axis i is
 /// |t_i| - a_i - sum |r_ij| b_j, that of b's axis j is |t . r_j| - b_j - sum |r_ij| a_i.
 ///
-/// All of it fits 64 bits: with L = 2^31 the end of a lever in steps and rows of r of at most
-/// 1 + 2^-28, |t . r_j| is at most sqrt(3) L and the rest, of the other sign, at most
-/// (1 + sqrt(3)) L, both times 2^30; and 2.74 times 2^61 is below 2^63.
+/// All of it fits 64 bits: with levers below L = 2^31 steps and rows of r of length at most 1 +
+/// 2^-28, |t . r_j| is at most sqrt(3) L and the rest, of the opposite sign, at most (1 + sqrt(3))
+/// L, both times 2^30; and 2.74 times 2^61 is below 2^63.
 template <Scalar S, int N>
 struct FaceAxes {
   using Span = typename ContactFormats<S>::Span;
@@ -51,7 +51,7 @@ struct FaceAxes {
   const Vec<typename Formats<S>::Lever, N>& b;
 };
 
-/// The axis that keeps two boxes farthest apart: 0 to N - 1 for a's, N to 2 N - 1 for b's, and in
+/// The axis of greatest separation of two boxes: 0 to N - 1 for a's, N to 2 N - 1 for b's, and in
 /// 3D 2 N + 3 i + j for the edges along axis i of a and axis j of b.
 template <Scalar S>
 struct BestAxis {
@@ -59,8 +59,8 @@ struct BestAxis {
   typename Formats<S>::Gap separation{};
 };
 
-/// The faces' axes: a's first, b's only where its separation is greater by more than the
-/// tolerance; the lower index on ties. Index -1 where a separation exceeds the margin.
+/// The best face axis: a's first, b's only if its separation is greater by more than the tolerance;
+/// the lower index on ties. Index -1 if a separation exceeds the margin.
 template <Scalar S, int N>
 [[nodiscard]] constexpr BestAxis<S> best_face(const FaceAxes<S, N>& axes,
                                               const typename Formats<S>::Gap& margin) noexcept {
@@ -86,7 +86,7 @@ template <Scalar S, int N>
   return {index, nearest_to<typename Formats::Gap>(best)};
 }
 
-/// The face of one box, the reference, and the other box in the frame of it.
+/// The reference face of one box, and the other box in its frame.
 template <Scalar S, int N>
 struct FaceView {
   using Lever = typename Formats<S>::Lever;
@@ -108,7 +108,7 @@ struct FaceView {
 };
 
 /// The incident face is the one whose normal is most opposed to that of the reference; the lower
-/// axis on ties, and the positive face where it is perpendicular.
+/// axis on ties, and the positive face if it is perpendicular.
 template <Scalar S, int N>
 [[nodiscard]] constexpr FaceView<S, N> face_view(const FaceAxes<S, N>& axes, int index) noexcept {
   FaceView<S, N> view{};
@@ -186,8 +186,8 @@ template <Scalar S, int N>
   return view.negative ? axis : narrow_negative(axis);  // from a to b: into b's face
 }
 
-/// Names a point of a face contact: the reference face, the incident face, and which of its corners
-/// or edges the point is on.
+/// Identifies a point of a face contact: the reference face, the incident face, and its corner or
+/// edge.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::uint32_t face_feature(const FaceView<S, N>& view, int code) noexcept {
   const int reference = ((view.of_b ? N : 0) + view.axis) * 2 + (view.negative ? 1 : 0);
@@ -258,9 +258,8 @@ struct EdgePair {
   }
 };
 
-/// The separation along e_I x r_J times the length of that:
-/// |(e_I x r_J) . t| - sum over a's axes - sum over b's axes. `m` has the magnitudes |r_ij| of b's
-/// axis j at m[j][i].
+/// The separation along e_I x r_J times its length: |(e_I x r_J) . t| - sum over a's axes - sum
+/// over b's axes. `m` has the magnitudes |r_ij| of b's axis j at m[j][i].
 template <int I, int J, Scalar S>
 [[nodiscard]] constexpr auto edge_separation(
     const FaceAxes<S, 3>& axes,
@@ -278,13 +277,13 @@ template <int I, int J, Scalar S>
   return narrow_difference<bits>(narrow_difference<bits>(narrow_abs(along), of_a), of_b);
 }
 
-/// A pair of axes that is known at compile time, so that every index is a constant.
+/// A pair of axes known at compile time, so that every index is a constant.
 template <int I, int J>
 struct Pick {};
 
-/// The edges' axes: one of them is best where its separation, divided by the length of the cross
-/// product, exceeds that of the faces by more than the tolerance; the first on ties. Edges within
-/// 2^-6 of parallel are left out.
+/// The best edge axis: one is chosen if its separation, divided by the length of the cross product,
+/// exceeds that of the faces by more than the tolerance; the first on ties. Edges within 2^-6 of
+/// parallel are skipped.
 template <Scalar S>
 [[nodiscard]] constexpr BestAxis<S> best_edge(const FaceAxes<S, 3>& axes, BestAxis<S> best,
                                               const typename Formats<S>::Gap& margin) noexcept {
@@ -331,7 +330,8 @@ template <Scalar S>
   Vec<Ratio, 3> normal{};
   normal[edge.i1()] = l.x;
   normal[edge.i2()] = l.y;
-  // The edges that face each other; where a normal leaves it open, towards the other box's centre.
+  // The edges that face each other; if the normal leaves this open, those towards the other box's
+  // centre.
   int code = edge.i * 3 + edge.j;
   Vec<Lever, 3> on_a{}, on_b{};
   for (int c = 0; c < 3; ++c) {

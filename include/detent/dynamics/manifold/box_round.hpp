@@ -6,8 +6,8 @@
 
 namespace detent::detail {
 
-/// A ball about `q` against a box in its own frame. Where the distance rounds to 0, the normal is that of the nearest
-/// face; the lower axis on ties, the positive face at the centre.
+/// A ball about `q` against a box in its own frame. If the distance rounds to 0, the normal is that
+/// of the nearest face; the lower axis on ties, the positive face at the centre.
 template <Scalar S, Number Q, int N>
 [[nodiscard]] constexpr Manifold<S, N> ball_in_box(
     const Vec<typename Formats<S>::Lever, N>& half_extents, const Vec<Q, N>& q, const S& radius,
@@ -103,7 +103,7 @@ class SegmentInBox {
   }
 
   constexpr void find_foot() noexcept {
-    // The slope is linear between the crossings of faces' planes, and never falls.
+    // The slope is linear between the crossings of face planes, and never decreases.
     std::array<Parameter, std::size_t{2 + 2 * N}> stops{};
     std::size_t count = 2;
     const auto one = positive<Numerator>();
@@ -136,7 +136,7 @@ class SegmentInBox {
       return;
     }
     meets_ = at_last == 0 && is_inside(stops[last]);
-    // Between the stops before and at `last` the same planes are passed.
+    // The same planes apply between the stop before `last` and `last`.
     solve(stops[last - 1], stops[last]);
   }
 
@@ -163,8 +163,8 @@ class SegmentInBox {
   bool meets_ = false;
 };
 
-/// The axis across the segment and, in 3D, across an edge of the box, that keeps them farthest
-/// apart; for a segment that meets the box.
+/// The axis of greatest separation across the segment and, in 3D, an edge of the box, for a segment
+/// that meets the box.
 template <Scalar S, int N>
 struct AcrossAxis {
   using Length = typename ContactFormats<S>::Length;
@@ -206,7 +206,7 @@ template <Scalar S, int N>
   return best;
 }
 
-/// One point: the segment and the edge (in 2D the corner) of the box, pressed into each other.
+/// One point: the segment penetrates the edge (in 2D the corner) of the box.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Manifold<S, N> across_manifold(
     const Vec<typename Formats<S>::Lever, N>& half_extents, const RoundCore<S, N>& core,
@@ -223,7 +223,7 @@ template <Scalar S, int N>
     const bool negative = d < 0 || (d == 0 && middle[c] < 0);
     corner[c] = negative ? narrow_negative(half_extents[c]) : half_extents[c];
   }
-  // Along the segment to where it is closest to the edge: seen along the edge.
+  // The point of the segment closest to the edge, seen along the edge.
   const auto edge = core.b - core.a;
   auto flat = edge;
   auto offset = corner - core.a;
@@ -286,7 +286,7 @@ template <Scalar S, int N>
   return result;
 }
 
-/// A box in its own frame, and a round shape in the same frame. The face counts unless the closest
+/// A box in its own frame, and a round shape in the same frame. The face is used unless the closest
 /// points, or an axis across, are better by more than the tolerance.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Manifold<S, N> box_round_manifold(

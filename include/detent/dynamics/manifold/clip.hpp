@@ -19,7 +19,8 @@ template <Number T, int N>
   return make_vec<N>([&](int c) { return v[(c + N - axis) % N]; });
 }
 
-/// A face in the frame of another that clips it: a segment or, in 3D, a polygon.
+/// An incident face in the frame of the reference face that clips it: a segment or, in 3D, a
+/// polygon.
 ///
 /// Line i of the incident face runs from its corner i to the next; the lines of the clipping sides
 /// have the numbers after those. A polygon's corner is named by the lines before and after it.
@@ -44,8 +45,8 @@ struct ClippedFace {
     return IsSegment ? line(v) : names[static_cast<std::size_t>(v)];
   }
 
-  /// Cuts off what is beyond `end` along the axis, or beyond -end. A new corner is the kept one
-  /// plus its share of the way to the other, each coordinate rounded once.
+  /// Clips at `end` and -end along the axis. A new corner is the kept one plus its share of the
+  /// vector to the other, each coordinate rounded once.
   template <int Axis, Number E>
   constexpr void clip(const E& end, bool negative, int line) noexcept {
     const auto room_of = [&](const Vec<T, N>& p) {
@@ -109,8 +110,9 @@ struct ClippedFace {
     count = kept;
   }
 
-  /// All corners, if there are at most four; else the deepest, the one farthest from it, and on each
-  /// side of the line through both the one that spans the largest area. The lower index on ties.
+  /// All corners, if there are at most four; otherwise the deepest, the one farthest from it, and
+  /// on each side of the line through both the one that spans the largest area. The lower index on
+  /// ties.
   template <class Heights>
   [[nodiscard]] constexpr std::array<bool, capacity> choose(const Heights& heights) const noexcept {
     std::array<bool, capacity> chosen{};

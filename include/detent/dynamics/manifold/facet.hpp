@@ -8,14 +8,14 @@
 
 namespace detent::detail {
 
-/// A triangle of a surface, in levers: the top of a prism that goes down without end. Face 0 of the
-/// prism is the top, face k + 1 the wall below side k.
+/// A triangle of a surface, in levers: the top of an infinitely deep prism. Face 0 of the prism is
+/// the top, face k + 1 the wall below side k.
 template <Scalar S>
 struct Facet {
   PolytopeParts<S, 3, 4> parts{};
 
   [[nodiscard]] constexpr Polytope<S, 3> prism() const noexcept { return parts.view(); }
-  /// The top alone, without the walls.
+  /// Only the top, without the walls.
   [[nodiscard]] constexpr Polytope<S, 3> top() const noexcept {
     auto view = parts.view();
     view.faces = view.faces.first(1);
@@ -74,7 +74,7 @@ template <Scalar S>
 }
 
 /// A facet and a round shape in the frame of the surface; with `on_top` along the facet's normal.
-/// The manifold's normal points from the facet.
+/// The manifold's normal points away from the facet.
 template <Scalar S>
 [[nodiscard]] constexpr Manifold<S, 3> facet_manifold(
     const Facet<S>& facet, const RoundCore<S, 3>& core, bool on_top,

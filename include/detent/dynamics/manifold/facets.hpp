@@ -7,10 +7,10 @@
 namespace detent::detail {
 
 /// The faces of a hull: its corners in the order of its points, its faces in that of their first
-/// directed edge, by corners. Points that are no corners leave no trace. Nothing (no face) for a
-/// hull without volume.
+/// directed edge, by corners. Points that are not corners have no effect. No faces for a hull
+/// without volume.
 ///
-/// `center` is taken from the points, each coordinate clamped.
+/// `center` is subtracted from the points, each coordinate clamped.
 template <std::size_t Points, Scalar S, int N>
 [[nodiscard]] constexpr PolytopeParts<S, N, Points> facets_of(
     std::span<const Vec<S, N>> points,
@@ -45,7 +45,7 @@ template <std::size_t Points, Scalar S, int N>
         parts.add_corner(number[k], along);
       } else {
         const auto edge = grid[k] - grid[j];
-        // Of the corners next to k, the one that all others are below the plane through.
+        // The corner next to k such that all others are below the plane through it.
         auto normal = decltype(cross(edge, edge)){};
         for (std::size_t l = 0; l < points.size(); ++l) {
           if (l == j || !is_edge(k, l)) continue;

@@ -34,11 +34,11 @@ struct ContactFormats<Fixed<Bits, Frac>> {
   using Corner = Fixed<33, Frac + 6>;
   /// An exact sum of products of levers and ratios. It fits 64 bits: see `FaceAxes`.
   using Span = Fixed<63, Frac + 36>;
-  /// By how much an axis of a later class must be better: 2^-11 units of q16_16.
+  /// How much better an axis of a later class must be: 2^-11 units of q16_16.
   static constexpr Gap tolerance = Gap::assume_raw(1 << 11);
 };
 
-/// Makes a manifold of one point; none where the separation exceeds the margin.
+/// A manifold of one point; none if the separation exceeds the margin.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Manifold<S, N> one_point(const Vec<typename Formats<S>::Ratio, N>& normal,
                                                  const Vec<typename Formats<S>::Lever, N>& p,
@@ -82,7 +82,7 @@ template <Number T, int N>
   return result;
 }
 
-/// The direction of `v`, each component rounded to nearest; where `v` is 0, the x axis.
+/// The direction of `v`, each component rounded to nearest; the x axis if `v` is 0.
 template <class Ratio, Number T, int N>
 [[nodiscard]] constexpr Vec<Ratio, N> unit_or_x(const Vec<T, N>& v) noexcept {
   const auto unit = unit_vector<Ratio>(to_array(v));

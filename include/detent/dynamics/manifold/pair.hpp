@@ -39,8 +39,8 @@ requires(is_box_solid<A>&& is_box_solid<B>) [[nodiscard]] constexpr Manifold<S, 
   return moved_out(core_a, box_manifold<S, N>(core_a.half, core_b.half, local, margin));
 }
 
-/// Where shape `a` of one body touches or nearly touches shape `b` of another, for the solver. Both
-/// are in the frames of their bodies; `pose` is that of b's body in the frame of a's.
+/// The manifold of shape `a` of one body and shape `b` of another, for the solver. Both are in the
+/// frames of their bodies; `pose` is that of b's body in the frame of a's.
 ///
 /// units:  points with a separation of at most `margin`
 /// domain: every shape and pose; empty shapes touch nothing. Coordinates and half extents beyond the

@@ -6,8 +6,8 @@
 
 namespace detent::detail {
 
-/// A segment (in 2D and of capsules) or a convex polygon over a face of a polytope, in the
-/// polytope's frame, that the sides of the face clip.
+/// A segment (in 2D and for capsules) or a convex polygon over a face of a polytope, in the
+/// polytope's frame, which the sides of the face clip.
 ///
 /// Line i of the polygon runs from its corner i to the next; the line of side k of the face has the
 /// number 32 + k. A polygon's corner is named by the lines before and after it, the end of a segment
@@ -26,8 +26,8 @@ class ClippedPolygon {
     lines_[count_++] = static_cast<std::uint8_t>(line);
   }
 
-  /// Cuts off what is beyond the sides of the face by more than the tolerance. A new corner is the
-  /// kept one plus its share of the way to the other, each coordinate rounded once.
+  /// Cuts off the parts beyond the sides of the face by more than the tolerance. A new corner is
+  /// the kept one plus its share of the vector to the other, each coordinate rounded once.
   constexpr void clip(const Polytope<S, N>& own, const PolytopeFace<S, N>& face) noexcept {
     for (std::size_t k = 0; k < face.count && count_ > 0; ++k) clip_side(own, face, k);
   }

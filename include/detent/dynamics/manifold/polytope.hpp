@@ -26,8 +26,8 @@ struct PolytopeEdge {
   std::uint8_t from = 0, to = 0, left = 0, right = 0;
 };
 
-/// A convex polygon or polyhedron in the frame of its body, in storage of its owner. Unit vectors
-/// are rounded once; the faces are what they say, whatever the corners are.
+/// A convex polygon or polyhedron in the frame of its body, stored by its owner. Unit vectors are
+/// rounded once; faces use them as stored, whatever the corners are.
 template <Scalar S, int N>
 struct Polytope {
   using Lever = typename Formats<S>::Lever;
@@ -47,12 +47,12 @@ struct Polytope {
     return points[corners[face.first + k]];
   }
 
-  /// How far `p` is beyond the plane of a face: |n| |p - v| is below 2 sqrt(3) 2^61 (1 + 2^-28).
+  /// The height of `p` over the plane of a face: |n| |p - v| is below 2 sqrt(3) 2^61 (1 + 2^-28).
   [[nodiscard]] constexpr Span height(const PolytopeFace<S, N>& face,
                                       const Point& p) const noexcept {
     return along(face.normal, p, corner(face, 0));
   }
-  /// How far `p` is beyond side `k` of a face.
+  /// The distance of `p` beyond side `k` of a face.
   [[nodiscard]] constexpr Span beyond(const PolytopeFace<S, N>& face, std::size_t k,
                                       const Point& p) const noexcept {
     return along(sides[face.first + k], p, corner(face, k));
@@ -100,7 +100,7 @@ struct PolytopeParts {
     faces[face_count].normal = normal;
     faces[face_count++].first = static_cast<std::uint8_t>(side_count);
   }
-  /// Of the face that was added last.
+  /// A corner of the last added face.
   constexpr void add_corner(std::size_t point, const Vec<Ratio, N>& side) noexcept {
     ++faces[face_count - 1].count;
     corners[side_count] = static_cast<std::uint8_t>(point);
@@ -113,8 +113,8 @@ struct PolytopeParts {
   }
 };
 
-/// A box as a polytope: corner c is on the negative side of the axes whose bits c has, face 2 i looks
-/// along axis i and 2 i + 1 against it.
+/// A box as a polytope: corner c is on the negative side of each axis whose bit is set in c; face 2
+/// i looks along axis i, and 2 i + 1 against it.
 template <Scalar S, int N>
 [[nodiscard]] constexpr PolytopeParts<S, N, 8> polytope_of(const BoxCore<S, N>& box) noexcept {
   using Lever = typename Formats<S>::Lever;

@@ -28,7 +28,7 @@ struct MovedPoints {
   }
 };
 
-/// The face of a polytope that keeps these points farthest away; the first of equals.
+/// The face of a polytope with the greatest separation from these points; the first of equals.
 template <Scalar S, int N>
 struct BestPlane {
   using Span = typename ContactFormats<S>::Span;
@@ -70,8 +70,8 @@ template <Scalar S, Number T, class Ratio = typename Formats<S>::Ratio>
   return dot(n, outward) < 0 ? narrow_negative(n) : n;
 }
 
-/// The pair of edges whose faces' normals cross, so that they bound the difference of the polytopes,
-/// that keeps them farthest apart; the first of equals.
+/// The pair of edges with the greatest separation among those whose faces' normals cross, so that
+/// they bound the difference of the polytopes; the first of equals.
 ///
 /// source: arcs on the Gauss map, Gregorius, The Separating Axis Test between Convex Polyhedra, GDC
 ///         2013
@@ -129,8 +129,8 @@ template <Scalar S>
   return one_point<S, 3>(normal, p, separation, feature, margin);
 }
 
-/// The face of `other` that is turned most against face `reference`, clipped against the latter's
-/// sides; in the frame of the reference. `move` brings points of `other` there, `turn` vectors.
+/// The face of `other` most opposed to face `reference`, clipped against the sides of the latter,
+/// in the frame of the reference. `move` transforms points of `other` there, `turn` vectors.
 template <Scalar S, int N, class Turn>
 [[nodiscard]] constexpr Manifold<S, N> clipped_faces(
     const Polytope<S, N>& own, std::size_t reference, const Polytope<S, N>& other,
@@ -156,7 +156,7 @@ template <Scalar S, int N, class Turn>
 }
 
 /// Two convex polytopes, each in the frame of its body; `pose` is that of b in the frame of a.
-/// `rim` has the edges of a, and the faces at them.
+/// `rim` has the edges of a, and their faces.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Manifold<S, N> polytope_manifold(
     const Polytope<S, N>& a, const Polytope<S, N>& rim, const Polytope<S, N>& b,

@@ -5,7 +5,7 @@
 
 namespace detent::detail {
 
-/// A point over a face at this height, of a round shape of this radius.
+/// A point of a round shape with this radius, over a face at this height.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Manifold<S, N> over_face(const PolytopeFace<S, N>& face,
                                                  const Vec<typename Formats<S>::Lever, N>& p,
@@ -18,11 +18,11 @@ template <Scalar S, int N>
                          nearest_to<Gap>(height - radius), 0, margin);
 }
 
-/// The closest points of a polytope and a segment (or a point) that do not meet, and the ball about
-/// the one on the segment as a manifold.
+/// The closest points of a polytope and a segment (or a point) that do not meet, as the manifold of
+/// the ball about the one on the segment.
 ///
-/// Where an end of the segment is over a face, this face; else the edge, in 2D the corner, that is
-/// closest; the first of equals.
+/// The closest feature is a face that is below an end of the segment, or an edge (in 2D a corner);
+/// the first of equals.
 template <Scalar S, int N>
 class ClosestOnPolytope {
  public:
@@ -106,7 +106,7 @@ struct AcrossSegment {
   bool found = false;
 };
 
-/// The axis across the segment that keeps it farthest from the polytope; the first of equals.
+/// The axis across the segment with the greatest separation from the polytope; the first of equals.
 template <Scalar S, int N>
 [[nodiscard]] constexpr AcrossSegment<S, N> best_across(const Polytope<S, N>& shape,
                                                         const RoundCore<S, N>& core) noexcept {
@@ -159,9 +159,9 @@ template <Scalar S, int N>
   return segment.manifold(shape, shape.faces[number], core.radius, name, margin);
 }
 
-/// A polytope and a capsule in its frame: `number` is the face that keeps it farthest away, at
-/// `height`; `rim` has the edges, and the faces at them; meets(across) says whether the capsule's
-/// segment meets the polytope.
+/// A polytope and a capsule in its frame: `number` is the face of greatest separation, at `height`;
+/// `rim` has the edges, and their faces; meets(across) returns whether the capsule's segment meets
+/// the polytope.
 template <Scalar S, int N, class Meets>
 [[nodiscard]] constexpr Manifold<S, N> polytope_capsule_manifold(
     const Polytope<S, N>& shape, const Polytope<S, N>& rim, std::size_t number,
@@ -199,7 +199,7 @@ template <Scalar S, int N, class Meets>
   return both.count > 0 ? both : single;
 }
 
-/// A polytope and a round shape in its frame; the normal points from the polytope.
+/// A polytope and a round shape in its frame; the normal points away from the polytope.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Manifold<S, N> polytope_round_manifold(
     const Polytope<S, N>& shape, const RoundCore<S, N>& core,

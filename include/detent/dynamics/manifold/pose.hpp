@@ -7,12 +7,12 @@
 
 namespace detent::detail {
 
-/// How many bits |row| |v| needs: rows of a pose are unit vectors within 2^-28, and |v| is at most
-/// sqrt(3) times its greatest coordinate.
+/// The bits of |row| |v|: rows of a pose are unit vectors within 2^-28, and |v| is at most sqrt(3)
+/// times its greatest coordinate.
 template <Number T>
 inline constexpr int turned_bits = bits_of<T> + 31;
 
-/// The exact vector of the frame of a, for `v` in the frame of b.
+/// `v` of the frame of b in the frame of a, exactly.
 template <Scalar S, Number T, int N>
 [[nodiscard]] constexpr auto turned(const RelativePose<S, N>& pose, const Vec<T, N>& v) noexcept {
   return make_vec<N>([&](int c) {
@@ -21,8 +21,7 @@ template <Scalar S, Number T, int N>
   });
 }
 
-/// The exact vector of the frame of b, for `v` in the frame of a, as far as the axes are
-/// orthonormal.
+/// `v` of the frame of a in the frame of b, exactly for orthonormal axes.
 template <Scalar S, Number T, int N>
 [[nodiscard]] constexpr auto turned_back(const RelativePose<S, N>& pose,
                                          const Vec<T, N>& v) noexcept {
@@ -112,8 +111,8 @@ template <Scalar S, int N>
   return result;
 }
 
-/// A manifold in the frame of box a, moved into the frame of its body; rounded once more, which
-/// changes nothing where the frames are the same.
+/// A manifold in the frame of box a, transformed to the frame of its body; rounded once more, which
+/// changes nothing if the frames are the same.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Manifold<S, N> moved_out(const BoxCore<S, N>& core,
                                                  Manifold<S, N> manifold) noexcept {
@@ -131,7 +130,8 @@ template <Scalar S, int N>
   return manifold;
 }
 
-/// A manifold in the frame of b, with its normal from b to a: in the frame of a, from a to b.
+/// Transforms a manifold in the frame of b, with its normal from b to a, to the frame of a, from a
+/// to b.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Manifold<S, N> swapped(const RelativePose<S, N>& pose,
                                                Manifold<S, N> manifold) noexcept {

@@ -9,7 +9,7 @@
 
 namespace detent::detail {
 
-/// The segment that a round shape is the surroundings of, with ends on the grid of levers.
+/// The core segment of a round shape, with ends on the grid of levers.
 template <Scalar S, int N>
 struct RoundCore {
   Vec<typename Formats<S>::Lever, N> a;
@@ -79,9 +79,9 @@ template <Scalar S, Number P, Number Q, int N>
   return one_point<S, N>(normal, p, separation, 0, margin);
 }
 
-/// Points of two segments that are closest, in this order: the point of the first line that is
-/// closest to the second, within the first segment; from it the foot on the second segment; where
-/// that is an end, the foot of the end on the first. The first end of a where they are parallel.
+/// The closest points of two segments, in this order: the point of the first line that is closest
+/// to the second, within the first segment; its foot on the second segment; if that is an end, the
+/// foot of the end on the first. The first end of a if they are parallel.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto closest_feet(const RoundCore<S, N>& a,
                                           const RoundCore<S, N>& b) noexcept {
@@ -108,8 +108,8 @@ template <Scalar S, int N>
   return std::pair{on_a, on_b};
 }
 
-/// A direction across both segments, towards b: along the cross product where it is not 0, else
-/// perpendicular to a's (or b's) segment and to the axis where that is shortest.
+/// A direction across both segments, towards b: along the cross product if it is not 0, otherwise
+/// perpendicular to a's (or b's) segment and to the axis along which that is shortest.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto direction_across(const RoundCore<S, N>& a,
                                               const RoundCore<S, N>& b) noexcept {
@@ -135,9 +135,9 @@ template <Scalar S, int N>
   return dot(normal, towards) < 0 ? narrow_negative(normal) : normal;
 }
 
-/// Two round shapes in one frame, with the normal of `direction_across` where the distance of their
-/// segments rounds to 0: one point, or, where they are parallel within 2^-5, one at each
-/// end of the part where they face each other.
+/// Two round shapes in one frame, with the normal of `direction_across` if the distance of their
+/// segments rounds to 0: one point or, if they are parallel within 2^-5, one at each end of the
+/// part where they face each other.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Manifold<S, N> round_manifold(
     const RoundCore<S, N>& a, const RoundCore<S, N>& b,

@@ -13,17 +13,17 @@
 
 namespace detent::detail {
 
-/// A triangle of a surface near a body, and where it touches it, in the frame of the surface.
+/// A triangle of a surface near a body, and its manifold, in the frame of the surface.
 template <Scalar S>
 struct FacetContact {
   MeshTriangle<S> part{};
   Vec<typename Formats<S>::Ratio, 3> normal{};  // of the triangle
   Manifold<S, 3> manifold{};
   bool is_right = false;
-  bool is_passed_on = false;  // a contact of the last tick that another triangle continues
+  bool is_passed_on = false;  // a contact of the last tick, continued by another triangle
 };
 
-/// How far two corners may differ in height to be as high: 2^4 steps of a lever.
+/// The height difference up to which two corners count as equally high: 2^4 steps of a lever.
 template <Scalar S>
 [[nodiscard]] constexpr auto level() noexcept {
   if constexpr (is_fixed<S>) {
@@ -33,12 +33,13 @@ template <Scalar S>
   }
 }
 
-/// The contacts of the triangles of a surface with one body, in order of their indices; none twice.
+/// The contacts of the triangles of a surface with one body, in order of their indices, without
+/// duplicates.
 ///
-/// A contact along its triangle's own normal is right. So is one over an edge or a corner from where
-/// no other triangle that is near rises. Of other triangles those that rise there take over, if their
-/// contacts are right; if none is, the triangle touches along its own normal. So a body that moves
-/// over a plane of many triangles sees no normal but the plane's.
+/// A contact along its triangle's own normal is valid. So is one over an edge or a corner at which
+/// no other near triangle rises. If triangles rise there, the valid ones replace it; if none is
+/// valid, the triangle touches along its own normal. So a body that moves over a plane of many
+/// triangles meets only the plane's normal.
 template <class List, Scalar S>
 class FacetContacts {
  public:
@@ -49,7 +50,7 @@ class FacetContacts {
 
   constexpr FacetContacts(List& list, std::size_t room) noexcept : list_(list), room_(room) {}
 
-  /// Finds those of `solid`, whose body has the pose in the frame of the surface.
+  /// Finds the contacts of `solid`, whose body has the pose in the frame of the surface.
   template <class Body, class Solid>
   constexpr void find(const Body& body, const Solid& solid, const RelativePose<S, 3>& pose,
                       const BodyExtent<S, 3>& reach, const S& margin, const Gap& gap) {
@@ -70,9 +71,10 @@ class FacetContacts {
     }
   }
 
-  /// Where contact `i` was in the last tick, among the contacts from `first` to `end`, those of these
-  /// bodies; `end` if it was not. One with the normal of a triangle of then, which is near but
-  /// touches no more, continues the first of these that no other one has.
+  /// The predecessor of contact `i` in the last tick, among the contacts from `first` to `end`,
+  /// those of these bodies; `end` if there is none. Without one of its own triangle, it continues
+  /// the first contact of a triangle with its normal that is near but no longer touches and that no
+  /// other contact continues.
   template <class Contacts>
   constexpr std::size_t last_of(std::size_t i, const Contacts& before, std::size_t first,
                                 std::size_t end) noexcept {
@@ -139,7 +141,7 @@ class FacetContacts {
     }
   }
 
-  /// By index. Of triangles with equal indices only the first by their corners is left.
+  /// By index. Of triangles with equal indices only the first by their corners remains.
   constexpr void sort() {
     if (list_.size() == 0) return;
     const auto corners = [](const MeshTriangle<S>& part) {

@@ -10,8 +10,8 @@
 
 namespace detent::detail {
 
-/// The points of a hull on a grid, where it is decided exactly which of them make its boundary: as
-/// they are, or, for `float` and `double`, scaled into 31 bits.
+/// The points of a hull on a grid, on which its boundary points are determined exactly: unchanged
+/// or, for `float` and `double`, scaled to 31 bits.
 template <Scalar S, int N>
 class HullGrid {
  public:

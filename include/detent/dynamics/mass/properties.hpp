@@ -56,13 +56,13 @@ struct tensor_of<T, 3> {
   using type = Symmetric<T>;
 };
 
-/// What turns about the centre: a number in 2D, a symmetric matrix in 3D.
+/// An inertia about the centre: a number in 2D, a symmetric matrix in 3D.
 template <Number T, int N>
 using Tensor = typename tensor_of<T, N>::type;
 
 }  // namespace detail
 
-/// What a solid body weighs and how it resists turning.
+/// The mass, centre and inertia of a solid body.
 ///
 /// units: mass in units of density times length^N; for `Fixed<Bits, Frac>` a multiple of
 ///        2^-(2 Frac). A mass of 0 cannot be dynamic; then all fields are 0
@@ -100,7 +100,7 @@ template <Number T, Number K>
   return quotient_nearest<T>(K(1), gyration);
 }
 
-/// The inverse of a positive definite matrix by its cofactors, or 0 where the determinant is not
+/// The inverse of a positive definite matrix by its cofactors, or 0 if the determinant is not
 /// positive.
 template <Number T, Number K>
 [[nodiscard]] constexpr Symmetric<T> inverse_tensor(const Symmetric<K>& gyration) noexcept {

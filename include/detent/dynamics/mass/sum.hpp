@@ -31,7 +31,7 @@ template <Scalar S, int N, class ForEach>
   constexpr int count_bits = 20;
   constexpr int mass_bits = bits_of<Mass> + count_bits;
   constexpr int moment_bits = mass_bits + bits_of<Center> + 1;
-  // Each sum of products is narrowed to the bits that so many parts can need.
+  // Each sum of products is narrowed to the bits that this many parts can need.
   auto mass = narrow<mass_bits>(Mass() + Mass());
   auto moment = narrow<moment_bits>(mass * Vec<Center, N>());
   for_each([&](const Part& part) {

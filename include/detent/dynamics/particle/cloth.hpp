@@ -9,8 +9,8 @@
 
 namespace detent {
 
-/// What a rope or a cloth is made of. A frequency is that of a `DistanceConstraint`: 0 is rigid, and
-/// a negative one means no such constraints.
+/// The material of a rope or a cloth. A frequency is that of a `DistanceConstraint`: 0 is rigid,
+/// and a negative one means no such constraints.
 template <Scalar S, int N>
 struct FabricOptions {
   ParticleOptions<S, N> particle{};  // each of them
@@ -44,7 +44,7 @@ struct Cloth {
 
 namespace detail {
 
-/// Adds particles and constraints to a system, which has the room for them.
+/// Adds particles and constraints to a system that has room for them.
 template <class System, Scalar S>
 constexpr void tie(System& system, ParticleIndex a, ParticleIndex b, const S& length,
                    const S& frequency, bool is_tether = false) {
@@ -67,8 +67,8 @@ template <class System>
 
 }  // namespace detail
 
-/// Adds `count` particles at even distances from one point to another, held together in a row.
-/// Nothing if the system has no room or count < 2.
+/// Adds `count` evenly spaced particles from one point to another, constrained in a row. Nothing if
+/// the system has no room or count < 2.
 ///
 /// exact:  places rounded to nearest; the length of each part is that of the whole, rounded down,
 ///         over count - 1, rounded to nearest      (tests/dynamics/particle/cloth.test.cpp)
@@ -99,11 +99,11 @@ template <class Storage, Scalar S, int N>
   return rope;
 }
 
-/// Adds columns times rows particles, from `corner` in steps of `right` and of `down`, held together
-/// as cloth is: neighbours by stretch, the diagonals of each square by shear, every second particle
-/// of a row or column by bend. Nothing if the system has no room.
+/// Adds columns times rows particles, from `corner` in steps of `right` and `down`, constrained as
+/// cloth: neighbours by stretch, the diagonals of each square by shear, every second particle of a
+/// row or column by bend. Nothing if the system has no room.
 ///
-/// exact:  places as long as they are in range; lengths rounded down
+/// exact:  positions as long as they are in range; lengths rounded down
 ///                                                 (tests/dynamics/particle/cloth.test.cpp)
 /// source: structural, shear and flexion springs, Provot (1995)
 template <class Storage, Scalar S, int N>

@@ -18,9 +18,9 @@
 #include "detent/query/overlaps/triangle_capsule.hpp"
 #include "detent/shape/bounding_box.hpp"
 
-// Particles against shapes. A particle is where its place is, rounded down to the grid of the
-// scalar: what it sweeps from one such point to the next is a capsule, and `overlaps` is exact. A
-// move that would touch a shape is never made.
+// Particles against shapes. A particle counts at its position rounded down to the grid of the
+// scalar: between two such points it sweeps a capsule, and `overlaps` is exact. A move that would
+// touch a shape is never made.
 
 namespace detent::detail {
 
@@ -34,20 +34,20 @@ template <Scalar S>
   }
 }
 
-/// A radius and some steps of the grid.
+/// A radius plus some steps of the grid.
 template <Scalar S>
 [[nodiscard]] constexpr S grown(const S& radius, int steps) noexcept {
   return saturate_to<S>(radius + grid_step<S>() * as_operand<S>(steps));
 }
 
-/// A place rounded down to the grid of the scalar.
+/// A position rounded down to the grid of the scalar.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> grid_point(
     const Vec<typename Formats<S>::Place, N>& place) noexcept {
   return make_vec<N>([&](int i) { return floor_to<S>(place[i]); });
 }
 
-/// The shapes that a particle met in a substep, as the normals that point away from them.
+/// The shapes that a particle touched in a substep, as normals that point away from them.
 template <Scalar S, int N>
 struct Impacts {
   static constexpr std::size_t most = 5;
@@ -55,20 +55,20 @@ struct Impacts {
   std::size_t count = 0;
 };
 
-/// Where a particle that moves from one grid point to another first touches a shape.
+/// The first contact of a particle that moves from one grid point to another.
 template <Scalar S, int N>
 struct Obstruction {
-  S distance{};  // along its way
+  S distance{};  // along its path
   Vec<S, N> at{};
   std::optional<Contact<S, N>> contact{};  // with the particle there, grown by 4 steps
 };
 
-/// The first shape on the way from `from` to `to`, or nothing.
+/// The first shape on the path from `from` to `to`, or nothing.
 ///
 /// A ball that is larger by one step covers the capsule although the direction is rounded, as long
-/// as the way is shorter than 2^28 steps: then the end of the cast is within a quarter of a step of
-/// `to`. The distance is rounded down and each coordinate to nearest, so the shape is less than 3
-/// steps from the ball of the particle's own radius there, and `contact` finds it.
+/// as the path is shorter than 2^28 steps: then the end of the cast is within a quarter of a step
+/// of `to`. The distance is rounded down and each coordinate to nearest, so the shape is less than
+/// 3 steps from the ball of the particle's own radius there, and `contact` finds it.
 template <Scalar S, int N, class Obstacles>
 [[nodiscard]] constexpr std::optional<Obstruction<S, N>> first_obstruction(
     const Vec<S, N>& from, const Vec<S, N>& to, const S& radius, const Obstacles& obstacles) {
@@ -91,7 +91,7 @@ template <Scalar S, int N, class Obstacles>
   return first;
 }
 
-/// v without what friction takes of its part along a surface, which is at most `limit` in length.
+/// v after friction has reduced its component along a surface, by at most `limit` in length.
 template <Number T, Number Ratio, int N>
 [[nodiscard]] constexpr Vec<T, N> rubbed(const Vec<T, N>& v, const Vec<Ratio, N>& normal,
                                          const T& limit) noexcept {
@@ -103,8 +103,8 @@ template <Number T, Number Ratio, int N>
   return make_vec<N>([&](int i) { return saturate_to<T>(v[i] - nearest_to<T>(share * along[i])); });
 }
 
-/// Moves a particle from `place` towards `next`, and `next` to where it comes: out of what it meets,
-/// slowed by friction, or back to where it was.
+/// Moves a particle from `place` towards `next`, and sets `next` to where it ends: outside the
+/// shapes it hits, slowed by friction, or back at its start.
 template <Scalar S, int N, class Obstacles>
 constexpr Impacts<S, N> collide(const Vec<typename Formats<S>::Place, N>& place,
                                 Vec<typename Formats<S>::Place, N>& next, const S& radius,
@@ -140,8 +140,8 @@ constexpr Impacts<S, N> collide(const Vec<typename Formats<S>::Place, N>& place,
   return impacts;
 }
 
-/// Pushes a particle out of shapes that have moved onto it: out of the first it touches, and again,
-/// at most 4 times. It does not pass a shape that it did not touch.
+/// Pushes a particle out of shapes that have moved onto it: out of the first it touches,
+/// repeatedly, at most 4 times. It does not pass a shape that it did not touch.
 template <Scalar S, int N, class Obstacles>
 constexpr void release(Vec<typename Formats<S>::Place, N>& place, const S& radius,
                        const Obstacles& obstacles) {

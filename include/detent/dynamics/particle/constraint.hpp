@@ -11,14 +11,14 @@
 
 namespace detent {
 
-/// The index of a particle of a `ParticleSystem`, from 0 in the order in which they were added.
+/// The index of a particle of a `ParticleSystem`, from 0 in the order of addition.
 using ParticleIndex = std::uint32_t;
 
 /// Keeps the distance of two particles at `length`.
 ///
-/// With a frequency it is a spring that swings so often a second between these two particles alone:
-/// extended position-based dynamics with the compliance 1 / ((2 pi frequency)^2 m), where m is the
-/// reduced mass. Without one it is rigid. A tether only stops them from being farther apart.
+/// With a frequency it is a spring that oscillates at this frequency between these two particles
+/// alone: extended position-based dynamics with the compliance 1 / ((2 pi frequency)^2 m), where m
+/// is the reduced mass. Without one it is rigid. A tether only limits their distance from above.
 template <Scalar S>
 struct DistanceConstraint {
   ParticleIndex a = 0, b = 0;
@@ -32,7 +32,7 @@ struct DistanceConstraint {
 
 namespace detail {
 
-/// A constraint with a < b, and how much of its error each particle corrects.
+/// A constraint with a < b, and the share of its error that each particle corrects.
 template <Scalar S>
 struct ConstraintRecord {
   DistanceConstraint<S> constraint;
@@ -45,7 +45,7 @@ template <Scalar S>
   return x.a != y.a ? x.a <=> y.a : x.b <=> y.b;
 }
 
-/// Computes the shares: those of the inverse masses, times how stiff the constraint is.
+/// Computes the shares: those of the inverse masses, times the stiffness of the constraint.
 template <Scalar S, int N>
 constexpr void derive(ConstraintRecord<S>& record, const ParticleRecord<S, N>& a,
                       const ParticleRecord<S, N>& b, int rate) noexcept {
@@ -67,7 +67,7 @@ template <Number To, Number T, int N>
   return make_vec<N>([&](int i) { return saturate_to<To>(v[i]); });
 }
 
-/// Moves two particles, which are about to be at `a` and `b`, to the distance of their constraint.
+/// Moves two particles, about to be at `a` and `b`, to the distance of their constraint.
 ///
 /// source: Mueller et al., Position Based Dynamics (2007), 3.3; with one pass in each substep, the
 ///         compliance of Macklin et al., XPBD (2016), is in the shares

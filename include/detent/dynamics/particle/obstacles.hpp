@@ -15,8 +15,8 @@ namespace detent {
 
 namespace detail {
 
-/// Calls f(shape) for the convex parts of something solid that may touch `box`: of a shape, a list
-/// of shapes, a compound, a surface of triangles, or an object that does so when it is called.
+/// Calls f(shape) for the convex parts of a solid that may touch `box`: of a shape, a list of
+/// shapes, a compound, a surface of triangles, or a callable that does this.
 template <Scalar S, int N, class T, class F>
 constexpr void visit_parts_in(const Aabb<S, N>& box, const T& solid, const F& f) {
   if constexpr (requires { solid(box, f); }) {
@@ -44,8 +44,8 @@ constexpr void visit_parts_in(const Aabb<S, N>& box, const T& solid, const F& f)
 
 }  // namespace detail
 
-/// What particles do not pass, in this order. Called with a box and a function f, it calls f(shape)
-/// for each convex shape that may touch the box. It refers to its parts; they must outlive it.
+/// The obstacles of particles, in this order. Called with a box and a function f, it calls f(shape)
+/// for each convex shape that may touch the box. It refers to its parts, which must outlive it.
 template <Scalar S, int N, class... Parts>
 class Obstacles {
  public:
@@ -61,9 +61,9 @@ class Obstacles {
   std::tuple<const Parts&...> parts_;
 };
 
-/// Obstacles for `ParticleSystem::step`: shapes, lists of shapes, compounds, placed meshes, hulls and
-/// height fields, `obstacles_of(world)`, `obstacles_of(scene)`, or any function of a box and a
-/// function that calls the latter with convex shapes.
+/// Obstacles for `ParticleSystem::step`: shapes, lists of shapes, compounds, placed meshes, hulls
+/// and height fields, `obstacles_of(world)`, `obstacles_of(scene)`, or any callable that takes a
+/// box and a function and calls that function with convex shapes.
 template <Scalar S, int N, class... Parts>
 [[nodiscard]] constexpr Obstacles<S, N, Parts...> obstacles(const Parts&... parts) noexcept {
   return Obstacles<S, N, Parts...>(parts...);

@@ -9,8 +9,8 @@ namespace detent {
 
 /// Where the velocity of a particle comes from.
 enum class Integrator : std::uint8_t {
-  verlet,  // from where it was and where it is: constraints and shapes change it by moving it
-  euler,   // from forces and impacts alone: constraints move particles but leave their velocity
+  verlet,  // the change of position: constraints and shapes change it by moving the particle
+  euler,   // separate state: forces and impacts change it, constraints do not
 };
 
 /// How a `ParticleSystem` steps.
@@ -31,8 +31,8 @@ struct ParticleSettings {
 template <Scalar S, int N>
 struct ParticleOptions {
   Vec<S, N> velocity{};                   // units per second
-  S mass = S(1);                          // one without mass is held, like a pinned one
-  S radius = detail::fraction<S>(1, 20);  // at which it meets shapes; particles do not meet
+  S mass = S(1);                          // a particle without mass is held, like a pinned one
+  S radius = detail::fraction<S>(1, 20);  // for collisions with shapes; particles do not collide
   bool is_pinned = false;                 // moves only by `move_to`
 };
 
@@ -64,7 +64,7 @@ template <Scalar S, int N>
           saturate_to<Ratio>(settings.restitution)};
 }
 
-/// A particle: where it is and how it moves, then what it is.
+/// A particle: its position and motion, then its properties.
 template <Scalar S, int N>
 struct ParticleRecord {
   Vec<typename Formats<S>::Place, N> place{};

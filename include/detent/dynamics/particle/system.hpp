@@ -19,12 +19,14 @@ struct ParticleAccess;
 
 }  // namespace detail
 
-/// Particles that fall, are held together by distance constraints, and never pass a shape:
-/// `ParticleSystem<q16_16, 3>`, or `BoundedParticleSystem<Bounded<256>, q16_16, 3>` for one that never
-/// allocates. `add_rope` and `add_cloth` (dynamics/particle/cloth.hpp) make ropes and cloth of them.
+/// Particles that fall, are connected by distance constraints, and never pass through a shape:
+/// `ParticleSystem<q16_16, 3>`, or `BoundedParticleSystem<Bounded<256>, q16_16, 3>` for one that
+/// never allocates. `add_rope` and `add_cloth` (dynamics/particle/cloth.hpp) make ropes and cloth
+/// of them.
 ///
-/// A tick is a function of the particles and their constraints, in whatever order these were added
-/// and removed. docs/particles.md defines every number of it and where it is rounded.
+/// A tick is a function of the particles and their constraints, independent of the order in which
+/// these were added and removed. docs/particles.md defines every number of it and where it is
+/// rounded.
 ///
 /// units:  lengths in world units, times in seconds
 /// domain: scalars with up to 31 bits; ticks per second times substeps in [1, 32767]
@@ -72,8 +74,9 @@ class BasicParticleSystem {
     return static_cast<ParticleIndex>(particles_.size() - 1);
   }
 
-  /// Adds a constraint of two particles; false if there is one already, no room for it, or no two
-  /// such particles. Constraints are solved in the order of the lesser index, then of the other.
+  /// Adds a constraint of two particles; false if they already have one, if there is no room, or if
+  /// a particle does not exist. Constraints are solved in the order of the lesser index, then of
+  /// the other.
   constexpr bool add(DistanceConstraint<S> constraint) {
     if (constraint.b < constraint.a) std::swap(constraint.a, constraint.b);
     if (constraint.a == constraint.b || constraint.b >= particles_.size()) return false;
@@ -88,7 +91,7 @@ class BasicParticleSystem {
     constraints_[at] = record;
     return true;
   }
-  /// Removes the constraint of two particles, as where cloth tears; false if there is none.
+  /// Removes the constraint of two particles, as where cloth tears; false if they have none.
   constexpr bool remove(ParticleIndex a, ParticleIndex b) {
     DistanceConstraint<S> constraint;
     constraint.a = (std::min)(a, b);
@@ -100,7 +103,7 @@ class BasicParticleSystem {
     return true;
   }
 
-  /// Where the particle is, rounded to nearest and clamped; i < size() here and below.
+  /// The position, rounded to nearest and clamped; i < size() here and below.
   [[nodiscard]] constexpr Vec<S, N> position(ParticleIndex i) const noexcept {
     return detail::saturated<S>(particles_[i].place);
   }
@@ -108,8 +111,8 @@ class BasicParticleSystem {
   [[nodiscard]] constexpr Vec<S, N> velocity(ParticleIndex i) const noexcept {
     return detail::saturated<S>(particles_[i].velocity * detail::as_operand<S>(pace_.rate));
   }
-  /// The ball of the particle that never touches a shape it did not start in: its center is the
-  /// place rounded down.
+  /// The ball of the particle that never touches a shape in which it did not start: its center is
+  /// the position rounded down.
   [[nodiscard]] constexpr Sphere<S, N> ball(ParticleIndex i) const noexcept {
     return {detail::grid_point<S, N>(particles_[i].place), particles_[i].radius};
   }
@@ -117,11 +120,11 @@ class BasicParticleSystem {
     return particles_[i].is_pinned;
   }
 
-  /// Sets the velocity in units per second; one that is held ignores it.
+  /// Sets the velocity in units per second; a held particle ignores it.
   constexpr void set_velocity(ParticleIndex i, const Vec<S, N>& velocity) noexcept {
     if (!particles_[i].is_held()) particles_[i].velocity = per_substep(velocity);
   }
-  /// Holds a particle where it is, or lets it go.
+  /// Holds a particle at its position, or releases it.
   constexpr void set_pinned(ParticleIndex i, bool is_pinned) noexcept {
     particles_[i].is_pinned = is_pinned;
     particles_[i].velocity = {};
@@ -131,7 +134,7 @@ class BasicParticleSystem {
     }
   }
   /// Moves a pinned particle evenly during the next tick to `point`, such as a corner of a body:
-  /// within a few steps of the grid of places, and by at most 4 units a substep along each axis.
+  /// within a few steps of the grid of positions, and by at most 4 units a substep along each axis.
   constexpr void move_to(ParticleIndex i, const Vec<S, N>& point) noexcept {
     auto& particle = particles_[i];
     if (!particle.is_held()) return;
@@ -141,7 +144,7 @@ class BasicParticleSystem {
     });
   }
 
-  /// One tick, with no shapes to meet, or with those of `obstacles(...)` or of an object like it.
+  /// One tick, without obstacles, or with those of `obstacles(...)` or a similar object.
   constexpr void step() { step(obstacles<S, N>()); }
   template <class Obstacles>
   constexpr void step(const Obstacles& around) {
@@ -169,7 +172,7 @@ class BasicParticleSystem {
  private:
   friend struct detail::ParticleAccess;
 
-  /// The velocity by gravity and damping, and where it would lead.
+  /// The velocity after gravity and damping; returns the position it leads to.
   constexpr Vec<Place, N> start(Particle& particle) const noexcept {
     auto& v = particle.velocity;
     return make_vec<N>([&](int i) {
@@ -181,7 +184,7 @@ class BasicParticleSystem {
     });
   }
 
-  /// Moves the particle as far as shapes let it, and gives it its velocity.
+  /// Moves the particle as far as shapes allow, and sets its velocity.
   template <class Obstacles>
   constexpr void finish(Particle& particle, Vec<Place, N> next, const Obstacles& around) const {
     if (particle.is_held()) {
@@ -251,7 +254,8 @@ class BasicParticleSystem {
   detail::ParticlePace<S, N> pace_;
   typename Storage::template List<Particle, capacity> particles_;
   typename Storage::template List<Constraint, constraint_capacity> constraints_;
-  typename Storage::template List<Vec<Place, N>, capacity> next_;  // where each is about to be
+  typename Storage::template List<Vec<Place, N>, capacity>
+      next_;  // the position that each is about to take
 };
 
 #if __STDC_HOSTED__
@@ -259,7 +263,7 @@ class BasicParticleSystem {
 template <Scalar S, int N>
 using ParticleSystem = BasicParticleSystem<Growing, S, N>;
 #endif
-/// Particles within their own memory: `BoundedParticleSystem<Bounded<256>, q16_16, 3>`.
+/// Particles stored inside the system: `BoundedParticleSystem<Bounded<256>, q16_16, 3>`.
 template <class Storage, Scalar S, int N>
 using BoundedParticleSystem = BasicParticleSystem<Storage, S, N>;
 

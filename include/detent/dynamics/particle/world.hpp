@@ -13,7 +13,7 @@ namespace detent {
 
 namespace detail {
 
-/// The corners of a solid hull where its body is, each coordinate rounded to nearest once.
+/// The corners of a solid hull at its body's pose, each coordinate rounded to nearest once.
 template <Scalar S, int N>
 class SolidPoints {
  public:
@@ -37,7 +37,7 @@ class SolidPoints {
   std::size_t count_ = 0;
 };
 
-/// The place and the axes as a transform, each number rounded to nearest once.
+/// Position and axes as a transform, each number rounded to nearest once.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Transform<S, N> transform_of(const Standing<S, N>& at) noexcept {
   std::array<Direction<S, N>, std::size_t{N}> directions;
@@ -48,7 +48,7 @@ template <Scalar S, int N>
           Rotation<S, N>::from_axes(directions), S(1)};
 }
 
-/// Calls f(shape) with the shape of a body that is there, or with each part that is no sensor.
+/// Calls f(shape) with the shape of a body at this pose, or with each part that is not a sensor.
 template <Scalar S, int N, class Shape, class F>
 constexpr void visit_placed(const Standing<S, N>& at, const Aabb<S, N>& box, const Shape& shape,
                             const F& f) {
@@ -69,8 +69,8 @@ constexpr void visit_placed(const Standing<S, N>& at, const Aabb<S, N>& box, con
 
 }  // namespace detail
 
-/// The bodies of a world, where they are now, in the order of their indices, compounds part by part;
-/// sensors are none, nor are bodies that are meshes or height fields: particles pass them.
+/// The bodies of a world at their current poses, in the order of their indices, compounds part by
+/// part. Sensors, meshes and height fields are left out: particles pass through them.
 template <class World>
 class WorldObstacles;
 
@@ -115,15 +115,15 @@ class WorldObstacles<BasicWorld<Storage, S, N, Parts...>> {
   typename Storage::template List<Aabb<S, N>, Storage::capacity> boxes_;
 };
 
-/// The bodies of a world as obstacles of particles: those in any of these layers. It is made for one
-/// tick: make it again when bodies have moved.
+/// The bodies of a world in any of these layers, as obstacles of particles. Valid for one tick:
+/// make it again after bodies have moved.
 template <class Storage, Scalar S, int N, class... Parts>
 [[nodiscard]] constexpr auto obstacles_of(const BasicWorld<Storage, S, N, Parts...>& world,
                                           std::uint32_t layers = 0xffffffffu) {
   return WorldObstacles<BasicWorld<Storage, S, N, Parts...>>(world, layers);
 }
 
-/// The objects of a scene, where they are now, in the order of their indices.
+/// The objects of a scene, at their current positions, in the order of their indices.
 template <class Storage, Scalar S, int N, class... Shapes>
 [[nodiscard]] constexpr auto obstacles_of(const BasicScene<Storage, S, N, Shapes...>& scene,
                                           std::uint32_t layers = 0xffffffffu) {

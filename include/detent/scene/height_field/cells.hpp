@@ -17,8 +17,8 @@ struct FieldCells {
   std::uint32_t column, row, columns, rows;
 
   static constexpr std::size_t most_children = 2;
-  /// The most rectangles that wait in a walk: one of two halves for each time that 2^32 columns and
-  /// 2^32 rows can be halved.
+  /// The most rectangles pending in a traversal: one of two halves for each time that 2^32 columns
+  /// and 2^32 rows can be halved.
   static constexpr std::size_t room = 66;
 
   [[nodiscard]] constexpr bool is_leaf() const noexcept { return columns == 1 && rows == 1; }

@@ -24,7 +24,7 @@ struct FieldAxis {
   std::uint32_t count;
   bool is_backward;
 
-  /// How far the line moves on this axis from its origin to a border.
+  /// The distance on this axis from the line's origin to a border.
   [[nodiscard]] constexpr auto ahead(std::uint32_t border) const noexcept {
     return is_backward ? origin - field_border(corner, cell, count - border)
                        : field_border(corner, cell, border) - origin;
@@ -103,14 +103,14 @@ class FieldLine {
     return {field.corner.y, field.cell, origin.z, field.rows - 1, direction.z < 0};
   }
 
-  /// How far the line moves on the vertical axis from its origin to each of these heights.
+  /// The vertical distance from the line's origin to each of these heights.
   [[nodiscard]] constexpr Rises rises(const S& low, const S& high) const noexcept {
     return is_falling_ ? Rises{height_ - high, height_ - low}
                        : Rises{low - height_, high - height_};
   }
 
-  /// The first strip that is not behind the origin of the line, nor before the line reaches the
-  /// field.
+  /// The first strip that is neither behind the line's origin nor before the point where the line
+  /// reaches the field.
   [[nodiscard]] constexpr std::uint32_t first_strip() const noexcept {
     const auto near_side = side_.ahead(0) * size_;
     const auto near_rise = bounds_.least * size_;

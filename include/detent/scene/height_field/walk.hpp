@@ -12,7 +12,7 @@
 
 namespace detent {
 
-/// The parts of a height field, by halving it repeatedly: see mesh/parts.hpp.
+/// The parts of a height field, found by repeated halving: see mesh/parts.hpp.
 template <Scalar S>
 [[nodiscard]] constexpr detail::FieldCells whole_of(const HeightField<S>& field) noexcept {
   return {0, 0, field.columns - 1, field.rows - 1};
@@ -49,9 +49,9 @@ constexpr Walk visit_line(const HeightField<S>& field, const Vec<S, 3>& origin,
 
 }  // namespace detail
 
-/// The walks of a height field step from cell to cell, without a tree, and skip cells whose
-/// samples are all too high or too low, so one tall sample makes none of them longer.
-/// Floating-point scalars use the walks through its parts.
+/// The traversals of a height field step from cell to cell, without a tree, and skip cells whose
+/// samples are all too high or too low, so a single tall sample does not slow them down.
+/// Floating-point scalars traverse its parts instead.
 template <Scalar S, class Visit>
 constexpr Walk visit_along(const HeightField<S>& field, const Ray<S, 3>& ray,
                            const Visit& visit) noexcept {

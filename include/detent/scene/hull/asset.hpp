@@ -18,7 +18,7 @@ namespace detent {
 template <Scalar S, int N>
 class HullAsset {
  public:
-  /// The most points that it can have: queries keep all of them, transformed, on the stack.
+  /// The most points of a hull: queries keep all of them, transformed, on the stack.
   static constexpr std::size_t capacity = 64;
 
   constexpr HullAsset() noexcept : HullAsset(0, ConvexHull<S, N>()) {}

@@ -205,7 +205,7 @@ template <Scalar S, int N>
                                       const PlacedHull<S, N>& b) noexcept {
   return overlaps(detail::HullPoints(a).hull(), detail::HullPoints(b).hull());
 }
-/// For a surface, the points are transformed once for all triangles.
+/// Transforms the points once for all triangles of a surface.
 template <template <class> class Surface, Scalar S>
 requires is_surface<Surface>
 [[nodiscard]] constexpr bool overlaps(const Surface<S>& surface,

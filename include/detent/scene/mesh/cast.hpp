@@ -26,7 +26,7 @@ concept CastsAtTriangles =
   cast_distance(shape, direction, distance, triangle);
 };
 
-/// A box around the way of a shape, if that is on no axis longer than the shape.
+/// A box around the path of a shape, if the path is on no axis longer than the shape.
 template <class Shape, Scalar S>
 [[nodiscard]] constexpr std::optional<Aabb<S, 3>> box_of_short_way(const Shape& shape,
                                                                    const Direction<S, 3>& direction,
@@ -57,7 +57,7 @@ template <class Shape, template <class> class Surface, Scalar S>
   S limit = max_distance;
   Time last = prepared.time(limit);
   const auto reach = [&](const Aabb<S, 3>& part) { return prepared.meets(part, last); };
-  // Casts of round shapes find out as fast.
+  // For round shapes the cast itself is as fast.
   constexpr bool looks_first = !filter_pays<S> || !requires { shape.radius; };
   const auto test = [&](std::span<const MeshTriangle<S>> triangles) {
     for (const auto& part : triangles) {
@@ -105,7 +105,7 @@ requires is_surface<Surface>
 
 }  // namespace detail
 
-/// The first triangle of `surface` that `shape` touches on its way along `direction`, and the
+/// The first triangle of `surface` that `shape` touches when it moves along `direction`, and the
 /// distance, or nothing.
 ///
 /// units:  lengths in world units
@@ -130,8 +130,8 @@ requires is_surface<Surface>
   return cast_nearest(moving.shape, moving.direction, moving.max_distance, surface);
 }
 
-/// Distance, point and normal where `shape` first touches `surface` on its way along `direction`,
-/// or nothing: those of the triangle of `cast_nearest`.
+/// Distance, point and normal where `shape` first touches `surface` when it moves along
+/// `direction`, or nothing: those of the triangle of `cast_nearest`.
 ///
 /// exact:  as `cast(shape, direction, distance, triangle)`   (tests/scene/mesh_cast.test.cpp)
 template <template <class> class Surface, Scalar S, detail::CastsAtTriangles<S> Shape>

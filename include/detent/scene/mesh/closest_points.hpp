@@ -12,9 +12,9 @@ namespace detent {
 
 namespace detail {
 
-/// Of the triangles of `surface` that are no farther than `least` from `shape`, the one nearest to
-/// it, the one of the least index if several distances are equal, and in `least` its distance.
-/// to_shape(triangle, least) is the distance of a triangle, or nothing if that is greater.
+/// The triangle of `surface` nearest to `shape`, of equally near ones the one of the least index,
+/// among those no farther than `least`; sets `least` to its distance. to_shape(triangle, least) is
+/// the distance of a triangle, or nothing if it exceeds `least`.
 template <class Surface, class Shape, Scalar S, class ToShape>
 [[nodiscard]] constexpr std::optional<MeshTriangle<S>> nearest_part(
     const Surface& surface, const Shape& shape, S& least, const ToShape& to_shape) noexcept {
@@ -54,10 +54,11 @@ template <class Surface, class Shape, Scalar S>
 ///
 /// units:  world units
 /// domain: every input; the origin twice for an empty shape or a surface without triangles
-/// result: of triangles with equal `distance`s, if only by rounding or clamping, the one of the
-///         least index counts
-/// exact:  the triangle is the nearest within 1 ULP; each coordinate is rounded as `closest_points`
-///         of the triangle says                    (tests/scene/mesh_closest_points.test.cpp)
+/// result: of triangles with equal `distance`s, even if only by rounding or clamping, the one of
+///         the least index
+/// exact:  the triangle is the nearest within 1 ULP; each coordinate is rounded as by
+///         `closest_points` of the triangle
+///         (tests/scene/mesh_closest_points.test.cpp)
 template <template <class> class Surface, Scalar S, detail::HasDistance<S> Shape>
 requires is_surface<Surface>
 [[nodiscard]] constexpr std::pair<Vec<S, 3>, Vec<S, 3>> closest_points(

@@ -36,12 +36,13 @@ struct FacePush {
 
 /// The contacts of one shape with the triangles of a surface.
 ///
-/// A contact whose normal is not that of its triangle leaves the triangle over an edge or a corner.
-/// It is right only if the surface does not go on there: no other triangle at that edge or corner
-/// rises above the plane through it. If one does, and the shape touches it and its own contact is
-/// right, that is the contact, and this triangle has none. If there is no such triangle, the shape
-/// leaves along the triangle's own normal, unless one of them that it touches has a nearer face. (Of
-/// equally near ones the first counts. So of triangles that give way to each other, one remains.)
+/// A contact whose normal is not that of its triangle pushes the shape off the triangle over an
+/// edge or a corner. It is valid only if the surface ends there: no other triangle at that edge or
+/// corner rises above the plane through it. If one does, and the shape touches that triangle in a
+/// valid contact, that contact counts and this triangle has none. If the shape touches no such
+/// triangle, it leaves along the triangle's own normal, unless a rising triangle that it touches
+/// has a nearer face. (Of equally near ones the first counts, so one of the triangles that defer to
+/// each other remains.)
 template <class Surface, class Shape, Scalar S>
 class SurfaceContacts {
  public:
@@ -116,7 +117,7 @@ class SurfaceContacts {
   }
 
   /// Whether `other` has all corners of `triangle` that are highest along `normal`, and one that is
-  /// higher, by more than the normal is rounded.
+  /// higher by more than the rounding of the normal.
   [[nodiscard]] static constexpr bool rises_at(const Triangle<S, 3>& triangle,
                                                const Direction<S, 3>& normal,
                                                const Triangle<S, 3>& other) noexcept {
@@ -142,8 +143,8 @@ class SurfaceContacts {
     }
   }
 
-  /// The push of the shape out of the plane of a triangle: to the front or, if it has two sides, to
-  /// that of `along`, the nearer one if `along` is in the plane.
+  /// The translation that pushes the shape out of the plane of a triangle: to the front or, if it
+  /// has two sides, to the side of `along`; to the nearer one if `along` is in the plane.
   [[nodiscard]] constexpr auto face_push(const Triangle<S, 3>& triangle,
                                          const Direction<S, 3>& along) const noexcept {
     auto normal = normal_of(triangle);
@@ -194,7 +195,8 @@ class SurfaceContacts {
   Facing facing_;
 };
 
-/// Inserts a contact by its triangle into the first `count` of `out`; what is beyond `out` is lost.
+/// Inserts a contact into the first `count` of `out`, sorted by triangle; contacts beyond `out` are
+/// dropped.
 template <Scalar S>
 constexpr void insert_contact(std::span<MeshContact<S>> out, std::size_t count,
                               const MeshContact<S>& contact) noexcept {
@@ -209,21 +211,22 @@ constexpr void insert_contact(std::span<MeshContact<S>> out, std::size_t count,
 
 }  // namespace detail
 
-/// The contacts of a shape (sphere, AABB, OBB, triangle, capsule, convex hull) with the triangles of
-/// `surface`, at most one a triangle. Returns their number. Writes those of the least indices, as
-/// many as `out` holds, sorted.
+/// The contacts of a shape (sphere, AABB, OBB, triangle, capsule, convex hull) with the triangles
+/// of `surface`, at most one per triangle. Returns their number. Writes those of the least indices,
+/// as many as `out` holds, sorted.
 ///
 /// There are no bumps at inner edges: a normal is that of the triangle, unless the shape touches an
-/// edge or a corner from where no triangle there rises. So a shape that slides over a tessellated
-/// plane sees no normal but the plane's, and in a valley none but those of both sides. Triangles
-/// share an edge if its corners have equal coordinates.
+/// edge or a corner at which no other triangle rises. So a shape that slides over a tessellated
+/// plane only meets the plane's normal, and in a valley only those of both sides. Triangles share
+/// an edge if its corners have equal coordinates.
 ///
-/// With Facing::front, every normal points to the front of its triangle, so a shape that is partly
-/// behind it is pushed out in front; so it is with height fields, whose front is above. A shape that
-/// touches no triangle has no contact on either side.
+/// With Facing::front, every normal points to the front of its triangle, so a shape partly behind
+/// it is pushed out in front. Height fields always have this facing, with the front above. A shape
+/// that touches no triangle has no contact, on either side.
 ///
-/// exact:  as for `contact` of the triangle and the shape; which edges are inner ones, with the
-///         normal as rounded and 4 ULP to spare           (tests/scene/mesh_contact.test.cpp)
+/// exact:  as for `contact` of the triangle and the shape; inner edges are detected with the
+///         rounded normal and a tolerance of 4 ULP
+///         (tests/scene/mesh_contact.test.cpp)
 template <template <class> class Surface, Scalar S, MeetsTriangles<S> Shape>
 requires is_surface<Surface>
 constexpr std::size_t contacts(const Surface<S>& surface, const Shape& shape,

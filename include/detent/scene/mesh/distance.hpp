@@ -12,8 +12,8 @@ namespace detent {
 
 namespace detail {
 
-/// What stands for `shape` when its distance to a box is to be no greater: its bounding box, or
-/// the shape itself where it has none.
+/// A stand-in for `shape` whose distance to a box is no greater: its bounding box, or the shape
+/// itself if it has none.
 template <class Shape>
 [[nodiscard]] constexpr auto culled_as(const Shape& shape) noexcept {
   if constexpr (requires { bounding_box(shape); }) {

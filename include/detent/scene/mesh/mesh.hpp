@@ -24,8 +24,8 @@ using MeshNode = StaticNode<S, 3>;
 /// storage. `build_mesh` makes one; `OwnedMesh` owns its storage.
 ///
 /// Results are those of a loop over all triangles, each decided exactly, so nothing slips between
-/// two that share an edge. The shape of the tree never shows. Queries only read: any number of
-/// threads may share a mesh (tests/scene/threads.cpp).
+/// two that share an edge. The shape of the tree never affects them. Queries only read: any number
+/// of threads may share a mesh (tests/scene/threads.cpp).
 template <Scalar S>
 struct Mesh {
   StaticTree<S, 3> tree;
@@ -36,7 +36,7 @@ template <>
 inline constexpr bool is_surface<Mesh> = true;
 
 /// The mesh of `triangles`, which it reorders, with its tree in `nodes`. Returns nothing, and
-/// touches nothing, if there are fewer than tree_capacity(triangles.size()) nodes.
+/// changes nothing, if there are fewer than tree_capacity(triangles.size()) nodes.
 template <Scalar S>
 [[nodiscard]] constexpr std::optional<Mesh<S>> build_mesh(std::span<MeshTriangle<S>> triangles,
                                                           std::span<MeshNode<S>> nodes) noexcept {
@@ -73,7 +73,7 @@ template <Scalar S>
   return mesh.tree.bounds;
 }
 
-/// The walks of a mesh: those of its tree.
+/// The traversals of a mesh: those of its tree.
 template <Scalar S, class Visit>
 constexpr Walk visit_along(const Mesh<S>& mesh, const Ray<S, 3>& ray, const Visit& visit) noexcept {
   return visit_along(mesh.tree, mesh.triangles, ray, visit);

@@ -29,7 +29,7 @@ template <Scalar S>
 }
 
 /// Whether a triangle of one part touches one of another. Descends into the part with the longer
-/// box, so calls are nested no deeper than both trees together.
+/// box, so the recursion is no deeper than both trees together.
 template <class A, class PartA, class B, class PartB, class Box>
 [[nodiscard]] constexpr bool parts_meet(const A& a, const PartA& of_a, const Box& box_a, const B& b,
                                         const PartB& of_b, const Box& box_b) noexcept {

@@ -18,15 +18,15 @@
 //   whole_of(surface)                       -> the root part, in bounding_box(surface)
 //   visit_children(surface, part, visit)    calls visit(child, box) for the children of a part
 //   at_leaf(surface, part, visit)           returns visit(triangles) for a part that is_leaf()
-// and Part::most_children, and Part::room, the most parts that wait in a walk. They are never called
-// for an empty surface.
+// and Part::most_children, and Part::room, the most parts pending in a traversal. They are never
+// called for an empty surface.
 //
-// The walks here use these, for surfaces that have no faster ones.
+// The traversals here use these, for surfaces that have no faster ones.
 
 namespace detent::detail {
 
-/// A surface as a walk takes it. key_of(box) returns how near a box is, or nothing if it does not
-/// matter; still(key) returns whether it still does when its turn comes.
+/// A surface as the target of a walk. key_of(box) returns how near a box is, or nothing if it is
+/// irrelevant; still(key) returns whether the box is still relevant when its turn comes.
 template <class KeyType, class Surface, class KeyOf, class Still>
 struct SurfaceParts {
   using Key = KeyType;

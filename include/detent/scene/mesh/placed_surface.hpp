@@ -40,8 +40,8 @@ template <template <class> class Placed, Scalar S, class Visit>
   };
 }
 
-/// Whether every triangle is translated exactly. A query that can be moved back exactly then goes
-/// to the asset's surface, whose own walks are faster.
+/// Whether every triangle is translated exactly. A query that can be translated back exactly then
+/// runs on the asset's surface, whose traversals are faster.
 template <template <class> class Placed, Scalar S>
 [[nodiscard]] constexpr bool moves_exactly(const Placed<S>& placed) noexcept {
   if (!is_fixed<S> || placed.asset == nullptr || !AssetSurface<Placed<S>>::only_moves(placed)) {
@@ -86,8 +86,8 @@ constexpr Walk at_leaf(const Placed<S>& placed, const Part& leaf, const Visit& v
                  detail::in_place(placed, visit));
 }
 
-/// The walks of a placed surface: those of the asset's surface if the query can be moved back
-/// exactly, else those through its parts.
+/// The traversals of a placed surface: those of the asset's surface if the query can be translated
+/// back exactly, otherwise those through its parts.
 template <template <class> class Placed, Scalar S, class Visit>
 requires is_placed_surface<Placed>
 constexpr Walk visit_along(const Placed<S>& placed, const Ray<S, 3>& ray,
@@ -114,7 +114,7 @@ constexpr Walk visit_crossing(const Placed<S>& placed, const Segment<S, 3>& segm
                         Segment{nearest_to<S>(start), nearest_to<S>(end)},
                         detail::in_place(placed, visit));
 }
-/// The part of the box that is out of range once moved back touches no triangle.
+/// The part of the box that leaves the range when translated back touches no triangle.
 template <template <class> class Placed, Scalar S, class Visit>
 requires is_placed_surface<Placed>
 constexpr Walk visit_within(const Placed<S>& placed, const Aabb<S, 3>& box,

@@ -25,7 +25,7 @@ template <Scalar S, int N>
           make_vec<N>([&](int i) { return nearest_to<S>(box.max[i] + by); })};
 }
 
-/// How much can be shrunk until nothing is left, rounded down; negative for an empty shape.
+/// How far the shape can shrink until nothing is left, rounded down; negative for an empty shape.
 template <Scalar S, int N>
 [[nodiscard]] constexpr S thickness(const Sphere<S, N>& sphere) noexcept {
   return sphere.radius;
@@ -67,7 +67,7 @@ template <Scalar S, int N>
   return box.max[i];
 }
 
-/// How far the lowest point reaches along `up`.
+/// The coordinate of the lowest point along `up`.
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto lowest_along(const Sphere<S, N>& sphere,
                                           const Direction<S, N>& up) noexcept {

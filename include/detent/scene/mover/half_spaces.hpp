@@ -74,8 +74,8 @@ template <Scalar S>
   });
 }
 
-/// The planes that a character met during a move, as half-spaces of translations from where it is.
-/// The first `capacity` are kept.
+/// The planes met during a move, as half-spaces of translations from the character's position. The
+/// first `capacity` are kept.
 template <Scalar S, int N>
 class HalfSpaces {
  public:
@@ -90,8 +90,8 @@ class HalfSpaces {
     if (count_ < capacity) list_[count_++] = {normal, offset};
   }
 
-  /// The character moved by `by`: offsets change with it, rounded up. Planes farther away than
-  /// `reach` are forgotten: they may belong to something that it has passed.
+  /// Translates the character by `by`: offsets change with it, rounded up. Planes farther away than
+  /// `reach` are dropped: they may belong to an object that it has passed.
   constexpr void shift(const Vec<S, N>& by, const S& reach) noexcept {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -112,8 +112,8 @@ class HalfSpaces {
   /// The translation in all half-spaces, or outside by at most `slack`, that is closest to `to`; of
   /// several, the first in order of planes. Nothing if there is none.
   ///
-  /// It is the projection of `to` onto a polyhedron, so it is `to` itself, or on one plane, on a
-  /// crease of two or in a corner of three: all of them are tried.
+  /// It is the projection of `to` onto a polyhedron: `to` itself, or a point on one plane, on a
+  /// crease of two or in a corner of three. All of them are tried.
   ///
   /// source: b2SolvePlanes of Box2D 3.1 solves the same problem by iteration; clipping against
   ///         creases, Quake, PM_SlideMove (pmove.c)
@@ -122,7 +122,7 @@ class HalfSpaces {
     if (contain(to, slack)) return to;
     Best best{*this, to, slack, std::nullopt};
     for (std::size_t i = 0; i < count_; ++i) {
-      // A plane that `to` violates, with a foot in all others, is the only active one.
+      // A violated plane whose closest point is in all other half-spaces is the only active one.
       if (!is_in(to, list_[i], slack) && best.offer(closest_on(to, list_[i]))) return best.point;
     }
     for (std::size_t i = 0; i < count_; ++i) {

@@ -50,7 +50,7 @@ constexpr void add_way_out(HalfSpaces<S, N>& spaces, const Target& target, const
   }
 }
 
-/// The half-spaces of translations that bring a shape out of all that it overlaps.
+/// The half-spaces of translations that separate a shape from everything it overlaps.
 template <Scalar S, int N, class World, class Shape, class Filter>
 [[nodiscard]] constexpr HalfSpaces<S, N> ways_out(const World& world, const Shape& shape,
                                                   const Filter& filter) {
@@ -63,9 +63,9 @@ template <Scalar S, int N, class World, class Shape, class Filter>
   return spaces;
 }
 
-/// Pushes a character out of what it overlaps or is closer to than its skin. At most four times,
-/// and never into something else. Between two surfaces that nearly face each other it stays: the
-/// way out may lead anywhere.
+/// Pushes a character out of objects that it overlaps or that are within its skin, at most four
+/// times and never into another object. Between two surfaces that nearly face each other it stays:
+/// the way out may lead anywhere.
 template <class Steps, class World, class Filter, Scalar S>
 constexpr void push_apart(Steps& steps, const World& world, const Filter& filter, const S& skin) {
   for (int i = 0; i < 4; ++i) {

@@ -15,18 +15,18 @@ namespace detent {
 template <Scalar S, int N>
 struct MoverSettings {
   Direction<S, N> up = Direction<S, N>::along(1);
-  /// How far the character stays from what it walks along; at least 32 units of the last place, one
-  /// for each cast of the longest move and as many to spare.
+  /// The distance that the character keeps from surfaces; at least 32 ULP, one for each cast of the
+  /// longest move and as many to spare.
   S skin = quotient_nearest<S>(S(1), detail::as_operand<S>(64));
   /// The highest step that it climbs; 0 for none.
   S step_height = quotient_nearest<S>(S(1), detail::as_operand<S>(3));
-  /// How far below it ground is followed, down slopes and steps; 0 for not at all.
+  /// How far down it follows the ground, along slopes and steps; 0 for not at all.
   S snap_distance = quotient_nearest<S>(S(1), detail::as_operand<S>(3));
   /// The steepest slope that it stands on and walks up.
   Angle<S> max_slope = Angle<S>::turn(50, 360);
 };
 
-/// What a character stands on.
+/// The ground that a character stands on.
 template <Scalar S, int N>
 struct Ground {
   bool is_grounded = false;
@@ -34,7 +34,7 @@ struct Ground {
   Direction<S, N> normal{};
   FrameId frame{};    // the frame of the object, which carries the character
   Vec<S, N> local{};  // the point under the character, in the frame
-  Vec<S, N> point{};  // the same in the world, when the character was last moved
+  Vec<S, N> point{};  // the same in the world, at the last move
 
   [[nodiscard]] friend constexpr bool operator==(const Ground&, const Ground&) noexcept = default;
 };
@@ -56,7 +56,7 @@ constexpr void for_each_field(const Ground<S, N>& ground, const F& f) {
   f("point", ground.point);
 }
 
-/// Something that a character touched during a move: within its skin, or in its way.
+/// An object that a character touched during a move: within its skin, or in its way.
 template <Scalar S, int N>
 struct MoverTouch {
   ObjectId object;
@@ -67,16 +67,15 @@ struct MoverTouch {
                                                  const MoverTouch&) noexcept = default;
 };
 
-/// What a move did. `touched` has the first things touched, each once for each of its normals.
+/// The result of a move. `touched` has the first contacts, one for each object and normal.
 template <Scalar S, int N>
 struct MoveResult {
-  Vec<S, N> moved;  // in all
-  Vec<S, N>
-      carried;       // of this, by the ground that it stood on: the ground's velocity times a frame
-  Vec<S, N> pushed;  // of this, out of what it overlapped or was too close to
+  Vec<S, N> moved;    // in total
+  Vec<S, N> carried;  // part of it: by the ground that it stood on, as velocity times a frame
+  Vec<S, N> pushed;   // part of it: out of objects that it overlapped or was too close to
   std::array<MoverTouch<S, N>, 8> touched{};
   std::size_t count = 0;
-  bool is_stuck = false;  // it overlaps something that it could not be pushed out of
+  bool is_stuck = false;  // it overlaps an object and cannot be pushed out
 
   [[nodiscard]] friend constexpr bool operator==(const MoveResult&,
                                                  const MoveResult&) noexcept = default;
@@ -87,7 +86,7 @@ template <class D, Scalar S, int N>
 constexpr void append(D& digest, const MoverTouch<S, N>& touch) noexcept {
   digest.add(touch.object, touch.point, touch.normal);
 }
-/// Appends to a digest: the three motions, the number of touches, these, and whether it is stuck.
+/// Appends to a digest: the three motions, the touches and their number, and whether it is stuck.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const MoveResult<S, N>& result) noexcept {
   digest.add(result.moved, result.carried, result.pushed, static_cast<std::uint32_t>(result.count));

@@ -37,7 +37,7 @@ class MoverRun {
   /// Carries, pushes apart, then walks or flies.
   template <class Character>
   constexpr MoveResult<S, N> run(Character& character, const Motion& by) {
-    if (thickness(character.shape) < 0) {  // empty: nothing is in its way
+    if (thickness(character.shape) < 0) {  // empty: nothing blocks it
       result_.moved = stays_in_range(character.shape, by, S(0)) ? by : Motion{};
       character = {translated(character.shape, result_.moved)};
       return result_;
@@ -61,8 +61,8 @@ class MoverRun {
   }
 
  private:
-  /// Two units for each step on the longest way: up, along, down a step, down to the ground, and
-  /// falling; so that half of the skin lasts.
+  /// Two units for each step on the longest path: up, along, down a step, down to the ground, and
+  /// falling; half of the skin remains.
   static constexpr S least_skin() noexcept {
     if constexpr (is_fixed<S>) {
       using Raw = typename S::raw_type;
@@ -74,7 +74,7 @@ class MoverRun {
     }
   }
 
-  /// The point of a shape that tells how far it moved: all of it moves by the same vector.
+  /// The point of a shape whose motion is recorded: the whole shape moves by the same vector.
   static constexpr Motion mark(const Sphere<S, N>& sphere) noexcept { return sphere.center; }
   static constexpr Motion mark(const Capsule<S, N>& capsule) noexcept { return capsule.a; }
   static constexpr Motion mark(const Aabb<S, N>& box) noexcept { return box.min; }
@@ -124,12 +124,12 @@ class MoverRun {
     result_.is_stuck = steps_.is_held();
   }
 
-  /// Moves by `by`, along what is in the way. A character that `lands` loses its downward motion on
-  /// ground; one that does not climb treats steep slopes as walls. Returns whether a wall or a steep
-  /// slope was in its way.
+  /// Moves by `by`, sliding along obstacles. A character that `lands` loses its downward motion on
+  /// ground; one that does not climb treats steep slopes as walls. Returns whether a wall or a
+  /// steep slope was in its way.
   ///
-  /// Each step leads towards the same end, as far as the planes met so far let it: so it never
-  /// turns back, and follows the crease of two planes.
+  /// Each step heads for the same end, as far as the planes met so far allow: so it never turns
+  /// back, and follows the crease of two planes.
   constexpr bool slide(Steps& steps, const Motion& by, bool lands, bool climbs) {
     HalfSpaces<S, N> spaces;
     Motion left = by;
@@ -202,8 +202,8 @@ class MoverRun {
     return true;
   }
 
-  /// The normal of the ground that a downward cast hit, or nothing if it is too steep. Over an edge,
-  /// it is that of the surface at the edge.
+  /// The normal of the ground that a downward cast hit, or nothing if it is too steep. Over an
+  /// edge, the normal of the surface at the edge.
   constexpr std::optional<Direction<S, N>> ground_normal(const Hit& hit) const {
     if (is_flat(hit.normal)) return hit.normal;
     const auto slope = steepness(hit.normal);

@@ -11,17 +11,18 @@
 
 namespace detent::detail {
 
-/// Which objects a character meets: those of the caller's filter, except what carries it, what it is
-/// too deep in, and what no box around its way meets. The last only saves casts: the boxes of trees
-/// are coarser than a skin, so that every step along a floor would be cast at it.
+/// The objects that can block a character: those that pass the caller's filter, except its carrier,
+/// objects that it is too deep in, and objects that no box around its path overlaps. The last
+/// exception only saves casts: the boxes of trees are coarser than a skin, so every step along a
+/// floor would cast at it.
 template <Scalar S, int N, class World, class Shape, class Filter>
 struct Met {
   const World& world;
   const Filter& filter;
-  FrameId carrier{};           // what moves with this frame is not met
-  const Shape* outside{};      // what this shape overlaps is not met
-  const Shape* inside{};       // only what this shape overlaps is met
-  const Aabb<S, N>* around{};  // a box around the way
+  FrameId carrier{};           // objects that move with this frame are skipped
+  const Shape* outside{};      // objects that this shape overlaps are skipped
+  const Shape* inside{};       // only objects that this shape overlaps are tested
+  const Aabb<S, N>* around{};  // a box around the path
 
   [[nodiscard]] constexpr bool operator()(const ObjectInfo& object) const {
     if (!filter(object)) return false;
@@ -39,28 +40,29 @@ struct Met {
   }
 };
 
-/// How far a character gets on a straight way.
+/// How far a character gets along a straight path.
 template <Scalar S, int N>
 struct Step {
   Vec<S, N> by;
   bool is_whole = false;                 // nothing is in the way
-  std::optional<ObjectHit<S, N>> hit{};  // what is in the way
+  std::optional<ObjectHit<S, N>> hit{};  // the obstacle
   S offset{};                            // how far to move along its normal, to be a skin away
 };
 
-/// Moves a character along straight ways, on which it touches nothing but what it overlaps already.
+/// Moves a character along straight paths, on which it touches only objects that it already
+/// overlaps.
 ///
-/// Casts are those of the shape grown by a guard, which is one ULP less for each step. Proof: until
-/// the end of a step the grown shape touches nothing. The end is then rounded to the grid, by at most
-/// sqrt(3)/2 ULP, and a way of at most a quarter of the range differs from its rounded direction by
-/// less than another 1/2 ULP, or is rounded with it. So the shape, grown by one ULP less, touches
-/// nothing from there to the rounded end, where the next step starts.
+/// Casts are those of the shape grown by a guard, which shrinks by one ULP per step. Proof: until
+/// the end of a step the grown shape touches nothing. The end is then rounded to the grid, by at
+/// most sqrt(3)/2 ULP, and a path of at most a quarter of the range differs from its rounded
+/// direction by less than another 1/2 ULP, or is rounded with it. So the shape, grown by one ULP
+/// less, touches nothing from there to the rounded end, where the next step starts.
 ///
 /// The guard starts with half of the skin. A step stops a whole skin before a plane, so that later
 /// steps along the plane pass it by the other half. Without room for that, the guard is 0, and
 /// `shorten` checks where each step ends.
 ///
-/// What the shape overlaps is held apart from the rest, and stops only the inner part of it.
+/// Objects that the shape overlaps are kept apart, and stop only its inner part.
 template <Scalar S, int N, class World, class Shape, class Filter>
 class Stepper {
  public:
@@ -71,12 +73,12 @@ class Stepper {
       : world_(&world), filter_(&filter), start_(shape), shape_(shape), held_(shape), skin_(skin) {}
 
   [[nodiscard]] constexpr const Shape& shape() const noexcept { return shape_; }
-  /// All that may be in the way.
+  /// Everything that may be in the way.
   [[nodiscard]] constexpr Passes passes() const noexcept {
     return {*world_, *filter_, carrier_, is_deep_ ? &core_ : nullptr};
   }
 
-  /// What moves with this frame is in no one's way, until the next `prepare`.
+  /// Ignores objects that move with this frame, until the next `prepare`.
   constexpr void prepare(const FrameId& carrier = {}) {
     carrier_ = carrier;
     is_held_ = is_deep_ = false;
@@ -104,20 +106,21 @@ class Stepper {
   /// Whether the shape overlaps something.
   [[nodiscard]] constexpr bool is_held() const { return is_held_; }
 
-  /// How far the character gets on its way by `by`. It stops a skin before what is in its way.
+  /// How far the character gets when it moves by `by`. It stops a skin before an obstacle.
   [[nodiscard]] constexpr Step<S, N> look(const Vec<S, N>& by) { return look(by, skin_, is_held_); }
 
-  /// Moves by `by`, or as far as nothing else is in the way: what the shape overlaps does not stop it.
+  /// Moves by `by`, or as far as other objects allow: objects that the shape overlaps do not stop
+  /// it.
   ///
-  /// `by` is a solution of half-spaces within an eighth of the skin, so it may lead closer than a skin
-  /// to what is not overlapped, but not to three quarters of it.
+  /// `by` is a solution of half-spaces within an eighth of the skin, so it may lead closer than a
+  /// skin to other objects, but not closer than three quarters of it.
   constexpr void escape(const Vec<S, N>& by) {
     guard_ = S(0);
     go(look(by, quotient_floor<S>(skin_ * as_operand<S>(3), as_operand<S>(4)), false).by);
   }
   constexpr void go_back(const Shape& shape) noexcept { shape_ = shape; }
 
-  /// Whether the shape overlaps what it did not overlap at first.
+  /// Whether the shape overlaps an object that it did not overlap at first.
   [[nodiscard]] constexpr bool overlaps_more() const {
     return world_->any(shape_, Passes{*world_, *filter_, FrameId{}, &start_});
   }
@@ -125,7 +128,7 @@ class Stepper {
   constexpr void go(const Vec<S, N>& by) noexcept { shape_ = translated(shape_, by); }
 
  private:
-  /// What is in the way of the whole shape, and only of a part inside it.
+  /// Objects that block the whole shape, and objects that block only its inner part.
   [[nodiscard]] constexpr Passes others() const noexcept {
     return {*world_, *filter_, carrier_, is_held_ ? &held_ : nullptr};
   }
@@ -135,11 +138,11 @@ class Stepper {
     return passed;
   }
 
-  /// How far the character gets, if it stops `clear` before what is in its way.
+  /// How far the character gets if it stops `clear` before an obstacle.
   [[nodiscard]] constexpr Step<S, N> look(const Vec<S, N>& by, const S& clear, bool stops_in_held) {
     const auto direction = direction_of<S>(by);
     if (!direction) return {{}, true};
-    // Rounding the direction moves the end of a longer way by more than a unit.
+    // Rounding the direction moves the end of a longer path by more than a unit.
     const S cap = floor_to<S>(half(half(largest<S>)));
     const S whole = sqrt_ceil<S>(squared_length(by));
     S length = (std::min)(whole, cap);
@@ -198,8 +201,8 @@ class Stepper {
   /// Without room for the guard, halves a step until its end overlaps nothing that was not
   /// overlapped.
   ///
-  /// An end is less than 2 ULP from a point of the way. A shape that is 2 ULP thick does not pass a
-  /// plane in between without overlapping it at one of them; a thinner one is grown.
+  /// An end is less than 2 ULP from a point of the path. A shape that is 2 ULP thick does not pass
+  /// a plane in between without overlapping it at one of them; a thinner one is grown.
   constexpr void shorten(Step<S, N>& step) const {
     const S ulp = is_fixed<S> ? next_up(S(0)) : S(0);
     const S margin = thickness(shape_) < ulp ? nearest_to<S>(ulp + ulp) : S(0);
