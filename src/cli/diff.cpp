@@ -22,6 +22,7 @@ namespace {
 
 using detail::Reader;
 using detail::SnapshotHeader;
+using detail::SnapshotSpace;
 
 constexpr const char* remedy = "; take a new one with snapshot(scene)";
 
@@ -192,20 +193,12 @@ class PartReader {
   Reader in_;
 };
 
-template <Scalar S>
-bool is_in(const SnapshotHeader& header) {
-  if constexpr (is_fixed<S>) {
-    return header.is_floating == 0 && header.bits == S::bits && header.frac == S::frac;
-  } else {
-    return header.is_floating == 1 && header.bits == 8 * sizeof(S) && header.frac == 0;
-  }
-}
-
-/// Calls f with a scalar of the tool of the kind in the header.
+/// Calls f with the tool's scalar of a snapshot; false if it has none.
 template <class F>
-bool with_scalar(const SnapshotHeader& header, const F& f) {
+bool with_scalar(SnapshotSpace space, const F& f) {
+  space.dimension = 2;
   const auto try_one = [&](auto scalar) {
-    return is_in<decltype(scalar)>(header) && (f(scalar), true);
+    return space == SnapshotSpace::of<decltype(scalar), 2>() && (f(scalar), true);
   };
   return [&]<class... S>(support::ScalarList<S...>) {
     return (try_one(S()) || ...);
@@ -219,20 +212,19 @@ std::span<const std::byte> as_bytes(const std::string& text) {
 Contents read_snapshot(const std::string& file, const std::string& text) {
   const auto bytes = as_bytes(text);
   SnapshotHeader header;
-  const auto read = header.read(bytes);
+  const auto read = detail::open(bytes, header);
   if (read != Restored::yes) {
     throw InputError(file, {}, std::string(detent::describe(read)) + remedy);
   }
   Contents contents;
-  const auto parts = bytes.subspan(
-      SnapshotHeader::size, bytes.size() - SnapshotHeader::size - SnapshotHeader::checksum_size);
+  const auto parts = SnapshotHeader::body(bytes);
   const auto read_parts = [&](auto scalar) {
     using S = decltype(scalar);
-    contents = header.dimension == 2 ? PartReader<S, 2>(file, parts).read(header)
-                                     : PartReader<S, 3>(file, parts).read(header);
+    contents = header.space.dimension == 2 ? PartReader<S, 2>(file, parts).read(header)
+                                           : PartReader<S, 3>(file, parts).read(header);
   };
-  const bool has_dimension = header.dimension == 2 || header.dimension == 3;
-  if (!has_dimension || !with_scalar(header, read_parts)) {
+  const bool has_dimension = header.space.dimension == 2 || header.space.dimension == 3;
+  if (!has_dimension || !with_scalar(header.space, read_parts)) {
     throw InputError(file, {},
                      "its scalar or dimension is none of the tool's; use restore and digest_of");
   }
@@ -295,8 +287,7 @@ SnapshotDifference compare_snapshots(const std::string& name_a, const std::strin
   const Contents a = read_snapshot(name_a, bytes_a), b = read_snapshot(name_b, bytes_b);
   const auto& first = a.header;
   const auto& second = b.header;
-  if (first.dimension != second.dimension || first.is_floating != second.is_floating ||
-      first.bits != second.bits || first.frac != second.frac) {
+  if (first.space != second.space) {
     throw InputError(name_b, {},
                      "is of another scalar or dimension than " + name_a +
                          "; compare snapshots of the same kind of scene");
