@@ -16,6 +16,7 @@
 #include "file.hpp"
 #include "numbers.hpp"
 #include "print.hpp"
+#include "support/shapes.hpp"
 
 namespace detent::cli {
 namespace {
@@ -63,7 +64,7 @@ class PartReader {
       frame.read(in_);
       Part part{frame.generation, "frame", {}};
       part.fields.push_back({"parent", frame_name(frame.parent)});
-      add_transform(part);
+      read<Transform<S, N>>(part);
       keep(header, contents.frames, frame.index, std::move(part));
       if (frame.parent != nowhere) parents.emplace(frame.index, frame.parent);
     }
@@ -118,35 +119,28 @@ class PartReader {
     parts.emplace_hint(parts.end(), index, std::move(part));
   }
 
-  template <class T>
-  void add(Part& part, const std::string& name) {
-    add(part, name, in_.number<T>());
-  }
+  /// A number, or the fields of a value as "name.field".
   template <class T>
   void add(Part& part, const std::string& name, const T& value) {
-    std::string raw;
-    if constexpr (is_fixed<T>) {
-      raw = std::to_string(value.raw());
+    if constexpr (detail::HasFields<T>) {
+      for_each_field(value, [&](const detail::PartName& field, const auto& inner) {
+        add(part, name + (name.empty() ? "" : ".") + std::string(field.view()), inner);
+      });
     } else {
-      raw = hexadecimal(detail::to_word(value));
+      std::string raw;
+      if constexpr (is_fixed<T>) {
+        raw = std::to_string(value.raw());
+      } else {
+        raw = hexadecimal(detail::to_word(value));
+      }
+      part.fields.push_back({name, text_of(value) + " (raw " + raw + ")"});
     }
-    part.fields.push_back({name, text_of(value) + " (raw " + raw + ")"});
   }
-  void add_vector(Part& part, const std::string& name) {
-    for (int i = 0; i < N; ++i) add<S>(part, name + "." + "xyz"[i]);
-  }
-  void add_direction(Part& part, const std::string& name) {
-    Direction<S, N> direction;
-    in_.get(direction);
-    for (int i = 0; i < N; ++i) add(part, name + "." + "xyz"[i], direction[i]);
-  }
-  void add_rotation(Part& part) {
-    for (int i = 0; i < N; ++i) add_direction(part, "axis " + std::to_string(i));
-  }
-  void add_transform(Part& part) {
-    add_vector(part, "translation");
-    add_rotation(part);
-    add<S>(part, "scale");
+  template <class T>
+  void read(Part& part, const std::string& name = {}) {
+    T value{};
+    in_.get(value);
+    add(part, name, value);
   }
 
   void add_asset(Part& part, const std::string& kind, const std::string& contents) {
@@ -156,36 +150,19 @@ class PartReader {
 
   void add_shape(Part& part, std::uint8_t tag) {
     switch (tag) {
-      case detail::shape_tag<Sphere<S, N>>:
-        add_vector(part, "center");
-        return add<S>(part, "radius");
-      case detail::shape_tag<Aabb<S, N>>:
-        add_vector(part, "min");
-        return add_vector(part, "max");
-      case detail::shape_tag<Obb<S, N>>:
-        add_vector(part, "center");
-        add_vector(part, "half_extents");
-        return add_rotation(part);
-      case detail::shape_tag<Plane<S, N>>:
-        add_direction(part, "normal");
-        return add<S>(part, "offset");
-      case detail::shape_tag<Triangle<S, N>>:
-        add_vector(part, "a");
-        add_vector(part, "b");
-        return add_vector(part, "c");
       case detail::shape_tag<PlacedMesh<S>>:
         add_asset(part, "mesh", "triangles");
-        return add_transform(part);
+        return read<Transform<S, N>>(part);
       case detail::shape_tag<PlacedHull<S, N>>:
         add_asset(part, "hull", "points");
-        return add_transform(part);
+        return read<Transform<S, N>>(part);
       case detail::shape_tag<PlacedField<S>>:
         add_asset(part, "height field", "heights");
-        return add_vector(part, "translation");
+        return read<Vec<S, N>>(part, "translation");
       default:
-        add_vector(part, "a");
-        add_vector(part, "b");
-        return add<S>(part, "radius");
+        support::SceneShapes<S, N>::for_each([&]<class Shape>(const Shape&) {
+          if (tag == detail::shape_tag<Shape>) read<Shape>(part);
+        });
     }
   }
 

@@ -8,85 +8,66 @@
 #include "detent/math/rotation.hpp"
 #include "detent/shape/shape.hpp"
 
-// Every shape as its fields, for `verify`, the accuracy study, properties and benchmarks, which
-// convert shapes between scalars and dimensions: a new shape has one function here.
+// One list of the shapes, and every shape as its fields, for `verify`, the tool, tests, the accuracy
+// study, properties and benchmarks.
 namespace detent::support {
 
-/// The shape made of `f(field)` for each field: a number, a point, a direction or a rotation.
-template <Scalar S, int N, class F>
-constexpr auto mapped(const Sphere<S, N>& sphere, F&& f) {
-  return Sphere{f(sphere.center), f(sphere.radius)};
-}
+/// Types of shapes, in an order on which drawn cases depend: new ones come last.
+template <class... Shape>
+struct ShapeList {
+  static constexpr std::size_t size = sizeof...(Shape);
+
+  /// `To<Shape..., More...>`, such as a `std::variant`.
+  template <template <class...> class To, class... More>
+  using in = To<Shape..., More...>;
+
+  template <class... More>
+  using and_also = ShapeList<Shape..., More...>;
+
+  /// Calls `f(Shape())` for every shape.
+  template <class F>
+  static constexpr void for_each(F&& f) {
+    (f(Shape()), ...);
+  }
+  /// Returns `f(Shape())` for the shape of this index, the last one for higher indices.
+  template <class F>
+  static constexpr auto at(std::size_t index, F&& f) {
+    return visit<Shape...>(index, f);
+  }
+
+ private:
+  template <class First, class... Rest, class F>
+  static constexpr auto visit(std::size_t index, F& f) {
+    if constexpr (sizeof...(Rest) > 0) {
+      if (index > 0) return visit<Rest...>(index - 1, f);
+    }
+    return f(First());
+  }
+};
+
+/// The shapes of scenes, in the order of their numbers in snapshots.
 template <Scalar S, int N>
-constexpr std::string_view name_of(const Sphere<S, N>&) {
-  return "sphere";
-}
-template <Scalar S, int N, class F>
-constexpr auto mapped(const Aabb<S, N>& box, F&& f) {
-  return Aabb{f(box.min), f(box.max)};
-}
+using SceneShapes =
+    ShapeList<Sphere<S, N>, Aabb<S, N>, Obb<S, N>, Plane<S, N>, Triangle<S, N>, Capsule<S, N>>;
+/// Every shape of two-shape queries.
 template <Scalar S, int N>
-constexpr std::string_view name_of(const Aabb<S, N>&) {
-  return "aabb";
-}
-template <Scalar S, int N, class F>
-constexpr auto mapped(const Obb<S, N>& box, F&& f) {
-  return Obb{f(box.center), f(box.half_extents), f(box.rotation)};
-}
-template <Scalar S, int N>
-constexpr std::string_view name_of(const Obb<S, N>&) {
-  return "obb";
-}
-template <Scalar S, int N, class F>
-constexpr auto mapped(const Plane<S, N>& plane, F&& f) {
-  return Plane{f(plane.normal), f(plane.offset)};
-}
-template <Scalar S, int N>
-constexpr std::string_view name_of(const Plane<S, N>&) {
-  return "plane";
-}
-template <Scalar S, int N, class F>
-constexpr auto mapped(const Triangle<S, N>& triangle, F&& f) {
-  const auto a = f(triangle.a), b = f(triangle.b), c = f(triangle.c);
-  const auto make = []<Scalar T, int M>(const Vec<T, M>& p, const Vec<T, M>& q,
-                                        const Vec<T, M>& r) {
-    return Triangle<T, M>{p, q, r};
-  };
-  return make(a, b, c);
-}
-template <Scalar S, int N>
-constexpr std::string_view name_of(const Triangle<S, N>&) {
-  return "triangle";
-}
-template <Scalar S, int N, class F>
-constexpr auto mapped(const Capsule<S, N>& capsule, F&& f) {
-  return Capsule{f(capsule.a), f(capsule.b), f(capsule.radius)};
-}
-template <Scalar S, int N>
-constexpr std::string_view name_of(const Capsule<S, N>&) {
-  return "capsule";
-}
-template <Scalar S, int N, class F>
-constexpr auto mapped(const Segment<S, N>& segment, F&& f) {
-  return Segment{f(segment.start), f(segment.end)};
-}
-template <Scalar S, int N>
-constexpr std::string_view name_of(const Segment<S, N>&) {
-  return "segment";
-}
-template <Scalar S, int N, class F>
-constexpr auto mapped(const Ray<S, N>& ray, F&& f) {
-  return Ray{f(ray.origin), f(ray.direction), f(ray.max_distance)};
-}
-template <Scalar S, int N>
-constexpr std::string_view name_of(const Ray<S, N>&) {
-  return "ray";
+using AllShapes = typename SceneShapes<S, N>::template and_also<Segment<S, N>, ConvexHull<S, N>>;
+
+/// A shape with fields, a segment or a ray.
+template <class Shape>
+concept Mappable = detail::ListsFields<Shape>;
+
+template <Mappable Shape>
+constexpr std::string_view name_of(const Shape&) {
+  return detail::ShapeFields<Shape>::name;
 }
 
-template <class Shape>
-concept Mappable = requires(const Shape& shape) {
-  mapped(shape, [](const auto& field) { return field; });
-};
+/// The shape made of `f(field)` for each field: a number, a point, a direction or a rotation.
+template <template <Scalar, int> class Shape, Scalar S, int N, class F>
+constexpr auto mapped(const Shape<S, N>& shape, F&& f) {
+  return detail::ShapeFields<Shape<S, N>>::of(
+      shape, [&](const auto&... fields) { return Shape{f(fields)...}; });
+}
 
 /// The rotation with the axes `f(axis)`, in a scalar T.
 template <Scalar T, Scalar S, int N, class F>
