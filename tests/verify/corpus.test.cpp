@@ -195,14 +195,14 @@ TEST_CASE(
     CHECK(seen.at_tolerance >= full_size / 200);
     CHECK(seen.at_ends_of_range > 0);
   };
-  check("sphere", verges<SpherePoints>());
-  check("aabb", verges<AabbPoints>());
-  check("obb", verges<ObbPoints>());
-  check("plane", verges<PlanePoints>());
-  check("triangle", verges<TrianglePoints>());
-  check("capsule", verges<CapsulePoints>());
-  check("segment", verges<SegmentPoints>());
-  check("ray", verges<RayPoints>());
+  check("sphere", verges<Points<Kind<Sphere>>>());
+  check("aabb", verges<Points<Kind<Aabb>>>());
+  check("obb", verges<Points<Kind<Obb>>>());
+  check("plane", verges<Points<Kind<Plane>>>());
+  check("triangle", verges<Points<Kind<Triangle>>>());
+  check("capsule", verges<Points<Kind<Capsule>>>());
+  check("segment", verges<Points<Kind<Segment>>>());
+  check("ray", verges<Points<Kind<Ray>>>());
 }
 
 TEST_CASE("corpus: trees of meshes have several nodes, scenes are full and places used again") {
