@@ -12,6 +12,7 @@
 #include "detent/shape/shape.hpp"
 #include "oracle/draw.hpp"
 #include "source.hpp"
+#include "support/shapes.hpp"
 
 namespace detent::fuzz {
 
@@ -120,9 +121,10 @@ class Decoder {
                        ? number()
                        : D::scalar(static_cast<std::int64_t>(nearest) + source_.step());
   }
-  void read(Triangle<S, N>& triangle) { triangle = {point(), point(), point()}; }
-  void read(Segment<S, N>& segment) { segment = {point(), point()}; }
-  void read(Capsule<S, N>& capsule) { capsule = {point(), point(), reach()}; }
+  template <support::OfPoints Shape>
+  void read(Shape& shape) {
+    shape = support::made_of<Shape>([this] { return point(); }, [this] { return reach(); });
+  }
   /// Up to seven points, or the corners of a box, whose faces have four. The decoder owns them.
   void read(ConvexHull<S, N>& hull) {
     auto& points = hulls_.emplace_back();

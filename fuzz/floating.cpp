@@ -36,12 +36,23 @@ namespace {
 enum Question { along_ray, hit_point, hit_normal, nearest_point, nearest_distance };
 constexpr std::array<const char*, 5> question_names{"raycast", "hit point", "hit normal",
                                                     "closest_point", "distance"};
-constexpr std::array<const char*, 10> shape_names{"Sphere",   "Aabb",    "Obb",        "Plane",
-                                                  "Triangle", "Capsule", "ConvexHull", "Segment",
-                                                  "Ray",      "Compound"};
+/// Compounds come after these.
+template <int N>
+using Shapes =
+    typename support::SceneShapes<q16_16, N>::template and_also<ConvexHull<q16_16, N>,
+                                                                Segment<q16_16, N>, Ray<q16_16, N>>;
+
+const auto shape_names = [] {
+  std::array<std::string_view, Shapes<3>::size + 1> names;
+  std::size_t next = 0;
+  Shapes<3>::for_each([&](const auto& shape) { names[next++] = support::name_of(shape); });
+  names[next] = "compound";
+  return names;
+}();
 
 /// The largest share of its bound that a result used: by dimension, shape, query and scalar.
-using Shares = std::array<std::array<std::array<std::array<double, 2>, 5>, 10>, 2>;
+using Shares = std::array<
+    std::array<std::array<std::array<double, 2>, question_names.size()>, Shapes<3>::size + 1>, 2>;
 Shares shares{};
 
 /// A q16_16 truncated to 24 bits, or a coordinate or component of a direction in another scalar.
@@ -159,8 +170,8 @@ void check(double& share, const Fixed& fixed, long double below, long double abo
 }
 
 std::string name_of(int n, std::size_t shape, std::size_t question, bool in_double) {
-  return std::to_string(n) + "D " + shape_names[shape] + ": " + question_names[question] +
-         (in_double ? " in double" : " in float");
+  return std::to_string(n) + "D " + std::string(shape_names[shape]) + ": " +
+         question_names[question] + (in_double ? " in double" : " in float");
 }
 
 template <class F, class Shape, int N>
@@ -214,10 +225,10 @@ void examine(std::size_t kind, const Ray<q16_16, N>& ray, const Vec<q16_16, N>& 
   compare<double>(kind, ray, point, shape, fixed, is_settled);
 }
 
-template <template <Scalar, int> class Shape, int N>
+template <class Shape, int N>
 void examine_one(std::size_t kind, Decoder<q16_16, N>& decoder) {
   Converter<q16_16, N> cut;
-  const auto shape = cut(decoder.template shape<Shape<q16_16, N>>());
+  const auto shape = cut(decoder.template shape<Shape>());
   const auto ray = cut(decoder.template shape<Ray<q16_16, N>>());
   examine(kind, ray, cut(decoder.point()), shape);
 }
@@ -242,38 +253,18 @@ void examine_compound(std::size_t kind, Decoder<q16_16, N>& decoder) {
 template <int N>
 void examine_any(Source& source, std::size_t kind) {
   Decoder<q16_16, N> decoder(source);
-  switch (kind) {
-    case 0:
-      return examine_one<Sphere, N>(kind, decoder);
-    case 1:
-      return examine_one<Aabb, N>(kind, decoder);
-    case 2:
-      return examine_one<Obb, N>(kind, decoder);
-    case 3:
-      return examine_one<Plane, N>(kind, decoder);
-    case 4:
-      return examine_one<Triangle, N>(kind, decoder);
-    case 5:
-      return examine_one<Capsule, N>(kind, decoder);
-    case 6:
-      return examine_one<ConvexHull, N>(kind, decoder);
-    case 7:
-      return examine_one<Segment, N>(kind, decoder);
-    case 8:
-      return examine_one<Ray, N>(kind, decoder);
-    default:
-      return examine_compound<N>(kind, decoder);
-  }
+  if (kind == Shapes<N>::size) return examine_compound<N>(kind, decoder);
+  Shapes<N>::at(kind, [&]<class Shape>(const Shape&) { examine_one<Shape>(kind, decoder); });
 }
 
 /// Whether a result is rounded at all: the closest point on an axis-aligned box is not, nor are
 /// stored normals in double (nor, for a ray that starts inside, its direction).
 bool is_rounded(std::size_t shape, std::size_t question, bool in_double) {
   const std::string_view name = shape_names[shape];
-  if (name == "Ray" && question <= hit_normal) return false;
-  if (name == "Aabb" && question == nearest_point) return false;
+  if (name == "ray" && question <= hit_normal) return false;
+  if (name == "aabb" && question == nearest_point) return false;
   const bool has_stored_normal =
-      name == "Aabb" || name == "Obb" || name == "Plane" || name == "Segment";
+      name == "aabb" || name == "obb" || name == "plane" || name == "segment";
   return !(in_double && question == hit_normal && has_stored_normal);
 }
 
@@ -304,8 +295,9 @@ void require_tight_bounds() {
 void property(Bytes input) {
   Source source(input);
   do {
-    const auto kind = source.below(20);
-    kind < 10 ? examine_any<3>(source, kind) : examine_any<2>(source, kind - 10);
+    const auto kind = source.below(2 * shape_names.size());
+    kind < shape_names.size() ? examine_any<3>(source, kind)
+                              : examine_any<2>(source, kind - shape_names.size());
   } while (!source.rest().empty());
 }
 

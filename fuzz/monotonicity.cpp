@@ -22,13 +22,11 @@ S longer(S length, Source& source) {
   return oracle::Draw<S, 2>::scalar(length.raw() + std::abs(more));
 }
 
-template <Scalar S, int N>
-Sphere<S, N> grown(const Sphere<S, N>& s, Source& source) {
-  return {s.center, longer(s.radius, source)};
-}
-template <Scalar S, int N>
-Capsule<S, N> grown(const Capsule<S, N>& c, Source& source) {
-  return {c.a, c.b, longer(c.radius, source)};
+template <class Shape>
+requires requires(Shape shape) { shape.radius; }
+Shape grown(Shape shape, Source& source) {
+  shape.radius = longer(shape.radius, source);
+  return shape;
 }
 template <Scalar S, int N>
 Aabb<S, N> grown(const Aabb<S, N>& box, Source& source) {
@@ -90,8 +88,10 @@ void check(Source& source) {
 void property(Bytes input) {
   Source source(input);
   in_a_space(source, [&]<Scalar S, int N>(Space<S, N>) {
-    with_one_of<Sphere<S, N>, Aabb<S, N>, Obb<S, N>, Capsule<S, N>>(
-        source, [&]<class Shape>(std::type_identity<Shape>) { check<Shape, S, N>(source); });
+    using Solids =
+        typename support::SceneShapes<S, N>::template without<Plane<S, N>, Triangle<S, N>>;
+    with_one_of(Solids(), source,
+                [&]<class Shape>(std::type_identity<Shape>) { check<Shape, S, N>(source); });
   });
 }
 

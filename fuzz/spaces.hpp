@@ -7,6 +7,7 @@
 #include "detent/shape/shape.hpp"
 #include "oracle/space.hpp"
 #include "source.hpp"
+#include "support/shapes.hpp"
 
 namespace detent::fuzz {
 
@@ -36,11 +37,16 @@ void with_one_of(Source& source, const Check& check) {
   ((i++ == choice ? check(std::type_identity<Shapes>()) : void()), ...);
 }
 
+template <class... Shapes, class Check>
+void with_one_of(support::ShapeList<Shapes...>, Source& source, const Check& check) {
+  with_one_of<Shapes...>(source, check);
+}
+
 /// The same for one of the shapes that scenes hold, or of `More`.
 template <Scalar S, int N, class... More, class Check>
 void with_one_shape(Source& source, const Check& check) {
-  with_one_of<Sphere<S, N>, Aabb<S, N>, Obb<S, N>, Plane<S, N>, Triangle<S, N>, Capsule<S, N>,
-              More...>(source, check);
+  using Shapes = typename support::SceneShapes<S, N>::template and_also<More...>;
+  with_one_of(Shapes(), source, check);
 }
 
 }  // namespace detent::fuzz

@@ -57,7 +57,12 @@ class Isometry {
     return Direction<S, N>::from_raw(raw).value();
   }
 
-  Sphere<S, N> operator()(const Sphere<S, N>& s) { return {(*this)(s.center), s.radius}; }
+  S operator()(const S& length) const { return length; }
+
+  template <support::Mappable Shape>
+  Shape operator()(const Shape& shape) {
+    return support::mapped(shape, [this](const auto& field) { return (*this)(field); });
+  }
   Aabb<S, N> operator()(const Aabb<S, N>& box) {
     Aabb<S, N> result{(*this)(box.min), (*this)(box.max)};
     for (int i = 0; i < N; ++i) {
@@ -70,17 +75,7 @@ class Isometry {
     for (int i = 0; i < N; ++i) axes[at(i)] = (*this)(box.rotation.axis(i));
     return {(*this)(box.center), box.half_extents, Rotation<S, N>::from_axes(axes)};
   }
-  Triangle<S, N> operator()(const Triangle<S, N>& t) {
-    return {(*this)(t.a), (*this)(t.b), (*this)(t.c)};
-  }
-  Segment<S, N> operator()(const Segment<S, N>& s) { return {(*this)(s.start), (*this)(s.end)}; }
-  Capsule<S, N> operator()(const Capsule<S, N>& c) {
-    return {(*this)(c.a), (*this)(c.b), c.radius};
-  }
-  Ray<S, N> operator()(const Ray<S, N>& ray) {
-    return {(*this)(ray.origin), (*this)(ray.direction), ray.max_distance};
-  }
-  /// A plane is not shifted: its offset would change by an amount that need not be on the grid.
+  /// A shift would change the offset by an amount that need not be on the grid.
   Plane<S, N> operator()(const Plane<S, N>& plane) {
     for (const auto shift : shift_) inside_ = inside_ && shift == 0;
     return {(*this)(plane.normal), plane.offset};
@@ -97,9 +92,17 @@ class Isometry {
 };
 
 // The same set of points with its parts in another order.
-template <Scalar S, int N>
-Sphere<S, N> renamed(const Sphere<S, N>& s) {
-  return s;
+template <template <Scalar, int> class Shape, Scalar S, int N>
+requires support::OfPoints<Shape<S, N>> Shape<S, N> renamed(const Shape<S, N>& shape) {
+  std::vector<Vec<S, N>> points;
+  support::visit_fields(shape, [&]<class Field>(const Field& field) {
+    if constexpr (support::is_point<Field>) points.push_back(field);
+  });
+  return support::with_points(shape, [&](const auto&) {
+    const auto last = points.back();
+    points.pop_back();
+    return last;
+  });
 }
 template <Scalar S, int N>
 Aabb<S, N> renamed(const Aabb<S, N>& box) {
@@ -109,18 +112,6 @@ template <Scalar S, int N>
 Plane<S, N> renamed(const Plane<S, N>& plane) {
   const bool mirrors = plane.offset > S::lowest();
   return mirrors ? Plane<S, N>{-plane.normal, nearest_to<S>(-plane.offset)} : plane;
-}
-template <Scalar S, int N>
-Triangle<S, N> renamed(const Triangle<S, N>& t) {
-  return {t.c, t.b, t.a};
-}
-template <Scalar S, int N>
-Segment<S, N> renamed(const Segment<S, N>& s) {
-  return {s.end, s.start};
-}
-template <Scalar S, int N>
-Capsule<S, N> renamed(const Capsule<S, N>& c) {
-  return {c.b, c.a, c.radius};
 }
 template <Scalar S, int N>
 Obb<S, N> renamed(const Obb<S, N>& box) {

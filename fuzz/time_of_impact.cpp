@@ -45,8 +45,7 @@ void property(Bytes input) {
   Source source(input);
   in_a_space(source, [&]<Scalar S, int N>(Space<S, N>) {
     const auto one_of = [&](const auto& f) {
-      with_one_of<Sphere<S, N>, Aabb<S, N>, Obb<S, N>, Triangle<S, N>, Capsule<S, N>,
-                  ConvexHull<S, N>>(source, f);
+      with_one_of(support::MovingShapes<S, N>(), source, f);
     };
     one_of([&]<class A>(std::type_identity<A>) {
       one_of([&]<class B>(std::type_identity<B>) {

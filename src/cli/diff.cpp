@@ -16,12 +16,14 @@
 #include "file.hpp"
 #include "numbers.hpp"
 #include "print.hpp"
+#include "support/shapes.hpp"
 
 namespace detent::cli {
 namespace {
 
 using detail::Reader;
 using detail::SnapshotHeader;
+using detail::SnapshotSpace;
 
 constexpr const char* remedy = "; take a new one with snapshot(scene)";
 
@@ -62,7 +64,7 @@ class PartReader {
       frame.read(in_);
       Part part{frame.generation, "frame", {}};
       part.fields.push_back({"parent", frame_name(frame.parent)});
-      add_transform(part);
+      read<Transform<S, N>>(part);
       keep(header, contents.frames, frame.index, std::move(part));
       if (frame.parent != nowhere) parents.emplace(frame.index, frame.parent);
     }
@@ -117,35 +119,28 @@ class PartReader {
     parts.emplace_hint(parts.end(), index, std::move(part));
   }
 
-  template <class T>
-  void add(Part& part, const std::string& name) {
-    add(part, name, in_.number<T>());
-  }
+  /// A number, or the fields of a value as "name.field".
   template <class T>
   void add(Part& part, const std::string& name, const T& value) {
-    std::string raw;
-    if constexpr (is_fixed<T>) {
-      raw = std::to_string(value.raw());
+    if constexpr (detail::HasFields<T>) {
+      for_each_field(value, [&](const detail::PartName& field, const auto& inner) {
+        add(part, name + (name.empty() ? "" : ".") + std::string(field.view()), inner);
+      });
     } else {
-      raw = hexadecimal(detail::to_word(value));
+      std::string raw;
+      if constexpr (is_fixed<T>) {
+        raw = std::to_string(value.raw());
+      } else {
+        raw = hexadecimal(detail::to_word(value));
+      }
+      part.fields.push_back({name, text_of(value) + " (raw " + raw + ")"});
     }
-    part.fields.push_back({name, text_of(value) + " (raw " + raw + ")"});
   }
-  void add_vector(Part& part, const std::string& name) {
-    for (int i = 0; i < N; ++i) add<S>(part, name + "." + "xyz"[i]);
-  }
-  void add_direction(Part& part, const std::string& name) {
-    Direction<S, N> direction;
-    in_.get(direction);
-    for (int i = 0; i < N; ++i) add(part, name + "." + "xyz"[i], direction[i]);
-  }
-  void add_rotation(Part& part) {
-    for (int i = 0; i < N; ++i) add_direction(part, "axis " + std::to_string(i));
-  }
-  void add_transform(Part& part) {
-    add_vector(part, "translation");
-    add_rotation(part);
-    add<S>(part, "scale");
+  template <class T>
+  void read(Part& part, const std::string& name = {}) {
+    T value{};
+    in_.get(value);
+    add(part, name, value);
   }
 
   void add_asset(Part& part, const std::string& kind, const std::string& contents) {
@@ -155,36 +150,19 @@ class PartReader {
 
   void add_shape(Part& part, std::uint8_t tag) {
     switch (tag) {
-      case detail::shape_tag<Sphere<S, N>>:
-        add_vector(part, "center");
-        return add<S>(part, "radius");
-      case detail::shape_tag<Aabb<S, N>>:
-        add_vector(part, "min");
-        return add_vector(part, "max");
-      case detail::shape_tag<Obb<S, N>>:
-        add_vector(part, "center");
-        add_vector(part, "half_extents");
-        return add_rotation(part);
-      case detail::shape_tag<Plane<S, N>>:
-        add_direction(part, "normal");
-        return add<S>(part, "offset");
-      case detail::shape_tag<Triangle<S, N>>:
-        add_vector(part, "a");
-        add_vector(part, "b");
-        return add_vector(part, "c");
       case detail::shape_tag<PlacedMesh<S>>:
         add_asset(part, "mesh", "triangles");
-        return add_transform(part);
+        return read<Transform<S, N>>(part);
       case detail::shape_tag<PlacedHull<S, N>>:
         add_asset(part, "hull", "points");
-        return add_transform(part);
+        return read<Transform<S, N>>(part);
       case detail::shape_tag<PlacedField<S>>:
         add_asset(part, "height field", "heights");
-        return add_vector(part, "translation");
+        return read<Vec<S, N>>(part, "translation");
       default:
-        add_vector(part, "a");
-        add_vector(part, "b");
-        return add<S>(part, "radius");
+        support::SceneShapes<S, N>::for_each([&]<class Shape>(const Shape&) {
+          if (tag == detail::shape_tag<Shape>) read<Shape>(part);
+        });
     }
   }
 
@@ -192,20 +170,12 @@ class PartReader {
   Reader in_;
 };
 
-template <Scalar S>
-bool is_in(const SnapshotHeader& header) {
-  if constexpr (is_fixed<S>) {
-    return header.is_floating == 0 && header.bits == S::bits && header.frac == S::frac;
-  } else {
-    return header.is_floating == 1 && header.bits == 8 * sizeof(S) && header.frac == 0;
-  }
-}
-
-/// Calls f with a scalar of the tool of the kind in the header.
+/// Calls f with the tool's scalar of a snapshot; false if it has none.
 template <class F>
-bool with_scalar(const SnapshotHeader& header, const F& f) {
+bool with_scalar(SnapshotSpace space, const F& f) {
+  space.dimension = 2;
   const auto try_one = [&](auto scalar) {
-    return is_in<decltype(scalar)>(header) && (f(scalar), true);
+    return space == SnapshotSpace::of<decltype(scalar), 2>() && (f(scalar), true);
   };
   return [&]<class... S>(support::ScalarList<S...>) {
     return (try_one(S()) || ...);
@@ -219,20 +189,19 @@ std::span<const std::byte> as_bytes(const std::string& text) {
 Contents read_snapshot(const std::string& file, const std::string& text) {
   const auto bytes = as_bytes(text);
   SnapshotHeader header;
-  const auto read = header.read(bytes);
+  const auto read = detail::open(bytes, header);
   if (read != Restored::yes) {
     throw InputError(file, {}, std::string(detent::describe(read)) + remedy);
   }
   Contents contents;
-  const auto parts = bytes.subspan(
-      SnapshotHeader::size, bytes.size() - SnapshotHeader::size - SnapshotHeader::checksum_size);
+  const auto parts = SnapshotHeader::body(bytes);
   const auto read_parts = [&](auto scalar) {
     using S = decltype(scalar);
-    contents = header.dimension == 2 ? PartReader<S, 2>(file, parts).read(header)
-                                     : PartReader<S, 3>(file, parts).read(header);
+    contents = header.space.dimension == 2 ? PartReader<S, 2>(file, parts).read(header)
+                                           : PartReader<S, 3>(file, parts).read(header);
   };
-  const bool has_dimension = header.dimension == 2 || header.dimension == 3;
-  if (!has_dimension || !with_scalar(header, read_parts)) {
+  const bool has_dimension = header.space.dimension == 2 || header.space.dimension == 3;
+  if (!has_dimension || !with_scalar(header.space, read_parts)) {
     throw InputError(file, {},
                      "its scalar or dimension is none of the tool's; use restore and digest_of");
   }
@@ -295,8 +264,7 @@ SnapshotDifference compare_snapshots(const std::string& name_a, const std::strin
   const Contents a = read_snapshot(name_a, bytes_a), b = read_snapshot(name_b, bytes_b);
   const auto& first = a.header;
   const auto& second = b.header;
-  if (first.dimension != second.dimension || first.is_floating != second.is_floating ||
-      first.bits != second.bits || first.frac != second.frac) {
+  if (first.space != second.space) {
     throw InputError(name_b, {},
                      "is of another scalar or dimension than " + name_a +
                          "; compare snapshots of the same kind of scene");

@@ -39,6 +39,16 @@ inline constexpr std::uint32_t constant_size = 3;
 template <class... Items>
 struct List {};
 
+using SphereKind = Kind<Sphere>;
+using AabbKind = Kind<Aabb>;
+using ObbKind = Kind<Obb>;
+using PlaneKind = Kind<Plane>;
+using TriangleKind = Kind<Triangle>;
+using CapsuleKind = Kind<Capsule>;
+using SegmentKind = Kind<Segment>;
+using RayKind = Kind<Ray>;
+using HullKind = Kind<HullPoints>;
+
 /// The parts of the corpus, for compilers or chips that cannot take all of it at once. Those that
 /// are `large` do not fit the smallest chips, with 256 KB of flash and 16 KB of memory.
 struct SolidRays {
@@ -55,19 +65,19 @@ struct RoundRays {
 };
 struct RoundPoints {
   static constexpr std::string_view name = "RoundPoints";
-  using Groups = List<SpherePoints, CapsulePoints>;
+  using Groups = List<Points<SphereKind>, Points<CapsuleKind>>;
 };
 struct BoxPoints {
   static constexpr std::string_view name = "BoxPoints";
-  using Groups = List<AabbPoints, ObbPoints>;
+  using Groups = List<Points<AabbKind>, Points<ObbKind>>;
 };
 struct FlatPoints {
   static constexpr std::string_view name = "FlatPoints";
-  using Groups = List<PlanePoints, TrianglePoints>;
+  using Groups = List<Points<PlaneKind>, Points<TriangleKind>>;
 };
 struct LinePoints {
   static constexpr std::string_view name = "LinePoints";
-  using Groups = List<SegmentPoints, RayPoints>;
+  using Groups = List<Points<SegmentKind>, Points<RayKind>>;
 };
 struct SphereOverlaps {
   static constexpr std::string_view name = "SphereOverlaps";
@@ -100,7 +110,7 @@ struct Intersections {
 };
 struct Hulls {
   static constexpr std::string_view name = "Hulls";
-  using Groups = List<RaysAgainst<HullKind>, HullPointQueries>;
+  using Groups = List<RaysAgainst<HullKind>, Points<HullKind>>;
 };
 struct HullOverlaps {
   static constexpr std::string_view name = "HullOverlaps";

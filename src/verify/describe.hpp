@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -133,54 +134,23 @@ std::string words(const std::optional<T>& value) {
 }
 
 template <Scalar S, int N>
-void add_fields(Fields& fields, const Sphere<S, N>& s) {
-  fields.emplace_back("sphere center", words(s.center));
-  fields.emplace_back("sphere radius", words(s.radius));
-}
-template <Scalar S, int N>
-void add_fields(Fields& fields, const Aabb<S, N>& s) {
-  fields.emplace_back("aabb min", words(s.min));
-  fields.emplace_back("aabb max", words(s.max));
-}
-template <Scalar S, int N>
 void add_fields(Fields& fields, const Rotation<S, N>& rotation) {
   for (int i = 0; i < N; ++i) {
     fields.emplace_back("axis " + std::to_string(i), words(rotation.axis(i)));
   }
 }
-template <Scalar S, int N>
-void add_fields(Fields& fields, const Obb<S, N>& s) {
-  fields.emplace_back("obb center", words(s.center));
-  fields.emplace_back("obb half_extents", words(s.half_extents));
-  add_fields(fields, s.rotation);
-}
-template <Scalar S, int N>
-void add_fields(Fields& fields, const Plane<S, N>& s) {
-  fields.emplace_back("plane normal", words(s.normal));
-  fields.emplace_back("plane offset", words(s.offset));
-}
-template <Scalar S, int N>
-void add_fields(Fields& fields, const Triangle<S, N>& s) {
-  fields.emplace_back("triangle a", words(s.a));
-  fields.emplace_back("triangle b", words(s.b));
-  fields.emplace_back("triangle c", words(s.c));
-}
-template <Scalar S, int N>
-void add_fields(Fields& fields, const Capsule<S, N>& s) {
-  fields.emplace_back("capsule a", words(s.a));
-  fields.emplace_back("capsule b", words(s.b));
-  fields.emplace_back("capsule radius", words(s.radius));
-}
-template <Scalar S, int N>
-void add_fields(Fields& fields, const Segment<S, N>& s) {
-  fields.emplace_back("segment start", words(s.start));
-  fields.emplace_back("segment end", words(s.end));
-}
-template <Scalar S, int N>
-void add_fields(Fields& fields, const Ray<S, N>& ray) {
-  fields.emplace_back("ray origin", words(ray.origin));
-  fields.emplace_back("ray direction", words(ray.direction));
-  fields.emplace_back("ray max_distance", words(ray.max_distance));
+template <detail::ListsFields Shape>
+void add_fields(Fields& fields, const Shape& shape) {
+  using Own = detail::ShapeFields<Shape>;
+  const auto add = [&]<class Field>(std::string_view name, const Field& field) {
+    if constexpr (requires { add_fields(fields, field); }) {
+      add_fields(fields, field);
+    } else {
+      fields.emplace_back(std::string(Own::name) + " " + std::string(name), words(field));
+    }
+  };
+  const std::string_view* name = Own::names;
+  Own::of(shape, [&](const auto&... parts) { (add(*name++, parts), ...); });
 }
 
 template <Scalar S, int N>

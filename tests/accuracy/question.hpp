@@ -33,41 +33,74 @@ struct Points {
   std::array<Vec<S, N>, 6> points;
 };
 
-/// The shapes, each in any scalar.
+/// The shapes, each in any scalar. Queries divide their number of test cases by a cost where the exact
+/// result is slow to compute.
 namespace kind {
 
 struct Sphere {
+  static constexpr const char* name = "sphere";
+  static constexpr int ray_cost = 1, segment_cost = 2;
   template <Scalar S>
   using In = detent::Sphere<S, 3>;
 };
 struct Aabb {
+  static constexpr const char* name = "aabb";
+  static constexpr int ray_cost = 1, segment_cost = 8;
   template <Scalar S>
   using In = detent::Aabb<S, 3>;
 };
 struct Obb {
+  static constexpr const char* name = "obb";
+  static constexpr int ray_cost = 1, segment_cost = 2;
   template <Scalar S>
   using In = detent::Obb<S, 3>;
 };
 struct Plane {
+  static constexpr const char* name = "plane";
+  static constexpr int ray_cost = 1, segment_cost = 2;
   template <Scalar S>
   using In = detent::Plane<S, 3>;
 };
 struct Triangle {
+  static constexpr const char* name = "triangle";
+  static constexpr int ray_cost = 1, segment_cost = 8;
   template <Scalar S>
   using In = detent::Triangle<S, 3>;
 };
 struct Capsule {
+  static constexpr const char* name = "capsule";
+  static constexpr int ray_cost = 4, segment_cost = 2;
   template <Scalar S>
   using In = detent::Capsule<S, 3>;
 };
 struct Hull {
+  static constexpr const char* name = "hull";
+  static constexpr int ray_cost = 8, segment_cost = 8;
   template <Scalar S>
   using In = Points<S, 3>;
 };
 struct Segment {
+  static constexpr const char* name = "segment";
+  static constexpr int segment_cost = 8;
   template <Scalar S>
   using In = detent::Segment<S, 3>;
 };
+
+template <class... Shape>
+struct List {};
+/// In the order of rows.
+using Solids = List<Sphere, Aabb, Obb, Plane, Triangle, Capsule>;
+using AfterSphere = List<Aabb, Obb, Plane, Triangle, Capsule, Hull>;
+
+template <class A, class B>
+constexpr int overlap_cost() {
+  const auto is_one = [](auto shape) {
+    return std::is_same_v<A, decltype(shape)> || std::is_same_v<B, decltype(shape)>;
+  };
+  const bool are_alike = std::is_same_v<A, B> && (is_one(Aabb()) || is_one(Capsule()));
+  if (is_one(Plane()) || are_alike) return 2;
+  return is_one(Sphere()) && !is_one(Hull()) ? 2 : 8;
+}
 
 }  // namespace kind
 

@@ -2,8 +2,6 @@
 #include "accuracy/catalogue.hpp"
 #include "accuracy/pair.hpp"
 #include "detent/query/raycast.hpp"
-#include "detent/query/raycast/capsule.hpp"
-#include "detent/query/raycast/hull.hpp"
 
 namespace detent::accuracy {
 namespace {
@@ -44,12 +42,7 @@ struct Textbook {
 
 void add_raycasts(std::vector<Query>& queries) {
   queries.push_back(ray_query<Raycast<kind::Sphere, Textbook>>("raycast/sphere", 1, false));
-  queries.push_back(ray_query<Raycast<kind::Aabb>>("raycast/aabb", 1));
-  queries.push_back(ray_query<Raycast<kind::Obb>>("raycast/obb", 1));
-  queries.push_back(ray_query<Raycast<kind::Plane>>("raycast/plane", 1));
-  queries.push_back(ray_query<Raycast<kind::Triangle>>("raycast/triangle", 1));
-  queries.push_back(ray_query<Raycast<kind::Capsule>>("raycast/capsule", 4));
-  queries.push_back(ray_query<Raycast<kind::Hull>>("raycast/hull", 8));
+  add_raycasts_at<3>(queries, kind::AfterSphere());
 }
 
 }  // namespace detent::accuracy

@@ -85,17 +85,14 @@ template <int N>
 void move(Vec<double, N>& v, const Vec<double, N>& offset) {
   v += offset;
 }
-template <int N>
-void move(Segment<double, N>& segment, const Vec<double, N>& offset) {
-  segment = {segment.start + offset, segment.end + offset};
+template <template <Scalar, int> class Shape, int N>
+requires support::OfPoints<Shape<double, N>>
+void move(Shape<double, N>& shape, const Vec<double, N>& offset) {
+  shape = support::with_points(shape, [&](const auto& point) { return point + offset; });
 }
 template <int N>
 void move(Ray<double, N>& ray, const Vec<double, N>& offset) {
   ray.origin += offset;
-}
-template <int N>
-void move(Sphere<double, N>& sphere, const Vec<double, N>& offset) {
-  sphere.center += offset;
 }
 template <int N>
 void move(Aabb<double, N>& box, const Vec<double, N>& offset) {
@@ -111,16 +108,7 @@ void move(Plane<double, N>& plane, const Vec<double, N>& offset) {
   for (int i = 0; i < N; ++i) plane.offset += offset[i];
 }
 template <int N>
-void move(Triangle<double, N>& triangle, const Vec<double, N>& offset) {
-  triangle = {triangle.a + offset, triangle.b + offset, triangle.c + offset};
-}
-template <int N>
 void move(Rock<double, N>& rock, const Vec<double, N>& offset) {
   for (auto& point : rock.points) point += offset;
 }
-template <int N>
-void move(Capsule<double, N>& capsule, const Vec<double, N>& offset) {
-  capsule = {capsule.a + offset, capsule.b + offset, capsule.radius};
-}
-
 }  // namespace detent::bench

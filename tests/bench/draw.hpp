@@ -41,9 +41,11 @@ class Artist {
     ray.direction = toward(random_.one_in(8) ? ray.origin - aim : aim - ray.origin);
     ray.max_distance = length(reach_ / 2, reach_ - 1);
   }
-  void draw(Segment<double, N>& segment) {
+  template <support::OfPoints Shape>
+  void draw(Shape& shape) {
     const auto middle = nearby();
-    segment = {middle + vec(size()), middle + vec(size())};
+    shape = support::made_of<Shape>([&] { return middle + vec(size()); },
+                                    [&] { return length(size() / 16, size() / 2); });
   }
   void draw(Sphere<double, N>& sphere) { sphere = {nearby(), length(size() / 8, size())}; }
   void draw(Aabb<double, N>& box) {
@@ -56,14 +58,6 @@ class Artist {
     const auto point = nearby();
     plane.normal = direction();
     plane.offset = std::round(dot(plane.normal, point) / grid_step) * grid_step;
-  }
-  void draw(Triangle<double, N>& triangle) {
-    const auto middle = nearby();
-    triangle = {middle + vec(size()), middle + vec(size()), middle + vec(size())};
-  }
-  void draw(Capsule<double, N>& capsule) {
-    const auto middle = nearby();
-    capsule = {middle + vec(size()), middle + vec(size()), length(size() / 16, size() / 2)};
   }
   void draw(Rock<double, N>& rock) {
     const auto middle = nearby();

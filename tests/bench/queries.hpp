@@ -35,14 +35,18 @@ inline constexpr auto ask_intersects = [](const auto& segment, const auto& shape
   return intersects(as_shape(segment), as_shape(shape));
 };
 
+template <class Visit, class Ask = decltype(ask_raycast)>
+void visit_solid_raycasts(const Visit& visit, const Ask& ask = ask_raycast) {
+  visit(query<Ray, Sphere>("raycast/sphere", ask));
+  visit(query<Ray, Aabb>("raycast/aabb", ask));
+  visit(query<Ray, Obb>("raycast/obb", ask));
+  visit(query<Ray, Plane>("raycast/plane", ask));
+  visit(query<Ray, Triangle>("raycast/triangle", ask));
+  visit(query<Ray, Capsule>("raycast/capsule", ask));
+}
 template <class Visit>
 void visit_raycasts(const Visit& visit) {
-  visit(query<Ray, Sphere>("raycast/sphere", ask_raycast));
-  visit(query<Ray, Aabb>("raycast/aabb", ask_raycast));
-  visit(query<Ray, Obb>("raycast/obb", ask_raycast));
-  visit(query<Ray, Plane>("raycast/plane", ask_raycast));
-  visit(query<Ray, Triangle>("raycast/triangle", ask_raycast));
-  visit(query<Ray, Capsule>("raycast/capsule", ask_raycast));
+  visit_solid_raycasts(visit);
   visit(query<Ray, Segment>("raycast/segment", ask_raycast));
   visit(query<Ray, Rock>("raycast/hull", ask_raycast));
 }
@@ -103,37 +107,37 @@ void visit_distances(const Visit& visit) {
   visit(query<Ray, Point>("distance/ray", ask_distance));
 }
 
-template <class Visit>
-void visit_sphere_overlaps(const Visit& visit) {
-  visit(query<Sphere, Sphere>("overlaps/sphere_sphere", ask_overlaps));
-  visit(query<Sphere, Aabb>("overlaps/sphere_aabb", ask_overlaps));
-  visit(query<Sphere, Obb>("overlaps/sphere_obb", ask_overlaps));
-  visit(query<Sphere, Plane>("overlaps/sphere_plane", ask_overlaps));
-  visit(query<Sphere, Triangle>("overlaps/sphere_triangle", ask_overlaps));
-  visit(query<Sphere, Capsule>("overlaps/sphere_capsule", ask_overlaps));
+template <class Visit, class Ask = decltype(ask_overlaps)>
+void visit_sphere_overlaps(const Visit& visit, const Ask& ask = ask_overlaps) {
+  visit(query<Sphere, Sphere>("overlaps/sphere_sphere", ask));
+  visit(query<Sphere, Aabb>("overlaps/sphere_aabb", ask));
+  visit(query<Sphere, Obb>("overlaps/sphere_obb", ask));
+  visit(query<Sphere, Plane>("overlaps/sphere_plane", ask));
+  visit(query<Sphere, Triangle>("overlaps/sphere_triangle", ask));
+  visit(query<Sphere, Capsule>("overlaps/sphere_capsule", ask));
 }
 
-template <class Visit>
-void visit_box_overlaps(const Visit& visit) {
-  visit(query<Aabb, Aabb>("overlaps/aabb_aabb", ask_overlaps));
-  visit(query<Aabb, Obb>("overlaps/aabb_obb", ask_overlaps));
-  visit(query<Aabb, Plane>("overlaps/aabb_plane", ask_overlaps));
-  visit(query<Aabb, Triangle>("overlaps/aabb_triangle", ask_overlaps));
-  visit(query<Aabb, Capsule>("overlaps/aabb_capsule", ask_overlaps));
-  visit(query<Obb, Obb>("overlaps/obb_obb", ask_overlaps));
-  visit(query<Obb, Plane>("overlaps/obb_plane", ask_overlaps));
-  visit(query<Obb, Triangle>("overlaps/obb_triangle", ask_overlaps));
-  visit(query<Obb, Capsule>("overlaps/obb_capsule", ask_overlaps));
+template <class Visit, class Ask = decltype(ask_overlaps)>
+void visit_box_overlaps(const Visit& visit, const Ask& ask = ask_overlaps) {
+  visit(query<Aabb, Aabb>("overlaps/aabb_aabb", ask));
+  visit(query<Aabb, Obb>("overlaps/aabb_obb", ask));
+  visit(query<Aabb, Plane>("overlaps/aabb_plane", ask));
+  visit(query<Aabb, Triangle>("overlaps/aabb_triangle", ask));
+  visit(query<Aabb, Capsule>("overlaps/aabb_capsule", ask));
+  visit(query<Obb, Obb>("overlaps/obb_obb", ask));
+  visit(query<Obb, Plane>("overlaps/obb_plane", ask));
+  visit(query<Obb, Triangle>("overlaps/obb_triangle", ask));
+  visit(query<Obb, Capsule>("overlaps/obb_capsule", ask));
 }
 
-template <class Visit>
-void visit_other_overlaps(const Visit& visit) {
-  visit(query<Plane, Plane>("overlaps/plane_plane", ask_overlaps));
-  visit(query<Plane, Triangle>("overlaps/plane_triangle", ask_overlaps));
-  visit(query<Plane, Capsule>("overlaps/plane_capsule", ask_overlaps));
-  visit(query<Triangle, Triangle>("overlaps/triangle_triangle", ask_overlaps));
-  visit(query<Triangle, Capsule>("overlaps/triangle_capsule", ask_overlaps));
-  visit(query<Capsule, Capsule>("overlaps/capsule_capsule", ask_overlaps));
+template <class Visit, class Ask = decltype(ask_overlaps)>
+void visit_other_overlaps(const Visit& visit, const Ask& ask = ask_overlaps) {
+  visit(query<Plane, Plane>("overlaps/plane_plane", ask));
+  visit(query<Plane, Triangle>("overlaps/plane_triangle", ask));
+  visit(query<Plane, Capsule>("overlaps/plane_capsule", ask));
+  visit(query<Triangle, Triangle>("overlaps/triangle_triangle", ask));
+  visit(query<Triangle, Capsule>("overlaps/triangle_capsule", ask));
+  visit(query<Capsule, Capsule>("overlaps/capsule_capsule", ask));
 }
 
 template <class Visit>

@@ -6,7 +6,6 @@
 // same source in float. Prints a table as CSV; fails when a q16_16 result is not golden.
 
 #include <cstdio>
-#include <memory>
 #include <set>
 #include <vector>
 
@@ -14,7 +13,7 @@
 #include "detent/query/contact.hpp"
 #include "detent/scene/scene.hpp"
 #if DETENT_BENCH_BULLET
-#include <btBulletCollisionCommon.h>
+#include "bench/bullet_scene.hpp"
 #endif
 
 namespace detent::bench {
@@ -81,19 +80,6 @@ Measured measure(const Drawn& drawn) {
 
 #if DETENT_BENCH_BULLET
 
-btVector3 as_bullet(const Vec<double, 3>& v) {
-  return {static_cast<btScalar>(v.x), static_cast<btScalar>(v.y), static_cast<btScalar>(v.z)};
-}
-btTransform as_bullet(const Obb<double, 3>& box) {
-  btMatrix3x3 basis;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      basis[i][j] = static_cast<btScalar>(box.rotation.axis(j)[i]);
-    }
-  }
-  return btTransform(basis, as_bullet(box.center));
-}
-
 /// Which objects have contacts with one.
 struct Touched : btCollisionWorld::ContactResultCallback {
   const btCollisionObject* self;
@@ -113,19 +99,8 @@ Measured measure_bullet(const Drawn& drawn) {
   btCollisionDispatcher dispatcher(&configuration);
   btDbvtBroadphase broad_phase;
   btCollisionWorld world(&dispatcher, &broad_phase, &configuration);
-  std::vector<std::unique_ptr<btCollisionShape>> shapes;
-  std::vector<std::unique_ptr<btCollisionObject>> objects;
-  for (const auto& [box, is_ball] : drawn.items) {
-    if (is_ball) {
-      shapes.push_back(std::make_unique<btSphereShape>(static_cast<btScalar>(box.half_extents.x)));
-    } else {
-      shapes.push_back(std::make_unique<btBoxShape>(as_bullet(box.half_extents)));
-    }
-    objects.push_back(std::make_unique<btCollisionObject>());
-    objects.back()->setCollisionShape(shapes.back().get());
-    objects.back()->setWorldTransform(as_bullet(box));
-    world.addCollisionObject(objects.back().get());
-  }
+  BulletObjects objects;
+  objects.add_to(world, drawn);
   broad_phase.optimize();
   const auto radius = static_cast<btScalar>(half_size(drawn));
   const btSphereShape ball(radius);

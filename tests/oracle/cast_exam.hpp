@@ -10,6 +10,7 @@
 //
 #include "oracle/cast_judge.hpp"
 #include "oracle/pair_exam.hpp"
+#include "support/shapes.hpp"
 
 namespace detent::oracle {
 
@@ -63,14 +64,7 @@ class CastExam {
 
   template <class A>
   void examine_all(long count) {
-    examine<A, Sphere<S, N>>(count);
-    examine<A, Capsule<S, N>>(count);
-    examine<A, Aabb<S, N>>(count);
-    examine<A, Obb<S, N>>(count);
-    examine<A, Triangle<S, N>>(count);
-    examine<A, Segment<S, N>>(count);
-    examine<A, ConvexHull<S, N>>(count);
-    examine<A, Plane<S, N>>(count);
+    support::AllShapes<S, N>::for_each([&]<class B>(const B&) { examine<A, B>(count); });
   }
 
   void finish() {

@@ -10,6 +10,7 @@
 //
 #include "oracle/contact_answer.hpp"
 #include "oracle/pair_exam.hpp"
+#include "support/shapes.hpp"
 
 namespace detent::oracle {
 
@@ -48,13 +49,6 @@ class ContactExam {
     }
   }
 
-  template <template <Scalar, int> class A, template <Scalar, int> class... Rest>
-  void examine_all(long count) {
-    examine<A<S, N>, A<S, N>>(count);
-    (examine<A<S, N>, Rest<S, N>>(count), ...);
-    if constexpr (sizeof...(Rest) > 0) examine_all<Rest...>(count);
-  }
-
   void finish() {
     INFO(draw_.random << ", " << met_ << " of " << asked_ << " pairs meet");
     CHECK(met_ >= asked_ * 3 / 10);
@@ -91,8 +85,8 @@ class ContactExam {
 template <Scalar S, int N>
 void examine_contacts(std::uint64_t seed, long count) {
   ContactExam<S, N> exam(seed);
-  exam.template examine_all<Sphere, Aabb, Obb, Plane, Triangle, Capsule, Segment, ConvexHull>(
-      count);
+  support::AllShapes<S, N>::for_each_pair(
+      [&]<class A, class B>(const A&, const B&) { exam.template examine<A, B>(count); });
   exam.finish();
 }
 

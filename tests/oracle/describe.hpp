@@ -36,10 +36,7 @@ std::string describe(const Rotation<S, N>& rotation) {
 template <support::Mappable Shape>
 std::string describe(const Shape& shape) {
   std::string out(support::name_of(shape));
-  static_cast<void>(support::mapped(shape, [&](const auto& field) {
-    out += " " + describe(field);
-    return field;
-  }));
+  support::visit_fields(shape, [&](const auto& field) { out += " " + describe(field); });
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include "oracle/hull.hpp"
 //
 #include "oracle/pair_exam.hpp"
+#include "support/shapes.hpp"
 
 namespace detent::oracle {
 
@@ -41,13 +42,6 @@ class DistanceExam {
     CHECK(apart >= (std::is_same_v<A, Plane<S, N>> && std::is_same_v<A, B> ? 1 : count / 10));
   }
 
-  template <template <Scalar, int> class A, template <Scalar, int> class... Rest>
-  void examine_all(long count) {
-    examine<A<S, N>, A<S, N>>(count);
-    (examine<A<S, N>, Rest<S, N>>(count), ...);
-    if constexpr (sizeof...(Rest) > 0) examine_all<Rest...>(count);
-  }
-
  private:
   Draw<S, N> draw_;
 };
@@ -55,9 +49,9 @@ class DistanceExam {
 /// `count` pairs of every two kinds of shapes.
 template <Scalar S, int N>
 void examine_distances(std::uint64_t seed, long count) {
-  DistanceExam<S, N>(seed)
-      .template examine_all<Sphere, Aabb, Obb, Plane, Triangle, Capsule, Segment, ConvexHull>(
-          count);
+  DistanceExam<S, N> exam(seed);
+  support::AllShapes<S, N>::for_each_pair(
+      [&]<class A, class B>(const A&, const B&) { exam.template examine<A, B>(count); });
 }
 
 }  // namespace detent::oracle

@@ -9,6 +9,7 @@
 
 #include "detent/shape/shape.hpp"
 #include "oracle/draw.hpp"
+#include "support/shapes.hpp"
 
 namespace detent::oracle {
 
@@ -233,22 +234,13 @@ void draw_shape(Artist<S, N>& artist, Plane<S, N>& plane) {
       D::scalar(static_cast<std::int64_t>(nearest_even(offset, direction_component<S>::frac)));
 }
 
-template <Scalar S, int N>
-void draw_shape(Artist<S, N>& artist, Triangle<S, N>& triangle) {
-  const auto [a, b, c] = artist.template corners<3>();
-  triangle = {a, b, c};
-}
-
-template <Scalar S, int N>
-void draw_shape(Artist<S, N>& artist, Capsule<S, N>& capsule) {
-  const auto [a, b] = artist.template corners<2>();
-  capsule = {a, b, Draw<S, N>::scalar(artist.reach())};
-}
-
-template <Scalar S, int N>
-void draw_shape(Artist<S, N>& artist, Segment<S, N>& segment) {
-  const auto [start, end] = artist.template corners<2>();
-  segment = {start, end};
+/// The corners first, then the lengths.
+template <Scalar S, int N, support::OfPoints Shape>
+void draw_shape(Artist<S, N>& artist, Shape& shape) {
+  const auto corners = artist.template corners<support::point_count<Shape>>();
+  std::size_t next = 0;
+  shape = support::made_of<Shape>([&] { return corners[next++]; },
+                                  [&] { return Draw<S, N>::scalar(artist.reach()); });
 }
 
 /// A shape of the type `Shape` in `setting`.

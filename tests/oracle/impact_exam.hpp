@@ -28,10 +28,8 @@ class Bodies {
   Shape shape() {
     if constexpr (std::is_same_v<Shape, Sphere<S, N>>) {
       return {offset(), extent()};
-    } else if constexpr (std::is_same_v<Shape, Capsule<S, N>>) {
-      return {point(bits_), point(bits_), extent()};
-    } else if constexpr (std::is_same_v<Shape, Triangle<S, N>>) {
-      return {point(bits_), point(bits_), point(bits_)};
+    } else if constexpr (support::OfPoints<Shape>) {
+      return support::made_of<Shape>([this] { return point(bits_); }, [this] { return extent(); });
     } else if constexpr (std::is_same_v<Shape, Aabb<S, N>>) {
       const auto center = offset();
       Aabb<S, N> box;
@@ -124,20 +122,13 @@ void examine(Bodies<S, N>& bodies, Tally& tally, long count) {
   }
 }
 
-template <class First, class... Rest, Scalar S, int N>
-void examine_all(Bodies<S, N>& bodies, Tally& tally, long count) {
-  examine<First, First>(bodies, tally, count);
-  (examine<First, Rest>(bodies, tally, count), ...);
-  if constexpr (sizeof...(Rest) > 0) examine_all<Rest...>(bodies, tally, count);
-}
-
 /// `count` moving pairs of every two kinds of shapes.
 template <Scalar S, int N>
 void examine_impacts(std::uint64_t seed, long count) {
   Bodies<S, N> bodies(seed);
   Tally tally;
-  examine_all<Sphere<S, N>, Aabb<S, N>, Obb<S, N>, Triangle<S, N>, Capsule<S, N>, ConvexHull<S, N>>(
-      bodies, tally, count);
+  support::MovingShapes<S, N>::for_each_pair(
+      [&]<class A, class B>(const A&, const B&) { examine<A, B>(bodies, tally, count); });
   INFO(tally.hits << ", " << tally.steps << " steps in " << tally.cases << " cases, at most "
                   << tally.most << ", unfinished " << tally.unfinished);
   CHECK(tally.hits.is_balanced());

@@ -6,10 +6,12 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <type_traits>
 
 #include "detent/query/time_of_impact.hpp"
 #include "detent/shape/shape.hpp"
 #include "oracle/motion.hpp"
+#include "support/shapes.hpp"
 
 namespace detent::oracle {
 
@@ -22,19 +24,16 @@ motion::Point raw_point(const Vec<T, N>& v) {
   return p;
 }
 
-template <Scalar S, int N>
-void add_corners(motion::Body& body, const Sphere<S, N>& sphere) {
-  body.corners = {raw_point<S>(sphere.center)};
-  body.radius = sphere.radius.raw();
-}
-template <Scalar S, int N>
-void add_corners(motion::Body& body, const Capsule<S, N>& capsule) {
-  body.corners = {raw_point<S>(capsule.a), raw_point<S>(capsule.b)};
-  body.radius = capsule.radius.raw();
-}
-template <Scalar S, int N>
-void add_corners(motion::Body& body, const Triangle<S, N>& triangle) {
-  body.corners = {raw_point<S>(triangle.a), raw_point<S>(triangle.b), raw_point<S>(triangle.c)};
+/// Points, and a radius around them.
+template <support::OfPoints Shape>
+void add_corners(motion::Body& body, const Shape& shape) {
+  support::visit_fields(shape, [&]<class Field>(const Field& field) {
+    if constexpr (support::is_point<Field>) {
+      body.corners.push_back(raw_point<std::remove_cvref_t<decltype(field.x)>>(field));
+    } else {
+      body.radius = field.raw();
+    }
+  });
 }
 template <Scalar S, int N>
 void add_corners(motion::Body& body, const ConvexHull<S, N>& hull) {

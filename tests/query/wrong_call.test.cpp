@@ -2,10 +2,11 @@
 #include "detent/query/wrong_call.hpp"
 
 #include <array>
-#include <tuple>
 
 #include "detent/query/query.hpp"
+#include "query/shapes_at.hpp"
 #include "support/catch.hpp"
+#include "support/shapes.hpp"
 
 using namespace detent;
 
@@ -58,10 +59,11 @@ constexpr bool takes_right_calls_only() {
 
 template <Scalar S, int N>
 constexpr bool all_take_right_calls_only() {
-  return takes_right_calls_only<Sphere, S, N>() && takes_right_calls_only<Aabb, S, N>() &&
-         takes_right_calls_only<Obb, S, N>() && takes_right_calls_only<Plane, S, N>() &&
-         takes_right_calls_only<Triangle, S, N>() && takes_right_calls_only<Capsule, S, N>() &&
-         takes_right_calls_only<ConvexHull, S, N>();
+  bool are_right = takes_right_calls_only<ConvexHull, S, N>();
+  support::SceneShapes<S, N>::for_each([&]<template <Scalar, int> class Shape>(const Shape<S, N>&) {
+    are_right = are_right && takes_right_calls_only<Shape, S, N>();
+  });
+  return are_right;
 }
 
 TEMPLATE_TEST_CASE("wrong calls: there are none, and all right ones are left", "[query]", q8_8,
@@ -97,26 +99,17 @@ TEMPLATE_TEST_CASE("intersects: takes a segment and a shape in either order", "[
   using S = TestType;
   using Point = Vec<S, 3>;
   const auto at = [](int x, int y, int z) { return Point{S(x), S(y), S(z)}; };
-  const std::array corners{at(-1, -1, -1), at(1, -1, -1), at(0, 1, -1), at(0, 0, 1)};
   const std::array balls{Sphere{at(0, 0, 0), S(1)}};
-  const std::tuple shapes{Sphere{at(0, 0, 0), S(1)},
-                          Aabb{at(-1, -1, -1), at(1, 1, 1)},
-                          Obb{at(0, 0, 0), at(1, 1, 1), Rotation<S, 3>()},
-                          Plane{Direction<S, 3>::along(2), S(0)},
-                          Triangle{at(-1, -1, 0), at(1, -1, 0), at(0, 1, 0)},
-                          Capsule{at(-1, 0, 0), at(1, 0, 0), S(1)},
-                          ConvexHull{corners},
-                          Segment{at(-1, 0, 0), at(1, 0, 0)},
-                          Compound(balls)};
   const Segment through{at(0, 0, -5), at(0, 0, 5)}, beyond{at(0, 0, 5), at(4, 4, 6)};
-  std::apply(
-      [&](const auto&... shape) {
-        CHECK((intersects(shape, through) && ...));
-        CHECK((intersects(through, shape) && ...));
-        CHECK_FALSE((intersects(shape, beyond) || ...));
-        CHECK_FALSE((intersects(beyond, shape) || ...));
-      },
-      shapes);
+  const auto check = [&](const auto& shape) {
+    CHECK(intersects(shape, through));
+    CHECK(intersects(through, shape));
+    CHECK_FALSE(intersects(shape, beyond));
+    CHECK_FALSE(intersects(beyond, shape));
+  };
+  test::visit_shapes<S, 3>(0, check);
+  check(Plane{Direction<S, 3>::along(2), S(0)});
+  check(Compound(balls));
 }
 
 }  // namespace

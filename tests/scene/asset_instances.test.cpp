@@ -19,10 +19,8 @@ namespace {
 
 using S = q16_16;
 using Vec3 = Vec<S, 3>;
-using World = Scene<S, 3, Sphere, Aabb, Obb, Plane, Triangle, Capsule, MeshInstance, HullInstance,
-                    FieldInstance>;
-using Local = std::variant<Sphere<S, 3>, Aabb<S, 3>, Obb<S, 3>, Plane<S, 3>, Triangle<S, 3>,
-                           Capsule<S, 3>, PlacedMesh<S>, PlacedHull<S, 3>, PlacedField<S>>;
+using World = AnyScene<S, 3, PlacedMesh<S>, PlacedHull<S, 3>, PlacedField<S>>;
+using Local = AnyShape<S, 3, PlacedMesh<S>, PlacedHull<S, 3>, PlacedField<S>>;
 
 /// The assets, and the data that they view.
 struct Stock {
@@ -72,8 +70,7 @@ struct PlainHull {
 };
 
 /// What the scene should hold: shapes in the world, with assets as lists of their parts.
-using Shown = std::variant<Sphere<S, 3>, Aabb<S, 3>, Obb<S, 3>, Plane<S, 3>, Triangle<S, 3>,
-                           Capsule<S, 3>, TriangleLoop<S>, PlainHull>;
+using Shown = AnyShape<S, 3, TriangleLoop<S>, PlainHull>;
 
 template <class Shape>
 Shown shown(const Stock& stock, const Shape& shape) {
@@ -194,15 +191,10 @@ Local draw_local(Historian<S, 3>& history, const Stock& stock) {
       return PlacedField<S>{random.one_in(9) ? nullptr : &stock.fields[at], transform.translation};
     case 5:
       return PlacedMesh<S>{&stock.meshes[at], transform};
-    case 6:
-      return history.draw<Plane<S, 3>>();
-    case 7:
-      if (random.coin()) return history.draw<Aabb<S, 3>>();
-      return history.draw<Capsule<S, 3>>();
     default:
-      if (random.one_in(3)) return history.draw<Triangle<S, 3>>();
-      if (random.coin()) return history.draw<Obb<S, 3>>();
-      return history.draw<Sphere<S, 3>>();
+      return support::SceneShapes<S, 3>::at(
+          random.below(support::SceneShapes<S, 3>::size),
+          [&]<class Shape>(const Shape&) -> Local { return history.draw<Shape>(); });
   }
 }
 
@@ -299,11 +291,8 @@ void live(std::uint64_t seed, int checks, HitRate& rate) {
       for (int k = 0; k < 2; ++k) {
         ask(scene, plain, history.ray(), rate);
         ask(scene, plain, history.point(), rate);
-        ask(scene, plain, history.draw<Segment<S, 3>>(), rate);
-        ask(scene, plain, history.draw<Sphere<S, 3>>(), rate);
-        ask(scene, plain, history.draw<Aabb<S, 3>>(), rate);
-        ask(scene, plain, history.draw<Obb<S, 3>>(), rate);
-        ask(scene, plain, history.draw<Capsule<S, 3>>(), rate);
+        QueryShapes<S, 3>::for_each(
+            [&]<class Shape>(const Shape&) { ask(scene, plain, history.draw<Shape>(), rate); });
         ask(scene, plain, history.frustum(), rate);
       }
       auto other = fresh(plain, frame, copies);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "detent/scene/height_field.hpp"
@@ -9,14 +11,14 @@
 #include "detent/scene/mesh/owned.hpp"
 #include "detent/scene/scene.hpp"
 #include "oracle/draw_shape.hpp"
+#include "scene/any_scene.hpp"
 #include "support/catch.hpp"
 
 using namespace detent;
 using S = q16_16;
 using Vec3 = Vec<S, 3>;
 using Hit = ObjectHit<S, 3>;
-using World = Scene<S, 3, Sphere, Aabb, Obb, Plane, Triangle, Capsule, MeshInstance, HullInstance,
-                    FieldInstance>;
+using World = test::AnyScene<S, 3, PlacedMesh<S>, PlacedHull<S, 3>, PlacedField<S>>;
 
 namespace {
 
@@ -97,17 +99,20 @@ TEST_CASE("scene: hits of casts are those of the objects in the world, for every
     const auto arm =
         scene.add_frame({.translation = point(), .rotation = shape(Obb<S, 3>()).rotation}).value();
     for (int i = 0; i < 2; ++i) {
-      scene.add(shape(Sphere<S, 3>()), {.layers = 1});
-      scene.add(shape(Aabb<S, 3>()), {.layers = 2});
-      scene.add(shape(Obb<S, 3>()), {.layers = 4, .frame = arm});
-      scene.add(shape(Plane<S, 3>()), {.layers = 8});
-      scene.add(shape(Triangle<S, 3>()), {.layers = 16, .motion = Motion::fixed});
-      scene.add(shape(Capsule<S, 3>()), {.layers = 32});
+      std::uint32_t layer = 1;
+      support::SceneShapes<S, 3>::for_each([&]<class Shape>(const Shape& any) {
+        Traits traits{.layers = layer};
+        if (std::is_same_v<Shape, Obb<S, 3>>) traits.frame = arm;
+        if (std::is_same_v<Shape, Triangle<S, 3>>) traits.motion = Motion::fixed;
+        scene.add(shape(any), traits);
+        layer *= 2;
+      });
       Transform<S, 3> place;
       if (i == 0) place.rotation = shape(Obb<S, 3>()).rotation;
-      scene.add(PlacedMesh{&*stock.mesh, place}, {.layers = 64, .frame = i == 0 ? FrameId{} : arm});
-      scene.add(PlacedHull<S, 3>{&*stock.hull, place}, {.layers = 128, .frame = arm});
-      scene.add(PlacedField<S>{&*stock.field, place.translation}, {.layers = 256});
+      scene.add(PlacedMesh{&*stock.mesh, place},
+                {.layers = layer, .frame = i == 0 ? FrameId{} : arm});
+      scene.add(PlacedHull<S, 3>{&*stock.hull, place}, {.layers = layer * 2, .frame = arm});
+      scene.add(PlacedField<S>{&*stock.field, place.translation}, {.layers = layer * 4});
     }
     scene.add(PlacedMesh<S>());
     scene.add(PlacedHull<S, 3>());

@@ -11,6 +11,7 @@
 #include "oracle/draw_shape.hpp"
 #include "oracle/frustum.hpp"
 #include "oracle/space.hpp"
+#include "scene/any_scene.hpp"
 #include "support/catch.hpp"
 
 /// One of each width and dimension: a scene instantiates every query of the library, which is slow
@@ -20,16 +21,11 @@
 
 namespace detent::test {
 
-/// A growing scene of all kinds of shapes.
-template <Scalar S, int N>
-using AnyScene = Scene<S, N, Sphere, Aabb, Obb, Plane, Triangle, Capsule>;
-
 /// What a scene should hold: a plain list, whose queries test each object.
 template <Scalar S, int N>
 class PlainScene {
  public:
-  using Shape =
-      std::variant<Sphere<S, N>, Aabb<S, N>, Obb<S, N>, Plane<S, N>, Triangle<S, N>, Capsule<S, N>>;
+  using Shape = AnyShape<S, N>;
   struct Object {
     ObjectId id;
     Shape shape;
@@ -118,20 +114,9 @@ class Historian {
   }
   Vec<S, N> point() { return draw<Sphere<S, N>>().center; }
   Shape shape() {
-    switch (random().below(random().one_in(4) ? 6 : 3)) {
-      case 0:
-        return draw<Sphere<S, N>>();
-      case 1:
-        return draw<Aabb<S, N>>();
-      case 2:
-        return draw<Obb<S, N>>();
-      case 3:
-        return draw<Plane<S, N>>();
-      case 4:
-        return draw<Triangle<S, N>>();
-      default:
-        return draw<Capsule<S, N>>();
-    }
+    using Shapes = support::SceneShapes<S, N>;
+    const auto kind = random().below(random().one_in(4) ? Shapes::size : 3);
+    return Shapes::at(kind, [this]<class T>(const T&) { return Shape(draw<T>()); });
   }
   Frustum<S> frustum() requires(N == 3) {
     oracle::Artist<S, 3> artist(draw_, setting_);

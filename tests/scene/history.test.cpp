@@ -40,14 +40,13 @@ void check(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain, Historian
   CHECK(scene.overlaps() == plain.overlaps());
   for (int i = 0; i < 4; ++i) {
     const auto mask = static_cast<std::uint32_t>(history.random().below(8));
-    asked += 7;
     found += ask(scene, plain, history.ray(), mask);
     found += ask(scene, plain, history.point(), mask);
-    found += ask(scene, plain, history.template draw<Segment<S, N>>(), mask);
-    found += ask(scene, plain, history.template draw<Sphere<S, N>>(), mask);
-    found += ask(scene, plain, history.template draw<Aabb<S, N>>(), mask);
-    found += ask(scene, plain, history.template draw<Obb<S, N>>(), mask);
-    found += ask(scene, plain, history.template draw<Capsule<S, N>>(), mask);
+    using Shapes = detent::test::QueryShapes<S, N>;
+    asked += 2 + static_cast<long>(Shapes::size);
+    Shapes::for_each([&]<class Shape>(const Shape&) {
+      found += ask(scene, plain, history.template draw<Shape>(), mask);
+    });
     if constexpr (N == 3) {
       ++asked;
       found += ask(scene, plain, history.frustum(), mask);

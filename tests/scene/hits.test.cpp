@@ -2,19 +2,22 @@
 #include "detent/scene/found.hpp"
 
 #include <array>
+#include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "detent/scene/mesh/instance.hpp"
 #include "detent/scene/mesh/owned.hpp"
 #include "detent/scene/scene.hpp"
 #include "oracle/draw_shape.hpp"
+#include "scene/any_scene.hpp"
 #include "support/catch.hpp"
 
 using namespace detent;
 using S = q16_16;
 using Vec3 = Vec<S, 3>;
 using Hit = ObjectHit<S, 3>;
-using World = Scene<S, 3, Sphere, Aabb, Obb, Plane, Triangle, Capsule, MeshInstance>;
+using World = test::AnyScene<S, 3, PlacedMesh<S>>;
 
 namespace {
 
@@ -65,15 +68,17 @@ TEST_CASE("scene: hits are those of the queries on the objects, for every shape"
     World scene;
     const auto arm = scene.add_frame({.translation = point()}).value();
     for (int i = 0; i < 2; ++i) {
-      scene.add(shape(Sphere<S, 3>()), {.layers = 1});
-      scene.add(shape(Aabb<S, 3>()), {.layers = 2});
-      scene.add(shape(Obb<S, 3>()), {.layers = 4, .frame = arm});
-      scene.add(shape(Plane<S, 3>()), {.layers = 8});
-      scene.add(shape(Triangle<S, 3>()), {.layers = 16, .motion = Motion::fixed});
-      scene.add(shape(Capsule<S, 3>()), {.layers = 32});
+      std::uint32_t layer = 1;
+      support::SceneShapes<S, 3>::for_each([&]<class Shape>(const Shape& any) {
+        Traits traits{.layers = layer};
+        if (std::is_same_v<Shape, Obb<S, 3>>) traits.frame = arm;
+        if (std::is_same_v<Shape, Triangle<S, 3>>) traits.motion = Motion::fixed;
+        scene.add(shape(any), traits);
+        layer *= 2;
+      });
       Transform<S, 3> place;
       if (i == 0) place.rotation = shape(Obb<S, 3>()).rotation;
-      scene.add(PlacedMesh{&rock.asset, place}, {.layers = 64});
+      scene.add(PlacedMesh{&rock.asset, place}, {.layers = layer});
     }
     for (int i = 0; i < 100; ++i) {
       Ray<S, 3> ray{point(), draw.any_direction()};

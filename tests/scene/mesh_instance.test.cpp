@@ -234,11 +234,8 @@ void live(std::uint64_t seed, std::size_t room, int steps, int checks, HitRate& 
       for (int k = 0; k < 3; ++k) {
         ask(scene, plain, history.ray(), rate);
         ask(scene, plain, history.point(), rate);
-        ask(scene, plain, history.draw<Segment<S, 3>>(), rate);
-        ask(scene, plain, history.draw<Ball>(), rate);
-        ask(scene, plain, history.draw<Aabb<S, 3>>(), rate);
-        ask(scene, plain, history.draw<Obb<S, 3>>(), rate);
-        ask(scene, plain, history.draw<Capsule<S, 3>>(), rate);
+        QueryShapes<S, 3>::for_each(
+            [&]<class Shape>(const Shape&) { ask(scene, plain, history.draw<Shape>(), rate); });
       }
       auto other = fresh(plain, frame, copies);
       CHECK(digest(scene) == digest(other));

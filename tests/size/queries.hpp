@@ -6,7 +6,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "bench/question.hpp"
+#include "bench/queries.hpp"
 
 namespace detent::size {
 
@@ -29,45 +29,19 @@ inline constexpr auto ask_cast = [](const auto& moving, const auto& target) {
 
 template <class Visit>
 void visit_raycasts(const Visit& visit) {
-  visit(query<Ray, Sphere>("raycast/sphere", ask_raycast));
-  visit(query<Ray, Aabb>("raycast/aabb", ask_raycast));
-  visit(query<Ray, Obb>("raycast/obb", ask_raycast));
-  visit(query<Ray, Plane>("raycast/plane", ask_raycast));
-  visit(query<Ray, Triangle>("raycast/triangle", ask_raycast));
-  visit(query<Ray, Capsule>("raycast/capsule", ask_raycast));
+  bench::visit_solid_raycasts(visit, ask_raycast);
 }
-
 template <class Visit>
 void visit_spheres(const Visit& visit) {
-  visit(query<Sphere, Sphere>("overlaps/sphere_sphere", ask_overlaps));
-  visit(query<Sphere, Aabb>("overlaps/sphere_aabb", ask_overlaps));
-  visit(query<Sphere, Obb>("overlaps/sphere_obb", ask_overlaps));
-  visit(query<Sphere, Plane>("overlaps/sphere_plane", ask_overlaps));
-  visit(query<Sphere, Triangle>("overlaps/sphere_triangle", ask_overlaps));
-  visit(query<Sphere, Capsule>("overlaps/sphere_capsule", ask_overlaps));
+  bench::visit_sphere_overlaps(visit, ask_overlaps);
 }
-
 template <class Visit>
 void visit_boxes(const Visit& visit) {
-  visit(query<Aabb, Aabb>("overlaps/aabb_aabb", ask_overlaps));
-  visit(query<Aabb, Obb>("overlaps/aabb_obb", ask_overlaps));
-  visit(query<Aabb, Plane>("overlaps/aabb_plane", ask_overlaps));
-  visit(query<Aabb, Triangle>("overlaps/aabb_triangle", ask_overlaps));
-  visit(query<Aabb, Capsule>("overlaps/aabb_capsule", ask_overlaps));
-  visit(query<Obb, Obb>("overlaps/obb_obb", ask_overlaps));
-  visit(query<Obb, Plane>("overlaps/obb_plane", ask_overlaps));
-  visit(query<Obb, Triangle>("overlaps/obb_triangle", ask_overlaps));
-  visit(query<Obb, Capsule>("overlaps/obb_capsule", ask_overlaps));
+  bench::visit_box_overlaps(visit, ask_overlaps);
 }
-
 template <class Visit>
 void visit_others(const Visit& visit) {
-  visit(query<Plane, Plane>("overlaps/plane_plane", ask_overlaps));
-  visit(query<Plane, Triangle>("overlaps/plane_triangle", ask_overlaps));
-  visit(query<Plane, Capsule>("overlaps/plane_capsule", ask_overlaps));
-  visit(query<Triangle, Triangle>("overlaps/triangle_triangle", ask_overlaps));
-  visit(query<Triangle, Capsule>("overlaps/triangle_capsule", ask_overlaps));
-  visit(query<Capsule, Capsule>("overlaps/capsule_capsule", ask_overlaps));
+  bench::visit_other_overlaps(visit, ask_overlaps);
 }
 
 // Of these only flash and stack are measured: a contact needs more stack than the Cortex-M0 of the

@@ -10,6 +10,7 @@
 
 #include "detent/scene/mesh.hpp"
 #include "detent/scene/mesh/owned.hpp"
+#include "scene/any_scene.hpp"
 #include "small/world.hpp"
 
 // Scenes of one, two and three objects in worlds of so few numbers that every query can be run on
@@ -76,23 +77,21 @@ void list(const Parts<S, 3>& parts, std::vector<PlacedMesh<S>>& out) {
 /// What scenes hold.
 template <Scalar S, int N>
 struct Held {
-  using Shape =
-      std::variant<Sphere<S, N>, Aabb<S, N>, Obb<S, N>, Plane<S, N>, Triangle<S, N>, Capsule<S, N>>;
-  using Objects = Scene<S, N, Sphere, Aabb, Obb, Plane, Triangle, Capsule>;
+  using Shape = test::AnyShape<S, N>;
+  using Objects = test::AnyScene<S, N>;
 };
 template <Scalar S>
 struct Held<S, 3> {
-  using Shape = std::variant<Sphere<S, 3>, Aabb<S, 3>, Obb<S, 3>, Plane<S, 3>, Triangle<S, 3>,
-                             Capsule<S, 3>, PlacedMesh<S>>;
-  using Objects = Scene<S, 3, Sphere, Aabb, Obb, Plane, Triangle, Capsule, MeshInstance>;
+  using Shape = test::AnyShape<S, 3, PlacedMesh<S>>;
+  using Objects = test::AnyScene<S, 3, PlacedMesh<S>>;
 };
 
 template <Scalar S, int N>
 struct World {
   using Shape = typename Held<S, N>::Shape;
   using Objects = typename Held<S, N>::Objects;
-  using Question = std::variant<Vec<S, N>, Ray<S, N>, Segment<S, N>, Sphere<S, N>, Aabb<S, N>,
-                                Obb<S, N>, Capsule<S, N>>;
+  using Question =
+      typename test::QueryShapes<S, N>::template in<std::variant, Vec<S, N>, Ray<S, N>>;
 
   std::vector<Shape> shapes;
   std::vector<Question> questions;

@@ -12,6 +12,7 @@
 #include "detent/shape/shape.hpp"
 #include "oracle/describe.hpp"
 #include "support/catch.hpp"
+#include "support/shapes.hpp"
 
 /// Worlds of so few numbers that everything in them can be enumerated. Every coordinate is near an
 /// end of the range, and most shapes are degenerate, touch or coincide.
@@ -172,11 +173,32 @@ template <Scalar S, int N>
 void list(const Parts<S, N>& parts, std::vector<Vec<S, N>>& out) {
   out = parts.points;
 }
-template <Scalar S, int N>
-void list(const Parts<S, N>& parts, std::vector<Sphere<S, N>>& out) {
-  for (const auto& center : parts.points) {
-    for (const S& radius : parts.lengths) out.push_back({center, radius});
+/// Calls `f` for every choice of points and lengths for the fields; the last one changes first.
+template <Scalar S, int N, class F>
+void choose(const Parts<S, N>&, const F& f) {
+  f();
+}
+template <Scalar S, int N, class F, class First, class... Rest>
+void choose(const Parts<S, N>& parts, const F& f, First& first, Rest&... rest) {
+  const auto& values = [&]() -> const std::vector<First>& {
+    if constexpr (support::is_point<First>) {
+      return parts.points;
+    } else {
+      return parts.lengths;
+    }
+  }();
+  for (const auto& value : values) {
+    first = value;
+    choose(parts, f, rest...);
   }
+}
+template <Scalar S, int N, support::OfPoints Shape>
+void list(const Parts<S, N>& parts, std::vector<Shape>& out) {
+  Shape shape;
+  detent::detail::ShapeFields<Shape>::of(shape, [&](auto&... fields) {
+    choose(
+        parts, [&] { out.push_back(shape); }, fields...);
+  });
 }
 template <Scalar S, int N>
 void list(const Parts<S, N>& parts, std::vector<Aabb<S, N>>& out) {
@@ -196,28 +218,6 @@ template <Scalar S, int N>
 void list(const Parts<S, N>& parts, std::vector<Plane<S, N>>& out) {
   for (const auto& normal : parts.directions) {
     for (const S& offset : parts.offsets) out.push_back({normal, offset});
-  }
-}
-template <Scalar S, int N>
-void list(const Parts<S, N>& parts, std::vector<Triangle<S, N>>& out) {
-  for (const auto& a : parts.points) {
-    for (const auto& b : parts.points) {
-      for (const auto& c : parts.points) out.push_back({a, b, c});
-    }
-  }
-}
-template <Scalar S, int N>
-void list(const Parts<S, N>& parts, std::vector<Segment<S, N>>& out) {
-  for (const auto& start : parts.points) {
-    for (const auto& end : parts.points) out.push_back({start, end});
-  }
-}
-template <Scalar S, int N>
-void list(const Parts<S, N>& parts, std::vector<Capsule<S, N>>& out) {
-  for (const auto& a : parts.points) {
-    for (const auto& b : parts.points) {
-      for (const S& radius : parts.lengths) out.push_back({a, b, radius});
-    }
   }
 }
 template <Scalar S, int N>
@@ -280,9 +280,9 @@ class Hulls {
 template <Scalar S, int N, class F>
 void with_some(std::size_t most, const Parts<S, N>& parts, F f) {
   const Hulls<S, N> hulls(some(N == 2 ? 16 : 9, parts.points), N == 2 ? 4 : 5);
-  f(some<Segment<S, N>>(most, parts), some<Sphere<S, N>>(most, parts),
-    some<Aabb<S, N>>(most, parts), some<Obb<S, N>>(most, parts), some<Plane<S, N>>(most, parts),
-    some<Triangle<S, N>>(most, parts), some<Capsule<S, N>>(most, parts), some(most, hulls.all()));
+  [&]<class... Shape>(support::ShapeList<Shape...>) {
+    f(some<Segment<S, N>>(most, parts), some<Shape>(most, parts)..., some(most, hulls.all()));
+  }(support::SceneShapes<S, N>());
 }
 
 }  // namespace detent::small

@@ -13,6 +13,7 @@
 
 #include "detent/version.hpp"
 #include "support/catch.hpp"
+#include "support/shapes.hpp"
 #include "verify/check.hpp"
 #include "verify/sheets.hpp"
 
@@ -188,21 +189,17 @@ TEST_CASE("corpus: every shape is touched, started in, run along and met at a ra
 
 TEST_CASE(
     "corpus: points are on every surface, exactly as far off as asked, and at the world's ends") {
-  const auto check = [](const char* name, const Verges& seen) {
+  const auto check = [](std::string_view name, const Verges& seen) {
     INFO(name << ": at a surface " << seen.at_surface << ", at the tolerance " << seen.at_tolerance
               << ", empty " << seen.empty << ", range " << seen.at_ends_of_range);
     CHECK(seen.at_surface >= full_size / 10);
     CHECK(seen.at_tolerance >= full_size / 200);
     CHECK(seen.at_ends_of_range > 0);
   };
-  check("sphere", verges<SpherePoints>());
-  check("aabb", verges<AabbPoints>());
-  check("obb", verges<ObbPoints>());
-  check("plane", verges<PlanePoints>());
-  check("triangle", verges<TrianglePoints>());
-  check("capsule", verges<CapsulePoints>());
-  check("segment", verges<SegmentPoints>());
-  check("ray", verges<RayPoints>());
+  using Shapes = support::SceneShapes<q16_16, 3>::and_also<Segment<q16_16, 3>, Ray<q16_16, 3>>;
+  Shapes::for_each([&]<template <Scalar, int> class Shape>(const Shape<q16_16, 3>&) {
+    check(Kind<Shape>::name, verges<Points<Kind<Shape>>>());
+  });
 }
 
 TEST_CASE("corpus: trees of meshes have several nodes, scenes are full and places used again") {

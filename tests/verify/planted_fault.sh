@@ -36,7 +36,7 @@ plant include/detent/query/closest_point/sphere.hpp \
 plant src/verify/corpus.hpp \
   's/^using Parts = .*;/using Parts = List<SolidRays, RoundPoints>;/'
 plant src/verify/corpus.hpp 's/List<Spheres, .*>;/List<Spheres>;/'
-plant src/verify/corpus.hpp 's/List<SpherePoints, .*>;/List<SpherePoints>;/'
+plant src/verify/corpus.hpp 's/List<Points<SphereKind>, .*>;/List<Points<SphereKind>>;/'
 
 # Keeps the golden values of the first group and of the eighth: 3 and 4 queries in 8 cells each.
 awk '

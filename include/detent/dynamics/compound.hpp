@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "detent/dynamics/asset_body.hpp"
 #include "detent/dynamics/local.hpp"
 #include "detent/dynamics/mass.hpp"
 #include "detent/scene/one_of.hpp"
@@ -195,21 +196,9 @@ struct BodyCompound {
                                                  const BodyCompound&) noexcept = default;
 };
 
-/// Appends to a digest: id and digest of the compound (zeros for none), translation and rotation.
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const BodyCompound<S, N>& body) noexcept {
-  digest.add(body.asset ? body.asset->id() : std::uint32_t{0},
-             body.asset ? body.asset->digest() : std::uint64_t{0}, body.translation, body.rotation);
-}
-
-/// Its fields, for the names of differences: see scene/fields.hpp.
-template <Scalar S, int N, class F>
-constexpr void for_each_field(const BodyCompound<S, N>& body, const F& f) {
-  f("compound", body.asset ? body.asset->id() : std::uint32_t{0});
-  f("digest of its parts", body.asset ? body.asset->digest() : std::uint64_t{0});
-  f("translation", body.translation);
-  for_each_field(body.rotation, f);
-}
+template <Scalar S, int N>
+inline constexpr detail::AssetNames detail::asset_names<BodyCompound<S, N>>{"compound",
+                                                                            "digest of its parts"};
 
 /// The mass of the parts, each by its own density.
 template <Scalar S, int N>
@@ -227,17 +216,6 @@ inline constexpr bool is_compound_body<BodyCompound<S, N>> = true;
 
 template <Scalar S, int N>
 inline constexpr std::uint8_t shape_tag<BodyCompound<S, N>> = 13;
-
-/// Reads a body's compound: bodies hold it in their frame, untranslated and unrotated.
-template <Scalar S, int N, class Assets>
-[[nodiscard]] constexpr Restored read_shape(Reader& in, BodyCompound<S, N>& body,
-                                            const Assets& assets) noexcept {
-  std::uint32_t id = 0;
-  std::uint64_t digest = 0;
-  in.get(id, digest, body.translation, body.rotation);
-  if (in.has_failed() || !(body == BodyCompound<S, N>())) return Restored::corrupted;
-  return assets.find(id, digest, body.asset);
-}
 
 /// A compound in the frame of its body, about its centre of mass.
 template <Scalar S, int N>

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "detent/dynamics/asset_body.hpp"
 #include "detent/dynamics/body.hpp"
 #include "detent/dynamics/manifold/facets.hpp"
 #include "detent/dynamics/mass.hpp"
@@ -85,21 +86,9 @@ struct BodyHull {
                                                  const BodyHull&) noexcept = default;
 };
 
-/// Appends to a digest: id and digest of the hull (zeros for none), translation and rotation.
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const BodyHull<S, N>& body) noexcept {
-  digest.add(body.asset ? body.asset->id() : std::uint32_t{0},
-             body.asset ? body.asset->digest() : std::uint64_t{0}, body.translation, body.rotation);
-}
-
-/// Its fields, for the names of differences: see scene/fields.hpp.
-template <Scalar S, int N, class F>
-constexpr void for_each_field(const BodyHull<S, N>& body, const F& f) {
-  f("hull", body.asset ? body.asset->id() : std::uint32_t{0});
-  f("digest of its points", body.asset ? body.asset->digest() : std::uint64_t{0});
-  f("translation", body.translation);
-  for_each_field(body.rotation, f);
-}
+template <Scalar S, int N>
+inline constexpr detail::AssetNames detail::asset_names<BodyHull<S, N>>{"hull",
+                                                                        "digest of its points"};
 
 /// The mass of the hull about its centre of mass.
 ///
@@ -120,17 +109,6 @@ inline constexpr bool is_hull_body<BodyHull<S, N>> = true;
 
 template <Scalar S, int N>
 inline constexpr std::uint8_t shape_tag<BodyHull<S, N>> = 10;
-
-/// Reads a body's hull: bodies hold it in their frame, untranslated and unrotated.
-template <Scalar S, int N, class Assets>
-[[nodiscard]] constexpr Restored read_shape(Reader& in, BodyHull<S, N>& body,
-                                            const Assets& assets) noexcept {
-  std::uint32_t id = 0;
-  std::uint64_t digest = 0;
-  in.get(id, digest, body.translation, body.rotation);
-  if (in.has_failed() || !(body == BodyHull<S, N>())) return Restored::corrupted;
-  return assets.find(id, digest, body.asset);
-}
 
 /// The corners of a hull in the frame of its body.
 template <Scalar S, int N>

@@ -10,7 +10,7 @@
 #include "detent/dynamics/joint/bytes.hpp"
 #include "detent/dynamics/world.hpp"
 #include "detent/scene/assets.hpp"
-#include "detent/scene/header.hpp"
+#include "detent/scene/envelope.hpp"
 #include "detent/scene/shape_tag.hpp"
 #include "detent/scene/world.hpp"
 
@@ -53,26 +53,20 @@ namespace detent {
 
 namespace detail {
 
-struct WorldHeader {
-  static constexpr std::uint32_t right_magic = 0x574e5444u;  // "DTNW"
-  static constexpr std::uint16_t right_version = 2;
-  static constexpr std::size_t size = 64;
-  static constexpr std::size_t checksum_size = 8;
-
-  std::uint32_t magic = right_magic;
-  std::uint16_t version = right_version;
-  std::uint8_t dimension = 0, is_floating = 0, bits = 0, frac = 0;
+/// The first 64 bytes of a snapshot: "DTNW", version 2.
+struct WorldHeader : SnapshotStart<0x574e5444u, 2, 64> {
   std::uint16_t shapes = 0, kinds = 0;  // of shapes and of joints, a bit each
   std::uint32_t next_generation = 0, bodies = 0, contacts = 0, fixed = 0;
   std::uint32_t next_joint = 0, joints = 0;
-  std::uint64_t fixed_digest = 0, settings_digest = 0, byte_count = 0;
+  std::uint64_t fixed_digest = 0, settings_digest = 0;
   std::uint16_t reserved = 0;
 
-  template <class D>
-  constexpr void describe(D& out) const noexcept {
-    out.add(magic, version, dimension, is_floating, bits, frac, shapes, next_generation, bodies,
-            contacts, fixed, fixed_digest, settings_digest, byte_count, kinds, reserved, next_joint,
-            joints);
+  [[nodiscard]] constexpr bool uses_reserved() const noexcept { return reserved != 0; }
+
+  template <class Header, class F>
+  static constexpr void fields(Header& h, const F& f) noexcept {
+    f(h.shapes, h.next_generation, h.bodies, h.contacts, h.fixed, h.fixed_digest, h.settings_digest,
+      h.byte_count, h.kinds, h.reserved, h.next_joint, h.joints);
   }
 };
 
@@ -192,14 +186,7 @@ template <class Storage, Scalar S, int N, class... Parts>
 [[nodiscard]] constexpr WorldHeader header_of(
     const BasicWorld<Storage, S, N, Parts...>& world) noexcept {
   WorldHeader header;
-  header.dimension = static_cast<std::uint8_t>(N);
-  if constexpr (is_fixed<S>) {
-    header.bits = static_cast<std::uint8_t>(S::bits);
-    header.frac = static_cast<std::uint8_t>(S::frac);
-  } else {
-    header.is_floating = 1;
-    header.bits = static_cast<std::uint8_t>(8 * sizeof(S));
-  }
+  header.space = SnapshotSpace::of<S, N>();
   header.shapes =
       static_cast<std::uint16_t>(((IsJoint<Parts> ? 0u : 1u << shape_tag<Parts>) | ...));
   header.kinds = static_cast<std::uint16_t>(((IsJoint<Parts> ? 1u << joint_tag<Parts> : 0u) | ...));
@@ -362,25 +349,14 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
 
 }  // namespace detail
 
-/// Writes the snapshot of `world` into `room` if it holds all bytes, and returns their number.
+/// Writes the snapshot of `world` to `room`; returns the number of its bytes. If `room` is smaller,
+/// its contents are of no use.
 template <class Storage, Scalar S, int N, class... Shapes>
 constexpr std::size_t snapshot(const BasicWorld<Storage, S, N, Shapes...>& world,
                                std::span<std::byte> room) noexcept {
-  using detail::WorldHeader;
   auto header = detail::header_of(world);
-  detail::Writer count;
-  detail::describe_world(count, world);
-  header.byte_count = WorldHeader::size + count.size() + WorldHeader::checksum_size;
-  if (room.size() < header.byte_count) return header.byte_count;
-  const auto bytes = room.first(header.byte_count);
-  detail::Writer out(bytes);
-  header.describe(out);
-  detail::describe_world(out, world);
-  const auto length = bytes.size() - WorldHeader::checksum_size;
-  Digest digest;
-  digest.add_bytes(bytes.first(length));
-  detail::store_word(bytes.data() + length, digest.value());
-  return header.byte_count;
+  return detail::seal(room, header,
+                      [&](detail::Writer& out) { detail::describe_world(out, world); });
 }
 
 #if __STDC_HOSTED__
@@ -405,30 +381,11 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   using detail::WorldHeader;
   using World = BasicWorld<Storage, S, N, Shapes...>;
   WorldHeader header;
-  detail::Reader in(bytes);
-  in.get(header.magic, header.version);
-  if (in.has_failed()) return Restored::truncated;
-  if (header.magic != WorldHeader::right_magic) return Restored::no_snapshot;
-  if (header.version != WorldHeader::right_version) return Restored::other_version;
-  in.get(header.dimension, header.is_floating, header.bits, header.frac, header.shapes,
-         header.next_generation, header.bodies, header.contacts, header.fixed, header.fixed_digest,
-         header.settings_digest, header.byte_count, header.kinds, header.reserved,
-         header.next_joint, header.joints);
-  if (in.has_failed() || bytes.size() < header.byte_count) return Restored::truncated;
-  if (bytes.size() != header.byte_count || header.reserved != 0 ||
-      bytes.size() < WorldHeader::size + WorldHeader::checksum_size) {
-    return Restored::corrupted;
-  }
-  const auto checked = bytes.first(bytes.size() - WorldHeader::checksum_size);
-  Digest digest;
-  digest.add_bytes(checked);
-  if (digest.value() != detail::load_word<std::uint64_t>(checked.data() + checked.size())) {
-    return Restored::corrupted;
-  }
+  const auto read = detail::open(bytes, header);
+  if (read != Restored::yes) return read;
   const auto own = detail::header_of(world);
-  if (header.dimension != own.dimension || header.is_floating != own.is_floating ||
-      header.bits != own.bits || header.frac != own.frac || header.shapes != own.shapes ||
-      header.kinds != own.kinds || header.settings_digest != own.settings_digest) {
+  if (header.space != own.space || header.shapes != own.shapes || header.kinds != own.kinds ||
+      header.settings_digest != own.settings_digest) {
     return Restored::other_scene;
   }
   if (header.fixed != own.fixed || header.fixed_digest != own.fixed_digest) {
@@ -441,7 +398,7 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   }
   typename World::Contacts contacts;
   std::remove_cvref_t<decltype(WorldAccess::joints(world))> joints;
-  detail::Reader parts(checked.subspan(WorldHeader::size));
+  detail::Reader parts(WorldHeader::body(bytes));
   const auto said = detail::read_world<S, N>(
       parts, header, bodies, contacts, joints, World::capacity, World::contact_capacity,
       WorldAccess::rate(world), detail::AssetLists<Lists...>(lists...));

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "detent/dynamics/asset_body.hpp"
 #include "detent/dynamics/hull.hpp"
 #include "detent/scene/height_field/asset.hpp"
 #include "detent/scene/mesh/asset.hpp"
@@ -74,48 +75,11 @@ inline constexpr std::uint8_t shape_tag<BodyMesh<S, N>> = 11;
 template <Scalar S, int N>
 inline constexpr std::uint8_t shape_tag<BodyHeightField<S, N>> = 12;
 
-/// Reads the asset of a body's surface: bodies hold it in their frame, untranslated and unrotated.
-template <class Body, class Assets>
-[[nodiscard]] constexpr Restored read_surface(Reader& in, Body& body,
-                                              const Assets& assets) noexcept {
-  std::uint32_t id = 0;
-  std::uint64_t digest = 0;
-  in.get(id, digest, body.translation);
-  if constexpr (requires { body.rotation; }) in.get(body.rotation);
-  if (in.has_failed() || !(body == Body())) return Restored::corrupted;
-  return assets.find(id, digest, body.asset);
-}
-template <Scalar S, int N, class Assets>
-[[nodiscard]] constexpr Restored read_shape(Reader& in, BodyMesh<S, N>& body,
-                                            const Assets& assets) noexcept {
-  return read_surface(in, body, assets);
-}
-template <Scalar S, int N, class Assets>
-[[nodiscard]] constexpr Restored read_shape(Reader& in, BodyHeightField<S, N>& body,
-                                            const Assets& assets) noexcept {
-  return read_surface(in, body, assets);
-}
-
 }  // namespace detail
 
-/// Appends to a digest: id and digest of the surface (zeros for none), translation and rotation.
-template <class D, class Body>
+template <class Body>
 requires detail::is_surface_body<Body>
-constexpr void append(D& digest, const Body& body) noexcept {
-  digest.add(body.asset ? body.asset->id() : std::uint32_t{0},
-             body.asset ? body.asset->digest() : std::uint64_t{0}, body.translation);
-  if constexpr (requires { body.rotation; }) digest.add(body.rotation);
-}
-
-/// Its fields, for the names of differences: see scene/fields.hpp.
-template <class Body, class F>
-requires detail::is_surface_body<Body>
-constexpr void for_each_field(const Body& body, const F& f) {
-  f("surface", body.asset ? body.asset->id() : std::uint32_t{0});
-  f("digest of its triangles", body.asset ? body.asset->digest() : std::uint64_t{0});
-  f("translation", body.translation);
-  if constexpr (requires { body.rotation; }) for_each_field(body.rotation, f);
-}
+inline constexpr detail::AssetNames detail::asset_names<Body>{"surface", "digest of its triangles"};
 
 /// A surface has no mass.
 template <Scalar S, int N>

@@ -3,6 +3,7 @@
 
 #include "detent/query/kernel/argument.hpp"
 #include "detent/query/kernel/core.hpp"
+#include "detent/shape/plane.hpp"
 
 // Overloads that catch wrong calls: the error is one sentence that says what to write instead.
 // Every query is a better match, so correct calls do not change, and a concept that checks for a

@@ -7,8 +7,9 @@
 #include <span>
 #include <type_traits>
 
+#include "detent/math/transform.hpp"
 #include "detent/number/words.hpp"
-#include "detent/shape/moved.hpp"
+#include "detent/shape/fields.hpp"
 
 namespace detent::detail {
 
@@ -92,38 +93,9 @@ class Loader {
     load(transform.rotation);
     load(transform.scale);
   }
-  template <Scalar S, int N>
-  constexpr void load(Sphere<S, N>& sphere) noexcept {
-    load(sphere.center);
-    load(sphere.radius);
-  }
-  template <Scalar S, int N>
-  constexpr void load(Aabb<S, N>& box) noexcept {
-    load(box.min);
-    load(box.max);
-  }
-  template <Scalar S, int N>
-  constexpr void load(Obb<S, N>& box) noexcept {
-    load(box.center);
-    load(box.half_extents);
-    load(box.rotation);
-  }
-  template <Scalar S, int N>
-  constexpr void load(Plane<S, N>& plane) noexcept {
-    load(plane.normal);
-    load(plane.offset);
-  }
-  template <Scalar S, int N>
-  constexpr void load(Triangle<S, N>& triangle) noexcept {
-    load(triangle.a);
-    load(triangle.b);
-    load(triangle.c);
-  }
-  template <Scalar S, int N>
-  constexpr void load(Capsule<S, N>& capsule) noexcept {
-    load(capsule.a);
-    load(capsule.b);
-    load(capsule.radius);
+  template <ListsFields Shape>
+  constexpr void load(Shape& shape) noexcept {
+    ShapeFields<Shape>::of(shape, [this](auto&... fields) { (load(fields), ...); });
   }
 
  private:

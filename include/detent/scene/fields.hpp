@@ -10,12 +10,7 @@
 #include "detent/math/transform.hpp"
 #include "detent/number/digest.hpp"
 #include "detent/scene/field_name.hpp"
-#include "detent/shape/aabb.hpp"
-#include "detent/shape/capsule.hpp"
-#include "detent/shape/obb.hpp"
-#include "detent/shape/plane.hpp"
-#include "detent/shape/sphere.hpp"
-#include "detent/shape/triangle.hpp"
+#include "detent/shape/fields.hpp"
 
 // The named parts of a value: for_each_field(value, f) calls f(name, part) for each part.
 
@@ -43,38 +38,19 @@ constexpr void for_each_field(const Transform<S, N>& transform, const F& f) {
   f("scale", transform.scale);
 }
 
-template <Scalar S, int N, class F>
-constexpr void for_each_field(const Sphere<S, N>& sphere, const F& f) {
-  f("center", sphere.center);
-  f("radius", sphere.radius);
-}
-template <Scalar S, int N, class F>
-constexpr void for_each_field(const Aabb<S, N>& box, const F& f) {
-  f("min", box.min);
-  f("max", box.max);
-}
-template <Scalar S, int N, class F>
-constexpr void for_each_field(const Obb<S, N>& box, const F& f) {
-  f("center", box.center);
-  f("half_extents", box.half_extents);
-  for_each_field(box.rotation, f);
-}
-template <Scalar S, int N, class F>
-constexpr void for_each_field(const Plane<S, N>& plane, const F& f) {
-  f("normal", plane.normal);
-  f("offset", plane.offset);
-}
-template <Scalar S, int N, class F>
-constexpr void for_each_field(const Triangle<S, N>& triangle, const F& f) {
-  f("a", triangle.a);
-  f("b", triangle.b);
-  f("c", triangle.c);
-}
-template <Scalar S, int N, class F>
-constexpr void for_each_field(const Capsule<S, N>& capsule, const F& f) {
-  f("a", capsule.a);
-  f("b", capsule.b);
-  f("radius", capsule.radius);
+/// Of a shape: its fields, and the axes of a rotation one by one.
+template <detail::ListsFields Shape, class F>
+constexpr void for_each_field(const Shape& shape, const F& f) {
+  using Fields = detail::ShapeFields<Shape>;
+  const auto visit = [&]<class Field>(std::string_view name, const Field& field) {
+    if constexpr (requires { field.axis(0); }) {
+      for_each_field(field, f);
+    } else {
+      f(name, field);
+    }
+  };
+  const std::string_view* name = Fields::names;
+  Fields::of(shape, [&](const auto&... fields) { (visit(*name++, fields), ...); });
 }
 
 namespace detail {

@@ -43,14 +43,7 @@ namespace detail {
 template <Scalar S, int N, class... Shapes>
 [[nodiscard]] constexpr SnapshotHeader header_for() noexcept {
   SnapshotHeader header;
-  header.dimension = static_cast<std::uint8_t>(N);
-  header.is_floating = is_fixed<S> ? 0 : 1;
-  if constexpr (is_fixed<S>) {
-    header.bits = static_cast<std::uint8_t>(S::bits);
-    header.frac = static_cast<std::uint8_t>(S::frac);
-  } else {
-    header.bits = static_cast<std::uint8_t>(8 * sizeof(S));
-  }
+  header.space = SnapshotSpace::of<S, N>();
   header.shapes = static_cast<std::uint16_t>(((1u << shape_tag<Shapes>) | ...));
   return header;
 }
@@ -64,34 +57,6 @@ constexpr std::uint32_t describe_frames(D& out, const Frames& frames) noexcept {
     out.add(static_cast<std::uint32_t>(i), frames[i].generation, frames[i].parent, frames[i].local);
   }
   return count;
-}
-
-/// Writes the snapshot after its header, and returns the header.
-template <class Storage, Scalar S, int N, class... Shapes>
-constexpr SnapshotHeader write(Writer& out,
-                               const BasicScene<Storage, S, N, Shapes...>& scene) noexcept {
-  const auto& store = SceneAccess::store(scene);
-  auto header = header_for<S, N, Shapes...>();
-  header.next_generation = store.next_generation();
-  header.frame_count = describe_frames(out, store.frames());
-  for (auto i = store.next_moving(0); i < store.end(); i = store.next_moving(i + 1)) {
-    ++header.object_count;
-    store.describe(out, i);
-  }
-  header.fixed_count = static_cast<std::uint32_t>(store.fixed_size());
-  header.fixed_digest = store.fixed_digest();
-  header.byte_count = SnapshotHeader::size + out.size() + SnapshotHeader::checksum_size;
-  return header;
-}
-
-/// Writes header and checksum around the rest.
-constexpr void finish(std::span<std::byte> bytes, const SnapshotHeader& header) noexcept {
-  Writer out(bytes);
-  header.describe(out);
-  const auto length = bytes.size() - SnapshotHeader::checksum_size;
-  Digest digest;
-  digest.add_bytes(bytes.first(length));
-  store_word(bytes.data() + length, digest.value());
 }
 
 template <class Shape, class Assets>
@@ -109,10 +74,7 @@ class SnapshotReader {
 
   constexpr SnapshotReader(std::span<const std::byte> bytes, const SnapshotHeader& header,
                            const Assets& assets) noexcept
-      : frames_(bytes.subspan(SnapshotHeader::size)),
-        header_(header),
-        assets_(assets),
-        in_(frames_.first(frames_.size() - SnapshotHeader::checksum_size)) {}
+      : frames_(SnapshotHeader::body(bytes)), header_(header), assets_(assets), in_(frames_) {}
 
   [[nodiscard]] constexpr Reader& in() noexcept { return in_; }
 
@@ -251,13 +213,18 @@ constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<cons
 template <class Storage, Scalar S, int N, class... Shapes>
 constexpr std::size_t snapshot(const BasicScene<Storage, S, N, Shapes...>& scene,
                                std::span<std::byte> room) noexcept {
-  const auto begin = (std::min)(room.size(), detail::SnapshotHeader::size);
-  detail::Writer out(room.subspan(begin));
-  const auto header = detail::write(out, scene);
-  if (room.size() >= header.byte_count) {
-    detail::finish(room.first(static_cast<std::size_t>(header.byte_count)), header);
-  }
-  return static_cast<std::size_t>(header.byte_count);
+  const auto& store = detail::SceneAccess::store(scene);
+  auto header = detail::header_for<S, N, Shapes...>();
+  header.next_generation = store.next_generation();
+  header.fixed_count = static_cast<std::uint32_t>(store.fixed_size());
+  header.fixed_digest = store.fixed_digest();
+  return detail::seal(room, header, [&](detail::Writer& out) {
+    header.frame_count = detail::describe_frames(out, store.frames());
+    for (auto i = store.next_moving(0); i < store.end(); i = store.next_moving(i + 1)) {
+      ++header.object_count;
+      store.describe(out, i);
+    }
+  });
 }
 
 /// The canonical bytes of the moving part of a scene.
@@ -279,13 +246,10 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
                                          std::span<const std::byte> bytes, const Lists&... lists) {
   const detail::AssetLists<Lists...> assets(lists...);
   detail::SnapshotHeader header;
-  const auto read = header.read(bytes);
+  const auto read = detail::open(bytes, header);
   if (read != Restored::yes) return read;
   const auto right = detail::header_for<S, N, Shapes...>();
-  if (header.dimension != right.dimension || header.is_floating != right.is_floating ||
-      header.bits != right.bits || header.frac != right.frac || header.shapes != right.shapes) {
-    return Restored::other_scene;
-  }
+  if (header.space != right.space || header.shapes != right.shapes) return Restored::other_scene;
   const auto& store = detail::SceneAccess::store(scene);
   if (header.fixed_count != store.fixed_size() || header.fixed_digest != store.fixed_digest()) {
     return Restored::other_fixed_part;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string_view>
+
 #include "detent/math/vec.hpp"
+#include "detent/shape/fields.hpp"
 
 namespace detent {
 
@@ -16,11 +19,15 @@ struct Aabb {
   [[nodiscard]] friend constexpr bool operator==(const Aabb&, const Aabb&) noexcept = default;
 };
 
-/// Appends to a digest: the fields in order.
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const Aabb<S, N>& box) noexcept {
-  digest.add(box.min, box.max);
-}
+template <Scalar S, int N>
+struct detail::ShapeFields<Aabb<S, N>> {
+  static constexpr std::string_view name = "aabb", names[] = {"min", "max"};
+
+  template <class Self, class F>
+  static constexpr auto of(Self& box, const F& f) {
+    return f(box.min, box.max);
+  }
+};
 
 template <Scalar S, int N>
 Aabb(Vec<S, N>, Vec<S, N>) -> Aabb<S, N>;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string_view>
+
 #include "detent/math/vec.hpp"
+#include "detent/shape/fields.hpp"
 
 namespace detent {
 
@@ -17,11 +20,15 @@ struct Capsule {
   [[nodiscard]] friend constexpr bool operator==(const Capsule&, const Capsule&) noexcept = default;
 };
 
-/// Appends to a digest: the fields in order.
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const Capsule<S, N>& capsule) noexcept {
-  digest.add(capsule.a, capsule.b, capsule.radius);
-}
+template <Scalar S, int N>
+struct detail::ShapeFields<Capsule<S, N>> {
+  static constexpr std::string_view name = "capsule", names[] = {"a", "b", "radius"};
+
+  template <class Self, class F>
+  static constexpr auto of(Self& capsule, const F& f) {
+    return f(capsule.a, capsule.b, capsule.radius);
+  }
+};
 
 template <Scalar S, int N>
 Capsule(Vec<S, N>, Vec<S, N>, S) -> Capsule<S, N>;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string_view>
+
 #include "detent/math/rotation.hpp"
+#include "detent/shape/fields.hpp"
 
 namespace detent {
 
@@ -19,11 +22,15 @@ struct Obb {
   [[nodiscard]] friend constexpr bool operator==(const Obb&, const Obb&) noexcept = default;
 };
 
-/// Appends to a digest: the fields in order.
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const Obb<S, N>& box) noexcept {
-  digest.add(box.center, box.half_extents, box.rotation);
-}
+template <Scalar S, int N>
+struct detail::ShapeFields<Obb<S, N>> {
+  static constexpr std::string_view name = "obb", names[] = {"center", "half_extents", "rotation"};
+
+  template <class Self, class F>
+  static constexpr auto of(Self& box, const F& f) {
+    return f(box.center, box.half_extents, box.rotation);
+  }
+};
 
 template <Scalar S, int N>
 Obb(Vec<S, N>, Vec<S, N>, Rotation<S, N>) -> Obb<S, N>;

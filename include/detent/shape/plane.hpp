@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string_view>
+
 #include "detent/math/direction.hpp"
+#include "detent/shape/fields.hpp"
 
 namespace detent {
 
@@ -14,11 +17,15 @@ struct Plane {
   [[nodiscard]] friend constexpr bool operator==(const Plane&, const Plane&) noexcept = default;
 };
 
-/// Appends to a digest: the fields in order.
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const Plane<S, N>& plane) noexcept {
-  digest.add(plane.normal, plane.offset);
-}
+template <Scalar S, int N>
+struct detail::ShapeFields<Plane<S, N>> {
+  static constexpr std::string_view name = "plane", names[] = {"normal", "offset"};
+
+  template <class Self, class F>
+  static constexpr auto of(Self& plane, const F& f) {
+    return f(plane.normal, plane.offset);
+  }
+};
 
 template <Scalar S, int N>
 Plane(Direction<S, N>, S) -> Plane<S, N>;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string_view>
+
 #include "detent/math/direction.hpp"
+#include "detent/shape/fields.hpp"
 
 namespace detent {
 
@@ -16,11 +19,15 @@ struct Ray {
   [[nodiscard]] friend constexpr bool operator==(const Ray&, const Ray&) noexcept = default;
 };
 
-/// Appends to a digest: the fields in order.
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const Ray<S, N>& ray) noexcept {
-  digest.add(ray.origin, ray.direction, ray.max_distance);
-}
+template <Scalar S, int N>
+struct detail::ShapeFields<Ray<S, N>> {
+  static constexpr std::string_view name = "ray", names[] = {"origin", "direction", "max_distance"};
+
+  template <class Self, class F>
+  static constexpr auto of(Self& ray, const F& f) {
+    return f(ray.origin, ray.direction, ray.max_distance);
+  }
+};
 
 template <Scalar S, int N>
 Ray(Vec<S, N>, Direction<S, N>, S) -> Ray<S, N>;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string_view>
+
 #include "detent/math/vec.hpp"
+#include "detent/shape/fields.hpp"
 
 namespace detent {
 
@@ -14,11 +17,15 @@ struct Segment {
   [[nodiscard]] friend constexpr bool operator==(const Segment&, const Segment&) noexcept = default;
 };
 
-/// Appends to a digest: the fields in order.
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const Segment<S, N>& segment) noexcept {
-  digest.add(segment.start, segment.end);
-}
+template <Scalar S, int N>
+struct detail::ShapeFields<Segment<S, N>> {
+  static constexpr std::string_view name = "segment", names[] = {"start", "end"};
+
+  template <class Self, class F>
+  static constexpr auto of(Self& segment, const F& f) {
+    return f(segment.start, segment.end);
+  }
+};
 
 template <Scalar S, int N>
 Segment(Vec<S, N>, Vec<S, N>) -> Segment<S, N>;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string_view>
+
 #include "detent/math/vec.hpp"
+#include "detent/shape/fields.hpp"
 
 namespace detent {
 
@@ -16,11 +19,15 @@ struct Sphere {
   [[nodiscard]] friend constexpr bool operator==(const Sphere&, const Sphere&) noexcept = default;
 };
 
-/// Appends to a digest: the fields in order.
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const Sphere<S, N>& sphere) noexcept {
-  digest.add(sphere.center, sphere.radius);
-}
+template <Scalar S, int N>
+struct detail::ShapeFields<Sphere<S, N>> {
+  static constexpr std::string_view name = "sphere", names[] = {"center", "radius"};
+
+  template <class Self, class F>
+  static constexpr auto of(Self& sphere, const F& f) {
+    return f(sphere.center, sphere.radius);
+  }
+};
 
 template <Scalar S, int N>
 Sphere(Vec<S, N>, S) -> Sphere<S, N>;

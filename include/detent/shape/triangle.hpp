@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string_view>
+
 #include "detent/math/vec.hpp"
+#include "detent/shape/fields.hpp"
 
 namespace detent {
 
@@ -18,11 +21,15 @@ struct Triangle {
                                                  const Triangle&) noexcept = default;
 };
 
-/// Appends to a digest: the fields in order.
-template <class D, Scalar S, int N>
-constexpr void append(D& digest, const Triangle<S, N>& triangle) noexcept {
-  digest.add(triangle.a, triangle.b, triangle.c);
-}
+template <Scalar S, int N>
+struct detail::ShapeFields<Triangle<S, N>> {
+  static constexpr std::string_view name = "triangle", names[] = {"a", "b", "c"};
+
+  template <class Self, class F>
+  static constexpr auto of(Self& triangle, const F& f) {
+    return f(triangle.a, triangle.b, triangle.c);
+  }
+};
 
 template <Scalar S, int N>
 Triangle(Vec<S, N>, Vec<S, N>, Vec<S, N>) -> Triangle<S, N>;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "detent/shape/shape.hpp"
 #include "verify/draw/stage.hpp"
@@ -23,6 +24,19 @@ constexpr void append(D& digest, const HullPoints<S, N>& hull) noexcept {
   for (int i = 0; i < hull.count; ++i) digest.add(hull.points[static_cast<std::size_t>(i)]);
 }
 
+}  // namespace detent::verify
+
+namespace detent::detail {
+
+template <Scalar S, int N>
+struct ShapeFields<verify::HullPoints<S, N>> {
+  static constexpr std::string_view name = "hull";
+};
+
+}  // namespace detent::detail
+
+namespace detent::verify {
+
 /// Converts a drawn shape to the library's type.
 template <class Shape>
 [[nodiscard]] constexpr const Shape& as_shape(const Shape& shape) noexcept {
@@ -32,6 +46,10 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr ConvexHull<S, N> as_shape(const HullPoints<S, N>& hull) noexcept {
   return {std::span(hull.points).first(hull.count)};
 }
+
+/// A type of shapes as a value.
+template <class Shape>
+struct Type {};
 
 /// Draws shapes around one spot of a stage.
 ///
@@ -95,6 +113,16 @@ class ShapeScene : public Stage<S, N> {
   }
   /// The next shape is at the first spot again.
   constexpr void go_home() noexcept { center_ = home_; }
+
+  constexpr auto draw(Type<Sphere<S, N>>) noexcept { return sphere(); }
+  constexpr auto draw(Type<Aabb<S, N>>) noexcept { return aabb(); }
+  constexpr auto draw(Type<Obb<S, N>>) noexcept { return obb(); }
+  constexpr auto draw(Type<Plane<S, N>>) noexcept { return plane(); }
+  constexpr auto draw(Type<Triangle<S, N>>) noexcept { return triangle(); }
+  constexpr auto draw(Type<Capsule<S, N>>) noexcept { return capsule(); }
+  constexpr auto draw(Type<Segment<S, N>>) noexcept { return segment(); }
+  constexpr auto draw(Type<Ray<S, N>>) noexcept { return ray(); }
+  constexpr auto draw(Type<HullPoints<S, N>>) noexcept { return hull(); }
 
   constexpr Sphere<S, N> sphere() noexcept {
     if (extreme_) return {Base::vec(any_point()), Base::scalar(extent())};

@@ -7,75 +7,19 @@
 
 #include "verify/draw/shapes.hpp"
 
-// The kinds of shapes: the name used in row names, the type, and how to draw one.
-
 namespace detent::verify {
 
-struct SphereKind {
-  static constexpr std::string_view name = "sphere";
-  template <Scalar S, int N>
-  static constexpr auto draw(ShapeScene<S, N>& scene) noexcept {
-    return scene.sphere();
-  }
-};
-struct AabbKind {
-  static constexpr std::string_view name = "aabb";
-  template <Scalar S, int N>
-  static constexpr auto draw(ShapeScene<S, N>& scene) noexcept {
-    return scene.aabb();
-  }
-};
-struct ObbKind {
-  static constexpr std::string_view name = "obb";
-  template <Scalar S, int N>
-  static constexpr auto draw(ShapeScene<S, N>& scene) noexcept {
-    return scene.obb();
-  }
-};
-struct PlaneKind {
-  static constexpr std::string_view name = "plane";
-  template <Scalar S, int N>
-  static constexpr auto draw(ShapeScene<S, N>& scene) noexcept {
-    return scene.plane();
-  }
-};
-struct TriangleKind {
-  static constexpr std::string_view name = "triangle";
-  template <Scalar S, int N>
-  static constexpr auto draw(ShapeScene<S, N>& scene) noexcept {
-    return scene.triangle();
-  }
-};
-struct CapsuleKind {
-  static constexpr std::string_view name = "capsule";
-  template <Scalar S, int N>
-  static constexpr auto draw(ShapeScene<S, N>& scene) noexcept {
-    return scene.capsule();
-  }
-};
-struct SegmentKind {
-  static constexpr std::string_view name = "segment";
-  template <Scalar S, int N>
-  static constexpr auto draw(ShapeScene<S, N>& scene) noexcept {
-    return scene.segment();
-  }
-};
-struct RayKind {
-  static constexpr std::string_view name = "ray";
-  template <Scalar S, int N>
-  static constexpr auto draw(ShapeScene<S, N>& scene) noexcept {
-    return scene.ray();
-  }
-};
+/// A kind of shape: the name used in row names, and how one is drawn. Clang 14 takes no `q16_16` in
+/// the class instead of the default `Example`.
+template <template <Scalar, int> class Shape, class Example = q16_16>
+struct Kind {
+  static constexpr std::string_view name = detail::ShapeFields<Shape<Example, 3>>::name;
 
-struct HullKind {
-  static constexpr std::string_view name = "hull";
   template <Scalar S, int N>
   static constexpr auto draw(ShapeScene<S, N>& scene) noexcept {
-    return scene.hull();
+    return scene.draw(Type<Shape<S, N>>());
   }
 };
-
 /// The name of a row, concatenated from a few words at compile time.
 class RowName {
  public:

@@ -95,7 +95,7 @@ struct Contacts : PairDraw<First, Second, Dimensions...> {
 };
 
 template <class Kind>
-struct Intersects : PairDraw<SegmentKind, Kind> {
+struct Intersects : PairDraw<verify::Kind<Segment>, Kind> {
   static constexpr RowName name{"intersects/", Kind::name};
   static constexpr std::array<std::string_view, 1> names{name.view()};
 

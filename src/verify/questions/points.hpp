@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 #include "detent/query/barycentric.hpp"
 #include "detent/query/closest_point.hpp"
@@ -54,15 +57,25 @@ enum PointRow {
   barycentric_row
 };
 
-template <class Kind, std::size_t Rows>
+template <class Shape>
+inline constexpr std::size_t point_rows = [] {
+  std::size_t rows = squared_distance_row;
+  if constexpr (requires(Shape shape) { squared_distance(shape, Vec<q16_16, 3>()); }) ++rows;
+  if constexpr (requires(Shape shape) { barycentric(shape, Vec<q16_16, 3>()); }) ++rows;
+  return rows;
+}();
+
+template <class Kind>
 struct Points {
+  static constexpr std::size_t rows = point_rows<
+      std::remove_cvref_t<decltype(as_shape(Kind::draw(std::declval<ShapeScene<q16_16, 3>&>())))>>;
   static constexpr std::array<RowName, 6> all_names{
       RowName("contains/", Kind::name),         RowName("on/", Kind::name),
       RowName("closest_point/", Kind::name),    RowName("distance/", Kind::name),
       RowName("squared_distance/", Kind::name), RowName("barycentric/", Kind::name)};
   static constexpr auto names = [] {
-    std::array<std::string_view, Rows> views;
-    for (std::size_t row = 0; row < Rows; ++row) views[row] = all_names[row].view();
+    std::array<std::string_view, rows> views;
+    for (std::size_t row = 0; row < rows; ++row) views[row] = all_names[row].view();
     return views;
   }();
 
@@ -97,15 +110,5 @@ struct Points {
     }
   }
 };
-
-using SpherePoints = Points<SphereKind, 4>;
-using AabbPoints = Points<AabbKind, 5>;
-using ObbPoints = Points<ObbKind, 5>;
-using PlanePoints = Points<PlaneKind, 5>;
-using TrianglePoints = Points<TriangleKind, 6>;
-using CapsulePoints = Points<CapsuleKind, 4>;
-using SegmentPoints = Points<SegmentKind, 5>;
-using RayPoints = Points<RayKind, 5>;
-using HullPointQueries = Points<HullKind, 5>;
 
 }  // namespace detent::verify

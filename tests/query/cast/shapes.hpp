@@ -1,42 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
+#include <optional>
 
 #include "detent/query/cast.hpp"
-#include "query/raycast/helpers.hpp"
+#include "query/shapes_at.hpp"
 
 namespace detent::test {
-
-/// Round shapes that reach from x - 1 to x + 1 on the x axis, with the ends of the reach there.
-template <Scalar S, int N, class Visit>
-void visit_round(double x, const Visit& visit) {
-  visit(Sphere<S, N>{at<S, N>(x), num<S>(1)});
-  visit(Capsule<S, N>{at<S, N>(x + 0.5), at<S, N>(x - 0.5), num<S>(0.5)});
-}
-
-/// Polytopes that do.
-template <Scalar S, int N, class Visit>
-void visit_boxes(double x, const Visit& visit) {
-  visit(Aabb<S, N>{at<S, N>(x - 1, -1, -1), at<S, N>(x + 1, 1, 1)});
-  visit(Obb<S, N>{at<S, N>(x), filled<S, N>(num<S>(1)), {}});
-}
-
-template <Scalar S, int N, class Visit>
-void visit_hulls(double x, const Visit& visit) {
-  const auto left = at<S, N>(x - 1), right = at<S, N>(x + 1);
-  visit(Triangle<S, N>{left, right, at<S, N>(x, 1)});
-  visit(Segment<S, N>{left, right});
-  const std::array corners{left, at<S, N>(x, 1), right, at<S, N>(x, -1), at<S, N>(x, 0, 1)};
-  visit(ConvexHull<S, N>{corners});
-}
-
-template <Scalar S, int N, class Visit>
-void visit_shapes(double x, const Visit& visit) {
-  visit_round<S, N>(x, visit);
-  visit_boxes<S, N>(x, visit);
-  visit_hulls<S, N>(x, visit);
-}
 
 /// The distance of `cast`; checks that `cast_distance` and a `Cast` agree.
 template <class A, class B, Scalar S, int N>

@@ -26,7 +26,7 @@ TEMPLATE_TEST_CASE("distance of two shapes: an empty one is as far as can be exp
   constexpr int N = TestType::dimension;
   const Sphere<S, N> none{Vec<S, N>(), num<S>(-1)};
   const Aabb<S, N> inverted{at<S, N>(1), at<S, N>(-1)};
-  visit_kinds<S, N>(0, [&](const auto& shape) {
+  visit_shapes<S, N>(0, [&](const auto& shape) {
     CHECK(distance(shape, none) == largest<S>);
     CHECK(distance(inverted, shape) == largest<S>);
     CHECK(distance(shape, ConvexHull<S, N>()) == largest<S>);
@@ -42,7 +42,7 @@ TEMPLATE_TEST_CASE("distance of two shapes: a frustum is the hull of its corners
     corners[i] = at<S, 3>(i & 1 ? size : -size, i & 2 ? size : -size, size);
   }
   const Frustum<S> frustum(corners);
-  visit_kinds<S, 3>(6, [&](const auto& shape) {
+  visit_shapes<S, 3>(6, [&](const auto& shape) {
     CHECK(distance(frustum, shape) == distance(frustum.hull(), shape));
     CHECK(distance(shape, frustum) == distance(frustum, shape));
     CHECK(distance(frustum, shape) > S(0));

@@ -11,6 +11,7 @@
 #include "detent/query/raycast.hpp"
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
+#include "support/shapes.hpp"
 
 namespace detent::test {
 
@@ -117,17 +118,9 @@ template <Scalar S, int N, class F>
 constexpr Ray<S, N> changed(const Ray<S, N>& ray, const F& f) {
   return {f(ray.origin), f(ray.direction), ray.max_distance};
 }
-template <Scalar S, int N, class F>
-constexpr Sphere<S, N> changed(const Sphere<S, N>& sphere, const F& f) {
-  return {f(sphere.center), sphere.radius};
-}
-template <Scalar S, int N, class F>
-constexpr Capsule<S, N> changed(const Capsule<S, N>& capsule, const F& f) {
-  return {f(capsule.a), f(capsule.b), capsule.radius};
-}
-template <Scalar S, int N, class F>
-constexpr Segment<S, N> changed(const Segment<S, N>& segment, const F& f) {
-  return {f(segment.start), f(segment.end)};
+template <support::OfPoints Shape, class F>
+constexpr Shape changed(const Shape& shape, const F& f) {
+  return support::with_points(shape, f);
 }
 template <Scalar S, int N, class F>
 constexpr Aabb<S, N> changed(const Aabb<S, N>& box, const F& f) {
@@ -147,10 +140,6 @@ constexpr Obb<S, N> changed(const Obb<S, N>& box, const F& f) {
 template <Scalar S, int N, class F>
 constexpr Plane<S, N> changed(const Plane<S, N>& plane, const F& f) {
   return {f(plane.normal), plane.offset};
-}
-template <Scalar S, int N, class F>
-constexpr Triangle<S, N> changed(const Triangle<S, N>& triangle, const F& f) {
-  return {f(triangle.a), f(triangle.b), f(triangle.c)};
 }
 
 /// `value` in [-reach, reach] on every axis around `center`, for halves of the domain.

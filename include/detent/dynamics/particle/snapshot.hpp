@@ -6,8 +6,8 @@
 #include <span>
 
 #include "detent/dynamics/particle/system.hpp"
+#include "detent/scene/envelope.hpp"
 #include "detent/scene/fields.hpp"
-#include "detent/scene/header.hpp"
 
 // Particles as bytes, and back:
 //   snapshot(system)         -> the bytes, for a system that allocates
@@ -27,24 +27,20 @@ namespace detent {
 
 namespace detail {
 
-struct ParticleHeader {
-  static constexpr std::uint32_t right_magic = 0x504e5444u;  // "DTNP"
-  static constexpr std::uint16_t right_version = 1;
-  static constexpr std::size_t size = 40;
-  static constexpr std::size_t checksum_size = 8;
-
-  std::uint32_t magic = right_magic;
-  std::uint16_t version = right_version;
-  std::uint8_t dimension = 0, is_floating = 0, bits = 0, frac = 0;
+/// The first 40 bytes of a snapshot: "DTNP", version 1.
+struct ParticleHeader : SnapshotStart<0x504e5444u, 1, 40> {
   std::uint16_t reserved = 0;
   std::uint32_t particles = 0, constraints = 0;
-  std::uint64_t settings_digest = 0, byte_count = 0;
+  std::uint64_t settings_digest = 0;
   std::uint32_t reserved_too = 0;
 
-  template <class D>
-  constexpr void describe(D& out) const noexcept {
-    out.add(magic, version, dimension, is_floating, bits, frac, reserved, particles, constraints,
-            settings_digest, byte_count, reserved_too);
+  [[nodiscard]] constexpr bool uses_reserved() const noexcept {
+    return reserved != 0 || reserved_too != 0;
+  }
+
+  template <class Header, class F>
+  static constexpr void fields(Header& h, const F& f) noexcept {
+    f(h.reserved, h.particles, h.constraints, h.settings_digest, h.byte_count, h.reserved_too);
   }
 };
 
@@ -72,14 +68,7 @@ template <class Storage, Scalar S, int N>
 [[nodiscard]] constexpr ParticleHeader header_of(
     const BasicParticleSystem<Storage, S, N>& system) noexcept {
   ParticleHeader header;
-  header.dimension = static_cast<std::uint8_t>(N);
-  if constexpr (is_fixed<S>) {
-    header.bits = static_cast<std::uint8_t>(S::bits);
-    header.frac = static_cast<std::uint8_t>(S::frac);
-  } else {
-    header.is_floating = 1;
-    header.bits = static_cast<std::uint8_t>(8 * sizeof(S));
-  }
+  header.space = SnapshotSpace::of<S, N>();
   header.particles = static_cast<std::uint32_t>(system.size());
   header.constraints = static_cast<std::uint32_t>(system.constraint_count());
   const auto& settings = system.settings();
@@ -135,26 +124,14 @@ template <Scalar S, int N, class Particles, class Constraints>
 
 }  // namespace detail
 
-/// Writes the snapshot of `system` into `room` if it holds all bytes, and returns their number.
+/// Writes the snapshot of `system` to `room`; returns the number of its bytes. If `room` is smaller,
+/// its contents are of no use.
 template <class Storage, Scalar S, int N>
 constexpr std::size_t snapshot(const BasicParticleSystem<Storage, S, N>& system,
                                std::span<std::byte> room) noexcept {
-  using detail::ParticleHeader;
   auto header = detail::header_of(system);
-  detail::Writer count;
-  detail::describe_particles(count, system);
-  header.byte_count = ParticleHeader::size + count.size() + ParticleHeader::checksum_size;
-  const auto size = static_cast<std::size_t>(header.byte_count);
-  if (room.size() < size) return size;
-  const auto bytes = room.first(size);
-  detail::Writer out(bytes);
-  header.describe(out);
-  detail::describe_particles(out, system);
-  const auto length = size - ParticleHeader::checksum_size;
-  Digest digest;
-  digest.add_bytes(bytes.first(length));
-  detail::store_word(bytes.data() + length, digest.value());
-  return size;
+  return detail::seal(room, header,
+                      [&](detail::Writer& out) { detail::describe_particles(out, system); });
 }
 
 #if __STDC_HOSTED__
@@ -178,29 +155,10 @@ template <class Storage, Scalar S, int N>
   using detail::ParticleHeader;
   using System = BasicParticleSystem<Storage, S, N>;
   ParticleHeader header;
-  detail::Reader in(bytes);
-  in.get(header.magic, header.version);
-  if (in.has_failed()) return Restored::truncated;
-  if (header.magic != ParticleHeader::right_magic) return Restored::no_snapshot;
-  if (header.version != ParticleHeader::right_version) return Restored::other_version;
-  in.get(header.dimension, header.is_floating, header.bits, header.frac, header.reserved,
-         header.particles, header.constraints, header.settings_digest, header.byte_count,
-         header.reserved_too);
-  if (in.has_failed() || bytes.size() < header.byte_count) return Restored::truncated;
-  if (bytes.size() != header.byte_count || header.reserved != 0 || header.reserved_too != 0 ||
-      bytes.size() < ParticleHeader::size + ParticleHeader::checksum_size) {
-    return Restored::corrupted;
-  }
-  const auto checked = bytes.first(bytes.size() - ParticleHeader::checksum_size);
-  Digest digest;
-  digest.add_bytes(checked);
-  if (digest.value() != detail::load_word<std::uint64_t>(checked.data() + checked.size())) {
-    return Restored::corrupted;
-  }
+  const auto read = detail::open(bytes, header);
+  if (read != Restored::yes) return read;
   const auto own = detail::header_of(system);
-  if (header.dimension != own.dimension || header.is_floating != own.is_floating ||
-      header.bits != own.bits || header.frac != own.frac ||
-      header.settings_digest != own.settings_digest) {
+  if (header.space != own.space || header.settings_digest != own.settings_digest) {
     return Restored::other_scene;
   }
   if (header.particles > System::capacity || header.constraints > System::constraint_capacity) {
@@ -208,7 +166,7 @@ template <class Storage, Scalar S, int N>
   }
   std::remove_cvref_t<decltype(detail::ParticleAccess::particles(system))> particles;
   std::remove_cvref_t<decltype(detail::ParticleAccess::constraints(system))> constraints;
-  detail::Reader parts(checked.subspan(ParticleHeader::size));
+  detail::Reader parts(ParticleHeader::body(bytes));
   if (!detail::read_particles<S, N>(parts, header, particles, constraints)) {
     return Restored::corrupted;
   }

@@ -3,15 +3,10 @@
 
 #include <type_traits>
 
-#include "detent/shape/aabb.hpp"
-#include "detent/shape/capsule.hpp"
+#include "detent/shape/fields.hpp"
 #include "detent/shape/hull.hpp"
-#include "detent/shape/obb.hpp"
-#include "detent/shape/plane.hpp"
 #include "detent/shape/ray.hpp"
 #include "detent/shape/segment.hpp"
-#include "detent/shape/sphere.hpp"
-#include "detent/shape/triangle.hpp"
 
 namespace detent {
 
@@ -24,25 +19,13 @@ namespace detail {
 enum class Argument { none, point, segment, ray, shape };
 
 template <class T>
-inline constexpr Argument argument = Argument::none;
+inline constexpr Argument argument = ListsFields<T> ? Argument::shape : Argument::none;
 template <Scalar S, int N>
 inline constexpr Argument argument<Vec<S, N>> = Argument::point;
 template <Scalar S, int N>
 inline constexpr Argument argument<Segment<S, N>> = Argument::segment;
 template <Scalar S, int N>
 inline constexpr Argument argument<Ray<S, N>> = Argument::ray;
-template <Scalar S, int N>
-inline constexpr Argument argument<Sphere<S, N>> = Argument::shape;
-template <Scalar S, int N>
-inline constexpr Argument argument<Aabb<S, N>> = Argument::shape;
-template <Scalar S, int N>
-inline constexpr Argument argument<Obb<S, N>> = Argument::shape;
-template <Scalar S, int N>
-inline constexpr Argument argument<Plane<S, N>> = Argument::shape;
-template <Scalar S, int N>
-inline constexpr Argument argument<Triangle<S, N>> = Argument::shape;
-template <Scalar S, int N>
-inline constexpr Argument argument<Capsule<S, N>> = Argument::shape;
 template <Scalar S, int N>
 inline constexpr Argument argument<ConvexHull<S, N>> = Argument::shape;
 template <Scalar S>

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "detent/scene/assets.hpp"
+#include "detent/scene/bytes.hpp"
+
+// Bodies that refer to an asset: hulls, compounds, meshes and height fields.
+
+namespace detent {
+
+namespace detail {
+
+/// What differences call the asset of a body, and the digest of it.
+struct AssetNames {
+  std::string_view id, digest;
+};
+template <class Body>
+inline constexpr AssetNames asset_names{};
+
+template <class Body>
+concept AssetBody = !asset_names<Body>.id.empty();
+
+/// Reads the asset of a body: bodies hold it in their frame, untranslated and unrotated.
+template <AssetBody Body, class Assets>
+[[nodiscard]] constexpr Restored read_shape(Reader& in, Body& body, const Assets& assets) noexcept {
+  std::uint32_t id = 0;
+  std::uint64_t digest = 0;
+  in.get(id, digest, body.translation);
+  if constexpr (requires { body.rotation; }) in.get(body.rotation);
+  if (in.has_failed() || !(body == Body())) return Restored::corrupted;
+  return assets.find(id, digest, body.asset);
+}
+
+}  // namespace detail
+
+/// Appends to a digest: id and digest of the asset (zeros for none), translation and rotation.
+template <class D, detail::AssetBody Body>
+constexpr void append(D& digest, const Body& body) noexcept {
+  digest.add(body.asset ? body.asset->id() : std::uint32_t{0},
+             body.asset ? body.asset->digest() : std::uint64_t{0}, body.translation);
+  if constexpr (requires { body.rotation; }) digest.add(body.rotation);
+}
+
+/// Its fields, for the names of differences: see scene/fields.hpp.
+template <detail::AssetBody Body, class F>
+constexpr void for_each_field(const Body& body, const F& f) {
+  f(detail::asset_names<Body>.id, body.asset ? body.asset->id() : std::uint32_t{0});
+  f(detail::asset_names<Body>.digest, body.asset ? body.asset->digest() : std::uint64_t{0});
+  f("translation", body.translation);
+  if constexpr (requires { body.rotation; }) for_each_field(body.rotation, f);
+}
+
+}  // namespace detent

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+namespace detent {
+
+namespace detail {
+
+/// The fields of a shape, for digests, snapshots and differences: its `name`, the `names` of the
+/// fields, and `of(shape, f)`, which returns f(field, ...) in their order. Each shape's header
+/// specializes it.
+template <class Shape>
+struct ShapeFields {};
+
+template <class Shape>
+concept ListsFields = requires {
+  ShapeFields<Shape>::names;
+};
+
+}  // namespace detail
+
+/// Appends to a digest: the fields in order.
+template <class D, detail::ListsFields Shape>
+constexpr void append(D& digest, const Shape& shape) noexcept {
+  detail::ShapeFields<Shape>::of(shape, [&](const auto&... fields) { digest.add(fields...); });
+}
+
+}  // namespace detent
