@@ -105,16 +105,17 @@ export declare class Detent<D extends Of, S extends Scene<D> = Scene<D>> {
 }
 
 type Source = URL | string | Response | BufferSource | WebAssembly.Module;
-/** The module of a dimension, by default detent2.wasm or detent3.wasm next to index.mjs. */
+/** The module of a dimension, by default detent2.wasm.gz or detent3.wasm.gz next to index.mjs. Bytes may be
+ *  compressed by gzip. */
 export declare function load(dimension: 2, source?: Source): Promise<Detent<Of2>>;
 export declare function load(dimension: 3, source?: Source): Promise<Detent<Of3>>;
-/** In place of it, a module that also has characters and casts in scenes, by default movers2.wasm or
- *  movers3.wasm. */
+/** In place of it, a module that also has characters and casts in scenes, by default movers2.wasm.gz
+ *  or movers3.wasm.gz. */
 export declare function loadWithMovers(dimension: 2, source?: Source):
   Promise<Detent<Of2, SceneWithMovers<Of2>>>;
 export declare function loadWithMovers(dimension: 3, source?: Source):
   Promise<Detent<Of3, SceneWithMovers<Of3>>>;
-/** The module of queries of two shapes, by default pairs2.wasm or pairs3.wasm. */
+/** The module of queries of two shapes, by default pairs2.wasm.gz or pairs3.wasm.gz. */
 export declare function loadPairs(dimension: 2, source?: Source): Promise<Pairs<Of2>>;
 export declare function loadPairs(dimension: 3, source?: Source): Promise<Pairs<Of3>>;
 

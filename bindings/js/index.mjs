@@ -130,6 +130,15 @@ class Memory {
   }
 }
 
+/** The bytes of a module. Its file is compressed, so that it is small from every server; a server that says
+ *  so (`content-encoding: gzip`) makes the browser expand it, and then there is nothing to do. */
+async function expand(bytes) {
+  const start = ArrayBuffer.isView(bytes)
+    ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength) : new Uint8Array(bytes);
+  if (start[0] !== 0x1f || start[1] !== 0x8b) return bytes;
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+}
+
 async function instantiate(source) {
   let from = source;
   if (from instanceof URL && from.protocol === 'file:') {
@@ -138,6 +147,7 @@ async function instantiate(source) {
     from = await fetch(from);
   }
   if (typeof Response !== 'undefined' && from instanceof Response) from = await from.arrayBuffer();
+  if (!(from instanceof WebAssembly.Module)) from = await expand(from);
   const module = from instanceof WebAssembly.Module ? from : await WebAssembly.compile(from);
   const imports = {};
   for (const { module: room, name } of WebAssembly.Module.imports(module)) {
@@ -152,18 +162,19 @@ async function instantiate(source) {
 }
 
 /** Instantiates the module of a dimension: from a URL, a Response, bytes or a compiled module; by default
- *  from detent2.wasm or detent3.wasm next to this file. */
-export async function load(dimension, source = new URL(`./detent${dimension}.wasm`, import.meta.url)) {
+ *  from detent2.wasm.gz or detent3.wasm.gz next to this file. Bytes may be compressed by gzip. */
+export async function load(dimension, source = new URL(`./detent${dimension}.wasm.gz`, import.meta.url)) {
   return new Detent(await instantiate(source), dimension);
 }
-/** The same with characters and casts in scenes: a larger module, by default movers2.wasm or movers3.wasm.
- *  It replaces the one that `load` takes, since scenes are in the memory of their module. */
-export async function loadWithMovers(dimension, source = new URL(`./movers${dimension}.wasm`, import.meta.url)) {
+/** The same with characters and casts in scenes: a larger module, by default movers2.wasm.gz or
+ *  movers3.wasm.gz. It replaces the one that `load` takes, since scenes are in the memory of their module. */
+export async function loadWithMovers(dimension,
+  source = new URL(`./movers${dimension}.wasm.gz`, import.meta.url)) {
   return new Detent(await instantiate(source), dimension);
 }
-/** Contacts, closest points, casts and times of impact of two shapes: by default from pairs2.wasm or
- *  pairs3.wasm. */
-export async function loadPairs(dimension, source = new URL(`./pairs${dimension}.wasm`, import.meta.url)) {
+/** Contacts, closest points, casts and times of impact of two shapes: by default from pairs2.wasm.gz or
+ *  pairs3.wasm.gz. */
+export async function loadPairs(dimension, source = new URL(`./pairs${dimension}.wasm.gz`, import.meta.url)) {
   return new Pairs(new Module(await instantiate(source)), dimension);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // usage: node browser.mjs CHROMIUM FOLDER
-// Plays the match in a browser with the modules of a folder, and prints its digest.
+// Plays the match in a browser with the modules of a folder, from a server that says nothing about gzip and
+// from one that makes the browser expand them, and prints its digest.
 
 import { spawn } from 'node:child_process';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
@@ -14,9 +15,10 @@ const page = `<!doctype html><script type="module">
   addEventListener('error', (event) => say('error: ' + event.message));
   addEventListener('unhandledrejection', (event) => say('error: ' + event.reason));
   const { play } = await import('/examples/match.mjs');
-  await say(await play());
+  const digests = [await play(), await play('/expanded/detent3.wasm.gz')];
+  await say(digests[0] === digests[1] ? digests[0] : 'error: ' + digests);
 </script>`;
-const types = { mjs: 'text/javascript', wasm: 'application/wasm' };
+const types = { mjs: 'text/javascript', gz: 'application/gzip' };
 
 const profile = await mkdtemp(join(tmpdir(), 'detent-browser-'));
 let browser;
@@ -40,7 +42,8 @@ const server = createServer(async (request, response) => {
     try {
       const name = path.startsWith('/examples/') ? join('examples', basename(path)) : basename(path);
       const bytes = await readFile(join(folder, name));
-      response.writeHead(200, { 'content-type': types[path.split('.').pop()] }).end(bytes);
+      response.writeHead(200, { 'content-type': types[path.split('.').pop()],
+        ...(path.startsWith('/expanded/') && { 'content-encoding': 'gzip' }) }).end(bytes);
     } catch {
       response.writeHead(404).end();
     }

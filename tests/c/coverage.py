@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Calls the C interface for every query and shape that C++ has: the cells of README's query matrix, which
 a test keeps true, times of impact, and the questions of scenes. What C has not, docs/bindings.md names in
-its table "not in C", and it names nothing else that the tables or headers of queries have."""
+its table "not in C", and it names nothing else that the tables or headers of queries have. Every function
+of the C interface is called by a test."""
 import ctypes
 import os
 import re
@@ -151,6 +152,14 @@ for region in sorted(regions):
             wrong.append(f'C does not answer: {name} of scenes with {region}')
 if not {'Vec', 'Sphere', 'Frustum'} <= regions or not {'contact', 'cast', 'raycast'} <= checked:
     wrong.append('the tables or regions were not read')
+
+# Every function is called by a test in C or C++: where macros paste names, N is a dimension.
+sources = ['src/c/single.hpp'] + ['tests/c/' + name for name in os.listdir('tests/c')
+                                  if name.endswith(('.c', '.cpp', '.hpp')) and name != 'overhead.cpp']
+called = set()
+for token in re.findall(r'\bdetent_\w+(?:##N(?:##\w+)?)?', '\n'.join(map(read, sources))):
+    called |= {token.replace('##N##', n).replace('##N', n) for n in '23'}
+wrong += [f'no test in tests/c calls {name}' for name in functions if name not in called]
 
 print('\n'.join(wrong) or f'C has {len(checked)} queries of README, and {len(regions)} regions of scenes')
 sys.exit(bool(wrong))

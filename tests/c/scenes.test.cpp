@@ -185,38 +185,54 @@ TEST_CASE("C scenes: histories give the bits of C++") {
   for (int i = 0; i < 400; ++i) {
     CAPTURE(i, random.seed());
     const auto where = place();
-    const auto choice = random.below(10);
-    if (choice < 4 || ids.empty()) {
+    const auto choice = random.below(12);
+    if (choice < 5 || ids.empty()) {
       const detent_traits traits{random.next(),
                                  static_cast<std::uint32_t>(1 + random.below(7)),
                                  random.one_in(5) && i < 100 ? 1u : 0u,
                                  {}};
+      const Traits own_traits{traits.layers, traits.user, static_cast<Motion>(traits.motion), {}};
+      const bool has_own_id = random.one_in(8);
       twins.with_shape(random.below(9), where, [&](const auto& theirs, const auto& own) {
-        detent_id id{};
-        REQUIRE(detent_scene3_add(&twins.context, twins.scene, &theirs, &traits, &id) == DETENT_OK);
-        const auto same = twins.twin.add(
-            own, {traits.layers, traits.user, static_cast<Motion>(traits.motion), {}});
-        REQUIRE(same == id_of(id));
-        if (traits.motion == DETENT_MOVING) ids.push_back(id);
+        detent_id id{static_cast<std::uint32_t>(1000 + random.below(20)), 3};
+        bool is_added = true;
+        if (has_own_id) {
+          is_added = twins.twin.add_as(id_of(id), own, own_traits);
+          REQUIRE(detent_scene3_add_as(&twins.context, twins.scene, id, &theirs, &traits) ==
+                  c::yes_or_no(is_added));
+        } else {
+          REQUIRE(detent_scene3_add(&twins.context, twins.scene, &theirs, &traits, &id) ==
+                  DETENT_OK);
+          REQUIRE(twins.twin.add(own, own_traits) == id_of(id));
+        }
+        if (is_added && traits.motion == DETENT_MOVING) ids.push_back(id);
       });
     } else {
       const auto which = random.below(ids.size());
       const detent_id id = ids[which];
-      if (choice < 6) {
+      if (choice < 7) {
         twins.with_shape(random.below(9), where, [&](const auto& theirs, const auto& own) {
           REQUIRE(detent_scene3_replace(&twins.context, twins.scene, id, &theirs) ==
                   c::yes_or_no(twins.twin.replace(id_of(id), own)));
         });
-      } else if (choice < 8) {
+      } else if (choice < 9) {
         const detent_vec3 by = Out::vec(where);
         REQUIRE(detent_scene3_move(&twins.context, twins.scene, id, &by) ==
                 c::yes_or_no(twins.twin.move(id_of(id), where)));
+      } else if (choice < 10) {
+        const detent_traits traits{
+            random.next(), static_cast<std::uint32_t>(1 + random.below(7)), 0, {}};
+        const bool is_there = twins.twin.set_layers(id_of(id), traits.layers) &&
+                              twins.twin.set_user(id_of(id), traits.user);
+        REQUIRE(detent_scene3_set_traits(&twins.context, twins.scene, id, &traits) ==
+                c::yes_or_no(is_there));
       } else {
         REQUIRE(detent_scene3_remove(&twins.context, twins.scene, id) ==
                 c::yes_or_no(twins.twin.remove(id_of(id))));
         if (random.coin()) ids.erase(ids.begin() + static_cast<std::ptrdiff_t>(which));
       }
     }
+    if (i % 50 == 20) REQUIRE(detent_scene3_optimize(&twins.context, twins.scene) == DETENT_OK);
     twins.check_digest();
     if (i == 200) saved = twins.saved();
 

@@ -3,13 +3,14 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { gunzipSync } from 'node:zlib';
 
 import * as detent from '../index.mjs';
 import { play } from '../examples/match.mjs';
 
 const { ONE, UNIT, status } = detent;
 const folder = pathToFileURL(`${process.env.DETENT_WASM ?? `${import.meta.dirname}/..`}/`);
-const file = (dimension, name = 'detent') => new URL(`${name}${dimension}.wasm`, folder);
+const file = (dimension, name = 'detent') => new URL(`${name}${dimension}.wasm.gz`, folder);
 
 test('the match ends as in C++', async () => {
   assert.equal(await play(file(3)), process.env.DETENT_MATCH);
@@ -246,6 +247,24 @@ test('characters and casts in scenes in 2D', async () => {
   assert.equal(plain.hasMovers, false);
   assert.equal(plain.open().scene().cast, undefined);
   context.close();
+});
+
+test('a module is a file of less than 300,000 bytes', async () => {
+  for (const dimension of [2, 3]) {
+    const size = (await readFile(file(dimension))).length;
+    assert.ok(size < 300_000, `${dimension}D takes ${size} bytes`);
+  }
+});
+
+test('a module comes compressed, expanded or compiled', async () => {
+  const packed = await readFile(file(2)), bytes = gunzipSync(packed);
+  const view = new Uint8Array(packed.length + 8).subarray(8);  // not at the start of its buffer
+  view.set(packed);
+  for (const source of [packed, view, bytes, view.slice().buffer, new Response(packed), new Response(bytes),
+    await WebAssembly.compile(bytes)]) {
+    const { space } = await detent.load(2, source);
+    assert.equal(space.contains(space.sphere([0, 0], ONE), [ONE, 0]), true);
+  }
 });
 
 test('errors', async () => {
