@@ -8,6 +8,7 @@
 
 #include "detent/dynamics/fields.hpp"
 #include "detent/dynamics/joint/bytes.hpp"
+#include "detent/dynamics/rolling.hpp"
 #include "detent/dynamics/world.hpp"
 #include "detent/scene/assets.hpp"
 #include "detent/scene/header.hpp"
@@ -27,18 +28,21 @@
 // * each body that is not fixed, in order of index: a word of its index (bits 0 to 19), its quiet
 //   ticks (20 to 27), whether it sleeps (28) and whether it is made like the body before it (29);
 //   generation (4 bytes); place, orientation, velocity, spin: 72 bytes in 3D with Q16.16. Unless it
-//   is made like the body before it: motion (1, plus 4 if the last item follows), layers, layers
+//   is made like the body before it: motion (1, plus 4 if the last item but one follows, plus 8 if
+//   the last does), layers, layers
 //   that it meets (4 each), user word (8), density, friction, restitution, damping of velocity and
 //   spin, shape type (1), the numbers of the shape (of a hull or a surface its id (4), its digest (8),
 //   and a translation and a rotation that do nothing); if one of them is not the default, locked axes
-//   (bits 0 to 5), sensor (bit 6) and fast (bit 7) in a byte, and the scale of gravity. Bit 30 of the
+//   (bits 0 to 5), sensor (bit 6) and fast (bit 7) in a byte, and the scale of gravity; rolling
+//   resistance if it is not 0. Bit 30 of the
 //   word: after the spin comes what forces and torques will do in the next tick, a velocity and a
 //   spin;
 // * each contact, in order of its bodies and its triangle: a word of the index of a (bits 0 to 19),
 //   the number of points (20 to 22), whether it touches (23) and the low bits of the triangle (24 to
 //   31); a word of the index of b (0 to 19) and the high bits of the triangle; if a body is a
 //   compound, its part (2 bytes); of each point its feature and pressure, then the impulses of
-//   friction: 52 bytes for four points in 3D. Of two compounds the part of b is where others have
+//   friction: 52 bytes for four points in 3D; if the contact resists rolling, those of rolling. Of
+//   two compounds the part of b is where others have
 //   the triangle;
 // * each joint, in order of index: a word of its index (bits 0 to 20), whether its bodies collide
 //   (21), whether it has limits (22) and its kind (24 to 31); generation, index of a, index of b
@@ -88,7 +92,9 @@ template <class Body>
 template <class D, class Body>
 constexpr void describe_make(D& out, const Body& body) noexcept {
   const bool has_more = has_extras(body);
-  out.add(static_cast<std::uint8_t>(static_cast<unsigned>(body.motion) | (has_more ? 4u : 0u)),
+  const bool has_rolling = body.rolling_resistance != decltype(body.rolling_resistance){};
+  out.add(static_cast<std::uint8_t>(static_cast<unsigned>(body.motion) | (has_more ? 4u : 0u) |
+                                    (has_rolling ? 8u : 0u)),
           body.layers, body.collides_with, body.user, body.density, body.friction, body.restitution,
           body.linear_damping, body.angular_damping);
   body.shape.visit([&]<class Shape>(const Shape& shape) { out.add(shape_tag<Shape>, shape); });
@@ -97,6 +103,7 @@ constexpr void describe_make(D& out, const Body& body) noexcept {
                                       (body.is_fast ? fast_bit : 0)),
             body.gravity_scale);
   }
+  if (has_rolling) out.add(body.rolling_resistance);
 }
 
 template <class D, class Body>
@@ -114,12 +121,13 @@ template <class Body>
          a.user == b.user && a.density == b.density && a.friction == b.friction &&
          a.restitution == b.restitution && a.linear_damping == b.linear_damping &&
          a.angular_damping == b.angular_damping && a.gravity_scale == b.gravity_scale &&
-         a.locked == b.locked && a.is_sensor == b.is_sensor && a.is_fast == b.is_fast &&
-         a.shape == b.shape;
+         a.rolling_resistance == b.rolling_resistance && a.locked == b.locked &&
+         a.is_sensor == b.is_sensor && a.is_fast == b.is_fast && a.shape == b.shape;
 }
 
 template <class D, class C>
-constexpr void describe_contact(D& out, const C& contact, bool has_member) noexcept {
+constexpr void describe_contact(D& out, const C& contact, bool has_member,
+                                bool has_rolling) noexcept {
   out.add(contact.a | std::uint32_t{contact.count} << 20 |
               (contact.touches ? std::uint32_t{1} << 23 : 0u) | contact.part << 24,
           contact.b | contact.part >> 8 << 20);
@@ -128,6 +136,8 @@ constexpr void describe_contact(D& out, const C& contact, bool has_member) noexc
     out.add(contact.feature[i], contact.pressure[i]);
   }
   for (const auto& impulse : contact.friction) out.add(impulse);
+  if (!has_rolling) return;
+  for (const auto& impulse : contact.rolling) out.add(impulse);
 }
 
 /// Whether one of two bodies is a compound.
@@ -163,7 +173,8 @@ constexpr void describe_world(D& out, const World& world) noexcept {
   const auto& bodies = WorldAccess::bodies(world);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto& contact = contacts[i];
-    describe_contact(out, contact, has_compound(bodies[contact.a], bodies[contact.b]));
+    const auto &a = bodies[contact.a], &b = bodies[contact.b];
+    describe_contact(out, contact, has_compound(a, b), resists_rolling(a, b, contact));
   }
   if constexpr (World::has_joints) describe_joints(out, WorldAccess::joints(world).list);
 }
@@ -251,7 +262,7 @@ template <Scalar S, int N, class... Shapes, class Assets>
   };
   (read(Shapes()), ...);
   body.motion = static_cast<BodyMotion>(motion & 3u);
-  if (said == Restored::yes && motion >> 2 == 1) {
+  if (said == Restored::yes && (motion & 4u) != 0) {
     const auto flags = in.number<std::uint8_t>();
     in.get(body.gravity_scale);
     body.locked = static_cast<std::uint8_t>(flags & (sensor_bit - 1u));
@@ -259,7 +270,11 @@ template <Scalar S, int N, class... Shapes, class Assets>
     body.is_fast = (flags & fast_bit) != 0;
     if (!has_extras(body)) return Restored::corrupted;
   }
-  const bool is_body = known && !in.has_failed() && motion >> 3 == 0 &&
+  if (said == Restored::yes && (motion & 8u) != 0) {
+    in.get(body.rolling_resistance);
+    if (body.rolling_resistance == S{}) return Restored::corrupted;
+  }
+  const bool is_body = known && !in.has_failed() && motion >> 4 == 0 &&
                        (body.motion == BodyMotion::dynamic || body.motion == BodyMotion::kinematic);
   return is_body ? said : Restored::corrupted;
 }
@@ -352,6 +367,9 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
       if (contact.pressure[p] < typename F::Impulse()) return Restored::corrupted;
     }
     for (auto& impulse : contact.friction) in.get(impulse);
+    if (resists_rolling(a, b, contact)) {
+      for (auto& impulse : contact.rolling) in.get(impulse);
+    }
     contacts.push_back(contact);
   }
   const auto said = read_joints(in, joints, header.joints, header.next_joint, bodies);

@@ -120,6 +120,7 @@ class BasicWorld {
     body.density = options.density;
     body.friction = options.friction;
     body.restitution = options.restitution;
+    body.rolling_resistance = options.rolling_resistance;
     body.linear_damping = options.linear_damping;
     body.angular_damping = options.angular_damping;
     body.shape = decltype(body.shape)(local.shape);
