@@ -157,7 +157,7 @@ TEST_CASE("rolling: of two bodies the greater resistance counts, and the lesser 
   const auto large = body(Capsule<S, 3>{{}, at<S, 3>(1, 0), S(50)}, 0.5);
   const auto box = body(box_of<S, 3>(0, 0, 1, 1), 0.125);
   const auto point = body(Sphere<S, 3>{{}, S(0)}, 1);
-  const detail::BodyContact<S, 3> contact;
+  const detail::RollingContact<S, 3> contact;
   const auto check = [&](const Body& a, const Body& b, double resistance, double radius) {
     for (const auto& limit :
          {detail::rolling_limit<S, 3>(a, b, contact), detail::rolling_limit<S, 3>(b, a, contact)}) {
@@ -201,7 +201,7 @@ TEST_CASE("rolling: a pass takes no energy of turning that there is not") {
     detail::ReadyContact<S, 3> ready;
     ready.count = 1;
     ready.rolling = &rolling;
-    detail::BodyContact<S, 3> contact;
+    detail::RollingContact<S, 3> contact;
     contact.pressure[0] = F::Impulse::assume_raw(1 << 30);
     double before = 1e9;
     for (int pass = 0; pass < 30; ++pass) {

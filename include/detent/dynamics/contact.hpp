@@ -27,10 +27,18 @@ struct BodyContact {
   std::array<std::uint32_t, capacity> feature{};
   std::array<Impulse, capacity> pressure{};
   Axial<Impulse, N> friction{};  // along the tangents; in 3D the last is the twist
-  Axial<Impulse, N> rolling{};   // about the world's axes; 0 without rolling resistance
 
   [[nodiscard]] friend constexpr bool operator==(const BodyContact&,
                                                  const BodyContact&) noexcept = default;
+};
+
+/// The same in worlds with balls or capsules.
+template <Scalar S, int N>
+struct RollingContact : BodyContact<S, N> {
+  Axial<typename Formats<S>::Impulse, N> rolling{};  // about the world's axes; 0 if none resists it
+
+  [[nodiscard]] friend constexpr bool operator==(const RollingContact&,
+                                                 const RollingContact&) noexcept = default;
 };
 
 /// A soft constraint in units of the substep: the share of the velocity that is taken, the share of

@@ -103,7 +103,7 @@ constexpr void for_each_field(const ContactField<Contact>& field, const F& f) {
     f(FieldName(" point ").add_number(i).add(" pressure"), contact.pressure[i]);
   }
   f(" friction", contact.friction);
-  f(" rolling", contact.rolling);
+  if constexpr (requires { contact.rolling; }) f(" rolling", contact.rolling);
 }
 
 /// A joint, as a field of its world. It belongs to its first body.

@@ -151,8 +151,9 @@ constexpr void roll(const Rolling<S, N>& rolling, int k,
 
 /// Starts a substep from the impulses of the last.
 template <Scalar S, int N>
-constexpr void warm_start_rolling(const ReadyContact<S, N>& ready, const BodyContact<S, N>& contact,
-                                  Moving<S, N>& a, Moving<S, N>& b) noexcept {
+constexpr void warm_start_rolling(const ReadyContact<S, N>& ready,
+                                  const RollingContact<S, N>& contact, Moving<S, N>& a,
+                                  Moving<S, N>& b) noexcept {
   if (ready.rolling == nullptr) return;
   for (std::size_t k = 0; k < contact.rolling.size(); ++k) {
     roll(*ready.rolling, static_cast<int>(k), contact.rolling[k], a, b, ready.pushed);
@@ -161,7 +162,7 @@ constexpr void warm_start_rolling(const ReadyContact<S, N>& ready, const BodyCon
 
 /// Brakes the turning of one body on the other about all axes, within the limit of its contact.
 template <Scalar S, int N>
-constexpr void solve_rolling(const ReadyContact<S, N>& ready, BodyContact<S, N>& contact,
+constexpr void solve_rolling(const ReadyContact<S, N>& ready, RollingContact<S, N>& contact,
                              Moving<S, N>& a, Moving<S, N>& b) noexcept {
   using F = Formats<S>;
   using Impulse = typename F::Impulse;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "detent/dynamics/fast.hpp"
@@ -44,14 +45,14 @@ class Tick {
   using Body = typename Select<false, Parts...>::template In<BodyOf>;
   using Group = typename Select<true, Parts...>::template In<GroupOf>;
   using Joints = typename Group::List;
-  using ContactState = BodyContact<S, N>;
+  static constexpr bool has_round = (is_round_body<Parts> || ...);
+  using ContactState = std::conditional_t<has_round, RollingContact<S, N>, BodyContact<S, N>>;
   static constexpr std::size_t bodies_room = Storage::capacity;
   static constexpr std::size_t contacts_room = contact_room(Storage::capacity);
   using Bodies = typename Storage::template List<Body, bodies_room>;
   using Contacts = typename Storage::template List<ContactState, contacts_room>;
 
   static constexpr bool has_compounds = (is_compound_body<Parts> || ...);
-  static constexpr bool has_round = (is_round_body<Parts> || ...);
 
   constexpr Tick() noexcept = default;
   constexpr Tick(const Tick&) noexcept {}
@@ -508,7 +509,7 @@ class Tick {
     if (before == nullptr) return contact;
     contact.touches = before->touches;
     contact.friction = before->friction;
-    contact.rolling = before->rolling;
+    if constexpr (has_round) contact.rolling = before->rolling;
     for (std::size_t i = 0; i < contact.count; ++i) {
       for (std::size_t j = 0; j < before->count; ++j) {
         if (before->feature[j] == contact.feature[i]) contact.pressure[i] = before->pressure[j];
@@ -659,7 +660,9 @@ class Tick {
     for_each_ready(ends, threads, [&](const ReadyContact<S, N>& ready) {
       const auto& contact = found_.contacts[ready.contact];
       warm_start(ready, contact, moving_[ready.a], moving_[ready.b]);
-      warm_start_rolling(ready, contact, moving_[ready.a], moving_[ready.b]);
+      if constexpr (has_round) {
+        warm_start_rolling(ready, contact, moving_[ready.a], moving_[ready.b]);
+      }
     });
     group_.template solve_all<Pass::biased>(joints, moving_);
     for_each_ready(ends, threads, [&](ReadyContact<S, N>& ready) {
@@ -675,7 +678,9 @@ class Tick {
     for_each_ready(ends, threads, [&](ReadyContact<S, N>& ready) {
       auto& contact = found_.contacts[ready.contact];
       solve_pressure<Pass::relaxed>(ready, contact, moving_[ready.a], moving_[ready.b], pace.push);
-      solve_rolling(ready, contact, moving_[ready.a], moving_[ready.b]);
+      if constexpr (has_round) {
+        solve_rolling(ready, contact, moving_[ready.a], moving_[ready.b]);
+      }
       solve_friction(ready, contact, moving_[ready.a], moving_[ready.b]);
     });
   }
