@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "detent/dynamics/fields.hpp"
 #include "detent/dynamics/joint/bytes.hpp"
@@ -125,25 +126,27 @@ template <class Body>
          a.is_sensor == b.is_sensor && a.is_fast == b.is_fast && a.shape == b.shape;
 }
 
-template <class D, class C>
-constexpr void describe_contact(D& out, const C& contact, bool has_member,
-                                bool has_rolling) noexcept {
-  out.add(contact.a | std::uint32_t{contact.count} << 20 |
-              (contact.touches ? std::uint32_t{1} << 23 : 0u) | contact.part << 24,
-          contact.b | contact.part >> 8 << 20);
-  if (has_member) out.add(contact.member);
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    out.add(contact.feature[i], contact.pressure[i]);
-  }
-  for (const auto& impulse : contact.friction) out.add(impulse);
-  if (!has_rolling) return;
-  for (const auto& impulse : contact.rolling) out.add(impulse);
-}
-
 /// Whether one of two bodies is a compound.
 template <class Body>
 [[nodiscard]] constexpr bool has_compound(const Body& a, const Body& b) noexcept {
   return part_count(a) != 0 || part_count(b) != 0;
+}
+
+/// Of a contact of bodies a and b.
+template <class D, class Body, class C>
+constexpr void describe_contact(D& out, const Body& a, const Body& b, const C& contact) noexcept {
+  out.add(contact.a | std::uint32_t{contact.count} << 20 |
+              (contact.touches ? std::uint32_t{1} << 23 : 0u) | contact.part << 24,
+          contact.b | contact.part >> 8 << 20);
+  if (has_compound(a, b)) out.add(contact.member);
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    out.add(contact.feature[i], contact.pressure[i]);
+  }
+  for (const auto& impulse : contact.friction) out.add(impulse);
+  if constexpr (requires { contact.rolling; }) {
+    if (!resists_rolling(a, b, contact)) return;
+    for (const auto& impulse : contact.rolling) out.add(impulse);
+  }
 }
 
 /// Calls f(body, before) for each body that is not fixed; `before` is the last of these or nullptr.
@@ -173,8 +176,7 @@ constexpr void describe_world(D& out, const World& world) noexcept {
   const auto& bodies = WorldAccess::bodies(world);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto& contact = contacts[i];
-    const auto &a = bodies[contact.a], &b = bodies[contact.b];
-    describe_contact(out, contact, has_compound(a, b), resists_rolling(a, b, contact));
+    describe_contact(out, bodies[contact.a], bodies[contact.b], contact);
   }
   if constexpr (World::has_joints) describe_joints(out, WorldAccess::joints(world).list);
 }
@@ -199,8 +201,9 @@ template <class Bodies>
   return result;
 }
 
+/// The header of a world, without its number of bytes.
 template <class Storage, Scalar S, int N, class... Parts>
-[[nodiscard]] constexpr WorldHeader header_of(
+[[nodiscard]] constexpr WorldHeader bare_header_of(
     const BasicWorld<Storage, S, N, Parts...>& world) noexcept {
   WorldHeader header;
   header.dimension = static_cast<std::uint8_t>(N);
@@ -232,6 +235,30 @@ template <class Storage, Scalar S, int N, class... Parts>
           settings.push_speed, settings.bounce_threshold, settings.sleep_speed);
   header.settings_digest = own.value();
   return header;
+}
+
+/// The header of a world's snapshot.
+template <class Storage, Scalar S, int N, class... Parts>
+[[nodiscard]] constexpr WorldHeader header_of(
+    const BasicWorld<Storage, S, N, Parts...>& world) noexcept {
+  auto header = bare_header_of(world);
+  ByteCounter count;
+  describe_world(count, world);
+  header.byte_count = WorldHeader::size + count.size() + WorldHeader::checksum_size;
+  return header;
+}
+
+/// Writes the snapshot of a world that has this header, all bytes of it.
+template <class World>
+constexpr void write_world(const WorldHeader& header, const World& world,
+                           std::byte* room) noexcept {
+  Storer out(room);
+  header.describe(out);
+  describe_world(out, world);
+  const auto length = header.byte_count - WorldHeader::checksum_size;
+  Digest digest;
+  digest.add_bytes(std::span<const std::byte>(room, length));
+  store_word(room + length, digest.value());
 }
 
 template <class Shape, class Assets>
@@ -313,7 +340,8 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
     if (i >= bodies_room) return Restored::no_room;
     if (i >= bodies.size()) bodies.resize(i + 1);
     if (bodies[i].generation != 0) return Restored::corrupted;  // a fixed body has the index
-    auto body = alike ? bodies[before] : std::remove_cvref_t<decltype(bodies[0])>();
+    auto& body = bodies[i];
+    if (alike) body = bodies[before];
     body.generation = generation;
     body.quiet = static_cast<std::uint8_t>(word >> 20);
     body.sleeps = (word >> 28 & 1) != 0;
@@ -336,7 +364,6 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
     if (body.is_pushed() != is_pushed || (is_pushed && !body.can_move())) {
       return Restored::corrupted;
     }
-    bodies[i] = body;
     before = i;
     has_before = true;
     lowest = i + 1;
@@ -345,6 +372,7 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
     return i < bodies.size() && bodies[i].generation != 0;
   };
   if (header.contacts > contacts_room) return Restored::no_room;
+  contacts.reserve((std::min)(std::size_t{header.contacts}, in.left() / sizeof(std::uint64_t)));
   for (std::uint32_t k = 0; k < header.contacts; ++k) {
     typename std::remove_cvref_t<decltype(contacts[0])> contact;
     const auto word = in.number<std::uint32_t>();
@@ -367,8 +395,10 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
       if (contact.pressure[p] < typename F::Impulse()) return Restored::corrupted;
     }
     for (auto& impulse : contact.friction) in.get(impulse);
-    if (resists_rolling(a, b, contact)) {
-      for (auto& impulse : contact.rolling) in.get(impulse);
+    if constexpr (requires { contact.rolling; }) {
+      if (resists_rolling(a, b, contact)) {
+        for (auto& impulse : contact.rolling) in.get(impulse);
+      }
     }
     contacts.push_back(contact);
   }
@@ -383,20 +413,8 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
 template <class Storage, Scalar S, int N, class... Shapes>
 constexpr std::size_t snapshot(const BasicWorld<Storage, S, N, Shapes...>& world,
                                std::span<std::byte> room) noexcept {
-  using detail::WorldHeader;
-  auto header = detail::header_of(world);
-  detail::Writer count;
-  detail::describe_world(count, world);
-  header.byte_count = WorldHeader::size + count.size() + WorldHeader::checksum_size;
-  if (room.size() < header.byte_count) return header.byte_count;
-  const auto bytes = room.first(header.byte_count);
-  detail::Writer out(bytes);
-  header.describe(out);
-  detail::describe_world(out, world);
-  const auto length = bytes.size() - WorldHeader::checksum_size;
-  Digest digest;
-  digest.add_bytes(bytes.first(length));
-  detail::store_word(bytes.data() + length, digest.value());
+  const auto header = detail::header_of(world);
+  if (room.size() >= header.byte_count) detail::write_world(header, world, room.data());
   return header.byte_count;
 }
 
@@ -404,8 +422,9 @@ constexpr std::size_t snapshot(const BasicWorld<Storage, S, N, Shapes...>& world
 /// The snapshot of a world that allocates.
 template <Scalar S, int N, class... Shapes>
 [[nodiscard]] auto snapshot(const BasicWorld<Growing, S, N, Shapes...>& world) {
-  Growing::List<std::byte, 0> bytes(snapshot(world, std::span<std::byte>()));
-  snapshot(world, std::span<std::byte>(bytes));
+  const auto header = detail::header_of(world);
+  Growing::List<std::byte, 0> bytes(header.byte_count);
+  detail::write_world(header, world, bytes.data());
   return bytes;
 }
 #endif
@@ -442,7 +461,7 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   if (digest.value() != detail::load_word<std::uint64_t>(checked.data() + checked.size())) {
     return Restored::corrupted;
   }
-  const auto own = detail::header_of(world);
+  const auto own = detail::bare_header_of(world);
   if (header.dimension != own.dimension || header.is_floating != own.is_floating ||
       header.bits != own.bits || header.frac != own.frac || header.shapes != own.shapes ||
       header.kinds != own.kinds || header.settings_digest != own.settings_digest) {
@@ -451,10 +470,17 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   if (header.fixed != own.fixed || header.fixed_digest != own.fixed_digest) {
     return Restored::other_fixed_part;
   }
-  auto bodies = WorldAccess::bodies(world);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies[i].motion != BodyMotion::fixed) bodies[i] = {};
-    if (bodies[i].generation >= header.next_generation) return Restored::corrupted;
+  if (header.next_generation == 0) return Restored::corrupted;
+  const auto& old = WorldAccess::bodies(world);
+  std::remove_cvref_t<decltype(old)> bodies;
+  // No more than the bytes can be, whatever the header claims.
+  bodies.reserve((std::min)(std::size_t{header.bodies} + header.fixed,
+                            old.size() + bytes.size() / sizeof(std::uint64_t)));
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    if (old[i].generation == 0 || old[i].motion != BodyMotion::fixed) continue;
+    if (old[i].generation >= header.next_generation) return Restored::corrupted;
+    bodies.resize(i + 1);
+    bodies[i] = old[i];
   }
   typename World::Contacts contacts;
   std::remove_cvref_t<decltype(WorldAccess::joints(world))> joints;
@@ -463,8 +489,8 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
       parts, header, bodies, contacts, joints, World::capacity, World::contact_capacity,
       WorldAccess::rate(world), detail::AssetLists<Lists...>(lists...));
   if (said == Restored::yes) {
-    WorldAccess::assign(world, bodies, contacts, joints, header.next_generation,
-                        header.bodies + std::size_t{header.fixed});
+    WorldAccess::assign(world, std::move(bodies), std::move(contacts), std::move(joints),
+                        header.next_generation, header.bodies + std::size_t{header.fixed});
   }
   return said;
 }
