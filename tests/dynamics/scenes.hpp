@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
+#include "detent/dynamics/snapshot.hpp"
 #include "dynamics/stage.hpp"
 
 namespace detent::test {
@@ -67,8 +69,8 @@ Scene<S, N> stack(int boxes, int substeps, double sleep_speed = 0) {
 
 /// Three boxes, the last of which weighs 100 times as much as each other.
 template <Scalar S, int N>
-Scene<S, N> heavy_top(double weight, int substeps) {
-  Scene<S, N> scene(substeps);
+Scene<S, N> heavy_top(double weight, int substeps, double sleep_speed = 0) {
+  Scene<S, N> scene(substeps, sleep_speed);
   scene.add(box_at<S, N>(0, 0.5, 0.5, 0.5));
   scene.add(box_at<S, N>(0, 1.5, 0.5, 0.5));
   scene.add(box_at<S, N>(0, 2.5, 0.5, 0.5), weight);
@@ -76,8 +78,8 @@ Scene<S, N> heavy_top(double weight, int substeps) {
 }
 
 template <Scalar S>
-Scene<S, 2> pyramid(int base, int substeps) {
-  Scene<S, 2> scene(substeps);
+Scene<S, 2> pyramid(int base, int substeps, double sleep_speed = 0) {
+  Scene<S, 2> scene(substeps, sleep_speed);
   for (int level = 0; level < base; ++level) {
     for (int i = 0; i < base - level; ++i) {
       scene.add(box_at<S, 2>(-0.5 * base + 0.55 * level + 1.1 * i, 0.5 + level, 0.5, 0.5));
@@ -88,8 +90,8 @@ Scene<S, 2> pyramid(int base, int substeps) {
 
 /// Cards of 1.2 by 0.1 that lean against each other, in levels with level cards between them.
 template <Scalar S>
-Scene<S, 2> house_of_cards(int levels, int substeps) {
-  Scene<S, 2> scene(substeps);
+Scene<S, 2> house_of_cards(int levels, int substeps, double sleep_speed = 0) {
+  Scene<S, 2> scene(substeps, sleep_speed);
   scene.options.friction = num<S>(0.7);
   const double thin = 0.05, tall = 0.6, lean = 0.42;
   const double height = 2 * (tall * std::cos(lean) + thin * std::sin(lean));
@@ -126,6 +128,35 @@ Scene<S, 3> heap(int substeps) {
     scene.add(box);
   }
   return scene;
+}
+
+/// How a scene settles: the tick from which nothing is faster than 0.03 units a second, and how far
+/// its top has moved at the end.
+struct Settled {
+  int rest = -1;
+  double dx = 0, dy = 0;
+  double fastest = 0;
+  std::uint64_t digest = 0;
+};
+
+template <Scalar S, int N>
+Settled settle(Scene<S, N> scene, int ticks) {
+  const auto start = scene.world.position(scene.top);
+  Settled settled;
+  for (int t = 0; t < ticks; ++t) {
+    scene.step(1);
+    settled.fastest = scene.fastest();
+    if (settled.fastest > 0.03) {
+      settled.rest = -1;
+    } else if (settled.rest < 0) {
+      settled.rest = t;
+    }
+  }
+  const auto end = scene.world.position(scene.top);
+  settled.dx = static_cast<double>(end.x) - static_cast<double>(start.x);
+  settled.dy = static_cast<double>(end.y) - static_cast<double>(start.y);
+  settled.digest = digest(scene.world);
+  return settled;
 }
 
 }  // namespace detent::test

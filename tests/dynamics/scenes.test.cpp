@@ -3,40 +3,10 @@
 
 #include <cstdint>
 
-#include "detent/dynamics/snapshot.hpp"
 #include "support/catch.hpp"
 
 namespace detent::test {
 namespace {
-
-/// How a scene settles: the tick from which nothing is faster than 0.03 units a second, and how far
-/// its top has moved at the end.
-struct Settled {
-  int rest = -1;
-  double dx = 0, dy = 0;
-  double fastest = 0;
-  std::uint64_t digest = 0;
-};
-
-template <Scalar S, int N>
-Settled settle(Scene<S, N> scene, int ticks) {
-  const auto start = scene.world.position(scene.top);
-  Settled settled;
-  for (int t = 0; t < ticks; ++t) {
-    scene.step(1);
-    settled.fastest = scene.fastest();
-    if (settled.fastest > 0.03) {
-      settled.rest = -1;
-    } else if (settled.rest < 0) {
-      settled.rest = t;
-    }
-  }
-  const auto end = scene.world.position(scene.top);
-  settled.dx = static_cast<double>(end.x) - static_cast<double>(start.x);
-  settled.dy = static_cast<double>(end.y) - static_cast<double>(start.y);
-  settled.digest = digest(scene.world);
-  return settled;
-}
 
 /// What a scene in q16_16 must reach, and how far from it the same scene in double may be.
 struct Band {

@@ -22,6 +22,7 @@ struct PartOptions {
   S friction = quotient_nearest<S>(detail::as_operand<S>(3), detail::as_operand<S>(5));  // 0.6
   S restitution{};
   bool is_sensor = false;  // its touches are reported, and it pushes nothing
+  S rolling_resistance{};
 };
 
 /// A shape of a compound, in the compound's frame: `BodyPart(Obb<q16_16, 2>{...})`, optionally with
@@ -118,6 +119,8 @@ class SolidCompound {
   [[nodiscard]] constexpr const auto& center() const noexcept { return mass_.center; }
   /// A box about the centre that contains all parts.
   [[nodiscard]] constexpr const detail::BodyExtent<S, N>& reach() const noexcept { return reach_; }
+  /// Whether a part has a rolling resistance.
+  [[nodiscard]] constexpr bool resists_rolling() const noexcept { return resists_rolling_; }
   /// The position of a part's frame relative to the centre.
   [[nodiscard]] constexpr auto offset(const BodyPart<S, N>& part) const noexcept {
     using Lever = typename detail::Formats<S>::Lever;
@@ -132,6 +135,7 @@ class SolidCompound {
   std::span<const BodyPart<S, N>> parts_;
   std::uint64_t digest_ = 0;
   std::uint32_t id_ = 0;
+  bool resists_rolling_ = false;
   MassProperties<S, N> mass_{};
   detail::BodyExtent<S, N> reach_{};
 };
@@ -159,7 +163,11 @@ template <Scalar S, int N>
       digest.add(detail::shape_tag<Shape>, shape, part.place());
     });
     for (const auto& axis : part.axes()) digest.add(axis);
-    digest.add(options.density, options.friction, options.restitution, options.is_sensor);
+    const bool resists = options.rolling_resistance != S{};
+    solid.resists_rolling_ = solid.resists_rolling_ || options.rolling_resistance > 0;
+    digest.add(options.density, options.friction, options.restitution,
+               static_cast<std::uint8_t>((options.is_sensor ? 1 : 0) | (resists ? 2 : 0)));
+    if (resists) digest.add(options.rolling_resistance);
     const auto at = make_vec<N>(
         [&](int i) { return typename detail::Formats<S>::Place(solid.offset(part)[i]); });
     const auto bounds = detail::bounds_of<S, N>(at, part.axes(), part.reach(), S(0));

@@ -32,6 +32,15 @@ struct BodyContact {
                                                  const BodyContact&) noexcept = default;
 };
 
+/// The same in worlds with balls or capsules.
+template <Scalar S, int N>
+struct RollingContact : BodyContact<S, N> {
+  Axial<typename Formats<S>::Impulse, N> rolling{};  // about the world's axes; 0 if none resists it
+
+  [[nodiscard]] friend constexpr bool operator==(const RollingContact&,
+                                                 const RollingContact&) noexcept = default;
+};
+
 /// A soft constraint in units of the substep: the share of the velocity removed, the share of the
 /// overlap added to it, and the share of the accumulated impulse given back.
 template <Scalar S>
@@ -64,6 +73,9 @@ struct Support {
   std::uint8_t locked = 0;                   // of a body that can move
 };
 
+template <Scalar S, int N>
+struct Rolling;
+
 /// A contact, ready to be solved. Impulses are in its `BodyContact`.
 template <Scalar S, int N>
 struct ReadyContact {
@@ -86,6 +98,7 @@ struct ReadyContact {
   std::array<typename F::Speed, capacity> closing{};  // rate at the start of the tick
   std::array<bool, capacity> was_pushed{};
   typename F::Ratio grip{}, bounce{};
+  const Rolling<S, N>* rolling = nullptr;  // of one that resists rolling
 };
 
 /// The impulses of a and b along `n`: shares of the whole, rounded once.
@@ -135,6 +148,14 @@ template <Scalar S, int N, class Ratio = typename Formats<S>::Ratio>
   }
 }
 
+/// The inverse squared gyration of a body times its share of the inverse masses.
+template <Scalar S, int N, class Gyration = typename Formats<S>::Gyration>
+[[nodiscard]] constexpr Spread<Gyration, N> share_of(
+    Spread<Gyration, N> spread, const typename Formats<S>::Ratio& share) noexcept {
+  for (auto& x : spread) x = nearest_to<Gyration>(x * share);
+  return spread;
+}
+
 /// The contact of two bodies, from their manifold in the frame of a.
 ///
 /// `offset` is the place of b from a, as in the relative pose.
@@ -154,13 +175,8 @@ constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold
       return nearest_to<T>(narrow_dot<62>(row, v));  // |row| |v| < 2^30 2^31 sqrt(3)
     });
   };
-  const auto scaled = [](const auto& spread, const Ratio& share) {
-    auto result = spread;
-    for (auto& x : result) x = nearest_to<typename F::Gyration>(x * share);
-    return result;
-  };
-  const auto spread_a = scaled(a.spread, share_a);
-  const auto spread_b = scaled(b.spread, share_b);
+  const auto spread_a = share_of<S, N>(a.spread, share_a);
+  const auto spread_b = share_of<S, N>(b.spread, share_b);
   ready.count = static_cast<std::uint8_t>(manifold.count);
   ready.is_wall = share_a == 0 || share_b == 0;
   ready.pushed = {share_a != 0, share_b != 0};

@@ -66,6 +66,7 @@ constexpr void for_each_field(const BodyField<Body>& field, const F& f) {
     with_type("density", body.density);
     with_type("friction", body.friction);
     with_type("restitution", body.restitution);
+    with_type("rolling_resistance", body.rolling_resistance);
     with_type("linear_damping", body.linear_damping);
     with_type("angular_damping", body.angular_damping);
     with_type("gravity_scale", body.gravity_scale);
@@ -102,6 +103,7 @@ constexpr void for_each_field(const ContactField<Contact>& field, const F& f) {
     f(FieldName(" point ").add_number(i).add(" pressure"), contact.pressure[i]);
   }
   f(" friction", contact.friction);
+  if constexpr (requires { contact.rolling; }) f(" rolling", contact.rolling);
 }
 
 /// A joint, as a field of its world. It belongs to its first body.

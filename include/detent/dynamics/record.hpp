@@ -90,6 +90,7 @@ struct BodyRecord {
   std::uint64_t user = 0;
   S density{}, friction{}, restitution{}, linear_damping{}, angular_damping{};
   S gravity_scale = S(1);
+  S rolling_resistance{};
   std::uint8_t locked = 0;
   bool is_sensor = false;
   bool is_fast = false;

@@ -62,6 +62,10 @@ struct BodyOptions {
   std::uint32_t layers = 1;                   // the layers that it is in
   std::uint32_t collides_with = 0xffffffffu;  // the layers that it meets; both must want to meet
   std::uint64_t user = 0;                     // any word; saved, never read
+  /// What stops balls and capsules from rolling and spinning: the torque that a contact resists
+  /// them with, as a share of its pressure times their radius. Of two bodies, the greater one; 0.05
+  /// is much.
+  S rolling_resistance = S(0);
 };
 
 /// How a world steps.

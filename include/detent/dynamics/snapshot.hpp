@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "detent/dynamics/fields.hpp"
 #include "detent/dynamics/joint/bytes.hpp"
+#include "detent/dynamics/rolling.hpp"
 #include "detent/dynamics/world.hpp"
 #include "detent/scene/assets.hpp"
 #include "detent/scene/envelope.hpp"
@@ -27,18 +29,21 @@
 // * each body that is not fixed, in order of index: a word of its index (bits 0 to 19), its quiet
 //   ticks (20 to 27), whether it sleeps (28) and whether it is made like the body before it (29);
 //   generation (4 bytes); place, orientation, velocity, spin: 72 bytes in 3D with Q16.16. Unless it
-//   is made like the body before it: motion (1, plus 4 if the last item follows), layers, layers
+//   is made like the body before it: motion (1, plus 4 if the last item but one follows, plus 8 if
+//   the last does), layers, layers
 //   that it meets (4 each), user word (8), density, friction, restitution, damping of velocity and
 //   spin, shape type (1), the numbers of the shape (of a hull or a surface its id (4), its digest (8),
 //   and a translation and a rotation that do nothing); if one of them is not the default, locked axes
-//   (bits 0 to 5), sensor (bit 6) and fast (bit 7) in a byte, and the scale of gravity. Bit 30 of the
+//   (bits 0 to 5), sensor (bit 6) and fast (bit 7) in a byte, and the scale of gravity; rolling
+//   resistance if it is not 0. Bit 30 of the
 //   word: after the spin comes what forces and torques will do in the next tick, a velocity and a
 //   spin;
 // * each contact, in order of its bodies and its triangle: a word of the index of a (bits 0 to 19),
 //   the number of points (20 to 22), whether it touches (23) and the low bits of the triangle (24 to
 //   31); a word of the index of b (0 to 19) and the high bits of the triangle; if a body is a
 //   compound, its part (2 bytes); of each point its feature and pressure, then the impulses of
-//   friction: 52 bytes for four points in 3D. Of two compounds the part of b is where others have
+//   friction: 52 bytes for four points in 3D; if the contact resists rolling, those of rolling. Of
+//   two compounds the part of b is where others have
 //   the triangle;
 // * each joint, in order of index: a word of its index (bits 0 to 20), whether its bodies collide
 //   (21), whether it has limits (22) and its kind (24 to 31); generation, index of a, index of b
@@ -82,7 +87,9 @@ template <class Body>
 template <class D, class Body>
 constexpr void describe_make(D& out, const Body& body) noexcept {
   const bool has_more = has_extras(body);
-  out.add(static_cast<std::uint8_t>(static_cast<unsigned>(body.motion) | (has_more ? 4u : 0u)),
+  const bool has_rolling = body.rolling_resistance != decltype(body.rolling_resistance){};
+  out.add(static_cast<std::uint8_t>(static_cast<unsigned>(body.motion) | (has_more ? 4u : 0u) |
+                                    (has_rolling ? 8u : 0u)),
           body.layers, body.collides_with, body.user, body.density, body.friction, body.restitution,
           body.linear_damping, body.angular_damping);
   body.shape.visit([&]<class Shape>(const Shape& shape) { out.add(shape_tag<Shape>, shape); });
@@ -91,6 +98,7 @@ constexpr void describe_make(D& out, const Body& body) noexcept {
                                       (body.is_fast ? fast_bit : 0)),
             body.gravity_scale);
   }
+  if (has_rolling) out.add(body.rolling_resistance);
 }
 
 template <class D, class Body>
@@ -108,26 +116,31 @@ template <class Body>
          a.user == b.user && a.density == b.density && a.friction == b.friction &&
          a.restitution == b.restitution && a.linear_damping == b.linear_damping &&
          a.angular_damping == b.angular_damping && a.gravity_scale == b.gravity_scale &&
-         a.locked == b.locked && a.is_sensor == b.is_sensor && a.is_fast == b.is_fast &&
-         a.shape == b.shape;
-}
-
-template <class D, class C>
-constexpr void describe_contact(D& out, const C& contact, bool has_member) noexcept {
-  out.add(contact.a | std::uint32_t{contact.count} << 20 |
-              (contact.touches ? std::uint32_t{1} << 23 : 0u) | contact.part << 24,
-          contact.b | contact.part >> 8 << 20);
-  if (has_member) out.add(contact.member);
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    out.add(contact.feature[i], contact.pressure[i]);
-  }
-  for (const auto& impulse : contact.friction) out.add(impulse);
+         a.rolling_resistance == b.rolling_resistance && a.locked == b.locked &&
+         a.is_sensor == b.is_sensor && a.is_fast == b.is_fast && a.shape == b.shape;
 }
 
 /// Whether one of two bodies is a compound.
 template <class Body>
 [[nodiscard]] constexpr bool has_compound(const Body& a, const Body& b) noexcept {
   return part_count(a) != 0 || part_count(b) != 0;
+}
+
+/// Of a contact of bodies a and b.
+template <class D, class Body, class C>
+constexpr void describe_contact(D& out, const Body& a, const Body& b, const C& contact) noexcept {
+  out.add(contact.a | std::uint32_t{contact.count} << 20 |
+              (contact.touches ? std::uint32_t{1} << 23 : 0u) | contact.part << 24,
+          contact.b | contact.part >> 8 << 20);
+  if (has_compound(a, b)) out.add(contact.member);
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    out.add(contact.feature[i], contact.pressure[i]);
+  }
+  for (const auto& impulse : contact.friction) out.add(impulse);
+  if constexpr (requires { contact.rolling; }) {
+    if (!resists_rolling(a, b, contact)) return;
+    for (const auto& impulse : contact.rolling) out.add(impulse);
+  }
 }
 
 /// Calls f(body, before) for each body that is not fixed; `before` is the last of these or nullptr.
@@ -157,7 +170,7 @@ constexpr void describe_world(D& out, const World& world) noexcept {
   const auto& bodies = WorldAccess::bodies(world);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto& contact = contacts[i];
-    describe_contact(out, contact, has_compound(bodies[contact.a], bodies[contact.b]));
+    describe_contact(out, bodies[contact.a], bodies[contact.b], contact);
   }
   if constexpr (World::has_joints) describe_joints(out, WorldAccess::joints(world).list);
 }
@@ -182,8 +195,9 @@ template <class Bodies>
   return result;
 }
 
+/// The header of a world, without its number of bytes.
 template <class Storage, Scalar S, int N, class... Parts>
-[[nodiscard]] constexpr WorldHeader header_of(
+[[nodiscard]] constexpr WorldHeader bare_header_of(
     const BasicWorld<Storage, S, N, Parts...>& world) noexcept {
   WorldHeader header;
   header.space = SnapshotSpace::of<S, N>();
@@ -208,6 +222,26 @@ template <class Storage, Scalar S, int N, class... Parts>
           settings.push_speed, settings.bounce_threshold, settings.sleep_speed);
   header.settings_digest = own.value();
   return header;
+}
+
+/// The header of a world's snapshot.
+template <class Storage, Scalar S, int N, class... Parts>
+[[nodiscard]] constexpr WorldHeader header_of(
+    const BasicWorld<Storage, S, N, Parts...>& world) noexcept {
+  auto header = bare_header_of(world);
+  ByteCounter count;
+  describe_world(count, world);
+  header.byte_count = WorldHeader::size + count.size() + WorldHeader::checksum_size;
+  return header;
+}
+
+/// Writes the snapshot of a world that has this header, all bytes of it.
+template <class World>
+constexpr void write_world(const WorldHeader& header, const World& world,
+                           std::byte* room) noexcept {
+  Storer out(room + WorldHeader::size);
+  describe_world(out, world);
+  store_envelope(room, header);
 }
 
 template <class Shape, class Assets>
@@ -239,7 +273,7 @@ template <Scalar S, int N, class... Shapes, class Assets>
   };
   (read(Shapes()), ...);
   body.motion = static_cast<BodyMotion>(motion & 3u);
-  if (said == Restored::yes && motion >> 2 == 1) {
+  if (said == Restored::yes && (motion & 4u) != 0) {
     const auto flags = in.number<std::uint8_t>();
     in.get(body.gravity_scale);
     body.locked = static_cast<std::uint8_t>(flags & (sensor_bit - 1u));
@@ -247,7 +281,11 @@ template <Scalar S, int N, class... Shapes, class Assets>
     body.is_fast = (flags & fast_bit) != 0;
     if (!has_extras(body)) return Restored::corrupted;
   }
-  const bool is_body = known && !in.has_failed() && motion >> 3 == 0 &&
+  if (said == Restored::yes && (motion & 8u) != 0) {
+    in.get(body.rolling_resistance);
+    if (body.rolling_resistance == S{}) return Restored::corrupted;
+  }
+  const bool is_body = known && !in.has_failed() && motion >> 4 == 0 &&
                        (body.motion == BodyMotion::dynamic || body.motion == BodyMotion::kinematic);
   return is_body ? said : Restored::corrupted;
 }
@@ -286,7 +324,8 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
     if (i >= bodies_room) return Restored::no_room;
     if (i >= bodies.size()) bodies.resize(i + 1);
     if (bodies[i].generation != 0) return Restored::corrupted;  // a fixed body has the index
-    auto body = alike ? bodies[before] : std::remove_cvref_t<decltype(bodies[0])>();
+    auto& body = bodies[i];
+    if (alike) body = bodies[before];
     body.generation = generation;
     body.quiet = static_cast<std::uint8_t>(word >> 20);
     body.sleeps = (word >> 28 & 1) != 0;
@@ -309,7 +348,6 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
     if (body.is_pushed() != is_pushed || (is_pushed && !body.can_move())) {
       return Restored::corrupted;
     }
-    bodies[i] = body;
     before = i;
     has_before = true;
     lowest = i + 1;
@@ -318,6 +356,7 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
     return i < bodies.size() && bodies[i].generation != 0;
   };
   if (header.contacts > contacts_room) return Restored::no_room;
+  contacts.reserve((std::min)(std::size_t{header.contacts}, in.left() / sizeof(std::uint64_t)));
   for (std::uint32_t k = 0; k < header.contacts; ++k) {
     typename std::remove_cvref_t<decltype(contacts[0])> contact;
     const auto word = in.number<std::uint32_t>();
@@ -340,6 +379,11 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
       if (contact.pressure[p] < typename F::Impulse()) return Restored::corrupted;
     }
     for (auto& impulse : contact.friction) in.get(impulse);
+    if constexpr (requires { contact.rolling; }) {
+      if (resists_rolling(a, b, contact)) {
+        for (auto& impulse : contact.rolling) in.get(impulse);
+      }
+    }
     contacts.push_back(contact);
   }
   const auto said = read_joints(in, joints, header.joints, header.next_joint, bodies);
@@ -350,21 +394,22 @@ template <Scalar S, int N, class Bodies, class Contacts, class Joints, class Ass
 }  // namespace detail
 
 /// Writes the snapshot of `world` to `room`; returns the number of its bytes. If `room` is smaller,
-/// its contents are of no use.
+/// it is not written to.
 template <class Storage, Scalar S, int N, class... Shapes>
 constexpr std::size_t snapshot(const BasicWorld<Storage, S, N, Shapes...>& world,
                                std::span<std::byte> room) noexcept {
-  auto header = detail::header_of(world);
-  return detail::seal(room, header,
-                      [&](detail::Writer& out) { detail::describe_world(out, world); });
+  const auto header = detail::header_of(world);
+  if (room.size() >= header.byte_count) detail::write_world(header, world, room.data());
+  return header.byte_count;
 }
 
 #if __STDC_HOSTED__
 /// The snapshot of a world that allocates.
 template <Scalar S, int N, class... Shapes>
 [[nodiscard]] auto snapshot(const BasicWorld<Growing, S, N, Shapes...>& world) {
-  Growing::List<std::byte, 0> bytes(snapshot(world, std::span<std::byte>()));
-  snapshot(world, std::span<std::byte>(bytes));
+  const auto header = detail::header_of(world);
+  Growing::List<std::byte, 0> bytes(header.byte_count);
+  detail::write_world(header, world, bytes.data());
   return bytes;
 }
 #endif
@@ -383,7 +428,7 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   WorldHeader header;
   const auto read = detail::open(bytes, header);
   if (read != Restored::yes) return read;
-  const auto own = detail::header_of(world);
+  const auto own = detail::bare_header_of(world);
   if (header.space != own.space || header.shapes != own.shapes || header.kinds != own.kinds ||
       header.settings_digest != own.settings_digest) {
     return Restored::other_scene;
@@ -391,10 +436,17 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   if (header.fixed != own.fixed || header.fixed_digest != own.fixed_digest) {
     return Restored::other_fixed_part;
   }
-  auto bodies = WorldAccess::bodies(world);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies[i].motion != BodyMotion::fixed) bodies[i] = {};
-    if (bodies[i].generation >= header.next_generation) return Restored::corrupted;
+  if (header.next_generation == 0) return Restored::corrupted;
+  const auto& old = WorldAccess::bodies(world);
+  std::remove_cvref_t<decltype(old)> bodies;
+  // No more than the bytes can be, whatever the header claims.
+  bodies.reserve((std::min)(std::size_t{header.bodies} + header.fixed,
+                            old.size() + bytes.size() / sizeof(std::uint64_t)));
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    if (old[i].generation == 0 || old[i].motion != BodyMotion::fixed) continue;
+    if (old[i].generation >= header.next_generation) return Restored::corrupted;
+    bodies.resize(i + 1);
+    bodies[i] = old[i];
   }
   typename World::Contacts contacts;
   std::remove_cvref_t<decltype(WorldAccess::joints(world))> joints;
@@ -403,8 +455,8 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
       parts, header, bodies, contacts, joints, World::capacity, World::contact_capacity,
       WorldAccess::rate(world), detail::AssetLists<Lists...>(lists...));
   if (said == Restored::yes) {
-    WorldAccess::assign(world, bodies, contacts, joints, header.next_generation,
-                        header.bodies + std::size_t{header.fixed});
+    WorldAccess::assign(world, std::move(bodies), std::move(contacts), std::move(joints),
+                        header.next_generation, header.bodies + std::size_t{header.fixed});
   }
   return said;
 }

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "detent/dynamics/fast.hpp"
@@ -18,6 +19,7 @@
 #include "detent/dynamics/pairs.hpp"
 #include "detent/dynamics/record.hpp"
 #include "detent/dynamics/relative.hpp"
+#include "detent/dynamics/rolling.hpp"
 #include "detent/dynamics/solve.hpp"
 #include "detent/dynamics/threads.hpp"
 #include "detent/scene/one_of.hpp"
@@ -43,7 +45,8 @@ class Tick {
   using Body = typename Select<false, Parts...>::template In<BodyOf>;
   using Group = typename Select<true, Parts...>::template In<GroupOf>;
   using Joints = typename Group::List;
-  using ContactState = BodyContact<S, N>;
+  static constexpr bool has_round = (is_round_body<Parts> || ...);
+  using ContactState = std::conditional_t<has_round, RollingContact<S, N>, BodyContact<S, N>>;
   static constexpr std::size_t bodies_room = Storage::capacity;
   static constexpr std::size_t contacts_room = contact_room(Storage::capacity);
   using Bodies = typename Storage::template List<Body, bodies_room>;
@@ -506,6 +509,7 @@ class Tick {
     if (before == nullptr) return contact;
     contact.touches = before->touches;
     contact.friction = before->friction;
+    if constexpr (has_round) contact.rolling = before->rolling;
     for (std::size_t i = 0; i < contact.count; ++i) {
       for (std::size_t j = 0; j < before->count; ++j) {
         if (before->feature[j] == contact.feature[i]) contact.pressure[i] = before->pressure[j];
@@ -602,6 +606,12 @@ class Tick {
   template <class Threads>
   constexpr void prepare_all(const Bodies& bodies, const Threads& threads) {
     using Ratio = typename F::Ratio;
+    if constexpr (has_round) {
+      rolling_.clear();
+      for (std::size_t i = 0; i < bodies.size() && rolling_.size() == 0; ++i) {
+        if (resists_rolling(bodies[i])) rolling_.resize(ready_.size());
+      }
+    }
     threads.each(0, ready_.size(), contacts_a_call, [&](std::size_t i) {
       auto& ready = ready_[i];
       const Body &a = bodies[ready.a], &b = bodies[ready.b];
@@ -609,6 +619,15 @@ class Tick {
       const auto [share_a, share_b] = mass_shares<S>(a, b);
       prepare(ready, found.manifold, supports_[ready.a], supports_[ready.b], found.offset, share_a,
               share_b);
+      if (has_round && rolling_.size() != 0) {
+        const auto limit = rolling_limit<S, N>(a, b, found_.contacts[ready.contact]);
+        if (limit.is_any()) {
+          rolling_[i] =
+              prepare_rolling<S, N>(limit, share_of<S, N>(supports_[ready.a].spread, share_a),
+                                    share_of<S, N>(supports_[ready.b].spread, share_b));
+          ready.rolling = &rolling_[i];
+        }
+      }
       auto friction = std::array{a.friction, b.friction};
       auto restitution = std::array{a.restitution, b.restitution};
       if constexpr (has_compounds) {
@@ -639,7 +658,11 @@ class Tick {
     });
     group_.warm_start(joints, moving_);
     for_each_ready(ends, threads, [&](const ReadyContact<S, N>& ready) {
-      warm_start(ready, found_.contacts[ready.contact], moving_[ready.a], moving_[ready.b]);
+      const auto& contact = found_.contacts[ready.contact];
+      warm_start(ready, contact, moving_[ready.a], moving_[ready.b]);
+      if constexpr (has_round) {
+        warm_start_rolling(ready, contact, moving_[ready.a], moving_[ready.b]);
+      }
     });
     group_.template solve_all<Pass::biased>(joints, moving_);
     for_each_ready(ends, threads, [&](ReadyContact<S, N>& ready) {
@@ -655,6 +678,9 @@ class Tick {
     for_each_ready(ends, threads, [&](ReadyContact<S, N>& ready) {
       auto& contact = found_.contacts[ready.contact];
       solve_pressure<Pass::relaxed>(ready, contact, moving_[ready.a], moving_[ready.b], pace.push);
+      if constexpr (has_round) {
+        solve_rolling(ready, contact, moving_[ready.a], moving_[ready.b]);
+      }
       solve_friction(ready, contact, moving_[ready.a], moving_[ready.b]);
     });
   }
@@ -754,6 +780,7 @@ class Tick {
   Search found_;
   List<Search, 0> searches_;  // of worlds that grow, on several threads
   List<ReadyContact<S, N>, contacts_room> ready_;
+  List<Rolling<S, N>, has_round ? contacts_room : 0> rolling_;  // empty if no body resists it
   List<std::uint8_t, contacts_room> colour_;
   List<std::uint64_t, bodies_room> used_;
   List<std::uint8_t, bodies_room> awake_;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include "detent/cull/list.hpp"
 #include "detent/dynamics/joint/table.hpp"
@@ -120,6 +121,7 @@ class BasicWorld {
     body.density = options.density;
     body.friction = options.friction;
     body.restitution = options.restitution;
+    body.rolling_resistance = options.rolling_resistance;
     body.linear_damping = options.linear_damping;
     body.angular_damping = options.angular_damping;
     body.shape = decltype(body.shape)(local.shape);
@@ -535,11 +537,11 @@ struct WorldAccess {
     return world.pace_.rate;
   }
   template <class World, class Bodies, class Contacts, class Joints>
-  static constexpr void assign(World& world, const Bodies& bodies, const Contacts& contacts,
-                               const Joints& joints, std::uint32_t next, std::size_t size) {
-    world.bodies_ = bodies;
-    world.contacts_ = contacts;
-    world.joints_ = joints;
+  static constexpr void assign(World& world, Bodies&& bodies, Contacts&& contacts, Joints&& joints,
+                               std::uint32_t next, std::size_t size) {
+    world.bodies_ = std::forward<Bodies>(bodies);
+    world.contacts_ = std::forward<Contacts>(contacts);
+    world.joints_ = std::forward<Joints>(joints);
     world.next_ = next;
     world.first_free_ = 0;
     world.size_ = size;

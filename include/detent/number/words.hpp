@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 #include "detent/number/scalar.hpp"
 
@@ -57,18 +58,23 @@ template <class T>
   }
 }
 
+// No loops: compilers make one access of bytes that are written out one by one, at -O2 too.
+
 template <std::unsigned_integral W>
 constexpr void store_word(std::byte* to, W word) noexcept {
-  for (std::size_t i = 0; i < sizeof(W); ++i) to[i] = static_cast<std::byte>(word >> (8 * i));
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    ((to[I] = static_cast<std::byte>(word >> (8 * I))), ...);
+  }
+  (std::make_index_sequence<sizeof(W)>());
 }
 
 template <std::unsigned_integral W>
 [[nodiscard]] constexpr W load_word(const std::byte* from) noexcept {
-  std::uint64_t word = 0;
-  for (std::size_t i = 0; i < sizeof(W); ++i) {
-    word |= std::to_integer<std::uint64_t>(from[i]) << (8 * i);
+  using Sum = std::conditional_t<(sizeof(W) < 8), std::uint32_t, std::uint64_t>;
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return static_cast<W>(((std::to_integer<Sum>(from[I]) << (8 * I)) | ...));
   }
-  return static_cast<W>(word);
+  (std::make_index_sequence<sizeof(W)>());
 }
 
 }  // namespace detent::detail

@@ -41,10 +41,56 @@ class Writer {
   std::size_t size_ = 0;
 };
 
+/// Counts the bytes that `Writer` would write.
+class ByteCounter {
+ public:
+  template <class... Values>
+  constexpr void add(const Values&... values) noexcept {
+    (add_one(values), ...);
+  }
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
+
+ private:
+  template <class T>
+  constexpr void add_one(const T& value) noexcept {
+    if constexpr (requires { typename Word<T>; }) {
+      size_ += sizeof(Word<T>);
+    } else {
+      append(*this, value);
+    }
+  }
+
+  std::size_t size_ = 0;
+};
+
+/// Writes what `Writer` would without bounds checks.
+class Storer {
+ public:
+  explicit constexpr Storer(std::byte* to) noexcept : to_(to) {}
+
+  template <class... Values>
+  constexpr void add(const Values&... values) noexcept {
+    (add_one(values), ...);
+  }
+
+ private:
+  template <class T>
+  constexpr void add_one(const T& value) noexcept {
+    if constexpr (requires { typename Word<T>; }) {
+      store_word(to_, to_word(value));
+      to_ += sizeof(Word<T>);
+    } else {
+      append(*this, value);
+    }
+  }
+
+  std::byte* to_;
+};
+
 /// The number of bytes that `Writer` writes for a value.
 template <class T>
 inline constexpr std::size_t byte_count = [] {
-  Writer count;
+  ByteCounter count;
   count.add(T());
   return count.size();
 }();

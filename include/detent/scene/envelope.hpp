@@ -116,6 +116,18 @@ struct SnapshotStart {
   return digest.value();
 }
 
+/// Writes the header and the checksum around the `header.byte_count` bytes of a snapshot, whose other
+/// bytes are in `room` already.
+template <class Header>
+constexpr void store_envelope(std::byte* room, const Header& header) noexcept {
+  Writer out(std::span<std::byte>(room, Header::size));
+  const auto& space = header.space;
+  out.add(header.magic, header.version, space.dimension, space.is_floating, space.bits, space.frac);
+  Header::fields(header, [&](const auto&... fields) { out.add(fields...); });
+  const auto length = static_cast<std::size_t>(header.byte_count) - Header::checksum_size;
+  store_word(room + length, checksum_of(std::span<const std::byte>(room, length)));
+}
+
 /// Writes a header, the bytes that `describe(writer)` writes, and the checksum; returns their
 /// number. If `room` is smaller, its contents are of no use. `describe` may still set the header.
 template <class Header, class Describe>
@@ -123,14 +135,9 @@ constexpr std::size_t seal(std::span<std::byte> room, Header& header,
                            const Describe& describe) noexcept {
   Writer body(room.subspan((std::min)(room.size(), Header::size)));
   describe(body);
-  const auto length = Header::size + body.size(), size = length + Header::checksum_size;
+  const auto size = Header::size + body.size() + Header::checksum_size;
   header.byte_count = size;
-  if (room.size() < size) return size;
-  Writer out(room);
-  const auto& space = header.space;
-  out.add(header.magic, header.version, space.dimension, space.is_floating, space.bits, space.frac);
-  Header::fields(header, [&](const auto&... fields) { out.add(fields...); });
-  store_word(room.data() + length, checksum_of(room.first(length)));
+  if (room.size() >= size) store_envelope(room.data(), header);
   return size;
 }
 

@@ -7,9 +7,10 @@ from fixed import Format, dot, ratio
 class Part:
     """A shape as a body of the compound's frame."""
 
-    def __init__(self, f, n, shape, place, q, frame, density, friction, restitution, is_sensor):
+    def __init__(self, f, n, shape, place, q, frame, density, friction, restitution,
+                 rolling, is_sensor):
         self.shape, self.friction, self.restitution = shape, friction, restitution
-        self.is_sensor = is_sensor
+        self.rolling, self.is_sensor = rolling, is_sensor
         self.x = bodies.placed(f, shape, place, frame)
         P = self.P = bodies.axes(q)
         self.m, K = bodies.properties(f, n, shape, density)

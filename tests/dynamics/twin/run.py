@@ -24,7 +24,8 @@ def field_of(line, i, n):
     elif words[0] == "joint":
         count, names = {"impulse": 99}, ["joint", "index", "a", "b"]
     else:
-        count = {"feature or pressure": 2 * int(words[6]), "friction": 1 if n == 2 else 3}
+        count = {"feature or pressure": 2 * int(words[6]), "friction": 1 if n == 2 else 3,
+                 "rolling": 1 if n == 2 else 3}
         names = ["contact", "a", "b", "part", "triangle", "touches", "points"]
     for name, times in count.items():
         names += ["%s %d" % (name, k) for k in range(times)]

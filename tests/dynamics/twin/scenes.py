@@ -7,7 +7,7 @@ from joints import Joint
 from terrain import Surface
 from world import World
 
-DEFAULTS = {"density": "1", "friction": "0.6", "restitution": "0", "damping": "0", "spin_damping": "0",
+DEFAULTS = {"density": "1", "friction": "0.6", "restitution": "0", "rolling": "0", "damping": "0", "spin_damping": "0",
             "gravity_scale": "1", "locked": "0", "layers": "1", "meets": str(0xffffffff)}
 
 
@@ -152,7 +152,7 @@ def read_turn(n, rest):
 def part(f, n, words, num, points):
     kind, rest = words[0], words[1:]
     shape, place = read_shape(n, kind, rest, num, points)
-    options = {key: num(DEFAULTS[key]) for key in ("density", "friction", "restitution")}
+    options = {key: num(DEFAULTS[key]) for key in ("density", "friction", "restitution", "rolling")}
     q, is_sensor = no_rotation(n), False
     frame = axes(q)
     while rest:
@@ -164,7 +164,7 @@ def part(f, n, words, num, points):
         else:
             options[key] = num(rest.pop(0))
     return Part(f, n, shape, place, q, frame, options["density"], options["friction"],
-                options["restitution"], is_sensor)
+                options["restitution"], options["rolling"], is_sensor)
 
 
 def add(world, n, words, num, points):

@@ -50,6 +50,9 @@ class Solver:
         c.friction_rows = [self.row(middle, [f.ratio.clamp(x) for x in t]) for t in tangents]
         if n == 3:
             self.twist(p, middle)
+        c.rolls = c.resistance > 0 and c.radius > 0
+        if c.rolls:
+            self.prepare_rolling()
         c.gap = [f.speed.near(s, f.F + 6) for _, s, _ in c.points]
         friction = c.friction_of[0] * c.friction_of[1]
         c.grip = f.ratio.clamp(isqrt(max(friction, 0) << 60 - 2 * f.F))
@@ -108,6 +111,17 @@ class Solver:
         row.ca = [0] * 3 if c.a.motion == "fixed" else moment
         row.cb = [0] * 3 if c.b.motion == "fixed" else moment
         self.respond(row)
+
+    def prepare_rolling(self):
+        c, f = self.contact, self.f
+        c.reach_of_roll = f.arm.near(c.radius, f.F)
+        c.resist = ratio.near(c.resistance, f.F)
+        shift = 66 - 2 * f.F + f.F + 6
+        c.Ja, c.Jb = [[[f.response.near(x * c.reach_of_roll, shift) for x in row] for row in G]
+                      for G in (self.Ga, self.Gb)]
+        give = [f.give.near(c.reach_of_roll * max(sum(map(abs, row)) for row in J), 44)
+                for J in (c.Ja, c.Jb)]
+        c.roll_mass = ratio.quotient(ONE, ONE + sum(give))
 
     # 7. Substeps
 
@@ -185,6 +199,30 @@ class Solver:
             change, T[i] = f.impulse.clamp(t[i] - T[i]), t[i]
             self.apply(c, row, change)
 
+    def roll(self, c, k, p):
+        turn, shift = self.f.spin, self.spin_shift
+        for body, J, sign in (c.a, c.Ja, -1), (c.b, c.Jb, 1):
+            if body.can_move:
+                body.w = [turn.clamp(w + sign * turn.near(row[k] * p, shift))
+                          for w, row in zip(body.w, J)]
+
+    def rolling(self, c):
+        f = self.f
+        near, scale = f.impulse.near, f.F + 42
+        limit = near(c.resist * f.impulse.clamp(sum(c.pressure)), scale)
+        rates = [f.speed.near(c.reach_of_roll * (y - x), f.F + 34) for x, y in zip(c.a.w, c.b.w)]
+        t = [f.impulse.clamp(x - near(c.roll_mass * v, scale)) for x, v in zip(c.rolling, rates)]
+        if self.n == 2:
+            t[0] = min(max(t[0], -limit), limit)
+        else:
+            square = sum(x * x for x in t)
+            if square > limit * limit:
+                r = f.length.clamp(isqrt(square - 1) + 1)
+                t = [f.impulse.quotient(x * limit, r, f.F + 12) for x in t]
+        for k, x in enumerate(t):
+            self.roll(c, k, f.impulse.clamp(x - c.rolling[k]))
+        c.rolling = t
+
     def lock(self, b):
         if b.locked:
             b.v = [0 if no else v for v, no in zip(b.v, b.locked_v)]
@@ -215,6 +253,9 @@ class Solver:
                 self.apply(c, row, p)
             if self.n == 3:
                 self.apply(c, c.twist, c.friction[2])
+            if c.rolls:
+                for k, p in enumerate(c.rolling):
+                    self.roll(c, k, p)
         for j in joints:
             j.solve(True)
         for c in contacts:
@@ -240,6 +281,8 @@ class Solver:
         for c in contacts:
             for i in range(c.count):
                 self.point(c, i, False)
+            if c.rolls:
+                self.rolling(c)
             self.friction(c)
 
     # 8. Bounce

@@ -256,6 +256,8 @@ class Stage {
         options.friction = number(in);
       else if (key == "restitution")
         options.restitution = number(in);
+      else if (key == "rolling")
+        options.rolling_resistance = number(in);
       else if (key == "sensor")
         options.is_sensor = true;
       else if (key == "turned") {
@@ -278,6 +280,8 @@ class Stage {
         options.friction = number(in);
       else if (key == "restitution")
         options.restitution = number(in);
+      else if (key == "rolling")
+        options.rolling_resistance = number(in);
       else if (key == "damping")
         options.linear_damping = number(in);
       else if (key == "spin_damping")
@@ -415,6 +419,7 @@ class Stage {
         std::cout << ' ' << contact.feature[i] << ' ' << contact.pressure[i].raw();
       }
       for (const auto& impulse : contact.friction) std::cout << ' ' << impulse.raw();
+      for (const auto& impulse : contact.rolling) std::cout << ' ' << impulse.raw();
       std::cout << '\n';
     }
     const auto& joints = detail::WorldAccess::joints(world_).list;

@@ -14,6 +14,7 @@ class Contact:
         self.touches, self.count = False, 0
         self.feature, self.pressure = [], []
         self.friction = [0] * (1 if n == 2 else 3)
+        self.rolling = [0] * (1 if n == 2 else 3)
 
 
 class World:
@@ -42,6 +43,7 @@ class World:
         b.w = [0 if still else f.spin.quotient(w, self.rate, f.F) for w in options["spin"]]
         b.quiet, b.sleeps = 0, False
         b.friction, b.restitution = options["friction"], options["restitution"]
+        b.rolling = options["rolling"]
         b.kept_v = bodies.kept(options["damping"], self.rate, f.F)
         b.kept_w = bodies.kept(options["spin_damping"], self.rate, f.F)
         b.layers, b.meets = options["layers"], options["meets"]
@@ -220,12 +222,18 @@ class World:
         pressures = dict(zip(last.feature, last.pressure)) if last else {}
         c.pressure = [pressures.get(feature, 0) for feature in c.feature]
         if last:
-            c.friction, c.touches = last.friction, last.touches
+            c.friction, c.rolling, c.touches = last.friction, last.rolling, last.touches
         made = [part or body for part, body in zip(parts, (a, b))]
         c.friction_of, c.restitution_of = [m.friction for m in made], [m.restitution for m in made]
+        c.resistance = max(0, *(m.rolling for m in made))
+        radii = [s.radius_raw for s in (part.shape if part else body.shape
+                                        for part, body in zip(parts, (a, b)))
+                 if s.kind in ("ball", "capsule")]
+        c.radius = max(min(radii), 0) if radii else 0
         c.is_sensed = any(x.is_sensor for x in (a, b, *made))
         if c.is_sensed:
             c.pressure, c.friction = [0] * c.count, [0] * (1 if self.n == 2 else 3)
+            c.rolling = list(c.friction)
             c.touches = any(p[1] <= 0 for p in points)
 
     # 4. Islands
@@ -301,7 +309,8 @@ class World:
             yield " ".join(map(str, ["body", i, *b.x, *b.q, *b.v, *b.w, b.quiet, int(b.sleeps)]))
         for key, c in sorted(self.contacts.items()):
             points = [x for p in zip(c.feature, c.pressure) for x in p]
-            yield " ".join(map(str, ["contact", *key, int(c.touches), c.count, *points, *c.friction]))
+            yield " ".join(map(str, ["contact", *key, int(c.touches), c.count, *points, *c.friction,
+                                     *c.rolling]))
         for i, j in enumerate(self.joints):
             if j:
                 yield " ".join(map(str, ["joint", i, j.a, j.b, *j.push, *j.turn]))
