@@ -21,7 +21,7 @@ template <class Body>
 inline constexpr AssetNames asset_names{};
 
 template <class Body>
-concept AssetBody = !asset_names<Body>.id.empty();
+concept AssetBody = HasAsset<Body> && !asset_names<Body>.id.empty();
 
 /// Reads the asset of a body: bodies hold it in their frame, untranslated and unrotated.
 template <AssetBody Body, class Assets>

@@ -141,7 +141,7 @@ class Loader {
   }
   template <ListsFields Shape>
   constexpr void load(Shape& shape) noexcept {
-    ShapeFields<Shape>::of(shape, [this](auto&... fields) { (load(fields), ...); });
+    ShapeFields<Shape>::of(shape, [&](auto&... fields) { (load(fields), ...); });
   }
 
  private:
