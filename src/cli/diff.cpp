@@ -93,7 +93,7 @@ class PartReader {
 
  private:
   [[noreturn]] void fail() const {
-    throw InputError(file_, {}, "its contents are not those of a snapshot" + std::string(remedy));
+    throw InputError(file_, {}, "its contents are not a valid snapshot" + std::string(remedy));
   }
 
   static constexpr std::uint32_t nowhere = 0xffffffffu;
@@ -233,8 +233,8 @@ Contents read_snapshot(const std::string& file, const std::string& text) {
   };
   const bool has_dimension = header.dimension == 2 || header.dimension == 3;
   if (!has_dimension || !with_scalar(header, read_parts)) {
-    throw InputError(file, {},
-                     "its scalar or dimension is none of the tool's; use restore and digest_of");
+    throw InputError(
+        file, {}, "the tool does not support its scalar or dimension; use restore and digest_of");
   }
   return contents;
 }
@@ -298,7 +298,7 @@ SnapshotDifference compare_snapshots(const std::string& name_a, const std::strin
   if (first.dimension != second.dimension || first.is_floating != second.is_floating ||
       first.bits != second.bits || first.frac != second.frac) {
     throw InputError(name_b, {},
-                     "is of another scalar or dimension than " + name_a +
+                     "has a different scalar or dimension than " + name_a +
                          "; compare snapshots of the same kind of scene");
   }
   Listing listing(one_line(name_a), one_line(name_b));
