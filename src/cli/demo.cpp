@@ -31,7 +31,7 @@ void make_directory(const std::string& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error || !std::filesystem::is_directory(directory)) {
-    throw InputError(directory, {}, "cannot be made a directory; choose another with --out");
+    throw InputError(directory, {}, "cannot be created as a directory; choose another with --out");
   }
 }
 

@@ -95,7 +95,7 @@ class PartReader {
 
  private:
   [[noreturn]] void fail() const {
-    throw InputError(file_, {}, "its contents are not those of a snapshot" + std::string(remedy));
+    throw InputError(file_, {}, "its contents are not a valid snapshot" + std::string(remedy));
   }
 
   static constexpr std::uint32_t nowhere = 0xffffffffu;
@@ -202,8 +202,8 @@ Contents read_snapshot(const std::string& file, const std::string& text) {
   };
   const bool has_dimension = header.space.dimension == 2 || header.space.dimension == 3;
   if (!has_dimension || !with_scalar(header.space, read_parts)) {
-    throw InputError(file, {},
-                     "its scalar or dimension is none of the tool's; use restore and digest_of");
+    throw InputError(
+        file, {}, "the tool does not support its scalar or dimension; use restore and digest_of");
   }
   return contents;
 }
@@ -266,7 +266,7 @@ SnapshotDifference compare_snapshots(const std::string& name_a, const std::strin
   const auto& second = b.header;
   if (first.space != second.space) {
     throw InputError(name_b, {},
-                     "is of another scalar or dimension than " + name_a +
+                     "has a different scalar or dimension than " + name_a +
                          "; compare snapshots of the same kind of scene");
   }
   Listing listing(one_line(name_a), one_line(name_b));

@@ -59,7 +59,7 @@ std::string unpacked(const std::string& path, std::string bytes) {
       if (taken == bytes.size()) return content;
       inflateReset(&stream);  // concatenated gzip files are one file
     } else if (status != Z_OK || (taken == bytes.size() && size == 0)) {
-      throw InputError(path, {}, "damaged or cut off, as gzip says; copy the file again");
+      throw InputError(path, {}, "a damaged or truncated gzip file; copy it again");
     }
   }
 }

@@ -187,7 +187,7 @@ void add_verify(CLI::App& app, Arguments& arguments) {
   CLI::App* const command = app.add_subcommand(
       "verify", "Run a fixed corpus of queries and compare the results with the golden digests");
   command->add_flag("--small", options.small, "The corpus for microcontrollers");
-  command->add_option("--only", options.only, "Only queries whose names begin with this");
+  command->add_option("--only", options.only, "Only queries whose names begin with this prefix");
   command->add_flag("--exact", options.exact, "Also check every result in exact arithmetic");
   command->add_flag("--json", options.json, "Print the report in JSON");
   command->add_option("--dump", options.dump, "Write the results to this file, byte for byte")
@@ -216,7 +216,7 @@ void add_replay(CLI::App& app, Arguments& arguments) {
   CLI::App* const command = app.add_subcommand("replay", "Check recorded matches");
   command->require_subcommand(1);
   CLI::App* const check =
-      command->add_subcommand("check", "Simulate replays again and say where results differ");
+      command->add_subcommand("check", "Simulate replays again and report where results differ");
   check->add_option("paths", arguments.replay.paths, "Replays, and folders of them")
       ->required()
       ->check(check_name);
@@ -227,11 +227,11 @@ void add_replay(CLI::App& app, Arguments& arguments) {
   CLI::App* const example =
       command->add_subcommand("example", "Record a match of the example world");
   example->add_option("file", options.out, "The replay to write")->required()->check(check_name);
-  example->add_option("--seed", options.seed, "What the players press")->capture_default_str();
-  example->add_option("--frames", options.frames, "How long it is")
+  example->add_option("--seed", options.seed, "Seed of the players' inputs")->capture_default_str();
+  example->add_option("--frames", options.frames, "Number of frames")
       ->capture_default_str()
       ->check(CLI::Range(1, 10'000'000));
-  example->add_option("--every", options.every, "A digest every so many frames")
+  example->add_option("--every", options.every, "Frames between digests")
       ->capture_default_str()
       ->check(CLI::Range(1, 255));
   example->final_callback([&] { replay_example(options); });
@@ -245,22 +245,24 @@ void add_simulate(CLI::App& app, Arguments& arguments) {
   command->add_option("--scalar", options.scalar, listed(simulated_scalars))->capture_default_str();
   command->add_option("--offset", arguments.offset, "Move the world by X,Y,Z; pictures stay")
       ->capture_default_str();
-  command->add_option("--ticks", options.ticks, "How many")
+  command->add_option("--ticks", options.ticks, "Number of ticks")
       ->capture_default_str()
       ->check(CLI::Range(0, 100'000'000));
-  command->add_option("--every", options.every, "A digest every so many ticks")
+  command->add_option("--every", options.every, "Ticks between digests")
       ->capture_default_str()
       ->check(CLI::Range(1, 100'000'000));
-  command->add_flag("--bodies", options.has_bodies, "Print where the bodies are in the end");
+  command->add_flag("--bodies", options.has_bodies, "Print the final poses of the bodies");
   command->add_option("--resume", options.resume, "Start from this snapshot")->check(check_name);
   command->add_option("-o,--out", options.out, "The snapshot to write")->check(check_name);
-  command->add_option("--snapshot-at", options.snapshot_at, "Its tick; by default the last")
+  command
+      ->add_option("--snapshot-at", options.snapshot_at,
+                   "Tick of the snapshot; by default the last")
       ->check(CLI::Range(0, 100'000'000));
   command->add_option("--frames", options.frames, "A folder for pictures, PNG files")
       ->check(check_name);
   command->add_option("--animation", options.animation, "An animated PNG to write")
       ->check(check_name);
-  command->add_option("--picture-every", options.picture_every, "A picture every so many ticks")
+  command->add_option("--picture-every", options.picture_every, "Ticks between pictures")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   command->add_option("--size", arguments.size, "Size of pictures")->capture_default_str();

@@ -68,7 +68,7 @@ std::array<std::uint32_t, 2> parse_shard(const std::string& text) {
     if (is_right && shard[0] >= 1 && shard[0] <= shard[1]) return shard;
   }
   throw InputError("--shard: \"" + text +
-                   "\" is no shard; write K/N with K from 1 to N, such as 2/8");
+                   "\" is not a shard; write K/N with K from 1 to N, such as 2/8");
 }
 
 /// All files of the shard, in order of their paths. The shard is chosen by the name in its folder.
@@ -102,10 +102,10 @@ std::string frames_of(const ReplayCheck& check) {
 /// What is wrong with a replay and what to do, or nothing.
 std::string problem_of(const ReplayCheck& check) {
   if (!check.is_equal) {
-    return frames_of(check) + ": another result" +
+    return frames_of(check) + ": a different result" +
            (check.frames > check.equal + 1
-                ? "; record with a digest every frame to know which"
-                : "; simulate up to there on both machines and compare by diff(a, b)");
+                ? "; record a digest every frame to find out which"
+                : "; simulate up to there on both machines and compare with diff(a, b)");
   }
   switch (check.state) {
     case ReplayState::whole:
@@ -115,11 +115,11 @@ std::string problem_of(const ReplayCheck& check) {
       return "a byte has changed after frame " + std::to_string(check.frames) +
              "; copy the file again";
     case ReplayState::no_replay:
-      return "no replay; name a file that detent replay example or a ReplayWriter wrote";
+      return "not a replay; name a file written by detent replay example or a ReplayWriter";
     case ReplayState::other_inputs:
-      return "a replay of another game; check it with that game's own program";
+      return "a replay of a different game; check it with that game's own program";
     case ReplayState::other_results:
-      return "recorded with another results_version; check it with that version of detent";
+      return "recorded with a different results_version; check it with that version of detent";
   }
   return "";
 }

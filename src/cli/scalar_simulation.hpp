@@ -79,7 +79,7 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
       case Restored::yes:
         return;
       case Restored::no_snapshot:
-        throw InputError(file, {}, "is no snapshot of a world; write one with --snapshot-at");
+        throw InputError(file, {}, "is not a snapshot of a world; write one with --snapshot-at");
       case Restored::other_version:
         throw InputError(file, {}, "a snapshot of another version of detent; write it again");
       case Restored::truncated:
@@ -87,12 +87,12 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
         throw InputError(file, {}, "the snapshot is damaged; copy or write it again");
       case Restored::other_scene:
         throw InputError(file, {},
-                         "a snapshot of a world with other settings, scalar or dimension; resume "
-                         "it with those it was written with");
+                         "a snapshot of a world with different settings, scalar or dimension; "
+                         "resume it with those it was written with");
       default:
         throw InputError(file, {},
-                         "a snapshot of a world with other fixed bodies or hulls; resume it with "
-                         "the file it was written with");
+                         "a snapshot of a world with different fixed bodies or hulls; resume it "
+                         "with the file it was written with");
     }
   }
 

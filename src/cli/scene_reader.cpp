@@ -78,7 +78,7 @@ class SceneReader : private JsonFields {
       shape.form = mesh(node, owner);
     } else {
       fail(type, "unknown shape " + in_quotes(type.text) +
-                     "; there are sphere, aabb, obb, plane, triangle, mesh");
+                     "; choose from sphere, aabb, obb, plane, triangle, mesh");
     }
     return shape;
   }

@@ -44,7 +44,7 @@ class Film {
     std::filesystem::create_directories(options.frames, error);
     if (error || !std::filesystem::is_directory(options.frames)) {
       throw InputError(options.frames, {},
-                       "cannot be made a directory; choose another with --frames");
+                       "cannot be created as a directory; choose another with --frames");
     }
   }
 

@@ -169,7 +169,7 @@ class WorldReader : private JsonFields {
     }
     if (type.text != "hull") {
       fail(type, "unknown shape " + in_quotes(type.text) +
-                     "; there are sphere, capsule, aabb, obb, hull");
+                     "; choose from sphere, capsule, aabb, obb, hull");
     }
     allow({"points", "position", "rotation"});
     HullModel hull{{}, point_of("0", "0", "0"), rotation(find(node, "rotation"))};
@@ -187,7 +187,8 @@ class WorldReader : private JsonFields {
     if (node.text == "dynamic") return BodyMotion::dynamic;
     if (node.text == "kinematic") return BodyMotion::kinematic;
     if (node.text == "fixed") return BodyMotion::fixed;
-    fail(node, "unknown motion " + in_quotes(node.text) + "; there are dynamic, kinematic, fixed");
+    fail(node,
+         "unknown motion " + in_quotes(node.text) + "; choose from dynamic, kinematic, fixed");
   }
 
   std::optional<std::uint32_t> maybe_layers(const JsonNode& object, std::string_view key) const {
@@ -218,7 +219,7 @@ class WorldReader : private JsonFields {
       for (const auto& [name, lock] : axes) axis |= name == item.text ? lock : 0u;
       if (axis == 0) {
         fail(item, "unknown axis " + in_quotes(item.text) +
-                       "; there are x, y, z, turn_x, turn_y, turn_z, turn");
+                       "; choose from x, y, z, turn_x, turn_y, turn_z, turn");
       }
       locked |= axis;
     }
@@ -300,7 +301,7 @@ class WorldReader : private JsonFields {
       return JointKind::wheel;
     }
     fail(type, "unknown joint " + in_quotes(type.text) +
-                   "; there are distance, ball, hinge, weld, slider, wheel");
+                   "; choose from distance, ball, hinge, weld, slider, wheel");
   }
 
   /// The body that an end of a joint names.
@@ -309,7 +310,7 @@ class WorldReader : private JsonFields {
     for (std::size_t i = 0; i < world_.bodies.size(); ++i) {
       if (world_.bodies[i].id == node.text) return i;
     }
-    fail(node, "no body has the id " + in_quotes(node.text) + "; name one that has");
+    fail(node, "no body has the id " + in_quotes(node.text) + "; name an existing body");
   }
 
   WorldModel world_;

@@ -147,9 +147,9 @@ TEST_CASE("diff: bytes that are no snapshot are refused by name") {
   CHECK(
       refusal(right, changed).starts_with("b.snap: the bytes of the snapshot have been changed; "));
   CHECK(refusal(right, bytes_of(Scene<q14_16, 3, Sphere>()))
-            .starts_with("b.snap: is of another scalar or dimension than a.snap; "));
+            .starts_with("b.snap: has a different scalar or dimension than a.snap; "));
   CHECK(refusal(bytes_of(Scene<Fixed<20, 10>, 3, Sphere>()), right)
-            .starts_with("a.snap: its scalar or dimension is none of the tool's; "));
+            .starts_with("a.snap: the tool does not support its scalar or dimension; "));
 }
 
 namespace {
@@ -233,8 +233,8 @@ TEST_CASE("diff: refuses sets of shapes that no scene has, and shapes that are n
     bytes[shapes] = static_cast<char>(set);
     bytes[shapes + 1] = static_cast<char>(set >> 8);
     INFO(set);
-    CHECK(refusal(sealed(bytes), right)
-              .starts_with("a.snap: its contents are not those of a snapshot"));
+    CHECK(
+        refusal(sealed(bytes), right).starts_with("a.snap: its contents are not a valid snapshot"));
   }
   CHECK(refusal(sealed(right), right).empty());
 }

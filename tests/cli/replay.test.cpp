@@ -104,7 +104,7 @@ TEST_CASE("replay check: the first frame that differs is named") {
     INFO(report.problems[0]);
     CHECK(has(report.problems[0], "changed: "));
     CHECK(has(report.problems[0],
-              every == 1 ? "frame 77: another" : "one of the frames 60 to 119: another"));
+              every == 1 ? "frame 77: a different" : "one of the frames 60 to 119: a different"));
     CHECK(report.totals.different == 1);
   }
 }
@@ -122,7 +122,7 @@ TEST_CASE("replay check: files that are no replays are named, and the others are
   CHECK(report.totals == ReplayTotals{4, 2, 0, 2, 1, 240 + 240 + 300});
   REQUIRE(report.problems.size() == 2);
   CHECK(has(report.problems[0], "broken: a byte has changed after frame 240; copy"));
-  CHECK(has(report.problems[1], "empty: no replay; name a file"));
+  CHECK(has(report.problems[1], "empty: not a replay; name a file"));
   const auto missing = check(folder.path() + "/missing");
   REQUIRE(missing.problems.size() == 1);
   CHECK(has(missing.problems[0], "missing"));
@@ -140,7 +140,7 @@ TEST_CASE("replay check: files of gzip are unpacked") {
   const auto report = check(folder.path());
   CHECK(report.totals == ReplayTotals{3, 2, 0, 1, 1, 300 + 240});
   REQUIRE(report.problems.size() == 1);
-  CHECK(has(report.problems[0], "b.gz: damaged or cut off"));
+  CHECK(has(report.problems[0], "b.gz: a damaged or truncated gzip file"));
 }
 
 TEST_CASE("unpacked: one file of gzip after another, and damaged ones") {
@@ -163,7 +163,7 @@ TEST_CASE("unpacked: one file of gzip after another, and damaged ones") {
       const auto content = unpacked("f", changed);
       CHECK(content == "bc");  // a bit that nothing reads
     } catch (const InputError& error) {
-      CHECK(has(error.what(), "f: damaged or cut off"));
+      CHECK(has(error.what(), "f: a damaged or truncated gzip file"));
     }
   }
 }

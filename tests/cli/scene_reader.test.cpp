@@ -74,7 +74,7 @@ TEST_CASE("scene: a bad shape is refused") {
   CHECK(shape_error("{\"center\": [0,0,0]}") == "2:1: shape 0 has no \"type\"; add it");
   CHECK(shape_error(" 7") == "2:2: shape 0 is a number; write an object");
   CHECK(shape_error("{\"type\": \"cone\"}") ==
-        "2:10: unknown shape \"cone\"; there are sphere, aabb, obb, plane, triangle, mesh");
+        "2:10: unknown shape \"cone\"; choose from sphere, aabb, obb, plane, triangle, mesh");
   CHECK(shape_error("{\"type\": \"sphere\", \"centre\": [0,0,0], \"radius\": 1}") ==
         "2:20: unknown key \"centre\" in the sphere; it may have type, id, color, center, radius");
   CHECK(shape_error("{\"type\": \"sphere\", \"center\": [0,0], \"radius\": 1}") ==

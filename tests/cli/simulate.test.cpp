@@ -258,7 +258,7 @@ TEST_CASE("detent simulate: what is wrong with a world is named by line, and not
   refused("{\"bodies\": [],\n\"dimension\": 4}",
           "2:14: dimension is not a whole number from 2 to 3;");
   refused("{\"bodies\": [\n{\"type\": \"cone\"}]}",
-          "2:10: unknown shape \"cone\"; there are sphere,");
+          "2:10: unknown shape \"cone\"; choose from sphere,");
   refused("{\"bodies\": [\n{\"type\": \"sphere\", \"center\": [0, 1], \"radius\": 1}]}",
           "2:30: center has 2 numbers; write three: [x, y, z]");
   refused("{\"bodies\": [\n{\"type\": \"sphere\", \"center\": [0, 1, 99999], \"radius\": 1}]}",
@@ -270,21 +270,21 @@ TEST_CASE("detent simulate: what is wrong with a world is named by line, and not
   refused(
       "{\"bodies\": [\n{\"type\": \"sphere\", \"center\": [0, 1, 2], \"radius\": 1,\n"
       "\"motion\": \"static\"}]}",
-      "3:11: unknown motion \"static\"; there are dynamic, kinematic, fixed");
+      "3:11: unknown motion \"static\"; choose from dynamic, kinematic, fixed");
   refused(
       "{\"bodies\": [\n{\"type\": \"sphere\", \"center\": [0, 1, 2], \"radius\": 1,\n"
       "\"locked\": [\"w\"]}]}",
-      "3:12: unknown axis \"w\"; there are x, y, z, turn_x, turn_y, turn_z, turn");
+      "3:12: unknown axis \"w\"; choose from x, y, z, turn_x, turn_y, turn_z, turn");
   refused(
       "{\"bodies\": [\n{\"type\": \"sphere\", \"center\": [0, 1, 2], \"radius\": 1,\n"
       "\"layers\": [32]}]}",
       "3:12: a layer of layers is not a whole number from 0 to 31;");
   refused("{\"bodies\": [" + ball + "], \"joints\": [\n{\"type\": \"glue\"}]}",
-          "2:10: unknown joint \"glue\"; there are distance, ball, hinge, weld, slider, wheel");
+          "2:10: unknown joint \"glue\"; choose from distance, ball, hinge, weld, slider, wheel");
   refused("{\"bodies\": [" + ball +
               "], \"joints\": [\n{\"type\": \"ball\", \"a\": \"b\", "
               "\"b\": \"c\", \"at\": [0, 0, 0]}]}",
-          "2:33: no body has the id \"c\"; name one that has");
+          "2:33: no body has the id \"c\"; name an existing body");
   refused("{\"bodies\": [" + ball +
               "], \"joints\": [\n{\"type\": \"ball\", \"a\": \"b\", "
               "\"b\": \"b\", \"at\": [0, 0, 0]}]}",
@@ -348,11 +348,12 @@ TEST_CASE("detent simulate: wrong options and snapshots are refused, and nothing
   refused("flat.json --every 0", "");
   refused("flat.json --offset 1,2", "--offset: \"1,2\" is not three numbers; ");
   refused("flat.json --resume none", "none: no such file; ");
-  refused("flat.json --resume text -o x", "text: is no snapshot of a world; ");
+  refused("flat.json --resume text -o x", "text: is not a snapshot of a world; ");
   refused("flat.json --resume short -o x", "short: the snapshot is damaged; ");
-  refused("pyramid.json --resume good", "good: a snapshot of a world with other settings, ");
-  refused("flat.json --scalar float --resume good", "good: a snapshot of a world with other ");
-  refused("flat.json --offset 1,0,0 --resume good", "good: a snapshot of a world with other fixed");
+  refused("pyramid.json --resume good", "good: a snapshot of a world with different settings, ");
+  refused("flat.json --scalar float --resume good", "good: a snapshot of a world with different ");
+  refused("flat.json --offset 1,0,0 --resume good",
+          "good: a snapshot of a world with different fixed");
   refused("level.json --animation x.png", "level.json: the world has no \"camera\"; ");
-  refused("flat.json --frames flat.json/x", "flat.json/x: cannot be made a directory; ");
+  refused("flat.json --frames flat.json/x", "flat.json/x: cannot be created as a directory; ");
 }
