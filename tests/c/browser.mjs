@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // usage: node browser.mjs CHROMIUM FOLDER
-// Plays the match in a browser with the modules of a folder, and prints its digest.
+// Plays the match in a browser with the modules in FOLDER and prints its digest.
 
 import { spawn } from 'node:child_process';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
