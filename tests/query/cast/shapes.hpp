@@ -8,14 +8,14 @@
 
 namespace detent::test {
 
-/// Round shapes that reach from x - 1 to x + 1 on the x axis, with the ends of the reach there.
+/// Round shapes that extend from x - 1 to x + 1 on the x axis, with their extreme points there.
 template <Scalar S, int N, class Visit>
 void visit_round(double x, const Visit& visit) {
   visit(Sphere<S, N>{at<S, N>(x), num<S>(1)});
   visit(Capsule<S, N>{at<S, N>(x + 0.5), at<S, N>(x - 0.5), num<S>(0.5)});
 }
 
-/// Polytopes that do.
+/// Polytopes with the same property.
 template <Scalar S, int N, class Visit>
 void visit_boxes(double x, const Visit& visit) {
   visit(Aabb<S, N>{at<S, N>(x - 1, -1, -1), at<S, N>(x + 1, 1, 1)});
@@ -52,7 +52,7 @@ std::optional<S> cast_to(const A& shape, const Direction<S, N>& direction, doubl
   return distance;
 }
 
-/// Casts `shape`, which reaches to x = -2, along the x axis at shapes at several places.
+/// Casts `shape`, whose front is at x = -2, along the x axis at shapes in several places.
 template <Scalar S, int N, class A>
 void check_casts(const A& shape) {
   const auto right = toward<S, N>(1);

@@ -12,7 +12,7 @@ namespace detent::test {
 template <Scalar S, int N>
 using Points = std::pair<Vec<S, N>, Vec<S, N>>;
 
-/// Shapes that reach from x - 1 to x + 1 on the x axis, and whose ends lie there alone.
+/// Shapes that extend from x - 1 to x + 1 on the x axis and touch these limits only there.
 template <Scalar S, int N, class Visit>
 void visit_pointed_ends(double x, const Visit& visit) {
   const auto one = num<S>(1);
@@ -24,7 +24,7 @@ void visit_pointed_ends(double x, const Visit& visit) {
   const std::array corners{left, at<S, N>(x, 1), right, at<S, N>(x, -1), at<S, N>(x, 0, 1)};
   visit(ConvexHull<S, N>{corners});
 }
-/// The same with a face at both ends.
+/// Shapes with a face at both limits.
 template <Scalar S, int N, class Visit>
 void visit_ends(double x, const Visit& visit) {
   visit_pointed_ends<S, N>(x, visit);
@@ -32,7 +32,7 @@ void visit_ends(double x, const Visit& visit) {
   visit(Obb<S, N>{at<S, N>(x), filled<S, N>(num<S>(1)), {}});
 }
 
-/// The points between every two kinds of shapes: two ends on the x axis.
+/// The closest points of every two kinds of shapes: two ends on the x axis.
 template <Scalar S, int N>
 void check_closest_points() {
   const auto check = [](const Points<S, N>& got, double first, double second) {

@@ -8,7 +8,7 @@
 
 namespace detent::test {
 
-/// Shapes that reach from x - 1 to x + 1 on the x axis, and whose nearest points lie there.
+/// Shapes that extend from x - 1 to x + 1 on the x axis, with their nearest points there.
 template <Scalar S, int N, class Visit>
 void visit_kinds(double x, const Visit& visit) {
   const auto one = num<S>(1);
@@ -23,10 +23,10 @@ void visit_kinds(double x, const Visit& visit) {
   visit(ConvexHull<S, N>{corners});
 }
 
-/// The distance of every two kinds of shapes.
+/// The distances of every two kinds of shapes.
 template <Scalar S, int N>
 void check_distances() {
-  // Where the other shape is, and how far it is then.
+  // The position of the other shape, and its distance there.
   constexpr std::array<std::array<double, 2>, 3> others{{{4, 5}, {-1, 0}, {-3, 0}}};
   const auto check = [](S got, S expected) { CHECK(got == expected); };
   visit_kinds<S, N>(-3, [&](const auto& a) {
