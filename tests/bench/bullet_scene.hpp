@@ -16,7 +16,7 @@ inline btVector3 as_bullet(const Vec<double, 3>& v) {
   return {static_cast<btScalar>(v.x), static_cast<btScalar>(v.y), static_cast<btScalar>(v.z)};
 }
 
-/// Bullet's shapes and objects of a drawn scene, which its world refers to.
+/// Bullet's shapes and objects of a drawn scene; its world refers to them.
 struct BulletObjects {
   std::vector<std::unique_ptr<btCollisionShape>> shapes;
   std::vector<std::unique_ptr<btCollisionObject>> objects;
