@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The C# binding: the foreign functions and structures, and bindings/csharp/spaces.cs.in for both
-dimensions. Arrays become fields, `axis0`, `axis1`, so that every structure is blittable."""
+dimensions. Arrays become fields, such as `axis0` and `axis1`, so that every structure is blittable."""
 import os
 import re
 from description import expand

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The types and functions of the C interface, read from bindings/detent.h.in.
 
-The file is C99 but for lines that begin with @: text between @each and @end stands once for each
-dimension, where {N} is the dimension, {x} the coordinates, {A} how many numbers an angular velocity
-has, {C} how many points a contact has and {M} is one less than the dimension; @generated and @layouts are written by `generate`.
+The file is C99 except for lines that begin with @. Text between @each and @end is repeated for each
+dimension: {N} is the dimension, {x} the coordinates, {A} the number of components of an angular
+velocity, {C} the number of points of a contact and {M} the dimension minus one. `generate` replaces
+@generated and @layouts.
 """
 import re
 from dataclasses import dataclass, field
@@ -54,7 +55,7 @@ class Constant:
 
 
 def expand(text):
-    """The description with both dimensions written out."""
+    """Expands the text between @each and @end for both dimensions."""
     def both(match):
         parts = []
         for n, x, a, c in ((2, 'x, y', 1, 2), (3, 'x, y, z', 3, 4)):

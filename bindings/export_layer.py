@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The exported functions, which call those of src/c/: a source for each group and dimension."""
+"""The exported functions, which call those of src/c/: one source per group and dimension."""
 import re
 
 GROUPS = (('scene', 'scenes', 'Scenes'), ('world', 'worlds', 'Worlds'), ('body', 'worlds', 'Worlds'),
@@ -8,7 +8,7 @@ GROUPS = (('scene', 'scenes', 'Scenes'), ('world', 'worlds', 'Worlds'), ('body',
           ('mover', 'movers', 'Movers'), ('session', 'sessions', 'Sessions'),
           ('replay', 'sessions', 'Replays'), ('shapes', 'unions', 'Unions'), ('ray', 'unions', 'Rays'),
           ('camera', 'frusta', 'Cameras'), ('frustum', 'frusta', 'Frusta'))
-# Single functions that have a source for a few of them.
+# Functions outside these groups that share a source.
 OTHERS = {'contact': ('pairs', 'Pairs'), 'closest_points': ('closest', 'Closest'),
           'time_of_impact': ('pairs', 'Pairs'), 'cast': ('casts', 'Casts')}
 
@@ -27,7 +27,7 @@ def files(description, note):
             if parts[1] == 'shapes' and parts[3] in OTHERS:  # compiled with those of two shapes
                 (header, room), called = OTHERS[parts[3]], f'{parts[3]}_of_shapes'
                 break
-            if parts[3] == 'diff':  # compiled with sessions, which find such fields too
+            if parts[3] == 'diff':  # sessions use the same code
                 header, room, called = 'sessions', 'Differences', f'of_{parts[1]}s'
                 break
             if parts[1] == prefix:
@@ -46,7 +46,7 @@ def files(description, note):
                   f'  return detent::c::{room}<{parts[2]}>::{called}({given});', '}',
                   '// clang-format on']
     for lines in sources.values():
-        while '// clang-format on' in lines[:-1]:  # once around all
+        while '// clang-format on' in lines[:-1]:  # one pair around all functions
             at = lines.index('// clang-format on')
             del lines[at:at + 2]
     return {name: '\n'.join(lines) + '\n' for name, lines in sources.items()}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The declarations of the LuaJIT binding: the description itself, without comments and preprocessor."""
+"""The declarations of the LuaJIT binding: the description without comments and preprocessor lines."""
 import re
 
 

@@ -11,7 +11,7 @@ def pascal(name):
 
 
 def has_union(description, struct):
-    """Itself or in a field: then Rust cannot compare or print it."""
+    """Whether it or a field has a union, which Rust cannot compare or print."""
     inner = [description.structs.get(one.type) for one in struct.fields]
     return bool(struct.union) or any(one and has_union(description, one) for one in inner)
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: node bench.mjs game.wasm [bodies.wasm]; `game/build --bench` makes both and runs it
-// How long a frame of the match takes in WebAssembly: two peers, 3,000 frames, seven frames of
-// latency, so up to eight frames are simulated again in each, and every tenth packet lost. With
-// bodies.wasm, how long one of 200 bodies takes in which eight are simulated again. Times are those of
-// the processor, so other programs on the machine count little: the least of seven runs, frame by frame.
+// Measures a frame of the match in WebAssembly: two peers, 3,000 frames, a latency of seven frames,
+// so up to eight frames are resimulated in each, and every tenth packet lost. With bodies.wasm,
+// also measures a frame of 200 bodies with eight resimulated frames. Times are CPU times, so that
+// other programs matter little: the least of seven runs, frame by frame.
 import { readFileSync } from 'node:fs';
 import { Peer } from './page/peer.js';
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What a rollback of a large match costs, for bench.mjs: 200 bodies in the plane, twenty of them balls
-// that hit twenty walls of nine blocks each. A frame goes back by eight frames and plays nine, as a
-// session does whose guess of eight frames ago was wrong, with a copy of the world for each and a
-// digest of the one that is final now.
+// The cost of a rollback in a large match, for bench.mjs: 200 bodies in 2D, twenty of them balls
+// that hit twenty walls of nine blocks. Each frame goes back by eight frames and plays nine, as a
+// session does after a wrong prediction eight frames ago, with a copy of the world for each and a
+// digest of the newly final one.
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -20,7 +20,8 @@ using World = detent::BoundedWorld<detent::Bounded<201, 1024>, S, 2, detent::Sph
 
 constexpr std::size_t again = 8;
 constexpr std::size_t kept = again + 2;
-// Before frame i at i modulo `kept`. A module without a start has no constructors, so `start` makes them.
+// The world before frame i is at i modulo `kept`. A module without a start function runs no
+// constructors, so `start` makes them.
 alignas(World) std::byte storage[kept * sizeof(World)];
 std::uint32_t done = 0;
 std::uint64_t chain = 0;
@@ -56,7 +57,7 @@ void step_once() {
 
 #define EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
-/// Builds the world and plays as many frames as a rollback needs; returns how many bodies it has.
+/// Builds the world and plays as many frames as a rollback needs. Returns the number of bodies.
 EXPORT(start) std::size_t start() {
   done = 0;
   chain = 0;
@@ -66,7 +67,7 @@ EXPORT(start) std::size_t start() {
   return world_before(done).size() - 1;
 }
 
-/// A frame, with or without the rollback.
+/// Plays a frame, with or without the rollback.
 EXPORT(play) void play(int rolls_back) {
   if (rolls_back != 0) done -= again;
   for (std::size_t i = rolls_back != 0 ? again + 1 : 1; i > 0; --i) step_once();
@@ -76,12 +77,12 @@ EXPORT(play) void play(int rolls_back) {
 }
 
 EXPORT(digest) std::uint64_t digest() { return chain; }
-/// How many bodies do not sleep.
+/// The number of bodies that are awake.
 EXPORT(awake) int awake() {
   const World& world = world_before(done);
   int count = 0;
   for (std::uint32_t i = 1; i <= 200; ++i) {
-    const detent::BodyId id{i, i + 1};  // as they were added
+    const detent::BodyId id{i, i + 1};  // ids in the order they were added
     count += world.contains(id) && !world.is_asleep(id) ? 1 : 0;
   }
   return count;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// For the page: the same scenes in q16_16 and in float, at the origin and far from it. Everything is
-// moved by a whole number of units, so nothing may change.
+// For the page: one scene in q16_16 and in float, at the origin and far from it. The far scene is
+// shifted by a whole number of units, so the results must not change.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,7 +19,7 @@ using detent::BodyId;
 using detent::Scalar;
 using detent::Vec;
 
-/// n / 1024, which both scalars have exactly.
+/// n / 1024, exact in both scalars.
 template <Scalar S>
 S of(int n) {
   if constexpr (detent::is_fixed<S>) {
@@ -41,7 +41,7 @@ constexpr std::size_t room = 40;
 constexpr int ray_count = 360;
 
 struct Thing {
-  int x, y, half_x, half_y;  // of 1024 to a unit; half_y 0: a ball
+  int x, y, half_x, half_y;  // in 1/1024 of a unit; half_y is 0 for a ball
 };
 
 template <Scalar S>
@@ -65,7 +65,7 @@ class Stage {
     world_.step();
   }
 
-  /// x, y from the scene's own origin, angle as cosine and sine, half extents.
+  /// x and y from the scene's origin, the angle as cosine and sine, half extents.
   std::size_t write(double* out) const {
     for (std::size_t i = 0; i < count_; ++i) {
       const auto place = world_.position(ids_[i]);
@@ -78,7 +78,7 @@ class Stage {
     return count_;
   }
 
-  /// How far each ray goes from a point that circles among the bodies; negative for a miss.
+  /// Casts the rays from a point that circles among the bodies. Distances are negative for a miss.
   void cast(double* out) const {
     const auto at = detent::Rotation<S, 2>::from_angle(detent::Angle<S>::turn(tick_ % 600, 600));
     const auto around = at.axis(0).vec();
@@ -144,7 +144,7 @@ class Stage {
   int offset_ = 0, tick_ = 0;
 };
 
-/// A scene far away and the same at the origin.
+/// A scene far away and its copy at the origin.
 template <Scalar S>
 struct Pair {
   Stage<S> away, home;
@@ -178,7 +178,7 @@ struct Pair {
   }
 };
 
-// Made by `begin`: worlds have settings, which would be most of the file.
+// Constructed by `begin`: as initialised globals, the worlds' settings would be most of the file.
 alignas(Pair<detent::q16_16>) std::byte exact_place[sizeof(Pair<detent::q16_16>)];
 alignas(Pair<float>) std::byte floating_place[sizeof(Pair<float>)];
 Pair<detent::q16_16>* exact = nullptr;
@@ -207,18 +207,18 @@ EXPORT(body_count) std::size_t body_count() { return exact->count; }
 EXPORT(bodies_at) const double* bodies_at(int is_float) {
   return of_pair(is_float, [](const auto& pair) { return pair.bodies.data(); });
 }
-/// The same at the origin.
+/// The scene at the origin.
 EXPORT(home_at) const double* home_at(int is_float) {
   return of_pair(is_float, [](const auto& pair) { return pair.bodies_at_home.data(); });
 }
 EXPORT(rays_at) const double* rays_at(int is_float) {
   return of_pair(is_float, [](const auto& pair) { return pair.rays.data(); });
 }
-/// How far the body that strays most is from where it is at the origin.
+/// The largest distance of a body from its position at the origin.
 EXPORT(farthest) double farthest(int is_float) {
   return of_pair(is_float, [](const auto& pair) { return pair.farthest(); });
 }
-/// How many of the 360 rays have another answer than at the origin.
+/// The number of rays, of 360, whose result differs from that at the origin.
 EXPORT(other_rays) int other_rays(int is_float) {
   return of_pair(is_float, [](const auto& pair) { return pair.other_rays(); });
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A peer of the match for a page: one instance of this module is one player. It imports nothing.
-// Bytes go in and out through `buffer()`. Times are milliseconds of any clock.
+// A peer of the match for a page. Each instance of this module is one player. It imports nothing;
+// bytes go in and out through `buffer()`. Times are in milliseconds of any clock.
 #include <algorithm>
 #include <array>
 #include <new>
@@ -20,7 +20,7 @@ namespace {
 using Pads = Session::Inputs;
 using Replay = detent::ReplayReader<Pad, most_players>;
 
-/// The only storage of an object that `start` makes.
+/// Storage for an object that `start` constructs.
 template <class T>
 class Place {
  public:
@@ -41,7 +41,7 @@ struct File {
   std::array<std::byte, Capacity> bytes;
   std::size_t size = 0;
 
-  /// A file that is full ends; it is one that a crash cut off.
+  /// A full recording ends here, like one cut off by a crash.
   void add(std::span<const std::byte> more) {
     if (size + more.size() > Capacity) size = Capacity;
     if (size == Capacity) return;
@@ -58,7 +58,7 @@ Place<Match> start_place, replay_place;
 std::array<std::byte, 1 << 20> exchange;
 std::array<std::int32_t, 32 + 12 * room> view_numbers;
 
-// What is recorded of the frames that are final.
+// The recording of the final frames.
 std::uint32_t seen = 0;
 std::uint64_t chain = 0;
 std::array<std::uint64_t, history> chains;
@@ -68,7 +68,7 @@ File<std::size_t{1} << 20> written;
 std::optional<detent::SessionEvent> event;
 std::optional<std::uint32_t> flip_at;
 
-// A replay that is played.
+// The replay being played.
 std::array<std::array<Pad, most_players>, 255> block{};
 std::size_t block_size = 0, block_next = 0;
 std::optional<std::uint64_t> block_digest;
@@ -76,7 +76,7 @@ std::optional<Replay> replay;
 File<std::size_t{1} << 20> replayed;
 std::uint32_t replay_frame = 0;
 
-/// The least change there is: one bit of one velocity of one block.
+/// The smallest possible change: one bit of one velocity of one block.
 void flip(Match& match) {
   const Piece* victim = nullptr;
   for (const Piece& piece : match.pieces) {
@@ -120,8 +120,8 @@ std::int32_t write_view(const Match& match) {
 
 void write_bytes(std::span<const std::byte> bytes) { written.add(bytes); }
 
-/// Begins to record at the first frame that is known here: with the seed, and for who came late with
-/// the match before that frame.
+/// Starts recording at the first frame known here, with the seed and, after a late join, the match
+/// before that frame.
 void begin_recording() {
   const Session& session = *session_place.get();
   static std::array<std::byte, 8 + snapshot_room> first;
@@ -159,8 +159,8 @@ EXPORT(buffer) std::byte* buffer() { return exchange.data(); }
 EXPORT(buffer_size) std::size_t buffer_size() { return exchange.size(); }
 EXPORT(view_at) std::int32_t* view_at() { return view_numbers.data(); }
 
-/// Begins a match of two players, or four. All give the same seed. Spectators have the numbers after
-/// the players'. Who comes late, or again, has a `life`: a greater number each time.
+/// Begins a match of two or four players. All peers pass the same seed. Spectators are numbered
+/// after the players. A peer that joins late or rejoins passes a `life`, greater each time.
 EXPORT(start)
 void start(std::uint64_t seed, std::size_t self, std::uint32_t delay, std::size_t players,
            std::uint32_t life) {
@@ -177,32 +177,32 @@ void start(std::uint64_t seed, std::size_t self, std::uint32_t delay, std::size_
   begin_recording();
 }
 
-/// Takes a packet of another player from the buffer. 0 if it was good: see detent::Received.
+/// Takes another player's packet from the buffer. Returns 0 if it was good: see detent::Received.
 EXPORT(receive) int receive(std::size_t from, std::size_t size, double now) {
   const std::span<const std::byte> packet(exchange.data(), (std::min)(size, exchange.size()));
   const auto received = session_place.get()->receive(from, packet, micros(now));
-  if (seen < session_place.get()->start_frame()) begin_recording();  // the match so far has come
+  if (seen < session_place.get()->start_frame()) begin_recording();  // the match so far has arrived
   return static_cast<int>(received);
 }
-/// Whether this one plays, and does not only watch.
+/// Whether this peer plays, rather than only watches.
 EXPORT(is_player) int is_player() { return session_place.get()->is_player() ? 1 : 0; }
-/// The first frame that is known here; 0 unless it came late.
+/// The first frame known here; 0 unless it joined late.
 EXPORT(start_frame) std::uint32_t start_frame() { return session_place.get()->start_frame(); }
 /// Whether the match waits for this player.
 EXPORT(is_awaited) int is_awaited(std::size_t player) {
   return session_place.get()->is_awaited(player) ? 1 : 0;
 }
-/// Goes on without a player who has left.
+/// Continues without a player who has left.
 EXPORT(drop) void drop(std::size_t player) { session_place.get()->drop(player); }
-/// Plays a frame. 0 if the keys were used: see detent::Advanced.
+/// Plays a frame. Returns 0 if the keys were used: see detent::Advanced.
 EXPORT(advance) int advance(int angle, int power, int fire) {
   const Pad pad{static_cast<std::int16_t>(angle), static_cast<std::uint8_t>(power), fire != 0};
   const auto result = session_place.get()->advance(pad, simulate_here);
   record_final_frames();
   return static_cast<int>(result);
 }
-/// Puts the packets that are due into the buffer: to whom (1 byte), size (2), packet. Returns the
-/// size of all.
+/// Writes the packets due to the buffer: recipient (1 byte), size (2), packet. Returns the total
+/// size.
 EXPORT(poll) std::size_t poll(double now) {
   std::size_t size = 0;
   const auto put = [&](std::size_t byte) { exchange[size++] = static_cast<std::byte>(byte); };
@@ -218,7 +218,7 @@ EXPORT(set_paused) void set_paused(int is_paused) { session_place.get()->pause(i
 
 EXPORT(frame) std::uint32_t frame() { return session_place.get()->frame(); }
 EXPORT(final_frame) std::uint32_t final_frame() { return seen; }
-/// All frames before this one are known to be equal at all who still play.
+/// The number of frames known to be equal at all remaining players.
 EXPORT(matched_frame) std::uint32_t matched_frame() {
   const Session& session = *session_place.get();
   std::uint32_t matched = seen;
@@ -231,12 +231,13 @@ EXPORT(matched_frame) std::uint32_t matched_frame() {
 EXPORT(resimulated) double resimulated() {
   return static_cast<double>(session_place.get()->resimulated());
 }
-/// A digest of all frames up to this one, which is final and one of the last 256; otherwise 0.
+/// The digest of all frames up to this one, which must be final and among the last 256; otherwise
+/// 0.
 EXPORT(digest) std::uint64_t digest(std::uint32_t frame) {
   return frame < seen && seen - frame <= history ? chains[frame % history] : 0;
 }
 
-/// The kind of the next event, or -1; its field is in the buffer, as text that ends in 0.
+/// The kind of the next event, or -1. Its field is in the buffer, as zero-terminated text.
 EXPORT(next_event) int next_event() {
   event = session_place.get()->next_event();
   if (!event) return -1;
@@ -250,18 +251,18 @@ EXPORT(event_frame) std::uint32_t event_frame() { return event ? event->frame : 
 EXPORT(event_object) int event_object() {
   return event && event->object ? static_cast<int>(event->object->index) : -1;
 }
-/// Breaks a bit after the next frame.
+/// Flips a bit after the next frame.
 EXPORT(flip_a_bit) void flip_a_bit() { flip_at = session_place.get()->frame(); }
 
-/// How many numbers of the match are at `view_at()`.
+/// The number of values of the match at `view_at()`.
 EXPORT(view) std::int32_t view() { return write_view(session_place.get()->world()); }
-/// What a simulated player does: angle * 65536 + power * 256 + fire.
+/// A simulated player's input: angle * 65536 + power * 256 + fire.
 EXPORT(simulated) int simulated(std::uint64_t seed, std::size_t player, std::uint32_t frame) {
   const Pad pad = simulated_pad(seed, player, frame);
   return pad.angle * 65536 + pad.power * 256 + (pad.fire ? 1 : 0);
 }
 
-/// The recording of this match as a file, in the buffer; returns its size.
+/// Writes the recording of this match to the buffer as a file. Returns its size.
 EXPORT(save_replay) std::size_t save_replay() {
   static File<exchange.size()> file;
   file = {};
@@ -275,7 +276,7 @@ EXPORT(save_replay) std::size_t save_replay() {
             exchange.begin());
   return file.size;
 }
-/// Takes a file from the buffer. 0 if it is a replay of this game: see detent::ReplayState.
+/// Takes a file from the buffer. Returns 0 if it is a replay of this game: see detent::ReplayState.
 EXPORT(load_replay) int load_replay(std::size_t size) {
   replayed.size = 0;
   replayed.add(std::span<const std::byte>(exchange).first((std::min)(size, exchange.size())));
@@ -294,7 +295,7 @@ EXPORT(load_replay) int load_replay(std::size_t size) {
   const bool is_match = snapshot.size() == 8 || restore(match, snapshot.subspan(8));
   return is_match ? 0 : static_cast<int>(detent::ReplayState::no_replay);
 }
-/// Plays one frame of the replay. 0 if there was one, 1 at the end, 2 if a digest differs.
+/// Plays one frame of the replay. Returns 0 on success, 1 at the end, 2 if a digest differs.
 EXPORT(replay_step) int replay_step() {
   if (!replay || replay_place.get() == nullptr) return 1;
   if (block_next == block_size) {
@@ -311,6 +312,6 @@ EXPORT(replay_step) int replay_step() {
   return detent::detail::WorldDigest(match).all() == *block_digest ? 0 : 2;
 }
 EXPORT(replay_frame) std::uint32_t replay_frame_number() { return replay_frame; }
-/// How its file ended, once all of it is played: see detent::ReplayState.
+/// How the file ended, once it is fully played: see detent::ReplayState.
 EXPORT(replay_state) int replay_state() { return replay ? static_cast<int>(replay->state()) : -1; }
 EXPORT(replay_view) std::int32_t replay_view() { return write_view(*replay_place.get()); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Some parts of the corpus of `detent verify` for the page: does this machine give the golden answers?
-// They are those of DETENT_MACHINE_PARTS, separated by commas.
+// Parts of the corpus of `detent verify` for the page, which checks that this machine gives the
+// golden answers. DETENT_MACHINE_PARTS lists the parts, separated by commas.
 #include <array>
 #include <string_view>
 
@@ -22,7 +22,7 @@ void put(std::string_view more) {
   }
 }
 
-/// A line: name, digest, what is not golden or nothing.
+/// A line: name, digest, and what differs from the golden one, if anything.
 void put_line(const RowResult& row) {
   put(row.name);
   put(" ");
@@ -37,7 +37,7 @@ void put_line(const RowResult& row) {
   put("\n");
 }
 
-/// Calls visit(group, index of its first cell) for all groups of the parts that are here.
+/// Calls visit(group, index of its first cell) for all groups of these parts.
 template <class Visit>
 void visit_all(const Visit& visit) {
   const auto visit_part = [&]<class Part>(Part) {
@@ -62,10 +62,10 @@ EXPORT(group_count) int group_count() {
   return count;
 }
 
-/// How many queries the whole corpus has.
+/// The number of queries in the whole corpus.
 EXPORT(row_count) std::size_t row_count() { return count_rows<Corpus>(); }
 
-/// Where the cells of a group begin among all of the corpus.
+/// The index of a group's first cell in the whole corpus.
 EXPORT(first_cell_of) std::size_t first_cell_of(int number) {
   std::size_t result = 0;
   visit_all([&](auto, std::size_t first) {
@@ -74,8 +74,8 @@ EXPORT(first_cell_of) std::size_t first_cell_of(int number) {
   return result;
 }
 
-/// Asks the questions of the group with this number, all of them or a microcontroller's share; returns
-/// how many letters its lines have.
+/// Runs the queries of group `number`, on all questions or on a microcontroller's share. Returns
+/// the number of characters in its lines.
 EXPORT(run_group) std::size_t run_group(int number, int is_full) {
   size = 0;
   visit_all([&]<class Group>(Group, std::size_t first) {
@@ -86,7 +86,7 @@ EXPORT(run_group) std::size_t run_group(int number, int is_full) {
   return size;
 }
 
-/// The digest of that many digests, of 8 bytes each, in place of the text.
+/// The digest of `count` digests, 8 bytes each, that the caller wrote to the text buffer.
 EXPORT(digest_of) std::uint64_t digest_of(std::size_t count) {
   detent::Digest digest;
   for (std::size_t i = 0; i < count && 8 * i + 8 <= text.size(); ++i) {

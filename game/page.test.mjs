@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: node page.test.mjs FOLDER [FRAMES | corpus]
-// Plays the page that game/build made in FOLDER, in Chromium: two machines in one page, then two
-// pages and the relay, with lost packets, then a match of four, who are two pages and the programs of
-// game/check for this machine and a big-endian one; players leave and come back, and others watch; it
-// breaks a bit, saves and drops a replay, plays by keyboard, mouse and touch, and goes offline; and it
-// looks into the two other rooms. Pictures go to FOLDER. Most of it runs at several times the speed:
-// pages then draw once in four seconds, and drawing without a GPU takes long. With FRAMES only the
-// match of four is played, for so long. With `corpus` the page only asks all questions of the whole corpus.
+// Tests the page that game/build made in FOLDER, in Chromium: two machines in one page; two pages
+// with the relay and lost packets; then a match of four, played by two pages and the programs of
+// game/check for this machine and a big-endian one. Players leave and return, and others watch. It
+// also flips a bit, saves and drops a replay, plays by keyboard, mouse and touch, goes offline, and
+// visits the two other rooms. Pictures go to FOLDER. Most of it runs at several times normal speed;
+// pages then draw only every four seconds, because drawing without a GPU is slow. With FRAMES,
+// plays only the match of four, for that many frames. With `corpus`, checks only the whole corpus.
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -22,7 +22,7 @@ const golden = goldenOf('golden.txt'), isLong = process.argv.length > 3, isCorpu
 const frames = isLong && !isCorpus ? Number(process.argv[3]) : 3000;
 const { chromium } = createRequire(folder)('playwright-core');
 const { WebSocket } = createRequire(folder)('ws');
-const seed = 2026;  // golden.txt was played with it
+const seed = 2026;  // the seed of golden.txt
 
 const relay = spawn('node', [`${folder}relay.mjs`, '--port', '0'], { stdio: ['ignore', 'pipe', 'inherit'] });
 const address = await new Promise((done) => { relay.stdout.once('data', (line) => done(String(line).trim())); });
@@ -50,7 +50,7 @@ async function check(name, body) {
   await body();
   console.log(`${name}: ${((Date.now() - start) / 1000).toFixed(1)} s`);
 }
-// The digests of all frames up to then.
+// The digests of all frames played so far.
 async function untilPlayed(page, frames) {
   await page.waitForFunction((n) => slingshot.milestones()[n], frames, { polling: isLong ? 1000 : 50 });
   const digests = await page.evaluate(() => slingshot.milestones());
@@ -67,7 +67,7 @@ async function drop(page, file) {
   await page.dispatchEvent('body', 'drop', { dataTransfer });
 }
 
-// A match of four: two pages, and two programs.
+// A match of four, played by two pages and two programs.
 async function playFour() {
   const isBig = existsSync(`${folder}s390x`);
   const join = (...program) => {
@@ -102,12 +102,12 @@ async function playFour() {
     }));
     await pages[0].screenshot({ path: `${folder}four.png` });
 
-    // One leaves, the others go on.
+    // One player leaves and the others continue.
     await pages[1].close();
     await pages[0].waitForFunction(() => document.getElementById('notice').textContent.includes('has left; the match goes on'));
     const reached = await pages[0].evaluate(() => slingshot.peers[0].wasm.matched_frame());
     await pages[0].waitForFunction((frame) => slingshot.peers[0].wasm.matched_frame() > frame + 60, reached);
-    // A program takes the seat, and has the digests of all frames before it came.
+    // A program takes the seat and has the digests of all frames before it joined.
     peers.push(join(...programs[0]));
     while (!peers[2].said.includes('\n')) await pages[0].waitForTimeout(50);
     const [[frame, digest]] = Object.entries(parsed(peers[2].said));
@@ -119,7 +119,7 @@ async function playFour() {
   });
 }
 
-// All that `detent verify` asks: the digest of all digests is the one that it prints.
+// The whole corpus: the digest of all digests is the one that `detent verify` prints.
 async function askAll() {
   const [, expected] = /^ *all +\d+ +([0-9a-f]{16}) +ok$/m.exec(readFileSync(new URL('../docs/verify.md', import.meta.url), 'utf8'));
   await check(`this machine gives the golden answers to all questions: ${expected}`, async () => {
@@ -148,7 +148,7 @@ async function playAll() {
     sockets[0].send('text');
     sockets[0].send(new Uint8Array([1, 42, 43]));
     await new Promise((done) => { sockets[1].once('message', done); });
-    // Four more may watch; nobody else comes in.
+    // Four more may watch; further peers are rejected.
     const watchers = [], answers = [];
     for (let i = 0; i < 5; ++i) {
       watchers.push(new WebSocket(`${address.replace('http', 'ws')}room/relay?watch`));
@@ -161,12 +161,12 @@ async function playAll() {
     await until(() => isSaid(1, { is: 'came', who: 5, self: 1, players: 2 }));
     watchers[0].close();
     await until(() => isSaid(1, { is: 'left', who: 2, self: 1, players: 2 }));
-    sockets[0].send(new Uint8Array(5000));  // too large: the relay hangs up
+    sockets[0].send(new Uint8Array(5000));  // too large: the relay disconnects
     await until(() => isSaid(1, { is: 'left', who: 0, self: 1, players: 2 }));
     assert.deepEqual(heard[1][1], [0, 42, 43]);
     assert.deepEqual(heard[1].filter(Array.isArray).length, 1);
     assert.deepEqual(heard[0].slice(0, 2).map((each) => each.is), ['waiting', 'start']);
-    // Who comes back gets the seat that is free.
+    // A returning player gets the free seat.
     const again = new WebSocket(`${address.replace('http', 'ws')}room/relay?seat=1`);
     const { self, life } = JSON.parse(await new Promise((done) => { again.once('message', done); }));
     assert.deepEqual([self, life], [0, 5]);
@@ -216,7 +216,7 @@ async function playAll() {
     const frames = Number(/known (\d+) frames later/.exec(said)[1]);
     assert.ok(frames > 0 && frames <= 60, said);
     assert.equal(await page.textContent('#verdict'), 'DIFFERENT');
-    // Screen readers say both: the digests of a live region, and the field at once.
+    // Screen readers announce both: the digests from a live region, and the field at once.
     assert.match(heard.join(), /The digests differ since frame \d+/);
     assert.equal(await page.locator('#desync').getAttribute('role'), 'alert');
     await page.screenshot({ path: `${folder}desync.png` });
@@ -230,7 +230,7 @@ async function playAll() {
     assert.deepEqual(said, [golden, golden]);
     await pages[1].screenshot({ path: `${folder}remote.png` });
 
-    // One reloads the page and comes back to its seat, and another one watches.
+    // One reloads the page and returns to its seat, and another one watches.
     const name = await pages[1].textContent('#name-0');
     await pages[1].reload();
     await pages[1].waitForFunction(() => window.slingshot?.peers[0].wasm.is_player()
@@ -248,11 +248,11 @@ async function playAll() {
     await download.saveAs(file);
     await pages[2].evaluate(() => { slingshot.redraw(); });
     await pages[2].screenshot({ path: `${folder}watch.png` });
-    await pages[2].setInputFiles('#open', file);  // of a match from the middle on
+    await pages[2].setInputFiles('#open', file);  // of a match, from the middle on
     await pages[2].waitForFunction(() => /over: \d+ frames, all digests equal/.test(document.getElementById('notice').textContent));
     await pages[2].close();
 
-    // The relay fails, and comes back: so does who it lost.
+    // The relay fails and comes back, and so do the peers it lost.
     await pages[1].evaluate(() => slingshot.hangUp());
     await pages[0].waitForFunction(() => document.getElementById('notice').textContent.includes('comes back'));
     await pages[1].waitForFunction((frame) => slingshot.peers[0].wasm.is_player()
@@ -278,7 +278,7 @@ async function playAll() {
     await page.waitForTimeout(300);
     await page.keyboard.up('KeyW');
     assert.ok(await angle() > before);
-    await page.fill('#angle-0', '-8');  // into the ground: no king falls, no round ends
+    await page.fill('#angle-0', '-8');  // aim at the ground: no king falls, no round ends
     await page.fill('#power-0', '30');
     await page.keyboard.press('Space');
     await shots();
@@ -339,7 +339,7 @@ async function playAll() {
       const { violations, passes } = await page.evaluate(() => window.axe.run());
       assert.deepEqual(violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)]), []);
       assert.ok(passes.length > 15);
-      // What the browser tells a screen reader; then the order of the tabulator.
+      // Checks what the browser tells a screen reader, then the tab order.
       const reader = await browser.newCDPSession(page);
       const { nodes } = await reader.send('Accessibility.getFullAXTree');
       const has = (node, what) => node.properties?.some(({ name, value }) => name === what && value.value);

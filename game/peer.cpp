@@ -2,14 +2,15 @@
 //
 // usage: peer [steps | match [FRAMES [PLAYERS]] | late | pipe SELF SEED PLAYERS LIFE]
 //
-//   steps  plays the match of simulated players, two or four, step by step
-//   match  plays it in a session each over a simulated network that loses, doubles and reorders packets
-//   late   plays it so, while a player ends and comes back and a spectator comes
-//   pipe   is one simulated player of a match with other programs, or a spectator: relay_peer.mjs
-//          passes packets. With a LIFE other than 0 it comes late
+//   steps  plays the match of two or four simulated players, step by step
+//   match  plays it with a session per player, over a simulated network that loses, duplicates and
+//          reorders packets
+//   late   plays it like this while a player leaves and returns and a spectator joins
+//   pipe   is one simulated player of a match with other programs, or a spectator; relay_peer.mjs
+//          passes packets. With a LIFE other than 0 it joins late
 //
-// All but `late` give the same numbers: every 600 frames, a digest of all frames so far. The status is
-// 0 if the sessions agree.
+// All except `late` print the same numbers: every 600 frames, a digest of all frames so far. The
+// exit status is 0 if the sessions agree.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -50,7 +51,7 @@ void receive(Peer& peer, std::size_t from, std::span<const std::byte> packet, st
   Session& session = peer.session;
   session.receive(from, packet, now);
   if (peer.seen >= session.start_frame()) return;
-  peer.seen = session.start_frame();  // the match so far has come
+  peer.seen = session.start_frame();  // the match so far has arrived
   peer.chain = session.digest();
 }
 
@@ -68,7 +69,7 @@ void play(Peer& peer, std::uint32_t frames, const Print& print_digest) {
   }
 }
 
-/// Latency of 60 to 90 ms each way; every seventh packet is lost, every twentieth comes twice.
+/// Latency of 60 to 90 ms each way; every seventh packet is lost, every twentieth is duplicated.
 int play_match(std::uint32_t frames, std::size_t players) {
   using detent::test::Time;
   detent::test::Network network(golden_seed, {60'000, 30'000, 143, 50});
@@ -110,8 +111,8 @@ int play_match(std::uint32_t frames, std::size_t players) {
   return 1;
 }
 
-/// Whether a snapshot gives the same match, in which every tick goes on the same, and bytes that are
-/// wrong or missing give another match or none, but do no harm.
+/// Checks that a snapshot restores the same match, in which every further tick is the same, and
+/// that wrong or truncated bytes restore another match or none but do no harm.
 bool is_restored(const Match& match) {
   std::vector<std::byte> bytes(snapshot(match, {}));
   if (bytes.size() > snapshot_room || snapshot(match, bytes) != bytes.size()) return false;
@@ -133,8 +134,8 @@ bool is_restored(const Match& match) {
   return true;
 }
 
-/// A match of two with room for a spectator: player 1 ends at 5 s and comes back at 8 s, the spectator
-/// comes at 10 s. All have equal digests at frame 1,500.
+/// A match of two with room for a spectator: player 1 leaves at 5 s and returns at 8 s, and the
+/// spectator joins at 10 s. All have equal digests at frame 1,500.
 int play_late() {
   using detent::test::Time;
   constexpr std::uint32_t end = 1500;
@@ -192,10 +193,10 @@ void write_number(Number number) {
   }
 }
 
-/// Reads: the time in milliseconds (4 bytes, the low one first), the size of a packet (2), the peer
-/// that it came from (1), the packet. Without a packet it plays a frame; with the size 65535 that
-/// peer has left. Writes: the size of a packet (2), the peer that it goes to (1), the packet; or
-/// 65535, the number of frames (4), their digest (8).
+/// Reads the time in milliseconds (4 bytes, little-endian), the size of a packet (2), its sender
+/// (1) and the packet. Without a packet it plays a frame; the size 65535 means that the peer has
+/// left. Writes the size of a packet (2), its recipient (1) and the packet; or 65535, the number of
+/// frames (4) and their digest (8).
 int play_pipe(std::size_t self, std::uint64_t seed, std::size_t players, std::uint32_t life) {
   const auto start = std::make_unique<Match>(seed, players);
   const detent::SessionConfig config{.match = seed,

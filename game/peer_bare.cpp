@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The steps of peer.cpp on a machine that can only print, started by tests/platforms/bare.
+// Plays the steps of peer.cpp on a machine that can only print; tests/platforms/bare starts it.
 #include "steps.hpp"
 
 namespace {
@@ -18,7 +18,7 @@ void print_with(void (*put)(const char*), std::uint32_t frames, std::uint64_t di
 }  // namespace
 
 extern "C" int detent_verify(void (*put)(const char*)) {
-  static slingshot::Match match(slingshot::golden_seed);  // 340 KB: not on the stack
+  static slingshot::Match match(slingshot::golden_seed);  // 340 KB is too much for the stack
   slingshot::play_steps(match, 3000, [put](std::uint32_t frames, std::uint64_t digest) {
     print_with(put, frames, digest);
   });

@@ -8,8 +8,8 @@
 
 namespace slingshot {
 
-/// What a simulated player holds in a frame: a function of the seed, so that every program plays the
-/// same match. It aims at a new point every one and a half seconds, and then shoots.
+/// The input of a simulated player in a frame: a function of the seed, so that every program plays
+/// the same match. It aims at a new point every one and a half seconds, then shoots.
 [[nodiscard]] constexpr Pad simulated_pad(std::uint64_t seed, std::size_t player,
                                           std::uint32_t frame) noexcept {
   constexpr std::uint32_t turn = 90, aiming = 60;

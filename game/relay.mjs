@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: node relay.mjs [--port N] [--page FOLDER] [--open]
-// Serves the page, and passes packets between those in a room: two or four players, and up to four
-// spectators, whose numbers follow. A packet that comes in begins with the number of who it is for; one
-// that goes out, of who sent it. The relay reads nothing else: whatever it loses, changes or makes up,
-// the peers notice.
+// Serves the page and passes packets within a room: two or four players, and up to four spectators,
+// who are numbered after them. The first byte of an incoming packet is its recipient; of an
+// outgoing packet, its sender. The relay reads nothing else. Peers detect anything that it loses,
+// alters or forges.
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';
 import { extname, join, normalize } from 'node:path';
@@ -44,8 +44,8 @@ const spectators = 4;
 const rooms = new Map();
 const relay = new WebSocketServer({ server, maxPayload: 2048, perMessageDeflate: false });
 
-// The number that somebody gets: the one wanted if it is free, else the first that is; in a match that
-// runs, players can be those who come back. Who only watches, or finds no free seat, is a spectator.
+// Assigns a number: the wanted one if it is free, else the first free one; in a running match also
+// the seats of players who left. Those who only watch, or find no free seat, become spectators.
 function seatFor(room, wanted, isWatching) {
   const free = (from, to) => {
     for (let i = from; i < to; ++i) if (!room.seats[i]) return i;
@@ -64,7 +64,7 @@ relay.on('connection', (socket, request) => {
     seats: [], isPlaying: false, lives: 0,
     size: searchParams.get('players') === '4' ? 4 : 2, seed: searchParams.get('seed')?.slice(0, 20) ?? '1',
   };
-  // A player who waits has the first free seat: who plays is settled when the match begins.
+  // A waiting player has the first free seat; seats are final when the match begins.
   const wanted = room.isPlaying ? Number(searchParams.get('seat') ?? -1) : -1;
   const self = seatFor(room, wanted, searchParams.has('watch'));
   if (self < 0) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: node relay_peer.mjs [--room NAME] [--players N] [--seed N] [--speed N] [--loss SHARE] [--watch] ADDRESS PROGRAM...
-// Lets a program that speaks `peer pipe` join a room of the relay, natively or in an emulator, such
-// as `qemu-s390x peer`; a match that runs it joins late. It says when a frame is due and passes packets;
-// it prints digests. When it is terminated it leaves the match; its status is that of the program.
+// Connects a program that speaks `peer pipe` to a room of the relay. The program runs natively or
+// in an emulator, such as `qemu-s390x peer`, and joins a running match late. This script paces its
+// frames, passes its packets and prints its digests. When terminated, it leaves the match and exits
+// with the program's status.
 import { spawn } from 'node:child_process';
 import { parseArgs } from 'node:util';
 import { WebSocket } from 'ws';
@@ -28,7 +29,7 @@ let peer, others = new Set(), played = 0, rest = Buffer.alloc(0);
 
 const clock = () => performance.now() * Number(values.speed);
 
-// One record: when, and a packet with the player who sent it; or nothing for a frame; or who has left.
+// One record: the time, and a packet with its sender; or nothing, to play a frame; or who has left.
 function tell(now, from = 0, packet = Buffer.alloc(0), size = packet.length) {
   const head = Buffer.alloc(7);
   head.writeUInt32LE(Math.floor(now) % 2 ** 32, 0);

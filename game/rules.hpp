@@ -14,12 +14,12 @@
 #include <detent/scene/world.hpp>
 
 // The rules of a slingshot match for two or four. Each side has a king in a castle of blocks, and a
-// catapult for each of its players, who shoot whenever it is ready. A king falls when an enemy's ball
-// or the ground touches him; that ends the round and scores a point for the other side. Three points
-// win. Players 0 and 2 are the left side, red; 1 and 3 the right one, blue.
+// catapult for each of its players, who can shoot whenever it is ready. A king falls when an
+// enemy's ball or the ground touches him, which ends the round and scores a point for the other
+// side. Three points win. Players 0 and 2 are the left side, red; 1 and 3 are the right side, blue.
 //
-// All of it is a function of the seed and of what they press: a `Match` copies, is digested and steps
-// the same on every machine, so detent::Session can play it over a network.
+// Everything is a function of the seed and the inputs. A `Match` can be copied and has the same
+// digest and steps on every machine, so detent::Session can play it over a network.
 
 namespace slingshot {
 
@@ -31,9 +31,9 @@ using Ball = detent::Sphere<S, 2>;
 inline constexpr std::size_t room = 96;  // bodies
 using Bodies = detent::BoundedWorld<detent::Bounded<room>, S, 2, detent::Sphere, detent::Obb>;
 
-/// What a player holds: where the catapult points, how far it is drawn, and whether it is let go.
+/// A player's input: where the catapult points, how far it is drawn, and whether it is released.
 struct Pad {
-  std::int16_t angle = 8192;  // of 65,536 to a turn; 0 is level, towards the enemy
+  std::int16_t angle = 8192;  // in 1/65,536 of a turn; 0 is level, towards the enemy
   std::uint8_t power = 160;
   bool fire = false;
 };
@@ -43,9 +43,9 @@ inline constexpr std::uint8_t least_power = 64;
 inline constexpr std::uint16_t reload_ticks = 75, ball_ticks = 420, wind_ticks = 600;
 inline constexpr std::uint16_t round_pause = 180, match_pause = 420;
 inline constexpr std::uint8_t points_to_win = 3;
-inline constexpr S speed_per_power = 0.0859375_q16_16;  // 22 at most
+inline constexpr S speed_per_power = 0.0859375_q16_16;  // at most 22
 inline constexpr std::size_t most_players = 4;
-inline constexpr S catapult_xs[] = {9.5_q16_16, 6.2_q16_16};  // the second of a side is in front
+inline constexpr S catapult_xs[] = {9.5_q16_16, 6.2_q16_16};  // the second one is in front
 inline constexpr S catapult_y = 2.6_q16_16, castle_x = 16_q16_16;
 inline constexpr S king_half = 0.45_q16_16, king_height = 0.7_q16_16, ball_radius = 0.45_q16_16;
 inline constexpr S field_end = 30_q16_16;
@@ -57,8 +57,8 @@ struct Piece {
   detent::BodyId id{};
   Kind kind = Kind::none;
   std::uint8_t owner = 0;
-  std::uint16_t age = 0;  // ticks, of balls
-  Point half{};           // of a ball its radius, twice
+  std::uint16_t age = 0;  // in ticks; balls only
+  Point half{};           // a ball has its radius in both
 };
 
 template <class F>
@@ -93,7 +93,7 @@ constexpr void for_each_field(const Side& side, const F& f) {
   f("king", side.king);
 }
 
-/// All that a rollback restores.
+/// The state that a rollback restores.
 struct Match {
   Bodies bodies;
   std::array<Piece, room> pieces{};
@@ -103,9 +103,9 @@ struct Match {
   std::uint64_t random = 0;
   std::uint32_t tick = 0;
   std::uint16_t round = 0;
-  std::uint16_t pause = 0;  // ticks until the next round, once a king has fallen
-  std::uint16_t hill = 0;   // of the six there are
-  S wind{};                 // speed that balls gain in a tick
+  std::uint16_t pause = 0;  // ticks until the next round, after a king has fallen
+  std::uint16_t hill = 0;   // one of six
+  S wind{};                 // speed gained by balls per tick
 
   explicit constexpr Match(std::uint64_t seed, std::size_t players = 2);
 };
@@ -129,7 +129,7 @@ constexpr void for_each_field(const Match& match, const F& f) {
   f("right catapult in front", match.catapults[3]);
 }
 
-/// The next number below `count`, which is small.
+/// A random number below `count`, which must be small.
 constexpr std::uint32_t draw(Match& match, std::uint32_t count) noexcept {
   match.random = match.random * 6364136223846793005u + 1442695040888963407u;
   return static_cast<std::uint32_t>((match.random >> 33) % count);
@@ -137,7 +137,7 @@ constexpr std::uint32_t draw(Match& match, std::uint32_t count) noexcept {
 
 constexpr void keep(Match& match, std::optional<detent::BodyId> id, Kind kind, std::size_t owner,
                     const Point& half) {
-  if (!id) return;  // no room: there is none
+  if (!id) return;  // no room: skip it
   match.pieces[id->index] = {*id, kind, static_cast<std::uint8_t>(owner), 0, half};
 }
 
@@ -156,12 +156,12 @@ constexpr void add_box(Match& match, Kind kind, std::size_t owner, const Point& 
   if (kind == Kind::king && id) match.sides[owner].king = *id;
 }
 
-/// The x axis of a side: 0 in the middle of the field, growing towards the side's own castle.
+/// The x axis of a side: 0 in the middle of the field, increasing towards the side's own castle.
 [[nodiscard]] constexpr S mirrored(std::size_t side, S x) noexcept {
   return side == 0 ? detent::saturate_to<S>(-x) : x;
 }
 
-/// Stacks boxes on a castle's ground; `x` is from its middle, backwards.
+/// Stacks boxes on a castle's ground; `x` is measured from its middle, backwards.
 class Mason {
  public:
   constexpr Mason(Match& match, std::size_t side) noexcept : match_(match), side_(side) {}
@@ -191,7 +191,7 @@ class Mason {
   std::size_t side_;
 };
 
-/// Three castles; both sides have the same one. Their ground is 0.8 high.
+/// Three castles with ground 0.8 high. Both sides get the same one.
 constexpr void build_castle(Mason mason, std::uint32_t plan) {
   if (plan == 0) {  // a keep of three storeys
     mason.storey(0.8_q16_16, 1.4_q16_16);
@@ -209,7 +209,7 @@ constexpr void build_castle(Mason mason, std::uint32_t plan) {
     mason.column(Kind::wood, -0.7_q16_16, 6.4_q16_16, 2);
     mason.column(Kind::wood, 0.7_q16_16, 6.4_q16_16, 1);
     mason.column(Kind::wood, -3.3_q16_16, 0.8_q16_16, 4);
-  } else {  // a pyramid of crates, the king on its top behind battlements
+  } else {  // a pyramid of crates with the king on top, behind battlements
     for (int row = 0; row < 4; ++row) {
       for (int i = 0; i < 5 - row; ++i) {
         const auto x = detent::saturate_to<S>(i * 1.05_q16_16 - (4 - row) * 0.525_q16_16);
@@ -272,7 +272,7 @@ constexpr void shoot(Match& match, std::size_t player) {
   match.catapults[player].reload = reload_ticks;
 }
 
-/// A catapult shoots when it is let go and ready.
+/// A catapult shoots if it is released and ready.
 constexpr void aim_and_shoot(Match& match, std::size_t player, Pad pad) {
   pad.angle = std::clamp(pad.angle, lowest_angle, highest_angle);
   pad.power = std::max(pad.power, least_power);
@@ -285,7 +285,7 @@ constexpr void aim_and_shoot(Match& match, std::size_t player, Pad pad) {
   }
 }
 
-/// The wind blows while a ball is young; old balls are taken off the field.
+/// Wind pushes young balls; old balls are removed.
 constexpr void tend_balls(Match& match) {
   for (Piece& piece : match.pieces) {
     if (piece.kind != Kind::ball) continue;
@@ -301,7 +301,7 @@ constexpr void tend_balls(Match& match) {
   }
 }
 
-/// Kings that an enemy's ball or the ground touched in this step fall.
+/// Kings touched by an enemy's ball or the ground in this step fall.
 constexpr void judge(Match& match) {
   for (std::size_t i = 0; i < match.bodies.event_count(); ++i) {
     const auto event = match.bodies.event(i);
@@ -322,7 +322,7 @@ constexpr void judge(Match& match) {
   }
 }
 
-/// One sixtieth of a second; `pads[player]` is what a player holds.
+/// Steps one sixtieth of a second; `pads[player]` are the players' inputs.
 template <class Pads>
 constexpr void step(Match& match, const Pads& pads) {
   if (match.tick++ % wind_ticks == 0) {

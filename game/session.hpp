@@ -10,8 +10,9 @@ namespace slingshot {
 
 inline constexpr std::size_t most_spectators = 4;
 
-/// Two or four players who guess up to 8 frames ahead. The evidence lets a desync be named after half
-/// a second of delay; who comes late gets a snapshot. A spectator may fall behind by 17 s.
+/// Two or four players with a prediction of up to 8 frames. Evidence is kept long enough to name a
+/// desync after half a second of delay. Late joiners get a snapshot. A spectator may fall behind by
+/// 17 s.
 inline constexpr detent::SessionLimits limits{.players = most_players,
                                               .peers = most_players + most_spectators,
                                               .prediction = 8,
@@ -25,7 +26,7 @@ inline constexpr auto simulate = [](Match& match, const Session::Inputs& pads) {
   step(match, pads);
 };
 
-/// A session, for whom all spectators are still to come. With a `life`, it comes late itself.
+/// Begins a session that no spectator has joined yet. With a `life`, this peer joins late itself.
 inline void begin(Session& session) {
   const auto& config = session.config();
   for (std::size_t i = 0; config.life == 0 && i < config.spectators; ++i) {

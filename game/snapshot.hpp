@@ -12,20 +12,20 @@
 
 #include "rules.hpp"
 
-// A match as bytes, for who comes late: what `Match` has besides its bodies, each piece with the place
-// of the rocks among them, then the snapshot of the bodies, which leaves rocks out. Numbers have their
-// low byte first.
+// A match as bytes, for late joiners: the fields of `Match` except its bodies, each piece with the
+// pose of the rocks among them, then the snapshot of the bodies, which omits rocks. Numbers are
+// little-endian.
 
 namespace slingshot {
 
-inline constexpr std::size_t snapshot_room = 16'384;  // bytes; tests see at most a half of it used
+inline constexpr std::size_t snapshot_room = 16'384;  // bytes; tests use at most half of it
 
 namespace detail {
 
 template <class T>
 using Word = std::make_unsigned_t<T>;
 
-/// Counts numbers, and writes those that there is room for.
+/// Counts numbers, and writes those that fit.
 class Out {
  public:
   explicit constexpr Out(std::span<std::byte> room) : room_(room) {}
@@ -58,7 +58,7 @@ class Out {
   std::size_t size_ = 0;
 };
 
-/// Reads them; any bytes may come.
+/// Reads numbers; any bytes are safe.
 class In {
  public:
   explicit constexpr In(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -77,7 +77,7 @@ class In {
     if constexpr (std::is_same_v<T, S>) {
       std::int32_t raw = 0;
       get(raw);
-      value = S::from_raw(raw == INT32_MIN ? 0 : raw);  // which is no number
+      value = S::from_raw(raw == INT32_MIN ? 0 : raw);  // not a valid number
       if (raw == INT32_MIN) refuse();
     } else if constexpr (std::is_same_v<T, bool> || std::is_enum_v<T>) {
       std::uint8_t byte = 0;
@@ -99,7 +99,7 @@ class In {
   bool is_right_ = true;
 };
 
-/// Calls io(numbers...) for all of a match but its pieces and bodies.
+/// Calls io(numbers...) for all fields of a match except its pieces and bodies.
 template <class Io, class M>
 constexpr void visit_numbers(Io& io, M& match) {
   io(match.random, match.tick, match.round, match.pause, match.hill, match.wind);
@@ -114,7 +114,7 @@ inline void clear(Match& match) {
   std::construct_at(&match.bodies);
 }
 
-/// Reads the pieces, and adds the rocks among them.
+/// Reads the pieces and adds the rocks among them.
 inline void read_pieces(In& in, Match& match) {
   for (std::uint32_t i = 0; i < room && in.is_right(); ++i) {
     Piece piece;
@@ -135,7 +135,7 @@ inline void read_pieces(In& in, Match& match) {
 
 }  // namespace detail
 
-/// How many bytes the match has, which are written if there is room.
+/// The size of the match in bytes. Writes it if there is room.
 [[nodiscard]] inline std::size_t snapshot(const Match& match, std::span<std::byte> bytes) {
   detail::Out out(bytes);
   out(static_cast<std::uint8_t>(match.players));
@@ -151,7 +151,7 @@ inline void read_pieces(In& in, Match& match) {
   return out.size() + snapshot(match.bodies, bytes.subspan((std::min)(out.size(), bytes.size())));
 }
 
-/// Makes `match` the one of the bytes; whether they are a match of as many players. Otherwise its
+/// Restores `match` from bytes. Returns whether they are a match with as many players; if not, its
 /// field is empty.
 [[nodiscard]] inline bool restore(Match& match, std::span<const std::byte> bytes) {
   detail::clear(match);

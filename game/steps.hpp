@@ -8,14 +8,14 @@ namespace slingshot {
 inline constexpr std::uint64_t golden_seed = 2026;
 inline constexpr std::uint32_t golden_delay = 2;  // frames between a key and its effect
 
-/// A digest of the digests of all worlds so far, as a session has it.
+/// A digest of the digests of all worlds so far, as in a session.
 [[nodiscard]] constexpr std::uint64_t chained(std::uint64_t chain, const Match& match) {
   detent::Digest digest(chain);
   digest.add(detent::detail::WorldDigest(match).all());
   return digest.value();
 }
 
-/// Plays the match of simulated players without a network; calls print(frames, digest) every 600
+/// Plays the match of simulated players without a network. Calls print(frames, digest) every 600
 /// frames.
 template <class Print>
 constexpr void play_steps(Match& match, std::uint32_t frames, const Print& print) {

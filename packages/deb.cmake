@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 #
-# One Debian package of what is installed: `cpack -G DEB`, or `./dev package`.
+# One Debian package with the installed files: `cpack -G DEB`, or `./dev package`.
 
 set(CPACK_PACKAGE_NAME libdetent-dev)
 set(CPACK_PACKAGE_VENDOR detent)
 set(CPACK_PACKAGE_CONTACT "the authors of detent <detent@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_STRIP_FILES OFF)  # it would take the symbols of static libraries
+set(CPACK_STRIP_FILES OFF)  # stripping would remove the symbols of static libraries
 set(CPACK_DEB_COMPONENT_INSTALL OFF)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)

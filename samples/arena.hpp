@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A match for two in the plane, for the samples of rollback and replay: two balls with jets push
-// boxes about.
+// A match for two in 2D, for the samples of rollback and replay: two balls with jets push boxes
+// around.
 
 #include <detent/draw/draw.hpp>
 #include <detent/dynamics/dynamics.hpp>
@@ -12,10 +12,10 @@
 
 namespace samples {
 
-/// What both players simulate. It never allocates, so a copy for a rollback is a copy of bytes.
+/// The state that both players simulate. It never allocates, so a rollback copies plain bytes.
 using Arena = BoundedWorld<Bounded<16>, S, 2, Sphere, Obb>;
 
-/// What a player holds; bytes, as packets and replays store them.
+/// A player's input, in bytes, as packets and replays store it.
 struct Pad {
   std::int8_t x = 0, y = 0;
 };
@@ -61,7 +61,7 @@ inline Arena new_arena() {
 
 inline BodyId body_of(std::uint32_t index) { return {index, index + 1}; }
 
-/// One frame: a function of the world and the inputs alone.
+/// One frame: a function of the world and the inputs only.
 inline void simulate(Arena& arena, const Pads& pads) {
   for (std::uint32_t i = 0; i < 2; ++i) {
     const Pad& pad = pads[i];
@@ -70,7 +70,7 @@ inline void simulate(Arena& arena, const Pads& pads) {
   arena.step();
 }
 
-/// What a player does who has no keys.
+/// The input of a player without keys.
 inline Pad played(int player, int tick) {
   const int phase = tick + 37 * player, side = phase / (40 + 9 * player) % 3 - 1;
   return {static_cast<std::int8_t>(side), static_cast<std::int8_t>(phase / 25 % 3 == 0)};
@@ -79,14 +79,14 @@ inline Pad pad_of(const Input& input) {
   return {static_cast<std::int8_t>(input.across()), static_cast<std::int8_t>(input.along())};
 }
 
-/// Draws a convex shape of the plane as a slab, one unit thick, around `centre`.
+/// Draws a 2D convex shape as a slab one unit thick around `centre`.
 struct Slab {
   Picture& picture;
   Point2 centre;
-  S shift{};  // along x, to show two worlds next to each other
+  S shift{};  // along x, to show two worlds side by side
 
   void line(const Point2& from, const Point2& to, const Colour& colour) {
-    // Counter-clockwise, so that the light is on the outside.
+    // Counter-clockwise, so that the outside is lit.
     const Point2 u = nearest_to<S>(from - centre), v = nearest_to<S>(to - centre);
     const bool is_clockwise = u.x * v.y < u.y * v.x;
     const Point2 &a = is_clockwise ? to : from, &b = is_clockwise ? from : to;
@@ -101,7 +101,7 @@ struct Slab {
   }
 };
 
-/// A body of the plane where it is now: its shape in its own frame, around its centre.
+/// The shape of a 2D body, in its own frame around its centre.
 template <class World, class Shape>
 void draw_slab(Picture& picture, const World& world, const BodyId& id, const Shape& shape, S shift,
                const Colour& colour) {
@@ -109,7 +109,7 @@ void draw_slab(Picture& picture, const World& world, const BodyId& id, const Sha
   draw(slab, placed(world.pose(id), shape), colour);
 }
 
-/// The arena, with everything that `is_marked` in red.
+/// The arena, with marked bodies in red.
 template <class IsMarked>
 void draw_arena(Picture& picture, const Arena& arena, S shift, const Colour& walls,
                 const IsMarked& is_marked) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What samples in 3D share: their scene, their world, and how bodies are drawn.
+// Shared by the 3D samples: their scene, their world and the drawing of bodies.
 
 #include <type_traits>
 
@@ -16,7 +16,7 @@ namespace samples {
 using Ball = Sphere<S, 3>;
 using Box = Obb<S, 3>;
 
-/// Worlds of the samples in 3D name the same shapes, so that the compiler makes one of them.
+/// The 3D worlds name the same shapes, so that the compiler instantiates only one.
 using Bodies = World<S, 3, Sphere, Capsule, Obb, BodyHeightField, BallJoint, WheelJoint>;
 
 inline BodyOptions<S, 3> fixed_body() {
@@ -25,7 +25,7 @@ inline BodyOptions<S, 3> fixed_body() {
   return options;
 }
 
-/// A body and what to draw for it: its shape, in its own frame.
+/// A body and the shape to draw for it, in its own frame.
 template <class Shape>
 struct Drawn {
   BodyId id;

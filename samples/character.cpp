@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A character walks up stairs, down a ramp, along a wall and onto a lift. It walks its round by
-// itself until you press a key.
+// A character walks up stairs, down a ramp, along a wall and onto a lift. It walks by itself until
+// you press a key.
 #include <algorithm>
 
 #include <detent/scene/mover.hpp>
@@ -20,7 +20,7 @@ class Character final : public Sample {
     const auto down = Rotation<S, 3>::from_axis_angle(z, Angle<S>::from_degrees(-22_q16_16));
     add(Box{{4.7_q16_16, 0.66_q16_16, {}}, {2_q16_16, 0.1_q16_16, 1_q16_16}, down}, yellow);
     add(block(32, 0, -16, 36, 8, 16), blue);
-    add(block(-16, 12, -16, 0, 16, -8), blue);  // what the lift leads to
+    add(block(-16, 12, -16, 0, 16, -8), blue);  // reached by the lift
     add(block(12, 0, -16, 16, 4, -12), red);
     lift = things.add_frame({}).value_or(no_frame);
     cabin = things
@@ -31,7 +31,7 @@ class Character final : public Sample {
 
   void step(const Input& input) override {
     ++tick;
-    // The lift goes up and down in ten seconds, and carries what stands on it.
+    // The lift takes ten seconds up and down, and carries what stands on it.
     const int phase = tick % 600 < 300 ? tick % 600 : 600 - tick % 600;
     const S height = quotient_nearest<S>(std::clamp(phase - 60, 0, 180) * 4, 180);
     things.move_frame(lift, {.translation = {{}, height, {}}});
@@ -112,7 +112,7 @@ class Character final : public Sample {
     return {};
   }
 
-  Scene<S, 3, Obb> things;  // a shape that no scene has costs nothing
+  Scene<S, 3, Obb> things;  // shapes that a scene does not use cost nothing
   std::vector<ObjectId> ids;
   std::vector<Colour> colours;
   FrameId lift;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A cloth falls over a ball. No particle ever touches the ball: whether it would is decided exactly.
+// A cloth falls over a ball. No particle ever touches the ball, because contact is decided exactly.
 #include <detent/query/overlaps.hpp>
 
 #include "bodies.hpp"

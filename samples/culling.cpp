@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What does a camera see of a town? A frustum is a question to a scene, as a ray is, and the answer
-// is exact: a house that touches the frustum in one point is in it.
+// What does a camera see of a town? A scene can be queried with a frustum as with a ray, and the
+// answer is exact: a house that touches the frustum in one point is in it.
 #include <detent/shape/camera.hpp>
 
 #include "bodies.hpp"
@@ -38,7 +38,7 @@ class Culling final : public Sample {
     const Point up{{}, 1_q16_16, {}};
     const auto pose = look_at(eye, nearest_to<S>(eye + ahead), up);
     frustum = Frustum{Camera{*pose, lens}};
-    // The nearest first. An id has the index in which the house was added.
+    // Nearest first. The index of an id is the order in which houses were added.
     is_seen.assign(houses.size(), false);
     count = 0;
     for (const auto& found : things.all(frustum)) {

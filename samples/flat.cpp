@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The samples in the plane, which share worlds: see gallery.cpp.
+// The 2D samples, which share worlds: see gallery.cpp.
 #include "microcontroller.cpp"
 #include "replay.cpp"
 #include "rollback.cpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The gallery. It includes the samples with bodies in 3D, because they share a world: one source
-// compiles in less time than three. queries.cpp and flat.cpp do so for others; a compiler has not the
-// memory for all at once.
+// The gallery. It includes the samples with bodies in 3D, because they share a world and compile
+// faster as one source than as three. queries.cpp and flat.cpp do the same for others; a compiler
+// does not have the memory for all of them at once.
 #include "gallery.hpp"
 
 #include "pyramid.cpp"
@@ -42,7 +42,7 @@ std::array<float, 16> matrix(const View& view, float aspect) {
   const Float3 x = unit({z[2], 0, -z[0]});  // y is up
   const Float3 y{z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0]};
   const float range = std::sqrt(dot3(back, back));
-  // A window as wide as high shows more, so that narrow screens lose nothing of the scene.
+  // A window as wide as high shows more, so that narrow screens still show the whole scene.
   const float room = aspect < 1.5f ? 1.5f / aspect : 1.0f;
   const float scale = 2 * range / (view.height * room);
   const float nearest = range / 64, farthest = range * 16;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The world of microcontroller.hpp, which fits a small chip. The same digests come from a Cortex-M3:
+// The world of microcontroller.hpp, which fits a small chip. A Cortex-M3 gives the same digests;
 // `samples/check cortex-m3` runs it in an emulator.
 #include "microcontroller.hpp"
 
@@ -50,7 +50,7 @@ class Microcontroller final : public Sample {
 
 extern const Entry micro;
 const Entry micro{"microcontroller",
-                  "A world without a heap, which runs with the same bits on a Cortex-M3.",
+                  "A world without a heap that has the same bits on a Cortex-M3.",
                   "Space starts again", make<Microcontroller>};
 
 }  // namespace samples

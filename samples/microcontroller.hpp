@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A world in static memory: no heap, no floating point, no library but this one.
-// microcontroller.cpp shows it, microcontroller_bare.cpp runs it on a Cortex-M3.
+// A world in static memory: no heap, no floating point, no other library. microcontroller.cpp shows
+// it; microcontroller_bare.cpp runs it on a Cortex-M3.
 
 #include <detent/dynamics/dynamics.hpp>
 #include <detent/number/literals.hpp>
@@ -18,7 +18,7 @@ using Toy = detent::BoundedWorld<detent::Bounded<16>, S, 2, detent::Sphere, dete
 constexpr std::uint32_t fixed_count = 3, box_count = 7, ball_count = 6;
 constexpr S radius = 0.4_q16_16;
 
-/// A floor, two ramps, and a wall of boxes. Its `i`th body, in its own frame if that is asked for.
+/// A floor, two ramps and a wall of boxes. Body `i`, in its own frame on request.
 constexpr detent::Obb<S, 2> box(std::uint32_t i) {
   const auto turned = [](int degrees) {
     return detent::Rotation<S, 2>::from_angle(detent::Angle<S>::from_degrees(S(degrees)));
@@ -39,7 +39,7 @@ constexpr void build(Toy& toy) {
   }
 }
 
-/// One tick. Every 30 ticks a ball comes, until there are six.
+/// One tick. A ball is added every 30 ticks, up to six.
 constexpr void step(Toy& toy, std::uint32_t tick) {
   if (tick % 30 == 0 && tick / 30 < ball_count) {
     detent::BodyOptions<S, 2> rubber;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The sample on a machine that can only print, started by tests/platforms/bare.
+// The sample on a machine that can only print; tests/platforms/bare starts it.
 #include "microcontroller.hpp"
 
 namespace {
 
 microcontroller::Toy toy;
 
-/// Decimal, or 16 digits of hexadecimal.
+/// Prints decimals, or 16 hexadecimal digits.
 struct Text {
   char characters[24] = {};
 

@@ -2,9 +2,9 @@
 //
 // usage: detent-samples NAME... | all [--ticks N] [--picture FILE.png] [--size WxH]
 //        detent-samples --list
-// Plays samples and prints their digests every 60 ticks and at the end, and what they say of
-// themselves then; `all` prints digests only. The picture is of the last tick, of several samples in
-// two columns. Bad arguments: one line, and the status 2.
+// Plays samples and prints their digests every 60 ticks and at the end, then their status; `all`
+// prints digests only. The picture shows the last tick, several samples in two columns. Bad
+// arguments print one line and exit with 2.
 #include <algorithm>
 #include <charconv>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The samples for a page: one of them runs at a time. Numbers and texts go out by pointers into the
+// The samples for a page, one at a time. Numbers and texts are returned as pointers into the
 // module's memory.
 #include "gallery.hpp"
 
@@ -22,12 +22,12 @@ EXPORT(name) const char* name(std::size_t i) { return entry(i).name; }
 EXPORT(sentence) const char* sentence(std::size_t i) { return entry(i).sentence; }
 EXPORT(keys) const char* keys(std::size_t i) { return entry(i).keys; }
 
-/// Starts a sample from the beginning.
+/// Restarts a sample.
 EXPORT(start) void start(std::size_t i) {
   running.reset();
   running = entry(i).make();
 }
-/// A tick, with what the player holds; x and y are not read if `is_pointing` is 0.
+/// Steps a tick with the player's input; x and y are ignored if `is_pointing` is 0.
 EXPORT(step) void step(std::uint8_t held, int is_pointing, std::int16_t x, std::int16_t y) {
   running->step({held, is_pointing != 0, x, y});
 }
@@ -37,7 +37,7 @@ EXPORT(status) const char* status() {
   return text.c_str();
 }
 
-/// Draws; then the vertices are those of `triangles` and `lines`, 16 bytes each.
+/// Draws the sample into the vertices of `triangles` and `lines`, 16 bytes each.
 EXPORT(draw) void draw() {
   picture.clear();
   running->draw(picture);

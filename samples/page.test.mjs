@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: node page.test.mjs FOLDER
-// Opens the gallery in FOLDER/page in Chromium, plays each sample by the button *Step* and compares
-// its digests with golden.txt; presses keys, moves the pointer, and goes offline. Pictures of the
-// gallery and of each sample go to FOLDER.
+// Opens the gallery in FOLDER/page in Chromium, plays each sample with the button *Step* and
+// compares its digests with golden.txt. It also presses keys, moves the pointer and goes offline.
+// Pictures of the gallery and of each sample go to FOLDER.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -49,7 +49,7 @@ try {
   await page.waitForFunction(() => document.getElementById('name').textContent === 'rays');
   // It runs by itself.
   await page.waitForFunction(() => Number(document.getElementById('tick').textContent) > 3);
-  await browser.setOffline(true);  // nothing else is fetched
+  await browser.setOffline(true);  // nothing more is fetched
 
   let compared = 0;
   for (const name of names) {
@@ -90,7 +90,7 @@ try {
   }
   assert.equal(compared, golden.size);
 
-  // Keys and the pointer change what happens, and the page follows.
+  // Keys and the pointer affect the sample, and the page follows.
   const changed = async (name, act, ticks) => {
     await page.evaluate((to) => { location.hash = to; }, name);
     await page.waitForFunction((to) => document.getElementById('name').textContent === to, name);

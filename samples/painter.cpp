@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-// A C library in one file, which does not compile under our warnings.
+// A single-file C library that does not compile under our warnings.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wconversion"
@@ -20,7 +20,7 @@
 namespace samples {
 namespace {
 
-constexpr int fine = 3;  // each pixel is the mean of so many squared
+constexpr int fine = 3;  // samples per axis of a pixel
 
 struct Seen {
   float x, y, depth, w;
@@ -64,7 +64,7 @@ class Canvas {
       const float t = i / steps;
       const auto x = static_cast<int>(a.x + t * (b.x - a.x)),
                  y = static_cast<int>(a.y + t * (b.y - a.y));
-      // A little nearer, so that edges are over their own faces.
+      // Slightly nearer, so that edges are over their own faces.
       const float depth = a.depth + t * (b.depth - a.depth) - 2e-4f;
       for (int k = 0; k < 9; ++k) put(x + k % 3 - 1, y + k / 3 - 1, depth, a.vertex);
     }
@@ -142,7 +142,7 @@ Image painted(const Picture& picture, const View& view, int width, int height) {
     const float w = p[3] > 0 ? p[3] : 1;
     return Seen{(p[0] / w + 1) / 2 * wide, (1 - p[1] / w) / 2 * high, p[2] / w, p[3], v};
   };
-  // What reaches behind the camera is left out: no sample has much of that.
+  // Lines and triangles that reach behind the camera are skipped; samples have few.
   const auto& t = picture.triangles;
   for (std::size_t i = 0; i + 2 < t.size(); i += 3) {
     const Seen a = seen(t[i]), b = seen(t[i + 1]), c = seen(t[i + 2]);

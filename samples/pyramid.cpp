@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A pyramid of 55 boxes, at rest until a ball hits it. This is all that a world needs: add bodies,
-// call step(), read where they are.
+// A pyramid of 55 boxes at rest until a ball hits it. This is the whole use of a world: add bodies,
+// call step(), read their poses.
 #include "bodies.hpp"
 
 namespace samples {
@@ -20,7 +20,7 @@ class Pyramid final : public Sample {
 
   void step(const Input& input) override {
     ++tick;
-    // The first ball comes by itself, the others when you press the action key.
+    // The first ball comes by itself, the others on the action key.
     const bool is_pressed = input.has(Input::action) && !was_pressed;
     was_pressed = input.has(Input::action);
     if ((tick == 40 || is_pressed) && balls.size() < 8) throw_ball(input);
@@ -44,7 +44,7 @@ class Pyramid final : public Sample {
 
  private:
   void add_box(int level, int i, int j) {
-    // A box is one unit wide, with a gap of a sixteenth; each level is half a unit further in.
+    // Boxes are one unit wide, with gaps of a sixteenth; each level is half a unit further in.
     const auto along = [&](int k) { return saturate_to<S>((2 * k + level - 4) * 0.53125_q16_16); };
     const Point half{0.5_q16_16, 0.5_q16_16, 0.5_q16_16};
     const Box box{{along(i), saturate_to<S>(level + 0.5_q16_16), along(j)}, half, {}};
@@ -73,7 +73,7 @@ class Pyramid final : public Sample {
 extern const Entry pyramid;
 const Entry pyramid{
     "pyramid",
-    "A ball hits 55 boxes that stood still; they come to rest with the same bits everywhere.",
+    "A ball hits a pyramid of 55 boxes, which come to rest with the same bits everywhere.",
     "Space throws a ball, the pointer aims", make<Pyramid>};
 
 }  // namespace samples

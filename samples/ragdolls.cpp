@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Twenty ragdolls fall down a flight of stairs: ten bodies each, held together by nine ball joints.
+// Twenty ragdolls fall down a flight of stairs, each made of ten bodies and nine ball joints.
 #include "bodies.hpp"
 
 namespace samples {
@@ -73,7 +73,7 @@ class Ragdolls final : public Sample {
       add_limb(torso, at(hip), at(knee), at(foot), colour);
     }
   }
-  /// Two capsules: from the torso to the middle, and on to the end.
+  /// Two capsules: from the torso to the middle joint, and on to the end.
   void add_limb(BodyId torso, const Point& start, const Point& middle, const Point& end,
                 const Colour& colour) {
     const auto upper = add_bone(start, middle, colour), lower = add_bone(middle, end, colour);
@@ -87,7 +87,7 @@ class Ragdolls final : public Sample {
     limbs.push_back({id, {local(a), local(b), bone.radius}, colour});
     return id;
   }
-  /// A joint at a point of the world.
+  /// Joins two bodies at a world point.
   void join(BodyId a, BodyId b, const Point& point) {
     BallJoint<S, 3> joint;
     joint.a = a;

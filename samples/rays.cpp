@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A lidar: it turns, and casts 270 rays a tick into a scene. Every hit is exact, and every distance
-// is rounded once.
+// A turning lidar casts 270 rays per tick into a scene. Every hit is exact, and every distance is
+// rounded once.
 #include "bodies.hpp"
 
 namespace samples {
@@ -51,7 +51,7 @@ class Rays final : public Sample {
         const Point ahead{nearest_to<S>(cos(angle)), quotient_nearest<S>(ring * 2 - 3, 9),
                           nearest_to<S>(sin(angle))};
         const Ray<S, 3> ray{lidar, *normalize(ahead), 12_q16_16};
-        // The state of this sample: a digest of all that the rays ever hit.
+        // The state of this sample: a digest of all hits so far.
         if (const auto hit = things.nearest_hit(ray)) {
           hits.push_back(*hit);
           seen.add(hit->id, hit->distance);
@@ -100,7 +100,7 @@ class Rays final : public Sample {
 };
 
 extern const Entry rays;
-const Entry rays{"rays", "A turning lidar casts 270 rays a tick; what each hits is exact.",
+const Entry rays{"rays", "A turning lidar casts 270 rays per tick, and every hit is exact.",
                  "The pointer or the arrow keys move the lidar", make<Rays>};
 
 }  // namespace samples

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Records a match as its inputs and a digest every tenth frame, then plays it again, twice: on the
-// left as it was, on the right with one speed changed by a 65536th. The check names the frames in which
-// they part.
+// Records a match as its inputs and a digest every tenth frame, then plays it twice: unchanged on
+// the left, and on the right with one speed changed by 1/65536. The check names the frames between
+// which they diverge.
 #include <algorithm>
 
 #include "arena.hpp"
@@ -10,7 +10,7 @@
 namespace samples {
 
 class Replay final : public Sample {
-  /// Where the writer appends its bytes.
+  /// The writer appends its bytes here.
   auto sink() {
     return [this](std::span<const std::byte> bytes) {
       file.insert(file.end(), bytes.begin(), bytes.end());
@@ -74,7 +74,7 @@ class Replay final : public Sample {
     writer = ReplayWriter<Pad>(10);
     writer.begin({.kind = "arena 1", .snapshot = {}}, sink());
   }
-  /// The same match with a mistake: after a frame, a box is faster by one unit of the last place.
+  /// The same match with an error: after a frame, a box is faster by one unit in the last place.
   static void simulate_wrongly(Arena& arena, const Pads& pads) {
     simulate(arena, pads);
     if (pads.frame() != fault) return;
@@ -96,7 +96,7 @@ class Replay final : public Sample {
     frame = -1;
     left = right = new_arena();
   }
-  /// Goes on to a frame; back means from the start again.
+  /// Advances to a frame; going back restarts from the beginning.
   void seek(int to) {
     if (to < frame) {
       left = right = new_arena();
@@ -123,7 +123,7 @@ class Replay final : public Sample {
 
 extern const Entry replay;
 const Entry replay{"replay",
-                   "A match is recorded, checked and played again; the check finds a changed bit.",
+                   "A match is recorded, replayed and checked; the check detects a changed bit.",
                    "Left and right seek, space records again", make<Replay>};
 
 }  // namespace samples

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Two peers over a network that takes a tenth of a second and loses every seventh packet. Each plays
-// on with a guess of the other one's keys, and goes back when it guessed wrong. Both end up with the
-// same bits.
+// Two peers on a network with a latency of a tenth of a second that loses every seventh packet.
+// Each plays on with a prediction of the other's keys, and rolls back when it was wrong. Both end
+// up with the same bits.
 #include <algorithm>
 #include <deque>
 
@@ -34,7 +34,7 @@ class Rollback final : public Sample {
     ++tick;
   }
 
-  /// Red is what the two peers do not have in the same place now, because one of them guesses.
+  /// Bodies on which the two peers currently disagree, because one of them predicts, are red.
   void draw(Picture& picture) const override {
     for (std::size_t i = 0; i < 2; ++i) {
       const auto is_guessed = [&](std::uint32_t body) {
@@ -83,9 +83,9 @@ class Rollback final : public Sample {
 };
 
 extern const Entry rollback;
-const Entry rollback{
-    "rollback",
-    "Two peers guess each other's keys, go back when they are wrong, and have the same bits.",
-    "Arrow keys fly the left peer's blue ball", make<Rollback>};
+const Entry rollback{"rollback",
+                     "Two peers predict each other's keys, roll back when they are wrong, and end "
+                     "with the same bits.",
+                     "Arrow keys fly the left peer's blue ball", make<Rollback>};
 
 }  // namespace samples

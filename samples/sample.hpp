@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a sample is. One class a file: it builds a scene, steps it by one tick, draws it, and has a
-// digest of its state that is the same on every machine. The same sources run in a terminal
-// (native.cpp) and in a page (page.cpp). Pictures are in float, because they are for the eye; what a
-// sample computes is not.
+// The interface of a sample: one class per file, which builds a scene, steps it by one tick, draws
+// it, and has a digest of its state that is the same on every machine. The same sources run in a
+// terminal (native.cpp) and in a page (page.cpp). Pictures use float, because they are only for the
+// eye; the simulation does not.
 
 #include <array>
 #include <cmath>
@@ -27,12 +27,12 @@ using S = q16_16;
 using Point = Vec<S, 3>;
 using Point2 = Vec<S, 2>;
 
-/// What the player holds in this tick. Whole numbers, so a recorded match has the same ones.
+/// The player's input in a tick, in whole numbers, so that a recorded match has the same ones.
 struct Input {
   static constexpr std::uint8_t left = 1, right = 2, up = 4, down = 8, action = 16;
   std::uint8_t keys = 0;
   bool is_pointing = false;
-  std::int16_t x = 0, y = 0;  // of the pointer: thousandths of half the height, from the middle
+  std::int16_t x = 0, y = 0;  // the pointer, in thousandths of half the height, from the center
 
   [[nodiscard]] bool has(std::uint8_t key) const { return (keys & key) != 0; }
   /// -1, 0 or 1.
@@ -46,12 +46,12 @@ struct Vertex {
   std::uint8_t red, green, blue, alpha;
 };
 
-/// Colours of the samples: dark enough for lines on a light background.
+/// Colours of the samples, dark enough for lines on a light background.
 inline constexpr Colour ink{0x33, 0x3d, 0x47}, pale{0xc9, 0xd2, 0xd9}, stone{0xa9, 0xb4, 0xbe},
     blue{0x2a, 0x7d, 0xb8}, red{0xc8, 0x4a, 0x2b}, green{0x1f, 0x93, 0x6c},
     yellow{0xe0, 0xa0, 0x20}, pink{0xb8, 0x62, 0x94};
 
-/// A sink of `detent::draw`: lines, and triangles with the light on them.
+/// A sink of `detent::draw`: lines, and triangles with lighting.
 class Picture {
  public:
   std::vector<Vertex> triangles, lines;
@@ -93,23 +93,23 @@ class Picture {
   }
 };
 
-/// Where the camera is: 3D scenes are seen from `eye`, `height` units high at the target.
+/// The camera: 3D scenes are seen from `eye`, and `height` units are visible at the target.
 struct View {
   std::array<float, 3> eye, target;
   float height;
 };
 
-/// One scene.
+/// A running sample.
 class Sample {
  public:
   virtual ~Sample() = default;
   /// One tick, 1/60 second.
   virtual void step(const Input& input) = 0;
   virtual void draw(Picture& picture) const = 0;
-  /// Of all that later ticks depend on.
+  /// A digest of everything that later ticks depend on.
   [[nodiscard]] virtual std::uint64_t digest() const = 0;
   [[nodiscard]] virtual View view() const = 0;
-  /// A line of figures.
+  /// A status line with figures.
   [[nodiscard]] virtual std::string status() const = 0;
 };
 
@@ -117,7 +117,7 @@ class Sample {
 struct Entry {
   const char* name;
   const char* sentence;
-  const char* keys;  // what the player can do
+  const char* keys;  // the controls, for the player
   std::unique_ptr<Sample> (*make)();
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A car on a height field: four balls as wheels, each on a joint with a spring and a motor. It drives
-// by itself until you press a key.
+// A car on a height field: four balls as wheels, each on a joint with a spring and a motor. It
+// drives by itself until you press a key.
 #include "bodies.hpp"
 
 namespace samples {
@@ -18,7 +18,7 @@ class Vehicle final : public Sample {
     world.add(BodyHeightField<S, 3>{&terrain, {}}, fixed_body());
 
     for (std::size_t i = 0; i < 4; ++i) {
-      // Fences, where the ground ends.
+      // Fences at the edges.
       const S end = i % 2 == 0 ? S(size - 1) : S(1 - size), thin = 0.2_q16_16, far = S(size - 1);
       fences[i] = i < 2 ? Box{{end, {}, {}}, {thin, 3_q16_16, far}, {}}
                         : Box{{{}, {}, end}, {far, 3_q16_16, thin}, {}};
@@ -51,7 +51,7 @@ class Vehicle final : public Sample {
     is_driven = is_driven || input.keys != 0;
     const int along = is_driven ? input.along() : 1;
     const int across = is_driven ? input.across() : by_itself();
-    // The wheels turn towards where they should be by a part of the way.
+    // The wheels steer gradually towards their target.
     steering += quotient_nearest<S>(across * -0.45_q16_16 - steering, 8);
     for (std::size_t i = 0; i < 4; ++i) {
       if (i < 2) joints[i].frame_a = axle(Angle<S>::from_radians(steering));
@@ -64,7 +64,7 @@ class Vehicle final : public Sample {
   }
 
   void draw(Picture& picture) const override {
-    // Fields get darker in squares of four cells, so that one sees the car move.
+    // Alternate fields of four cells are darker, to make the motion visible.
     for (std::uint32_t row = 0; row + 1 < size; ++row) {
       for (std::uint32_t column = 0; column + 1 < size; ++column) {
         const bool is_dark = (row / 2 + column / 2) % 2 == 0;
@@ -105,7 +105,7 @@ class Vehicle final : public Sample {
   static constexpr int size = 49, cell = 2;
   static constexpr Colour grass{0x9c, 0xbf, 0x7d}, meadow{0x8f, 0xb4, 0x72};
 
-  /// To and fro, and back where the ground ends.
+  /// Drives to and fro, and turns back at the edges.
   [[nodiscard]] int by_itself() const {
     const auto place = world.position(car.id);
     const auto ahead = world.rotation(car.id).axis(0);
@@ -113,13 +113,13 @@ class Vehicle final : public Sample {
     if (is_far && place.x * ahead[0] + place.z * ahead[2] > 0) return 1;
     return is_far ? 0 : (tick / 90 % 4 == 1) - (tick / 90 % 4 == 3);
   }
-  /// Hills: sums of sines, correctly rounded, so that the ground is the same everywhere too.
+  /// Hills: sums of sines, correctly rounded, so that the ground is the same everywhere.
   static S height(int column, int row) {
     const auto wave = [](int phase, int period) { return sin(Angle<S>::turn(phase, period)); };
     return nearest_to<S>(wave(column, 13) * 0.5_q16_16 + wave(row + column, 17) * 0.6_q16_16 +
                          wave(3 * row - column, 31) * 0.6_q16_16);
   }
-  /// The frame of a wheel: axis 0 up, where the spring is, and axis 2 the axle.
+  /// The frame of a wheel: axis 0 points up along the spring, axis 2 is the axle.
   static Rotation<S, 3> axle(Angle<S> turn) {
     const auto up = Direction<S, 3>::along(1);
     const auto straight =

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Contexts, errors and numbers. Scenes and worlds are in Spaces.cs.
+// Contexts, errors and numbers. Spaces.cs has scenes and worlds.
 using System;
 using System.Runtime.InteropServices;
 
 namespace Detent {
 
-/// <summary>A call that failed: Status is one of the constants of C below 0.</summary>
+/// <summary>A failed call. Status is one of the negative constants of C.</summary>
 public sealed class DetentException : Exception {
   public readonly int Status;
   public DetentException(int status)
@@ -20,20 +20,20 @@ public static class Number {
   public const int One = 1 << 16;
   public const int Unit = 1 << 30;
 
-  /// <summary>The length nearest to a number of units, ties to even.</summary>
+  /// <summary>A number rounded to the nearest length, ties to even.</summary>
   public static int Raw(double units) {
     return checked((int)Math.Round(units * One, MidpointRounding.ToEven));
   }
   public static double Of(int length) { return (double)length / One; }
 
-  /// <summary>True for yes or done, false for no; throws for an error.</summary>
+  /// <summary>True for yes or done, false for no; throws on an error.</summary>
   public static bool Check(int status) {
     if (status < 0) throw new DetentException(status);
     return status == C.OK;
   }
 }
 
-/// <summary>What scenes and worlds are made in. Dispose it; they are then gone.</summary>
+/// <summary>Makes scenes and worlds. Disposing it destroys them.</summary>
 public sealed unsafe class Context : IDisposable {
   internal ContextMemory* Memory { get; private set; }
   public Context() {
@@ -41,7 +41,8 @@ public sealed unsafe class Context : IDisposable {
     *Memory = default(ContextMemory);
     Number.Check(C.detent_open(Memory, null));
   }
-  /// <summary>Two players, delay 2, prediction 8, inputs of one byte.</summary>
+  /// <summary>The default settings: two players, delay 2, prediction 8, inputs of one
+  /// byte.</summary>
   public static SessionSettings DefaultSessionSettings() {
     SessionSettings settings;
     Number.Check(C.detent_session_default_settings(&settings));

@@ -6,7 +6,7 @@ using System.Runtime.InteropServices;
 
 namespace Detent {
 
-/// <summary>An object of a scene or a body of a world. No two have the same id, ever; {0, 0} is none.</summary>
+/// <summary>The id of an object of a scene or a body of a world. Ids are never reused; {0, 0} is none.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Id {
   public uint index;
@@ -20,7 +20,7 @@ public struct Pair {
   public Id second;
 }
 
-/// <summary>A pair of bodies that began (1) or ended (0) to touch in the last step; of compounds a pair of parts.</summary>
+/// <summary>A pair of bodies that began (1) or ceased (0) to touch in the last step; for compounds, a pair of parts.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Touch {
   public Id a;
@@ -30,14 +30,14 @@ public struct Touch {
   public uint part_b;
 }
 
-/// <summary>An object that a query found, and its distance in steps of 2^-16.</summary>
+/// <summary>An object found by a query, and its distance in steps of 2^-16.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Found {
   public int distance;
   public Id id;
 }
 
-/// <summary>When two moving shapes meet. They are apart before `time`, in steps of 2^-30, and at most `distance` apart at it. If `is_hit` is 0, the search ended early, and whether they meet later is not known.</summary>
+/// <summary>When two moving shapes meet. They are disjoint before `time` (in steps of 2^-30) and at most `distance` apart at `time`. If `is_hit` is 0 the search ended early, and whether they meet later is unknown.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Impact {
   public int time;
@@ -45,7 +45,7 @@ public struct Impact {
   public uint is_hit;
 }
 
-/// <summary>A match and one peer in it. Times are in microseconds, of a clock that only this peer needs.</summary>
+/// <summary>The settings of a match and of one peer. Times are in microseconds of this peer's own clock.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct SessionSettings {
   public ulong match;
@@ -65,7 +65,7 @@ public struct SessionSettings {
   public uint replay_every;
 }
 
-/// <summary>A frame to simulate, or why there is none. Players whose bit is set in `present` take part.</summary>
+/// <summary>A frame to simulate, or the reason why there is none. Players whose bit in `present` is set take part.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Frame {
   public uint number;
@@ -74,7 +74,7 @@ public struct Frame {
   public uint state;
 }
 
-/// <summary>Something that happened in a session, with a peer or in a frame.</summary>
+/// <summary>An event of a session.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct SessionEvent {
   public uint kind;
@@ -85,7 +85,7 @@ public struct SessionEvent {
   public Id @object;
 }
 
-/// <summary>How far a session is.</summary>
+/// <summary>The progress of a session.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct SessionStatus {
   public ulong digest;
@@ -98,7 +98,7 @@ public struct SessionStatus {
   public uint players;
 }
 
-/// <summary>What simulating a replay again gave so far.</summary>
+/// <summary>The result of resimulating a replay so far.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct ReplayCheck {
   public uint state;
@@ -108,7 +108,7 @@ public struct ReplayCheck {
   public uint players;
 }
 
-/// <summary>What a scene stores with an object.</summary>
+/// <summary>What a scene stores with an object, besides its shape.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Traits {
   public ulong user;
@@ -117,7 +117,7 @@ public struct Traits {
   public Id frame;
 }
 
-/// <summary>Everything else is made in a context, which is the caller's memory: set it to zeros, open it, close it. It must stay where it is while it is open. Contexts share nothing. Of one context, calls that only read (their context is const) may run in several threads at once; all others need it alone.</summary>
+/// <summary>The owner of everything else. The caller provides its memory: zero it, open it and close it, and do not move it while it is open. Contexts share nothing. On one context, functions that only read (const detent_context*) may run in several threads at once; any other call needs exclusive access.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct ContextMemory {
   public ulong words0;
@@ -133,7 +133,7 @@ public struct Vec2 {
   public int y;
 }
 
-/// <summary>A unit vector, in steps of 2^-30; used exactly as stored.</summary>
+/// <summary>A unit vector, in steps of 2^-30; used as stored, never normalised.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Direction2 {
   public int x;
@@ -170,14 +170,14 @@ public struct Sphere2 {
   public int radius;
 }
 
-/// <summary>The points between two corners; none if min > max on an axis.</summary>
+/// <summary>The points between two corners, inclusive; none if min > max on an axis.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Aabb2 {
   public Vec2 min;
   public Vec2 max;
 }
 
-/// <summary>A box turned about its center; none if a half extent is negative.</summary>
+/// <summary>A box rotated about its center; none if a half extent is negative.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Obb2 {
   public Vec2 center;
@@ -192,7 +192,7 @@ public struct Plane2 {
   public int offset;
 }
 
-/// <summary>The points between three corners.</summary>
+/// <summary>The points of the triangle with these corners.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Triangle2 {
   public Vec2 a;
@@ -208,7 +208,7 @@ public struct Capsule2 {
   public int radius;
 }
 
-/// <summary>The points between two ends.</summary>
+/// <summary>The points between the two ends.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Segment2 {
   public Vec2 start;
@@ -228,7 +228,7 @@ public struct Shape2As {
   [FieldOffset(0)] public Transform2 placed;
 }
 
-/// <summary>A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or height field, and ignored for other kinds.</summary>
+/// <summary>A shape of any kind. `kind` selects the member of the union. `asset` is the handle of a hull, mesh or height field; other kinds ignore it.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Shape2 {
   public uint kind;
@@ -236,7 +236,7 @@ public struct Shape2 {
   public Shape2As of;
 }
 
-/// <summary>Where a ray or a moving shape first touches a shape. The distance is rounded down.</summary>
+/// <summary>The first contact of a ray or moving shape with a shape. The distance is rounded down.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Hit2 {
   public int distance;
@@ -244,7 +244,7 @@ public struct Hit2 {
   public Direction2 normal;
 }
 
-/// <summary>One point of a contact, on the surface of the first shape, and how deep the second shape is there: its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and stays the same while they do.</summary>
+/// <summary>One contact point on the surface of the first shape. The second shape's surface is at point - depth * normal. `feature` identifies the corners, edges or faces that meet, and is stable while they do.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct ContactPoint2 {
   public Vec2 point;
@@ -252,7 +252,7 @@ public struct ContactPoint2 {
   public uint feature;
 }
 
-/// <summary>How two shapes a and b that overlap are separated by the least translation: b moves by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others zeros.</summary>
+/// <summary>The least translation that separates two overlapping shapes a and b: move b by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others are zero.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Manifold2 {
   public Direction2 normal;
@@ -262,7 +262,7 @@ public struct Manifold2 {
   public ContactPoint2 points1;
 }
 
-/// <summary>The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly, and it turns about one axis by at most half a turn.</summary>
+/// <summary>The motion of a frame between two poses over the time 0 to 1. The origin moves at constant velocity; the frame rotates about one axis by at most half a turn.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Sweep2 {
   public Vec2 start;
@@ -271,7 +271,7 @@ public struct Sweep2 {
   public Rotation2 end_rotation;
 }
 
-/// <summary>Where a ray first touches an object; in a mesh or height field also the index of the triangle.</summary>
+/// <summary>The first point where a ray touches an object; for a mesh or height field also the triangle's index.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct ObjectHit2 {
   public int distance;
@@ -282,7 +282,7 @@ public struct ObjectHit2 {
   public uint has_triangle;
 }
 
-/// <summary>A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal.</summary>
+/// <summary>A walking character: its capsule or AABB, and what it stands on. This is its whole state. Start with zeros and the shape in place. Setting `is_grounded` to 0 makes it leave the ground. A ball is a capsule with equal ends.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Mover2 {
   public Shape2 shape;
@@ -294,7 +294,7 @@ public struct Mover2 {
   public Vec2 point;
 }
 
-/// <summary>How a character moves. Lengths in steps of 2^-16.</summary>
+/// <summary>Settings of a character's movement. Lengths in steps of 2^-16.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Mover2Settings {
   public Direction2 up;
@@ -304,7 +304,7 @@ public struct Mover2Settings {
   public uint max_slope;
 }
 
-/// <summary>Something that a character touched during a move; the normal points away from it.</summary>
+/// <summary>Something the character touched during a move. The normal points away from it.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Mover2Touch {
   public Id @object;
@@ -312,7 +312,7 @@ public struct Mover2Touch {
   public Direction2 normal;
 }
 
-/// <summary>What a move did. The first `count` of the touches are set, the others zeros.</summary>
+/// <summary>The result of a move. The first `count` touches are set, the others are zero.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Move2 {
   public Vec2 moved;
@@ -330,7 +330,7 @@ public struct Move2 {
   public Mover2Touch touched7;
 }
 
-/// <summary>How a world steps. Lengths and speeds in steps of 2^-16.</summary>
+/// <summary>Settings of a world. Lengths and speeds in steps of 2^-16.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct World2Settings {
   public int ticks_per_second;
@@ -342,7 +342,7 @@ public struct World2Settings {
   public int sleep_speed;
 }
 
-/// <summary>What a body is made of, and how it starts. Shares and densities in steps of 2^-16.</summary>
+/// <summary>The material and initial state of a body. Ratios and densities in steps of 2^-16.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Body2Options {
   public ulong user;
@@ -363,7 +363,7 @@ public struct Body2Options {
   public uint reserved0;
 }
 
-/// <summary>A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part2_defaults`.</summary>
+/// <summary>A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and its material, in steps of 2^-16. Start from `detent_part2_defaults`.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Part2 {
   public Shape2 shape;
@@ -373,7 +373,7 @@ public struct Part2 {
   public uint is_sensor;
 }
 
-/// <summary>A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it.</summary>
+/// <summary>A joint between two bodies a and b. Anchors and frames are in body space. Time is in the seconds of the world's settings, angles in radians, and all numbers are in steps of 2^-16. Fields that a kind does not have are ignored.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Joint2 {
   public uint kind;
@@ -395,7 +395,7 @@ public struct Joint2 {
   public int damping_ratio;
 }
 
-/// <summary>Where a body is and how it moves, rounded to nearest.</summary>
+/// <summary>The state of a body, rounded to nearest.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Body2 {
   public Vec2 position;
@@ -413,7 +413,7 @@ public struct Vec3 {
   public int z;
 }
 
-/// <summary>A unit vector, in steps of 2^-30; used exactly as stored.</summary>
+/// <summary>A unit vector, in steps of 2^-30; used as stored, never normalised.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Direction3 {
   public int x;
@@ -452,14 +452,14 @@ public struct Sphere3 {
   public int radius;
 }
 
-/// <summary>The points between two corners; none if min > max on an axis.</summary>
+/// <summary>The points between two corners, inclusive; none if min > max on an axis.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Aabb3 {
   public Vec3 min;
   public Vec3 max;
 }
 
-/// <summary>A box turned about its center; none if a half extent is negative.</summary>
+/// <summary>A box rotated about its center; none if a half extent is negative.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Obb3 {
   public Vec3 center;
@@ -474,7 +474,7 @@ public struct Plane3 {
   public int offset;
 }
 
-/// <summary>The points between three corners.</summary>
+/// <summary>The points of the triangle with these corners.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Triangle3 {
   public Vec3 a;
@@ -490,7 +490,7 @@ public struct Capsule3 {
   public int radius;
 }
 
-/// <summary>The points between two ends.</summary>
+/// <summary>The points between the two ends.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Segment3 {
   public Vec3 start;
@@ -510,7 +510,7 @@ public struct Shape3As {
   [FieldOffset(0)] public Transform3 placed;
 }
 
-/// <summary>A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or height field, and ignored for other kinds.</summary>
+/// <summary>A shape of any kind. `kind` selects the member of the union. `asset` is the handle of a hull, mesh or height field; other kinds ignore it.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Shape3 {
   public uint kind;
@@ -518,7 +518,7 @@ public struct Shape3 {
   public Shape3As of;
 }
 
-/// <summary>Where a ray or a moving shape first touches a shape. The distance is rounded down.</summary>
+/// <summary>The first contact of a ray or moving shape with a shape. The distance is rounded down.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Hit3 {
   public int distance;
@@ -526,7 +526,7 @@ public struct Hit3 {
   public Direction3 normal;
 }
 
-/// <summary>One point of a contact, on the surface of the first shape, and how deep the second shape is there: its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and stays the same while they do.</summary>
+/// <summary>One contact point on the surface of the first shape. The second shape's surface is at point - depth * normal. `feature` identifies the corners, edges or faces that meet, and is stable while they do.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct ContactPoint3 {
   public Vec3 point;
@@ -534,7 +534,7 @@ public struct ContactPoint3 {
   public uint feature;
 }
 
-/// <summary>How two shapes a and b that overlap are separated by the least translation: b moves by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others zeros.</summary>
+/// <summary>The least translation that separates two overlapping shapes a and b: move b by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others are zero.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Manifold3 {
   public Direction3 normal;
@@ -546,7 +546,7 @@ public struct Manifold3 {
   public ContactPoint3 points3;
 }
 
-/// <summary>The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly, and it turns about one axis by at most half a turn.</summary>
+/// <summary>The motion of a frame between two poses over the time 0 to 1. The origin moves at constant velocity; the frame rotates about one axis by at most half a turn.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Sweep3 {
   public Vec3 start;
@@ -555,7 +555,7 @@ public struct Sweep3 {
   public Rotation3 end_rotation;
 }
 
-/// <summary>Where a ray first touches an object; in a mesh or height field also the index of the triangle.</summary>
+/// <summary>The first point where a ray touches an object; for a mesh or height field also the triangle's index.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct ObjectHit3 {
   public int distance;
@@ -566,7 +566,7 @@ public struct ObjectHit3 {
   public uint has_triangle;
 }
 
-/// <summary>A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal.</summary>
+/// <summary>A walking character: its capsule or AABB, and what it stands on. This is its whole state. Start with zeros and the shape in place. Setting `is_grounded` to 0 makes it leave the ground. A ball is a capsule with equal ends.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Mover3 {
   public Shape3 shape;
@@ -578,7 +578,7 @@ public struct Mover3 {
   public Vec3 point;
 }
 
-/// <summary>How a character moves. Lengths in steps of 2^-16.</summary>
+/// <summary>Settings of a character's movement. Lengths in steps of 2^-16.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Mover3Settings {
   public Direction3 up;
@@ -588,7 +588,7 @@ public struct Mover3Settings {
   public uint max_slope;
 }
 
-/// <summary>Something that a character touched during a move; the normal points away from it.</summary>
+/// <summary>Something the character touched during a move. The normal points away from it.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Mover3Touch {
   public Id @object;
@@ -596,7 +596,7 @@ public struct Mover3Touch {
   public Direction3 normal;
 }
 
-/// <summary>What a move did. The first `count` of the touches are set, the others zeros.</summary>
+/// <summary>The result of a move. The first `count` touches are set, the others are zero.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Move3 {
   public Vec3 moved;
@@ -614,7 +614,7 @@ public struct Move3 {
   public Mover3Touch touched7;
 }
 
-/// <summary>How a world steps. Lengths and speeds in steps of 2^-16.</summary>
+/// <summary>Settings of a world. Lengths and speeds in steps of 2^-16.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct World3Settings {
   public int ticks_per_second;
@@ -626,7 +626,7 @@ public struct World3Settings {
   public int sleep_speed;
 }
 
-/// <summary>What a body is made of, and how it starts. Shares and densities in steps of 2^-16.</summary>
+/// <summary>The material and initial state of a body. Ratios and densities in steps of 2^-16.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Body3Options {
   public ulong user;
@@ -650,7 +650,7 @@ public struct Body3Options {
   public uint reserved1;
 }
 
-/// <summary>A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part3_defaults`.</summary>
+/// <summary>A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and its material, in steps of 2^-16. Start from `detent_part3_defaults`.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Part3 {
   public Shape3 shape;
@@ -660,7 +660,7 @@ public struct Part3 {
   public uint is_sensor;
 }
 
-/// <summary>A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it.</summary>
+/// <summary>A joint between two bodies a and b. Anchors and frames are in body space. Time is in the seconds of the world's settings, angles in radians, and all numbers are in steps of 2^-16. Fields that a kind does not have are ignored.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Joint3 {
   public uint kind;
@@ -682,7 +682,7 @@ public struct Joint3 {
   public int damping_ratio;
 }
 
-/// <summary>Where a body is and how it moves, rounded to nearest.</summary>
+/// <summary>The state of a body, rounded to nearest.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Body3 {
   public Vec3 position;
@@ -694,7 +694,7 @@ public struct Body3 {
   public uint is_asleep;
 }
 
-/// <summary>A camera: where it is and what its lens sees. The pose is that of `detent_camera3_look_at`: axis 0 to the right, axis 1 up, looking along -axis 2; its scale is ignored.</summary>
+/// <summary>A camera: its pose and lens. The pose is that of `detent_camera3_look_at`: axis 0 points right, axis 1 up, and it looks along -axis 2. The scale is ignored.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Camera3 {
   public Transform3 pose;
@@ -707,7 +707,7 @@ public struct Camera3 {
   public int far_distance;
 }
 
-/// <summary>What a camera sees: the convex hull of eight corners. Corner i is on the right if i &amp; 1, at the top if i &amp; 2, and far if i &amp; 4; every query is exact for eight points in any order.</summary>
+/// <summary>The view volume of a camera: the convex hull of eight corners. Corner i is right if i &amp; 1, top if i &amp; 2 and far if i &amp; 4. Every query is exact for any eight points in any order.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct Frustum3 {
   public Vec3 corners0;
@@ -720,7 +720,7 @@ public struct Frustum3 {
   public Vec3 corners7;
 }
 
-/// <summary>A point of the screen: pixels from the top left corner in steps of 2^-16, so that 32768 is the middle of the first, and the depth along the line of sight, a length.</summary>
+/// <summary>A screen point: pixels from the top left corner in steps of 2^-16, so that 32768 is the middle of the first pixel, and the depth along the line of sight, a length.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public struct ScreenPoint3 {
   public int x;

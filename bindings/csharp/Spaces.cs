@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Written by bindings/generate from bindings/csharp/spaces.cs.in: change that file instead.
-// Shapes, scenes and worlds of both dimensions. Calls make no garbage but for Snapshot.
+// Shapes, scenes and worlds of both dimensions. No call allocates garbage except Snapshot.
 using System;
 
 namespace Detent {
@@ -62,7 +62,8 @@ public static unsafe class D2 {
   }
 }
 
-/// <summary>Objects, and queries over all of them. What is not here is in C, with Handle.</summary>
+/// <summary>Objects and queries over them. For functions missing here, call C with
+/// Handle.</summary>
 public sealed unsafe class Scene2 {
   readonly Context context;
   public readonly uint Handle;
@@ -127,7 +128,7 @@ public sealed unsafe class Scene2 {
       Number.Check(C.detent_scene2_restore(context.Memory, Handle, from, (uint)bytes.Length));
     }
   }
-  /// <summary>The first fields in which the two differ, a line each.</summary>
+  /// <summary>The first fields that differ, one per line.</summary>
   public string Diff(Scene2 other, uint most = 16) {
     uint size;
     if (!Number.Check(C.detent_scene2_diff(context.Memory, Handle, other.Handle, most, null, 0, &size))) {
@@ -141,7 +142,7 @@ public sealed unsafe class Scene2 {
   }
 }
 
-/// <summary>Bodies that move. What is not here is in C, with Handle.</summary>
+/// <summary>Moving bodies. For functions missing here, call C with Handle.</summary>
 public unsafe class World2 {
   internal readonly Context context;
   public readonly uint Handle;
@@ -216,7 +217,7 @@ public unsafe class World2 {
       Number.Check(C.detent_world2_restore(context.Memory, Handle, from, (uint)bytes.Length));
     }
   }
-  /// <summary>The first fields in which the two differ, a line each.</summary>
+  /// <summary>The first fields that differ, one per line.</summary>
   public string Diff(World2 other, uint most = 16) {
     uint size;
     if (!Number.Check(C.detent_world2_diff(context.Memory, Handle, other.Handle, most, null, 0, &size))) {
@@ -230,12 +231,12 @@ public unsafe class World2 {
   }
 }
 
-/// <summary>The world of a session or replay, with words of the game that a rollback restores too. It
-/// can be changed in a frame, otherwise only be read.</summary>
+/// <summary>The world of a session or replay, with words of game state that a rollback also
+/// restores. It can be changed only during a frame.</summary>
 public sealed unsafe class PlayedWorld2 : World2 {
   internal PlayedWorld2(Context context, uint handle) : base(context, handle) {}
 
-  /// <summary>As many words as the settings say.</summary>
+  /// <summary>Their number is in the settings.</summary>
   public void GetWords(uint[] words) {
     fixed (uint* to = words) Number.Check(C.detent_world2_words(context.Memory, Handle, to));
   }
@@ -244,13 +245,13 @@ public sealed unsafe class PlayedWorld2 : World2 {
   }
 }
 
-/// <summary>A match over a network, from a world that all peers start with. Calls make no garbage but
-/// for Replay and the names of events.</summary>
+/// <summary>A network match from a world that all peers start with. No call allocates garbage
+/// except Replay and the names of events.</summary>
 public sealed unsafe class Session2 {
   readonly Context context;
   public readonly uint Handle;
   public readonly PlayedWorld2 World;
-  /// <summary>Of the open frame: the inputs of all players, one behind the other.</summary>
+  /// <summary>The inputs of all players in the open frame, concatenated.</summary>
   public readonly byte[] Inputs;
   readonly uint inputSize;
 
@@ -266,8 +267,8 @@ public sealed unsafe class Session2 {
   }
   public void Destroy() { Number.Check(C.detent_session2_destroy(context.Memory, Handle)); }
 
-  /// <summary>True if there is a frame to simulate: change World by Inputs, step it, call EndFrame, and ask
-  /// again with the same input. Otherwise frame.state says why.</summary>
+  /// <summary>True if there is a frame to simulate: change World depending only on Inputs, step it,
+  /// call EndFrame, and repeat with the same input. Otherwise frame.state says why not.</summary>
   public bool BeginFrame(byte[] pad, out Frame frame) {
     if (pad.Length != inputSize) throw new DetentException(C.BAD_ARGUMENT);
     fixed (byte* from = pad, to = Inputs) fixed (Frame* into = &frame) {
@@ -275,14 +276,15 @@ public sealed unsafe class Session2 {
     }
   }
   public void EndFrame() { Number.Check(C.detent_session2_end_frame(context.Memory, Handle)); }
-  /// <summary>Takes a packet at a time in microseconds; false if it was not used.</summary>
+  /// <summary>Takes a packet that arrived at a time in microseconds; false if it was not
+  /// used.</summary>
   public bool Receive(uint peer, byte[] packet, int size, ulong now) {
     if ((uint)size > (uint)packet.Length) throw new DetentException(C.BAD_ARGUMENT);
     fixed (byte* from = packet) {
       return Number.Check(C.detent_session2_receive(context.Memory, Handle, peer, from, (uint)size, now));
     }
   }
-  /// <summary>The next packet that is due, in an array of C.PACKET bytes.</summary>
+  /// <summary>The next packet due, in an array of C.PACKET bytes.</summary>
   public bool Packet(ulong now, byte[] packet, out uint peer, out int size) {
     uint to, count;
     bool isDue;
@@ -294,7 +296,7 @@ public sealed unsafe class Session2 {
     size = isDue ? (int)count : 0;
     return isDue;
   }
-  /// <summary>What happened next, and the name of a field that differs, or null.</summary>
+  /// <summary>The next event, and the name of the field that differs, or null.</summary>
   public bool Event(out SessionEvent happened, out string field) {
     byte* name = stackalloc byte[(int)C.NAME];
     SessionEvent own;
@@ -310,7 +312,7 @@ public sealed unsafe class Session2 {
       return status;
     }
   }
-  /// <summary>All frames before this one are equal at the peer and here.</summary>
+  /// <summary>The number of frames known to be equal at the peer and here.</summary>
   public uint Matched(uint peer) {
     uint frame;
     Number.Check(C.detent_session2_matched(context.Memory, Handle, peer, &frame));
@@ -336,12 +338,12 @@ public sealed unsafe class Session2 {
   }
 }
 
-/// <summary>A replay that is simulated again, with the inputs and words of its session.</summary>
+/// <summary>A replay to resimulate, with the inputs and words of its session.</summary>
 public sealed unsafe class Replay2 {
   readonly Context context;
   public readonly uint Handle;
   public readonly PlayedWorld2 World;
-  /// <summary>Of the open frame: the inputs of all players, one behind the other.</summary>
+  /// <summary>The inputs of all players in the open frame, concatenated.</summary>
   public readonly byte[] Inputs;
 
   public Replay2(Context context, World2 start, byte[] bytes, uint inputSize, uint words) {
@@ -427,7 +429,8 @@ public static unsafe class D3 {
   }
 }
 
-/// <summary>Objects, and queries over all of them. What is not here is in C, with Handle.</summary>
+/// <summary>Objects and queries over them. For functions missing here, call C with
+/// Handle.</summary>
 public sealed unsafe class Scene3 {
   readonly Context context;
   public readonly uint Handle;
@@ -492,7 +495,7 @@ public sealed unsafe class Scene3 {
       Number.Check(C.detent_scene3_restore(context.Memory, Handle, from, (uint)bytes.Length));
     }
   }
-  /// <summary>The first fields in which the two differ, a line each.</summary>
+  /// <summary>The first fields that differ, one per line.</summary>
   public string Diff(Scene3 other, uint most = 16) {
     uint size;
     if (!Number.Check(C.detent_scene3_diff(context.Memory, Handle, other.Handle, most, null, 0, &size))) {
@@ -506,7 +509,7 @@ public sealed unsafe class Scene3 {
   }
 }
 
-/// <summary>Bodies that move. What is not here is in C, with Handle.</summary>
+/// <summary>Moving bodies. For functions missing here, call C with Handle.</summary>
 public unsafe class World3 {
   internal readonly Context context;
   public readonly uint Handle;
@@ -581,7 +584,7 @@ public unsafe class World3 {
       Number.Check(C.detent_world3_restore(context.Memory, Handle, from, (uint)bytes.Length));
     }
   }
-  /// <summary>The first fields in which the two differ, a line each.</summary>
+  /// <summary>The first fields that differ, one per line.</summary>
   public string Diff(World3 other, uint most = 16) {
     uint size;
     if (!Number.Check(C.detent_world3_diff(context.Memory, Handle, other.Handle, most, null, 0, &size))) {
@@ -595,12 +598,12 @@ public unsafe class World3 {
   }
 }
 
-/// <summary>The world of a session or replay, with words of the game that a rollback restores too. It
-/// can be changed in a frame, otherwise only be read.</summary>
+/// <summary>The world of a session or replay, with words of game state that a rollback also
+/// restores. It can be changed only during a frame.</summary>
 public sealed unsafe class PlayedWorld3 : World3 {
   internal PlayedWorld3(Context context, uint handle) : base(context, handle) {}
 
-  /// <summary>As many words as the settings say.</summary>
+  /// <summary>Their number is in the settings.</summary>
   public void GetWords(uint[] words) {
     fixed (uint* to = words) Number.Check(C.detent_world3_words(context.Memory, Handle, to));
   }
@@ -609,13 +612,13 @@ public sealed unsafe class PlayedWorld3 : World3 {
   }
 }
 
-/// <summary>A match over a network, from a world that all peers start with. Calls make no garbage but
-/// for Replay and the names of events.</summary>
+/// <summary>A network match from a world that all peers start with. No call allocates garbage
+/// except Replay and the names of events.</summary>
 public sealed unsafe class Session3 {
   readonly Context context;
   public readonly uint Handle;
   public readonly PlayedWorld3 World;
-  /// <summary>Of the open frame: the inputs of all players, one behind the other.</summary>
+  /// <summary>The inputs of all players in the open frame, concatenated.</summary>
   public readonly byte[] Inputs;
   readonly uint inputSize;
 
@@ -631,8 +634,8 @@ public sealed unsafe class Session3 {
   }
   public void Destroy() { Number.Check(C.detent_session3_destroy(context.Memory, Handle)); }
 
-  /// <summary>True if there is a frame to simulate: change World by Inputs, step it, call EndFrame, and ask
-  /// again with the same input. Otherwise frame.state says why.</summary>
+  /// <summary>True if there is a frame to simulate: change World depending only on Inputs, step it,
+  /// call EndFrame, and repeat with the same input. Otherwise frame.state says why not.</summary>
   public bool BeginFrame(byte[] pad, out Frame frame) {
     if (pad.Length != inputSize) throw new DetentException(C.BAD_ARGUMENT);
     fixed (byte* from = pad, to = Inputs) fixed (Frame* into = &frame) {
@@ -640,14 +643,15 @@ public sealed unsafe class Session3 {
     }
   }
   public void EndFrame() { Number.Check(C.detent_session3_end_frame(context.Memory, Handle)); }
-  /// <summary>Takes a packet at a time in microseconds; false if it was not used.</summary>
+  /// <summary>Takes a packet that arrived at a time in microseconds; false if it was not
+  /// used.</summary>
   public bool Receive(uint peer, byte[] packet, int size, ulong now) {
     if ((uint)size > (uint)packet.Length) throw new DetentException(C.BAD_ARGUMENT);
     fixed (byte* from = packet) {
       return Number.Check(C.detent_session3_receive(context.Memory, Handle, peer, from, (uint)size, now));
     }
   }
-  /// <summary>The next packet that is due, in an array of C.PACKET bytes.</summary>
+  /// <summary>The next packet due, in an array of C.PACKET bytes.</summary>
   public bool Packet(ulong now, byte[] packet, out uint peer, out int size) {
     uint to, count;
     bool isDue;
@@ -659,7 +663,7 @@ public sealed unsafe class Session3 {
     size = isDue ? (int)count : 0;
     return isDue;
   }
-  /// <summary>What happened next, and the name of a field that differs, or null.</summary>
+  /// <summary>The next event, and the name of the field that differs, or null.</summary>
   public bool Event(out SessionEvent happened, out string field) {
     byte* name = stackalloc byte[(int)C.NAME];
     SessionEvent own;
@@ -675,7 +679,7 @@ public sealed unsafe class Session3 {
       return status;
     }
   }
-  /// <summary>All frames before this one are equal at the peer and here.</summary>
+  /// <summary>The number of frames known to be equal at the peer and here.</summary>
   public uint Matched(uint peer) {
     uint frame;
     Number.Check(C.detent_session3_matched(context.Memory, Handle, peer, &frame));
@@ -701,12 +705,12 @@ public sealed unsafe class Session3 {
   }
 }
 
-/// <summary>A replay that is simulated again, with the inputs and words of its session.</summary>
+/// <summary>A replay to resimulate, with the inputs and words of its session.</summary>
 public sealed unsafe class Replay3 {
   readonly Context context;
   public readonly uint Handle;
   public readonly PlayedWorld3 World;
-  /// <summary>Of the open frame: the inputs of all players, one behind the other.</summary>
+  /// <summary>The inputs of all players in the open frame, concatenated.</summary>
   public readonly byte[] Inputs;
 
   public Replay3(Context context, World3 start, byte[] bytes, uint inputSize, uint words) {

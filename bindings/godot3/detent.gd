@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-# The world of detent for the collision nodes of a scene, in Godot 3. A world has a body for each physics
-# body below a node: a fixed one for a StaticBody, a moving one for a RigidBody, with the shape of its first
-# CollisionShape, a sphere or a box that is not turned. Godot's own physics never runs: `show` moves the nodes.
+# Simulates the collision nodes of a Godot 3 scene in a world of detent. Each physics body below a
+# node becomes a body: a fixed one for a StaticBody, a dynamic one for a RigidBody, with the shape
+# of its first CollisionShape, a sphere or an unrotated box. Godot's own physics does not run;
+# `show` moves the nodes.
 #
-# Numbers are integers, a length of 1 is 65536. A position of a node becomes the nearest such number, once, at
-# the start; all that follows is the same on every machine.
+# Numbers are integers; a length of 1 is 65536. Node positions are rounded to them once, at the
+# start. Everything after that is the same on every machine.
 extends Reference
 
 const ONE = 65536
@@ -24,7 +25,7 @@ func open():
 func close():
 	native.terminate()
 
-# Any procedure of detent_godot.c.
+# Calls a procedure of detent_godot.c by name.
 func run(name, arguments = []):
 	return native.call_native("standard_varcall", "detent_godot_" + name, arguments)
 
@@ -34,7 +35,7 @@ static func raw(length):
 static func raws(vector):
 	return [raw(vector.x), raw(vector.y), raw(vector.z)]
 
-# The shape of a body as numbers: its kind, its center, and a radius or half extents.
+# A body's shape as numbers: its kind, its center, and a radius or half extents.
 func shape_of(body):
 	for child in body.get_children():
 		if child is CollisionShape:
@@ -45,7 +46,7 @@ func shape_of(body):
 				return [OBB] + center + raws(child.shape.extents)
 	return []
 
-# Adds the bodies below a node to a world, in the order of the scene; their ids by node.
+# Adds the bodies below a node to a world, in scene order. Returns their ids by node.
 func add_bodies(world, node, ids = {}):
 	for child in node.get_children():
 		if child is StaticBody or child is RigidBody:
@@ -55,19 +56,19 @@ func add_bodies(world, node, ids = {}):
 			add_bodies(world, child, ids)
 	return ids
 
-# The position of a body: three numbers.
+# The position of a body as three numbers.
 func position(world, body):
 	var bytes = run("body", [world, body])
 	return [word(bytes, 0), word(bytes, 1), word(bytes, 2)]
 
-# Moves the nodes to where their bodies are.
+# Moves the nodes to their bodies' positions.
 func show(world, ids):
 	for node in ids:
 		if node is RigidBody:
 			var at = position(world, ids[node])
 			node.global_transform.origin = Vector3(at[0], at[1], at[2]) / ONE
 
-# A signed number of 32 bits in bytes.
+# Reads a signed 32-bit number from bytes.
 static func word(bytes, i):
 	var value = bytes[4 * i] | bytes[4 * i + 1] << 8 | bytes[4 * i + 2] << 16 | bytes[4 * i + 3] << 24
 	return value - (1 << 32) if value >= 1 << 31 else value

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A library for Godot 3's GDNative: the C interface of detent, in 3D, as procedures that detent.gd calls.
- * All numbers are integers: a length of 1 is 65536. A procedure gets an array and returns an integer, which
- * is a status below 0 if it fails, or bytes. */
+/* A GDNative library for Godot 3: the C interface of detent in 3D, as procedures that detent.gd
+ * calls. All numbers are integers; a length of 1 is 65536. A procedure takes an array and returns
+ * bytes or an integer, which is a negative status if it fails. */
 #include <detent.h>
 #include <string.h>
 
@@ -12,7 +12,7 @@
 static const godot_core* core;
 static detent_context context;
 
-/* Calls a function of the engine's table by its place and type. */
+/* Calls a function of the engine's table by its index and type. */
 #define CALL(place, type) ((type)core->functions[place])
 
 static godot_variant integer(int64_t value) {
@@ -38,7 +38,7 @@ static detent_vec3 vector(godot_array* arguments, int i) {
   const detent_vec3 v = {length(arguments, i), length(arguments, i + 1), length(arguments, i + 2)};
   return v;
 }
-/* An id as one number: objects and bodies fit 31 and 32 bits. */
+/* An id as one number: the index in the low 32 bits, the generation above. */
 static detent_id id(godot_array* arguments, int i) {
   const uint64_t both = (uint64_t)number(arguments, i);
   const detent_id which = {(uint32_t)both, (uint32_t)(both >> 32)};
@@ -49,7 +49,7 @@ static godot_variant id_or_status(detent_status status, detent_id which) {
                                      : status == DETENT_NO ? -1000 : status);
 }
 
-/* Copies the bytes of an argument; returns how many, or 0 if there is no room for them. */
+/* Copies the bytes of an argument. Returns their number, or 0 if there is no room. */
 static uint32_t bytes(godot_array* arguments, int i, uint8_t* to, uint32_t room) {
   const godot_variant* const given = argument(arguments, i);
   godot_pool_byte_array list;
@@ -77,7 +77,7 @@ static godot_variant pool(const uint8_t* from, uint32_t size) {
   return result;
 }
 
-/* A sphere (kind, center, radius), or a box without rotation (kind, center, half extents). */
+/* A sphere (kind, center, radius) or an unrotated box (kind, center, half extents). */
 static detent_shape3 shape(godot_array* arguments, int i) {
   detent_shape3 made;
   int k;
@@ -114,7 +114,7 @@ void godot_gdnative_terminate(void* options) {
   detent_close(&context);
 }
 
-/* Each procedure gets its arguments as `a`. */
+/* Each procedure receives its arguments as `a`; comments list them before the colon. */
 #define PROCEDURE(name)                               \
   EXPORT godot_variant detent_godot_##name(godot_array* a); \
   godot_variant detent_godot_##name(godot_array* a)
@@ -156,7 +156,7 @@ PROCEDURE(set_velocity) {
   return integer(detent_world3_set_velocity(&context, handle(a, 0), id(a, 1), &velocity));
 }
 PROCEDURE(step) { return integer(detent_world3_step(&context, handle(a, 0))); }
-/* world, body: its position and rotation, 12 numbers of four bytes, the lowest first. */
+/* world, body: its position and rotation, 12 little-endian numbers of four bytes. */
 PROCEDURE(body) {
   detent_body3 body;
   uint8_t to[48];
@@ -210,8 +210,8 @@ PROCEDURE(replace_object) {
   const detent_shape3 given = shape(a, 2);
   return integer(detent_scene3_replace(&context, handle(a, 0), id(a, 1), &given));
 }
-/* scene, origin, direction in steps of 2^-30, max_distance: the id, the distance and the normal, in 24
- * bytes; none if nothing is hit. */
+/* scene, origin, direction in steps of 2^-30, max_distance: the id, the distance and the normal in
+ * 24 bytes, or no bytes for a miss. */
 PROCEDURE(raycast) {
   detent_ray3 ray;
   detent_object_hit3 hit;
@@ -241,7 +241,7 @@ PROCEDURE(scene_digest) {
   return integer((int64_t)digest);
 }
 
-/* world, match, self, players, bytes of an input, words. */
+/* world, match, self, players, bytes per input, words. */
 PROCEDURE(session) {
   detent_session_settings settings;
   detent_handle session = 0;
@@ -259,7 +259,7 @@ PROCEDURE(session_world) {
   const detent_status status = detent_session3_world(&context, handle(a, 0), &world);
   return integer(status == DETENT_OK ? (int64_t)world : status);
 }
-/* session, this player's input: the inputs of all players, one behind the other, or nothing. */
+/* session, this player's input: the concatenated inputs of all players, or nothing. */
 PROCEDURE(begin_frame) {
   uint8_t pad[DETENT_INPUT] = {0}, inputs[DETENT_PLAYERS * DETENT_INPUT];
   detent_frame frame;
@@ -276,7 +276,7 @@ PROCEDURE(receive) {
   return integer(detent_session3_receive(&context, handle(a, 0), (uint32_t)number(a, 1), packet, size,
                                          (uint64_t)number(a, 3)));
 }
-/* session, time: the peer in one byte and the next packet for it, or nothing. */
+/* session, time: one byte with the peer, then its next packet; or nothing. */
 PROCEDURE(packet) {
   uint8_t packet[1 + DETENT_PACKET];
   uint32_t peer = 0, size = 0;
@@ -285,7 +285,7 @@ PROCEDURE(packet) {
   packet[0] = (uint8_t)peer;
   return pool(packet, status == DETENT_OK ? size + 1 : 0);
 }
-/* session: kind, peer, and frame in four bytes of what happened next, or nothing. */
+/* session: kind, peer and frame (four bytes) of the next event, or nothing. */
 PROCEDURE(event) {
   detent_session_event event;
   uint8_t to[6];
@@ -296,7 +296,7 @@ PROCEDURE(event) {
   for (i = 0; i < 4; ++i) to[2 + i] = (uint8_t)(event.frame >> 8 * i);
   return pool(to, 6);
 }
-/* session, which: 0 its frame, 1 its final frame, 2 the frames simulated again. */
+/* session, which: 0 its frame, 1 its final frame, 2 the number of resimulated frames. */
 PROCEDURE(session_status) {
   detent_session_status status;
   if (detent_session3_status(&context, handle(a, 0), &status) != DETENT_OK) return integer(-1);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What detent_godot.c needs of Godot 3's GDNative interface, version 1.0, which all Godot 3 have: Debian
- * has no headers for it. The numbers are places in the engine's table of functions, counted from its
- * first function, in the order in which https://github.com/godotengine/godot-headers
- * (gdnative_api_struct.gen.h, tag 3.x) lists them. `godot_gdnative_init` checks them. */
+/* The parts of Godot 3's GDNative interface, version 1.0, that detent_godot.c needs. Every Godot 3
+ * has that version, but Debian has no headers for it. The numbers are indices into the engine's
+ * function table, in the order of https://github.com/godotengine/godot-headers
+ * (gdnative_api_struct.gen.h, tag 3.x). `godot_gdnative_init` checks them. */
 #ifndef DETENT_GDNATIVE_H
 #define DETENT_GDNATIVE_H
 
@@ -19,7 +19,7 @@ typedef struct {
   uint8_t opaque[sizeof(void*)];
 } godot_pool_byte_array;
 
-/* The table of the engine. */
+/* The engine's function table. */
 typedef struct {
   unsigned type, major, minor;
   const void* next;
@@ -28,7 +28,7 @@ typedef struct {
   void (*functions[600])(void);
 } godot_core;
 
-/* What the engine gives a library when it loads it. */
+/* What the engine passes to a library on loading it. */
 typedef struct {
   bool in_editor;
   uint64_t core_hash, editor_hash, no_hash;
@@ -54,7 +54,7 @@ enum {
   VARIANT_AS_POOL_BYTE_ARRAY = 557
 };
 
-/* Kinds of variants. */
+/* The types of variants. */
 enum { VARIANT_INT = 2, VARIANT_POOL_BYTE_ARRAY = 20 };
 
 #endif

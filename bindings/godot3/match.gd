@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-# The scripted match of every binding: boxes fall on a floor, a scene has a ball around each, rays look down at
-# them; then two sessions play a match for two with the collision nodes of this scene, while every fifth packet
-# is lost. Prints 16 digits that follow from every answer: those of tests/c/match.cpp.
+# The scripted match that every binding plays: boxes fall on a floor, a scene holds a ball around
+# each, and rays are cast down at them. Two sessions then play a match with the collision nodes of
+# this scene, while every fifth packet is lost. Prints a digest of all results, 16 digits equal to
+# those of tests/c/match.cpp.
 extends Spatial
 
 const Detent = preload("res://detent.gd")
@@ -28,7 +29,7 @@ func require(is_so, what):
 		failed = true
 		print("failed: ", what)
 
-# A body of the engine with a shape around its center, below a node.
+# Adds a physics body with a shape around its center below a node.
 func add_node(kind, parent, shape, center):
 	var body = kind.new()
 	var collision = CollisionShape.new()
@@ -93,7 +94,7 @@ func play():
 	remove_child(level)
 	level.free()
 
-# What a player presses; it takes effect two frames later.
+# A player's input; it takes effect two frames later.
 func press(frame, player):
 	if frame >= 80:
 		return PoolByteArray([0, 0])

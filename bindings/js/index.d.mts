@@ -10,22 +10,22 @@ export declare const DYNAMIC: 0;
 export declare const KINEMATIC: 1;
 export declare const FIXED: 2;
 
-/** Kinds of joint. */
+/** The kinds of joints. */
 export declare const joints: {
   distance: 1; ball: 2; hinge: 3; weld: 4; slider: 5; wheel: 6;
 };
 
-/** The length nearest to a number. Throws RangeError out of range. */
+/** The nearest length to a number. Throws RangeError out of range. */
 export declare function raw(value: number): number;
-/** The number that a length is, exactly. */
+/** The exact value of a length. */
 export declare function number(length: number): number;
 
-/** A call that fails: `status` is one of the constants below 0. */
+/** A failed call. `status` is one of the negative constants. */
 export declare class DetentError extends Error {
   readonly status: number;
 }
 
-/** Kinds of events, and why a session has no frame to simulate. */
+/** The kinds of events, and the reasons why a session has no frame to simulate. */
 export declare const events: Record<'connected' | 'silent' | 'heard_again' | 'peer_paused' | 'peer_resumed' |
   'dropped' | 'expelled' | 'left' | 'too_slow' | 'contradiction' | 'desync' | 'desync_field' | 'arrived' |
   'loaded' | 'no_such_world' | 'joined', number>;
@@ -49,14 +49,14 @@ export interface Of3 {
   move: types.Move3;
 }
 type Of = Of2 | Of3;
-/** A shape: made by the functions of Space. */
+/** A shape, made by a function of Space. */
 export type Shape<D extends Of> = Partial<D['shape']> & { kind: number };
 
-/** A part of a compound; what is left out is as usual. */
+/** A part of a compound; missing fields have defaults. */
 export type Part<D extends Of> = Partial<Omit<D['part'], 'shape'>> & { shape: Shape<D> };
 
 /** Shapes, rays and queries of one dimension. */
-/** What a camera sees: with perspective, or without. `fov` is in 2^-32 of a turn. */
+/** A lens, with perspective or orthographic. `fov` is in 2^-32 of a turn. */
 export type Lens = { near_distance: number; far_distance: number } &
   ({ fov: number; aspect: number } | { half_width: number; half_height: number });
 
@@ -71,13 +71,14 @@ export declare class Space<D extends Of> {
   segment(start: D['vec'], end: D['vec']): Shape<D>;
   point(at: D['vec']): Shape<D>;
   placed(asset: Asset, translation: D['vec'], axis?: D['vec'][], scale?: number): Shape<D>;
-  /** Cameras and frusta are in 3D, of the module of `loadWithMovers`. Null if the camera has no view. */
+  /** Cameras and frusta: 3D only, with the module of `loadWithMovers`. Null if the camera has no
+   *  view. */
   camera(eye: types.Vec3, target: types.Vec3, lens: Lens, up?: types.Vec3): types.Camera3 | null;
   frustum(camera: types.Camera3): types.Frustum3;
-  /** The ray under the middle of a pixel of an image: width and height, column and row. */
+  /** The ray through the middle of a pixel: width and height of the image, column and row. */
   pickRay(camera: types.Camera3, size: [number, number], pixel: [number, number]): types.Ray3;
   raycast(ray: D['ray'], shape: Shape<D>): D['hit'] | null;
-  /** Distances, -1 for no hit; a ray is origin, direction and max_distance. */
+  /** Distances, -1 for a miss. A ray is its origin, direction and max_distance. */
   raycastMany(rays: Int32Array, shape: Shape<D>): Int32Array;
   contains(shape: Shape<D>, point: D['vec']): boolean;
   overlaps(a: Shape<D>, b: Shape<D>): boolean;
@@ -85,7 +86,7 @@ export declare class Space<D extends Of> {
   distance(shape: Shape<D>, other: Shape<D> | D['vec']): number;
 }
 
-/** Queries of two shapes, made by the functions of Space. */
+/** Queries of two shapes made by functions of Space. */
 export declare class Pairs<D extends Of> {
   contact(a: Shape<D>, b: Shape<D>): { normal: D['vec']; depth: number; points: D['contactPoint'][] } | null;
   closestPoints(a: Shape<D>, b: Shape<D>): [D['vec'], D['vec']];
@@ -125,14 +126,14 @@ export declare class Context<D extends Of, S extends Scene<D> = Scene<D>> {
   world(settings?: Partial<D['settings']>): World<D>;
   session(start: World<D>, settings?: Partial<types.SessionSettings>): Session<D>;
   replay(bytes: Uint8Array, start: World<D>, settings?: { input_size?: number; words?: number }): Replay<D>;
-  /** In 3D. */
+  /** 3D only. */
   mesh(name: number, vertices: types.Vec3[], faces: [number, number, number][]): Asset;
   hull(name: number, points: D['vec'][]): Asset;
   /** A convex hull for bodies. */
   solid(name: number, points: D['vec'][]): Asset;
   /** Shapes that move as one body. */
   compound(name: number, parts: Part<D>[]): Asset;
-  /** In 3D. */
+  /** 3D only. */
   heightField(name: number, corner: types.Vec2, cell: number, columns: number, rows: number,
     heights: ArrayLike<number>): Asset;
 }
@@ -149,7 +150,7 @@ declare class Held {
   remove(id: Id): boolean;
   snapshot(): Uint8Array;
   restore(snapshot: Uint8Array): void;
-  /** The names of the first fields in which the two differ. */
+  /** The names of the first fields that differ. */
   diff(other: this, most?: number): string[];
 }
 
@@ -178,26 +179,27 @@ export declare class SceneWithMovers<D extends Of> extends Scene<D> {
   /** The first object that a moving sphere, AABB, OBB, capsule or segment touches. */
   cast(shape: Shape<D>, direction: D['vec'], max_distance: number, layers?: number): D['objectHit'] | null;
   castAny(shape: Shape<D>, direction: D['vec'], max_distance: number, layers?: number): boolean;
-  /** By distance, then id. */
+  /** Sorted by distance, then id. */
   castAll(shape: Shape<D>, direction: D['vec'], max_distance: number, layers?: number): D['objectHit'][];
-  /** Objects that a frustum overlaps, by distance from its near corners, then id. In 3D. */
+  /** Objects that a frustum overlaps, sorted by distance from its near corners, then id. 3D only.
+   *  */
   visible(frustum: types.Frustum3, layers?: number): types.Found[];
-  /** A character that is a capsule or an AABB. */
+  /** A capsule or AABB character. */
   mover(shape: Shape<D>, settings?: Partial<D['moverSettings']>): Mover<D>;
 }
 
 export declare class Mover<D extends Of> {
-  /** All of it: keep it to go back, assign it to do so. */
+  /** The whole state: keep it, and assign it to go back. */
   state: D['mover'];
   settings: D['moverSettings'];
   readonly isGrounded: boolean;
-  /** The first end of the capsule, the least corner of the box. */
+  /** The first end of the capsule, or the least corner of the box. */
   readonly position: D['vec'];
-  /** What the last move did and touched, null before the first. */
+  /** What the last move did and touched; null before the first. */
   readonly lastMove: Omit<D['move'], 'count'> | null;
-  /** Gravity is part of `by`. Returns how far it moved. */
+  /** `by` includes gravity. Returns the displacement. */
   move(by: D['vec'], options?: { layers?: number; ignored?: Id }): D['vec'];
-  /** The part of a velocity that does not lead into what it touched in the last move. */
+  /** The part of a velocity that does not lead into what the last move touched. */
   clip(velocity: D['vec']): D['vec'];
 }
 
@@ -222,7 +224,7 @@ export declare class World<D extends Of> extends Held {
   events(): types.Touch[];
 }
 
-/** The world of a session or a replay: can be changed in a frame, otherwise only be read. */
+/** The world of a session or replay. It can be changed only during a frame. */
 export declare class PlayedWorld<D extends Of> extends World<D> {
   words: number[];
   readonly wordCount: number;

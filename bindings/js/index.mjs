@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Correctly rounded collision queries, scenes and worlds with the same bits on every machine, in
-// WebAssembly. All numbers are raw integers: a length of 1 is ONE, a component of a direction UNIT.
-// Points and directions are arrays; digests are BigInts. index.d.mts has the types.
+// WebAssembly. All numbers are raw integers: a length of 1 is ONE, a direction's component of 1 is
+// UNIT. Points and directions are arrays; digests are BigInts. The types are in index.d.mts.
 
 import * as constants from './interface.mjs';
 
@@ -15,22 +15,22 @@ export const ALL_LAYERS = 0xffffffff;
 export const DYNAMIC = constants.DYNAMIC_BODY;
 export const KINEMATIC = constants.KINEMATIC_BODY;
 export const FIXED = constants.FIXED_BODY;
-/** Kinds of joint. */
+/** The kinds of joints. */
 export const joints = {
   distance: constants.DISTANCE_JOINT, ball: constants.BALL_JOINT, hinge: constants.HINGE_JOINT,
   weld: constants.WELD_JOINT, slider: constants.SLIDER_JOINT, wheel: constants.WHEEL_JOINT,
 };
 
-/** The length nearest to a number; halves are rounded up. Throws RangeError out of range. */
+/** The nearest length to a number; halves are rounded up. Throws RangeError out of range. */
 export function raw(value) {
   const result = Math.round(value * ONE);
   if (!(result >= -(2 ** 31) && result < 2 ** 31)) throw new RangeError(`${value} is out of range`);
   return result;
 }
-/** The number that a length is, exactly. */
+/** The exact value of a length. */
 export const number = (length) => length / ONE;
 
-/** A call that fails: `status` is one of the constants below 0. */
+/** A failed call. `status` is one of the negative constants. */
 export class DetentError extends Error {
   constructor(status, message) {
     super(message);
@@ -39,7 +39,7 @@ export class DetentError extends Error {
   }
 }
 
-/** Kinds of events of sessions, and why a session has no frame to simulate. */
+/** The kinds of events of sessions, and the reasons why a session has no frame to simulate. */
 export const events = Object.fromEntries(['CONNECTED', 'SILENT', 'HEARD_AGAIN', 'PEER_PAUSED', 'PEER_RESUMED',
   'DROPPED', 'EXPELLED', 'LEFT', 'TOO_SLOW', 'CONTRADICTION', 'DESYNC', 'DESYNC_FIELD', 'ARRIVED', 'LOADED',
   'NO_SUCH_WORLD', 'JOINED'].map((name) => [name.toLowerCase(), constants[name]]));
@@ -48,13 +48,13 @@ export const states = Object.fromEntries(['PLAYED', 'CONNECTING', 'CATCHING_UP',
 
 const kinds = { sphere: 1, aabb: 2, obb: 3, plane: 4, triangle: 5, capsule: 6, segment: 7, point: 8 };
 const memberOf = ['', ...Object.keys(kinds), 'placed', 'placed', 'point', 'placed'];
-/** The kinds of shape of assets, by the lowest bits of their handles; others are hulls. */
+/** The kind of an asset's shape by the lowest bits of its handle; others are hulls. */
 const kindOfAsset = {
   5: constants.MESH, 8: constants.HEIGHT_FIELD, 11: constants.COMPOUND, 12: constants.COMPOUND,
 };
 const scratchSize = 4096;
 
-/** The memory of the module, and one block of it for the arguments of a call. */
+/** The module's memory, and one block of it for the arguments of a call. */
 class Memory {
   constructor(exports) {
     this.exports = exports;
@@ -72,14 +72,14 @@ class Memory {
     }
     return this.data;
   }
-  /** A place for `size` bytes until the call returns. */
+  /** Allocates `size` bytes until the call returns. */
   place(size) {
     const at = this.used;
     this.used += (size + 7) & ~7;
     if (this.used > scratchSize) throw new RangeError('too many arguments');
     return this.scratch + at;
   }
-  /** A copy of a value, for the call. */
+  /** Copies a value for the call. */
   put(type, value) {
     const at = this.place(layouts[type].size);
     new Uint8Array(this.exports.memory.buffer, at, layouts[type].size).fill(0);
@@ -151,7 +151,7 @@ async function instantiate(source) {
   const module = from instanceof WebAssembly.Module ? from : await WebAssembly.compile(from);
   const imports = {};
   for (const { module: room, name } of WebAssembly.Module.imports(module)) {
-    // Only libc's way to stop the program: an allocation that fails.
+    // Called only by libc's abort: an allocation failed.
     (imports[room] ??= {})[name] = () => {
       throw new RangeError('there is no memory left');
     };
@@ -221,8 +221,8 @@ class Space {
   point(point) {
     return { kind: kinds.point, point };
   }
-  /** A mesh or hull transformed, or a height field moved, as a shape of a scene; of a world the
-   *  same, with a solid hull, or a compound. */
+  /** An asset as a shape. In a scene: a transformed mesh or hull, or a translated height field. In
+   *  a world also a solid hull or a compound. */
   placed(asset, translation, axis = this.axes, scale = ONE) {
     const kind = kindOfAsset[asset.handle & 31] ?? constants.HULL;
     const shape = { kind, asset: asset.handle };
@@ -230,8 +230,9 @@ class Space {
     return { ...shape, placed: { translation, rotation: { axis }, scale } };
   }
 
-  /** A camera at `eye` that looks at `target`; `lens` has near_distance, far_distance, and fov (in 2^-32 of a
-   *  turn) and aspect, or half_width and half_height. Null if it has no view. Cameras and frusta are in 3D. */
+  /** A camera at `eye` that looks at `target`. `lens` has near_distance, far_distance, and either
+   *  fov (in 2^-32 of a turn) and aspect, or half_width and half_height. Null if it has no view. 3D
+   *  only. */
   camera(eye, target, lens, up = [0, ONE, 0]) {
     return this.detent.call((memory) => {
       const pose = memory.place(layouts.detent_transform3.size);
@@ -242,7 +243,7 @@ class Space {
       return { pose: memory.read(pose, 'detent_transform3'), has_perspective, ...lens };
     });
   }
-  /** What a camera sees: { corners }. */
+  /** The view volume of a camera: { corners }. */
   frustum(camera) {
     return this.detent.call((memory) => {
       const at = memory.place(layouts.detent_frustum3.size);
@@ -250,7 +251,7 @@ class Space {
       return memory.read(at, 'detent_frustum3');
     });
   }
-  /** The ray under the middle of a pixel of an image of a size. */
+  /** The ray through the middle of a pixel of an image of this size. */
   pickRay(camera, [width, height], [column, row]) {
     return this.detent.call((memory) => {
       const at = memory.place(layouts.detent_ray3.size);
@@ -267,7 +268,7 @@ class Space {
       return yes ? memory.read(hit, this.types.hit) : null;
     });
   }
-  /** The distances of many rays, -1 for no hit: an Int32Array of origin, direction and max_distance. */
+  /** Distances of many rays, -1 for a miss: an Int32Array of origin, direction and max_distance. */
   raycastMany(rays, shape) {
     const count = rays.length / this.rayWords;
     if (!Number.isInteger(count)) throw new RangeError(`a ray has ${this.rayWords} numbers`);
@@ -290,7 +291,7 @@ class Space {
       return memory.read(closest, this.types.vec);
     });
   }
-  /** The distance of two shapes, or of a shape and a point (an array). */
+  /** The distance between two shapes, or between a shape and a point (an array). */
   distance(shape, other) {
     return this.detent.call((memory) => {
       const distance = memory.place(4);
@@ -309,7 +310,7 @@ class Space {
   }
 }
 
-/** Queries of two shapes of one dimension. */
+/** Queries of two shapes in one dimension. */
 class Pairs {
   constructor(detent, dimension) {
     this.detent = detent;
@@ -317,7 +318,7 @@ class Pairs {
     this.axes = axesOf(dimension);
     this.types = typesOf(dimension);
   }
-  /** { normal, depth, points } of two shapes that overlap, or null. */
+  /** { normal, depth, points } of two overlapping shapes, or null. */
   contact(a, b) {
     return this.detent.call((memory) => {
       const at = memory.place(layouts[this.types.manifold].size);
@@ -328,7 +329,7 @@ class Pairs {
       return { normal, depth, points: points.slice(0, count) };
     });
   }
-  /** The point of each of two shapes that is closest to the other one. */
+  /** The closest points of two shapes. */
   closestPoints(a, b) {
     return this.detent.call((memory) => {
       const one = memory.place(16), other = memory.place(16);
@@ -337,7 +338,7 @@ class Pairs {
       return [memory.read(one, this.types.vec), memory.read(other, this.types.vec)];
     });
   }
-  /** Where a shape that moves along a direction first touches a target, or null. */
+  /** The first contact of a shape moving along a direction with a target, or null. */
   cast(shape, direction, max_distance, target) {
     return this.detent.call((memory) => {
       const hit = memory.place(layouts[this.types.hit].size);
@@ -351,8 +352,8 @@ class Pairs {
   sweep(start, end, start_axis = this.axes, end_axis = this.axes) {
     return { start, end, start_rotation: { axis: start_axis }, end_rotation: { axis: end_axis } };
   }
-  /** When two moving shapes first are closer than `target`, or null; null for the sweep of one that
-   *  does not move. */
+  /** When two moving shapes first come closer than `target`, or null. Pass null as the sweep of a
+   *  shape that does not move. */
   timeOfImpact(a, sweep_a, b, sweep_b = null, target = 8) {
     return this.detent.call((memory) => {
       const impact = memory.place(layouts.detent_impact.size);
@@ -373,7 +374,7 @@ class Module {
   constructor(exports) {
     this.memory = new Memory(exports);
   }
-  /** Returns f(memory), and frees what it put there. */
+  /** Returns f(memory), then frees what f allocated. */
   call(f) {
     const { used } = this.memory;
     try {
@@ -382,7 +383,7 @@ class Module {
       this.memory.used = used;
     }
   }
-  /** true for yes or done, false for no or none; throws for errors. */
+  /** True for yes or done, false for no or none; throws on an error. */
   run(name, ...words) {
     const status = this.memory.exports[`detent_${name}`](...words);
     if (status >= 0) return status === constants.OK;
@@ -399,7 +400,7 @@ class Detent extends Module {
     this.resultsVersion = exports.detent_results_version();
     this.hasMovers = `detent_mover${dimension}_move` in exports;
   }
-  /** The `count` words that f(from, to) writes, given a copy of some. */
+  /** The `count` words that f(from, to) writes, given a copy of the input. */
   withWords(words, count, f) {
     const { memory } = this;
     const from = memory.allocate(4 * words.length + 4), to = memory.allocate(4 * count + 4);
@@ -435,7 +436,7 @@ class Context {
   world(settings = {}) {
     return new World(this, this.detent.space, settings);
   }
-  /** A match over a network that all peers begin with a copy of `start`. */
+  /** A network match. All peers begin with a copy of `start`. */
   session(start, settings = {}) {
     return new Session(this, this.detent.space, start, settings);
   }
@@ -443,7 +444,8 @@ class Context {
   replay(bytes, start, { input_size = 1, words = 0 } = {}) {
     return new Replay(this, this.detent.space, bytes, start, input_size, words);
   }
-  /** In 3D. Triangles: three indices of vertices each. `name` is the mesh's id in snapshots, not 0. */
+  /** A mesh; each triangle is three vertex indices. `name` is its id in snapshots, not 0. 3D only.
+   *  */
   mesh(name, vertices, faces) {
     return this.asset([vertices.flat(), faces.flat()], ([points, indices], out) =>
       this.detent.run('mesh_create', this.at, name, points, vertices.length, indices, faces.length, out));
@@ -457,8 +459,8 @@ class Context {
     return this.asset([points.flat()], ([list], out) =>
       this.detent.space.run('solid{N}_create', this.at, name, list, points.length, out));
   }
-  /** Shapes that move as one body: each with `shape`, a sphere, AABB, OBB, capsule or placed solid hull, and
-   *  what it is made of. */
+  /** Shapes that move as one body. Each part has a `shape` (a sphere, AABB, OBB, capsule or placed
+   *  solid hull) and its material. */
   compound(name, parts) {
     const { space } = this.detent;
     const { size } = layouts[space.types.part];
@@ -473,7 +475,7 @@ class Context {
       return space.run('compound{N}_create', this.at, name, list, parts.length, out);
     });
   }
-  /** In 3D. */
+  /** 3D only. */
   heightField(name, corner, cell, columns, rows, heights) {
     if (heights.length !== columns * rows) throw new RangeError('there must be columns * rows heights');
     return this.asset([heights, corner], ([list, at], out) =>
@@ -506,7 +508,7 @@ class Asset {
   }
 }
 
-/** What scenes and worlds share. */
+/** The common base of scenes and worlds. */
 class Held {
   constructor(context, space, kind) {
     this.context = context;
@@ -540,7 +542,7 @@ class Held {
   get size() {
     return this.out('size', 'uint32_t');
   }
-  /** 64 bits of everything in it, equal on every machine. */
+  /** A 64-bit digest of the contents, equal on every machine. */
   digest() {
     return this.out('digest', 'uint64_t');
   }
@@ -594,11 +596,12 @@ class Held {
   shape(memory, shape) {
     return memory.put(this.types.shape, shape);
   }
-  /** The names of the first fields in which the two differ, such as `body 3:17 (sphere) velocity.y`. */
+  /** The names of the first fields that differ, such as `body 3:17 (sphere) velocity.y`. */
   diff(other, most = 16) {
     return this.bytes('diff', other.handle, most).split('\n').slice(0, -1);
   }
-  /** The bytes of a function that says how many there are, as a string of one character each. */
+  /** The bytes written by a function that first reports their number, as a string with one
+   *  character each. */
   bytes(name, ...words) {
     return String.fromCharCode(...this.data(name, ...words));
   }
@@ -613,7 +616,7 @@ class Held {
       memory.exports.free(at);
     }
   }
-  /** f(at, size) with a copy of bytes. */
+  /** Calls f(at, size) with a copy of the bytes. */
   withBytes(bytes, f) {
     const { memory } = this.context.detent;
     const at = memory.allocate(bytes.length + 1);
@@ -626,13 +629,13 @@ class Held {
   }
 }
 
-/** Objects, and queries over all of them. */
+/** Objects and queries over them. */
 class Scene extends Held {
   constructor(context, space) {
     super(context, space, 'scene');
     this.create();
   }
-  /** The id of a new object, or null if there is no such frame. */
+  /** The id of a new object, or null if its frame does not exist. */
   add(shape, { layers = 1, user = 0n, fixed = false, frame } = {}) {
     return this.call((memory) => {
       const id = memory.place(8);
@@ -643,7 +646,7 @@ class Scene extends Held {
   transform(memory, translation, axis, scale) {
     return memory.put(this.types.transform, { translation, rotation: { axis }, scale });
   }
-  /** A frame that objects can be in and move with, or null if there is no such parent. */
+  /** A frame that carries objects, or null if its parent does not exist. */
   addFrame(translation, axis = this.space.axes, scale = ONE, parent = { index: 0, generation: 0 }) {
     return this.call((memory) => {
       const id = memory.place(8);
@@ -656,7 +659,7 @@ class Scene extends Held {
     return this.call((memory) => this.run('move_frame', memory.put('detent_id', frame),
       this.transform(memory, translation, axis, scale)));
   }
-  /** False if anything is in it. */
+  /** False if the frame is not empty. */
   removeFrame(frame) {
     return this.call((memory) => this.run('remove_frame', memory.put('detent_id', frame)));
   }
@@ -680,7 +683,7 @@ class Scene extends Held {
   optimize() {
     this.run('optimize');
   }
-  /** Where the ray first touches an object, or null. */
+  /** The first object that the ray touches, or null. */
   raycast(ray, layers = ALL_LAYERS) {
     return this.call((memory) => {
       const hit = memory.place(layouts[this.types.object_hit].size);
@@ -691,12 +694,12 @@ class Scene extends Held {
   raycastAny(ray, layers = ALL_LAYERS) {
     return this.call((memory) => this.run('raycast_any', memory.put(this.types.ray, ray), layers));
   }
-  /** All objects that the ray touches, by distance, then id. */
+  /** All objects that the ray touches, sorted by distance, then id. */
   raycastAll(ray, layers = ALL_LAYERS) {
     return this.call((memory) =>
       this.list('raycast_all', this.types.object_hit, memory.put(this.types.ray, ray), layers));
   }
-  /** The first hits of many rays: an Int32Array with the words of an object's hit for each. */
+  /** The first hits of many rays: an Int32Array with the words of one object hit per ray. */
   raycastMany(rays, layers = ALL_LAYERS) {
     const count = rays.length / this.space.rayWords;
     if (!Number.isInteger(count)) throw new RangeError(`a ray has ${this.space.rayWords} numbers`);
@@ -704,7 +707,7 @@ class Scene extends Held {
     return this.context.detent.withWords(rays, count * words, (from, to) =>
       this.run('raycast_many', from, count, layers, to));
   }
-  /** The nearest object that a point finds, or that another shape overlaps, or null. */
+  /** The object nearest to a point, or the nearest that a shape overlaps; or null. */
   nearest(question, layers = ALL_LAYERS) {
     return this.call((memory) => {
       const found = memory.place(layouts.detent_found.size);
@@ -725,8 +728,8 @@ class Scene extends Held {
 
 /** A scene of a module with characters and casts. */
 class SceneWithMovers extends Scene {
-  /** The first object that a sphere, AABB, OBB, capsule or segment touches as it moves along a direction, or
-   *  null. */
+  /** The first object that a sphere, AABB, OBB, capsule or segment touches when it moves along a
+   *  direction, or null. */
   cast(shape, direction, max_distance, layers = ALL_LAYERS) {
     return this.call((memory) => {
       const hit = memory.place(layouts[this.types.object_hit].size);
@@ -738,7 +741,7 @@ class SceneWithMovers extends Scene {
     return this.call((memory) =>
       this.run('cast_any', ...this.moving(memory, shape, direction, max_distance), layers));
   }
-  /** All objects that the moving shape touches, by distance, then id. */
+  /** All objects that the moving shape touches, sorted by distance, then id. */
   castAll(shape, direction, max_distance, layers = ALL_LAYERS) {
     return this.call((memory) => this.list('cast_all', this.types.object_hit,
       ...this.moving(memory, shape, direction, max_distance), layers));
@@ -746,20 +749,20 @@ class SceneWithMovers extends Scene {
   moving(memory, shape, direction, max_distance) {
     return [this.shape(memory, shape), memory.put(this.types.direction, direction), max_distance];
   }
-  /** All objects that a frustum overlaps, such as `space.frustum(camera)`, by distance from the middle of its
-   *  near corners, then id. In 3D. */
+  /** All objects that a frustum such as `space.frustum(camera)` overlaps, sorted by distance from
+   *  the center of its near corners, then id. 3D only. */
   visible(frustum, layers = ALL_LAYERS) {
     return this.call((memory) => this.list('frustum_all', 'detent_found',
       memory.put('detent_frustum3', frustum), layers));
   }
-  /** A character that is a capsule or an AABB: `settings` are the fields of a mover's settings. */
+  /** A capsule or AABB character. `settings` has fields of a mover's settings. */
   mover(shape, settings = {}) {
     return new Mover(this, shape, settings);
   }
 }
 
-/** A character that walks, slides along walls, climbs steps and is carried by frames. `state` is all of it, a
- *  plain object: keep it to go back, assign it to do so. */
+/** A character that walks, slides along walls, climbs steps and is carried by frames. `state` is
+ *  its whole state, a plain object: keep it, and assign it to go back. */
 class Mover {
   #result = null;
   constructor(scene, shape, settings) {
@@ -776,13 +779,13 @@ class Mover {
   get isGrounded() {
     return this.state.is_grounded === 1;
   }
-  /** The first end of the capsule, the least corner of the box. */
+  /** The first end of the capsule, or the least corner of the box. */
   get position() {
     const { capsule, aabb } = this.state.shape;
     return capsule ? capsule.a : aabb.min;
   }
-  /** Moves by `by`, gravity included, as far as the objects in `layers` other than `ignored` let it, and
-   *  returns how far. `lastMove` then says more. */
+  /** Moves by `by`, gravity included, as far as the objects in `layers` other than `ignored` allow.
+   *  Returns the displacement; `lastMove` has the details. */
   move(by, { layers = ALL_LAYERS, ignored = { index: 0, generation: 0 } } = {}) {
     const { scene } = this, { types } = scene;
     return scene.call((memory) => {
@@ -796,7 +799,7 @@ class Mover {
       return [...rest.moved];
     });
   }
-  /** The part of a velocity that does not lead into what it touched in the last move. */
+  /** The part of a velocity that does not lead into what the last move touched. */
   clip(velocity) {
     const { scene } = this, { types } = scene;
     return scene.call((memory) => {
@@ -812,7 +815,7 @@ class Mover {
 class World extends Held {
   constructor(context, space, settings) {
     super(context, space, 'world');
-    if (settings === null) return;  // of a session
+    if (settings === null) return;  // the world of a session
     const type = `detent_world${space.dimension}_settings`;
     this.call((memory) => {
       const at = memory.place(layouts[type].size);
@@ -821,8 +824,8 @@ class World extends Held {
       this.create(at);
     });
   }
-  /** Adds a sphere, AABB, OBB, capsule or something `placed`: a solid hull, a compound, in 3D a mesh or
-   *  height field; options are the fields of a body's options. */
+  /** Adds a sphere, AABB, OBB, capsule, or something `placed`: a solid hull, a compound or, in 3D,
+   *  a mesh or height field. Options are the fields of a body's options. */
   add(shape, options = {}) {
     const type = `detent_body${this.space.dimension}_options`;
     return this.call((memory) => {
@@ -833,11 +836,11 @@ class World extends Held {
       return memory.read(id, 'detent_id');
     });
   }
-  /** One tick. */
+  /** Simulates one tick. */
   step() {
     this.run('step');
   }
-  /** Where a body is and how it moves, or null. */
+  /** The state of a body, or null. */
   body(id) {
     return this.call((memory) => {
       const body = memory.place(layouts[this.types.body].size);
@@ -852,15 +855,15 @@ class World extends Held {
   setAngularVelocity(id, velocity) {
     return this.turn('set_angular_velocity', id, velocity);
   }
-  /** At a point of the world, or at the centre. */
+  /** Applies an impulse at a world point, by default at the center of mass. */
   applyImpulse(id, impulse, at) {
     return this.push('apply_impulse', id, impulse, at);
   }
-  /** During the next step. */
+  /** Applies a force during the next step. */
   applyForce(id, force, at) {
     return this.push('apply_force', id, force, at);
   }
-  /** During the next step; three numbers in 3D, one in 2D. */
+  /** Applies a torque during the next step; three numbers in 3D, one in 2D. */
   applyTorque(id, torque) {
     return this.turn('apply_torque', id, torque);
   }
@@ -884,8 +887,8 @@ class World extends Held {
       return memory.read(at, this.types.joint);
     });
   }
-  /** Joins two bodies: `kind` is one of `joints`, `fields` are some of a joint's. Its id, or null if
-   *  there are not both bodies. */
+  /** Joins two bodies. `kind` is one of `joints`, `fields` are some of a joint's. Returns its id,
+   *  or null if a body does not exist. */
   addJoint(kind, a, b, fields = {}) {
     const joint = this.joint_(kind, a, b, fields);
     return this.call((memory) => {
@@ -894,7 +897,7 @@ class World extends Held {
         ? memory.read(id, 'detent_id') : null;
     });
   }
-  /** Replaces a joint by one of the same kind, such as `joint(id)` with another motor. */
+  /** Replaces a joint by another of the same kind, such as `joint(id)` with another motor. */
   changeJoint(id, joint) {
     return this.call((memory) =>
       this.run('change_joint', memory.put('detent_id', id), memory.put(this.types.joint, joint)));
@@ -913,7 +916,7 @@ class World extends Held {
   broken() {
     return this.list('broken', 'detent_id');
   }
-  /** A point of the world in the frame of a body: an anchor of a joint. Null without the body. */
+  /** Converts a world point to a body's frame, for the anchor of a joint. Null without the body. */
   localPoint(id, point) {
     return this.call((memory) => {
       const local = memory.place(16);
@@ -922,7 +925,7 @@ class World extends Held {
       return done ? memory.read(local, this.types.vec) : null;
     });
   }
-  /** Axes of the world in the frame of a body: a frame of a joint. Null without the body. */
+  /** Converts world axes to a body's frame, for the frame of a joint. Null without the body. */
   localFrame(id, axis) {
     return this.call((memory) => {
       const local = memory.place(layouts[this.types.rotation].size);
@@ -931,7 +934,7 @@ class World extends Held {
       return done ? memory.read(local, this.types.rotation).axis : null;
     });
   }
-  /** Where the parts of a compound, or the points of a hull, were given. */
+  /** The frame in which a compound's parts or a hull's points were given. */
   frame(id) {
     return this.call((memory) => {
       const frame = memory.place(layouts[this.types.transform].size);
@@ -939,20 +942,20 @@ class World extends Held {
       return done ? memory.read(frame, this.types.transform) : null;
     });
   }
-  /** The pairs that began or ended to touch in the last step. */
+  /** The pairs that began or ceased to touch in the last step. */
   events() {
     return this.list('events', 'detent_touch');
   }
 }
 
-/** The world of a session or a replay. It can be changed in a frame, otherwise only be read. */
+/** The world of a session or replay. It can be changed only during a frame. */
 class PlayedWorld extends World {
   constructor(owner, wordCount) {
     super(owner.context, owner.space, null);
     this.handle = owner.out('world', 'uint32_t');
     this.wordCount = wordCount;
   }
-  /** What else of the game a rollback restores: unsigned numbers of 32 bits, 0 at first. */
+  /** Other game state that a rollback restores: unsigned 32-bit numbers, initially 0. */
   get words() {
     return this.call((memory) => {
       const at = memory.place(4 * this.wordCount);
@@ -970,13 +973,13 @@ class PlayedWorld extends World {
   }
 }
 
-/** What sessions and replays share. */
+/** The common base of sessions and replays. */
 class Played extends Held {
   setUp(inputSize, wordCount) {
     this.inputSize = inputSize;
     this.world = new PlayedWorld(this, wordCount);
   }
-  /** The frame that is opened, or null. */
+  /** Opens the next frame; null if there is none. */
   open(...before) {
     return this.call((memory) => {
       const at = memory.place(layouts.detent_frame.size);
@@ -992,7 +995,7 @@ class Played extends Held {
   }
 }
 
-/** A match over a network. A frame that an exception leaves is played again. */
+/** A network match. A frame that throws an exception is played again. */
 class Session extends Played {
   constructor(context, space, start, settings) {
     super(context, space, 'session');
@@ -1007,8 +1010,8 @@ class Session extends Played {
     });
     this.state = constants.CONNECTING;
   }
-  /** The frames to simulate now, with this input, a Uint8Array, for the new one; `state` says why there are
-   *  no more. */
+  /** The frames to simulate now; the new one uses the input `pad`, a Uint8Array. `state` says why
+   *  there are no more. */
   * frames(pad) {
     if (pad.length !== this.inputSize) throw new RangeError(`an input has ${this.inputSize} bytes`);
     for (;;) {
@@ -1018,11 +1021,11 @@ class Session extends Played {
       this.run('end_frame');
     }
   }
-  /** Takes a packet at a time in microseconds; false if it was not used. */
+  /** Takes a packet that arrived at a time in microseconds; false if it was not used. */
   receive(peer, packet, now) {
     return this.withBytes(packet, (at, size) => this.run('receive', peer, at, size, BigInt(now)));
   }
-  /** What is due to be sent: { peer, bytes }. */
+  /** The packets due to be sent: { peer, bytes }. */
   packets(now) {
     const { memory } = this.context.detent;
     const room = memory.allocate(constants.PACKET), list = [];
@@ -1039,7 +1042,7 @@ class Session extends Played {
       memory.exports.free(room);
     }
   }
-  /** What happened next: { kind, peer, frame, field, object }, or null. */
+  /** The next event: { kind, peer, frame, field, object }, or null. */
   event() {
     return this.call((memory) => {
       const at = memory.place(layouts.detent_session_event.size), name = memory.place(constants.NAME);
@@ -1049,7 +1052,7 @@ class Session extends Played {
       return { kind, peer, frame, field, object: has_object ? object : null };
     });
   }
-  /** How far it is: frame, final_frame, digest and others. */
+  /** The progress: frame, final_frame, digest and others. */
   get status() {
     return this.call((memory) => {
       const at = memory.place(layouts.detent_session_status.size);
@@ -1057,7 +1060,7 @@ class Session extends Played {
       return memory.read(at, 'detent_session_status');
     });
   }
-  /** All frames before this one are equal at the peer and here. */
+  /** The number of frames known to be equal at the peer and here. */
   matched(peer) {
     return this.out2('matched', peer);
   }
@@ -1077,7 +1080,7 @@ class Session extends Played {
   }
 }
 
-/** A replay that is simulated again. */
+/** A replay to resimulate. */
 class Replay extends Played {
   constructor(context, space, bytes, start, inputSize, wordCount) {
     super(context, space, 'replay');
@@ -1091,7 +1094,7 @@ class Replay extends Played {
       this.run('end_frame');
     }
   }
-  /** What simulating it gave so far. */
+  /** The result of the resimulation so far. */
   check() {
     return this.call((memory) => {
       const at = memory.place(layouts.detent_replay_check.size);

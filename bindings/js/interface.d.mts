@@ -85,7 +85,7 @@ export declare const NAME: 119;
 export declare const WORDS: 256;
 export declare const PLAYERS: 8;
 
-/** An object of a scene or a body of a world. No two have the same id, ever; {0, 0} is none. */
+/** The id of an object of a scene or a body of a world. Ids are never reused; {0, 0} is none. */
 export interface Id {
   index: number;
   generation: number;
@@ -97,7 +97,7 @@ export interface Pair {
   second: Id;
 }
 
-/** A pair of bodies that began (1) or ended (0) to touch in the last step; of compounds a pair of parts. */
+/** A pair of bodies that began (1) or ceased (0) to touch in the last step; for compounds, a pair of parts. */
 export interface Touch {
   a: Id;
   b: Id;
@@ -106,20 +106,20 @@ export interface Touch {
   part_b: number;
 }
 
-/** An object that a query found, and its distance in steps of 2^-16. */
+/** An object found by a query, and its distance in steps of 2^-16. */
 export interface Found {
   distance: number;
   id: Id;
 }
 
-/** When two moving shapes meet. They are apart before `time`, in steps of 2^-30, and at most `distance` apart at it. If `is_hit` is 0, the search ended early, and whether they meet later is not known. */
+/** When two moving shapes meet. They are disjoint before `time` (in steps of 2^-30) and at most `distance` apart at `time`. If `is_hit` is 0 the search ended early, and whether they meet later is unknown. */
 export interface Impact {
   time: number;
   distance: number;
   is_hit: number;
 }
 
-/** A match and one peer in it. Times are in microseconds, of a clock that only this peer needs. */
+/** The settings of a match and of one peer. Times are in microseconds of this peer's own clock. */
 export interface SessionSettings {
   match: bigint;
   send_interval: bigint;
@@ -138,7 +138,7 @@ export interface SessionSettings {
   replay_every: number;
 }
 
-/** A frame to simulate, or why there is none. Players whose bit is set in `present` take part. */
+/** A frame to simulate, or the reason why there is none. Players whose bit in `present` is set take part. */
 export interface Frame {
   number: number;
   players: number;
@@ -146,7 +146,7 @@ export interface Frame {
   state: number;
 }
 
-/** Something that happened in a session, with a peer or in a frame. */
+/** An event of a session. */
 export interface SessionEvent {
   kind: number;
   peer: number;
@@ -156,7 +156,7 @@ export interface SessionEvent {
   object: Id;
 }
 
-/** How far a session is. */
+/** The progress of a session. */
 export interface SessionStatus {
   digest: bigint;
   resimulated: bigint;
@@ -168,7 +168,7 @@ export interface SessionStatus {
   players: number;
 }
 
-/** What simulating a replay again gave so far. */
+/** The result of resimulating a replay so far. */
 export interface ReplayCheck {
   state: number;
   frames: number;
@@ -177,7 +177,7 @@ export interface ReplayCheck {
   players: number;
 }
 
-/** What a scene stores with an object. */
+/** What a scene stores with an object, besides its shape. */
 export interface Traits {
   user: bigint;
   layers: number;
@@ -185,7 +185,7 @@ export interface Traits {
   frame: Id;
 }
 
-/** Everything else is made in a context, which is the caller's memory: set it to zeros, open it, close it. It must stay where it is while it is open. Contexts share nothing. Of one context, calls that only read (their context is const) may run in several threads at once; all others need it alone. */
+/** The owner of everything else. The caller provides its memory: zero it, open it and close it, and do not move it while it is open. Contexts share nothing. On one context, functions that only read (const detent_context*) may run in several threads at once; any other call needs exclusive access. */
 export interface Context {
   words: bigint[];
 }
@@ -193,7 +193,7 @@ export interface Context {
 /** A point or vector, in steps of 2^-16. */
 export type Vec2 = [number, number];
 
-/** A unit vector, in steps of 2^-30; used exactly as stored. */
+/** A unit vector, in steps of 2^-30; used as stored, never normalised. */
 export type Direction2 = [number, number];
 
 /** The axes of a frame in the world. */
@@ -221,13 +221,13 @@ export interface Sphere2 {
   radius: number;
 }
 
-/** The points between two corners; none if min > max on an axis. */
+/** The points between two corners, inclusive; none if min > max on an axis. */
 export interface Aabb2 {
   min: Vec2;
   max: Vec2;
 }
 
-/** A box turned about its center; none if a half extent is negative. */
+/** A box rotated about its center; none if a half extent is negative. */
 export interface Obb2 {
   center: Vec2;
   half_extents: Vec2;
@@ -240,7 +240,7 @@ export interface Plane2 {
   offset: number;
 }
 
-/** The points between three corners. */
+/** The points of the triangle with these corners. */
 export interface Triangle2 {
   a: Vec2;
   b: Vec2;
@@ -254,13 +254,13 @@ export interface Capsule2 {
   radius: number;
 }
 
-/** The points between two ends. */
+/** The points between the two ends. */
 export interface Segment2 {
   start: Vec2;
   end: Vec2;
 }
 
-/** A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or height field, and ignored for other kinds. */
+/** A shape of any kind. `kind` selects the member of the union. `asset` is the handle of a hull, mesh or height field; other kinds ignore it. */
 export interface Shape2 {
   kind: number;
   asset: number;
@@ -275,21 +275,21 @@ export interface Shape2 {
   placed?: Transform2;
 }
 
-/** Where a ray or a moving shape first touches a shape. The distance is rounded down. */
+/** The first contact of a ray or moving shape with a shape. The distance is rounded down. */
 export interface Hit2 {
   distance: number;
   point: Vec2;
   normal: Direction2;
 }
 
-/** One point of a contact, on the surface of the first shape, and how deep the second shape is there: its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and stays the same while they do. */
+/** One contact point on the surface of the first shape. The second shape's surface is at point - depth * normal. `feature` identifies the corners, edges or faces that meet, and is stable while they do. */
 export interface ContactPoint2 {
   point: Vec2;
   depth: number;
   feature: number;
 }
 
-/** How two shapes a and b that overlap are separated by the least translation: b moves by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others zeros. */
+/** The least translation that separates two overlapping shapes a and b: move b by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others are zero. */
 export interface Manifold2 {
   normal: Direction2;
   depth: number;
@@ -297,7 +297,7 @@ export interface Manifold2 {
   points: ContactPoint2[];
 }
 
-/** The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly, and it turns about one axis by at most half a turn. */
+/** The motion of a frame between two poses over the time 0 to 1. The origin moves at constant velocity; the frame rotates about one axis by at most half a turn. */
 export interface Sweep2 {
   start: Vec2;
   end: Vec2;
@@ -305,7 +305,7 @@ export interface Sweep2 {
   end_rotation: Rotation2;
 }
 
-/** Where a ray first touches an object; in a mesh or height field also the index of the triangle. */
+/** The first point where a ray touches an object; for a mesh or height field also the triangle's index. */
 export interface ObjectHit2 {
   distance: number;
   id: Id;
@@ -315,7 +315,7 @@ export interface ObjectHit2 {
   has_triangle: number;
 }
 
-/** A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal. */
+/** A walking character: its capsule or AABB, and what it stands on. This is its whole state. Start with zeros and the shape in place. Setting `is_grounded` to 0 makes it leave the ground. A ball is a capsule with equal ends. */
 export interface Mover2 {
   shape: Shape2;
   is_grounded: number;
@@ -326,7 +326,7 @@ export interface Mover2 {
   point: Vec2;
 }
 
-/** How a character moves. Lengths in steps of 2^-16. */
+/** Settings of a character's movement. Lengths in steps of 2^-16. */
 export interface Mover2Settings {
   up: Direction2;
   skin: number;
@@ -335,14 +335,14 @@ export interface Mover2Settings {
   max_slope: number;
 }
 
-/** Something that a character touched during a move; the normal points away from it. */
+/** Something the character touched during a move. The normal points away from it. */
 export interface Mover2Touch {
   object: Id;
   point: Vec2;
   normal: Direction2;
 }
 
-/** What a move did. The first `count` of the touches are set, the others zeros. */
+/** The result of a move. The first `count` touches are set, the others are zero. */
 export interface Move2 {
   moved: Vec2;
   carried: Vec2;
@@ -352,7 +352,7 @@ export interface Move2 {
   touched: Mover2Touch[];
 }
 
-/** How a world steps. Lengths and speeds in steps of 2^-16. */
+/** Settings of a world. Lengths and speeds in steps of 2^-16. */
 export interface World2Settings {
   ticks_per_second: number;
   substeps: number;
@@ -363,7 +363,7 @@ export interface World2Settings {
   sleep_speed: number;
 }
 
-/** What a body is made of, and how it starts. Shares and densities in steps of 2^-16. */
+/** The material and initial state of a body. Ratios and densities in steps of 2^-16. */
 export interface Body2Options {
   user: bigint;
   layers: number;
@@ -383,7 +383,7 @@ export interface Body2Options {
   reserved: number[];
 }
 
-/** A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part2_defaults`. */
+/** A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and its material, in steps of 2^-16. Start from `detent_part2_defaults`. */
 export interface Part2 {
   shape: Shape2;
   density: number;
@@ -392,7 +392,7 @@ export interface Part2 {
   is_sensor: number;
 }
 
-/** A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it. */
+/** A joint between two bodies a and b. Anchors and frames are in body space. Time is in the seconds of the world's settings, angles in radians, and all numbers are in steps of 2^-16. Fields that a kind does not have are ignored. */
 export interface Joint2 {
   kind: number;
   a: Id;
@@ -413,7 +413,7 @@ export interface Joint2 {
   damping_ratio: number;
 }
 
-/** Where a body is and how it moves, rounded to nearest. */
+/** The state of a body, rounded to nearest. */
 export interface Body2 {
   position: Vec2;
   rotation: Rotation2;
@@ -425,7 +425,7 @@ export interface Body2 {
 /** A point or vector, in steps of 2^-16. */
 export type Vec3 = [number, number, number];
 
-/** A unit vector, in steps of 2^-30; used exactly as stored. */
+/** A unit vector, in steps of 2^-30; used as stored, never normalised. */
 export type Direction3 = [number, number, number];
 
 /** The axes of a frame in the world. */
@@ -453,13 +453,13 @@ export interface Sphere3 {
   radius: number;
 }
 
-/** The points between two corners; none if min > max on an axis. */
+/** The points between two corners, inclusive; none if min > max on an axis. */
 export interface Aabb3 {
   min: Vec3;
   max: Vec3;
 }
 
-/** A box turned about its center; none if a half extent is negative. */
+/** A box rotated about its center; none if a half extent is negative. */
 export interface Obb3 {
   center: Vec3;
   half_extents: Vec3;
@@ -472,7 +472,7 @@ export interface Plane3 {
   offset: number;
 }
 
-/** The points between three corners. */
+/** The points of the triangle with these corners. */
 export interface Triangle3 {
   a: Vec3;
   b: Vec3;
@@ -486,13 +486,13 @@ export interface Capsule3 {
   radius: number;
 }
 
-/** The points between two ends. */
+/** The points between the two ends. */
 export interface Segment3 {
   start: Vec3;
   end: Vec3;
 }
 
-/** A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or height field, and ignored for other kinds. */
+/** A shape of any kind. `kind` selects the member of the union. `asset` is the handle of a hull, mesh or height field; other kinds ignore it. */
 export interface Shape3 {
   kind: number;
   asset: number;
@@ -507,21 +507,21 @@ export interface Shape3 {
   placed?: Transform3;
 }
 
-/** Where a ray or a moving shape first touches a shape. The distance is rounded down. */
+/** The first contact of a ray or moving shape with a shape. The distance is rounded down. */
 export interface Hit3 {
   distance: number;
   point: Vec3;
   normal: Direction3;
 }
 
-/** One point of a contact, on the surface of the first shape, and how deep the second shape is there: its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and stays the same while they do. */
+/** One contact point on the surface of the first shape. The second shape's surface is at point - depth * normal. `feature` identifies the corners, edges or faces that meet, and is stable while they do. */
 export interface ContactPoint3 {
   point: Vec3;
   depth: number;
   feature: number;
 }
 
-/** How two shapes a and b that overlap are separated by the least translation: b moves by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others zeros. */
+/** The least translation that separates two overlapping shapes a and b: move b by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others are zero. */
 export interface Manifold3 {
   normal: Direction3;
   depth: number;
@@ -529,7 +529,7 @@ export interface Manifold3 {
   points: ContactPoint3[];
 }
 
-/** The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly, and it turns about one axis by at most half a turn. */
+/** The motion of a frame between two poses over the time 0 to 1. The origin moves at constant velocity; the frame rotates about one axis by at most half a turn. */
 export interface Sweep3 {
   start: Vec3;
   end: Vec3;
@@ -537,7 +537,7 @@ export interface Sweep3 {
   end_rotation: Rotation3;
 }
 
-/** Where a ray first touches an object; in a mesh or height field also the index of the triangle. */
+/** The first point where a ray touches an object; for a mesh or height field also the triangle's index. */
 export interface ObjectHit3 {
   distance: number;
   id: Id;
@@ -547,7 +547,7 @@ export interface ObjectHit3 {
   has_triangle: number;
 }
 
-/** A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal. */
+/** A walking character: its capsule or AABB, and what it stands on. This is its whole state. Start with zeros and the shape in place. Setting `is_grounded` to 0 makes it leave the ground. A ball is a capsule with equal ends. */
 export interface Mover3 {
   shape: Shape3;
   is_grounded: number;
@@ -558,7 +558,7 @@ export interface Mover3 {
   point: Vec3;
 }
 
-/** How a character moves. Lengths in steps of 2^-16. */
+/** Settings of a character's movement. Lengths in steps of 2^-16. */
 export interface Mover3Settings {
   up: Direction3;
   skin: number;
@@ -567,14 +567,14 @@ export interface Mover3Settings {
   max_slope: number;
 }
 
-/** Something that a character touched during a move; the normal points away from it. */
+/** Something the character touched during a move. The normal points away from it. */
 export interface Mover3Touch {
   object: Id;
   point: Vec3;
   normal: Direction3;
 }
 
-/** What a move did. The first `count` of the touches are set, the others zeros. */
+/** The result of a move. The first `count` touches are set, the others are zero. */
 export interface Move3 {
   moved: Vec3;
   carried: Vec3;
@@ -584,7 +584,7 @@ export interface Move3 {
   touched: Mover3Touch[];
 }
 
-/** How a world steps. Lengths and speeds in steps of 2^-16. */
+/** Settings of a world. Lengths and speeds in steps of 2^-16. */
 export interface World3Settings {
   ticks_per_second: number;
   substeps: number;
@@ -595,7 +595,7 @@ export interface World3Settings {
   sleep_speed: number;
 }
 
-/** What a body is made of, and how it starts. Shares and densities in steps of 2^-16. */
+/** The material and initial state of a body. Ratios and densities in steps of 2^-16. */
 export interface Body3Options {
   user: bigint;
   layers: number;
@@ -615,7 +615,7 @@ export interface Body3Options {
   reserved: number[];
 }
 
-/** A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part3_defaults`. */
+/** A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and its material, in steps of 2^-16. Start from `detent_part3_defaults`. */
 export interface Part3 {
   shape: Shape3;
   density: number;
@@ -624,7 +624,7 @@ export interface Part3 {
   is_sensor: number;
 }
 
-/** A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it. */
+/** A joint between two bodies a and b. Anchors and frames are in body space. Time is in the seconds of the world's settings, angles in radians, and all numbers are in steps of 2^-16. Fields that a kind does not have are ignored. */
 export interface Joint3 {
   kind: number;
   a: Id;
@@ -645,7 +645,7 @@ export interface Joint3 {
   damping_ratio: number;
 }
 
-/** Where a body is and how it moves, rounded to nearest. */
+/** The state of a body, rounded to nearest. */
 export interface Body3 {
   position: Vec3;
   rotation: Rotation3;
@@ -654,7 +654,7 @@ export interface Body3 {
   is_asleep: number;
 }
 
-/** A camera: where it is and what its lens sees. The pose is that of `detent_camera3_look_at`: axis 0 to the right, axis 1 up, looking along -axis 2; its scale is ignored. */
+/** A camera: its pose and lens. The pose is that of `detent_camera3_look_at`: axis 0 points right, axis 1 up, and it looks along -axis 2. The scale is ignored. */
 export interface Camera3 {
   pose: Transform3;
   has_perspective: number;
@@ -666,12 +666,12 @@ export interface Camera3 {
   far_distance: number;
 }
 
-/** What a camera sees: the convex hull of eight corners. Corner i is on the right if i & 1, at the top if i & 2, and far if i & 4; every query is exact for eight points in any order. */
+/** The view volume of a camera: the convex hull of eight corners. Corner i is right if i & 1, top if i & 2 and far if i & 4. Every query is exact for any eight points in any order. */
 export interface Frustum3 {
   corners: Vec3[];
 }
 
-/** A point of the screen: pixels from the top left corner in steps of 2^-16, so that 32768 is the middle of the first, and the depth along the line of sight, a length. */
+/** A screen point: pixels from the top left corner in steps of 2^-16, so that 32768 is the middle of the first pixel, and the depth along the line of sight, a length. */
 export interface ScreenPoint3 {
   x: number;
   y: number;

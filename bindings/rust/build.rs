@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-//! Finds libdetent.so: in the folder that DETENT_LIBRARY_DIR names, or where the linker looks.
+//! Finds libdetent.so in the folder named by DETENT_LIBRARY_DIR, or on the linker's path.
 
 fn main() {
     println!("cargo:rerun-if-env-changed=DETENT_LIBRARY_DIR");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Both scalars play the scene of exact.cpp; this draws them and says what differs.
+// Plays the scene of exact.cpp in both scalars, draws it and reports differences.
 
 const at = (id) => document.getElementById(id);
 const rays = 360, ticks = 480;
@@ -67,8 +67,8 @@ function say(scalar) {
   const far = wasm.farthest(scalar);
   others[scalar] += wasm.other_rays(scalar);
   const text = far === 0 && others[scalar] === 0
-    ? 'Every body and every ray: equal, bit by bit.'
-    : `A body is ${far.toPrecision(2)} units off; ${others[scalar].toLocaleString('en')} rays of ${(rays * tick).toLocaleString('en')} have another answer.`;
+    ? 'Every body and every ray is equal, bit for bit.'
+    : `A body is ${far.toPrecision(2)} units off; ${others[scalar].toLocaleString('en')} of ${(rays * tick).toLocaleString('en')} rays give another result.`;
   at(`said-${scalar}`).textContent = text;
   at(`said-${scalar}`).classList.toggle('bad', far !== 0 || others[scalar] !== 0);
 }

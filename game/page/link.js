@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A wire that delays and loses packets, for the time that it is given.
+// A simulated link that delays and loses packets. The caller passes the time.
 
 export const weather = { latency: 60, loss: 0.1 };
 

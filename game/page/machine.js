@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Runs the modules that game/build made of machine.cpp, in workers, and lists what they found. They are
-// large, so they are loaded when somebody asks for them.
+// Runs the modules built from machine.cpp in workers and lists their results. They are large, so
+// they are loaded on demand.
 
 const at = (id) => document.getElementById(id);
 const buttons = [at('quick'), at('whole')];
 const machine = { isDone: false };  // for the tests
 window.machine = machine;
 
-// [{ name, version, bytes }], bytes as they are loaded.
+// [{ name, version, bytes }], where bytes is the download size.
 const list = await fetch('corpus/list.json').then((response) => (response.ok ? response.json() : []), () => []);
 const bytes = list.reduce((sum, each) => sum + each.bytes, 0);
-at('offer').textContent = list.length === 0 ? 'The corpus is not here: ./dev play compiles it.'
-  : `Both load ${(bytes / 1e6).toFixed(1)} MB, in ${list.length} part${list.length === 1 ? '' : 's'}, once; then they work offline.`;
+at('offer').textContent = list.length === 0 ? 'The corpus is not installed: ./dev play compiles it.'
+  : `Both load ${(bytes / 1e6).toFixed(1)} MB, in ${list.length} part${list.length === 1 ? '' : 's'}, once, and then work offline.`;
 for (const button of buttons) {
   button.disabled = list.length === 0;
   button.addEventListener('click', () => run(button === at('whole')));
 }
 
-// Calls take(what) with what a worker says of a module; the last of it is the result.
+// Calls take(what) with each message of a worker; the last one is the result.
 function ask(question, take = () => {}) {
   return new Promise((done, fail) => {
     const worker = new Worker('machine_worker.js');
@@ -76,7 +76,7 @@ async function run(isFull) {
     showCard({ golden, count: rows.length, total, all, seconds, isFull });
     Object.assign(machine, { isDone: true, golden, count: rows.length, total, all });
   } catch (error) {
-    at('doing').textContent = `It stopped: ${error.message}.`;
+    at('doing').textContent = `Stopped: ${error.message}.`;
   }
   for (const button of buttons) button.disabled = false;
 }
@@ -88,7 +88,7 @@ function showCard({ golden, count, total, all, seconds, isFull }) {
     `detent on ${system}, ${browser}, WebAssembly`,
     `${golden} of ${count} queries have the golden digests${golden === count ? '' : `; ${count - golden} DIFFER`}`,
     `${isFull ? 'All questions' : '64 questions of each kind'}, ${seconds.toFixed(1)} s`
-      + (count < total ? `; ${total - count} queries were not asked` : ''),
+      + (count < total ? `; ${total - count} queries were not run` : ''),
     ...(all ? [`all: ${all}`] : []),
   ];
   at('card').replaceChildren(...lines.map((line) => {

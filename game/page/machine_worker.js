@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs one module of the corpus: a message for each group, and one at the end; or the digest of all
-// digests of queries.
+// Runs one module of the corpus. Sends a message for each group and one at the end, or the digest
+// of all digests of queries.
 
 const fromText = (text) => text.split('\n').map((line) => line.split(' '));
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page: two machines side by side, or one of them and a relay.
+// The page: two machines side by side, or one of them connected through a relay.
 import { Peer } from './peer.js';
 import { Link, weather } from './link.js';
 import { View, directionOf } from './view.js';
@@ -9,7 +9,7 @@ const at = (id) => document.getElementById(id);
 const asked = new URLSearchParams(location.search);
 const isAuto = asked.has('auto');  // all players are simulated
 const speed = Number(asked.get('speed') ?? 1);
-const redraw = Number(asked.get('redraw') ?? 4000);  // milliseconds, in a hurry
+const redraw = Number(asked.get('redraw') ?? 4000);  // milliseconds, when fast-forwarding
 const tick = 1000 / 60, milestone = 600;
 const names = ['Red', 'Blue'], raws = 65536 / 360;
 const most = 4;  // players
@@ -18,13 +18,13 @@ const noPad = { angle: 8192, power: 160, fire: false };
 
 const module = await WebAssembly.compileStreaming(fetch('game.wasm'));
 const peers = [new Peer(module), new Peer(module)];
-const viewer = new Peer(module);  // of replays
+const viewer = new Peer(module);  // plays replays
 const players = Array.from({ length: most }, () => ({ angle: 8192, power: 160, fire: 0 }));
 const views = [0, 1].map((i) => {
   try {
     return new View(at(`canvas-${i}`), [i]);
   } catch {
-    return null;  // no WebGL: it is played, but not drawn
+    return null;  // no WebGL: the match is played but not drawn
   }
 }).map((view) => view ?? { update() {}, draw() {}, accuse() {}, burst() {} });
 let links, mode, self, life = 0, count = 2, present = [], socket, sent = 0, local = clock(), isFlipped = false, last = null;
@@ -92,7 +92,7 @@ function padOf(peer, side) {
   const player = players[side];
   return { angle: player.angle, power: player.power, fire: player.fire > 0 };
 }
-// Who lets go too early shoots as soon as the catapult is ready.
+// If released too early, the catapult shoots as soon as it is ready.
 function played(peer, side) {
   const player = players[side];
   if (peer.result !== 'yes' || player.fire === 0) return;
@@ -118,7 +118,7 @@ function step(now) {
     if (life > 0 && !isSeated && peers[0].wasm.is_player()) {
       isSeated = true;
       notice('');
-      banner('You play again');
+      banner('You are playing again');
     }
     send(packets, now);
     compare(peers[0], peers[0].wasm.matched_frame());
@@ -127,8 +127,8 @@ function step(now) {
     if (state === 2) notice(`The replay differs before frame ${viewer.wasm.replay_frame()}.`);
     if (state === 1) {
       const isWhole = viewer.wasm.replay_state() === 0, frames = `${viewer.wasm.replay_frame()} frames, all digests equal`;
-      notice(isWhole ? `The replay is over: ${frames}. New match goes on.`
-        : `The file is cut off or has changed after ${frames}. New match goes on.`);
+      notice(isWhole ? `The replay is over: ${frames}. Press New match to continue.`
+        : `The file is cut off or has changed after ${frames}. Press New match to continue.`);
     }
     if (state !== 0) mode = 'shown';
   }
@@ -142,13 +142,13 @@ function send(packets, now) {
   links[0].deliver(now, (flown) => { if (socket?.readyState === WebSocket.OPEN) socket.send(new Uint8Array(flown)); });
 }
 
-// The match so far has come, for who comes late.
+// A late joiner has received the match so far.
 function arrive() {
   isHere = true;
   if (life === 0) return;
   const from = peers[0].wasm.start_frame();
   compared = from;
-  notice(isWatching() ? `You are watching since frame ${from}.` : `You are back since frame ${from}, and have your seat as soon as you keep up.`);
+  notice(isWatching() ? `You have been watching since frame ${from}.` : `You are back since frame ${from}, and get your seat as soon as you have caught up.`);
   say(at('notice').textContent);
 }
 
@@ -174,7 +174,7 @@ const hex = (digest) => digest.toString(16).padStart(16, '0');
 
 function advance() {
   const now = clock();
-  if (now - local > 30 * tick * Math.max(1, speed)) local = now - tick;  // this page slept
+  if (now - local > 30 * tick * Math.max(1, speed)) local = now - tick;  // this page was suspended
   while (local + tick <= now) {
     local += tick;
     step(local);
@@ -184,7 +184,7 @@ function advance() {
   if (mode === 'remote' && peers[0].isLost) comeBack('You fell behind.');
 }
 
-// ---- what is shown
+// ---- display
 
 function nameOf(index, match) {
   const piece = match.pieces.find((each) => each.index === index);
@@ -195,9 +195,9 @@ function nameOf(index, match) {
 
 function report({ frame, field, object, known }) {
   const after = !isFlipped ? ''
-    : `, and it was known ${known - frame} frames later`;
+    : `, which was detected ${known - frame} frames later`;
   const what = object >= 0 ? `, ${nameOf(object, peers[0].match())}` : '';
-  at('desync').textContent = `The machines parted in frame ${frame}${after}. The first field that differs: ${field}${what}.`;
+  at('desync').textContent = `The machines diverged in frame ${frame}${after}. First field that differs: ${field}${what}.`;
   views.forEach((view) => view.accuse(object));
 }
 
@@ -250,20 +250,20 @@ function drawStrip() {
   at('digest-1').textContent = newest.theirs === null ? 'another one' : hex(newest.theirs);
   const frames = Math.max(1, peers[0].wasm.frame()), { result } = peers[0];
   if (result === 'yes' || result === 'ahead') moved = performance.now();
-  at('figures').textContent = `${(peers[0].wasm.resimulated() / frames).toFixed(2)} frames simulated again for each that is played`
+  at('figures').textContent = `${(peers[0].wasm.resimulated() / frames).toFixed(2)} frames resimulated per frame played`
     + (performance.now() - moved < 400 ? '' : `; ${obstacle()}`);
 }
 
 function obstacle() {
   const awaited = mode !== 'remote' ? [] : present.filter((player) => peers[0].wasm.is_awaited(player));
-  return awaited.length === 0 ? `now ${peers[0].result}` : `waits for ${awaited.map(playerName).map(lower).join(', ')}`;
+  return awaited.length === 0 ? `now ${peers[0].result}` : `waiting for ${awaited.map(playerName).map(lower).join(', ')}`;
 }
 
-let drawn = -Infinity, moved = 0;  // when it last drew, and played a frame
+let drawn = -Infinity, moved = 0;  // times of the last redraw and of the last frame played
 function draw(now) {
   requestAnimationFrame(draw);
   advance();
-  if (speed > 1 && now - drawn < redraw) return;  // in a hurry
+  if (speed > 1 && now - drawn < redraw) return;  // fast-forwarding
   const seconds = Math.min(0.1, (now - drawn) / 1000);
   drawn = now;
   if (mode === 'waiting' || (mode === 'remote' && !isHere)) return;
@@ -279,7 +279,7 @@ function draw(now) {
 }
 views[0].onHit = thud;
 
-// ---- what players do
+// ---- input
 
 const clamp = (value, low, high) => Math.max(low, Math.min(high, value));
 function setAim(side, angle, power) {
@@ -333,7 +333,7 @@ const held = new Set();
 const whose = (side) => (mode === 'remote' ? self : isComputer(1) ? 0 : side);
 addEventListener('keydown', (event) => {
   if (event.ctrlKey || event.altKey || event.metaKey || isWatching()) return;
-  // Sliders keep their arrows, buttons and boxes their space and enter.
+  // Arrow keys stay with sliders; space and enter stay with buttons and boxes.
   if (event.target.matches('input[type=range]') && event.code.startsWith('Arrow')) return;
   if (event.target.matches('button, input:not([type=range])') && !event.code.startsWith('Key')) return;
   if (event.code in keys) held.add(event.code);
@@ -351,11 +351,11 @@ addEventListener('blur', () => held.clear());
 setInterval(() => {
   for (const code of held) {
     const [side, angle, power] = keys[code], player = players[whose(side)];
-    // In a game for one, and for blue over a network, right is right.
+    // In a game for one, and for blue over a network, right means right.
     const flip = code === 'ArrowLeft' || code === 'ArrowRight' ? -directionOf(whose(side)) : 1;
     setAim(whose(side), player.angle + angle, player.power + power * flip);
   }
-  advance();  // pages that are not drawn play on
+  advance();  // pages that are not drawn keep playing
 }, speed > 1 ? 1 : 1000 / 60);
 
 at('new-match').addEventListener('click', () => {
@@ -405,7 +405,7 @@ async function open(file) {
   socket?.close();
   socket = null;
   begin('replay');
-  notice(`Replay of ${file.name}: every digest in it is compared.`);
+  notice(`Replaying ${file.name} and checking every digest in it.`);
 }
 at('open').addEventListener('change', () => open(at('open').files[0]));
 addEventListener('dragover', (event) => {
@@ -419,14 +419,14 @@ addEventListener('drop', (event) => {
   open(event.dataTransfer.files[0]);
 });
 
-// ---- two browsers, or four
+// ---- matches of two or four browsers
 
 const roomNow = { name: '', seed: 0n, wanted: 2, isWatching: false };
 
 function linkTo(room, wanted, isWatching = false) {
   return new URL(`?room=${room}${wanted === 2 ? '' : `&players=${wanted}`}${isWatching ? '&watch' : ''}`, location.href).href;
 }
-// Who comes back wants the seat that this tab had.
+// A returning player asks for the seat that this tab had.
 const seatKey = (room) => `seat in ${room}`;
 
 function join(room, seed, wanted, isWatching) {
@@ -454,18 +454,18 @@ function join(room, seed, wanted, isWatching) {
     isAnswered = true;
     const said = JSON.parse(data);
     if (said.is === 'waiting') {
-      notice(`${said.here} of ${said.players} are here. The match begins when all are. Link for the others: ${here}`
+      notice(`${said.here} of ${said.players} are here. The match begins when everyone is. Link for the others: ${here}`
         + ` To watch: ${linkTo(room, wanted, true)}`);
       say(`${said.here} of ${said.players} are here`);
     }
-    if (said.is === 'full') notice('There is no room left in this match. New match begins another one.');
+    if (said.is === 'full') notice('This match is full. Press New match to start another one.');
     if (said.is === 'left' && mode === 'remote') left(said.who);
     if (said.is === 'came' && mode === 'remote') came(said.who);
     if (said.is !== 'start') return;
     ({ self, life, players: count } = said);
     present = said.here.filter((player) => player < count);
     sessionStorage.setItem(seatKey(room), self);
-    notice(life > 0 ? 'The others send the match so far…' : '');
+    notice(life > 0 ? 'The others are sending the match so far…' : '');
     begin('remote', BigInt(said.seed));
     if (self >= count) return banner('You are watching');
     setAim(self, 8192, 160);
@@ -477,10 +477,10 @@ function join(room, seed, wanted, isWatching) {
     if (mode !== 'waiting') return;
     if (life > 0 && !isAnswered) return comeBack('The relay is gone.');
     begin('local', randomSeed());
-    if (!isAnswered) notice('There is no relay here: ./dev play starts one.');
+    if (!isAnswered) notice('No relay is running here: ./dev play starts one.');
   };
 }
-// Joins again, late.
+// Joins again, as a late joiner.
 function comeBack(why) {
   mode = 'waiting';
   life = Math.max(life, 1);
@@ -494,10 +494,10 @@ function left(who) {
   peers[0].wasm.drop(who);
   present = present.filter((player) => player !== who);
   if (who >= count) return notice(`${playerName(who)} has left.`);
-  notice(`${playerName(who)} has left; the match goes on. The link of this page leads to that seat.`);
+  notice(`${playerName(who)} has left; the match goes on. The link of this page leads to the free seat.`);
 }
 function came(who) {
-  if (who >= count) return notice(`${playerName(who)} has come.`);
+  if (who >= count) return notice(`${playerName(who)} has joined.`);
   present.push(who);
   notice(`${playerName(who)} comes back.`);
 }

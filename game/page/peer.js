@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A player's machine: an instance of the module, and the match as it has it.
+// A player's machine: an instance of the module and its view of the match.
 
 const one = 65536;
 export const kinds = ['none', 'rock', 'wood', 'stone', 'king', 'ball'];
@@ -11,7 +11,7 @@ export class Peer {
     this.wasm = new WebAssembly.Instance(module, {}).exports;
   }
 
-  // With a life it comes late: the others send the match so far.
+  // With a life it joins late: the others send the match so far.
   start(seed, self, players = 2, life = 0, delay = 2) {
     this.seed = seed;
     this.self = self;
@@ -30,7 +30,7 @@ export class Peer {
     this.wasm.receive(from, packet.length, now);
   }
 
-  // Plays a frame; the packets to send, each with the player that it is for.
+  // Plays a frame. Returns the packets to send, each with its recipient.
   play(pad, now) {
     this.result = advanced[this.wasm.advance(pad.angle, pad.power, pad.fire ? 1 : 0)];
     for (let kind; (kind = this.wasm.next_event()) >= 0;) this.note(kind);
@@ -51,7 +51,7 @@ export class Peer {
       const field = new TextDecoder().decode(text.slice(0, text.indexOf(0)));
       this.desync = { frame, field, object: this.wasm.event_object(), known: this.wasm.frame() };
     }
-    if (kind === tooSlow && !this.wasm.is_player()) this.isLost = true;  // it comes again
+    if (kind === tooSlow && !this.wasm.is_player()) this.isLost = true;  // it rejoins
   }
 
   digest(frame) { return BigInt.asUintN(64, this.wasm.digest(frame)); }
@@ -65,7 +65,7 @@ export class Peer {
 
   save() { return this.bytes(this.wasm.save_replay()).slice(); }
 
-  // null if the bytes are no replay of this game
+  // null if the bytes are not a replay of this game
   load(bytes) {
     if (bytes.length > this.wasm.buffer_size()) return null;
     this.bytes(bytes.length).set(bytes);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A few sounds, made here: a band that snaps, a thud, a fanfare.
+// A few synthesised sounds: a band that snaps, a thud, a fanfare.
 
 let context = null;
 export const sound = { isOn: true };
 
-// Browsers want a gesture first.
+// Browsers require a user gesture first.
 for (const gesture of ['pointerdown', 'keydown']) {
   addEventListener(gesture, () => { context ??= new AudioContext(); }, { once: true });
 }

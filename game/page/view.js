@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws a match as one peer has it. Floats are fine here: nothing comes back from this file.
+// Draws a match as one peer sees it. Floats are fine here, because nothing flows back from this
+// file.
 import * as three from 'three';
 
 const sideColors = [0xd8483c, 0x3b7be0];
@@ -17,7 +18,7 @@ function texture(width, height, paint) {
   result.colorSpace = three.SRGBColorSpace;
   return result;
 }
-// The same grain for both peers.
+// Both peers have the same grain.
 function noise(seed) {
   let state = seed;
   return () => (state = (state * 16807) % 2147483647) / 2147483647;
@@ -70,7 +71,7 @@ function ridge(color, z, base, height, seed) {
 export class View {
   constructor(canvas, controlled) {
     this.canvas = canvas;
-    this.controlled = controlled;  // players whose shots are foreseen
+    this.controlled = controlled;  // players whose shots are predicted
     this.renderer = new three.WebGLRenderer({ canvas, antialias: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.shadowMap.enabled = true;
@@ -193,7 +194,7 @@ export class View {
     this.scene.add(this.sparkMesh);
   }
 
-  // Dust or confetti, for show.
+  // Dust or confetti, purely visual.
   burst(x, y, count, speed, colors) {
     if (calm.matches) return;
     for (let i = 0; i < count; ++i) {
@@ -257,7 +258,7 @@ export class View {
       seen.add(piece.index);
       const { position } = drawn.group;
       const dx = piece.x - position.x, dy = piece.y - position.y;
-      // Where a wrong guess was corrected, the picture glides.
+      // Smooth the correction of a wrong prediction.
       const share = Math.hypot(dx, dy) > 3 ? 1 : 0.6;
       if (piece.kind === 'ball') this.noteHit(drawn, piece, match.tick);
       position.x += dx * share;
@@ -281,7 +282,7 @@ export class View {
     this.wind = match.wind * 60;
   }
 
-  // A ball whose way bends more than gravity bends it hit something.
+  // A ball that deviates from free fall has hit something.
   noteHit(drawn, piece, tick) {
     const { last } = drawn, ticks = tick - (last?.tick ?? tick);
     if (ticks === 0 && last) return;
@@ -347,7 +348,7 @@ export class View {
     this.accused = index;
     for (const drawn of this.pieces.values()) {
       if (!drawn.isAccused) continue;
-      drawn.key = '';  // made again
+      drawn.key = '';  // forces it to be rebuilt
     }
   }
 }

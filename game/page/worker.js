@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Once loaded, the page works without a network; so does the corpus, which is loaded when it is asked for.
-// game/build fills in what is in capitals.
+// Once loaded, the page works offline. So does the corpus, which is loaded on demand. game/build
+// replaces the names in capitals.
 const cacheName = 'slingshot-VERSION';
 const files = FILES;
 
@@ -20,7 +20,7 @@ addEventListener('fetch', (event) => {
     : caches.match(request, { ignoreSearch: true }).then((found) => found ?? fetch(request)));
 });
 
-// What was loaded of this version; of the list what the server has now, if there is one.
+// Files of this version come from the cache; the list comes from the server if it is reachable.
 async function fetchCorpus(request) {
   const cache = await caches.open(cacheName), isList = request.url.endsWith('.json');
   const kept = await cache.match(request);

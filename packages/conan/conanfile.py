@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# A recipe for Conan 2 of the clone in which this file is: `conan create packages/conan`.
+# A Conan 2 recipe for the clone that contains this file: `conan create packages/conan`.
 import os
 import re
 
@@ -46,6 +46,6 @@ class Detent(ConanFile):
         CMake(self).install()
 
     def package_info(self):
-        # The config file of CMake that is installed names the targets; Conan writes none.
+        # The installed CMake config file defines the targets, so Conan writes none.
         self.cpp_info.set_property('cmake_find_mode', 'none')
         self.cpp_info.builddirs = [os.path.join('lib', 'cmake', 'detent')]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The gallery, and the sample that the address names after its #.
+// The gallery, and the sample named after # in the address.
 import { Key, load } from './module.js';
 import { Painter } from './painter.js';
 
@@ -30,7 +30,7 @@ function showGallery() {
   }
 }
 
-// What is shown follows from the address.
+// The address determines what is shown.
 function route() {
   const name = decodeURIComponent(location.hash.slice(1));
   const sample = machine.samples.find((each) => each.name === name) ?? null;
@@ -82,10 +82,10 @@ function step() {
 function pause(is) {
   isPaused = is;
   $('pause').setAttribute('aria-pressed', String(is));
-  $('pause').textContent = is ? 'Go on' : 'Pause';
+  $('pause').textContent = is ? 'Resume' : 'Pause';
 }
 
-// Sixty ticks a second, however often the screen is drawn; a page that was away does not catch up.
+// Sixty ticks per second at any frame rate. A page that was hidden does not catch up.
 function frame(now) {
   requestAnimationFrame(frame);
   owed = Math.min(owed + (now - before) * 0.06, 4);
@@ -110,7 +110,7 @@ function press(key, is) { held = is ? held | key : held & ~key; }
 addEventListener('keydown', (event) => {
   const key = keyOf[event.key];
   if (!running || !key || event.ctrlKey || event.metaKey || event.altKey) return;
-  // Space presses a button that has the focus.
+  // Space presses a focused button.
   if (key === Key.action && event.target.closest('button, a')) return;
   press(key, true);
   event.preventDefault();
@@ -124,7 +124,7 @@ for (const button of document.querySelectorAll('#pad button')) {
   button.addEventListener('keydown', (event) => { if (event.key === 'Enter' || event.key === ' ') press(key, true); });
   button.addEventListener('keyup', () => press(key, false));
 }
-// The pointer, in thousandths of half the height, from the middle.
+// The pointer, in thousandths of half the height, from the center.
 function point(event) {
   const box = $('canvas').getBoundingClientRect(), clamp = (x) => Math.max(-4000, Math.min(4000, Math.round(x)));
   pointer = {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The samples as WebAssembly, for the page and for check.mjs: `load` takes the bytes of samples.wasm.
+// The samples as WebAssembly, for the page and check.mjs. `load` takes the bytes of samples.wasm.
 
 export const Key = { left: 1, right: 2, up: 4, down: 8, action: 16 };
 
 export async function load(bytes) {
-  // The library of the compiler can write messages and exit, which the samples never do.
+  // The compiler's library imports functions to write messages and exit, which the samples never
+  // call.
   const system = new Proxy({}, { get: (_, name) => () => { throw new Error(`the samples called ${name}`); } });
   const module = await WebAssembly.compile(bytes);
   const { exports: wasm } = await WebAssembly.instantiate(module, { wasi_snapshot_preview1: system });
@@ -23,7 +24,7 @@ export async function load(bytes) {
     step: ({ keys = 0, pointer = null } = {}) => wasm.step(keys, pointer ? 1 : 0, pointer?.x ?? 0, pointer?.y ?? 0),
     digest: () => BigInt.asUintN(64, wasm.digest()).toString(16).padStart(16, '0'),
     status: () => text(wasm.status()),
-    // Bytes of vertices, which stay until the next call.
+    // The bytes of the vertices, valid until the next call.
     draw(aspect) {
       wasm.draw();
       const matrix = wasm.matrix(aspect), { buffer } = wasm.memory;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Lines and triangles in a canvas. The colours have the light in them already.
+// Draws lines and triangles in a canvas. Their colours already include the lighting.
 
 const vertexShader = `#version 300 es
 uniform mat4 view;
@@ -36,12 +36,12 @@ export class Painter {
     gl.vertexAttribPointer(colour, 4, gl.UNSIGNED_BYTE, true, 16, 12);
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LEQUAL);
-    gl.polygonOffset(1, 1);  // edges are over their own faces
+    gl.polygonOffset(1, 1);  // edges are drawn over their own faces
     gl.clearColor(0xf4 / 255, 0xf6 / 255, 0xf8 / 255, 1);
     Object.assign(this, { canvas, gl });
   }
 
-  /// The size of the canvas in pixels of the screen; its width over its height.
+  /// Resizes the canvas to screen pixels. Returns width over height.
   fit() {
     const { canvas, gl } = this, density = Math.min(window.devicePixelRatio, 2);
     const width = Math.max(1, Math.round(canvas.clientWidth * density));

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 # cmake -DINPUTS=a.json,b.json -DOUTPUT=embedded.cpp -P embed.cmake
-# Writes a source file that holds the text of each file, as a_json and b_json.
+# Writes a source file with the text of each input, as a_json and b_json.
 
 set(texts "")
 string(REPLACE "," ";" inputs "${INPUTS}")

@@ -48,7 +48,7 @@ TEST_CASE("accuracy: fixed-point answers are exact on every rung of every query"
       }
     }
   }
-  // Errors, in units of 2^-16, are below one of the scalar's own steps, and nearly that large.
+  // Errors, in units of 2^-16, are below one step of the scalar, and nearly that large.
   for (const auto& [scalar, step] :
        std::map<std::string, double>{{"q16_16", 1}, {"q14_16", 1}, {"q24_8", 256}, {"q8_8", 256}}) {
     INFO(scalar);
@@ -58,7 +58,7 @@ TEST_CASE("accuracy: fixed-point answers are exact on every rung of every query"
   }
 }
 
-TEST_CASE("accuracy: float far away is as wrong as a coin, the exact answer for its own numbers") {
+TEST_CASE("accuracy: far away, float is no better than a coin, even for its own numbers") {
   const Query& query = query_named("raycast/sphere");
   const auto wrong_at = [&](const std::string& distance, const char* scalar, Inputs inputs) {
     const auto result = survey(query, rung_named(Ladder::distance, distance), 1000, seed);
@@ -76,7 +76,7 @@ TEST_CASE("accuracy: float far away is as wrong as a coin, the exact answer for 
   CHECK(wrong_at("30000", "double", Inputs::own) == 0);
 }
 
-TEST_CASE("accuracy: what a scalar cannot represent counts only for questions as asked") {
+TEST_CASE("accuracy: unrepresentable inputs count only for questions as asked") {
   const auto result =
       survey(query_named("raycast/sphere"), rung_named(Ladder::size, "2^-16"), 200, seed);
   CHECK(find(result, "q24_8", Inputs::own) == nullptr);
@@ -84,7 +84,7 @@ TEST_CASE("accuracy: what a scalar cannot represent counts only for questions as
   CHECK(share_of_wrong(find(result, "q16_16", Inputs::own)) == 0);
 }
 
-TEST_CASE("accuracy: the same seed asks the same questions, another one others") {
+TEST_CASE("accuracy: equal seeds give equal questions, other seeds others") {
   const Query& query = query_named("raycast/triangle");
   const Rung& rung = rung_named(Ladder::place, "1000");
   const auto error = [&](std::uint64_t of) {

@@ -93,7 +93,7 @@ class Tally {
   }
   void measure(const Steps& right, const S& answer) {
     const auto given = static_cast<double>(answer);
-    constexpr int finer = 80;  // steps of 2^-80, of which a double drops no more than its error
+    constexpr int finer = 80;  // in steps of 2^-80, below the error of a double
     const Steps error = Exact::of(given).steps(finer) - (right << (finer - distance_frac));
     errors_.push_back(std::ldexp(std::abs(error.convert_to<double>()), 16 - finer));
     if constexpr (is_fixed<S>) {
@@ -161,7 +161,7 @@ Rung rung_for(Rung rung) {
   return rung;
 }
 
-/// Adds the scalars that have a grid of their own; `asked` are the test cases shared by all.
+/// Adds the scalars that have their own grid; `asked` are the test cases shared by all.
 template <class Kind, Scalar S>
 void add_cells(std::vector<Cell>& cells, const Questions<Kind>& asked, const Rung& given,
                long count, std::uint64_t seed) {
@@ -342,7 +342,7 @@ struct Overlap {
   static void add_baseline(std::vector<Cell>&, const All&, const Rung&, Inputs) {}
 };
 
-/// How far two shapes are apart.
+/// The distance between two shapes.
 template <class A, class B>
 struct Apart : Overlap<A, B> {
   using Question = typename Overlap<A, B>::Question;

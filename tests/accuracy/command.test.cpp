@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/workshop.hpp"
 
-// The built program, run like a user runs it.
+// Runs the built program as a user does.
 
 namespace {
 
@@ -15,7 +15,7 @@ bool refuses(const Workshop::Result& result, const std::string& start) {
 
 }  // namespace
 
-TEST_CASE("detent-accuracy: a summary, numbers and a plot") {
+TEST_CASE("detent-accuracy: prints a summary, numbers and a plot") {
   const Workshop shop(DETENT_ACCURACY);
   const std::string plane = "--only raycast/plane --count 100";
   const auto result = shop.run(plane + " --csv t.csv --svg t.svg");
@@ -36,7 +36,7 @@ TEST_CASE("detent-accuracy: a summary, numbers and a plot") {
   CHECK(shop.run(plane + " --seed 2").out.find(", seed 2, ") != std::string::npos);
 }
 
-TEST_CASE("detent-accuracy: what it cannot do is refused") {
+TEST_CASE("detent-accuracy: impossible requests are refused") {
   const Workshop shop(DETENT_ACCURACY);
   CHECK(refuses(shop.run("--only raycast/torus"), "--only: "));
   CHECK(refuses(shop.run("--count 0"), "--count: "));

@@ -9,7 +9,7 @@
 #include "oracle/apart.hpp"
 #include "oracle/exact.hpp"
 
-// The exact results, by the oracle.
+// The exact results, computed by the oracle.
 
 namespace detent::accuracy {
 
@@ -26,7 +26,7 @@ inline cli::ExactShape exact(const Points<Carrier, 3>& hull) {
   return shape;
 }
 
-/// Where a ray first hits a shape in the carrier, whose lengths are in steps of 2^-frac.
+/// The first point where a ray hits a shape in the carrier, whose lengths are in steps of 2^-frac.
 template <class Shape>
 Distance first_hit(const Ray<Carrier, 3>& ray, const Shape& shape, int frac) {
   using cli::exact;
@@ -43,7 +43,7 @@ bool meet(const A& a, const B& b) {
   return oracle::meet(as_shape(a), as_shape(b));
 }
 
-/// A shape in the carrier, whose lengths are in steps of 2^-frac, in steps of 2^-48.
+/// Converts a shape in the carrier, whose lengths are in steps of 2^-frac, to steps of 2^-48.
 template <class Shape>
 oracle::Solid<3> in_steps(const Shape& shape, int frac) {
   oracle::Solid<3> solid = oracle::exact(as_shape(shape));
@@ -79,7 +79,7 @@ oracle::Solid<3> in_steps(const Shape& shape, int frac) {
   return solid;
 }
 
-/// The distance of two shapes that are not empty, in steps of 2^-48, rounded down.
+/// The distance between two shapes that are not empty, in steps of 2^-48, rounded down.
 template <class A, class B>
 Steps distance_of(const A& a, const B& b, int frac) {
   return *oracle::distance_floor(in_steps(a, frac), in_steps(b, frac));

@@ -66,7 +66,7 @@ std::string_view description_of(Ladder ladder) {
 }
 
 double Rung::reach() const {
-  // Shapes overlap within about 2 sizes of each other; rays may be 1.5 times as long as needed.
+  // Shapes overlap within about 2 sizes of each other; rays can be 1.5 times as long as needed.
   return std::max(place + (ladder == Ladder::distance ? 0 : length) + 4 * size,
                   1.5 * length + 2 * size + 8);
 }

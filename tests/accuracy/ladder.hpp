@@ -7,7 +7,7 @@
 
 namespace detent::accuracy {
 
-/// What grows from rung to rung.
+/// The quantity that grows from rung to rung.
 enum class Ladder { size, distance, place, angle };
 
 inline constexpr Ladder ladders[] = {Ladder::size, Ladder::distance, Ladder::place, Ladder::angle};
@@ -26,11 +26,11 @@ struct Rung {
   double angle;      // between the axes of shapes and rays, in radians; negative for any
   int frac;          // the grid: 2^-frac
 
-  /// All numbers of the test cases are below this, except some that are drawn again.
+  /// All numbers of the test cases are below this, except for some that are drawn again.
   [[nodiscard]] double reach() const;
 };
 
-/// The rungs in ascending order. Those of the distance ladder are for rays only.
+/// The rungs in ascending order. The distance ladder applies to rays only.
 [[nodiscard]] const std::vector<Rung>& rungs();
 
 }  // namespace detent::accuracy

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs every raycast and overlap in every scalar along a ladder of scales, checks each result with
+// Runs every raycast and overlap in every scalar over a range of scales, checks each result with
 // exact arithmetic, and reports (docs/accuracy.md).
 #include <unistd.h>
 
@@ -50,7 +50,7 @@ class Progress {
   bool redraws_ = isatty(STDERR_FILENO) != 0;
 };
 
-/// A file that is opened before the work starts and written after it.
+/// A file that is opened before the work starts and written afterwards.
 class Output {
  public:
   explicit Output(const std::string& path) {

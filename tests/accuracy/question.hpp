@@ -119,7 +119,7 @@ inline CarriedDirection unchecked(const std::array<std::int32_t, 3>& raw) {
   return std::bit_cast<CarriedDirection>(raw);
 }
 
-/// From the carrier to the nearest number of the scalar `S`.
+/// Converts from the carrier to the nearest number of the scalar `S`.
 template <Scalar S>
 struct Rounded {
   int frac;
@@ -146,7 +146,7 @@ struct Rounded {
   }
 };
 
-/// From a scalar back to the carrier; exact.
+/// Converts from a scalar back to the carrier; exact.
 struct Carried {
   int frac;
 
@@ -222,7 +222,7 @@ double world_of(int frac) {
   }
 }
 
-/// The properties of a scalar's numbers, for code that need not be compiled for each scalar.
+/// The properties of a scalar's numbers, for code that is not compiled for each scalar.
 struct Numbers {
   int direction_bits;  // fractional bits; for a float those of components below 1
   double (*world)(int frac);

@@ -6,8 +6,8 @@
 namespace detent::accuracy {
 namespace {
 
-/// The formula of most textbooks, in float. It computes the squared distance from the ray out of
-/// the squared distance of the center and the square of its distance along the ray, and assumes a
+/// The formula of most textbooks, in float. It computes the squared distance from the ray as the
+/// squared distance of the center minus the square of its distance along the ray, and assumes a
 /// unit direction.
 ///
 /// source: Akenine-Moeller et al., Real-Time Rendering, 22.6.2

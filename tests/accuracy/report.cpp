@@ -24,7 +24,7 @@ std::string percent(const Cell& cell) {
   return brief(100.0 * static_cast<double>(cell.wrong) / static_cast<double>(cell.questions));
 }
 
-/// Whose answers a column shows.
+/// The scalar whose results a column shows.
 struct Who {
   std::string_view scalar;
   Inputs inputs;
@@ -89,8 +89,8 @@ std::string totals(const Report& report) {
   return text;
 }
 
-/// The number of rungs on which float is as good, right but less exact, and wrong: a row for each
-/// kind of query.
+/// Counts the rungs on which float is as good, right but less exact, and wrong: one row per kind of
+/// query.
 std::string float_table(const Report& report) {
   std::vector<std::string> heads{"queries"};
   for (const Ladder ladder : ladders) heads.emplace_back(name_of(ladder));
@@ -119,8 +119,8 @@ std::string float_table(const Report& report) {
   return text;
 }
 
-/// The cells of a row of the data. Lengths have errors for everyone; of yes or no only `float` and
-/// `double` are shown, because a fixed scalar that is wrong fails the run.
+/// The cells of a data row. Lengths have errors in every scalar. For yes or no only `float` and
+/// `double` are shown, because a wrong fixed scalar fails the run.
 std::string data_of(const Result& result, const Who& who) {
   const bool has_lengths = result.query->kind != "overlaps" && result.query->kind != "intersects";
   const bool is_shown = has_lengths || who.scalar == "float" || who.scalar == "double";

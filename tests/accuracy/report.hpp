@@ -15,7 +15,7 @@ struct Report {
   std::uint64_t seed = 0;
 };
 
-/// The cell of a scalar, or nothing where the rung does not apply to it.
+/// The cell of a scalar, or nothing if the rung does not apply to it.
 [[nodiscard]] const Cell* find(const Result& result, std::string_view scalar, Inputs inputs);
 
 /// The results of one query on one ladder.

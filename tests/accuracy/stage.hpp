@@ -40,7 +40,7 @@ inline Place components(const CarriedDirection& direction) {
   return result;
 }
 
-/// Draws shapes of one size around a center, in a frame of its own.
+/// Draws shapes of one size around a center, in its own frame.
 ///
 /// On the exact rung all points lie on a lattice of the frame {1, 2, 2} / 3, whose axes every
 /// scalar stores exactly up to one common factor. Faces and edges are then exactly parallel, and
@@ -80,18 +80,17 @@ class Stage {
   [[nodiscard]] double size() const { return size_; }
   [[nodiscard]] bool on_lattice() const { return on_lattice_; }
   [[nodiscard]] std::size_t dimension() const { return is_planar_ ? 2 : 3; }
-  /// A point of the plane in which triangles lie: along the first and last axis.
+  /// A point in the plane of the triangles, spanned by the first and last axis.
   [[nodiscard]] Place level(double x, double y) const {
     return is_planar_ ? Place{x, y, 0} : Place{x, 0, y};
   }
   [[nodiscard]] const CarriedDirection& axis(std::size_t i) const { return axes_[i]; }
 
-  /// Switches to another frame, with no axis related to the old ones.
+  /// Switches to another frame whose axes are unrelated to the old ones.
   void turn() {
     if (!on_lattice_) turn(any_frame());
   }
-  /// Turns the frame by `angle` about a random axis other than its first; in a plane, to either
-  /// side.
+  /// Rotates the frame by `angle` about a random axis other than its first; in 2D, to either side.
   void tilt(double angle) {
     if (on_lattice_) return;
     const double phase = is_planar_ ? (random.coin() ? 0.5 : 1.5) * std::numbers::pi
@@ -107,7 +106,7 @@ class Stage {
     turn(turned);
   }
 
-  /// From `low` to `high` sizes; on the lattice a whole number of its steps.
+  /// From `low` to `high` sizes; on the lattice, a whole number of steps.
   double reach(double low, double high) {
     if (!on_lattice_) return std::max(1.0, std::round(size_ * uniform(low, high)));
     return static_cast<double>(norm_ * stride_ *
@@ -116,7 +115,7 @@ class Stage {
   double uniform(double low, double high) {
     return low + (high - low) * std::ldexp(static_cast<double>(random.next() >> 11), -53);
   }
-  /// A vector in the frame of up to `reach` sizes along every axis.
+  /// A vector in the frame, up to `reach` sizes along every axis.
   Place local(const Place& reach) {
     Place result;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -169,7 +168,7 @@ class Stage {
     const Place first = unit(a), third = unit(cross(a, b));
     return {first, cross(third, first), third};
   }
-  /// {1, 2, 2}, {2, 1, -2}, {2, -2, 1}, permuted and mirrored; {3, 4}, {4, -3} in a plane.
+  /// {1, 2, 2}, {2, 1, -2}, {2, -2, 1}, permuted and mirrored; {3, 4}, {4, -3} in 2D.
   LatticeAxes any_lattice() {
     if (is_planar_) {
       const std::int64_t x = random.coin() ? 3 : -3, y = random.coin() ? 4 : -4;
@@ -269,7 +268,7 @@ inline void draw(Stage& stage, Points<Carrier, 3>& hull) {
   for (auto& point : hull.points) point = stage.corner(stage.local({1, 1, 1}));
 }
 
-/// What a ray needs to know about a shape.
+/// The data about a shape that a ray needs.
 enum class Form { solid, surface, endless };
 
 template <class Shape>
@@ -279,10 +278,10 @@ inline constexpr Form form<Triangle<S, 3>> = Form::surface;
 template <Scalar S>
 inline constexpr Form form<Plane<S, 3>> = Form::endless;
 
-/// A ray that may or may not hit what the stage draws.
+/// A ray that may or may not hit the stage's shapes.
 ///
-/// With an angle, it runs within that angle of the first axis of the stage. Where the ray has to
-/// start at the world's origin, the stage moves instead.
+/// With an angle, it runs within that angle of the first axis of the stage. If the ray must start
+/// at the world's origin, the stage moves instead.
 inline Ray<Carrier, 3> draw_ray(Stage& stage, const Rung& rung, Form form) {
   Stage way = stage;
   rung.angle < 0 ? way.turn() : way.tilt(rung.angle);
@@ -301,7 +300,7 @@ inline Ray<Carrier, 3> draw_ray(Stage& stage, const Rung& rung, Form form) {
   const double length = std::ldexp(rung.length, rung.frac);
   if (rung.ladder == Ladder::distance) stage.center = plus(stage.center, d, length);
   if (rung.angle < 0 || form == Form::solid) {
-    // No ray misses a plane by passing it, so rays end near it.
+    // Rays cannot pass beside a plane, so they end near it instead.
     const double reach = form == Form::endless ? std::max(rung.length, rung.size) : enough;
     const auto target = stage.at(stage.local({1.4, 1.4, 1.4}));
     return {Stage::rounded(plus(target, d, -length)), direction, limit(reach)};

@@ -11,12 +11,12 @@
 
 namespace detent::accuracy {
 
-/// Which numbers a test case consists of, and which numbers its result is checked for.
+/// The numbers of a test case, and the numbers for which its result is checked.
 ///
 /// `own`: drawn on the scalar's own grid and checked for exactly those numbers, so every error
 /// comes from the computation. `asked`: drawn on the grid of q16_16 (beyond its range, of q24_8),
-/// rounded to the nearest numbers of the scalar, and checked for the numbers before rounding, so
-/// what the scalar cannot represent counts too.
+/// rounded to the scalar's nearest numbers, and checked for the numbers before rounding, so that
+/// unrepresentable inputs count as well.
 enum class Inputs { own, asked };
 
 /// The results of a scalar at one rung. Errors are in units of 2^-16, over the test cases where
@@ -32,7 +32,7 @@ struct Cell {
   double largest = 0;
 };
 
-/// A query of the library, as the ladder runs it.
+/// A query of the library, as run by the ladder.
 struct Query {
   std::string kind;  // "raycast", "overlaps", "intersects" or "distance"
   std::string name;  // "raycast/sphere", "overlaps/sphere_aabb", "raycast/sphere_2d"
@@ -53,8 +53,8 @@ struct Result {
 
 /// Runs one query at one rung.
 ///
-/// Test cases are random; half of them are drawn until they are hits, half until they are misses.
-/// Throws std::runtime_error when the share of hits is still outside 30 to 70 %.
+/// Test cases are random: half of them are drawn until they are hits, half until they are misses.
+/// Throws std::runtime_error if the share of hits is still outside 30 to 70 %.
 [[nodiscard]] Result survey(const Query& query, const Rung& rung, long count, std::uint64_t seed);
 
 }  // namespace detent::accuracy

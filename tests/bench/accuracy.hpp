@@ -10,9 +10,9 @@
 
 namespace detent::bench {
 
-/// The errors of a scalar's results against the exact ones. Decisions are compared with those of
-/// q16_16; lengths with those in double, if these are within a step of q16_16's. Inputs that the
-/// scalar cannot represent (directions in float and q8_8) count too.
+/// The errors of a scalar's results. Decisions are compared with those of q16_16, lengths with
+/// those in double, if these are within a step of q16_16's. Inputs that the scalar cannot represent
+/// (directions in float and q8_8) count too.
 struct Accuracy {
   std::size_t asked = 0;
   std::size_t wrong = 0;        // hit instead of miss, or the reverse
@@ -93,7 +93,7 @@ bool is_wrong(const Q& query, const typename Q::template Question<double>& drawn
   }
 }
 
-/// Moves the second shape of a hit until it is a miss, and visits the last hit and the first miss,
+/// Moves the second shape of a hit until it misses, and visits the last hit and the first miss,
 /// which are one step apart.
 template <class Q, class Visit>
 void visit_close_calls(const Q& query, const typename Q::template Question<double>& hit, int axis,

@@ -9,7 +9,7 @@
 
 namespace detent::bench {
 
-/// A convex hull with its points.
+/// A convex hull that owns its points.
 template <Scalar S, int N>
 struct Rock {
   std::array<Vec<S, N>, 12> points{};
@@ -24,7 +24,7 @@ const Shape& as_shape(const Shape& shape) {
   return shape;
 }
 
-/// A shape on its way along a direction.
+/// A shape moving along a direction.
 template <Scalar S, int N, template <class, int> class Shape>
 struct Moving {
   Shape<S, N> shape{};
@@ -32,8 +32,8 @@ struct Moving {
   S max_distance{};
 };
 
-// A scene is drawn in double on a grid that every scalar has: `as<S>` is the same scene in S. It
-// rounds to nearest what S cannot represent: components of directions.
+// A scene is drawn in double on a grid that every scalar has. `as<S>` is the same scene in S.
+// Directions that S cannot represent are rounded to nearest.
 
 template <Number T>
 T as_number(double x) {
@@ -80,7 +80,7 @@ Moving<S, N, Shape> as(const Moving<double, N, Shape>& moving) {
   return {as<S>(moving.shape), as<S>(moving.direction), as<S>(moving.max_distance)};
 }
 
-/// A shape moved by `offset`, for shapes in double.
+/// A shape in double moved by `offset`.
 template <int N>
 void move(Vec<double, N>& v, const Vec<double, N>& offset) {
   v += offset;
@@ -102,7 +102,7 @@ template <int N>
 void move(Obb<double, N>& box, const Vec<double, N>& offset) {
   box.center += offset;
 }
-/// A plane moves along its normal, so that its offset stays on the grid.
+/// A plane moves along its normal, so its offset stays on the grid.
 template <int N>
 void move(Plane<double, N>& plane, const Vec<double, N>& offset) {
   for (int i = 0; i < N; ++i) plane.offset += offset[i];

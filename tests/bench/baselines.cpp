@@ -56,7 +56,7 @@ template <class Multiply, class Divide, class Root, class T, class Value>
 void add_arithmetic(Suite& suite, const std::string& scalar, const Pairs<q16_16>& numbers,
                     const Pairs<T>& questions, const Multiply& multiply, const Divide& divide,
                     const Root& root, const Value& value) {
-  // Products have 48 bits and quotients are of 23-bit numbers: double is precise enough as
+  // Products have 48 bits and quotients have 23-bit operands, so double is precise enough as a
   // reference.
   add_operation(suite, "number/multiply", scalar, numbers, questions, multiply, value,
                 [](double a, double b) { return a * b; });
@@ -97,7 +97,7 @@ void add_numbers(Suite& suite) {
 #endif
 }
 
-/// The root of 62 random bits, next to that of the processor.
+/// The root of 62 random bits, compared with the processor's.
 void add_long_roots(Suite& suite) {
   using Square = Fixed<62, 32>;
   test::Random random(suite.seed());

@@ -9,7 +9,7 @@
 
 namespace detent::bench {
 
-/// How large a scene is: coordinates under `reach` units, sizes under a sixteenth of that.
+/// The size of a scene: coordinates under `reach` units, sizes under a sixteenth of that.
 struct Scale {
   int reach;
 };
@@ -17,7 +17,7 @@ inline constexpr Scale ordinary{4096};
 /// Coordinates that fit in 8 bits before the point.
 inline constexpr Scale small{64};
 
-/// The step of all lengths, which every scalar has.
+/// The step of all lengths, exact in every scalar.
 inline constexpr double grid_step = 1.0 / 256;
 
 /// Draws shapes in double whose lengths are multiples of 1/256, which every scalar represents,
@@ -29,7 +29,7 @@ class Artist {
 
   [[nodiscard]] bool coin() { return random_.coin(); }
 
-  /// Starts a scene: the next shapes lie around a common point.
+  /// Starts a scene: the following shapes lie around a common point.
   void next_scene() { place_ = vec(reach_ / 2); }
 
   void draw(Vec<double, N>& v) { v = nearby(); }

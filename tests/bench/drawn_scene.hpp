@@ -12,7 +12,7 @@
 #include "bench/as_scalar.hpp"
 #include "support/random.hpp"
 
-// Random scenes, and their times.
+// Random scenes, and timing them.
 
 namespace detent::bench {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ray tests of two physics engines against single shapes, on the same inputs in the same run. They
-// work in float or double, depending on how they were built, and compute normals too.
+// Ray tests of two physics engines against single shapes, on the same inputs in the same run.
+// Depending on their build they work in float or double. They compute normals as well.
 
 #include "bench/suite.hpp"
 #if DETENT_BENCH_BULLET
@@ -48,7 +48,7 @@ btVector3 as_bullet(const Vec<double, 3>& v) {
   return {static_cast<btScalar>(v.x), static_cast<btScalar>(v.y), static_cast<btScalar>(v.z)};
 }
 
-/// A shape and its transform: Bullet keeps them apart.
+/// A shape and its transform, which Bullet keeps separately.
 struct BulletShape {
   std::shared_ptr<btCollisionShape> shape;
   btTransform place = btTransform::getIdentity();
@@ -80,8 +80,8 @@ struct BulletQuestion {
   std::shared_ptr<btCollisionObject> object;
 };
 
-/// Convex shapes by one of Bullet's two casts: the quick one, which is its default, or the one by
-/// the Gilbert-Johnson-Keerthi algorithm.
+/// Convex shapes with Bullet's two casts: the fast one, which is the default, and the one by the
+/// Gilbert-Johnson-Keerthi algorithm.
 template <class Q>
 void add_bullet(Suite& suite, const Q& query, const std::string& name, unsigned flags) {
   const auto drawn = draw_questions(query, suite.seed(), ordinary);
@@ -107,7 +107,7 @@ void add_bullet(Suite& suite, const Q& query, const std::string& name, unsigned 
   });
 }
 
-/// Bullet's triangles belong to meshes: as convex shapes they would have a margin of 0.04.
+/// Bullet's triangles belong to meshes; as convex shapes they would have a margin of 0.04.
 struct BulletTriangle {
   btVector3 from, to;
   float length;

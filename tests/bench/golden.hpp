@@ -6,7 +6,7 @@
 
 namespace detent::bench {
 
-/// How many of a query's inputs are hits, in every fixed scalar: a benchmark with another count
+/// The number of hits among a query's inputs, in every fixed scalar. A benchmark with another count
 /// would be fast by being wrong.
 struct Golden {
   std::string_view query;
@@ -144,7 +144,7 @@ inline constexpr Golden golden_hits[] = {
     {"cast/hull_hull", 2076, 2025},
 };
 
-/// The golden counts of a query, or null for one that has none yet.
+/// The golden counts of a query, or null if it has none yet.
 constexpr const Golden* golden_for(std::string_view query) {
   for (const auto& golden : golden_hits) {
     if (golden.query == query) return &golden;

@@ -20,20 +20,18 @@ const auto check = [](const auto& query) {
 
 }  // namespace
 
-TEST_CASE("golden: raycasts hit as often as they have to") {
+TEST_CASE("golden: raycasts have their hit counts") {
   visit_raycasts(check);
   visit_raycast_hits(check);
 }
-TEST_CASE("golden: points are contained as often as they have to") { visit_contains(check); }
-TEST_CASE("golden: closest points are elsewhere as often as they have to") {
-  visit_closest_points(check);
-}
-TEST_CASE("golden: points are apart as often as they have to") { visit_distances(check); }
-TEST_CASE("golden: shapes overlap as often as they have to") {
+TEST_CASE("golden: contains queries have their hit counts") { visit_contains(check); }
+TEST_CASE("golden: closest points have their hit counts") { visit_closest_points(check); }
+TEST_CASE("golden: distances of points have their hit counts") { visit_distances(check); }
+TEST_CASE("golden: overlaps have their hit counts") {
   visit_sphere_overlaps(check);
   visit_box_overlaps(check);
   visit_other_overlaps(check);
 }
-TEST_CASE("golden: segments intersect as often as they have to") { visit_intersects(check); }
-TEST_CASE("golden: hulls are met as often as they have to") { visit_hulls(check); }
-TEST_CASE("golden: shapes of the plane are met as often as they have to") { visit_planar(check); }
+TEST_CASE("golden: segments have their hit counts") { visit_intersects(check); }
+TEST_CASE("golden: hulls have their hit counts") { visit_hulls(check); }
+TEST_CASE("golden: 2D shapes have their hit counts") { visit_planar(check); }

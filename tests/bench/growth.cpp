@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: detent-bench-growth NAME [--peers] [--most OBJECTS] [--threads]
-// Scenes of 100 to OBJECTS (100,000) random spheres and boxes: rays, regions, pairs, changes,
-// loading and snapshots, in q16_16; with --peers also in float and in Bullet; with --threads also
-// rays of one and of two threads, and shadow rays alone and together. Prints rows "question,size,NAME,time", in nanoseconds, each the
-// median of a few rounds; fails when a q16_16 result is not golden. tests/bench/engines makes a table
-// of them.
+// Times scenes of 100 to OBJECTS (100,000) random spheres and boxes: rays, regions, pairs, changes,
+// loading and snapshots, in q16_16. --peers adds float and Bullet; --threads adds rays on one and
+// two threads, and shadow rays singly and in one call. Prints rows "question,size,NAME,time" in
+// nanoseconds, each the median of a few rounds. Fails if a q16_16 result is not golden.
+// tests/bench/engines makes a table of the rows.
 
 #include <algorithm>
 #include <array>
@@ -59,13 +59,13 @@ void print(const char* question, std::size_t size, const char* who, double time)
 constexpr std::size_t changes = 512;
 constexpr double region_radius = 100;
 
-/// What was found, to be compared with golden counts.
+/// The results, to be compared with golden counts.
 struct Counts {
   std::size_t hits = 0, in_regions = 0, pairs = 0;
   friend bool operator==(const Counts&, const Counts&) = default;
 };
 
-/// Fewer rounds of large scenes.
+/// Fewer rounds for large scenes.
 int rounds_of(std::size_t size) { return size > 200'000 ? 3 : size > 20'000 ? 5 : 9; }
 
 std::vector<std::uint32_t> draw_changes(std::size_t size) {
@@ -121,7 +121,7 @@ Counts measure(const Drawn& drawn, const char* who) {
     });
     pairs.time([&] { counts.pairs = scene.overlaps().size(); });
   }
-  // Objects come and go in the places of others, so the scene stays as crowded as it was.
+  // Objects come and go at the positions of others, so the density of the scene is constant.
   for (int i = 0; i < count; ++i) {
     move.time([&] {
       for (const auto k : draw_changes(size)) {
@@ -158,7 +158,7 @@ Counts measure(const Drawn& drawn, const char* who) {
 
 #if DETENT_BENCH_BULLET
 
-/// Bullet's regions and pairs are those of bounding boxes; only its rays ask the shapes.
+/// Bullet's regions and pairs use bounding boxes; only its rays test the shapes.
 void measure_bullet(const Drawn& drawn) {
   const std::size_t size = drawn.items.size();
   const int count = size > 200'000 ? 1 : rounds_of(size);
@@ -233,7 +233,7 @@ void measure_snapshots(const char* who) {
   print("copy", 1000, who, copy.value());
 }
 
-/// Nanoseconds a ray, by the clock on the wall, of so many threads that share one scene.
+/// Wall-clock nanoseconds per ray with this many threads that share one scene.
 void measure_threads(const Drawn& drawn, const char* who) {
   Scene<q16_16, 3, Sphere, Obb> scene;
   add(scene, drawn);
@@ -268,7 +268,7 @@ void measure_threads(const Drawn& drawn, const char* who) {
   }
 }
 
-/// Shadow rays in the order of a picture's pixels, one after another and in one call, by turns.
+/// Shadow rays in the order of a picture's pixels, one by one and in one call, alternating.
 template <class Scene>
 void measure_shadows(Scene& scene, const Drawn& drawn, const char* who) {
   using S = q16_16;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs float and fixed interleaved in one process and prints the cost of exactness. Options that it
-// does not know go to Google Benchmark: --benchmark_filter=raycast --benchmark_repetitions=5
+// Runs float and fixed interleaved in one process and prints the cost of exactness. Unknown options
+// go to Google Benchmark: --benchmark_filter=raycast --benchmark_repetitions=5
 
 #include <cstdlib>
 #include <ctime>
@@ -24,14 +24,14 @@ constexpr std::string_view usage =
 Useful of Google Benchmark: --benchmark_filter=REGEX, --benchmark_repetitions=N
 )";
 
-/// Prints nothing: the times are collected turn by turn.
+/// Prints nothing, because times are collected turn by turn.
 class Silence : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>&) override {}
 };
 
-/// Runs the turns of `row` alternately, as often as Google Benchmark requests, and keeps their
+/// Runs the turns of `row` alternately, as often as Google Benchmark requests, and stores their
 /// times.
 void add_benchmark(const Row& row, Results& results) {
   benchmark::RegisterBenchmark((row.query + '|' + name_of(row.manner)).c_str(),

@@ -2,13 +2,14 @@
 //
 // usage: detent-bench-meshes NAME [MODEL.obj|MODEL.ply]
 //
-// Rays on a mesh and the time to build its tree, on one thread: detent in q16_16 and in float from the
-// same source, Embree in robust mode, and Bullet. The model, or a bumpy ball of 204,800 triangles, is
-// scaled to 200 units. Random rays start on a sphere of radius 300 and aim at points of the inner box;
-// camera rays are the pixels of a picture of the model. All engines get the same corners and rays, by
-// turns. Prints rows "question,triangles,engine,time", in nanoseconds of the thread, each the median of
-// a few rounds, where q16_16 is called NAME. The hit counts of detent and Embree must agree within one
-// ray in 10,000. tests/bench/engines makes a table of them.
+// Times rays on a mesh and the construction of its tree, on one thread: detent in q16_16 and in
+// float from the same source, Embree in robust mode, and Bullet. The model, or a bumpy ball of
+// 204,800 triangles, is scaled to 200 units. Random rays start on a sphere of radius 300 and aim at
+// points of the inner box; camera rays are the pixels of a picture of the model. All engines get
+// the same corners and rays, alternating. Prints rows "question,triangles,engine,time" in CPU
+// nanoseconds, each the median of a few rounds, where q16_16 is called NAME. The hit counts of
+// detent and Embree must agree within one ray in 10,000. tests/bench/engines makes a table of the
+// rows.
 
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 #include <btBulletCollisionCommon.h>
@@ -91,7 +92,7 @@ Model load_obj(std::ifstream& in) {
   return model;
 }
 
-/// A ball of 320 x 320 squares whose surface is bumpy.
+/// A ball of 320 x 320 squares with a bumpy surface.
 Model bumpy_ball() {
   constexpr int side = 320;
   constexpr double pi = 3.14159265358979;
@@ -178,7 +179,7 @@ class Ours {
     }
     build(model);
   }
-  /// Builds the tree; returns the milliseconds it took.
+  /// Builds the tree. Returns the milliseconds taken.
   double build(const Model& model) {
     const double start = now();
     if (!detent::assemble_triangles<S>(vertices_, model.faces, triangles_.all())) std::abort();
@@ -349,7 +350,7 @@ Rays draw_rays(const Model& model, std::size_t count) {
   return rays;
 }
 
-/// The times of a task in rounds, and the hits of the last.
+/// The times of a task by round, and the hits of the last round.
 struct Times {
   std::vector<double> list;
   std::size_t hits = 0;
@@ -366,7 +367,7 @@ struct Times {
   }
 };
 
-/// Casts rays in every engine, by turns, and prints their times. False if hits differ by too many.
+/// Casts rays in every engine alternately, and prints the times. False if hits differ by too many.
 bool compare(const std::string& name, const std::string& kind, const Rays& rays,
              const Ours<q16_16>& fixed, const Ours<float>& floating, const Embree& embree,
              const Bullet& bullet, std::size_t triangles) {

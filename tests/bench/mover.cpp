@@ -2,8 +2,8 @@
 //
 // usage: detent-bench-mover
 // Characters walk through a town of 1,000 boxes on terrain of 32,768 triangles, some of them from
-// roofs, in q16_16 and in float, which take turns. Prints a table as CSV; fails when the walk in
-// q16_16 is not the golden one.
+// roofs, in q16_16 and in float, alternating. Prints a table as CSV. Fails if the walk in q16_16 is
+// not the golden one.
 
 #include <cstdint>
 #include <cstdio>
@@ -26,7 +26,7 @@ struct Town {
   std::vector<double> heights;
   std::vector<Aabb<double, 3>> boxes;
   std::vector<Vec<double, 3>> starts;
-  std::vector<Vec<double, 3>> ways;  // of each character, changing every 20 frames
+  std::vector<Vec<double, 3>> ways;  // the path of each character, changing every 20 frames
 
   Town() {
     test::Random random(7);
@@ -51,7 +51,7 @@ struct Town {
   }
 };
 
-/// The town in one scalar, and its characters.
+/// The town in one scalar, with its characters.
 template <Scalar S>
 class Place {
  public:

@@ -7,8 +7,8 @@
 
 namespace detent::bench {
 
-// The measured queries of two solid shapes, in sources of their own and in four scalars: one takes
-// the compiler two seconds for each.
+// The measured queries of two solid shapes, in their own sources and in four scalars: each takes
+// the compiler two seconds.
 
 template <Scalar S, int N>
 using MovingSphere = Moving<S, N, Sphere>;
@@ -19,7 +19,7 @@ using MovingCapsule = Moving<S, N, Capsule>;
 template <Scalar S, int N>
 using MovingRock = Moving<S, N, Rock>;
 
-// Functions of their own, compiled once for all loops: next to such queries a call costs nothing.
+// Separate functions, compiled once for all loops; compared with such queries a call costs nothing.
 
 inline constexpr auto ask_pair_distance =
     [](const auto& a, const auto& b) __attribute__((noinline)) {

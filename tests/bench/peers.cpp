@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Distances and contacts of two other libraries, on the same inputs in the same run. They work in
-// double, as their packages were built, and return the closest points or the normal too.
+// Distances and contacts of two other libraries, on the same inputs in the same run. As packaged,
+// they work in double, and they also return the closest points or the normal.
 
 #include "bench/pairs.hpp"
 #include "bench/suite.hpp"
@@ -54,7 +54,7 @@ void add_peer(Suite& suite, const Q& query, const std::string& peer,
 
 fcl::Vector3d as_fcl(const Vec<double, 3>& v) { return {v.x, v.y, v.z}; }
 
-/// A shape and its pose: FCL keeps them apart.
+/// A shape and its pose, which FCL keeps separately.
 struct FclShape {
   std::shared_ptr<fcl::CollisionGeometryd> shape;
   fcl::Transform3d pose = fcl::Transform3d::Identity();
@@ -76,7 +76,7 @@ FclShape as_fcl(const Obb<double, 3>& box) {
   for (int i = 0; i < 3; ++i) result.pose.linear().col(i) = as_fcl(box.rotation.axis(i).vec());
   return result;
 }
-/// The corners of a hull with its faces: every three points that all others are behind.
+/// The corners of a hull and its faces: every three points with all others behind them.
 FclShape as_fcl(const Rock<double, 3>& rock) {
   const auto& points = rock.points;
   const int count = static_cast<int>(points.size());
@@ -120,11 +120,11 @@ std::vector<FclQuestion> as_fcl(const std::vector<Drawn>& drawn) {
   return questions;
 }
 
-/// FCL's two solvers: libccd's, which is its default, and its own.
+/// FCL's two solvers: libccd's, which is the default, and its own.
 constexpr std::pair<const char*, fcl::GJKSolverType> fcl_solvers[] = {
     {"FCL", fcl::GST_LIBCCD}, {"FCL, own solver", fcl::GST_INDEP}};
 
-/// `compute`, or -1 where FCL gives up.
+/// `compute`, or -1 if FCL gives up.
 template <class Compute>
 double or_nothing(const Compute& compute) {
   try {
@@ -222,8 +222,8 @@ void ccd_support(const void* shape, const ccd_vec3_t* way, ccd_vec3_t* point) {
   *point = as_ccd(support_of(*static_cast<const Shape*>(shape), of_ccd(*way)));
 }
 
-/// By libccd's two algorithms: the expanding polytope, and portal refinement, whose depth need not
-/// be the least.
+/// With libccd's two algorithms: the expanding polytope, and portal refinement, whose depth need
+/// not be the least.
 template <class Q>
 void add_ccd_contacts(Suite& suite, const Q& query) {
   using Question = typename Q::template Question<double>;

@@ -36,7 +36,7 @@ struct Number {
   friend constexpr auto operator<=>(Number a, Number b) = default;
 };
 
-/// Digit by digit, as other fixed-point libraries do.
+/// Digit by digit, as in other fixed-point libraries.
 inline Number sqrt(Number x) {
   if (x.raw <= 0) return {};
   std::uint64_t rest = static_cast<std::uint64_t>(x.raw) << 16, root = 0;

@@ -5,7 +5,7 @@
 
 namespace detent::bench {
 
-// The measured queries: a new one is a line here and one in golden.hpp.
+// The measured queries. To add one, add a line here and one in golden.hpp.
 
 template <Scalar S, int N>
 using Point = Vec<S, N>;

@@ -66,7 +66,7 @@ bool hits(const Q& query, const typename Q::template Question<S>& question) {
   }
 }
 
-/// The inputs for `query`, in double: about half of them hits in double, except where shapes
+/// The inputs for `query`, in double. About half of them are hits in double, except where shapes
 /// without volume make hits improbable.
 template <class Q>
 std::vector<typename Q::template Question<double>> draw_questions(const Q& query,
@@ -94,7 +94,7 @@ auto as_questions(const Q&, const std::vector<typename Q::template Question<doub
   return questions;
 }
 
-/// q8_8 has room for small scenes only.
+/// q8_8 has room only for small scenes.
 template <class S>
 inline constexpr Scale scale_for = bits_of<S> == 15 ? small : ordinary;
 

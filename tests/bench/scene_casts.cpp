@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: detent-bench-scene-casts
-// A ball and a box cast through scenes of random spheres and boxes, and the contacts of a box there,
-// compared with Bullet's convexSweepTest and contactTest on the same shapes and ways, and with the
-// same source in float. Prints a table as CSV; fails when a q16_16 result is not golden.
+// Casts a ball and a box through scenes of random spheres and boxes, and computes the contacts of a
+// box there. Compares them with Bullet's convexSweepTest and contactTest on the same shapes and
+// paths, and with float from the same source. Prints a table as CSV. Fails if a q16_16 result is
+// not golden.
 
 #include <cstdio>
 #include <set>
@@ -27,7 +28,7 @@ struct Measured {
 /// Half the greatest extent of an object.
 double half_size(const Drawn& drawn) { return 0.35 * reach / std::cbrt(drawn.items.size()); }
 
-/// The nanoseconds of one question of `ray_count`, and the sum of their hits.
+/// The nanoseconds per query over `ray_count`, and the sum of their hits.
 template <class Hits>
 double time_each(std::size_t& hits, const Hits& hits_at) {
   Timer timer;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: detent-bench-scenes
-// Scenes of random spheres and boxes: rays, pairs after a tenth of them moved, snapshots. Compared
-// with Bullet on the same shapes and rays, and with the same source in float. Prints tables in
-// Markdown; fails when a q16_16 result is not golden.
+// Times scenes of random spheres and boxes: rays, pairs after a tenth of them moved, snapshots.
+// Compares them with Bullet on the same shapes and rays, and with float from the same source.
+// Prints tables in Markdown. Fails if a q16_16 result is not golden.
 
 #include <algorithm>
 #include <cstdio>

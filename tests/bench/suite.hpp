@@ -64,7 +64,7 @@ std::uint32_t bits_of_answer(const Answer& answer) {
 /// Zero, unknown to the compiler.
 inline volatile std::uint32_t always_zero = 0;
 
-/// Some passes over all inputs; returns nanoseconds per query.
+/// Makes some passes over all inputs. Returns nanoseconds per query.
 using Turn = std::function<double()>;
 
 /// Calls `pass` once to warm up, then twice for timing.
@@ -79,19 +79,19 @@ double take_turn(const Pass& pass) {
   return time.count() / (passes * question_count);
 }
 
-/// Turns of `ask(questions[i])` over all inputs in the given manner.
+/// Turns of `ask(questions[i])` over all inputs in the given order.
 template <class Question, class Ask>
 Turn turn_of(std::shared_ptr<const std::vector<Question>> questions, const Ask& ask,
              Manner manner) {
   static_assert((question_count & (question_count - 1)) == 0);
   constexpr std::uint32_t mask = question_count - 1;
-  // An odd stride visits every input once. A new one each pass keeps the branch predictor from
+  // An odd stride visits every input once. A new stride per pass keeps the branch predictor from
   // learning the results.
   std::uint32_t stride = 1, first = 0;
   return [questions, ask, manner, stride, first]() mutable {
     return take_turn([&] {
       if (manner != Manner::sorted) stride = (stride * 1664525 + 1013904223) | 1;
-      // Copied to registers: captured variables are not in registers.
+      // Copied to locals, because captured variables are not in registers.
       const Question* const from = questions->data();
       const std::uint32_t step = stride, zero = always_zero;
       std::uint32_t at = first;
@@ -111,7 +111,7 @@ Turn turn_of(std::shared_ptr<const std::vector<Question>> questions, const Ask& 
   };
 }
 
-/// The turns of all contestants at one query; they alternate, so that whatever slows the machine
+/// The turns of all contestants in one query. They alternate, so that whatever slows the machine
 /// down slows all of them.
 struct Row {
   std::string query;
@@ -133,7 +133,7 @@ class Suite {
   void operator()(const Q& query) {
     add_scalars(query, support::ScalarList<float, double, q16_16, q14_16, q24_8, q8_8>());
   }
-  /// Adds `query` in the scalars of most interest, because it takes long to compile.
+  /// Adds `query` only in the most interesting scalars, because it takes long to compile.
   template <class Q>
   void add_pair(const Q& query) {
     add_scalars(query, support::ScalarList<float, double, q16_16, q8_8>());
@@ -164,7 +164,7 @@ class Suite {
     support::for_each_scalar(scalars, add_scalar);
   }
 
-  /// Adds a function, ours or another library's, under the names of a query and a scalar.
+  /// Adds a function of ours or of another library under the names of a query and a scalar.
   void add_record(const Record& record) { records_.push_back(record); }
   template <class Question, class Ask, class IsHit>
   void add(const std::string& query, const std::string& scalar, std::vector<Question> questions,
@@ -192,8 +192,8 @@ class Suite {
   std::vector<Row> rows_;
 };
 
-// Each in its own source file, because every query takes the compiler some time, and it inlines
-// only so much of a large source.
+// Each in its own source file, because every query takes long to compile, and the compiler's
+// inlining is limited in a large source.
 void add_raycasts(Suite& suite);
 void add_raycast_hits(Suite& suite);
 void add_contains(Suite& suite);

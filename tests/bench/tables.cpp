@@ -54,7 +54,7 @@ void write_ratios(std::FILE* out, const Results& results, Manner manner) {
   }
 }
 
-/// How many of a hundred results are wrong, or nothing where none was asked for.
+/// The percentage of wrong results, or nothing if there are none to count.
 std::string percent(std::size_t wrong, std::size_t asked) {
   if (asked == 0) return "";
   std::array<char, 32> text{};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: detent-bench-worlds [--only q16_16|float|bullet] [--steps N] [--passes N] [--snapshots | --threads N] [SCENE...]
-// Steps scenes of bodies in q16_16, in float and in Bullet, which take turns step by step, and prints
-// a table as CSV: milliseconds a step, the mean of steps 60 to 299 of the least of the passes. Sleeping
-// is off, but for the scene "asleep". With --only it runs one of them, such as for a profiler. The
-// last column is the digest of q16_16, which an optimisation must not change. --threads compares one
-// thread with N, by the clock on the wall.
+// Steps scenes of bodies in q16_16, in float and in Bullet, alternating step by step, and prints a
+// table as CSV: milliseconds per step, the mean of steps 60 to 299 of the fastest pass. Sleeping is
+// off, except in the scene "asleep". --only runs one of them, for example in a profiler. The last
+// column is the digest of q16_16, which an optimisation must not change. --threads compares one
+// thread with N in wall-clock time.
 
 #include <time.h>
 
@@ -32,7 +32,7 @@
 namespace detent::bench {
 namespace {
 
-/// Something that steps, and what its steps took.
+/// An engine that steps, and the times of its steps.
 struct Runner {
   std::string name;
   std::function<void()> step;
@@ -87,7 +87,7 @@ struct BulletStage {
       if (item.moves) shapes.back()->calculateLocalInertia(mass, inertia);
       btRigidBody::btRigidBodyConstructionInfo info(mass, states.back().get(), shapes.back().get(),
                                                     inertia);
-      info.m_friction = std::sqrt(btScalar(0.6));  // Bullet multiplies
+      info.m_friction = std::sqrt(btScalar(0.6));  // Bullet multiplies friction
       bodies.push_back(std::make_unique<btRigidBody>(info));
       if (!plan.sleeps) bodies.back()->setActivationState(DISABLE_DEACTIVATION);
       world.addRigidBody(bodies.back().get());
@@ -174,7 +174,7 @@ void run(const Plan& plan, const Options& options) {
   std::fflush(stdout);
 }
 
-/// What a rollback pays besides steps: a copy of a world and back, and its snapshot and back.
+/// The costs of a rollback besides steps: copying a world and back, and its snapshot and back.
 void time_snapshots(const Plan& plan) {
   Stage<q16_16> stage(plan);
   for (int i = 0; i < 300; ++i) stage.world.step();
@@ -200,7 +200,7 @@ void time_snapshots(const Plan& plan) {
               copy * 1e3, save * 1e3, load * 1e3);
 }
 
-/// Milliseconds a step on one thread and on several, which take turns: the mean of the second half of
+/// Milliseconds per step on one thread and on several, alternating: the mean of the second half of
 /// all steps, each the least of the passes.
 void time_threads(const Plan& plan, const Options& options) {
   test::Pool pool(options.threads);

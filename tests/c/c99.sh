@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: c99.sh MATCH_IN_CPP LIBRARY
-# A C99 program compiles without a warning, links the shared library, and plays the match of the C++
-# program; the library shows the functions of detent.h, all of them and nothing else.
+# A C99 program compiles without a warning, links the shared library and plays the same match as the
+# C++ program. The library exports exactly the functions of detent.h.
 set -euo pipefail
-compiler=$(command -v gcc || command -v cc) || { echo 'skipped: there is no C compiler'; exit 77; }
+compiler=$(command -v gcc || command -v cc) || { echo 'skipped: no C compiler is installed'; exit 77; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 folder=$(dirname "$2")
@@ -13,7 +13,7 @@ compile() {
   "$compiler" -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -Iinclude "$1" \
     -L"$folder" -ldetent -Wl,-rpath,"$folder" -o "$2"
 }
-# Structures have their sizes where words are shorter and aligned otherwise, too.
+# Structures also have their sizes where words are shorter and aligned differently.
 if echo | "$compiler" -m32 -x c -E - >/dev/null 2>&1; then
   "$compiler" -std=c99 -m32 -ffreestanding -fsyntax-only -x c include/detent.h
 fi
@@ -27,9 +27,9 @@ fi
 
 sed -n '/^```c$/,/^```$/{/^```/d;p}' docs/bindings.md >"$work/page.c"
 compile "$work/page.c" "$work/page"
-[[ $("$work/page") == 'object 0 at 9.000000' ]] || { echo 'the page says something else'; exit 1; }
+[[ $("$work/page") == 'object 0 at 9.000000' ]] || { echo 'the program of the page prints something else'; exit 1; }
 
 nm -D --defined-only "$2" | sed 's/.* //' | sort >"$work/visible"
 sed -n 's/^DETENT_API .*[ *]\(detent_[a-z0-9_]*\)(.*/\1/p' include/detent.h | sort >"$work/declared"
-diff "$work/declared" "$work/visible" || { echo 'the library shows other functions'; exit 1; }
+diff "$work/declared" "$work/visible" || { echo 'the library exports other functions'; exit 1; }
 echo "the match ends with $in_c; $(wc -l <"$work/visible") functions are visible"

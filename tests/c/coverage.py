@@ -46,8 +46,8 @@ SWEEP = d3.sweep(ZERO, POINT)
 
 
 def call(name, *given):
-    """Whether there is this function, and whether it answers: it gets the shapes in turn, one in each list,
-    and everything else that it takes."""
+    """Returns whether the function exists and answers. It gets the shapes in turn, one per list,
+    and all its other arguments."""
     if name not in functions:
         return False
     given, arguments = list(given), []
@@ -68,13 +68,13 @@ def call(name, *given):
         elif one.pointer:
             arguments.append(kind() if kind else byref(ctypes.c_int32()))
         else:
-            arguments.append(1)  # the length of a list, or a distance
+            arguments.append(1)  # a list length or a distance
     assert not given, name
     return getattr(library, name)(*arguments) in (c.DETENT_OK, c.DETENT_NO)
 
 
 def is_answered(query, *shapes):
-    """A query of shapes by their names; of one shape with a point or ray."""
+    """A query of shapes by name; of one shape with a point or ray."""
     if query == 'intersects':
         query, shapes = 'overlaps', ('Segment', *shapes)
     elif query == 'distance' and len(shapes) == 1:
@@ -92,7 +92,7 @@ def is_answered(query, *shapes):
 
 
 def cells():
-    """The queries and shapes of README's matrix."""
+    """The queries and shapes in README's matrix."""
     matrix = re.search(r'<!-- query matrix.*?<!-- end', read('README.md'), re.S)[0]
     for table in matrix.split('\n\n'):
         head, _, *rows = [[cell.strip(' `') for cell in line.strip('|').split('|')]
@@ -127,7 +127,7 @@ for query, shapes in cells():
     elif not is_answered(query, *shapes):
         wrong.append(f'C does not answer: {name}')
 
-# Headers of queries that the matrix does not have: in C under their names, or excepted.
+# Query headers outside the matrix: in C under these names, or excepted.
 for header in sorted(os.listdir('include/detent/query')):
     name = header.removesuffix('.hpp')
     if header == name or name in checked or name in ('query', 'wrong_call'):
@@ -135,7 +135,7 @@ for header in sorted(os.listdir('include/detent/query')):
     if (f'detent_{name}3' in functions) == (name in excepted):
         wrong.append(f'{header}: C has it, or docs/bindings.md names `{name}` as missing')
 
-# Regions that scenes are queried with.
+# The regions of scene queries.
 scene = context.scene3()
 questions = read('include/detent/scene/question.hpp')
 regions = set(re.findall(r'reference\(const (\w+)<S(?:, N)?>&', questions))

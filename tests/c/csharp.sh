@@ -1,10 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: csharp.sh MATCH_IN_CPP LIBRARY
-# The C# binding compiles without a warning in Mono, its tests pass, and the example of
-# the page runs.
+# The C# binding compiles without a warning in Mono, its tests pass, and the page's example runs.
 set -euo pipefail
-command -v mcs >/dev/null && command -v mono >/dev/null || { echo 'skipped: there is no mono'; exit 77; }
+command -v mcs >/dev/null && command -v mono >/dev/null || { echo 'skipped: mono is not installed'; exit 77; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mcs -unsafe -optimize -warnaserror -nowarn:0649 -out:"$work/tests.exe" \

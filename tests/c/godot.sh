@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: godot.sh MATCH_IN_CPP LIBRARY
-# The GDNative library compiles without a warning, and Debian's headless Godot 3 plays the match with the
-# collision nodes of a scene.
+# The GDNative library compiles without a warning, and Debian's headless Godot 3 plays the match
+# with a scene's collision nodes.
 set -euo pipefail
-command -v godot3-server >/dev/null || { echo 'skipped: there is no godot3-server'; exit 77; }
-compiler=$(command -v gcc || command -v cc) || { echo 'skipped: there is no C compiler'; exit 77; }
+command -v godot3-server >/dev/null || { echo 'skipped: godot3-server is not installed'; exit 77; }
+compiler=$(command -v gcc || command -v cc) || { echo 'skipped: no C compiler is installed'; exit 77; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/project" "$work/home"

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: javascript.sh MATCH_IN_CPP
-# The WebAssembly modules compile and stay below their size; the tests of the JavaScript binding pass in node,
-# the example of the page runs; tsc and Chromium, if they are installed, compile its types and play the match.
+# The WebAssembly modules compile and stay below their size limit, the tests of the JavaScript
+# binding pass in node, and the page's example runs. If installed, tsc compiles the types and
+# Chromium plays the match.
 set -euo pipefail
-command -v node >/dev/null || { echo 'skipped: there is no node'; exit 77; }
+command -v node >/dev/null || { echo 'skipped: node is not installed'; exit 77; }
 (($(node -p 'process.versions.node.split(".")[0]') >= 20)) ||
   { echo 'skipped: node is older than 20'; exit 77; }
 work=$(mktemp -d)

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: python.sh MATCH_IN_CPP LIBRARY
-# The tests of the Python binding, by Debian's python3 if that has numpy, and the example of the page.
+# Runs the tests of the Python binding and the page's example, with Debian's python3 if it has
+# numpy.
 set -euo pipefail
 python=
 for name in python3 /usr/bin/python3; do
@@ -9,7 +10,7 @@ for name in python3 /usr/bin/python3; do
   python=${python:-$name}
   if "$name" -c 'import numpy' 2>/dev/null; then python=$name; fi
 done
-[[ $python ]] || { echo 'skipped: there is no python3'; exit 77; }
+[[ $python ]] || { echo 'skipped: python3 is not installed'; exit 77; }
 DETENT_LIBRARY=$(realpath "$2") DETENT_MATCH=$("$1")
 export DETENT_LIBRARY DETENT_MATCH PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=bindings/python
 "$python" bindings/python/tests/test_detent.py

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: rust.sh MATCH_IN_CPP LIBRARY
-# The crate compiles without network and without a warning; its tests and the example of the page pass.
+# The crate compiles without a network and without a warning; its tests and the page's example pass.
 set -euo pipefail
-command -v cargo >/dev/null || { echo 'skipped: there is no cargo'; exit 77; }
+command -v cargo >/dev/null || { echo 'skipped: cargo is not installed'; exit 77; }
 DETENT_LIBRARY_DIR=$(dirname "$(realpath "$2")") DETENT_MATCH=$("$1")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# What bindings/generate writes is committed, and the library has every function of the description.
+# The files written by bindings/generate are committed and current.
 set -euo pipefail
-command -v python3 >/dev/null || { echo 'skipped: there is no python3'; exit 77; }
+command -v python3 >/dev/null || { echo 'skipped: python3 is not installed'; exit 77; }
 bindings/generate --check

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: forms [times]
-// The boxes of nodes against rays and boxes, by vectors of this machine and by arrays: both forms
-// must give the same keys and masks, and every machine the same digest, which is printed. With
-// `times` also nanoseconds a node, by turns. On aarch64 each pass is between two `yield`s, at which
-// tests/size/count_instructions.c counts.                        (tests/platforms/forms)
+// Tests the boxes of tree nodes against rays and boxes, with this machine's vectors and with
+// arrays. Both forms must give the same keys and masks, and every machine the same digest, which is
+// printed. `times` also prints nanoseconds per node, measured alternately. On aarch64 each pass is
+// between two `yield`s, at which tests/size/count_instructions.c counts. (tests/platforms/forms)
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ void mark() {
 }
 
 constexpr std::size_t count = 512, in_cache = 16;
-using Keys = std::array<std::int64_t, 9>;  // of eight children, and which of them are met
+using Keys = std::array<std::int64_t, 9>;  // of eight children, and a mask of those hit
 
 /// Random nodes of a mesh's and of a scene's tree, with a ray and a box for each.
 template <Scalar S, int N>
@@ -94,7 +94,7 @@ struct Questions {
     for (std::size_t i = 0; i < count; ++i) ask(i & last, answers[i & last]);
     mark();
   }
-  /// A ray against a node of a mesh.
+  /// A ray against a mesh node.
   template <class Lanes>
   void in_mesh(std::vector<Keys>& answers) const {
     pass(answers, [&](std::size_t i, Keys& keys) {
@@ -103,7 +103,7 @@ struct Questions {
       std::copy(enter.begin(), enter.end(), keys.begin());
     });
   }
-  /// A ray against a node of a scene; `RayKeys` takes 64 bits and one box at a time.
+  /// A ray against a scene node; `RayKeys` uses 64 bits and one box at a time.
   template <class RayForm>
   void in_scene(std::vector<Keys>& answers) const {
     const auto used = static_cast<std::ptrdiff_t>(answers.size());
@@ -114,7 +114,7 @@ struct Questions {
       std::copy(enter.begin(), enter.end(), keys.begin());
     });
   }
-  /// A box against a node of a scene.
+  /// A box against a scene node.
   template <class Lanes>
   void in_region(std::vector<Keys>& answers) const {
     pass(answers,
@@ -122,7 +122,7 @@ struct Questions {
   }
 };
 
-/// The least time of a few passes, in nanoseconds a node.
+/// The least time of a few passes, in nanoseconds per node.
 template <class Pass>
 double time_of(const Pass& pass) {
   const auto start = std::chrono::steady_clock::now();
@@ -133,7 +133,7 @@ double time_of(const Pass& pass) {
 
 using Answers = std::vector<Keys>;
 
-/// Compares the forms of one kind of question, and adds the answers to a digest.
+/// Compares the two forms of one kind of query, and adds the results to a digest.
 template <class Array, class Vector>
 bool compare(const char* name, bool has_times, Digest& digest, const Array& by_array,
              const Vector& by_vector) {
@@ -175,7 +175,7 @@ bool examine(bool has_times, Digest& digest) {
       "box, node of a scene", has_times, digest,
       [&](Answers& a) { questions.template in_region<ArrayLanes<Int>>(a); },
       [&](Answers& a) { questions.template in_region<VectorLanes<Int>>(a); });
-  // Where machines have no vectors, boxes of scenes are met in 64 bits, one by one.
+  // Without vectors, boxes of scenes are tested one by one in 64 bits.
   Answers answers(count);
   const auto one_by_one = [&] { questions.template in_scene<RayKeys<S, N>>(answers); };
   one_by_one();

@@ -11,7 +11,7 @@ namespace {
 
 using namespace detent;
 
-TEMPLATE_TEST_CASE("grid: numbers lie between the steps of the grid beside them", "[grid]", q16_16,
+TEMPLATE_TEST_CASE("grid: a number lies between its neighbouring grid steps", "[grid]", q16_16,
                    q14_16, q24_8, q8_8) {
   using S = TestType;
   using Grid = detail::Grid<S>;
@@ -27,7 +27,7 @@ TEMPLATE_TEST_CASE("grid: numbers lie between the steps of the grid beside them"
   }
 }
 
-TEMPLATE_TEST_CASE("grid: the ends of the range have no end, and are enclosed", "[grid]", q16_16,
+TEMPLATE_TEST_CASE("grid: the ends of the range are unbounded and enclosed", "[grid]", q16_16,
                    q14_16, q24_8, q8_8) {
   using S = TestType;
   using Grid = detail::Grid<S>;
@@ -40,7 +40,7 @@ TEMPLATE_TEST_CASE("grid: the ends of the range have no end, and are enclosed", 
   STATIC_REQUIRE(Grid::above(S::max()) == Grid::beyond);
 }
 
-TEMPLATE_TEST_CASE("grid: what reaches out of the range is not cut off there", "[grid]", q16_16,
+TEMPLATE_TEST_CASE("grid: what extends beyond the range is not cut off there", "[grid]", q16_16,
                    q14_16, q24_8, q8_8) {
   using S = TestType;
   using Grid = detail::Grid<S>;

@@ -16,8 +16,8 @@ template <class T>
 using VectorLanes = detail::Lanes<T>;
 #endif
 
-TEMPLATE_TEST_CASE("lanes: vectors of the machine hold the numbers that arrays do", "",
-                   std::int32_t, float, double) {
+TEMPLATE_TEST_CASE("lanes: machine vectors hold the same numbers as arrays", "", std::int32_t,
+                   float, double) {
   using T = TestType;
   using Numbers = std::array<T, lane_count>;
   Random random(0x1a9e5);
@@ -52,7 +52,8 @@ TEMPLATE_TEST_CASE("lanes: vectors of the machine hold the numbers that arrays d
   }
 }
 
-TEMPLATE_TEST_CASE("lanes: marks are those of every comparison", "", std::int32_t, float, double) {
+TEMPLATE_TEST_CASE("lanes: masks are those of every single comparison", "", std::int32_t, float,
+                   double) {
   using T = TestType;
   using Numbers = std::array<T, lane_count>;
   Random random(0x3a26);
@@ -76,7 +77,7 @@ TEMPLATE_TEST_CASE("lanes: marks are those of every comparison", "", std::int32_
   }
 }
 
-TEST_CASE("lanes: bytes times a step are exact for every step that a grid may have") {
+TEST_CASE("lanes: bytes times a step are exact for every step of a grid") {
   using Numbers = std::array<std::int32_t, lane_count>;
   Random random(0xb17e5);
   constexpr std::int32_t longest = 1 << 21;

@@ -22,8 +22,8 @@ S raw(std::int64_t x) {
   return S::from_raw(static_cast<typename S::raw_type>(x));
 }
 
-TEMPLATE_TEST_CASE("plane grid: a byte encloses a coordinate, outward", "[slabs]", q16_16, q24_8,
-                   q8_8) {
+TEMPLATE_TEST_CASE("plane grid: a byte encloses a coordinate, rounded outward", "[slabs]", q16_16,
+                   q24_8, q8_8) {
   using S = TestType;
   Random random(0x9121d);
   for (int i = 0; i < 20'000; ++i) {
@@ -43,7 +43,7 @@ TEMPLATE_TEST_CASE("plane grid: a byte encloses a coordinate, outward", "[slabs]
   }
 }
 
-TEMPLATE_TEST_CASE("slabs: no part of the ray between the planes is left out", "[slabs]", q16_16,
+TEMPLATE_TEST_CASE("slabs: no part of the ray between the planes is lost", "[slabs]", q16_16,
                    q14_16, q24_8, q8_8) {
   using S = TestType;
   using Component = direction_component<S>;
@@ -113,8 +113,8 @@ TEMPLATE_TEST_CASE("slabs: no part of the ray between the planes is left out", "
   CHECK(turned > 1'000);
 }
 
-TEMPLATE_TEST_CASE("slabs: on the grid of a scene, too, rays are in time and lose little",
-                   "[slabs]", q16_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("slabs: on a scene's grid, rays arrive in time and lose little", "[slabs]",
+                   q16_16, q24_8, q8_8) {
   using S = TestType;
   using Grid = detail::Grid<S>;
   using Component = direction_component<S>;
@@ -156,8 +156,8 @@ TEMPLATE_TEST_CASE("slabs: on the grid of a scene, too, rays are in time and los
   CHECK(tight > 1'000);
 }
 
-TEMPLATE_TEST_CASE("slabs: no part of a box's way between the planes is left out", "[slabs]",
-                   q16_16, q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("slabs: no part of a box's path between the planes is lost", "[slabs]", q16_16,
+                   q14_16, q24_8, q8_8) {
   using S = TestType;
   using Component = direction_component<S>;
   constexpr std::int64_t one = std::int64_t{1} << Component::frac;
@@ -165,7 +165,7 @@ TEMPLATE_TEST_CASE("slabs: no part of a box's way between the planes is left out
   Random random(0x51ad);
   int tight = 0, touching = 0;
   for (int i = 0; i < 60'000; ++i) {
-    // A box that has moved by `distance`, and a slab that it meets there. Boxes reach beyond the
+    // A box that has moved by `distance`, and a slab that it touches there. Boxes extend beyond the
     // scalar's range, planes do not.
     const std::int64_t size = random.wide(S::bits) & high;
     const std::int64_t left = random.wide(S::bits) - size, right = left + 2 * size;
@@ -200,7 +200,7 @@ TEMPLATE_TEST_CASE("slabs: no part of a box's way between the planes is left out
     REQUIRE(leave >= ticks.time(distance));
     const std::int64_t fast = back ? -speed : speed;
     if (fast < one / 64) continue;
-    // Two steps sooner, or margin and two steps later, it is not there.
+    // Two steps earlier, or margin and two steps later, it does not touch it.
     const auto in_ticks = [&](Integer raws) {
       return (raws * 65536 * one / fast) >> (16 + ticks.exponent());
     };
@@ -214,7 +214,7 @@ TEMPLATE_TEST_CASE("slabs: no part of a box's way between the planes is left out
   CHECK(tight > 1'000);
 }
 
-TEMPLATE_TEST_CASE("slabs: eight planes at a time lose no part of a way, and keep little else",
+TEMPLATE_TEST_CASE("slabs: eight planes at once lose no part of a path, and keep little more",
                    "[slabs]", q16_16, q24_8, q8_8) {
   using S = TestType;
   using Component = direction_component<S>;
@@ -273,7 +273,7 @@ TEMPLATE_TEST_CASE("slabs: eight planes at a time lose no part of a way, and kee
     parallel += speed == 0;
     if (is_everywhere) continue;
 
-    // Slabs eleven steps behind it are left before it starts, and those twelve steps beyond its way
+    // Slabs eleven steps behind it are left before it starts; those twelve steps beyond its path
     // are entered after its end.
     const auto way = static_cast<std::int64_t>((Integer(back ? -speed : speed) * reach) / one) + 1;
     const auto at = [&](std::int64_t x) {
@@ -304,7 +304,7 @@ TEMPLATE_TEST_CASE("slabs: eight planes at a time lose no part of a way, and kee
   CHECK(culled > 10'000);
 }
 
-TEMPLATE_TEST_CASE("bins: in order, and at least nine of sixteen", "[slabs]", q16_16, q8_8, float) {
+TEMPLATE_TEST_CASE("bins: sorted, and at least nine of sixteen", "[slabs]", q16_16, q8_8, float) {
   using S = TestType;
   Random random(0xb125);
   const auto number = [&] {

@@ -18,7 +18,7 @@ bool holds(const Aabb<S, 3>& outer, const Aabb<S, 3>& inner) {
   return true;
 }
 
-/// Traverses a tree and checks what queries rely on; counts how often each item is in a leaf.
+/// Traverses a tree, checks what queries rely on, and counts how often each item is in a leaf.
 template <Scalar S>
 struct Inspection {
   const Mesh<S>& mesh;
@@ -53,7 +53,7 @@ struct Inspection {
   }
 };
 
-TEMPLATE_TEST_CASE("static tree: every item is in one leaf, within the boxes above it", "[mesh]",
+TEMPLATE_TEST_CASE("static tree: every item is in one leaf, inside the boxes above it", "[mesh]",
                    DETENT_FIXED_SCALARS) {
   using S = TestType;
   for_meshes<S>(0x7ee, 40, [&](MeshKind, const auto& triangles, auto, auto&) {
@@ -91,7 +91,8 @@ TEST_CASE("static tree: uneven splits stop before the tree is too deep", "[mesh]
   CHECK(inspection.boxes_hold);
 }
 
-TEST_CASE("static tree: too few nodes build nothing and touch nothing", "[mesh]") {
+TEST_CASE("static tree: with too little room for nodes it builds nothing and changes nothing",
+          "[mesh]") {
   std::array<MeshTriangle<q16_16>, 8> triangles;
   for (std::uint32_t i = 0; i < 8; ++i) {
     const auto x = q16_16(7 - static_cast<int>(i));
@@ -111,7 +112,7 @@ inline constexpr std::uint64_t golden_nodes<q14_16> = 0x248b652e01ee335c;
 template <>
 inline constexpr std::uint64_t golden_nodes<q8_8> = 0x06826d792ebcd1c3;
 
-TEMPLATE_TEST_CASE("static tree: the same triangles make the same nodes on every machine", "[mesh]",
+TEMPLATE_TEST_CASE("static tree: the same triangles give the same nodes on every machine", "[mesh]",
                    DETENT_FIXED_SCALARS) {
   using S = TestType;
   Digest digest;
@@ -124,7 +125,7 @@ TEMPLATE_TEST_CASE("static tree: the same triangles make the same nodes on every
   CHECK(digest.value() == golden_nodes<S>);
 }
 
-TEST_CASE("static tree: it is built at compile time too", "[mesh]") {
+TEST_CASE("static tree: can be built at compile time", "[mesh]") {
   constexpr auto built = [] {
     std::array<MeshTriangle<q16_16>, 6> triangles;
     for (std::uint32_t i = 0; i < 6; ++i) {

@@ -10,8 +10,8 @@
 namespace detent::test {
 namespace {
 
-/// A tree of three levels with up to four children a node, whose leaves are numbers. A part is as
-/// near as the least of them.
+/// A tree of three levels with up to four children per node, whose leaves are numbers. A subtree's
+/// distance is its least number.
 struct Numbers {
   struct Part {
     int level, index;
@@ -54,7 +54,7 @@ Numbers drawn(Random& random) {
   return tree;
 }
 
-TEST_CASE("walk: the nearest child is next, and a shorter limit leaves others out", "[walk]") {
+TEST_CASE("walk: visits the nearest child next, and a shorter limit skips others", "[walk]") {
   Random random(0x3a1c);
   int pruned = 0;
   for (int i = 0; i < 500; ++i) {
@@ -76,7 +76,7 @@ TEST_CASE("walk: the nearest child is next, and a shorter limit leaves others ou
   CHECK(pruned == 500);
 }
 
-TEST_CASE("walk: every leaf is visited once, siblings in order, and stop ends it", "[walk]") {
+TEST_CASE("walk: visits every leaf once, siblings in order, until stopped", "[walk]") {
   Random random(0x3a1d);
   for (int i = 0; i < 200; ++i) {
     const Numbers tree = drawn(random);

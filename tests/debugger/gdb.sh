@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: gdb.sh COMPILER
-# With src/debugger/detent_gdb.py, gdb shows the values of values.cpp as decimals, both with the
+# With src/debugger/detent_gdb.py, gdb shows the values of values.cpp as decimals, with the
 # compiler's 128-bit integers and with ours.
 set -euo pipefail
 
 if ! command -v gdb >/dev/null || ! gdb -nx -batch -ex 'python pass' >/dev/null 2>&1; then
-  echo 'skipped: there is no gdb with Python'
+  echo 'skipped: no gdb with Python is installed'
   exit 77
 fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-export DEBUGINFOD_URLS=  # no symbols of others are needed
+export DEBUGINFOD_URLS=  # needs no foreign debug symbols
 printers=src/debugger/detent_gdb.py source=tests/debugger/values.cpp
 
 cat >"$work/expected" <<'END'
@@ -37,7 +37,7 @@ sphere = {center = (1, 2, 3), radius = 0.125 (raw 8192)}
 box = {center = (1, 2), half_extents = (3, 4), rotation = axes (1, 0), (0, 1)}
 END
 
-# From the program's file without running it, which needs no permission to trace processes.
+# Read the program's file without running it, which needs no permission to trace processes.
 shown() {
   local commands=(-ex "source $printers") name
   while read -r name _; do
@@ -60,7 +60,7 @@ line=$(grep -n 'the debugger stops here' "$source" | cut -d : -f 1)
 gdb -nx -batch -ex "source $printers" -ex "break values.cpp:$line" -ex run -ex 'print distance' \
   -ex 'print point' "$work/values0" >"$work/run" 2>&1 || true
 if ! grep -q '^Breakpoint 1, main' "$work/run"; then
-  echo 'not asked about optionals: gdb may not trace a process here'
+  echo 'optionals were not checked: gdb may not trace processes here'
   exit 0
 fi
 for value in '3.25 (raw 212992)' '(0.5, -2)'; do

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Run by gdb: prints a source that compiles if the types and members exist that detent.natvis names.
+"""Run by gdb: prints a source that compiles only if the types and members in detent.natvis exist.
 
-Each expression becomes the body of a function of a struct derived from a type to which its entry
-applies, with the names of libstdc++ in place of those of Microsoft's library.
+Each expression becomes the body of a member function of a struct derived from a type to which its
+entry applies. Names of Microsoft's library are replaced by those of libstdc++.
 """
 
 import re

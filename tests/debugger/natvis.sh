@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: natvis.sh COMPILER
-# src/debugger/detent.natvis is XML, and every type and member that it names exists. How Visual
-# Studio shows it is not tested here.
+# src/debugger/detent.natvis is well-formed XML, and every type and member that it names exists. How
+# Visual Studio displays it is not tested.
 set -euo pipefail
 
 if ! command -v gdb >/dev/null; then

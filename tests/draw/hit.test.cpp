@@ -8,7 +8,7 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("draw: points are crosses, hits and contacts have normals", "[draw]",
+TEMPLATE_TEST_CASE("draw: points are crosses, and hits and contacts have normals", "[draw]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -45,7 +45,7 @@ TEMPLATE_TEST_CASE("draw: points are crosses, hits and contacts have normals", "
   has_normal(contacts, 2);
 }
 
-TEMPLATE_TEST_CASE("draw_sweep: a shape at its start and its end, and its way", "[draw]",
+TEMPLATE_TEST_CASE("draw_sweep: draws a shape at its start and end, and its path", "[draw]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

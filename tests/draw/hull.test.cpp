@@ -9,7 +9,7 @@
 #include "draw/sheet.hpp"
 #include "support/catch.hpp"
 
-// The edges and sides of hulls, compared with those found another way, in integers: the planes
+// The edges and sides of hulls, compared with those found by another method in integers: the planes
 // through three points with no point in front, and in each the polygon by a monotone chain.
 
 namespace detent::test {
@@ -26,7 +26,7 @@ std::int64_t dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b
 
 Edge edge(const Point& a, const Point& b) { return std::minmax(a, b); }
 
-/// The corners of the hull of points of a plane, without those within edges, by two coordinates.
+/// The corners of the hull of coplanar points, without those within edges, by two coordinates.
 ///
 /// source: Andrew, Another Efficient Algorithm for Convex Hulls in Two Dimensions, 1979
 std::vector<Point> polygon(std::vector<Point> points, std::size_t u, std::size_t v) {
@@ -59,14 +59,14 @@ void add_edges(const std::vector<Point>& corners, std::set<Edge>& edges) {
   }
 }
 
-/// A side: its outward normal with coprime components, and twice its area seen along its greatest
-/// axis.
+/// A side: its outward normal with coprime components, and twice its area projected along its
+/// greatest axis.
 struct Sides {
   std::set<Edge> edges;
   std::map<std::pair<Point, std::int64_t>, std::int64_t> areas;
 };
 
-/// The plane of a normal of any length through a point, and the axis along which it is seen.
+/// The plane of a normal of any length through a point, and the axis along which it is projected.
 std::pair<Point, std::int64_t> plane_of(Point normal, const Point& through) {
   const auto common = std::gcd(std::gcd(normal[0], normal[1]), normal[2]);
   for (auto& component : normal) component /= common;
@@ -193,7 +193,7 @@ TEMPLATE_TEST_CASE("draw_solid: triangles cover each side of a hull once, facing
   }
 }
 
-TEMPLATE_TEST_CASE("draw: hulls that fill the range of the scalar, and frusta", "[draw]",
+TEMPLATE_TEST_CASE("draw: hulls that fill the scalar's range, and frusta", "[draw]",
                    DETENT_FIXED_SCALARS) {
   using S = TestType;
   std::array<Vec<S, 3>, 8> corners;

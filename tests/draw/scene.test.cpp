@@ -24,7 +24,7 @@ bool is_within(const Aabb<S, N>& inner, const Aabb<S, N>& outer) {
   return true;
 }
 
-/// The boxes of a sheet that has nothing else, 12 lines each, or 4 in 2D.
+/// The boxes of a sheet that contains only boxes, 12 lines each, or 4 in 2D.
 template <Scalar S, int N>
 std::vector<std::pair<Aabb<S, N>, Colour>> boxes(const Sheet<S, N>& sheet) {
   constexpr std::size_t lines = N == 2 ? 4 : 12;
@@ -39,7 +39,7 @@ std::vector<std::pair<Aabb<S, N>, Colour>> boxes(const Sheet<S, N>& sheet) {
   return all;
 }
 
-TEMPLATE_TEST_CASE("draw: every object of a scene, and the scene stays as it is", "[draw]",
+TEMPLATE_TEST_CASE("draw: draws every object of a scene, and leaves the scene unchanged", "[draw]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -68,7 +68,7 @@ TEMPLATE_TEST_CASE("draw: every object of a scene, and the scene stays as it is"
   draw(kinds, scene, ColourByKind());
   CHECK(kinds.lines.front().colour != kinds.lines[circle].colour);
   CHECK(kinds.lines[circle].colour != kinds.lines.back().colour);
-  // A function of the caller's.
+  // The caller's own function.
   Sheet<S, N> one;
   draw(one, scene,
        [&](const ObjectInfo& object, const auto&) { return object.id == ball ? ink : Colour(); });
@@ -77,8 +77,8 @@ TEMPLATE_TEST_CASE("draw: every object of a scene, and the scene stays as it is"
   CHECK(digest(scene) == before);
 }
 
-TEMPLATE_TEST_CASE("draw_tree: each box holds those below, and each object is in a leaf", "[draw]",
-                   DETENT_EVERY_SPACE) {
+TEMPLATE_TEST_CASE("draw_tree: each box contains those below, and each object is in a leaf",
+                   "[draw]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   Random random(1);
@@ -107,7 +107,7 @@ TEMPLATE_TEST_CASE("draw_tree: each box holds those below, and each object is in
     if (level > 0) CHECK(is_within(box, path.back()));
     path.push_back(box);
   }
-  // A plane has no end: its box is the whole range.
+  // A plane is unbounded: its box is the whole range.
   Scene<S, N, Plane> flat;
   flat.add(Plane<S, N>{toward<S, N>(0, 1), num<S>(3)});
   Sheet<S, N> one;
@@ -168,7 +168,7 @@ TEMPLATE_TEST_CASE("draw: meshes, height fields and hulls, placed or not", "[dra
   draw(whole, scene);
   CHECK(whole.lines.size() == 180 + 36 + 6);
 
-  // The trees: every triangle is in a box, and boxes are in the one around all.
+  // The trees: every triangle is in a box, and every box in the root.
   Sheet<S, 3> tree;
   draw_tree(tree, mesh.view());
   const auto parts = boxes(tree);
@@ -181,7 +181,7 @@ TEMPLATE_TEST_CASE("draw: meshes, height fields and hulls, placed or not", "[dra
   for (const auto& part : parts) CHECK(is_within(part.first, bounding_box(mesh.view())));
   Sheet<S, 3> cells;
   draw_tree(cells, field);
-  CHECK(boxes(cells).size() == 2 * 6 - 2);  // of a binary tree over six cells, without the root
+  CHECK(boxes(cells).size() == 2 * 6 - 2);  // a binary tree over six cells, without the root
   Sheet<S, 3> none;
   draw_tree(none, Mesh<S>());
   draw_tree(none, HeightField<S>());

@@ -43,7 +43,7 @@ TEMPLATE_TEST_CASE("draw: the circles of a sphere lie on it", "[draw]", DETENT_E
       const double off = norm(minus(in_double(point), center)) - radius;
       REQUIRE(std::abs(off) <= slack<S>(radius, norm(center)));
     }
-    // Circles close, their lines join, and each side is that of a polygon of 32 sides.
+    // Circles close, their lines join, and each line is a side of a 32-gon.
     for (std::size_t k = 0; k < sheet.lines.size(); ++k) {
       const auto& line = sheet.lines[k];
       const auto next = k % 32 == 31 ? k - 31 : k + 1;
@@ -194,7 +194,7 @@ TEMPLATE_TEST_CASE("draw: a plane is drawn around its point closest to the regio
   }
 }
 
-TEMPLATE_TEST_CASE("draw: a ray ends where it does, or at the end of the range", "[draw]",
+TEMPLATE_TEST_CASE("draw: a ray ends at its length or at the end of the range", "[draw]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -228,7 +228,7 @@ TEMPLATE_TEST_CASE("draw: a ray ends where it does, or at the end of the range",
   CHECK(ended < cases * 19 / 20);
 }
 
-TEMPLATE_TEST_CASE("draw: empty shapes draw nothing, flat ones what they are", "[draw]",
+TEMPLATE_TEST_CASE("draw: empty shapes draw nothing, and flat ones only their extent", "[draw]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -284,7 +284,7 @@ TEMPLATE_TEST_CASE("draw_solid: the sides of a box enclose its volume", "[draw]"
   CHECK(ball < 268.08);
 }
 
-TEMPLATE_TEST_CASE("draw: points beyond the range of the scalar are clamped", "[draw]",
+TEMPLATE_TEST_CASE("draw: points beyond the scalar's range are clamped", "[draw]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -9,7 +9,7 @@
 #include "query/raycast/helpers.hpp"
 #include "support/random.hpp"
 
-// What the tests of drawing share: a sink that keeps everything, and measures in double.
+// Shared by the drawing tests: a sink that keeps everything and measures in double.
 
 namespace detent::test {
 
@@ -53,7 +53,7 @@ struct Counts {
   }
 };
 
-/// A sink of lines alone, as 2D has.
+/// A sink for lines only, as in 2D.
 template <Scalar S>
 struct Lines {
   int count = 0;
@@ -77,7 +77,7 @@ Sheet<S, 3> drawn_solid(const auto& shape) {
 
 using Double3 = std::array<double, 3>;
 
-/// A point or a direction in doubles: every scalar's number is one.
+/// A point or direction in doubles, which represent every scalar exactly.
 template <class T, int N>
 Double3 in_double(const Vec<T, N>& v) {
   Double3 result{};

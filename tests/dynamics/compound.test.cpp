@@ -35,14 +35,14 @@ BodyOptions<S, N> fixed() {
   return options;
 }
 
-/// A hammer along x: the handle, the head, and a zone about the head.
+/// A hammer along x: handle, head, and a zone around the head.
 template <int N>
 std::vector<BodyPart<S, N>> hammer_parts() {
   return {BodyPart(box_of<S, N>(0, 0, 1, 0.125)), BodyPart(box_of<S, N>(1, 0, 0.25, 0.5), part(8)),
           BodyPart(Sphere<S, N>{at<S, N>(1, 0), num<S>(1.5)}, part(0, 0.6, true))};
 }
 
-/// A floor, two hammers on it, a ball and a box, by index.
+/// A floor, two hammers on it, a ball and a box; returns the one at this index.
 template <int N>
 class Yard {
  public:
@@ -69,7 +69,7 @@ class Yard {
   SolidCompound<S, N> solid_ = solid_compound(7, parts_).value();
 };
 
-/// Whether two bodies of two worlds move alike, bit by bit.
+/// Whether two bodies of two worlds have the same motion, bit for bit.
 template <class A, class B>
 bool equal_states(const A& a, const B& b, std::size_t i) {
   return detail::WorldAccess::bodies(a)[i].state == detail::WorldAccess::bodies(b)[i].state;
@@ -77,7 +77,7 @@ bool equal_states(const A& a, const B& b, std::size_t i) {
 
 }  // namespace
 
-TEST_CASE("compound: two halves of a box weigh what the box does") {
+TEST_CASE("compound: two halves of a box have the box's mass properties") {
   const std::array halves{BodyPart(Obb<S, 3>{{S(2), S(3), S(-1)}, {S(1), S(2), S(3)}, {}}),
                           BodyPart(Obb<S, 3>{{S(4), S(3), S(-1)}, {S(1), S(2), S(3)}, {}})};
   const auto solid = solid_compound(1, halves);
@@ -93,7 +93,7 @@ TEST_CASE("compound: two halves of a box weigh what the box does") {
   CHECK(solid->mass().gyration.mixed == whole.gyration.mixed);
 }
 
-TEST_CASE("compound: parts that turn have the inertia of turned shapes") {
+TEST_CASE("compound: rotated parts have the inertia of rotated shapes") {
   const auto turn = [](int x, int y, int z, int w) {
     return to_rotation(Quat<S>::normalize(S(x), S(y), S(z), S(w)).value());
   };
@@ -105,12 +105,12 @@ TEST_CASE("compound: parts that turn have the inertia of turned shapes") {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       const auto off = one.mass().gyration.at(i, j) - exact.gyration.at(i, j);
-      CHECK(abs(off) < num<S>(0.0001));  // the axes are of an orientation, rounded to 2^-30
+      CHECK(abs(off) < num<S>(0.0001));  // the axes come from an orientation rounded to 2^-30
     }
   }
 }
 
-TEMPLATE_TEST_CASE("compound: one of one part has the bits of its shape", "",
+TEMPLATE_TEST_CASE("compound: a compound of one part has the bits of its shape", "",
                    (std::integral_constant<int, 2>), (std::integral_constant<int, 3>)) {
   constexpr int N = TestType::value;
   auto box = box_of<S, N>(0.25, 2, 0.5, 0.25);
@@ -136,8 +136,8 @@ TEMPLATE_TEST_CASE("compound: one of one part has the bits of its shape", "",
   CHECK(plain.position({2, 3}) == compound.position({2, 3}));
 }
 
-TEST_CASE("compound: parts have friction, events and sensors of their own") {
-  // A plank with a smooth and a rough half, tilted; a box on each; a zone above it.
+TEST_CASE("compound: each part has its own friction, events and sensor flag") {
+  // A tilted plank with a smooth and a rough half, a box on each, and a zone above it.
   const auto slope = Rotation<S, 2>::from_angle(Angle<S>::from_degrees(S(20)));
   const std::array parts{BodyPart(box_of<S, 2>(-4, 0, 4, 0.25), part(1, 0)),
                          BodyPart(box_of<S, 2>(4, 0, 4, 0.25), part(1, 1)),
@@ -163,7 +163,7 @@ TEST_CASE("compound: parts have friction, events and sensors of their own") {
   CHECK(std::count(events.begin(), events.end(), TouchEvent{ground, rough, true, 2, 0}) == 1);
 }
 
-TEST_CASE("compound: the parts of a body do not touch, those of two bodies do") {
+TEST_CASE("compound: parts of one body do not touch each other, parts of two bodies do") {
   const Yard<2> yard;
   Parts<2> world;
   REQUIRE(yard.put(world, 4));
@@ -179,7 +179,7 @@ TEST_CASE("compound: the parts of a body do not touch, those of two bodies do") 
   CHECK(pairs.size() > 3);
 }
 
-TEST_CASE("compound: a hull and a part as they were given are where the body is") {
+TEST_CASE("compound: hull points and parts, as given, are at the body's frame") {
   const Yard<3> yard;
   auto world = yard.world();
   for (int t = 0; t < 50; ++t) world.step();
@@ -191,7 +191,7 @@ TEST_CASE("compound: a hull and a part as they were given are where the body is"
   CHECK(world.frame({1, 2}) == world.pose({1, 2}));
 }
 
-TEMPLATE_TEST_CASE("compound: bits depend on no history, from snapshots they go on", "",
+TEMPLATE_TEST_CASE("compound: bits do not depend on history, and continue from a snapshot", "",
                    (std::integral_constant<int, 2>), (std::integral_constant<int, 3>)) {
   constexpr int N = TestType::value;
   const Yard<N> yard;
@@ -269,18 +269,18 @@ TEST_CASE("compound: differences name the parts") {
   CHECK(std::count(names.begin(), names.end(), "contact 3:1 part 2 4:2 part 2 touches") == 1);
 }
 
-TEST_CASE("compound: worlds take what they can, others pay nothing") {
+TEST_CASE("compound: worlds accept what they can, and worlds without compounds pay nothing") {
   Parts<2> world;
   CHECK_FALSE(solid_compound(1, std::vector<BodyPart<S, 2>>()));
   const std::array parts{BodyPart(Capsule<S, 2>{at<S, 2>(0, 0), at<S, 2>(1, 0), S(1)})};
   const auto capsule = solid_compound(1, parts).value();
-  CHECK_FALSE(world.add(BodyCompound<S, 2>{&capsule, {}, {}}));  // it names no capsules
+  CHECK_FALSE(world.add(BodyCompound<S, 2>{&capsule, {}, {}}));  // the world has no capsules
   CHECK(world.size() == 0);
   const auto none = world.add(BodyCompound<S, 2>{});
   REQUIRE(none);
   world.step();
   CHECK(world.position(*none) == Vec<S, 2>());  // no mass
-  struct Before {  // the fields of a contact before there were compounds
+  struct Before {                               // the fields of a contact without compounds
     std::uint32_t a, b, part;
     std::uint8_t count;
     bool touches;

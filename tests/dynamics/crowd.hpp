@@ -12,7 +12,7 @@
 
 namespace detent::test {
 
-/// Many bodies of several kinds that fall onto terrain, at random: enough for several threads.
+/// Many random bodies of several kinds that fall onto terrain: enough work for several threads.
 class Crowd {
  public:
   using S = q16_16;

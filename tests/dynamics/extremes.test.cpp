@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies with numbers from everywhere in their range: assertions hold, and worlds stay valid.
+// Bodies with numbers from their whole range: assertions hold, and worlds stay valid.
 #include "detent/dynamics/dynamics.hpp"
 
 #include "dynamics/stage.hpp"
@@ -70,7 +70,7 @@ void add_any(World<S, N, Sphere, Obb, Capsule, Aabb>& world, Random& random) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("extremes: bodies from everywhere step without harm", "", DETENT_FIXED_SPACES) {
+TEMPLATE_TEST_CASE("extremes: bodies with any numbers step without harm", "", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   Random random(20261123);

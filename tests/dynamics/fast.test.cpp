@@ -22,8 +22,8 @@ auto place_of(const auto& world, std::size_t body) {
   return detail::WorldAccess::bodies(world)[body].state.place;
 }
 
-/// Whether the way from p to q meets the box about the origin with these half extents: exactly, by
-/// separating axes.
+/// Whether the segment from p to q meets the box around the origin with these half extents: exact,
+/// by separating axes.
 template <class P, Scalar S, int N>
 bool meets(const Vec<P, N>& p, const Vec<P, N>& q, const Vec<S, N>& half_extents) {
   const auto d = q - p, c = p + q;
@@ -37,8 +37,8 @@ bool meets(const Vec<P, N>& p, const Vec<P, N>& q, const Vec<S, N>& half_extents
   return true;
 }
 
-/// A ball of radius 0.05 at 500 units a second that starts 4.1 above a plate of thickness 0.02, and
-/// where it is after so many ticks.
+/// A ball of radius 0.05 at 500 units per second that starts 4.1 above a plate of thickness 0.02.
+/// Returns its position after this many ticks.
 template <Scalar S, int N>
 Vec<S, N> shot(bool is_fast, int ticks, double bounce = 0, double x = 0) {
   WorldSettings<S, N> settings;
@@ -58,7 +58,7 @@ Vec<S, N> shot(bool is_fast, int ticks, double bounce = 0, double x = 0) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("fast: a ball at 500 units a second never passes a plate of 0.02", "", q16_16,
+TEMPLATE_TEST_CASE("fast: a ball at 500 units per second never passes a plate of 0.02", "", q16_16,
                    q14_16, q24_8, float, double) {
   using S = TestType;
   for (const double x : {0.0, 2.0, 2.99}) {
@@ -74,16 +74,16 @@ TEMPLATE_TEST_CASE("fast: a ball at 500 units a second never passes a plate of 0
   CHECK(shot<S, 2>(false, 2).y < -4);
 }
 
-TEST_CASE("fast: a ball bounces off a plate with the speed that it had") {
+TEST_CASE("fast: a ball bounces off a plate at its full speed") {
   // One tick to the plate, one to turn, and one back.
   const auto y = static_cast<double>(shot<q16_16, 2>(true, 3, 0.5).y);
   CHECK(y > 4.2);
   CHECK(y < 4.3);
 }
 
-TEST_CASE("fast: what meets nothing flies as it did") {
+TEST_CASE("fast: a ball that meets nothing flies on unchanged") {
   CHECK(shot<q16_16, 3>(true, 3, 0, 3.2) == shot<q16_16, 3>(false, 3, 0, 3.2));
-  // Along a plate, at a distance from it, for ten ticks.
+  // Flies along a plate, at a distance from it, for ten ticks.
   const auto along = [](bool is_fast) {
     WorldSettings<q16_16, 2> settings;
     settings.gravity = {};
@@ -153,8 +153,8 @@ struct Shots {
   }
 };
 
-/// Shoots at thin plates, and counts the bodies whose centre passes one within 8 ticks: from place
-/// to place relative to the plate, exactly.
+/// Shoots at thin plates and counts the bodies whose centre passes one within 8 ticks. The path
+/// relative to the plate is tested exactly.
 template <int N>
 int passing(std::uint64_t seed, bool is_fast, BodyMotion motion) {
   using S = q16_16;
@@ -177,7 +177,7 @@ int passing(std::uint64_t seed, bool is_fast, BodyMotion motion) {
     (void)world.add(Obb<S, N>{center, half_extents, {}}, options);
   }
   for (int i = 0; i < 4; ++i) {
-    // From 6 to 9 away, towards the plates.
+    // Start 6 to 9 units away, towards the plates.
     auto from = shots.point(9);
     const int axis = static_cast<int>(shots.random.below(N));
     from[axis] = num<S>(shots.random.coin() ? 7 : -7);
@@ -210,7 +210,7 @@ int passing(std::uint64_t seed, bool is_fast, BodyMotion motion) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("fast: of thousands of shots none passes a plate", "", ((int N), N), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("fast: none of thousands of shots passes a plate", "", ((int N), N), 2, 3) {
   constexpr std::uint64_t rounds = 150;
   for (const auto motion : {BodyMotion::fixed, BodyMotion::kinematic, BodyMotion::dynamic}) {
     int passed = 0;
@@ -223,7 +223,7 @@ TEMPLATE_TEST_CASE_SIG("fast: of thousands of shots none passes a plate", "", ((
   }
 }
 
-TEST_CASE("fast: of thousands of shots none passes a plate, ten times as many", "[.demand]") {
+TEST_CASE("fast: none of ten times as many shots passes a plate", "[.demand]") {
   for (const auto motion : {BodyMotion::fixed, BodyMotion::kinematic, BodyMotion::dynamic}) {
     for (std::uint64_t seed = 1000; seed < 2500; ++seed) {
       CAPTURE(seed, static_cast<int>(motion));
@@ -233,7 +233,7 @@ TEST_CASE("fast: of thousands of shots none passes a plate, ten times as many", 
   }
 }
 
-TEST_CASE("fast: a turning plate takes a ball that sleeps along") {
+TEST_CASE("fast: a turning plate carries a sleeping ball along") {
   using S = q16_16;
   WorldSettings<S, 2> settings;
   settings.gravity = {};
@@ -254,7 +254,7 @@ TEST_CASE("fast: a turning plate takes a ball that sleeps along") {
   }
 }
 
-TEST_CASE("fast: sensors, other layers, joined bodies and locked axes") {
+TEST_CASE("fast: sensors, other layers, joined bodies and locked axes are respected") {
   using S = q16_16;
   WorldSettings<S, 2> settings;
   settings.gravity = {};
@@ -294,7 +294,7 @@ TEST_CASE("fast: sensors, other layers, joined bodies and locked axes") {
   CHECK(height(fixed, ball, false) == at<S, 2>(0, 0.07));
 }
 
-TEST_CASE("fast: snapshots and names of fields know the mark") {
+TEST_CASE("fast: snapshots and field names include the flag") {
   using S = q16_16;
   const auto make = [](bool is_fast) {
     World<S, 2, Sphere, Obb> world;

@@ -17,7 +17,7 @@ namespace {
 using S = q16_16;
 using Ground = World<S, 3, Sphere, BodyMesh, BodyHeightField>;
 
-constexpr int samples = 9;  // a side, one unit apart
+constexpr int samples = 9;  // per side, one unit apart
 
 double real(Random& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random.below(1 << 20)) / (1 << 20);
@@ -29,7 +29,7 @@ std::vector<S> hills(Random& random) {
   return heights;
 }
 
-/// How far `p` is above a triangle of a surface, along y; nothing if it is not above one.
+/// The height of `p` above a triangle of a surface, along y; nothing if it is not above one.
 std::optional<double> height_over(const std::vector<Triangle<S, 3>>& triangles,
                                   const Vec<S, 3>& p) {
   const auto d = [](const auto& x) { return static_cast<double>(x); };
@@ -45,8 +45,8 @@ std::optional<double> height_over(const std::vector<Triangle<S, 3>>& triangles,
   return std::nullopt;
 }
 
-/// Shoots at a surface of hills, and returns how many balls came through; and by `met` how many
-/// were ever closer than 0.1.
+/// Shoots at a surface of hills and returns how many balls passed through it. `met` counts those
+/// that were ever closer than 0.1.
 template <class Body>
 int passed(Ground& world, const Body& body, const std::vector<Triangle<S, 3>>& triangles,
            Random& random, bool is_fast, int& met) {
@@ -71,7 +71,7 @@ int passed(Ground& world, const Body& body, const std::vector<Triangle<S, 3>>& t
     world.step();
     for (std::size_t i = 0; i < balls.size(); ++i) {
       const auto height = height_over(triangles, world.position(balls[i]));
-      if (!height) state[i] = state[i] == 'p' ? 'p' : 'o';  // beyond the rim: it may fall
+      if (!height) state[i] = state[i] == 'p' ? 'p' : 'o';  // beyond the rim it may fall
       if (height && *height < 0.1) ++met;
       if (height && *height < 0 && state[i] == 'f') state[i] = 'p';
     }
@@ -81,7 +81,7 @@ int passed(Ground& world, const Body& body, const std::vector<Triangle<S, 3>>& t
 
 }  // namespace
 
-TEST_CASE("fast: of hundreds of shots none passes a mesh or a height field") {
+TEST_CASE("fast: none of hundreds of shots passes a mesh or height field") {
   Random random(20);
   int met = 0, slow = 0;
   for (int round = 0; round < 4; ++round) {
@@ -103,7 +103,7 @@ TEST_CASE("fast: of hundreds of shots none passes a mesh or a height field") {
     slow += passed(three, BodyMesh<S, 3>{&mesh_asset, {}, {}}, triangles, random, false, ignored);
   }
   CHECK(met > 300);
-  CHECK(slow > 50);  // those without the mark do
+  CHECK(slow > 50);  // balls without the flag do pass
 }
 
 }  // namespace detent::test

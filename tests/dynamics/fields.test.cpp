@@ -14,7 +14,7 @@ namespace {
 using S = q16_16;
 using Balls = World<S, 2, Sphere, Obb>;
 
-/// Three balls on a round floor, after they have met it.
+/// Three balls on a round floor after landing.
 Balls settled(int ticks = 90) {
   Balls world;
   add_round_ground(world);
@@ -41,7 +41,7 @@ auto& body(Balls& world, std::size_t i) { return detail::WorldAccess::bodies(wor
 
 }  // namespace
 
-TEST_CASE("fields: equal worlds differ in none") {
+TEST_CASE("fields: equal worlds have no differing field") {
   const auto world = settled();
   CHECK(names(world, settled()).empty());
   CHECK_FALSE(diff(world, world));
@@ -64,7 +64,7 @@ TEST_CASE("fields: a difference names the body and the field") {
   CHECK(names(world, other, 1) == Names{"body 1:2 (sphere) orientation[1]"});
 }
 
-TEST_CASE("fields: a contact is named by both of its bodies") {
+TEST_CASE("fields: a contact is named after both its bodies") {
   const auto world = settled();
   auto other = world;
   auto& contacts = detail::WorldAccess::contacts(other);
@@ -78,7 +78,7 @@ TEST_CASE("fields: a contact is named by both of its bodies") {
         Names{"contact 0:1 1:2", "contact 0:1 2:3 touches", "contact 0:1 2:3 point 0 pressure"});
 }
 
-TEST_CASE("fields: a body that one world has alone is one difference") {
+TEST_CASE("fields: a body that only one world has is one difference") {
   const auto world = settled(1);
   auto other = world;
   REQUIRE(other.remove({2, 3}));
@@ -88,7 +88,7 @@ TEST_CASE("fields: a body that one world has alone is one difference") {
   CHECK(names(world, other, 1) == Names{"body 2:3 type"});
 }
 
-TEST_CASE("fields: every change of a body or contact that a digest sees is named") {
+TEST_CASE("fields: every change of a body or contact that changes the digest is named") {
   const auto world = settled(20);
   auto other = world;
   const auto is_named = [&](auto&& change) {
@@ -114,7 +114,7 @@ TEST_CASE("fields: every change of a body or contact that a digest sees is named
   });
 }
 
-TEST_CASE("fields: a changed fixed body shows, though its digest is not the world's") {
+TEST_CASE("fields: a changed fixed body is named although the world's digest omits it") {
   const auto world = settled(1);
   auto other = world;
   body(other, 0).state.place.x = detail::Formats<S>::Place(S(1));
@@ -123,7 +123,7 @@ TEST_CASE("fields: a changed fixed body shows, though its digest is not the worl
   CHECK(names(world, other) == Names{"body 0:1 (sphere) place.x"});
 }
 
-TEST_CASE("fields: SyncTest names the body that depends on what is not in the world") {
+TEST_CASE("fields: SyncTest names the body that depends on state outside the world") {
   auto world = settled(5);
   SyncTest<Balls, int> test(4);
   int gust = 0;
@@ -139,7 +139,7 @@ TEST_CASE("fields: SyncTest names the body that depends on what is not in the wo
   CHECK(std::string(desync->field.view()).starts_with("body 3:4 (sphere) place."));
 }
 
-TEST_CASE("fields: a copy of a world without the memory of its last step goes on alike") {
+TEST_CASE("fields: a copied world without the caches of its last step continues identically") {
   auto world = settled(20);
   auto copy = world;
   Balls assigned;

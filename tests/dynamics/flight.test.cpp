@@ -47,7 +47,7 @@ void fly(BoxBody<S, N>& body, detail::Moving<S, N>& moving, const detail::Pace<S
   }
 }
 
-/// Twice the energy of spinning, by doubles: w . R K R^T w with the squared gyration K of a box.
+/// Twice the rotational energy in doubles: w . R K R^T w with the squared gyration K of a box.
 template <Scalar S>
 double spin_energy(const BoxBody<S, 3>& body, const detail::Moving<S, 3>& moving,
                    const std::array<double, 3>& half_extents) {
@@ -65,7 +65,7 @@ double spin_energy(const BoxBody<S, 3>& body, const detail::Moving<S, 3>& moving
   return energy;
 }
 
-/// The greatest relative change of the energy of a spinning box of 1 x 2 x 4 over so many substeps.
+/// The greatest relative change of the energy of a spinning 1 x 2 x 4 box over this many substeps.
 template <Scalar S>
 double energy_error(const std::array<double, 3>& radians_per_second, int substeps) {
   const std::array<double, 3> half_extents = {0.5, 1, 2};
@@ -88,7 +88,8 @@ double energy_error(const std::array<double, 3>& radians_per_second, int substep
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("flight: back along the same path to the bit", "", q16_16, q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("flight: a reversed body retraces its path to the bit", "", q16_16, q14_16,
+                   q24_8, q8_8) {
   using S = TestType;
   auto body = box_body<S, 2>({S(1), S(1)});
   const auto pace = detail::pace_of(WorldSettings<S, 2>());
@@ -99,7 +100,7 @@ TEMPLATE_TEST_CASE("flight: back along the same path to the bit", "", q16_16, q1
   const auto start = moving.velocity;
   fly(body, moving, pace, 480);
   REQUIRE(!(body.state.place == place));
-  // A substep adds gravity before it moves: the first one back moves by -v.
+  // A substep adds gravity before it moves, so the first one back moves by -v.
   for (int i = 0; i < 2; ++i) {
     moving.velocity[i] = nearest_to<Speed>(-(moving.velocity[i] + pace.gravity[i]));
   }
@@ -120,8 +121,8 @@ TEMPLATE_TEST_CASE("flight: a thrown body falls by the sum of its velocities", "
   CHECK(std::fabs(static_cast<double>(body.state.place.y) + 10.0 * 240 * 241 / 2 / 57600) < 0.02);
 }
 
-TEMPLATE_TEST_CASE("flight: velocities and places stop at the ends of their formats", "", q16_16,
-                   q8_8) {
+TEMPLATE_TEST_CASE("flight: velocities and positions clamp at the ends of their formats", "",
+                   q16_16, q8_8) {
   using S = TestType;
   using F = detail::Formats<S>;
   auto body = box_body<S, 2>({S(1), S(1)});
@@ -135,7 +136,7 @@ TEMPLATE_TEST_CASE("flight: velocities and places stop at the ends of their form
 }
 
 TEST_CASE("flight: a spinning box keeps its energy") {
-  // About stable axes, and about the middle one, where it tumbles.
+  // Spins about the stable axes, and about the middle one, where it tumbles.
   CHECK(energy_error<q16_16>({10, 0.01, 0.02}, 20000) < 2e-5);
   CHECK(energy_error<q16_16>({0.05, 0.1, 10}, 20000) < 2e-5);
   CHECK(energy_error<q16_16>({0.01, 10, 0.01}, 20000) < 2e-2);
@@ -143,7 +144,7 @@ TEST_CASE("flight: a spinning box keeps its energy") {
   CHECK(energy_error<double>({0.01, 10, 0.01}, 20000) < 2e-2);
 }
 
-TEST_CASE("flight: a cube keeps its spin, and orientations their length") {
+TEST_CASE("flight: a cube keeps its spin, and orientations stay normalised") {
   auto body = box_body<q16_16, 3>({q16_16(1), q16_16(1), q16_16(1)});
   REQUIRE(body.inertia.is_round);
   const auto pace = detail::pace_of(WorldSettings<q16_16, 3>());
@@ -158,7 +159,7 @@ TEST_CASE("flight: a cube keeps its spin, and orientations their length") {
   CHECK(moving.spin == spin);
 }
 
-TEST_CASE("flight: damping takes its share of every substep") {
+TEST_CASE("flight: damping removes its share in every substep") {
   auto body = box_body<q16_16, 2>({q16_16(1), q16_16(1)});
   body.linear_damping = q16_16(24);
   body.angular_damping = q16_16(1000);

@@ -10,8 +10,8 @@ namespace {
 
 using namespace detent;
 
-/// A step multiplies numbers of these formats and rounds to others. Every scalar runs the same
-/// integers if each product is as much finer than its result as with q16_16.
+/// The formats of a step's products and results. All scalars compute the same integers if every
+/// product is as much finer than its result as with q16_16.
 template <Scalar S>
 constexpr bool runs_the_integers_of_q16_16() {
   using F = detail::Formats<S>;
@@ -41,7 +41,7 @@ constexpr bool runs_the_integers_of_q16_16() {
 
 }  // namespace
 
-TEST_CASE("formats: every scalar runs the same integers") {
+TEST_CASE("formats: every scalar computes the same integers") {
   STATIC_REQUIRE(runs_the_integers_of_q16_16<q16_16>());
   STATIC_REQUIRE(runs_the_integers_of_q16_16<q14_16>());
   STATIC_REQUIRE(runs_the_integers_of_q16_16<q24_8>());

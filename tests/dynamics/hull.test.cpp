@@ -30,8 +30,8 @@ std::vector<Vec<S, 3>> cube_points(double half) {
 template <class S>
 using Hulls = World<S, 3, Obb, Capsule, BodyHull>;
 
-TEMPLATE_TEST_CASE("solid hull: a cube has 6 faces and 12 edges, whatever is inside it", "", q16_16,
-                   q24_8, q8_8, double) {
+TEMPLATE_TEST_CASE("solid hull: a cube has 6 faces and 12 edges, whatever points are inside", "",
+                   q16_16, q24_8, q8_8, double) {
   using S = TestType;
   auto points = cube_points<S>(0.5);
   points.push_back({});
@@ -53,7 +53,7 @@ TEMPLATE_TEST_CASE("solid hull: a cube has 6 faces and 12 edges, whatever is ins
   CHECK(solid->id() == 3);
 }
 
-TEST_CASE("solid hull: too many points, or no volume, make none") {
+TEST_CASE("solid hull: too many points, or points without volume, are rejected") {
   using S = q16_16;
   auto points = cube_points<S>(0.5);
   points.resize(33, points[0]);
@@ -68,7 +68,7 @@ TEST_CASE("solid hull: too many points, or no volume, make none") {
   CHECK_FALSE(solid_hull(1, ConvexHull{line}));
 }
 
-TEST_CASE("solid hull: faces close, as Euler says, and hold all points") {
+TEST_CASE("solid hull: faces form a closed polyhedron (Euler) that contains all points") {
   using S = q16_16;
   Random random(30);
   for (int round = 0; round < 200; ++round) {
@@ -94,7 +94,7 @@ TEST_CASE("solid hull: faces close, as Euler says, and hold all points") {
       for (std::size_t k = 0; k < face.count; ++k) {
         const auto& corner = hull.corner(face, k);
         REQUIRE(std::abs(static_cast<double>(hull.height(face, corner))) < std::ldexp(1, -21));
-        // The side looks away from all corners of the face.
+        // The side's normal points away from all corners of the face.
         for (std::size_t l = 0; l < face.count; ++l) {
           REQUIRE(static_cast<double>(hull.beyond(face, k, hull.corner(face, l))) <
                   std::ldexp(1, -21));
@@ -145,7 +145,7 @@ struct Pile {
   }
 };
 
-TEST_CASE("hull body: its place is its centre of mass") {
+TEST_CASE("hull body: its position is its centre of mass") {
   using S = q16_16;
   const Pile<S> pile;
   Hulls<S> world;
@@ -157,7 +157,7 @@ TEST_CASE("hull body: its place is its centre of mass") {
   CHECK(std::abs(static_cast<double>(p.z) - 7 - 0.4) < 1e-4);
 }
 
-TEMPLATE_TEST_CASE("hull body: a pile comes to rest and stays as it is", "", q16_16, double) {
+TEMPLATE_TEST_CASE("hull body: a pile comes to rest and stays at rest", "", q16_16, double) {
   using S = TestType;
   const Pile<S> pile;
   auto world = pile.world(9);
@@ -172,7 +172,7 @@ TEMPLATE_TEST_CASE("hull body: a pile comes to rest and stays as it is", "", q16
   CHECK(digest(world) == before);
 }
 
-TEST_CASE("hull body: a heap of 40 comes to rest, and 10,000 ticks later nothing has moved",
+TEST_CASE("hull body: a heap of 40 comes to rest, and has not moved 10,000 ticks later",
           "[.demand]") {
   using S = q16_16;
   const Pile<S> pile;
@@ -184,7 +184,7 @@ TEST_CASE("hull body: a heap of 40 comes to rest, and 10,000 ticks later nothing
   CHECK(digest(world) == before);
 }
 
-TEST_CASE("hull body: another hull is named as a difference") {
+TEST_CASE("hull body: a different hull is named as a difference") {
   using S = q16_16;
   const Pile<S> pile;
   Hulls<S> world, other;
@@ -215,7 +215,7 @@ TEST_CASE("hull body: bits do not depend on the order of additions") {
   }
 }
 
-TEST_CASE("hull body: a snapshot is restored with its hulls, and refused without") {
+TEST_CASE("hull body: a snapshot is restored with its hulls, and refused without them") {
   using S = q16_16;
   const Pile<S> pile, twin;
   auto world = pile.world(7);
@@ -237,7 +237,7 @@ TEST_CASE("hull body: a snapshot is restored with its hulls, and refused without
     fresh.step();
     REQUIRE(digest(world) == digest(fresh));
   }
-  // A hull that is not about its centre of mass is no body's.
+  // A hull that is not centred on its centre of mass cannot belong to a body.
   for (std::size_t i = 0; i + 8 < bytes.size(); ++i) {
     auto changed = bytes;
     changed[i] = static_cast<std::byte>(static_cast<unsigned char>(changed[i]) ^ 1u);

@@ -10,7 +10,7 @@ namespace {
 
 using S = q16_16;
 
-/// Hulls of any size among boxes, balls and capsules: assertions hold, and places stay in range.
+/// Hulls of any size among boxes, balls and capsules: assertions hold, and positions stay in range.
 template <int N>
 void step_anything(Random& random, std::size_t& contacts) {
   const auto number = [&](bool wild) {
@@ -61,7 +61,7 @@ void step_anything(Random& random, std::size_t& contacts) {
   }
 }
 
-TEST_CASE("hull body: hulls from everywhere step without harm") {
+TEST_CASE("hull body: hulls with any numbers step without harm") {
   Random random(32);
   CAPTURE(random.seed());
   std::size_t contacts = 0;

@@ -56,15 +56,15 @@ cpp_int nearest(const cpp_rational& exact) {
   return std::max(cpp_int(-limit), std::min(cpp_int(limit - 1), down));
 }
 
-/// What a solid of N! times this volume, with these integrals over its volume, must be.
+/// The exact mass properties of a solid with N! times this volume and these volume integrals.
 template <int N>
 struct Integrals {
   cpp_rational volume = 0;
   Point first = Point(N);
   std::vector<Point> second = std::vector<Point>(N, Point(N));
 
-  /// Adds a simplex by a rule that is exact for polynomials of degree 2: in 2D the middles of the
-  /// edges, in 3D corners and middles with weights -1/20 and 1/5.
+  /// Adds a simplex by a quadrature rule that is exact for polynomials of degree 2: the edge
+  /// midpoints in 2D; in 3D corners and midpoints with weights -1/20 and 1/5.
   void add(const std::vector<Point>& corners) {
     std::vector<std::vector<cpp_rational>> m;
     for (std::size_t i = 1; i <= N; ++i) {
@@ -103,7 +103,7 @@ void check_inverse(const MassProperties<S, N>& given) {
     const auto k = value(given.gyration);
     REQUIRE(integer(given.inverse_gyration.raw()) == nearest<Inverse>(1 / k));
   } else {
-    // Gauss and Jordan; the pivots of a positive definite matrix are positive.
+    // Gauss-Jordan elimination; the pivots of a positive definite matrix are positive.
     std::vector<Point> m(3, Point(6));
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j)
@@ -168,8 +168,8 @@ Point point_of(const Vec<S, N>& p) {
   return result;
 }
 
-/// A box as simplices: those between its least corner and the opposite one along every order of
-/// the axes.
+/// Splits a box into simplices: the paths from its least corner to the opposite one along every
+/// order of the axes.
 template <Scalar S, int N>
 Integrals<N> of_box(const Vec<S, N>& low, const Vec<S, N>& high) {
   Integrals<N> result;
@@ -192,8 +192,8 @@ Integrals<N> of_box(const Vec<S, N>& low, const Vec<S, N>& high) {
   return result;
 }
 
-/// The simplices of a hull in general position, from its first point to each facet: those of N
-/// points with all others on one side. Nothing if some facet has more points.
+/// The simplices of a hull in general position, from its first point to each facet (N points with
+/// all others on one side). Nothing if some facet has more points.
 template <Scalar S, int N>
 std::optional<Integrals<N>> of_hull(const std::vector<Vec<S, N>>& points) {
   Integrals<N> result;
@@ -217,7 +217,7 @@ std::optional<Integrals<N>> of_hull(const std::vector<Vec<S, N>>& points) {
           ++(side > 0 ? above : below);
         }
         if (above != 0 && below != 0) continue;
-        // The first point is inside or on the facet, where the simplex adds nothing.
+        // The first point is inside, or on the facet, where the simplex has no volume.
         std::vector<Point> corners{point_of(points[0]), point_of(points[i]), point_of(points[j])};
         if (N == 3) corners.push_back(point_of(points[k]));
         if ((N == 2) == (above == 0)) std::swap(corners[1], corners[2]);
@@ -228,8 +228,8 @@ std::optional<Integrals<N>> of_hull(const std::vector<Vec<S, N>>& points) {
   return result;
 }
 
-TEMPLATE_TEST_CASE("mass: of shapes that anyone can weigh", "[mass]", q16_16, q14_16, q24_8,
-                   double) {
+TEMPLATE_TEST_CASE("mass: simple shapes have their textbook values", "[mass]", q16_16, q14_16,
+                   q24_8, double) {
   using S = TestType;
   const auto box = mass_properties(Aabb{at<S, 3>(-1, -2, -3), at<S, 3>(1, 2, 3)}, num<S>(2));
   CHECK(box.mass == 96);
@@ -243,7 +243,7 @@ TEMPLATE_TEST_CASE("mass: of shapes that anyone can weigh", "[mass]", q16_16, q1
   CHECK(mass_properties(Sphere<S, 2>{at<S, 2>(0, 0), num<S>(2)}, num<S>(1)).gyration == 2);
 }
 
-TEMPLATE_TEST_CASE("mass: 0 without volume or without density", "[mass]", q16_16, q8_8, float) {
+TEMPLATE_TEST_CASE("mass: is 0 without volume or density", "[mass]", q16_16, q8_8, float) {
   using S = TestType;
   using Flat = MassProperties<S, 2>;
   using Solid = MassProperties<S, 3>;
@@ -282,7 +282,7 @@ void check_boxes() {
     const auto given = mass_properties(Aabb<S, N>{low, high}, density);
     check(given, of_box(low, high), density);
     solid += given.mass > 0 ? 1 : 0;
-    // The same box as a hull of its corners, with points inside.
+    // The same box as a hull of its corners, with interior points.
     std::vector<Vec<S, N>> corners{nearest_to<S>(half(low + high)), low, low};
     for (int c = 0; c < (1 << N); ++c) {
       corners.push_back(make_vec<N>([&](int k) { return (c >> k) % 2 == 0 ? low[k] : high[k]; }));
@@ -295,8 +295,8 @@ void check_boxes() {
   CHECK(solid > 40);
 }
 
-TEMPLATE_TEST_CASE("mass: of boxes, each number rounded once", "[mass][oracle]", q16_16, q14_16,
-                   q24_8, q8_8) {
+TEMPLATE_TEST_CASE("mass: of boxes, with each number rounded once", "[mass][oracle]", q16_16,
+                   q14_16, q24_8, q8_8) {
   check_boxes<TestType, 2>();
   check_boxes<TestType, 3>();
 }
@@ -315,7 +315,7 @@ void check_turned_boxes() {
     cpp_rational content = value(density);
     for (int k = 0; k < N; ++k) content *= 2 * value(box.half_extents[k]);
     REQUIRE(integer(given.mass.raw()) == nearest<typename detail::MassFormats<S>::Mass>(content));
-    // Along each axis the second moment is a third of the half extent's square.
+    // Along each axis, the second moment is a third of the squared half extent.
     if constexpr (N == 3) {
       for (int r = 0; r < 3; ++r) {
         for (int c = 0; c < 3; ++c) {
@@ -337,8 +337,8 @@ void check_turned_boxes() {
   }
 }
 
-TEMPLATE_TEST_CASE("mass: of oriented boxes, each number rounded once", "[mass][oracle]", q16_16,
-                   q24_8, q8_8) {
+TEMPLATE_TEST_CASE("mass: of oriented boxes, with each number rounded once", "[mass][oracle]",
+                   q16_16, q24_8, q8_8) {
   check_turned_boxes<TestType, 2>();
   check_turned_boxes<TestType, 3>();
 }
@@ -365,13 +365,13 @@ void check_hulls() {
   CHECK(known > 60);
 }
 
-TEMPLATE_TEST_CASE("mass: of hulls, each number rounded once", "[mass][oracle]", q16_16, q14_16,
-                   q24_8, q8_8) {
+TEMPLATE_TEST_CASE("mass: of hulls, with each number rounded once", "[mass][oracle]", q16_16,
+                   q14_16, q24_8, q8_8) {
   check_hulls<TestType, 2>();
   check_hulls<TestType, 3>();
 }
 
-TEMPLATE_TEST_CASE("mass: of hulls in float is that of double", "[mass]", float) {
+TEMPLATE_TEST_CASE("mass: of hulls in float equals that of double", "[mass]", float) {
   oracle::Draw<q16_16, 3> draw(0xf10a7);
   INFO(draw.random);
   for (int i = 0; i < 40; ++i) {
@@ -389,7 +389,7 @@ TEMPLATE_TEST_CASE("mass: of hulls in float is that of double", "[mass]", float)
   }
 }
 
-/// Whether `given` is `exact` rounded to nearest: pi and the root are not rational.
+/// Whether `given` is `exact` rounded to nearest; pi and the root are irrational.
 template <class T>
 bool is_nearest(const T& given, const Real& exact) {
   const Real scaled = exact * power_of_two<Real>(T::frac);
@@ -408,8 +408,8 @@ Real real(const S& x) {
   return Real(integer(x.raw())) * power_of_two<Real>(-S::frac);
 }
 
-/// Capsules and balls as a cylinder and two half balls, each about its own centre and moved to the
-/// capsule's (Steiner).
+/// Capsules and balls as a cylinder and two half balls, each around its own centre and shifted to
+/// the capsule's (Steiner).
 template <Scalar S>
 void check_round_solids() {
   using Formats = detail::MassFormats<S>;
@@ -469,12 +469,12 @@ void check_round_solids() {
   CHECK(solid > 60);
 }
 
-TEMPLATE_TEST_CASE("mass: of capsules and balls, each number rounded once", "[mass][oracle]",
+TEMPLATE_TEST_CASE("mass: of capsules and balls, with each number rounded once", "[mass][oracle]",
                    q16_16, q14_16, q24_8, q8_8) {
   check_round_solids<TestType>();
 }
 
-TEMPLATE_TEST_CASE("mass: of stadiums and discs, each number rounded once", "[mass][oracle]",
+TEMPLATE_TEST_CASE("mass: of stadiums and discs, with each number rounded once", "[mass][oracle]",
                    q16_16, q24_8, q8_8) {
   using S = TestType;
   oracle::Draw<S, 2> draw(0x57ad);
@@ -546,7 +546,7 @@ void check_sums() {
       CHECK(integer(given.center[int(k)].raw()) ==
             nearest<typename Formats::Center>(center[k] / mass));
     }
-    // Steiner: every part about the centre as rounded.
+    // Steiner: every part about the rounded centre.
     const auto entry = [&](int r, int c) {
       cpp_rational sum = 0;
       for (const auto& part : parts) {
@@ -577,7 +577,7 @@ void check_sums() {
   }
 }
 
-TEMPLATE_TEST_CASE("mass: of parts adds, in any order", "[mass][oracle]", q16_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("mass: parts add up, in any order", "[mass][oracle]", q16_16, q24_8, q8_8) {
   check_sums<TestType, 2>();
   check_sums<TestType, 3>();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Impulses, forces, torques, locked axes, sensors and a body's own gravity. tests/dynamics/twin
+// Impulses, forces, torques, locked axes, sensors and per-body gravity. tests/dynamics/twin
 // compares their bits with a second implementation.
 #include <cmath>
 #include <vector>
@@ -36,7 +36,7 @@ BodyOptions<S, N> locking(std::uint8_t locked) {
 
 }  // namespace
 
-TEST_CASE("push: an impulse at the centre changes the velocity by itself over the mass") {
+TEST_CASE("push: an impulse at the centre changes the velocity by impulse over mass") {
   Flat world(weightless<2>());
   const auto box = *world.add(box_at<S, 2>(3, 2, 1, 0.5));  // of mass 2
   world.apply_impulse(box, {S(4), S(-1)});
@@ -47,7 +47,7 @@ TEST_CASE("push: an impulse at the centre changes the velocity by itself over th
   CHECK(world.velocity(box) == Vec<S, 2>{});
 }
 
-TEST_CASE("push: an impulse off the centre turns the body too") {
+TEST_CASE("push: an off-centre impulse also turns the body") {
   Flat world(weightless<2>());
   const auto box = *world.add(box_at<S, 2>(3, 2, 1, 0.5));  // inertia 2 (2^2 + 1^2) / 12
   world.apply_impulse(box, {{}, S(1)}, {S(4), S(2)});
@@ -62,7 +62,7 @@ TEST_CASE("push: an impulse off the centre turns the body too") {
   CHECK(solid.angular_velocity(ball)[2] == S(0));
 }
 
-TEST_CASE("push: a force acts for one step, and adds up with others") {
+TEST_CASE("push: a force acts for one step and adds to other forces") {
   Flat world(weightless<2>());
   const auto box = *world.add(box_at<S, 2>(0, 0, 1, 0.5));
   for (int tick = 1; tick <= 60; ++tick) {
@@ -85,7 +85,7 @@ TEST_CASE("push: a force acts for one step, and adds up with others") {
   CHECK(is_close(world.angular_velocity(box)[0], 1.2, 3e-3));
 }
 
-TEST_CASE("push: a force at a point of the edge is a force at the centre and a torque") {
+TEST_CASE("push: a force at a point equals a force at the centre and a torque") {
   for (const int y : {-3, 0, 2}) {
     Flat at_point(weightless<2>()), apart(weightless<2>());
     const auto a = *at_point.add(box_at<S, 2>(1, 1, 1, 0.5));
@@ -99,7 +99,7 @@ TEST_CASE("push: a force at a point of the edge is a force at the centre and a t
   }
 }
 
-TEST_CASE("push: wakes what sleeps, and leaves alone what cannot move") {
+TEST_CASE("push: wakes sleeping bodies and leaves immovable ones alone") {
   Flat world;
   BodyOptions<S, 2> options;
   options.motion = BodyMotion::fixed;
@@ -137,7 +137,7 @@ TEST_CASE("push: the largest numbers clamp") {
   CHECK(d(world.velocity(box).x) > 900);
 }
 
-TEST_CASE("push: what a force will do is in snapshots and digests") {
+TEST_CASE("push: pending forces are in snapshots and digests") {
   Flat world;
   const auto box = *world.add(box_at<S, 2>(0, 3, 1, 0.5));
   const auto twin = *world.add(box_at<S, 2>(4, 3, 1, 0.5));
@@ -159,7 +159,7 @@ TEST_CASE("push: what a force will do is in snapshots and digests") {
   CHECK(world.velocity(twin).x == S(0));
 }
 
-TEST_CASE("push: locked axes, sensors and gravity of a body's own are in snapshots") {
+TEST_CASE("push: locked axes, sensors and per-body gravity are in snapshots") {
   Flat world;
   auto options = locking<2>(AxisLock::x | AxisLock::turn);
   const auto locked = *world.add(box_at<S, 2>(0, 3, 1, 0.5), options);
@@ -181,7 +181,7 @@ TEST_CASE("push: locked axes, sensors and gravity of a body's own are in snapsho
   CHECK(digest_of(world, locked) != start);
   CHECK(world.contains(sensor));
   CHECK(is_close(world.velocity(heavy).y, -2 * 10 * 40 / 60.0, 0.02));
-  // A snapshot that writes defaults or pushes of 0 out, or unknown bits, is none.
+  // A snapshot that spells out defaults or zero pushes, or has unknown bits, is invalid.
   detail::WorldAccess::bodies(world)[0].push.x = detail::Formats<S>::Speed::from_raw(1);
   auto bytes = snapshot(world);
   const auto sign = [&] {
@@ -201,7 +201,7 @@ TEST_CASE("push: locked axes, sensors and gravity of a body's own are in snapsho
   }
 }
 
-TEST_CASE("push: a locked axis is neither moved along nor turned about, whatever collides") {
+TEST_CASE("push: no collision moves a body along a locked axis or turns it about one") {
   Solid world;
   BodyOptions<S, 3> fixed;
   fixed.motion = BodyMotion::fixed;
@@ -241,7 +241,7 @@ TEST_CASE("push: a locked axis is neither moved along nor turned about, whatever
   CHECK(moved > 5000);
 }
 
-TEST_CASE("push: a box that cannot turn rests upright on its edge, and carries another one") {
+TEST_CASE("push: a box that cannot turn rests upright on its edge and carries another one") {
   Flat world;
   BodyOptions<S, 2> fixed;
   fixed.motion = BodyMotion::fixed;
@@ -259,7 +259,7 @@ TEST_CASE("push: a box that cannot turn rests upright on its edge, and carries a
   CHECK(world.is_asleep(ball));
 }
 
-TEST_CASE("push: a sensor reports who enters and leaves, and moves nobody") {
+TEST_CASE("push: a sensor reports what enters and leaves, and moves nothing") {
   for (const auto motion : {BodyMotion::fixed, BodyMotion::kinematic, BodyMotion::dynamic}) {
     Flat world, without;
     BodyOptions<S, 2> options;
@@ -284,14 +284,14 @@ TEST_CASE("push: a sensor reports who enters and leaves, and moves nobody") {
     REQUIRE(events.size() == 2);
     CHECK(events[0] == TouchEvent{zone, ball, true});
     CHECK(events[1] == TouchEvent{zone, ball, false});
-    // Seen in the step after: two ticks of 8 and of 11 units a second.
+    // Detected in the step after: two ticks at 8 and at 11 units per second.
     CHECK(is_close(above, 4.35, 0.15));
     CHECK(is_close(below, 1.3, 0.2));
     CHECK(world.position(zone) == Vec<S, 2>{{}, S(3)});
   }
 }
 
-TEST_CASE("push: a sensor neither wakes nor keeps awake") {
+TEST_CASE("push: a sensor neither wakes bodies nor keeps them awake") {
   Flat world;
   BodyOptions<S, 2> options;
   options.motion = BodyMotion::fixed;

@@ -11,7 +11,7 @@
 
 namespace detent::test {
 
-/// A box as of `box_of`, turned by an angle in 2D.
+/// A box as in `box_of`, rotated by an angle in 2D.
 template <Scalar S, int N>
 Obb<S, N> box_at(double x, double y, double half_width, double half_height, double angle = 0) {
   auto box = box_of<S, N>(x, y, half_width, half_height);
@@ -21,7 +21,7 @@ Obb<S, N> box_at(double x, double y, double half_width, double half_height, doub
   return box;
 }
 
-/// A world of boxes on a floor whose top is at y = 0. `top` is the one that is watched.
+/// Boxes on a floor whose top is at y = 0. The tests watch `top`.
 template <Scalar S, int N>
 struct Scene {
   World<S, N, Obb> world;
@@ -44,7 +44,7 @@ struct Scene {
   void step(int ticks) {
     for (int i = 0; i < ticks; ++i) world.step();
   }
-  /// The fastest component of any velocity or spin, in units or radians a second.
+  /// The largest component of any velocity or spin, in units or radians per second.
   double fastest() const {
     double most = 0;
     const auto& bodies = detail::WorldAccess::bodies(world);
@@ -67,7 +67,7 @@ Scene<S, N> stack(int boxes, int substeps, double sleep_speed = 0) {
   return scene;
 }
 
-/// Three boxes, the last of which weighs 100 times as much as each other.
+/// Three boxes; the last one weighs 100 times as much as each of the others.
 template <Scalar S, int N>
 Scene<S, N> heavy_top(double weight, int substeps, double sleep_speed = 0) {
   Scene<S, N> scene(substeps, sleep_speed);
@@ -88,7 +88,8 @@ Scene<S, 2> pyramid(int base, int substeps, double sleep_speed = 0) {
   return scene;
 }
 
-/// Cards of 1.2 by 0.1 that lean against each other, in levels with level cards between them.
+/// A house of cards: cards of 1.2 by 0.1 lean against each other, with level cards between the
+/// storeys.
 template <Scalar S>
 Scene<S, 2> house_of_cards(int levels, int substeps, double sleep_speed = 0) {
   Scene<S, 2> scene(substeps, sleep_speed);
@@ -114,7 +115,7 @@ Scene<S, 2> house_of_cards(int levels, int substeps, double sleep_speed = 0) {
   return scene;
 }
 
-/// 40 boxes of several sizes that fall onto each other.
+/// 40 boxes of different sizes that fall onto each other.
 template <Scalar S>
 Scene<S, 3> heap(int substeps) {
   Scene<S, 3> scene(substeps);

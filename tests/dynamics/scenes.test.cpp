@@ -39,7 +39,7 @@ TEST_CASE("scenes: a pyramid of base 10 stands") {
         {15, 0.006, 0.010, 4e-3, 1e-3}, 0x5e479fc2f6fa6884u);
 }
 
-TEST_CASE("scenes: a box of 100 stands on two of 1") {
+TEST_CASE("scenes: a box of mass 100 stands on two of mass 1") {
   check(settle(heavy_top<q16_16, 2>(100, 4), 600), settle(heavy_top<double, 2>(100, 4), 600),
         {40, 0.10, 0.13, 0.02, 1e-3}, 0x6e5438fd9031856bu);
 }
@@ -54,7 +54,7 @@ TEST_CASE("scenes: a stack of 10 in 3D stands") {
         {10, 0.005, 0.008, 2e-3, 2e-3}, 0xa7d3712ebb9d0c07u);
 }
 
-TEST_CASE("scenes: a box of 100 in 3D stands on two of 1") {
+TEST_CASE("scenes: a box of mass 100 in 3D stands on two of mass 1") {
   check(settle(heavy_top<q16_16, 3>(100, 8), 300), settle(heavy_top<double, 3>(100, 8), 300),
         {90, 0.018, 0.030, 5e-3, 3e-3}, 0x1fb69be42df0ca58u);
 }
@@ -66,7 +66,7 @@ TEST_CASE("scenes: a heap of 40 boxes comes to rest") {
   CHECK(digest(scene.world) == 0x4a88d0290a20f30cu);
 }
 
-TEST_CASE("scenes: what has come to rest stays where it is") {
+TEST_CASE("scenes: a scene at rest stays at rest") {
   auto scene = stack<q16_16, 2>(10, 4, 0.05);
   scene.step(120);
   REQUIRE(scene.world.is_asleep(scene.top));
@@ -75,8 +75,8 @@ TEST_CASE("scenes: what has come to rest stays where it is") {
   CHECK(digest(scene.world) == before);
 }
 
-TEST_CASE("scenes: at the other end of the world the same bits, moved") {
-  // The stack by 20,000 units and more; only places differ.
+TEST_CASE("scenes: the far end of the world gives the same bits, shifted") {
+  // Shifts the stack by 20,000 units and more; only positions differ.
   const auto run = [](double x, double y) {
     WorldSettings<q16_16, 2> settings;
     settings.sleep_speed = {};
@@ -102,7 +102,7 @@ TEST_CASE("scenes: at the other end of the world the same bits, moved") {
   CHECK(run(-32000.125, 32000.5) == here);
 }
 
-TEST_CASE("scenes: 3D worlds restore bit by bit, and do not know their history") {
+TEST_CASE("scenes: 3D worlds restore bit for bit and do not depend on history") {
   auto world = heap<q16_16>(4).world;
   for (int t = 0; t < 60; ++t) world.step();
   auto fresh = Scene<q16_16, 3>(4).world;

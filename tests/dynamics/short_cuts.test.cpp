@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the solver computes in few instructions equals what it says, rounded once from the exact sum
-// or quotient; often near ties and at the ends of ranges.
+// The solver's fast arithmetic equals its specification: the exact sum or quotient, rounded once.
+// Many inputs are near ties or at the ends of ranges.
 
 #include "support/catch.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 using F = detail::Formats<q16_16>;
 
-/// A number of T, often near the ends, near 0 or with many trailing zeros.
+/// A number of T, often near the ends or 0, or with many trailing zeros.
 template <class T>
 T draw(test::Random& random, int bits = T::bits) {
   auto raw = random.between(-(std::int64_t{1} << bits) + 1, (std::int64_t{1} << bits) - 1);
@@ -45,7 +45,7 @@ TEST_CASE("sums of long products are rounded once") {
   check_dots<F::Response, F::Moment, F::Gyration>(random);
 }
 
-TEST_CASE("sums that end just next to a tie are rounded by all of their bits") {
+TEST_CASE("sums right next to a tie are rounded by all their bits") {
   using Long = F::FineSpin;
   // 2^-30 * (2^29 + 2^22) and less or more by one step of the product: ties of 2^-44 and next to
   const Vec<F::Ratio, 3> a{F::Ratio::assume_raw(1), F::Ratio::assume_raw(1),
@@ -67,7 +67,7 @@ TEST_CASE("quotients by numbers near 1 are rounded once") {
     const auto e =
         random.between(-(std::int64_t{1} << 33), std::int64_t{1} << 33) >> random.between(0, 33);
     const T d = T::assume_raw(one + e);
-    // A quotient that is within some steps of 2^-60 of a tie.
+    // A quotient within a few steps of 2^-60 of a tie.
     const auto step = random.between(-(std::int64_t{1} << 30), (std::int64_t{1} << 30) - 1);
     const auto close = (step << 30) + half + random.between(-100, 100);
     auto n = close + ((close >> 30) * e >> 30);
@@ -78,7 +78,7 @@ TEST_CASE("quotients by numbers near 1 are rounded once") {
   }
 }
 
-TEST_CASE("impulses are rounded and clamped component by component") {
+TEST_CASE("impulses are rounded and clamped per component") {
   test::Random random(3);
   for (int k = 0; k < 50000; ++k) {
     const auto share = make_vec<3>([&](int) { return draw<F::Response>(random); });
@@ -95,7 +95,7 @@ TEST_CASE("impulses are rounded and clamped component by component") {
   }
 }
 
-TEST_CASE("a sweep in strips finds the pairs whose bounds overlap") {
+TEST_CASE("a strip sweep finds exactly the pairs whose bounds overlap") {
   using Entry = detail::SweepEntry<q16_16, 3>;
   test::Random random(4);
   for (const int count : {1, 2, 63, 64, 200, 2500}) {

@@ -16,7 +16,7 @@ using Bytes = std::vector<std::byte>;
 template <class S, int N>
 using Balls = World<S, N, Sphere>;
 
-/// Where and how the balls of `heap` start, by index.
+/// The initial state of the balls of `heap`, by index.
 template <Scalar S, int N>
 void put_ball(Balls<S, N>& world, std::uint32_t index) {
   BodyOptions<S, N> options;
@@ -39,15 +39,15 @@ Balls<S, N> heap() {
   return world;
 }
 
-/// The last 8 bytes again, after a change of the others.
+/// Recomputes the checksum, the last 8 bytes, after a change.
 void sign(Bytes& bytes) {
   Digest digest;
   digest.add_bytes(std::span<const std::byte>(bytes).first(bytes.size() - 8));
   detail::store_word(bytes.data() + bytes.size() - 8, digest.value());
 }
 
-TEMPLATE_TEST_CASE("snapshot: a world steps on bit by bit in a fresh one", "", q16_16, q14_16,
-                   q24_8, q8_8, double) {
+TEMPLATE_TEST_CASE("snapshot: a restored world continues bit for bit", "", q16_16, q14_16, q24_8,
+                   q8_8, double) {
   using S = TestType;
   const auto exam = [](auto dimension) {
     constexpr int N = decltype(dimension)::value;
@@ -56,7 +56,7 @@ TEMPLATE_TEST_CASE("snapshot: a world steps on bit by bit in a fresh one", "", q
       if (t % 40 == 7) {
         Balls<S, N> fresh;
         put_ball(fresh, 0);
-        add_ball(fresh, 3, 3);  // not of the snapshot: it goes
+        add_ball(fresh, 3, 3);  // not in the snapshot, so restore removes it
         const auto bytes = snapshot(world);
         REQUIRE(restore(fresh, bytes) == Restored::yes);
         CHECK(snapshot(fresh) == bytes);
@@ -102,7 +102,7 @@ TEST_CASE("snapshot: bits do not depend on the order of additions and removals")
   }
 }
 
-TEST_CASE("snapshot: without impulses a world parts from the other") {
+TEST_CASE("snapshot: without its impulses a world diverges") {
   auto world = heap<q16_16, 2>();
   for (int t = 0; t < 120; ++t) world.step();
   auto other = world;
@@ -114,7 +114,7 @@ TEST_CASE("snapshot: without impulses a world parts from the other") {
   CHECK(digest(world) != digest(other));
 }
 
-TEST_CASE("snapshot: 72 bytes a body, and as few as they should be for contacts") {
+TEST_CASE("snapshot: takes 72 bytes per body, and no more than needed for contacts") {
   const auto size_of = [](int count) {
     Balls<q16_16, 3> world;
     for (int i = 0; i < count; ++i) add_ball(world, 3.0 * i, 0);
@@ -127,7 +127,7 @@ TEST_CASE("snapshot: 72 bytes a body, and as few as they should be for contacts"
   const auto apart = snapshot(world).size();
   world.step();
   REQUIRE(detail::WorldAccess::contacts(world).size() == 1);
-  CHECK(snapshot(world).size() - apart == 8 + 8 + 12);  // one point of four
+  CHECK(snapshot(world).size() - apart == 8 + 8 + 12);  // one contact point of four
 }
 
 TEST_CASE("snapshot: hostile bytes change nothing and do no harm") {

@@ -5,7 +5,7 @@
 
 namespace detent::test {
 
-/// A number of a test in any scalar, rounded to nearest.
+/// A test's number in any scalar, rounded to nearest.
 template <class S>
 S num(double x) {
   if constexpr (is_fixed<S>) {
@@ -24,7 +24,7 @@ Vec<S, N> at(double x, double y) {
   return p;
 }
 
-/// A box with its center and half extents; in 3D as deep as wide, at z = 0.
+/// A box with this center and half extents; in 3D its depth equals its width, at z = 0.
 template <Scalar S, int N>
 Obb<S, N> box_of(double x, double y, double half_width, double half_height) {
   Obb<S, N> box{at<S, N>(x, y), at<S, N>(half_width, half_height), {}};

@@ -15,12 +15,12 @@ using std::numbers::pi;
 template <Scalar S>
 using FlatWorld = World<S, 2, Sphere, Obb, BodyHull, DistanceJoint, BallJoint>;
 
-/// How a scene went. `top` is the body that is watched.
+/// Measurements of a scene. `top` is the watched body.
 struct Course {
-  int rest = -1;                // the tick from which nothing is faster than 0.03 units a second
-  double dx = 0, dy = 0;        // of the top, from start to end
+  int rest = -1;                // the tick after which nothing is faster than 0.03 units per second
+  double dx = 0, dy = 0;        // displacement of the top from start to end
   double highest = 0, gap = 0;  // of the top; the greatest of any joint
-  double gain = 0;              // the most that the energy was above the start, as a share
+  double gain = 0;              // the greatest energy above the initial one, as a fraction
   std::uint64_t digest = 0;
 };
 
@@ -141,7 +141,7 @@ Course thousand_on_two() {
   return scene.run(300);
 }
 
-/// An arch of 9 stones between the radii 4 and 5, which are hulls.
+/// An arch of 9 hulls between the radii 4 and 5.
 template <Scalar S>
 Course arch() {
   Flat<S> scene;
@@ -158,7 +158,7 @@ Course arch() {
   return scene.run(300);
 }
 
-/// 15 dominoes in a row; the first one is pushed. The last is watched.
+/// 15 dominoes in a row; the first one is pushed, the last one is watched.
 template <Scalar S>
 Course dominoes() {
   Flat<S> scene;
@@ -172,8 +172,8 @@ Course dominoes() {
   return scene.run(400);
 }
 
-/// Five balls on rods of 4 units, 0.03 apart; the first one swings down from 60 degrees. The last is
-/// watched.
+/// Five balls on rods of 4 units, 0.03 apart. The first one swings down from 60 degrees; the last
+/// one is watched.
 template <Scalar S>
 Course cradle(int ticks) {
   Flat<S> scene(8);
@@ -195,7 +195,7 @@ Course cradle(int ticks) {
   return scene.run(ticks);
 }
 
-/// 20 planks between two fixed ends, on which three boxes fall. A plank in the middle is watched.
+/// 20 planks between two fixed ends, onto which three boxes fall. A plank in the middle is watched.
 template <Scalar S>
 Course bridge() {
   Flat<S> scene(8);
@@ -211,7 +211,7 @@ Course bridge() {
   return scene.run(600);
 }
 
-/// 20 figures of ten boxes and balls that fall onto each other.
+/// 20 figures of ten boxes and balls each, falling onto each other.
 template <Scalar S>
 Course ragdolls(int ticks) {
   Flat<S> scene;
@@ -240,7 +240,7 @@ Course ragdolls(int ticks) {
 template <Scalar S>
 using SolidWorld = World<S, 3, Obb, BodyHull>;
 
-/// Energy of turning and moving in 3D, without that of the height.
+/// Kinetic energy in 3D, rotation included.
 template <Scalar S>
 double kinetic(const SolidWorld<S>& world, const BodyId& id) {
   const auto& body = detail::WorldAccess::bodies(world)[id.index];
@@ -259,7 +259,7 @@ double kinetic(const SolidWorld<S>& world, const BodyId& id) {
   return sum * rate * rate / 2;
 }
 
-/// How often axis 1 of a spinning body turned over, and how its energy changed, as a share.
+/// How often axis 1 of a spinning body flipped, and the relative change of its energy.
 struct Spun {
   int flips = 0;
   double least = 1, most = 1;
@@ -288,7 +288,7 @@ Spun spin(SolidWorld<S>& world, const BodyId& id, int ticks) {
   return spun;
 }
 
-/// A box with three different sides, without weight, that spins about the middle axis.
+/// A weightless box with three different sides that spins about its middle axis.
 template <Scalar S>
 Spun handle() {
   WorldSettings<S, 3> settings;
@@ -300,7 +300,7 @@ Spun handle() {
   return spin(world, *id, 1200);
 }
 
-/// A cone on its tip, a little tilted, at 60 radians a second.
+/// A slightly tilted cone on its tip, at 60 radians per second.
 template <Scalar S>
 Spun top() {
   SolidWorld<S> world(sleepless<S, 3>(8));
@@ -322,9 +322,9 @@ Spun top() {
   return spin(world, *id, 600);
 }
 
-/// What a scene in q16_16 must reach; how far from it the same scene in double may be.
+/// The requirements for a scene in q16_16, and its greatest deviation from the scene in double.
 struct Band {
-  int rest;  // no later than that; 0: it may move on
+  int rest;  // latest tick of rest; 0: it may keep moving
   double least_dy, most_dy, drift, gap, from_double;
 };
 
@@ -353,7 +353,7 @@ TEST_CASE("standing: a stack of 20 stands") {
         0x48605200c6168ddau);
 }
 
-TEST_CASE("standing: a box of 1,000 stands on two of 1") {
+TEST_CASE("standing: a box of mass 1,000 stands on two of mass 1") {
   check(thousand_on_two<q16_16>(), thousand_on_two<double>(), {80, -0.08, -0.06, 0.01, 0, 5e-4},
         0x40835875a07d2899u);
 }
@@ -362,7 +362,7 @@ TEST_CASE("standing: an arch of hulls stands") {
   check(arch<q16_16>(), arch<double>(), {15, -0.012, -0.006, 1e-3, 0, 5e-4}, 0x37a15aac7ac436aau);
 }
 
-TEST_CASE("standing: dominoes fall, up to the last") {
+TEST_CASE("standing: all dominoes fall") {
   check(dominoes<q16_16>(), dominoes<double>(), {200, -0.46, -0.44, 0.7, 0, 1e-3},
         0x9fc36d3d83b0fcfeu);
 }
@@ -379,11 +379,11 @@ TEST_CASE("standing: a bridge holds three boxes") {
 }
 
 TEST_CASE("standing: 20 ragdolls stay whole") {
-  // They part from those of double as they tumble.
+  // While tumbling they diverge from those in double.
   check(ragdolls<q16_16>(120), ragdolls<double>(120), {0, -11, -5, 2, 0.1, 2}, 0xfe45b85c95a7214au);
 }
 
-TEST_CASE("standing: a T-handle turns over and over, and keeps its energy") {
+TEST_CASE("standing: a T-handle keeps flipping and keeps its energy") {
   const auto fixed = handle<q16_16>(), real = handle<double>();
   CAPTURE(fixed.flips, fixed.least, fixed.most, real.flips, real.least, real.most);
   CHECK(fixed.flips == 7);
@@ -393,7 +393,7 @@ TEST_CASE("standing: a T-handle turns over and over, and keeps its energy") {
   CHECK(fixed.digest == 0x9303141d535a64beu);
 }
 
-TEST_CASE("standing: a top stays upright while it spins") {
+TEST_CASE("standing: a spinning top stays upright") {
   const auto fixed = top<q16_16>(), real = top<double>();
   CAPTURE(fixed.upright, fixed.least, fixed.most, real.upright, real.least, real.most);
   CHECK(fixed.upright > 0.99);

@@ -19,7 +19,7 @@ Vec<S, 3> point(double x, double y, double z) {
   return {num<S>(x), num<S>(y), num<S>(z)};
 }
 
-/// The triangles of a square from -size to size with `cells` cells a side, at these heights.
+/// The triangles of a square from -size to size with `cells` cells per side, at these heights.
 template <Scalar S, class Height>
 std::vector<Triangle<S, 3>> square(int cells, double size, const Height& height) {
   std::vector<Triangle<S, 3>> triangles;

@@ -90,7 +90,7 @@ TEST_CASE("terrain: over a plane of triangles all normals are the plane's") {
   CHECK(found > 600);
 }
 
-TEST_CASE("terrain: a first contact takes no impulses from those of other bodies") {
+TEST_CASE("terrain: a first contact does not inherit impulses from other bodies' contacts") {
   const Owned<q16_16> plane(square<q16_16>(1, 8, [](double, double) { return 0.0; }));
   const auto run = [&](bool has_neighbour) {
     Ground<q16_16> world;
@@ -114,7 +114,7 @@ TEST_CASE("terrain: a first contact takes no impulses from those of other bodies
   CHECK(run(true) == run(false));
 }
 
-TEST_CASE("terrain: a body over a plane is as deep as over one face") {
+TEST_CASE("terrain: a body on a plane of triangles is as deep as on one face") {
   using S = q16_16;
   Random random(72);
   CAPTURE(random.seed());
@@ -150,7 +150,7 @@ TEST_CASE("terrain: a body over a plane is as deep as over one face") {
   }
 }
 
-TEST_CASE("terrain: edges and corners push where nothing rises from them") {
+TEST_CASE("terrain: edges and corners push only where no neighbour rises from them") {
   using S = q16_16;
   Random random(73);
   const auto pose = [&](double x, double y) {
@@ -176,7 +176,7 @@ TEST_CASE("terrain: edges and corners push where nothing rises from them") {
        contacts_of(BodyMesh<S, 3>{&ridge.asset, {}, {}}, box, pose(0, 0.19))) {
     CHECK(contact.manifold.normal == detail::unit_axis<typename detail::Formats<S>::Ratio, 3>(1));
   }
-  // Beside the plane's outer edge a ball leaves over that edge, and from behind it passes.
+  // Past the plane's outer edge a ball leaves over that edge; from behind it passes.
   const Owned<S> plate(square<S>(8, 4, level));
   const BodyMesh<S, 3> body{&plate.asset, {}, {}};
   const auto outside = contacts_of(body, ball, pose(4.3, 0.3));
@@ -238,7 +238,7 @@ struct Landscape {
   }
 };
 
-TEST_CASE("terrain: nothing falls through, from snapshots the bits go on") {
+TEST_CASE("terrain: nothing falls through, and bits continue from snapshots") {
   const Landscape land;
   Ground<q16_16> world;
   land.fill(world);
@@ -277,7 +277,7 @@ TEST_CASE("terrain: nothing falls through, from snapshots the bits go on") {
   CHECK(world.position({8, 11}).y < -10);
 }
 
-TEST_CASE("terrain: wrong assets and hostile bytes leave the world as it is") {
+TEST_CASE("terrain: wrong assets and hostile bytes leave the world unchanged") {
   using S = q16_16;
   const Landscape land;
   Ground<S> world;
@@ -311,7 +311,7 @@ TEST_CASE("terrain: wrong assets and hostile bytes leave the world as it is") {
     victim.step();
   }
   CHECK(read > 100);
-  // A triangle of a pair without a surface.
+  // A triangle index for a pair without a surface.
   auto odd = world;
   auto& contacts = detail::WorldAccess::contacts(odd);
   REQUIRE(contacts.size() > 1);
@@ -339,7 +339,7 @@ TEST_CASE("terrain: differences name the triangle") {
   CHECK(digest(world) != digest(other));
 }
 
-TEST_CASE("terrain: without triangles, with equal or great indices, and far away, nothing breaks") {
+TEST_CASE("terrain: no triangles, equal or huge indices, and distant triangles do no harm") {
   using S = q16_16;
   Random random(75);
   CAPTURE(random.seed());

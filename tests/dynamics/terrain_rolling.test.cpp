@@ -12,7 +12,7 @@ namespace {
 template <Scalar S>
 using Slope = World<S, 3, Sphere, Aabb, BodyMesh, BodyHeightField>;
 
-TEMPLATE_TEST_CASE("terrain: a ball rolls over many triangles with the bits of one face", "",
+TEMPLATE_TEST_CASE("terrain: a ball rolls over many triangles with the bits of a single face", "",
                    q16_16, q24_8, q14_16) {
   using S = TestType;
   const Owned<S> fine(square<S>(40, 8, level)), coarse(square<S>(1, 8, level));
@@ -40,12 +40,12 @@ TEMPLATE_TEST_CASE("terrain: a ball rolls over many triangles with the bits of o
     };
     for (std::size_t i = 1; i < 4; ++i) REQUIRE(state(i).velocity == state(1).velocity);
     for (std::size_t i = 1; i < 4; ++i) REQUIRE(state(i) == state(1));
-    // The box is about another centre, from which levers are the same for every scalar but q24_8.
+    // The box has another centre, for which levers are equal in every scalar except q24_8.
     REQUIRE(state(0).place.y == state(1).place.y);
     if (std::is_same_v<S, q16_16>) REQUIRE(state(0) == state(1));
   }
   CHECK(worlds[2].position({1, 2}).x > num<S>(-2));
-  CHECK(begun == 1);  // from triangle to triangle it is one touch
+  CHECK(begun == 1);  // one touch across all triangles
 }
 
 }  // namespace

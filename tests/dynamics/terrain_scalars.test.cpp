@@ -8,7 +8,7 @@ namespace {
 template <Scalar S>
 using Table = World<S, 3, Sphere, Obb, BodyMesh>;
 
-TEMPLATE_TEST_CASE("terrain: every scalar has it", "", q8_8, float, double) {
+TEMPLATE_TEST_CASE("terrain: works in every scalar", "", q8_8, float, double) {
   using S = TestType;
   const Owned<S> flat(square<S>(10, 5, level));
   Table<S> world;

@@ -2,8 +2,8 @@
 //
 // usage: threads [--plant]
 // Steps a world on four threads, which must give the bits of one. Built with the thread sanitizer,
-// which reports any unsynchronised access. With --plant each call is made twice, so that two threads
-// write to the same elements: that must be reported.
+// which reports any unsynchronised access. With --plant each call is made twice, so that two
+// threads write to the same elements, which must be reported.
 
 #include "detent/dynamics/threads.hpp"
 

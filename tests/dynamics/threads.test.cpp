@@ -12,7 +12,7 @@
 namespace detent::test {
 namespace {
 
-/// Runs calls one after another in random order: bits that depend on it differ every time.
+/// Runs the calls one after another in random order, which exposes any dependence on order.
 class Shuffled {
  public:
   template <class F>
@@ -54,11 +54,11 @@ TEST_CASE("threads: worlds stepped by 1, 2 and 4 threads, or in any order, have 
     REQUIRE(by_four.event_count() == world.event_count());
     contacts = (std::max)(contacts, detail::WorldAccess::contacts(world).size());
   }
-  CHECK(contacts > 250);         // more than one call for a colour
+  CHECK(contacts > 250);         // more than one call per colour
   CHECK(shuffled.calls > 2000);  // and for much else
 }
 
-TEST_CASE("threads: a world within its own memory has the same bits too") {
+TEST_CASE("threads: a world in static memory has the same bits") {
   using Bounds = BoundedWorld<Bounded<100>, q16_16, 2, Sphere>;
   Bounds world;
   add_round_ground(world);

@@ -14,7 +14,7 @@ namespace {
 template <Scalar S, int N>
 using BallWorld = World<S, N, Sphere>;
 
-TEMPLATE_TEST_CASE("world: a column of balls comes to rest, sleeps, and then nothing moves", "",
+TEMPLATE_TEST_CASE("world: a column of balls comes to rest and sleeps, and then nothing moves", "",
                    q16_16, q14_16, q24_8, q8_8, float, double) {
   using S = TestType;
   const auto column = [](auto world) {
@@ -40,20 +40,20 @@ TEMPLATE_TEST_CASE("world: a column of balls comes to rest, sleeps, and then not
   CHECK(std::fabs(flat - solid) < 0.01);
 }
 
-TEST_CASE("world: every scalar runs the same integers") {
-  // A world of q24_8 with lengths 256 times as large as one of q16_16 has the same raw numbers.
+TEST_CASE("world: every scalar computes the same integers") {
+  // In q24_8 with lengths 256 times as large, a world has the raw numbers of one in q16_16.
   const auto raw = []<class S>(S, double scale) {
     WorldSettings<S, 2> settings;
     settings.gravity = {S(0), num<S>(-10 * scale)};
     settings.margin = num<S>(5 / 256.0 * scale);
     settings.push_speed = num<S>(3 * scale);
     settings.bounce_threshold = num<S>(scale);
-    settings.sleep_speed = S(0);  // it is a spin, too
+    settings.sleep_speed = S(0);  // it also applies to spins
     World<S, 2, Sphere> world(settings);
     BodyOptions<S, 2> fixed;
     fixed.motion = BodyMotion::fixed;
     BodyOptions<S, 2> loose;
-    fixed.friction = loose.friction = num<S>(0.5);  // on the grid of both
+    fixed.friction = loose.friction = num<S>(0.5);  // exact in both scalars
     world.add(Sphere<S, 2>{{S(0), num<S>(-50 * scale)}, num<S>(50 * scale)}, fixed);
     for (int i = 0; i < 8; ++i) {
       world.add(Sphere<S, 2>{{num<S>(0.25 * (i % 3) * scale), num<S>((1 + 1.5 * i) * scale)},
@@ -76,7 +76,7 @@ TEST_CASE("world: every scalar runs the same integers") {
   CHECK(raw(q16_16(), 1) == raw(q14_16(), 1));
 }
 
-TEST_CASE("world: events tell when bodies begin and end to touch") {
+TEST_CASE("world: events report when bodies begin and cease to touch") {
   BallWorld<q16_16, 2> world;
   add_round_ground(world);
   BodyOptions<q16_16, 2> bouncy;
@@ -92,11 +92,11 @@ TEST_CASE("world: events tell when bodies begin and end to touch") {
   }
   CHECK(begun == 1);
   CHECK(ended == 1);
-  // It lost next to no height: sqrt(2 g 2) upwards at the ground.
+  // It lost next to no energy: sqrt(2 g 2) upwards at the ground.
   CHECK(static_cast<double>(world.position(ball).y) > 2.1);
 }
 
-TEST_CASE("world: bodies meet if both want to") {
+TEST_CASE("world: bodies collide only if both layer masks agree") {
   BallWorld<q16_16, 2> world;
   add_round_ground(world);
   BodyOptions<q16_16, 2> ghost;
@@ -110,7 +110,7 @@ TEST_CASE("world: bodies meet if both want to") {
   CHECK(world.position(rests).y > 0);
 }
 
-TEST_CASE("world: a step that is left out would change nothing") {
+TEST_CASE("world: a skipped step would change nothing") {
   BallWorld<q16_16, 2> world;
   add_round_ground(world);
   const auto low = add_ball(world, 0, 1);
@@ -133,7 +133,7 @@ TEST_CASE("world: a step that is left out would change nothing") {
   }
 }
 
-TEST_CASE("world: what sleeps wakes when it is hit, pushed, or loses its support") {
+TEST_CASE("world: a sleeping body wakes when it is hit, pushed or loses its support") {
   BallWorld<q16_16, 2> world;
   add_round_ground(world);
   const auto low = add_ball(world, 0, 1);
@@ -162,7 +162,7 @@ TEST_CASE("world: what sleeps wakes when it is hit, pushed, or loses its support
   }
 }
 
-TEST_CASE("world: a kinematic body pushes, and nothing stops it") {
+TEST_CASE("world: a kinematic body pushes and cannot be stopped") {
   BallWorld<q16_16, 2> world;
   add_round_ground(world);
   const auto ball = add_ball(world, 0, 1);
@@ -190,7 +190,8 @@ TEST_CASE("world: full worlds and wrong ids are refused") {
   CHECK(world.put(*first, ball));
   CHECK(world.size() == 2);
   for (int t = 0; t < 60; ++t) world.step();
-  CHECK(!(world.position(*first) == world.position(*second)));  // pushed apart from one place
+  CHECK(
+      !(world.position(*first) == world.position(*second)));  // pushed apart
 }
 
 }  // namespace

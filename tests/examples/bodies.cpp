@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A ball hits a stack of boxes. Every machine computes the same bits, so two players who step the
-// same world may compare 8 bytes.
+// same world can compare 8 bytes.
 #include <detent/dynamics/dynamics.hpp>
 #include <detent/number/literals.hpp>
 using namespace detent;

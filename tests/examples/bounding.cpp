@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A box or a sphere around shapes or points, and how large a shape is.
+// The bounding box or sphere of shapes or points, and the size of a shape.
 #include <detent/shape/shape.hpp>
 using namespace detent;
 

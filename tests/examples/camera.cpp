@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is under the mouse, and where on the screen is a point of the world?
+// What is under the mouse, and where on the screen is a world point?
 #include <detent/detent.hpp>
 using namespace detent;
 using namespace detent::literals;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A character: it falls, walks, climbs a step, stops at a wall and rides a lift.
+// A character falls, walks, climbs a step, stops at a wall and rides a lift.
 #include <detent/scene/mover.hpp>
 using namespace detent;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A cloth falls on a ball, and a heavy rope hangs from a corner of a box that moves. No particle
-// ever touches the ball, which `overlaps` decides exactly.
+// A cloth falls on a ball, and a heavy rope hangs from a corner of a moving box. No particle ever
+// touches the ball; `overlaps` decides that exactly.
 #include <detent/dynamics/dynamics.hpp>
 #include <detent/number/literals.hpp>
 #include <detent/query/overlaps.hpp>

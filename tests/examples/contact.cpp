@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How do two shapes that overlap come apart? By the least translation; on a mesh, a triangle each.
+// How can two overlapping shapes be separated? By the least translation; on a mesh, one per
+// triangle.
 #include <array>
 #include <detent/detent.hpp>
 #include <detent/scene/mesh/owned.hpp>

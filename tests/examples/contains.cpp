@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is a point in a shape, how far is it, and which point of the shape is nearest?
+// Is a point in a shape, how far away is it, and which point of the shape is nearest?
 #include <detent/query/closest_point.hpp>
 #include <detent/query/contains.hpp>
 #include <detent/query/distance.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which objects does a camera see? A frustum is a question like a sphere or a box.
+// Which objects does a camera see? A scene can be queried with a frustum as with a sphere or box.
 #include <detent/detent.hpp>
 using namespace detent;
 using namespace detent::literals;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does the library see? A sink turns it into the lines of your renderer.
+// What does the library see? A sink passes it to your renderer as lines.
 #include <detent/detent.hpp>
 #include <vector>
 using namespace detent;

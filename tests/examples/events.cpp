@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who was caught in this frame, in a world that rolls back with its events.
+// Who was caught in this frame, in a world that rolls back together with its events?
 #include <detent/scene/events.hpp>
 #include <detent/scene/sync_test.hpp>
 using namespace detent;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A small game: two players walk, slide along walls, jump, climb stairs, ride a lift and a turning
-// disc, throw grenades that no wall is too thin for, and hurt each other where a blast has a free
-// line of sight. 20,000 frames are played with rollbacks; the digest at the end is the same with
-// every compiler, on every machine.
+// A small game: two players walk, slide along walls, jump, climb stairs, ride a lift and a rotating
+// disc, throw grenades that no wall is too thin for, and hurt each other if the blast has a free
+// line of sight. It plays 20,000 frames with rollbacks. The digest at the end is the same with
+// every compiler on every machine.
 #include <array>
 #include <cstdio>
 
@@ -41,14 +41,14 @@ struct Game {
   std::array<Grenade, 8> grenades;
   std::uint32_t frame = 0;
 };
-/// What a player presses: x and z in -1, 0 and 1.
+/// A player's input: x and z are -1, 0 or 1.
 struct Pad {
   int x = 0, z = 0;
   bool jump = false, fire = false;
 };
 using Pads = std::array<Pad, 2>;
 
-// All that a rollback restores.
+// The state that a rollback restores.
 template <class F>
 void for_each_field(const Player& player, const F& f) {
   f("body", player.body);
@@ -112,7 +112,7 @@ Game new_game() {
   return game;
 }
 
-/// The lift goes up and down, the disc turns.
+/// The lift goes up and down, and the disc rotates.
 void move_platforms(Game& game) {
   const auto phase = static_cast<int>(game.frame % 400);
   const S height = quotient_nearest<S>(phase < 200 ? phase : 400 - phase, 50);
@@ -148,7 +148,7 @@ void throw_grenade(Game& game, const Player& player, const Pad& pad) {
   }
 }
 
-/// Hurts and throws back every player in reach of the blast who is not behind a wall.
+/// Hurts and throws back every player within reach of the blast who is not behind a wall.
 void explode(Game& game, const Vec3& center) {
   for (Player& player : game.players) {
     const auto& body = player.body.shape;
@@ -162,7 +162,7 @@ void explode(Game& game, const Vec3& center) {
   }
 }
 
-/// It flies, however fast, to the first thing on its way, and bounces.
+/// A grenade flies to the first obstacle at any speed, and bounces.
 void move_grenade(Game& game, Grenade& grenade) {
   if (grenade.fuse == 0) return;
   if (--grenade.fuse == 0) return explode(game, grenade.position);
@@ -201,7 +201,7 @@ void simulate(Game& game, const Pads& pads) {
   }
 }
 
-/// Players who press other keys from time to time, always the same ones.
+/// The players change keys from time to time, always in the same way.
 Pads pressed(std::uint64_t& random, Pads pads) {
   for (Pad& pad : pads) {
     random = random * 6364136223846793005u + 1442695040888963407u;
@@ -219,7 +219,7 @@ int main() {
   SyncTest<Game, Pads, 2> rollback;  // every frame is played three times
   std::uint64_t random = 1;
   Pads pads{};
-  std::array<int, 5> seen{};  // that the game has everything in it
+  std::array<int, 5> seen{};  // checks that everything in the game happens
   for (int frame = 0; frame < 20000; ++frame) {
     pads = pressed(random, pads);
     if (const auto desync = rollback.step(game, pads, simulate)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any convex shape, from its corners, and several shapes as one.
+// A convex shape from its corners, and several shapes as one.
 #include <array>
 #include <detent/query/query.hpp>
 using namespace detent;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Does a segment, such as a step of a bullet or a line of sight, hit a shape?
+// Does a segment, such as a bullet's step or a line of sight, hit a shape?
 #include <detent/query/intersects.hpp>
 using namespace detent;
 

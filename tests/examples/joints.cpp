@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A crane: an arm that a motor lifts to a limit, a rope from its end, and a load that breaks off.
+// A crane: a motor lifts an arm to its limit; a rope hangs from its end, with a load that breaks
+// off.
 #include <cstdio>
 #include <detent/dynamics/dynamics.hpp>
 #include <detent/number/literals.hpp>

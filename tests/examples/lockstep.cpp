@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A game for two over a network that loses every fifth packet: each plays on with a guess of the
-// other one's keys, and both end with the same world.
+// A game for two over a network that loses every fifth packet. Each plays on with a prediction of
+// the other's keys, and both end with the same world.
 #include <deque>
 #include <vector>
 
@@ -10,7 +10,7 @@ using namespace detent;
 
 using Vec3 = Vec<q16_16, 3>;
 
-/// What both simulate. `for_each_field` lists what a digest covers.
+/// The state that both simulate. `for_each_field` lists what a digest covers.
 struct Game {
   BoundedScene<Bounded<8, 2>, q16_16, 3, Sphere> arena;
   int bumps = 0;
@@ -20,7 +20,7 @@ void for_each_field(const Game& game, const F& f) {
   f("arena", game.arena);
   f("bumps", game.bumps);
 }
-/// What a player presses, and how it is stored in packets.
+/// A player's input, and its encoding in packets.
 struct Pad {
   std::int8_t x = 0, z = 0;
 };
@@ -67,7 +67,7 @@ int main() {
       }
     }
   }
-  // Both know that the results of all but the last frames are equal.
+  // Both know that all results except those of the last frames are equal.
   const bool is_long = sessions[0].matched_frame(1) > 550 && sessions[1].matched_frame(0) > 550;
   return is_long && sessions[0].resimulated() > 0 ? 0 : 2;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is a point on something thin: exactly, or within a tolerance that you give?
+// Is a point on something thin, exactly or within a given tolerance?
 #include <detent/query/on.hpp>
 using namespace detent;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Do two shapes have a point in common? Any two, in either order; touching counts.
+// Do two shapes share a point? Any two, in either order; touching counts.
 #include <detent/query/overlaps.hpp>
 using namespace detent;
 

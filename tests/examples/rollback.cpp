@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A rollback loop: play on with a guess of the other player's input; when the real input for an
+// A rollback loop: play on with a prediction of the other player's input. When the real input of an
 // earlier frame arrives, go back to that frame and play it again.
 #include <array>
 

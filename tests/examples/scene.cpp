@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene: objects, some of them in a frame; a ray's hit; and ids that are safe to use when there
-// may be no room for an object.
+// A scene: objects, some of them in a frame; a ray's hit; and ids that are safe to use even if
+// there was no room for an object.
 #include <detent/scene/snapshot.hpp>
 using namespace detent;
 

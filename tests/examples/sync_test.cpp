@@ -10,7 +10,7 @@ using Arena = Scene<q16_16, 3, Sphere>;
 int main() {
   Arena arena;
   const auto ball = arena.add(Sphere{Vec3{}, q16_16(1)}).value_or(no_object);
-  q16_16 speed(0);  // a mistake: it is neither in the scene nor in the inputs
+  q16_16 speed(0);  // a bug: it is neither in the scene nor in the inputs
   const auto simulate = [&](Arena& scene, q16_16 push) {
     speed += push;
     scene.move(ball, Vec3{speed, {}, {}});

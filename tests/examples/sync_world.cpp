@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A game's own world in a sync test: a scene and velocities. All state is in fields of the world,
-// so it is saved, restored and compared; a desync names the field.
+// so it is saved, restored and compared, and a desync names the field.
 #include <array>
 
 #include <detent/scene/sync_test.hpp>
@@ -24,7 +24,7 @@ int main() {
   for (auto& ball : balls) {
     ball = game.scene.add(Sphere{Vec3{}, q16_16(1)}).value_or(no_object);
   }
-  int wind = 0;  // a mistake: it is neither in the world nor in the inputs
+  int wind = 0;  // a bug: it is neither in the world nor in the inputs
   const auto simulate = [&](Game& world, const q16_16& push) {
     world.velocity[0].x = nearest_to<q16_16>(world.velocity[0].x + push);
     if (push > 0) world.velocity[1].y = q16_16(++wind);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When a spinning rod hits a ball that flies past, and where both are then.
+// When does a spinning rod hit a ball that flies past, and where are both at that time?
 #include <detent/detent.hpp>
 using namespace detent;
 using namespace detent::literals;
@@ -14,7 +14,7 @@ int main() {
   const Sweep fly{Vec3{q16_16(-9), q16_16(4), {}}, Vec3{q16_16(9), q16_16(4), {}}};
   const auto impact = time_of_impact(rod, spin, ball, fly);
   if (!impact || !impact->is_hit) return 1;
-  // Moved to that time they do not overlap yet, but nearly touch.
+  // Moved to that time, they do not overlap yet but nearly touch.
   const auto hit_rod = placed(transform_at(spin, impact->time), rod);
   const auto hit_ball = placed(transform_at(fly, impact->time), ball);
   const bool is_near = distance(hit_rod, hit_ball) <= 0.0002_q16_16;

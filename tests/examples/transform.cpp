@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Transform a child by its parent, and a point into the world and back.
+// Transforms a child by its parent, and a point into the world and back.
 #include <detent/math/math.hpp>
 using namespace detent;
 

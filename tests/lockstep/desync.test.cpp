@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Planted desyncs are found, with the first frame, and named.
+// Planted desyncs are detected and named, with the first frame.
 #include "lockstep/match.hpp"
 
 #include <string>
@@ -23,7 +23,7 @@ std::optional<SessionEvent> event_of(const MatchPeer& peer, Kind kind, std::size
 
 }  // namespace
 
-TEST_CASE("desync: a bit that one peer breaks is found in its frame and field, within a second") {
+TEST_CASE("desync: a bit flipped by one peer is found in its frame and field within a second") {
   Random random(7);
   for (int round = 0; round < 60; ++round) {
     INFO("round " << round);
@@ -75,7 +75,7 @@ TEST_CASE("desync: a bit that one peer breaks is found in its frame and field, w
   }
 }
 
-TEST_CASE("desync: is reported within a round trip after the frame is final at both") {
+TEST_CASE("desync: is reported within a round trip after the frame is final at both peers") {
   for (const Time latency : {0u, 30'000u, 90'000u}) {
     SessionConfig config;
     config.delay = 1;
@@ -107,7 +107,7 @@ TEST_CASE("desync: is reported within a round trip after the frame is final at b
 }
 
 TEST_CASE("desync: different inputs for different peers are named as input") {
-  // Three players; what player 0 sends to player 2 is made by a session that presses other keys.
+  // Three players; what player 0 sends to player 2 comes from a session that presses other keys.
   SessionConfig config;
   config.players = 3;
   config.silence = 100'000'000;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Players who leave, and those who go on: all of them with the same inputs.
+// When players leave, all remaining players use the same inputs.
 #include <algorithm>
 
 #include "lockstep/match.hpp"
@@ -32,8 +32,8 @@ std::vector<SessionConfig> four(std::uint32_t delay = 2) {
 
 }  // namespace
 
-TEST_CASE("drop-out: those who go on agree on the last input, even if only one got it") {
-  // Player 3 vanishes while its last packets reach player 1 alone.
+TEST_CASE("drop-out: remaining peers agree on the last input, even if only one received it") {
+  // Player 3 vanishes while its last packets reach only player 1.
   HitRate others_had_fewer;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     INFO("seed " << seed);
@@ -63,7 +63,7 @@ TEST_CASE("drop-out: those who go on agree on the last input, even if only one g
   CHECK(others_had_fewer.percent() >= 30);
 }
 
-TEST_CASE("drop-out: one who still plays may be dropped by anybody") {
+TEST_CASE("drop-out: anybody can drop a player who is still playing") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     INFO("seed " << seed);
     auto configs = four(static_cast<std::uint32_t>(seed % 7));
@@ -77,12 +77,12 @@ TEST_CASE("drop-out: one who still plays may be dropped by anybody") {
     CHECK(match.peers[0]->ends[3] == match.peers[1]->ends[3]);
     CHECK(match.peers[0]->ends[3] == match.peers[2]->ends[3]);
     CHECK(match.peers[0]->ends[3]);
-    // The one who is out goes on alone.
+    // The dropped player continues alone.
     for (std::size_t i = 0; i < 3; ++i) CHECK(match.peers[3]->ends[i]);
   }
 }
 
-TEST_CASE("drop-out: one who helps to agree may vanish too") {
+TEST_CASE("drop-out: a peer that helps to agree can vanish as well") {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     INFO("seed " << seed);
     Match match(seed, {30'000, 40'000, 200, 50}, four(3));
@@ -102,7 +102,7 @@ TEST_CASE("drop-out: one who helps to agree may vanish too") {
   }
 }
 
-TEST_CASE("drop-out: halves that a partition makes go on, each in agreement") {
+TEST_CASE("drop-out: both halves of a partition continue, each in agreement") {
   Match match(8, {20'000, 5'000, 50, 0}, four());
   match.network.is_cut = [](std::size_t from, std::size_t to, Time now) {
     return from / 2 != to / 2 && now >= 1'000'000;
@@ -131,7 +131,7 @@ TEST_CASE("drop-out: a partition shorter than the silence drops nobody") {
   }
 }
 
-TEST_CASE("drop-out: a spectator sees the agreed match, and falling behind harms nobody") {
+TEST_CASE("drop-out: a spectator sees the agreed match, and one that falls behind harms nobody") {
   auto configs = four();
   configs.push_back(configs[0]);
   for (auto& config : configs) config.spectators = 1;

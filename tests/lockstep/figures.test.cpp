@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The figures of docs/lockstep.md: a long match of two over a bad line.
+// The figures of docs/lockstep.md: a long match of two over a bad connection.
 #include <cstdio>
 
 #include "lockstep/match.hpp"
@@ -12,11 +12,11 @@ using namespace detent::test;
 namespace {
 
 struct Figures {
-  double resimulated, bytes_per_second, starved, waited;  // a frame, each way, in per cent
+  double resimulated, bytes_per_second, starved, waited;  // per frame, each way, in percent
 };
 
-/// A match of two, a round trip of 200 ms with 10 ms of jitter, every tenth packet lost, 60 frames a
-/// second; clocks differ by 100 in a million, inputs change every eighth frame.
+/// A match of two with a round trip of 200 ms, 10 ms of jitter, every tenth packet lost and 60
+/// frames per second. Clocks differ by 100 ppm; inputs change every eighth frame.
 Figures play_long(std::uint32_t frames, std::uint32_t delay, std::uint32_t prediction,
                   std::uint64_t loss) {
   SessionConfig config;
@@ -47,7 +47,7 @@ Figures play_long(std::uint32_t frames, std::uint32_t delay, std::uint32_t predi
 
 }  // namespace
 
-TEST_CASE("figures: 20 % of loss costs no request and hardly a stall") {
+TEST_CASE("figures: 20 % packet loss causes no request and hardly any stall") {
   const auto good = play_long(2000, 2, 12, 0), bad = play_long(2000, 2, 12, 200);
   CHECK(good.starved < 1);
   CHECK(bad.starved < 3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Peers that come late, or again.
+// Peers that join late or rejoin.
 #include <algorithm>
 #include <string>
 
@@ -19,7 +19,8 @@ std::vector<SessionConfig> configs(std::size_t players, SessionConfig config = {
   return std::vector<SessionConfig>(players + config.spectators, config);
 }
 
-/// All digests that peers have are those of the offline simulation, as `reference` saw who was in.
+/// All peers' digests are those of the offline simulation, given who was in according to
+/// `reference`.
 void check_digests(const Match& match, std::size_t reference) {
   std::uint32_t frames = 0;
   for (std::size_t i = 0; i < match.peers.size(); ++i) {
@@ -53,7 +54,7 @@ std::size_t count_events(const MatchPeer& peer, Kind kind, std::size_t about) {
       peer.events.begin(), peer.events.end(),
       [&](const SessionEvent& event) { return event.kind == kind && event.peer == about; }));
 }
-/// Plays until this holds; whether it did before `limit`.
+/// Plays until this holds. Returns whether it did before `limit`.
 template <class Condition>
 bool play_until(Match& match, Time limit, const Condition& condition) {
   while (match.now() < limit && !condition()) match.tick();
@@ -63,7 +64,7 @@ std::uint32_t checked(const Match& match, std::size_t i) {
   return match.peers[i]->session.checked_frame();
 }
 
-/// A match in which peers end, come again, watch or play, in any weather.
+/// A match in which peers leave, rejoin, watch or play, on any network.
 void run_random_joins(std::uint64_t seed) {
   INFO("seed " << seed);
   Random random(seed);
@@ -74,7 +75,7 @@ void run_random_joins(std::uint64_t seed) {
   config.match = random.next();
   config.spectators = random.one_in(3) ? 1 : 0;
   config.silence = 600'000 + random.below(400'000);
-  // Peer 0 stays: it is who the others are compared with.
+  // Peer 0 stays, so that the others can be compared with it.
   for (std::size_t i = 1; i < players; ++i) {
     if (random.one_in(5)) config.absent |= 1u << i;
   }
@@ -118,7 +119,7 @@ void run_random_joins(std::uint64_t seed) {
     for (std::size_t i = 0; i < match.peers.size(); ++i) {
       MatchPeer& peer = *match.peers[i];
       if (peer.is_off) continue;
-      // A peer that was dropped, or fell behind, joins again.
+      // A peer that was dropped or fell behind joins again.
       const bool is_out = peer.session.is_dropped(0) || count_events(peer, Kind::too_slow, i) > 0;
       if (i != 0 && is_out) {
         peer.events.clear();
@@ -138,7 +139,7 @@ void run_random_joins(std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("join: a player whose program ended comes again, gets the match and plays on") {
+TEST_CASE("join: a player whose program ended rejoins, gets the match and plays on") {
   for (const std::uint64_t loss : {0u, 200u}) {
     SessionConfig config;
     config.silence = 500'000;
@@ -181,7 +182,7 @@ TEST_CASE("join: a seat that is free at the start is taken later") {
   check_digests(match, 2);
 }
 
-TEST_CASE("join: a spectator comes late, and a player may come back only to watch") {
+TEST_CASE("join: a spectator joins late, and a player can come back only to watch") {
   SessionConfig config;
   config.spectators = 1;
   config.silence = 500'000;
@@ -198,7 +199,7 @@ TEST_CASE("join: a spectator comes late, and a player may come back only to watc
   check_digests(match, 0);
 }
 
-TEST_CASE("join: a peer that ends and comes again at once is not mistaken for its old session") {
+TEST_CASE("join: a peer that ends and rejoins at once is not mistaken for its old session") {
   SessionConfig config;
   Match match(6, {60'000, 30'000, 100, 100}, configs(3, config));
   REQUIRE(match.run_until(100, 10'000'000));
@@ -213,7 +214,7 @@ TEST_CASE("join: a peer that ends and comes again at once is not mistaken for it
   CHECK_FALSE(has_event(match, Kind::desync));
 }
 
-TEST_CASE("join: a desync of one who came late is found and named") {
+TEST_CASE("join: a desync of a late joiner is found and named") {
   SessionConfig config;
   Match match(7, {20'000, 0, 0, 0}, configs(2, config));
   REQUIRE(match.run_until(100, 10'000'000));
@@ -236,12 +237,12 @@ TEST_CASE("join: a desync of one who came late is found and named") {
   }
 }
 
-TEST_CASE("join: a snapshot that is none is refused, and another player is asked") {
+TEST_CASE("join: an invalid snapshot is refused, and another player is asked") {
   SessionConfig config;
   config.silence = 700'000;
   Match match(8, {20'000, 0, 0, 0}, configs(3, config));
   REQUIRE(match.run_until(100, 10'000'000));
-  // Player 0 sends slices of a world that nobody has: the digest is right, the filler is not.
+  // Player 0 sends slices of a world that nobody has: the digest is valid, the filler is not.
   detail::Outgoing<4200, 440> forged;
   std::size_t refused = 0;
   match.meddle = [&](std::size_t from, std::size_t to, Packet& packet) {
@@ -278,10 +279,10 @@ TEST_CASE("join: a snapshot that is none is refused, and another player is asked
   check_digests(match, 1);
 }
 
-TEST_CASE("join: random matches in which peers end and come again end with equal digests") {
+TEST_CASE("join: random matches in which peers leave and rejoin end with equal digests") {
   for (std::uint64_t seed = 1; seed <= 150; ++seed) run_random_joins(seed);
 }
-TEST_CASE("join: matches in which faults were found") {
+TEST_CASE("join: matches that once exposed faults") {
   for (const std::uint64_t seed : {1013u, 2136u, 3003u, 4843u}) run_random_joins(seed);
 }
 TEST_CASE("join: 10,000 random matches", "[.demand]") {

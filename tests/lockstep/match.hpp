@@ -15,22 +15,22 @@
 
 namespace detent::test {
 
-/// One peer of a simulated match: its session, its clock, and what it saw.
+/// A peer of a simulated match: its session, its clock and its observations.
 struct MatchPeer {
   ToySession session;
-  Time tick = 0;                        // of its next frame
-  Time period = 0;                      // of its frames: clocks drift
-  std::vector<Pad> pressed{};           // its inputs, from the first frame that they act in
+  Time tick = 0;               // of its next frame
+  Time period = 0;             // of its frames: clocks drift
+  std::vector<Pad> pressed{};  // its inputs, from the first frame in which they take effect
   std::vector<std::uint64_t> chain{0};  // digests of all frames before the index
   std::vector<SessionEvent> events{};
   std::array<std::optional<std::uint32_t>, 8> ends{};
   std::uint64_t starved = 0, waited = 0;
   bool is_off = false;  // its program has ended
   std::uint32_t life = 0;
-  std::uint32_t begin = 0;  // the first frame in which its present session's inputs act
+  std::uint32_t begin = 0;  // the first frame in which inputs of its current session take effect
 };
 
-/// Sessions that play over a simulated network. Who falls silent is dropped.
+/// Sessions that play over a simulated network. Silent peers are dropped.
 class Match {
  public:
   Match(std::uint64_t seed, const Weather& weather, std::vector<SessionConfig> configs)
@@ -45,17 +45,17 @@ class Match {
     }
   }
 
-  /// Simulates a frame of a peer, in place of `play`.
+  /// Simulates a frame of a peer instead of `play`.
   std::function<void(std::size_t peer, Toy&, const ToySession::Inputs&)> simulate_at =
       [](std::size_t, Toy& toy, const ToySession::Inputs& inputs) { simulate(toy, inputs); };
   std::function<void(std::size_t peer, const SessionEvent&)> on_event = [](auto, const auto&) {};
-  /// Changes a packet on its way.
+  /// Changes a packet in transit.
   std::function<void(std::size_t from, std::size_t to, Packet&)> meddle = [](auto, auto, auto&) {};
-  std::uint64_t keep_pressed = 8;  // an input changes once in so many frames
+  std::uint64_t keep_pressed = 8;  // an input changes once in this many frames
   bool drops_silent = true;
   bool awaits_spectators = true;
 
-  /// The peer whose turn is next plays one tick.
+  /// The peer that is due next plays one tick.
   void tick() {
     std::size_t i = 0;
     for (std::size_t k = 0; k < peers.size(); ++k) {
@@ -72,7 +72,7 @@ class Match {
     });
     if (!peer.is_off) run(i, peer, now);
   }
-  /// Plays until all peers that are on have checked `frames` frames; whether they got there before
+  /// Plays until all running peers have checked `frames` frames. Returns whether they did before
   /// `limit`.
   [[nodiscard]] bool run_until(std::uint32_t frames, Time limit) {
     while (now_ < limit) {
@@ -86,7 +86,7 @@ class Match {
     return false;
   }
 
-  /// Ends a peer's program and starts it again: it comes late.
+  /// Ends a peer's program and restarts it: it joins late.
   void restart(std::size_t i, bool wants_seat = true) {
     MatchPeer& peer = *peers[i];
     auto config = peer.session.config();
@@ -98,14 +98,14 @@ class Match {
     peer.is_off = false;
   }
 
-  /// The digests of all frames, simulated offline from what the players pressed and when they left
-  /// by what `peer` says.
+  /// The digests of all frames, simulated offline from the players' inputs and from the frames in
+  /// which they left according to `peer`.
   [[nodiscard]] std::vector<std::uint64_t> offline(std::size_t peer, std::uint32_t frames) const {
     Toy toy;
     std::vector<std::uint64_t> chain{0};
     const auto& config = peers[peer]->session.config();
     const auto players = config.players;
-    std::array<std::vector<SessionEvent>, 8> changes;  // of who is in, by `peer`
+    std::array<std::vector<SessionEvent>, 8> changes;  // of who is in, according to `peer`
     for (const auto& event : peers[peer]->events) {
       const bool is_change =
           event.kind == SessionEvent::Kind::left || event.kind == SessionEvent::Kind::joined;
@@ -129,7 +129,7 @@ class Match {
   }
 
   [[nodiscard]] Time now() const { return now_; }
-  /// Whether a match is over only when this peer has played it.
+  /// Whether the match is over only once this peer has played it.
   [[nodiscard]] bool is_awaited(std::size_t i) const {
     const auto& peer = *peers[i];
     return !peer.is_off && (awaits_spectators || i < peer.session.config().players);
@@ -173,7 +173,7 @@ class Match {
   Time now_ = 0;
 };
 
-/// What the peers saw, for messages.
+/// The peers' observations, for failure messages.
 inline std::string story(const Match& match) {
   std::string result;
   for (const auto& peer : match.peers) {

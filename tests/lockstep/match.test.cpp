@@ -12,7 +12,7 @@ using namespace detent::test;
 
 namespace {
 
-/// All digests that peers have are those of the offline simulation of what the players pressed.
+/// All peers' digests are those of the offline simulation of the players' inputs.
 void check_digests(const Match& match, std::uint32_t at_least) {
   for (std::size_t i = 0; i < match.peers.size(); ++i) {
     const MatchPeer& peer = *match.peers[i];
@@ -27,7 +27,7 @@ void check_digests(const Match& match, std::uint32_t at_least) {
   }
 }
 
-/// No peer saw an event of this kind.
+/// No peer reported an event of this kind.
 bool has_event(const Match& match, SessionEvent::Kind kind) {
   return std::any_of(match.peers.begin(), match.peers.end(), [&](const auto& peer) {
     return std::any_of(peer->events.begin(), peer->events.end(),
@@ -40,7 +40,7 @@ std::vector<SessionConfig> configs(std::size_t players, SessionConfig config = {
   return std::vector<SessionConfig>(players + config.spectators, config);
 }
 
-/// A match with everything drawn: players, delays, weather, clocks, and who falls silent when.
+/// A fully random match: players, delays, network, clocks, and who falls silent when.
 class RandomMatch {
  public:
   explicit RandomMatch(std::uint64_t seed)
@@ -51,11 +51,11 @@ class RandomMatch {
     if (random_.one_in(3)) {
       falls_silent_ = random_.below(players_);
       silent_from_ = 400'000 + random_.below(2'000'000);
-      // Gone for good, cut off for a while, or heard by some only.
+      // Gone for good, cut off for a while, or heard only by some.
       const auto way = random_.below(3);
       const auto until = way == 1 ? silent_from_ + random_.below(400'000) : ~Time{0};
       const auto some = way == 2 ? random_.next() : ~std::uint64_t{0};
-      // A spectator who does not hear a player that others hear stays behind.
+      // A spectator that does not hear a player whom others hear falls behind.
       if (way == 2) match_.awaits_spectators = false;
       match_.network.is_cut = [=, this](std::size_t from, std::size_t to, Time now) {
         const auto other = from == falls_silent_ ? to : from;
@@ -128,12 +128,12 @@ void run_random_matches(std::uint64_t first, std::uint64_t count) {
     match.run(150);
     drops += match.had_drop() ? 1 : 0;
   }
-  CHECK(drops * 10 > count);  // that players leave is part of it
+  CHECK(drops * 10 > count);  // players must leave often enough
 }
 
 }  // namespace
 
-TEST_CASE("match: two players without latency never simulate twice") {
+TEST_CASE("match: two players without latency never resimulate") {
   SessionConfig config;
   config.delay = 3;
   Match match(1, {}, configs(2, config));

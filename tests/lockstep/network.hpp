@@ -15,20 +15,20 @@ namespace detent::test {
 using Time = std::uint64_t;  // microseconds
 using Packet = std::vector<std::byte>;
 
-/// What a network does to packets; chances are in thousandths.
+/// What a network does to packets; probabilities are in thousandths.
 struct Weather {
   Time latency = 0;
-  Time jitter = 0;  // up to this more, so packets overtake each other
+  Time jitter = 0;  // up to this much more, so packets overtake each other
   std::uint64_t loss = 0;
   std::uint64_t doubling = 0;
 };
 
-/// A network in which everything that happens follows from a seed.
+/// A network whose behaviour is determined by a seed.
 class Network {
  public:
   Network(std::uint64_t seed, const Weather& weather) : random_(seed), weather_(weather) {}
 
-  /// No packet passes from one peer to another while this holds.
+  /// No packet passes from one peer to the other while this holds.
   std::function<bool(std::size_t from, std::size_t to, Time now)> is_cut = [](auto, auto, auto) {
     return false;
   };
@@ -45,7 +45,7 @@ class Network {
       std::push_heap(flying_.begin(), flying_.end(), later);
     }
   }
-  /// Calls take(from, to, packet, time) for all that arrive until `now`.
+  /// Calls take(from, to, packet, time) for everything that arrives until `now`.
   template <class Take>
   void deliver(Time now, const Take& take) {
     while (!flying_.empty() && flying_.front().when <= now) {

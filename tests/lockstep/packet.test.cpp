@@ -34,7 +34,7 @@ std::vector<std::byte> bytes_of_list(std::initializer_list<int> list) {
 
 }  // namespace
 
-TEST_CASE("bits: numbers come back, lowest bit first") {
+TEST_CASE("bits: numbers are read back, lowest bit first") {
   std::array<std::byte, 64> room{};
   BitWriter out(room);
   out.add(5, 3);
@@ -63,7 +63,7 @@ TEST_CASE("bits: numbers come back, lowest bit first") {
   CHECK(in.has_failed());
 }
 
-TEST_CASE("bits: a writer without room counts, and a number has one spelling") {
+TEST_CASE("bits: a writer without room counts, and a number has one encoding") {
   BitWriter out({});
   out.add(1, 17);
   CHECK(out.byte_count() == 3);
@@ -78,7 +78,7 @@ TEST_CASE("bits: a writer without room counts, and a number has one spelling") {
   CHECK(long_one.has_failed());
 }
 
-TEST_CASE("input codec: bytes are little endian, fields one after another") {
+TEST_CASE("input codec: bytes are little-endian, fields one after another") {
   CHECK(InputCodec<Pad>::size == 3);
   const auto bytes = bytes_of(Pad{-2, true});
   CHECK(bytes == std::array{std::byte{0xfe}, std::byte{0xff}, std::byte{1}});
@@ -90,12 +90,12 @@ TEST_CASE("input codec: bytes are little endian, fields one after another") {
     std::uint8_t a, b;
   };
   CHECK(there_and_back(Raw{3, 4}).b == 4);
-  // Bytes that no writer writes are some input, and equal inputs have equal bytes.
+  // Bytes that no writer produces are still some input, and equal inputs have equal bytes.
   InputBytes<Pad> odd{std::byte{1}, std::byte{0}, std::byte{7}};
   CHECK(canonical<Pad>(odd) == bytes_of(Pad{1, true}));
 }
 
-TEST_CASE("input queue: unchanged inputs cost a bit, and runs come back from any kept frame") {
+TEST_CASE("input queue: unchanged inputs cost a bit, and runs start at any kept frame") {
   InputQueue<Pad, 128> queue;
   for (int i = 0; i < 100; ++i) {
     queue.push(wire_of<Pad>(bytes_of(Pad{static_cast<std::int16_t>(i / 20 * 300), i == 50})));
@@ -122,7 +122,7 @@ TEST_CASE("input queue: unchanged inputs cost a bit, and runs come back from any
   CHECK_FALSE(queue.has(200));
 }
 
-TEST_CASE("packet: what is written is read, whole or not at all") {
+TEST_CASE("packet: what is written is read, completely or not at all") {
   Packet packet;
   packet.frame = 1000;
   packet.ahead = 130;
@@ -180,7 +180,7 @@ TEST_CASE("packet: what is written is read, whole or not at all") {
   std::vector<std::byte> longer(body.begin(), body.end());
   longer.push_back({});
   CHECK_FALSE(Packet::read<Pad>(longer, 3));
-  // Every bit of a sealed packet counts.
+  // Every bit of a sealed packet matters.
   for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
     std::vector<std::byte> changed(whole.begin(), whole.end());
     changed[bit / 8] ^= std::byte{1} << (bit % 8);
@@ -188,7 +188,7 @@ TEST_CASE("packet: what is written is read, whole or not at all") {
   }
 }
 
-TEST_CASE("packet: terms, what a late peer says, and slices are read as written") {
+TEST_CASE("packet: terms, a late peer's messages and slices are read as written") {
   Packet packet;
   packet.terms = {0, 3, 255};
   packet.join = JoinState{7, true, false, 0, 2, 300, 4, 0x80000001u};
@@ -230,14 +230,14 @@ TEST_CASE("packet: terms, what a late peer says, and slices are read as written"
   }
 }
 
-TEST_CASE("transfer: slices come in any order, and others make it begin again") {
+TEST_CASE("transfer: slices come in any order, and other slices restart it") {
   Outgoing<1000, 100> out;
   for (std::size_t i = 0; i < 950; ++i) out.room()[i] = static_cast<std::byte>(i * i / 7);
   out.start(3, 5, 60, 950);
   CHECK(out.is_for(3, 5));
   CHECK_FALSE(out.is_for(3, 6));
   Incoming<1000, 100> in;
-  // A slice as it is read from a packet.
+  // A slice as read from a packet.
   const auto sent = [](Slice slice) {
     static std::array<std::byte, 300> room;
     BitWriter bits(room);
@@ -258,7 +258,7 @@ TEST_CASE("transfer: slices come in any order, and others make it begin again") 
   CHECK(count <= 16);  // ten slices, a third of which was lost
   REQUIRE(in.bytes().size() == 950);
   CHECK(std::equal(in.bytes().begin(), in.bytes().end(), out.room().begin()));
-  // Slices that are none, and one of another snapshot.
+  // Invalid slices, and one of another snapshot.
   auto slice = out.next(guest);
   const auto is_refused = [&](auto&& change) {
     auto other = slice;
@@ -278,7 +278,7 @@ TEST_CASE("transfer: slices come in any order, and others make it begin again") 
   CHECK_FALSE(in.is_whole());
 }
 
-TEST_CASE("packet: bytes are the same everywhere") {
+TEST_CASE("packet: bytes are the same on every machine") {
   Packet packet;
   packet.frame = 0x01020304;
   packet.ahead = 128;

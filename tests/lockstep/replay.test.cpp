@@ -57,7 +57,7 @@ Recorded record(std::uint32_t frames, std::size_t every, std::uint64_t keep, std
 
 }  // namespace
 
-TEST_CASE("replay: simulating it again gives the recorded digests") {
+TEST_CASE("replay: resimulating gives the recorded digests") {
   for (const std::size_t every : {1u, 7u, 60u, 255u}) {
     const auto recorded = record(1000, every, 8, every);
     const Reader reader(recorded.bytes);
@@ -75,7 +75,7 @@ TEST_CASE("replay: simulating it again gives the recorded digests") {
   }
 }
 
-TEST_CASE("replay: the first frame that differs is in the block that is named") {
+TEST_CASE("replay: the first frame that differs is in the named block") {
   for (const std::uint32_t broken : {0u, 1u, 59u, 60u, 333u, 999u}) {
     INFO("frame " << broken);
     for (const std::size_t every : {1u, 60u}) {
@@ -88,7 +88,7 @@ TEST_CASE("replay: the first frame that differs is in the block that is named") 
   }
 }
 
-TEST_CASE("replay: what a crash cut off is left out, and all before it is read") {
+TEST_CASE("replay: a block cut off by a crash is left out, and everything before it is read") {
   const auto recorded = record(300, 20, 4, 9);
   for (std::size_t size = 0; size <= recorded.bytes.size(); ++size) {
     const auto cut = std::span<const std::byte>(recorded.bytes).first(size);
@@ -107,7 +107,7 @@ TEST_CASE("replay: what a crash cut off is left out, and all before it is read")
   }
 }
 
-TEST_CASE("replay: a changed byte is found, and the frames before it are read") {
+TEST_CASE("replay: a changed byte is detected, and the frames before it are read") {
   const auto recorded = record(100, 10, 4, 11);
   for (std::size_t i = 0; i < recorded.bytes.size(); ++i) {
     auto bytes = recorded.bytes;
@@ -121,7 +121,7 @@ TEST_CASE("replay: a changed byte is found, and the frames before it are read") 
   }
 }
 
-TEST_CASE("replay: of other inputs, players or results it says so") {
+TEST_CASE("replay: reports other inputs, players or results") {
   const auto recorded = record(10, 5, 4, 13);
   CHECK(ReplayReader<int>(recorded.bytes).state() == ReplayState::other_inputs);
   CHECK((ReplayReader<Pad, 2>(recorded.bytes).state()) == ReplayState::other_inputs);
@@ -134,7 +134,7 @@ TEST_CASE("replay: of other inputs, players or results it says so") {
   CHECK(Reader(other).state() == ReplayState::other_results);
 }
 
-TEST_CASE("replay: a session's final frames are a replay of it") {
+TEST_CASE("replay: a session's final frames are its replay") {
   SessionConfig config;
   config.delay = 1;
   ToySession a(config, Toy{});
@@ -165,7 +165,7 @@ TEST_CASE("replay: a session's final frames are a replay of it") {
   CHECK(check.equal > 250);
 }
 
-TEST_CASE("replay: takes less than two bytes a frame") {
+TEST_CASE("replay: takes less than two bytes per frame") {
   const auto idle = record(6000, 60, 1'000'000, 1), busy = record(6000, 60, 24, 1);
   CHECK(idle.bytes.size() < 6000 * 17 / 20);
   CHECK(busy.bytes.size() < 6000 * 2);

@@ -16,7 +16,7 @@ ReplayCheck check_of(ReplayState state, std::uint32_t frames, bool is_equal) {
 
 }  // namespace
 
-TEST_CASE("replay totals: each check counts once, by how it ended") {
+TEST_CASE("replay totals: each check counts once, by its outcome") {
   ReplayTotals totals;
   totals += check_of(ReplayState::whole, 100, true);
   totals += check_of(ReplayState::cut, 20, true);
@@ -32,7 +32,7 @@ TEST_CASE("replay totals: each check counts once, by how it ended") {
   CHECK(twice == ReplayTotals{16, 4, 4, 8, 2, 392});
 }
 
-TEST_CASE("replay totals: every name is in one shard, and shards are about as large") {
+TEST_CASE("replay totals: every name is in one shard, and shards have similar sizes") {
   for (const std::uint32_t shards : {1u, 2u, 7u, 16u}) {
     std::array<int, 17> sizes{};
     for (int i = 0; i < 3200; ++i) {

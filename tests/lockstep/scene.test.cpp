@@ -40,7 +40,7 @@ void simulate(Game& game, const Match::Inputs& inputs) {
 
 }  // namespace
 
-TEST_CASE("scene: a moved object of one peer is named at both, by frame, object and field") {
+TEST_CASE("scene: an object moved by one peer is named at both, by frame, object and field") {
   Game game;
   game.arena.add(Sphere<S, 3>{{}, S(1)});
   game.arena.add(Sphere<S, 3>{{S(9), {}, {}}, S(1)});

@@ -50,7 +50,7 @@ std::optional<SessionEvent> next(ToySession& session, Kind kind) {
   }
   return std::nullopt;
 }
-/// Plays until `frames` frames are played or a guess is out of reach.
+/// Plays until `frames` frames are played or prediction reaches its limit.
 void play_to(ToySession& session, std::uint32_t frames, const Pad& pad = {}) {
   for (int i = 0; i < 100 && session.frame() < frames; ++i) session.advance(pad, play);
 }
@@ -58,7 +58,7 @@ constexpr Time tick = 16'667;
 
 }  // namespace
 
-TEST_CASE("session: config is brought within the limits") {
+TEST_CASE("session: config is clamped to the limits") {
   SessionConfig config;
   config.players = 20;
   config.self = 50;
@@ -77,7 +77,7 @@ TEST_CASE("session: config is brought within the limits") {
   CHECK(config.within(toy_limits).delay == 1);
 }
 
-TEST_CASE("session: nobody plays before all are there") {
+TEST_CASE("session: nobody plays before everybody is there") {
   auto a = session_of(0, 2, 8), b = session_of(1, 2, 8);
   CHECK(a.advance({}, play) == Advanced::connecting);
   CHECK(a.is_awaited(1));
@@ -87,7 +87,7 @@ TEST_CASE("session: nobody plays before all are there") {
   CHECK(a.frame() == 1);
 }
 
-TEST_CASE("session: frames come one after another, and again if a packet interrupts one") {
+TEST_CASE("session: frames come in order, and again if a packet interrupts one") {
   auto a = session_of(0, 0, 8), b = session_of(1, 0, 8);
   exchange(a, b, 0);
   CHECK_FALSE(b.is_open());
@@ -126,7 +126,7 @@ TEST_CASE("session: frames come one after another, and again if a packet interru
   CHECK_FALSE(next(b, Kind::desync));
 }
 
-TEST_CASE("session: an input acts `delay` frames later, the same number everywhere") {
+TEST_CASE("session: an input takes effect `delay` frames later, at the same frame everywhere") {
   for (const std::uint32_t delay : {0u, 1u, 5u, 8u}) {
     auto a = session_of(0, delay, 8), b = session_of(1, 0, 8);
     for (Time now = 0; now < 40 * tick; now += tick) {
@@ -145,7 +145,7 @@ TEST_CASE("session: an input acts `delay` frames later, the same number everywhe
   }
 }
 
-TEST_CASE("session: without prediction no frame is played with a guess, and none twice") {
+TEST_CASE("session: without prediction every frame has real inputs and is played once") {
   auto a = session_of(0, 2, 0), b = session_of(1, 2, 0);
   exchange(a, b, 0);
   CHECK(a.advance({1, false}, play) == Advanced::yes);
@@ -160,7 +160,7 @@ TEST_CASE("session: without prediction no frame is played with a guess, and none
   CHECK(a.resimulated() == 0);
 }
 
-TEST_CASE("session: a wrong guess is simulated again, at most `prediction` frames back") {
+TEST_CASE("session: a wrong prediction is resimulated, at most `prediction` frames back") {
   for (const std::uint32_t prediction : {1u, 4u, 16u}) {
     auto a = session_of(0, 0, prediction), b = session_of(1, 0, prediction);
     exchange(a, b, 0);
@@ -208,7 +208,7 @@ TEST_CASE("session: one call simulates at most `frames_per_call` frames") {
   CHECK(a.world().frame == 13);
 }
 
-TEST_CASE("session: inputs that are on the way are sent again in every packet") {
+TEST_CASE("session: unacknowledged inputs are sent again in every packet") {
   auto a = session_of(0, 0, 16), b = session_of(1, 0, 16);
   exchange(a, b, 0);
   Packet last;
@@ -225,7 +225,7 @@ TEST_CASE("session: inputs that are on the way are sent again in every packet") 
   CHECK(b.resimulated() == 0);
 }
 
-TEST_CASE("session: an input stays as it first came, and a second one is reported once") {
+TEST_CASE("session: an input stays as it first arrived, and a second one is reported once") {
   auto a = session_of(0, 0, 8), other_a = session_of(0, 0, 8), b = session_of(1, 0, 8);
   exchange(a, b, 0);
   exchange(other_a, b, tick);
@@ -260,7 +260,7 @@ TEST_CASE("session: packets of others are not read") {
   packet.back() ^= std::byte{1};
   CHECK(b.receive(0, packet, 0) == Received::other_match);
   CHECK_FALSE(next(b, Kind::connected));
-  // Sealed, but no packet; and one that holds inputs which were never sent.
+  // A sealed non-packet, and a packet with inputs that were never sent.
   detail::PacketHeader{0}.seal(packet, 77);
   packet.push_back({});
   detail::PacketHeader{0}.seal(packet, 77);
@@ -271,7 +271,7 @@ TEST_CASE("session: packets of others are not read") {
   CHECK(fresh.receive(0, packet_for(a, 1, 10 * tick), 10 * tick) == Received::malformed);
 }
 
-TEST_CASE("session: a pause stops both, and is seen") {
+TEST_CASE("session: a pause stops both peers and is reported") {
   auto a = session_of(0, 1, 8), b = session_of(1, 1, 8);
   exchange(a, b, 0);
   a.pause(true);
@@ -286,7 +286,7 @@ TEST_CASE("session: a pause stops both, and is seen") {
   CHECK(b.advance({}, play) == Advanced::yes);
 }
 
-TEST_CASE("session: who is silent is reported, heard again, and dropped only by the caller") {
+TEST_CASE("session: a silent peer is reported, heard again, and dropped only by the caller") {
   auto a = session_of(0, 1, 8), b = session_of(1, 1, 8);
   exchange(a, b, 0);
   (void)packet_for(a, 1, 1'999'999);
@@ -300,7 +300,7 @@ TEST_CASE("session: who is silent is reported, heard again, and dropped only by 
   CHECK(a.is_dropped(1));
   CHECK(next(a, Kind::left)->peer == 1);
   CHECK(a.receive(1, packet_for(b, 0, 3'100'000), 3'100'000) == Received::dropped);
-  // The other peer gets a notice for each of its packets, and goes on alone.
+  // The other peer gets a notice for each of its packets, and continues alone.
   const auto notice = packet_for(a, 1, 3'200'000);
   CHECK(b.receive(0, notice, 3'200'000) == Received::yes);
   CHECK(next(b, Kind::expelled)->peer == 0);
@@ -311,7 +311,7 @@ TEST_CASE("session: who is silent is reported, heard again, and dropped only by 
   CHECK(a.world().absent[1] == 49);
 }
 
-TEST_CASE("session: who never comes is silent too, and the others may start without") {
+TEST_CASE("session: a peer that never comes is also silent, and the others can start without it") {
   auto a = session_of(0, 1, 8);
   (void)packet_for(a, 1, 500);
   (void)packet_for(a, 1, 2'000'500);
@@ -320,7 +320,7 @@ TEST_CASE("session: who never comes is silent too, and the others may start with
   CHECK(a.advance({}, play) == Advanced::yes);
 }
 
-TEST_CASE("session: the one who is ahead waits, one frame in eight at most") {
+TEST_CASE("session: the peer that is ahead waits, at most one frame in eight") {
   auto a = session_of(0, 0, 16), b = session_of(1, 0, 16);
   exchange(a, b, 0);
   for (int i = 0; i < 10; ++i) a.advance({}, play);

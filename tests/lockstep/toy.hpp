@@ -27,7 +27,7 @@ void for_each_field(const Toy& toy, const F& f) {
   f("mixed", toy.mixed);
 }
 
-/// A snapshot of ten slices: most of it is filler that must be right.
+/// A snapshot of ten slices, mostly filler that must be correct.
 inline constexpr std::size_t toy_bytes = 76, toy_snapshot = 4000;
 inline std::size_t snapshot(const Toy& toy, std::span<std::byte> room) {
   if (room.size() < toy_snapshot) return toy_snapshot;

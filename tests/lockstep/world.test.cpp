@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A session whose world is one of bodies: a desync names the body.
+// A session with a world of bodies: a desync names the body.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ using Bodies = BoundedWorld<Bounded<8>, S, 2, Sphere>;
 constexpr SessionLimits limits{.players = 2, .peers = 2, .prediction = 8, .evidence = 16};
 using Match = Session<Bodies, std::int8_t, limits>;
 
-/// A fixed ball, and one for each player to push about on it.
+/// A fixed ball, and one for each player to push around on it.
 Bodies start() {
   Bodies world;
   BodyOptions<S, 2> fixed;
@@ -44,7 +44,7 @@ struct Found {
   std::array<std::optional<SessionEvent>, 2> desync, field;
 };
 
-/// Plays 120 ticks; meddle(peer, world, frame) follows each frame.
+/// Plays 120 ticks; meddle(peer, world, frame) is called after each frame.
 template <class Meddle>
 Found play(const Meddle& meddle) {
   std::array<std::unique_ptr<Match>, 2> peers;
@@ -83,13 +83,13 @@ Found play(const Meddle& meddle) {
 
 }  // namespace
 
-TEST_CASE("world: two peers play one of bodies in step, with rollbacks") {
+TEST_CASE("world: two peers play a world of bodies in step, with rollbacks") {
   const auto found = play([](std::size_t, Bodies&, std::uint32_t) {});
   CHECK_FALSE(found.desync[0]);
   CHECK_FALSE(found.desync[1]);
 }
 
-TEST_CASE("world: a body that one peer pushes is named at both, by frame, body and field") {
+TEST_CASE("world: a body pushed by one peer is named at both, by frame, body and field") {
   const auto found = play([](std::size_t peer, Bodies& world, std::uint32_t frame) {
     if (peer == 1 && frame == 40) world.set_angular_velocity(players[0], {S(1)});
   });
@@ -103,7 +103,7 @@ TEST_CASE("world: a body that one peer pushes is named at both, by frame, body a
   }
 }
 
-TEST_CASE("world: a fixed body that one peer moves is named too") {
+TEST_CASE("world: a fixed body moved by one peer is named as well") {
   const auto found = play([](std::size_t peer, Bodies& world, std::uint32_t frame) {
     if (peer == 0 && frame == 50) {
       detail::WorldAccess::bodies(world)[0].user = 1;

@@ -76,7 +76,7 @@ TEMPLATE_TEST_CASE("angle_between: off by less than 0.5 + 2^-28 units", "", DETE
   CHECK(worst > 0.499);
 }
 
-TEMPLATE_TEST_CASE("angle_between: float and double, never NaN for the same direction", "", float,
+TEMPLATE_TEST_CASE("angle_between: float and double never give NaN for equal directions", "", float,
                    double) {
   using V = Vec<TestType, 3>;
   const V u{1, TestType(0.1), 3};

@@ -87,7 +87,7 @@ TEMPLATE_TEST_CASE("orthogonalize: the Gram-Schmidt vectors, each correctly roun
   CHECK(wrong == 0);
 }
 
-TEMPLATE_TEST_CASE("decompose: the rounded matrix of a motion gives it back within 4 units", "",
+TEMPLATE_TEST_CASE("decompose: recovers a motion from its rounded matrix within 4 units", "",
                    DETENT_FIXED_SPACES) {
   using Sc = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -123,7 +123,7 @@ TEMPLATE_TEST_CASE("decompose: the rounded matrix of a motion gives it back with
   if (N == 3 && Sc::bits == 31) CHECK(worst >= 2);
 }
 
-TEMPLATE_TEST_CASE("decompose: float and double read the same", "", float, double) {
+TEMPLATE_TEST_CASE("decompose: float and double have the same interface", "", float, double) {
   using F = TestType;
   const Transform<F, 3> t{
       {1, 2, 3},

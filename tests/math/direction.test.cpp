@@ -44,8 +44,8 @@ static_assert(std::is_same_v<decltype(dot(Offset(), D())), Fixed<63, 46>>);
 static_assert(std::is_same_v<decltype(dot(D(), D())), Fixed<61, 60>>);
 static_assert(std::is_same_v<decltype(cross(D(), Offset()).x), Fixed<63, 46>>);
 
-/// Whether `component` is 2^frac * coordinate / sqrt(squared) rounded to nearest; there are no
-/// ties.
+/// Whether `component` is 2^frac * coordinate / sqrt(squared) rounded to nearest; ties do not
+/// occur.
 bool is_nearest(const BigInteger& component, const BigInteger& coordinate,
                 const BigInteger& squared, int frac) {
   if (component * coordinate < 0) return false;
@@ -100,7 +100,7 @@ static_assert(std::is_same_v<decltype(normalize<q14_16>(V3<q14_16>() - V3<q14_16
 static_assert(normalize(V3<q16_16>{q16_16::max()} - V3<q16_16>{q16_16::lowest()}) ==
               Direction<q16_16, 3>::along(0));
 
-// A distance along a direction, exactly; meaningless operations are rejected.
+// A distance along a direction is exact; meaningless operations are rejected.
 constexpr auto diagonal = *normalize(V3<q16_16>{q16_16(1), q16_16(2), q16_16(-2)});
 static_assert(diagonal * q16_16(3) == diagonal.vec() * q16_16(3) &&
               q16_16(3) * diagonal == diagonal * q16_16(3) &&
@@ -131,7 +131,7 @@ TEST_CASE("direction_of: cross products of the longest edges are rounded to near
   CHECK(wrong == 0);
 }
 
-TEST_CASE("unit_vector: what settles the close calls agrees with the rest") {
+TEST_CASE("unit_vector: the exact path agrees with the filter") {
   Random random(20261125);
   int wrong = 0;
   for (int i = 0; i < 2'000; ++i) {

@@ -19,7 +19,7 @@ Vec<S, N> random_vec(Random& random) {
       [&](int) { return S::from_raw(static_cast<typename S::raw_type>(random.edgy(bits))); });
 }
 
-/// Unrelated axes, sometimes parallel ones.
+/// Unrelated axes, sometimes parallel.
 template <Scalar S, int N>
 Rotation<S, N> random_frame(Random& random) {
   std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
@@ -43,8 +43,8 @@ Rotation<S, N> random_rotation(Random& random) {
   }
 }
 
-/// Whether each component of `d` is that of `exact`, normalised and rounded to nearest; for a zero
-/// vector any direction will do.
+/// Whether each component of `d` is that of `exact`, normalised and rounded to nearest. For a zero
+/// vector any direction is accepted.
 template <Scalar S, int N>
 bool is_direction_of(const Direction<S, N>& d,
                      const std::array<BigInteger, static_cast<std::size_t>(N)>& exact) {

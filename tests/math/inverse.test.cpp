@@ -63,8 +63,8 @@ int count_wrong(const Mat<T, N, N>& m) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("inverse: the exact one rounded to nearest even, determinant and adjugate exact",
-                   "", q16_16, q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("inverse: correctly rounded, with exact determinant and adjugate", "", q16_16,
+                   q14_16, q24_8, q8_8) {
   using T = TestType;
   Random random(71);
   int wrong = 0;
@@ -77,7 +77,7 @@ TEMPLATE_TEST_CASE("inverse: the exact one rounded to nearest even, determinant 
   CHECK(wrong == 0);
 }
 
-TEMPLATE_TEST_CASE("minor_of: a singular matrix has cofactors too", "", q16_16, q8_8) {
+TEMPLATE_TEST_CASE("minor_of: a singular matrix also has cofactors", "", q16_16, q8_8) {
   using T = TestType;
   Random random(72);
   int wrong = 0;
@@ -108,7 +108,7 @@ TEST_CASE("inverse: narrow and wide integers give the same 4x4 inverse") {
   CHECK(wrong == 0);
 }
 
-TEMPLATE_TEST_CASE("inverse: reads the same for float and double", "", float, double) {
+TEMPLATE_TEST_CASE("inverse: float and double have the same interface", "", float, double) {
   using M = Mat<TestType, 2, 2>;
   CHECK(inverse(M{{{{2, 0}, {0, 4}}}}) == M{{{{TestType(0.5), 0}, {0, TestType(0.25)}}}});
   CHECK(!inverse(M{{{{1, 2}, {2, 4}}}}));

@@ -87,9 +87,9 @@ TEMPLATE_TEST_CASE("lens: slopes are rounded once each", "", q16_16, q14_16, q24
   CHECK(lenses > 200);
 }
 
-// The library's quotient is off by less than 10 units of 2^-58: sine and cosine are off by less than
-// 2^-61, the sine relatively, and the cosine is above 1/8.1. So only a tangent within 16 such units
-// of a tie can be rounded wrongly, and there MPFR says which side it is on. Three minutes.
+// The library's quotient is off by less than 10 units of 2^-58: sine and cosine are off by less
+// than 2^-61, the sine relatively, and the cosine is above 1/8.1. So only a tangent within 16 such
+// units of a tie can be rounded wrongly, and MPFR decides those. Takes three minutes.
 TEST_CASE("lens: the slope of every field of view is correctly rounded", "[.demand]") {
   using Fine = Fixed<62, 58>;
   std::uint64_t lenses = 0, near_ties = 0, wrong = 0;

@@ -37,7 +37,7 @@ static_assert(from_row_major<2, 3>(to_row_major(wide)) == wide);
 static_assert(from_column_major<2, 3>(to_column_major(wide)) == wide);
 static_assert(from_column_major<3, 2>(to_row_major(wide)) == transpose(wide));
 
-// Components of products are dot products, with as many bits as the worst of them needs.
+// Components of products are dot products, with the bits that their worst case needs.
 static_assert(std::is_same_v<decltype(m * m), Mat<Fixed<64, 32>, 2, 2>>);
 static_assert(std::is_same_v<decltype(m + m), Mat<Fixed<32, 16>, 2, 2>>);
 constexpr Mat<S, 4, 4> lowest_4x4 = make_mat<4, 4>([](int, int) { return S::lowest(); });
@@ -70,7 +70,7 @@ TEMPLATE_TEST_CASE("mat: products with matrices and vectors are exact", "", q16_
   CHECK(wrong == 0);
 }
 
-TEMPLATE_TEST_CASE("mat: reads the same for float and double", "", float, double) {
+TEMPLATE_TEST_CASE("mat: float and double have the same interface", "", float, double) {
   using M = Mat<TestType, 2, 2>;
   const M a{{{{1, 2}, {3, 4}}}};
   CHECK(a * a == M{{{{7, 10}, {15, 22}}}});

@@ -11,7 +11,7 @@
 
 namespace detent::test {
 
-/// The oracle of matrices: exact fractions, and elimination instead of cofactors.
+/// The oracle for matrices: exact fractions, and elimination instead of cofactors.
 template <int N>
 using Rationals =
     std::array<std::array<BigRational, static_cast<std::size_t>(N)>, static_cast<std::size_t>(N)>;
@@ -30,7 +30,7 @@ Rationals<N> rationals(const Mat<T, N, N>& m) {
 template <std::size_t N>
 struct Elimination {
   BigRational determinant = 1;
-  std::array<std::array<BigRational, N>, N> inverse;  // where the determinant is not 0
+  std::array<std::array<BigRational, N>, N> inverse;  // if the determinant is not 0
 };
 
 /// Gauss-Jordan elimination.
@@ -68,7 +68,7 @@ Elimination<N> eliminate(std::array<std::array<BigRational, N>, N> m) {
   return result;
 }
 
-/// Components of one magnitude, often ends of the domain; one matrix in four is singular.
+/// Components of similar magnitude, often ends of the domain; one matrix in four is singular.
 template <Scalar S, int R, int C>
 Mat<S, R, C> random_mat(Random& random, int most_bits = S::bits) {
   const int bits = static_cast<int>(random.below(static_cast<std::uint64_t>(most_bits) + 1));

@@ -106,8 +106,8 @@ TEMPLATE_TEST_CASE("perpendicular: the rotation by a quarter turn", "", q16_16, 
   }
 }
 
-TEMPLATE_TEST_CASE("project, reject, reflect, lerp: read the same for float and double", "", float,
-                   double) {
+TEMPLATE_TEST_CASE("project, reject, reflect, lerp: float and double have the same interface", "",
+                   float, double) {
   using V = Vec<TestType, 3>;
   CHECK(project(V{3, 4, 5}, V{0, -7, 0}) == V{0, 4, 0});
   CHECK(project(V{3, 4, 5}, V{}) == V{});

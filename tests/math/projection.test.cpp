@@ -172,7 +172,7 @@ TEMPLATE_TEST_CASE("orthographic, project_point: exact quotients, rounded once",
   CHECK(wrong == 0);
 }
 
-TEMPLATE_TEST_CASE("projection: float and double see the same", "", float, double) {
+TEMPLATE_TEST_CASE("projection: float and double agree", "", float, double) {
   using F = TestType;
   const auto eye = look_at(Vec<F, 3>{0, 0, 10}, Vec<F, 3>{}, Vec<F, 3>{0, 1, 0});
   REQUIRE(eye);

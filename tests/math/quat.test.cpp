@@ -60,7 +60,7 @@ Four<BigRational> turned(const Quat<S>& q, const Four<BigRational>& p) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("quat: an axis and an angle are within 0.5 + 2^-27 units, and come back", "",
+TEMPLATE_TEST_CASE("quat: an axis and an angle are within 0.5 + 2^-27 units, and are recovered", "",
                    q16_16, q14_16, q24_8, q8_8) {
   using S = TestType;
   Random random(80);
@@ -93,8 +93,8 @@ TEMPLATE_TEST_CASE("quat: an axis and an angle are within 0.5 + 2^-27 units, and
   CHECK(worst_angle / 3.14159265358979324 > 0.49);
 }
 
-TEMPLATE_TEST_CASE("quat: Euler angles turn about world x, then y, then z, within 0.5 + 2^-27", "",
-                   q16_16, q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("quat: Euler angles rotate about world x, then y, then z, within 0.5 + 2^-27",
+                   "", q16_16, q14_16, q24_8, q8_8) {
   using S = TestType;
   Random random(81);
   double worst = 0;
@@ -117,7 +117,7 @@ TEMPLATE_TEST_CASE("quat: Euler angles turn about world x, then y, then z, withi
   CHECK(worst > 0.49);
 }
 
-TEMPLATE_TEST_CASE("quat: products are correctly rounded and of unit length", "", q16_16, q14_16,
+TEMPLATE_TEST_CASE("quat: products are correctly rounded and have unit length", "", q16_16, q14_16,
                    q24_8, q8_8) {
   using S = TestType;
   Random random(82);
@@ -135,8 +135,8 @@ TEMPLATE_TEST_CASE("quat: products are correctly rounded and of unit length", ""
   CHECK(wrong == 0);
 }
 
-TEMPLATE_TEST_CASE("quat: vectors and axes turn with one rounding", "", q16_16, q14_16, q24_8,
-                   q8_8) {
+TEMPLATE_TEST_CASE("quat: vectors and axes are rotated with one rounding", "", q16_16, q14_16,
+                   q24_8, q8_8) {
   using S = TestType;
   using C = direction_component<S>;
   Random random(83);
@@ -170,8 +170,8 @@ TEMPLATE_TEST_CASE("quat: vectors and axes turn with one rounding", "", q16_16, 
   CHECK(wrong == 0);
 }
 
-TEMPLATE_TEST_CASE("quat: a rotation gives its quaternion back within 1.5 units", "", q16_16,
-                   q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("quat: is recovered from its rotation within 1.5 units", "", q16_16, q14_16,
+                   q24_8, q8_8) {
   using S = TestType;
   Random random(84);
   double worst = 0;

@@ -11,7 +11,7 @@
 
 namespace detent::test {
 
-/// The oracle of quaternions: x, y, z, w and Hamilton's product, in any number type.
+/// The oracle for quaternions: x, y, z, w and Hamilton's product, in any number type.
 template <class T>
 using Four = std::array<T, 4>;
 
@@ -70,7 +70,7 @@ Angle<S> random_angle(Random& random) {
                                              : static_cast<std::uint32_t>(random.edgy(31)));
 }
 
-/// From numbers of any size by normalising, or one whose length is only nearly 1.
+/// Normalised from numbers of any size, or with a length that is only nearly 1.
 template <Scalar S>
 Quat<S> random_quat(Random& random) {
   using Raw = typename Quat<S>::Raw;

@@ -172,7 +172,7 @@ constexpr double half_unit = 0.5 + 1.0 / (1 << 27);
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("rotation: a turn in the plane has rounded sines and cosines as its axes", "",
+TEMPLATE_TEST_CASE("rotation: a 2D rotation has the rounded sine and cosine as its axes", "",
                    q16_16, q14_16, q24_8, q8_8, float, double) {
   using S = TestType;
   Random random(40);
@@ -293,7 +293,7 @@ TEMPLATE_TEST_CASE("rotation: quarter turns permute the axes exactly", "", q16_1
   CHECK(R::from_euler(quarter, none, quarter).axis(2) == E::along(0));
 }
 
-TEMPLATE_TEST_CASE("rotation: vectors turn into the world and back, rounded once", "",
+TEMPLATE_TEST_CASE("rotation: vectors are rotated to the world and back with one rounding", "",
                    (std::pair<q16_16, std::integral_constant<int, 2>>),
                    (std::pair<q16_16, std::integral_constant<int, 3>>),
                    (std::pair<q14_16, std::integral_constant<int, 3>>),
@@ -327,7 +327,7 @@ TEMPLATE_TEST_CASE("rotation: vectors turn into the world and back, rounded once
   CHECK(wrong == 0);
 }
 
-TEMPLATE_TEST_CASE("rotation: reads the same for float and double", "", float, double) {
+TEMPLATE_TEST_CASE("rotation: float and double have the same interface", "", float, double) {
   using S = TestType;
   using R = Rotation<S, 3>;
   const auto third = R::from_quaternion(1, 1, 1, 1);

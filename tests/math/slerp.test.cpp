@@ -81,8 +81,8 @@ TEMPLATE_TEST_CASE("nlerp and slerp: correctly rounded, and within 0.5 + 2^-26 u
   CHECK(worst > 0.49);
 }
 
-TEMPLATE_TEST_CASE("slerp: the speed is constant, and float and double read the same", "", q16_16,
-                   q14_16, q24_8, q8_8, float, double) {
+TEMPLATE_TEST_CASE("slerp: the speed is constant, and float and double have the same interface", "",
+                   q16_16, q14_16, q24_8, q8_8, float, double) {
   using S = TestType;
   const auto axis = Direction<S, 3>::along(1);
   const auto end = Quat<S>::from_axis_angle(axis, Angle<S>::turn(1, 3));

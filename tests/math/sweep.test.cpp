@@ -43,7 +43,8 @@ Rotation<S, N> any_rotation(Random& random) {
   }
 }
 
-TEMPLATE_TEST_CASE("sweep: turns by the quaternion between its ends", "", DETENT_FIXED_SPACES) {
+TEMPLATE_TEST_CASE("sweep: rotates by the interpolated quaternion of its ends", "",
+                   DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   using C = direction_component<S>;
@@ -74,7 +75,7 @@ TEMPLATE_TEST_CASE("sweep: turns by the quaternion between its ends", "", DETENT
         REQUIRE(std::abs(off) < 4 * std::ldexp(1.0L, -C::frac));
       }
     } else {
-      // Between the two directions, on the shorter side: between their sum's halves.
+      // On the shorter arc between the two directions: within half their angle of their sum.
       const auto u = sweep.start_rotation.axis(0), v = sweep.end_rotation.axis(0);
       const auto w = rotation.axis(0);
       const double turn = static_cast<double>(cross(u.vec(), v.vec()));
@@ -87,7 +88,7 @@ TEMPLATE_TEST_CASE("sweep: turns by the quaternion between its ends", "", DETENT
   }
 }
 
-TEMPLATE_TEST_CASE("sweep: no point strays from moving evenly by more than the bend", "",
+TEMPLATE_TEST_CASE("sweep: no point deviates from uniform motion by more than the bend", "",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

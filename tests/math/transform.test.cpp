@@ -58,8 +58,8 @@ static_assert(inverse(collapsed).axis(1) == D::along(1));
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("transform: points and vectors are exact sums, rounded once, there and back", "",
-                   DETENT_FIXED_SPACES) {
+TEMPLATE_TEST_CASE("transform: points and vectors are exact sums, rounded once, in both directions",
+                   "", DETENT_FIXED_SPACES) {
   using Sc = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   Random random(100);
@@ -127,7 +127,7 @@ TEMPLATE_TEST_CASE("transform: frames and directions are correctly rounded direc
   CHECK(wrong == 0);
 }
 
-TEMPLATE_TEST_CASE("transform: there and back moves a point by less than 8 units", "",
+TEMPLATE_TEST_CASE("transform: a point moves by less than 8 units in a round trip", "",
                    DETENT_FIXED_SPACES) {
   using Sc = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -149,7 +149,7 @@ TEMPLATE_TEST_CASE("transform: there and back moves a point by less than 8 units
   CHECK(worst < 8);
 }
 
-TEST_CASE("transform: there and back moves one point by 4 units") {
+TEST_CASE("transform: some point moves by 4 units in a round trip") {
   const auto rotation = R::from_axes({*D::from_raw({-1073593798, 17733059, -1844206}),
                                       *D::from_raw({17826980, 1069273977, -96212605}),
                                       *D::from_raw({247561, -96229959, -1069420983})});
@@ -160,7 +160,8 @@ TEST_CASE("transform: there and back moves one point by 4 units") {
   CHECK(std::any_of(moved.begin(), moved.end(), [](auto d) { return abs(d) >= S::from_raw(4); }));
 }
 
-TEMPLATE_TEST_CASE("transform: a parent and a child, in float and double too", "", float, double) {
+TEMPLATE_TEST_CASE("transform: a parent and a child compose, also in float and double", "", float,
+                   double) {
   using F = TestType;
   using M = Transform<F, 2>;
   const auto quarter_turn = Rotation<F, 2>::from_angle(Angle<F>::turn(1, 4));

@@ -35,7 +35,7 @@ static_assert(length(V2{q16_16(3), q16_16(-4)}) == 5);
 static_assert(length(V2{q16_16(1), q16_16(1)}).raw() == 92681, "rounded down");
 static_assert(length(V3{least, least, least}) == q16_16::max(), "clamped");
 
-// For differences of 32-bit scalars, as in distance(a, b), the scalar; for others their own type.
+// Differences of 32-bit scalars, as in distance(a, b), give the scalar; others their own type.
 static_assert(std::is_same_v<decltype(length(V3() - V3())), q16_16>);
 static_assert(length(V3{q16_16(3)} - V3{q16_16(), q16_16(4)}) == 5);
 static_assert(length(V2{least} - V2{q16_16::max()}) == q16_16::max(), "clamped");
@@ -44,7 +44,7 @@ static_assert(length<q24_8>(V2{q16_16(3), q16_16(4)}) == 5);
 static_assert(std::is_same_v<decltype(length(V2() * q16_16())), Fixed<62, 32>>);
 static_assert(length(V2{q16_16(3), q16_16(4)} * q16_16(2)) == 10);
 
-// Built-in integers; the name of a quotient says how it rounds.
+// Built-in integers; a quotient's name says how it rounds.
 static_assert(2 * V2{q16_16(3), least} == Vec<Fixed<62, 16>, 2>{q16_16(6), least * 2} &&
               V2{q16_16(3), least} * 2 == 2 * V2{q16_16(3), least});
 static_assert(2 * Vec<float, 2>{1, 2} == Vec<float, 2>{2, 4});
@@ -101,7 +101,7 @@ TEMPLATE_TEST_CASE("dot and cross: exact over the whole domain", "", q16_16, q14
   CHECK(wrong == 0);
 }
 
-TEMPLATE_TEST_CASE("length: of a difference it is the distance", "", q16_16, q24_8) {
+TEMPLATE_TEST_CASE("length: the length of a difference is the distance", "", q16_16, q24_8) {
   using V = Vec<TestType, 3>;
   Random random(20261122);
   INFO(random);

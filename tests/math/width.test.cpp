@@ -27,7 +27,7 @@ static_assert(fits<20>(raw(-(1 << 20))) && !fits<20>(raw(-(1 << 20) - 1)));
 static_assert(fits<31>(raw(-(std::int64_t{1} << 31))) && !fits<31>(raw(std::int64_t{1} << 31)));
 static_assert(fits<1>(1e30f));
 
-TEST_CASE("by_width: the narrow path is taken when every operand fits, and only then", "[width]") {
+TEST_CASE("by_width: takes the narrow path exactly when every operand fits", "[width]") {
   const Vec<Broad, 3> small{raw(1 << 20), raw(-5), raw(0)};
   CHECK(width_taken<20>(raw(7), small) == 20);
   CHECK(width_taken<20>(raw((1 << 20) + 1), small) == 40);
@@ -35,7 +35,7 @@ TEST_CASE("by_width: the narrow path is taken when every operand fits, and only 
   CHECK(width_taken<40>(raw(7), small) == 40);
 }
 
-TEST_CASE("by_width: float and operands that are narrow already pass as they are", "[width]") {
+TEST_CASE("by_width: passes float and narrow operands unchanged", "[width]") {
   const auto sum = [](const auto& a, const auto& b) { return a + b; };
   CHECK(by_width<20>(sum, 1.5f, 2.25f) == 3.75f);
   const auto is_narrow = [](const auto& x) {

@@ -29,7 +29,7 @@ static_assert(sizeof(Angle<double>) == sizeof(double));
 static_assert(A().raw() == 0 && A::turn(1, 4).raw() == 0x40000000u);
 static_assert(A::turn(3, 4) + A::turn(1, 2) == A::turn(1, 4) && -A::turn(1, 2) == A::turn(1, 2));
 
-// A third of a turn is not a binary angle: this is the nearest one.
+// A third of a turn is not a binary angle; this is the nearest one.
 static_assert(A::turn(1, 3).raw() == 0x55555555u && A::turn(-1, 3).raw() == 0xaaaaaaabu);
 static_assert(A::turn(2, -3) == A::turn(1, 3) && A::turn(least, -1) == A());
 static_assert(A::turn(least, greatest) == A::turn(-1, greatest));
@@ -121,7 +121,7 @@ TEST_CASE("sine and cosine: correctly rounded to 8, 16 and 30 fractional bits") 
   CHECK(wrong == 0);
 }
 
-TEST_CASE("sine: of any phase within 2 * 2^-62 of the exact one, odd, and cosine even") {
+TEST_CASE("sine: of any phase within 2 * 2^-62 of the exact one; sine is odd and cosine even") {
   Random random(22);
   double worst = 0;
   std::uint64_t asymmetric = 0;
@@ -140,7 +140,7 @@ TEST_CASE("sine: of any phase within 2 * 2^-62 of the exact one, odd, and cosine
   CHECK(asymmetric == 0);
 }
 
-TEST_CASE("arc tangent: the table is MPFR's, rounded") {
+TEST_CASE("arc tangent: the table equals MPFR's results, rounded") {
   for (int i = 0; i <= 32; ++i) {
     const Real turns = atan(Real(i) / 32) / (2 * pi());
     CHECK(detail::arc_tangents[static_cast<std::size_t>(i)] ==
@@ -148,7 +148,7 @@ TEST_CASE("arc tangent: the table is MPFR's, rounded") {
   }
 }
 
-TEST_CASE("arc tangent: correctly rounded for vectors short and long, steep and flat") {
+TEST_CASE("arc tangent: correctly rounded for short and long, steep and flat vectors") {
   Random random(23);
   std::uint64_t wrong = 0;
   double worst_phase = 0;
@@ -186,7 +186,7 @@ TEST_CASE("arc tangent: correctly rounded for every vector with components up to
   CHECK(wrong == 0);
 }
 
-TEST_CASE("arc tangent: correctly rounded beside the nearest ties of a ray") {
+TEST_CASE("arc tangent: correctly rounded next to the nearest ties of a ray") {
   Random random(24);
   std::uint64_t wrong = 0;
   HitRate fine;  // how often the phase alone does not decide
@@ -316,8 +316,8 @@ TEST_CASE("angle: a fraction of a turn is rounded to nearest, ties to even") {
   CHECK(wrong == 0);
 }
 
-TEMPLATE_TEST_CASE("angle: reads the same for every scalar", "", q16_16, q14_16, q24_8, q8_8, float,
-                   double) {
+TEMPLATE_TEST_CASE("angle: every scalar has the same interface", "", q16_16, q14_16, q24_8, q8_8,
+                   float, double) {
   using S = TestType;
   using Any = Angle<S>;
   // More than half a unit of the coarsest scalar.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The sweeps behind the claims of angle.hpp: every binary angle, and for the arc tangent every ray
-// at which its rounding changes. Four minutes on two cores.
+// The sweeps that prove the claims of angle.hpp: every binary angle, and for the arc tangent every
+// ray at which its rounding changes. Four minutes on two cores.
 
 #include <algorithm>
 #include <cmath>
@@ -128,7 +128,7 @@ struct TieSweep {
 // The rounding of an arc tangent depends on the sign of b cos - a sin on the ray halfway between
 // two binary angles. This is the smallest magnitude of that number; octant_angle computes it with
 // an error below 2^-80.
-TEST_CASE("arc tangent: no vector comes nearer to a tie than 2^-59.7", "[.demand]") {
+TEST_CASE("arc tangent: no vector is closer to a tie than 2^-59.7", "[.demand]") {
   const auto total = sweep_all<TieSweep>(
       "ties of arc tangents", std::uint64_t{1} << 29, [](TieSweep& sweep, std::uint64_t i) {
         const auto whole = static_cast<std::uint32_t>(i);

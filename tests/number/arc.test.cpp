@@ -73,7 +73,7 @@ TEST_CASE("arc: the weights of a part are off by less than 2^-59") {
   CHECK(worst > 0.35);
 }
 
-TEST_CASE("arc: half of an angle has sines and cosines within 2^-61, the wide sine relatively") {
+TEST_CASE("arc: half an angle has sines and cosines within 2^-61, the wide sine relatively") {
   Random random(52);
   double worst = 0, worst_wide = 0;
   for (int i = 0; i < 20'000; ++i) {

@@ -5,11 +5,11 @@
 
 namespace {
 
-TEST_CASE("assert: tests run with assertions on", "[number]") {
+TEST_CASE("assert: assertions are on in tests", "[number]") {
   STATIC_REQUIRE(DETENT_ASSERTIONS == 1);
 }
 
-TEST_CASE("assert: a promise that is kept is evaluated once", "[number]") {
+TEST_CASE("assert: the condition is evaluated once", "[number]") {
   int evaluated = 0;
   DETENT_ASSERT(++evaluated == 1);
   CHECK(evaluated == 1);

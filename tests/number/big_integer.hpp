@@ -128,7 +128,7 @@ BigInteger clamped(const BigInteger& raw) {
   return raw;
 }
 
-/// Bits whose magnitude has any bit length with equal probability, often an extreme or next to a
+/// Bits whose magnitude has every bit length with equal probability, often an extreme or next to a
 /// power of two.
 template <int Words>
 Wide<Words> random_wide(Random& random) {
@@ -183,7 +183,8 @@ F random_fixed(Random& random) {
     if (random.one_in(20)) return fixed_from<F>(power_of_two(F::bits));
   }
   const F x = F::from_raw(random_integer<typename F::raw_type>(random));
-  // With far fewer bits than the container nearly every value would be clamped: scale it down.
+  // With far fewer bits than the container, nearly every value would be clamped, so it is scaled
+  // down.
   constexpr int spare = value_bits<typename F::raw_type> - F::bits;
   if (spare == 0 || random.one_in(8)) return x;
   return F::from_raw(shift_right_floor(random_integer<typename F::raw_type>(random), spare));

@@ -106,7 +106,7 @@ TEST_CASE("digest: is XXH64 for every length and seed", "[number]") {
   }
 }
 
-TEST_CASE("digest: does not depend on how the bytes were cut", "[number]") {
+TEST_CASE("digest: does not depend on how the bytes were split", "[number]") {
   Random random(0xd16e58);
   INFO(random);
   for (int i = 0; i < 20'000; ++i) {

@@ -132,7 +132,7 @@ template <class A, class B>
 inline constexpr bool has_sum =
     std::max(A::bits - A::frac, B::bits - B::frac) + std::max(A::frac, B::frac) <= 317;
 
-// Compared in one assertion, because an assertion costs more than its condition.
+// All compared in one assertion, because an assertion costs more than its condition.
 template <class A, class B>
 bool order_is(const A& a, const B& b, std::strong_ordering order) {
   return (a <=> b) == order && (b <=> a) == (0 <=> order) && (a == b) == (order == 0) &&
@@ -241,7 +241,7 @@ TEMPLATE_TEST_CASE("Fixed: comparisons with integers are exact", "[number]", q8_
   sweep(std::uint64_t{});
 }
 
-TEMPLATE_TEST_CASE("Fixed: an implicit conversion keeps the number", "[number]", DETENT_TEST_PAIRS,
+TEMPLATE_TEST_CASE("Fixed: an implicit conversion keeps the value", "[number]", DETENT_TEST_PAIRS,
                    (Two<q14_16, q16_16>), (Two<Fixed<30, 16>, q16_16>),
                    (Two<Fixed<31, 15>, Fixed<32, 16>>), (Two<Fixed<15, 0>, q16_16>),
                    (Two<Fixed<31, 0>, Fixed<63, 32>>), (Two<Fixed<30, 0>, Fixed<62, 32>>),
@@ -250,7 +250,7 @@ TEMPLATE_TEST_CASE("Fixed: an implicit conversion keeps the number", "[number]",
                    (Two<Fixed<62, 0>, Fixed<63, 1>>), (Two<Fixed<63, 0>, Fixed<64, 1>>)) {
   using A = typename TestType::First;
   using B = typename TestType::Second;
-  // Convertible exactly when every value of one type is one of the other, +2^Bits included.
+  // Convertible exactly if every value of one type is one of the other, +2^Bits included.
   const auto convertible = []<class From, class To>(From, To) {
     const BigRational low = rational(fixed_from<From>(-power_of_two(From::bits)));
     const BigRational high = rational(fixed_from<From>(power_of_two(From::bits)));
@@ -272,7 +272,7 @@ TEMPLATE_TEST_CASE("Fixed: an implicit conversion keeps the number", "[number]",
   }
 }
 
-TEMPLATE_TEST_CASE("Fixed: an integer becomes itself, or an end of the range", "[number]", q8_8,
+TEMPLATE_TEST_CASE("Fixed: an integer becomes itself or an end of the range", "[number]", q8_8,
                    q14_16, q16_16, q24_8, (Fixed<14, 14>), (Fixed<10, 40>), (Fixed<63, 0>),
                    (Fixed<63, 32>), (Fixed<64, 0>), (Fixed<100, 90>), (Fixed<200, 0>),
                    (Fixed<20, -8>), (Fixed<3, -60>)) {
@@ -287,7 +287,7 @@ TEMPLATE_TEST_CASE("Fixed: an integer becomes itself, or an end of the range", "
         FAIL(BigInteger(value));
       }
 #if DETENT_ASSERTIONS
-      if (detail::is_out_of_range<TestType>(value)) continue;  // an assertion rejects it
+      if (detail::is_out_of_range<TestType>(value)) continue;  // rejected by an assertion
 #endif
       if (big_raw(TestType(value)) != clamped<TestType>(exact)) FAIL(BigInteger(value));
     }
@@ -327,7 +327,7 @@ TEMPLATE_TEST_CASE("Fixed: compound assignment rounds the exact result once", "[
     const bool fits = exact >= rational(A::lowest()) && exact <= rational(A::max());
     in_range.count(fits);
 #if DETENT_ASSERTIONS
-    if (!fits) return;  // an assertion rejects it; the release build clamps
+    if (!fits) return;  // an assertion rejects it; a release build clamps
 #endif
     A result = assigned;
     const A& same = assign(result);
@@ -386,6 +386,7 @@ TEMPLATE_TEST_CASE("Fixed: a double becomes the nearest number", "[number]", q8_
     if (!random.one_in(4)) {
       // In the range of F: values with few bits are often ties, those with many bits are next to
       // one.
+      // one.
       const double step = std::ldexp(1.0, -F::frac - 1);
       value = static_cast<double>(random.wide(F::bits < 53 ? F::bits + 2 : 62)) * step;
       if (random.coin()) value = std::nextafter(value, random.coin() ? 1e300 : -1e300);
@@ -417,7 +418,7 @@ TEMPLATE_TEST_CASE("Fixed: becomes the nearest double", "[number]", q8_8, q14_16
   }
 }
 
-TEST_CASE("Fixed: can be a key", "[number]") {
+TEST_CASE("Fixed: can be used as a key", "[number]") {
   std::unordered_set<q16_16> keys;
   for (int i = -500; i < 500; ++i) keys.insert(q16_16::from_raw(i * 4099));
   CHECK(keys.size() == 1'000);

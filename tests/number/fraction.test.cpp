@@ -9,7 +9,7 @@ namespace {
 using Over = Fixed<31, 8>;
 using Under = Fixed<20, 4>;
 
-TEST_CASE("fraction: it is compared without a division", "[number]") {
+TEST_CASE("fraction: compared without a division", "[number]") {
   const Fraction third{Over(1), Under(3)};
   CHECK(third <= Over::from_raw(86));
   CHECK_FALSE(third <= Over::from_raw(85));  // 85 / 256 < 1 / 3
@@ -18,7 +18,7 @@ TEST_CASE("fraction: it is compared without a division", "[number]") {
   CHECK(Fraction{1.0, 4.0} <= 0.25);
 }
 
-TEST_CASE("fraction: two are compared by whole parts, then by what is left", "[number]") {
+TEST_CASE("fraction: two are compared by whole parts, then by remainders", "[number]") {
   for (int a = -30; a < 30; ++a) {
     for (int b = 1; b < 12; ++b) {
       for (int c = -30; c < 30; ++c) {
@@ -41,7 +41,8 @@ TEST_CASE("fraction: two are compared by whole parts, then by what is left", "[n
   CHECK(Fraction{1.0, 4.0} < Fraction{1.0, 3.0});
 }
 
-TEST_CASE("fraction: its root is the greatest on the grid that is not beyond it", "[number]") {
+TEST_CASE("fraction: its root is the greatest number on the grid that does not exceed it",
+          "[number]") {
   using Root = Fixed<20, 6>;
   for (int n = 0; n < 400; ++n) {
     for (int d = 1; d < 40; ++d) {

@@ -23,14 +23,14 @@ static_assert(std::same_as<detent::common_fixed<Fixed<32, 16>, q16_16>, Fixed<32
 static_assert(std::same_as<detent::common_fixed<Fixed<30, 15>, q16_16>, Fixed<32, 16>>, "2^31");
 static_assert(std::same_as<decltype(detent::min(q16_16(), q16_16())), q16_16>);
 
-// An end of another type than the number determines the type; a finer grid is kept.
+// A limit of another type than the number determines the type; a finer grid is kept.
 static_assert(std::same_as<decltype(detent::clamp(Fixed<48, 16>(), q16_16(), q14_16())), q16_16>);
 static_assert(
     std::same_as<decltype(detent::clamp(Fixed<62, 32>(), q16_16(), q16_16())), Fixed<47, 32>>);
 static_assert(detent::clamp(q16_16::max() * 2_q16_16, -1_q16_16, 1.5_q16_16) == 1.5_q16_16);
 static_assert(detent::clamp(1_q8_8, 2_q16_16, 40_q16_16) == 2);
 
-// With `using namespace` for both, our numbers get ours and other types get either.
+// With `using namespace` for both, our numbers use ours and other types use std's.
 namespace both {
 using namespace std;
 using namespace detent;
@@ -59,7 +59,7 @@ struct Two {
   using Second = B;
 };
 
-TEMPLATE_TEST_CASE("min, max, clamp: the numbers themselves, of any two types", "[number]",
+TEMPLATE_TEST_CASE("min, max, clamp: return the exact numbers, for any two types", "[number]",
                    (Two<q16_16, q16_16>), (Two<q16_16, q8_8>), (Two<q24_8, q16_16>),
                    (Two<Fixed<62, 32>, q16_16>), (Two<Fixed<30, 15>, q16_16>),
                    (Two<Fixed<5, 40>, Fixed<126, 3>>)) {

@@ -14,7 +14,7 @@ int steps(int most) {
   return count;
 }
 
-TEST_CASE("patience: without end in exact numbers, 100 steps in those that round", "[patience]") {
+TEST_CASE("patience: unlimited for exact numbers, 100 steps for rounded ones", "[patience]") {
   CHECK(steps<q16_16>(10'000) == 10'000);
   CHECK(steps<Fixed<92, 48>>(10'000) == 10'000);
   CHECK(steps<float>(10'000) == 100);

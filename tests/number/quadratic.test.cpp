@@ -7,7 +7,7 @@
 using namespace detent;
 using namespace detent::test;
 
-TEMPLATE_TEST_CASE("Quadratic: digit by digit the first root is the same", "[number]", q16_16,
+TEMPLATE_TEST_CASE("Quadratic: the first root is the same digit by digit", "[number]", q16_16,
                    q14_16, q24_8, q8_8) {
   using S = TestType;
   using Raw = typename S::raw_type;

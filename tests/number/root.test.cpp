@@ -34,7 +34,7 @@ bool is_root(std::uint64_t root, const Wide<2>& n) {
   return square <= value && value < next;
 }
 
-// Millions of assertions would take longer than the roots: this asserts only on a fault.
+// Asserts only on a fault, because millions of assertions would take longer than the roots.
 class Examiner {
  public:
   void check(std::uint64_t n) {
@@ -55,7 +55,7 @@ class Examiner {
 
 }  // namespace
 
-TEST_CASE("root: 64-bit roots are the floor of the real ones", "[number]") {
+TEST_CASE("root: 64-bit roots are the floor of the exact ones", "[number]") {
   Examiner exam;
   for (std::uint64_t n = 0; n < (1u << 22); ++n) exam.check(n);
   for (std::uint64_t n = ones; n > ones - (1u << 20); --n) exam.check(n);
@@ -78,9 +78,9 @@ TEST_CASE("root: 64-bit roots are the floor of the real ones", "[number]") {
   CHECK(exam.count() >= 1'000'000);
 }
 
-TEST_CASE("root: 64-bit roots are right at both ends of every chord", "[number]") {
+TEST_CASE("root: 64-bit roots are correct at both ends of every chord", "[number]") {
   Examiner exam;
-  // Where the first guess is worst: at the ends of the table's steps, for every shift.
+  // The first guess is worst at the ends of the table's steps, for every shift.
   for (std::uint64_t entry = 64; entry <= 256; ++entry) {
     for (int shift = 0; shift < 56; ++shift) {
       for (std::int64_t distance = -200; distance <= 200; ++distance) {
@@ -91,7 +91,7 @@ TEST_CASE("root: 64-bit roots are right at both ends of every chord", "[number]"
   CHECK(exam.count() >= 1'000'000);
 }
 
-// Each machine uses one of them.
+// Each machine uses one of the two.
 TEST_CASE("root: by table and by division, the floor or one more, exact for squares", "[number]") {
   const auto is_floor_or_next = [](const BigInteger& root, std::uint64_t a) {
     const BigInteger below = root - 1, above = root + 1;
@@ -118,7 +118,7 @@ TEST_CASE("root: by table and by division, the floor or one more, exact for squa
   CHECK(wrong == 0);
 }
 
-TEST_CASE("root: 128-bit roots are the floor of the real ones", "[number]") {
+TEST_CASE("root: 128-bit roots are the floor of the exact ones", "[number]") {
   Examiner exam;
   Random random(0x5008);
   INFO(random);
@@ -142,12 +142,12 @@ TEST_CASE("root: 128-bit roots are the floor of the real ones", "[number]") {
   CHECK(exam.count() >= 1'000'000);
 }
 
-TEST_CASE("root: 128-bit roots are right beside squares", "[number]") {
+TEST_CASE("root: 128-bit roots are correct next to squares", "[number]") {
   Examiner exam;
   Random random(0x5009);
   INFO(random);
   for (int i = 0; i < 400'000; ++i) {
-    // Halves of all ones or zeros too: there the trailing half of the root is at its limit.
+    // Also halves of all ones or zeros, for which the trailing half of the root is at its limit.
     std::uint64_t root = random_integer<std::uint64_t>(random);
     if (random.one_in(8)) root |= 0xffffffff;
     if (random.one_in(8)) root &= ones << 32;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The sweeps behind the claims of root.hpp: every Q16.16 root, and 64-bit roots at both ends of
+// The sweeps that prove the claims of root.hpp: every Q16.16 root, and 64-bit roots at both ends of
 // every interval on which they are constant. Half a minute on two cores.
 
 #include <cstdint>

@@ -21,17 +21,17 @@ namespace {
 
 using Whole = Fixed<31, 0>;
 
-// Down, for negative numbers too.
+// Down, also for negative numbers.
 static_assert(floor_to<Whole>(1.75_q16_16) == 1 && floor_to<Whole>(-1.25_q16_16) == -2);
 static_assert(floor_to<q8_8>(q16_16::from_raw(-1)) == q8_8::from_raw(-1));
 static_assert(floor_to<q16_16>(1.5_q8_8) == 1.5_q16_16, "a finer grid changes nothing");
-// Up, for negative numbers too.
+// Up, also for negative numbers.
 static_assert(ceil_to<Whole>(1.25_q16_16) == 2 && ceil_to<Whole>(-1.75_q16_16) == -1);
 static_assert(ceil_to<Whole>(3_q16_16) == 3 && ceil_to<q16_16>(-1.5_q8_8) == q16_16(-1.5_q8_8));
 static_assert(ceil_to<q8_8>(-q8_8::lowest()) == q8_8::max());
 static_assert(ceil_to<q8_8>(-q16_16::max()) == q8_8::lowest());
 static_assert(ceil_to<q16_16>(q16_16::lowest() - 1_q16_16) == q16_16::lowest());
-// Halved, on a finer grid.
+// Halved onto a finer grid.
 static_assert(half(3_q8_8) == 1.5_q8_8 &&
               half(q8_8::from_raw(-1)) + half(q8_8::from_raw(-1)) == q8_8::from_raw(-1));
 // To nearest, ties to even.
@@ -124,7 +124,7 @@ A random_beside(Random& random) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("rounding: down, up, to nearest, and stopping at the ends", "[number]",
+TEMPLATE_TEST_CASE("rounding: down, up, to nearest, clamping at the ends", "[number]",
                    (Two<q16_16, Whole>), (Two<q16_16, q8_8>), (Two<q8_8, q16_16>),
                    (Two<q16_16, q24_8>), (Two<q24_8, q16_16>), (Two<q16_16, q14_16>),
                    (Two<Fixed<32, 16>, q16_16>), (Two<Fixed<62, 32>, q16_16>),
@@ -160,7 +160,7 @@ BigInteger held(const BigInteger& n) {
   return n < low ? low : high < n ? high : n;
 }
 
-TEMPLATE_TEST_CASE("rounding: to built-in integers, stopping at their ends", "[number]", q16_16,
+TEMPLATE_TEST_CASE("rounding: to built-in integers, clamping at their ends", "[number]", q16_16,
                    (Fixed<62, 32>), (Fixed<94, 16>), (Fixed<20, -40>)) {
   Random random(0x20e1);
   INFO(random);
@@ -284,8 +284,8 @@ TEMPLATE_TEST_CASE("rounding: narrow sums, differences and products are exact wh
   sweep(std::integral_constant<int, 140>());
 }
 
-TEMPLATE_TEST_CASE("rounding: headroom is how far scale_up may go", "[number]", q8_8, q16_16,
-                   (Fixed<62, 32>), (Fixed<64, 32>), (Fixed<126, 60>), (Fixed<200, 8>)) {
+TEMPLATE_TEST_CASE("rounding: headroom is the number of bits scale_up can add", "[number]", q8_8,
+                   q16_16, (Fixed<62, 32>), (Fixed<64, 32>), (Fixed<126, 60>), (Fixed<200, 8>)) {
   Random random(0x20e0);
   INFO(random);
   for (int i = 0; i < 20'000; ++i) {
@@ -396,8 +396,8 @@ TEMPLATE_TEST_CASE("rounding: square roots are the exact ones rounded down and u
   CHECK(inside > 5'000);
 }
 
-TEMPLATE_TEST_CASE("rounding: for floating point the names are the plain operations", "[number]",
-                   float, double) {
+TEMPLATE_TEST_CASE("rounding: for floating point the functions are the plain operations",
+                   "[number]", float, double) {
   using F = TestType;
   const F x = F(2.75), y = F(-0.5);
   CHECK(floor_to<F>(x) == x);

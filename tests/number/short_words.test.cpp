@@ -11,7 +11,7 @@ using namespace detent::test;
 
 namespace {
 
-// The path for 32-bit processors has to work in constant expressions too.
+// The path for 32-bit processors must also work in constant expressions.
 static_assert(multiply_halves_portable(-1, 0xffffffffu) == 0xffffffff00000001u);
 static_assert(divide_halves_portable(0xfffffffeffffffff, 0xffffffff).quotient == 0xffffffff);
 static_assert(multiply_by_half<2>(Wide<2>(-1), -3) == Wide<2>(3));
@@ -45,7 +45,7 @@ TEST_CASE("short words: products of halves are exact, with and without signs", "
   }
 }
 
-TEST_CASE("short words: products of words are exact, or right modulo 2^64", "[number]") {
+TEST_CASE("short words: products of words are exact, or correct modulo 2^64", "[number]") {
   Random random(0x5407d1);
   INFO(random);
   for (int i = 0; i < 200'000; ++i) {
@@ -68,7 +68,7 @@ TEST_CASE("short words: products of words are exact, or right modulo 2^64", "[nu
   }
 }
 
-TEST_CASE("short words: wide products from halves are the products", "[number]") {
+TEST_CASE("short words: wide products assembled from halves are exact", "[number]") {
   Random random(0x5407d2);
   INFO(random);
   for (int i = 0; i < 100'000; ++i) {
@@ -88,7 +88,7 @@ TEST_CASE("short words: wide products from halves are the products", "[number]")
   }
 }
 
-TEST_CASE("short words: a quotient of 32 bits comes from divisions of 32 bits", "[number]") {
+TEST_CASE("short words: a 32-bit quotient is computed by 32-bit divisions", "[number]") {
   Random random(0x5407d3);
   INFO(random);
   for (int i = 0; i < 300'000; ++i) {

@@ -11,8 +11,8 @@ namespace detent::test {
 
 __extension__ typedef unsigned __int128 Word128;
 
-/// Sines and cosines of binary angles in the first quarter turn within 2^-120, fast enough for all
-/// of them: tables by MPFR for the upper and lower halves of the angle, and the addition theorems.
+/// Sines and cosines of binary angles in the first quarter turn within 2^-120, fast enough to check
+/// all of them: MPFR tables for the upper and lower halves of the angle, and the addition theorems.
 /// It shares no polynomial with the library.
 class SineTable {
  public:

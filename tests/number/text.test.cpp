@@ -96,8 +96,7 @@ static_assert(text_is(Fixed<14, 14>(-1), "-1") && text_is(Fixed<31, 0>::max(), "
 static_assert(text_is(-q14_16::lowest(), "8192"), "a result beyond max() is written too");
 static_assert(text_is(Fixed<15, 30>::from_raw(-1), "-0.000000000931322574615478515625"));
 
-// The bound on the length is attained: the number closest to lowest() has both parts at full
-// length.
+// The length bound is attained: the number closest to lowest() has both parts at full length.
 static_assert(max_text_length<q16_16> == 23 &&
               text_is(raw(-2147483647), "-32767.9999847412109375"));
 static_assert(max_text_length<q8_8> == 13 && text_is(q8_8::from_raw(-32767), "-127.99609375"));
@@ -112,7 +111,8 @@ static_assert(127.5_q8_8 == q8_8::from_raw(32640) && 1e2_q8_8 == q8_8(100));
 static_assert(std::is_same_v<std::remove_cvref_t<decltype(1_q14_16)>, q14_16> &&
               std::is_same_v<std::remove_cvref_t<decltype(1_q24_8)>, q24_8>);
 
-// A minus sign keeps the type of a literal, so it reaches lowest(); for other values it widens.
+// A minus sign keeps the type of a literal, so that it reaches lowest(); for other values it
+// widens.
 template <class Literal, class Negative>
 inline constexpr bool keeps_type = std::is_same_v<std::remove_cv_t<Literal>, Negative>;
 static_assert(keeps_type<decltype(2_q16_16), decltype(-2_q16_16)> &&
@@ -241,10 +241,10 @@ TEMPLATE_TEST_CASE("text: a random decimal gives the nearest number", "[number]"
   CHECK(in_range.percent() < 100);
 }
 
-TEMPLATE_TEST_CASE("text: what is written is exact, shortest, and read back", "[number]", q8_8,
-                   q14_16, q16_16, q24_8, (Fixed<14, 14>), (Fixed<30, 30>), (Fixed<31, 0>),
-                   (Fixed<1, 40>), (Fixed<63, 32>), (Fixed<62, 60>), (Fixed<63, 63>),
-                   (Fixed<64, 32>), (Fixed<127, 64>), (Fixed<200, 90>), (Fixed<319, 319>)) {
+TEMPLATE_TEST_CASE("text: output is exact and shortest, and reads back", "[number]", q8_8, q14_16,
+                   q16_16, q24_8, (Fixed<14, 14>), (Fixed<30, 30>), (Fixed<31, 0>), (Fixed<1, 40>),
+                   (Fixed<63, 32>), (Fixed<62, 60>), (Fixed<63, 63>), (Fixed<64, 32>),
+                   (Fixed<127, 64>), (Fixed<200, 90>), (Fixed<319, 319>)) {
   using F = TestType;
   Random random(0x7e88);
   INFO(random);
@@ -314,8 +314,8 @@ TEST_CASE("text: long texts are read in one pass", "[number]") {
   CHECK(q16_16::parse("1e" + zeros) == raw(65536));
 }
 
-TEST_CASE("text: any bytes are read without fault", "[number]") {
-  // Exactly sized copies, so that a sanitizer sees a read past the end.
+TEST_CASE("text: any bytes are read safely", "[number]") {
+  // Copies of exact size, so that a sanitizer detects a read past the end.
   static constexpr std::string_view alphabet = "0123456789.eE+-05 x\0\xff";
   Random random(0x7e89);
   INFO(random);
@@ -336,7 +336,7 @@ TEST_CASE("text: any bytes are read without fault", "[number]") {
   CHECK(accepted > 10'000);
 }
 
-TEST_CASE("text: a buffer that is too short is left alone", "[number]") {
+TEST_CASE("text: a buffer that is too short is unchanged", "[number]") {
   for (std::size_t size = 0; size <= max_text_length<q16_16>; ++size) {
     const auto text = std::make_unique<char[]>(size);
     for (std::size_t i = 0; i < size; ++i) text[i] = '#';
@@ -351,14 +351,14 @@ TEST_CASE("text: a buffer that is too short is left alone", "[number]") {
   }
 }
 
-TEST_CASE("text: streams write the same text, in their width and fill", "[number]") {
+TEST_CASE("text: streams write the same text with their width and fill", "[number]") {
   std::ostringstream out;
   out << 1.25_q16_16 << ' ' << q8_8::lowest() << ' ' << std::setw(6) << std::setfill('*')
       << 0.5_q24_8 << ' ' << std::left << std::setw(4) << 1_q14_16;
   CHECK(out.str() == "1.25 -128 ***0.5 1***");
 }
 
-TEST_CASE("text: the bound on the length is the longest number's", "[number]") {
+TEST_CASE("text: the length bound is the length of the longest number", "[number]") {
   const auto digits_of_power = [](int exponent) { return power_of_two(exponent).str().size(); };
   for (int exponent = 0; exponent <= widest_bits; ++exponent) {
     // The formula of max_text_length for the digits of 2^exponent.

@@ -25,7 +25,7 @@ struct Extremes {
   static constexpr Wide<Words> min = Wide<Words>(1) << (64 * Words - 1);
 };
 
-// Every operator has to work in a constant expression.
+// Every operator must work in a constant expression.
 template <int Words>
 constexpr bool identities_hold() {
   using W = Wide<Words>;
@@ -58,7 +58,7 @@ static_assert(multiply_words_portable(all_ones, all_ones).high == all_ones - 1);
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("Wide: arithmetic is the integers' modulo 2^width", "[number]",
+TEMPLATE_TEST_CASE_SIG("Wide: arithmetic is that of the integers modulo 2^width", "[number]",
                        ((int Words), Words), 2, 3, 4, 5) {
   constexpr int width = 64 * Words;
   Random random(0x51de0000 + Words);
@@ -143,7 +143,7 @@ TEST_CASE("Wide: the portable word product is exact", "[number]") {
 }
 
 #ifdef __SIZEOF_INT128__
-TEST_CASE("Wide: two words behave as the compiler's 128-bit integer", "[number]") {
+TEST_CASE("Wide: two words behave like the compiler's 128-bit integer", "[number]") {
   __extension__ using Native = __int128;
   __extension__ using Unsigned = unsigned __int128;
   const auto native = [](const Wide<2>& x) {

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: c_consumer.sh PREFIX
-# The C program of docs/bindings.md builds against an installation and runs: by find_package with the
-# shared and the static library, and by pkg-config. A component that is not there is an error.
+# Builds and runs the C program of docs/bindings.md against an installation: with find_package and
+# the shared or static library, and with pkg-config. Requesting a missing component is an error.
 set -euo pipefail
-compiler=$(command -v gcc || command -v cc) || { echo 'skipped: there is no C compiler'; exit 77; }
+compiler=$(command -v gcc || command -v cc) || { echo 'skipped: no C compiler is installed'; exit 77; }
 prefix=$(realpath "$1")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -26,7 +26,7 @@ configure "$work/build" || { cat "$work/log"; exit 1; }
 cmake --build "$work/build" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 programs=("$work/build/shared" "$work/build/static")
 if configure "$work/none" -DMORE=wheels; then
-  echo 'a component that is not there is found'
+  echo 'find_package accepts a missing component'
   exit 1
 fi
 grep -q 'no component wheels' "$work/log" || { cat "$work/log"; exit 1; }

@@ -1,21 +1,21 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: packages.sh BUILD KIND
-# A package that packages/build makes of BUILD is unpacked in an empty folder, where the program of its own
-# README runs. KIND is one of its kinds, or `recipes` for vcpkg and Conan.
+# Unpacks a package made by packages/build in an empty folder and runs the program of its README
+# there. KIND is a kind of packages/build, or `recipes` for vcpkg and Conan.
 set -euo pipefail
 build=$1 kind=$2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 version=$(sed -n 's/#define DETENT_VERSION_[A-Z]* //p' include/detent/version.hpp | paste -sd .)
 
-# program LANGUAGE README: its program.
+# program LANGUAGE README: prints the program of that README.
 program() { sed -n '/^```'"$1"'$/,/^```$/{/^```/d;p}' "$2"; }
 expect() {
   if [[ $1 != "$2" ]]; then echo "the program of its README prints '$1' instead of '$2'"; exit 1; fi
   echo "the $kind package works from an empty folder"
 }
-# package PATTERN: packs; the name of the file.
+# package PATTERN: makes the package and prints its file name.
 package() {
   packages/build "$build" "$work/packages" "$kind" >"$work/log" || { cat "$work/log" >&2; exit 1; }
   local found=("$work/packages/"$1)
@@ -27,7 +27,7 @@ case $kind in
   deb)
     file=$(package "libdetent-dev_${version}_*.deb")
     dpkg-deb -x "$file" "$work/root"
-    [[ $(dpkg-deb -f "$file" Version) == "$version" ]] || { echo 'another version'; exit 1; }
+    [[ $(dpkg-deb -f "$file" Version) == "$version" ]] || { echo 'the package has another version'; exit 1; }
     bash tests/package/c_consumer.sh "$work/root/usr"
     bash tests/package/readme.sh "$work"/root/usr/share/doc/*/README.md "$work/root/usr"
     ;;

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: readme.sh README PREFIX
-# The programs of a README do what it says with what is installed in PREFIX: the C++ program by its own lines for
-# CMake, and one in C, if there is one, by its own command.
+# The programs of a README do what it says, using the installation in PREFIX: the C++ program with
+# the README's CMake lines, and the C program, if there is one, with its command.
 set -euo pipefail
 readme=$(realpath "$1") prefix=$(realpath "$2")
 work=$(mktemp -d)

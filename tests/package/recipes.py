@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 # usage: recipes.py BUILD VERSION
-"""The recipes of vcpkg and Conan, run with stand-ins for the functions of both: the port's steps leave a
-package that has its files where vcpkg wants them, the recipe exports what CMake needs. With both packages the
-programs of their READMEs run, by the lines for CMake of vcpkg's usage and Conan's README. Neither tool is in
-Debian, so they themselves have not run."""
+"""Runs the vcpkg port and the Conan recipe with stand-ins for the functions of both tools, because
+Debian has neither. The port must leave its files where vcpkg wants them, and the recipe must export
+what CMake needs. The programs of both READMEs are then built with the CMake lines of the port's
+usage and of Conan's README."""
 import glob
 import importlib.util
 import json
@@ -68,7 +68,7 @@ def vcpkg(work):
     given = [line.split('-D', 1)[1].split('=')[0] for line in said.splitlines() if '-D' in line]
     assert given and all(f'option({name} ' in options for name in given), given
     assert os.path.exists(os.path.join(work, 'vcpkg/share/detent/LICENSE'))
-    # A project with the lines of the port's usage, and the programs of the README of the installation.
+    # A project with the lines of the port's usage and the README's programs.
     root = os.path.join(work, 'vcpkg')
     with open(os.path.join(root, 'share/detent/usage'), encoding='utf-8') as file:
         usage = re.findall('^    (.*)', file.read(), re.M)
@@ -83,7 +83,7 @@ def vcpkg(work):
 
 
 def run_project(folder, files, root, target):
-    """Builds a project with what is installed in a root, and compares what it prints."""
+    """Builds a project against an installation root and compares its output."""
     os.makedirs(folder)
     for name, content in files.items():
         with open(os.path.join(folder, name), 'w', encoding='utf-8') as file:
@@ -151,7 +151,7 @@ def conan(work):
         blocks = dict(re.findall('^```(\\w+)\n(.*?)^```', file.read(), re.M | re.S))
     run_project(os.path.join(work, 'conan_user'), {'main.cpp': blocks['cpp'], 'CMakeLists.txt': blocks['cmake']},
                 os.path.join(root, recipe.cpp_info.builddirs[0]), 'game')
-    # What was exported can be configured without the rest of the repository.
+    # The exported files must configure without the rest of the repository.
     subprocess.run(['cmake', '-S', os.path.join(work, 'conan'), '-B', os.path.join(work, 'configured'),
                     '-DDETENT_BUILD_TESTS=OFF', '-DDETENT_BUILD_TOOL=OFF', '-DDETENT_BUILD_DEMO=OFF'],
                    check=True, stdout=subprocess.DEVNULL)

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: single_header.sh COMPILER
-# The single header of src/amalgamate has every header once, and compiles without a warning. The
-# examples compile with it alone, one of them runs, the program at its top runs, and two sources with it link.
+# The single header made by src/amalgamate contains every header once and compiles without a
+# warning. The examples compile with it alone and one of them runs; the program in its leading
+# comment runs; two sources that include it link.
 set -euo pipefail
-command -v python3 >/dev/null || { echo 'skipped: there is no python3'; exit 77; }
+command -v python3 >/dev/null || { echo 'skipped: python3 is not installed'; exit 77; }
 compiler=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -13,9 +14,9 @@ src/amalgamate "$work/detent.hpp" >/dev/null
 sed -n 's|^// ---- ||p' "$work/detent.hpp" | sort >"$work/has"
 (cd include && find detent -name '*.hpp' | sort) >"$work/should_have"
 diff "$work/should_have" "$work/has" ||
-  { echo 'the single header (>) has other headers than include/ (<)'; exit 1; }
+  { echo 'the single header (>) and include/ (<) have different headers'; exit 1; }
 
-# The header is compiled once; it is found next to the examples, before the one of include/.
+# The header is compiled once. It is found next to the examples, before the one in include/.
 compile=("$compiler" -std=c++20 -Wall -Wextra -Wconversion -Wshadow -Werror)
 echo '#include "detent.hpp"' >"$work/alone.cpp"
 "${compile[@]}" -fsyntax-only "$work/alone.cpp"

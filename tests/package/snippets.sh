@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: snippets.sh COMPILER [PAGE...]
-# Compiles and runs every ```cpp block of the pages, by default README.md and those of docs/. A block
-# without `main` is a fragment: its #include lines stay on top, and the rest becomes the body of a
-# `main` that includes all of detent. Further compiler arguments for a block, such as another source
-# file, are in a comment on the line before it: <!-- compile with: ARGUMENT... -->. Blocks in other
-# languages are the business of tests/c/.
+# Compiles and runs every ```cpp block of the pages, by default README.md and docs/. A block without
+# `main` is a fragment: its #include lines stay on top, and the rest becomes the body of a `main`
+# that includes all of detent. A comment on the line before a block gives further compiler
+# arguments, such as another source file: <!-- compile with: ARGUMENT... -->. tests/c/ covers blocks
+# in other languages.
 set -euo pipefail
 
 compiler=$1
@@ -15,7 +15,7 @@ if [[ ${#pages[@]} -eq 0 ]]; then pages=(README.md docs/*.md); fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# One file per block, named by its page and line; #line makes errors point to the page.
+# One file per block, named after its page and line; #line makes errors point to the page.
 for page in "${pages[@]}"; do
   awk -v work="$work" -v page="$page" '
     BEGIN { stem = page; gsub(/\//, ".", stem) }
@@ -49,7 +49,7 @@ wrap_fragment() {
   echo '}'
 }
 
-# The umbrella, precompiled where the compiler looks first: most blocks begin with it.
+# Precompile the umbrella where the compiler looks first: most blocks begin with it.
 compile=("$compiler" -std=c++20 -Wall -Wextra -Wno-unused)
 mkdir -p "$work/precompiled/detent"
 umbrella=$work/precompiled/detent/detent.hpp

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Files of packages whose formats need a version of their own have that of version.hpp.
+# Package files whose formats need their own version have the one of version.hpp.
 set -euo pipefail
 version=$(sed -n 's/#define DETENT_VERSION_[A-Z]* //p' include/detent/version.hpp | paste -sd .)
 [[ $version =~ ^[0-9]+\.[0-9]+\.[0-9]+$ ]] || { echo "version.hpp has $version"; exit 1; }
@@ -14,5 +14,5 @@ check bindings/js/package.json '^ *"version": "([^"]*)",?'
 check bindings/rust/Cargo.toml '^version = "([^"]*)"'
 check packages/vcpkg/detent/vcpkg.json '^ *"version": "([^"]*)",?'
 check CHANGELOG.md '^## [A-Za-z]* ?\(?([0-9.]+).*'
-if [[ $bad -eq 0 ]]; then echo "all say $version"; fi
+if [[ $bad -eq 0 ]]; then echo "all files have version $version"; fi
 exit "$bad"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: claims.sh [--write]
-# The text of README.md and docs/platforms.md between their "platforms" comments is generated from
+# Generates the text of README.md and docs/platforms.md between their "platforms" comments from
 # tests/platforms/results, which a full run writes. Without --write, fails if a page differs.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -13,7 +13,7 @@ trap 'rm -rf "$work"' EXIT
 
 value() { sed -n "s/^$1|//p" "$results"; }
 
-# Prints the results as a block for the page: a summary for the README, more figures for the others.
+# Prints the results as a block for the page: a summary for the README, more figures elsewhere.
 block() {
   awk -F'|' -v page="$1" -v date="$(value date)" -v version="$(value results_version)" \
     -v seconds="$(value seconds)" -v floats="$(value float)" \

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// usage: expected full|small|parts|few, or for a quarter full.N|small.N|parts.N|few.N; or the same
-// with names-, such as names-full
+// usage: expected full|small|parts|few, or full.N|small.N|parts.N|few.N for a quarter; each may
+// have the prefix names-, such as names-full
 // Prints the expected output of the verification programs, one after the other, from the golden
-// digests alone, without running any queries. The host compiles it, so a target that miscompiles the
-// comparison cannot pass. `full` and `small` are a program per volume of the corpus; `parts` is the
-// small corpus with a program per part, `few` the same without large parts. `names-...` prints the
-// names of the volumes or parts.
+// digests alone, without running any query. It is compiled for the host, so a target that
+// miscompiles the comparison cannot pass. `full` and `small` are one program per volume of the
+// corpus; `parts` is the small corpus with one program per part; `few` omits large parts.
+// `names-...` prints the names of the volumes or parts.
 
 #include <cinttypes>
 #include <cstdio>

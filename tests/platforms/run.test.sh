@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The reports of `run` on platforms that are right, wrong, silent, endless, broken or missing.
+# Checks what `run` reports for platforms that are right, wrong, silent, endless, broken or missing.
 set -euo pipefail
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
-# A project with a program whose results depend on its flags.
+# A project whose program's results depend on its flags.
 project=$(mktemp -d)
 trap 'rm -rf "$project"' EXIT
 cd "$project"

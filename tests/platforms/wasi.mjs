@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: node --no-warnings wasi.mjs PROGRAM.wasm [ARGUMENT...]
-// Runs a WebAssembly program that was built for WASI; its exit status is ours.
+// Runs a WebAssembly program built for WASI and exits with its status.
 
 import { readFileSync } from 'node:fs';
 import { WASI } from 'node:wasi';

@@ -6,7 +6,7 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("barycentric: the weights of corners, edges and the middle", "[barycentric]",
+TEMPLATE_TEST_CASE("barycentric: weights of corners, edges and the middle", "[barycentric]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -37,8 +37,8 @@ TEMPLATE_TEST_CASE("barycentric: a collapsed triangle has no weights", "[barycen
   CHECK_FALSE(barycentric(Triangle<S, N>{a, a, a}, a));
 }
 
-TEMPLATE_TEST_CASE("barycentric: weights beyond their type are clamped, not wrapped",
-                   "[barycentric]", DETENT_FIXED_SPACES) {
+TEMPLATE_TEST_CASE("barycentric: weights out of range are clamped, not wrapped", "[barycentric]",
+                   DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   using T = direction_component<S>;

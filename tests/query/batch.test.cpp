@@ -30,7 +30,7 @@ struct Rays {
   RayBatch<S, N> batch;
 };
 
-/// Whether batches give the results of loops; counts the hits.
+/// Whether batches give the same results as loops; counts the hits.
 template <Scalar S, int N, class Shape>
 bool batches_are_loops(const std::vector<Ray<S, N>>& rays, const std::vector<Shape>& shapes,
                        const Aabb<S, N>& frame, HitRate& rate) {
@@ -65,7 +65,7 @@ bool batches_are_loops(const std::vector<Ray<S, N>>& rays, const std::vector<Sha
   return is_right;
 }
 
-/// Tests shapes of several kinds and scenes, and rays from one to another.
+/// Tests shapes of several kinds and scenes, with rays from one shape to another.
 template <class Shape, Scalar S, int N>
 bool examine(std::uint64_t seed, int rounds, HitRate& rate) {
   using oracle::Draw, oracle::Kind;
@@ -147,12 +147,12 @@ void examine_others(std::uint64_t seed, int rounds) {
   examine_shape<Triangle, typename Space::scalar, Space::dimension>(seed, rounds);
 }
 
-TEMPLATE_TEST_CASE("batch: every answer is that of a loop over single queries", "",
+TEMPLATE_TEST_CASE("batch: results equal those of a loop over single queries", "",
                    DETENT_FIXED_SPACES) {
   examine_balls_and_boxes<TestType>(1, 15);
 }
 
-TEMPLATE_TEST_CASE("batch: boxes at any angle, triangles, planes and capsules as well", "",
+TEMPLATE_TEST_CASE("batch: rotated boxes, triangles, planes and capsules as well", "",
                    (Space<q16_16, 3>), (Space<q8_8, 2>)) {
   using S = typename TestType::scalar;
   examine_others<TestType>(2, 15);
@@ -160,16 +160,16 @@ TEMPLATE_TEST_CASE("batch: boxes at any angle, triangles, planes and capsules as
   if constexpr (TestType::dimension == 3) examine_shape<Capsule, S, 3>(4, 5);
 }
 
-TEMPLATE_TEST_CASE("batch: thousands of rounds more", "[.demand]", DETENT_FIXED_SPACES) {
+TEMPLATE_TEST_CASE("batch: thousands of further rounds", "[.demand]", DETENT_FIXED_SPACES) {
   for (std::uint64_t seed = 100; seed < 103; ++seed) examine_balls_and_boxes<TestType>(seed, 200);
 }
 
-TEMPLATE_TEST_CASE("batch: thousands of rounds more at any angle", "[.demand]", (Space<q16_16, 3>),
-                   (Space<q8_8, 2>)) {
+TEMPLATE_TEST_CASE("batch: thousands of further rounds at any angle", "[.demand]",
+                   (Space<q16_16, 3>), (Space<q8_8, 2>)) {
   for (std::uint64_t seed = 100; seed < 103; ++seed) examine_others<TestType>(seed, 200);
 }
 
-TEMPLATE_TEST_CASE("batch: most that miss are not even asked", "", (Sphere<double, 3>),
+TEMPLATE_TEST_CASE("batch: culls most shapes that miss", "", (Sphere<double, 3>),
                    (Triangle<double, 3>)) {
   std::vector<Ray<double, 3>> rays;
   std::vector<TestType> shapes;
@@ -207,7 +207,7 @@ TEMPLATE_TEST_CASE("batch: most that miss are not even asked", "", (Sphere<doubl
 }
 
 /// Specks within `reach` raw units, each a raw unit wide plus `size` on each side, and rays aimed
-/// at them, every other one ending just after it enters: so the error of the quantized numbers
+/// at them. Every other ray ends just after it enters, so the error of the quantized numbers
 /// decides.
 template <Scalar S, int N>
 void examine_specks(std::int64_t reach, std::int64_t size) {
@@ -251,7 +251,7 @@ bool is_hit_in_both(const Ray<q16_16, 2>& ray, const Shape& shape) {
   return raycast(ray, shape) && raycast_any(ray, shapes.batch);
 }
 
-TEST_CASE("batch: a shape that reaches beyond one end of the world is hit there too") {
+TEST_CASE("batch: a shape that extends beyond one end of the world is still hit there") {
   using S = q16_16;
   const auto across = *normalize(Vec<S, 2>{S(3), S(-4)});
   const auto beside = nearest_to<S>(S::max() - S(1));
@@ -271,7 +271,7 @@ TEST_CASE("batch: the slabs of a skewed box reach beyond its edges") {
 
 TEST_CASE("batch: slabs along skewed axes end outside the box around the edges") {
   using S = q8_8;
-  // Less than a unit outside, where the bounding box that a batch tests is no larger.
+  // Less than a unit outside, where the bounding box tested by a batch is no larger.
   Random random(20261122);
   INFO("seed " << random.seed());
   const auto number = [](std::int64_t raw) { return S::from_raw(static_cast<std::int16_t>(raw)); };
@@ -286,7 +286,7 @@ TEST_CASE("batch: slabs along skewed axes end outside the box around the edges")
         Obb<S, 2>{{}, {number(size), number(size)}, Rotation<S, 2>::from_axes({*skewed, up})}};
     const Vec<S, 2> origin{number(size - random.between(1, 40)),
                            number(random.between(-size - 40, -size - 1))};
-    // Up to an eighth of a unit next to the corner.
+    // Up to an eighth of a unit from the corner.
     const auto direction =
         normalize(Vec<S, 2>{number(64 * (size - origin.x.raw()) + random.between(0, 8)),
                             number(64 * (-size - origin.y.raw()))});
@@ -303,7 +303,7 @@ TEST_CASE("batch: slabs along skewed axes end outside the box around the edges")
   CHECK(rate.is_balanced());
 }
 
-TEST_CASE("batch: an empty batch, and shapes without room for answers") {
+TEST_CASE("batch: an empty batch, and shapes without room for results") {
   using S = q16_16;
   const Ray<S, 3> ray;
   CHECK_FALSE(raycast_first(ray, ShapeBatch<Sphere<S, 3>>({}, {})));

@@ -18,7 +18,7 @@ constexpr auto v(double x, double y = 0, double z = 0) {
   return at<S, 3>(x, y, z);
 }
 
-TEMPLATE_TEST_CASE("book: a point beside a ray, far from its origin, is not on it", "[book]",
+TEMPLATE_TEST_CASE("book: a point next to a ray, far from its origin, is not on it", "[book]",
                    q16_16, q24_8, double) {
   using S = TestType;
   const Ray<S, 3> ray{Vec<S, 3>(), Direction<S, 3>::along(2)};
@@ -26,7 +26,7 @@ TEMPLATE_TEST_CASE("book: a point beside a ray, far from its origin, is not on i
   CHECK(on(ray, v<S>(0, 0, 10000)));
 }
 
-TEMPLATE_TEST_CASE("book: a segment within a box intersects it", "[book]", q16_16, q14_16, q24_8,
+TEMPLATE_TEST_CASE("book: a segment inside a box intersects it", "[book]", q16_16, q14_16, q24_8,
                    q8_8, float, double) {
   using S = TestType;
   const Aabb<S, 3> box{v<S>(-2, -2, -2), v<S>(2, 2, 2)};
@@ -46,7 +46,7 @@ TEMPLATE_TEST_CASE("book: a collapsed triangle touches what its segment touches"
   CHECK_FALSE(overlaps(collapsed, Sphere{v<S>(0, 1.5), num<S>(1)}));
 }
 
-TEMPLATE_TEST_CASE("book: closest points are on the shape, and inside stay where they are",
+TEMPLATE_TEST_CASE("book: closest points are on the shape, and an inside point is its own",
                    "[book]", q16_16, q14_16, q24_8, q8_8, float, double) {
   using S = TestType;
   CHECK(closest_point(Triangle{v<S>(0, 1), v<S>(0), v<S>(1)}, v<S>(5)) == v<S>(1));
@@ -71,8 +71,8 @@ TEMPLATE_TEST_CASE("book: two boxes a thousand units apart do not overlap", "[bo
   CHECK(overlaps(box_at(0), box_at(2)));
 }
 
-TEMPLATE_TEST_CASE("book: of two triangles the nearer one is hit, in whichever order", "[book]",
-                   q16_16, q14_16, q24_8, q8_8, float, double) {
+TEMPLATE_TEST_CASE("book: the nearer of two triangles is hit, in either order", "[book]", q16_16,
+                   q14_16, q24_8, q8_8, float, double) {
   using S = TestType;
   const auto at_height = [](double z) {
     return Triangle{v<S>(-1, -1, z), v<S>(1, -1, z), v<S>(0, 2, z)};
@@ -82,7 +82,7 @@ TEMPLATE_TEST_CASE("book: of two triangles the nearer one is hit, in whichever o
   CHECK(raycast(ray, Compound{far_first}) == num<S>(5));
 }
 
-TEMPLATE_TEST_CASE("book: three planes meet in the point that they name", "[book]", q16_16, q14_16,
+TEMPLATE_TEST_CASE("book: three planes intersect in their common point", "[book]", q16_16, q14_16,
                    q24_8, q8_8, float, double) {
   using S = TestType;
   const auto plane = [](int axis, double offset) {
@@ -91,8 +91,8 @@ TEMPLATE_TEST_CASE("book: three planes meet in the point that they name", "[book
   CHECK(intersection(plane(0, 1), plane(1, 2), plane(2, 3)) == v<S>(1, 2, 3));
 }
 
-// Not half a unit at every distance.
-TEMPLATE_TEST_CASE("book: unit spheres overlap by what the distance lacks of two", "[book]", q16_16,
+// A fixed half unit would be wrong.
+TEMPLATE_TEST_CASE("book: two unit spheres overlap by two minus the distance", "[book]", q16_16,
                    q14_16, float, double) {
   using S = TestType;
   const Sphere<S, 3> unit{Vec<S, 3>(), num<S>(1)};

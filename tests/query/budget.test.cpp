@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How many bits the widest intermediates of the queries have, from their types; and inputs that use
-// more than half of a range given to `narrow`.
+// The widths of the widest intermediates of the queries, from their types; and inputs that use more
+// than half of a range passed to `narrow`.
 
 #include "detent/query/distance.hpp"
 #include "detent/query/raycast.hpp"
@@ -36,13 +36,13 @@ static_assert(bits<decltype(Feature<q16_16>::numerator)> <= 198);
 static_assert(bits<decltype(Feature<q16_16>::denominator)> <= 132);
 static_assert(bits<decltype(Feature<q8_8>::numerator)> <= 102);
 
-// The opposite corners of the domain, and the direction from one to the other.
+// Opposite corners of the domain, and the direction between them.
 template <Scalar S>
 constexpr Vec<S, 3> low_corner{S::lowest(), S::lowest(), S::lowest()};
 template <Scalar S>
 constexpr Vec<S, 3> high_corner{S::max(), S::max(), S::max()};
 
-/// Whether `x` needs more than half of the magnitudes of its type.
+/// Whether `x` exceeds half of its type's range of magnitudes.
 template <int B, int F>
 constexpr bool fills(const Fixed<B, F>& x) {
   return bit_length(x.raw()) >= B;
@@ -65,7 +65,7 @@ static_assert(ranges_are_used<q14_16>());
 static_assert(ranges_are_used<q24_8>());
 static_assert(ranges_are_used<q8_8>());
 
-TEST_CASE("budget: the ranges that narrow was promised are used at run time too") {
+TEST_CASE("budget: run-time values use the ranges promised to narrow") {
   CHECK(ranges_are_used<q16_16>());
   CHECK(ranges_are_used<q14_16>());
   CHECK(ranges_are_used<q24_8>());

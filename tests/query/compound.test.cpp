@@ -13,7 +13,7 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("compound: no parts are nothing", "[compound]", DETENT_EVERY_SPACE) {
+TEMPLATE_TEST_CASE("compound: without parts it is empty", "[compound]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const Compound<Sphere<S, N>, Aabb<S, N>> nothing;
@@ -33,8 +33,8 @@ TEMPLATE_TEST_CASE("compound: no parts are nothing", "[compound]", DETENT_EVERY_
   CHECK(closest_point(nothing, at<S, N>(1, 2)) == at<S, N>(1, 2));
 }
 
-TEMPLATE_TEST_CASE("compound: the first listed of equally near parts counts", "[compound]",
-                   DETENT_EVERY_SPACE) {
+TEMPLATE_TEST_CASE("compound: among equally near parts, the first in the list is returned",
+                   "[compound]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const std::array<Sphere<S, N>, 2> spheres{Sphere{at<S, N>(-3), num<S>(1)},
@@ -54,7 +54,7 @@ TEMPLATE_TEST_CASE("compound: the first listed of equally near parts counts", "[
   REQUIRE(interval);
   CHECK((interval->enter == num<S>(2) && interval->exit == num<S>(10)));
 
-  // A list may hold compounds.
+  // A list may contain compounds.
   const std::array inner{compound};
   CHECK(contains(Compound{inner}, at<S, N>(3.5)));
   CHECK(overlaps(compound, Compound{inner}));
@@ -64,7 +64,8 @@ TEMPLATE_TEST_CASE("compound: the first listed of equally near parts counts", "[
 }
 
 /// Compares the results of `compound` with those of a loop over all its shapes.
-TEMPLATE_TEST_CASE("compound: answers as its parts do", "[compound]", DETENT_FIXED_SPACES) {
+TEMPLATE_TEST_CASE("compound: results equal those of its parts", "[compound]",
+                   DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   oracle::Draw<S, N> draw(0xc0b0);

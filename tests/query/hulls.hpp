@@ -35,8 +35,7 @@ constexpr auto flat() {
   }
 }
 
-/// f(hull) for the points; checks that it is the same with the points in other orders and
-/// duplicated.
+/// Returns f(hull) for the points, and checks that reordering or duplicating them changes nothing.
 template <Scalar S, int N, std::size_t Count, class F>
 auto in_every_order(const Points<S, N, Count>& points, const F& f) {
   const auto answer = f(ConvexHull<S, N>{points});

@@ -35,7 +35,7 @@ TEMPLATE_TEST_CASE("intersection: the point of two lines", "[intersection]", q16
   CHECK_FALSE(intersection(one, Plane<S, 2>{-x, num<S>(1)}).has_value());
 }
 
-TEMPLATE_TEST_CASE("intersection: far away it ends at the end of the domain", "[intersection]",
+TEMPLATE_TEST_CASE("intersection: a distant point is clamped to the domain", "[intersection]",
                    q16_16, q14_16, q24_8, q8_8) {
   using S = TestType;
   using D = Direction<S, 2>;

@@ -6,7 +6,7 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("on: a tolerance counts up to and with its end", "[on]", DETENT_EVERY_SPACE) {
+TEMPLATE_TEST_CASE("on: the tolerance includes its limit", "[on]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const auto is_near = [](const auto& shape, const Vec<S, N>& point, double tolerance) {
@@ -41,7 +41,7 @@ TEMPLATE_TEST_CASE("on: a tolerance counts up to and with its end", "[on]", DETE
   CHECK_FALSE(is_near(obb, point, 4.5));
 }
 
-TEMPLATE_TEST_CASE("on: without a tolerance, or with 0, exactly on", "[on]", DETENT_EVERY_SPACE) {
+TEMPLATE_TEST_CASE("on: exact without a tolerance or with 0", "[on]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const Segment<S, N> segment{at<S, N>(1, 1), at<S, N>(9, 1)};

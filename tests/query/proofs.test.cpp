@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The bounds given to `narrow` are tight: for each bound from geometry there is an input that
-// reaches at least half of it. The functions also run with those inputs, and their assertions hold.
-// Bounds that follow from a type, such as a sum of a number of terms or a negated number, are
-// tested with the type; `budget.test.cpp` has those of rays, planes and spheres.
+// The bounds passed to `narrow` are tight: each geometric bound has an input that reaches at least
+// half of it. The functions also run with those inputs, so that their assertions hold. Bounds that
+// follow from a type, such as those of sums and negations, are tested with the type;
+// `budget.test.cpp` covers rays, planes and spheres.
 
 #include "detent/math/angle_between.hpp"
 #include "detent/math/inverse.hpp"
@@ -25,7 +25,7 @@ namespace {
 
 using namespace detent;
 
-/// Whether `x` needs more than half of the magnitudes of its type.
+/// Whether `x` exceeds half of its type's range of magnitudes.
 template <int B, int F>
 constexpr bool fills(const Fixed<B, F>& x) {
   return bit_length(x.raw()) >= B;
@@ -44,7 +44,7 @@ template <Scalar S>
 constexpr S low = S::lowest();
 template <Scalar S>
 constexpr S high = S::max();
-/// The type of a difference of coordinates, and its largest value.
+/// The type of a difference of coordinates, and its greatest value.
 template <Scalar S>
 using Offset = decltype(S() - S());
 template <Scalar S>
@@ -62,7 +62,7 @@ TEMPLATE_TEST_CASE("proofs: Hadamard's bound is reached by determinants", "", DE
   using S = TestType;
   constexpr S l = low<S>, h = high<S>;
   CHECK(is_half_of(determinant(Mat<S, 2, 2>{{Vec{l, l}, Vec{h, l}}}), times<2>(l * l)));
-  // 4 of 3 sqrt(3) times the cube of a component.
+  // 4 out of 3 sqrt(3), times the cube of a component.
   const auto three = determinant(Mat<S, 3, 3>{{Vec{l, l, l}, Vec{l, h, l}, Vec{l, l, h}}});
   CHECK(is_half_of(three, times<6>(l * l * h)));
   if constexpr (S::bits < 31) {
@@ -86,11 +86,11 @@ TEMPLATE_TEST_CASE("proofs: areas, quaternions and projections reach their bound
   const Quat<S> unit;
   CHECK(fills(dot(unit, unit)));
   const auto column = detail::quaternion_columns<detail::cosine_bits<S>>(unit.vec())[0];
-  // 1 of sqrt(3), squared.
+  // 1 out of sqrt(3), squared.
   CHECK(is_half_of(times<2>(square(column.x * l)), times<3>(square(squared_length(unit) * l))));
   CHECK(rotate(unit, u) == u);
 
-  // 3 of 3 sqrt(3), and 2 of 2 sqrt(3).
+  // 3 out of 3 sqrt(3), and 2 out of 2 sqrt(3).
   CHECK(is_half_of(times<2>(dot(u, u) * l), times<11>(l * l * h)));
   CHECK(project(u, u) == u);
   CHECK(reject(u, u) == Vec<S, 3>{});
@@ -101,7 +101,7 @@ TEMPLATE_TEST_CASE("proofs: areas, quaternions and projections reach their bound
   CHECK(transform_point(turned, u).x == l);       // clamped from 3 l
 }
 
-TEMPLATE_TEST_CASE("proofs: a line against two offsets needs the bits that they have", "",
+TEMPLATE_TEST_CASE("proofs: a line with two offsets uses the bits of its bound", "",
                    DETENT_FIXED_TYPES) {
   using S = TestType;
   constexpr auto m = far<S>;
@@ -112,7 +112,7 @@ TEMPLATE_TEST_CASE("proofs: a line against two offsets needs the bits that they 
   CHECK(fills(narrow_dot<bits_of<Offset<S>> + along + 1>(e, cross(third<S>, w))));
   CHECK(fills(detail::narrow_square<2 * along>(moment)));
 
-  // For three corners of the world, 2 sqrt(3) of the 3 |w| |e| of free vectors, halved.
+  // For three corners of the world: 2 sqrt(3) out of the 3 |w| |e| of free vectors, halved.
   constexpr S l = low<S>, h = high<S>;
   const Vec<S, 3> a{l, l, l}, b{h, h, l}, c{l, h, h};
   const auto across = *normalize(Vec<S, 3>{S(1), S(-1), S(1)});
@@ -123,7 +123,7 @@ TEMPLATE_TEST_CASE("proofs: a line against two offsets needs the bits that they 
   CHECK(raycast(Ray<S, 3>{a, across}, ConvexHull<S, 3>{points}) == S(0));
 }
 
-TEMPLATE_TEST_CASE("proofs: corners seen along a line, and how they turn about it", "",
+TEMPLATE_TEST_CASE("proofs: corners seen along a line, and their winding about it", "",
                    DETENT_FIXED_TYPES) {
   using S = TestType;
   constexpr S l = low<S>, h = high<S>;
@@ -134,7 +134,7 @@ TEMPLATE_TEST_CASE("proofs: corners seen along a line, and how they turn about i
   CHECK(fills(line.turn(line.seen({h, h, l}), line.seen({l, h, h}))));
 }
 
-TEMPLATE_TEST_CASE("proofs: a point beside an edge is as far as the lengths allow", "",
+TEMPLATE_TEST_CASE("proofs: a point next to an edge is as far as the lengths allow", "",
                    DETENT_FIXED_TYPES) {
   using S = TestType;
   constexpr auto m = far<S>;
@@ -150,7 +150,7 @@ TEMPLATE_TEST_CASE("proofs: a point beside an edge is as far as the lengths allo
   CHECK(fills(narrow<bits_of<S> + bits_of<direction_component<S>> - 1>(excess.x)));
 }
 
-TEMPLATE_TEST_CASE("proofs: a point beside a capsule makes the largest triangle of the world", "",
+TEMPLATE_TEST_CASE("proofs: a point next to a capsule makes the largest triangle of the world", "",
                    DETENT_FIXED_TYPES) {
   using S = TestType;
   constexpr S l = low<S>, h = high<S>;
@@ -169,7 +169,7 @@ TEMPLATE_TEST_CASE("proofs: a line that grazes a wide capsule uses the bits of i
   using S = TestType;
   constexpr S l = low<S>, h = high<S>;
   const Capsule<S, 3> capsule{{l, l, l}, {h, h, h}, h};
-  // To the side of the axis, off by the radius less about a hundredth of it.
+  // Off the axis by the radius minus about a hundredth of it.
   const auto beside = nearest_to<S>(h * third<S>[0]), below = nearest_to<S>(h * third<S>[1]);
   const auto back = S::from_raw(static_cast<typename S::raw_type>(h.raw() / 2));
   const S step = S::from_raw(static_cast<typename S::raw_type>(h.raw() / 128));

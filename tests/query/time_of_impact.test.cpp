@@ -13,7 +13,7 @@
 namespace detent::test {
 namespace {
 
-// A sweep in the plane of x and y, also in space.
+// A sweep in the xy plane, also in 3D.
 template <Scalar S, int N>
 Sweep<S, N> from_to(double x, double y, double to_x, double to_y) {
   return {at<S, N>(x, y), at<S, N>(to_x, to_y)};
@@ -31,7 +31,7 @@ inline constexpr bool is_coarse = false;
 template <int Bits>
 inline constexpr bool is_coarse<Fixed<Bits, 8>> = true;
 
-/// Whether the impact is at this time or so much before it that the bodies are nearly touching.
+/// Whether the impact is at this time, or earlier by so little that the bodies nearly touch.
 template <Scalar S>
 bool is_about(const std::optional<Impact<S>>& impact, double time) {
   return impact && impact->is_hit && static_cast<double>(impact->time) <= time &&
@@ -53,7 +53,7 @@ TEMPLATE_TEST_CASE("time of impact: a bullet does not pass through a thin plate"
   CHECK_FALSE(time_of_impact(bullet, above, plate, rests));
 }
 
-TEMPLATE_TEST_CASE("time of impact: a rod hits by its turn alone", "[toi]",
+TEMPLATE_TEST_CASE("time of impact: a rod hits by rotation alone", "[toi]",
                    DETENT_EVERYDAY_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -66,7 +66,7 @@ TEMPLATE_TEST_CASE("time of impact: a rod hits by its turn alone", "[toi]",
   // (1 - t) 1 + t (r + r k), so tan(a / 2) = t r / (1 - t + t r).
   const double tangent = std::tan(std::acos(0.25) / 2), r = std::sqrt(0.5);
   CHECK(is_about(time_of_impact(rod, turn, ball, rests), tangent / (r + tangent * (1 - r))));
-  // The other way about.
+  // In the opposite direction.
   auto back = turn;
   back.end_rotation = turned<S, N>(-1, 4);
   CHECK(is_about(time_of_impact(rod, back, ball, rests), tangent / (r + tangent * (1 - r))));
@@ -82,7 +82,7 @@ TEMPLATE_TEST_CASE("time of impact: a rod hits by its turn alone", "[toi]",
   }
 }
 
-TEMPLATE_TEST_CASE("time of impact: touch at the start, none, and equal motion", "[toi]",
+TEMPLATE_TEST_CASE("time of impact: touch at the start, no touch, and equal motion", "[toi]",
                    DETENT_EVERYDAY_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -94,7 +94,7 @@ TEMPLATE_TEST_CASE("time of impact: touch at the start, none, and equal motion",
   CHECK(touches->time == 0);
   CHECK(time_of_impact(ball, rests, box, rests)->time == 0);
   CHECK_FALSE(time_of_impact(ball, from_to<S, N>(3, 0, 9, 0), box, rests));
-  // In step, one unit apart, turning about themselves, is no touch.
+  // Moving together, one unit apart and rotating, they do not touch.
   const auto first = from_to<S, N>(-9, 0, 20, 3), second = from_to<S, N>(-6, 0, 23, 3);
   CHECK_FALSE(time_of_impact(ball, first, box, second));
   auto spins = first;
@@ -102,7 +102,7 @@ TEMPLATE_TEST_CASE("time of impact: touch at the start, none, and equal motion",
   CHECK_FALSE(time_of_impact(ball, spins, box, second));
 }
 
-TEMPLATE_TEST_CASE("time of impact: grazing is decided to within the target", "[toi]",
+TEMPLATE_TEST_CASE("time of impact: grazing contact is decided to within the target", "[toi]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -121,7 +121,7 @@ TEMPLATE_TEST_CASE("time of impact: grazing is decided to within the target", "[
   CHECK(time_of_impact(ball, from_to<S, N>(-20, 5, 20, 5), ball, rests, S(4)));
 }
 
-TEMPLATE_TEST_CASE("time of impact: a plane is met from either side", "[toi]",
+TEMPLATE_TEST_CASE("time of impact: a plane is hit from either side", "[toi]",
                    DETENT_EVERYDAY_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -135,7 +135,7 @@ TEMPLATE_TEST_CASE("time of impact: a plane is met from either side", "[toi]",
     CHECK(time_of_impact(ball, from_to<S, N>(4, 0, 9, 0), plane)->time == 0);
     CHECK_FALSE(time_of_impact(Sphere<S, N>{{}, S(-1)}, from_to<S, N>(9, 0, 1, 2), plane));
   }
-  // A rod along the plane, turned upright: its end is 5 sin(a) away, and a is at t as above.
+  // A rod along the plane turns upright: its end is 5 sin(a) away, and a at t is as above.
   const Capsule<S, N> rod{at<S, N>(0, -5), at<S, N>(0, 5), S(0)};
   auto turn = from_to<S, N>(0, 0, 0, 0);
   turn.end_rotation = turned<S, N>(1, 4);
@@ -143,7 +143,7 @@ TEMPLATE_TEST_CASE("time of impact: a plane is met from either side", "[toi]",
   CHECK(is_about(time_of_impact(rod, turn, wall), tangent / (r + tangent * (1 - r))));
 }
 
-TEMPLATE_TEST_CASE("time of impact: a shape of the world is one that rests", "[toi]",
+TEMPLATE_TEST_CASE("time of impact: a shape given in world space is at rest", "[toi]",
                    DETENT_EVERYDAY_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -66,7 +66,7 @@ constexpr bool all_take_right_calls_only() {
   return are_right;
 }
 
-TEMPLATE_TEST_CASE("wrong calls: there are none, and all right ones are left", "[query]", q8_8,
+TEMPLATE_TEST_CASE("wrong calls: they do not compile, and all correct calls do", "[query]", q8_8,
                    q16_16, float) {
   STATIC_REQUIRE(all_take_right_calls_only<TestType, 2>());
   STATIC_REQUIRE(all_take_right_calls_only<TestType, 3>());
@@ -90,7 +90,7 @@ constexpr bool frusta_take_right_calls_only() {
          !Distant<Point, Body>;
 }
 
-TEMPLATE_TEST_CASE("wrong calls: with a frustum too", "[query]", q8_8, q16_16, float) {
+TEMPLATE_TEST_CASE("wrong calls: with a frustum as well", "[query]", q8_8, q16_16, float) {
   STATIC_REQUIRE(frusta_take_right_calls_only<TestType>());
 }
 

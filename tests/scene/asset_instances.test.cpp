@@ -22,7 +22,7 @@ using Vec3 = Vec<S, 3>;
 using World = AnyScene<S, 3, PlacedMesh<S>, PlacedHull<S, 3>, PlacedField<S>>;
 using Local = AnyShape<S, 3, PlacedMesh<S>, PlacedHull<S, 3>, PlacedField<S>>;
 
-/// The assets, and the data that they view.
+/// The assets and the data that they refer to.
 struct Stock {
   std::deque<std::vector<Triangle<S, 3>>> triangles;
   std::deque<OwnedMesh<S>> owned;
@@ -250,7 +250,7 @@ void step(Historian<S, 3>& history, World& scene, Plain& plain, const FrameId& f
   plain.show(object);
 }
 
-/// A scene of the same objects, added in order of index, with copies of the assets.
+/// A scene of the same objects, added in index order, with copies of the assets.
 World fresh(const Plain& plain, const FrameId& frame, const Stock& copies) {
   World scene;
   REQUIRE(scene.add_frame(plain.frame) == frame);
@@ -307,7 +307,8 @@ void live(std::uint64_t seed, int checks, HitRate& rate) {
 
 }  // namespace
 
-TEST_CASE("scene of assets: it answers as a list of placed hulls, fields and meshes", "[scene]") {
+TEST_CASE("scene of assets: results equal those of a list of placed hulls, fields and meshes",
+          "[scene]") {
   HitRate rate;
   for (std::uint64_t seed = 5; seed < 25; ++seed) live(seed, 12, rate);
   INFO(rate);

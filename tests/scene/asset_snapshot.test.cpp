@@ -49,7 +49,7 @@ Toys toys() {
 
 }  // namespace
 
-TEST_CASE("hull asset: one of more points than it can hold is refused", "[hull]") {
+TEST_CASE("hull asset: more points than it can hold are refused", "[hull]") {
   std::vector<Vec3> points(65, at(1, 2, 3));
   CHECK_FALSE(hull_asset(1, ConvexHull<S, 3>{points}));
   points.pop_back();
@@ -58,7 +58,7 @@ TEST_CASE("hull asset: one of more points than it can hold is refused", "[hull]"
   CHECK(bounding_box(PlacedHull{&*most}) == Aabb{at(1, 2, 3), at(1, 2, 3)});
 }
 
-TEST_CASE("placed hull: its points are placed, each rounded once", "[hull]") {
+TEST_CASE("placed hull: its points are transformed and rounded once", "[hull]") {
   Transform<S, 3> turned{.translation = at(1, 1, 1)};
   turned.rotation = Rotation<S, 3>::from_axis_angle(*normalize(at(1, 2, 3)),
                                                     Angle<S>::from_raw(std::uint32_t{1} << 29));
@@ -80,7 +80,7 @@ TEST_CASE("placed hull: its points are placed, each rounded once", "[hull]") {
   }
 }
 
-TEST_CASE("placed hull: scenes in the plane hold them too, and bounded ones", "[hull]") {
+TEST_CASE("placed hull: 2D scenes and bounded scenes hold them as well", "[hull]") {
   using S2 = q8_8;
   const auto point = [](int x, int y) { return Vec<S2, 2>{S2(x), S2(y)}; };
   const std::array corners{point(0, 0), point(4, 0), point(0, 4)};
@@ -96,7 +96,7 @@ TEST_CASE("placed hull: scenes in the plane hold them too, and bounded ones", "[
   CHECK(scene.nearest(point(0, -1)) == Found<S2>{S2(1), one});
 }
 
-TEST_CASE("placed field: it moves, and stays upright in a frame that turns", "[height_field]") {
+TEST_CASE("placed field: it moves and stays upright in a rotating frame", "[height_field]") {
   const Field field{&fields[0], at(1, 10, 2)};
   CHECK(bounding_box(field) == Aabb{at(-3, 10, -2), at(5, 13, 6)});
   const Ray down{at(1, 50, 2), -Direction<S, 3>::along(1), S(100)};
@@ -114,7 +114,7 @@ TEST_CASE("placed field: it moves, and stays upright in a frame that turns", "[h
   CHECK(distance(Field{}, at(0, 0, 0)) == largest<S>);
 }
 
-TEST_CASE("placed field: out of range it is cut off, and answers all the same", "[height_field]") {
+TEST_CASE("placed field: out of range it is clamped, and queries still work", "[height_field]") {
   const Field field{&fields[0], {S(32760), S(32766), S(0)}};
   const auto corner = nearest_to<S>(at(4, 0, 4) + field.translation);
   CHECK(bounding_box(field).max.y == largest<S>);
@@ -135,7 +135,7 @@ TEST_CASE("placed field: out of range it is cut off, and answers all the same", 
         S::from_raw(65535));
 }
 
-TEST_CASE("snapshot of assets: the scene is what it was, whatever its assets are a copy of") {
+TEST_CASE("snapshot of assets: the scene is restored with any copy of its assets") {
   Toys scene = toys();
   const auto bytes = snapshot(scene);
   const auto before = digest(scene);
@@ -155,7 +155,7 @@ TEST_CASE("snapshot of assets: the scene is what it was, whatever its assets are
         Found<S>{S(7), {1, 2}});
 }
 
-TEST_CASE("snapshot of assets: a hull takes 89 bytes, a field 49, and they stay as they are") {
+TEST_CASE("snapshot of assets: a hull takes 89 bytes and a field 49, and the bytes never change") {
   Toys scene;
   const auto none = snapshot(scene).size();
   scene.add(Hull{&hulls[0]});
@@ -167,7 +167,8 @@ TEST_CASE("snapshot of assets: a hull takes 89 bytes, a field 49, and they stay 
   CHECK(digest(toys()) == 0x65c302f1bac31bf8u);
 }
 
-TEST_CASE("restore of assets: an unknown id and other contents are refused, the scene stays") {
+TEST_CASE(
+    "restore of assets: an unknown id or other contents are refused, and the scene is unchanged") {
   Toys scene = toys();
   const auto bytes = snapshot(scene);
   CHECK(scene.move({1, 2}, at(1, 1, 1)));
@@ -192,7 +193,7 @@ TEST_CASE("restore of assets: forged references are refused") {
   Toys scene = toys();
   const auto bytes = snapshot(scene);
   const auto before = digest(scene);
-  // After the header, frame, ball and the hull's object header; then comes a hull in a frame.
+  // A hull in a frame follows the header, frame, ball and the hull's object header.
   constexpr std::size_t hull_at = 48 + 64 + 41 + 25, field_at = hull_at + 2 * 89;
   const auto forged = [&](std::size_t place, std::uint32_t word) {
     auto copy = bytes;
@@ -204,7 +205,7 @@ TEST_CASE("restore of assets: forged references are refused") {
   CHECK(forged(hull_at, 8) == Restored::unknown_asset);
   CHECK(forged(hull_at, 9) == Restored::other_asset);
   CHECK(forged(hull_at + 4, 1) == Restored::other_asset);
-  CHECK(forged(hull_at + 12 + 12, 5) == Restored::corrupted);  // an axis that is no direction
+  CHECK(forged(hull_at + 12 + 12, 5) == Restored::corrupted);  // an axis that is not a direction
   CHECK(forged(field_at, 9) == Restored::unknown_asset);
   CHECK(forged(field_at, 7) == Restored::other_asset);
   CHECK(forged(field_at + 8, 1) == Restored::other_asset);
@@ -212,7 +213,7 @@ TEST_CASE("restore of assets: forged references are refused") {
   CHECK(scene.shape<Field>({4, 6})->translation.x == S::from_raw(5));
 }
 
-TEST_CASE("restore of assets: fixed ones count by their digests, and need not be given") {
+TEST_CASE("restore of assets: fixed ones are compared by digest, and need not be given") {
   Toys scene, other, same;
   scene.add(Field{&fields[0]}, {.motion = Motion::fixed});
   scene.add(Sphere{at(1, 2, 3), S(1)});

@@ -25,8 +25,8 @@ Raw<N> raw(const Vec<S, N>& point) {
   return result;
 }
 
-/// Shapes of nearly the greatest size, anywhere in the range of the scalar, which touch at a given
-/// point as closely as the grid allows.
+/// Shapes of nearly the greatest size, anywhere in the scalar's range, that touch at a given point
+/// as closely as the grid allows.
 template <Scalar S, int N>
 class Ends {
  public:
@@ -107,7 +107,7 @@ class Ends {
     ray.origin = D::vec(D::moved(spot, ray.direction, -random.between(0, D::limit)));
   }
 
-  /// A point near a corner of the box, if its center were `center`. The axes are only nearly
+  /// A point near a corner of the box if its center were `center`. The axes are only nearly
   /// perpendicular, so slabs end a few units off the corner of the edges.
   Raw<N> corner(Raw<N> center, const Obb<S, N>& box) {
     for (int i = 0; i < N; ++i) {
@@ -117,8 +117,8 @@ class Ends {
     return draw.near(center, 3);
   }
 
-  /// A ball (as a capsule) of the greatest radius, and a box of one point just where a world axis
-  /// leaves it: in the frame of the box it may be a unit nearer.
+  /// A ball (as a capsule) of the greatest radius, and a one-point box exactly where a world axis
+  /// leaves it; in the box's frame it may be a unit nearer.
   std::pair<Capsule<S, N>, Obb<S, N>> ball_and_point() {
     Raw<N> center = draw.point(D::limit / 2);
     const auto at = random.below(N);
@@ -201,8 +201,7 @@ bool boxes_meet(const Ray<S, N>& ray, const B& b) {
   return meet(detail::RayKeys<S, N>(probe));
 }
 
-/// Checks that of the pairs of shapes that `next` draws, those that overlap have boxes that
-/// overlap.
+/// Checks for pairs of shapes drawn by `next` that if they overlap, so do their boxes.
 template <class Next>
 void compare_boxes(int count, const Next& next) {
   HitRate rate;
@@ -256,8 +255,8 @@ TEST_CASE("bounds: a corner of a box with the greatest half extent is found", "[
   CHECK(scene.nearest(corner) == Found<S>{S(0), *id});
 }
 
-TEMPLATE_TEST_CASE("bounds: what meets has boxes that meet, at the ends of the range", "[scene]",
-                   (Space<q16_16, 3>), (Space<q14_16, 2>), (Space<q8_8, 3>)) {
+TEMPLATE_TEST_CASE("bounds: overlapping shapes have overlapping boxes at the ends of the range",
+                   "[scene]", (Space<q16_16, 3>), (Space<q14_16, 2>), (Space<q8_8, 3>)) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   Ends<S, N> ends(0xb0f5);
@@ -312,8 +311,9 @@ void ask_for_pairs(const World& scene, HitRate& rate) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("bounds: objects moved and in frames are found at the ends of the range",
-                   "[scene]", (Space<q16_16, 2>), (Space<q8_8, 3>)) {
+TEMPLATE_TEST_CASE(
+    "bounds: moved objects, and objects in frames, are found at the ends of the range", "[scene]",
+    (Space<q16_16, 2>), (Space<q8_8, 3>)) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   using Ball = Sphere<S, N>;

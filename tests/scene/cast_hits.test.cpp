@@ -49,7 +49,7 @@ struct Stock {
   Stock(const Stock&) = delete;
 };
 
-/// The expected hit of one object, its shape in the world.
+/// The expected hit of one object, given by its shape in world space.
 template <class Moving, class Shape>
 std::optional<Hit> hit_of(const Cast<Moving>& moving, const ObjectId& id, const Shape& shape) {
   const auto& [body, direction, length] = moving;
@@ -85,7 +85,7 @@ void ask(const World& scene, const Cast<Moving>& moving, const InLayers& filter,
 
 }  // namespace
 
-TEST_CASE("scene: hits of casts are those of the objects in the world, for every shape") {
+TEST_CASE("scene: hits of casts equal those of single casts at the objects, for every shape") {
   test::HitRate rate;
   int triangles = 0;
   for (const auto kind : {oracle::Kind::general, oracle::Kind::lattice, oracle::Kind::degenerate}) {
@@ -133,7 +133,7 @@ TEST_CASE("scene: hits of casts are those of the objects in the world, for every
   CHECK(triangles > 40);
 }
 
-TEST_CASE("scene: a bounded one answers casts without a heap, in the order of distance and id") {
+TEST_CASE("scene: a bounded scene casts without a heap, sorted by distance and id") {
   BoundedScene<Bounded<4>, S, 3, Sphere> scene;
   for (const int x : {9, 5, 5, 20}) scene.add(Sphere{at(x, 0, 0), S(1)});
   const Cast ball{Sphere{at(0, 0, 0), S(1)}, Direction<S, 3>::along(0), S(10)};

@@ -50,7 +50,7 @@ std::vector<Found<S>> ask_cast(const AnyScene<S, N>& scene, const PlainScene<S, 
   return expected;
 }
 
-/// A shape that moves from one of the objects' positions towards another.
+/// A shape that moves from one object's position towards another's.
 template <class Shape, Scalar S, int N>
 Cast<Shape> draw_cast(Historian<S, N>& history) {
   const auto ray = history.ray();
@@ -68,7 +68,7 @@ void check_casts(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain,
     const auto expected = ask_cast(scene, plain, moving, mask);
     rate.count(!expected.empty());
     if (expected.empty()) continue;
-    // To the last distance and one step farther: of equal distances, the least id.
+    // At the last distance and one step farther: among equal distances, the least id.
     moving.max_distance = expected.back().distance;
     ask_cast(scene, plain, moving, mask);
     moving.max_distance = next_up(moving.max_distance);
@@ -76,7 +76,7 @@ void check_casts(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain,
   }
 }
 
-/// Compares casts of shapes through a scene, in the middle of its history, with casts at each object.
+/// Compares casts through a scene, in the middle of its history, with casts at each object.
 template <Scalar S, int N, class... Shapes>
 void live_and_cast(std::uint64_t seed, std::size_t room, int steps, int checks) {
   HitRate rate;

@@ -22,8 +22,7 @@ namespace {
 Vec3 at(int x, int y, int z) { return {S(x), S(y), S(z)}; }
 Rotation<S, 3> quarter() { return Rotation<S, 3>::from_euler({}, {}, Angle<S>::turn(1, 4)); }
 
-/// Moving and fixed objects, one in a frame, with trees of several levels and an advanced
-/// generation.
+/// Moving and fixed objects, one in a frame, with trees of several levels and advanced generations.
 template <class World>
 void fill(World& scene) {
   for (int i = 0; i < 9; ++i) scene.add(Ball{at(3 * i, 0, 0), S(1)});
@@ -39,7 +38,7 @@ std::uint64_t state(const World& scene) {
   return digest(scene) + snapshot(scene, room) + scene.overlaps(std::span<Overlap>());
 }
 
-/// Checks that it equals a new scene, before and after objects are added.
+/// Checks that it equals a new scene before and after adding objects.
 template <class World>
 void check_is_new(World& scene) {
   const auto bytes_of = [](const World& of) {
@@ -62,7 +61,7 @@ void check_is_new(World& scene) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("scene: one that was moved from is as new", "", Toys, FewToys) {
+TEMPLATE_TEST_CASE("scene: a moved-from scene is like new", "", Toys, FewToys) {
   STATIC_REQUIRE(std::is_nothrow_move_constructible_v<TestType> &&
                  std::is_nothrow_move_assignable_v<TestType>);
   TestType scene;
@@ -95,7 +94,7 @@ TEMPLATE_TEST_CASE("scene: one that was moved from is as new", "", Toys, FewToys
   CHECK(state(copy) == state(second));
 }
 
-TEST_CASE("scene: no_object and no_frame name nothing, in a full scene as in any") {
+TEST_CASE("scene: no_object and no_frame refer to nothing, even in a full scene") {
   BoundedScene<Bounded<1, 1>, S, 3, Sphere> scene;
   const auto ball = scene.add(Ball{at(0, 0, 0), S(1)}).value_or(no_object);
   const auto none = scene.add(Ball{at(1, 0, 0), S(1)}).value_or(no_object);
@@ -119,7 +118,7 @@ TEST_CASE("scene: no_object and no_frame name nothing, in a full scene as in any
   CHECK_FALSE(scene.add(Ball{}, {.frame = hand}));
 }
 
-TEST_CASE("scene: frames say how they lie in their parents and in the world") {
+TEST_CASE("scene: frames give their transforms to parent and world") {
   Toys scene;
   const auto arm = scene.add_frame({.translation = at(10, 0, 0), .rotation = quarter()}).value();
   const auto hand = scene.add_frame({.translation = at(5, 0, 0), .scale = S(2)}, arm).value();
@@ -140,7 +139,7 @@ TEST_CASE("scene: frames say how they lie in their parents and in the world") {
   CHECK(scene.frame(hand)->world == Transform<S, 3>{at(6, 2, 3), {}, S(2)});
 }
 
-TEST_CASE("scene: replace_local takes what local_shape gives, and replace what shape gives") {
+TEST_CASE("scene: replace_local accepts what local_shape returns, and replace what shape returns") {
   Toys scene;
   const auto arm =
       scene.add_frame({.translation = at(10, 0, 0), .rotation = quarter(), .scale = S(3)}).value();
@@ -168,7 +167,7 @@ TEST_CASE("scene: replace_local takes what local_shape gives, and replace what s
   CHECK(scene.shape<Box>(outside) == Box{at(0, 0, 0), at(1, 2, 3)});
 }
 
-TEST_CASE("scene: an object is visited as the shape that it is in the world") {
+TEST_CASE("scene: an object is visited as its shape in world space") {
   Toys scene;
   const auto arm = scene.add_frame({.translation = at(10, 0, 0)}).value();
   const auto ball = scene.add(Ball{at(1, 0, 0), S(2)}, {.frame = arm}).value();
@@ -190,7 +189,7 @@ TEST_CASE("scene: an object is visited as the shape that it is in the world") {
   CHECK(seen.size() == 2);
 }
 
-TEST_CASE("scene: no question finds an empty object, however near") {
+TEST_CASE("scene: no query finds an empty object, however near") {
   Scene<S, 3, Sphere, Aabb, Obb, Capsule> scene;
   const Ball ball{at(0, 0, 0), S(-1)};
   const Box box{at(1, 0, 0), at(0, 1, 1)};
@@ -207,7 +206,7 @@ TEST_CASE("scene: no question finds an empty object, however near") {
   CHECK(scene.nearest(at(-9999, -9999, -9999)) == Found<S>{S::max(), far});
 }
 
-TEST_CASE("scene: changing a fixed object makes earlier snapshots those of another fixed part") {
+TEST_CASE("scene: changing a fixed object invalidates earlier snapshots") {
   Toys scene;
   scene.add(Ball{at(0, 0, 0), S(1)});
   const auto wall =

@@ -12,15 +12,14 @@ namespace {
 using S = q16_16;
 using V = Vec<S, 2>;
 
-/// Axes whose cosine is just below 2^-10: as skewed as an `Obb` may be without counting as
-/// everywhere.
+/// Axes with a cosine just below 2^-10: as skewed as an `Obb` can be without counting as unbounded.
 Rotation<S, 2> skewed() {
   return Rotation<S, 2>::from_axes({Direction<S, 2>::along(0), *normalize(V{S(1), S(1100)})});
 }
 
 }  // namespace
 
-TEST_CASE("scene: a skewed box reaches beyond its edges by a share of its longest side") {
+TEST_CASE("scene: a skewed box extends beyond its edges by a fraction of its longest side") {
   Scene<S, 2, Obb> scene;
   // |x| <= 1000 and |y + x / 1100| <= 1: at x = -999 up to y = 1.9.
   const Obb<S, 2> plank{{}, {S(1000), S(1)}, skewed()};
@@ -30,7 +29,7 @@ TEST_CASE("scene: a skewed box reaches beyond its edges by a share of its longes
   CHECK(scene.any(point));
 }
 
-TEST_CASE("scene: a skewed box is nearer in its own frame than as the crow flies") {
+TEST_CASE("scene: the distance of a skewed box is less in its own frame") {
   Scene<S, 2, Obb, Sphere> scene;
   const Obb<S, 2> speck{{}, {}, skewed()};
   const V point{S(700), S(-700)};
@@ -45,7 +44,7 @@ TEST_CASE("scene: a skewed box is nearer in its own frame than as the crow flies
   CHECK(nearest->id == *id);
 }
 
-TEST_CASE("scene: what moves a little beyond its neighbours is found there") {
+TEST_CASE("scene: an object that moves slightly beyond its neighbours is found there") {
   using Ball = Sphere<S, 2>;
   Scene<S, 2, Sphere> scene;
   std::vector<ObjectId> ids;
@@ -68,7 +67,7 @@ TEST_CASE("scene: what moves a little beyond its neighbours is found there") {
   }
 }
 
-TEST_CASE("scene: a removed frame is not the one that follows it at its index") {
+TEST_CASE("scene: a removed frame differs from the next one at its index") {
   Scene<S, 2, Sphere> scene;
   const auto gone = scene.add_frame({}).value();
   REQUIRE(scene.remove_frame(gone));

@@ -43,12 +43,12 @@ Names names(const World& a, const World& b, std::size_t most = 16) {
 
 }  // namespace
 
-TEST_CASE("diff: equal structs differ in nothing") {
+TEST_CASE("diff: equal structs have no difference") {
   CHECK(names(start(), start()).empty());
   CHECK_FALSE(diff(start(), start()));
 }
 
-TEST_CASE("diff: names every field that differs, in order, with its object") {
+TEST_CASE("diff: names every differing field, in order, with its object") {
   const auto game = start();
   auto other = game;
   other.arena.move({1, 2}, Vec<S, 3>{{}, S(2), {}});
@@ -64,7 +64,8 @@ TEST_CASE("diff: names every field that differs, in order, with its object") {
   CHECK_FALSE(diff(game, other)->object);
 }
 
-TEST_CASE("diff: an object or element of one alone is named once, and what follows is compared") {
+TEST_CASE(
+    "diff: an object or element that only one side has is named once, and the rest is compared") {
   const auto game = start();
   auto other = game;
   REQUIRE(other.arena.remove({0, 1}));
@@ -75,7 +76,7 @@ TEST_CASE("diff: an object or element of one alone is named once, and what follo
   CHECK(names(other, game) == expected);
 }
 
-TEST_CASE("diff: an element of many is found, and names that begin alike are kept apart") {
+TEST_CASE("diff: one element of many is found, and names with equal beginnings are kept apart") {
   std::array<int, 300> a{};
   auto b = a;
   for (std::size_t i = 0; i < a.size(); ++i) {

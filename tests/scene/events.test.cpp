@@ -106,7 +106,7 @@ TEST_CASE("overlap events: a pair begins, stays and ends") {
   CHECK(is(none, none, none));
 }
 
-TEST_CASE("overlap events: a removed object ends its pairs, its successor begins others") {
+TEST_CASE("overlap events: removing an object ends its pairs, and its successor begins new ones") {
   OverlapEvents events;
   Balls scene;
   const auto a = *scene.add(Ball{{}, S(1)}), b = *scene.add(Ball{{}, S(1)});
@@ -120,7 +120,7 @@ TEST_CASE("overlap events: a removed object ends its pairs, its successor begins
   CHECK(events.stayed().empty());
 }
 
-TEST_CASE("overlap events: without room the first pairs count") {
+TEST_CASE("overlap events: without room, the first pairs are kept") {
   BoundedOverlapEvents<2> events;
   const Pairs all{{first, second}, {first, third}, {second, third}};
   CHECK_FALSE(events.update(all));
@@ -130,7 +130,7 @@ TEST_CASE("overlap events: without room the first pairs count") {
   CHECK(list(events.ended()) == Pairs{all[0], all[1]});
 }
 
-TEST_CASE("overlap events: the differences of the sets of two frames") {
+TEST_CASE("overlap events: are the differences between the pairs of two frames") {
   Random random(0xe7e);
   INFO(random);
   Balls scene;
@@ -163,7 +163,7 @@ TEST_CASE("overlap events: the differences of the sets of two frames") {
   CHECK((began > 100 && stayed > 100 && ended > 100));
 }
 
-TEMPLATE_TEST_CASE("overlap events: the same after a rollback", "", Game, FewGame) {
+TEMPLATE_TEST_CASE("overlap events: a rollback reproduces them", "", Game, FewGame) {
   Random random(0x5a7e);
   INFO(random);
   TestType game;
@@ -180,11 +180,11 @@ TEMPLATE_TEST_CASE("overlap events: the same after a rollback", "", Game, FewGam
   CHECK(events > 100);
 }
 
-TEST_CASE("overlap events: kept outside of the world, a rollback changes them, and that shows") {
+TEST_CASE("overlap events: kept outside the world they change in a rollback, which is detected") {
   Game game;
   game.scene.add(Ball{{}, S(1)});
   game.scene.add(Ball{{}, S(1)});
-  OverlapEvents outside;  // a mistake
+  OverlapEvents outside;  // deliberately wrong
   SyncTest<Game, int> test(4);
   const auto desync = test.step(game, 0, [&](Game& world, int) {
     outside.update(world.scene.overlaps());

@@ -60,7 +60,7 @@ std::uint32_t last_one(std::uint32_t i) { return i + 1 == count ? detail::nowher
 
 }  // namespace
 
-TEST_CASE("frames: each is looked at a few times, whatever the order of their indices") {
+TEST_CASE("frames: each is accessed a few times, whatever the order of their indices") {
   accesses = 0;
   Frames chain = listed(next_one);
   CHECK(accesses < 20L * count);
@@ -85,7 +85,8 @@ TEST_CASE("frames: each is looked at a few times, whatever the order of their in
   CHECK_FALSE(star.has_moved(count - 1));
 }
 
-TEST_CASE("frames: adding many takes a few looks each, and the lowest free index is given first") {
+TEST_CASE(
+    "frames: adding many takes a few accesses each, and the lowest free index is used first") {
   Frames frames;
   accesses = 0;
   std::uint32_t generation = 1;
@@ -107,7 +108,7 @@ TEST_CASE("frames: adding many takes a few looks each, and the lowest free index
   CHECK_FALSE(add(0));
 }
 
-TEST_CASE("restore: 100,000 frames, each in the next one, take a few looks each") {
+TEST_CASE("restore: 100,000 nested frames take a few accesses each") {
   BasicScene<Counting, S, 3, Sphere<S, 3>> scene;
   std::vector<std::byte> bytes(snapshot(scene, std::span<std::byte>()));
   snapshot(scene, std::span(bytes));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a frustum keeps and culls of a town, counted against the exact frustum of the camera, whose
-// corners are not rounded. docs/scene.md shows these counts.
+// Counts what a frustum keeps and culls in a town, compared with the exact frustum of the camera,
+// whose corners are not rounded. docs/scene.md shows these counts.
 
 #include "detent/shape/frustum.hpp"
 
@@ -27,7 +27,7 @@ V random_point(Random& random, std::int64_t reach) {
   return make_vec<3>([&](int) { return number(random.between(-reach, reach)); });
 }
 
-/// A camera that stands anywhere near `away` and looks anywhere, from 0.1 to 200 units.
+/// A camera near `away` with a random position and direction, seeing from 0.1 to 200 units.
 Camera<S> random_camera(Random& random, const V& away) {
   const auto eye = nearest_to<S>(away + random_point(random, 20 << 16));
   const auto target = nearest_to<S>(away + random_point(random, 200 << 16));
@@ -37,7 +37,7 @@ Camera<S> random_camera(Random& random, const V& away) {
   return {pose.value(), lens.value()};
 }
 
-// The same in another number, as another program would have it.
+// The same value in another number type, as another program would have it.
 template <class F>
 struct Float {
   static F of(const S& x) { return static_cast<F>(static_cast<double>(x)); }
@@ -61,7 +61,7 @@ struct Float {
   }
 };
 
-/// The usual test: a box is culled if it lies behind one of six planes, by its nearest corner.
+/// The usual test: a box is culled if its nearest corner is behind one of six planes.
 class SixPlanes {
  public:
   explicit SixPlanes(const Frustum<float>& frustum) {
@@ -107,7 +107,7 @@ struct Counts {
   Count rounded;  // against the hull of the rounded corners, by a linear program
 };
 
-/// Counts boxes, each drawn for its camera.
+/// Counts boxes, each drawn for its own camera.
 template <class DrawBox>
 Counts count_boxes(Random& random, const V& away, int cameras, int boxes, const DrawBox& draw_box) {
   Counts counts;
@@ -154,7 +154,7 @@ Rotation<S, 3> any_rotation(Random& random) {
 
 namespace {
 
-/// Boxes of any size anywhere, `away` from the origin with the camera.
+/// Boxes of any size anywhere, `away` from the origin like the camera.
 Counts count_town(std::uint64_t seed, const V& away) {
   Random random(seed);
   return count_boxes(random, away, 20, 1'000, [&](const Camera<S>&) {
@@ -165,7 +165,7 @@ Counts count_town(std::uint64_t seed, const V& away) {
   });
 }
 
-/// Boxes that a side of the frustum touches, within four steps.
+/// Boxes that touch a side of the frustum within four steps.
 Counts count_border(std::uint64_t seed, const V& away) {
   Random random(seed);
   return count_boxes(random, away, 20, 1'000, [&](const Camera<S>& camera) {
@@ -194,19 +194,19 @@ const V here{}, far_away{S(20'000), S(-20'000), S(20'000)};
 
 }  // namespace
 
-TEST_CASE("frustum: of a town it culls no visible box and keeps no invisible one", "[scene]") {
+TEST_CASE("frustum: in a town it culls no visible box and keeps no invisible one", "[scene]") {
   for (const auto& away : {here, far_away}) {
     const auto counts = count_town(0x70c4, away);
     show("town", counts);
     CHECK(counts.visible > 1'000);
     CHECK(counts.exact.culled_visible == 0);
     CHECK(counts.exact.kept_invisible == 0);
-    // What the count is worth: the usual test keeps more than it should.
+    // For comparison, the usual test keeps more than it should.
     CHECK(counts.six_planes.kept_invisible > counts.visible / 50);
   }
 }
 
-TEST_CASE("frustum: of boxes at its border it decides all that are a rounded corner away",
+TEST_CASE("frustum: decides all boxes at its border that are more than a rounded corner away",
           "[scene]") {
   for (const auto& away : {here, far_away}) {
     const auto counts = count_border(0xb04de4, away);
@@ -215,7 +215,7 @@ TEST_CASE("frustum: of boxes at its border it decides all that are a rounded cor
     CHECK(counts.invisible > 6'000);
     CHECK(counts.rounded.culled_visible == 0);
     CHECK(counts.rounded.kept_invisible == 0);
-    // Corners are rounded, by less than one step, and so are the sides between them.
+    // Corners, and the sides between them, are rounded by less than one step.
     CHECK(counts.exact.culled_visible < counts.visible / 20);
     CHECK(counts.exact.kept_invisible < counts.invisible / 20);
     CHECK(counts.six_planes.culled_visible > 4 * counts.exact.culled_visible);
@@ -223,7 +223,7 @@ TEST_CASE("frustum: of boxes at its border it decides all that are a rounded cor
   }
 }
 
-TEST_CASE("frustum: a scene measures distances from the middle of its near side", "[scene]") {
+TEST_CASE("frustum: a scene measures distances from the center of its near side", "[scene]") {
   const auto pose = look_at(V{}, V{S(0), S(0), S(-1)}, V{S(0), S(1), S(0)});
   const auto lens = Lens<S>::perspective(Angle<S>::turn(1, 4), S(2), S(3), S(100));
   const Frustum frustum{Camera<S>{pose.value(), lens.value()}};

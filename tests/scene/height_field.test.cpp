@@ -11,14 +11,15 @@
 namespace detent::test {
 namespace {
 
-/// A field with its samples: flat, rough, or of random bits.
+/// A field with its samples: flat, rough or of random bits.
 template <Scalar S>
 struct Terrain {
   std::vector<S> heights;
   std::uint32_t columns, rows;
   S cell;
   Vec<S, 2> corner;
-  std::int64_t reach;  // of the field from its middle, which is the origin if it fits the scalar
+  std::int64_t
+      reach;  // the field's extent from its center, which is the origin if it fits the scalar
 
   explicit Terrain(oracle::Draw<S, 3>& draw) {
     auto& random = draw.random;
@@ -57,7 +58,7 @@ std::vector<Triangle<S, 3>> triangles_of(const HeightField<S>& field) {
   return triangles;
 }
 
-TEMPLATE_TEST_CASE("height field: its answers are those of the mesh of its triangles",
+TEMPLATE_TEST_CASE("height field: results equal those of the mesh of its triangles",
                    "[height_field]", q16_16, q8_8) {
   using S = TestType;
   oracle::Draw<S, 3> draw(0x7e44a);
@@ -136,8 +137,8 @@ TEMPLATE_TEST_CASE("height field: its triangles face up and meet at the samples"
   CHECK(raycast(down, cell[0].triangle, Facing::front));
 }
 
-TEMPLATE_TEST_CASE("height field: samples that make no cell make no field", "[height_field]",
-                   q16_16, q24_8) {
+TEMPLATE_TEST_CASE("height field: samples without a cell are refused", "[height_field]", q16_16,
+                   q24_8) {
   using S = TestType;
   const std::array<S, 6> heights{};
   const auto make = [&](S cell, std::uint32_t columns, std::uint32_t rows, S start) {

@@ -59,7 +59,7 @@ Walk visit_crossing(const Counted<S>& surface, const Segment<S, 3>& segment,
 
 namespace {
 
-/// A field whose borders, samples and queries use few numbers, so that many coincide.
+/// A field whose borders, samples and queries use few distinct numbers, so that many coincide.
 template <Scalar S>
 struct Lattice {
   static constexpr std::uint32_t side = 4;
@@ -173,8 +173,8 @@ TEMPLATE_TEST_CASE(
   CHECK(rays.is_balanced());
 }
 
-/// Flat ground of 128 x 128 cells with a tower in the middle: every box around more than a few
-/// cells is as high as the tower.
+/// Flat ground of 128 x 128 cells with a tower in the middle: a box around more than a few cells is
+/// as high as the tower.
 struct Plain {
   static constexpr std::uint32_t side = 129;
   std::vector<q16_16> heights = std::vector<q16_16>(side * side);
@@ -207,7 +207,7 @@ Count cells_along(const HeightField<S>& field, const Segment<S, 3>& segment) {
   return count;
 }
 
-TEST_CASE("height field: a line looks at the cells below it and at no others", "[height_field]") {
+TEST_CASE("height field: a line visits only the cells below it", "[height_field]") {
   using S = q16_16;
   const Plain plain;
   const auto& field = *plain.field;
@@ -230,7 +230,7 @@ TEST_CASE("height field: a line looks at the cells below it and at no others", "
   CHECK(count(at<S, 3>(-60, 101, 1), at<S, 3>(60, 200, 1)) == 0);  // higher than the tower
 }
 
-TEST_CASE("height field: a tower makes nobody ask the triangles of the plain", "[height_field]") {
+TEST_CASE("height field: a tower does not slow down queries over the plain", "[height_field]") {
   using S = q16_16;
   const Plain plain;
   const auto& field = *plain.field;
@@ -272,7 +272,7 @@ TEST_CASE("height field: a tower makes nobody ask the triangles of the plain", "
   CHECK(asked <= 8);
 }
 
-TEST_CASE("height field: the nearest triangle is sought no farther than it can be",
+TEST_CASE("height field: the nearest triangle is not searched for beyond its upper bound",
           "[height_field]") {
   using S = q16_16;
   const Plain plain;

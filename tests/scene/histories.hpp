@@ -14,8 +14,8 @@
 #include "scene/any_scene.hpp"
 #include "support/catch.hpp"
 
-/// One of each width and dimension: a scene instantiates every query of the library, which is slow
-/// to compile.
+/// One scalar per width and dimension: a scene instantiates every query of the library, which is
+/// slow to compile.
 #define DETENT_SCENE_SPACES \
   (detent::test::Space<detent::q16_16, 3>), (detent::test::Space<detent::q8_8, 2>)
 
@@ -53,7 +53,7 @@ class PlainScene {
     return list;
   }
 
-  /// Skips empty objects, although `distance` returns the greatest number for them.
+  /// Skips empty objects, for which `distance` returns the greatest number.
   std::optional<Found<S>> nearest(const Vec<S, N>& point, std::uint32_t mask) const {
     std::optional<Found<S>> best;
     for (const auto& [index, object] : objects) {
@@ -84,7 +84,7 @@ class PlainScene {
     return list;
   }
 
-  /// A scene of the same objects, added in order of index.
+  /// A scene of the same objects, added in index order.
   AnyScene<S, N> fresh() const {
     AnyScene<S, N> scene;
     for (const auto& [index, object] : objects) {

@@ -32,7 +32,7 @@ long ask(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain, const Quest
   return expected.empty() ? 0 : 1;
 }
 
-/// Checks that a scene has the results of a list of its objects, and of a new scene of them.
+/// Checks that a scene gives the results of a list of its objects, and of a new scene of them.
 template <Scalar S, int N>
 void check(const AnyScene<S, N>& scene, const PlainScene<S, N>& plain, Historian<S, N>& history,
            long& asked, long& found) {
@@ -81,7 +81,7 @@ void live(std::uint64_t seed, std::size_t room, int steps, int checks) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("scene: answers as a list of its objects does, whatever its history", "",
+TEMPLATE_TEST_CASE("scene: results equal those of a list of its objects, after any history", "",
                    DETENT_SCENE_SPACES) {
   live<typename TestType::scalar, TestType::dimension>(7, 60, 150, 6);
 }

@@ -56,7 +56,7 @@ Hit hit_of(const Ray<S, 3>& ray, const ObjectId& id, const Shape& shape) {
 
 }  // namespace
 
-TEST_CASE("scene: hits are those of the queries on the objects, for every shape") {
+TEST_CASE("scene: hits equal those of single raycasts at the objects, for every shape") {
   test::HitRate rate;
   int triangles = 0;
   for (const auto kind : {oracle::Kind::general, oracle::Kind::lattice, oracle::Kind::degenerate}) {
@@ -111,7 +111,7 @@ TEST_CASE("scene: hits are those of the queries on the objects, for every shape"
   CHECK(triangles > 50);
 }
 
-TEST_CASE("scene: a bounded one answers hits without a heap, in the order of distance and id") {
+TEST_CASE("scene: a bounded scene gives hits without a heap, sorted by distance and id") {
   BoundedScene<Bounded<4>, S, 3, Sphere> scene;
   for (const int x : {9, 5, 5, 20}) scene.add(Sphere{at(x, 0, 0), S(1)});
   const Ray<S, 3> ray{at(0, 0, 0), Direction<S, 3>::along(0), S(10)};

@@ -11,7 +11,8 @@
 namespace detent::test {
 namespace {
 
-/// Rays like their neighbours: of the same origin, direction or length, or equal; now and then not.
+/// Rays similar to their predecessors: the same origin, direction or length, or equal; sometimes
+/// unrelated.
 template <Scalar S>
 std::vector<Ray<S, 3>> draw_neighbours(oracle::Draw<S, 3>& draw,
                                        const std::vector<Triangle<S, 3>>& triangles, MeshKind kind,
@@ -29,7 +30,7 @@ std::vector<Ray<S, 3>> draw_neighbours(oracle::Draw<S, 3>& draw,
   return rays;
 }
 
-TEMPLATE_TEST_CASE("many rays: a mesh answers a batch as it would each", "[mesh]",
+TEMPLATE_TEST_CASE("many rays: a mesh gives the results of single raycasts", "[mesh]",
                    DETENT_FIXED_SCALARS) {
   using S = TestType;
   HitRate rate;
@@ -60,8 +61,8 @@ TEMPLATE_TEST_CASE("many rays: a mesh answers a batch as it would each", "[mesh]
   CHECK(rate.is_balanced());
 }
 
-TEMPLATE_TEST_CASE("many rays: a scene answers each as it would alone", "[scene]", q16_16, q8_8,
-                   float) {
+TEMPLATE_TEST_CASE("many rays: a scene gives the results of single raycasts", "[scene]", q16_16,
+                   q8_8, float) {
   using S = TestType;
   Random random(0x5ce3e);
   HitRate rate;
@@ -76,7 +77,7 @@ TEMPLATE_TEST_CASE("many rays: a scene answers each as it would alone", "[scene]
     for (int i = 0; i < 60; ++i) {
       const Traits traits{.layers = random.coin() ? 1u : 2u,
                           .motion = random.one_in(4) ? Motion::fixed : Motion::moving};
-      // Some touch or repeat others, so that distances are equal.
+      // Some objects touch or repeat others, so that distances are equal.
       const auto at = vec(corner(random.coin() ? 5 : 30));
       if (random.coin()) {
         scene.add(Sphere<S, 3>{at, S(4)}, traits);
@@ -107,7 +108,7 @@ TEMPLATE_TEST_CASE("many rays: a scene answers each as it would alone", "[scene]
     };
     compare(Everything());
     compare(InLayers{2});
-    // With room for fewer answers, only those are given.
+    // With less room, only the results that fit are written.
     any.fill(true);
     scene.any_each(all, std::span(any).first(2));
     REQUIRE(std::count(any.begin() + 2, any.end(), true) == 148);

@@ -6,12 +6,12 @@
 namespace detent::test {
 namespace {
 
-TEST_CASE("mesh: a round shape first touches what a loop over all triangles finds", "[mesh]") {
+TEST_CASE("mesh: a round shape first touches the triangle found by a loop over all", "[mesh]") {
   compare_casts_at_meshes<true, q16_16>(0xca57, 8);
   compare_casts_at_meshes<true, q8_8>(0xca58, 8);
 }
 
-TEST_CASE("height field: a moving ball first touches what a loop over its triangles finds",
+TEST_CASE("height field: a moving ball first touches the triangle found by a loop over all",
           "[mesh]") {
   using S = q16_16;
   oracle::Draw<S, 3> draw(0xf1e1d);
@@ -41,7 +41,7 @@ TEST_CASE("height field: a moving ball first touches what a loop over its triang
   CHECK(rate.is_balanced());
 }
 
-TEST_CASE("mesh: nothing moves without points, and no triangles are never touched", "[mesh]") {
+TEST_CASE("mesh: an empty shape touches nothing, and an empty mesh is never touched", "[mesh]") {
   using S = q16_16;
   const Mesh<S> nothing;
   const auto along = toward<S, 3>(1);
@@ -57,7 +57,7 @@ TEST_CASE("mesh: nothing moves without points, and no triangles are never touche
   CHECK_FALSE(cast_nearest(Sphere{ball.center, num<S>(-1)}, along, num<S>(9), owned.view()));
 }
 
-TEST_CASE("mesh: a ball that passes over a triangle skips it, one that touches it does not",
+TEST_CASE("mesh: a ball that passes over a triangle skips it, and one that touches it does not",
           "[mesh]") {
   using S = q16_16;
   const Triangle ground{at<S, 3>(0, 1, 0), at<S, 3>(0, 1, 9), at<S, 3>(9, 1, 0)};

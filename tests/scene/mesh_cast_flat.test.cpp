@@ -4,13 +4,13 @@
 namespace detent::test {
 namespace {
 
-TEST_CASE("mesh: a polytope first touches what a loop over all triangles finds", "[mesh]") {
+TEST_CASE("mesh: a polytope first touches the triangle found by a loop over all", "[mesh]") {
   compare_casts_at_meshes<false, q16_16>(0xca59, 6);
 }
 
-TEST_CASE("mesh: the far end of a box that begins beyond the range is not forgotten", "[mesh]") {
+TEST_CASE("mesh: the far end of a box that starts beyond the range counts", "[mesh]") {
   using S = q16_16;
-  // From (29000, 0) it reaches to (49500, 20500) and moves to the left.
+  // From (29000, 0) it extends to (49500, 20500) and moves to the left.
   const auto turn =
       Rotation<S, 3>::from_axis_angle(toward<S, 3>(0, 0, 1), Angle<S>::from_degrees(num<S>(45)));
   const Obb<S, 3> rod{at<S, 3>(29000), at<S, 3>(29000, 100, 100), turn};

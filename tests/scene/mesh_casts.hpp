@@ -42,8 +42,8 @@ void compare(const Cast<Shape>& moving, const Surface& surface,
   if (expected) REQUIRE(hit == cast(shape, direction, length, triangles[expected->index]));
 }
 
-/// Casts a shape of each kind at a surface: from somewhere towards one of its triangles, in some
-/// direction, or as far as the first touch and one step farther.
+/// Casts a shape of each kind at a surface: towards one of its triangles, in a random direction, or
+/// as far as the first touch and one step farther.
 template <bool is_round, Scalar S, class Surface>
 void compare_shapes(const Surface& surface, const std::vector<Triangle<S, 3>>& triangles,
                     MeshKind kind, std::int64_t reach, oracle::Draw<S, 3>& draw, HitRate& rate) {

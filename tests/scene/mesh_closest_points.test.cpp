@@ -22,7 +22,7 @@ OwnedMesh<S> mesh_of(const std::vector<Triangle<S, 3>>& triangles) {
   return OwnedMesh<S>{std::span<const Triangle<S, 3>>(triangles)};
 }
 
-/// The nearest triangle by a plain loop: the first of those with equal distances.
+/// The nearest triangle by a plain loop; among equal distances, the first.
 template <Scalar S, class Shape>
 Points<S> expected_points(const std::vector<Triangle<S, 3>>& triangles, const Shape& shape) {
   const auto nearest = std::min_element(
@@ -40,7 +40,7 @@ void compare(const Mesh<S>& mesh, const std::vector<Triangle<S, 3>>& triangles,
   const auto expected = expected_points(triangles, shape);
   rate.count(expected.first != expected.second);
   CHECK(closest_points(mesh, shape) == expected);
-  // The same triangle; the canonical point may be another one.
+  // The same triangle; the canonical point may differ.
   const auto swapped = closest_points(shape, mesh);
   if (expected.first != expected.second) {
     CHECK(swapped == Points<S>{expected.second, expected.first});
@@ -63,7 +63,8 @@ TEST_CASE("mesh: the closest points are those of the first nearest triangle", "[
   CHECK(rate.percent() >= 20);
 }
 
-TEST_CASE("mesh: the closest points of two are those of their first nearest triangles", "[mesh]") {
+TEST_CASE("mesh: closest points of two meshes are those of their first nearest triangles",
+          "[mesh]") {
   using S = q16_16;
   std::vector<Triangle<S, 3>> others;
   for_meshes<S>(0xc15e, 3, [&](MeshKind kind, const auto& triangles, auto, auto& draw) {

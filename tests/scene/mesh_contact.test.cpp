@@ -30,7 +30,7 @@ std::vector<MeshContact<S>> contacts_of(const Surface& surface, const Shape& sha
 }
 
 /// Adds a sheet of 2 n^2 triangles from `corner` along u and v, n steps of each, with the front on
-/// the side of u x v. Every other square is cut the other way.
+/// the side of u x v. Every other square is split along the other diagonal.
 template <Scalar S>
 void add_sheet(Triangles<S>& triangles, const std::array<int, 3>& corner,
                const std::array<int, 3>& u, const std::array<int, 3>& v, int n) {
@@ -52,8 +52,8 @@ void add_sheet(Triangles<S>& triangles, const std::array<int, 3>& corner,
   }
 }
 
-/// Visits a ball, a capsule, boxes and a hull whose lowest points are about at `low`, small and
-/// large against a square of the sheets.
+/// Visits a ball, a capsule, boxes and a hull whose lowest points are at about `low`, small and
+/// large compared with a square of the sheets.
 template <Scalar S, class Visit>
 void visit_sliders(const Vec<S, 3>& low, const Visit& visit) {
   for (const double size : {0.25, 1.5}) {
@@ -70,7 +70,8 @@ void visit_sliders(const Vec<S, 3>& low, const Visit& visit) {
   }
 }
 
-/// Where a shape slides: over the inner squares of a sheet, along its lines and across them.
+/// Positions of a sliding shape: over the inner squares of a sheet, along its lines and across
+/// them.
 template <Scalar S, class Visit>
 void visit_places(const Visit& visit) {
   Random random(0x5147de);
@@ -81,8 +82,8 @@ void visit_places(const Visit& visit) {
   }
 }
 
-TEMPLATE_TEST_CASE("mesh contacts: on a tessellated plane there is no normal but the plane's",
-                   "[mesh]", q16_16, q8_8) {
+TEMPLATE_TEST_CASE("mesh contacts: a tessellated plane gives only the plane's normal", "[mesh]",
+                   q16_16, q8_8) {
   using S = TestType;
   for (const auto facing : {Facing::both, Facing::front}) {
     for (const auto& sides : {std::pair{std::array{0, 0, 2}, std::array{2, 0, 0}},
@@ -146,8 +147,8 @@ TEMPLATE_TEST_CASE("mesh contacts: over a ridge the normal turns from one side t
   CHECK(steps > 60);
 }
 
-TEMPLATE_TEST_CASE("mesh contacts: in a valley there are the normals of both sides and no other",
-                   "[mesh]", q16_16, q8_8) {
+TEMPLATE_TEST_CASE("mesh contacts: a valley gives the normals of both sides and no other", "[mesh]",
+                   q16_16, q8_8) {
   using S = TestType;
   Triangles<S> triangles;
   add_sheet<S>(triangles, {-8, 8, -4}, {0, 0, 2}, {2, -2, 0}, 4);
@@ -175,7 +176,7 @@ TEMPLATE_TEST_CASE("mesh contacts: in a valley there are the normals of both sid
   CHECK(both > 20);
 }
 
-TEMPLATE_TEST_CASE("mesh contacts: on a box the walls do not push what lies on its top", "[mesh]",
+TEMPLATE_TEST_CASE("mesh contacts: the walls of a box do not push what lies on its top", "[mesh]",
                    q16_16, q8_8) {
   using S = TestType;
   Triangles<S> triangles;
@@ -220,8 +221,8 @@ TEMPLATE_TEST_CASE("mesh contacts: a height field pushes up what is below it", "
   CHECK(met > 60);
 }
 
-TEMPLATE_TEST_CASE("mesh contacts: sorted, counted, and none lost where the shape touches",
-                   "[mesh]", q16_16, q8_8) {
+TEMPLATE_TEST_CASE("mesh contacts: sorted, counted, and complete where the shape touches", "[mesh]",
+                   q16_16, q8_8) {
   using S = TestType;
   HitRate rate;
   for_meshes<S>(0xc0de, 8, [&](MeshKind kind, const auto& triangles, auto, auto& draw) {

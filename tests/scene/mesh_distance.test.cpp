@@ -36,7 +36,8 @@ void compare(const Mesh<S>& mesh, const std::vector<Triangle<S, 3>>& triangles,
   CHECK(distance(shape, mesh) == expected);
 }
 
-TEMPLATE_TEST_CASE("mesh: as far from a shape as its nearest triangle", "[mesh]", q16_16, q8_8) {
+TEMPLATE_TEST_CASE("mesh: its distance to a shape is that of its nearest triangle", "[mesh]",
+                   q16_16, q8_8) {
   using S = TestType;
   HitRate rate;
   for_meshes<S>(0xd157, 12, [&](MeshKind kind, const auto& triangles, auto, auto& draw) {
@@ -55,7 +56,8 @@ TEMPLATE_TEST_CASE("mesh: as far from a shape as its nearest triangle", "[mesh]"
   CHECK(rate.percent() >= 20);
 }
 
-TEMPLATE_TEST_CASE("mesh: as far from another as their nearest triangles", "[mesh]", q16_16, q8_8) {
+TEMPLATE_TEST_CASE("mesh: the distance of two meshes is that of their nearest triangles", "[mesh]",
+                   q16_16, q8_8) {
   using S = TestType;
   HitRate rate;
   std::vector<Triangle<S, 3>> others;
@@ -75,7 +77,8 @@ TEMPLATE_TEST_CASE("mesh: as far from another as their nearest triangles", "[mes
   CHECK(rate.percent() >= 20);
 }
 
-TEST_CASE("height field: as far from a shape and a mesh as its nearest triangle", "[mesh]") {
+TEST_CASE("height field: its distance to a shape or mesh is that of its nearest triangle",
+          "[mesh]") {
   using S = q16_16;
   std::vector<S> heights(9 * 9);
   for (std::size_t i = 0; i < heights.size(); ++i) heights[i] = num<S>(double((i * 7) % 5) / 2);

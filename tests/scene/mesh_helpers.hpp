@@ -69,7 +69,7 @@ std::vector<Triangle<S, 3>> draw_mesh(oracle::Draw<S, 3>& draw, MeshKind kind, s
   return triangles;
 }
 
-/// A point near the mesh: near a corner, an edge or the inside of a triangle.
+/// A point near a corner, an edge or the inside of one of the mesh's triangles.
 template <Scalar S>
 oracle::Raw<3> draw_target(oracle::Draw<S, 3>& draw, const std::vector<Triangle<S, 3>>& mesh,
                            std::int64_t reach) {

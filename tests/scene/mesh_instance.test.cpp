@@ -37,7 +37,7 @@ struct Meshes {
   }
 };
 
-/// What the scene should hold: each object in the world, with meshes as lists of triangles.
+/// The expected contents: each object in world space, with meshes as lists of triangles.
 class PlainWorld {
  public:
   using Shape = std::variant<Ball, Plane<S, 3>, Placed>;
@@ -192,7 +192,7 @@ void step(Historian<S, 3>& history, World& scene, PlainWorld& plain, const Frame
   plain.place(object);
 }
 
-/// A scene of the same objects, added in order of index, with copies of the meshes.
+/// A scene of the same objects, added in index order, with copies of the meshes.
 World fresh(const PlainWorld& plain, const FrameId& frame, const Assets& copies) {
   World scene;
   CHECK(scene.add_frame(plain.frame) == frame);
@@ -249,7 +249,7 @@ void live(std::uint64_t seed, std::size_t room, int steps, int checks, HitRate& 
 
 }  // namespace
 
-TEST_CASE("mesh instance: a scene answers as a list of placed triangles, whatever its history") {
+TEST_CASE("mesh instance: results equal those of a list of placed triangles, after any history") {
   HitRate rate;
   live(3, 16, 60, 6, rate);
   INFO(rate);

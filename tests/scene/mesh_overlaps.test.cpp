@@ -11,7 +11,7 @@
 namespace detent::test {
 namespace {
 
-/// Compares a shape against a mesh, in both orders and as a list, with a loop over all triangles.
+/// Compares a shape with a mesh, in both orders and as a list, against a loop over all triangles.
 template <Scalar S, class Shape>
 bool overlaps_as_one_by_one(const Mesh<S>& mesh, const std::vector<Triangle<S, 3>>& triangles,
                             const Shape& shape, std::size_t room) {
@@ -28,7 +28,7 @@ bool overlaps_as_one_by_one(const Mesh<S>& mesh, const std::vector<Triangle<S, 3
   return !expected.empty();
 }
 
-/// Compares shapes against meshes of a seed with a loop over all triangles.
+/// Compares shapes with meshes of a seed against a loop over all triangles.
 template <Scalar S>
 void compare_shapes(std::uint64_t seed, int rounds, int bits, HitRate& rate) {
   for_meshes<S>(seed, rounds, bits, [&](auto kind, const auto& triangles, auto reach, auto& draw) {
@@ -60,15 +60,15 @@ void compare_shapes(std::uint64_t seed, int rounds, int bits, HitRate& rate) {
   });
 }
 
-TEMPLATE_TEST_CASE("mesh: shapes overlap it as they overlap its triangles one by one", "[mesh]",
-                   q16_16, q8_8) {
+TEMPLATE_TEST_CASE("mesh: a shape overlaps it exactly if it overlaps one of its triangles",
+                   "[mesh]", q16_16, q8_8) {
   HitRate rate;
   compare_shapes<TestType>(0x0e51a9, 8, 8, rate);
   INFO(rate);
   CHECK(rate.is_balanced());
 }
 
-TEMPLATE_TEST_CASE("mesh: many more shapes overlap as loops over many more triangles say",
+TEMPLATE_TEST_CASE("mesh: many more shapes overlap as loops over many more triangles do",
                    "[mesh][.demand]", q16_16, q8_8) {
   HitRate rate;
   for (const auto seed : oracle::demanded_seeds()) {

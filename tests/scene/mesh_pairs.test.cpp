@@ -27,7 +27,7 @@ bool any_pair(const std::vector<Triangle<S, 3>>& a, const std::vector<Triangle<S
   });
 }
 
-/// Compares meshes of a seed against others with a loop over all pairs of triangles.
+/// Compares meshes of a seed with others against a loop over all pairs of triangles.
 template <Scalar S>
 void compare_pairs(std::uint64_t seed, int rounds, int bits, HitRate& rate) {
   for_meshes<S>(seed, rounds, bits, [&](auto kind, const auto& triangles, auto reach, auto& draw) {
@@ -52,15 +52,15 @@ void compare_pairs(std::uint64_t seed, int rounds, int bits, HitRate& rate) {
   });
 }
 
-TEMPLATE_TEST_CASE("mesh: two overlap where any two of their triangles do", "[mesh]", q16_16,
-                   q8_8) {
+TEMPLATE_TEST_CASE("mesh: two meshes overlap exactly if two of their triangles do", "[mesh]",
+                   q16_16, q8_8) {
   HitRate rate;
   compare_pairs<TestType>(0x9a125, 60, 8, rate);
   INFO(rate);
   CHECK(rate.is_balanced());
 }
 
-TEMPLATE_TEST_CASE("mesh: many more pairs overlap as loops over many more triangles say",
+TEMPLATE_TEST_CASE("mesh: many more pairs overlap as loops over many more triangles do",
                    "[mesh][.demand]", q16_16, q8_8) {
   HitRate rate;
   for (const auto seed : oracle::demanded_seeds()) {
@@ -70,8 +70,8 @@ TEMPLATE_TEST_CASE("mesh: many more pairs overlap as loops over many more triang
   CHECK(rate.is_balanced());
 }
 
-TEMPLATE_TEST_CASE("mesh: a plane overlaps it where it overlaps any of its triangles", "[mesh]",
-                   q16_16, q8_8) {
+TEMPLATE_TEST_CASE("mesh: a plane overlaps it exactly if it overlaps one of its triangles",
+                   "[mesh]", q16_16, q8_8) {
   using S = TestType;
   HitRate rate;
   for_meshes<S>(0x97a9e, 15, [&](MeshKind kind, const auto& triangles, auto reach, auto& draw) {
@@ -116,8 +116,8 @@ TEMPLATE_TEST_CASE("mesh: contains the points of its triangles", "[mesh]", q16_1
   CHECK(rate.is_balanced());
 }
 
-TEMPLATE_TEST_CASE("mesh: pairs that touch, lie in one plane, are collapsed or empty", "[mesh]",
-                   q16_16, q8_8, float, double) {
+TEMPLATE_TEST_CASE("mesh: pairs that touch, are coplanar, collapsed or empty", "[mesh]", q16_16,
+                   q8_8, float, double) {
   using S = TestType;
   const auto one = [](const Vec<S, 3>& a, const Vec<S, 3>& b, const Vec<S, 3>& c) {
     return mesh_of<S>({Triangle{a, b, c}});

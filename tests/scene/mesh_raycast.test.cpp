@@ -70,7 +70,7 @@ TEMPLATE_TEST_CASE("mesh: many more rays hit what loops over many more triangles
   CHECK(rate.is_balanced());
 }
 
-TEMPLATE_TEST_CASE("mesh: no triangles are never hit", "[mesh]", q16_16, q8_8, float, double) {
+TEMPLATE_TEST_CASE("mesh: an empty mesh is never hit", "[mesh]", q16_16, q8_8, float, double) {
   using S = TestType;
   const Mesh<S> nothing;
   const Ray ray{Vec<S, 3>(), toward<S, 3>(1)};
@@ -80,8 +80,8 @@ TEMPLATE_TEST_CASE("mesh: no triangles are never hit", "[mesh]", q16_16, q8_8, f
   CHECK(is_empty(bounding_box(nothing)));
 }
 
-TEMPLATE_TEST_CASE("mesh: the nearest triangle is hit whatever their order", "[mesh]", q16_16, q8_8,
-                   float, double) {
+TEMPLATE_TEST_CASE("mesh: the nearest triangle is hit, whatever their order", "[mesh]", q16_16,
+                   q8_8, float, double) {
   using S = TestType;
   const auto layer = [](double z) {
     return Triangle{at<S, 3>(-1, -1, z), at<S, 3>(1, -1, z), at<S, 3>(0, 1, z)};

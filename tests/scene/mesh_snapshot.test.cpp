@@ -46,7 +46,7 @@ Toys toys() {
 
 }  // namespace
 
-TEST_CASE("snapshot of meshes: the scene is what it was, whatever its meshes are a copy of") {
+TEST_CASE("snapshot of meshes: the scene is restored with any copy of its meshes") {
   Toys scene = toys();
   const auto bytes = snapshot(scene);
   const auto before = digest(scene);
@@ -63,7 +63,7 @@ TEST_CASE("snapshot of meshes: the scene is what it was, whatever its meshes are
         Found<S>{S(9), {1, 2}});
 }
 
-TEST_CASE("snapshot of meshes: a moving one takes 89 bytes, of however many triangles") {
+TEST_CASE("snapshot of meshes: a moving mesh takes 89 bytes for any number of triangles") {
   Toys scene;
   const auto none = snapshot(scene).size();
   scene.add(Placed{&assets[0]});
@@ -72,14 +72,15 @@ TEST_CASE("snapshot of meshes: a moving one takes 89 bytes, of however many tria
   CHECK(snapshot(scene).size() == none + 2 * 89);
 }
 
-TEST_CASE("snapshot of meshes: their bytes in version 1 stay as they are") {
+TEST_CASE("snapshot of meshes: the bytes of version 1 never change") {
   CHECK(assets[0].digest() == 0x396d6b53fcaada56u);
   CHECK(digest(toys()) == 0x6454eaf033b35856u);
   const auto bytes = snapshot(toys());
   CHECK(detail::load_word<std::uint64_t>(bytes.data() + bytes.size() - 8) == 0x5af7bc8b96776e64u);
 }
 
-TEST_CASE("restore of meshes: an unknown id and other triangles are refused, the scene stays") {
+TEST_CASE(
+    "restore of meshes: an unknown id or other triangles are refused, and the scene is unchanged") {
   Toys scene = toys();
   const auto bytes = snapshot(scene);
   CHECK(scene.move({1, 2}, at(1, 1, 1)));
@@ -124,12 +125,12 @@ TEST_CASE("restore of meshes: a forged reference is refused") {
   CHECK(forged(rock_at, 8) == Restored::unknown_mesh);
   CHECK(forged(rock_at, 9) == Restored::other_mesh);
   CHECK(forged(rock_at + 4, 1) == Restored::other_mesh);
-  CHECK(forged(rock_at + 12 + 12, 5) == Restored::corrupted);  // an axis that is no direction
+  CHECK(forged(rock_at + 12 + 12, 5) == Restored::corrupted);  // an axis that is not a direction
   CHECK(forged(rock_at + 12, 5) == Restored::yes);             // another translation
   CHECK(scene.shape<Placed>({1, 2})->transform.translation.x == S::from_raw(5));
 }
 
-TEST_CASE("restore of meshes: fixed ones count by their digests, and need not be given") {
+TEST_CASE("restore of meshes: fixed ones are compared by digest, and need not be given") {
   Toys scene, other, same;
   scene.add(Placed{&assets[1]}, {.motion = Motion::fixed});
   scene.add(Sphere{at(1, 2, 3), S(1)});
@@ -142,7 +143,7 @@ TEST_CASE("restore of meshes: fixed ones count by their digests, and need not be
   CHECK(digest(same) == digest(scene));
 }
 
-TEST_CASE("sync test: scenes of meshes part under the names of their fields") {
+TEST_CASE("sync test: names the fields in which scenes of meshes diverge") {
   Toys scene = toys();
   SyncTest<Toys, int> test(3);
   const auto simulate = [](Toys& world, int x) { CHECK(world.move({1, 2}, at(x, 0, 0))); };

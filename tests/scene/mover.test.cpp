@@ -11,7 +11,7 @@ using test::Level;
 
 namespace {
 
-// From an ULP to the skin and the errors of rounding it.
+// From an ULP to the skin and its rounding errors.
 constexpr double skin = 1.0 / 64 + 1e-3;
 
 }  // namespace
@@ -37,8 +37,7 @@ TEMPLATE_TEST_CASE("mover: falls onto a floor, stays a skin above it, and walks 
   CHECK(result.pushed == Vec<TestType, 3>{});
 }
 
-TEMPLATE_TEST_CASE("mover: walks up a slope of 30 degrees, and not up one of 60", "", q16_16,
-                   float) {
+TEMPLATE_TEST_CASE("mover: walks up a slope of 30 degrees but not one of 60", "", q16_16, float) {
   for (const int degrees : {30, 60}) {
     Level<TestType> level;
     level.floor();
@@ -54,7 +53,7 @@ TEMPLATE_TEST_CASE("mover: walks up a slope of 30 degrees, and not up one of 60"
       const auto before = walker.shape;
       level.walk(walker, 50, 0);
       CHECK(level.x(walker) == Approx(double(before.a.x)).margin(0.01));
-      // And follows it down.
+      // It also follows the slope down.
       level.walk(walker, 10, -5);
       CHECK(walker.ground.is_grounded);
       CHECK(level.x(walker) < double(before.a.x) - 0.4);
@@ -104,7 +103,7 @@ TEMPLATE_TEST_CASE("mover: climbs stairs and walks down them", "", q16_16, float
   CHECK(level.x(walker) < 0.7);
 }
 
-TEMPLATE_TEST_CASE("mover: a step higher than its limit is a wall", "", q16_16, float) {
+TEMPLATE_TEST_CASE("mover: a step higher than the limit is a wall", "", q16_16, float) {
   Level<TestType> level;
   level.floor();
   level.box(level.at(100, 0, -500), level.at(500, 45, 500));
@@ -117,7 +116,8 @@ TEMPLATE_TEST_CASE("mover: a step higher than its limit is a wall", "", q16_16, 
   CHECK(level.feet(walker) == Approx(0.45 + 1.0 / 64).margin(0.01));
 }
 
-TEMPLATE_TEST_CASE("mover: slides along a wall at the speed along it", "", q16_16, float) {
+TEMPLATE_TEST_CASE("mover: slides along a wall at its velocity's component along the wall", "",
+                   q16_16, float) {
   Level<TestType> level;
   level.floor();
   level.box(level.at(100, 0, -2000), level.at(200, 300, 2000));
@@ -169,7 +169,7 @@ TEMPLATE_TEST_CASE("mover: follows the crease of two slanted walls", "", q16_16,
   CHECK(level.feet(walker) == Approx(rest).margin(0.05));
 }
 
-TEMPLATE_TEST_CASE("mover: does not pass under a ceiling that is too low", "", q16_16, float) {
+TEMPLATE_TEST_CASE("mover: does not pass under a low ceiling", "", q16_16, float) {
   Level<TestType> level;
   level.floor();
   level.box(level.at(100, 170, -500), level.at(500, 300, 500));
@@ -184,7 +184,7 @@ TEMPLATE_TEST_CASE("mover: does not pass under a ceiling that is too low", "", q
   CHECK(level.x(walker) == Approx(3).margin(0.02));
 }
 
-TEMPLATE_TEST_CASE("mover: rides a lift and a turning disc", "", q16_16, float) {
+TEMPLATE_TEST_CASE("mover: rides a lift and a rotating disc", "", q16_16, float) {
   using S = TestType;
   Level<S> level;
   const auto lift = level.world.add_frame({}).value_or(no_frame);
@@ -219,7 +219,7 @@ TEMPLATE_TEST_CASE("mover: rides a lift and a turning disc", "", q16_16, float) 
   CHECK(walker.ground.is_grounded);
 }
 
-TEMPLATE_TEST_CASE("mover: jumps, meets a ceiling and lands", "", q16_16, float) {
+TEMPLATE_TEST_CASE("mover: jumps, hits a ceiling and lands", "", q16_16, float) {
   Level<TestType> level;
   level.floor();
   level.box(level.at(-500, 250, -500), level.at(500, 300, 500));
@@ -253,7 +253,7 @@ TEMPLATE_TEST_CASE("mover: is pushed out of what it overlaps at the start", "", 
   CHECK_FALSE(level.world.any(walker.shape));
 }
 
-TEMPLATE_TEST_CASE("mover: a filter says what it meets", "", q16_16, float) {
+TEMPLATE_TEST_CASE("mover: a filter selects what it collides with", "", q16_16, float) {
   Level<TestType> level;
   level.floor();
   const auto door = level.box(level.at(100, 0, -500), level.at(200, 300, 500), {.layers = 2});
@@ -268,7 +268,7 @@ TEMPLATE_TEST_CASE("mover: a filter says what it meets", "", q16_16, float) {
   CHECK(level.x(walker) < 1);
 }
 
-TEST_CASE("mover: its state is digested and compared field by field") {
+TEST_CASE("mover: its state has a digest and is compared field by field") {
   using S = q16_16;
   Level<S> level;
   level.floor();

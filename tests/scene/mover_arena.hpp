@@ -15,7 +15,7 @@
 
 namespace detent::test {
 
-/// A place of random shapes, mesh and terrain around the origin, in raw units.
+/// Random shapes, a mesh and terrain around the origin, in raw units.
 template <Scalar S>
 class Arena {
  public:
@@ -60,13 +60,13 @@ class Arena {
   Direction<S, 3> direction() {
     return direction_of<S>(point(unit)).value_or(Direction<S, 3>::along(0));
   }
-  /// A move: of any length, now and then many times the size of what is there.
+  /// A move of any length, sometimes many times the size of the arena.
   Vec<S, 3> move() {
     return random.one_in(8)    ? point(20)
            : random.one_in(10) ? point(15 * unit)
                                : point(random.coin() ? unit / 8 : unit / 3);
   }
-  /// The same towards somewhere in the middle, and falling or not.
+  /// A move towards somewhere in the middle, falling or not.
   Vec<S, 3> move_from(const Vec<S, 3>& at) {
     auto by = random.one_in(3)
                   ? move()
@@ -127,8 +127,8 @@ struct Tally {
   long pushed = 0, stuck = 0;
 };
 
-/// Moves characters through random places, and checks that none ends overlapping what it did not
-/// overlap before, and that the same move again has the same result.
+/// Moves characters through random arenas. Checks that none ends in a new overlap, and that
+/// repeating a move gives the same result.
 template <Scalar S, template <class, int> class Shape>
 void explore(std::uint64_t seed, int moves, Tally& tally) {
   Arena<S> arena(seed);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Movers in the plane.
+// Movers in 2D.
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@
 using namespace detent;
 using test::Level;
 
-TEMPLATE_TEST_CASE("mover: walks, climbs and slides in the plane too", "", q24_8, q8_8) {
+TEMPLATE_TEST_CASE("mover: walks, climbs and slides in 2D", "", q24_8, q8_8) {
   using S = TestType;
   using V = Vec<S, 2>;
   const auto at = [](int x, int y) { return V{Level<S>::number(x), Level<S>::number(y)}; };

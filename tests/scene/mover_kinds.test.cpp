@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Movers of other shapes than a capsule, and at the ends of the range.
+// Movers of shapes other than a capsule, and at the ends of the range.
 
 #include "scene/mover_level.hpp"
 
@@ -31,7 +31,7 @@ TEMPLATE_TEST_CASE("mover: a box and a sphere climb stairs and stop at walls", "
   CHECK(ball.ground.is_grounded);
 }
 
-TEST_CASE("mover: an empty shape passes everything, and a move ends at the end of the range") {
+TEST_CASE("mover: an empty shape passes everything, and a move stops at the end of the range") {
   using S = q16_16;
   Level<S> level;
   level.floor();

@@ -45,7 +45,7 @@ struct Level {
 
   MoverSettings<S, 3> settings{};
 
-  /// Walks for some frames; falls 4 hundredths a frame.
+  /// Walks for some frames, falling 4 hundredths per frame.
   MoveResult<S, 3> walk(Walker& walker, int frames, int east, int south = 0) {
     MoveResult<S, 3> result;
     for (int i = 0; i < frames; ++i) {

@@ -4,10 +4,10 @@
 namespace detent::test {
 namespace {
 
-/// What these need of the arena's shapes: without meshes a mover takes less to compile.
+/// The subset of the arena's shapes needed here: without meshes a mover compiles faster.
 using PlateWorld = Scene<q16_16, 3, Sphere, Aabb, Obb, Plane>;
 
-/// A plate that no character may pass: without thickness or one unit thick.
+/// A plate that no character may pass, without thickness or one unit thick.
 template <Scalar S>
 struct Plate {
   Direction<S, 3> normal;
@@ -28,7 +28,7 @@ struct Plate {
           Obb<S, 3>{through, {arena.number(arena.random.between(0, 1)), wide, wide}, turn});
     }
   }
-  /// 1 or -1 if all of the segment is on one side, else 0.
+  /// 1 or -1 if the whole segment is on one side, else 0.
   int side_of(const Vec<S, 3>& a, const Vec<S, 3>& b) const {
     const auto at_a = dot(normal, a - through), at_b = dot(normal, b - through);
     return at_a > 0 && at_b > 0 ? 1 : at_a < 0 && at_b < 0 ? -1 : 0;
@@ -67,7 +67,7 @@ TEST_CASE("mover property: never passes a plate as thin as the grid") {
 
 namespace {
 
-/// Characters that start in something, near a plate that they may not pass.
+/// Characters that start inside something, near a plate that they must not pass.
 void pass_no_plate(int places, int moves) {
   using S = q16_16;
   long held = 0, stopped = 0;
@@ -83,7 +83,7 @@ void pass_no_plate(int places, int moves) {
     REQUIRE(side != 0);
     for (int i = 0; i < moves; ++i) {
       CAPTURE(seed, i);
-      if (i % 4 == 0) {  // another thing to be in
+      if (i % 4 == 0) {  // something else to start in
         const auto at = nearest_to<S>(mover.shape.a + arena.point(arena.unit / 2));
         if (random.coin()) {
           world.add(Sphere<S, 3>{at, arena.length()});
@@ -109,15 +109,15 @@ void pass_no_plate(int places, int moves) {
 
 }  // namespace
 
-TEST_CASE("mover property: nor a plate where it starts in something else") {
+TEST_CASE("mover property: does not pass a plate when it starts inside something else") {
   pass_no_plate(150, 30);
 }
 
-TEST_CASE("mover property: nor a plate in a million moves from anywhere", "[.demand]") {
+TEST_CASE("mover property: does not pass a plate in a million moves from anywhere", "[.demand]") {
   pass_no_plate(40000, 100);
 }
 
-TEST_CASE("mover property: proceeds along a wall and along a crease of two") {
+TEST_CASE("mover property: advances along a wall and along the crease of two walls") {
   using S = q16_16;
   int walls = 0, creases = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
@@ -136,7 +136,7 @@ TEST_CASE("mover property: proceeds along a wall and along a crease of two") {
                                           detail::HalfSpace<S, 3>{n, off});
     REQUIRE(start);
     Mover<S, 3, Capsule> mover{{*start, *start, radius}};
-    // Upward, so that it flies: steep slopes are no walls then.
+    // Upward, so that it flies: steep slopes do not count as walls then.
     const auto ahead = (*along)[1] < 0 ? -*along : *along;
     const auto speed = arena.number(random.between(arena.unit / 16, arena.unit));
     auto by = ahead * speed - m * arena.length();

@@ -3,11 +3,9 @@
 
 namespace detent::test {
 
-TEST_CASE("mover property: never ends in what it did not overlap before") {
-  explore_all<q16_16, Capsule>(200, 60);
-}
+TEST_CASE("mover property: never ends in a new overlap") { explore_all<q16_16, Capsule>(200, 60); }
 
-TEST_CASE("mover property: nor in ten million moves", "[.demand]") {
+TEST_CASE("mover property: never ends in a new overlap in ten million moves", "[.demand]") {
   explore_all<q16_16, Capsule>(100000, 100);
 }
 

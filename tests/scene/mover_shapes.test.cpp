@@ -3,6 +3,8 @@
 
 namespace detent::test {
 
-TEST_CASE("mover property: nor does a box") { explore_all<q16_16, Aabb>(100, 60); }
+TEST_CASE("mover property: a box never ends in a new overlap") {
+  explore_all<q16_16, Aabb>(100, 60);
+}
 
 }  // namespace detent::test

@@ -3,7 +3,7 @@
 
 namespace detent::test {
 
-TEST_CASE("mover property: no step leads through what it did not start in") {
+TEST_CASE("mover property: no step passes through anything it did not start in") {
   using S = q16_16;
   using World = Arena<S>::World;
   int held = 0, cut = 0;
@@ -25,7 +25,7 @@ TEST_CASE("mover property: no step leads through what it did not start in") {
         const auto step = steps.look(arena.move());
         steps.go(step.by);
         cut += step.hit.has_value();
-        // A step is off its straight way by less than an ULP.
+        // A step deviates from its straight path by less than an ULP.
         const Capsule<S, 3> way{before.center, steps.shape().center,
                                 nearest_to<S>(before.radius - arena.number(1))};
         REQUIRE_FALSE(arena.world.any(way, is_other));

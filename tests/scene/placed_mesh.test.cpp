@@ -13,7 +13,8 @@
 namespace detent::test {
 namespace {
 
-/// Translates, in range and beyond; rotates; mirrors, shrinks to a point, or enlarges; shears.
+/// Translates, within the range and beyond; rotates; mirrors, shrinks to a point or enlarges;
+/// shears.
 template <Scalar S>
 Transform<S, 3> draw_transform(oracle::Draw<S, 3>& draw, std::int64_t reach) {
   auto& random = draw.random;
@@ -44,8 +45,8 @@ TriangleLoop<S> placed_one_by_one(const Transform<S, 3>& transform,
   return loop;
 }
 
-/// Compares a ray and shapes near one triangle against the mesh and against the loop; returns how
-/// many hit.
+/// Compares a ray and shapes near one triangle with the mesh and with the loop. Returns the number
+/// of hits.
 template <Scalar S>
 int same_answers(const PlacedMesh<S>& mesh, const TriangleLoop<S>& loop, MeshKind kind,
                  oracle::Draw<S, 3>& draw, std::int64_t reach) {
@@ -118,8 +119,8 @@ void compare_placed(std::uint64_t seed, int rounds, int bits, HitRate& rate, Hit
   });
 }
 
-TEMPLATE_TEST_CASE("placed mesh: its answers are those of its triangles placed one by one",
-                   "[mesh]", q16_16, q8_8) {
+TEMPLATE_TEST_CASE("placed mesh: results equal those of its transformed triangles", "[mesh]",
+                   q16_16, q8_8) {
   HitRate rate, pairs;
   compare_placed<TestType>(0x91ace, 12, 8, rate, pairs);
   INFO(rate << ", " << pairs);
@@ -127,7 +128,7 @@ TEMPLATE_TEST_CASE("placed mesh: its answers are those of its triangles placed o
   CHECK(pairs.is_balanced());
 }
 
-TEMPLATE_TEST_CASE("placed mesh: many more answers are those of many more triangles placed",
+TEMPLATE_TEST_CASE("placed mesh: many more results equal those of many more transformed triangles",
                    "[mesh][.demand]", q16_16, q8_8) {
   HitRate rate, pairs;
   for (const auto seed : oracle::demanded_seeds()) {
@@ -138,7 +139,7 @@ TEMPLATE_TEST_CASE("placed mesh: many more answers are those of many more triang
   CHECK(pairs.is_balanced());
 }
 
-TEMPLATE_TEST_CASE("placed mesh: moved in range it answers as the mesh does where it came from",
+TEMPLATE_TEST_CASE("placed mesh: translated in range, it gives the results of the original mesh",
                    "[mesh]", q16_16, q8_8) {
   using S = TestType;
   for_meshes<S>(0x30fe, 10, [&](MeshKind kind, const auto& triangles, auto reach, auto& draw) {
@@ -156,8 +157,7 @@ TEMPLATE_TEST_CASE("placed mesh: moved in range it answers as the mesh does wher
   });
 }
 
-TEMPLATE_TEST_CASE("placed mesh: what would leave the range is clamped to it", "[mesh]", q16_16,
-                   q8_8) {
+TEMPLATE_TEST_CASE("placed mesh: coordinates out of range are clamped", "[mesh]", q16_16, q8_8) {
   using S = TestType;
   const std::array triangles{Triangle{at<S, 3>(3), at<S, 3>(4), at<S, 3>(4, 2)},
                              Triangle{at<S, 3>(1), at<S, 3>(1, 0, 2), at<S, 3>(1, 2)}};
@@ -195,7 +195,7 @@ TEMPLATE_TEST_CASE("placed mesh: without an asset or triangles it is empty", "[m
   }
 }
 
-TEMPLATE_TEST_CASE("mesh asset: the digest knows triangles and indices, not the tree", "[mesh]",
+TEMPLATE_TEST_CASE("mesh asset: the digest covers triangles and indices, not the tree", "[mesh]",
                    q16_16, q8_8) {
   using S = TestType;
   oracle::Draw<S, 3> draw(5);

@@ -19,7 +19,7 @@ const Ray<S, 3> along_x{at(-10, 0, 0), Direction<S, 3>::along(0)};
 
 }  // namespace
 
-TEST_CASE("scene: what is found comes by distance, then by id") {
+TEST_CASE("scene: results are sorted by distance, then id") {
   Scene<S, 3, Sphere, Aabb> scene;
   const auto far = *scene.add(Ball{at(9, 0, 0), S(1)});
   const auto second = *scene.add(Ball{at(5, 0, 0), S(1)});
@@ -38,7 +38,7 @@ TEST_CASE("scene: what is found comes by distance, then by id") {
   CHECK(room == std::array{Found<S>{S(14), second}, Found<S>{S(14), third}});
 }
 
-TEST_CASE("scene: layers, user words and names") {
+TEST_CASE("scene: layers, user words and ids") {
   Scene<S, 3, Sphere> scene;
   const auto a = *scene.add(Ball{at(0, 0, 0), S(1)}, {.layers = 1, .user = 42});
   const auto b = *scene.add(Ball{at(4, 0, 0), S(1)}, {.layers = 6});
@@ -55,7 +55,7 @@ TEST_CASE("scene: layers, user words and names") {
   CHECK_FALSE(scene.move(a, at(1, 0, 0)));
   CHECK_FALSE(scene.set_user(a, 1));
   const auto c = *scene.add(Ball{at(8, 0, 0), S(1)});
-  CHECK(c.index == a.index);  // the lowest that is free
+  CHECK(c.index == a.index);  // the lowest free index
   CHECK(c != a);
   CHECK_FALSE(scene.add_as({a.index, 9}, Ball{}));
   CHECK(scene.add_as({7, 9}, Ball{at(1, 1, 1), S(0)}));
@@ -63,7 +63,7 @@ TEST_CASE("scene: layers, user words and names") {
   CHECK_FALSE(scene.contains(ObjectId{}));
 }
 
-TEST_CASE("scene: a bounded one says when it is full, and goes on after a removal") {
+TEST_CASE("scene: a bounded scene reports when it is full, and accepts objects after a removal") {
   BoundedScene<Bounded<40>, S, 3, Sphere> scene;
   for (int round = 0; round < 20; ++round) {
     for (int i = 0; i < 40; ++i) CHECK(scene.add(Ball{at(i * 7 % 40, round, i), S(1)}));
@@ -79,7 +79,7 @@ TEST_CASE("scene: a bounded one says when it is full, and goes on after a remova
   CHECK_FALSE(scene.add_frame({}));
 }
 
-TEST_CASE("scene: fixed objects meet moving ones, not each other") {
+TEST_CASE("scene: fixed objects overlap moving ones, not each other") {
   Scene<S, 3, Sphere> scene;
   const auto a = *scene.add(Ball{at(0, 0, 0), S(2)}, {.motion = Motion::fixed});
   const auto b = *scene.add(Ball{at(1, 0, 0), S(2)}, {.motion = Motion::fixed});
@@ -88,7 +88,7 @@ TEST_CASE("scene: fixed objects meet moving ones, not each other") {
   CHECK(scene.all(at(1, 0, 0)).size() == 3);
 }
 
-TEST_CASE("scene: objects move with their frames, and those with their parents") {
+TEST_CASE("scene: objects move with their frames, and frames with their parents") {
   Scene<S, 3, Sphere, Aabb> scene;
   const auto arm = *scene.add_frame({.translation = at(10, 0, 0)});
   const auto hand = *scene.add_frame({.translation = at(5, 0, 0)}, arm);
@@ -113,12 +113,12 @@ TEST_CASE("scene: objects move with their frames, and those with their parents")
   CHECK_FALSE(scene.move_frame(hand, {}));
 }
 
-TEST_CASE("scene: holds its one type of shape without a tag") {
+TEST_CASE("scene: stores its only type of shape without a tag") {
   STATIC_REQUIRE(sizeof(detail::OneOf<Ball>) == sizeof(Ball));
   STATIC_REQUIRE(sizeof(detail::OneOf<Ball, Box>) == sizeof(Box) + 4);
 }
 
-TEST_CASE("scene: finds what touches at the ends of the world") {
+TEST_CASE("scene: finds objects that touch at the ends of the world") {
   Scene<S, 3, Sphere, Obb> scene;
   const auto ball = *scene.add(Ball{{S::max(), S(5000), S(0)}, S(3000)});
   // The ray leaves the range of coordinates before it reaches the ball.

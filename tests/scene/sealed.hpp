@@ -9,7 +9,7 @@
 
 namespace detent {
 
-/// The bytes with a valid checksum in the last word, so that only the rest decides.
+/// The bytes with a valid checksum in the last word, so that only the rest matters.
 inline std::vector<std::byte> sealed(std::vector<std::byte> bytes) {
   Digest digest;
   digest.add_bytes(std::span(bytes).first(bytes.size() - 8));

@@ -36,7 +36,7 @@ constexpr bool scenes_are_constant_expressions() {
 }
 static_assert(scenes_are_constant_expressions());
 
-TEST_CASE("separate: a scene answers alike in constant expressions and at run time") {
+TEST_CASE("separate: a scene gives the same results in constant expressions and at run time") {
   CHECK(scenes_are_constant_expressions());
 }
 

@@ -32,7 +32,7 @@ Toys toys() {
 
 }  // namespace
 
-TEST_CASE("snapshot: a scene is what it was, and so is what it adds next") {
+TEST_CASE("snapshot: restores a scene, including the ids of its next additions") {
   Toys scene = toys();
   const auto bytes = snapshot(scene);
   const auto before = digest(scene);
@@ -50,7 +50,7 @@ TEST_CASE("snapshot: a scene is what it was, and so is what it adds next") {
   CHECK(scene.add(Ball{}) == other.add(Ball{}));
 }
 
-TEST_CASE("snapshot: fills a scene that has no objects yet, whatever indices are free") {
+TEST_CASE("snapshot: restores into a scene without objects, whatever indices are free") {
   Balls scene;
   for (int i = 0; i < 20; ++i) scene.add(Ball{at(i, 0, 0), S(1)});
   for (std::uint32_t i = 0; i < 20; ++i) {
@@ -62,7 +62,7 @@ TEST_CASE("snapshot: fills a scene that has no objects yet, whatever indices are
   CHECK(digest(fresh) == digest(scene));
 }
 
-TEST_CASE("snapshot: an empty one empties a scene") {
+TEST_CASE("snapshot: an empty snapshot empties a scene") {
   Balls scene;
   const auto nothing = snapshot(scene);
   CHECK(nothing.size() == 56);
@@ -80,13 +80,13 @@ TEST_CASE("snapshot: a moving sphere takes 41 bytes") {
   CHECK(snapshot(scene).size() == one + 41);
 }
 
-TEST_CASE("snapshot: the bytes of version 1 stay as they are") {
+TEST_CASE("snapshot: the bytes of version 1 never change") {
   CHECK(digest(toys()) == 0xb6de270536116997u);
   const auto bytes = snapshot(toys());
   CHECK(detail::load_word<std::uint64_t>(bytes.data() + bytes.size() - 8) == 0x05e61db055eb5427u);
 }
 
-TEST_CASE("snapshot: of a room that is too small it says how large it has to be") {
+TEST_CASE("snapshot: returns the size needed if there is too little room") {
   const Toys scene = toys();
   std::array<std::byte, 1024> room{};
   const auto size = snapshot(scene, room);
@@ -100,7 +100,7 @@ TEST_CASE("snapshot: of a room that is too small it says how large it has to be"
   CHECK(std::vector(room.begin(), room.begin() + static_cast<long>(size)) == snapshot(scene));
 }
 
-TEST_CASE("restore: every shortened or changed snapshot is refused, and the scene stays") {
+TEST_CASE("restore: every shortened or changed snapshot is refused, and the scene is unchanged") {
   Toys scene = toys();
   const auto bytes = snapshot(scene);
   scene.move({0, 1}, at(1, 0, 0));
@@ -122,7 +122,7 @@ TEST_CASE("restore: every shortened or changed snapshot is refused, and the scen
   CHECK(snapshot(scene) == before);
 }
 
-TEST_CASE("restore: says why it refuses") {
+TEST_CASE("restore: the status says why it refuses") {
   Toys scene = toys();
   const auto bytes = snapshot(scene);
   auto changed = bytes;
@@ -143,7 +143,7 @@ TEST_CASE("restore: says why it refuses") {
   CHECK(describe(Restored::truncated) == "the snapshot is cut off");
 }
 
-TEST_CASE("restore: a forged snapshot is refused part by part") {
+TEST_CASE("restore: every part of a forged snapshot is checked") {
   Toys scene = toys();
   const auto bytes = snapshot(scene);
   const auto before = digest(scene);
@@ -159,20 +159,20 @@ TEST_CASE("restore: a forged snapshot is refused part by part") {
   CHECK(forged(20, 2) == Restored::corrupted);                  // fewer
   CHECK(forged(frames + 4, 0) == Restored::corrupted);          // a frame without generation
   CHECK(forged(frames + 8, 1) == Restored::corrupted);          // a parent younger than its child
-  CHECK(forged(frames + 24, 5) == Restored::corrupted);         // an axis that is no direction
-  CHECK(forged(frames + frame, 0) == Restored::corrupted);      // two frames of one index
+  CHECK(forged(frames + 24, 5) == Restored::corrupted);         // an axis that is not a direction
+  CHECK(forged(frames + frame, 0) == Restored::corrupted);      // two frames with one index
   CHECK(forged(frames + frame + 8, 7) == Restored::corrupted);  // no such parent
   CHECK(forged(objects, 1) == Restored::corrupted);             // the index of a fixed object
   CHECK(forged(objects, 2) == Restored::corrupted);             // indices out of order
   CHECK(forged(objects + 4, 99) == Restored::corrupted);        // a generation yet to come
   CHECK(forged(objects + 20, 5) == Restored::corrupted);        // no such frame
-  CHECK(forged(objects + 24, 0) == Restored::corrupted);        // no type of shape
+  CHECK(forged(objects + 24, 0) == Restored::corrupted);        // not a type of shape
   CHECK(forged(bytes.size() - 49, 0xffffffffu) == Restored::no_room);
   CHECK(forged(objects + 8, 5) == Restored::yes);  // other layers
   CHECK(digest(scene) != before);
 }
 
-TEST_CASE("digest: of a scene and of an object, by id") {
+TEST_CASE("digest: of a scene and, by id, of an object") {
   Toys scene = toys();
   const auto all = digest(scene);
   const auto one = digest_of(scene, {0, 1}), other = digest_of(scene, {3, 6});

@@ -12,7 +12,7 @@
 
 namespace detent::test {
 
-/// A surface of a list of triangles, whose queries test each.
+/// A surface as a list of triangles, whose queries test each of them.
 template <Scalar S>
 struct TriangleLoop {
   std::vector<Triangle<S, 3>> triangles;

@@ -57,7 +57,7 @@ void push(Arena& scene, int input) {
   if (input == 3) scene.add(Ball{at(1, 2, 3), S(1)});
 }
 
-/// The desync of a frame that is simulated first by `first`, then by `second`.
+/// The desync of a frame that is first simulated by `first`, then by `second`.
 template <class World, class First, class Second>
 Desync parted(World world, const First& first, const Second& second) {
   SyncTest<World, int> test(3);
@@ -79,7 +79,7 @@ std::string field(const Desync& desync) { return std::string(desync.field.view()
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("sync test: a simulation of the world and the inputs alone never parts", "",
+TEMPLATE_TEST_CASE("sync test: a simulation of only the world and the inputs never desyncs", "",
                    Balls, FewBalls) {
   auto scene = two_balls<TestType>(), plain = scene, other = scene;
   SyncTest<TestType, int> test(5);
@@ -93,8 +93,8 @@ TEMPLATE_TEST_CASE("sync test: a simulation of the world and the inputs alone ne
   }
 }
 
-TEMPLATE_TEST_CASE("sync test: names the first frame, object and field that a counter moves", "",
-                   Balls, FewBalls) {
+TEMPLATE_TEST_CASE("sync test: names the first frame, object and field changed by a call counter",
+                   "", Balls, FewBalls) {
   auto scene = two_balls<TestType>();
   SyncTest<TestType, int, 5> test;
   int calls = 0;
@@ -112,7 +112,7 @@ TEMPLATE_TEST_CASE("sync test: names the first frame, object and field that a co
   CHECK(field(*desync) == "object 1:2 (sphere) center.y");
 }
 
-TEST_CASE("sync test: a frame inside the window that parts later is the one that is named") {
+TEST_CASE("sync test: names a frame inside the window that desyncs later") {
   Balls scene = two_balls<Balls>();
   SyncTest<Balls, int> test(4);
   int calls = 0;
@@ -127,7 +127,7 @@ TEST_CASE("sync test: a frame inside the window that parts later is the one that
   CHECK(field(*desync) == "object 1:2 (sphere) user");
 }
 
-TEST_CASE("sync test: names whatever parts in a scene") {
+TEST_CASE("sync test: names everything in a scene that can desync") {
   auto scene = two_balls<Balls>();
   const auto arm = scene.add_frame({.translation = at(1, 0, 0)}).value_or(no_frame);
   scene.add(Obb<S, 3>{at(0, 0, 0), at(1, 1, 1), {}}, {.frame = arm});
@@ -182,7 +182,7 @@ TEMPLATE_TEST_CASE("sync test: names the fields of a caller's world", "", Game<B
   CHECK(field(desync) == "scene object 0:1");
 }
 
-TEST_CASE("sync test: a fixed object that a frame changes is named, for no snapshot restores it") {
+TEST_CASE("sync test: names a fixed object that a frame changes, because no snapshot restores it") {
   Balls scene = two_balls<Balls>();
   const auto wall =
       scene.add(Ball{at(0, 0, 0), S(2)}, {.motion = Motion::fixed}).value_or(no_object);
@@ -199,7 +199,7 @@ TEST_CASE("sync test: a fixed object that a frame changes is named, for no snaps
   CHECK(field(*desync) == "object 2:3 (sphere) center.x");
 }
 
-TEST_CASE("field name: is a path, cut off where it is too long") {
+TEST_CASE("field name: is a path, truncated if it is too long") {
   FieldName name;
   CHECK(name.view().empty());
   name.add_part(" object ").add_number(1024).add_part("center").add_part("x").add_part("");

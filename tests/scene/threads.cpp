@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: threads [--plant]
-// Four threads ask a scene, a mesh, a height field and batches the same questions at once, and must
-// get the answers that one thread gets alone. Built with the thread sanitizer, which reports any
-// unsynchronised access. With --plant one thread moves an object meanwhile: that must be reported.
+// Four threads run the same queries on a scene, a mesh, a height field and batches at once, and
+// must get the results of a single thread. Built with the thread sanitizer, which reports any
+// unsynchronised access. With --plant one thread moves an object meanwhile, which must be reported.
 
 #include <array>
 #include <cstdio>
@@ -25,7 +25,7 @@ using namespace detent;
 using S = q16_16;
 using V = Vec<S, 3>;
 
-/// What the threads share, and only read.
+/// The data that the threads share and only read.
 class Shared {
  public:
   Shared() : random_(0x7443ad), soup_(draw_triangles()), rock_(std::span(soup_)) {
@@ -57,7 +57,7 @@ class Shared {
     batch_of_balls_.emplace(balls_, ball_blocks_);
   }
 
-  /// Asks every kind of question; returns a digest of the answers.
+  /// Runs every kind of query; returns a digest of the results.
   [[nodiscard]] std::uint64_t ask() const {
     Digest digest;
     const auto mesh = rock_.view();
@@ -93,7 +93,7 @@ class Shared {
     return digest.value();
   }
 
-  /// What no thread may do while others ask.
+  /// What no thread may do while others query.
   [[nodiscard]] bool disturb() { return scene_.move(last_, V{S(1), S(0), S(0)}); }
 
  private:

@@ -12,7 +12,8 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("bounding_box: what anyone can see", "[bounding]", DETENT_EVERY_SPACE) {
+TEMPLATE_TEST_CASE("bounding_box: simple shapes have the obvious boxes", "[bounding]",
+                   DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const std::array points{at<S, N>(3, -1), at<S, N>(-2, 4), at<S, N>(0, 0)};
@@ -29,7 +30,7 @@ TEMPLATE_TEST_CASE("bounding_box: what anyone can see", "[bounding]", DETENT_EVE
   CHECK((capsule.min.y == num<S>(-2) && capsule.max.y == num<S>(7)));
 }
 
-TEMPLATE_TEST_CASE("bounding_box, bounding_sphere: of nothing are empty", "[bounding]",
+TEMPLATE_TEST_CASE("bounding_box, bounding_sphere: of empty shapes are empty", "[bounding]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -49,7 +50,7 @@ TEMPLATE_TEST_CASE("bounding_box, bounding_sphere: of nothing are empty", "[boun
   CHECK(bounding_sphere(Compound<Aabb<S, N>>()).radius < 0);
 }
 
-TEMPLATE_TEST_CASE("bounding_box: stops at the ends of the scalar", "[bounding]",
+TEMPLATE_TEST_CASE("bounding_box: clamps at the ends of the scalar", "[bounding]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -91,7 +92,7 @@ Outline<N> outline(const Obb<S, N>& box) {
   return result;
 }
 
-/// Empty when both bounds contain every point and a smaller bound on the grid would not.
+/// Empty if both bounds contain every point and a smaller bound on the grid would not.
 template <Scalar S, int N, class Shape>
 std::string mistakes(const Shape& shape) {
   using oracle::Integer;
@@ -127,7 +128,7 @@ std::string mistakes(const Shape& shape) {
   return {};
 }
 
-TEMPLATE_TEST_CASE("bounding_box, bounding_sphere: reach every corner, and no farther",
+TEMPLATE_TEST_CASE("bounding_box, bounding_sphere: contain every corner tightly",
                    "[bounding][oracle]", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -149,7 +150,7 @@ TEMPLATE_TEST_CASE("bounding_box, bounding_sphere: reach every corner, and no fa
   }
 }
 
-TEMPLATE_TEST_CASE("bounding_sphere: of round shapes and boxes reach all of them", "[bounding]",
+TEMPLATE_TEST_CASE("bounding_sphere: contains round shapes and boxes completely", "[bounding]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

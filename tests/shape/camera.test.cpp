@@ -22,7 +22,7 @@ using A = Angle<S>;
 constexpr auto n = [](double value) { return S::from_double(value); };
 constexpr auto v3 = [](double x, double y, double z) { return V{n(x), n(y), n(z)}; };
 
-// At (0, 0, 10), looking along -z; half the width is the depth, half the height half of it.
+// At (0, 0, 10), looking along -z; half the width equals the depth, half the height half of it.
 constexpr Camera camera{*look_at(v3(0, 0, 10), V{}, v3(0, 1, 0)),
                         *Lens<S>::perspective(A::turn(1, 4), n(1), n(1), n(100))};
 static_assert(project(camera, v3(0, 0, 0)) == ScreenPoint<S, S>{n(0), n(0), n(10)}, "middle");
@@ -49,7 +49,7 @@ static_assert(pick_ray(camera, Viewport{1, 1}, 0, 0) == pick_ray(camera, n(0), n
 static_assert(pick_ray(camera, Viewport{0, 3}, 7, 7) == pick_ray(camera, n(0), n(0)), "no pixel");
 static_assert(unproject(camera, Viewport{-1, 1}, 7, 7, n(10)) == V{});
 
-// Without perspective: 8 wide, 4 high, from 1 behind to 3 in front of (0, 0, 10).
+// Orthographic: 8 wide, 4 high, from 1 behind to 3 in front of (0, 0, 10).
 constexpr Camera flat{*look_at(v3(0, 0, 10), V{}, v3(0, 1, 0)),
                       *Lens<S>::orthographic(n(4), n(2), n(-1), n(3))};
 static_assert(project(flat, v3(2, 1, 12)) == ScreenPoint<S, S>{n(0.5), n(0.5), n(-2)});
@@ -57,7 +57,7 @@ static_assert(unproject(flat, n(0.5), n(0.5), n(-2)) == v3(2, 1, 12));
 static_assert(pick_ray(flat, n(-1), n(1)) == Ray{v3(-4, 2, 11), -D::along(2)}, "the near plane");
 static_assert(pick_ray(flat, screen, 0, 0) == Ray{v3(-3, 1, 11), -D::along(2)});
 
-// Axes in a plane see nothing; a mirrored frame sees a mirrored image.
+// Coplanar axes see nothing; a mirrored frame sees a mirrored image.
 constexpr Camera broken{
     Transform<S, 3>{V{}, Rotation<S, 3>::from_axes({D(), D(), D::along(2)}), n(1)}, camera.lens};
 static_assert(!project(broken, v3(0, 0, -5)));
@@ -120,7 +120,7 @@ struct Model {
   Exact eye;
 };
 
-/// Whether `ray` is the one of the points of the screen at x and y.
+/// Whether `ray` goes through the screen points at x and y.
 template <Scalar T>
 bool is_pick_ray(const Model<T>& model, const Ray<T, 3>& ray, const BigRational& x,
                  const BigRational& y) {
@@ -234,7 +234,7 @@ TEMPLATE_TEST_CASE(
   CHECK(unseen > cameras / 8);
 }
 
-TEMPLATE_TEST_CASE("camera: float and double see the same", "", float, double) {
+TEMPLATE_TEST_CASE("camera: float and double agree", "", float, double) {
   using F = TestType;
   const auto pose = look_at(Vec<F, 3>{0, 0, 10}, Vec<F, 3>{}, Vec<F, 3>{0, 1, 0});
   const auto lens = Lens<F>::perspective(Angle<F>::turn(1, 4), F(1), F(1), F(100));

@@ -29,7 +29,7 @@ static_assert(ConvexHull{points} == ConvexHull{points});
 static_assert(!(ConvexHull{points} == ConvexHull{more_points}));
 static_assert(Hull{} == Hull{std::span(points).first(0)});
 
-TEST_CASE("hull: a view of the caller's points, wherever they are") {
+TEST_CASE("hull: is a view of the caller's points in any container") {
   const std::vector<V> heap(points.begin(), points.end());
   CHECK(Hull{heap} == ConvexHull{points});
   CHECK(Hull{heap}.points.data() == heap.data());

@@ -10,7 +10,7 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("area, volume: of boxes and triangles that anyone can measure", "[measure]",
+TEMPLATE_TEST_CASE("area, volume: simple boxes and triangles have the obvious values", "[measure]",
                    q16_16, q14_16, q24_8, q8_8, float, double) {
   using S = TestType;
   CHECK(area(Triangle{at<S, 2>(1, 1), at<S, 2>(4, 1), at<S, 2>(1, 3)}) == 3);
@@ -26,8 +26,8 @@ TEMPLATE_TEST_CASE("area, volume: of boxes and triangles that anyone can measure
   CHECK(area(Obb<S, 2>{at<S, 2>(9, 9), at<S, 2>(-1, -3), {}}) == 0);
 }
 
-TEMPLATE_TEST_CASE("area: of any triangle in space, rounded down", "[measure][oracle]", q16_16,
-                   q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("area: of any triangle in 3D, rounded down", "[measure][oracle]", q16_16, q14_16,
+                   q24_8, q8_8) {
   using S = TestType;
   using oracle::Integer;
   oracle::Draw<S, 3> draw(0xa5ea);
@@ -56,8 +56,8 @@ TEMPLATE_TEST_CASE("area: of any triangle in space, rounded down", "[measure][or
   }
 }
 
-/// Whether `given` steps of 2^-frac are the nearest to raw * numerator pi / denominator, where raw
-/// counts steps of 2^-(frac + shift): pi is bounded by two fractions of 2^-160.
+/// Whether `given` steps of 2^-frac are nearest to raw * numerator pi / denominator, where raw is
+/// in steps of 2^-(frac + shift). pi is bounded by two fractions of 2^-160.
 bool is_nearest_to_pi(const oracle::Integer& given, const oracle::Integer& raw, int numerator,
                       int denominator, int shift) {
   const oracle::Integer below("0x3243f6a8885a308d313198a2e03707344a4093822");

@@ -15,7 +15,7 @@ const Transform<S, 3> motion{at(10, 0, 0), quarter, S(-2)};
 
 }  // namespace
 
-TEST_CASE("translated: every shape moves by the vector, and clamps at the end of the world") {
+TEST_CASE("translated: every shape moves by the vector and clamps at the end of the world") {
   const auto by = at(1, 2, 3);
   CHECK(translated(Sphere{at(0, 0, 0), S(1)}, by) == Sphere{by, S(1)});
   CHECK(translated(Aabb{at(0, 0, 0), at(1, 1, 1)}, by) == Aabb{by, at(2, 3, 4)});
@@ -28,7 +28,7 @@ TEST_CASE("translated: every shape moves by the vector, and clamps at the end of
   CHECK(translated(Sphere{at(32767, 0, 0), S(1)}, at(9, 0, 0)).center.x == S::max());
 }
 
-TEST_CASE("placed: turned, mirrored, made larger and moved") {
+TEST_CASE("placed: rotated, mirrored, scaled and moved") {
   CHECK(placed(motion, Sphere{at(1, 0, 0), S(1)}) == Sphere{at(10, -2, 0), S(2)});
   CHECK(placed(motion, Aabb{at(0, 0, 0), at(1, 2, 3)}) == Aabb{at(10, -2, -6), at(14, 0, 0)});
   CHECK(placed(motion, Obb{at(1, 0, 0), at(1, 2, 3), {}}) ==
@@ -42,7 +42,7 @@ TEST_CASE("placed: turned, mirrored, made larger and moved") {
         Plane{-Direction<S, 3>::along(1), S(6)});
 }
 
-TEST_CASE("placed: what is empty stays empty, and a scale of 0 leaves a point") {
+TEST_CASE("placed: an empty shape stays empty, and a scale of 0 leaves a point") {
   CHECK(placed(motion, Sphere{at(0, 0, 0), S(-1)}).radius == S(-1));
   CHECK(is_empty(placed(motion, Aabb{at(1, 0, 0), at(0, 0, 0)})));
   CHECK(is_empty(placed(motion, Obb{at(0, 0, 0), at(1, -1, 1), {}})));
@@ -51,7 +51,7 @@ TEST_CASE("placed: what is empty stays empty, and a scale of 0 leaves a point") 
   CHECK(placed(nowhere, Aabb{at(0, 0, 0), at(1, 2, 3)}) == Aabb{at(1, 2, 3), at(1, 2, 3)});
 }
 
-TEST_CASE("placed: a turned box of the axes holds its corners") {
+TEST_CASE("placed: a rotated AABB contains its corners") {
   const auto turn = Rotation<S, 3>::from_euler(Angle<S>::turn(1, 7), Angle<S>::turn(1, 5), {});
   const Transform<S, 3> skew{at(1, 1, 1), turn, S(3)};
   const auto around = placed(skew, Aabb{at(-1, -2, -3), at(4, 5, 6)});

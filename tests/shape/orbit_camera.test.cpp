@@ -21,7 +21,7 @@ constexpr auto lens = *Lens<S>::perspective(A::turn(1, 4), n(1), n(1), n(100));
 constexpr OrbitCamera<S> start{lens, v3(1, 2, 3), n(10)};
 static_assert(start.camera().pose == Transform<S, 3>{v3(1, 2, 13), {}, n(1)}, "it looks along -z");
 
-/// After one operation.
+/// The camera after one operation.
 template <class F>
 constexpr OrbitCamera<S> after(const F& f) {
   auto orbit = start;
@@ -64,8 +64,8 @@ static_assert(after([](auto& orbit) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("orbit camera: it looks at its target from its distance", "", q16_16, q14_16,
-                   q24_8, q8_8, float, double) {
+TEMPLATE_TEST_CASE("orbit camera: looks at its target from its distance", "", q16_16, q14_16, q24_8,
+                   q8_8, float, double) {
   using T = TestType;
   Random random(0x0461);
   int frac = 0;
@@ -85,7 +85,7 @@ TEMPLATE_TEST_CASE("orbit camera: it looks at its target from its distance", "",
     const auto camera = orbit.camera();
     const auto seen = project(camera, orbit.target);
     REQUIRE(seen);
-    // Off by less than two steps of the position, as seen from 16 units or more.
+    // Off by less than two steps of the position, seen from 16 units or more.
     const auto off = [](const T& x) { return std::abs(static_cast<double>(x)); };
     const double step = is_fixed<T> ? std::ldexp(2.0, -frac) : 1e-4;
     CHECK(off(seen->x) < step);

@@ -15,7 +15,7 @@ using D = Direction<q16_16, 3>;
 constexpr V origin{};
 constexpr V corner{q16_16(1), q16_16(2), q16_16(3)};
 
-// Plain data: a game can send or save it as it is.
+// Plain data: a game can send or save it as is.
 template <class Shape>
 constexpr bool is_plain = std::is_aggregate_v<Shape>&& std::is_trivially_copyable_v<Shape>;
 static_assert(is_plain<Sphere<q16_16, 3>> && sizeof(Sphere<q16_16, 3>) == 16);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs a group of queries on a microcontroller and prints what questions.cpp printed. A `yield`
-// before and after each query is for count_instructions.c. Needs the macros SCALAR, GROUP
-// (visit_raycasts, ...) and QUESTIONS, the file with the inputs.
+// Runs a group of queries on a microcontroller; its output must equal that of questions.cpp. A
+// `yield` before and after each query lets count_instructions.c count. Needs the macros SCALAR,
+// GROUP (visit_raycasts, ...) and QUESTIONS, the file with the inputs.
 
 #include "size/queries.hpp"
 

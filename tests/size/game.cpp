@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A small game, whose compilation and frames `./dev size compile` measures: players walk over hills,
-// look around and push crates, balls bounce, and every eight frames the world goes back by three.
-// Prints a digest of all frames, the same from every compiler at every optimization level; with
-// --time instead the microseconds of a frame, the least of many batches.
+// A small game. `./dev size compile` measures its compile time and its frame time. Players walk
+// over hills, look around and push crates, balls bounce, and every eight frames the world goes back
+// by three. Prints a digest of all frames, the same from every compiler at every optimization
+// level; with --time, the microseconds per frame, the least of many batches.
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ enum Layer : std::uint32_t { ground = 1, crate = 2, ball = 4, player = 8 };
 
 constexpr Vec3 sum(const Vec3& a, const Vec3& b) noexcept { return nearest_to<S>(a + b); }
 
-/// Draws the same numbers on every machine.
+/// Draws the same random numbers on every machine.
 class Dice {
  public:
   /// A number from -n to n, in sixteenths.
@@ -98,7 +98,7 @@ class Game {
     ids_.push_back(arena_.add(shape, {.layers = layer, .motion = motion}).value_or(no_object));
   }
 
-  /// Squares of 8 by 8 units, at uneven heights.
+  /// Squares of 8 by 8 units at different heights.
   void add_hills(Dice& dice) {
     std::array<Vec3, 49> points;
     for (int i = 0; i < 49; ++i) {
@@ -112,7 +112,7 @@ class Game {
     }
   }
 
-  /// One step forward, down to the ground, if nothing is there; otherwise pushes it.
+  /// Takes a step and drops to the ground if nothing is in the way; otherwise pushes the obstacle.
   void walk(const ObjectId& id, const Capsule<S, 3>& walker, int frame) {
     const auto heading = Direction<S, 3>::along(frame / 16 % 2 == 0 ? 0 : 2);
     const auto sight = arena_.nearest_hit(Ray{walker.b, heading, S(24)}, InLayers{crate | ball});
@@ -126,7 +126,7 @@ class Game {
     if (fall) arena_.move(id, {step.x, nearest_to<S>(S(2) - fall->distance), step.z});
   }
 
-  /// Falls; turns back where it meets something.
+  /// Falls, and turns back at obstacles.
   void bounce(const ObjectId& id, const Sphere<S, 3>& sphere, Vec3& speed) {
     speed.y -= 0.015625_q16_16;
     std::array<Found<S>, 4> met;

@@ -12,7 +12,7 @@ namespace detent::size {
 
 using bench::query;
 
-/// The inputs per query on a microcontroller: as many as its flash has room for.
+/// The number of inputs per query on a microcontroller: as many as its flash holds.
 inline constexpr int question_count = 64;
 
 inline constexpr auto ask_raycast = [](const auto& ray, const auto& shape) {
@@ -44,8 +44,8 @@ void visit_others(const Visit& visit) {
   bench::visit_other_overlaps(visit, ask_overlaps);
 }
 
-// Of these only flash and stack are measured: a contact needs more stack than the Cortex-M0 of the
-// boards that count instructions has memory.
+// Only flash and stack of these are measured: a contact needs more stack than the Cortex-M0 boards
+// that count instructions have memory.
 
 template <class Visit>
 void visit_distances(const Visit& visit) {
@@ -70,11 +70,11 @@ void visit_casts(const Visit& visit) {
   visit(query<MovingCapsule, Triangle>("cast/capsule_triangle", ask_cast));
 }
 
-/// Storage for `count` inputs, padded so that the next begins at a word.
+/// Storage for `count` inputs, padded to whole words.
 template <class Question>
 inline constexpr std::size_t size_of_questions = (sizeof(Question) * question_count + 3) / 4 * 4;
 
-/// A stored number or a bool as 32 bits.
+/// A number or bool as 32 bits.
 template <class T>
 constexpr std::uint32_t pattern_of(const T& x) {
   if constexpr (is_fixed<T>) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A program with a single query. Needs the macros HEADER, OPERATION, FIRST and SECOND (shapes),
-// SCALAR; MOVES if the first shape is one on its way.
+// A program with a single query. Needs the macros HEADER, OPERATION, FIRST and SECOND (shapes) and
+// SCALAR; also MOVES if the first shape moves.
 
 #include HEADER
 

@@ -2,7 +2,7 @@
 //
 // usage: questions SCALAR GROUP FILE [SEED]
 // Writes the inputs of a group of queries to FILE in the memory layout of a little-endian machine,
-// and prints the name of each query with this machine's results.
+// and prints the name of each query with its results on this machine.
 
 #include <cstdio>
 #include <cstdlib>

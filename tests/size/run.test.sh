@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The reports of `run` on unknown options and missing compilers, and the stack it finds in a program
-# whose stack is known.
+# Checks what `run` reports for unknown options and missing compilers, and the stack it finds in a
+# program whose stack is known.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -27,14 +27,14 @@ run 2 "^size: --seed needs a number, not 'x'" instructions --seed x
 run 2 "^size: no core 'm1'; there are: m0 m3 m4f" instructions --core m1
 run 2 "^size: --optimise needs 0 to 3 or s" instructions --optimise fast
 
-# An empty folder has no compilers.
+# An empty folder contains no compilers.
 nowhere=$(mktemp -d)
 trap 'rm -rf "$nowhere"' EXIT
 for tool in bash dirname env; do ln -s "$(command -v "$tool")" "$nowhere/"; done
 PATH=$nowhere run 77 '^skipped: arm-none-eabi-g\+\+ is not installed' flash --check
 PATH=$nowhere run 2 '^size: arm-none-eabi-g\+\+ is not installed' flash
 
-# ask takes 8 bytes and calls a function of 16, which calls one of the runtime, of 12 + 16.
+# `ask` takes 8 bytes and calls a function of 16 bytes, which calls one of the runtime of 12 + 16.
 cat >"$nowhere/graph.ci" <<'GRAPH'
 graph: { title: "x.cpp"
 node: { title: "ask" label: "bool ask()\nx.cpp:1:2\n8 bytes (static)" }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene of three shapes and one query, whose compilation `./dev size compile` measures.
+// A scene of three shapes and one query. `./dev size compile` measures its compile time.
 
 #include "detent/scene/scene.hpp"
 

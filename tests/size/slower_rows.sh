@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 # usage: tests/size/slower_rows.sh [--write]
 #
-# Checks that docs/size.md names every query that takes more instructions in a fixed scalar than in
-# software float, on M0 and M3, as docs/data/instructions.csv has them. With --write, prints the rows.
+# Checks that docs/size.md lists every query that takes more instructions in a fixed scalar than in
+# software float on M0 or M3, according to docs/data/instructions.csv. With --write, prints the
+# rows.
 set -euo pipefail
 export LC_ALL=C
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

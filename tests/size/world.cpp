@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Steps a pyramid of ten boxes in 2D within the memory of the program, on a microcontroller or here. A
-// `yield` before and after the last step is for count_instructions.c. Prints the contacts and the
-// digest of the world. Needs the macros SCALAR and SUBSTEPS.
+// Steps a 2D pyramid of ten boxes in static memory, on a microcontroller or here. A `yield` before
+// and after the last step is for count_instructions.c. Prints the contacts and the digest of the
+// world. Needs the macros SCALAR and SUBSTEPS.
 
 #include "detent/dynamics/world.hpp"
 
@@ -28,7 +28,7 @@ void add_box(Bodies& world, int x, int y, int width, int height,
 
 }  // namespace
 
-/// A world and its steps: all that a program of boxes needs in its flash.
+/// A world and its steps: everything a program of boxes needs in flash.
 extern "C" void ask(Bodies& world, int steps) {
   BodyOptions<S, 2> fixed;
   fixed.motion = BodyMotion::fixed;

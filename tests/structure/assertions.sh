@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: assertions.sh COMPILER
-# Assertions are on in debug builds and with DETENT_ASSERTIONS=1, and a failed one ends the program
-# with its text.
+# Assertions are on in debug builds and with DETENT_ASSERTIONS=1. A failed assertion ends the
+# program with its text.
 set -euo pipefail
 
 compiler=$1
@@ -20,7 +20,7 @@ int main(int argc, char**) {
 }
 END
 
-# run STATUS FLAG...: the program, compiled with the flags, exits with that status.
+# run STATUS FLAG...: the program compiled with these flags must exit with STATUS.
 run() {
   "$compiler" -std=c++20 -Iinclude "${@:2}" "$work/promise.cpp" -o "$work/promise"
   local status=0
@@ -58,4 +58,4 @@ if [[ $said != *rounding.hpp:*:\ detent:\ assertion\ failed:* ]]; then
   exit 1
 fi
 run 7 -O1 -DOWN_HANDLER
-echo "assertions are on in debug builds and where they are asked for"
+echo "assertions are on in debug builds and on request"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Every test that a comment cites by its path exists.
+# Every test cited by path in a comment exists.
 set -euo pipefail
 
 missing=0

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# `./dev COMMAND --help` explains every command of ./dev, and neither builds nor installs anything. All
-# packages that ./dev lists have a check.
+# `./dev COMMAND --help` explains every command of ./dev, and neither builds nor installs anything.
+# Every package that ./dev lists has a check.
 set -euo pipefail
 
 work=$(mktemp -d)
@@ -12,7 +12,7 @@ for tool in "${tools[@]}"; do
   chmod +x "$work/$tool"
 done
 
-# The commands are those of the last `case` in ./dev.
+# The commands are the cases of the last `case` in ./dev.
 commands=$(sed -n '/^case \${1:-help} in$/,$p' dev | sed -n 's/^  \([a-z| ]*\)).*/\1/p' | tr -d '|')
 count=0
 for command in $commands; do
@@ -29,9 +29,9 @@ for command in $commands; do
 done
 [[ $count -ge 11 ]] || { echo "found only these commands: $commands"; exit 1; }
 
-# A package without a check would never be installed, nor would those listed with it.
+# Without its check, a package would never be installed, nor would those listed with it.
 for package in $(sed -n 's/^[a-z]*_packages=(\([^)]*\)).*/\1/p' dev); do
   grep -qE "^    ([^)]* )?${package//+/\\+}( [^)]*)?\\)" dev ||
     { echo "./dev does not check for the package $package"; exit 1; }
 done
-echo "$count commands explain themselves, and do nothing else"
+echo "$count commands only print their help with --help"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: files_are_listed.sh FOLDER PATTERN FILE...
-# The files that CMake lists (by absolute path) are those in FOLDER with names that match PATTERN.
+# CMake lists exactly the files in FOLDER whose names match PATTERN (passed as absolute paths).
 set -euo pipefail
 
 folder=$1 pattern=$2

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Uses everything that a fixed-point build needs. fixed_path.sh compiles it without floating-point
-// registers, library, exceptions or type information: the queries of shapes (DETENT_PART=1), and
-// what is built on them (2).
+// registers, standard library, exceptions or type information: queries of shapes (DETENT_PART=1),
+// and the layers above (2).
 
 #include "detent/detent.hpp"
 
@@ -228,7 +228,7 @@ struct Surfaces {
 };
 template struct Surfaces<q16_16>;
 
-// A scene for a sync test, and a ray's hit in it.
+// A scene for a sync test, and a ray hit in it.
 using Arena = BoundedScene<Bounded<8, 2>, q16_16, 3, Sphere>;
 std::size_t play(SyncTest<Arena, q16_16, 4>& test, Arena& arena, q16_16 push,
                  const Ray<q16_16, 3>& ray, std::span<ObjectHit<q16_16, 3>> hits) noexcept {
@@ -245,7 +245,7 @@ bool stroll(const Arena& arena, Mover<q16_16, 3, Sphere>& player,
   return clip_velocity(by, player.move(arena, by, {}, InLayers{1})) == by;
 }
 
-// Everything drawn on a sink that counts.
+// Draws everything to a sink that counts.
 struct Paper {
   std::size_t marks = 0;
   template <int N>
@@ -274,7 +274,7 @@ std::size_t sketch(const Arena& arena, const ConvexHull<q16_16, 3>& hull,
   return paper.marks;
 }
 
-// What moving shapes touch: alone, and in the scene.
+// Casts of moving shapes, against one shape and in the scene.
 std::size_t sweep_all(const Arena& arena, const Sphere<q16_16, 3>& sphere,
                       const Aabb<q16_16, 3>& aabb, const Obb<q16_16, 3>& box,
                       const Capsule<q16_16, 3>& capsule, const Triangle<q16_16, 3>& triangle,
@@ -293,7 +293,7 @@ bool sweep_flat(const Sphere<q8_8, 2>& sphere, const Aabb<q8_8, 2>& box,
   return cast(sphere, ahead, distance, box) || cast(box, ahead, distance, box);
 }
 
-// When moving bodies meet, and the events of a scene.
+// Times of impact of moving bodies, and the events of a scene.
 std::size_t collide(const Capsule<q16_16, 3>& capsule, const Obb<q16_16, 3>& box,
                     const ConvexHull<q16_16, 3>& hull, const Plane<q16_16, 3>& plane,
                     const Sweep<q16_16, 3>& sweep, const Obb<q8_8, 2>& flat_box,

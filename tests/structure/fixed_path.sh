@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: fixed_path.sh COMPILER [FLAG...]
-# The fixed-point path compiles for a bare machine, and needs from the linker only integer helpers
-# and the memory functions that compilers assume: no soft float, no heap, no throw. Nothing is
-# optimised, so that a need in code that never runs counts too.
+# The fixed-point path compiles for a bare machine. From the linker it needs only integer helpers
+# and the memory functions that compilers assume: no soft float, no heap, no throw. It is compiled
+# without optimisation, so that code that never runs counts too.
 set -euo pipefail
 
 if ! command -v "$1" >/dev/null; then

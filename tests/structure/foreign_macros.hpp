@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Macros of third-party headers, for foreign_macros.sh. `min` and `max` are function-like, as in
-// windows.h: public names such as `Aabb::min` survive those, because nothing in the headers calls
-// `min` or `max` in a form that the macro would expand. An object-like `min` would rename the
-// public member, so it is not included here.
+// windows.h. Public names such as `Aabb::min` survive those, because the headers never call `min`
+// or `max` in a form that the macro would expand. An object-like `min` would rename the public
+// member, so it is not included here.
 
 // windows.h
 #define near

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: foreign_macros.sh COMPILER
-# Every header compiles after the macros of windows.h, Arduino.h and similar. The standard headers
-# come before the macros, because many do not survive those themselves.
+# Every header compiles after the macros of windows.h, Arduino.h and similar headers. The standard
+# headers come before the macros, because many of them do not survive those.
 set -euo pipefail
 
 work=$(mktemp -d)
@@ -14,4 +14,4 @@ trap 'rm -rf "$work"' EXIT
 } >"$work/headers.cpp"
 
 "$1" -std=c++20 -fsyntax-only -Wall -Wextra -Werror -I. -Iinclude "$work/headers.cpp"
-echo "$(grep -c '^#include "detent' "$work/headers.cpp") headers compile after other people's macros"
+echo "$(grep -c '^#include "detent' "$work/headers.cpp") headers compile after foreign macros"

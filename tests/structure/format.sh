@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Every C++ source is formatted by clang-format 14. Other versions differ in details.
+# Every C++ source is formatted with clang-format 14. Other versions format some details
+# differently.
 set -euo pipefail
 
 for formatter in clang-format-14 clang-format; do
@@ -10,7 +11,7 @@ for formatter in clang-format-14 clang-format; do
       echo "every source is formatted"
       exit 0
     fi
-    echo "./dev format puts this right"
+    echo "run ./dev format to fix this"
     exit 1
   fi
 done

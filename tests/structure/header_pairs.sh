@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: header_pairs.sh COMPILER
-# Headers may be included in any order, detent.hpp includes all of them, and a
-# surface and one of its queries compile from their two headers, in either order.
+# Headers compile in any order, detent.hpp includes all of them, and a surface and one of its
+# queries compile from their two headers in either order.
 set -euo pipefail
 
 compile=("$1" -std=c++20 -fsyntax-only -Wall -Wextra -Werror -Iinclude)
@@ -23,7 +23,7 @@ all() { find include -name '*.hpp' -printf '#include "%P"\n' | sort "$@"; }
 all | expect_to_compile 'all headers in the order of their names'
 all -r | expect_to_compile 'all headers in the reverse order'
 
-# What programs that link the compiled library include.
+# The headers for programs that link the compiled library.
 echo '#include <detent/detent.hpp>' >"$work/umbrella.cpp"
 missing=$(comm -13 <("$1" -std=c++20 -Iinclude -M "$work/umbrella.cpp" |
                        grep -oE 'include/detent/[^ ]+' | sort -u) \
@@ -33,7 +33,7 @@ if [[ -n $missing ]]; then
   exit 1
 fi
 
-# A header with a type of surface, and the type; a header with queries, and what they are for.
+# Headers with a type of surface, and the type; headers with queries, and their purpose.
 surfaces=('mesh/mesh.hpp Mesh' 'mesh/placed.hpp PlacedMesh'
   'height_field/height_field.hpp HeightField')
 queries=('mesh/raycast.hpp raycast_nearest(ray, surface)'

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Only the headers that the README lists use the heap.
+# Only the headers listed in the README use the heap.
 set -euo pipefail
 
 allowed='include/detent/number/text.hpp include/detent/cull/list.hpp

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# A header includes only its own layer and layers to its left, by the full path "detent/...". For
-# programs that link detent::detent, query/raycast.hpp also includes the list of what that compiles. The
-# library's version belongs to no layer.
+# A header includes only its own layer and layers to its left, by the full path "detent/...". There
+# are two exceptions: for programs that link detent::detent, query/raycast.hpp includes the list of
+# compiled instantiations; and the library's version belongs to no layer.
 set -euo pipefail
 
 layers=(number math shape cull query scene dynamics draw lockstep)

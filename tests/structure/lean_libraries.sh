@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The umbrella compiles with the standard libraries that lack most: libc++ 14, for WebAssembly, and
+# The umbrella compiles with the smallest standard libraries: libc++ 14 for WebAssembly, and
 # newlib's without an operating system.
 set -euo pipefail
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The functions that multiply, divide and take roots in 128 bits, for msvc_integers.sh.
+// Functions that multiply, divide and take roots in 128 bits, for msvc_integers.sh.
 
 #include "detent/number/number.hpp"
 #include "detent/query/raycast/sphere.hpp"

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: old_standard.sh COMPILER
-# Under an older standard, a header gives one sentence that names the flag, with few lines around
-# it.
+# Under an older standard, a header gives one error that names the flag, in few lines.
 set -euo pipefail
 
 most_lines=17
@@ -24,7 +23,7 @@ for header in detent.hpp scene/scene.hpp query/raycast/sphere.hpp version.hpp; d
   fi
 done
 
-# A header that includes no other of ours is parsed first, so those contain the sentence.
+# A header that includes no other header of ours is parsed first, so it must contain the error.
 silent=$(grep -rL '#include "detent/' include --include='*.hpp' | grep -v '/require_cxx20.hpp$' || true)
 if [[ -n $silent ]]; then
   echo "these include nothing of ours, so they need detent/number/require_cxx20.hpp:"

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: operations_include_kernels.sh [INCLUDE]
-# In query/, the headers of an operation include kernels and each other, but no other operation, and
-# kernels include no operation. An umbrella, which only includes, is for users: the only other
-# header that includes umbrellas is scene/scene.hpp, whose shapes can be asked any question.
+# In query/, the headers of an operation include kernels and each other but no other operation, and
+# kernels include no operation. Umbrellas, which only include, are for users; the only other header
+# that includes them is scene/scene.hpp, whose shapes support every query.
 set -euo pipefail
 cd "${1:-include}"
 
@@ -14,8 +14,8 @@ refuse() {
   bad=1
 }
 
-# The operation of a header such as detent/query/raycast/sphere.hpp or detent/query/on.hpp; kernel
-# for a kernel, and nothing outside of query/.
+# Prints the operation of a header such as detent/query/raycast/sphere.hpp or detent/query/on.hpp,
+# `kernel` for a kernel, and nothing outside query/.
 operation() {
   local path=${1#detent/query/}
   if [[ $1 == detent/query/* ]]; then echo "${path%%[/.]*}"; fi

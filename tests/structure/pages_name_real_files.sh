@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: pages_name_real_files.sh [PAGE...]
-# Every path in backquotes and every link of the pages names something of this repository: by default
-# of those at the top level and in docs/. In backquotes, words count that begin with a folder of the
-# top level, with `detent/` as #include has it, or with a layer and end in `.hpp`. A `*`, or a
-# name in capitals such as PROPERTY, stands for anything, and something must match.
+# Every path in backquotes and every link of the pages names something in this repository. The pages
+# are by default those at the top level and in docs/. A word in backquotes is a path if it begins
+# with a top-level folder, with `detent/` as in #include, or with a layer and ends in `.hpp`. A `*`,
+# or a name in capitals such as PROPERTY, is a wildcard, which must match something.
 set -euo pipefail
 shopt -s extglob
 
 pages=("$@")
 if [[ ${#pages[@]} -eq 0 ]]; then pages=(./*.md docs/*.md); fi
 
-# paths PAGE: its paths, a line each: `code` or `link`, and the path. Paragraphs become one line, so
-# that code may be broken in two; blocks of code are left out.
+# paths PAGE: prints its paths, one per line: `code` or `link`, and the path. Paragraphs are joined
+# to one line, because code may be broken in two. Code blocks are left out.
 paths() {
   awk '
     function search(paragraph,   code, span, count, words, i) {
@@ -35,7 +35,7 @@ paths() {
   ' "$1"
 }
 
-# place KIND PATH PAGE: where the path leads, as a pattern, or nothing where it is no path of ours.
+# place KIND PATH PAGE: prints where the path leads, as a pattern, or nothing if it is not our path.
 place() {
   local path=${2%%#*}
   if [[ $1 == link ]]; then
@@ -59,7 +59,7 @@ place() {
   echo "$pattern"
 }
 
-# check PAGE...: prints what leads nowhere, and counts in `checked` and `wrong`.
+# check PAGE...: prints broken paths, and counts in `checked` and `wrong`.
 check() {
   local page kind path pattern
   checked=0 wrong=0
@@ -69,14 +69,14 @@ check() {
       if [[ -z $pattern ]]; then continue; fi
       checked=$((checked + 1))
       if ! compgen -G "$pattern" >/dev/null; then
-        echo "$page names $path, which is not there"
+        echo "$page names $path, which does not exist"
         wrong=$((wrong + 1))
       fi
     done < <(paths "$page" | sort -u)
   done
 }
 
-# Of seven paths in a page four are wrong, and they must be found.
+# Self-test: four of a page's seven paths are wrong and must be found.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cat >"$work/page.md" <<'END'
@@ -87,10 +87,10 @@ END
 check "$work/page.md" >"$work/said"
 if [[ $checked -ne 7 || $wrong -ne 4 || $(grep -c nowhere "$work/said") -ne 4 ]]; then
   cat "$work/said"
-  echo "of the 7 paths of a planted page $checked were found, and $wrong of 4 wrong ones"
+  echo "self-test: found $checked of 7 paths and $wrong of 4 broken ones"
   exit 1
 fi
 
 check "${pages[@]}"
 if [[ $wrong -ne 0 ]]; then exit 1; fi
-echo "$checked paths in ${#pages[@]} pages are there"
+echo "$checked paths in ${#pages[@]} pages exist"

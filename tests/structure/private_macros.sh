@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: private_macros.sh COMPILER [INCLUDE]
-# After all headers, only the documented macros are defined: options, what was chosen, the version.
+# After including all headers, only the documented macros are defined: options, choices and the
+# version.
 set -euo pipefail
 
 documented='DETENT_ASSERT DETENT_ASSERTIONS DETENT_NATIVE_INT128 DETENT_PORTABLE_INT128
@@ -10,7 +11,7 @@ documented='DETENT_ASSERT DETENT_ASSERTIONS DETENT_NATIVE_INT128 DETENT_PORTABLE
 compiler=$1 include=${2:-include}
 system=$(grep -rhoE '^#include <[a-z_.0-9]+>' "$include" | sort -u)
 
-# macros SOURCE: the names that are defined at its end.
+# macros SOURCE: prints the names defined at its end.
 macros() { "$compiler" -std=c++20 -I"$include" -E -dM -x c++ - <<<"$1" | cut -d ' ' -f 2 | sort -u; }
 
 ours=$(comm -13 <(macros "$system") <(macros "$system

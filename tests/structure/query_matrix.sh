@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: MIT
 # usage: query_matrix.sh COMPILER [--write] FILE
 #
-# Writes the tables of FILE between its two "query matrix" comments: for each query the bits of the
-# widest number that it computes with. The width comes from the code itself: a call
-# in q16_16 and 3D is compiled without optimisation, the linker drops what the call does not reach,
-# and the symbols left name every Fixed<Bits, ...> that a function takes or returns. Without --write,
-# fails if FILE differs.
+# Writes the tables of FILE between its two "query matrix" comments: for each query, the bits of the
+# widest number that it computes with. The width comes from the code: a call in q16_16 and 3D is
+# compiled without optimisation, the linker drops what the call does not reach, and the remaining
+# symbols name every Fixed<Bits, ...> that a function takes or returns. Without --write, fails if
+# FILE differs.
 set -euo pipefail
 
 compiler=$1
@@ -17,7 +17,7 @@ if [[ $2 == --write ]]; then
 fi
 file=$2
 for tool in ld nm; do
-  command -v $tool >/dev/null || { echo "skipped: there is no $tool"; exit 77; }
+  command -v $tool >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
 done
 
 work=$(mktemp -d)
@@ -28,9 +28,9 @@ declare -A stem=([Sphere]=sphere [Aabb]=aabb [Obb]=obb [Plane]=plane [Triangle]=
                  [Capsule]=capsule [ConvexHull]=hull [Segment]=segment [Ray]=ray
                  [Frustum]=frustum)
 
-# A cell is a function with one call, or a few, in the source of its group: what the calls of a group
-# share is compiled once. It is named by the header's path; where one header has several cells, by
-# the shape too.
+# A cell is a function with one or a few calls, in its group's source, so that shared code is
+# compiled once. It is named after the header's path; if one header has several cells, also after
+# the shape.
 declare -A function_of=() group_of=()
 cell() { # group header[+shape] parameters calls...
   local group=$1 name=$2 header=${2%+*} parameters=$3 call
@@ -67,7 +67,8 @@ for shape in "${shapes[@]}"; do
   cell overlaps "overlaps/frustum+$shape" \
     "const detent::$shape<S, 3>& a, const detent::Frustum<S>& b" 'overlaps(a, b)'
 done
-# Of two shapes: one row for each first shape, against those that need the longest numbers.
+# Queries of two shapes: one row per first shape, with the second shapes that need the widest
+# numbers.
 pair_queries=(distance closest_points contact cast)
 for query in "${pair_queries[@]}"; do
   for a in "${shapes[@]}"; do
@@ -88,7 +89,7 @@ for ((i = 0; i < ${#shapes[@]}; ++i)); do
 done
 
 export compiler
-# The parameters let g++ collect garbage seldom, but below 900 MB; clang++ leaves them unused.
+# These parameters make g++ collect garbage rarely but stay below 900 MB; clang++ ignores them.
 (cd "$work" && printf '%s\0' *.cpp) | xargs -0 -n 1 -P "$(nproc)" \
   bash -c '"$compiler" -std=c++20 -O0 -ffunction-sections -Iinclude \
     --param=ggc-min-heapsize=560000 --param=ggc-min-expand=10 -c "$0/$1" -o "$0/${1%.cpp}.o"' "$work"
@@ -104,7 +105,7 @@ bits() { # cell
   nm -C "$work/reached" | grep -oE 'Fixed<[0-9]+' | grep -oE '[0-9]+' | sort -n | tail -n 1
 }
 
-# A row of the first and the second table: a name, then numbers under the names of the columns.
+# Prints a row of the first or second table: a name, then numbers below the column names.
 row() { # name cells...
   local name=$1 width i
   shift

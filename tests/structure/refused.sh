@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: refused.sh MOST_LINES NAME PATTERN COMPILER [FLAG...]
-# refused/NAME.cpp must not compile: one of the compiler's first 25 lines matches PATTERN, a grep -E
-# expression, and there are at most MOST_LINES.
+# refused/NAME.cpp must not compile: one of the compiler's first 25 lines must match PATTERN, a grep
+# -E expression, and there must be at most MOST_LINES.
 set -euo pipefail
 
 most_lines=$1 source=tests/structure/refused/$2.cpp pattern=$3
@@ -11,7 +11,7 @@ if ! command -v "$1" >/dev/null; then
   echo "skipped: $1 is not installed"
   exit 77
 fi
-# GCC reports some of these only when it optimises, so the code is compiled and not only parsed.
+# GCC reports some errors only when it optimises, so the code is compiled, not just parsed.
 if output=$("$@" -std=c++20 -Iinclude -c "$source" -o /dev/null 2>&1); then
   echo "$source compiles"
   exit 1

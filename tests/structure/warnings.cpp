@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Typical game code, compiled by warnings.sh with the flags of a strict project.
+// Typical game code. warnings.sh compiles it with the flags of a strict project.
 
 #include <array>
 #include <cstdio>
@@ -146,7 +146,7 @@ int surfaces(const Numbers<q16_16>& numbers) {
   return static_cast<int>(count);
 }
 
-/// Counts what is drawn.
+/// Counts the draw calls.
 struct Paper {
   int marks = 0;
   void line(const Vec<q16_16, 3>&, const Vec<q16_16, 3>&, const Colour&) { ++marks; }
@@ -164,7 +164,7 @@ int sketch(const Scene& scene) {
   return paper.marks;
 }
 
-/// A match of one packet, and its replay.
+/// A match with one packet, and its replay.
 int match(int input) {
   constexpr SessionLimits limits{.players = 2, .peers = 2, .prediction = 2, .evidence = 2};
   using Match = Session<int, std::int16_t, limits>;

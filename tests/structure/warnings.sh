@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # usage: warnings.sh COMPILER... [-O...]
 # A user's source compiles without warnings under the flags of a strict project. With several
-# compilers or levels it tries them all and prints a table:
+# compilers or levels, tries them all and prints a table:
 #
 #   tests/structure/warnings.sh g++-11 g++-12 clang++-13 clang++-14 clang++-19 -O0 -O1 -O2 -O3
 set -euo pipefail
@@ -26,7 +26,7 @@ for compiler in "${compilers[@]}"; do
   fi
   for level in "${levels[@]}"; do
     tried=$((tried + 1))
-    # clang's warnings are those of its front end, whatever the level.
+    # clang's warnings come from its front end, so they do not depend on the level.
     if [[ $compiler == clang* ]]; then only=-fsyntax-only; else only=-c; fi
     if "$compiler" -std=c++20 "$level" "$only" -Wall -Wextra -Wconversion -Wsign-conversion -Wshadow -Werror \
       -Iinclude tests/structure/warnings.cpp -o /dev/null 2>"$errors"; then

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: wrong_calls.sh COMPILER
-# Each line of wrong_calls.cpp that ends in a comment is an error of a few lines with that sentence,
-# and no other line is an error.
+# Each line of wrong_calls.cpp that ends in a comment must cause an error of a few lines that
+# contains the comment, and no other line may cause an error.
 set -euo pipefail
 
 most_lines=12
@@ -21,7 +21,7 @@ if "$1" -std=c++20 -fsyntax-only "$limit" -w -Iinclude "$source" 2>"$errors"; th
   exit 1
 fi
 
-# The first input is the source, the second the compiler's output: an error begins with its
+# The first input is the source, the second the compiler's output, where an error begins with its
 # position.
 awk -v file="$source" -v most="$most_lines" '
   FNR == NR {

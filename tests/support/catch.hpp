@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Catch2 3 split its single header; everything else that a test needs kept its name.
+// Catch2 3 split its single header; everything else that tests use kept its name.
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
 #else

@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: MIT
 //
-// Nothing but the precompiled headers, which all test programs share.
+// Only the precompiled headers that all test programs share.

@@ -9,10 +9,10 @@
 
 namespace detent::test {
 
-/// So many threads, the caller's among them, that run the calls of a step: `world.step(pool)`.
+/// A pool of threads, including the caller's, that runs the calls of a step: `world.step(pool)`.
 ///
-/// Nobody waits for a thread that has not taken a call: on a busy machine it may come late, and then
-/// finds nothing to do.
+/// It never waits for a thread that has not taken a call. On a busy machine such a thread may
+/// arrive late, and then finds nothing to do.
 class Pool {
  public:
   explicit Pool(std::size_t threads) {
@@ -41,7 +41,7 @@ class Pool {
   }
 
  private:
-  // One word, so that a call is taken only in its own round: round, calls, and those not taken yet.
+  // One word, so that a call is taken only in its own round: round, calls, and calls not taken yet.
   static constexpr int bits = 20;
   static constexpr std::uint64_t mask = (std::uint64_t{1} << bits) - 1;
 
@@ -59,7 +59,7 @@ class Pool {
     left_.fetch_sub(1, std::memory_order_release);
     return true;
   }
-  /// Looks for calls for a while, as most pauses within a step are short, then sleeps.
+  /// Looks for calls for a while, because most pauses within a step are short, then sleeps.
   void work() {
     while (!ends_.load()) {
       bool has_taken = false;

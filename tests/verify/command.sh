@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: command.sh DETENT
-# `detent verify` like a user runs it: what it prints, writes and returns.
+# Runs `detent verify` as a user does and checks what it prints, writes and returns.
 set -euo pipefail
 
 detent=$1
@@ -61,7 +61,7 @@ cmp "$work/dumps/a" "$work/dumps/b" || fail "two dumps differ"
 run --dump "$work/no/such/place"
 [[ $status -eq 2 && $(wc -l <"$work/err") -eq 1 ]] || fail "an impossible dump: $status"
 
-# The documents show what the command prints.
+# The documents must show what the command prints.
 while read -r line; do
   grep -qxF -- "$line" "$work/table" || fail "a document says: $line"
 done < <(sed -nE 's/^ *([a-z_/]+ +[0-9]+  [0-9a-f]{16}  ok)$/\1/p' README.md docs/verify.md)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: constant.sh COUNT COMPILER ARGUMENT...
-# The compiler itself computes the golden results, of COUNT parts of the corpus at a time, since all
+# The compiler itself computes the golden results, COUNT parts of the corpus at a time, because all
 # of it takes some compilers gigabytes.
 set -euo pipefail
 
@@ -16,7 +16,7 @@ mapfile -t parts < <(sed -n '/^struct Basics {/,/^};/p' src/verify/corpus.hpp |
   sed -n '/using Parts = List</,/;/p' | grep -oE '[A-Z][A-Za-z]+' | grep -vx -e Parts -e List)
 [[ ${#parts[@]} -gt 20 ]] || { echo 'src/verify/corpus.hpp has no list of parts'; exit 1; }
 
-# What all parts include, precompiled where g++ looks for it.
+# Precompiles the common headers where g++ looks for them.
 flags=(-std=c++20 -Wall -Wextra -Wconversion -Wshadow -Werror -Iinclude -Isrc)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

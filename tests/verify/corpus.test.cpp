@@ -124,7 +124,7 @@ Verges verges() {
 
 }  // namespace
 
-TEST_CASE("corpus: it has millions of questions, and a share of them for microcontrollers") {
+TEST_CASE("corpus: has millions of questions, and a small part for microcontrollers") {
   CHECK(count_questions(full_size) >= 10'000'000);
   CHECK(count_questions(small_size) >= 30'000);
   CHECK(count_questions(small_size) <= 71'000);
@@ -134,7 +134,7 @@ TEST_CASE("corpus: it has millions of questions, and a share of them for microco
   CHECK(count_questions(small_size) == 70'432);
 }
 
-TEST_CASE("corpus: its parts are all of it, one after the other") {
+TEST_CASE("corpus: its parts make up the whole, in order") {
   std::size_t cells = 0, rows = 0, sheet_count = 0;
   visit_parts([&]<class Part>(Part) {
     CHECK(first_cell<Part>() == cells);
@@ -169,7 +169,7 @@ TEST_CASE("corpus: between 30 and 70 percent of the answers are yes, for every q
   }
 }
 
-TEST_CASE("corpus: every shape is touched, started in, run along and met at a ray's end") {
+TEST_CASE("corpus: every shape is touched, started in, grazed along and hit at a ray's end") {
   const auto check = [](const char* name, const Occasions& seen) {
     INFO(name << ": inside " << seen.starts_inside << ", touches " << seen.touches << ", ends "
               << seen.ends_at_hit << ", axes " << seen.along_axis << ", range "
@@ -202,7 +202,7 @@ TEST_CASE(
   });
 }
 
-TEST_CASE("corpus: trees of meshes have several nodes, scenes are full and places used again") {
+TEST_CASE("corpus: trees of meshes have several nodes, and scenes are full and reuse indices") {
   std::uint32_t deep = 0, full = 0, reused = 0, refused = 0, fixed = 0;
   visit_cases<Meshes, q16_16, 3>(full_size, [&](const auto& c) {
     if (Meshes::answer<8>(c).view().tree.nodes.size() > 1) ++deep;
@@ -234,13 +234,13 @@ TEST_CASE("corpus: exact arithmetic confirms the first answers of every cell") {
 
 TEST_CASE("corpus: exact arithmetic confirms every answer", "[.demand]") { confirm(full_size); }
 
-TEST_CASE("corpus: no two sheets ask the same") {
+TEST_CASE("corpus: no two sheets have the same questions") {
   std::set<std::uint64_t> digests;
   for (std::size_t i = 0; i < sheets().size(); ++i) digests.insert(digest_of_questions(i, 10));
   CHECK(digests.size() == sheets().size());
 }
 
-TEST_CASE("corpus: the digest of a cell is XXH64 of the bytes that a dump holds") {
+TEST_CASE("corpus: the digest of a cell is XXH64 of the bytes in a dump") {
   for (std::size_t i = 0; i < sheets().size(); ++i) {
     const auto kept = answer(i, 100, true), digested = answer(i, 100, false);
     for (std::size_t row = 0; row < kept.size(); ++row) {
@@ -251,7 +251,7 @@ TEST_CASE("corpus: the digest of a cell is XXH64 of the bytes that a dump holds"
   }
 }
 
-TEST_CASE("corpus: a smaller one is the beginning of a larger one") {
+TEST_CASE("corpus: a smaller corpus is a prefix of a larger one") {
   for (std::size_t i = 0; i < sheets().size(); ++i) {
     const auto small = answer(i, small_size, true), large = answer(i, 2 * small_size, true);
     for (std::size_t row = 0; row < small.size(); ++row) {
@@ -278,7 +278,7 @@ TEST_CASE("corpus: the parts give the golden digests of their rows") {
   });
   std::size_t first = 0, checked = 0;
   visit_parts([&]<class Part>(Part) {
-    // The others take gigabytes to compile, and platforms/ run them.
+    // The others take gigabytes to compile; tests/platforms runs them.
     if constexpr (is_one_of<Part, SolidRays, Turns, Extents>) {
       std::vector<std::uint64_t> answered;
       const auto keep = [&](const RowResult& row) { answered.push_back(row.digest); };
@@ -292,7 +292,8 @@ TEST_CASE("corpus: the parts give the golden digests of their rows") {
   CHECK(checked == count_rows<SolidRays>() + count_rows<Turns>() + count_rows<Extents>());
 }
 
-TEST_CASE("corpus: a quarter asks every query in every dimension, and four quarters ask it all") {
+TEST_CASE(
+    "corpus: a quarter covers every query and dimension, and four quarters cover everything") {
   visit_groups([]<class Group>(Group) {
     // For each dimension, the scalars of each quarter as a bit mask.
     std::array<std::array<int, 4>, 4> scalars{};

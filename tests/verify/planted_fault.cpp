@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `detent verify` alone: planted_fault.sh links it with a faulty copy of the library.
+// `detent verify` alone; planted_fault.sh links it with a faulty copy of the library.
 
 #include "verify.hpp"
 

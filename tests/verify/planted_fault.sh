@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: planted_fault.sh LIBRARY ORACLE COMPILER [FLAG...]
-# In a copy of the library, a ray query and a point query sometimes get one wrong bit: `detent
-# verify` must name the queries, the scalars, the dimensions and the questions. LIBRARY contains
-# what else the command needs, ORACLE its judge.
+# A copy of the library sometimes returns one wrong bit in a ray query and in a point query. `detent
+# verify` must name the queries, scalars, dimensions and questions. LIBRARY has the rest of the
+# command, ORACLE its judge.
 set -euo pipefail
 
 library=$1 oracle=$2
@@ -26,10 +26,10 @@ plant() {
   ! cmp -s "$work/before" "$work/$1" || fail "nothing to replace in $1: $2"
 }
 
-# In one of 64 intervals the last bit of the exit is wrong.
+# In one of 64 intervals, flip the last bit of the exit.
 plant include/detent/query/raycast/sphere.hpp \
   's/return Interval<S>\{\*enter, (.*)\};/const S exit = \1; return Interval<S>{*enter, S::from_raw(static_cast<typename S::raw_type>(exit.raw() % 64 == 21 ? exit.raw() ^ 1 : exit.raw()))};/'
-# The same in one of 64 first coordinates of points inside.
+# Flip the last bit in one of 64 first coordinates of inside points.
 plant include/detent/query/closest_point/sphere.hpp \
   's/^(  if \(radius < 0 \|\| squared <= square\(radius\)\)) return point;/\1 {\n    Vec<S, N> wrong = point;\n    if (point[0].raw() % 64 == 21) wrong[0] = S::from_raw(static_cast<typename S::raw_type>(point[0].raw() ^ 1));\n    return wrong;\n  }/'
 # The other shapes would only take time.
@@ -77,8 +77,8 @@ for query in raycast_interval/sphere closest_point/sphere; do
     fail "the question of $query is not named"
 done
 
-# shows QUERY NAME LETTERS: its question has a vector of that name, and the numbers after LETTERS,
-# expected and got, are one unit apart.
+# shows QUERY NAME LETTERS: the question has a vector named NAME, and the numbers after LETTERS,
+# expected and actual, are one unit apart.
 shows() {
   sed -n "\#^$1 differs for#,/got /p" "$work/printed" >"$work/report"
   grep -qE "^    $2 +\{-?[0-9]+, -?[0-9]+\} \(-?[0-9.]+, -?[0-9.]+\)$" "$work/report" ||

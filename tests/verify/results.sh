@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # usage: results.sh DETENT
 # A results version gives every question the same result forever. results.txt records, as digests,
-# which version gave which results for which questions; lines are added and never changed. A
-# changed result therefore needs a higher results_version and a line in the changelog.
+# which version gave which results for which questions. Lines are added and never changed, so a
+# changed result needs a higher results_version and a line in the changelog.
 set -euo pipefail
 
 table=tests/verify/results.txt

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The scripted match of every binding: boxes fall on a floor, a scene has a ball around each, rays look
-// down at them. Ends with 16 digits that follow from every answer: those of tests/c/match.cpp.
+// The scripted match that every binding plays: boxes fall on a floor, a scene holds a ball around
+// each, and rays are cast down at them. Prints a digest of all results, 16 digits equal to those of
+// tests/c/match.cpp.
 using System;
 using System.Collections.Generic;
 using Detent;
@@ -37,7 +38,8 @@ public sealed class Match {
     if (!isSo) throw new Exception("the match for two is not as it should be");
   }
 
-  // A match for two by two sessions in one program. Packets take some frames, and each fifth is lost.
+  // A two-player match between two sessions in one program. Packets are delayed; every fifth is
+  // lost.
   void PlayForTwo(Context context) {
     const uint frames = 120;
     var start = new World3(context);

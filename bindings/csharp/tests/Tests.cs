@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests of the C# binding: a program that ends with 1 if one fails.
+// Tests of the C# binding. The program exits with 1 if one fails.
 using System;
 using Detent;
 
@@ -55,7 +55,7 @@ static class Tests {
     }
   }
 
-  // A million calls; an object of 16 bytes in each would be collected several times.
+  // A million calls: allocating 16 bytes in each would trigger several collections.
   static void NoGarbage() {
     using (var context = new Context()) {
       var scene = new Scene2(context);

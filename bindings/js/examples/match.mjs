@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The scripted match of every binding: boxes fall on a floor, a scene has a ball around each, rays look
-// down at them. Prints 16 digits that follow from every answer: those of tests/c/match.cpp.
+// The scripted match that every binding plays: boxes fall on a floor, a scene holds a ball around
+// each, and rays are cast down at them. Prints a digest of all results, 16 digits equal to those of
+// tests/c/match.cpp.
 
 import { FIXED, ONE, UNIT, events, load } from '../index.mjs';
 
 const bodies = 12, ticks = 120, rays = 8;
 
-// What a player presses; it takes effect two frames later.
+// A player's input; it takes effect two frames later.
 const press = (frame, player) => Uint8Array.from(frame < 80
   ? [Math.floor(frame / (7 + 4 * player)) % 5, Math.floor(frame / 3) % 4] : [0, 0]);
 
@@ -22,7 +23,7 @@ function simulate(world, balls, inputs) {
   world.step();
 }
 
-// A match for two by two sessions in one program. Packets take some frames, and each fifth is lost.
+// A two-player match between two sessions in one program. Packets are delayed; every fifth is lost.
 function playForTwo(context, space, mix) {
   const frames = 120;
   const require = (isSo) => {
@@ -121,7 +122,7 @@ export async function play(source) {
   return sum.toString(16).padStart(16, '0');
 }
 
-if (typeof process !== 'undefined') {  // in node, and not in a browser
+if (typeof process !== 'undefined') {  // in node, not in a browser
   const { pathToFileURL } = await import('node:url');
   if (import.meta.url === pathToFileURL(process.argv[1]).href) console.log(await play());
 }

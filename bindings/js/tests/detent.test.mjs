@@ -52,7 +52,7 @@ test('scenes in 2D', async () => {
   context.close();
 });
 
-test('lists that are longer than their first room', async () => {
+test('lists longer than the first buffer', async () => {
   const library = await detent.load(3, file(3));
   const { space } = library, scene = library.open().scene();
   for (let i = 0; i < 100; ++i) scene.add(space.sphere([i, 0, 0], ONE));
@@ -148,7 +148,7 @@ test('joints and frames', async () => {
   context.close();
 });
 
-test('walks end as in Python', async () => {
+test('walks end where they do in Python', async () => {
   const library = await detent.loadWithMovers(3, file(3, 'movers'));
   const { space } = library, context = library.open(), scene = context.scene();
   const whole = (x) => Math.floor(x);

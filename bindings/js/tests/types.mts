@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled by tsc, strictly: the types of what a program calls.
+// Compiled by tsc in strict mode: checks the types of the calls.
 import { FIXED, ONE, UNIT, events, load, loadWithMovers, states } from 'detent';
 const detent = await load(3);
 const { space } = detent;
@@ -34,7 +34,7 @@ console.log(moved, walker.isGrounded, walker.lastMove?.touched[0]?.object.index,
 const wide = await loadWithMovers(3);
 const camera = wide.space.camera([0, 0, ONE], [0, 0, 0], { half_width: ONE, half_height: ONE, near_distance: 0, far_distance: ONE });
 if (camera) console.log(wide.open().scene().visible(wide.space.frustum(camera)).length);
-// @ts-expect-error: a scene of the module without them
+// @ts-expect-error: a scene of the module without characters
 context.scene().castAny(space.sphere([0, 0, 0], ONE), [UNIT, 0, 0], ONE);
 // @ts-expect-error: a point of another dimension
 space.sphere([0, 0], ONE);

@@ -1,10 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Scenes and worlds for LuaJIT, through its FFI. Lengths are integers in steps of 2^-16, directions in
--- steps of 2^-30. The library is the file named by DETENT_LIBRARY, or the installed libdetent.so.
+-- Scenes and worlds for LuaJIT, through its FFI. Lengths are integers in steps of 2^-16, directions
+-- in steps of 2^-30. The library is the file named by DETENT_LIBRARY, or the installed
+-- libdetent.so.
 --
--- Methods of scenes and worlds have the names of the C functions: world:set_velocity(id, v) is
--- detent_world3_set_velocity. They return true for yes or done and false for no; those below that find
--- something return it, or nil. Errors of C are errors of Lua: tables with `status` and `message`.
+-- Methods of scenes and worlds are named after the C functions: world:set_velocity(id, v) is
+-- detent_world3_set_velocity. They return true for yes or done and false for no. The methods below
+-- that find something return it, or nil. C errors raise Lua errors: tables with `status` and
+-- `message`.
 local ffi = require('ffi')
 require('detent.interface')
 
@@ -20,7 +22,7 @@ local function check(status)
   return status == c.DETENT_OK
 end
 
--- The length nearest to a number of units, ties to even; an error out of range.
+-- A number rounded to the nearest length, ties to even; raises an error out of range.
 function detent.raw(units)
   local scaled = units * detent.ONE
   local below = math.floor(scaled)
@@ -60,7 +62,7 @@ local function space(dimension)
     new.as.aabb.min, new.as.aabb.max = vec(least), vec(greatest)
     return new
   end
-  -- `axes`: directions, those of the world if left out.
+  -- `axes` are directions; by default the world axes.
   function d.obb(center, half_extents, axes)
     local new = made(c.DETENT_OBB)
     new.as.obb.center, new.as.obb.half_extents = vec(center), vec(half_extents)
@@ -94,7 +96,7 @@ local function space(dimension)
 
   local raycast, overlaps = c[name('raycast{N}')], c[name('overlaps{N}')]
   local contains, distance = c[name('contains{N}')], c[name('distance{N}')]
-  -- Where the ray first touches the shape, or nil: distance, point and normal.
+  -- The first point where the ray touches the shape, or nil: distance, point and normal.
   function d.raycast(given, target)
     local found = hit()
     return check(raycast(given, target, found)) and found or nil
@@ -110,7 +112,7 @@ local function space(dimension)
 end
 detent.d2, detent.d3 = space(2), space(3)
 
--- Methods of what a context holds. What is not here is the C function of that name.
+-- Methods of a context's objects. A name that is missing here calls the C function of that name.
 local count, word, bytes = ffi.typeof('uint32_t[1]'), ffi.typeof('uint64_t[1]'), ffi.typeof('uint8_t[?]')
 local special = {}
 
@@ -120,7 +122,7 @@ function special.size(self)
   return size[0]
 end
 
--- 64 bits of everything in it, equal on every machine.
+-- A 64-bit digest of the contents, equal on every machine.
 function special.digest(self)
   local digest = word()
   self:call('digest', digest)
@@ -137,8 +139,8 @@ end
 
 function special.restore(self, snapshot) return self:call('restore', snapshot, #snapshot) end
 
--- Scenes: add(shape, traits) with `layers`, `user` and `motion`; worlds: add(shape, options), where
--- options come from world:options(). Both return an id.
+-- add(shape, traits) of scenes takes `layers`, `user` and `motion`; add(shape, options) of worlds
+-- takes options from world:options(). Both return an id.
 function special.add(self, shape, with)
   local id = ffi.new('detent_id')
   if type(with) == 'table' then
@@ -148,19 +150,19 @@ function special.add(self, shape, with)
   return self:call('add', shape, with, id) and id or nil
 end
 
--- Of a scene: the first object that the ray touches, or nil.
+-- Scenes: the first object that the ray touches, or nil.
 function special.raycast(self, ray, layers)
   local hit = self.hit()
   return self:call('raycast', ray, layers or detent.ALL_LAYERS, hit) and hit or nil
 end
 
--- Of a scene: the nearest object to a point, or of those that a shape overlaps; or nil.
+-- Scenes: the object nearest to a point, or the nearest that a shape overlaps; or nil.
 function special.nearest(self, question, layers)
   local found = ffi.new('detent_found')
   return self:call('nearest', question, layers or detent.ALL_LAYERS, found) and found or nil
 end
 
--- Of a world: position, rotation and velocities of a body, or nil.
+-- Worlds: position, rotation and velocities of a body, or nil.
 function special.body(self, id)
   local body = self.state()
   return self:call('body', id, body) and body or nil
@@ -182,16 +184,16 @@ function special.diff(self, other, most)
   return names
 end
 
--- Of the world of a session or replay: a uint32_t[] of what else of the game a rollback restores.
+-- Worlds of sessions or replays: a uint32_t[] of other game state that a rollback restores.
 function special.words(self)
   local words = ffi.new('uint32_t[256]')
   self:call('words', words)
   return words
 end
 
--- Of sessions, with the input of this player, a string, and of replays: an iterator over the frames to
--- simulate, and the string that each player pressed, or false for one that takes no part. `state` says why
--- there are no more.
+-- Sessions (given this player's input, a string) and replays: an iterator over the frames to
+-- simulate, each with the input string of every player, or false for one that takes no part.
+-- `state` says why there are no more.
 function special.frames(self, pad)
   local frame, inputs = ffi.new('detent_frame'), bytes(8 * self.input_size)
   local is_open = false
@@ -214,10 +216,11 @@ function special.frames(self, pad)
   end
 end
 
--- Of sessions: takes a packet, a string, at a time in microseconds. False if it was not used.
+-- Sessions: takes a packet (a string) that arrived at a time in microseconds. False if it was not
+-- used.
 function special.receive(self, peer, packet, now) return self:call('receive', peer, packet, #packet, now) end
 
--- Of sessions: an iterator over what is due to be sent, a peer and a string.
+-- Sessions: an iterator over the packets due to be sent, as peer and string.
 function special.packets(self, now)
   local peer, size, room = count(), count(), bytes(c.DETENT_PACKET)
   return function()
@@ -226,7 +229,7 @@ function special.packets(self, now)
   end
 end
 
--- Of sessions: an iterator over what happened, and the names of fields.
+-- Sessions: an iterator over new events and the names of fields.
 function special.events(self)
   local event, name = ffi.new('detent_session_event'), bytes(c.DETENT_NAME)
   return function()
@@ -235,7 +238,7 @@ function special.events(self)
   end
 end
 
--- Of sessions: a structure that says how far it is.
+-- Sessions: a structure with the progress.
 function special.status(self)
   local status = ffi.new('detent_session_status')
   self:call('status', status)
@@ -248,7 +251,7 @@ function special.matched(self, peer)
   return frame[0]
 end
 
--- Of sessions: the replay of all final frames, or nil if none is recorded.
+-- Sessions: the replay of all final frames, or nil if none is recorded.
 function special.replay(self)
   local size = count()
   self:call('replay', nil, 0, size)
@@ -256,7 +259,7 @@ function special.replay(self)
   return self:call('replay', room, size[0], size) and ffi.string(room, size[0]) or nil
 end
 
--- Of replays: what simulating it gave so far.
+-- Replays: the result of the resimulation so far.
 function special.check(self)
   local check_ = ffi.new('detent_replay_check')
   self:call('check', check_)
@@ -288,7 +291,7 @@ local function wrapped(context, kind, dimension, handle)
     state = kind == 'world' and ffi.typeof('detent_body' .. dimension) or nil }, Held)
 end
 
--- Worlds take settings, or nil; sessions settings and a world.
+-- Worlds take settings or nil; sessions take settings and a world.
 local function held(context, kind, dimension, ...)
   local handle = ffi.new('detent_handle[1]')
   local create = c['detent_' .. kind .. dimension .. '_create']
@@ -310,7 +313,7 @@ local function played(context, kind, dimension, input_size, ...)
   return made
 end
 
--- The settings of an ordinary session, to be changed.
+-- The default settings of a session, to be modified.
 function detent.session_settings()
   local settings = ffi.new('detent_session_settings')
   check(c.detent_session_default_settings(settings))
@@ -323,7 +326,7 @@ function Context:scene2() return held(self.memory, 'scene', 2) end
 function Context:scene3() return held(self.memory, 'scene', 3) end
 function Context:world2(settings) return held(self.memory, 'world', 2, settings) end
 function Context:world3(settings) return held(self.memory, 'world', 3, settings) end
--- A match over a network, from a world that all peers start with.
+-- A network match from a world that all peers start with.
 function Context:session2(start, settings)
   return played(self.memory, 'session', 2, settings.input_size, settings, start.handle)
 end
@@ -339,7 +342,7 @@ function Context:replay3(data, start, settings)
   return played(self.memory, 'replay', 3, settings.input_size, data, #data, start.handle,
     settings.input_size, settings.words)
 end
--- Destroys everything in it; without a call the garbage collector does it.
+-- Destroys everything in the context; if never called, the garbage collector does it.
 function Context:close()
   ffi.gc(self.memory, nil)
   return check(c.detent_close(self.memory))

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- The scripted match of every binding: boxes fall on a floor, a scene has a ball around each, rays look
--- down at them. Prints 16 digits that follow from every answer: those of tests/c/match.cpp.
+-- The scripted match that every binding plays: boxes fall on a floor, a scene holds a ball around
+-- each, and rays are cast down at them. Prints a digest of all results, 16 digits equal to those of
+-- tests/c/match.cpp.
 local detent = require('detent')
 local ONE, UNIT, d3 = detent.ONE, detent.UNIT, detent.d3
 local BODIES, TICKS, RAYS = 12, 120, 8
@@ -13,7 +14,7 @@ end
 local function mix(value) sum = sum * 6364136223846793005ULL + value end
 local function word(length) return length % 4294967296 end
 
--- What a player presses; it takes effect two frames later.
+-- A player's input; it takes effect two frames later.
 local function press(frame, player)
   if frame >= 80 then return '\0\0' end
   return string.char(math.floor(frame / (7 + 4 * player)) % 5, math.floor(frame / 3) % 4)
@@ -32,7 +33,7 @@ local function simulate(world, balls, inputs)
   world:step()
 end
 
--- A match for two by two sessions in one program. Packets take some frames, and each fifth is lost.
+-- A two-player match between two sessions in one program. Packets are delayed; every fifth is lost.
 local function play_for_two(context)
   local FRAMES = 120
   local start = context:world3()

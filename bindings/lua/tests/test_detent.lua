@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Tests of the Lua binding: every function of this table. Prints the name of each that fails.
+-- Tests of the Lua binding: every function of this table. Prints the name of each failing test.
 local detent = require('detent')
 local ffi = require('ffi')
 local ONE, UNIT, d2, d3 = detent.ONE, detent.UNIT, detent.d2, detent.d3

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Correctly rounded collision queries, scenes and worlds with the same bits on every machine.
 
-All numbers are raw integers: a length of 1 is `ONE`, a component of a direction `UNIT`. `raw(1.5)` rounds
-a float, `number(n)` is the float of a length. `d2` and `d3` make shapes, rays and queries of a dimension;
-a `Context` makes scenes and worlds:
+All numbers are raw integers: a length of 1 is `ONE`, a direction's component of 1 is `UNIT`.
+`raw(1.5)` rounds a float to a length, and `number(n)` converts a length to a float. `d2` and `d3`
+make shapes, rays and queries; a `Context` makes scenes and worlds:
 
     import detent
     from detent import ONE, d3
@@ -14,7 +14,8 @@ a `Context` makes scenes and worlds:
         hit = scene.raycast(d3.ray((0, 0, 0), (detent.UNIT, 0, 0), 100 * ONE))
         print(hit.id == ball, detent.number(hit.distance))  # True 9.0
 
-The library is the file named by DETENT_LIBRARY, the one in the wheel, or the installed libdetent.so.
+The library is the file named by DETENT_LIBRARY, the one in the wheel, or else the installed
+libdetent.so.
 """
 import array
 import concurrent.futures
@@ -51,7 +52,7 @@ _library = _load()
 
 
 class Error(Exception):
-    """A call that fails: `status` is one of the constants below 0."""
+    """A failed call. `status` is one of the negative constants."""
 
     def __init__(self, status):
         super().__init__(_library.detent_describe(status).decode())
@@ -66,7 +67,7 @@ def _check(status):
 
 
 def raw(value):
-    """The length nearest to a float, ties to even. Raises OverflowError out of range."""
+    """A float rounded to the nearest length, ties to even. Raises OverflowError out of range."""
     result = round(value * ONE)
     if not -1 << 31 <= result < 1 << 31:
         raise OverflowError(f'{value} is not in [-32768, 32768)')
@@ -74,12 +75,12 @@ def raw(value):
 
 
 def number(length):
-    """The float of a length, exactly."""
+    """The exact value of a length as a float."""
     return length / ONE
 
 
 def results_version():
-    """Changes whenever an answer changes in any bit."""
+    """Changes whenever any result changes by a bit."""
     return _library.detent_results_version()
 
 
@@ -102,7 +103,8 @@ def _id(given):
 
 
 def _int32(values):
-    """A pointer to 32-bit integers, their number, and what keeps them: of a numpy array or a buffer."""
+    """A pointer to the int32 values of a numpy array or buffer, their count, and an object that
+    keeps them alive."""
     if hasattr(values, '__array_interface__'):
         import numpy
         values = numpy.ascontiguousarray(values, dtype=numpy.int32)
@@ -115,7 +117,7 @@ def _int32(values):
 
 
 def _like(values, count):
-    """Room for int32 numbers: numpy for numpy, otherwise an array, and a pointer to it."""
+    """An int32 array of the same kind as the input (numpy or array), and a pointer to it."""
     if hasattr(values, '__array_interface__'):
         import numpy
         room = numpy.empty(count, dtype=numpy.int32)
@@ -170,7 +172,7 @@ class _Space:
         return self._made(c.DETENT_AABB, 'aabb', self._vec(*least), self._vec(*greatest))
 
     def obb(self, center, half_extents, axes=None):
-        """`axes`: directions, those of the world if left out."""
+        """`axes` are directions; by default the world axes."""
         return self._made(c.DETENT_OBB, 'obb', self._vec(*center), self._vec(*half_extents),
                           self._rotated(axes))
 
@@ -188,7 +190,7 @@ class _Space:
         return self._made(c.DETENT_SEGMENT, 'segment', self._vec(*start), self._vec(*end))
 
     def point(self, at):
-        """A query of scenes."""
+        """The shape of a scene query."""
         shape = self._shape()
         shape.kind = c.DETENT_POINT
         shape.as_.point = self._vec(*at)
@@ -200,9 +202,9 @@ class _Space:
         return hit if _check(self._call('raycast{N}')(ray, shape, hit)) else None
 
     def raycast_many(self, rays, shape, threads=1):
-        """The distances of many rays from a numpy array or a buffer of int32: a row is origin, direction
-        and max_distance. -1 for no hit. A numpy array for one, otherwise an array of int32. `threads` share
-        the rays; the answers are the same."""
+        """Distances of many rays, -1 for a miss. The rays are a numpy array or a buffer of int32,
+        one row of origin, direction and max_distance each; the result is a numpy array or an array
+        of int32 to match. `threads` splits the rays without changing the result."""
         pointer, count, keep = _int32(rays)
         if count % self._words:
             raise ValueError(f'a ray has {self._words} numbers')
@@ -217,7 +219,7 @@ class _Space:
         if threads == 1:
             _check(cast(0))
         else:
-            # ctypes lets other threads run during a call.
+            # ctypes releases the GIL during a call.
             with concurrent.futures.ThreadPoolExecutor(threads) as pool:
                 for status in pool.map(cast, range(threads)):
                     _check(status)
@@ -236,7 +238,7 @@ class _Space:
         return self._tuple(closest)
 
     def distance(self, shape, other):
-        """The distance of two shapes, or of a shape and a point (a tuple)."""
+        """The distance between two shapes, or between a shape and a point (a tuple)."""
         distance = ctypes.c_int32()
         if isinstance(other, tuple):
             _check(self._call('distance_to_point{N}')(shape, self._vec(*other), byref(distance)))
@@ -245,7 +247,7 @@ class _Space:
         return distance.value
 
     def contact(self, one, other):
-        """How two shapes that overlap are separated, as a `Contact`, or None."""
+        """The `Contact` of two overlapping shapes, or None."""
         found = self._manifold()
         if not _check(self._call('contact{N}')(one, other, found)):
             return None
@@ -254,18 +256,19 @@ class _Space:
                         for point in found.points[:found.count]])
 
     def closest_points(self, one, other):
-        """The point of each shape that is closest to the other shape."""
+        """The closest points of two shapes."""
         first, second = self._vec(), self._vec()
         _check(self._call('closest_points{N}')(one, other, first, second))
         return self._tuple(first), self._tuple(second)
 
     def cast(self, shape, direction, max_distance, target):
-        """Where a moving shape first touches another one, or None: distance, point and normal."""
+        """The first contact of a moving shape with a target, or None: distance, point and
+        normal."""
         hit = self._hit()
         return hit if _check(self._call('cast{N}')(shape, self._direction(*direction), max_distance,
                                                    target, hit)) else None
 
-    # Lists of shapes are their union; hulls among them are of `context`.
+    # A list of shapes is their union; its hulls belong to `context`.
 
     def raycast_union(self, ray, shapes, context=None):
         """Where the ray first touches any of the shapes, or None: distance, point and normal."""
@@ -279,7 +282,7 @@ class _Space:
         return self._of_list('overlaps', context, *self._list_of(one), *self._list_of(other))
 
     def distance_union(self, shapes, other, context=None):
-        """The least distance of shapes of two lists, or of a list and a point (a tuple)."""
+        """The least distance between shapes of two lists, or from a list to a point (a tuple)."""
         distance = ctypes.c_int32()
         if isinstance(other, tuple):
             self._of_list('distance_to_point', context, *self._list_of(shapes), self._vec(*other),
@@ -290,13 +293,13 @@ class _Space:
         return distance.value
 
     def closest_points_union(self, one, other, context=None):
-        """The closest points of the two shapes of both lists that are nearest to each other."""
+        """The closest points of the nearest two shapes of both lists."""
         first, second = self._vec(), self._vec()
         self._of_list('closest_points', context, *self._list_of(one), *self._list_of(other), first, second)
         return self._tuple(first), self._tuple(second)
 
     def cast_union(self, shape, direction, max_distance, targets, context=None):
-        """Where a moving shape first touches any of the targets, or None."""
+        """The first contact of a moving shape with any of the targets, or None."""
         hit = self._hit()
         return hit if self._of_list('cast', context, shape, self._direction(*direction), max_distance,
                                     *self._list_of(targets), hit) else None
@@ -314,7 +317,7 @@ class _Space:
                            self._rotated(end_axes))
 
     def time_of_impact(self, one, sweep, other, other_sweep=None, target=8):
-        """When two moving shapes first are closer than `target`, as an `Impact`, or None."""
+        """When two moving shapes first come closer than `target`, as an `Impact`, or None."""
         impact = c.detent_impact()
         if not _check(self._call('time_of_impact{N}')(one, sweep, other, other_sweep, target, impact)):
             return None
@@ -326,24 +329,24 @@ class _Space:
 
 
 class _Space3(_Space):
-    """What there is in 3D alone: cameras."""
+    """The 3D-only functions: cameras."""
 
     def camera(self, eye, target, near_distance, far_distance, up=(0, ONE, 0), **lens):
-        """A camera at `eye` that looks at `target`, with `fov` (in 2^-32 of a turn) and `aspect`, or with
-        `half_width` and `half_height`. None if it has no direction of view."""
+        """A camera at `eye` that looks at `target`, with `fov` (in 2^-32 of a turn) and `aspect`,
+        or with `half_width` and `half_height`. None if it has no direction of view."""
         camera = c.detent_camera3(near_distance=near_distance, far_distance=far_distance,
                                   has_perspective=int('fov' in lens), **lens)
         vectors = (self._vec(*v) for v in (eye, target, up))
         return camera if _check(_library.detent_camera3_look_at(*vectors, camera.pose)) else None
 
     def frustum(self, camera):
-        """What a camera sees, for `Scene.visible`."""
+        """The view volume of a camera, for `Scene.visible`."""
         frustum = c.detent_frustum3()
         _check(_library.detent_camera3_frustum(camera, frustum))
         return frustum
 
     def pick_ray(self, camera, size, pixel):
-        """The ray under the middle of a pixel (column, row) of an image of a size (width, height)."""
+        """The ray through the middle of pixel (column, row) of an image of size (width, height)."""
         ray = self._ray()
         _check(_library.detent_camera3_pick_ray(camera, *size, *pixel, ray))
         return ray
@@ -354,7 +357,7 @@ d3 = _Space3(3)
 
 
 class _Owned:
-    """A scene, world or asset of a context. It is destroyed with the context, or by `destroy`."""
+    """A scene, world or asset of a context. Destroyed with the context, or by `destroy`."""
 
     def __init__(self, context, handle, destroy):
         self._context = context
@@ -366,7 +369,7 @@ class _Owned:
 
 
 class _Held(_Owned):
-    """What scenes and worlds share."""
+    """The common base of scenes and worlds."""
 
     def __init__(self, context, space, kind, *arguments):
         self._space = space
@@ -387,7 +390,7 @@ class _Held(_Owned):
         return size.value
 
     def digest(self):
-        """64 bits of everything in it, equal on every machine."""
+        """A 64-bit digest of the contents, equal on every machine."""
         digest = ctypes.c_uint64()
         self._call('digest', byref(digest))
         return digest.value
@@ -406,7 +409,7 @@ class _Held(_Owned):
         self._call('restore', snapshot, len(snapshot))
 
     def diff(self, other, most=16):
-        """The names of the first fields in which the two differ, such as `body 3:17 (sphere) velocity.y`."""
+        """The names of the first fields that differ, such as `body 3:17 (sphere) velocity.y`."""
         size = ctypes.c_uint32()
         self._call('diff', other.handle, most, None, 0, byref(size))
         room = ctypes.create_string_buffer(size.value)
@@ -424,13 +427,13 @@ class _Held(_Owned):
 
 
 class Scene(_Held):
-    """Objects, and queries over all of them. Objects in no layer of a query do not count for it."""
+    """Objects and queries over them. A query ignores objects that are in none of its layers."""
 
     def __init__(self, context, space):
         super().__init__(context, space, 'scene')
 
     def add(self, shape, layers=1, user=0, fixed=False, frame=Id(0, 0)):
-        """The id of a new object, or None if there is no such frame."""
+        """The id of a new object, or None if its frame does not exist."""
         made = c.detent_id()
         traits = c.detent_traits(user, layers, int(fixed), frame._in_c())
         return _id(made) if self._call('add', shape, traits, byref(made)) else None
@@ -453,7 +456,7 @@ class Scene(_Held):
         return self._space._transform(self._space._vec(*translation), self._space._rotated(axes), scale)
 
     def add_frame(self, translation, axes=None, scale=ONE, parent=Id(0, 0)):
-        """A frame that objects can be in and move with, or None if there is no such parent."""
+        """A frame that carries objects, or None if its parent does not exist."""
         made = c.detent_id()
         done = self._call('add_frame', self._placed(translation, axes, scale), parent._in_c(),
                           byref(made))
@@ -463,7 +466,7 @@ class Scene(_Held):
         return self._call('move_frame', frame._in_c(), self._placed(translation, axes, scale))
 
     def remove_frame(self, frame):
-        """False if anything is in it."""
+        """False if the frame is not empty."""
         return self._call('remove_frame', frame._in_c())
 
     def raycast(self, ray, layers=ALL_LAYERS):
@@ -475,11 +478,12 @@ class Scene(_Held):
         return self._call('raycast_any', ray, layers)
 
     def raycast_all(self, ray, layers=ALL_LAYERS):
-        """All objects that the ray touches, by distance, then id."""
+        """All objects that the ray touches, sorted by distance, then id."""
         return [Hit(hit) for hit in self._list('raycast_all', self._space._object_hit, ray, layers)]
 
     def raycast_many(self, rays, layers=ALL_LAYERS):
-        """The first hit of many rays (as for `d3.raycast_many`): the words of object_hit, a row a ray."""
+        """The first hits of many rays (as for `d3.raycast_many`): one row of the words of
+        object_hit per ray."""
         pointer, count, keep = _int32(rays)
         if count % self._space._words:
             raise ValueError(f'a ray has {self._space._words} numbers')
@@ -502,20 +506,21 @@ class Scene(_Held):
         return self._call('cast_any', shape, self._space._direction(*direction), max_distance, layers)
 
     def cast_all(self, shape, direction, max_distance, layers=ALL_LAYERS):
-        """All objects that the moving shape touches, as `Hit`s, by distance, then id."""
+        """All objects that the moving shape touches, as `Hit`s, sorted by distance, then id."""
         return [Hit(hit) for hit in self._list('cast_all', self._space._object_hit, shape,
                                                self._space._direction(*direction), max_distance, layers)]
 
     def mover(self, start, end, radius, **settings):
-        """A character that is a capsule; keywords are the fields of its settings."""
+        """A capsule character. Keywords are the fields of its settings."""
         return Mover(self, self._space.capsule(start, end, radius), settings)
 
     def box_mover(self, least, greatest, **settings):
-        """A character that is an AABB."""
+        """An AABB character."""
         return Mover(self, self._space.aabb(least, greatest), settings)
 
     def nearest(self, question, layers=ALL_LAYERS):
-        """(distance, id) of the nearest object that a point finds, or another shape overlaps; or None."""
+        """(distance, id) of the object nearest to a point, or of the nearest that a shape overlaps;
+        or None."""
         found = c.detent_found()
         if not self._call('nearest', question, layers, found):
             return None
@@ -525,24 +530,25 @@ class Scene(_Held):
         return self._call('any', question, layers)
 
     def all(self, question, layers=ALL_LAYERS):
-        """(distance, id) of all objects that the shape overlaps, by distance, then id."""
+        """(distance, id) of all objects that the shape overlaps, sorted by distance, then id."""
         return [(found.distance, _id(found.id))
                 for found in self._list('all', c.detent_found, question, layers)]
 
     def visible(self, frustum, layers=ALL_LAYERS):
-        """(distance, id) of all objects that a frustum overlaps, by distance from the middle of its near
-        corners, then id. In 3D."""
+        """(distance, id) of all objects that a frustum overlaps, sorted by distance from the center
+        of its near corners, then id. 3D only."""
         return [(found.distance, _id(found.id))
                 for found in self._list('frustum_all', c.detent_found, frustum, layers)]
 
     def overlaps(self):
-        """All pairs of objects that overlap."""
+        """All pairs of overlapping objects."""
         return [(_id(pair.first), _id(pair.second))
                 for pair in self._list('overlaps', c.detent_pair)]
 
 
 class Hit:
-    """Where a ray first touches an object: distance, id, point, normal; triangle or None."""
+    """The first point of an object that a ray touches: distance, id, point, normal; triangle or
+    None."""
     __slots__ = ('distance', 'id', 'point', 'normal', 'triangle')
 
     def __init__(self, hit):
@@ -554,8 +560,8 @@ class Hit:
 
 
 class Mover:
-    """A character: a capsule or AABB that walks, slides along walls, climbs steps and is carried by frames.
-    `state` is all of it, and can be saved as bytes(state)."""
+    """A character: a capsule or AABB that walks, slides along walls, climbs steps and is carried by
+    frames. `state` is its whole state; bytes(state) saves it."""
 
     def __init__(self, scene, shape, settings):
         self._scene, self._space = scene, scene._space
@@ -571,21 +577,22 @@ class Mover:
 
     @property
     def position(self):
-        """The first end of the capsule, the least corner of the box."""
+        """The first end of the capsule, or the least corner of the box."""
         shape = self.state.shape
         is_box = shape.kind == c.DETENT_AABB
         return _Space._tuple(shape.as_.aabb.min if is_box else shape.as_.capsule.a)
 
 
     def move(self, by, layers=ALL_LAYERS, ignored=Id(0, 0)):
-        """Moves by a vector, gravity included, as far as objects let it. How far it came."""
+        """Moves by a vector, gravity included, as far as objects allow. Returns the
+        displacement."""
         _check(self._space._call('mover{N}_move')(
             self._scene._context._open, self._scene.handle, self.state, self._space._vec(*by),
             self.settings, layers, ignored._in_c(), self.last_move))
         return _Space._tuple(self.last_move.moved)
 
     def clip(self, velocity):
-        """The part of a velocity that does not lead into what it touched in the last move."""
+        """The part of a velocity that does not lead into what the last move touched."""
         clipped = self._space._vec()
         _check(self._space._call('mover{N}_clip_velocity')(self._space._vec(*velocity), self.last_move,
                                                           clipped))
@@ -602,8 +609,8 @@ class World(_Held):
         super().__init__(context, space, 'world', given)
 
     def add(self, shape, **options):
-        """Adds a sphere, AABB, OBB, capsule or something `placed`: a solid hull, a compound, in 3D a mesh or
-        height field. Keywords are the fields of a body's options."""
+        """Adds a sphere, AABB, OBB, capsule, or something `placed`: a solid hull, a compound or, in
+        3D, a mesh or height field. Keywords are the fields of a body's options."""
         given = getattr(c, f'detent_body{self._space.dimension}_options')()
         _check(self._space._call('body{N}_default_options')(given))
         _set(given, options, self._space)
@@ -612,11 +619,11 @@ class World(_Held):
         return _id(made)
 
     def step(self):
-        """One tick."""
+        """Simulates one tick."""
         self._call('step')
 
     def body(self, which):
-        """Where a body is and how it moves, or None."""
+        """The state of a body, or None."""
         body = self._space._body()
         return body if self._call('body', which._in_c(), body) else None
 
@@ -634,17 +641,17 @@ class World(_Held):
         return self._call('set_angular_velocity', which._in_c(), self._axial(velocity))
 
     def apply_impulse(self, which, impulse, at=None):
-        """At a point of the world, or at the centre."""
+        """Applies an impulse at a world point, by default at the center of mass."""
         return self._call('apply_impulse', which._in_c(), self._space._vec(*impulse),
                           self._space._vec(*at) if at else None)
 
     def apply_force(self, which, force, at=None):
-        """During the next step."""
+        """Applies a force during the next step."""
         return self._call('apply_force', which._in_c(), self._space._vec(*force),
                           self._space._vec(*at) if at else None)
 
     def apply_torque(self, which, torque):
-        """During the next step."""
+        """Applies a torque during the next step."""
         return self._call('apply_torque', which._in_c(), self._axial(torque))
 
     def _joint(self, kind, a, b, fields):
@@ -658,14 +665,15 @@ class World(_Held):
         return joint
 
     def add_joint(self, kind, a, b, **fields):
-        """Joins two bodies by a HINGE, for example; keywords are the fields of a joint. Its id, or None if
-        there are not both bodies."""
+        """Joins two bodies, for example by a HINGE. Keywords are the fields of a joint. Returns its
+        id, or None if a body does not exist."""
         made = c.detent_id()
         return _id(made) if self._call('add_joint', self._joint(kind, a, b, fields),
                                        byref(made)) else None
 
     def change_joint(self, which, joint):
-        """Replaces a joint by one of the same kind, such as `joint(which)` with another motor."""
+        """Replaces a joint by another of the same kind, such as `joint(which)` with another
+        motor."""
         return self._call('change_joint', which._in_c(), joint)
 
     def remove_joint(self, which):
@@ -681,30 +689,32 @@ class World(_Held):
         return [_id(which) for which in self._list('broken', c.detent_id)]
 
     def local_point(self, which, point):
-        """A point of the world in the frame of a body: an anchor of a joint. None without the body."""
+        """Converts a world point to a body's frame, for the anchor of a joint. None without the
+        body."""
         local = self._space._vec()
         done = self._call('local_point', which._in_c(), self._space._vec(*point), local)
         return _Space._tuple(local) if done else None
 
     def local_frame(self, which, axes):
-        """Axes of the world in the frame of a body: a frame of a joint. None without the body."""
+        """Converts world axes to a body's frame, for the frame of a joint. None without the
+        body."""
         local = self._space._rotation()
         done = self._call('local_frame', which._in_c(), self._space._rotated(axes), local)
         return tuple(_Space._tuple(axis) for axis in local.axis) if done else None
 
     def events(self):
-        """(a, b, begins) of the pairs that began or ended to touch in the last step."""
+        """(a, b, begins) for each pair that began or ceased to touch in the last step."""
         return [(_id(touch.a), _id(touch.b), bool(touch.begins))
                 for touch in self._list('events', c.detent_touch)]
 
     def touches(self):
-        """The same with the parts of compounds: (a, part_a, b, part_b, begins)."""
+        """`touches` with the parts of compounds: (a, part_a, b, part_b, begins)."""
         return [(_id(touch.a), touch.part_a, _id(touch.b), touch.part_b, bool(touch.begins))
                 for touch in self._list('events', c.detent_touch)]
 
     def frame(self, which):
-        """Where the parts of a compound, or the points of a hull, were given: translation and axes; None
-        without the body."""
+        """The frame in which a compound's parts or a hull's points were given: translation and
+        axes. None without the body."""
         frame = self._space._transform()
         if not self._call('frame', which._in_c(), frame):
             return None
@@ -716,7 +726,7 @@ Frame = namedtuple('Frame', 'number inputs')
 Frame.__doc__ = 'A frame to simulate: the bytes of each player, None for one that takes no part.'
 Event = namedtuple('Event', 'kind peer frame field object')
 Event.__doc__ = 'What happened in a session: `kind` is one of `events`.'
-#: The kinds of events, and why a session has no frame to simulate.
+# The kinds of events, and the reasons why a session has no frame to simulate.
 events = {name[7:].lower(): getattr(c, name) for name in (
     'DETENT_CONNECTED', 'DETENT_SILENT', 'DETENT_HEARD_AGAIN', 'DETENT_PEER_PAUSED', 'DETENT_PEER_RESUMED',
     'DETENT_DROPPED', 'DETENT_EXPELLED', 'DETENT_LEFT', 'DETENT_TOO_SLOW', 'DETENT_CONTRADICTION',
@@ -728,7 +738,7 @@ states = {name[7:].lower(): getattr(c, name) for name in (
 
 
 class PlayedWorld(World):
-    """The world of a session or a replay. It can be changed in a frame, otherwise only be read."""
+    """The world of a session or replay. It can be changed only during a frame."""
 
     def __init__(self, owner, word_count):
         handle = ctypes.c_uint32()
@@ -739,7 +749,7 @@ class PlayedWorld(World):
 
     @property
     def words(self):
-        """What else of the game a rollback restores: unsigned numbers of 32 bits, 0 at first."""
+        """Other game state that a rollback restores: unsigned 32-bit numbers, initially 0."""
         words = (ctypes.c_uint32 * self._word_count)()
         self._call('words', words)
         return list(words)
@@ -752,7 +762,7 @@ class PlayedWorld(World):
 
 
 class _Played(_Held):
-    """What sessions and replays share."""
+    """The common base of sessions and replays."""
 
     def _setup(self, input_size, words):
         self._input_size = input_size
@@ -770,15 +780,15 @@ class _Played(_Held):
 
 
 class Session(_Played):
-    """A match over a network, from a world that all peers start with. Keywords are the fields of its
-    settings: `match`, `self`, `players`, `input_size`, `words` and others.
+    """A network match from a world that all peers start with. Keywords are the fields of its settings:
+    `match`, `self`, `players`, `input_size`, `words` and others.
 
         for frame in session.frames(pad):     # sixty times a second
             simulate(session.world, frame.inputs)
         for peer, packet in session.packets(now):
             send(peer, packet)
 
-    A frame that an exception leaves is played again. `state` says why no more frames came."""
+    A frame that raises an exception is played again. `state` says why there are no more frames."""
 
     def __init__(self, context, space, world, settings):
         given = c.detent_session_settings()
@@ -789,24 +799,24 @@ class Session(_Played):
         self.state = c.DETENT_CONNECTING
 
     def frames(self, pad):
-        """The frames to simulate now, with this input of `input_size` bytes for the new one."""
+        """The frames to simulate now; the new one uses the input `pad`, of `input_size` bytes."""
         if len(pad) != self._input_size:
             raise ValueError(f'an input has {self._input_size} bytes')
         return self._frames(bytes(pad))
 
     def receive(self, peer, packet, now):
-        """Takes a packet, at a time in microseconds. False if it was not used."""
+        """Takes a packet that arrived at `now`, in microseconds. False if it was not used."""
         return self._call('receive', peer, bytes(packet), len(packet), now)
 
     def packets(self, now):
-        """What is due to be sent, as (peer, bytes)."""
+        """The packets due to be sent, as (peer, bytes)."""
         peer, size = ctypes.c_uint32(), ctypes.c_uint32()
         room = ctypes.create_string_buffer(c.DETENT_PACKET)
         while self._call('packet', now, byref(peer), room, c.DETENT_PACKET, byref(size)):
             yield peer.value, room.raw[:size.value]
 
     def events(self):
-        """What happened since, oldest first."""
+        """The new events, oldest first."""
         event, room = c.detent_session_event(), ctypes.create_string_buffer(c.DETENT_NAME)
         while self._call('event', event, room, c.DETENT_NAME):
             yield Event(event.kind, event.peer, event.frame, room.raw[:event.name_size].decode(),
@@ -814,13 +824,13 @@ class Session(_Played):
 
     @property
     def status(self):
-        """How far it is: `frame`, `final_frame`, `digest` and others."""
+        """The progress: `frame`, `final_frame`, `digest` and others."""
         status = c.detent_session_status()
         self._call('status', status)
         return status
 
     def matched(self, peer):
-        """All frames before this one are equal at the peer and here."""
+        """The number of frames known to be equal at the peer and here."""
         frame = ctypes.c_uint32()
         self._call('matched', peer, byref(frame))
         return frame.value
@@ -843,7 +853,7 @@ class Session(_Played):
 
 
 class Replay(_Played):
-    """A replay that is simulated again, by `frames`; `check` says whether its digests come out."""
+    """A replay, resimulated by `frames`. `check` says whether its digests are reproduced."""
 
     def __init__(self, context, space, data, world, input_size, words):
         super().__init__(context, space, 'replay', bytes(data), len(data), world.handle, input_size, words)
@@ -867,10 +877,10 @@ def _set(fields, values, space):
 
 
 class Context:
-    """Makes scenes, worlds and assets; `close`, or the end of a `with`, destroys them."""
+    """Makes scenes, worlds and assets. `close`, or the end of a `with`, destroys them."""
 
     def __init__(self):
-        self._open = c.detent_context()  # stays where it is
+        self._open = c.detent_context()  # must not move while open
         _check(_library.detent_open(self._open, None))
         self._finish = weakref.finalize(self, _library.detent_close, self._open)
 
@@ -913,7 +923,8 @@ class Context:
         return _Owned(self, handle.value, _library.detent_asset_destroy)
 
     def mesh(self, name, vertices, faces):
-        """Triangles: tuples of vertices, and of three indices of them. `name` is its id in snapshots."""
+        """A mesh: tuples of vertices, and of triangles with three vertex indices each. `name` is
+        its id in snapshots."""
         indices = [index for face in faces for index in face]
         return self._asset(_library.detent_mesh_create, name,
                            (c.detent_vec3 * len(vertices))(*[c.detent_vec3(*v) for v in vertices]),
@@ -946,8 +957,8 @@ class Context:
         return self._asset(space._call('compound{N}_create'), name, given, len(parts))
 
     def compound3(self, name, parts):
-        """Shapes that move as one body: each a sphere, AABB, OBB, capsule or placed solid hull, or a tuple of
-        one and a dict with its density, friction, restitution, is_sensor."""
+        """Shapes that move as one body. Each is a sphere, AABB, OBB, capsule or placed solid hull,
+        or a tuple of one and a dict with its density, friction, restitution and is_sensor."""
         return self._compound(d3, name, parts)
 
     def compound2(self, name, parts):
@@ -961,8 +972,8 @@ class Context:
 
 
 def placed(asset, translation, axes=None, scale=ONE):
-    """A shape of a scene: a mesh or hull transformed, or a height field moved; of a world: the
-    same, with a solid hull, or a compound."""
+    """An asset as a shape. In a scene: a transformed mesh or hull, or a translated height field. In
+    a world also a solid hull or a compound."""
     kind = {5: c.DETENT_MESH, 8: c.DETENT_HEIGHT_FIELD, 11: c.DETENT_COMPOUND,
             12: c.DETENT_COMPOUND}.get(asset.handle & 31, c.DETENT_HULL)
     space = d2 if asset.handle & 31 in (6, 9, 11) else d3

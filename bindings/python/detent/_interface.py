@@ -90,7 +90,7 @@ DETENT_PLAYERS = 8
 
 
 class detent_id(Structure):
-    """An object of a scene or a body of a world. No two have the same id, ever; {0, 0} is none."""
+    """The id of an object of a scene or a body of a world. Ids are never reused; {0, 0} is none."""
     _fields_ = [
         ('index', c_uint32),
         ('generation', c_uint32),
@@ -106,7 +106,7 @@ class detent_pair(Structure):
 
 
 class detent_touch(Structure):
-    """A pair of bodies that began (1) or ended (0) to touch in the last step; of compounds a pair of parts."""
+    """A pair of bodies that began (1) or ceased (0) to touch in the last step; for compounds, a pair of parts."""
     _fields_ = [
         ('a', detent_id),
         ('b', detent_id),
@@ -117,7 +117,7 @@ class detent_touch(Structure):
 
 
 class detent_found(Structure):
-    """An object that a query found, and its distance in steps of 2^-16."""
+    """An object found by a query, and its distance in steps of 2^-16."""
     _fields_ = [
         ('distance', c_int32),
         ('id', detent_id),
@@ -125,7 +125,7 @@ class detent_found(Structure):
 
 
 class detent_impact(Structure):
-    """When two moving shapes meet. They are apart before `time`, in steps of 2^-30, and at most `distance` apart at it. If `is_hit` is 0, the search ended early, and whether they meet later is not known."""
+    """When two moving shapes meet. They are disjoint before `time` (in steps of 2^-30) and at most `distance` apart at `time`. If `is_hit` is 0 the search ended early, and whether they meet later is unknown."""
     _fields_ = [
         ('time', c_int32),
         ('distance', c_int32),
@@ -134,7 +134,7 @@ class detent_impact(Structure):
 
 
 class detent_session_settings(Structure):
-    """A match and one peer in it. Times are in microseconds, of a clock that only this peer needs."""
+    """The settings of a match and of one peer. Times are in microseconds of this peer's own clock."""
     _fields_ = [
         ('match', c_uint64),
         ('send_interval', c_uint64),
@@ -155,7 +155,7 @@ class detent_session_settings(Structure):
 
 
 class detent_frame(Structure):
-    """A frame to simulate, or why there is none. Players whose bit is set in `present` take part."""
+    """A frame to simulate, or the reason why there is none. Players whose bit in `present` is set take part."""
     _fields_ = [
         ('number', c_uint32),
         ('players', c_uint32),
@@ -165,7 +165,7 @@ class detent_frame(Structure):
 
 
 class detent_session_event(Structure):
-    """Something that happened in a session, with a peer or in a frame."""
+    """An event of a session."""
     _fields_ = [
         ('kind', c_uint32),
         ('peer', c_uint32),
@@ -177,7 +177,7 @@ class detent_session_event(Structure):
 
 
 class detent_session_status(Structure):
-    """How far a session is."""
+    """The progress of a session."""
     _fields_ = [
         ('digest', c_uint64),
         ('resimulated', c_uint64),
@@ -191,7 +191,7 @@ class detent_session_status(Structure):
 
 
 class detent_replay_check(Structure):
-    """What simulating a replay again gave so far."""
+    """The result of resimulating a replay so far."""
     _fields_ = [
         ('state', c_uint32),
         ('frames', c_uint32),
@@ -202,7 +202,7 @@ class detent_replay_check(Structure):
 
 
 class detent_traits(Structure):
-    """What a scene stores with an object."""
+    """What a scene stores with an object, besides its shape."""
     _fields_ = [
         ('user', c_uint64),
         ('layers', c_uint32),
@@ -212,7 +212,7 @@ class detent_traits(Structure):
 
 
 class detent_allocator(Structure):
-    """Where a context takes memory from. `allocate` returns memory for `size` bytes aligned for any type, or null; `release` gets it back with the same size. Both null: malloc and free."""
+    """The allocator of a context. `allocate` returns memory for `size` bytes aligned for any type, or null. `release` receives the same size. If both are null, malloc and free are used."""
     _fields_ = [
         ('user', c_void_p),
         ('allocate', c_void_p),
@@ -221,7 +221,7 @@ class detent_allocator(Structure):
 
 
 class detent_context(Structure):
-    """Everything else is made in a context, which is the caller's memory: set it to zeros, open it, close it. It must stay where it is while it is open. Contexts share nothing. Of one context, calls that only read (their context is const) may run in several threads at once; all others need it alone."""
+    """The owner of everything else. The caller provides its memory: zero it, open it and close it, and do not move it while it is open. Contexts share nothing. On one context, functions that only read (const detent_context*) may run in several threads at once; any other call needs exclusive access."""
     _fields_ = [
         ('words', c_uint64 * 4),
     ]
@@ -236,7 +236,7 @@ class detent_vec2(Structure):
 
 
 class detent_direction2(Structure):
-    """A unit vector, in steps of 2^-30; used exactly as stored."""
+    """A unit vector, in steps of 2^-30; used as stored, never normalised."""
     _fields_ = [
         ('x', c_int32),
         ('y', c_int32),
@@ -277,7 +277,7 @@ class detent_sphere2(Structure):
 
 
 class detent_aabb2(Structure):
-    """The points between two corners; none if min > max on an axis."""
+    """The points between two corners, inclusive; none if min > max on an axis."""
     _fields_ = [
         ('min', detent_vec2),
         ('max', detent_vec2),
@@ -285,7 +285,7 @@ class detent_aabb2(Structure):
 
 
 class detent_obb2(Structure):
-    """A box turned about its center; none if a half extent is negative."""
+    """A box rotated about its center; none if a half extent is negative."""
     _fields_ = [
         ('center', detent_vec2),
         ('half_extents', detent_vec2),
@@ -302,7 +302,7 @@ class detent_plane2(Structure):
 
 
 class detent_triangle2(Structure):
-    """The points between three corners."""
+    """The points of the triangle with these corners."""
     _fields_ = [
         ('a', detent_vec2),
         ('b', detent_vec2),
@@ -320,7 +320,7 @@ class detent_capsule2(Structure):
 
 
 class detent_segment2(Structure):
-    """The points between two ends."""
+    """The points between the two ends."""
     _fields_ = [
         ('start', detent_vec2),
         ('end', detent_vec2),
@@ -342,7 +342,7 @@ class detent_shape2_as(Union):
 
 
 class detent_shape2(Structure):
-    """A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or height field, and ignored for other kinds."""
+    """A shape of any kind. `kind` selects the member of the union. `asset` is the handle of a hull, mesh or height field; other kinds ignore it."""
     _fields_ = [
         ('kind', c_uint32),
         ('asset', c_uint32),
@@ -351,7 +351,7 @@ class detent_shape2(Structure):
 
 
 class detent_hit2(Structure):
-    """Where a ray or a moving shape first touches a shape. The distance is rounded down."""
+    """The first contact of a ray or moving shape with a shape. The distance is rounded down."""
     _fields_ = [
         ('distance', c_int32),
         ('point', detent_vec2),
@@ -360,7 +360,7 @@ class detent_hit2(Structure):
 
 
 class detent_contact_point2(Structure):
-    """One point of a contact, on the surface of the first shape, and how deep the second shape is there: its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and stays the same while they do."""
+    """One contact point on the surface of the first shape. The second shape's surface is at point - depth * normal. `feature` identifies the corners, edges or faces that meet, and is stable while they do."""
     _fields_ = [
         ('point', detent_vec2),
         ('depth', c_int32),
@@ -369,7 +369,7 @@ class detent_contact_point2(Structure):
 
 
 class detent_manifold2(Structure):
-    """How two shapes a and b that overlap are separated by the least translation: b moves by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others zeros."""
+    """The least translation that separates two overlapping shapes a and b: move b by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others are zero."""
     _fields_ = [
         ('normal', detent_direction2),
         ('depth', c_int32),
@@ -379,7 +379,7 @@ class detent_manifold2(Structure):
 
 
 class detent_sweep2(Structure):
-    """The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly, and it turns about one axis by at most half a turn."""
+    """The motion of a frame between two poses over the time 0 to 1. The origin moves at constant velocity; the frame rotates about one axis by at most half a turn."""
     _fields_ = [
         ('start', detent_vec2),
         ('end', detent_vec2),
@@ -389,7 +389,7 @@ class detent_sweep2(Structure):
 
 
 class detent_object_hit2(Structure):
-    """Where a ray first touches an object; in a mesh or height field also the index of the triangle."""
+    """The first point where a ray touches an object; for a mesh or height field also the triangle's index."""
     _fields_ = [
         ('distance', c_int32),
         ('id', detent_id),
@@ -401,7 +401,7 @@ class detent_object_hit2(Structure):
 
 
 class detent_mover2(Structure):
-    """A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal."""
+    """A walking character: its capsule or AABB, and what it stands on. This is its whole state. Start with zeros and the shape in place. Setting `is_grounded` to 0 makes it leave the ground. A ball is a capsule with equal ends."""
     _fields_ = [
         ('shape', detent_shape2),
         ('is_grounded', c_uint32),
@@ -414,7 +414,7 @@ class detent_mover2(Structure):
 
 
 class detent_mover2_settings(Structure):
-    """How a character moves. Lengths in steps of 2^-16."""
+    """Settings of a character's movement. Lengths in steps of 2^-16."""
     _fields_ = [
         ('up', detent_direction2),
         ('skin', c_int32),
@@ -425,7 +425,7 @@ class detent_mover2_settings(Structure):
 
 
 class detent_mover2_touch(Structure):
-    """Something that a character touched during a move; the normal points away from it."""
+    """Something the character touched during a move. The normal points away from it."""
     _fields_ = [
         ('object', detent_id),
         ('point', detent_vec2),
@@ -434,7 +434,7 @@ class detent_mover2_touch(Structure):
 
 
 class detent_move2(Structure):
-    """What a move did. The first `count` of the touches are set, the others zeros."""
+    """The result of a move. The first `count` touches are set, the others are zero."""
     _fields_ = [
         ('moved', detent_vec2),
         ('carried', detent_vec2),
@@ -446,7 +446,7 @@ class detent_move2(Structure):
 
 
 class detent_world2_settings(Structure):
-    """How a world steps. Lengths and speeds in steps of 2^-16."""
+    """Settings of a world. Lengths and speeds in steps of 2^-16."""
     _fields_ = [
         ('ticks_per_second', c_int32),
         ('substeps', c_int32),
@@ -459,7 +459,7 @@ class detent_world2_settings(Structure):
 
 
 class detent_body2_options(Structure):
-    """What a body is made of, and how it starts. Shares and densities in steps of 2^-16."""
+    """The material and initial state of a body. Ratios and densities in steps of 2^-16."""
     _fields_ = [
         ('user', c_uint64),
         ('layers', c_uint32),
@@ -481,7 +481,7 @@ class detent_body2_options(Structure):
 
 
 class detent_part2(Structure):
-    """A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part2_defaults`."""
+    """A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and its material, in steps of 2^-16. Start from `detent_part2_defaults`."""
     _fields_ = [
         ('shape', detent_shape2),
         ('density', c_int32),
@@ -492,7 +492,7 @@ class detent_part2(Structure):
 
 
 class detent_joint2(Structure):
-    """A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it."""
+    """A joint between two bodies a and b. Anchors and frames are in body space. Time is in the seconds of the world's settings, angles in radians, and all numbers are in steps of 2^-16. Fields that a kind does not have are ignored."""
     _fields_ = [
         ('kind', c_uint32),
         ('a', detent_id),
@@ -515,7 +515,7 @@ class detent_joint2(Structure):
 
 
 class detent_body2(Structure):
-    """Where a body is and how it moves, rounded to nearest."""
+    """The state of a body, rounded to nearest."""
     _fields_ = [
         ('position', detent_vec2),
         ('rotation', detent_rotation2),
@@ -535,7 +535,7 @@ class detent_vec3(Structure):
 
 
 class detent_direction3(Structure):
-    """A unit vector, in steps of 2^-30; used exactly as stored."""
+    """A unit vector, in steps of 2^-30; used as stored, never normalised."""
     _fields_ = [
         ('x', c_int32),
         ('y', c_int32),
@@ -577,7 +577,7 @@ class detent_sphere3(Structure):
 
 
 class detent_aabb3(Structure):
-    """The points between two corners; none if min > max on an axis."""
+    """The points between two corners, inclusive; none if min > max on an axis."""
     _fields_ = [
         ('min', detent_vec3),
         ('max', detent_vec3),
@@ -585,7 +585,7 @@ class detent_aabb3(Structure):
 
 
 class detent_obb3(Structure):
-    """A box turned about its center; none if a half extent is negative."""
+    """A box rotated about its center; none if a half extent is negative."""
     _fields_ = [
         ('center', detent_vec3),
         ('half_extents', detent_vec3),
@@ -602,7 +602,7 @@ class detent_plane3(Structure):
 
 
 class detent_triangle3(Structure):
-    """The points between three corners."""
+    """The points of the triangle with these corners."""
     _fields_ = [
         ('a', detent_vec3),
         ('b', detent_vec3),
@@ -620,7 +620,7 @@ class detent_capsule3(Structure):
 
 
 class detent_segment3(Structure):
-    """The points between two ends."""
+    """The points between the two ends."""
     _fields_ = [
         ('start', detent_vec3),
         ('end', detent_vec3),
@@ -642,7 +642,7 @@ class detent_shape3_as(Union):
 
 
 class detent_shape3(Structure):
-    """A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or height field, and ignored for other kinds."""
+    """A shape of any kind. `kind` selects the member of the union. `asset` is the handle of a hull, mesh or height field; other kinds ignore it."""
     _fields_ = [
         ('kind', c_uint32),
         ('asset', c_uint32),
@@ -651,7 +651,7 @@ class detent_shape3(Structure):
 
 
 class detent_hit3(Structure):
-    """Where a ray or a moving shape first touches a shape. The distance is rounded down."""
+    """The first contact of a ray or moving shape with a shape. The distance is rounded down."""
     _fields_ = [
         ('distance', c_int32),
         ('point', detent_vec3),
@@ -660,7 +660,7 @@ class detent_hit3(Structure):
 
 
 class detent_contact_point3(Structure):
-    """One point of a contact, on the surface of the first shape, and how deep the second shape is there: its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and stays the same while they do."""
+    """One contact point on the surface of the first shape. The second shape's surface is at point - depth * normal. `feature` identifies the corners, edges or faces that meet, and is stable while they do."""
     _fields_ = [
         ('point', detent_vec3),
         ('depth', c_int32),
@@ -669,7 +669,7 @@ class detent_contact_point3(Structure):
 
 
 class detent_manifold3(Structure):
-    """How two shapes a and b that overlap are separated by the least translation: b moves by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others zeros."""
+    """The least translation that separates two overlapping shapes a and b: move b by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others are zero."""
     _fields_ = [
         ('normal', detent_direction3),
         ('depth', c_int32),
@@ -679,7 +679,7 @@ class detent_manifold3(Structure):
 
 
 class detent_sweep3(Structure):
-    """The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly, and it turns about one axis by at most half a turn."""
+    """The motion of a frame between two poses over the time 0 to 1. The origin moves at constant velocity; the frame rotates about one axis by at most half a turn."""
     _fields_ = [
         ('start', detent_vec3),
         ('end', detent_vec3),
@@ -689,7 +689,7 @@ class detent_sweep3(Structure):
 
 
 class detent_object_hit3(Structure):
-    """Where a ray first touches an object; in a mesh or height field also the index of the triangle."""
+    """The first point where a ray touches an object; for a mesh or height field also the triangle's index."""
     _fields_ = [
         ('distance', c_int32),
         ('id', detent_id),
@@ -701,7 +701,7 @@ class detent_object_hit3(Structure):
 
 
 class detent_mover3(Structure):
-    """A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal."""
+    """A walking character: its capsule or AABB, and what it stands on. This is its whole state. Start with zeros and the shape in place. Setting `is_grounded` to 0 makes it leave the ground. A ball is a capsule with equal ends."""
     _fields_ = [
         ('shape', detent_shape3),
         ('is_grounded', c_uint32),
@@ -714,7 +714,7 @@ class detent_mover3(Structure):
 
 
 class detent_mover3_settings(Structure):
-    """How a character moves. Lengths in steps of 2^-16."""
+    """Settings of a character's movement. Lengths in steps of 2^-16."""
     _fields_ = [
         ('up', detent_direction3),
         ('skin', c_int32),
@@ -725,7 +725,7 @@ class detent_mover3_settings(Structure):
 
 
 class detent_mover3_touch(Structure):
-    """Something that a character touched during a move; the normal points away from it."""
+    """Something the character touched during a move. The normal points away from it."""
     _fields_ = [
         ('object', detent_id),
         ('point', detent_vec3),
@@ -734,7 +734,7 @@ class detent_mover3_touch(Structure):
 
 
 class detent_move3(Structure):
-    """What a move did. The first `count` of the touches are set, the others zeros."""
+    """The result of a move. The first `count` touches are set, the others are zero."""
     _fields_ = [
         ('moved', detent_vec3),
         ('carried', detent_vec3),
@@ -746,7 +746,7 @@ class detent_move3(Structure):
 
 
 class detent_world3_settings(Structure):
-    """How a world steps. Lengths and speeds in steps of 2^-16."""
+    """Settings of a world. Lengths and speeds in steps of 2^-16."""
     _fields_ = [
         ('ticks_per_second', c_int32),
         ('substeps', c_int32),
@@ -759,7 +759,7 @@ class detent_world3_settings(Structure):
 
 
 class detent_body3_options(Structure):
-    """What a body is made of, and how it starts. Shares and densities in steps of 2^-16."""
+    """The material and initial state of a body. Ratios and densities in steps of 2^-16."""
     _fields_ = [
         ('user', c_uint64),
         ('layers', c_uint32),
@@ -781,7 +781,7 @@ class detent_body3_options(Structure):
 
 
 class detent_part3(Structure):
-    """A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part3_defaults`."""
+    """A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and its material, in steps of 2^-16. Start from `detent_part3_defaults`."""
     _fields_ = [
         ('shape', detent_shape3),
         ('density', c_int32),
@@ -792,7 +792,7 @@ class detent_part3(Structure):
 
 
 class detent_joint3(Structure):
-    """A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it."""
+    """A joint between two bodies a and b. Anchors and frames are in body space. Time is in the seconds of the world's settings, angles in radians, and all numbers are in steps of 2^-16. Fields that a kind does not have are ignored."""
     _fields_ = [
         ('kind', c_uint32),
         ('a', detent_id),
@@ -815,7 +815,7 @@ class detent_joint3(Structure):
 
 
 class detent_body3(Structure):
-    """Where a body is and how it moves, rounded to nearest."""
+    """The state of a body, rounded to nearest."""
     _fields_ = [
         ('position', detent_vec3),
         ('rotation', detent_rotation3),
@@ -826,7 +826,7 @@ class detent_body3(Structure):
 
 
 class detent_camera3(Structure):
-    """A camera: where it is and what its lens sees. The pose is that of `detent_camera3_look_at`: axis 0 to the right, axis 1 up, looking along -axis 2; its scale is ignored."""
+    """A camera: its pose and lens. The pose is that of `detent_camera3_look_at`: axis 0 points right, axis 1 up, and it looks along -axis 2. The scale is ignored."""
     _fields_ = [
         ('pose', detent_transform3),
         ('has_perspective', c_uint32),
@@ -840,14 +840,14 @@ class detent_camera3(Structure):
 
 
 class detent_frustum3(Structure):
-    """What a camera sees: the convex hull of eight corners. Corner i is on the right if i & 1, at the top if i & 2, and far if i & 4; every query is exact for eight points in any order."""
+    """The view volume of a camera: the convex hull of eight corners. Corner i is right if i & 1, top if i & 2 and far if i & 4. Every query is exact for any eight points in any order."""
     _fields_ = [
         ('corners', detent_vec3 * 8),
     ]
 
 
 class detent_screen_point3(Structure):
-    """A point of the screen: pixels from the top left corner in steps of 2^-16, so that 32768 is the middle of the first, and the depth along the line of sight, a length."""
+    """A screen point: pixels from the top left corner in steps of 2^-16, so that 32768 is the middle of the first pixel, and the depth along the line of sight, a length."""
     _fields_ = [
         ('x', c_int32),
         ('y', c_int32),

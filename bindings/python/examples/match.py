@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The scripted match of every binding: boxes fall on a floor, a scene has a ball around each, rays look
-down at them. Prints 16 digits that follow from every answer: those of tests/c/match.cpp."""
+"""The scripted match that every binding plays: boxes fall on a floor, a scene holds a ball around
+each, and rays are cast down at them. Prints a digest of all results, 16 digits equal to those of
+tests/c/match.cpp."""
 import detent
 from detent import ONE, UNIT, d3
 
@@ -53,7 +54,7 @@ FRAMES = 120
 
 
 def press(frame, player):
-    """What a player presses; it takes effect two frames later."""
+    """A player's input; it takes effect two frames later."""
     return bytes((frame // (7 + 4 * player) % 5, frame // 3 % 4) if frame < 80 else (0, 0))
 
 
@@ -68,7 +69,8 @@ def simulate(world, balls, inputs):
 
 
 def play_for_two(context, match):
-    """A match for two by two sessions in one program. Packets take some frames, and each fifth is lost."""
+    """A two-player match between two sessions in one program. Packets are delayed; every fifth is
+    lost."""
     start = context.world3()
     start.add(d3.aabb((-20 * ONE, -ONE, -20 * ONE), (20 * ONE, 0, 20 * ONE)), motion=detent.FIXED)
     balls = [start.add(d3.sphere(((2 * i - 3) * ONE, 2 * ONE, 0), ONE // 2)) for i in range(4)]

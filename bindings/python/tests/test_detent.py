@@ -226,7 +226,8 @@ class Test(unittest.TestCase):
         self.assertEqual((hit.id, hit.distance), (wall, 2 * ONE))
 
     def test_walk(self):
-        """Over steps, round a ball and on a frame that moves; in JavaScript the numbers are the same."""
+        """Walks over steps, around a ball and on a moving frame; the JavaScript test has the same
+        numbers."""
         scene = self.context.scene3()
         scene.add(d3.aabb((-20 * ONE, -ONE, -20 * ONE), (20 * ONE, 0, 20 * ONE)))
         for i in range(1, 5):

@@ -92,7 +92,7 @@ pub const PLAYERS: u32 = 8;
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// An object of a scene or a body of a world. No two have the same id, ever; {0, 0} is none.
+/// The id of an object of a scene or a body of a world. Ids are never reused; {0, 0} is none.
 pub struct Id {
     pub index: u32,
     pub generation: u32,
@@ -110,7 +110,7 @@ const _: () = assert!(std::mem::size_of::<Pair>() == 16);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// A pair of bodies that began (1) or ended (0) to touch in the last step; of compounds a pair of parts.
+/// A pair of bodies that began (1) or ceased (0) to touch in the last step; for compounds, a pair of parts.
 pub struct Touch {
     pub a: Id,
     pub b: Id,
@@ -122,7 +122,7 @@ const _: () = assert!(std::mem::size_of::<Touch>() == 28);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// An object that a query found, and its distance in steps of 2^-16.
+/// An object found by a query, and its distance in steps of 2^-16.
 pub struct Found {
     pub distance: i32,
     pub id: Id,
@@ -131,7 +131,7 @@ const _: () = assert!(std::mem::size_of::<Found>() == 12);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// When two moving shapes meet. They are apart before `time`, in steps of 2^-30, and at most `distance` apart at it. If `is_hit` is 0, the search ended early, and whether they meet later is not known.
+/// When two moving shapes meet. They are disjoint before `time` (in steps of 2^-30) and at most `distance` apart at `time`. If `is_hit` is 0 the search ended early, and whether they meet later is unknown.
 pub struct Impact {
     pub time: i32,
     pub distance: i32,
@@ -141,7 +141,7 @@ const _: () = assert!(std::mem::size_of::<Impact>() == 12);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// A match and one peer in it. Times are in microseconds, of a clock that only this peer needs.
+/// The settings of a match and of one peer. Times are in microseconds of this peer's own clock.
 pub struct SessionSettings {
     pub match_: u64,
     pub send_interval: u64,
@@ -163,7 +163,7 @@ const _: () = assert!(std::mem::size_of::<SessionSettings>() == 72);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// A frame to simulate, or why there is none. Players whose bit is set in `present` take part.
+/// A frame to simulate, or the reason why there is none. Players whose bit in `present` is set take part.
 pub struct Frame {
     pub number: u32,
     pub players: u32,
@@ -174,7 +174,7 @@ const _: () = assert!(std::mem::size_of::<Frame>() == 16);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// Something that happened in a session, with a peer or in a frame.
+/// An event of a session.
 pub struct SessionEvent {
     pub kind: u32,
     pub peer: u32,
@@ -187,7 +187,7 @@ const _: () = assert!(std::mem::size_of::<SessionEvent>() == 28);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// How far a session is.
+/// The progress of a session.
 pub struct SessionStatus {
     pub digest: u64,
     pub resimulated: u64,
@@ -202,7 +202,7 @@ const _: () = assert!(std::mem::size_of::<SessionStatus>() == 40);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// What simulating a replay again gave so far.
+/// The result of resimulating a replay so far.
 pub struct ReplayCheck {
     pub state: u32,
     pub frames: u32,
@@ -214,7 +214,7 @@ const _: () = assert!(std::mem::size_of::<ReplayCheck>() == 20);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-/// What a scene stores with an object.
+/// What a scene stores with an object, besides its shape.
 pub struct Traits {
     pub user: u64,
     pub layers: u32,
@@ -225,7 +225,7 @@ const _: () = assert!(std::mem::size_of::<Traits>() == 24);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// Everything else is made in a context, which is the caller's memory: set it to zeros, open it, close it. It must stay where it is while it is open. Contexts share nothing. Of one context, calls that only read (their context is const) may run in several threads at once; all others need it alone.
+/// The owner of everything else. The caller provides its memory: zero it, open it and close it, and do not move it while it is open. Contexts share nothing. On one context, functions that only read (const detent_context*) may run in several threads at once; any other call needs exclusive access.
 pub struct Context {
     pub words: [u64; 4],
 }
@@ -242,7 +242,7 @@ const _: () = assert!(std::mem::size_of::<Vec2>() == 8);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// A unit vector, in steps of 2^-30; used exactly as stored.
+/// A unit vector, in steps of 2^-30; used as stored, never normalised.
 pub struct Direction2 {
     pub x: i32,
     pub y: i32,
@@ -288,7 +288,7 @@ const _: () = assert!(std::mem::size_of::<Sphere2>() == 12);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// The points between two corners; none if min > max on an axis.
+/// The points between two corners, inclusive; none if min > max on an axis.
 pub struct Aabb2 {
     pub min: Vec2,
     pub max: Vec2,
@@ -297,7 +297,7 @@ const _: () = assert!(std::mem::size_of::<Aabb2>() == 16);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// A box turned about its center; none if a half extent is negative.
+/// A box rotated about its center; none if a half extent is negative.
 pub struct Obb2 {
     pub center: Vec2,
     pub half_extents: Vec2,
@@ -316,7 +316,7 @@ const _: () = assert!(std::mem::size_of::<Plane2>() == 12);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// The points between three corners.
+/// The points of the triangle with these corners.
 pub struct Triangle2 {
     pub a: Vec2,
     pub b: Vec2,
@@ -336,7 +336,7 @@ const _: () = assert!(std::mem::size_of::<Capsule2>() == 20);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// The points between two ends.
+/// The points between the two ends.
 pub struct Segment2 {
     pub start: Vec2,
     pub end: Vec2,
@@ -359,7 +359,7 @@ pub union Shape2As {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
-/// A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or height field, and ignored for other kinds.
+/// A shape of any kind. `kind` selects the member of the union. `asset` is the handle of a hull, mesh or height field; other kinds ignore it.
 pub struct Shape2 {
     pub kind: u32,
     pub asset: u32,
@@ -369,7 +369,7 @@ const _: () = assert!(std::mem::size_of::<Shape2>() == 40);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// Where a ray or a moving shape first touches a shape. The distance is rounded down.
+/// The first contact of a ray or moving shape with a shape. The distance is rounded down.
 pub struct Hit2 {
     pub distance: i32,
     pub point: Vec2,
@@ -379,7 +379,7 @@ const _: () = assert!(std::mem::size_of::<Hit2>() == 20);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// One point of a contact, on the surface of the first shape, and how deep the second shape is there: its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and stays the same while they do.
+/// One contact point on the surface of the first shape. The second shape's surface is at point - depth * normal. `feature` identifies the corners, edges or faces that meet, and is stable while they do.
 pub struct ContactPoint2 {
     pub point: Vec2,
     pub depth: i32,
@@ -389,7 +389,7 @@ const _: () = assert!(std::mem::size_of::<ContactPoint2>() == 16);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// How two shapes a and b that overlap are separated by the least translation: b moves by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others zeros.
+/// The least translation that separates two overlapping shapes a and b: move b by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others are zero.
 pub struct Manifold2 {
     pub normal: Direction2,
     pub depth: i32,
@@ -400,7 +400,7 @@ const _: () = assert!(std::mem::size_of::<Manifold2>() == 48);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly, and it turns about one axis by at most half a turn.
+/// The motion of a frame between two poses over the time 0 to 1. The origin moves at constant velocity; the frame rotates about one axis by at most half a turn.
 pub struct Sweep2 {
     pub start: Vec2,
     pub end: Vec2,
@@ -411,7 +411,7 @@ const _: () = assert!(std::mem::size_of::<Sweep2>() == 48);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// Where a ray first touches an object; in a mesh or height field also the index of the triangle.
+/// The first point where a ray touches an object; for a mesh or height field also the triangle's index.
 pub struct ObjectHit2 {
     pub distance: i32,
     pub id: Id,
@@ -424,7 +424,7 @@ const _: () = assert!(std::mem::size_of::<ObjectHit2>() == 36);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
-/// A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal.
+/// A walking character: its capsule or AABB, and what it stands on. This is its whole state. Start with zeros and the shape in place. Setting `is_grounded` to 0 makes it leave the ground. A ball is a capsule with equal ends.
 pub struct Mover2 {
     pub shape: Shape2,
     pub is_grounded: u32,
@@ -438,7 +438,7 @@ const _: () = assert!(std::mem::size_of::<Mover2>() == 84);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// How a character moves. Lengths in steps of 2^-16.
+/// Settings of a character's movement. Lengths in steps of 2^-16.
 pub struct Mover2Settings {
     pub up: Direction2,
     pub skin: i32,
@@ -450,7 +450,7 @@ const _: () = assert!(std::mem::size_of::<Mover2Settings>() == 24);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// Something that a character touched during a move; the normal points away from it.
+/// Something the character touched during a move. The normal points away from it.
 pub struct Mover2Touch {
     pub object: Id,
     pub point: Vec2,
@@ -460,7 +460,7 @@ const _: () = assert!(std::mem::size_of::<Mover2Touch>() == 24);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// What a move did. The first `count` of the touches are set, the others zeros.
+/// The result of a move. The first `count` touches are set, the others are zero.
 pub struct Move2 {
     pub moved: Vec2,
     pub carried: Vec2,
@@ -473,7 +473,7 @@ const _: () = assert!(std::mem::size_of::<Move2>() == 224);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// How a world steps. Lengths and speeds in steps of 2^-16.
+/// Settings of a world. Lengths and speeds in steps of 2^-16.
 pub struct World2Settings {
     pub ticks_per_second: i32,
     pub substeps: i32,
@@ -487,7 +487,7 @@ const _: () = assert!(std::mem::size_of::<World2Settings>() == 32);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// What a body is made of, and how it starts. Shares and densities in steps of 2^-16.
+/// The material and initial state of a body. Ratios and densities in steps of 2^-16.
 pub struct Body2Options {
     pub user: u64,
     pub layers: u32,
@@ -510,7 +510,7 @@ const _: () = assert!(std::mem::size_of::<Body2Options>() == 72);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
-/// A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part2_defaults`.
+/// A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and its material, in steps of 2^-16. Start from `detent_part2_defaults`.
 pub struct Part2 {
     pub shape: Shape2,
     pub density: i32,
@@ -522,7 +522,7 @@ const _: () = assert!(std::mem::size_of::<Part2>() == 56);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it.
+/// A joint between two bodies a and b. Anchors and frames are in body space. Time is in the seconds of the world's settings, angles in radians, and all numbers are in steps of 2^-16. Fields that a kind does not have are ignored.
 pub struct Joint2 {
     pub kind: u32,
     pub a: Id,
@@ -546,7 +546,7 @@ const _: () = assert!(std::mem::size_of::<Joint2>() == 108);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// Where a body is and how it moves, rounded to nearest.
+/// The state of a body, rounded to nearest.
 pub struct Body2 {
     pub position: Vec2,
     pub rotation: Rotation2,
@@ -568,7 +568,7 @@ const _: () = assert!(std::mem::size_of::<Vec3>() == 12);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// A unit vector, in steps of 2^-30; used exactly as stored.
+/// A unit vector, in steps of 2^-30; used as stored, never normalised.
 pub struct Direction3 {
     pub x: i32,
     pub y: i32,
@@ -615,7 +615,7 @@ const _: () = assert!(std::mem::size_of::<Sphere3>() == 16);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// The points between two corners; none if min > max on an axis.
+/// The points between two corners, inclusive; none if min > max on an axis.
 pub struct Aabb3 {
     pub min: Vec3,
     pub max: Vec3,
@@ -624,7 +624,7 @@ const _: () = assert!(std::mem::size_of::<Aabb3>() == 24);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// A box turned about its center; none if a half extent is negative.
+/// A box rotated about its center; none if a half extent is negative.
 pub struct Obb3 {
     pub center: Vec3,
     pub half_extents: Vec3,
@@ -643,7 +643,7 @@ const _: () = assert!(std::mem::size_of::<Plane3>() == 16);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// The points between three corners.
+/// The points of the triangle with these corners.
 pub struct Triangle3 {
     pub a: Vec3,
     pub b: Vec3,
@@ -663,7 +663,7 @@ const _: () = assert!(std::mem::size_of::<Capsule3>() == 28);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// The points between two ends.
+/// The points between the two ends.
 pub struct Segment3 {
     pub start: Vec3,
     pub end: Vec3,
@@ -686,7 +686,7 @@ pub union Shape3As {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
-/// A shape of any kind: `kind` says which member is set. `asset` is the handle of a hull, mesh or height field, and ignored for other kinds.
+/// A shape of any kind. `kind` selects the member of the union. `asset` is the handle of a hull, mesh or height field; other kinds ignore it.
 pub struct Shape3 {
     pub kind: u32,
     pub asset: u32,
@@ -696,7 +696,7 @@ const _: () = assert!(std::mem::size_of::<Shape3>() == 68);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// Where a ray or a moving shape first touches a shape. The distance is rounded down.
+/// The first contact of a ray or moving shape with a shape. The distance is rounded down.
 pub struct Hit3 {
     pub distance: i32,
     pub point: Vec3,
@@ -706,7 +706,7 @@ const _: () = assert!(std::mem::size_of::<Hit3>() == 28);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// One point of a contact, on the surface of the first shape, and how deep the second shape is there: its surface is at point - depth * normal. `feature` names the corners, edges or faces that meet, and stays the same while they do.
+/// One contact point on the surface of the first shape. The second shape's surface is at point - depth * normal. `feature` identifies the corners, edges or faces that meet, and is stable while they do.
 pub struct ContactPoint3 {
     pub point: Vec3,
     pub depth: i32,
@@ -716,7 +716,7 @@ const _: () = assert!(std::mem::size_of::<ContactPoint3>() == 20);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// How two shapes a and b that overlap are separated by the least translation: b moves by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others zeros.
+/// The least translation that separates two overlapping shapes a and b: move b by `depth`, rounded up, along `normal`, which points from a to b. The first `count` points are set, the others are zero.
 pub struct Manifold3 {
     pub normal: Direction3,
     pub depth: i32,
@@ -727,7 +727,7 @@ const _: () = assert!(std::mem::size_of::<Manifold3>() == 100);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// The motion of a frame from one pose to another, over the time from 0 to 1: its origin goes evenly, and it turns about one axis by at most half a turn.
+/// The motion of a frame between two poses over the time 0 to 1. The origin moves at constant velocity; the frame rotates about one axis by at most half a turn.
 pub struct Sweep3 {
     pub start: Vec3,
     pub end: Vec3,
@@ -738,7 +738,7 @@ const _: () = assert!(std::mem::size_of::<Sweep3>() == 96);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// Where a ray first touches an object; in a mesh or height field also the index of the triangle.
+/// The first point where a ray touches an object; for a mesh or height field also the triangle's index.
 pub struct ObjectHit3 {
     pub distance: i32,
     pub id: Id,
@@ -751,7 +751,7 @@ const _: () = assert!(std::mem::size_of::<ObjectHit3>() == 44);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
-/// A character: a capsule or AABB that walks, and what it stands on. It is all of its state. Set it to zeros and the shape to where it starts; zeros in `is_grounded` let it leave the ground. A ball is a capsule whose ends are equal.
+/// A walking character: its capsule or AABB, and what it stands on. This is its whole state. Start with zeros and the shape in place. Setting `is_grounded` to 0 makes it leave the ground. A ball is a capsule with equal ends.
 pub struct Mover3 {
     pub shape: Shape3,
     pub is_grounded: u32,
@@ -765,7 +765,7 @@ const _: () = assert!(std::mem::size_of::<Mover3>() == 124);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// How a character moves. Lengths in steps of 2^-16.
+/// Settings of a character's movement. Lengths in steps of 2^-16.
 pub struct Mover3Settings {
     pub up: Direction3,
     pub skin: i32,
@@ -777,7 +777,7 @@ const _: () = assert!(std::mem::size_of::<Mover3Settings>() == 28);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// Something that a character touched during a move; the normal points away from it.
+/// Something the character touched during a move. The normal points away from it.
 pub struct Mover3Touch {
     pub object: Id,
     pub point: Vec3,
@@ -787,7 +787,7 @@ const _: () = assert!(std::mem::size_of::<Mover3Touch>() == 32);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// What a move did. The first `count` of the touches are set, the others zeros.
+/// The result of a move. The first `count` touches are set, the others are zero.
 pub struct Move3 {
     pub moved: Vec3,
     pub carried: Vec3,
@@ -800,7 +800,7 @@ const _: () = assert!(std::mem::size_of::<Move3>() == 300);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// How a world steps. Lengths and speeds in steps of 2^-16.
+/// Settings of a world. Lengths and speeds in steps of 2^-16.
 pub struct World3Settings {
     pub ticks_per_second: i32,
     pub substeps: i32,
@@ -814,7 +814,7 @@ const _: () = assert!(std::mem::size_of::<World3Settings>() == 36);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// What a body is made of, and how it starts. Shares and densities in steps of 2^-16.
+/// The material and initial state of a body. Ratios and densities in steps of 2^-16.
 pub struct Body3Options {
     pub user: u64,
     pub layers: u32,
@@ -837,7 +837,7 @@ const _: () = assert!(std::mem::size_of::<Body3Options>() == 88);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
-/// A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and what it is made of, in steps of 2^-16. Start from `detent_part3_defaults`.
+/// A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and its material, in steps of 2^-16. Start from `detent_part3_defaults`.
 pub struct Part3 {
     pub shape: Shape3,
     pub density: i32,
@@ -849,7 +849,7 @@ const _: () = assert!(std::mem::size_of::<Part3>() == 84);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// A joint of two bodies a and b. Anchors and frames are in the frames of their bodies. Seconds are those of the world's settings, angles radians; all numbers in steps of 2^-16. A kind that does not have a field ignores it.
+/// A joint between two bodies a and b. Anchors and frames are in body space. Time is in the seconds of the world's settings, angles in radians, and all numbers are in steps of 2^-16. Fields that a kind does not have are ignored.
 pub struct Joint3 {
     pub kind: u32,
     pub a: Id,
@@ -873,7 +873,7 @@ const _: () = assert!(std::mem::size_of::<Joint3>() == 156);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// Where a body is and how it moves, rounded to nearest.
+/// The state of a body, rounded to nearest.
 pub struct Body3 {
     pub position: Vec3,
     pub rotation: Rotation3,
@@ -885,7 +885,7 @@ const _: () = assert!(std::mem::size_of::<Body3>() == 76);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// A camera: where it is and what its lens sees. The pose is that of `detent_camera3_look_at`: axis 0 to the right, axis 1 up, looking along -axis 2; its scale is ignored.
+/// A camera: its pose and lens. The pose is that of `detent_camera3_look_at`: axis 0 points right, axis 1 up, and it looks along -axis 2. The scale is ignored.
 pub struct Camera3 {
     pub pose: Transform3,
     pub has_perspective: u32,
@@ -900,7 +900,7 @@ const _: () = assert!(std::mem::size_of::<Camera3>() == 80);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// What a camera sees: the convex hull of eight corners. Corner i is on the right if i & 1, at the top if i & 2, and far if i & 4; every query is exact for eight points in any order.
+/// The view volume of a camera: the convex hull of eight corners. Corner i is right if i & 1, top if i & 2 and far if i & 4. Every query is exact for any eight points in any order.
 pub struct Frustum3 {
     pub corners: [Vec3; 8],
 }
@@ -908,7 +908,7 @@ const _: () = assert!(std::mem::size_of::<Frustum3>() == 96);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-/// A point of the screen: pixels from the top left corner in steps of 2^-16, so that 32768 is the middle of the first, and the depth along the line of sight, a length.
+/// A screen point: pixels from the top left corner in steps of 2^-16, so that 32768 is the middle of the first pixel, and the depth along the line of sight, a length.
 pub struct ScreenPoint3 {
     pub x: i32,
     pub y: i32,

@@ -2,8 +2,9 @@
 //! Correctly rounded collision queries, scenes and worlds with the same bits on every machine: the C
 //! interface of detent, without dependencies.
 //!
-//! All numbers are raw integers: a length of 1 is [`ONE`], a component of a direction [`UNIT`]. The
-//! modules [`d2`] and [`d3`] have shapes, rays, scenes and worlds of a dimension.
+//! All numbers are raw integers: a length of 1 is [`ONE`], a direction's component of 1 is
+//! [`UNIT`]. The modules [`d2`] and [`d3`] have the shapes, rays, scenes and worlds of each
+//! dimension.
 //!
 //! ```
 //! use detent::{d3, Context, Traits, ONE, UNIT};
@@ -28,12 +29,12 @@ use std::marker::PhantomData;
 
 pub use ffi::{Found, Id, Impact, Pair, ReplayCheck, SessionSettings, SessionStatus, Touch, Traits};
 
-/// A length of 1.
+/// The length 1.
 pub const ONE: i32 = 1 << 16;
-/// A component of a direction of 1.
+/// The component 1 of a direction.
 pub const UNIT: i32 = 1 << 30;
 
-/// A call that fails, with the status of the C interface, which is below 0.
+/// A failed call, with the negative status of the C interface.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Error(pub i32);
 
@@ -51,13 +52,13 @@ impl fmt::Debug for Error {
 impl std::error::Error for Error {}
 
 impl Default for Traits {
-    /// An object that moves, in layer 1 and no frame, with the user word 0.
+    /// A moving object in layer 1 and no frame, with user word 0.
     fn default() -> Traits {
         Traits { user: 0, layers: 1, motion: ffi::MOVING, frame: Id::default() }
     }
 }
 
-/// What functions return that may fail.
+/// The result of a function that can fail.
 pub type Result<T> = std::result::Result<T, Error>;
 
 /// True for yes or done, false for no or none.
@@ -68,7 +69,7 @@ fn check(status: i32) -> Result<bool> {
     Ok(status == ffi::OK)
 }
 
-/// The length nearest to a number; `None` out of range and for NaN. Halves are rounded away from 0.
+/// The nearest length to a number; `None` out of range and for NaN. Halves are rounded away from 0.
 pub fn raw(value: f64) -> Option<i32> {
     let scaled = (value * f64::from(ONE)).round();
     if scaled >= -2147483648.0 && scaled <= 2147483647.0 {
@@ -78,14 +79,14 @@ pub fn raw(value: f64) -> Option<i32> {
     }
 }
 
-/// Changes whenever an answer changes in any bit.
+/// Changes whenever any result changes by a bit.
 pub fn results_version() -> i32 {
     unsafe { ffi::detent_results_version() }
 }
 
 /// Holds scenes, worlds and assets, which borrow it. Contexts of different threads are independent.
 pub struct Context {
-    // At a place of its own, because an open context may not move; not Sync.
+    // Boxed, because an open context must not move; not Sync.
     open: Box<UnsafeCell<ffi::Context>>,
 }
 
@@ -101,7 +102,7 @@ impl Context {
         self.open.get()
     }
 
-    /// A mesh of triangles: three indices of vertices each. `name` is its id in snapshots, not 0.
+    /// A mesh; each triangle is three vertex indices. `name` is its id in snapshots, not 0.
     pub fn mesh(&self, name: u32, vertices: &[[i32; 3]], faces: &[[u32; 3]]) -> Result<Asset<'_>> {
         let points: Vec<_> = vertices.iter().map(|v| d3::vec(*v)).collect();
         let mut handle = 0;
@@ -119,7 +120,7 @@ impl Context {
         Ok(Asset { context: self, handle })
     }
 
-    /// A height field of `columns` times `rows` heights, in 3D.
+    /// A 3D height field of `columns` times `rows` heights.
     pub fn height_field(
         &self,
         name: u32,
@@ -162,21 +163,21 @@ fn length<T>(list: &[T]) -> Result<u32> {
     Ok(list.len() as u32)
 }
 
-/// A mesh, hull or height field that objects of scenes refer to, or a solid hull of bodies. It lives as long as the context, or
-/// until `destroy`.
+/// An asset: a mesh, hull or height field for objects of scenes, or a solid hull for bodies. It
+/// lives as long as the context, or until `destroy`.
 pub struct Asset<'a> {
     context: &'a Context,
     handle: u32,
 }
 
 impl Asset<'_> {
-    /// Destroys it; an error while an object or a body refers to it.
+    /// Destroys it. An error while an object or body refers to it.
     pub fn destroy(&self) -> Result<()> {
         check(unsafe { ffi::detent_asset_destroy(self.context.pointer(), self.handle) }).map(|_| ())
     }
 }
 
-/// The results of a call that writes a list, however many they are.
+/// All results of a call that writes a list.
 fn list<T: Clone + Default>(call: impl Fn(*mut T, u32, *mut u32) -> i32) -> Result<Vec<T>> {
     let mut items = vec![T::default(); 64];
     loop {
@@ -200,7 +201,7 @@ fn bytes(call: impl Fn(*mut std::os::raw::c_void, u32, *mut u32) -> i32) -> Resu
     Ok(room)
 }
 
-/// The settings of an ordinary session.
+/// The default settings of a session.
 pub fn session_settings() -> SessionSettings {
     let mut own = SessionSettings::default();
     unsafe { ffi::detent_session_default_settings(&mut own) };
@@ -222,11 +223,11 @@ impl Frame {
     pub fn number(&self) -> u32 {
         self.frame.number
     }
-    /// The number of players, those who left included.
+    /// The number of players, including those who left.
     pub fn players(&self) -> usize {
         self.frame.players as usize
     }
-    /// What a player pressed; `None` if it takes no part.
+    /// A player's input; `None` if it takes no part.
     pub fn input(&self, player: usize) -> Option<&[u8]> {
         let is_in = player < self.players() && self.frame.present >> player & 1 != 0;
         let start = player * self.input_size;
@@ -234,16 +235,16 @@ impl Frame {
     }
 }
 
-/// What happened in a session.
+/// An event of a session.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Event {
     /// Such as `ffi::DESYNC`.
     pub kind: u32,
-    /// Whom it is about.
+    /// The peer concerned.
     pub peer: u32,
-    /// The frame it is about.
+    /// The frame concerned.
     pub frame: u32,
-    /// The name of a field that differs.
+    /// The name of the field that differs.
     pub field: String,
     /// The body that the field belongs to.
     pub object: Option<Id>,
@@ -301,7 +302,7 @@ macro_rules! space {
             pub fn aabb(min: [i32; $n], max: [i32; $n]) -> Shape {
                 made(ffi::AABB, ffi::$ShapeAs { aabb: ffi::$Aabb { min: vec(min), max: vec(max) } })
             }
-            /// A box with axes of its own, such as `AXES`.
+            /// A box with the given axes, such as `AXES`.
             pub fn obb(center: [i32; $n], half_extents: [i32; $n], axes: [[i32; $n]; $n]) -> Shape {
                 let (center, half_extents) = (vec(center), vec(half_extents));
                 let rotation = rotation(axes);
@@ -312,7 +313,7 @@ macro_rules! space {
                 let normal = direction(normal);
                 made(ffi::PLANE, ffi::$ShapeAs { plane: ffi::$Plane { normal, offset } })
             }
-            /// The points between three corners.
+            /// The points of the triangle with these corners.
             pub fn triangle(a: [i32; $n], b: [i32; $n], c: [i32; $n]) -> Shape {
                 let triangle = ffi::$Triangle { a: vec(a), b: vec(b), c: vec(c) };
                 made(ffi::TRIANGLE, ffi::$ShapeAs { triangle })
@@ -322,17 +323,17 @@ macro_rules! space {
                 let capsule = ffi::$Capsule { a: vec(a), b: vec(b), radius };
                 made(ffi::CAPSULE, ffi::$ShapeAs { capsule })
             }
-            /// The points between two ends; in queries only.
+            /// A segment; queries only.
             pub fn segment(start: [i32; $n], end: [i32; $n]) -> Shape {
                 let segment = ffi::$Segment { start: vec(start), end: vec(end) };
                 made(ffi::SEGMENT, ffi::$ShapeAs { segment })
             }
-            /// A point; in queries of scenes only.
+            /// A point; queries of scenes only.
             pub fn point(at: [i32; $n]) -> Shape {
                 made(ffi::POINT, ffi::$ShapeAs { point: vec(at) })
             }
-            /// A mesh or hull transformed, or a height field moved, as a shape of a scene; of a world
-            /// the same, with a solid hull, or a compound.
+            /// An asset as a shape. In a scene: a transformed mesh or hull, or a translated height
+            /// field. In a world also a solid hull or a compound.
             pub fn placed(asset: &Asset, translation: [i32; $n], axes: [[i32; $n]; $n],
                           scale: i32) -> Shape {
                 let translation = vec(translation);
@@ -351,12 +352,12 @@ macro_rules! space {
                 Shape { kind, asset: asset.handle, of }
             }
 
-            /// Where the ray first touches the shape.
+            /// The first point where the ray touches the shape.
             pub fn raycast(ray: &Ray, shape: &Shape) -> Result<Option<Hit>> {
                 let mut hit = Hit::default();
                 Ok(if check(unsafe { raycast_(ray, shape, &mut hit) })? { Some(hit) } else { None })
             }
-            /// The distances of many rays; -1 for no hit.
+            /// The distances of many rays; -1 for a miss.
             pub fn raycast_many(rays: &[Ray], shape: &Shape) -> Result<Vec<i32>> {
                 let mut distances = vec![0; rays.len()];
                 check(unsafe {
@@ -368,11 +369,11 @@ macro_rules! space {
             pub fn contains(shape: &Shape, at: [i32; $n]) -> Result<bool> {
                 check(unsafe { contains_(shape, &vec(at)) })
             }
-            /// Whether two shapes have a point in common.
+            /// Whether two shapes share a point.
             pub fn overlaps(a: &Shape, b: &Shape) -> Result<bool> {
                 check(unsafe { overlaps_(a, b) })
             }
-            /// The point of the shape closest to a point.
+            /// The closest point of the shape to a point.
             pub fn closest_point(shape: &Shape, at: [i32; $n]) -> Result<[i32; $n]> {
                 let mut closest = ffi::$Vec::default();
                 check(unsafe { closest_point_(shape, &vec(at), &mut closest) })?;
@@ -384,25 +385,25 @@ macro_rules! space {
                 check(unsafe { distance_to_point_(shape, &vec(at), &mut distance) })?;
                 Ok(distance)
             }
-            /// The distance of two shapes, rounded down.
+            /// The distance between two shapes, rounded down.
             pub fn distance(a: &Shape, b: &Shape) -> Result<i32> {
                 let mut distance = 0;
                 check(unsafe { distance_(a, b, &mut distance) })?;
                 Ok(distance)
             }
 
-            /// How two shapes that overlap are separated; the first `count` of its points are set.
+            /// The contact of two overlapping shapes; the first `count` of its points are set.
             pub fn contact(a: &Shape, b: &Shape) -> Result<Option<Manifold>> {
                 let mut found = Manifold::default();
                 Ok(if check(unsafe { contact_(a, b, &mut found) })? { Some(found) } else { None })
             }
-            /// The point of each shape that is closest to the other one.
+            /// The closest points of two shapes.
             pub fn closest_points(a: &Shape, b: &Shape) -> Result<([i32; $n], [i32; $n])> {
                 let (mut one, mut other) = (ffi::$Vec::default(), ffi::$Vec::default());
                 check(unsafe { closest_points_(a, b, &mut one, &mut other) })?;
                 Ok(([$(one.$x),*], [$(other.$x),*]))
             }
-            /// Where a shape that moves along `toward`, a unit vector, first touches a target.
+            /// The first contact of a shape moving along `toward`, a unit vector, with a target.
             pub fn cast(shape: &Shape, toward: [i32; $n], max_distance: i32, target: &Shape)
                         -> Result<Option<Hit>> {
                 let mut hit = Hit::default();
@@ -410,13 +411,13 @@ macro_rules! space {
                 let yes = check(unsafe { cast_(shape, &toward, max_distance, target, &mut hit) })?;
                 Ok(if yes { Some(hit) } else { None })
             }
-            /// The motion of a frame that does not turn.
+            /// The motion of a frame that does not rotate.
             pub fn sweep(start: [i32; $n], end: [i32; $n]) -> Sweep {
                 let (start_rotation, end_rotation) = (rotation(AXES), rotation(AXES));
                 Sweep { start: vec(start), end: vec(end), start_rotation, end_rotation }
             }
-            /// When two moving shapes first are closer than `target`; a shape without a sweep does not
-            /// move.
+            /// When two moving shapes first come closer than `target`. A shape without a sweep does
+            /// not move.
             pub fn time_of_impact(a: &Shape, sweep_a: &Sweep, b: &Shape, sweep_b: Option<&Sweep>,
                                   target: i32) -> Result<Option<Impact>> {
                 let mut impact = Impact::default();
@@ -427,7 +428,7 @@ macro_rules! space {
                 Ok(if yes { Some(impact) } else { None })
             }
 
-            /// A convex hull of at most 32 points with a volume, for bodies.
+            /// The convex hull of at most 32 points, for bodies; it must have a volume.
             pub fn solid<'a>(context: &'a Context, name: u32, points: &[[i32; $n]])
                              -> Result<Asset<'a>> {
                 let points: Vec<_> = points.iter().map(|p| vec(*p)).collect();
@@ -438,7 +439,7 @@ macro_rules! space {
                 })?;
                 Ok(Asset { context, handle })
             }
-            /// A part of a compound that is made of what bodies usually are.
+            /// A part of a compound with the default material.
             pub fn part(shape: Shape) -> Part {
                 let mut own = Part {
                     shape, density: 0, friction: 0, restitution: 0, is_sensor: 0,
@@ -457,11 +458,11 @@ macro_rules! space {
                 })?;
                 Ok(Asset { context, handle })
             }
-            /// A character: a capsule from `a` to `b` in the air.
+            /// A capsule character from `a` to `b`, in the air.
             pub fn mover(a: [i32; $n], b: [i32; $n], radius: i32) -> Mover {
                 mover_of(capsule(a, b, radius))
             }
-            /// A character: an AABB in the air.
+            /// An AABB character, in the air.
             pub fn box_mover(min: [i32; $n], max: [i32; $n]) -> Mover {
                 mover_of(aabb(min, max))
             }
@@ -471,26 +472,27 @@ macro_rules! space {
                     normal: Default::default(), local: Default::default(), point: Default::default(),
                 }
             }
-            /// The settings of an ordinary character.
+            /// The default settings of a character.
             pub fn mover_settings() -> MoverSettings {
                 let mut own = MoverSettings::default();
                 unsafe { mover_default_settings(&mut own) };
                 own
             }
-            /// The part of a velocity that does not lead into what a character touched in a move.
+            /// The part of a velocity that does not lead into anything the character touched in a
+            /// move.
             pub fn clip_velocity(velocity: [i32; $n], result: &Move) -> Result<[i32; $n]> {
                 let mut clipped = ffi::$Vec::default();
                 check(unsafe { mover_clip_velocity(&vec(velocity), result, &mut clipped) })?;
                 Ok([$(clipped.$x),*])
             }
-            /// A joint of a kind, such as `ffi::HINGE_JOINT`, with its usual numbers.
+            /// A joint of a kind, such as `ffi::HINGE_JOINT`, with default fields.
             pub fn joint(kind: u32, a: Id, b: Id) -> Result<Joint> {
                 let mut joint = Joint::default();
                 check(unsafe { joint_defaults(kind, &mut joint) })?;
                 Ok(Joint { a, b, ..joint })
             }
 
-            /// A convex hull of at most 64 points. `name` is its id in snapshots, not 0.
+            /// The convex hull of at most 64 points. `name` is its id in snapshots, not 0.
             pub fn hull<'a>(context: &'a Context, name: u32, points: &[[i32; $n]]) -> Result<Asset<'a>> {
                 let points: Vec<_> = points.iter().map(|p| vec(*p)).collect();
                 let mut handle = 0;
@@ -500,7 +502,7 @@ macro_rules! space {
                 Ok(Asset { context, handle })
             }
 
-            /// Objects, and queries over all of them. Destroyed when it is dropped.
+            /// Objects and queries over them. Destroyed on drop.
             pub struct Scene<'a> {
                 context: &'a Context,
                 handle: u32,
@@ -523,7 +525,7 @@ macro_rules! space {
                     check(unsafe { scene_add(self.at(), self.handle, shape, &traits, &mut id) })?;
                     Ok(id)
                 }
-                /// Removes an object; false if there is none with this id.
+                /// Removes an object; false if no object has this id.
                 pub fn remove(&mut self, id: Id) -> Result<bool> {
                     check(unsafe { scene_remove(self.at(), self.handle, id) })
                 }
@@ -531,7 +533,7 @@ macro_rules! space {
                 pub fn replace(&mut self, id: Id, shape: &Shape) -> Result<bool> {
                     check(unsafe { scene_replace(self.at(), self.handle, id, shape) })
                 }
-                /// Moves an object by a vector.
+                /// Translates an object.
                 pub fn move_by(&mut self, id: Id, by: [i32; $n]) -> Result<bool> {
                     check(unsafe { scene_move(self.at(), self.handle, id, &vec(by)) })
                 }
@@ -554,7 +556,7 @@ macro_rules! space {
                         scene_cast_any(self.at(), self.handle, shape, &toward, max_distance, layers)
                     })
                 }
-                /// All objects that the moving shape touches, by distance, then id.
+                /// All objects that the moving shape touches, sorted by distance, then id.
                 pub fn cast_all(&self, shape: &Shape, toward: [i32; $n], max_distance: i32,
                                 layers: u32) -> Result<Vec<ObjectHit>> {
                     let toward = direction(toward);
@@ -563,8 +565,8 @@ macro_rules! space {
                                        to, room, count)
                     })
                 }
-                /// Moves a character by a vector, gravity included, as far as the objects in `layers`
-                /// other than `ignored` let it.
+                /// Moves a character by a vector, gravity included, as far as the objects in
+                /// `layers` other than `ignored` allow.
                 pub fn move_character(&self, mover: &mut Mover, by: [i32; $n],
                                       settings: &MoverSettings, layers: u32, ignored: Id)
                                       -> Result<Move> {
@@ -575,8 +577,8 @@ macro_rules! space {
                     })?;
                     Ok(result)
                 }
-                /// Adds a frame that objects can be in and move with; `None` if there is no such parent,
-                /// which is `Id::default()` for the world.
+                /// Adds a frame that carries objects; `None` if the parent does not exist.
+                /// `Id::default()` is the world.
                 pub fn add_frame(&mut self, translation: [i32; $n], axes: [[i32; $n]; $n], scale: i32,
                                  parent: Id) -> Result<Option<Id>> {
                     let mut id = Id::default();
@@ -594,11 +596,11 @@ macro_rules! space {
                     let transform = ffi::$Transform { translation, rotation, scale };
                     check(unsafe { scene_move_frame(self.at(), self.handle, frame, &transform) })
                 }
-                /// Removes a frame; false if anything is in it.
+                /// Removes a frame; false if it is not empty.
                 pub fn remove_frame(&mut self, frame: Id) -> Result<bool> {
                     check(unsafe { scene_remove_frame(self.at(), self.handle, frame) })
                 }
-                /// Makes queries faster after many additions.
+                /// Speeds up queries after many additions.
                 pub fn optimize(&mut self) -> Result<()> {
                     check(unsafe { scene_optimize(self.at(), self.handle) }).map(|_| ())
                 }
@@ -608,7 +610,7 @@ macro_rules! space {
                     check(unsafe { scene_size(self.at(), self.handle, &mut size) })?;
                     Ok(size)
                 }
-                /// The first object in `layers` that the ray touches, and where.
+                /// The first object in `layers` that the ray touches.
                 pub fn raycast(&self, ray: &Ray, layers: u32) -> Result<Option<ObjectHit>> {
                     let mut hit = ObjectHit::default();
                     let yes = check(unsafe {
@@ -620,13 +622,13 @@ macro_rules! space {
                 pub fn raycast_any(&self, ray: &Ray, layers: u32) -> Result<bool> {
                     check(unsafe { scene_raycast_any(self.at(), self.handle, ray, layers) })
                 }
-                /// All objects in `layers` that the ray touches, by distance, then id.
+                /// All objects in `layers` that the ray touches, sorted by distance, then id.
                 pub fn raycast_all(&self, ray: &Ray, layers: u32) -> Result<Vec<ObjectHit>> {
                     list(|to, room, count| unsafe {
                         scene_raycast_all(self.at(), self.handle, ray, layers, to, room, count)
                     })
                 }
-                /// `raycast` for many rays; the distance is -1 where one hits nothing.
+                /// `raycast` for many rays; the distance of a miss is -1.
                 pub fn raycast_many(&self, rays: &[Ray], layers: u32) -> Result<Vec<ObjectHit>> {
                     let mut hits = vec![ObjectHit::default(); rays.len()];
                     check(unsafe {
@@ -635,7 +637,7 @@ macro_rules! space {
                     })?;
                     Ok(hits)
                 }
-                /// The nearest object that a point finds, or that another shape overlaps.
+                /// The object nearest to a point, or the nearest that a shape overlaps.
                 pub fn nearest(&self, question: &Shape, layers: u32) -> Result<Option<Found>> {
                     let mut found = Found::default();
                     let yes = check(unsafe {
@@ -647,7 +649,7 @@ macro_rules! space {
                 pub fn any(&self, question: &Shape, layers: u32) -> Result<bool> {
                     check(unsafe { scene_any(self.at(), self.handle, question, layers) })
                 }
-                /// All objects in `layers` that the shape overlaps, by distance, then id.
+                /// All objects in `layers` that the shape overlaps, sorted by distance, then id.
                 pub fn all(&self, question: &Shape, layers: u32) -> Result<Vec<Found>> {
                     list(|to, room, count| unsafe {
                         scene_all(self.at(), self.handle, question, layers, to, room, count)
@@ -659,7 +661,7 @@ macro_rules! space {
                         scene_overlaps(self.at(), self.handle, to, room, count)
                     })
                 }
-                /// 64 bits of all objects.
+                /// A 64-bit digest of all objects.
                 pub fn digest(&self) -> Result<u64> {
                     let mut digest = 0;
                     check(unsafe { scene_digest(self.at(), self.handle, &mut digest) })?;
@@ -687,20 +689,20 @@ macro_rules! space {
                 }
             }
 
-            /// The options of an ordinary body.
+            /// The default options of a body.
             pub fn default_options() -> BodyOptions {
                 let mut own = BodyOptions::default();
                 unsafe { body_default_options(&mut own) };
                 own
             }
-            /// The settings of an ordinary world.
+            /// The default settings of a world.
             pub fn default_settings() -> WorldSettings {
                 let mut own = WorldSettings::default();
                 unsafe { world_default_settings(&mut own) };
                 own
             }
 
-            /// Bodies that fall, collide and come to rest. Destroyed when it is dropped.
+            /// Bodies that fall, collide and come to rest. Destroyed on drop.
             pub struct World<'a> {
                 context: &'a Context,
                 handle: u32,
@@ -717,14 +719,14 @@ macro_rules! space {
                 fn at(&self) -> *mut ffi::Context {
                     self.context.pointer()
                 }
-                /// Adds a sphere, AABB, OBB, capsule or something `placed`: a solid hull, a compound, in
-                /// 3D a mesh or height field.
+                /// Adds a sphere, AABB, OBB, capsule, or something `placed`: a solid hull, a
+                /// compound or, in 3D, a mesh or height field.
                 pub fn add(&mut self, shape: &Shape, options: &BodyOptions) -> Result<Id> {
                     let mut id = Id::default();
                     check(unsafe { world_add(self.at(), self.handle, shape, options, &mut id) })?;
                     Ok(id)
                 }
-                /// Joins two bodies; `None` if there are not both.
+                /// Joins two bodies; `None` if one does not exist.
                 pub fn add_joint(&mut self, joint: &Joint) -> Result<Option<Id>> {
                     let mut id = Id::default();
                     let done = check(unsafe {
@@ -732,11 +734,11 @@ macro_rules! space {
                     })?;
                     Ok(if done { Some(id) } else { None })
                 }
-                /// Replaces a joint by one of the same kind, such as one with another motor.
+                /// Replaces a joint by another of the same kind, such as one with another motor.
                 pub fn change_joint(&mut self, id: Id, joint: &Joint) -> Result<bool> {
                     check(unsafe { world_change_joint(self.at(), self.handle, id, joint) })
                 }
-                /// Removes a joint; false if there is none with this id.
+                /// Removes a joint; false if no joint has this id.
                 pub fn remove_joint(&mut self, id: Id) -> Result<bool> {
                     check(unsafe { world_remove_joint(self.at(), self.handle, id) })
                 }
@@ -752,7 +754,7 @@ macro_rules! space {
                         world_broken(self.at(), self.handle, to, room, count)
                     })
                 }
-                /// A point of the world in the frame of a body: an anchor of a joint.
+                /// Converts a world point to a body's frame, for the anchor of a joint.
                 pub fn local_point(&self, id: Id, point: [i32; $n]) -> Result<Option<[i32; $n]>> {
                     let mut local = ffi::$Vec::default();
                     let yes = check(unsafe {
@@ -760,36 +762,35 @@ macro_rules! space {
                     })?;
                     Ok(if yes { Some([$(local.$x),*]) } else { None })
                 }
-                /// Removes a body; false if there is none with this id.
+                /// Removes a body; false if no body has this id.
                 pub fn remove(&mut self, id: Id) -> Result<bool> {
                     check(unsafe { world_remove(self.at(), self.handle, id) })
                 }
-                /// One tick.
+                /// Simulates one tick.
                 pub fn step(&mut self) -> Result<()> {
                     check(unsafe { world_step(self.at(), self.handle) }).map(|_| ())
                 }
-                /// Where a body is and how it moves.
+                /// The state of a body.
                 pub fn body(&self, id: Id) -> Result<Option<Body>> {
                     let mut body = Body::default();
                     let yes = check(unsafe { world_body(self.at(), self.handle, id, &mut body) })?;
                     Ok(if yes { Some(body) } else { None })
                 }
-                /// Where a body is.
+                /// The position of a body.
                 pub fn position(&self, id: Id) -> Result<Option<[i32; $n]>> {
                     Ok(self.body(id)?.map(|body| [$(body.position.$x),*]))
                 }
-                /// Sets the velocity of a body, and wakes it.
+                /// Sets the velocity of a body and wakes it.
                 pub fn set_velocity(&mut self, id: Id, velocity: [i32; $n]) -> Result<bool> {
                     check(unsafe { world_set_velocity(self.at(), self.handle, id, &vec(velocity)) })
                 }
-                /// Sets the angular velocity of a body, and wakes it.
+                /// Sets the angular velocity of a body and wakes it.
                 pub fn set_angular_velocity(&mut self, id: Id, velocity: [i32; $spin]) -> Result<bool> {
                     check(unsafe {
                         world_set_angular_velocity(self.at(), self.handle, id, velocity.as_ptr())
                     })
                 }
-                /// Changes velocity and spin as an impulse at a point of the world does, or at the
-                /// centre.
+                /// Applies an impulse at a world point, or at the center of mass.
                 pub fn apply_impulse(
                     &mut self,
                     id: Id,
@@ -802,7 +803,7 @@ macro_rules! space {
                         world_apply_impulse(self.at(), self.handle, id, &vec(impulse), point)
                     })
                 }
-                /// The same for a force that acts during the next step.
+                /// Applies a force during the next step, otherwise like an impulse.
                 pub fn apply_force(
                     &mut self,
                     id: Id,
@@ -815,7 +816,7 @@ macro_rules! space {
                         world_apply_force(self.at(), self.handle, id, &vec(force), point)
                     })
                 }
-                /// A torque that acts during the next step.
+                /// Applies a torque during the next step.
                 pub fn apply_torque(&mut self, id: Id, torque: [i32; $spin]) -> Result<bool> {
                     check(unsafe {
                         world_apply_torque(self.at(), self.handle, id, torque.as_ptr())
@@ -827,7 +828,7 @@ macro_rules! space {
                     check(unsafe { world_size(self.at(), self.handle, &mut size) })?;
                     Ok(size)
                 }
-                /// Where the parts of a compound, or the points of a hull, were given.
+                /// The frame in which a compound's parts or a hull's points were given.
                 pub fn frame(&self, id: Id) -> Result<Option<Transform>> {
                     let mut frame = Transform::default();
                     let yes = check(unsafe {
@@ -835,13 +836,13 @@ macro_rules! space {
                     })?;
                     Ok(if yes { Some(frame) } else { None })
                 }
-                /// The pairs that began or ended to touch in the last step.
+                /// The pairs that began or ceased to touch in the last step.
                 pub fn events(&self) -> Result<Vec<Touch>> {
                     list(|to, room, count| unsafe {
                         world_events(self.at(), self.handle, to, room, count)
                     })
                 }
-                /// 64 bits of all bodies that are not fixed, and their contacts.
+                /// A 64-bit digest of all bodies that are not fixed, and their contacts.
                 pub fn digest(&self) -> Result<u64> {
                     let mut digest = 0;
                     check(unsafe { world_digest(self.at(), self.handle, &mut digest) })?;
@@ -853,7 +854,7 @@ macro_rules! space {
                         world_snapshot(self.at(), self.handle, to, room, size)
                     })
                 }
-                /// Makes the world that of a snapshot; any bytes are safe.
+                /// Restores a snapshot; any bytes are safe.
                 pub fn restore(&mut self, snapshot: &[u8]) -> Result<()> {
                     check(unsafe {
                         world_restore(self.at(), self.handle, snapshot.as_ptr().cast(),
@@ -864,7 +865,7 @@ macro_rules! space {
             }
 
             impl<'a> World<'a> {
-                /// The world of a session or replay, which alone destroys it.
+                /// The world of a session or replay, which owns it.
                 fn owned(context: &'a Context, handle: u32) -> World<'a> {
                     World { context, handle, not_sync: PhantomData }
                 }
@@ -876,13 +877,14 @@ macro_rules! space {
                     })?;
                     Ok(String::from_utf8_lossy(&names).lines().map(String::from).collect())
                 }
-                /// The words next to the world of a session or replay, as many as its settings say.
+                /// The words next to the world of a session or replay; their number is in the
+                /// settings.
                 pub fn words(&self) -> Result<[u32; 256]> {
                     let mut words = [0; 256];
                     check(unsafe { world_words(self.at(), self.handle, words.as_mut_ptr()) })?;
                     Ok(words)
                 }
-                /// Sets them, in a frame.
+                /// Sets the words, during a frame.
                 pub fn set_words(&mut self, words: &[u32; 256]) -> Result<()> {
                     check(unsafe { world_set_words(self.at(), self.handle, words.as_ptr()) }).map(|_| ())
                 }
@@ -894,7 +896,7 @@ macro_rules! space {
                 }
             }
 
-            /// A match over a network, from a world that all peers start with.
+            /// A network match from a world that all peers start with.
             pub struct Session<'a> {
                 world: World<'a>,
                 handle: u32,
@@ -915,13 +917,13 @@ macro_rules! space {
                 fn at(&self) -> *mut ffi::Context {
                     self.world.at()
                 }
-                /// The world after the last frame that is simulated.
+                /// The world after the last simulated frame.
                 pub fn world(&self) -> &World<'a> {
                     &self.world
                 }
-                /// Calls `simulate` for all frames that are due: those with inputs that were guessed wrong
-                /// again, and the next one, with this input. Returns why there are no more, such as
-                /// `ffi::PLAYED`. A frame that `simulate` leaves with an error is played again.
+                /// Calls `simulate` for all frames that are due: again for those whose inputs were
+                /// mispredicted, then for the next one, with this input. Returns why there are no
+                /// more, such as `ffi::PLAYED`. A frame for which `simulate` fails is played again.
                 pub fn advance(
                     &mut self,
                     pad: &[u8],
@@ -940,14 +942,14 @@ macro_rules! space {
                     }
                     Ok(frame.frame.state)
                 }
-                /// Takes a packet at a time in microseconds; false if it was not used.
+                /// Takes a packet that arrived at a time in microseconds; false if it was not used.
                 pub fn receive(&mut self, peer: u32, packet: &[u8], now: u64) -> Result<bool> {
                     check(unsafe {
                         session_receive(self.at(), self.handle, peer, packet.as_ptr().cast(),
                                         length(packet)?, now)
                     })
                 }
-                /// Calls `send` with a peer and its packet, for all that are due.
+                /// Calls `send` with peer and packet for every packet that is due.
                 pub fn poll(&mut self, now: u64, mut send: impl FnMut(u32, &[u8])) -> Result<()> {
                     let mut room = [0; ffi::PACKET as usize];
                     let (mut peer, mut size) = (0, 0);
@@ -959,7 +961,7 @@ macro_rules! space {
                     }
                     Ok(())
                 }
-                /// What happened next.
+                /// The next event.
                 pub fn event(&mut self) -> Result<Option<Event>> {
                     let mut event = ffi::SessionEvent::default();
                     let mut name = [0u8; ffi::NAME as usize];
@@ -980,27 +982,27 @@ macro_rules! space {
                         None
                     })
                 }
-                /// How far it is.
+                /// The progress.
                 pub fn status(&self) -> Result<SessionStatus> {
                     let mut status = SessionStatus::default();
                     check(unsafe { session_status(self.at(), self.handle, &mut status) })?;
                     Ok(status)
                 }
-                /// All frames before this one are equal at the peer and here.
+                /// The number of frames known to be equal at the peer and here.
                 pub fn matched(&self, peer: u32) -> Result<u32> {
                     let mut frame = 0;
                     check(unsafe { session_matched(self.at(), self.handle, peer, &mut frame) })?;
                     Ok(frame)
                 }
-                /// Whether this player keeps the session from going on.
+                /// Whether the session waits for this player.
                 pub fn is_awaited(&self, player: u32) -> Result<bool> {
                     check(unsafe { session_is_awaited(self.at(), self.handle, player) })
                 }
-                /// Goes on without a peer.
+                /// Continues without a peer.
                 pub fn drop_peer(&mut self, peer: u32) -> Result<()> {
                     check(unsafe { session_drop(self.at(), self.handle, peer) }).map(|_| ())
                 }
-                /// Stops, or goes on.
+                /// Pauses or resumes.
                 pub fn pause(&mut self, is_paused: bool) -> Result<()> {
                     check(unsafe { session_pause(self.at(), self.handle, is_paused as u32) }).map(|_| ())
                 }
@@ -1018,7 +1020,7 @@ macro_rules! space {
                 }
             }
 
-            /// A replay that is simulated again.
+            /// A replay to resimulate.
             pub struct Replay<'a> {
                 world: World<'a>,
                 handle: u32,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# A port of the clone in which this file is: `vcpkg install detent --overlay-ports=packages/vcpkg`.
+# A port of the clone that contains this file: `vcpkg install detent
+# --overlay-ports=packages/vcpkg`.
 
 get_filename_component(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
 vcpkg_cmake_configure(

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: node engines.mjs FOLDER [SCENE...]; tests/bench/worlds/run builds FOLDER and runs it
-// Steps the scenes of plans.hpp in detent's WebAssembly, in q16_16 and in float, in Rapier and in Jolt,
-// which take turns step by step, and prints two tables as CSV: milliseconds a step, the mean of steps
-// 60 to 299, and how well each scene stands.
+// Steps the scenes of plans.hpp in detent's WebAssembly (q16_16 and float), in Rapier and in Jolt,
+// alternating step by step. Prints two tables as CSV: milliseconds per step, the mean of steps 60
+// to 299, and how well each scene stands.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import RAPIER from '@dimforge/rapier3d-deterministic-compat';
@@ -13,7 +13,7 @@ const [folder, ...wanted] = process.argv.slice(2);
 const [box, ball, capsule] = [0, 1, 2];
 const dt = 1 / 60, gravity = -10, friction = 0.6;
 
-/** The quaternion (x, y, z, w) of a turn about an axis of any length. */
+/** The quaternion (x, y, z, w) of a rotation about an axis of any length. */
 const quaternion = ([x, y, z], angle) => {
   const s = Math.sin(angle / 2) / Math.hypot(x, y, z);
   return [x * s, y * s, z * s, Math.cos(angle / 2)];
@@ -106,7 +106,8 @@ class Rapier {
   }
 }
 
-/** With the package's limits: what it allocates for a step does not hold 10,000 boxes. */
+/** With the package's limits, the memory that it allocates for a step does not hold 10,000 boxes.
+ *  */
 class Jolt {
   name = 'Jolt';
   constructor(jolt) {
@@ -185,11 +186,11 @@ class Jolt {
 
 const minus = (a, b) => a.map((x, i) => x - b[i]);
 const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
-/** A point of the world in the frame of a body, and back. */
+/** Converts a world point to a body's frame, and back. */
 const local = ({ at, axes }, p) => axes.map((axis) => dot(axis, minus(p, at)));
 const placed = ({ at, axes }, p) => at.map((x, i) => x + dot(axes.map((axis) => axis[i]), p));
 
-/** How well a scene stands: numbers by name, in units of the world. */
+/** How well a scene stands: numbers by name, in world units. */
 function quality(plan, first, last, before) {
   const moving = plan.items.map((item, i) => i).filter((i) => plan.items[i].moves);
   const distances = moving.map((i) => Math.hypot(...minus(last[i].at, before[i].at)));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The timed scenes and their worlds for node, in DETENT_BENCH_SCALAR: engines.mjs builds the same
-// scenes in other engines from the plans this module gives. Arrays go out as doubles, by pointers that
-// hold until the next `load`.
+// The timed scenes and their worlds for node, in DETENT_BENCH_SCALAR. engines.mjs builds the same
+// scenes in other engines from the plans of this module. Arrays are returned as doubles, by
+// pointers that are valid until the next `load`.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -37,7 +37,7 @@ void put(std::vector<double>& to, const Vector& v) {
 EXPORT(plan_count) std::size_t plan_count() { return plans().size(); }
 EXPORT(plan_name) const char* plan_name(std::size_t i) { return plans()[i].name.c_str(); }
 
-/// Builds the world of plan i at its beginning.
+/// Builds the world of plan i in its initial state.
 EXPORT(load) void load(std::size_t i) {
   plan = plans()[i];
   items.clear();
@@ -61,20 +61,20 @@ EXPORT(load) void load(std::size_t i) {
   for (const auto& point : hull_points()) put(points, point);
   stage = std::make_unique<Stage<S>>(plan);
 }
-/// 12 numbers an item: kind, whether it moves, center, half extents, axis and angle.
+/// 12 numbers per item: kind, whether it moves, center, half extents, axis and angle.
 EXPORT(item_data) const double* item_data() { return items.data(); }
 EXPORT(item_count) std::size_t item_count() { return plan.items.size(); }
-/// 9 numbers a link: two items, the point, whether it is a hinge, the axis.
+/// 9 numbers per link: two items, the point, whether it is a hinge, the axis.
 EXPORT(link_data) const double* link_data() { return links.data(); }
 EXPORT(link_count) std::size_t link_count() { return plan.links.size(); }
-/// 3 numbers a corner of a hull.
+/// 3 numbers per corner of a hull.
 EXPORT(point_data) const double* point_data() { return points.data(); }
 EXPORT(point_count) std::size_t point_count() { return points.size() / 3; }
 EXPORT(sleeps) int sleeps() { return plan.sleeps; }
 
 EXPORT(step) void step() { stage->world.step(); }
 EXPORT(digest) std::uint64_t digest() { return detent::digest(stage->world); }
-/// 12 numbers an item: its position and the three columns of its rotation.
+/// 12 numbers per item: its position and the three columns of its rotation.
 EXPORT(pose_data) const double* pose_data() {
   poses.clear();
   for (const auto& id : stage->ids) {

@@ -26,7 +26,7 @@ struct Item {
   double angle = 0;
 };
 
-/// A point of two bodies; a hinge turns about `axis` only.
+/// A common point of two bodies; a hinge rotates only about `axis`.
 struct Link {
   std::uint32_t a, b;
   Vec<double, 3> at;
@@ -125,7 +125,7 @@ inline Plan joint_grid(std::uint32_t side) {
   return plan;
 }
 
-/// Upright dolls of eleven capsules that fall on each other.
+/// Upright dolls of eleven capsules that fall onto each other.
 inline Plan ragdolls(int count) {
   Plan plan{std::to_string(count) + " ragdolls"};
   plan.ground(60);

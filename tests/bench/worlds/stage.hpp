@@ -10,7 +10,7 @@
 
 namespace detent::bench {
 
-/// The world of a plan.
+/// The world built from a plan.
 template <Scalar S>
 struct Stage {
   using Physics = BasicWorld<Growing, S, 3, Sphere<S, 3>, Capsule<S, 3>, Obb<S, 3>, BodyHull<S, 3>,

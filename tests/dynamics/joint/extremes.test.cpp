@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joints with numbers from everywhere in their range: assertions hold, and worlds stay valid.
+// Joints with numbers from their whole range: assertions hold, and worlds stay valid.
 #include "dynamics/joint/helpers.hpp"
 #include "oracle/space.hpp"
 #include "support/catch.hpp"
@@ -8,7 +8,7 @@
 namespace detent::test {
 namespace {
 
-/// Draws numbers: from anywhere, or small.
+/// Draws numbers from the whole range, or small ones.
 template <Scalar S>
 struct Numbers {
   Random& random;
@@ -73,7 +73,7 @@ void join_any(JointedWorld<S, N>& world, const BodyId& a, const BodyId& b, Rando
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("joint: joints from everywhere step without harm", "", (Space<q16_16, 2>),
+TEMPLATE_TEST_CASE("joint: joints with any numbers step without harm", "", (Space<q16_16, 2>),
                    (Space<q16_16, 3>), (Space<q8_8, 2>), (Space<q8_8, 3>)) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -29,7 +29,7 @@ WorldSettings<S, N> sleepless(int substeps = 4) {
   return settings;
 }
 
-/// A box at x, y; in 3D as deep as high.
+/// A box at x, y; in 3D its depth equals its height.
 template <Scalar S, int N>
 BodyId add_box(JointedWorld<S, N>& world, double x, double y, double half_width, double half_height,
                const BodyOptions<S, N>& options = {}) {
@@ -43,7 +43,7 @@ BodyId add_small_ball(JointedWorld<S, N>& world, double x, double y, double radi
   return world.add(Sphere<S, N>{at<S, N>(x, y), num<S>(radius)}, options).value_or(no_object);
 }
 
-/// A joint at a point of the world, for where its bodies are.
+/// A joint at a world point, for the current poses of its bodies.
 template <class Joint, Scalar S, int N>
 Joint joint_at(const JointedWorld<S, N>& world, const BodyId& a, const BodyId& b, double x,
                double y) {
@@ -55,7 +55,7 @@ Joint joint_at(const JointedWorld<S, N>& world, const BodyId& a, const BodyId& b
   return joint;
 }
 
-/// Where a point of a body is, in the world, from the body's exact state.
+/// The world position of a body's point, from the body's exact state.
 template <Scalar S, int N>
 std::vector<double> point_of(const JointedWorld<S, N>& world, const BodyId& id,
                              const Vec<S, N>& anchor) {
@@ -73,7 +73,7 @@ std::vector<double> point_of(const JointedWorld<S, N>& world, const BodyId& id,
   return point;
 }
 
-/// The distance of a joint's anchors.
+/// The distance between a joint's anchors.
 template <class Joint, Scalar S, int N>
 double gap_of(const JointedWorld<S, N>& world, const JointId& id) {
   const Joint& joint = *world.template find_joint<Joint>(id);
@@ -84,7 +84,7 @@ double gap_of(const JointedWorld<S, N>& world, const JointId& id) {
   return std::sqrt(sum);
 }
 
-/// Kinetic energy and that of the height, for gravity (0, -10).
+/// Kinetic plus potential energy, for gravity (0, -10).
 template <Scalar S, int N>
 double energy(const JointedWorld<S, N>& world) {
   double sum = 0;
@@ -98,7 +98,8 @@ double energy(const JointedWorld<S, N>& world) {
       const double v = static_cast<double>(body.state.velocity[k]) * rate;
       v2 += v * v;
     }
-    // The squared gyration about the spin: in the body's frame, where boxes and balls have axes.
+    // The squared gyration about the spin axis, in the body's frame, where it is diagonal for boxes
+    // and balls.
     const auto axes = detail::axes_of<S, N>(body.state.orientation);
     for (std::size_t j = 0; j < body.state.spin.size(); ++j) {
       double w = static_cast<double>(body.state.spin[j]) * rate;

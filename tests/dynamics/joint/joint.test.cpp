@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What joints keep, and how well: in q16_16 within stated bounds, and as in double.
+// What joints constrain, and how well: q16_16 within stated bounds, and close to double.
 #include <numbers>
 
 #include "dynamics/joint/helpers.hpp"
@@ -20,11 +20,11 @@ void in_both_dimensions(const F& f) {
   f(Dimension<3>());
 }
 
-/// How a scene went.
+/// Measurements of a scene.
 struct Course {
   double start = 0, highest = 0, lowest = 0;  // energy
   double gap = 0;                             // the greatest of any joint
-  std::vector<double> end;                    // where the last body is
+  std::vector<double> end;                    // the final position of the last body
 };
 
 template <class Joint, Scalar S, int N>
@@ -63,8 +63,8 @@ Course double_pendulum(int ticks) {
   return run<Joint>(world, {*first, *second}, lower, ticks);
 }
 
-/// A rope of 30 links that swings from level, with a weight of `mass` times that of a link; perhaps
-/// with a rope in one piece next to it.
+/// A rope of 30 links that swings from level, with a weight of `mass` links at the end; optionally
+/// with a one-piece rope next to it.
 template <Scalar S, int N>
 Course rope(double mass, int substeps, int ticks, bool has_cord = false) {
   JointedWorld<S, N> world(sleepless<S, N>(substeps));
@@ -88,13 +88,13 @@ Course rope(double mass, int substeps, int ticks, bool has_cord = false) {
 
 }  // namespace
 
-TEST_CASE("joint: a double pendulum gains no energy, keeps its joints, and is that of double") {
+TEST_CASE("joint: a double pendulum gains no energy, keeps its joints, and matches double") {
   in_both_dimensions([](auto dimension) {
     constexpr int N = decltype(dimension)::value;
     const double swing = 40 * (N == 2 ? 0.8 : 0.32);  // from level to straight down
     const auto exam = [&](const Course& fixed, const Course& real) {
       CAPTURE(N, fixed.start, fixed.highest, fixed.gap, real.highest, real.gap, apart(fixed, real));
-      // Velocities are half a substep ahead of places: the first quarter swing shows it.
+      // Velocities are half a substep ahead of positions, as the first quarter swing shows.
       CHECK(fixed.highest - fixed.start < 0.004 * swing);
       CHECK(real.highest - real.start < 0.004 * swing);
       CHECK(fixed.gap < 0.005);
@@ -109,7 +109,7 @@ TEST_CASE("joint: a double pendulum gains no energy, keeps its joints, and is th
   });
 }
 
-TEST_CASE("joint: a rope of 30 with a heavy end holds, and gains no energy") {
+TEST_CASE("joint: a rope of 30 with a heavy end holds and gains no energy") {
   in_both_dimensions([](auto dimension) {
     constexpr int N = decltype(dimension)::value;
     const auto exam = [&](double mass, int ticks, double gap, double gain) {
@@ -156,7 +156,7 @@ TEST_CASE("joint: rods, ropes and springs keep their lengths") {
   });
 }
 
-TEST_CASE("joint: a rope is slack, and a rod pushes") {
+TEST_CASE("joint: a rope can be slack, and a rod pushes") {
   using S = q16_16;
   for (const bool is_rod : {false, true}) {
     WorldSettings<S, 2> settings = sleepless<S, 2>();
@@ -213,7 +213,7 @@ struct Bar {
 
 }  // namespace
 
-TEST_CASE("joint: a motor speeds up by its torque, to its speed, and stops at a limit") {
+TEST_CASE("joint: a motor accelerates by its torque to its speed and stops at a limit") {
   in_both_dimensions([](auto dimension) {
     constexpr int N = decltype(dimension)::value;
     CAPTURE(N);
@@ -249,11 +249,11 @@ TEST_CASE("joint: a motor speeds up by its torque, to its speed, and stops at a 
   });
 }
 
-TEST_CASE("joint: a hinge in 3D keeps its axis, under a load across it") {
+TEST_CASE("joint: a hinge in 3D keeps its axis under a load across it") {
   using S = q16_16;
   JointedWorld<S, 3> world(sleepless<S, 3>());
   const auto wall = add_small_ball<S, 3>(world, 0, 0, 0.1, fixed_body<S, 3>());
-  // Both frames are turned, so that the axis is up: gravity would bend it.
+  // Both frames are rotated so that the axis points up; gravity would bend it.
   const auto bar = add_box<S, 3>(world, 1, 0, 1, 0.2);
   auto joint = joint_at<HingeJoint<S, 3>>(world, wall, bar, 0, 0);
   joint.frame_a = joint.frame_b =
@@ -296,7 +296,7 @@ TEST_CASE("joint: welded boxes stay straight") {
   });
 }
 
-TEST_CASE("joint: a slider goes along its axis alone, between its limits") {
+TEST_CASE("joint: a slider moves only along its axis, between its limits") {
   in_both_dimensions([](auto dimension) {
     constexpr int N = decltype(dimension)::value;
     using S = q16_16;
@@ -317,7 +317,7 @@ TEST_CASE("joint: a slider goes along its axis alone, between its limits") {
     for (int t = 0; t < 30; ++t) world.step();
     CHECK(std::fabs(place()[0] - 2.25) < 0.02);
     for (int t = 0; t < 90; ++t) world.step();
-    CHECK(std::fabs(place()[0] - 3) < 0.003);  // the motor presses
+    CHECK(std::fabs(place()[0] - 3) < 0.003);  // the motor presses against the limit
     joint.motor_speed = num<S>(-2);
     REQUIRE(world.change(*id, joint));
     for (int t = 0; t < 180; ++t) world.step();
@@ -378,7 +378,7 @@ TEST_CASE("joint: a car drives on its wheels") {
   });
 }
 
-TEST_CASE("joint: a soft ball joint drags a body to a point, with no more than its force") {
+TEST_CASE("joint: a soft ball joint drags a body to a point with at most its force") {
   in_both_dimensions([](auto dimension) {
     constexpr int N = decltype(dimension)::value;
     using S = q16_16;
@@ -396,12 +396,12 @@ TEST_CASE("joint: a soft ball joint drags a body to a point, with no more than i
     joint.max_force = S(9);
     REQUIRE(world.change(*id, joint));
     for (int t = 0; t < 120; ++t) world.step();
-    CHECK(static_cast<double>(world.velocity(joint.b).y) < -1.5);  // it falls with 1 unit / s^2
+    CHECK(static_cast<double>(world.velocity(joint.b).y) < -1.5);  // it falls at 1 unit / s^2
     CHECK(static_cast<double>(world.velocity(joint.b).y) > -2.1);
   });
 }
 
-TEST_CASE("joint: a joint breaks under a greater load than its force") {
+TEST_CASE("joint: a joint breaks under a load greater than its force") {
   in_both_dimensions([](auto dimension) {
     constexpr int N = decltype(dimension)::value;
     using S = q16_16;
@@ -430,7 +430,7 @@ TEST_CASE("joint: a joint breaks under a greater load than its force") {
   });
 }
 
-TEST_CASE("joint: joined bodies touch each other only if they may") {
+TEST_CASE("joint: joined bodies collide with each other only if allowed") {
   using S = q16_16;
   for (const bool collide : {false, true}) {
     JointedWorld<S, 2> world;
@@ -449,7 +449,7 @@ TEST_CASE("joint: joined bodies touch each other only if they may") {
   }
 }
 
-TEST_CASE("joint: joints join islands, and changes wake them") {
+TEST_CASE("joint: joints connect islands, and changing them wakes their bodies") {
   using S = q16_16;
   JointedWorld<S, 2> world;
   const auto wall = add_small_ball<S, 2>(world, 0, 0, 0.1, fixed_body<S, 2>());
@@ -523,7 +523,7 @@ TEST_CASE("joint: wrong ids and full worlds are refused") {
   CHECK(world.joint_count() == 6);
 }
 
-// A world that names no joint has no room for any.
+// A world type without joints reserves no memory for them.
 static_assert(
     std::is_empty_v<decltype(detail::JointTable<detail::JointGroup<Growing, q16_16, 2>>::list)>);
 static_assert(std::is_empty_v<detail::JointGroup<Growing, q16_16, 2>>);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joints are state: snapshots, digests, differences, and worlds that do not know their history.
+// Joints are part of the state: snapshots, digests, differences, and independence of history.
 #include <span>
 #include <string>
 
@@ -50,7 +50,7 @@ void put_as(JointedWorld<S, N>& world, std::uint32_t i, Joint joint) {
   REQUIRE(world.put(JointId{i, 1 + i % 3}, joint));
 }
 
-/// Joint i joins the bodies i + 1 and i + 2: every kind twice.
+/// Joint i connects bodies i + 1 and i + 2; every kind occurs twice.
 template <int N>
 void put_joint(JointedWorld<S, N>& world, std::uint32_t i) {
   switch (i % 6) {
@@ -124,7 +124,7 @@ void in_both_dimensions(const F& f) {
 
 }  // namespace
 
-TEST_CASE("joint: a world steps on bit by bit in a fresh one") {
+TEST_CASE("joint: a restored world continues bit for bit") {
   in_both_dimensions([](auto dimension) {
     constexpr int N = decltype(dimension)::value;
     auto world = scene<N>();
@@ -169,7 +169,7 @@ TEST_CASE("joint: bits do not depend on the order of additions and removals") {
     for (std::uint32_t i = joint_total; i-- > 0;) put_joint(backward, i);
     for (std::uint32_t i = 0; i < body_count; ++i) put_body(changed, i);
     for (std::uint32_t i = 0; i < joint_total; i += 2) put_joint(changed, i);
-    REQUIRE(changed.remove(BodyId{3, 2}));  // with the joints 1 and 2
+    REQUIRE(changed.remove(BodyId{3, 2}));  // removes joints 1 and 2 with it
     CHECK(!changed.contains(JointId{2, 3}));
     REQUIRE(changed.remove(JointId{4, 2}));
     put_body(changed, 3);
@@ -193,7 +193,7 @@ TEST_CASE("joint: bits do not depend on the order of additions and removals") {
   });
 }
 
-TEST_CASE("joint: without impulses a world parts from the other, and diff names the joint") {
+TEST_CASE("joint: without its impulses a world diverges, and diff names the joint") {
   auto world = scene<2>();
   for (int t = 0; t < 20; ++t) world.step();
   auto other = world;

@@ -21,7 +21,7 @@ Rational dot(const Point& a, const Point& b) {
   return sum;
 }
 
-/// In steps of a lever or a gap; ratios as they are.
+/// Converts to steps of a lever or gap; ratios stay as they are.
 template <Number T, int N>
 Point exact(const Vec<T, N>& v, int frac) {
   Point result;
@@ -38,7 +38,7 @@ struct Boxes {
   detail::RelativePose<S, N> pose;
 };
 
-/// Boxes of `size` steps that touch more or less, turned by little or by much.
+/// Boxes of about `size` steps that roughly touch, with small or large rotations.
 template <Scalar S, int N>
 Boxes<S, N> draw_boxes(Random& random, double size) {
   const auto unit = [&] { return static_cast<double>(random.between(-10000, 10000)) / 10000; };
@@ -71,7 +71,7 @@ Boxes<S, N> draw_boxes(Random& random, double size) {
     boxes.b[i] = random.one_in(4) ? boxes.a[i] : steps(size * (0.55 + 0.45 * unit()));
   }
   for (int i = 0; i < N; ++i) {
-    // One side touches, the others overlap or are level; sometimes anywhere.
+    // One side touches and the others overlap or are flush; sometimes anywhere.
     const double both =
         static_cast<double>(boxes.a[i].raw()) + static_cast<double>(boxes.b[i].raw());
     double offset = random.one_in(4) ? 0 : 1.2 * unit() * both;
@@ -103,7 +103,7 @@ std::vector<Point> corners_of(const Boxes<S, N>& boxes, bool of_b) {
   return corners;
 }
 
-/// How far apart the corners are along `n`: the least of b minus the greatest of a.
+/// The gap along `n`: the least projection of b's corners minus the greatest of a's.
 Rational support_gap(const std::vector<Point>& a, const std::vector<Point>& b, const Point& n) {
   Rational most = dot(a[0], n), least = dot(b[0], n);
   for (const auto& p : a) most = std::max(most, dot(p, n));
@@ -113,7 +113,7 @@ Rational support_gap(const std::vector<Point>& a, const std::vector<Point>& b, c
 
 double as_double(const Rational& x) { return static_cast<double>(x); }
 
-/// The greatest gap of all axes, with the normals of faces and the products of edges, in steps.
+/// The greatest gap over all axes (face normals and cross products of edges), in steps.
 template <Scalar S, int N>
 double greatest_gap(const Boxes<S, N>& boxes) {
   const auto a = corners_of(boxes, false), b = corners_of(boxes, true);
@@ -143,7 +143,7 @@ double greatest_gap(const Boxes<S, N>& boxes) {
   return best;
 }
 
-/// A convex polygon (a segment in 2D) cut to n . x <= limit.
+/// Clips a convex polygon (a segment in 2D) to n . x <= limit.
 std::vector<Point> cut(const std::vector<Point>& polygon, const Point& n, const Rational& limit) {
   std::vector<Point> result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -160,8 +160,8 @@ std::vector<Point> cut(const std::vector<Point>& polygon, const Point& n, const 
   return result;
 }
 
-/// The least height over the reference face of what is left of the incident face, with sides moved
-/// out by `slack` steps; nothing if nothing is left.
+/// The least height above the reference face of the clipped incident face, with the sides moved out
+/// by `slack` steps; nothing if nothing remains.
 template <Scalar S, int N>
 std::optional<double> least_height(const Boxes<S, N>& boxes, std::uint32_t feature, double slack) {
   const auto reference = (feature >> 6) / 8, incident = (feature >> 6) % 8;
@@ -218,7 +218,7 @@ void check_boxes(Random& random, double size, Counts& counts) {
   const auto margin = detail::Formats<S>::Gap::from_raw(static_cast<std::int32_t>(size / 25));
   const auto m = detail::box_manifold<S, N>(boxes.a, boxes.b, boxes.pose, margin);
   ++counts.cases;
-  // Axes are unit vectors and orthogonal within 2^-28: no projection is off by more.
+  // Axes are unit vectors and orthogonal within 2^-28, so no projection is off by more.
   const double slack = 3 + size * std::ldexp(1, -25);
   constexpr double tolerance = 2048;
   const double best = greatest_gap(boxes);
@@ -228,7 +228,7 @@ void check_boxes(Random& random, double size, Counts& counts) {
     return;
   }
   if (m.count == 0) {
-    // Some axis is beyond the margin, or no corner is within it over the face.
+    // Some axis is beyond the margin, or no corner within it is above the face.
     REQUIRE(best > limit - size / 2 - tolerance - slack);
     return;
   }
@@ -256,7 +256,7 @@ void check_boxes(Random& random, double size, Counts& counts) {
       clamped = clamped || p.point[k] == lowest<lever<S>> || p.point[k] == largest<lever<S>>;
     }
     if (clamped) continue;
-    // The point is midway: half the separation from the far end of one of the boxes along n.
+    // The point is midway, half the separation from the surface of one of the boxes along n.
     const double along = as_double(dot(exact(p.point, 0), n));
     double most_a = -1e300, least_b = 1e300;
     for (const auto& q : a) most_a = std::max(most_a, as_double(dot(q, n)));
@@ -368,13 +368,13 @@ TEST_CASE("box manifold: tiny motions of stacked boxes keep the features", "[man
   }
 }
 
-TEST_CASE("box manifold: swapped boxes have the opposite normal and the same depth", "[manifold]") {
+TEST_CASE("box manifold: swapping the boxes flips the normal and keeps the depth", "[manifold]") {
   using S = q16_16;
   Random random(0x59ab);
   int hits = 0;
   for (int i = 0; i < 1000; ++i) {
     const auto boxes = draw_boxes<S, 3>(random, 4194304);
-    // The inverse pose; its numbers are rounded, so results are equal within roundings.
+    // The inverse pose is rounded, so results agree within roundings.
     detail::RelativePose<S, 3> inverse;
     for (int j = 0; j < 3; ++j) {
       for (int k = 0; k < 3; ++k) {

@@ -34,7 +34,7 @@ constexpr Vec<lever<S>, N> levers(double x, double y, double z = 0) {
   return make_vec<N>([&](int i) { return as<lever<S>>(i == 0 ? x : i == 1 ? y : z); });
 }
 
-/// The pose of a body that is not turned.
+/// The pose of a body without rotation.
 template <Scalar S, int N>
 constexpr detail::RelativePose<S, N> shifted(double x, double y, double z = 0) {
   detail::RelativePose<S, N> pose;

@@ -22,7 +22,7 @@ Rational dot(const Point& a, const Point& b) {
   return sum;
 }
 
-/// A hull with its points, which do not move.
+/// A hull that owns its points, which do not move.
 template <int N>
 struct Solid {
   std::vector<Vec<S, N>> points;
@@ -87,7 +87,7 @@ detail::RelativePose<S, N> draw_pose(Random& random, double reach) {
   return pose;
 }
 
-/// A point of a body in steps of a lever; of b exactly where the pose puts it.
+/// A point of a body in steps of a lever; b's exactly where the pose puts it.
 template <int N>
 Point exact(const Vec<lever<S>, N>& p) {
   Point result;
@@ -123,8 +123,8 @@ Vector as_vector(const Point& p) {
   return v;
 }
 
-/// The greatest gap of all axes that points of the hulls can make: across three points of one of
-/// them, two in 2D, or across two of each.
+/// The greatest gap over all axes that points of the hulls define: normal to three points of one
+/// (two in 2D), or to two points of each.
 double greatest_gap(const std::vector<Point>& a, const std::vector<Point>& b) {
   std::vector<Vector> p, q;
   for (const auto& x : a) p.push_back(as_vector(x));
@@ -203,8 +203,8 @@ void check_hulls(Random& random, Counts& counts) {
     const auto& p = m.points[static_cast<std::size_t>(i)];
     const double s = p.separation.raw();
     REQUIRE(s >= chosen - slack);
-    // A corner of the one, or on the edges, and so far from the surface of the other: moved both
-    // ways it is in both hulls, up to the tolerance of the sides.
+    // A corner of one hull, or a point on its edges, this far from the surface of the other: moved
+    // either way it is in both hulls, up to the tolerance of the sides.
     for (int k = 0; k < i; ++k) {
       REQUIRE(m.points[static_cast<std::size_t>(k)].feature != p.feature);
     }
@@ -212,7 +212,7 @@ void check_hulls(Random& random, Counts& counts) {
     double most = -1e300, least = 1e300;
     for (const auto& x : a) most = (std::max)(most, static_cast<double>(dot(x, n)));
     for (const auto& x : b) least = (std::min)(least, static_cast<double>(dot(x, n)));
-    // Midway between the reference face and its own depth below it.
+    // Midway between the reference face and the point's own depth below it.
     const bool of_b = feature < (1u << 30) && feature >= (1u << 24);
     if (feature < (1u << 30)) {
       REQUIRE(std::abs(of_b ? least - s / 2 - along : along - s / 2 - most) < slack);
@@ -222,7 +222,7 @@ void check_hulls(Random& random, Counts& counts) {
   }
 }
 
-TEST_CASE("manifold: hulls touch along the axis that keeps them farthest apart") {
+TEST_CASE("manifold: hulls touch along the axis of greatest separation") {
   Random random(20);
   Counts flat, solid;
   for (int i = 0; i < 600; ++i) check_hulls<2>(random, flat);
@@ -236,7 +236,7 @@ TEST_CASE("manifold: hulls touch along the axis that keeps them farthest apart")
   CHECK(solid.many > 30);
 }
 
-/// How far the deepest point overlaps, in steps.
+/// The overlap of the deepest point, in steps.
 template <int N>
 double deepest(const detail::Manifold<S, N>& m) {
   double least = 1e300;
@@ -268,7 +268,8 @@ bool same_direction(const Vec<ratio<S>, N>& a, const Vec<ratio<S>, N>& b, std::i
   return true;
 }
 
-/// Manifolds of other formulas, which may choose another axis or point where two are as good.
+/// Compares manifolds computed by other formulas, which may choose another axis or point among
+/// equals.
 struct Same {
   int cases = 0, others = 0;
 
@@ -322,14 +323,14 @@ void check_round(Random& random, bool is_ball, Same& same) {
   const auto pose = draw_pose<N>(random, 1.3);
   const auto end = make_vec<N>([&](int) { return num<S>(unit(random)); });
   const Capsule<S, N> capsule{is_ball ? end : Vec<S, N>{}, end, num<S>(0.2)};
-  // Where the core is 2^-6 away, a step of a lever turns the normal by 2^-16.
+  // With the core 2^-6 away, a step of a lever turns the normal by 2^-16.
   same.compare(manifold(solid.body(), capsule, pose, gap<S>(0.02)),
                manifold(box, capsule, pose, gap<S>(0.02)), 1 << 15);
   same.compare(manifold(capsule, solid.body(), pose, gap<S>(0.02)),
                manifold(capsule, box, pose, gap<S>(0.02)), 1 << 15);
 }
 
-TEST_CASE("manifold: balls and capsules touch a hull of a box's corners as they do the box") {
+TEST_CASE("manifold: balls and capsules touch a hull of a box's corners as they touch the box") {
   Random random(22);
   Same same;
   for (int i = 0; i < 1000; ++i) {
@@ -341,12 +342,12 @@ TEST_CASE("manifold: balls and capsules touch a hull of a box's corners as they 
   CHECK(same.others < same.cases / 50);
 }
 
-/// The separation of a ball outside is the distance of its centre, less the radius.
+/// The separation of an outside ball is the distance of its centre minus the radius.
 template <int N>
 void check_distance(Random& random, int& outside) {
   const auto solid = draw_hull<N>(random);
   const auto q = make_vec<N>([&](int) { return num<S>(1.5 * unit(random)); });
-  // The hull as its body holds it: about its centre of mass, here on the grid of the query.
+  // The hull as its body stores it: around its centre of mass, here on the query's grid.
   std::vector<Vec<S, N>> corners;
   for (const auto& p : solid.solid.faces().points) corners.push_back(nearest_to<S>(p));
   const double exact = static_cast<double>(distance(ConvexHull<S, N>{corners}, q)) * (1 << 22);
@@ -362,7 +363,7 @@ void check_distance(Random& random, int& outside) {
   }
 }
 
-TEST_CASE("manifold: a ball is as far from a hull as the exact distance says") {
+TEST_CASE("manifold: a ball's separation from a hull is the exact distance") {
   Random random(23);
   int outside = 0;
   for (int i = 0; i < 600; ++i) {

@@ -6,8 +6,8 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("manifold: a ball on a ball, midway between them", "[manifold]", q16_16, q24_8,
-                   q8_8, double) {
+TEMPLATE_TEST_CASE("manifold: the contact of two balls is midway between them", "[manifold]",
+                   q16_16, q24_8, q8_8, double) {
   using S = TestType;
   const Sphere<S, 3> ball{{}, num<S>(1)};
   const auto m = manifold(ball, ball, shifted<S, 3>(0, 0, 2), gap<S>(0));
@@ -17,14 +17,14 @@ TEMPLATE_TEST_CASE("manifold: a ball on a ball, midway between them", "[manifold
   CHECK(m.points[0].point == levers<S, 3>(0, 0, 1));
   CHECK(manifold(ball, ball, shifted<S, 3>(0, 0, 3), gap<S>(0)).count == 0);
   CHECK(manifold(ball, ball, shifted<S, 3>(0, 0, 3), gap<S>(1)).count == 1);
-  // One inside the other, about one centre: the x axis.
+  // Concentric, one inside the other: the normal is the x axis.
   const auto deep = manifold(ball, ball, shifted<S, 3>(0, 0, 0), gap<S>(0));
   REQUIRE(deep.count == 1);
   CHECK(deep.normal == detail::unit_axis<ratio<S>, 3>(0));
   CHECK(deep.points[0].separation == -2);
 }
 
-TEMPLATE_TEST_CASE("manifold: a box on a box has four points, a flat one two", "[manifold]", q16_16,
+TEMPLATE_TEST_CASE("manifold: two boxes have four contact points, two in 2D", "[manifold]", q16_16,
                    q24_8, q8_8, double) {
   using S = TestType;
   const Obb<S, 3> box{{}, at<S, 3>(1, 1, 1), {}};
@@ -44,7 +44,7 @@ TEMPLATE_TEST_CASE("manifold: a box on a box has four points, a flat one two", "
   CHECK(two.points[0].feature != two.points[1].feature);
 }
 
-TEMPLATE_TEST_CASE("manifold: capsules that lie side by side, and on a box, have two points",
+TEMPLATE_TEST_CASE("manifold: capsules side by side, and a capsule on a box, have two points",
                    "[manifold]", q16_16, q24_8, q8_8, double) {
   using S = TestType;
   const Capsule<S, 3> log{at<S, 3>(-2, 0, 0), at<S, 3>(2, 0, 0), num<S>(0.5)};

@@ -11,7 +11,7 @@
 namespace detent::test {
 namespace {
 
-// The oracle computes with real numbers in steps of a lever, by searches instead of formulas.
+// The oracle computes in real numbers, in steps of a lever, with searches instead of formulas.
 using Real = long double;
 using Point = std::array<Real, 3>;
 
@@ -83,7 +83,7 @@ struct Draw {
   Vec<S, N> point(double scale) {
     return make_vec<N>([&](int) { return S::from_raw(raw(scale * unit())); });
   }
-  /// An upright pose, or one that is turned.
+  /// An upright or a rotated pose.
   detail::RelativePose<S, N> pose(double scale) {
     auto pose = shifted<S, N>(0, 0, 0);
     for (int i = 0; i < N; ++i) {
@@ -155,10 +155,10 @@ void check_capsules(std::uint64_t seed) {
       REQUIRE(first.distance(on_a) < slack);
       if (m.count == 1) {
         REQUIRE(std::abs(s - (apart - ra - rb)) < slack);
-        const bool crossing = apart < 2;  // any direction across
+        const bool crossing = apart < 2;  // any perpendicular direction
         if (!crossing) REQUIRE(second.distance(steps(p.point) + n * (rb + s / 2)) < slack);
       } else {
-        // Parallel within 2^-5: the other end of the pair is that far beside the normal.
+        // Parallel within 2^-5: the other end of the pair is off the normal by this much.
         const Real beside = length(second.b - second.a) / 32 + length(first.b - first.a) / 32;
         REQUIRE(second.distance(on_a + n * (ra + rb + s)) < slack + beside);
         REQUIRE(s > apart - ra - rb - beside - slack);
@@ -174,7 +174,7 @@ void check_capsules(std::uint64_t seed) {
   CHECK(pairs > cases / 60);
 }
 
-TEMPLATE_TEST_CASE("round manifold: separations are those of the closest points",
+TEMPLATE_TEST_CASE("round manifold: separations equal the distances of the closest points",
                    "[manifold][oracle]", q16_16, q24_8, q8_8) {
   check_capsules<TestType, 2>(0xca51);
   check_capsules<TestType, 3>(0xca52);
@@ -227,7 +227,7 @@ void check_box_and_capsule(std::uint64_t seed) {
       REQUIRE(solid.distance(on_box) < 2 * tolerance + slack);
     }
     if (apart > 2) {
-      // The face may stand for closest points that are deeper by up to the tolerance.
+      // The face normal may replace that of closest points that are deeper by up to the tolerance.
       REQUIRE(deepest > apart - r - tolerance - slack);
       if (m.count == 1 && m.points[0].feature == 0) {
         REQUIRE(std::abs(deepest - (apart - r)) < slack);
@@ -243,7 +243,7 @@ void check_box_and_capsule(std::uint64_t seed) {
         if (m.points[0].feature >= 8) REQUIRE(deepest + r > push - slack);
       }
     }
-    // The same from the other side, within roundings.
+    // Swapped, the result is the same within roundings.
     detail::RelativePose<S, N> inverse = pose;
     for (int j = 0; j < N; ++j) {
       for (int k = 0; k < N; ++k) {

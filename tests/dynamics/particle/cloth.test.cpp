@@ -43,7 +43,7 @@ double fastest(const System& system) {
   return most;
 }
 
-/// Kinetic and potential energy in gravity (0, -10, 0), of masses 1.
+/// Kinetic and potential energy of unit masses in gravity (0, -10, 0).
 template <class System>
 double energy(const System& system) {
   const auto& particles = detail::ParticleAccess::particles(system);
@@ -66,7 +66,7 @@ struct Draped {
   std::uint64_t digest = 0;
 };
 
-/// A cloth of 11 x 11 that falls on a ball.
+/// An 11 x 11 cloth that falls on a ball.
 template <Scalar S>
 Draped drape(int ticks) {
   ParticleSettings<S, 3> settings;
@@ -99,8 +99,8 @@ Draped drape(int ticks) {
   return result;
 }
 
-/// How much longer than 4 a rope of 20 parts with a heavy end is, at most, after it has fallen for a
-/// second from level: from its first to its last particle, in parts of 4.
+/// The greatest length beyond 4, from first to last particle and relative to 4, of a rope of 20
+/// parts with a heavy end that falls for a second from level.
 template <Scalar S>
 double stretch(int mass, bool has_tethers) {
   ParticleSettings<S, 3> settings;
@@ -129,7 +129,7 @@ double stretch(int mass, bool has_tethers) {
 
 }  // namespace
 
-TEST_CASE("cloth: over a ball it comes to rest and is never inside") {
+TEST_CASE("cloth: it comes to rest over a ball and is never inside") {
   const auto fixed = drape<q16_16>(300), real = drape<double>(300);
   CAPTURE(fixed.fastest, fixed.lowest, fixed.closest, fixed.edge, real.fastest, real.lowest,
           real.closest, real.edge);
@@ -142,7 +142,7 @@ TEST_CASE("cloth: over a ball it comes to rest and is never inside") {
   CHECK(fixed.digest == 0xfd19c8b287163bb8u);
 }
 
-TEST_CASE("rope: its length stays in its band") {
+TEST_CASE("rope: its length stays within its bounds") {
   const auto light = stretch<q16_16>(1, false), heavy = stretch<q16_16>(100, false);
   const auto held = stretch<q16_16>(100, true);
   CAPTURE(light, heavy, held, stretch<double>(100, false), stretch<double>(100, true));
@@ -176,7 +176,7 @@ TEST_CASE("cloth: energy does not grow") {
   CHECK(peak < start - 50);
 }
 
-TEST_CASE("cloth: a tear lets go of what hung there") {
+TEST_CASE("cloth: a tear releases the part that hung there") {
   ParticleSystem<q16_16, 3> system;
   const auto rope = add_rope(system, point<q16_16>(0, 0, 0), point<q16_16>(2, 0, 0), 5);
   REQUIRE(rope);
@@ -189,7 +189,7 @@ TEST_CASE("cloth: a tear lets go of what hung there") {
   CHECK(system.position(3).y < -4_q16_16);
 }
 
-TEST_CASE("cloth: the same bits in whatever order constraints come and go") {
+TEST_CASE("cloth: bits do not depend on the order in which constraints come and go") {
   ParticleSystem<q16_16, 3> plain, other;
   FabricOptions<q16_16, 3> linen, loose;
   linen.bend = 5_q16_16;
@@ -216,7 +216,7 @@ TEST_CASE("cloth: the same bits in whatever order constraints come and go") {
   }
 }
 
-TEST_CASE("cloth: what has no room is not added, and what has needs no heap") {
+TEST_CASE("cloth: what does not fit is not added, and what fits needs no heap") {
   BoundedParticleSystem<Bounded<30>, q16_16, 3> small;
   ParticleSystem<q16_16, 3> large;
   const auto a = point<q16_16>(0, 0, 0), b = point<q16_16>(0.25, 0, 0),

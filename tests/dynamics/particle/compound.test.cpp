@@ -9,7 +9,7 @@
 
 namespace detent::test {
 
-TEST_CASE("particles: a compound is an obstacle part by part, its sensors are none") {
+TEST_CASE("particles: a compound is an obstacle part by part, except its sensors") {
   using S = q16_16;
   PartOptions<S> sensor;
   sensor.is_sensor = true;
@@ -35,7 +35,7 @@ TEST_CASE("particles: a compound is an obstacle part by part, its sensors are no
   };
   const auto all = seen_in({at<S, 2>(0, -9), at<S, 2>(9, 9)});
   REQUIRE(all.size() == 2);
-  CHECK(close(all[0].min, 4, 0));  // a quarter turn: -2 along x is -2 along y
+  CHECK(close(all[0].min, 4, 0));  // a quarter turn maps -2 along x to -2 along y
   CHECK(close(all[0].max, 6, 2));
   CHECK(close(all[1].min, 4.5, 4));
   CHECK(close(all[1].max, 5.5, 6));

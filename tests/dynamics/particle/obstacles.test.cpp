@@ -37,7 +37,7 @@ std::array<Point, 4> tetrahedron(const Point& by) {
   return points;
 }
 
-/// Particles that fly all over the place.
+/// Particles that fly in all directions.
 ParticleSystem<S, 3> swarm(int count) {
   ParticleSettings<S, 3> settings;
   settings.restitution = 0.5_q16_16;
@@ -56,7 +56,7 @@ ParticleSystem<S, 3> swarm(int count) {
   return system;
 }
 
-/// Steps a swarm, and counts the types of shapes that were met; none is ever touched.
+/// Steps a swarm and counts the types of shapes hit; none is ever touched.
 template <class Around>
 std::size_t rain(const Around& around, int ticks) {
   auto system = swarm(150);
@@ -104,7 +104,7 @@ TEST_CASE("obstacles: particles pass no shape of any kind") {
   CHECK(rain(all, 60) == 7);
 }
 
-TEST_CASE("obstacles: bodies of a world where they are, but no sensors") {
+TEST_CASE("obstacles: bodies of a world, at their current poses, except sensors") {
   World<S, 3, Sphere, Obb, BodyHull> world;
   BodyOptions<S, 3> fixed, sensor;
   fixed.motion = BodyMotion::fixed;
@@ -134,7 +134,7 @@ TEST_CASE("obstacles: bodies of a world where they are, but no sensors") {
   CHECK(count == 3);
   obstacles_of(world, 2)(everything, [&](const auto&) { ++count; });
   CHECK(count == 3);
-  // The corners are those of the body: its centre of mass is its place.
+  // The corners are relative to the body's position, its centre of mass.
   Aabb<S, 3> box = detail::no_box<Aabb<S, 3>>;
   obstacles_of(world)(everything, [&]<class Shape>(const Shape& shape) {
     if constexpr (std::is_same_v<Shape, ConvexHull<S, 3>>) box = bounding_box(shape);
@@ -142,7 +142,7 @@ TEST_CASE("obstacles: bodies of a world where they are, but no sensors") {
   CHECK(overlaps(box, Sphere<S, 3>{world.position(*hull), 0.01_q16_16}));
 }
 
-TEST_CASE("obstacles: objects of a scene") {
+TEST_CASE("obstacles: objects of a scene are obstacles") {
   Scene<S, 3, Sphere, Capsule> scene;
   REQUIRE(scene.add(Sphere<S, 3>{at3(0, -20, 0), 20_q16_16}));
   REQUIRE(scene.add(Capsule<S, 3>{at3(-2, 2, 0), at3(2, 2, 0), 0.5_q16_16}));

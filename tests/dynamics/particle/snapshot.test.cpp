@@ -35,7 +35,7 @@ ParticleSystem<S, N> curtain() {
   return system;
 }
 
-/// The last 8 bytes again, after a change of the others.
+/// Recomputes the checksum, the last 8 bytes, after a change.
 void sign(Bytes& bytes) {
   Digest digest;
   digest.add_bytes(std::span<const std::byte>(bytes).first(bytes.size() - 8));
@@ -44,8 +44,8 @@ void sign(Bytes& bytes) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("particle snapshot: restored at any tick, the same bits go on", "", q16_16, q8_8,
-                   double) {
+TEMPLATE_TEST_CASE("particle snapshot: a restore at any tick continues with the same bits", "",
+                   q16_16, q8_8, double) {
   using S = TestType;
   const auto exam = [](auto dimension) {
     constexpr int N = decltype(dimension)::value;
@@ -68,7 +68,7 @@ TEMPLATE_TEST_CASE("particle snapshot: restored at any tick, the same bits go on
   exam(std::integral_constant<int, 3>());
 }
 
-TEST_CASE("particle snapshot: says why it does not fit") {
+TEST_CASE("particle snapshot: the status says why it does not fit") {
   const auto system = curtain<q16_16, 2>();
   auto bytes = snapshot(system);
   ParticleSystem<q16_16, 3> solid;
@@ -96,7 +96,7 @@ TEST_CASE("particle snapshot: says why it does not fit") {
   CHECK(restore(exact, bytes) == Restored::no_snapshot);
 }
 
-TEST_CASE("particle snapshot: constraints that no system has are refused") {
+TEST_CASE("particle snapshot: constraints that no system could have are refused") {
   auto system = curtain<q16_16, 2>();
   const auto bytes = snapshot(system);
   const std::size_t particle = 2 * 12 + 4 + 4 + 1, constraint = 17;
@@ -126,7 +126,7 @@ TEST_CASE("particle snapshot: constraints that no system has are refused") {
   CHECK(digest(system) == digest(curtain<q16_16, 2>()));
 }
 
-TEST_CASE("particle snapshot: hostile bytes are refused, or are a system of their own") {
+TEST_CASE("particle snapshot: hostile bytes are refused or give a valid system") {
   auto system = curtain<q16_16, 3>();
   for (int t = 0; t < 10; ++t) system.step();
   const auto bytes = snapshot(system);

@@ -36,7 +36,7 @@ ParticleOptions<S, 2> moving(double vx, double vy, double radius) {
   return options;
 }
 
-/// A room of 6 by 6 around (x, y) with a turned box in it.
+/// A room of 6 by 6 around (x, y) with a rotated box in it.
 std::array<Box, 5> room(const Point& by = {}) {
   std::array<Box, 5> boxes{box_at(0, -4, 5, 1), box_at(-4, 0, 1, 5), box_at(4, 0, 1, 5),
                            box_at(0, 4, 5, 1), box_at(0.5, -1, 1, 0.25, 0.5)};
@@ -58,7 +58,7 @@ System swarm(Integrator integrator, double restitution, const Point& by = {}) {
   return system;
 }
 
-/// Of all particles, with mass 1 and gravity (0, -10).
+/// The energy of all particles, with unit mass and gravity (0, -10).
 double energy(const System& system) {
   double sum = 0;
   for (ParticleIndex i = 0; i < system.size(); ++i) {
@@ -69,7 +69,7 @@ double energy(const System& system) {
   return sum;
 }
 
-/// Steps a particle on a slope of 0.4 radians for a second: how far it slides.
+/// Steps a particle on a slope of 0.4 radians for a second. Returns how far it slides.
 double slide(Integrator integrator, double friction) {
   ParticleSettings<S, 2> settings;
   settings.integrator = integrator;
@@ -114,7 +114,7 @@ TEST_CASE("particles: a bullet never passes a thin plate") {
   }
 }
 
-TEST_CASE("particles: in a room they stay outside of every box, and lose energy") {
+TEST_CASE("particles: in a room they stay outside every box and lose energy") {
   const auto boxes = room();
   for (const auto integrator : {Integrator::verlet, Integrator::euler}) {
     auto system = swarm(integrator, 0.9);
@@ -147,7 +147,7 @@ TEST_CASE("particles: golden digests of Verlet and Euler") {
   CHECK(after(Integrator::euler) == 0xe54584ea3f864484u);
 }
 
-TEST_CASE("particles: at the far corner of the world the same bits, moved") {
+TEST_CASE("particles: the far corner of the world gives the same bits, shifted") {
   const auto run = [](const Point& by) {
     auto system = swarm(Integrator::verlet, 0.6, by);
     const auto boxes = room(by);
@@ -163,16 +163,16 @@ TEST_CASE("particles: at the far corner of the world the same bits, moved") {
   CHECK(run({S::from_raw(-1234567891), S::from_raw(77)}) == here);
 }
 
-TEST_CASE("particles: friction holds on a slope, or does not") {
+TEST_CASE("particles: friction holds on a slope exactly when it suffices") {
   for (const auto integrator : {Integrator::verlet, Integrator::euler}) {
     CHECK(slide(integrator, 0.6) < 1e-3);  // tan 0.4 = 0.42
     CHECK(slide(integrator, 0.3) > 0.5);
-    // From rest at t = 0.5 s on: 10 (sin 0.4 - 0.3 cos 0.4) (1.5^2 - 0.5^2) / 2 = 1.13.
+    // Sliding from rest at t = 0.5 s: 10 (sin 0.4 - 0.3 cos 0.4) (1.5^2 - 0.5^2) / 2 = 1.13.
     CHECK(std::fabs(slide(integrator, 0.3) - 1.13) < 0.2);
   }
 }
 
-TEST_CASE("particles: restitution is the share of the speed that comes back") {
+TEST_CASE("particles: restitution is the fraction of the speed that comes back") {
   for (const auto integrator : {Integrator::verlet, Integrator::euler}) {
     ParticleSettings<S, 2> settings;
     settings.integrator = integrator;
@@ -188,7 +188,7 @@ TEST_CASE("particles: restitution is the share of the speed that comes back") {
   }
 }
 
-TEST_CASE("particles: a shape that moves onto them pushes them out, at rest") {
+TEST_CASE("particles: a shape that moves onto them pushes them out to rest") {
   ParticleSettings<S, 2> settings;
   settings.gravity = {};
   System system(settings);
@@ -199,7 +199,7 @@ TEST_CASE("particles: a shape that moves onto them pushes them out, at rest") {
     ball.center.y = nearest_to<S>(ball.center.y + num<S>(0.01));
     system.step(obstacles<S, 2>(ball, lid));
     for (ParticleIndex i = 0; i < system.size(); ++i) {
-      REQUIRE_FALSE(overlaps(system.ball(i), lid));  // even where there is no room
+      REQUIRE_FALSE(overlaps(system.ball(i), lid));  // even without room
     }
   }
   CHECK_FALSE(overlaps(system.ball(0), ball));
@@ -208,7 +208,7 @@ TEST_CASE("particles: a shape that moves onto them pushes them out, at rest") {
   CHECK(system.position(0).x < 0_q16_16);
 }
 
-TEST_CASE("particles: a shape that moves onto one does not push it through another") {
+TEST_CASE("particles: a shape that moves onto one does not push it through another shape") {
   System system;
   REQUIRE(system.add(at<S, 2>(0, 0)));
   const Box plate = box_at(0, 0.1, 5, 0.01);
@@ -220,7 +220,7 @@ TEST_CASE("particles: a shape that moves onto one does not push it through anoth
   CHECK(system.position(0).y > 0.3_q16_16);
 }
 
-TEST_CASE("particles: a pinned one follows its point") {
+TEST_CASE("particles: a pinned particle follows its point") {
   System system;
   const auto pin = system.add(at<S, 2>(1, 1));
   REQUIRE(pin);

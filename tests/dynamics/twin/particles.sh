@@ -4,7 +4,7 @@
 # particles.py, where there is Python 3.
 set -euo pipefail
 if ! python3 -c 'import sys; sys.exit(sys.version_info < (3, 8))' 2>/dev/null; then
-  echo "skipped: no python3"
+  echo "skipped: python3 is not installed"
   exit 77
 fi
 exec python3 -B "$(dirname "${BASH_SOURCE[0]}")/particles.py" "$@"

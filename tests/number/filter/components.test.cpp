@@ -52,7 +52,7 @@ void examine(std::uint64_t seed) {
   CHECK(unsure < asked / 20);
 }
 
-TEST_CASE("root_ratio: where it is sure, it is the quotient rounded to nearest") {
+TEST_CASE("root_ratio: a sure result is the quotient rounded to nearest") {
   examine<31, 30>(0x4001);
   examine<15, 14>(0x4002);
 }

@@ -39,7 +39,7 @@ TEST_CASE("decide: rounding is that of every number within the error, or unsure"
     const auto check = [&](const auto& decided, const auto& round) {
       const auto low = round(least), high = round(most);
       if (decided.is_sure && (decided.value != low || decided.value != high)) ++wrong;
-      // Unsure, it is the upper of two candidates, and not for less than a reason.
+      // If unsure, it returns the upper of two candidates, and only for a reason.
       if (!decided.is_sure && decided.value.raw() != round(X::from_raw(x.raw() + error)).raw()) {
         ++wrong;
       }
@@ -48,7 +48,7 @@ TEST_CASE("decide: rounding is that of every number within the error, or unsure"
     const Approximate approximate{x, Error::from_raw(error)};
     check(decide_floor<q16_16>(approximate),
           [](const X& exact) { return floor_to<q16_16>(exact); });
-    // Halves up; a tie is never decided.
+    // Halves round up; a tie is never decided.
     check(decide_nearest<q16_16>(approximate),
           [](const X& exact) { return floor_to<q16_16>(exact + half(q16_16::from_raw(1))); });
   }
@@ -57,7 +57,7 @@ TEST_CASE("decide: rounding is that of every number within the error, or unsure"
   CHECK(unsure < 30'000);
 }
 
-TEST_CASE("or_exact: where the filter is unsure, the exact number decides") {
+TEST_CASE("or_exact: the exact number decides where the filter is unsure") {
   Random random(20260714);
   INFO(random);
   int exact = 0;

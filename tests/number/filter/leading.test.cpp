@@ -12,7 +12,7 @@ namespace {
 using T = Fixed<31, 16>;
 using Long = Fixed<250, 100>;
 
-/// The floor of a number with square roots in it, or nothing where the filter is unsure.
+/// The floor of a number with square roots, or nothing if the filter is unsure.
 std::optional<T> floor_of(const Leading& x) {
   const auto floor = decide_floor<T>(Approximate{x, Relative{42}});
   return floor.is_sure ? std::optional(floor.value) : std::nullopt;
@@ -60,7 +60,7 @@ TEST_CASE("leading: sums, products, quotients and roots keep their leading bits"
 }
 
 TEST_CASE("leading: zero is added to numbers of any length") {
-  // At compile time a shift by a negative number is an error.
+  // At compile time, a shift by a negative number is an error.
   constexpr Leading zero(Fixed<62, 44>(0)), least(Fixed<62, 60>::from_raw(1));
   constexpr auto is_least = [=](const Leading& x) {
     return x.word == least.word && x.exponent == least.exponent;
@@ -174,7 +174,7 @@ int count_wrong(std::uint64_t seed) {
   return wrong;
 }
 
-TEST_CASE("compare_products: the sign of a difference of products, however wide they are") {
+TEST_CASE("compare_products: the sign of a difference of products of any width") {
   using Factor = Fixed<126, 40>;
   CHECK(count_wrong<Factor, Factor, Factor, Factor, 63>(0x7001) == 0);
   CHECK(count_wrong<Factor, Factor, Fixed<126, 30>, Fixed<126, 49>, 63>(0x7002) == 0);
@@ -183,7 +183,7 @@ TEST_CASE("compare_products: the sign of a difference of products, however wide 
   CHECK(count_wrong<Fixed<150, 20>, Fixed<61, 20>, Fixed<62, 20>, Fixed<140, 22>, 30>(0x7005) == 0);
 }
 
-TEST_CASE("compare_products: float and double compare what they compute") {
+TEST_CASE("compare_products: float and double compare the computed products") {
   CHECK(compare_products(2.0, 3.0, 6.0, 1.0) == 0);
   CHECK(compare_products(2.0F, 3.0F, 7.0F, 1.0F) == -1);
   CHECK(compare_products(2.0F, 3.0F, 5.0F, 1.0F) == 1);

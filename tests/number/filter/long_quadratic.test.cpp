@@ -21,7 +21,7 @@ constexpr auto with_roots(std::int64_t first, std::int64_t last) {
 static_assert(with_roots(2, 8).first_root(Fixed<31, 0>(100)) == Fixed<31, 0>(2));
 static_assert(with_roots(2, 8).last_root(Fixed<31, 0>(100)) == Fixed<31, 0>(8));
 
-TEST_CASE("long quadratic: whole roots are found to the step, at every size", "[number]") {
+TEST_CASE("long quadratic: integer roots are found to the step at every size", "[number]") {
   using T = Fixed<31, 0>;
   Random random(0x10264);
   INFO(random);

@@ -78,7 +78,7 @@ TEST_CASE("ratio: a product with any ratio is rounded once, halves to even") {
   }
 }
 
-TEST_CASE("ratio: a product with one below 1 is rounded once, in any width") {
+TEST_CASE("ratio: a product with a ratio below 1 is rounded once, in any width") {
   Random random(20260703);
   INFO(random);
   const auto check = [&](auto over_type, auto x_type, int length) {
@@ -108,7 +108,7 @@ TEST_CASE("ratio: a product with one below 1 is rounded once, in any width") {
   check(Fixed<66, 32>(), Fixed<32, 16>(), 66);
 }
 
-TEST_CASE("ratio: a product with one over nearly 1 needs no division") {
+TEST_CASE("ratio: a product with a ratio over nearly 1 needs no division") {
   Random random(20260704);
   INFO(random);
   for (int i = 0; i < 20000; ++i) {
@@ -129,7 +129,7 @@ TEST_CASE("ratio: a product with one over nearly 1 needs no division") {
   }
 }
 
-TEST_CASE("decide_side_floor: both widths round down the exact root, or are unsure") {
+TEST_CASE("decide_side_floor: both widths round the exact root down, or are unsure") {
   using Narrow = Fixed<62, 32>;
   using Full = Fixed<66, 32>;
   Random random(20260721);
@@ -147,7 +147,7 @@ TEST_CASE("decide_side_floor: both widths round down the exact root, or are unsu
   CHECK(unsure < 37'000);  // of 40,000
 }
 
-TEST_CASE("decide_side_floor: along a direction, too") {
+TEST_CASE("decide_side_floor: works along a direction") {
   Random random(20260722);
   INFO(random);
   int unsure = 0;

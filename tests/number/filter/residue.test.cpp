@@ -21,7 +21,8 @@ TEST_CASE("residue: a volume that is not 0 modulo 2^64 is not 0") {
     const auto draw = [&] {
       return Fixed<32, 16>::assume_raw(random.edgy(step == 1 ? 31 : 9) * step);
     };
-    const V a{draw(), draw(), draw()}, b{draw(), draw(), draw()};  // every second c in their plane
+    const V a{draw(), draw(), draw()},
+        b{draw(), draw(), draw()};  // every second c is in their plane
     const V c = i % 2 == 0 ? V{draw(), draw(), draw()} : narrow<32>(a + b);
     const bool is_zero = dot(a, cross(b, c)) == 0;
     const auto filtered = is_zero_volume(to_array(a), to_array(b), to_array(c));

@@ -30,7 +30,7 @@ void check(std::int64_t n, std::int64_t d, int error_bits) {
 
 }  // namespace
 
-TEST_CASE("decide_quotient_floor: the quotient is right however near 1 the denominator is") {
+TEST_CASE("decide_quotient_floor: correct however near 1 the denominator is") {
   Random random(20260601);
   INFO(random);
   for (int i = 0; i < 20000; ++i) {
@@ -43,7 +43,7 @@ TEST_CASE("decide_quotient_floor: the quotient is right however near 1 the denom
   }
 }
 
-TEST_CASE("divide_by_length: the quotient is right at every step and beside it") {
+TEST_CASE("divide_by_length: correct at every step and next to it") {
   Random random(20260602);
   INFO(random);
   const auto check_one = [](auto n, auto d, auto unit) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Start-up of a classic Arm core (ARMv4T: no Cortex, no division, no unaligned loads) under
+// Start-up code of a classic Arm core (ARMv4T: no Cortex, no division, no unaligned loads) for
 // qemu-arm, which emulates such cores only in user mode. Semihosting is the only system call.
 
 #include "semihosting.hpp"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: board.sh EMULATOR [OPTION...] PROGRAM
-# Runs a bare program on an emulated board; its semihosting output goes to our output.
+# Runs a bare-metal program on an emulated board and passes on its semihosting output.
 set -eu
 exec "$1" "${@:2:$#-2}" -kernel "${@: -1}" \
   -display none -monitor none -serial none -chardev stdio,id=console \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Start-up of a Cortex-M under qemu. The memory map is in cortex_m.ld.
+// Start-up code of a Cortex-M for qemu. cortex_m.ld has the memory map.
 
 #include "semihosting.hpp"
 

@@ -2,7 +2,7 @@
 //
 // The functions that compilers assume even without a standard library: four memory functions, and
 // strlen, which headers call. Compiled with -fno-tree-loop-distribute-patterns; otherwise the
-// compiler would turn a function's loop into a call of that same function.
+// compiler would replace a function's loop by a call to the function itself.
 
 #include <cstddef>
 

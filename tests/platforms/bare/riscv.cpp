@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Start-up of a RISC-V core: in machine mode on qemu's `virt` board (with -DMACHINE_MODE), or as a
-// program of qemu-riscv32 whose only system call is semihosting.
+// Start-up code of a RISC-V core: in machine mode on qemu's `virt` board (with -DMACHINE_MODE), or
+// as a program for qemu-riscv32 whose only system call is semihosting.
 
 #include "semihosting.hpp"
 
 std::intptr_t semihost(std::intptr_t operation, const void* argument) {
   register std::intptr_t a0 __asm__("a0") = operation;
   register const void* a1 __asm__("a1") = argument;
-  // The debugger recognises these three instructions, uncompressed and within one page.
+  // The debugger recognises these three instructions if they are uncompressed and within one page.
   __asm__ volatile(
       ".option push\n\t.option norvc\n\t.balign 16\n\t"
       "slli x0, x0, 0x1f\n\tebreak\n\tsrai x0, x0, 7\n\t"

@@ -16,7 +16,7 @@ void put(const char* text) {
   constexpr std::intptr_t application_exit = 0x20026;
   const std::intptr_t reason[] = {application_exit, status};
   semihost(sys_exit_extended, reason);
-  // An emulator that only knows the older call cannot report the status.
+  // Emulators that know only the older call cannot report the status.
   semihost(sys_exit, reinterpret_cast<const void*>(application_exit));
   for (;;) {
   }

@@ -6,7 +6,7 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("cast: the first part of a compound that is touched counts", "[cast]",
+TEMPLATE_TEST_CASE("cast: the first part of a compound that is touched is the hit", "[cast]",
                    (Space<q16_16, 3>), (Space<double, 2>)) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -16,11 +16,11 @@ TEST_CASE("cast: the distance of a box to a triangle is rounded down", "[cast]")
   CHECK(hit->normal == toward<S, 3>(-1, -1, -1));
 }
 
-TEST_CASE("cast: of several closest points of the target, the least is the point", "[cast]") {
+TEST_CASE("cast: among several closest points of the target, the least is returned", "[cast]") {
   using S = q16_16;
   const Aabb<S, 3> floor{at<S, 3>(-9, -9, -1), at<S, 3>(9, 9, 0)};
   const auto down = toward<S, 3>(0, 0, -1);
-  // Upper and lower side are parallel; where the boxes touch exactly, they share an area.
+  // The upper and lower sides are parallel; where the boxes touch exactly, they share an area.
   const Aabb<S, 3> box{at<S, 3>(1, 2, 3), at<S, 3>(4, 5, 6)};
   const auto landed = cast(box, down, num<S>(9), floor);
   REQUIRE(landed);

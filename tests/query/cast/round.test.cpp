@@ -31,7 +31,7 @@ TEST_CASE("cast: a sphere touches the face, edge or corner of a box", "[cast]") 
   CHECK(edge->distance == num<S>(2));
   CHECK(edge->point.y == num<S>(1));
   CHECK(edge->normal == toward<S, 3>(-3, 4));
-  // Passing the box at a distance of 5 exactly touches it, and a step farther away it misses.
+  // At a distance of exactly 5 it touches the box; a step farther away it misses.
   const auto graze = at_height(6, 0);
   REQUIRE(graze);
   CHECK(graze->distance == num<S>(5));

@@ -22,7 +22,7 @@ std::optional<S> cast_to(const A& shape, const Direction<S, N>& direction, doubl
   return distance;
 }
 
-/// Casts `shape`, which reaches to x = -2, along the x axis at shapes at several places.
+/// Casts `shape`, whose front is at x = -2, along the x axis at shapes in several places.
 template <Scalar S, int N, class A>
 void check_casts(const A& shape) {
   const auto right = toward<S, N>(1);

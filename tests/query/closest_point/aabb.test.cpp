@@ -21,7 +21,7 @@ TEMPLATE_TEST_CASE("closest point, aabb: clamped to the box", "[closest_point]",
   CHECK(closest_point(Aabb<S, N>{box.max, box.min}, at<S, N>(9, 1)) == at<S, N>(9, 1));
 }
 
-TEMPLATE_TEST_CASE("closest point, aabb: a point inside is its own, however long the box",
+TEMPLATE_TEST_CASE("closest point, aabb: an inside point is its own, however long the box",
                    "[closest_point]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -25,7 +25,7 @@ TEMPLATE_TEST_CASE(
         at<S, N>(4, 11));
 }
 
-// In float the vector from the axis to a point next to it may round to 0: no direction.
+// In float the vector from the axis to a nearby point may round to 0, which has no direction.
 static_assert([] {
   const Capsule<float, 2> needle{{69, 998}, {-334, -454}, 0};
   const Vec<float, 2> beside{-182.874985f, 90.5f};

@@ -25,7 +25,7 @@ TEMPLATE_TEST_CASE("closest point, hull: on a face, an edge or a corner, or the 
   if (N == 3) CHECK(closest(solid, at<S, N>(4, 3, 3)) == at<S, N>(2, 1, 1));
 }
 
-TEMPLATE_TEST_CASE("closest point, hull: flat, a segment, a point, empty", "[closest_point]",
+TEMPLATE_TEST_CASE("closest point, hull: flat, a segment, a point or empty", "[closest_point]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

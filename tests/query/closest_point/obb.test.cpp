@@ -6,7 +6,7 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("closest point, obb: clamped in the frame", "[closest_point]",
+TEMPLATE_TEST_CASE("closest point, obb: clamped in the box's frame", "[closest_point]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -20,7 +20,7 @@ TEMPLATE_TEST_CASE("closest point, obb: clamped in the frame", "[closest_point]"
   CHECK(closest_point(box, at<S, N>(2, 3)) == at<S, N>(2, 3));
 }
 
-TEMPLATE_TEST_CASE("closest point, obb: turned by a right angle", "[closest_point]",
+TEMPLATE_TEST_CASE("closest point, obb: rotated by a right angle", "[closest_point]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

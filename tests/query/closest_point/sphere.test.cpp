@@ -57,7 +57,8 @@ TEMPLATE_TEST_CASE("closest point, sphere: rounded once", "[closest_point]", DET
   CHECK(closest[0] < far[0]);
 }
 
-TEST_CASE("closest point, sphere: a step to just before the lowest number", "[closest_point]") {
+TEST_CASE("closest point, sphere: a step that ends just before the lowest number",
+          "[closest_point]") {
   const auto check = [](auto scalar) {
     using S = decltype(scalar);
     const auto n = [](std::int32_t raw) { return S::from_raw(raw); };
@@ -92,7 +93,7 @@ TEMPLATE_TEST_CASE("closest point, sphere: exact at the ends of the range", "[cl
     std::array<std::int64_t, N> c{}, p{};
     for (auto& x : c) x = component();
     for (auto& x : p) x = component();
-    // Close together on all axes but one, and about a radius apart on that one.
+    // Close together on all axes except one, and about a radius apart on that one.
     const auto axis = random.below(N);
     for (std::size_t k = 0; k < N && random.one_in(2); ++k) {
       if (k != axis) p[k] = std::clamp(c[k] + random.between(-9, 9), least, most);

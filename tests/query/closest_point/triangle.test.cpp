@@ -27,7 +27,7 @@ TEMPLATE_TEST_CASE("closest point, triangle: every region of a triangle", "[clos
   }
 }
 
-TEMPLATE_TEST_CASE("closest point, triangle: collapsed, it is a segment or a point",
+TEMPLATE_TEST_CASE("closest point, triangle: a collapsed triangle is a segment or a point",
                    "[closest_point]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -41,8 +41,8 @@ TEMPLATE_TEST_CASE("closest point, triangle: collapsed, it is a segment or a poi
   CHECK(closest_point(Triangle<S, N>{b, b, b}, c) == b);
 }
 
-TEMPLATE_TEST_CASE("closest point, triangle: the nearest corner, not the point", "[closest_point]",
-                   DETENT_EVERY_SPACE) {
+TEMPLATE_TEST_CASE("closest point, triangle: the nearest corner, not the point itself",
+                   "[closest_point]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   // A float library returned (5, 0, 0) itself.

@@ -11,7 +11,7 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("closest points: those of a compound's nearest part, the first of several",
+TEMPLATE_TEST_CASE("closest points: of a compound, those of its nearest part, the first of several",
                    "[closest_points]", DETENT_EVERYDAY_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -3,7 +3,7 @@
 
 namespace detent::test {
 
-TEST_CASE("closest points: between every two kinds of shapes, q16_16 in 3D", "[closest_points]") {
+TEST_CASE("closest points: of every two kinds of shapes, q16_16 in 3D", "[closest_points]") {
   check_closest_points<q16_16, 3>();
 }
 

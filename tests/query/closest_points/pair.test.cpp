@@ -14,7 +14,7 @@ namespace {
 template <Scalar S, int N>
 using Points = std::pair<Vec<S, N>, Vec<S, N>>;
 
-TEMPLATE_TEST_CASE("closest points: of several pairs the one with the least point",
+TEMPLATE_TEST_CASE("closest points: of several pairs, the one with the least point",
                    "[closest_points]", DETENT_EVERYDAY_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -62,7 +62,7 @@ TEMPLATE_TEST_CASE("closest points: one common point where shapes meet", "[close
   meets_at(across, box, at<S, N>(-2, 1));
   meets_at(box, Aabb<S, N>{at<S, N>(1, 1, 1), at<S, N>(5, 5, 5)}, at<S, N>(2, 2, N == 3 ? 2 : 0));
   meets_at(Obb<S, N>{{}, at<S, N>(2, 2, 2), {}}, across, at<S, N>(-2, 1));
-  // Balls: the point of the segment between the centers that leaves the first, or the center.
+  // Balls: the point between the centers where the segment leaves the first ball, or the center.
   const Sphere<S, N> ball{at<S, N>(0), num<S>(3)};
   meets_at(ball, Sphere<S, N>{at<S, N>(4), num<S>(2)}, at<S, N>(3));
   meets_at(Sphere<S, N>{at<S, N>(4), num<S>(2)}, ball, at<S, N>(2));
@@ -73,7 +73,7 @@ TEMPLATE_TEST_CASE("closest points: one common point where shapes meet", "[close
   meets_at(Segment<S, N>{at<S, N>(5, 0), at<S, N>(5, 8)}, plane, at<S, N>(5, 2));
 }
 
-TEMPLATE_TEST_CASE("closest points: planes are taken next to the origin", "[closest_points]",
+TEMPLATE_TEST_CASE("closest points: of planes, the ones nearest to the origin", "[closest_points]",
                    DETENT_EVERYDAY_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -83,7 +83,7 @@ TEMPLATE_TEST_CASE("closest points: planes are taken next to the origin", "[clos
   CHECK(closest_points(plane, upright) == Points<S, N>{at<S, N>(-2, 3), at<S, N>(-2, 3)});
 }
 
-TEMPLATE_TEST_CASE("closest points: the origin if a shape is empty", "[closest_points]",
+TEMPLATE_TEST_CASE("closest points: both are the origin if a shape is empty", "[closest_points]",
                    DETENT_EVERYDAY_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -92,7 +92,7 @@ TEMPLATE_TEST_CASE("closest points: the origin if a shape is empty", "[closest_p
   CHECK(closest_points(some, ConvexHull<S, N>{}) == Points<S, N>());
 }
 
-TEST_CASE("closest points: a point beyond the range is clamped to it") {
+TEST_CASE("closest points: a point out of range is clamped") {
   using S = q8_8;
   const auto most = largest<S>, least = lowest<S>;
   // The plane x + y = -360 leaves the range at the lower corner.
@@ -104,7 +104,7 @@ TEST_CASE("closest points: a point beyond the range is clamped to it") {
   CHECK(q.y == num<S>(127.99609375 - 70.7109375));
 }
 
-TEST_CASE("closest points: the same in constant expressions") {
+TEST_CASE("closest points: can be computed in constant expressions") {
   using S = q16_16;
   constexpr Sphere<S, 3> ball{{}, S(1)};
   constexpr Aabb<S, 3> box{{S(2), S(3), S(6)}, {S(9), S(9), S(9)}};

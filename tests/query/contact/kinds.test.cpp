@@ -7,7 +7,7 @@
 namespace detent::test {
 namespace {
 
-/// Shapes that reach from x - 1 to x + 1 on the x axis, and farther on the others; they end there
+/// Shapes that extend from x - 1 to x + 1 on the x axis, and farther on the others. They end there
 /// in a point, an edge or a face perpendicular to the axis.
 template <Scalar S, int N, class Visit>
 void visit_shapes(double x, const Visit& visit) {
@@ -20,7 +20,7 @@ void visit_shapes(double x, const Visit& visit) {
   visit(ConvexHull<S, N>{corners});
 }
 
-TEMPLATE_TEST_CASE("contact: the least translation of every two kinds of shapes", "[contact]",
+TEMPLATE_TEST_CASE("contact: the least translation for every two kinds of shapes", "[contact]",
                    DETENT_EVERYDAY_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -41,7 +41,7 @@ TEMPLATE_TEST_CASE("contact: the least translation of every two kinds of shapes"
   });
 }
 
-TEMPLATE_TEST_CASE("contact: a plane is left to the nearer side", "[contact]",
+TEMPLATE_TEST_CASE("contact: a plane is left towards the nearer side", "[contact]",
                    DETENT_EVERYDAY_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -9,12 +9,13 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("contact: of equal depths the greatest x, then y, and the positive side",
-                   "[contact]", DETENT_EVERYDAY_SPACES) {
+TEMPLATE_TEST_CASE(
+    "contact: of equal depths, the normal with the greatest x, then y, and the positive side",
+    "[contact]", DETENT_EVERYDAY_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const auto x = toward<S, N>(1);
-  // Both directions of every axis of a cube in itself.
+  // Both directions of every axis, for a cube in itself.
   const Aabb<S, N> cube{filled<S, N>(num<S>(-1)), filled<S, N>(num<S>(1))};
   CHECK(contact(cube, cube)->normal == x);
   CHECK(contact(cube, cube)->depth == num<S>(2));
@@ -24,17 +25,17 @@ TEMPLATE_TEST_CASE("contact: of equal depths the greatest x, then y, and the pos
   CHECK(contact(cube, ball)->depth == num<S>(2));
   CHECK(contact(cube, ball)->normal == x);
   CHECK(contact(ball, cube)->normal == x);
-  // Only the negative side of y is as near as the positive side of x: mirrored, x stays.
+  // Only the negative side of y is as near as the positive side of x; mirrored, x remains.
   const Sphere<S, N> inside{at<S, N>(0.5, -0.5), num<S>(0)};
   CHECK(contact(cube, inside)->normal == x);
   CHECK(contact(inside, cube)->normal == -x);
-  // A flat difference: crossing segments.
+  // A flat Minkowski difference: crossing segments.
   const Segment<S, N> along_x{at<S, N>(-1), at<S, N>(1)}, along_y{at<S, N>(0, -1), at<S, N>(0, 1)};
   const auto crossing = contact(along_x, along_y);
   REQUIRE(crossing);
   CHECK(crossing->depth == (N == 2 ? num<S>(1) : S(0)));
   CHECK(crossing->normal == (N == 2 ? x : toward<S, N>(0, 0, 1)));
-  // Segments on one line, and points.
+  // Collinear segments, and points.
   CHECK(contact(along_x, along_x)->normal == toward<S, N>(0, 1));
   CHECK(contact(along_y, along_y)->normal == x);
   const Segment<S, N> point{at<S, N>(1, 1), at<S, N>(1, 1)};
@@ -56,7 +57,7 @@ TEMPLATE_TEST_CASE("contact: a slanted face and crossing edges", "[contact]",
     CHECK(found->depth >= num<S>(1.4140625));
     CHECK(found->depth <= num<S>(1.4296875));
   } else {
-    // Its edge from (8, 0) to (0, 8) crosses one that leads along z and x = y, 1 below it.
+    // Its edge from (8, 0) to (0, 8) crosses an edge along z at x = y, 1 below it.
     const Segment<S, N> edge{at<S, N>(3, 3, -1), at<S, N>(5, 5, 1)};
     const auto found = contact(slope, edge);
     REQUIRE(found);
@@ -67,7 +68,7 @@ TEMPLATE_TEST_CASE("contact: a slanted face and crossing edges", "[contact]",
   }
 }
 
-/// The point of a contact at this place, which must be there.
+/// The point of a contact at this position, which must exist.
 template <Scalar S, int N>
 ContactPoint<S, N> point_at(const Contact<S, N>& contact, const Vec<S, N>& place) {
   for (std::size_t i = 0; i < contact.count; ++i) {
@@ -77,7 +78,8 @@ ContactPoint<S, N> point_at(const Contact<S, N>& contact, const Vec<S, N>& place
   return {};
 }
 
-TEST_CASE("contact: points of two faces are corners of both and crossings of edges", "[contact]") {
+TEST_CASE("contact: points of two faces are corners of both and crossings of their edges",
+          "[contact]") {
   using S = q16_16;
   // The top of a, from (0, 0) to (4, 4), and the bottom of b, from (1, -2) to (9, 2).
   const Aabb<S, 3> a{at<S, 3>(0, 0, 0), at<S, 3>(4, 4, 4)};
@@ -91,14 +93,14 @@ TEST_CASE("contact: points of two faces are corners of both and crossings of edg
   CHECK(point_at(*found, at<S, 3>(4, 0, 4)).feature == 0xffff0505);
   CHECK(point_at(*found, at<S, 3>(1, 0, 4)).feature == 0x02000504);
   CHECK(point_at(*found, at<S, 3>(4, 2, 4)).feature == 0x03020705);
-  // From the other side the same, on the surface of b.
+  // Swapped, the result is the same, on the surface of b.
   const auto back = contact(b, a);
   REQUIRE(back);
   CHECK(point_at(*back, at<S, 3>(1, 2, 3.5)).feature == 0xffff0202);
   CHECK(point_at(*back, at<S, 3>(1, 0, 3.5)).feature == 0x05040200);
 }
 
-TEST_CASE("contact: features stay while shapes move and the same corners meet", "[contact]") {
+TEST_CASE("contact: features persist while the same corners meet", "[contact]") {
   using S = q16_16;
   const Aabb<S, 3> ground{at<S, 3>(-9, -9, -1), at<S, 3>(9, 9, 0)};
   std::array<std::uint32_t, 4> features{};
@@ -116,8 +118,9 @@ TEST_CASE("contact: features stay while shapes move and the same corners meet", 
   }
 }
 
-TEMPLATE_TEST_CASE("contact: a capsule that lies on a face has two points, a tilted one two depths",
-                   "[contact]", DETENT_EVERYDAY_SPACES) {
+TEMPLATE_TEST_CASE(
+    "contact: a capsule lying on a face has two points, and a tilted one has two depths",
+    "[contact]", DETENT_EVERYDAY_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const auto check = [&](const auto& ground) {
@@ -134,7 +137,7 @@ TEMPLATE_TEST_CASE("contact: a capsule that lies on a face has two points, a til
     REQUIRE(lifted->count == 2);
     CHECK(point_at(*lifted, at<S, N>(1, 0)).depth == num<S>(0.5));
     CHECK(point_at(*lifted, at<S, N>(1, 3)).depth == num<S>(0.25));
-    // From the other side the points are on the capsule.
+    // Swapped, the points are on the capsule.
     const auto back = contact(tilted, ground);
     REQUIRE(back);
     CHECK(point_at(*back, at<S, N>(0.5, 0)).depth == num<S>(0.5));
@@ -145,7 +148,7 @@ TEMPLATE_TEST_CASE("contact: a capsule that lies on a face has two points, a til
   check(Obb<S, N>{at<S, N>(0), at<S, N>(1, 9, 9), {}});
 }
 
-TEMPLATE_TEST_CASE("contact: a flat shape that stands upright has its lowest corner or edge",
+TEMPLATE_TEST_CASE("contact: an upright flat shape touches with its lowest corner or edge",
                    "[contact]", q16_16, q8_8, float) {
   using S = TestType;
   const auto check = [&](const auto& ground, const auto& shape, std::size_t count) {

@@ -8,7 +8,7 @@ namespace {
 
 static_assert(contains(Aabb<q16_16, 3>{{}, at<q16_16, 3>(1, 1, 1)}, at<q16_16, 3>(1, 0.5)));
 
-TEMPLATE_TEST_CASE("contains, aabb: the closed box", "[contains]", DETENT_EVERY_SPACE) {
+TEMPLATE_TEST_CASE("contains, aabb: the box is closed", "[contains]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const Aabb<S, N> box{filled<S, N>(num<S>(-2)), filled<S, N>(num<S>(3))};

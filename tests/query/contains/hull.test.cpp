@@ -38,7 +38,7 @@ TEMPLATE_TEST_CASE("contains, hull: its inside, faces, edges and corners", "[con
   CHECK_FALSE(on(ConvexHull{solid}, at<S, N>(8, 3), num<S>(4.5)));
 }
 
-TEMPLATE_TEST_CASE("contains, hull: flat, a segment, a point, empty", "[contains]",
+TEMPLATE_TEST_CASE("contains, hull: flat, a segment, a point or empty", "[contains]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

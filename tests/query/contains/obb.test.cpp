@@ -6,7 +6,7 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("contains, obb: the closed slabs", "[contains]", DETENT_EVERY_SPACE) {
+TEMPLATE_TEST_CASE("contains, obb: the slabs are closed", "[contains]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   Obb<S, N> box{at<S, N>(1, 2), filled<S, N>(num<S>(3)), {}};
@@ -22,7 +22,7 @@ TEMPLATE_TEST_CASE("contains, obb: the closed slabs", "[contains]", DETENT_EVERY
   CHECK_FALSE(contains(box, box.center));
 }
 
-TEMPLATE_TEST_CASE("contains, obb: turned by 45 degrees", "[contains]", DETENT_EVERY_SPACE) {
+TEMPLATE_TEST_CASE("contains, obb: rotated by 45 degrees", "[contains]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   auto axes = std::array<Direction<S, N>, static_cast<std::size_t>(N)>{};

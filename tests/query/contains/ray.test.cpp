@@ -11,7 +11,7 @@ constexpr Ray<q16_16, 3> along_z{{}, toward<q16_16, 3>(0, 0, 1)};
 static_assert(!contains(along_z, at<q16_16, 3>(4, 0, 10000)));
 static_assert(contains(along_z, at<q16_16, 3>(0, 0, 10000)));
 
-TEMPLATE_TEST_CASE("contains, ray: its points, as far as it reaches", "[contains]",
+TEMPLATE_TEST_CASE("contains, ray: its points, up to its length", "[contains]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -30,7 +30,7 @@ TEMPLATE_TEST_CASE("contains, ray: its points, as far as it reaches", "[contains
   CHECK_FALSE(contains(cut, ray.origin));
 }
 
-TEMPLATE_TEST_CASE("contains, ray: a direction exactly as stored", "[contains]",
+TEMPLATE_TEST_CASE("contains, ray: uses the direction exactly as stored", "[contains]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -6,7 +6,7 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("contains, segment: its points, ends included", "[contains]",
+TEMPLATE_TEST_CASE("contains, segment: its points, including the ends", "[contains]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -9,7 +9,7 @@ namespace {
 static_assert(contains(Sphere<q16_16, 3>{{}, q16_16(3)}, at<q16_16, 3>(2, 2, 1)));
 static_assert(!contains(Sphere<q16_16, 3>{{}, q16_16(3)}, at<q16_16, 3>(2, 2, 1.5)));
 
-TEMPLATE_TEST_CASE("contains, sphere: the closed ball", "[contains]", DETENT_EVERY_SPACE) {
+TEMPLATE_TEST_CASE("contains, sphere: the ball is closed", "[contains]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const Sphere<S, N> sphere{at<S, N>(1, 2), num<S>(5)};

@@ -28,7 +28,7 @@ TEMPLATE_TEST_CASE("contains, triangle: its face, edges and corners", "[contains
   }
 }
 
-TEMPLATE_TEST_CASE("contains, triangle: collapsed, it is a segment or a point", "[contains]",
+TEMPLATE_TEST_CASE("contains, triangle: a collapsed triangle is a segment or a point", "[contains]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -11,7 +11,7 @@ namespace detent::test {
 /// The distance of every two kinds of shapes.
 template <Scalar S, int N>
 void check_distances() {
-  // Where the other shape is, and how far it is then.
+  // The position of the other shape, and its distance there.
   constexpr std::array<std::array<double, 2>, 3> others{{{4, 5}, {-1, 0}, {-3, 0}}};
   const auto check = [](S got, S expected) { CHECK(got == expected); };
   visit_shapes<S, N>(-3, [&](const auto& a) {

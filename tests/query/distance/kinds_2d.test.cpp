@@ -3,7 +3,7 @@
 
 namespace detent::test {
 
-TEMPLATE_TEST_CASE("distance of two shapes: between every two kinds of shapes in 2D", "[distance]",
+TEMPLATE_TEST_CASE("distance of two shapes: every two kinds of shapes in 2D", "[distance]",
                    DETENT_EVERY_SCALAR) {
   check_distances<TestType, 2>();
 }

@@ -19,7 +19,7 @@ TEMPLATE_TEST_CASE("distance, obb: to the surface, 0 inside, the greatest scalar
   CHECK(distance(box, box.center) == largest<S>);
 }
 
-TEMPLATE_TEST_CASE("distance, obb: axes that coincide measure one excess three times", "[distance]",
+TEMPLATE_TEST_CASE("distance, obb: coincident axes count one excess three times", "[distance]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

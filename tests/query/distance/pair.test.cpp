@@ -20,7 +20,7 @@ TEMPLATE_TEST_CASE("distance of two shapes: planes are apart only if parallel", 
   CHECK(distance(plane, Plane<S, N>{toward<S, N>(1, 8), num<S>(-2)}) == S(0));
 }
 
-TEMPLATE_TEST_CASE("distance of two shapes: an empty one is as far as can be expressed",
+TEMPLATE_TEST_CASE("distance of two shapes: to an empty one it is the greatest scalar",
                    "[distance]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -56,7 +56,7 @@ TEMPLATE_TEST_CASE("distance of two shapes: clamped at the ends of the domain", 
   constexpr int N = TestType::dimension;
   const auto low = filled<S, N>(S::lowest()), high = filled<S, N>(S::max());
   CHECK(distance(Segment<S, N>{low, low}, Segment<S, N>{high, high}) == S::max());
-  // The centers are farther apart than a scalar can express, the surfaces are not.
+  // The centers are farther apart than a scalar can represent; the surfaces are not.
   Vec<S, N> left = Vec<S, N>(), right = Vec<S, N>();
   left[0] = S::lowest();
   right[0] = S::max();
@@ -64,11 +64,11 @@ TEMPLATE_TEST_CASE("distance of two shapes: clamped at the ends of the domain", 
   CHECK(distance(a, b) == nearest_to<S>(-S::lowest() - num<S>(1)));
 }
 
-TEMPLATE_TEST_CASE("distance of two shapes: boxes are slabs to round shapes, edges to others",
+TEMPLATE_TEST_CASE("distance of two shapes: boxes are slabs to round shapes and edges to others",
                    "[distance]", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  // All axes are the same: the slabs hold a whole plane, the edges span a segment.
+  // All axes are equal: the slabs contain a whole plane, the edges span a segment.
   const auto x = toward<S, N>(1);
   const auto flat = [&] {
     if constexpr (N == 2) {

@@ -17,7 +17,7 @@ TEMPLATE_TEST_CASE("distance, plane: from both sides", "[distance]", DETENT_EVER
   CHECK_FALSE(squared_distance(plane, at<S, N>(3, 9)) <= num<S>(15.5));
 }
 
-TEMPLATE_TEST_CASE("distance, plane: exact for a normal as stored, and clamped", "[distance]",
+TEMPLATE_TEST_CASE("distance, plane: exact for the stored normal, and clamped", "[distance]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -19,7 +19,7 @@ TEMPLATE_TEST_CASE("distance of two points: exact squares, roots rounded down", 
   CHECK(distance(at<S, N>(1, 2), at<S, N>(1, 2)) == num<S>(0));
 }
 
-TEMPLATE_TEST_CASE("distance of two points: the whole domain, and random ones", "[distance]",
+TEMPLATE_TEST_CASE("distance of two points: over the whole domain, and at random", "[distance]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

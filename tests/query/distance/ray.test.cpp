@@ -19,7 +19,7 @@ TEMPLATE_TEST_CASE("distance, ray: to the line, the origin or the end", "[distan
   CHECK(distance(ray, ray.origin) == largest<S>);
 }
 
-TEMPLATE_TEST_CASE("distance, ray: exact for a direction as stored, and clamped", "[distance]",
+TEMPLATE_TEST_CASE("distance, ray: exact for the stored direction, and clamped", "[distance]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -27,7 +27,7 @@ TEMPLATE_TEST_CASE("distance, segment: rounded down and clamped", "[distance]",
   const auto low = filled<S, N>(S::lowest()), high = filled<S, N>(S::max());
   CHECK(distance(Segment<S, N>{low, low}, high) == S::max());
   CHECK(distance(Segment<S, N>{low, high}, high) == S(0));
-  // A raw unit off the diagonal is a distance below one; two are a distance above one.
+  // One raw unit off the diagonal is a distance below one; two are a distance above one.
   auto beside = high;
   beside.x = moved(beside.x, -1);
   CHECK(distance(Segment<S, N>{low, high}, beside) == S(0));

@@ -76,8 +76,7 @@ void compare_widths(std::uint64_t seed) {
   CHECK(faces.percent() >= 5);
 }
 
-TEST_CASE("distance, triangle: an answer in narrow integers is the same in wide ones",
-          "[distance]") {
+TEST_CASE("distance, triangle: narrow and wide integers give the same result", "[distance]") {
   compare_widths<Fixed<30, 16>, 2>(0xd157);
   compare_widths<Fixed<30, 16>, 3>(0xd158);
   compare_widths<Fixed<20, 16>, 3>(0xd159);

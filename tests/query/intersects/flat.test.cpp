@@ -7,8 +7,8 @@ namespace {
 static_assert(intersects(Segment<q16_16, 3>{}, Segment<q16_16, 3>{}));
 static_assert(intersects(Segment<q16_16, 2>{}, Triangle<q16_16, 2>{}));
 
-TEMPLATE_TEST_CASE("intersects, segments: crossing, ends, along, beside, points", "[intersects]",
-                   DETENT_EVERY_SPACE) {
+TEMPLATE_TEST_CASE("intersects, segments: crossing, ends, collinear, parallel, points",
+                   "[intersects]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   using Line = Segment<S, N>;
@@ -86,7 +86,7 @@ TEMPLATE_TEST_CASE("intersects, segment and boxes: inside, through, face, corner
   CHECK_FALSE(meet(line, Obb<S, N>{{}, at<S, N>(-1, 9, 9), {}}));
 }
 
-TEMPLATE_TEST_CASE("intersects, segment and plane: through, end, within, beside", "[intersects]",
+TEMPLATE_TEST_CASE("intersects, segment and plane: through, end, within, parallel", "[intersects]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -10,7 +10,7 @@
 namespace detent::test {
 namespace {
 
-/// A body whose axes are all tried, because it does not say that it is a box.
+/// A body that hides that it is a box, so that all axes are tried.
 template <class Body>
 struct Plain : Body {
   explicit constexpr Plain(const Body& body) noexcept : Body(body) {}
@@ -80,7 +80,7 @@ void compare_many(std::int64_t reach, bool is_tight, int asked, Count& count) {
   }
 }
 
-TEST_CASE("axes of boxes: those that the filter leaves hold the least push", "[query]") {
+TEST_CASE("axis filter of boxes: the remaining axes include the least push", "[query]") {
   Count spread, tight;
   compare_many<q16_16>(1 << 18, false, 1000, spread);
   compare_many<q16_16>(1 << 29, false, 500, spread);

@@ -15,7 +15,7 @@ using V = Vec<S, 3>;
 constexpr auto n = [](double value) { return S::from_double(value); };
 constexpr auto v3 = [](double x, double y, double z) { return V{n(x), n(y), n(z)}; };
 
-// The cube from -4 to 4, with its corners in the order of a frustum.
+// The cube from -4 to 4, with its corners in frustum order.
 constexpr Frustum<S> cube{[] {
   Frustum<S>::Corners corners;
   for (std::size_t i = 0; i < 8; ++i) {
@@ -28,7 +28,8 @@ static_assert(cube.planes()[1].normal == -Direction<S, 3>::along(0) && cube.plan
 static_assert(cube.planes()[4].normal == -Direction<S, 3>::along(2), "far");
 static_assert(cube.planes()[5].normal == Direction<S, 3>::along(2), "near");
 
-// The planes alone decide what lies beyond one of them: touching is not beyond, one step is.
+// The planes alone decide what lies beyond one of them: touching is not beyond, one step further
+// is.
 constexpr S step = S::from_raw(1);
 static_assert(!detail::is_beyond(cube, v3(4, 0, 0)));
 static_assert(detail::is_beyond(cube, V{nearest_to<S>(n(4) + step), n(0), n(0)}));
@@ -47,7 +48,7 @@ static_assert(!detail::is_beyond(cube, Ray{v3(9, 0, 0), -Direction<S, 3>::along(
 static_assert(detail::is_beyond(cube, Ray{v3(9, 0, 0), Direction<S, 3>::along(1)}));
 static_assert(!detail::is_beyond(cube, Ray{v3(4, 0, 0), Direction<S, 3>::along(0)}), "touching");
 
-/// dot(normal, x), exactly.
+/// dot(normal, x), exact.
 template <Scalar T>
 BigRational along(const Direction<T, 3>& normal, const Vec<T, 3>& x) {
   BigRational sum = 0;
@@ -55,8 +56,8 @@ BigRational along(const Direction<T, 3>& normal, const Vec<T, 3>& x) {
   return sum;
 }
 
-TEMPLATE_TEST_CASE("frustum planes: they contain every corner, whatever the corners", "", q16_16,
-                   q14_16, q24_8, q8_8, (Fixed<1, 0>)) {
+TEMPLATE_TEST_CASE("frustum planes: contain every corner, for any corners", "", q16_16, q14_16,
+                   q24_8, q8_8, (Fixed<1, 0>)) {
   using T = TestType;
   Random random(0xbe704d);
   int outside = 0, apart = 0;
@@ -80,10 +81,9 @@ TEMPLATE_TEST_CASE("frustum planes: they contain every corner, whatever the corn
   CHECK(apart == 0);
 }
 
-// A lower bound of a box must hold for each of its corners, and of a ball for each of its points:
+// A lower bound for a box must hold for each of its corners, and for a ball for each of its points:
 // that of a ball is at most dot(normal, center) - radius |normal|.
-TEMPLATE_TEST_CASE("least_along: a lower bound, within two steps", "", q16_16, q14_16, q24_8,
-                   q8_8) {
+TEMPLATE_TEST_CASE("least_along: a lower bound within two steps", "", q16_16, q14_16, q24_8, q8_8) {
   using T = TestType;
   Random random(0x1ea57);
   int above = 0, loose = 0;

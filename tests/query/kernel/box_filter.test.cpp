@@ -9,7 +9,7 @@
 namespace detent::test {
 namespace {
 
-/// A rotation of less than 2^(bits - 32) about each axis of the world.
+/// A rotation of less than 2^(bits - 32) about each world axis.
 template <Scalar S>
 Rotation<S, 3> random_turn(Random& random, int bits) {
   const auto angle = [&] {
@@ -30,7 +30,7 @@ Obb<S, 3> random_box(Random& random, int bits, const Rotation<S, 3>& rotation) {
 }
 
 /// Unit vectors along which two boxes may just touch: an axis of either box, a cross product, or
-/// any.
+/// any vector.
 template <Scalar S>
 Direction<S, 3> random_way(Random& random, const Obb<S, 3>& a, const Obb<S, 3>& b) {
   const auto& u = a.rotation.axis(static_cast<int>(random.below(3)));
@@ -62,8 +62,7 @@ void ask_up_to_the_last(const Ask& ask) {
   }
 }
 
-/// Moves b away from a until they are apart, and tests on the way, most often close to the
-/// transition.
+/// Moves b away from a until they are apart, testing on the way, mostly close to the transition.
 template <Scalar S>
 void ask_on_the_way(Random& random, const Obb<S, 3>& a, const Obb<S, 3>& b, Count& count) {
   const detail::EdgeFrame<S> frame_a(a.rotation), frame_b(b.rotation);
@@ -106,7 +105,7 @@ void ask_on_the_way(Random& random, const Obb<S, 3>& box, const Triangle<S, 3>& 
   });
 }
 
-TEMPLATE_TEST_CASE("OBB and OBB: the filter is right or unsure", "[overlaps]", q16_16, q14_16,
+TEMPLATE_TEST_CASE("OBB and OBB: the filter is correct or unsure", "[overlaps]", q16_16, q14_16,
                    q24_8) {
   using S = TestType;
   Random random(0x0bb5);
@@ -130,8 +129,8 @@ TEMPLATE_TEST_CASE("OBB and OBB: the filter is right or unsure", "[overlaps]", q
   CHECK(large.unsure < large.asked / 2);  // half of the steps are within 2^-16 of the transition
 }
 
-TEMPLATE_TEST_CASE("OBB and triangle: the filter is right or unsure", "[overlaps]", q16_16, q14_16,
-                   q24_8) {
+TEMPLATE_TEST_CASE("OBB and triangle: the filter is correct or unsure", "[overlaps]", q16_16,
+                   q14_16, q24_8) {
   using S = TestType;
   Random random(0x0b73);
   Count any, large;

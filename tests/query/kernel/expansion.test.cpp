@@ -13,7 +13,7 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("expansion: the nearest facet is that of a search through all facets",
+TEMPLATE_TEST_CASE("expansion: the nearest facet equals that of a search through all facets",
                    "[contact]", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -44,7 +44,7 @@ TEMPLATE_TEST_CASE("expansion: the nearest facet is that of a search through all
   CHECK(met > 40);
 }
 
-TEMPLATE_TEST_CASE("expansion: round hulls, one in the other", "[contact]", (Space<q16_16, 3>),
+TEMPLATE_TEST_CASE("expansion: round hulls inside each other", "[contact]", (Space<q16_16, 3>),
                    (Space<q16_16, 2>)) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -59,7 +59,7 @@ TEMPLATE_TEST_CASE("expansion: round hulls, one in the other", "[contact]", (Spa
   const ConvexHull<S, N> a{balls[0]}, b{balls[1]};
   const auto found = contact(a, b);
   REQUIRE(found);
-  // Two balls of radius 16, roughly, in one place.
+  // Approximately two concentric balls of radius 16.
   CHECK(found->depth > S(20));
   CHECK(found->depth <= S(32));
   for (int i = 0; i < 500; ++i) {

@@ -26,7 +26,7 @@ Rational side(const Place& from, const Place& to, const Place& at) {
 
 Place place(const Cell& cell) { return {Rational(cell[0]), Rational(cell[1])}; }
 
-/// The corners of the hull in their order around it.
+/// The corners of the hull in order around it.
 std::vector<Place> hull_of(std::vector<Cell> cells) {
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
@@ -47,7 +47,7 @@ std::vector<Place> hull_of(std::vector<Cell> cells) {
   return ring;
 }
 
-/// What of a convex ring satisfies height(place) >= 0.
+/// Clips a convex ring to height(place) >= 0.
 template <class Height>
 std::vector<Place> clipped(const std::vector<Place>& ring, const Height& height) {
   std::vector<Place> result;
@@ -134,15 +134,15 @@ Point point_of(const Common& common) {
   return point;
 }
 
-/// Two features that lie over each other, and where.
+/// Two overlapping features, and where they overlap.
 struct Case {
   std::vector<Triple> a, b;
   Triple u;  // from a point on a to the one on b
   Point least;
 };
 
-/// Corners o + i e + j f in the plane of e and f (the line of e in 2D), those of b moved by u, which
-/// is perpendicular if `is_perpendicular`; nothing if no point lies over another.
+/// Corners o + i e + j f in the plane of e and f (the line of e in 2D), those of b moved by u,
+/// which is perpendicular if `is_perpendicular`. Nothing if no point lies above another.
 template <int N>
 std::optional<Case> draw(test::Random& random, bool is_perpendicular) {
   const auto triple = [&](std::int64_t most) {

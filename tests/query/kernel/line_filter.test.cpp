@@ -8,7 +8,7 @@
 namespace detent::test {
 namespace {
 
-TEMPLATE_TEST_CASE("line filter: just the triangles that the line misses are left out", "", q16_16,
+TEMPLATE_TEST_CASE("line filter: rejects exactly the triangles that the line misses", "", q16_16,
                    q14_16, q24_8, q8_8) {
   using S = TestType;
   Random random(0x9a55);
@@ -19,7 +19,8 @@ TEMPLATE_TEST_CASE("line filter: just the triangles that the line misses are lef
   };
   int met = 0, missed = 0, seen_from_edge = 0;
   for (int i = 0; i < 20'000; ++i) {
-    // Few raw units, so that corners and edges are often hit; far enough to cross the triangle.
+    // Few raw units, so that corners and edges are often hit, but long enough to cross the
+    // triangle.
     const int size = random.one_in(2) ? 6 : 5'000;
     const auto direction = random.one_in(8)
                                ? Direction<S, 3>::along(static_cast<int>(random.between(0, 2)))
@@ -44,7 +45,7 @@ TEMPLATE_TEST_CASE("line filter: just the triangles that the line misses are lef
   CHECK(seen_from_edge > 200);
 }
 
-TEST_CASE("line filter: float and double leave nothing out") {
+TEST_CASE("line filter: rejects nothing in float and double") {
   const auto misses = []<class S>(S) {
     const Ray<S, 3> ray{{S(0), S(0), S(0)}, Direction<S, 3>::along(2), S(9)};
     return detail::LineFilter<S>(ray).meets(

@@ -17,7 +17,7 @@ struct Count {
   HitRate hits, sure, same_feature, sure_distances;
 };
 
-/// Compares the filter with the exact search, from a start at which the bodies are apart.
+/// Compares the filter with the exact search, starting where the bodies are apart.
 template <class A, class B, Scalar S, int N>
 void compare(const A& a, const B& b, const Direction<S, N>& direction, const S& radius,
              const S& limit, Count& count) {
@@ -89,7 +89,7 @@ void compare_many(std::int64_t reach, std::int64_t grid, int asked, Count& count
   }
 }
 
-TEST_CASE("witnesses: where they are sure of a touch or a distance, it is exact", "[query]") {
+TEST_CASE("witnesses: a touch or distance that they are sure of is exact", "[query]") {
   Count local, coarse;
   compare_many<q16_16, 3>(1 << 18, 1, 1500, local);
   compare_many<q16_16, 3>(1 << 29, 1, 300, local);

@@ -7,7 +7,7 @@ namespace {
 static_assert(overlaps(Aabb<q16_16, 3>{}, Obb<q16_16, 3>{}));
 static_assert(overlaps(Obb<q16_16, 2>{}, Obb<q16_16, 2>{}));
 
-/// Two given axes; a third is the default.
+/// A rotation from two given axes and a default third.
 template <Scalar S, int N>
 Rotation<S, N> frame(const Direction<S, N>& x, const Direction<S, N>& y) {
   std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
@@ -130,7 +130,7 @@ TEMPLATE_TEST_CASE("overlaps, boxes: one raw unit decides, at the ends of the do
   CHECK_FALSE(meet(Aabb<S, N>{low, low}, Obb<S, N>{{}, high, {}}));
   CHECK(meet(Obb<S, N>{low, high, {}}, Obb<S, N>{filled<S, N>(moved(S(0), -1)), {}, {}}));
   CHECK_FALSE(meet(Obb<S, N>{low, high, {}}, Obb<S, N>{{}, {}, {}}));
-  // The segment through (3, 4), and a corner on it and next to it.
+  // The segment through (3, 4), with a corner on it and next to it.
   const Obb<S, N> line{{}, at<S, N>(10), three_four_fifths_frame<S, N>()};
   auto corner = at<S, N>(3, 4);
   CHECK(meet(Aabb<S, N>{corner, at<S, N>(9, 4)}, line));

@@ -31,7 +31,7 @@ TEMPLATE_TEST_CASE("overlaps, aabb and capsule: corner, face, through, inside", 
   CHECK(meet(Box{at<S, N>(4, 1), at<S, N>(5, 2)}, capsule));
   CHECK(meet(Box{at<S, N>(5, 6), at<S, N>(5, 6)}, capsule));
   CHECK_FALSE(meet(Box{at<S, N>(5, 6.5), at<S, N>(5, 6.5)}, capsule));
-  // Past a corner, closest at neither end.
+  // Past a corner, where neither end is closest.
   const Box corner{at<S, N>(8, -8, -1), at<S, N>(16, 0, 1)};
   CHECK(meet(corner, Capsule<S, N>{{}, at<S, N>(12, 12), num<S>(6)}));
   CHECK_FALSE(meet(corner, Capsule<S, N>{{}, at<S, N>(12, 12), num<S>(5)}));

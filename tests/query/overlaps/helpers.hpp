@@ -16,7 +16,7 @@ bool meet(const A& a, const B& b) {
   CHECK(overlaps(changed(a, turn), changed(b, turn)) == answer);
   return answer;
 }
-/// The same for a segment and a shape.
+/// `overlaps` for a segment and a shape.
 template <Scalar S, int N, class Shape>
 bool meet(const Segment<S, N>& segment, const Shape& shape) {
   const auto turn = [](const auto& v) { return turned(v); };

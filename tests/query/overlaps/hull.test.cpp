@@ -47,7 +47,7 @@ TEMPLATE_TEST_CASE("overlaps, hull: every shape hits, misses and touches it", "[
   CHECK_FALSE(meets(solid, other));
 }
 
-TEMPLATE_TEST_CASE("overlaps, hull: flat, a segment, a point, empty", "[overlaps]",
+TEMPLATE_TEST_CASE("overlaps, hull: flat, a segment, a point or empty", "[overlaps]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

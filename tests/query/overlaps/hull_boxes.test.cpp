@@ -46,7 +46,7 @@ TEMPLATE_TEST_CASE("overlaps, box and hull: one raw unit decides, at the ends of
   CHECK(meets(Obb<S, N>{on, {}, {}}, half));
   CHECK_FALSE(meets(Obb<S, N>{beside, {}, {}}, half));
   CHECK(meets(Obb<S, N>{low, high, {}}, half));
-  // A segment through (3, 4) as a box, and a corner on it and next to it.
+  // A segment through (3, 4) as a box, with a corner on it and next to it.
   const Obb<S, N> line{{}, at<S, N>(10), three_four_fifths_frame<S, N>()};
   auto corner = at<S, N>(3, 4);
   CHECK(meets(line, Points<S, N, 2>{corner, at<S, N>(9, 4)}));
@@ -54,8 +54,8 @@ TEMPLATE_TEST_CASE("overlaps, box and hull: one raw unit decides, at the ends of
   CHECK_FALSE(meets(line, Points<S, N, 2>{corner, at<S, N>(9, 4)}));
 }
 
-TEMPLATE_TEST_CASE("overlaps, box and hull: rounded edges decide only what they know", "[overlaps]",
-                   DETENT_FIXED_SPACES) {
+TEMPLATE_TEST_CASE("overlaps, box and hull: rounded edges decide only what they are sure of",
+                   "[overlaps]", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
 
@@ -69,7 +69,7 @@ TEMPLATE_TEST_CASE("overlaps, box and hull: rounded edges decide only what they 
     Obb<S, N> box{{}, {}, random_rotation<S, N>(random)};
     for (int i = 0; i < N; ++i)
       box.half_extents[i] = moved(S(0), static_cast<int>(random.between(0, reach)));
-    // The last position on the way out of the hull where they overlap.
+    // The last overlapping position on the way out of the hull.
     const auto way = random_near(random, Vec<S, N>(), reach);
     std::int64_t inside = 0, outside = 8 * 64;
     while (outside - inside > 1) {

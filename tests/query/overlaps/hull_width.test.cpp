@@ -17,7 +17,7 @@ void same_in(const A& a, const B& b, bool expected) {
   CHECK(here.denominator == there.denominator);
 }
 
-TEMPLATE_TEST_CASE("overlaps, hull: narrow and wide integers give the same answer", "[overlaps]",
+TEMPLATE_TEST_CASE("overlaps, hull: narrow and wide integers give the same result", "[overlaps]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

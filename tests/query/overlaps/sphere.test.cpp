@@ -11,7 +11,7 @@ static_assert(!overlaps(Sphere<q16_16, 3>{{}, q16_16(-1)}, Sphere<q16_16, 3>{{},
 template <Scalar S, int N>
 const Sphere<S, N> ball{at<S, N>(1, 1), num<S>(5)};
 
-TEMPLATE_TEST_CASE("overlaps, spheres: apart by at most the sum of the radii", "[overlaps]",
+TEMPLATE_TEST_CASE("overlaps, spheres: the distance is at most the sum of the radii", "[overlaps]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -77,8 +77,8 @@ TEMPLATE_TEST_CASE("overlaps, sphere and plane: the center is within the radius"
   CHECK_FALSE(meet(Sphere<S, N>{sphere.center, num<S>(-1)}, Plane<S, N>{x, num<S>(1)}));
 }
 
-TEMPLATE_TEST_CASE("overlaps, sphere and triangle: corner, edge, face, and what is left of one",
-                   "[overlaps]", DETENT_EVERY_SPACE) {
+TEMPLATE_TEST_CASE("overlaps, sphere and triangle: corner, edge, face, collapsed", "[overlaps]",
+                   DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   using Corners = Triangle<S, N>;
@@ -101,7 +101,7 @@ TEMPLATE_TEST_CASE("overlaps, sphere and triangle: corner, edge, face, and what 
   CHECK_FALSE(meet(sphere, Corners{at<S, N>(4, 5.5), at<S, N>(4, 5.5), at<S, N>(4, 5.5)}));
 }
 
-TEMPLATE_TEST_CASE("overlaps, sphere and capsule: apart by at most the sum of the radii",
+TEMPLATE_TEST_CASE("overlaps, sphere and capsule: the distance is at most the sum of the radii",
                    "[overlaps]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

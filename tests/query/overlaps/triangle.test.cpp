@@ -130,7 +130,8 @@ T random_number(Random& random) {
   return T::from_raw(shift_left(integer_cast<Raw>(random.wide(62)), above));
 }
 
-TEST_CASE("overlaps, obb and triangle: narrow integers answer as wide ones", "[overlaps]") {
+TEST_CASE("overlaps, obb and triangle: narrow and wide integers give the same result",
+          "[overlaps]") {
   using Half = Fixed<31, 16>;
   Random random(0x0bb7);
   HitRate rate;

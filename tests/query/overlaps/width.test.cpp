@@ -17,7 +17,7 @@ Vec<Wide, N> widened(const Vec<T, N>& v) {
   return make_vec<N>([&](int i) { return Wide(v[i]); });
 }
 
-/// Passes the same vectors to `f` in both types; it must return true in some of the cases.
+/// Passes the same vectors to `f` in both types; it must return true for some of them.
 template <class Narrow, class Wide, int N, int Count, class F>
 void compare(const F& f) {
   Random random(0x31d7 + Count);
@@ -77,7 +77,7 @@ void compare_filtered_slabs() {
     unsure += filtered == Filtered::unsure ? 1 : 0;
     wrong += filtered == Filtered::yes && !answer ? 1 : 0;
     wrong += filtered == Filtered::no && answer ? 1 : 0;
-    // The smallest reach that contains the exact distance, and the one below it.
+    // The least reach that contains the exact distance, and the one below it.
     T least(0), most = T::max();
     while (least < most) {
       const auto middle = T::from_raw(least.raw() + (most.raw() - least.raw()) / 2);
@@ -98,7 +98,7 @@ void compare_filtered_slabs() {
   CHECK(unsure < 2000);  // nearly all of them have few bits
 }
 
-TEST_CASE("overlaps: an answer in narrow integers is the same in wide ones", "[overlaps]") {
+TEST_CASE("overlaps: narrow and wide integers give the same result", "[overlaps]") {
   const auto edge = [](const auto& e, const auto& w, const auto& reach) {
     return detail::within_edge(e, w, reach);
   };

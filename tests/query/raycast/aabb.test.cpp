@@ -62,16 +62,16 @@ TEMPLATE_TEST_CASE("ray against AABB: it hits, misses and touches as drawn", "[r
     CHECK(raycast_interval(cut, box(4, -1, 6, 1)) == interval(4, 4));
     CHECK(raycast_hit(cut, box(4, -1, 6, 1))->normal == toward<S, N>(-1));
   }
-  SECTION("touch at corners: the lowest axis among the faces entered last") {
+  SECTION("touch at corners: the normal is on the lowest axis among the faces entered last") {
     const Ray<S, N> diagonal{{}, toward<S, N>(1, 1, 1), num<S>(100)};
     const Aabb<S, N> cube{filled<S, N>(num<S>(2)), filled<S, N>(num<S>(3))};
     REQUIRE(distance(diagonal, cube).has_value());
     CHECK(raycast_hit(diagonal, cube)->normal == toward<S, N>(-1));
-    // The same corner entered through y only.
+    // Enters the same corner through y only.
     auto low = cube;
     low.min.x = num<S>(1);
     CHECK(raycast_hit(diagonal, low)->normal == toward<S, N>(0, -1));
-    // Past a corner: x is entered where y is left.
+    // Past a corner: it enters x where it leaves y.
     const Ray<S, N> falling{at<S, N>(0, 4), toward<S, N>(1, -1), num<S>(100)};
     const Aabb<S, N> corner{at<S, N>(2, 2, -1), at<S, N>(3, 3, 1)};
     REQUIRE(distance(falling, corner).has_value());
@@ -159,7 +159,7 @@ TEMPLATE_TEST_CASE("ray against AABB: one raw unit decides", "[raycast]", DETENT
   }
 }
 
-TEMPLATE_TEST_CASE("ray against AABB: the ends of the domain have answers", "[raycast]",
+TEMPLATE_TEST_CASE("ray against AABB: correct at the ends of the domain", "[raycast]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -189,7 +189,7 @@ TEMPLATE_TEST_CASE("ray against AABB: the ends of the domain have answers", "[ra
   CHECK(misses(right, wall));
 }
 
-TEMPLATE_TEST_CASE("ray against AABB: answers do not depend on the frame", "[raycast]",
+TEMPLATE_TEST_CASE("ray against AABB: results do not depend on the frame", "[raycast]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -207,7 +207,7 @@ TEMPLATE_TEST_CASE("ray against AABB: answers do not depend on the frame", "[ray
     const auto spread = N == 2 ? 3 * reach : 3 * reach / 2;
     const Ray<S, N> ray{origin, aimed(origin, random_near(random, center, spread))};
     rate.count(raycast(ray, box).has_value());
-    // If two faces are entered at once, the lower one does depend on the frame.
+    // If two faces are entered at once, the lower axis does depend on the frame.
     check_symmetry(ray, box, false);
   }
   INFO(rate);

@@ -8,7 +8,7 @@ namespace detent::test {
 namespace {
 
 // Queries that textbook formulas in float get wrong, though float represents every input. The
-// formulas are here only to show that.
+// formulas are only here to show that.
 
 using F3 = std::array<float, 3>;
 
@@ -31,8 +31,8 @@ F3 cross(const F3& a, const F3& b) {
           stored(stored(a[0] * b[1]) - stored(a[1] * b[0]))};
 }
 
-/// Pythagoras: the centre's distance from the ray, out of its distance from the origin and along
-/// the ray.
+/// Pythagoras: the centre's distance from the ray, from its distance from the origin and along the
+/// ray.
 std::optional<float> float_sphere(const F3& direction, const F3& center, float radius) {
   const float ahead = dot(center, direction);
   const float beside = stored(dot(center, center) - stored(ahead * ahead));
@@ -41,7 +41,7 @@ std::optional<float> float_sphere(const F3& direction, const F3& center, float r
   return stored(ahead - std::sqrt(depth));
 }
 
-/// Slabs, with a small number instead of zero as divisor.
+/// Slabs, with a small divisor instead of zero.
 std::optional<float> float_box(const F3& origin, const F3& direction, const F3& center,
                                float half_extent) {
   float enter = -FLT_MAX;
@@ -83,7 +83,7 @@ constexpr std::optional<q16_16> raw(std::int32_t distance) { return q16_16::from
 static_assert(!raycast(from_zero, sphere(0.75, 10000, 0.5)));
 static_assert(raycast(from_zero, sphere(2.25, 10000, 2.5)) == raw(655288583));
 
-TEST_CASE("book: the far sphere that float hits or misses wrongly", "[raycast][book]") {
+TEST_CASE("book: distant spheres that float hits or misses wrongly", "[raycast][book]") {
   const auto by_float = [](float x, float z, float radius) {
     return float_sphere({0, 0, 1}, {x, 0, z}, radius);
   };
@@ -112,7 +112,7 @@ TEST_CASE("book: the far sphere that float hits or misses wrongly", "[raycast][b
   CHECK(by_float(0, -5, 1) == -6.0f);
 }
 
-TEST_CASE("book: where the far spheres' rays enter, leave and point", "[raycast][book]") {
+TEST_CASE("book: entries, exits and normals of the distant spheres", "[raycast][book]") {
   // 10000 -+ sqrt(2.5^2 - 2.25^2), 10000 -+ sqrt(2^2 - 1.875^2), 30000 -+ 4.5.
   CHECK(raycast_interval(from_zero, sphere(2.25, 10000, 2.5)) ==
         Interval<q16_16>{*raw(655288583), *raw(655431416)});
@@ -126,7 +126,7 @@ TEST_CASE("book: where the far spheres' rays enter, leave and point", "[raycast]
   CHECK(hit->normal == toward<q16_16, 3>(-4, 0, -3));
 }
 
-TEST_CASE("book: the box in front of a parallel ray", "[raycast][book]") {
+TEST_CASE("book: a box in front of a parallel ray", "[raycast][book]") {
   const Obb<q16_16, 3> box{at<q16_16, 3>(0, 0, 10000), at<q16_16, 3>(1, 1, 1), {}};
   const Ray<q16_16, 3> ray{at<q16_16, 3>(0.9375), up};
   CHECK(raycast_interval(ray, box) == Interval<q16_16>{num<q16_16>(9999), num<q16_16>(10001)});
@@ -137,14 +137,14 @@ TEST_CASE("book: the box in front of a parallel ray", "[raycast][book]") {
   CHECK(distance(ray, same) == num<q16_16>(9999));
 }
 
-TEST_CASE("book: rays at the edge that two triangles share", "[raycast][book]") {
+TEST_CASE("book: rays at an edge shared by two triangles", "[raycast][book]") {
   Random random(0xb00c);
   INFO(random);
   int float_cracks = 0;
   int cracks = 0;
   constexpr int rays = 10'000;
   for (int i = 0; i < rays; ++i) {
-    // In 1/16384, seen from 0 upwards: a is on the left, b on the right, c above and d below.
+    // In 1/16384, seen upwards from 0: a is on the left, b on the right, c above and d below.
     const auto corner = [&](int x0, int x1, int y0, int y1) {
       return std::array<std::int64_t, 3>{random.between(x0, x1), random.between(y0, y1),
                                          random.between(131072, 262144)};

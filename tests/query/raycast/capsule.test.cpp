@@ -14,7 +14,7 @@ static_assert(raycast_hit(along_x, across)->normal == toward<q16_16, 3>(-1));
 static_assert(raycast_interval(along_x, across) == Interval<q16_16>{q16_16(7), q16_16(13)});
 static_assert(noexcept(raycast(along_x, across)));
 
-// The exit is beyond every representable distance: no step past the last number.
+// The exit is beyond every representable distance, and must not step past the last number.
 constexpr auto greatest = q16_16::max();
 constexpr Ray<q16_16, 3> across_the_world{at<q16_16, 3>(-32768), toward<q16_16, 3>(1), greatest};
 constexpr Capsule<q16_16, 3> as_long{at<q16_16, 3>(-32758), {greatest, {}, {}}, q16_16(3)};
@@ -72,7 +72,7 @@ TEMPLATE_TEST_CASE("ray against capsule: it hits, misses and touches as drawn", 
     CHECK(raycast_interval(ray, standing(1, 0, 3)) == Interval<S>{num<S>(0), num<S>(4)});
     CHECK(raycast_hit(ray, standing(1, 0, 3))->normal == toward<S, N>(-1));
     CHECK(raycast_interval(ray, lying(-2, 1, 3))->enter == num<S>(0));
-    // It ends before it reaches the sphere that it would exit from.
+    // It ends before it reaches the sphere through which it would leave.
     cut.max_distance = num<S>(2);
     CHECK(raycast_interval(cut, lying(-2, 0, 3)) == Interval<S>{num<S>(0), num<S>(2)});
     cut.max_distance = num<S>(-1);
@@ -80,7 +80,7 @@ TEMPLATE_TEST_CASE("ray against capsule: it hits, misses and touches as drawn", 
   }
   SECTION("parallel to the axis") {
     CHECK(raycast_interval(ray, lying(10, 3, 5)) == Interval<S>{num<S>(6), num<S>(24)});
-    // Along its surface: from where the sphere around one end touches it to the other.
+    // Along its surface: from where it touches the sphere at one end to the other.
     CHECK(raycast_interval(ray, lying(10, 3, 3)) == Interval<S>{num<S>(10), num<S>(20)});
     CHECK(raycast_hit(ray, lying(10, 3, 3))->normal == toward<S, N>(0, -1));
     CHECK(raycast_interval(ray, lying(-5, 3, 3)) == Interval<S>{num<S>(0), num<S>(5)});
@@ -134,8 +134,9 @@ TEMPLATE_TEST_CASE("ray against capsule: one raw unit decides, at the ends of th
   CHECK(raycast(Ray<S, N>{start, Direction<S, N>::along(0)}, far_side) == high);
 }
 
-TEMPLATE_TEST_CASE("ray against capsule: no answer depends on the frame or the order of the ends",
-                   "[raycast]", DETENT_FIXED_SPACES) {
+TEMPLATE_TEST_CASE(
+    "ray against capsule: results do not depend on the frame or the order of the ends", "[raycast]",
+    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   Random random(0xca95);
@@ -153,8 +154,7 @@ TEMPLATE_TEST_CASE("ray against capsule: no answer depends on the frame or the o
   }
 }
 
-TEST_CASE("ray against capsule: an answer in narrow integers is the same in wide ones",
-          "[raycast]") {
+TEST_CASE("ray against capsule: narrow and wide integers give the same result", "[raycast]") {
   using S = q16_16;
   using Narrow = Fixed<29, 16>;
   using Wide = Fixed<32, 16>;

@@ -13,7 +13,7 @@ namespace {
 template <int N>
 using Raws = std::array<std::int64_t, static_cast<std::size_t>(N)>;
 
-/// What the filter makes of rays, next to the exact entry.
+/// Counts the filter's verdicts, compared with the exact entry.
 struct Count {
   int sure = 0, unsure = 0, none = 0, side = 0, ends = 0, wrong = 0;
 };
@@ -25,7 +25,7 @@ std::optional<S> distance_at(const Ray<S, N>& ray, const S& radius, const Segmen
   return raycast(ray, detail::end_of(axis, radius, entry.part));
 }
 
-/// Counts the answer for a ray from the origin `m` relative to the start of the axis `e`.
+/// Counts the verdict for a ray from the origin `m` relative to the start of the axis `e`.
 template <Scalar S, int N>
 void ask(Count& count, const Direction<S, N>& d, const Raws<N>& m, const Raws<N>& e,
          std::int64_t radius, std::int64_t limit) {
@@ -51,8 +51,8 @@ void ask(Count& count, const Direction<S, N>& d, const Raws<N>& m, const Raws<N>
   if (given != distance_at(ray, number(radius), exact.axis, exact.entry)) ++count.wrong;
 }
 
-TEMPLATE_TEST_CASE("capsule filter: what it is sure of is the exact entry", "[raycast]", q16_16,
-                   q14_16, q24_8) {
+TEMPLATE_TEST_CASE("capsule filter: a sure result is the exact entry", "[raycast]", q16_16, q14_16,
+                   q24_8) {
   using S = TestType;
   Random random(0xca97);
   INFO(random);
@@ -87,9 +87,9 @@ TEMPLATE_TEST_CASE("capsule filter: what it is sure of is the exact entry", "[ra
   check(Vec<S, 3>());
 }
 
-// Along axes the direction is exact. So lines touch exactly, a hit is a whole number of steps away,
-// or it lies in the plane of an end: within the error of the filter, which must not be sure.
-TEST_CASE("capsule filter: unsure where its error could change the answer", "[raycast]") {
+// Along axes the direction is exact. So a line touches exactly, a hit is a whole number of steps
+// away, or the hit lies in the plane of an end: within the filter's error, so it must be unsure.
+TEST_CASE("capsule filter: unsure where its error could change the result", "[raycast]") {
   using S = q16_16;
   using V = Raws<3>;
   const auto along_z = Direction<S, 3>::along(2);
@@ -101,7 +101,7 @@ TEST_CASE("capsule filter: unsure where its error could change the answer", "[ra
     const auto k = random.between(1, 1 << random.between(4, 22)) | 1;
     const auto j = random.between(1, 1 << random.between(4, 20)) | 1;
     const auto start = random.between(1 << 20, 1 << 26);
-    // The axis (4, 3) k is passed at 5 j, across (3, -4) j, at any height of the axis.
+    // Passes the axis (4, 3) k at 5 j, across (3, -4) j, at any height of the axis.
     const auto turn = random.between(0, k);
     ask<S, 3>(touches, along_z, V{4 * turn + 3 * j, 3 * turn - 4 * j, -start}, V{4 * k, 3 * k, 0},
               5 * j, far);
@@ -109,7 +109,7 @@ TEST_CASE("capsule filter: unsure where its error could change the answer", "[ra
     ask<S, 3>(whole, along_z, V{4 * turn, 3 * turn, -start - 5 * j}, V{4 * k, 3 * k, 0}, 5 * j,
               far);
     // Along (3, 4) to (-24, -7) j from an end of the axis (-7, 24) k, which is perpendicular to it.
-    // The direction is 2^-30 too long, so that this is no whole number of steps away.
+    // The direction is 2^-30 too long, so this is not a whole number of steps.
     const auto ahead = random.between(1 << 20, 1 << 24), end = random.coin() ? k : 0;
     ask<S, 3>(at_end, three_four_fifths<S, 3>(),
               V{-7 * end - 24 * j - 3 * ahead, 24 * end - 7 * j - 4 * ahead, 0},

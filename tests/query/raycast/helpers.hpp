@@ -15,7 +15,7 @@
 
 namespace detent::test {
 
-/// `value`, which S can represent.
+/// `value`, which S represents exactly.
 template <Scalar S>
 constexpr S num(double value) {
   if constexpr (is_fixed<S>) {
@@ -41,7 +41,7 @@ constexpr Direction<S, N> toward(double x, double y = 0, double z = 0) {
   return *normalize(at<S, N>(x, y, z));
 }
 
-/// The vector with all components equal to this.
+/// The vector with this value in all components.
 template <Scalar S, int N>
 constexpr Vec<S, N> filled(S value) {
   Vec<S, N> result;
@@ -49,14 +49,14 @@ constexpr Vec<S, N> filled(S value) {
   return result;
 }
 
-/// `value` changed by `steps` of the smallest step of a fixed scalar, to test exact boundaries.
+/// `value` plus `steps` of a fixed scalar's smallest step, to test exact boundaries.
 template <Scalar S>
 requires is_fixed<S>
 constexpr S moved(S value, int steps) {
   return S::from_raw(static_cast<typename S::raw_type>(value.raw() + steps));
 }
 
-/// (3, 4) / 5 without an error in the angle: exactly parallel, 2^-30 too long.
+/// (3, 4) / 5 with the exact angle: exactly parallel, 2^-30 too long.
 template <Scalar S, int N>
 constexpr Direction<S, N> three_four_fifths() {
   constexpr auto fifth = ((std::int64_t{1} << direction_component<S>::frac) + 1) / 5;
@@ -91,8 +91,8 @@ bool misses(const Ray<S, N>& ray, const Shape& shape) {
   return !distance(ray, shape).has_value();
 }
 
-// The world with every axis renamed to the next one, or mirrored across axis 0. No result may
-// depend on the names of the axes or on their directions.
+// The world with its axes renamed cyclically, or mirrored across axis 0. Results must not depend on
+// the names or directions of the axes.
 
 template <Number T, int N>
 constexpr Vec<T, N> turned(const Vec<T, N>& v) {
@@ -151,13 +151,13 @@ Vec<S, N> random_near(Random& random, const Vec<S, N>& center, std::int64_t reac
     return S::from_raw(static_cast<typename S::raw_type>(std::clamp(raw, -limit, limit)));
   });
 }
-/// A point in half the domain, so that it can be mirrored, at any scale.
+/// A point in half the domain, so that it can be mirrored, at a random scale.
 template <Scalar S, int N>
 Vec<S, N> random_point(Random& random) {
   const auto reach = std::int64_t{1} << random.between(4, S::bits - 1);
   return random_near(random, Vec<S, N>(), reach);
 }
-/// From one point to another; x if they are the same.
+/// From one point to another; x if they are equal.
 template <Scalar S, int N>
 Direction<S, N> aimed(const Vec<S, N>& from, const Vec<S, N>& to) {
   return direction_of<S>(to - from).value_or(Direction<S, N>());

@@ -26,7 +26,7 @@ Direction<S, N> normal(const Ray<S, N>& ray, const Points<S, N, Count>& points) 
   return raycast_hit(ray, ConvexHull<S, N>{points}).value().normal;
 }
 
-TEMPLATE_TEST_CASE("ray against hull: hit, missed, touched, from inside", "[raycast]",
+TEMPLATE_TEST_CASE("ray against hull: hit, miss, touch, inside start", "[raycast]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -60,7 +60,7 @@ TEMPLATE_TEST_CASE("ray against hull: hit, missed, touched, from inside", "[rayc
   CHECK_FALSE(met(cut, solid));
 }
 
-TEMPLATE_TEST_CASE("ray against hull: the normal is that of a face which the ray may enter through",
+TEMPLATE_TEST_CASE("ray against hull: the normal belongs to a face through which the ray can enter",
                    "[raycast]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -77,7 +77,7 @@ TEMPLATE_TEST_CASE("ray against hull: the normal is that of a face which the ray
   }
 }
 
-TEMPLATE_TEST_CASE("ray against hull: flat, a segment, a point, empty", "[raycast]",
+TEMPLATE_TEST_CASE("ray against hull: flat, a segment, a point or empty", "[raycast]",
                    DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

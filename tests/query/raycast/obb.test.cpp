@@ -86,7 +86,7 @@ TEMPLATE_TEST_CASE("ray against OBB: it hits, misses and touches as drawn", "[ra
     CHECK(raycast_interval(ray, box(10, 3, 3, 1, quarter)) == interval(9, 11));
     cut.max_distance = num<S>(9);
     CHECK(raycast_interval(cut, box(10, 0, 3, 1, quarter)) == interval(9, 9));
-    // Both faces at a corner are entered at once.
+    // Enters both faces at a corner at once.
     CHECK(raycast_hit(ray, box(10, 0, 4, 4, eighth))->normal == -eighth.axis(0));
   }
   SECTION("inside start") {
@@ -125,7 +125,7 @@ TEMPLATE_TEST_CASE("ray against OBB: it hits, misses and touches as drawn", "[ra
     CHECK(misses(ray, box(0, 0, 3, -1)));
     CHECK(misses(ray, box(0, 0, -3, -1, quarter)));
   }
-  SECTION("degenerate: axes that coincide leave one slab") {
+  SECTION("degenerate: coincident axes leave one slab") {
     std::array<Direction<S, N>, static_cast<std::size_t>(N)> axes;
     axes.fill(toward<S, N>(1));
     const Obb<S, N> slab{at<S, N>(10, 50), filled<S, N>(num<S>(1)),
@@ -141,9 +141,9 @@ TEMPLATE_TEST_CASE("ray against OBB: one raw unit decides", "[raycast]", DETENT_
   const auto turned_box = exact_heading<S, N>();
   const Obb<S, N> box{at<S, N>(6, 8), at<S, N>(2, 0, 1), turned_box};
 
-  SECTION("a flat box is followed in its plane, and missed beside it") {
+  SECTION("a ray in the plane of a flat box hits it or passes next to it") {
     const Ray<S, N> ray{{}, turned_box.axis(0), num<S>(100)};
-    // Both axis and ray are 2^-30 too long: the ends come that much earlier.
+    // Axis and ray are both 2^-30 too long, so the ends come slightly earlier.
     CHECK(raycast_interval(ray, box) == Interval<S>{moved(num<S>(8), -1), moved(num<S>(12), -1)});
     CHECK(raycast_hit(ray, box)->normal == -turned_box.axis(0));
     auto beside = ray;
@@ -152,7 +152,7 @@ TEMPLATE_TEST_CASE("ray against OBB: one raw unit decides", "[raycast]", DETENT_
     beside.origin.x = moved(beside.origin.x, -2);
     CHECK(misses(beside, box));
   }
-  SECTION("a flat box is crossed where its plane is") {
+  SECTION("a flat box is crossed in its plane") {
     const Ray<S, N> ray{at<S, N>(6 + 4, 8 - 3), turned_box.axis(1), num<S>(100)};
     CHECK(raycast_interval(ray, box) == Interval<S>{moved(num<S>(5), -1), moved(num<S>(5), -1)});
     CHECK(raycast_hit(ray, box)->normal == -turned_box.axis(1));
@@ -166,7 +166,7 @@ TEMPLATE_TEST_CASE("ray against OBB: one raw unit decides", "[raycast]", DETENT_
   }
 }
 
-TEMPLATE_TEST_CASE("ray against OBB: the ends of the domain have answers", "[raycast]",
+TEMPLATE_TEST_CASE("ray against OBB: correct at the ends of the domain", "[raycast]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -216,7 +216,7 @@ TEMPLATE_TEST_CASE("ray against OBB: without a rotation it is an AABB", "[raycas
   CHECK(rate.is_balanced());
 }
 
-TEMPLATE_TEST_CASE("ray against OBB: answers do not depend on the frame", "[raycast]",
+TEMPLATE_TEST_CASE("ray against OBB: results do not depend on the frame", "[raycast]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

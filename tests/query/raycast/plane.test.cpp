@@ -52,7 +52,7 @@ TEMPLATE_TEST_CASE("ray against plane: it hits, misses and touches as drawn", "[
     cut.max_distance = num<S>(4);
     CHECK(raycast_interval(cut, plane(1, 0, 5)) == interval(4, 4));
   }
-  SECTION("inside start: in the plane, whichever way the ray goes") {
+  SECTION("inside start: in the plane, for any direction") {
     CHECK(raycast_interval(ray, plane(1, 0, 1)) == interval(0, 0));
     CHECK(raycast_hit(ray, plane(1, 0, 1))->normal == toward<S, N>(-1));
     CHECK(raycast_hit(ray, plane(-1, 0, -1))->normal == toward<S, N>(-1));
@@ -67,7 +67,7 @@ TEMPLATE_TEST_CASE("ray against plane: it hits, misses and touches as drawn", "[
     CHECK(raycast_hit(ray, plane(0, 1, 0))->normal == toward<S, N>(0, 1));
     CHECK(raycast_hit(ray, plane(0, -1, 0))->normal == toward<S, N>(0, -1));
   }
-  SECTION("only the front, where asked") {
+  SECTION("only the front, on request") {
     CHECK(raycast(ray, plane(-1, 0, -5), Facing::front) == num<S>(4));
     CHECK(raycast(ray, plane(-1, 0, -1), Facing::front) == num<S>(0));
     CHECK_FALSE(raycast(ray, plane(1, 0, 5), Facing::front).has_value());
@@ -112,7 +112,7 @@ TEMPLATE_TEST_CASE("ray against plane: one raw unit decides", "[raycast]", DETEN
   }
 }
 
-TEMPLATE_TEST_CASE("ray against plane: the ends of the domain have answers", "[raycast]",
+TEMPLATE_TEST_CASE("ray against plane: correct at the ends of the domain", "[raycast]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -131,7 +131,8 @@ TEMPLATE_TEST_CASE("ray against plane: the ends of the domain have answers", "[r
   CHECK(raycast_interval(Ray<S, N>{filled<S, N>(low), right.direction},
                          Plane<S, N>{toward<S, N>(0, 1), low}) == Interval<S>{S(0), high});
 
-  // Half the world down along (3, -4) / 5 is 3/8 of it to the right, and out: the point is clamped.
+  // Half the world down along (3, -4) / 5 is 3/8 of it to the right, and outside: the point is
+  // clamped.
   const Ray<S, N> leaving{filled<S, N>(high), toward<S, N>(3, -4)};
   const auto half = S::from_raw(static_cast<typename S::raw_type>(high.raw() / 2));
   const auto hit = raycast_hit(leaving, Plane<S, N>{toward<S, N>(0, 1), half});
@@ -141,7 +142,7 @@ TEMPLATE_TEST_CASE("ray against plane: the ends of the domain have answers", "[r
   CHECK(misses(leaving, Plane<S, N>{toward<S, N>(0, 1), S(0)}));  // 5/4 of the longest distance
 }
 
-TEMPLATE_TEST_CASE("ray against plane: answers do not depend on the frame", "[raycast]",
+TEMPLATE_TEST_CASE("ray against plane: results do not depend on the frame", "[raycast]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -25,7 +25,7 @@ TEMPLATE_TEST_CASE("ray against segment: it hits, misses and touches as drawn", 
   CHECK(misses(ray, segment(-5, -1, -5, 1)));
   cut.max_distance = num<S>(6.5);
   CHECK(misses(cut, segment(5, -2, 9, 2)));
-  // Ends touch; so does the end of the ray, and its start.
+  // Ends touch, including the ray's end and its start.
   CHECK(distance(ray, segment(5, 0, 9, 2)) == num<S>(5));
   CHECK(distance(ray, segment(5, -3, 9, 0)) == num<S>(9));
   cut.max_distance = num<S>(7);
@@ -38,7 +38,7 @@ TEMPLATE_TEST_CASE("ray against segment: it hits, misses and touches as drawn", 
   CHECK(raycast_interval(ray, segment(-5, 0, 5, 0)) == Interval<S>{num<S>(0), num<S>(5)});
   CHECK(misses(ray, segment(-9, 0, -5, 0)));
   CHECK(misses(ray, segment(5, 1, 9, 1)));
-  // One point.
+  // A single point.
   CHECK(distance(ray, segment(5, 0, 5, 0)) == num<S>(5));
   CHECK(misses(ray, segment(5, 1, 5, 1)));
 }

@@ -95,7 +95,7 @@ TEMPLATE_TEST_CASE("ray against sphere: one raw unit decides", "[raycast]", DETE
     CHECK(misses(cut, Sphere<S, N>{at<S, N>(10), num<S>(3)}));
   }
   SECTION("touch at an angle") {
-    // From 0 by 2 (3, 4) to the contact point, from there by (-4, 3) to the centre.
+    // From 0 by 2 (3, 4) to the contact point, then by (-4, 3) to the centre.
     const Ray<S, N> slanted{{}, three_four_fifths<S, N>(), num<S>(100)};
     const Sphere<S, N> sphere{at<S, N>(2, 11), num<S>(5)};
     // The direction is 2^-30 too long, so the contact is reached just before 10.
@@ -121,7 +121,7 @@ TEMPLATE_TEST_CASE("ray against sphere: one raw unit decides", "[raycast]", DETE
   }
 }
 
-TEMPLATE_TEST_CASE("ray against sphere: the ends of the domain have answers", "[raycast]",
+TEMPLATE_TEST_CASE("ray against sphere: correct at the ends of the domain", "[raycast]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -170,7 +170,7 @@ TEST_CASE("ray against sphere: float places the ball of the README behind its ce
   CHECK(distance_to_ball(0.0F, 1.0F, 6.0F, 30000.0F, 7.5F) == 30000.0F);
 }
 
-TEMPLATE_TEST_CASE("ray against sphere: answers do not depend on the frame", "[raycast]",
+TEMPLATE_TEST_CASE("ray against sphere: results do not depend on the frame", "[raycast]",
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -24,7 +24,7 @@ static_assert(raycast(along_x, arrow) == q16_16(4));
 static_assert(raycast_interval(along_x, arrow) == Interval<q16_16>{q16_16(4), q16_16(6)});
 static_assert(noexcept(raycast(along_x, arrow)));
 
-/// The same triangle starting at each corner, in both windings.
+/// The triangle starting at each corner, in both windings.
 template <Scalar S, int N>
 std::array<Triangle<S, N>, 6> orders(const Triangle<S, N>& t) {
   return {{{t.a, t.b, t.c},
@@ -89,7 +89,7 @@ TEMPLATE_TEST_CASE("ray against triangle: a surface is hit, missed and touched a
     cut.max_distance = num<S>(5);
     CHECK(distance(cut, level) == num<S>(5));
   }
-  SECTION("inside start: on the surface, whichever way the ray goes") {
+  SECTION("inside start: on the surface, for any direction") {
     CHECK(raycast_interval(ray(1, 1, 5, 0, 0, 1), level) == interval(0, 0));
     CHECK(raycast_hit(ray(1, 1, 5, 0, 0, 1), level)->normal == down);
     CHECK(raycast_interval(ray(1, 1, 5, 0, 0, -1), level) == interval(0, 0));
@@ -99,11 +99,11 @@ TEMPLATE_TEST_CASE("ray against triangle: a surface is hit, missed and touched a
     cut.max_distance = num<S>(0);
     CHECK(raycast_interval(cut, level) == interval(0, 0));
   }
-  SECTION("parallel: beside the plane") {
+  SECTION("parallel: outside the plane") {
     CHECK(misses(ray(-1, 1, 4, 1, 0, 0), level));
     CHECK(misses(ray(1, 1, 6, 1, 0, 0), level));
   }
-  SECTION("parallel: in the plane, where the ray first meets the triangle") {
+  SECTION("parallel: in the plane, up to the triangle's nearest point") {
     for (const auto& triangle : orders(level)) {
       CHECK(raycast_interval(ray(-2, 1, 5, 1, 0, 0), triangle) == interval(2, 5));
       CHECK(raycast_interval(ray(1, 1, 5, 1, 0, 0), triangle) == interval(0, 2));
@@ -144,7 +144,7 @@ TEMPLATE_TEST_CASE("ray against triangle: a surface is hit, missed and touched a
     CHECK(misses(ray(1, 1, 0, 0, 0, 1), dot));
     CHECK(misses(ray(1, 2, 6, 0, 0, 1), dot));
   }
-  SECTION("only the front, where asked") {
+  SECTION("only the front, on request") {
     CHECK(raycast(ray(1, 1, 9, 0, 0, -1), level, Facing::front) == num<S>(4));
     CHECK_FALSE(raycast(ray(1, 1, 0, 0, 0, 1), level, Facing::front).has_value());
     CHECK_FALSE(raycast_hit(ray(1, 1, 0, 0, 0, 1), level, Facing::front).has_value());
@@ -154,8 +154,8 @@ TEMPLATE_TEST_CASE("ray against triangle: a surface is hit, missed and touched a
   }
 }
 
-TEMPLATE_TEST_CASE("ray against triangle: in 2D it is solid", "[raycast]", q16_16, q14_16, q24_8,
-                   q8_8, float, double) {
+TEMPLATE_TEST_CASE("ray against triangle: solid in 2D", "[raycast]", q16_16, q14_16, q24_8, q8_8,
+                   float, double) {
   using S = TestType;
   const auto interval = [](double enter, double exit) {
     return Interval<S>{num<S>(enter), num<S>(exit)};
@@ -201,7 +201,7 @@ TEMPLATE_TEST_CASE("ray against triangle: in 2D it is solid", "[raycast]", q16_1
       CHECK(raycast_interval(cut, triangle) == interval(2, 2));
     }
   }
-  SECTION("touch: a corner that is entered has the normal of the first of its edges") {
+  SECTION("touch: an entered corner has the normal of the first of its edges") {
     const Triangle<S, 2> tip{point(4, 0), point(6, -1), point(6, 1)};
     CHECK(distance(ray(0, 0, 1, 0), tip) == num<S>(4));
     const auto lower = raycast_hit(ray(0, 0, 1, 0), tip)->normal;
@@ -263,7 +263,7 @@ TEMPLATE_TEST_CASE("ray against triangle: one raw unit decides", "[raycast]", q1
     CHECK(distance(ray, level) == num<S>(1));
     ray.origin.z = moved(ray.origin.z, 1);
     CHECK(misses(ray, level));
-    // A corner is a raw unit higher: the ray hits the tilted plane where it is as high as the ray.
+    // A corner is a raw unit higher: the ray hits the tilted plane at its own height.
     auto tilted = level;
     tilted.c.z = moved(tilted.c.z, 1);
     CHECK(misses(ray, tilted));
@@ -277,7 +277,7 @@ TEMPLATE_TEST_CASE("ray against triangle: one raw unit decides", "[raycast]", q1
     CHECK(misses(under(step, step), small));
     CHECK(raycast_hit(under(S(0), S(0)), small)->normal == -up);
   }
-  SECTION("a ray at an angle through a corner, and one that passes it") {
+  SECTION("a slanted ray through a corner, and one that passes it") {
     const auto slanted = three_four_fifths<S, 3>();
     const Triangle<S, 3> triangle{at<S, 3>(6, 8), at<S, 3>(6, 9, 1), at<S, 3>(6, 9, -1)};
     CHECK(distance(Ray<S, 3>{{}, slanted}, triangle) == moved(num<S>(10), -1));
@@ -286,7 +286,7 @@ TEMPLATE_TEST_CASE("ray against triangle: one raw unit decides", "[raycast]", q1
   }
 }
 
-TEMPLATE_TEST_CASE("ray against triangle: the ends of the domain have answers", "[raycast]", q16_16,
+TEMPLATE_TEST_CASE("ray against triangle: correct at the ends of the domain", "[raycast]", q16_16,
                    q14_16, q24_8, q8_8) {
   using S = TestType;
   const auto low = S::lowest();
@@ -317,7 +317,7 @@ TEMPLATE_TEST_CASE("ray against triangle: the ends of the domain have answers", 
   CHECK(misses(Ray<S, 2>{{high, S(0)}, toward<S, 2>(-1)}, flat));
 }
 
-TEMPLATE_TEST_CASE("ray against triangle: answers do not depend on frame and order of corners",
+TEMPLATE_TEST_CASE("ray against triangle: results do not depend on frame and order of corners",
                    "[raycast]", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
@@ -329,7 +329,7 @@ TEMPLATE_TEST_CASE("ray against triangle: answers do not depend on frame and ord
     const auto reach = std::int64_t{1} << random.between(4, S::bits - 2);
     const Triangle<S, N> triangle{a, random_near(random, a, reach), random_near(random, a, reach)};
     const auto origin = random_point<S, N>(random);
-    // u and v extend beyond the triangle, more in 2D: there the ray may still cross it.
+    // u and v extend beyond the triangle, farther in 2D, where the ray may still cross it.
     const int slack = N == 2 ? 150 : 10;
     const auto u = random.between(-slack, 90 + slack);
     const auto v = random.between(-slack, 90 + slack);

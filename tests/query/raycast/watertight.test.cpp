@@ -10,8 +10,8 @@
 namespace detent::test {
 namespace {
 
-// Meshes need raycasts against triangles to be watertight: no ray passes where triangles meet.
-// Exact results guarantee that; these tests cast the rays that rounding would let through.
+// Meshes need watertight raycasts against triangles: no ray passes where triangles meet. Exact
+// results guarantee that. These tests cast the rays that rounding would let through.
 
 using oracle::cross;
 using oracle::difference;
@@ -100,8 +100,8 @@ TEMPLATE_TEST_CASE("ray against triangles: none slips between two that share an 
     const auto b = draw.point(scale);
     const auto c = draw.point(scale);
     const auto d = draw.point(scale);
-    // From in front of both triangles, through the middle half of the edge, off by at most a raw
-    // unit or two because of the grid.
+    // From in front of both triangles through the middle half of the edge, off by one or two raw
+    // units because of the grid.
     Raw<3> middle = a;
     const auto part = random.between(16, 48);
     for (std::size_t i = 0; i < 3; ++i) middle[i] += (b[i] - a[i]) * part / 64;
@@ -109,9 +109,9 @@ TEMPLATE_TEST_CASE("ray against triangles: none slips between two that share an 
     const auto origin = Draw<S>::moved(middle, direction, -4 * scale);
     const Ray<S, 3> ray{Draw<S>::vec(origin), direction};
 
-    // Seen along the ray, c and d are at least 16 raw units to either side of the edge and not
-    // beyond its ends, and the edge is at least 16 units long: then the ray is well inside the
-    // union of both.
+    // Seen along the ray, c and d are at least 16 raw units to either side of the edge and within
+    // its ends, and the edge is at least 16 units long, so the ray is well inside the union of
+    // both.
     const auto along = widen(oracle::raw(direction));
     const auto seen = [&](const Raw<3>& from, const Raw<3>& to) {
       return cross(along, difference(widen(to), widen(from)));
@@ -139,8 +139,9 @@ TEMPLATE_TEST_CASE("ray against triangles: none slips between two that share an 
   CHECK(first.is_balanced());
 }
 
-TEMPLATE_TEST_CASE("ray against triangles: a shared edge or corner is hit by all around it",
-                   "[raycast]", q16_16, q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE(
+    "ray against triangles: a ray at a shared edge or corner hits all triangles around it",
+    "[raycast]", q16_16, q14_16, q24_8, q8_8) {
   using S = TestType;
   Draw<S> draw(0xfa4);
   auto& random = draw.random;
@@ -169,7 +170,7 @@ TEMPLATE_TEST_CASE("ray against triangles: a shared edge or corner is hit by all
   CHECK(missed == 0);
 }
 
-/// A closed mesh: an octahedron, each face divided in four, with perturbed corners. Corners are
+/// A closed mesh: an octahedron with each face divided in four and perturbed corners. Corners are
 /// multiples of 64 raw units from the center, so that edges contain grid points.
 struct ClosedMesh {
   std::vector<Raw<3>> corners;
@@ -208,7 +209,7 @@ ClosedMesh closed_mesh(Draw<S>& draw) {
 }
 
 /// Casts `count` rays exactly through corners and points of edges of closed meshes, from inside and
-/// outside; returns how many reach their target without a hit.
+/// outside. Returns how many reach their target without a hit.
 template <Scalar S>
 long lost_rays(std::uint64_t seed, long count) {
   Draw<S> draw(seed);
@@ -231,7 +232,7 @@ long lost_rays(std::uint64_t seed, long count) {
       const auto& frame = draw.frame();
       const auto steps = random.between(1, (std::int64_t{1} << (S::bits - 2)) / frame.norm);
       const auto origin = Draw<S>::plus(target, frame.axes[0], -steps);
-      // As stored, a direction is at most 2^-29 (2^-13) too short to reach it.
+      // A stored direction is at most 2^-29 (2^-13) too short to reach it.
       const Ray<S, 3> ray{Draw<S>::vec(origin), Draw<S>::stretched(frame.axes[0], frame.norm),
                           Draw<S>::scalar(steps * frame.norm + steps * frame.norm / 4096 + 4)};
       const bool is_hit = std::any_of(triangles.begin(), triangles.end(),
@@ -242,13 +243,13 @@ long lost_rays(std::uint64_t seed, long count) {
   return lost;
 }
 
-TEMPLATE_TEST_CASE("ray against a closed mesh: aimed at edges and corners, none is lost",
+TEMPLATE_TEST_CASE("ray against a closed mesh: no ray at its edges and corners is lost",
                    "[raycast]", q16_16, q14_16, q24_8, q8_8) {
   CHECK(lost_rays<TestType>(0xc105ed, 20'000) == 0);
 }
 
-TEMPLATE_TEST_CASE("ray against a closed mesh: of ten million, none is lost", "[raycast][.demand]",
-                   q16_16, q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("ray against a closed mesh: none of ten million rays is lost",
+                   "[raycast][.demand]", q16_16, q14_16, q24_8, q8_8) {
   CHECK(lost_rays<TestType>(0xc105ed + 1, 2'500'000) == 0);
 }
 

@@ -17,7 +17,7 @@ void compare_with_casts() {
     bodies.next_case();
     const auto a = bodies.template shape<Shape>();
     const auto b = bodies.template shape<Shape>();
-    // Along x, by a whole number, so that the sweep and the cast are the same motion.
+    // Along x by a whole number, so that the sweep and the cast are the same motion.
     Sweep<S, N> sweep;
     constexpr int whole = S::bits - S::frac;
     constexpr int most = whole < 8 ? 100 : whole < 15 ? 8000 : 20000;
@@ -37,7 +37,7 @@ void compare_with_casts() {
 }
 
 // Casts take long to compile, and their oracles cover every space.
-TEMPLATE_TEST_CASE("time of impact: without a turn, never past the hit of a cast", "[toi]",
+TEMPLATE_TEST_CASE("time of impact: without rotation, it is never past the hit of a cast", "[toi]",
                    DETENT_EVERYDAY_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

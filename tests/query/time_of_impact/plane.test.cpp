@@ -22,7 +22,7 @@ void examine_plane(oracle::Bodies<S, N>& bodies, HitRate& hits) {
                             nearest_to<S>(dot(normal, bodies.random.coin() ? sweep.end : through))};
     const auto impact = time_of_impact(a, sweep, plane);
     hits.count(impact.has_value());
-    // A plane is a point far off, as seen along its normal: it needs no other oracle.
+    // Along its normal a plane acts like a distant point, so it needs no other oracle.
     const auto body = oracle::moving(a, sweep);
     const auto n = oracle::raw_point<S>(normal.vec());
     const double norm = oracle::motion::length(n), offset = plane.offset.raw();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each call is an error, and the message contains the comment after it.        (wrong_calls.sh)
+// Each call is an error whose message contains the comment after it.           (wrong_calls.sh)
 #include "detent/detent.hpp"
 using namespace detent;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-//! Prints the digest of the scripted match, which is that of tests/c/match.cpp.
+//! Prints the digest of the scripted match, equal to that of tests/c/match.cpp.
 
 include!("play.rs");
 

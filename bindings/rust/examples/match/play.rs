@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The scripted match of every binding: boxes fall on a floor, a scene has a ball around each, rays look
-// down at them. Included by the example and the test.
+// The scripted match that every binding plays: boxes fall on a floor, a scene holds a ball around
+// each, and rays are cast down at them. Included by the example and the test.
 
 use detent::{d3, Context, Frame, Id, SessionSettings, Traits, ONE, UNIT};
 
@@ -19,7 +19,7 @@ impl Script {
     }
 }
 
-/// What a player presses; it takes effect two frames later.
+/// A player's input; it takes effect two frames later.
 fn press(frame: u32, player: usize) -> [u8; 2] {
     if frame >= 80 {
         return [0, 0];
@@ -42,7 +42,8 @@ fn simulate(world: &mut d3::World, balls: &[Id], frame: &Frame) -> detent::Resul
     world.step()
 }
 
-/// A match for two by two sessions in one program. Packets take some frames, and each fifth is lost.
+/// A two-player match between two sessions in one program. Packets are delayed; every fifth is
+/// lost.
 fn play_for_two(context: &Context, script: &mut Script) -> detent::Result<()> {
     const FRAMES: u32 = 120;
     let options = d3::default_options();
