@@ -139,9 +139,9 @@ void add_fields(Fields& fields, const Rotation<S, N>& rotation) {
     fields.emplace_back("axis " + std::to_string(i), words(rotation.axis(i)));
   }
 }
-template <detail::ListsFields Shape>
+template <detent::detail::ListsFields Shape>
 void add_fields(Fields& fields, const Shape& shape) {
-  using Own = detail::ShapeFields<Shape>;
+  using Own = detent::detail::ShapeFields<Shape>;
   const auto add = [&]<class Field>(std::string_view name, const Field& field) {
     if constexpr (requires { add_fields(fields, field); }) {
       add_fields(fields, field);
