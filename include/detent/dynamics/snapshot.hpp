@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "detent/dynamics/asset_body.hpp"
 #include "detent/dynamics/fields.hpp"
 #include "detent/dynamics/joint/bytes.hpp"
 #include "detent/dynamics/world.hpp"
@@ -213,8 +214,8 @@ template <class Storage, Scalar S, int N, class... Parts>
 template <class Shape, class Assets>
 [[nodiscard]] constexpr Restored read_part(Reader& in, Shape& shape,
                                            const Assets& assets) noexcept {
-  if constexpr (requires { shape.asset; }) {
-    return read_shape(in, shape, assets);
+  if constexpr (AssetBody<Shape>) {
+    return read_asset(in, shape, assets);
   } else {
     in.get(shape);
     return Restored::yes;
