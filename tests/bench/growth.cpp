@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "bench/drawn_scene.hpp"
-#include "detent/scene/snapshot.hpp"
+#include "bench/snapshots.hpp"
 #if DETENT_BENCH_BULLET
 #include "bench/bullet_scene.hpp"
 #endif
@@ -200,37 +200,12 @@ void measure_bullet(const Drawn& drawn) {
 
 #endif
 
-/// Saves 1,000 moving spheres, restores them eight frames later, and copies them.
-void measure_snapshots(const char* who) {
-  using V = Vec<q16_16, 3>;
-  Scene<q16_16, 3, Sphere> scene;
-  test::Random random(1);
-  const auto draw = [&] { return q16_16(random.between(-500, 500)); };
-  for (int i = 0; i < 1000; ++i) {
-    const auto x = draw(), y = draw();
-    scene.add(Sphere<q16_16, 3>{{x, y, draw()}, q16_16(3)});
-  }
-  const auto before = scene;
-  const auto early = snapshot(scene);
-  for (std::uint32_t i = 0; i < 8000; ++i) {
-    const auto step = static_cast<int>(i % 1000);
-    scene.move({i % 1000, i % 1000 + 1},
-               V{q16_16(step % 3 - 1), q16_16(step % 5 - 2), q16_16(1 - step % 2 * 2)});
-  }
-  const auto late = snapshot(scene);
-  std::vector<std::byte> room(early.size());
-  Median save, load, copy;
-  bool is_right = true;
-  for (int i = 0; i < 2000; ++i) {
-    save.time([&] { snapshot(scene, room); });
-    load.time([&] { is_right &= restore(scene, i % 2 == 0 ? early : late) == Restored::yes; });
-    auto other = scene;
-    copy.time([&] { other = before; });
-  }
-  if (!is_right) std::puts("a snapshot is refused"), std::exit(1);
-  print("save", 1000, who, save.value());
-  print("restore", 1000, who, load.value());
-  print("copy", 1000, who, copy.value());
+void print_snapshots(const char* who) {
+  auto times = measure_snapshots<Median>();
+  if (!times.is_right) std::puts("a snapshot is refused"), std::exit(1);
+  print("save", 1000, who, times.save.value());
+  print("restore", 1000, who, times.load.value());
+  print("copy", 1000, who, times.copy.value());
 }
 
 /// Wall-clock nanoseconds per ray with this many threads that share one scene.
@@ -341,7 +316,7 @@ int run(const char* who, bool has_peers, std::size_t most, bool has_threads) {
     }
     if (has_threads && size == 10000) measure_threads(drawn, who);
   }
-  measure_snapshots(who);
+  print_snapshots(who);
   return is_right ? 0 : 1;
 }
 

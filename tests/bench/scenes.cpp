@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench/drawn_scene.hpp"
-#include "detent/scene/snapshot.hpp"
+#include "bench/snapshots.hpp"
 #if DETENT_BENCH_BULLET
 #include "bench/bullet_scene.hpp"
 #endif
@@ -111,35 +111,11 @@ void print(int count, const char* who, const Measured& m) {
               m.move, m.pairs, m.overlaps);
 }
 
-/// Saves 1,000 moving spheres and restores them eight frames later.
-void measure_snapshots() {
-  using V = Vec<q16_16, 3>;
-  Scene<q16_16, 3, Sphere> scene;
-  test::Random random(1);
-  const auto draw = [&] { return q16_16(random.between(-500, 500)); };
-  for (int i = 0; i < 1000; ++i) {
-    const auto x = draw(), y = draw();
-    scene.add(Sphere<q16_16, 3>{{x, y, draw()}, q16_16(3)});
-  }
-  const auto before = scene;
-  const auto early = snapshot(scene);
-  for (std::uint32_t i = 0; i < 8000; ++i) {
-    const auto step = static_cast<int>(i % 1000);
-    scene.move({i % 1000, i % 1000 + 1},
-               V{q16_16(step % 3 - 1), q16_16(step % 5 - 2), q16_16(1 - step % 2 * 2)});
-  }
-  const auto late = snapshot(scene);
-  std::vector<std::byte> room(early.size());
-  Timer save, load, copy;
-  bool is_right = true;
-  for (int i = 0; i < 2000; ++i) {
-    save.time([&] { snapshot(scene, room); });
-    load.time([&] { is_right &= restore(scene, i % 2 == 0 ? early : late) == Restored::yes; });
-    auto other = scene;
-    copy.time([&] { other = before; });
-  }
+void print_snapshots() {
+  const auto times = measure_snapshots<Timer>();
   std::printf("# 1,000 moving spheres: save %.1f us, restore %.1f us; copy %.1f us; %zu bytes%s\n",
-              save.least(), load.least(), copy.least(), early.size(), is_right ? "" : "; WRONG");
+              times.save.least(), times.load.least(), times.copy.least(), times.bytes,
+              times.is_right ? "" : "; WRONG");
 }
 
 /// The hits and overlaps of q16_16.
@@ -170,6 +146,6 @@ int main() {
       std::printf("golden: {%d, %zu, %zu}\n", count, fixed.hits, fixed.overlaps);
     }
   }
-  measure_snapshots();
+  print_snapshots();
   return is_right ? 0 : 1;
 }

@@ -35,18 +35,6 @@ Moment squared_apart(const Hull<N>& a, const Hull<N>& b) {
   return {least.over, least.under * under * under};
 }
 
-template <int N>
-Moment squared_apart(const Wall<N>& wall, const Hull<N>& hull) {
-  if (wall_meets(wall, hull)) return {};
-  std::optional<Moment> least;
-  for (const auto& point : hull.over) {
-    const Integer height = dot(wall.normal, point) - wall.offset * wall.one * hull.under;
-    const Moment squared{height * height, dot(wall.normal, wall.normal) * hull.under * hull.under};
-    if (!least || squared < *least) least = squared;
-  }
-  return *least;
-}
-
 /// Parallel planes: the distance of one to the foot of the origin on the other.
 template <int N>
 Moment squared_apart(const Wall<N>& a, const Wall<N>& b) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "oracle/corners.hpp"
 #include "oracle/nearest.hpp"
 
 // Closest points by candidates: one of them is the closest, so no regions are needed.
@@ -95,6 +96,19 @@ std::optional<Moment> between_inner_points(const Edge<N>& p, const Edge<N>& q) {
   Vector<N> apart;
   for (std::size_t i = 0; i < apart.size(); ++i) apart[i] = w[i] * whole + v[i] * t - u[i] * s;
   return Moment{dot(apart, w), whole};  // w less multiples of u and v, which it is perpendicular to
+}
+
+/// The squared distance of a wall and a hull.
+template <int N>
+Moment squared_apart(const Wall<N>& wall, const Hull<N>& hull) {
+  if (wall_meets(wall, hull)) return {};
+  std::optional<Moment> least;
+  for (const auto& point : hull.over) {
+    const Integer height = dot(wall.normal, point) - wall.offset * wall.one * hull.under;
+    const Moment squared{height * height, dot(wall.normal, wall.normal) * hull.under * hull.under};
+    if (!least || squared < *least) least = squared;
+  }
+  return *least;
 }
 
 }  // namespace detent::oracle

@@ -110,18 +110,6 @@ auto with_hulls(const Travel<N>& travel, const A& a, const B& b, const Integer& 
 }
 
 template <int N>
-Moment squared_gap(const Wall<N>& wall, const Hull<N>& hull) {
-  if (wall_meets(wall, hull)) return {};
-  std::optional<Moment> least;
-  for (const auto& point : hull.over) {
-    const Integer height = dot(wall.normal, point) - wall.offset * wall.one * hull.under;
-    const Moment squared{height * height, dot(wall.normal, wall.normal) * hull.under * hull.under};
-    if (!least || squared < *least) least = squared;
-  }
-  return *least;
-}
-
-template <int N>
 std::optional<int> clearance_of(const Travel<N>& travel, const Integer& from, const Integer& to,
                                 const Integer& under) {
   const auto of = [&](const auto& shape, const auto& target) -> std::optional<int> {
@@ -138,7 +126,7 @@ std::optional<int> clearance_of(const Travel<N>& travel, const Integer& from, co
       };
       if constexpr (std::same_as<std::decay_t<decltype(b)>, Wall<N>>) {
         return sign(
-            squared_gap(b, swept(hull_of(a), travel.direction, travel.one, from, to, under)));
+            squared_apart(b, swept(hull_of(a), travel.direction, travel.one, from, to, under)));
       } else {
         return with_hulls(travel, a, b, from, to, under,
                           [&](const auto& p, const auto& q, const auto*) {

@@ -38,7 +38,7 @@ concept Distant = requires(const A& a, const B& b) {
 };
 
 template <template <Scalar, int> class Shape, Scalar S, int N>
-constexpr bool takes_right_calls_only() {
+constexpr bool takes_right_calls_only(const Shape<S, N>&) {
   using Ball = Sphere<S, N>;
   using Bar = Segment<S, N>;
   using Line = Ray<S, N>;
@@ -59,10 +59,9 @@ constexpr bool takes_right_calls_only() {
 
 template <Scalar S, int N>
 constexpr bool all_take_right_calls_only() {
-  bool are_right = takes_right_calls_only<ConvexHull, S, N>();
-  support::SceneShapes<S, N>::for_each([&]<template <Scalar, int> class Shape>(const Shape<S, N>&) {
-    are_right = are_right && takes_right_calls_only<Shape, S, N>();
-  });
+  bool are_right = takes_right_calls_only(ConvexHull<S, N>());
+  support::SceneShapes<S, N>::for_each(
+      [&](const auto& shape) { are_right = are_right && takes_right_calls_only(shape); });
   return are_right;
 }
 

@@ -25,7 +25,7 @@ concept AssetBody = HasAsset<Body> && !asset_names<Body>.id.empty();
 
 /// Reads the asset of a body: bodies hold it in their frame, untranslated and unrotated.
 template <AssetBody Body, class Assets>
-[[nodiscard]] constexpr Restored read_shape(Reader& in, Body& body, const Assets& assets) noexcept {
+[[nodiscard]] constexpr Restored read_asset(Reader& in, Body& body, const Assets& assets) noexcept {
   std::uint32_t id = 0;
   std::uint64_t digest = 0;
   in.get(id, digest, body.translation);

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "detent/dynamics/asset_body.hpp"
 #include "detent/dynamics/fields.hpp"
 #include "detent/dynamics/joint/bytes.hpp"
 #include "detent/dynamics/rolling.hpp"
@@ -247,8 +248,8 @@ constexpr void write_world(const WorldHeader& header, const World& world,
 template <class Shape, class Assets>
 [[nodiscard]] constexpr Restored read_part(Reader& in, Shape& shape,
                                            const Assets& assets) noexcept {
-  if constexpr (requires { shape.asset; }) {
-    return read_shape(in, shape, assets);
+  if constexpr (AssetBody<Shape>) {
+    return read_asset(in, shape, assets);
   } else {
     in.get(shape);
     return Restored::yes;
