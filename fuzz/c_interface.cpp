@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Any sequence of calls of the C interface, with null pointers, handles that are wrong, stale or of
-// another type, and numbers without sense, returns a status and breaks nothing: the context can be
-// closed, all its memory comes back, and what is written stays within the room that was given.
+// Any sequence of calls of the C interface returns statuses and breaks nothing, even with null
+// pointers, meaningless numbers, and handles that are wrong, stale or of another type: the context
+// can be closed, all its memory is returned, and nothing is written outside the given room.
 
 #include <array>
 #include <cstdint>
@@ -39,7 +39,7 @@ class Caller {
   }
 
   void run() {
-    // Mostly there is a scene and a world from the start, with something in them.
+    // Usually there is a scene and a world from the start, with some contents.
     if (source_.below(8) != 7) {
       for (const std::size_t which : {0, 13, 2, 33, 13, 33, 4}) check(call(which));
     }
@@ -59,7 +59,7 @@ class Caller {
   static constexpr std::uint8_t guard = 0xa7;
   static constexpr std::size_t compound_kind = 12, session_kind = 14, replay_kind = 16;
 
-  /// A list with room for four, and a guard behind them.
+  /// A list with room for four, followed by a guard.
   template <class T>
   struct List {
     std::array<T, room> items;
@@ -101,7 +101,7 @@ class Caller {
     const auto x = number();
     return {x, number()};
   }
-  /// Mostly an axis; sometimes no unit vector.
+  /// Usually an axis; sometimes not a unit vector.
   detent_direction3 direction3() {
     const auto choice = source_.below(16);
     if (choice == 15) return {number(), 0, 0};
@@ -155,8 +155,8 @@ class Caller {
     }
     return shape;
   }
-  /// Mostly the last handle of a kind (the lowest five bits of each); now and then an earlier one, one of
-  /// another kind, or any number.
+  /// Usually the last handle of a kind (the lowest five bits of each); sometimes an earlier one,
+  /// one of another kind, or any number.
   detent_handle handle(std::size_t kind) {
     const auto choice = source_.below(32);
     if (choice == 31) return static_cast<detent_handle>(source_.word(4));
@@ -194,7 +194,7 @@ class Caller {
     }
     return joint;
   }
-  /// The pointer, or now and then null.
+  /// The pointer, or sometimes null.
   template <class T>
   T* or_null(T* pointer) {
     return source_.below(32) == 31 ? nullptr : pointer;
@@ -310,7 +310,7 @@ class Caller {
       case 17: {
         const auto shape = shape3();
         auto where = id();
-        where.index &= 0xffff;  // a list that long, and not one of a million
+        where.index &= 0xffff;  // a list of that length, not of a million
         return detent_scene3_add_as(context, handle(2), where, or_null(&shape), nullptr);
       }
       case 18:
@@ -598,7 +598,7 @@ class Caller {
         now_ += source_.byte() * std::uint64_t{1000};
         check(detent_session3_packet(context, handle(session_kind), now_, or_null(&peer),
                                      or_null(packet.data()), DETENT_PACKET, or_null(&size)));
-        // To another session, or back to where it came from; now and then with another byte.
+        // To another session, or back to its origin; sometimes with a byte changed.
         if (source_.below(4) == 3) packet[source_.word(2) % DETENT_PACKET] ^= source_.byte();
         return detent_session3_receive(context, handle(session_kind), peer ^ 1,
                                        or_null(packet.data()), size, now_);
@@ -786,7 +786,7 @@ class Caller {
     check(status);
     if (status == DETENT_OK) saved_size_ = size;
   }
-  /// The last snapshot, sometimes with another byte or cut off.
+  /// The last snapshot, sometimes with a byte changed or truncated.
   std::uint8_t* saved() {
     if (source_.below(4) == 3 && saved_size_ != 0) {
       saved_[source_.word(2) % saved_size_] ^= source_.byte();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The closest points of two shapes are the exact ones, rounded once; where the shapes meet, one
-// point.
+// The closest points of two shapes are the exact ones, rounded once; where the shapes meet, they
+// are one point.
 
 #include "decode.hpp"
 #include "detent/query/closest_points/pair.hpp"
@@ -48,7 +48,7 @@ void property(Bytes input) {
   in_a_space(source, [&]<Scalar S, int N>(Space<S, N>) {
     with_two_shapes<S, N, ConvexHull<S, N>>(
         source, [&]<class A, class B>(std::type_identity<A>, std::type_identity<B>) {
-          // One order of each pair: both take half as much memory again to compile.
+          // One order of each pair: both would take half as much memory again to compile.
           Decoder<S, N> decoder(source);
           if constexpr (rank<A> <= rank<B>) {
             check<A, B>(decoder);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The contact of two shapes has the exact depth and normal, each rounded once, and points on both of
-// them; moved by its separation they no longer touch, and by less they do.
+// The contact of two shapes has the exact depth and normal, each rounded once, and points on both
+// of them. Moved by its separation they no longer touch; moved by less they do.
 
 #include "detent/query/contact.hpp"
 #include "decode.hpp"

@@ -16,7 +16,7 @@
 namespace detent::fuzz {
 
 /// Decodes bytes into shapes, many of which touch, graze, are parallel, coincide, are tiny or reach
-/// the ends of the domain: bytes mostly choose how a point, direction or length follows from
+/// the ends of the domain. Bytes mostly choose how a point, direction or length follows from
 /// earlier ones, and only otherwise its value.
 template <Scalar S, int N>
 class Decoder {
@@ -44,7 +44,7 @@ class Decoder {
 
   S number() { return D::scalar(coordinate(0)); }
 
-  /// A radius or a half extent: sometimes the distance of two points, to the raw unit.
+  /// A radius or half extent: sometimes the distance between two points, to the raw unit.
   S reach() {
     switch (source_.below(8)) {
       case 0:
@@ -140,7 +140,7 @@ class Decoder {
     }
     hull = {points};
   }
-  /// Mostly long.
+  /// Usually long.
   void read(Ray<S, N>& ray) {
     const auto origin = point();
     ray = {origin, direction()};
@@ -203,7 +203,7 @@ class Decoder {
         result[source_.below(size)] += source_.step();
         return result;
       }
-      case 6: {  // parallel to two others, or in line with them
+      case 6: {  // parallel to two others, or collinear with them
         const auto from = earlier(), to = earlier(), start = earlier();
         const auto times = source_.bits(2);
         return D::plus(D::plus(start, to, times), from, -times);

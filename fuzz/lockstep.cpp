@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Two honest players and one who sends anything: packets that are no packets, sealed packets of any
-// bits, packets of a third session with bits changed, slices of snapshots, other lives and terms. A
-// spectator comes late and hears them all. Whatever comes, the inputs that the honest
-// ones pressed act in both, in the frames in which they were pressed; both get equal results from
-// equal inputs; and where the third one gave them different inputs, both know it.
+// Two honest players and one who sends anything: non-packets, sealed packets of any bits, packets
+// of a third session with changed bits, slices of snapshots, other lives and terms. A spectator
+// joins late and hears them all. Whatever arrives, the inputs of the honest players take effect in
+// both sessions in the right frames; equal inputs give both equal results; and where the third
+// player sent them different inputs, both detect it.
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,7 @@ using Packet = std::vector<std::byte>;
 constexpr std::uint64_t match = 99, tick = 16'667;
 constexpr std::size_t liar = 2;
 
-/// A session, and what it took for final.
+/// A session, and what it considered final.
 struct Honest {
   ToySession session;
   std::vector<Pad> pressed{};
@@ -126,7 +126,7 @@ class Game {
     ToySession& session = to == 3 ? *late_ : players_[to]->session;
     session.receive(from, bytes, now_);
   }
-  /// A packet that says it comes late, that seats were given again, or has a slice of a snapshot.
+  /// A packet that announces a late join or new seats, or has a slice of a snapshot.
   Packet late_lie(const Packet& honest) {
     const auto body = std::span<const std::byte>(honest).subspan(detail::PacketHeader::size);
     auto packet = detail::Packet::read<Pad>(body, 3);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Any bytes may be read as a replay: reading ends, within the bytes, and what is read is what those
-// bytes say. The input is read as it is, and as the blocks of a replay with a right head and right
-// checksums, so that the rest of the reader is reached too: then each block has its frames, and
-// writing them again gives the same inputs.
+// Any bytes can be read as a replay: reading ends, stays within the bytes, and returns what they
+// say. The input is read as it is, and as the blocks of a replay with a valid head and valid
+// checksums, to reach the rest of the reader. Then each block has its frames, and writing them
+// again gives the same inputs.
 
 #include <array>
 #include <cstddef>
@@ -36,7 +36,8 @@ Read read(std::span<const std::byte> bytes) {
   const auto keep = [&](const auto& inputs) { result.frames.push_back(inputs); };
   while (const auto digest = reader.next_block(keep)) result.digests.push_back(*digest);
   result.state = reader.state();
-  // A block has at least 15 bytes and at most 255 frames; one more may be read before it is refused.
+  // A block has at least 15 bytes and at most 255 frames; one more may be read before it is
+  // refused.
   require(result.frames.size() <= 255 * (bytes.size() / 15 + 1),
           [] { return std::string("more frames than the bytes can hold"); });
   return result;

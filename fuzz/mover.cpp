@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A character in any scene, with any settings, ends every move overlapping nothing that it did not
-// overlap at its start, and on the same side of every plane that it did not overlap. It moved by what
-// the result says, and the same move again has the same result.
+// A character in any scene, with any settings, ends every move without a new overlap, and on the
+// same side of every plane that it did not overlap. The result reports its displacement, and
+// repeating the move gives the same result.
 
 #include <string>
 #include <type_traits>
@@ -17,7 +17,7 @@ namespace {
 template <Scalar S, int N>
 using World = Scene<S, N, Sphere, Aabb, Triangle, Plane>;
 
-/// A point of a shape: all of it moves by the same vector.
+/// A point of a shape, which moves with all of it.
 template <Scalar S, int N>
 Vec<S, N> mark(const Sphere<S, N>& sphere) {
   return sphere.center;
@@ -40,7 +40,7 @@ void populate(World<S, N>& world, Source& source, Decoder<S, N>& decoder, FrameI
     if (source.below(3) == 0) traits.frame = frame;
     with_one_of<Sphere<S, N>, Aabb<S, N>, Triangle<S, N>, Plane<S, N>>(
         source, [&]<class Shape>(std::type_identity<Shape>) {
-          // Boxes do not turn with a frame.
+          // Boxes do not rotate with a frame.
           if constexpr (std::is_same_v<Shape, Aabb<S, N>>) traits.frame = FrameId{};
           world.add(decoder.template shape<Shape>(), traits);
         });
@@ -63,12 +63,12 @@ void check_move(const World<S, N>& world, Mover<S, N, Shape>& mover, const Vec<S
                 const MoverSettings<S, N>& settings, const InLayers& filter) {
   const auto before = mover;
   const auto result = mover.move(world, by, settings, filter);
-  const char* fault = nullptr;  // visitors may not throw
+  const char* fault = nullptr;  // visitors must not throw
   world.for_each([&](const ObjectInfo& object, const auto& target) {
     if (!filter(object) || overlaps(before.shape, target)) return;
     if (overlaps(mover.shape, target)) fault = "it overlaps what it did not overlap before";
     if constexpr (std::is_same_v<decltype(target), const Plane<S, N>&>) {
-      // What carries the character moved before it did.
+      // The frame that carries the character moved before it did.
       const bool is_carried = before.ground.is_grounded && before.ground.frame != FrameId{};
       const auto frame = world.frame_of(object.id).value_or(FrameId{});
       if ((is_carried && frame == before.ground.frame) || mover.shape.radius < 0) return;

@@ -8,8 +8,8 @@
 
 namespace detent::fuzz {
 
-/// Requires that all three raycasts of `shape` give what the oracle gives for `same`, the shape that
-/// it stands for.
+/// Requires that all three raycasts of `shape` give the oracle's results for `same`, the equivalent
+/// shape.
 template <class Ray, class Shape, class Same>
 void check_ray(const Ray& ray, const Shape& shape, const Same& same) {
   const auto found = mistakes(oracle::expected_raycast(ray, same), oracle::ask(ray, shape));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A moving shape finds in a scene, of any history, what a loop over its objects finds: the same
-// objects at the same distances, in the same order, under every filter, and the same hit first.
+// A moving shape finds in a scene of any history what a loop over its objects finds: the same
+// objects at the same distances, in the same order, under every filter, and the same first hit.
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ void require_same(bool same, const char* query) {
 template <Scalar S, int N>
 using World = Scene<S, N, Sphere, Aabb, Triangle, Plane>;
 
-/// Objects come, go and change while the trees stay as they are.
+/// Adds, removes and changes objects without rebuilding the trees.
 template <Scalar S, int N>
 void populate(World<S, N>& world, Source& source, Decoder<S, N>& decoder) {
   std::vector<ObjectId> ids;
@@ -91,7 +91,7 @@ void property(Bytes input) {
       const auto layers = static_cast<std::uint32_t>(source.below(8));
       Cast way{decoder.template shape<Moving>(), decoder.direction(), decoder.number()};
       check(world, way, layers);
-      // As far as the first of them, and not quite.
+      // Up to the first of them, and slightly less.
       const auto nearest = world.nearest(way);
       if (!nearest) return;
       way.max_distance = nearest->distance;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Restoring a snapshot of any bytes gives a scene with exactly this snapshot, which behaves like a
-// fresh scene; or it fails and leaves the scene unchanged. The input's length and checksum are
-// first corrected, unless its first byte is odd, so that the rest of the decoder is reached too.
-// Its third bit adds meshes to the scene, or hulls and height fields if its fourth bit is set too.
+// fresh scene; or it fails and leaves the scene unchanged. Unless the first byte is odd, the
+// input's length and checksum are corrected first, to reach the rest of the decoder. The third bit
+// adds meshes to the scene, or hulls and height fields if the fourth bit is also set.
 
 #include <array>
 #include <cstdint>

@@ -12,8 +12,8 @@ namespace detent::fuzz {
 
 using test::Space;
 
-/// Calls `ask(Space<S, N>())` for a fixed scalar and a dimension chosen by a byte: out of all of
-/// them with the fuzzing engine, otherwise out of the widest and the narrowest, which compile
+/// Calls `ask(Space<S, N>())` for a fixed scalar and a dimension chosen by a byte: among all of
+/// them with the fuzzing engine, otherwise among the widest and the narrowest, which compile
 /// quickly.
 template <class Ask>
 void in_a_space(Source& source, const Ask& ask) {
@@ -36,7 +36,7 @@ void with_one_of(Source& source, const Check& check) {
   ((i++ == choice ? check(std::type_identity<Shapes>()) : void()), ...);
 }
 
-/// The same for one of the shapes that scenes hold, or of `More`.
+/// Calls `check` for one of the shapes that scenes hold, or of `More`.
 template <Scalar S, int N, class... More, class Check>
 void with_one_shape(Source& source, const Check& check) {
   with_one_of<Sphere<S, N>, Aabb<S, N>, Obb<S, N>, Plane<S, N>, Triangle<S, N>, Capsule<S, N>,

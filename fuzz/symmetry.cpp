@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A scene that is mirrored, has its axes permuted, is moved along the grid, or has the parts of a
-// shape in another order gives the same results: decisions, distances and intervals to the bit,
-// closest points to the bit once transformed back.
+// A scene that is mirrored, has its axes permuted, is shifted along the grid, or lists the parts of
+// a shape in another order gives the same results: decisions, distances and intervals to the bit,
+// closest points to the bit after transforming back.
 
 #include "decode.hpp"
 #include "detent/query/closest_point.hpp"
