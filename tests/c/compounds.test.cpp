@@ -289,7 +289,7 @@ TEST_CASE("C worlds: mesh and height field bodies give the bits of C++") {
 }
 
 TEST_CASE(
-    "C compounds: wrong parts and handles are errors, and sessions keep what bodies can have") {
+    "C compounds: wrong parts and handles are errors, and sessions keep possible assets alive") {
   Pair<2> pair;
   detent_part2 part{};
   detent_handle made = 1;

@@ -290,7 +290,7 @@ TEST_CASE("detent demo: casts have the same length near and far from the origin,
 }
 
 TEST_CASE(
-    "detent demo: bodies end far from the origin where they end near it, and float's do not") {
+    "detent demo: bodies end in the same places far from the origin and near it, except in float") {
   const Workshop shop;
   const auto result = shop.run("demo --size 32x20 --out pictures");
   REQUIRE(result.code == 0);
@@ -357,7 +357,7 @@ TEST_CASE("detent demo: a model that cannot be shown is refused with file and li
 }
 
 TEST_CASE(
-    "detent diff: 0 for equal snapshots, 1 and a line for each difference, 2 for no snapshot") {
+    "detent diff: 0 for equal snapshots, 1 and a line per difference, 2 if one is no snapshot") {
   using namespace detent;
   const auto bytes_of = [](int x) {
     Scene<q16_16, 3, Sphere> scene;
@@ -550,8 +550,7 @@ TEST_CASE("detent: a link to the output remains a link, whether or not its file 
   CHECK(refuses(shop.run("cast ball.json --out loop"), "loop: cannot be written: "));
 }
 
-TEST_CASE(
-    "detent: an output that exists keeps its permissions, and a new one gets the usual ones") {
+TEST_CASE("detent: an existing output keeps its permissions, and a new one gets the usual ones") {
   const Workshop shop;
   shop.write("ball.json", ball_scene);
   shop.write("answers", "");

@@ -186,8 +186,7 @@ TEST_CASE("corpus: every shape is touched, started in, grazed along and hit at a
   check("triangle", occasions<Triangles>());
 }
 
-TEST_CASE(
-    "corpus: points are on every surface, exactly as far off as asked, and at the world's ends") {
+TEST_CASE("corpus: points are on every surface, exactly at a tolerance, and at the world's ends") {
   const auto check = [](const char* name, const Verges& seen) {
     INFO(name << ": at a surface " << seen.at_surface << ", at the tolerance " << seen.at_tolerance
               << ", empty " << seen.empty << ", range " << seen.at_ends_of_range);
