@@ -190,8 +190,7 @@ TEST_CASE("world: full worlds and wrong ids are refused") {
   CHECK(world.put(*first, ball));
   CHECK(world.size() == 2);
   for (int t = 0; t < 60; ++t) world.step();
-  CHECK(
-      !(world.position(*first) == world.position(*second)));  // pushed apart
+  CHECK(!(world.position(*first) == world.position(*second)));  // pushed apart
 }
 
 }  // namespace
