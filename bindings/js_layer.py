@@ -17,7 +17,7 @@ def files(description, note):
     lines = ['// SPDX-License-Identifier: MIT', f'// {note}', '']
     for constant in description.constants:
         lines.append(f'export const {constant.name.replace("DETENT_", "")} = {constant.value};')
-    lines += ['', '// Of each structure its size, whether it is a vector, its fields (name, type, offset, ',
+    lines += ['', '// The size of each structure, whether it is a vector, its fields (name, type, offset,',
               '// elements) and the members of its union.', 'export const layouts = {']
     for struct in structs:
         def field(one):

@@ -59,7 +59,7 @@ class Caller {
   static constexpr std::uint8_t guard = 0xa7;
   static constexpr std::size_t compound_kind = 12, session_kind = 14, replay_kind = 16;
 
-  /// A list with room for four, and a guard behind them.
+  /// A list with room for four, followed by a guard.
   template <class T>
   struct List {
     std::array<T, room> items;

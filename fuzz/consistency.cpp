@@ -42,7 +42,7 @@ inline constexpr bool is_obb = false;
 template <Scalar S, int N>
 inline constexpr bool is_obb<Obb<S, N>> = true;
 
-/// Whether a shape treats a box as slabs.
+/// Whether a query of this shape treats a box as slabs.
 template <class Shape>
 inline constexpr bool is_round = requires(Shape shape) {
   shape.radius;

@@ -45,7 +45,7 @@ class Decoder {
 
   S number() { return D::scalar(coordinate(0)); }
 
-  /// A radius or a half extent: sometimes the distance of two points, to the raw unit.
+  /// A radius or half extent: sometimes the distance between two points, to the raw unit.
   S reach() {
     switch (source_.below(8)) {
       case 0:
@@ -142,7 +142,7 @@ class Decoder {
     }
     hull = {points};
   }
-  /// Mostly long.
+  /// Usually long.
   void read(Ray<S, N>& ray) {
     const auto origin = point();
     ray = {origin, direction()};
@@ -205,7 +205,7 @@ class Decoder {
         result[source_.below(size)] += source_.step();
         return result;
       }
-      case 6: {  // parallel to two others, or in line with them
+      case 6: {  // parallel to two others, or collinear with them
         const auto from = earlier(), to = earlier(), start = earlier();
         const auto times = source_.bits(2);
         return D::plus(D::plus(start, to, times), from, -times);

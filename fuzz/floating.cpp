@@ -147,7 +147,7 @@ constexpr long double unit = 0x1p-16L;
 template <class F, class Fixed, class Describe>
 void check(double& share, const Fixed& fixed, long double below, long double above,
            const Traced<F>& traced, F plain, bool decided, const Describe& describe) {
-  if (fixed == Fixed::max() || fixed == Fixed::lowest()) return;  // perhaps clamped
+  if (fixed == Fixed::max() || fixed == Fixed::lowest()) return;  // possibly clamped
   require(plain == traced.value || std::isnan(plain),
           [&] { return describe() + ": traced wrong"; });
   if (!std::isfinite(traced.error)) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Frusta of eight points or of a camera: overlaps, intersects, contains and the raycasts give the
-// exact result. And `project` puts a point inside the image where the camera sees it.
+// exact result, and `project` puts a point inside the image where the camera sees it.
 
 #include "decode.hpp"
 // The hull helpers come before the headers that look them up.

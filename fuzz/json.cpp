@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Reading a scene file of any bytes gives a value or an error that names the file: the tokens of
-// the tree are at the positions it gives, and no other exception leaves the reader.
+// Reading a scene file of any bytes gives a value or an error that names the file. The tokens of
+// the tree are at their reported positions, and no other exception leaves the reader.
 
 #include <string>
 #include <string_view>
@@ -59,7 +59,7 @@ class Tree {
   std::string_view content_;
 };
 
-/// Whether `read` returns; if it throws, the error has to name the file.
+/// Whether `read` returns; if it throws, the error must name the file.
 template <class Read>
 bool returns(const Read& read) {
   try {

@@ -36,7 +36,8 @@ Read read(std::span<const std::byte> bytes) {
   const auto keep = [&](const auto& inputs) { result.frames.push_back(inputs); };
   while (const auto digest = reader.next_block(keep)) result.digests.push_back(*digest);
   result.state = reader.state();
-  // A block has at least 15 bytes and at most 255 frames; one more may be read before it is refused.
+  // A block has at least 15 bytes and at most 255 frames; one more may be read before it is
+  // refused.
   require(result.frames.size() <= 255 * (bytes.size() / 15 + 1),
           [] { return std::string("more frames than the bytes can hold"); });
   return result;

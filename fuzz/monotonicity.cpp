@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A shape that grows still contains, is hit by and overlaps what it did before; no distance to it
-// increases, from a point or along a ray; and a longer ray hits the same at the same distance.
+// A shape that grows still contains, is hit by and overlaps what it did before. No distance to it
+// increases, from a point or along a ray. A longer ray hits the same at the same distance.
 
 #include "decode.hpp"
 #include "detent/query/contains.hpp"

@@ -40,7 +40,7 @@ void populate(World<S, N>& world, Source& source, Decoder<S, N>& decoder, FrameI
     if (source.below(3) == 0) traits.frame = frame;
     with_one_of<Sphere<S, N>, Aabb<S, N>, Triangle<S, N>, Plane<S, N>>(
         source, [&]<class Shape>(std::type_identity<Shape>) {
-          // Boxes do not turn with a frame.
+          // Boxes do not rotate with a frame.
           if constexpr (std::is_same_v<Shape, Aabb<S, N>>) traits.frame = FrameId{};
           world.add(decoder.template shape<Shape>(), traits);
         });
@@ -63,7 +63,7 @@ void check_move(const World<S, N>& world, Mover<S, N, Shape>& mover, const Vec<S
                 const MoverSettings<S, N>& settings, const InLayers& filter) {
   const auto before = mover;
   const auto result = mover.move(world, by, settings, filter);
-  const char* fault = nullptr;  // visitors may not throw
+  const char* fault = nullptr;  // visitors must not throw
   world.for_each([&](const ObjectInfo& object, const auto& target) {
     if (!filter(object) || overlaps(before.shape, target)) return;
     if (overlaps(mover.shape, target)) fault = "it overlaps what it did not overlap before";

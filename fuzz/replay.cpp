@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: PROPERTY CORPUS COUNT
-// Without the fuzzing engine: the property holds for every file in the folder CORPUS and for COUNT
+// Without the fuzzing engine, checks the property for every file in the folder CORPUS and for COUNT
 // seeded random inputs, half of which are such files with a few bytes changed.
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::vector<Input> read_corpus(const std::string& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end());  // the order of a directory differs between systems
+  std::sort(files.begin(), files.end());  // directory order differs between systems
   std::vector<Input> corpus;
   for (const auto& file : files) {
     std::ifstream stream(file, std::ios::binary);

@@ -7,7 +7,7 @@
 
 namespace detent::fuzz {
 
-/// Reads numbers from bytes, and zeros when they are used up.
+/// Reads numbers from bytes, then zeros when they are used up.
 class Source {
  public:
   explicit Source(Bytes bytes) : bytes_(bytes) {}

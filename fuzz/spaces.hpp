@@ -13,8 +13,8 @@ namespace detent::fuzz {
 
 using test::Space;
 
-/// Calls `ask(Space<S, N>())` for a fixed scalar and a dimension chosen by a byte: out of all of
-/// them with the fuzzing engine, otherwise out of the widest and the narrowest, which compile
+/// Calls `ask(Space<S, N>())` for a fixed scalar and a dimension chosen by a byte: among all of
+/// them with the fuzzing engine, otherwise among the widest and the narrowest, which compile
 /// quickly.
 template <class Ask>
 void in_a_space(Source& source, const Ask& ask) {

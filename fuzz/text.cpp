@@ -15,7 +15,7 @@ namespace {
 
 using Big = boost::multiprecision::cpp_int;
 
-/// A decimal as digits * 10^exponent, found without the parser under test.
+/// A decimal as digits * 10^exponent, parsed without the parser under test.
 struct Decimal {
   bool negative = false;
   Big digits = 0;
@@ -113,7 +113,7 @@ void check(Source& source) {
     const auto raw = static_cast<Raw>(source.bits(T::bits));
     return check_round_trip(end == 0 ? T::lowest() : end == 1 ? T::max() : T::from_raw(raw));
   }
-  // Mostly characters of numbers; the rest any.
+  // Mostly characters of numbers, otherwise any.
   constexpr std::string_view likely = "0123456789012345678905550000.eE+-";
   std::string text;
   const auto length = source.byte();

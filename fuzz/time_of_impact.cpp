@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Moving bodies are apart at every sampled time before that of their impact, or at every sampled
-// time if there is none, and as close as stated at it.
+// Moving bodies are apart at every sampled time before their time of impact, or at every sampled
+// time if there is none, and at that time as close as stated.
 
 #include "decode.hpp"
 #include "oracle/hull.hpp"

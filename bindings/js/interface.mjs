@@ -85,7 +85,7 @@ export const NAME = 119;
 export const WORDS = 256;
 export const PLAYERS = 8;
 
-// Of each structure its size, whether it is a vector, its fields (name, type, offset,
+// The size of each structure, whether it is a vector, its fields (name, type, offset,
 // elements) and the members of its union.
 export const layouts = {
   detent_id: { size: 8, isVector: false,

@@ -8,16 +8,16 @@
 #include "detent/query/closest_points.hpp"
 #include "shapes.hpp"
 
-// Closest points and casts of the C interface give the bits of C++ on the cases of `verify`. All pairs
-// of kinds compile for minutes: ten pairs are compared, so that every kind moves and is met, and all
-// with DETENT_TEST_EVERY_CAST.
+// Compares closest points and casts of the C interface with C++ on the cases of `verify`. All pairs
+// of kinds take minutes to compile, so ten pairs are compared in which every kind moves and is hit;
+// with DETENT_TEST_EVERY_CAST, all pairs.
 
 namespace detent::test_c {
 
 using S = q16_16;
 using c::Output;
 
-/// The functions of a dimension.
+/// The functions of one dimension.
 template <int N>
 struct Calls;
 #define DETENT_TEST_CALLS(N)                                         \
@@ -61,7 +61,7 @@ void check_cast(const A& a, const B& b, const Ray<S, N>& way, Share& share) {
   }
 }
 
-/// Whether a pair is compared: all would compile for minutes.
+/// Whether a pair is compared; all of them would take minutes to compile.
 constexpr bool is_compared(std::size_t i, std::size_t j) {
 #ifdef DETENT_TEST_EVERY_CAST
   return i + j < 100;

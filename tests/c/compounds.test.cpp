@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Compounds, meshes and height fields as bodies of the C interface: the bits of C++.
+// Compounds, meshes and height fields as bodies: the C interface gives the bits of C++.
 
 #include <array>
 #include <cstdint>
@@ -19,7 +19,7 @@ constexpr int one = 65536;
 
 S raw(std::int64_t n) { return S::from_raw(static_cast<std::int32_t>(n)); }
 
-/// The functions of a dimension.
+/// The functions of one dimension.
 template <int N>
 struct Calls;
 #define DETENT_TEST_CALLS(N)                                                  \
@@ -48,7 +48,8 @@ Vec<S, N> vec(std::int64_t x, std::int64_t y) {
   return make_vec<N>([&](int i) { return raw(i == 0 ? x : i == 1 ? y : 0); });
 }
 
-/// The same world twice: a floor, or terrain, on which compounds of a ball, a box and a hull fall.
+/// One world in C and in C++: a floor, or terrain, on which compounds of a ball, a box and a hull
+/// fall.
 template <int N>
 struct Pair {
   using C = Calls<N>;
@@ -130,7 +131,7 @@ struct Pair {
     REQUIRE(C::snapshot(&context, world, bytes.data(), size, &size) == DETENT_OK);
     return bytes;
   }
-  /// Steps both, and compares everything.
+  /// Steps both and compares everything.
   void step() {
     REQUIRE(C::step(&context, world) == DETENT_OK);
     twin.step();
@@ -196,7 +197,7 @@ void check_fall() {
     CAPTURE(N, tick);
     pair.step();
     for (const auto& id : ids) pair.check_frame(id);
-    const auto at = pair.twin.position(id_of(shot));  // not through the floor, but off its edge
+    const auto at = pair.twin.position(id_of(shot));  // off the floor's edge, but not through it
     CHECK((at.y > raw(-one) || abs(at.x) > raw(8 * one)));
     if (tick == 40) saved = pair.save();
   }
@@ -222,10 +223,10 @@ void check_fall() {
   CHECK(detent_asset_destroy(&pair.context, pair.solid_handle) == DETENT_OK);
 }
 
-TEST_CASE("C compounds: bodies of parts give the bits of C++, in 2D") { check_fall<2>(); }
-TEST_CASE("C compounds: bodies of parts give the bits of C++, in 3D") { check_fall<3>(); }
+TEST_CASE("C compounds: compound bodies give the bits of C++, in 2D") { check_fall<2>(); }
+TEST_CASE("C compounds: compound bodies give the bits of C++, in 3D") { check_fall<3>(); }
 
-TEST_CASE("C worlds: bodies that are a mesh or a height field give the bits of C++") {
+TEST_CASE("C worlds: mesh and height field bodies give the bits of C++") {
   Pair<3> pair;
   const std::array<detent_vec3, 4> corners{{{-8 * one, 0, -8 * one},
                                             {8 * one, 0, -8 * one},
@@ -288,7 +289,7 @@ TEST_CASE("C worlds: bodies that are a mesh or a height field give the bits of C
 }
 
 TEST_CASE(
-    "C compounds: wrong parts and handles are errors, and sessions keep what bodies can have") {
+    "C compounds: wrong parts and handles are errors, and sessions keep possible assets alive") {
   Pair<2> pair;
   detent_part2 part{};
   detent_handle made = 1;
@@ -323,7 +324,7 @@ TEST_CASE(
   wrong.shape.kind = 99;
   CHECK(create(&wrong, 1) == DETENT_BAD_ARGUMENT);
   wrong.shape.kind = DETENT_HULL;
-  wrong.shape.asset = pair.handle;  // a compound is no hull
+  wrong.shape.asset = pair.handle;  // a compound is not a hull
   CHECK(create(&wrong, 1) == DETENT_BAD_HANDLE);
   wrong = part;
   wrong.shape.kind = DETENT_OBB;

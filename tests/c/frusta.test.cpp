@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Cameras and frusta of the C interface give the bits of C++: of cameras that look at the shapes of `verify`,
-// single and in a scene.
+// Cameras and frusta of the C interface give the bits of C++, with cameras that look at the shapes
+// of `verify`, singly and in a scene.
 
 #include <array>
 #include <cstddef>
@@ -24,7 +24,7 @@ using In = c::Input<3>;
 using Out = c::Output<3>;
 constexpr int one = 65536;
 
-/// A camera of C and that of C++.
+/// A camera in C and in C++.
 struct TwinCamera {
   detent_camera3 raw{};
   Camera<S> own;
@@ -32,7 +32,7 @@ struct TwinCamera {
   TwinCamera(const Transform<S, 3>& pose, const Lens<S>& lens) : own{pose, lens} {}
 };
 
-/// A camera near `spot` that looks there or past it, if it can.
+/// A camera near `spot` that looks at it or past it, if possible.
 std::optional<TwinCamera> camera_at(const Vec<S, 3>& spot, verify::Random& random) {
   const auto step = [&](std::int32_t most) {
     return make_vec<3>(

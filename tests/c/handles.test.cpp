@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Contexts and handles of the C interface: wrong, stale and null ones are errors, and memory comes from
-// the caller's functions and goes back to them.
+// Contexts and handles of the C interface: wrong, stale and null ones are errors, and memory comes
+// from the caller's functions and is returned to them.
 
 #include <algorithm>
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace {
 
-/// How many more allocations of C++ succeed; below 0: all.
+/// The number of C++ allocations that still succeed; all if negative.
 int allowed = -1;
 
 bool may_allocate() { return allowed < 0 || allowed-- > 0; }
@@ -25,7 +25,7 @@ bool may_allocate() { return allowed < 0 || allowed-- > 0; }
 void* operator new(std::size_t size) {
   void* const memory = may_allocate() ? std::malloc(size) : nullptr;
   if (memory == nullptr) {
-    allowed = -1;  // once
+    allowed = -1;  // fails only once
     throw std::bad_alloc();
   }
   return memory;
@@ -35,7 +35,7 @@ void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
-/// Memory that is counted, and runs out after some allocations.
+/// An allocator that counts its memory and fails after some allocations.
 struct Heap {
   std::size_t bytes = 0;
   int blocks = 0, left = -1;
@@ -71,7 +71,7 @@ detent_shape3 ball() {
   return shape;
 }
 
-/// Makes one object of every type; the first that fails says why.
+/// Makes one object of every type. Returns the first failure.
 detent_status make_all(detent_context* context, std::vector<detent_handle>& made) {
   made.assign(10, 0);
   const detent_vec2 flat[1] = {{0, 0}};
@@ -93,7 +93,7 @@ detent_status make_all(detent_context* context, std::vector<detent_handle>& made
   return status;
 }
 
-/// What each type answers to a handle.
+/// The status of each type's function for a handle.
 std::vector<detent_status> ask(detent_context* context, detent_handle handle) {
   std::uint32_t size = 0;
   std::uint64_t digest = 0;
@@ -102,7 +102,7 @@ std::vector<detent_status> ask(detent_context* context, detent_handle handle) {
           detent_world3_size(context, handle, &size)};
 }
 
-TEST_CASE("C handles: each is good for its own type, and for nothing once it is stale") {
+TEST_CASE("C handles: each is valid only for its own type, and no more once it is stale") {
   detent_context context{};
   REQUIRE(detent_open(&context, nullptr) == DETENT_OK);
   std::vector<detent_handle> made;
@@ -120,7 +120,7 @@ TEST_CASE("C handles: each is good for its own type, and for nothing once it is 
   CHECK(detent_scene2_destroy(&context, made[0]) == DETENT_OK);
   CHECK(detent_scene2_destroy(&context, made[0]) == DETENT_BAD_HANDLE);
   detent_handle next = 0;
-  CHECK(detent_scene2_create(&context, &next) == DETENT_OK);  // in the same place
+  CHECK(detent_scene2_create(&context, &next) == DETENT_OK);  // in the same slot
   CHECK(next != made[0]);
   for (const auto answer : ask(&context, made[0])) CHECK(answer == DETENT_BAD_HANDLE);
   CHECK(detent_asset_destroy(&context, made[1]) == DETENT_BAD_HANDLE);
@@ -134,12 +134,12 @@ TEST_CASE("C handles: each is good for its own type, and for nothing once it is 
   CHECK(detent_close(&context) == DETENT_OK);
 }
 
-TEST_CASE("C handles: no handle is given out twice, and a table that is full says so") {
+TEST_CASE("C handles: no handle is issued twice, and a full table is reported") {
   detent_context context{};
   REQUIRE(detent_open(&context, nullptr) == DETENT_OK);
   std::vector<bool> was(1u << 15);
   detent_handle handle = 0;
-  for (int i = 0; i < 35000; ++i) {  // a place is good for 32767
+  for (int i = 0; i < 35000; ++i) {  // a slot lasts for 32767 handles
     REQUIRE(detent_hull2_create(&context, 1, nullptr, 0, &handle) == DETENT_OK);
     REQUIRE(detent_asset_destroy(&context, handle) == DETENT_OK);
     if ((handle >> 5 & 0xfff) != 0) continue;
@@ -151,7 +151,7 @@ TEST_CASE("C handles: no handle is given out twice, and a table that is full say
   int made = 0;
   for (; status == DETENT_OK; ++made) status = detent_scene2_create(&context, &handle);
   CHECK(status == DETENT_FULL);
-  CHECK(made == 4096);  // the last one failed, and one place is used up
+  CHECK(made == 4096);  // the last one failed, and one slot is used up
   CHECK(handle == 0);
   CHECK(detent_close(&context) == DETENT_OK);
 }
@@ -177,7 +177,7 @@ TEST_CASE("C contexts: null, closed and copied ones are errors") {
   CHECK(detent_open(&context, &half) == DETENT_BAD_ARGUMENT);
 }
 
-TEST_CASE("C contexts: all memory goes back, and running out of it at any time is an error") {
+TEST_CASE("C contexts: all memory is returned, and running out of it at any time is an error") {
   Heap heap;
   const auto hooks = heap.hooks();
   int failures = 0;
@@ -207,7 +207,7 @@ TEST_CASE("C contexts: all memory goes back, and running out of it at any time i
   CHECK(failures > 15);
 }
 
-TEST_CASE("C contexts: a scene whose lists find no memory is broken, and only that one") {
+TEST_CASE("C contexts: a scene whose lists run out of memory is broken, and no other is") {
   const auto shape = ball();
   int broken = 0;
   for (int limit = 0; limit < 12; ++limit) {
@@ -235,7 +235,8 @@ TEST_CASE("C contexts: a scene whose lists find no memory is broken, and only th
   CHECK(broken < 12);
 }
 
-TEST_CASE("C sessions: one that finds no memory leaves nothing, and one that loses it is broken") {
+TEST_CASE(
+    "C sessions: running out of memory on creation leaves nothing, and later breaks the session") {
   detent_context context{};
   detent_handle world = 0, session = 0;
   detent_id id{};
@@ -319,12 +320,12 @@ TEST_CASE("C worlds: settings and options out of range are errors") {
   CHECK(detent_close(&context) == DETENT_OK);
 }
 
-TEST_CASE("C statuses: each has words of its own") {
+TEST_CASE("C statuses: each has its own description") {
   std::vector<std::string> words;
   for (int status = -30; status < 3; ++status) words.emplace_back(detent_describe(status));
   std::sort(words.begin(), words.end());
   words.erase(std::unique(words.begin(), words.end()), words.end());
-  CHECK(words.size() == 22);  // 21 of statuses, and those of a number that is none
+  CHECK(words.size() == 22);  // 21 statuses, and one for unknown numbers
 }
 
 }  // namespace

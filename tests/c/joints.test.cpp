@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Joints and bodies with solid hulls of the C interface: the bits of C++.
+// Joints and bodies with solid hulls: the C interface gives the bits of C++.
 
 #include <array>
 #include <cstdint>
@@ -19,7 +19,7 @@ constexpr int one = 65536;
 
 S raw(std::int64_t n) { return S::from_raw(static_cast<std::int32_t>(n)); }
 
-/// The functions of a dimension.
+/// The functions of one dimension.
 template <int N>
 struct Calls;
 #define DETENT_TEST_CALLS(N)                                           \
@@ -45,7 +45,7 @@ struct Calls;
 DETENT_TEST_CALLS(2)
 DETENT_TEST_CALLS(3)
 
-/// A world of C and one of C++ in which bodies hang on a beam and on each other.
+/// A world in C and in C++ in which bodies hang on a beam and on each other.
 template <int N>
 struct Twins {
   using C = Calls<N>;
@@ -98,7 +98,7 @@ struct Twins {
     bodies.push_back(id);
   }
 
-  /// A joint of kind `kind` between bodies i and i + 1, for both, with numbers of its own.
+  /// Adds a joint of kind `kind` between bodies i and i + 1 to both, with its own numbers.
   template <class F>
   void with_joint(std::uint32_t kind, std::size_t i, test::Random& random, const F& f) {
     typename T::Joint given{};
@@ -181,7 +181,7 @@ struct Twins {
     }
   }
 
-  /// A step of both, and what broke in it.
+  /// Steps both and compares the broken joints.
   std::uint32_t step() {
     REQUIRE(C::step(&context, world) == DETENT_OK);
     twin.step();
@@ -235,7 +235,7 @@ void check_joints() {
       });
     }
     for (int tick = 0; tick < 20; ++tick) broken += twins.step();
-    // Other numbers for each joint that is left.
+    // Changes the numbers of each remaining joint.
     for (std::uint32_t kind = 1; kind <= 6; ++kind) {
       twins.with_joint(kind, kind - 1, random, [&](const auto& given, const auto& joint) {
         const auto id = twins.joints[kind - 1];

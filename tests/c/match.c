@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The scripted match of every binding, in C99: boxes fall on a floor, a scene has a ball around each,
- * rays look down at them. Prints 16 digits that follow from every answer. */
+/* The scripted match that every binding plays, in C99: boxes fall on a floor, a scene holds a ball
+ * around each, and rays are cast down at them. Prints a digest of all results, 16 digits. */
 #include <detent.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -16,11 +16,12 @@ static int32_t draw(int32_t count) {
 static uint64_t sum;
 static void mix(uint64_t value) { sum = sum * 6364136223846793005u + value; }
 
-/* Stops at the first call that fails. */
+/* Stops at the first failed call. */
 #define TRY(call) \
   if ((call) != DETENT_OK) return fprintf(stderr, "match.c:%d: it fails\n", __LINE__), 1
 
-/* A match for two by two sessions in one program. Packets take some frames, and each fifth is lost. */
+/* A two-player match between two sessions in one program. Packets are delayed; every fifth is lost.
+ * */
 enum { FRAMES = 120, PADS = 2, LATE = 8 };
 
 typedef struct {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The scripted match of the bindings with the C++ library alone: see match.c.
+// The scripted match of the bindings, played with the C++ library only: see match.c.
 
 #include <array>
 #include <cstdint>
@@ -29,7 +29,7 @@ void mix(std::uint64_t value) { sum = sum * 6364136223846793005u + value; }
 q16_16 raw(int value) { return q16_16::from_raw(value); }
 Vec3 at(int x, int y, int z) { return {raw(x), raw(y), raw(z)}; }
 
-/// What a player presses in a frame: it takes effect two frames later.
+/// A player's input in a frame; it takes effect two frames later.
 struct Pad {
   int speed, which;
 };
@@ -38,7 +38,7 @@ Pad pressed(int frame, int player) {
   return {frame / (7 + 4 * player) % 5, frame / 3 % 4};
 }
 
-/// The match for two that the bindings play by a session: here without one.
+/// The two-player match that the bindings play with sessions, here without one.
 void play_for_two() {
   constexpr int frames = 120;
   World<q16_16, 3, Sphere, Aabb, Obb, Capsule> world;

@@ -10,7 +10,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-// Characters and casts in scenes of the C interface: the bits of C++.
+// Characters and casts in scenes: the C interface gives the bits of C++.
 
 namespace detent::test_c {
 
@@ -20,7 +20,7 @@ inline constexpr int one = 65536;
 
 inline S raw(std::int64_t n) { return S::from_raw(static_cast<std::int32_t>(n)); }
 
-/// The functions of a dimension.
+/// The functions of one dimension.
 template <int N>
 struct Calls;
 #define DETENT_TEST_CALLS(N)                                             \
@@ -40,7 +40,7 @@ struct Calls;
 DETENT_TEST_CALLS(2)
 DETENT_TEST_CALLS(3)
 
-/// A cast of a shape through the scene: the first object, any, and all.
+/// Casts a shape through the scene: the first object, any, and all.
 template <int N, class Shape>
 bool check_cast(const detent_context& context, detent_handle scene,
                 const typename c::SceneOf<N>::type& twin, const typename c::Types<N>::Shape& shape,
@@ -73,7 +73,7 @@ bool check_cast(const detent_context& context, detent_handle scene,
   return first.has_value();
 }
 
-/// A walk over a floor with boxes, balls and a platform, and casts at each step.
+/// Walks over a floor with boxes, balls and a platform, with casts at each step.
 template <int N, template <class, int> class Shape>
 void check_walk(const Shape<S, N>& walker) {
   using C = Calls<N>;

@@ -4,7 +4,7 @@
 namespace detent::test_c {
 
 TEST_CASE("C movers: a walk gives the bits of C++, in 2D") { check_walk(person<2>()); }
-TEST_CASE("C movers: a walk of a box gives the bits of C++, in 2D") { check_walk(crate<2>()); }
+TEST_CASE("C movers: a walking box gives the bits of C++, in 2D") { check_walk(crate<2>()); }
 
 TEST_CASE("C movers: wrong numbers and handles are errors") {
   detent_context context{};

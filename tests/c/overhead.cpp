@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Nanoseconds that a call takes through the C interface and without it, and the difference: the least
-// processor time of many runs. Both are calls, which compute the whole answer: inlined, a question whose
-// distance nobody reads would leave it out. `cmake --build BUILD --target detent_c_overhead` builds it.
+// Measures the nanoseconds of a call through the C interface and without it, and their difference:
+// the least CPU time of many runs. Neither is inlined: inlined, a query whose distance is unused
+// would not compute it. `cmake --build BUILD --target detent_c_overhead` builds it.
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ using S = q16_16;
 
 constexpr int count = 1024, rounds = 64, runs = 25;
 
-/// Nanoseconds of one f(i), the least of many runs, and a sum of the answers.
+/// The nanoseconds of one f(i), the least of many runs, and a sum of the results.
 template <class F>
 double least(const char* name, const F& f, long& sum) {
   double best = 1e9;

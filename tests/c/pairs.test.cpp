@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Contacts and times of impact of the C interface give the bits of C++, for every pair of kinds, on the
-// cases of `verify`.
+// Contacts and times of impact of the C interface give the bits of C++ for every pair of kinds, on
+// the cases of `verify`.
 
 #include <tuple>
 #include <utility>
@@ -16,7 +16,7 @@ namespace {
 using S = q16_16;
 using c::Output;
 
-/// The functions of a dimension.
+/// The functions of one dimension.
 template <int N>
 struct Calls;
 #define DETENT_TEST_CALLS(N)                                         \
@@ -103,7 +103,7 @@ void check_dimension(std::uint64_t seed, int count) {
     draw.scene.turn();
     const auto second = draw.all();
     const auto turned = draw.scene.obb(), turned_b = draw.scene.obb();
-    // Poses near the origin, since the shapes are where they meet anyway.
+    // Poses near the origin, because the shapes already are where they meet.
     const auto step = [&](const Vec<S, N>& v) {
       return make_vec<N>([&](int k) { return S::from_raw(v[k].raw() % (4 * 65536)); });
     };

@@ -15,7 +15,7 @@ namespace {
 using S = q16_16;
 using c::Output;
 
-/// The functions of a dimension.
+/// The functions of one dimension.
 template <int N>
 struct Calls;
 #define DETENT_TEST_CALLS(N)                                       \
@@ -111,7 +111,7 @@ void check_dimension(std::uint64_t seed, int count) {
 TEST_CASE("C queries: the bits are those of C++, in 2D") { check_dimension<2>(20, 800); }
 TEST_CASE("C queries: the bits are those of C++, in 3D") { check_dimension<3>(30, 800); }
 
-TEST_CASE("C queries: directions that are no unit vectors and unknown kinds are errors") {
+TEST_CASE("C queries: directions that are not unit vectors and unknown kinds are errors") {
   detent_shape3 plane{};
   plane.kind = DETENT_PLANE;
   detent_vec3 point{};

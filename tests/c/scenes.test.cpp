@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Scenes of the C interface against scenes of C++: the same calls give the same bits.
+// Compares scenes of the C interface with C++: equal calls give equal bits.
 
 #include <algorithm>
 #include <array>
@@ -28,7 +28,7 @@ V at(std::int64_t x, std::int64_t y, std::int64_t z) {
   return {raw(x), raw(y), raw(z)};
 }
 
-/// A scene of C and one of C++ with the same assets.
+/// A scene in C and in C++ with the same assets.
 struct Twins {
   detent_context context{};
   detent_handle scene = 0, hull = 0, mesh = 0, field = 0;
@@ -71,7 +71,7 @@ struct Twins {
   Twins& operator=(const Twins&) = delete;
   ~Twins() { detent_close(&context); }
 
-  /// Shape `kind` at a place, for both.
+  /// A shape of kind `kind` at a position, for both.
   template <class F>
   void with_shape(std::uint64_t kind, const V& place, const F& f) const {
     detent_shape3 shape{};
@@ -291,7 +291,7 @@ TEST_CASE("C scenes: histories give the bits of C++") {
   CHECK(detent_scene3_restore(&twins.context, twins.scene, saved.data(), 3) == DETENT_TRUNCATED);
 }
 
-TEST_CASE("C scenes: an object comes back as it was added, whatever its kind") {
+TEST_CASE("C scenes: an object is returned as it was added, for every kind") {
   Twins twins;
   const detent_traits traits{77, 6, DETENT_FIXED, {}};
   for (std::uint64_t kind = 0; kind < 9; ++kind) {
@@ -315,7 +315,7 @@ TEST_CASE("C scenes: an object comes back as it was added, whatever its kind") {
   CHECK(size == 9);
 }
 
-TEST_CASE("C scenes: frames move what is in them") {
+TEST_CASE("C scenes: frames move their contents") {
   Twins twins;
   const auto quarter =
       Rotation<S, 3>::from_axis_angle(Direction<S, 3>::along(1), Angle<S>::turn(1, 4));
@@ -360,7 +360,7 @@ TEST_CASE("C scenes: frames move what is in them") {
   CHECK(detent_scene3_move_frame(context, scene, frame, &world) == DETENT_NOT_UNIT);
 }
 
-TEST_CASE("C scenes: an asset in use stays, and comes back from a snapshot") {
+TEST_CASE("C scenes: an asset in use stays, and is found again by a snapshot") {
   Twins twins;
   detent_id id{};
   twins.with_shape(7, at(0, 0, 0), [&](const detent_shape3& shape, const auto&) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Sessions and replays of the C interface: two peers end in the world that plain steps lead to, a
-// planted difference is named, and worlds change in frames only.
+// Sessions and replays of the C interface: two peers end in the world that plain steps give, a
+// planted difference is named, and worlds change only during frames.
 
 #include <array>
 #include <cstddef>
@@ -20,7 +20,7 @@ constexpr std::int32_t one = 65536;
 constexpr std::uint32_t pad_size = 3;
 using Pad = std::array<std::uint8_t, pad_size>;
 
-/// What a player does in a frame: which ball it pushes, and how.
+/// A player's input in a frame: which ball it pushes, and how.
 Pad pressed(std::uint32_t frame, std::uint32_t player) {
   if (frame >= 100) return {};
   const auto k = frame / (5 + 2 * player);
@@ -65,7 +65,7 @@ class Arena {
     const detent_vec2 velocity{(pad[1] - 3) * one, pad[2] * one};
     REQUIRE(detent_world2_set_velocity(&context, world, balls[pad[0]], &velocity) == DETENT_OK);
   }
-  /// What the game does in a frame of a session or a replay.
+  /// The game's rules in a frame of a session or replay.
   void simulate(detent_handle world, const detent_frame& frame, const std::uint8_t* inputs) {
     std::array<std::uint32_t, 3> words{};
     REQUIRE(detent_world2_words(&context, world, words.data()) == DETENT_OK);
@@ -106,7 +106,7 @@ struct Event {
   std::string name;
 };
 
-/// A session and what happened in it.
+/// A session and its events.
 struct Peer {
   Peer(Arena& own, const detent_session_settings& settings) : arena(&own) {
     REQUIRE(detent_session2_create(&own.context, &settings, own.start, &session) == DETENT_OK);
@@ -115,7 +115,7 @@ struct Peer {
     update();
   }
   void update() { REQUIRE(detent_session2_status(&arena->context, session, &status) == DETENT_OK); }
-  /// Plays up to `frames`, and calls change(world, frame) in each.
+  /// Plays up to `frames` frames, and calls change(world, frame) in each.
   template <class Change>
   void play(std::uint32_t frames, const Change& change) {
     const auto pad = pressed(status.frame, self);
@@ -152,7 +152,7 @@ struct Peer {
   std::vector<Event> events;
 };
 
-/// Packets between peers, which take some ticks; each fifth is lost.
+/// Packets between peers with a delay of some ticks; every fifth is lost.
 class Wire {
  public:
   void deliver(std::vector<Peer*> peers, std::uint64_t now) {
@@ -187,7 +187,7 @@ class Wire {
 
 constexpr std::uint64_t tick = 16667;
 
-TEST_CASE("C sessions: two peers end in the world that plain steps lead to") {
+TEST_CASE("C sessions: two peers end in the world that plain steps give") {
   Arena arena;
   Peer a(arena, arena.settings(0)), b(arena, arena.settings(1));
   Wire wire;
@@ -205,7 +205,7 @@ TEST_CASE("C sessions: two peers end in the world that plain steps lead to") {
   std::array<std::uint32_t, 3> sums{0, 0, frames};
   for (std::uint32_t frame = 0; frame < frames; ++frame) {
     for (std::uint32_t player = 0; player < 2 && frame >= 2; ++player) {
-      const auto pad = pressed(frame - 2, player);  // the delay
+      const auto pad = pressed(frame - 2, player);  // the input delay
       arena.push(plain, pad);
       sums[player] += pad[1];
     }
@@ -229,7 +229,7 @@ TEST_CASE("C sessions: two peers end in the world that plain steps lead to") {
   }
 }
 
-TEST_CASE("C sessions: a desync is named by its frame, its body and its field") {
+TEST_CASE("C sessions: a desync is named by its frame, body and field") {
   Arena arena;
   Peer a(arena, arena.settings(0)), b(arena, arena.settings(1));
   Wire wire;
@@ -257,7 +257,7 @@ TEST_CASE("C sessions: a desync is named by its frame, its body and its field") 
   }
 }
 
-TEST_CASE("C sessions: who comes late gets the match and its seat") {
+TEST_CASE("C sessions: a late joiner gets the match and its seat") {
   Arena arena;
   auto settings = arena.settings(0);
   settings.players = 2;
@@ -292,7 +292,7 @@ TEST_CASE("C sessions: who comes late gets the match and its seat") {
   CHECK(late->status.final_frame > 200);
 }
 
-TEST_CASE("C sessions: their worlds change in frames only, and live as long as they do") {
+TEST_CASE("C sessions: their worlds change only during frames, and live as long as they do") {
   Arena arena;
   detent_context* const context = &arena.context;
   auto settings = arena.settings(0);
@@ -308,7 +308,7 @@ TEST_CASE("C sessions: their worlds change in frames only, and live as long as t
   CHECK(detent_world2_words(context, arena.start, words.data()) == DETENT_NO);
   CHECK(detent_session2_end_frame(context, peer.session) == DETENT_NOT_NOW);
 
-  // A frame that is not ended is opened again, as it was.
+  // A frame that was not ended is opened again in its original state.
   const Pad pad{};
   detent_frame frame{};
   std::array<std::uint8_t, pad_size> inputs{};
@@ -332,7 +332,7 @@ TEST_CASE("C sessions: their worlds change in frames only, and live as long as t
   detent_handle solid = 0, hull = 0;
   CHECK(detent_solid2_create(context, 5, corners, 3, &solid) == DETENT_OK);
   CHECK(detent_hull2_create(context, 5, corners, 3, &hull) == DETENT_OK);
-  CHECK(detent_asset_destroy(context, solid) == DETENT_IN_USE);  // an earlier world may have it
+  CHECK(detent_asset_destroy(context, solid) == DETENT_IN_USE);  // an earlier world may use it
   CHECK(detent_asset_destroy(context, hull) == DETENT_OK);
   CHECK(detent_session2_destroy(context, peer.session) == DETENT_OK);
   CHECK(detent_session2_destroy(context, peer.session) == DETENT_BAD_HANDLE);
@@ -398,7 +398,7 @@ TEST_CASE("C sessions: wrong arguments are errors") {
   CHECK(size == 0);  // it records none
 }
 
-/// A replay of one player, and the frames it has.
+/// A replay of one player, and its number of frames.
 std::vector<std::uint8_t> recorded(Arena& arena, std::uint32_t frames) {
   auto settings = arena.settings(0);
   settings.players = 1;
@@ -435,7 +435,7 @@ detent_replay_check checked(Arena& arena, const std::vector<std::uint8_t>& bytes
   return check;
 }
 
-TEST_CASE("C replays: they come out as recorded, and say where they do not") {
+TEST_CASE("C replays: reproduce the recording, and report where they differ") {
   Arena arena;
   auto bytes = recorded(arena, 95);
   auto check = checked(arena, bytes);
@@ -491,7 +491,7 @@ std::string difference(detent_status (*diff)(const detent_context*, detent_handl
   CHECK((status == DETENT_OK) == (size != 0));
   CHECK(diff(context, a, b, most, names.data(), 400, &again) == status);
   CHECK(again == size);
-  if (size > 2) {  // less room gets the start
+  if (size > 2) {  // less room receives the beginning
     std::array<char, 3> few{'-', '-', '-'};
     CHECK(diff(context, a, b, most, few.data(), 2, &again) == status);
     CHECK(again == size);

@@ -10,11 +10,11 @@
 #include "support/catch.hpp"
 #include "verify/draw/shapes.hpp"
 
-// Shapes of `verify` as structures of C.
+// The shapes of `verify` as C structures.
 
 namespace detent {
 
-/// A shape as the library's type and as that of C, whose segments have no function of their own.
+/// A shape as the library's type and as C's, whose segments have no functions of their own.
 template <int N, class Shape>
 typename c::Types<N>::Shape in_c(const Shape& shape) {
   typename c::Types<N>::Shape result{};
@@ -38,7 +38,7 @@ struct Draw {
   verify::ShapeScene<q16_16, N> scene;
 
   auto all() {
-    // One draw per statement: the order within one is up to the compiler.
+    // One draw per statement, because the order within a statement is up to the compiler.
     const auto sphere = scene.sphere();
     const auto aabb = scene.aabb();
     const auto obb = scene.obb();
@@ -50,7 +50,7 @@ struct Draw {
   }
 };
 
-/// f.operator()<I, J>(a, b) for every shape I of one tuple and every shape J of another.
+/// Calls f.operator()<I, J>(a, b) for every shape I of one tuple and every shape J of another.
 template <class... Shapes, class F>
 void for_each_pair(const std::tuple<Shapes...>& first, const std::tuple<Shapes...>& second,
                    const F& f) {
@@ -63,14 +63,14 @@ void for_each_pair(const std::tuple<Shapes...>& first, const std::tuple<Shapes..
   (std::make_index_sequence<count * count>());
 }
 
-/// How many of the answers were yes.
+/// Counts how many answers were yes.
 struct Share {
   int yes = 0, all = 0;
   void add(bool is_yes) {
     yes += is_yes ? 1 : 0;
     ++all;
   }
-  /// Both answers are common.
+  /// Both answers are frequent.
   void check() const {
     CAPTURE(yes, all);
     CHECK(yes * 10 > all);

@@ -17,15 +17,15 @@
 #include "detent/shape/compound.hpp"
 #include "shapes.hpp"
 
-// Lists of shapes of the C interface give the bits of a C++ `Compound`, hulls those of a `PlacedHull`, rays
-// those of a `Ray`, on the cases of `verify`.
+// On the cases of `verify`, lists of shapes in the C interface give the bits of a C++ `Compound`,
+// hulls those of a `PlacedHull`, and rays those of a `Ray`.
 
 namespace detent::test_c {
 
 using S = q16_16;
 using c::Output;
 
-/// The functions of a dimension.
+/// The functions of one dimension.
 template <int N>
 struct Calls;
 #define DETENT_TEST_CALLS(N)                                                        \
@@ -49,7 +49,7 @@ struct Calls;
 DETENT_TEST_CALLS(2)
 DETENT_TEST_CALLS(3)
 
-/// A hull as an asset of a context, placed, and its points as C++ transforms them.
+/// A hull as an asset of a context, placed, and its points as transformed by C++.
 template <int N>
 struct TwinHull {
   std::array<Vec<S, N>, 8> points{};
@@ -76,7 +76,7 @@ struct TwinHull {
   TwinHull& operator=(const TwinHull&) = delete;
 };
 
-/// Compares calls on one case with C++.
+/// Compares the calls on one case with C++.
 template <int N>
 struct Case {
   using C = Calls<N>;
@@ -102,7 +102,7 @@ struct Case {
     REQUIRE(distance == detent::distance(ray, point).raw());
   }
 
-  /// One union against a ray and a point.
+  /// One union with a ray and a point.
   template <class Union>
   void check_one(const Union& all, std::span<const typename T::Shape> list, const Ray<S, N>& ray,
                  const Vec<S, N>& point, Share& hits, Share& held) const {
@@ -155,7 +155,7 @@ struct Case {
     REQUIRE(c::Input<N>::vec(point_b) == expected.second);
   }
 
-  /// A moving shape at a union.
+  /// A moving shape and a union.
   template <class A, class B>
   void check_cast(const A& a, const typename T::Shape& moving, const Ray<S, N>& way, const B& b,
                   std::span<const typename T::Shape> list, Share& hits) const {
@@ -244,7 +244,7 @@ void check_unions(std::uint64_t seed, int count) {
     with.check_one(hulls[0], all.subspan(3), ray, point, hits, held);
     with.check_two(whole, all, ends, far_list, meetings);
     with.check_two(ends, far_list, Compound<Sphere<S, N>>(), none, meetings);
-    // What compiles for long is compared in one dimension: the other one has the same code.
+    // What takes long to compile is compared in one dimension only; the other has the same code.
     if constexpr (N == 2) {
       with.check_closest(Compound(balls, hulls), std::array{list[0], list[1], list[3]}, ends,
                          far_list);

@@ -5,7 +5,7 @@ namespace detent::test_c {
 
 TEST_CASE("C lists of shapes: the bits are those of C++, in 3D") { check_unions<3>(32, 200); }
 
-TEST_CASE("C lists of shapes: wrong handles, contexts and kinds are errors, wherever they are") {
+TEST_CASE("C lists of shapes: wrong handles, contexts and kinds are errors in any position") {
   detent_context context{}, closed{};
   REQUIRE(detent_open(&context, nullptr) == DETENT_OK);
   const detent_vec3 points[4] = {{0, 0, 0}, {65536, 0, 0}, {0, 65536, 0}, {0, 0, 65536}};
@@ -26,7 +26,7 @@ TEST_CASE("C lists of shapes: wrong handles, contexts and kinds are errors, wher
   const detent_sweep3 still{{}, {}, list[1].as.placed.rotation, list[1].as.placed.rotation};
   detent_vec3 a{}, b{};
   std::int32_t distance = 0;
-  // Every function with this list, each way in which it takes one.
+  // Every function that takes this list, in each position.
   const auto check = [&](const detent_context* with, detent_status status) {
     const auto& last = list[1];
     CHECK(detent_shapes3_raycast(with, &ray, list, 2, nullptr) == status);
@@ -64,7 +64,7 @@ TEST_CASE("C lists of shapes: wrong handles, contexts and kinds are errors, wher
   CHECK(detent_shapes3_contains(nullptr, nullptr, 0, &inside) == DETENT_NO);
   CHECK(detent_shapes3_closest_points(nullptr, list, 1, list, 1, nullptr, &b) ==
         DETENT_BAD_ARGUMENT);
-  list[1].kind = DETENT_PLANE;  // which does not move
+  list[1].kind = DETENT_PLANE;  // a plane cannot move
   list[1].as.plane.normal = {0, 1 << 30, 0};
   CHECK(detent_shapes3_cast(nullptr, &list[1], &ray.direction, 1, list, 1, nullptr) ==
         DETENT_NO_QUERY);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Worlds of the C interface against worlds of C++: the same calls give the same bits.
+// Compares worlds of the C interface with C++: equal calls give equal bits.
 
 #include <cstdint>
 #include <cstring>
@@ -17,7 +17,7 @@ using S = q16_16;
 using c::id_of;
 constexpr int one = 65536;
 
-/// The functions of a dimension.
+/// The functions of one dimension.
 template <int N>
 struct Calls;
 #define DETENT_TEST_CALLS(N)                                                  \

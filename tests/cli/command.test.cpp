@@ -9,7 +9,7 @@
 #include "support/catch.hpp"
 #include "support/workshop.hpp"
 
-// The built program, run like a user runs it.
+// Runs the built program as a user does.
 
 namespace {
 
@@ -53,7 +53,7 @@ std::string hills() {
 
 }  // namespace
 
-TEST_CASE("detent cast: one line of JSON for each ray, and a summary") {
+TEST_CASE("detent cast: prints one line of JSON for each ray, and a summary") {
   const Workshop shop;
   shop.write("ball.json", ball_scene);
   const auto result = shop.run("cast ball.json");
@@ -71,7 +71,7 @@ TEST_CASE("detent cast: one line of JSON for each ray, and a summary") {
   CHECK(shop.file_count() == 2);
 }
 
-TEST_CASE("detent cast: the example gives the answers of its page") {
+TEST_CASE("detent cast: the example gives the answers shown on its page") {
   const Workshop shop;
   const auto result = shop.run("cast " DETENT_SCENES "/rays.json");
   CHECK(result.code == 0);
@@ -79,7 +79,7 @@ TEST_CASE("detent cast: the example gives the answers of its page") {
   CHECK(result.out.ends_with("{\"rays\": 11, \"hits\": 8, \"digest\": \"0x71393449c9b2b876\"}\n"));
 }
 
-TEST_CASE("detent cast: the page on the tool shows what the tool prints") {
+TEST_CASE("detent cast: the page on the tool shows the tool's output") {
   const std::string page = content_of(DETENT_DOCS "/tool.md");
   const auto between = [&](const std::string& begin, const std::string& end) {
     const auto start = page.find(begin) + begin.size();
@@ -93,7 +93,7 @@ TEST_CASE("detent cast: the page on the tool shows what the tool prints") {
   CHECK(shop.run("cast crate.json").out == expected);
 }
 
-TEST_CASE("detent cast: of equally near shapes the first in the file is hit") {
+TEST_CASE("detent cast: among equally near shapes, the first in the file is hit") {
   const Workshop shop;
   shop.write("tie.json",
              "{\"shapes\": ["
@@ -104,7 +104,7 @@ TEST_CASE("detent cast: of equally near shapes the first in the file is hit") {
   CHECK(shop.run("cast tie.json").out.starts_with("{\"ray\": 0, \"hit\": \"b\", \"distance\": 5,"));
 }
 
-TEST_CASE("detent cast: a scene of many shapes and meshes gives its golden digests") {
+TEST_CASE("detent cast: a scene of many shapes and meshes has its golden digests") {
   const Workshop shop;
   shop.write("hills.obj", hills());
   std::ostringstream scene;
@@ -143,7 +143,7 @@ TEST_CASE("detent cast: a scene of many shapes and meshes gives its golden diges
   CHECK(summary("q8_8") == "{\"rays\": 900, \"hits\": 293, \"digest\": \"0xf8fe75d4fa6d3bfd\"}\n");
 }
 
-TEST_CASE("detent cast: every scalar answers, and two are compared") {
+TEST_CASE("detent cast: works in every scalar, and compares two") {
   const Workshop shop;
   shop.write("ball.json", ball_scene);
   for (const char* const scalar : {"q16_16", "q14_16", "q24_8", "q8_8", "float", "double"}) {
@@ -204,7 +204,7 @@ TEST_CASE("detent render: draws the same picture with any number of threads") {
   CHECK(shop.file_count() == 5);
 }
 
-TEST_CASE("detent render: a model can be drawn alone and in a scene") {
+TEST_CASE("detent render: a model can be drawn on its own and in a scene") {
   const Workshop shop;
   shop.write("tent.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 1/1 2/2 4/4\n");
   CHECK(shop.run("render tent.obj -o a.png --size 32x20").code == 0);
@@ -221,7 +221,7 @@ TEST_CASE("detent render: a model can be drawn alone and in a scene") {
 
 namespace {
 
-/// The next row of the table that `detent demo` prints.
+/// The next row of the table printed by `detent demo`.
 struct DemoRow {
   explicit DemoRow(std::istream& table) {
     table >> place >> scalar >> rays >> hits >> wrong >> off >> time >> digest;
@@ -264,7 +264,7 @@ TEST_CASE("detent demo: q16_16 is right about every ray, near and far, and float
   }
 }
 
-TEST_CASE("detent demo: casts go as far near the origin and far from it, and float's do not") {
+TEST_CASE("detent demo: casts have the same length near and far from the origin, except in float") {
   const Workshop shop;
   const auto result = shop.run("demo --size 32x20 --out pictures");
   REQUIRE(result.code == 0);
@@ -290,7 +290,7 @@ TEST_CASE("detent demo: casts go as far near the origin and far from it, and flo
 }
 
 TEST_CASE(
-    "detent demo: bodies end far from the origin where they end near it, and float's do not") {
+    "detent demo: bodies end in the same places far from the origin and near it, except in float") {
   const Workshop shop;
   const auto result = shop.run("demo --size 32x20 --out pictures");
   REQUIRE(result.code == 0);
@@ -357,7 +357,7 @@ TEST_CASE("detent demo: a model that cannot be shown is refused with file and li
 }
 
 TEST_CASE(
-    "detent diff: 0 for equal snapshots, 1 and a line for each difference, 2 for no snapshot") {
+    "detent diff: 0 for equal snapshots, 1 and a line per difference, 2 if one is no snapshot") {
   using namespace detent;
   const auto bytes_of = [](int x) {
     Scene<q16_16, 3, Sphere> scene;
@@ -389,7 +389,7 @@ TEST_CASE("detent: help and version go to standard output") {
   }
 }
 
-TEST_CASE("detent: a bad command line is one line and writes nothing") {
+TEST_CASE("detent: a bad command line prints one line and writes nothing") {
   const Workshop shop;
   shop.write("seen.json", seen_scene);
   shop.write("ball.json", ball_scene);
@@ -426,7 +426,7 @@ TEST_CASE("detent: a bad command line is one line and writes nothing") {
   }
 }
 
-TEST_CASE("detent: a first word that is no command is named") {
+TEST_CASE("detent: an unknown command is named") {
   const Workshop shop;
   const std::string known = "; there are cast, render, demo, verify, diff, replay, simulate, and ";
   CHECK(refuses(shop.run(""), "no command" + known));
@@ -438,7 +438,7 @@ TEST_CASE("detent: a first word that is no command is named") {
   CHECK(refuses(shop.run("--foo cast"), "unknown option '--foo'" + known));
 }
 
-TEST_CASE("detent: an empty name is refused, whatever it is the name of") {
+TEST_CASE("detent: an empty name is refused for every option") {
   const Workshop shop;
   shop.write("ball.json", ball_scene);
   shop.write("seen.json", seen_scene);
@@ -461,7 +461,7 @@ TEST_CASE("detent: an empty name is refused, whatever it is the name of") {
   CHECK(refuses(shop.run("cast ball.json"), "ball.json:1:38: file is empty; "));
 }
 
-TEST_CASE("detent: a zero byte in a name does not cut it") {
+TEST_CASE("detent: a name with a zero byte is not truncated") {
   const Workshop shop;
   shop.write("tent.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   shop.write("s.json",
@@ -472,7 +472,7 @@ TEST_CASE("detent: a zero byte in a name does not cut it") {
   CHECK(refuses(shop.run("cast s.json"), "s.json:1:16: unknown key \"sun \" in the scene; "));
 }
 
-TEST_CASE("detent: files that are not there, or not files, are named") {
+TEST_CASE("detent: missing files, and directories, are named") {
   const Workshop shop;
   shop.write("ball.json", ball_scene);
   shop.write("seen.json", seen_scene);
@@ -493,11 +493,11 @@ TEST_CASE("detent: files that are not there, or not files, are named") {
   }
 }
 
-TEST_CASE("detent: a full disk is called that") {
+TEST_CASE("detent: a full disk is reported as such") {
   const Workshop shop;
   shop.write("ball.json", ball_scene);
   shop.write("seen.json", seen_scene);
-  // A file size limit of one block stands for a nearly full disk.
+  // A file size limit of one block simulates a nearly full disk.
   CHECK(refuses(shop.run_script("ulimit -f 1; \"$DETENT\" render seen.json -o x.png --size 99x99"),
                 "x.png: cannot be written: File too large; free some space"));
   CHECK(shop.file_count() == 2);
@@ -510,7 +510,7 @@ TEST_CASE("detent: a full disk is called that") {
   }
 }
 
-TEST_CASE("detent: closed standard streams are reported, and no file is taken for one") {
+TEST_CASE("detent: closed standard streams are reported and not reused for files") {
   const Workshop shop;
   shop.write("ball.json", ball_scene);
   CHECK(refuses(shop.run("cast ball.json >&-"),
@@ -521,7 +521,7 @@ TEST_CASE("detent: closed standard streams are reported, and no file is taken fo
   CHECK(content_of(shop.path("a")) == shop.run("cast ball.json").out);
 }
 
-TEST_CASE("detent: a file is replaced only by a whole one") {
+TEST_CASE("detent: a file is replaced only by a complete one") {
   const Workshop shop;
   shop.write("ball.json", ball_scene);
   shop.write("answers", "precious");
@@ -532,7 +532,7 @@ TEST_CASE("detent: a file is replaced only by a whole one") {
   CHECK(content_of(shop.path("answers")).starts_with("{\"ray\""));
 }
 
-TEST_CASE("detent: a link to the output stays one, whether or not its file is there") {
+TEST_CASE("detent: a link to the output remains a link, whether or not its file exists") {
   const Workshop shop;
   shop.write("ball.json", ball_scene);
   fs::create_directory(shop.path("folder"));
@@ -550,8 +550,7 @@ TEST_CASE("detent: a link to the output stays one, whether or not its file is th
   CHECK(refuses(shop.run("cast ball.json --out loop"), "loop: cannot be written: "));
 }
 
-TEST_CASE(
-    "detent: an output that exists keeps its permissions, and a new one gets the usual ones") {
+TEST_CASE("detent: an existing output keeps its permissions, and a new one gets the usual ones") {
   const Workshop shop;
   shop.write("ball.json", ball_scene);
   shop.write("answers", "");
@@ -576,7 +575,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("detent: a signal that ends it leaves no part of a file behind") {
+TEST_CASE("detent: a signal that ends it leaves no partial file") {
   const Workshop shop;
   shop.write("answers", "precious");
   for (const auto& [signal, number] :
@@ -662,7 +661,7 @@ TEST_CASE("detent: bad scenes are refused with file, line and column") {
   }
 }
 
-TEST_CASE("detent: a byte order mark and other unusual but valid text are read") {
+TEST_CASE("detent: a byte order mark and other unusual but valid text are accepted") {
   const Workshop shop;
   shop.write("bom.json", "\xef\xbb\xbf" + ball_scene);
   CHECK(shop.run("cast bom.json").code == 0);
@@ -674,7 +673,7 @@ TEST_CASE("detent: a byte order mark and other unusual but valid text are read")
   CHECK(shop.run("cast windows.json").out == shop.run("cast bom.json").out);
 }
 
-TEST_CASE("detent: models that cannot be used are refused") {
+TEST_CASE("detent: unusable models are refused") {
   const Workshop shop;
   const auto refused = [&](const std::string& content, const std::string& what) {
     shop.write("m.obj", content);

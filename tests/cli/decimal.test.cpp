@@ -27,7 +27,7 @@ std::optional<S> as(const char* text) {
 
 }  // namespace
 
-TEST_CASE("decimal: text comes back without exponent and needless zeros") {
+TEST_CASE("decimal: prints without exponent or needless zeros") {
   CHECK(read("0") == "0");
   CHECK(read("-0.000") == "0");
   CHECK(read("007.50") == "7.5");
@@ -39,7 +39,7 @@ TEST_CASE("decimal: text comes back without exponent and needless zeros") {
   CHECK(read("123456789012345678901234567890.125") == "123456789012345678901234567890.125");
 }
 
-TEST_CASE("decimal: what is no number, or no number of ours, is refused") {
+TEST_CASE("decimal: anything that is not one of our numbers is refused") {
   for (const char* const text : {"", "-", ".", "1x", "1e", "1e+", "e3", "1.2.3", "0x10", "nan"}) {
     CHECK(read(text) == "refused");
   }
@@ -59,7 +59,7 @@ TEST_CASE("decimal: sums are exact") {
   CHECK(sum("1e20", "1e-20") == "100000000000000000000.00000000000000000001");
 }
 
-TEST_CASE("decimal: becomes the nearest scalar, or nothing out of range") {
+TEST_CASE("decimal: becomes the nearest scalar, or nothing if out of range") {
   CHECK(as<q16_16>("32767.9999847412109375") == q16_16::max());
   CHECK(as<q16_16>("-32768") == q16_16::lowest());
   CHECK_FALSE(as<q16_16>("32768"));

@@ -53,7 +53,7 @@ TEST_CASE("diff: equal snapshots have no difference") {
   CHECK(result.text.empty());
 }
 
-TEST_CASE("diff: names fields in decimal and raw, and what is only on one side") {
+TEST_CASE("diff: names fields in decimal and raw, and objects that only one side has") {
   Toys scene = toys();
   scene.replace({0, 1}, Sphere<S, 3>{{S(0), S::from_raw(1), S(0)}, S(1)});
   scene.set_user({0, 1}, 5);
@@ -76,7 +76,7 @@ TEST_CASE("diff: names fields in decimal and raw, and what is only on one side")
                      "object 1:5 (sphere): only in b.snap\n"));
 }
 
-TEST_CASE("diff: reads every scalar of the tool, in both dimensions") {
+TEST_CASE("diff: reads every scalar of the tool in both dimensions") {
   Scene<double, 2, Sphere, Aabb, Obb, Plane, Triangle, Capsule> flat;
   flat.add(Sphere<double, 2>{});
   flat.add(Aabb<double, 2>{});
@@ -113,7 +113,7 @@ TEST_CASE("diff: names meshes by id, digest and transform") {
             .text.starts_with("object 0:1 (mesh) digest of its triangles: 0x"));
 }
 
-TEST_CASE("diff: names hulls and height fields by id, digest and place") {
+TEST_CASE("diff: names hulls and height fields by id, digest and pose") {
   const std::array corners{at(0, 0, 0), at(1, 0, 0), at(0, 1, 0)};
   const auto rock = *hull_asset(7, ConvexHull{corners});
   const auto stone = *hull_asset(7, ConvexHull{std::span(corners).first(2)});
@@ -138,7 +138,7 @@ TEST_CASE("diff: names hulls and height fields by id, digest and place") {
   CHECK(compare(bytes_of(flat), bytes_of(flat)).is_none);
 }
 
-TEST_CASE("diff: bytes that are no snapshot are refused by name") {
+TEST_CASE("diff: bytes that are not a snapshot are refused by name") {
   const auto right = bytes_of(toys());
   CHECK(refusal("", right).starts_with("a.snap: the snapshot is cut off; "));
   CHECK(refusal(right, right.substr(1)).starts_with("b.snap: these bytes are not a snapshot; "));
@@ -154,7 +154,7 @@ TEST_CASE("diff: bytes that are no snapshot are refused by name") {
 
 namespace {
 
-/// The status of `restore` for the bytes and an empty scene of this type.
+/// The status of `restore` for the bytes into an empty scene of this type.
 template <class Scene>
 Restored restored(const std::string& bytes) {
   Scene scene;
@@ -201,7 +201,7 @@ void check_same_verdicts(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("diff: refuses the bytes that restore refuses, and no others") {
+TEST_CASE("diff: refuses exactly the bytes that restore refuses") {
   Scene<S, 3, Sphere, Obb, Plane> scene;
   const auto first = *scene.add_frame({});
   const auto second = *scene.add_frame({.translation = at(1, 2, 3)}, first);
@@ -225,7 +225,7 @@ TEST_CASE("diff: refuses the bytes that restore refuses, and no others") {
   check_same_verdicts(rounded);
 }
 
-TEST_CASE("diff: refuses sets of shapes that no scene has, and shapes that are not in the set") {
+TEST_CASE("diff: refuses impossible sets of shapes, and shapes that are not in the set") {
   const auto right = bytes_of(toys());
   constexpr std::size_t shapes = 10;  // the header's two bytes
   for (const int set : {0, 1, 0x0b, 0x02, 0x08, 0x100, 0x800a}) {

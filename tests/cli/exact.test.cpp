@@ -29,7 +29,7 @@ ExactShape along_z() { return exact(up()); }
 
 }  // namespace
 
-TEST_CASE("exact rays: decides the classic cases in which float errs") {
+TEST_CASE("exact rays: decide the classic cases in which float errs") {
   const auto sphere = [](double x, double z, double radius) {
     return exact(Sphere<double, 3>{{x, 0, z}, radius});
   };
@@ -42,7 +42,7 @@ TEST_CASE("exact rays: decides the classic cases in which float errs") {
   CHECK_FALSE(raw_distance(along_z(), sphere(0, -5, 1)));
 }
 
-TEST_CASE("exact rays: degenerate triangles are the segments and points that they span") {
+TEST_CASE("exact rays: degenerate triangles are the segments and points they span") {
   const auto segment = exact(Triangle<double, 3>{{-1, 0, 5}, {0, 0, 5}, {1, 0, 5}});
   CHECK(raw_distance(along_z(), segment) == 5 * steps_per_unit);
   const auto along = exact(Triangle<double, 3>{{0, 0, 9}, {0, 0, 7}, {0, 0, 8}});
@@ -103,7 +103,7 @@ bool agrees(const Ray<S, 3>& ray, const Shape& shape, test::HitRate& rate) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("exact rays: agrees with the library", "", q16_16, q14_16, q24_8, q8_8) {
+TEMPLATE_TEST_CASE("exact rays: agree with the library", "", q16_16, q14_16, q24_8, q8_8) {
   using S = TestType;
   test::Random random(20240917);
   INFO(random);
@@ -158,7 +158,8 @@ TEST_CASE("exact rays: the box around a shape never hides a hit") {
   CHECK(hidden == 0);
 }
 
-TEMPLATE_TEST_CASE("exact rays: of a group the first hit of all is found", "", q16_16, float) {
+TEMPLATE_TEST_CASE("exact rays: the first hit of a group is the first of all its shapes", "",
+                   q16_16, float) {
   using S = TestType;
   test::Random random(4711);
   INFO(random);

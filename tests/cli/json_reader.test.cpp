@@ -26,7 +26,7 @@ std::string where(const JsonNode& node) {
 
 }  // namespace
 
-TEST_CASE("json: values keep their text and know where they stand") {
+TEST_CASE("json: values keep their text and position") {
   const JsonNode root = read_json("f",
                                   "{\n"
                                   "  \"a\": [1, -2.50 ,3e1],\n"
@@ -53,18 +53,18 @@ TEST_CASE("json: values keep their text and know where they stand") {
   CHECK(where(root.items[3]) == "4:9");
 }
 
-TEST_CASE("json: columns count characters, and a byte order mark is none") {
+TEST_CASE("json: columns count characters, and a byte order mark is not one") {
   CHECK(where(read_json("f", "\xef\xbb\xbf 7")) == "1:2");
   const JsonNode root = read_json("f", "[\"\xc3\xa4\xe2\x82\xac\", 7]");
   CHECK(where(root.items[1]) == "1:8");
   CHECK(root.items[1].text == "7");
 }
 
-TEST_CASE("json: a number at the very end is whole") {
+TEST_CASE("json: a number at the end of the file is complete") {
   CHECK(read_json("f", "-12.5").text == "-12.5");
 }
 
-TEST_CASE("json: malformed text is refused where it goes wrong") {
+TEST_CASE("json: malformed text is refused at the faulty position") {
   CHECK(starts(error_of(""), "f:1:1: malformed JSON: unexpected end of input"));
   CHECK(starts(error_of("{\"a\": 1,\n  ]"), "f:2:3: malformed JSON"));
   CHECK(starts(error_of("[1 2]"), "f:1:4: malformed JSON"));
@@ -79,7 +79,7 @@ TEST_CASE("json: malformed text is refused where it goes wrong") {
   CHECK(starts(error_of(std::string(100'000, '[')), "f:1:65: nested deeper than 64"));
 }
 
-TEST_CASE("json: an object with very many keys is refused before it costs time") {
+TEST_CASE("json: an object with very many keys is refused before it takes time") {
   std::string content = "{";
   for (int i = 0; i < 200'000; ++i) content += "\"" + std::to_string(i) + "\": 0,";
   CHECK(error_of(content).find("more than 64 keys") != std::string::npos);

@@ -35,7 +35,7 @@ TEST_CASE("obj: a model is centred, and its longest side is 20 units") {
   CHECK(mesh.triangles[0] == std::array{0u, 1u, 2u});
 }
 
-TEST_CASE("obj: sizes at the ends of the range of a double are scaled as any other") {
+TEST_CASE("obj: sizes at the ends of double's range are scaled like any other") {
   const auto wide =
       parse_obj("f", std::string("v -1e308 0 0\nv 1e308 0 0\nv 0 1e308 0\n") + face, {});
   CHECK(wide.vertices[1][0] == 10);
@@ -46,7 +46,7 @@ TEST_CASE("obj: sizes at the ends of the range of a double are scaled as any oth
         "f: cannot be scaled to its size; export the model in other units");
 }
 
-TEST_CASE("obj: faces that name no vertex are refused") {
+TEST_CASE("obj: faces with missing vertices are refused") {
   const auto names = [](const std::string& place, const std::string& number, int count) {
     return "f:" + place + ": the face names vertex " + number + ", and the model has 1 to " +
            std::to_string(count) + "; export the model again";
@@ -61,7 +61,7 @@ TEST_CASE("obj: faces that name no vertex are refused") {
   CHECK(error_of("v 0 0 0\n") == "f: has no triangles; name a Wavefront OBJ model with faces");
 }
 
-TEST_CASE("obj: numbers of vertices do not wrap, whatever their size") {
+TEST_CASE("obj: vertex numbers of any size do not wrap") {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   for (const char* const number :
        {"4294967295", "4294967296", "4294967299", "-4294967293", "2147483651", "-2147483648",
@@ -69,12 +69,12 @@ TEST_CASE("obj: numbers of vertices do not wrap, whatever their size") {
     INFO(number);
     CHECK(error_of(vertices + "f 1 2 " + number + "\n").starts_with("f:4:"));
     CHECK(error_of(vertices + "f 1 2 " + number + "\n").find(number) != std::string::npos);
-    // Texture coordinates and normals are ignored, but have to be numbers.
+    // Texture coordinates and normals are ignored but must be numbers.
     CHECK(error_of(vertices + "f 1 2 3/" + number + "\n") == "none");
   }
 }
 
-TEST_CASE("obj: vertices and corners that cannot be read are refused") {
+TEST_CASE("obj: unreadable vertices and corners are refused") {
   for (const char* const vertex : {"v", "v 1", "v 1 2", "v 1 2 x", "v 1,5 2 3", "v 1 2 # 3",
                                    "v 1 2 3x", "v 0x1p3 0 0", "v +-1 0 0", "v 1 2 3 green"}) {
     INFO(vertex);
@@ -93,7 +93,7 @@ TEST_CASE("obj: vertices and corners that cannot be read are refused") {
   }
 }
 
-TEST_CASE("obj: everything that a line may hold is read") {
+TEST_CASE("obj: every kind of line content is read") {
   const auto read = [](const std::string& text) { return parse_obj("f", text, 1); };
   const auto plain = read("v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
   for (const char* const text : {

@@ -16,7 +16,7 @@ using Triangles = std::vector<PolygonCutter::Triangle>;
 
 namespace {
 
-/// The triangles of the polygon with these vertices, within this much work.
+/// Triangulates the polygon with these vertices, within this much work.
 Triangles cut(const Vertices& vertices, std::int64_t work = PolygonCutter::most_work) {
   std::vector<std::uint32_t> corners(vertices.size());
   std::iota(corners.begin(), corners.end(), 0u);
@@ -26,7 +26,7 @@ Triangles cut(const Vertices& vertices, std::int64_t work = PolygonCutter::most_
   return triangles;
 }
 
-/// The point of the xy plane mapped to an oblique plane.
+/// Maps a point of the xy plane to an oblique plane.
 PolygonCutter::Vertex askew(double x, double y) { return {100 + x, 200 + 2 * y, 300 + x - y}; }
 constexpr double askew_area = 3;  // the length of the normal, (1, 0, 1) x (0, 2, -1) = (-2, 1, 2)
 
@@ -40,7 +40,7 @@ std::array<double, 3> area_of(const Vertices& vertices, const PolygonCutter::Tri
   return area;
 }
 
-/// The areas of the triangles add up to the polygon's, so they cover exactly it, once.
+/// The areas of the triangles add up to the polygon's, so they cover it exactly once.
 void check_cover(const Vertices& vertices, double area,
                  std::int64_t work = PolygonCutter::most_work) {
   const auto triangles = cut(vertices, work);
@@ -73,7 +73,7 @@ double area_around(std::size_t count, const std::function<double(std::size_t)>& 
 
 }  // namespace
 
-TEST_CASE("polygon: a convex one is a fan, one of four corners is cut along the shorter diagonal") {
+TEST_CASE("polygon: a convex one is a fan, and four corners are split along the shorter diagonal") {
   CHECK(cut({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}) == Triangles{{0, 1, 2}});
   CHECK(cut({{0, 0, 0}, {4, 0, 0}, {3, 1, 0}, {0, 1, 0}}) == Triangles{{0, 1, 2}, {0, 2, 3}});
   CHECK(cut({{0, 0, 0}, {3, 0, 0}, {4, 1, 0}, {0, 1, 0}}) == Triangles{{0, 1, 3}, {1, 2, 3}});
@@ -82,7 +82,7 @@ TEST_CASE("polygon: a convex one is a fan, one of four corners is cut along the 
         Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}});
 }
 
-TEST_CASE("polygon: the triangles cover it, wherever it lies and whichever way round it goes") {
+TEST_CASE("polygon: the triangles cover it in any position and winding") {
   const Vertices shapes[] = {
       {{0, 0, 0}, {8, 1, 0}, {0, 2, 0}, {7, 1, 0}},                        // an arrowhead
       {{1, 1, 0}, {0, 0, 0}, {4, 0, 0}, {3, 1, 0}, {2, 4, 0}, {2, 1, 0}},  // corners on an edge
@@ -104,7 +104,7 @@ TEST_CASE("polygon: the triangles cover it, wherever it lies and whichever way r
   }
 }
 
-TEST_CASE("polygon: the triangles cover ragged ones") {
+TEST_CASE("polygon: the triangles cover ragged polygons") {
   detent::test::Random random(0x4a66);
   for (int round = 0; round < 300; ++round) {
     std::vector<double> radii(5 + random.below(100));
@@ -115,7 +115,7 @@ TEST_CASE("polygon: the triangles cover ragged ones") {
   }
 }
 
-TEST_CASE("polygon: one of 120,000 corners takes at most 500 looks at a corner for each") {
+TEST_CASE("polygon: 120,000 corners take at most 500 corner visits each") {
   constexpr std::size_t count = 120'000;
   detent::test::Random random(0x9019);
   std::vector<double> coast(count);
@@ -130,7 +130,7 @@ TEST_CASE("polygon: one of 120,000 corners takes at most 500 looks at a corner f
   }
 }
 
-TEST_CASE("polygon: one that crosses itself or has no area is cut into as many triangles") {
+TEST_CASE("polygon: a self-intersecting one, or one without area, gives as many triangles") {
   detent::test::Random random(0xc705);
   Vertices vertices(2000);
   for (auto& vertex : vertices) vertex = {unit(random), unit(random), unit(random)};
@@ -141,7 +141,7 @@ TEST_CASE("polygon: one that crosses itself or has no area is cut into as many t
   cut({{0, 0, 0}, {4e-324, 0, 0}, {4e-324, 4e-324, 0}, {0, 4e-324, 8e-324}, {4e-324, 8e-324, 0}});
 }
 
-TEST_CASE("polygon: work without end is refused") {
+TEST_CASE("polygon: excessive work is refused") {
   const auto radius = [](std::size_t i) { return i % 2 == 0 ? 1.0 : 2.0; };
   const auto star = around(1000, radius);
   std::vector<std::uint32_t> corners(star.size());

@@ -17,7 +17,7 @@ using namespace detent::cli;
 
 namespace {
 
-/// A folder of replays that ends with the test.
+/// A directory of replays that is deleted at the end of the test.
 class Folder {
  public:
   Folder()
@@ -49,7 +49,7 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// `bytes` as a file of gzip.
+/// Compresses `bytes` into a gzip file.
 std::string packed(const Folder& folder, const std::string& bytes) {
   const auto path = folder.path() + "/packed.tmp";
   const auto file = gzopen(path.c_str(), "wb");
@@ -65,7 +65,7 @@ std::string packed(const Folder& folder, const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("replay check: examples come out, and differ by seed") {
+TEST_CASE("replay check: examples are reproduced, and differ by seed") {
   const Folder folder;
   folder.add("a", example(1));
   folder.add("b", example(2));
@@ -78,7 +78,7 @@ TEST_CASE("replay check: examples come out, and differ by seed") {
 
 TEST_CASE("replay check: the first frame that differs is named") {
   const Folder folder;
-  // A digest is changed and all checksums after it are made right again.
+  // A digest is changed, and all checksums after it are corrected.
   for (const int every : {1, 60}) {
     auto bytes = example(3, 120, every);
     std::vector<std::size_t> blocks;
@@ -109,7 +109,7 @@ TEST_CASE("replay check: the first frame that differs is named") {
   }
 }
 
-TEST_CASE("replay check: files that are no replays are named, and the others are checked") {
+TEST_CASE("replay check: files that are not replays are named, and the others are checked") {
   const Folder folder;
   const auto right = example(4);
   auto broken = right;
@@ -129,7 +129,7 @@ TEST_CASE("replay check: files that are no replays are named, and the others are
   CHECK(missing.totals.unreadable == 1);
 }
 
-TEST_CASE("replay check: files of gzip are unpacked") {
+TEST_CASE("replay check: gzip files are unpacked") {
   const Folder folder;
   const auto right = example(5);
   const auto small = packed(folder, right);
@@ -143,7 +143,7 @@ TEST_CASE("replay check: files of gzip are unpacked") {
   CHECK(has(report.problems[0], "b.gz: a damaged or truncated gzip file"));
 }
 
-TEST_CASE("unpacked: one file of gzip after another, and damaged ones") {
+TEST_CASE("unpacked: concatenated gzip files, and damaged ones") {
   const Folder folder;
   CHECK(unpacked("f", "") == "");
   CHECK(unpacked("f", "\x1f") == "\x1f");
@@ -156,7 +156,7 @@ TEST_CASE("unpacked: one file of gzip after another, and damaged ones") {
     CHECK_THROWS_AS(unpacked("f", other.substr(0, size)), InputError);
     CHECK_THROWS_AS(unpacked("f", one + other.substr(0, size)), InputError);
   }
-  for (std::size_t i = 10; i < other.size(); ++i) {  // after the header, which has a date
+  for (std::size_t i = 10; i < other.size(); ++i) {  // after the header, which contains a date
     auto changed = other;
     changed[i] = static_cast<char>(changed[i] ^ 0x10);
     try {

@@ -27,7 +27,7 @@ std::string ray_error(const std::string& ray) {
 
 }  // namespace
 
-TEST_CASE("scene: every part arrives") {
+TEST_CASE("scene: every part is read") {
   const Scene scene = parse_scene("f", R"({
     "camera": {"position": [0, 1, 5], "target": [0, 0, 0], "up": [0, 0, 1], "field_of_view": 45},
     "light": [1, 1, 1],
@@ -55,7 +55,7 @@ TEST_CASE("scene: every part arrives") {
   CHECK_FALSE(scene.rays[1].id);
 }
 
-TEST_CASE("scene: what does not belong is named with its place and a remedy") {
+TEST_CASE("scene: an unexpected key is named with its position and a remedy") {
   CHECK(error_of("[]") == "1:1: the scene is an array; write an object");
   CHECK(error_of("{}") == "1:1: the scene has no \"shapes\"; add it");
   CHECK(error_of("{\"shapes\": 3}") == "1:12: shapes is a number; write an array");

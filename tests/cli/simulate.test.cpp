@@ -19,7 +19,7 @@
 #include <stb/stb_image.h>
 #pragma GCC diagnostic pop
 
-// The built program, run like a user runs it.
+// Runs the built program as a user does.
 
 namespace {
 
@@ -52,7 +52,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// "0x..." at the end of a line.
+/// The "0x..." at the end of a line.
 std::string digest_of(const std::string& line) { return line.substr(line.rfind("0x"), 18); }
 
 std::array<double, 3> position_in(const std::string& line) {
@@ -64,7 +64,7 @@ std::array<double, 3> position_in(const std::string& line) {
   return at;
 }
 
-/// The pixels of a PNG, by a decoder that is not ours.
+/// The pixels of a PNG, by a third-party decoder.
 struct Pixels {
   int width = 0, height = 0;
   std::vector<unsigned char> bytes;
@@ -89,7 +89,7 @@ std::uint32_t number_at(const std::string& bytes, std::size_t at) {
   return number;
 }
 
-/// The pictures of an animated PNG, each over the one before.
+/// The pictures of an animated PNG, each drawn over the previous one.
 std::vector<Pixels> frames_of(const std::string& png) {
   std::vector<Pixels> frames;
   std::string header, control;
@@ -103,7 +103,7 @@ std::vector<Pixels> frames_of(const std::string& png) {
     if (type == "fcTL" || type == "fdAT") CHECK(number_at(content, 0) == sequence++);
     if (type == "fcTL") control = content;
     if (type != "IDAT" && type != "fdAT") continue;
-    // A PNG of this part alone; the decoder ignores checks of chunks.
+    // A PNG of this part only; the decoder ignores chunk checksums.
     const std::string data = type == "IDAT" ? content : content.substr(4);
     const std::string none(4, '\0');
     const std::string size{
@@ -136,7 +136,7 @@ bool refuses(const Workshop::Result& result, const std::string& start) {
 
 }  // namespace
 
-TEST_CASE("detent simulate: a digest for each tick, and a summary") {
+TEST_CASE("detent simulate: prints a digest for each tick, and a summary") {
   const Workshop shop;
   const auto result = shop.run("simulate flat.json --ticks 60");
   CHECK(result.code == 0);
@@ -161,7 +161,7 @@ TEST_CASE("detent simulate: worlds have their golden digests") {
   CHECK(digest_of(pyramid.back()) == "0x8af5f15a0d6a2099");
 }
 
-TEST_CASE("detent simulate: the page on the tool shows what the tool prints") {
+TEST_CASE("detent simulate: the page on the tool shows the tool's output") {
   const std::string page = content_of(DETENT_DOCS "/tool.md");
   const auto section = page.substr(page.find("## Simulating"));
   const auto between = [&](const std::string& begin, const std::string& end) {
@@ -177,13 +177,13 @@ TEST_CASE("detent simulate: the page on the tool shows what the tool prints") {
   REQUIRE(shown.size() == printed.size());
   for (std::size_t i = 0; i < printed.size(); ++i) CHECK(shown[i] == "    " + printed[i]);
 
-  // The picture there is what its command draws.
+  // The picture there is the one that its command draws.
   const auto line = between("$ detent simulate src/cli/scenes/", "\n");
   CHECK(shop.run("simulate " + line).code == 0);
   CHECK(content_of(shop.path("pyramid.png")) == content_of(DETENT_DOCS "/pyramid.png"));
 }
 
-TEST_CASE("detent simulate: a world that goes on from a snapshot has the same digests") {
+TEST_CASE("detent simulate: a world continued from a snapshot has the same digests") {
   const Workshop shop;
   for (const std::string world : {"flat.json", "pyramid.json"}) {
     for (const std::string scalar : {"q16_16", "float", "double"}) {
@@ -200,7 +200,7 @@ TEST_CASE("detent simulate: a world that goes on from a snapshot has the same di
   }
 }
 
-TEST_CASE("detent simulate: far from the origin all is moved, in q16_16 to the last bit") {
+TEST_CASE("detent simulate: far from the origin everything is shifted, in q16_16 to the last bit") {
   const Workshop shop;
   const std::string command = "simulate pyramid.json --ticks 200 --every 200 --bodies";
   const auto here = lines_of(shop.run(command).out);
@@ -239,7 +239,7 @@ TEST_CASE("detent simulate: the animation shows the pictures") {
   }
 }
 
-TEST_CASE("detent simulate: what is wrong with a world is named by line, and nothing is written") {
+TEST_CASE("detent simulate: errors in a world are named by line, and nothing is written") {
   const Workshop shop;
   const std::string ball =
       "{\"id\": \"b\", \"type\": \"sphere\", \"center\": [0, 0, 9], "
@@ -297,7 +297,7 @@ TEST_CASE("detent simulate: what is wrong with a world is named by line, and not
           "2:40: height must be more than 0; 20 is usual");
 }
 
-TEST_CASE("detent simulate: layers say what meets, and fast bodies pass no plate") {
+TEST_CASE("detent simulate: layers select collisions, and fast bodies pass no plate") {
   const Workshop shop;
   shop.write("layers.json", R"({"dimension": 2, "bodies": [
     {"type": "aabb", "min": [-60, -1], "max": [60, 0], "motion": "fixed"},

@@ -9,7 +9,7 @@
 
 using detent::cli::for_each_index;
 
-TEST_CASE("workers: every index is worked on once, with any number of threads") {
+TEST_CASE("workers: every index is processed once, with any number of threads") {
   for (const int threads : {0, 1, 3, 50}) {
     std::vector<int> seen(1000, 0);
     for_each_index({threads, ""}, 1000, [&](int i) { ++seen[static_cast<std::size_t>(i)]; });
@@ -17,7 +17,7 @@ TEST_CASE("workers: every index is worked on once, with any number of threads") 
   }
 }
 
-TEST_CASE("workers: what one throws reaches the caller, and ends the work of the others") {
+TEST_CASE("workers: an exception reaches the caller and stops the other workers") {
   for (const int threads : {1, 4}) {
     std::atomic<int> done{0};
     const auto work = [&](int i) {

@@ -83,8 +83,8 @@ std::optional<Answer<S>> nearest_of_all(const std::vector<typename World<S>::Sha
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("world: trees answer as a loop over all shapes and triangles", "", q16_16,
-                   q8_8) {
+TEMPLATE_TEST_CASE("world: trees give the results of a loop over all shapes and triangles", "",
+                   q16_16, q8_8) {
   using S = TestType;
   test::Random random(20261121);
   INFO(random);

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # usage: short_tables.sh [PAGE...]
-# No table of a page has more than 25 rows: longer ones are data, in docs/data/. By default of the
-# pages at the top level and in docs/.
+# No table of a page has more than 25 rows; longer ones are data, in docs/data/. The pages are by
+# default those at the top level and in docs/.
 set -euo pipefail
 
 # long PAGE...: prints `page:line: rows` of every table that is too long.
@@ -19,7 +19,7 @@ long() {
   ' "$@"
 }
 
-# Of a table of 25 rows and one of 26 the second must be found.
+# Self-test: of a table of 25 rows and one of 26, only the second must be found.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 for rows in 25 26; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The rules in docs/tutorial.md are those of tests/examples/tag/rules.hpp, which its later steps include.
+# The rules in docs/tutorial.md equal tests/examples/tag/rules.hpp, which its later steps include.
 set -euo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -68,7 +68,7 @@ TEST_CASE("solid hull: too many points, or points without volume, are rejected")
   CHECK_FALSE(solid_hull(1, ConvexHull{line}));
 }
 
-TEST_CASE("solid hull: faces form a closed polyhedron (Euler) that contains all points") {
+TEST_CASE("solid hull: faces form a closed polyhedron that contains all points") {
   using S = q16_16;
   Random random(30);
   for (int round = 0; round < 200; ++round) {

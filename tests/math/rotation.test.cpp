@@ -249,7 +249,7 @@ TEMPLATE_TEST_CASE("rotation: an axis and an angle give axes within 0.5 + 2^-27 
 }
 
 TEMPLATE_TEST_CASE(
-    "rotation: Euler angles turn about world x, then y, then z, within 0.5 + 2^-27 units", "",
+    "rotation: Euler angles rotate about world x, then y, then z, within 0.5 + 2^-27 units", "",
     q16_16, q14_16, q24_8, q8_8, float, double) {
   using S = TestType;
   Random random(43);

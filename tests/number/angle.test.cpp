@@ -121,7 +121,7 @@ TEST_CASE("sine and cosine: correctly rounded to 8, 16 and 30 fractional bits") 
   CHECK(wrong == 0);
 }
 
-TEST_CASE("sine: of any phase within 2 * 2^-62 of the exact one; sine is odd and cosine even") {
+TEST_CASE("sine: within 2 * 2^-62 of the exact one for any phase, with sine odd and cosine even") {
   Random random(22);
   double worst = 0;
   std::uint64_t asymmetric = 0;

@@ -123,7 +123,7 @@ std::uint32_t index_at(const TriangleLoop<S>& loop, const Vec<S, 3>& point, cons
 }
 
 TEMPLATE_TEST_CASE(
-    "height field: its walks miss nothing along borders and at the ends of the range",
+    "height field: its traversals miss nothing along borders and at the ends of the range",
     "[height_field]", q16_16, q24_8, q8_8) {
   using S = TestType;
   Random random(0x3a1c);

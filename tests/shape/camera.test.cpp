@@ -164,9 +164,8 @@ std::optional<Camera<T>> random_camera(Random& random) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE(
-    "camera: points, pixels, rays and corners are those of its formula, rounded once", "", q16_16,
-    q14_16, q24_8, q8_8, (Fixed<5, 2>), (Fixed<1, 0>)) {
+TEMPLATE_TEST_CASE("camera: points, pixels, rays and corners follow its formulas, rounded once", "",
+                   q16_16, q14_16, q24_8, q8_8, (Fixed<5, 2>), (Fixed<1, 0>)) {
   using T = TestType;
   Random random(0xca3e4a);
   int wrong = 0, cameras = 0, seen = 0, unseen = 0;

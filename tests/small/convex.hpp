@@ -9,8 +9,8 @@
 #include "detent/shape/shape.hpp"
 #include "oracle/exact.hpp"
 
-/// Whether two convex shapes overlap: tries all planes that may separate them, or all pairs of
-/// corners, edges and faces that may be nearest to each other.
+/// Whether two convex shapes overlap. Tries all planes that could separate them, or all pairs of
+/// corners, edges and faces that could be nearest to each other.
 namespace detent::small {
 
 using oracle::cross;
@@ -37,15 +37,15 @@ class List {
   std::size_t size_ = 0;
 };
 
-/// The convex hull of some points, empty if there are none. `edges` has all its edges as vectors,
-/// and maybe others.
+/// The convex hull of some points, empty if there are none. `edges` contains all its edges as
+/// vectors, and possibly others.
 template <int N>
 struct Body {
   List<Vector<N>, 8> points;
   List<Vector<N>, 12> edges;
 };
 
-/// The number of raw units in 1 for a direction; also of fine units in a raw unit, for the
+/// The number of raw units in 1 for a direction, and of fine units in a raw unit for the
 /// coordinates below.
 template <Scalar S>
 Integer one() {
@@ -58,7 +58,7 @@ Vector<N> scaled(Vector<N> v, const Integer& factor) {
   return v;
 }
 
-/// Bodies in coordinates of which `unit` make a raw unit.
+/// Bodies in coordinates with `unit` steps per raw unit.
 template <Scalar S, int N>
 Body<N> body(const Vec<S, N>& point, const Integer& unit) {
   Body<N> result;
@@ -162,10 +162,10 @@ Vector<N> aside(const Vector<N>& v, const Vector<N>& e) {
   return difference(scaled<N>(v, dot(e, e)), scaled<N>(e, dot(v, e)));
 }
 
-/// Whether two bodies are disjoint: a line or plane separates them. If the edges span the space, it
-/// is enough to try those parallel to an edge of either in 2D, to two edges in 3D: they are the
-/// sides of the body of all differences. Otherwise also tries those perpendicular to the shortest
-/// line between two corners, or a corner and an edge.
+/// Whether a line or plane separates two bodies. If the edges span the space, it suffices to try
+/// those parallel to one edge of either body in 2D, or to two edges in 3D: these are the sides of
+/// the Minkowski difference. Otherwise also tries those perpendicular to the shortest line between
+/// two corners, or between a corner and an edge.
 template <int N>
 bool are_apart(const Body<N>& a, const Body<N>& b) {
   if (a.points.size() == 0 || b.points.size() == 0) return true;

@@ -5,8 +5,8 @@
 #include "small/points.hpp"
 #include "small/rays.hpp"
 
-/// Corner cases of `Scalar`: every query compiles and is right at the ends of the range and near 0,
-/// however many fraction bits there are.
+/// Corner cases of `Scalar`: every query compiles and is correct at the ends of the range and near
+/// 0, for any number of fraction bits.
 namespace detent::small {
 
 template <Scalar S, int N>

@@ -35,7 +35,7 @@ void ask_pairs(Verdict& verdict, const std::vector<A>& some, const std::vector<B
   }
 }
 
-/// Every list against itself and against each later list.
+/// Every list with itself and with each later list.
 inline void ask_each(Verdict&) {}
 template <class First, class... Rest>
 void ask_each(Verdict& verdict, const First& first, const Rest&... rest) {

@@ -40,7 +40,7 @@ Parts<S, N> parts(const std::vector<S>& coordinates) {
       all.rotations.push_back(Rotation<S, 3>::from_euler(angle, angle, angle));
     }
   }
-  // Nearly as skewed as a box may be, and more.
+  // Nearly as skewed as a box can be, and more.
   for (const int skew : {16, 17}) {
     std::array<typename Direction<S, N>::Raw, N> raw{};
     raw[0] = typename Direction<S, N>::Raw(1) << direction_component<S>::frac;
@@ -74,7 +74,7 @@ void list(const Parts<S, 3>& parts, std::vector<PlacedMesh<S>>& out) {
   out.push_back({});
 }
 
-/// What scenes hold.
+/// The shapes of scenes.
 template <Scalar S, int N>
 struct Held {
   using Shape = test::AnyShape<S, N>;
@@ -264,7 +264,7 @@ const std::vector<Tiny> ends_and_middle{Tiny::lowest(), Tiny(0), Tiny::max()};
 
 }  // namespace
 
-TEST_CASE("small scene: one object in 2D, whatever is asked", "[scene]") {
+TEST_CASE("small scene: one object in 2D, with every query", "[scene]") {
   Exam exam;
   examine_single(exam, World<Tiny, 2>(parts<Tiny, 2>(ends_and_middle)));
   exam.finish(1'459'350);
@@ -278,7 +278,7 @@ TEST_CASE("small scene: two and three objects in 2D", "[scene]") {
   exam.finish(482'372);
 }
 
-TEST_CASE("small scene: one object in 3D, whatever is asked", "[scene]") {
+TEST_CASE("small scene: one object in 3D, with every query", "[scene]") {
   Exam exam;
   examine_single(exam, World<Tiny, 3>(parts<Tiny, 3>(ends)));
   exam.finish(2'448'520);
@@ -292,7 +292,7 @@ TEST_CASE("small scene: two and three objects in 3D", "[scene]") {
   exam.finish(448'350);
 }
 
-TEST_CASE("small scene: one object in 2D, with one number more", "[scene][.demand]") {
+TEST_CASE("small scene: one object in 2D, with one more number", "[scene][.demand]") {
   Exam exam;
   examine_single(
       exam,
@@ -300,7 +300,7 @@ TEST_CASE("small scene: one object in 2D, with one number more", "[scene][.deman
   exam.finish(14'710'272);
 }
 
-TEST_CASE("small scene: every two objects in 2D, and many more threes", "[scene][.demand]") {
+TEST_CASE("small scene: every pair of objects in 2D, and many more triples", "[scene][.demand]") {
   const World<Tiny, 2> world(parts<Tiny, 2>(ends_and_middle));
   Exam exam;
   examine_groups(exam, world, 2, 1, 400);
@@ -308,7 +308,7 @@ TEST_CASE("small scene: every two objects in 2D, and many more threes", "[scene]
   exam.finish(4'635'060);
 }
 
-TEST_CASE("small scene: more pairs and threes in 3D", "[scene][.demand]") {
+TEST_CASE("small scene: more pairs and triples in 3D", "[scene][.demand]") {
   const World<Tiny, 3> world(parts<Tiny, 3>(ends));
   Exam exam;
   examine_groups(exam, world, 2, 2, 400);

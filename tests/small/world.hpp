@@ -14,14 +14,14 @@
 #include "support/catch.hpp"
 #include "support/shapes.hpp"
 
-/// Worlds of so few numbers that everything in them can be enumerated. Every coordinate is near an
-/// end of the range, and most shapes are degenerate, touch or coincide.
+/// Worlds with so few numbers that everything in them can be enumerated. Every coordinate is near
+/// an end of the range, and most shapes are degenerate, touch or coincide.
 namespace detent::small {
 
-/// Counts cases, and keeps the first few where the library is wrong.
+/// Counts cases and keeps the first few that are wrong.
 class Verdict {
  public:
-  /// `wrong` is empty, or says what is wrong; `describe()` names the case.
+  /// `wrong` is empty or describes the error; `describe()` names the case.
   template <class Describe>
   void judge(const std::string& wrong, const Describe& describe) {
     ++cases_;
@@ -29,10 +29,10 @@ class Verdict {
     first_ << describe() << "\n" << wrong;
   }
 
-  /// Counts the results that are yes, so that a sweep with only one result fails.
+  /// Counts positive results, so that a sweep with only one kind of result fails.
   void count(bool yes) { yes_ += yes ? 1 : 0; }
 
-  /// Checks that `expected` cases were run: a sweep that loses some by mistake fails.
+  /// Checks that `expected` cases were run, so that a sweep that skips some by mistake fails.
   void finish(long expected) const {
     INFO(cases_ << " cases, " << yes_ << " of them yes, " << wrong_ << " wrong\n" << first_.str());
     CHECK(wrong_ == 0);
@@ -46,7 +46,8 @@ class Verdict {
   std::ostringstream first_;
 };
 
-/// Every number of a short scalar, from the least up; of a long one the ends and those next to 0.
+/// Every number of a short scalar in ascending order; of a long scalar, the ends and the numbers
+/// next to 0.
 template <Scalar S>
 std::vector<S> numbers() {
   using Raw = typename S::raw_type;
@@ -153,7 +154,7 @@ std::vector<Rotation<S, N>> rotations() {
   return all;
 }
 
-/// The parts of a world, which has every shape that can be made of them.
+/// The parts of a world, which contains every shape made of them.
 template <Scalar S, int N>
 struct Parts {
   std::vector<Vec<S, N>> points, half_extents;
@@ -276,7 +277,7 @@ class Hulls {
   std::vector<std::vector<Vec<S, N>>> lists_;
 };
 
-/// Calls `f` with up to `most` segments, and with as many of every other shape, a list for each type.
+/// Calls `f` with up to `most` segments and as many of every other shape, one list per type.
 template <Scalar S, int N, class F>
 void with_some(std::size_t most, const Parts<S, N>& parts, F f) {
   const Hulls<S, N> hulls(some(N == 2 ? 16 : 9, parts.points), N == 2 ? 4 : 5);

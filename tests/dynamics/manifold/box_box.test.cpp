@@ -303,8 +303,7 @@ void check_all(std::uint64_t seed, int cases) {
 }
 
 TEMPLATE_TEST_CASE(
-    "box manifold: the normal is that of the best axis, points are those of the "
-    "exact clip",
+    "box manifold: the normal is the best axis, and the points are those of the exact clip",
     "[manifold][oracle]", q16_16, q8_8) {
   check_all<TestType, 2>(0xb0c5, 800);
   check_all<TestType, 3>(0xb0c6, 800);

@@ -269,7 +269,7 @@ void check_box_and_capsule(std::uint64_t seed) {
 }
 
 TEMPLATE_TEST_CASE(
-    "box manifold: of balls and capsules, separations are those of the closest points",
+    "box manifold: separations of balls and capsules equal the distances of closest points",
     "[manifold][oracle]", q16_16, q24_8, q8_8) {
   check_box_and_capsule<TestType, 2>(0xb0ca);
   check_box_and_capsule<TestType, 3>(0xb0cb);

@@ -7,7 +7,7 @@ from hull import hull_of, planes, around, ends as ends_of
 
 
 class Shape:
-    """A shape in the frame of its body; numbers of the scalar's grid, and those of manifolds."""
+    """A shape in body space, with numbers on the scalar's grid and in the formats of manifolds."""
 
     def __init__(self, kind, n, radius=0, half=None, low=None, high=None, ends=None,
                  points=None):
@@ -52,8 +52,8 @@ def no_rotation(n):
 
 
 def hull_moments(points):
-    """N! times the content, (N + 1)! times the first moments about the first point, and the squared
-    gyration as numerators and a denominator."""
+    """Returns N! times the volume, (N + 1)! times the first moments about the first point, and the
+    squared gyration as numerators and a denominator."""
     n, o = len(points[0]), points[0]
 
     def away(i):
@@ -88,7 +88,8 @@ def hull_moments(points):
 
 
 def mass_properties(f, n, shape, density):
-    """Mass, squared gyration (exact, as numerators in square steps of the scalar) and its denominator."""
+    """Returns mass, squared gyration (exact numerators in square steps of the scalar) and its
+    denominator."""
     if shape.kind == "hull":
         content, _, K, den = shape.moments
         return f.mass.quotient(density * content, 2 if n == 2 else 6, f.F * (n + 1)), K, den
@@ -132,13 +133,13 @@ ENTRIES = (0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)  # of a symmetric matri
 
 
 def rows(entries):
-    """The matrix with these entries."""
+    """The symmetric matrix with these entries."""
     a, b, c, yz, zx, xy = entries
     return [[a, xy, zx], [xy, b, yz], [zx, yz, c]]
 
 
 def properties(f, n, shape, density):
-    """Mass and squared gyration, rounded; 0 and None without mass."""
+    """Mass and squared gyration, rounded; 0 and None for a massless shape."""
     if shape.kind == "surface":
         return 0, None
     if shape.kind == "compound":
@@ -179,7 +180,7 @@ def set_mass(f, n, body, density):
 
 
 def placed(f, shape, place, frame):
-    """The place of a body whose shape is added there."""
+    """The position of a body whose shape is added there."""
     if shape.kind not in ("hull", "compound"):
         return [f.place.near(x, f.F) for x in place]
     return [f.place.near((x << 36) + sum(a[k] * y for a, y in zip(frame, shape.mass_centre)),
@@ -211,7 +212,7 @@ def axes(q):
 
 
 def turned(q, w, part=1):
-    """unit(q + u), with w in Spin; half turned for part 2."""
+    """unit(q + u), with w in Spin; halved for part 2."""
     if len(q) == 2:
         c, s = q
         return unit([(c << 28) - w[0] * s, (s << 28) + w[0] * c])
@@ -222,7 +223,7 @@ def turned(q, w, part=1):
 
 
 def carried(f, body, w, start, end):
-    """The spin that keeps the angular momentum while the axes change."""
+    """The spin that conserves angular momentum while the axes change."""
     fine = f.fine_spin
     a = [fine.near(dot(start[i], w), 58) for i in range(3)]
     m = [fine.near(dot(body.share[i], a), 74) for i in range(3)]
@@ -233,12 +234,12 @@ def carried(f, body, w, start, end):
 
 
 def kept(d, n, F):
-    """1 - near(d / n) in Ratio, from a damping of the scalar."""
+    """The factor 1 - near(d / n) in Ratio, for a damping of the scalar."""
     return ONE if d <= 0 else max(ONE - ratio.quotient(d, n, F), 0)
 
 
 def from_rotation(A):
-    """The quaternion of a frame."""
+    """The quaternion of a rotation matrix."""
     (a, b, c), (d, e, f), (g, h, i) = A
     one = ONE
     m = [[one + a - e - i, b + d, g + c, f - h], [b + d, one - a + e - i, f + h, g - c],

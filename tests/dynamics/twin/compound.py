@@ -5,7 +5,7 @@ from fixed import Format, dot, ratio
 
 
 class Part:
-    """A shape as a body of the compound's frame."""
+    """A shape as a body in the compound's frame."""
 
     def __init__(self, f, n, shape, place, q, frame, density, friction, restitution,
                  rolling, is_sensor):
@@ -33,7 +33,7 @@ class Part:
 
 
 class Compound:
-    """The shape of a body."""
+    """The shape of a compound body."""
     kind, radius_raw, is_box, is_empty = "compound", 0, False, False
 
     def __init__(self, f, n, parts):
@@ -48,7 +48,7 @@ class Compound:
             away = [(p, [x - y for x, y in zip(p.c, c)]) for p in solid]
 
             def entry(k, product):
-                """The mean of K_p plus a product in square steps of c."""
+                """The mean of K_p plus a product, in square steps of c."""
                 top = sum(p.m * (p.K[k] + (product(d) << 18)) for p, d in away)
                 return f.squared_gyration.quotient(top, total, 2 * f.F + 30)
             if n == 2:
@@ -86,7 +86,7 @@ def placed_parts(f, shape, x, A):
 
 
 def out_of_part(f, part, normal, points):
-    """A manifold in the frame of a part, in that of its body."""
+    """Converts a manifold from a part's frame to its body's."""
     n, P = len(normal), part.P
     return [ratio.near(sum(P[i][k] * normal[i] for i in range(n)), 60) for k in range(n)], [
         ([f.lever.near((part.p[k] << 30) + sum(P[i][k] * q[i] for i in range(n)), f.F + 36)

@@ -7,7 +7,7 @@ from manifold import manifold
 
 
 def inner_radius(shape):
-    """In steps of the scalar."""
+    """The inner radius in steps of the scalar."""
     if shape.kind == "box":
         return max(min(shape.reach), 0)
     if shape.kind == "aligned":
@@ -15,7 +15,7 @@ def inner_radius(shape):
     if shape.kind == "hull":
         heights = [dot(face[0], shape.hull.points[face[1][0]]) for face in shape.hull.faces]
         return max(min(heights) >> 36, 0)
-    return max(shape.radius_raw, 0)  # of a compound 0
+    return max(shape.radius_raw, 0)  # 0 for a compound
 
 
 def seen(f, x, A, p):
@@ -24,7 +24,7 @@ def seen(f, x, A, p):
 
 
 def stop_before(f, n, shape, start, end, r, margin):
-    """r and margin in steps of the scalar; all else in levers."""
+    """Stops before a shape. r and margin are in steps of the scalar, everything else in levers."""
     point = bodies.Shape("ball", n, radius=0, ends=[[0] * n])
     turn = [[ONE * (i == j) for j in range(n)] for i in range(n)]
     if shape.kind == "surface":
@@ -47,7 +47,7 @@ def stop_before(f, n, shape, start, end, r, margin):
 
 
 def stop_on_way(f, touch, start, end, r, margin):
-    """t and p, or None."""
+    """Returns t and p, or None."""
     delta = [y - x for x, y in zip(start, end)]
     close = f.gap.clamp(64 * (r + margin))
     reach = close
@@ -82,7 +82,7 @@ def rank_of(b):
 
 
 def stop_all(world, starts):
-    """starts: places and axes at the start of the tick."""
+    """Stops all fast bodies. `starts` has positions and axes at the start of the tick."""
     f, n = world.f, world.n
     apart = {frozenset((j.a, j.b)) for j in world.joints_before if not j.numbers["collide"]}
     for i, b in enumerate(world.bodies):
@@ -103,7 +103,7 @@ def stop_all(world, starts):
 
 
 def stop(world, b, start, before, now, r):
-    """Stops b before a shape, with its places and axes at both times."""
+    """Stops b before a shape, given its poses at both times."""
     f, A = world.f, now.axes
     p = stop_before(f, world.n, now.shape, seen(f, before.x, before.axes, start), seen(f, now.x, A, b.x),
                     r, world.margin_raw)

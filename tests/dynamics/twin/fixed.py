@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Numbers of docs/dynamics.md, "Notation": integers in steps of a format's grid, rounded to nearest."""
+"""Numbers of docs/dynamics.md, "Notation": integers in steps of a format's grid, rounded to
+nearest."""
 from math import isqrt
 
 
@@ -27,7 +28,7 @@ def root_nearest(n, d=1):
 
 
 class Format:
-    """(b, f): the multiples of 2^-f from -2^b 2^-f to (2^b - 1) 2^-f."""
+    """The format (b, f): multiples of 2^-f from -2^b 2^-f to (2^b - 1) 2^-f."""
 
     def __init__(self, b, f):
         self.f, self.low, self.high = f, -(1 << b), (1 << b) - 1
@@ -98,7 +99,7 @@ def dot(a, b):
 
 
 def cross(a, b):
-    """Axial: one number in 2D, three in 3D."""
+    """The cross product: one number in 2D, three in 3D."""
     if len(a) == 2:
         return [a[0] * b[1] - a[1] * b[0]]
     return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
@@ -109,7 +110,7 @@ def squared(v):
 
 
 def unit(v):
-    """v / |v|, each component near in Ratio; ties do not occur."""
+    """v / |v|, each component rounded to nearest in Ratio; ties do not occur."""
     n = squared(v)
     if n == 0:
         return [ONE] + [0] * (len(v) - 1)
@@ -121,7 +122,7 @@ def unit(v):
 
 
 def parse(text, frac):
-    """A decimal to the nearest multiple of 2^-frac."""
+    """Rounds a decimal to the nearest multiple of 2^-frac."""
     negative = text.startswith("-")
     whole, _, rest = text.lstrip("-").partition(".")
     n = round_div(int(whole + rest) << frac, 10 ** len(rest))
@@ -144,13 +145,14 @@ PI = _pi(PI_BITS)
 
 
 def arc(y, x, bits=96):
-    """The angle of (x, y) in [-1/2, 1/2) turn, to the nearest multiple of 2^-32; 0 for 0, 0."""
+    """The angle of (x, y) in [-1/2, 1/2) turn, rounded to the nearest multiple of 2^-32; 0 for 0,
+    0."""
     if x == 0 and y == 0:
         return 0
     u, v = abs(x), abs(y)
     low, high = min(u, v), max(u, v)
     t = (low << bits) // high
-    for _ in range(6):  # the arc of t is twice that of t / (1 + sqrt(1 + t^2))
+    for _ in range(6):  # arctan t is twice arctan of t / (1 + sqrt(1 + t^2))
         t = (t << bits) // ((1 << bits) + isqrt((1 << 2 * bits) + t * t))
     total, term, k = 0, t, 0
     while term:

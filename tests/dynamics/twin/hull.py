@@ -9,11 +9,11 @@ from manifold import LEVER, TOLERANCE, NOTHING, balls, combine, distance, foot, 
 
 
 class Hull:
-    """Corners, faces as (normal, corners, sides), edges as (direction, from, to, left, right)."""
+    """Corners; faces as (normal, corners, sides); edges as (direction, from, to, left, right)."""
 
     def __init__(self, points, faces, edges):
         self.points, self.faces, self.edges = points, faces, edges
-        self.rim = faces  # the faces at edges
+        self.rim = faces  # the faces next to edges
 
     def height(self, face, p):
         return dot(face[0], minus(p, self.points[face[1][0]]))
@@ -28,7 +28,7 @@ class Hull:
 # Faces
 
 def planes(points):
-    """The sets of points in the planes (lines in 2D) that bound the hull, with the outward normal."""
+    """The point sets in the planes (lines in 2D) that bound the hull, with the outward normals."""
     n = len(points[0])
     found = {}
     for some in combinations(range(len(points)), n):
@@ -50,12 +50,12 @@ def planes(points):
 
 
 def ends(points, line):
-    """The outer two of points on a line."""
+    """The outermost two points on a line."""
     return max(combinations(line, 2), key=lambda e: squared(minus(points[e[0]], points[e[1]])))
 
 
 def around(points, members, normal):
-    """The corners of a face in 3D, counter-clockwise."""
+    """The corners of a 3D face, counter-clockwise."""
     drop = max(range(3), key=lambda i: abs(normal[i]))
     u, v = [(drop + 1) % 3, (drop + 2) % 3][::1 if normal[drop] > 0 else -1]
     flat = {i: (points[i][u], points[i][v]) for i in members}
@@ -78,7 +78,7 @@ def around(points, members, normal):
 
 
 def hull_of(raw, centre):
-    """The hull of points of the scalar's grid about a centre of mass, in levers."""
+    """The hull of points on the scalar's grid around a centre of mass, in levers."""
     raw = [p for i, p in enumerate(raw) if p not in raw[:i]]
     n = len(raw[0])
     loops = []
@@ -114,7 +114,7 @@ def hull_of(raw, centre):
 
 
 def box_hull(c, h):
-    """A box with the axes of its body."""
+    """A box with its body's axes."""
     n = len(h)
 
     def u(i, sign):
@@ -173,7 +173,7 @@ def plus(a, b):
 
 
 def best_face(hull, points):
-    """The greatest separation of a face, and its number."""
+    """The greatest separation over the faces, and that face's index."""
     return max(((min(hull.height(f, p) for p in points), i) for i, f in enumerate(hull.faces)),
                key=lambda x: (x[0], -x[1]))
 
@@ -291,7 +291,7 @@ def over(p, n, z, r):
 # A hull and a ball or capsule
 
 def feet(a_ends, b_ends):
-    """Steps 1 and 2 of two capsules."""
+    """Steps 1 and 2 for two capsules."""
     (a, a2), (b, b2) = a_ends, b_ends
     d, e, r = minus(a2, a), minus(b2, b), minus(a, b)
     A, B, C = dot(d, d), dot(d, e), dot(e, e)
@@ -395,7 +395,7 @@ def hull_round(hull, ends, r, margin, meets=None):
 
 
 def manifold(a, b, r, t, margin):
-    """Where one of both is a hull."""
+    """The manifold of two shapes of which at least one is a hull."""
     n = len(t)
 
     def faces(s):

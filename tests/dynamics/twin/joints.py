@@ -12,7 +12,7 @@ TURNS = {"hinge": "turning", "weld": "stiff", "slider": "stiff", "wheel": "turni
 
 
 class Joint:
-    """What a joint was added with: numbers of the scalar, frames as axes; and its impulses."""
+    """A joint as added (numbers of the scalar, frames as axes), and its impulses."""
 
     def __init__(self, kind, n, a, b, anchors, keys):
         self.kind, self.n, self.a, self.b, self.anchors = kind, n, a, b, anchors
@@ -34,7 +34,7 @@ class Row:
 
 
 class Solved:
-    """A joint in a tick."""
+    """A joint during a tick."""
 
     def __init__(self, solver, joint):
         self.solver, self.joint, self.f, self.n = solver, joint, solver.f, solver.n
@@ -95,7 +95,7 @@ class Solved:
         return ratio.quotient(p, whole), ratio.quotient(w * w, whole), ratio.quotient(1 << 60, whole)
 
     def over_masses(self, x, kind):
-        """Numbers of the scalar over masses of 2 F bits."""
+        """Numbers of the scalar divided by masses with 2 F bits."""
         square = self.rate * self.rate
         return kind.clamp(sum(kind.quotient(x, body.mass * square, -self.f.F)
                               for body in (self.a, self.b) if body.can_move))
@@ -216,7 +216,7 @@ class Solved:
                 self.solver.apply(self, row, p)
 
     def next(self, row, m, v, P, kind, rates, biased):
-        """The impulse after one more solve, and what is applied."""
+        """The impulse after one more solve, and the impulse applied."""
         scale = kind.f + 30
         if row.law == "motor":
             p = kind.near(-m * (v - row.target), scale)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""docs/contacts_of_bodies.md: lengths are integers in steps of a lever, feet in 1/256 of that."""
+"""docs/contacts_of_bodies.md. Lengths are integers in steps of a lever, feet in 1/256 of that."""
 from math import isqrt
 
 from fixed import Format, ONE, cross, dot, ratio, root_nearest, round_div, squared, \
@@ -42,7 +42,8 @@ def kept(points, margin):
 # The pose of a pair
 
 def manifold(a, b, r, t, margin):
-    """The normal and the points (position, separation, feature) of two shapes; b is at t with axes r."""
+    """Returns the normal and the points (position, separation, feature) of two shapes; b is at t
+    with axes r."""
     n = len(t)
     if a.is_empty or b.is_empty:
         return NOTHING
@@ -83,7 +84,7 @@ def foot_at(s, d, num, den):
 
 
 def foot(p, s, e):
-    """The foot of p (a foot) on the segment from s to e (levers)."""
+    """The foot of the perpendicular from p (a foot) on the segment from s to e (levers)."""
     d = minus(e, s)
     w = dot(minus(p, to_foot(s)), d)
     dd = squared(d) << 8
@@ -95,7 +96,7 @@ def foot(p, s, e):
 
 
 def distance(p, q):
-    """In steps of a lever, of two feet."""
+    """The distance between two feet, in steps of a lever."""
     return root_nearest(squared(minus(q, p)), 1 << 16)
 
 
@@ -111,7 +112,7 @@ def balls(p, ra, q, rb, margin):
 
 
 def across(d, e, toward):
-    """The direction across."""
+    """The direction perpendicular to d and e."""
     d = d if any(d) else e
     if len(d) == 2:
         v = [-d[1], d[0]]
@@ -188,7 +189,7 @@ def box_round(h, ends, r, margin):
 
 
 def box_ball(h, q, r, margin):
-    """D, and the manifold of a ball about q, a foot."""
+    """D, and the manifold of a ball around q, a foot."""
     h8 = to_foot(h)
     c = [min(max(x, -y), y) for x, y in zip(q, h8)]
     D = distance(q, c)
@@ -204,7 +205,7 @@ def box_ball(h, q, r, margin):
 
 
 def nearest_to_box(h, a, d):
-    """The least x in [0, 1] from which on the distance is least, as num / den."""
+    """The least x in [0, 1] at which the distance is least, as num / den."""
     n = len(a)
     den = 1
     for x in d:
@@ -289,7 +290,7 @@ def capsule_across(h, a, d, total, best, r, margin):
 
 
 def clip_new(p, u, q, v, k, e):
-    """Clipping from the kept end p with room u to the lost end q with room v."""
+    """Clips from the kept end p with room u to the lost end q with room v."""
     new = [x + CORNER.clamp(round_div((y - x) * u, u - v)) for x, y in zip(p, q)]
     new[k] = e
     return new
@@ -419,7 +420,7 @@ def box_faces(a, b, r, t, k, of_b, margin):
 
 
 def clip_polygon(polygon, k, e, cut):
-    """Clips corners with the lines that leave them at e, then at -e; the cuts are cut and cut + 1."""
+    """Clips the corners of a polygon at e, then at -e; the cuts are numbered cut and cut + 1."""
     for side in (1, -1):
         rooms = [e - side * p[k] for p, _ in polygon]
         result = []
@@ -438,7 +439,7 @@ def clip_polygon(polygon, k, e, cut):
 
 
 def reduced(points, k):
-    """At most four points."""
+    """Reduces the points to at most four."""
     if len(points) <= 4:
         return points
     x, y = (k + 1) % 3, (k + 2) % 3
@@ -490,4 +491,4 @@ def box_edges(a, b, r, t, s, i, j):
     return n, [(point, s, (1 << 15) + (3 * i + j) * 16 + bits)]
 
 
-import hull  # noqa: E402  it needs the functions above
+import hull  # noqa: E402  needs the functions above

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: particle_states SCENES NAME
-// Prints the integers of every particle of a scene of particles.txt, at the start and after each
-// tick: what particles.py compares with its own.
+// Prints the integers of every particle of a scene in particles.txt, at the start and after each
+// tick. particles.py compares them with its own.
 
 #include <cstdlib>
 #include <fstream>
@@ -42,7 +42,7 @@ struct Solid {
   Obb<S, N> box;
 };
 
-/// The particles of one scene; lines of other scenes are passed over.
+/// The particles of one scene; lines of other scenes are skipped.
 template <int N>
 class Stage {
  public:

@@ -19,22 +19,22 @@ from fixed import ONE, PI, PI_BITS, Formats, dot, parse, ratio, squared, unit
 BITS, FRAC = 31, 16
 F = Formats(BITS, FRAC)
 S, PLACE, SPEED, REACH = F.scalar, F.place, F.speed, F.reach
-FINE = PLACE.f - FRAC  # bits of a place below the grid of S
-STEP = 1 << FINE       # u, in steps of a place
+FINE = PLACE.f - FRAC  # bits of a position below the grid of S
+STEP = 1 << FINE       # u, in steps of a position
 
 
 def minus(a, b):
     return [x - y for x, y in zip(a, b)]
 
 
-# Shapes: a box is a centre, half extents and axes; a ball is a point, a box without extents, that
-# is met from farther away. Lengths in a frame are in steps of S over 2^30.
+# Shapes. A box has a centre, half extents and axes. A ball is a box without extents that is touched
+# from farther away. Lengths in a frame are in steps of S over 2^30.
 
 class Shape:
     def __init__(self, center, half, radius, axes):
         self.center, self.radius, self.axes = center, radius, axes
         self.half = [h << 30 for h in half]
-        # Corners reach no farther along an axis of the world than this.
+        # Corners extend no farther along a world axis than this.
         self.size = sum(half) + len(half) + radius if any(half) else radius
 
     def local(self, v):
@@ -45,7 +45,8 @@ class Shape:
         return any(max(a, b) < c - e or min(a, b) > c + e for a, b, c in zip(g, h, self.center))
 
     def least(self, p, d, half, end):
-        """The least squared distance of p + t d from the half extents over t in [0, end], and t."""
+        """The least squared distance of p + t d from the half extents for t in [0, end], and that
+        t."""
         cuts = {Fraction(0), Fraction(end)}
         for x, y, e in zip(p, d, half):
             if y:
@@ -96,7 +97,7 @@ class Shape:
         return low
 
     def contact(self, c, r):
-        """The normal, in Ratio, and the depth with a ball, or None."""
+        """The normal, in Ratio, and the depth of a contact with a ball, or None."""
         if self.is_beside(c, c, r):
             return None
         p = self.local(minus(c, self.center))
@@ -178,7 +179,7 @@ class System:
         return [form.clamp(x - form.near(s * k, 30 + form.f)) for x, k in zip(v, t)]
 
     def move(self, x, y, r):
-        """Where a particle comes, and the normals it meets."""
+        """Moves a particle. Returns its position and the normals it meets."""
         g = [k >> FINE for k in x]
         normals = []
         while True:
@@ -273,7 +274,7 @@ class System:
 
 
 class Reader:
-    """The lines of one scene."""
+    """Reads the lines of one scene."""
 
     def __init__(self, n):
         self.n, self.system, self.events = n, System(n), {}
@@ -390,7 +391,7 @@ class Reader:
 
 
 def read(path):
-    """Every scene: its name, its ticks, and the reader of its lines."""
+    """Reads every scene: its name, its ticks, and the reader of its lines."""
     scenes = []
     with open(path) as file:
         for line in file:

@@ -15,7 +15,7 @@ import scenes
 
 
 def field_of(line, i, n):
-    """The name of word i of a line of a state."""
+    """The name of word i in a line of a state."""
     words = line.split()
     if words[0] == "body":
         count = {"place": n, "orientation": 2 if n == 2 else 4, "velocity": n,

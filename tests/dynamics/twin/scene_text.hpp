@@ -9,7 +9,7 @@
 #include "detent/number/decimal.hpp"
 #include "detent/number/fixed.hpp"
 
-// Reads the numbers of scene files, for the programs that play them.
+// Reads the numbers of scene files for the programs that play them.
 
 namespace detent::test {
 

@@ -12,7 +12,7 @@ DEFAULTS = {"density": "1", "friction": "0.6", "restitution": "0", "rolling": "0
 
 
 def read(path):
-    """The scenes: (name, dimension, lines)."""
+    """Reads the scenes: (name, dimension, lines)."""
     scenes = []
     with open(path, encoding="ascii") as file:
         for line in file:
@@ -62,7 +62,7 @@ def build(n, lines, bits=31, frac=16):
 
 
 def step(world, tick):
-    """Does what the scene says before the tick, then the tick."""
+    """Applies the scene's commands for this tick, then steps."""
     for what, index, numbers in world.events.get(tick, ()):
         if what == "remove":
             world.remove(index)
@@ -117,7 +117,7 @@ def join(world, n, words, num):
 
 
 def read_shape(n, kind, rest, num, points):
-    """A shape and its place; takes their words."""
+    """Reads a shape and its position, consuming their words."""
     def vector(count=n):
         values = [num(x) for x in rest[:count]]
         del rest[:count]
@@ -143,7 +143,7 @@ def read_shape(n, kind, rest, num, points):
 
 
 def read_turn(n, rest):
-    """The frame of a `turned`, and its orientation."""
+    """Reads the frame of a `turned`, and its orientation."""
     q = unit([int(rest.pop(0)) for _ in range(2 if n == 2 else 4)])
     frame = axes(q)
     return frame, q if n == 2 else unit(from_rotation(frame))

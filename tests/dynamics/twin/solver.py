@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""docs/dynamics.md, "A tick": the steps 6 to 8."""
+"""docs/dynamics.md, "A tick": steps 6 to 8."""
 from math import isqrt
 
 from body import axes, carried, turned
@@ -75,7 +75,7 @@ class Solver:
         return row
 
     def locked(self, row, a, b):
-        """Takes the locked axes out of a push; its loss."""
+        """Removes the locked axes from a push; returns the loss."""
         lost = 0
         for body, push in (a, row.au), (b, row.bu):
             if body.can_move:

@@ -51,7 +51,7 @@ class Facet:
         return all(x * abs(g) + y * abs(h) <= 0 for x, y in zip(self.beyond(a), self.beyond(b)))
 
     def touch(self, shape, r, t, margin, on_top):
-        """The manifold with a shape."""
+        """The triangle's manifold with a shape."""
         own, face = self.hull, self.hull.faces[0]
         if shape.kind == "hull" or shape.is_box:
             other = shape.hull if shape.kind == "hull" else hull.box_hull(shape.centre, shape.half)
@@ -88,7 +88,7 @@ class Facet:
 
 
 class Touch:
-    """A near triangle and its contact."""
+    """A nearby triangle and its contact."""
 
     def __init__(self, facet, found):
         self.facet, (self.n, self.points) = facet, found
@@ -96,7 +96,7 @@ class Touch:
 
 
 def contacts(f, surface, shape, r, t, margin_raw, margin):
-    """The near triangles, in order, those with contacts among them."""
+    """The nearby triangles, in order, and those with contacts among them."""
     box = []
     for k in range(3):
         e = f.bound.near(shape.radius_raw + 2 * margin_raw, f.F)
@@ -139,7 +139,8 @@ def same(a, b):
 
 
 def last_of(found, c, old):
-    """The contact of the last tick that this one continues; `old` has those of both bodies by part."""
+    """The contact of the last tick that this one continues; `old` has those of both bodies, by
+    part."""
     if c.facet.index in old:
         return old[c.facet.index]
     for part in sorted(old):

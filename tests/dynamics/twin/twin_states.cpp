@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // usage: twin_states SCENES NAME TICKS
-// Prints the integers of every body and contact of a scene of scenes.txt, at the start and after
-// each tick: what run.py compares with its own.
+// Prints the integers of every body and contact of a scene in scenes.txt, at the start and after
+// each tick. run.py compares them with its own.
 
 #include <cstdlib>
 #include <fstream>
@@ -47,7 +47,7 @@ struct WorldOf<2> {
                      BallJoint, HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
 };
 
-/// The world of one scene; lines of other scenes are passed over.
+/// The world of one scene; lines of other scenes are skipped.
 template <int N>
 class Stage {
  public:

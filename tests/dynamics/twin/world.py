@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""docs/dynamics.md, "A tick": the steps 1 to 5 and 9."""
+"""docs/dynamics.md, "A tick": steps 1 to 5 and 9."""
 import body as bodies
 import fast
 import solver
@@ -30,7 +30,7 @@ class World:
         self.sleep_spin = f.spin.quotient(settings["sleep"], rate, f.F)
         self.margin_raw = settings["margin"]
         self.margin = f.lever.near(settings["margin"], f.F)
-        self.bodies, self.contacts, self.joints = [], {}, []  # None for a joint that is gone
+        self.bodies, self.contacts, self.joints = [], {}, []  # None for a removed joint
 
     def add(self, motion, shape, place, q, options, frame):
         f = self.f
@@ -71,7 +71,7 @@ class World:
         b.sleeps, b.quiet = False, 0
 
     def push_body(self, index, what, numbers):
-        """Forces, torques and impulses."""
+        """Applies forces, torques and impulses."""
         b, f, n = self.bodies[index], self.f, self.n
         if not b.can_move:
             return
@@ -204,7 +204,7 @@ class World:
                              terrain.last_of(found, c, parts))
 
     def pose(self, a, b):
-        """The offset of b from a, and its axes and place in the frame of a."""
+        """The offset of b from a, and b's axes and position in a's frame."""
         f = self.f
         d = [f.lever.near(y - x, f.F + 12) for x, y in zip(a.x, b.x)]
         t = [f.lever.near(dot(axis, d), f.F + 36) for axis in a.axes]
@@ -302,7 +302,7 @@ class World:
                     b.sleeps, b.v, b.w = True, [0] * len(b.v), [0] * len(b.w)
 
     def state(self):
-        """The lines that twin_states.cpp prints for one tick."""
+        """The lines printed by twin_states.cpp for one tick."""
         for i, b in enumerate(self.bodies):
             if b.motion == "none":
                 continue

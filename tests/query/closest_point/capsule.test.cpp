@@ -8,7 +8,7 @@ namespace detent::test {
 namespace {
 
 TEMPLATE_TEST_CASE(
-    "closest point, capsule: on the surface toward the point, the point itself inside",
+    "closest point, capsule: on the surface towards the point, or an inside point itself",
     "[closest_point]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

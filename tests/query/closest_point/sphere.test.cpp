@@ -18,7 +18,7 @@ bool is_share(std::int64_t k, std::int64_t r, std::int64_t d_i, const BigInteger
 }
 
 TEMPLATE_TEST_CASE(
-    "closest point, sphere: on the surface toward the point, the point itself inside",
+    "closest point, sphere: on the surface towards the point, or an inside point itself",
     "[closest_point]", DETENT_EVERY_SPACE) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;

@@ -76,7 +76,7 @@ std::array<Weight, static_cast<std::size_t>(N)> numbers(const Integers<N>& integ
 }
 
 TEMPLATE_TEST_CASE_SIG(
-    "pivot: of the columns whose loss keeps the basis stabbed, the least index leaves", "",
+    "pivot: the leaving column has the least index among those that keep the basis stabbed", "",
     ((int N), N), 2, 3) {
   Random random(0x9170);
   const auto draw = [&] {
