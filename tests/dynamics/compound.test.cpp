@@ -298,4 +298,34 @@ TEST_CASE("compound: worlds accept what they can, and worlds without compounds p
   CHECK(bounded.is_asleep(*hammer));
 }
 
+TEST_CASE("compound: a fast one stops where the ball about its centre in a part would touch") {
+  const auto greatest_x = [](const std::vector<BodyPart<S, 2>>& list) {
+    const auto solid = solid_compound(1, list).value();
+    WorldSettings<S, 2> settings;
+    settings.gravity = {};
+    Parts<2> world(settings);
+    (void)world.add(box_of<S, 2>(0.25, 0, 0.0625, 4), fixed<2>());
+    BodyOptions<S, 2> thrown;
+    thrown.velocity = at<S, 2>(300, 0);
+    thrown.is_fast = true;
+    const auto id = *world.add(BodyCompound<S, 2>{&solid, at<S, 2>(-7, 0), {}}, thrown);
+    auto most = world.position(id).x;
+    for (int t = 0; t < 20; ++t) {
+      world.step();
+      most = (std::max)(most, world.position(id).x);
+    }
+    return static_cast<double>(most);
+  };
+  const BodyPart above(box_of<S, 2>(0, 0.75, 0.125, 0.125)),
+      below(box_of<S, 2>(0, -0.75, 0.125, 0.125));
+  const double wall = 0.1875;
+  const auto with_ball = greatest_x({above, below, BodyPart(Sphere<S, 2>{{}, num<S>(0.5)})});
+  CHECK(with_ball < wall - 0.499);
+  CHECK(with_ball > wall - 0.52);
+  const auto with_sensor =
+      greatest_x({above, below, BodyPart(Sphere<S, 2>{{}, num<S>(0.5)}, part(0, 0, true))});
+  CHECK(with_sensor < wall);
+  CHECK(with_sensor > wall - 0.125);
+}
+
 }  // namespace detent::test

@@ -59,10 +59,22 @@ template <Scalar S, int N>
   });
 }
 
-/// For a compound only the centre counts: it may be outside all parts.
-template <Scalar S, int N>
-[[nodiscard]] constexpr S inner_radius(const BodyCompound<S, N>&) noexcept {
-  return S(0);
+/// The radius of a ball about the centre of a compound that is within a part of this shape, at
+/// `pose` in the compound's frame; 0 if the centre is not in it.
+template <class Shape, Scalar S, int N>
+[[nodiscard]] constexpr S inner_radius(const Shape& shape,
+                                       const RelativePose<S, N>& pose) noexcept {
+  using F = Formats<S>;
+  RelativePose<S, N> center;
+  for (int i = 0; i < N; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    center.axes[k] = unit_axis<typename F::Ratio, N>(i);
+    center.translation[i] =
+        nearest_to<typename F::Lever>(-narrow_dot<62>(pose.axes[k], pose.translation));
+  }
+  const auto found = manifold(shape, Sphere<S, N>{}, center, typename F::Lever{});
+  if (found.count == 0 || found.points[0].separation >= 0) return S(0);
+  return saturate_to<S>(floor_to<S>(-found.points[0].separation));
 }
 
 /// Where a point stops: the fraction of its path, and the position there.

@@ -167,6 +167,7 @@ class Tick {
   constexpr void stop_fast(Bodies& bodies, const S& margin) {
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
       if (!is_fast(bodies[i])) continue;
+      const auto radius = inner_radius_of(bodies[i]);
       for (int rank = 0; rank < 4; ++rank) {
         for (std::uint32_t j = 0; j < bodies.size(); ++j) {
           const Body& other = bodies[j];
@@ -175,7 +176,7 @@ class Tick {
               group_.keeps_apart({(std::min)(i, j), (std::max)(i, j)})) {
             continue;
           }
-          stop(bodies[i], starts_[i], other, starts_[j], margin);
+          stop(bodies[i], starts_[i], radius, other, starts_[j], margin);
         }
       }
     }
@@ -184,19 +185,31 @@ class Tick {
     if (body.motion == BodyMotion::fixed) return 3;
     return body.motion == BodyMotion::kinematic ? 2 : is_fast(body) ? 0 : 1;
   }
-  static constexpr void stop(Body& body, const Standing<S, N>& start, const Body& other,
-                             const Standing<S, N>& before, const S& margin) noexcept {
+  /// The radius of a ball about the body's centre that is within one of its shapes, or 0.
+  static constexpr S inner_radius_of(const Body& body) noexcept {
+    return body.shape.visit([]<class Mine>(const Mine& mine) {
+      S radius{};
+      if constexpr (is_compound_body<Mine>) {
+        if (mine.asset == nullptr) return radius;
+        for (const auto& part : mine.asset->parts()) {
+          if (part.options().is_sensor) continue;
+          const auto pose = pose_in(*mine.asset, part);
+          visit_part(part,
+                     [&](const auto& solid) { radius = (max)(radius, inner_radius(solid, pose)); });
+        }
+      } else if constexpr (!is_surface_body<Mine>) {
+        radius = (max)(radius, inner_radius(mine));
+      }
+      return radius;
+    });
+  }
+  static constexpr void stop(Body& body, const Standing<S, N>& start, const S& radius,
+                             const Body& other, const Standing<S, N>& before,
+                             const S& margin) noexcept {
     const auto after =
         other.motion == BodyMotion::fixed
             ? before
             : Standing<S, N>{other.state.place, axes_of<S, N>(other.state.orientation)};
-    const auto radius = body.shape.visit([]<class Mine>(const Mine& mine) {
-      if constexpr (is_surface_body<Mine>) {
-        return S(0);
-      } else {
-        return (max)(inner_radius(mine), S(0));
-      }
-    });
     other.shape.visit([&]<class Other>(const Other& shape) {
       if constexpr (is_compound_body<Other>) {
         if (shape.asset == nullptr) return;

@@ -6,8 +6,19 @@ from fixed import ONE, dot
 from manifold import manifold
 
 
-def inner_radius(shape):
-    """The inner radius in steps of the scalar."""
+def inner_radius(f, n, shape):
+    """In steps of the scalar."""
+    if shape.kind == "compound":
+        point = bodies.Shape("ball", n, radius=0, ends=[[0] * n])
+        turn = [[ONE * (i == j) for j in range(n)] for i in range(n)]
+        most = 0
+        for part in shape.parts:
+            if not part.is_sensor:
+                q = [f.lever.near(-dot(axis, part.p), f.F + 36) for axis in part.P]
+                _, points = manifold(part.shape, point, turn, q, 0)
+                if points:
+                    most = max(most, -points[0][1] >> 6)
+        return most
     if shape.kind == "box":
         return max(min(shape.reach), 0)
     if shape.kind == "aligned":
@@ -15,7 +26,7 @@ def inner_radius(shape):
     if shape.kind == "hull":
         heights = [dot(face[0], shape.hull.points[face[1][0]]) for face in shape.hull.faces]
         return max(min(heights) >> 36, 0)
-    return max(shape.radius_raw, 0)  # 0 for a compound
+    return max(shape.radius_raw, 0)
 
 
 def seen(f, x, A, p):
@@ -88,7 +99,7 @@ def stop_all(world, starts):
     for i, b in enumerate(world.bodies):
         if not b.is_fast or not b.can_move:
             continue
-        r = inner_radius(b.shape)
+        r = inner_radius(f, n, b.shape)
         for rank in range(4):
             for j, o in enumerate(world.bodies):
                 if (j == i or o.motion == "none" or rank_of(o) != rank or b.is_sensor or
