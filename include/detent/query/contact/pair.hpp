@@ -6,6 +6,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "detent/query/contact/boxes.hpp"
 #include "detent/query/contact/contact.hpp"
 #include "detent/query/contact/manifold.hpp"
 #include "detent/query/kernel/argument.hpp"
@@ -147,13 +148,19 @@ template <Scalar S, int N, class A, class B>
   } else if constexpr (is_kind<B, Obb> && is_kind<A, Segment>) {
     return contact_in_frame(b, a, radius_a, false);
   } else {
+    if constexpr (is_kind<A, Aabb> && is_kind<B, Aabb> && N == 3) {
+      if (boxes_are_apart(a, b)) return std::nullopt;
+      if (const auto found = BoxesContact<S>(a, b).find()) return found;
+    }
+    const auto filter = axis_filter<S>(a, b);
+    if (filter.are_apart()) return std::nullopt;
     const auto corners_a = corners_of(a);
     const auto corners_b = corners_of(b);
     const auto body_a = body_of_corners(corners_a);
     const auto body_b = body_of_corners(corners_b);
     using Faced = FacedPush<S, N>;
     const auto push = least_push_between<S>(
-        body_a, body_b, radius_a + radius_b, [&](const auto& normal, const Depth<S>& depth) {
+        body_a, body_b, radius_a + radius_b, filter, [&](const auto& normal, const Depth<S>& depth) {
           return std::optional<Faced>({unit_of<S>(normal), depth,
                                        extreme_feature<S>(body_a, body_a, normal, true),
                                        extreme_feature<S>(body_b, body_b, normal, false)});

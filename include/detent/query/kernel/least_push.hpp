@@ -141,10 +141,10 @@ template <Scalar S, int N, Number Radius>
 
 /// Two convex bodies, with the sum of their radii: f(normal, depth) of the least push, which returns
 /// an optional; nothing if they do not touch. The normal is exact, at any length, and its type one of
-/// two: that of an axis of two edges is short.
-template <Scalar S, class A, class B, Number Radii, class F>
+/// two: that of an axis of two edges is short. `filter` is that of the shapes: see axis_filter.hpp.
+template <Scalar S, class A, class B, Number Radii, class Filter, class F>
 [[nodiscard]] constexpr auto least_push_between(const A& a, const B& b, const Radii& radii,
-                                                const F& f) noexcept {
+                                                const Filter& filter, const F& f) noexcept {
   constexpr int N = A::dimension;
   using Longest = std::remove_cvref_t<decltype((a.some() - b.some()).x)>;
   using Normal = LongestNormal<Longest, N>;
@@ -155,7 +155,7 @@ template <Scalar S, class A, class B, Number Radii, class F>
   return with_gjk(a, b, [&](auto search) {
     using T = typename decltype(search)::Difference;
     Result result;
-    if (const auto push = AxisPush<T, A, B>(a, b).least()) {
+    if (const auto push = AxisPush<T, A, B>(a, b).least(filter)) {
       if (push->height > 0) return f(push->normal, depth_of(*push));
       if (push->height < 0 && radii == 0) return result;
     }
