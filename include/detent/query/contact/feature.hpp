@@ -9,6 +9,7 @@
 
 #include "detent/math/components.hpp"
 #include "detent/math/direction.hpp"
+#include "detent/math/width.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/core.hpp"
 #include "detent/query/kernel/least_common_point.hpp"
@@ -54,8 +55,8 @@ inline constexpr std::size_t most_corners_of = (std::max)(most_corners<A>, most_
 /// Returns f(corners...) with the corners of features relative to `origin`, in numbers of 29 bits if
 /// they fit.
 template <Scalar S, int N, class F, std::size_t... Most>
-[[nodiscard]] constexpr auto with_corners_from(const Corner<S, N>& origin, const F& f,
-                                               const Feature<S, N, Most>&... features) noexcept {
+constexpr auto with_corners_from(const Corner<S, N>& origin, const F& f,
+                                 const Feature<S, N, Most>&... features) noexcept {
   bool are_short = true;
   const auto check = [&](const auto& feature) {
     for (std::size_t i = 0; i < feature.count; ++i) {
@@ -66,7 +67,7 @@ template <Scalar S, int N, class F, std::size_t... Most>
   const auto relative = [&]<class T>(const T&, const auto& feature) {
     std::array<Vec<T, N>, std::remove_cvref_t<decltype(feature)>::most> corners;
     for (std::size_t i = 0; i < feature.count; ++i) {
-      corners[i] = at_most<is_fixed<T> ? bits_of<T> : 0>(feature.corners[i] - origin);
+      corners[i] = at_most < is_fixed<T> ? bits_of<T> : 0 > (feature.corners[i] - origin);
     }
     return corners;
   };
@@ -98,7 +99,8 @@ template <Scalar S, std::size_t Most>
         if (i == at || i == next) continue;
         const auto to_next = corners[next] - p, to_corner = corners[i] - p;
         const auto turn = dot(d, cross(to_next, to_corner));
-        if (turn < 0 || (turn == 0 && squared_length(to_corner) > squared_length(to_next))) next = i;
+        if (turn < 0 || (turn == 0 && squared_length(to_corner) > squared_length(to_next)))
+          next = i;
       }
       if (next == first) break;
       at = next;
@@ -249,7 +251,8 @@ template <class Core, class Body, Scalar S, int N, std::size_t Most>
   if constexpr (is_kind<Core, Aabb>) {
     return opposed_side<S, Most>(body, d.vec());
   } else if constexpr (is_kind<Core, Obb>) {
-    return opposed_side<S, Most>(body, make_vec<N>([&](int i) { return dot(core.rotation.axis(i), d); }));
+    return opposed_side<S, Most>(body,
+                                 make_vec<N>([&](int i) { return dot(core.rotation.axis(i), d); }));
   } else {
     return OpposedFace<Body, S, N, Most>(body, deepest.corners[0], d).feature();
   }

@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "detent/math/width.hpp"
+#include "detent/number/filter/ratio.hpp"
 #include "detent/query/contact/contact.hpp"
 #include "detent/query/contact/feature.hpp"
 #include "detent/query/kernel/expansion.hpp"
@@ -41,8 +43,7 @@ class ContactBuilder {
   /// Meets the features a and b of the shapes in their order. `wide_a` and `wide_b` give the faces
   /// that meet a reference face of the other.
   template <class WideA, class WideB>
-  constexpr void meet(Face a, Face b, const WideA& wide_a,
-                      const WideB& wide_b) noexcept {
+  constexpr void meet(Face a, Face b, const WideA& wide_a, const WideB& wide_b) noexcept {
     a = outline(a, seen_);
     b = outline(b, seen_);
     const bool a_is_face = a.count >= std::size_t{N}, b_is_face = b.count >= std::size_t{N};
@@ -77,8 +78,7 @@ class ContactBuilder {
 
   /// Meets a plane, which is one of the shapes, and a feature of the other, whose deepest one is
   /// `deepest`.
-  constexpr void meet_plane(bool plane_is_a, const Face& feature,
-                            const Face& deepest) noexcept {
+  constexpr void meet_plane(bool plane_is_a, const Face& feature, const Face& deepest) noexcept {
     a_is_reference_ = plane_is_a;
     const auto incident = incident_of(feature, deepest);
     const auto& lowest = deepest.corners[0];
@@ -94,14 +94,14 @@ class ContactBuilder {
   constexpr void write(Contact<S, N>& contact) const noexcept {
     const auto best = [&](const auto& value) {
       std::size_t found = 0;
-      auto most = value(0);
+      auto greatest = value(0);
       for (std::size_t i = 1; i < count_; ++i) {
         const auto here = value(i);
-        if (!(here > most)) continue;
-        most = here;
+        if (!(here > greatest)) continue;
+        greatest = here;
         found = i;
       }
-      return std::pair{found, most};
+      return std::pair{found, greatest};
     };
     const auto keep = [&](std::size_t i) { contact.points[contact.count++] = points_[i]; };
     contact.count = 0;
@@ -136,12 +136,10 @@ class ContactBuilder {
     const std::uint32_t p = feature.numbers[i], q = feature.numbers[j];
     return p < q ? p | q << 8 : q | p << 8;
   }
-  [[nodiscard]] static constexpr std::uint32_t corner(const Face& feature,
-                                                      std::size_t i) noexcept {
+  [[nodiscard]] static constexpr std::uint32_t corner(const Face& feature, std::size_t i) noexcept {
     return edge(feature, i, i);
   }
-  [[nodiscard]] static constexpr std::uint32_t corner_or_edge(
-      const Face& feature) noexcept {
+  [[nodiscard]] static constexpr std::uint32_t corner_or_edge(const Face& feature) noexcept {
     return edge(feature, 0, feature.count - 1);
   }
   [[nodiscard]] static constexpr std::uint32_t both(std::uint32_t a, std::uint32_t b) noexcept {
@@ -155,8 +153,7 @@ class ContactBuilder {
 
   /// The outline of a face. Of a face seen edge-on, which is its two ends, the deepest feature may be
   /// in between: then it counts alone.
-  [[nodiscard]] constexpr Face incident_of(const Face& wide,
-                                                    const Face& deepest) const noexcept {
+  [[nodiscard]] constexpr Face incident_of(const Face& wide, const Face& deepest) const noexcept {
     const auto seen = outline(wide, seen_);
     if (seen.count >= std::size_t{N}) return seen;
     for (std::size_t i = 0; i < seen.count; ++i) {
@@ -203,9 +200,8 @@ class ContactBuilder {
   template <Number Depth>
   [[nodiscard]] constexpr Vec<S, N> on_surface(const Corner<S, N>& point, bool is_on_b,
                                                const Depth& depth) const noexcept {
-    return make_vec<N>([&](int i) {
-      return nearest_to<S>(point[i] + normal_[i] * to_surface(is_on_b, depth));
-    });
+    return make_vec<N>(
+        [&](int i) { return nearest_to<S>(point[i] + normal_[i] * to_surface(is_on_b, depth)); });
   }
   /// The same at a part of the way from one point to another.
   template <class Ratio, Number Depth>
@@ -234,8 +230,8 @@ class ContactBuilder {
   /// Two segments in one line as seen along the normal, or a segment and a point: `place` is the
   /// place along the line.
   template <class Place>
-  constexpr void overlap(const Face& reference, const Face& incident,
-                         const Corner<S, N>& deepest, const Place& place) noexcept {
+  constexpr void overlap(const Face& reference, const Face& incident, const Corner<S, N>& deepest,
+                         const Place& place) noexcept {
     const auto start = place(reference.corners[0]), end = place(reference.corners[1]);
     const auto& low = start < end ? start : end;
     const auto& high = start < end ? end : start;
@@ -266,9 +262,8 @@ class ContactBuilder {
 
   /// Adds corner i of the reference, part / all of the way along an incident segment.
   template <Number Part, Number All>
-  constexpr void add_under(const Face& reference, std::size_t i,
-                           const Face& incident, const Far& depth, const Part& part,
-                           const All& all) noexcept {
+  constexpr void add_under(const Face& reference, std::size_t i, const Face& incident,
+                           const Far& depth, const Part& part, const All& all) noexcept {
     const auto feature = both_by_role(corner(reference, i), edge(incident, 0, 1));
     if (a_is_reference_) {
       add(reference.corners[i], false, depth, feature);
@@ -305,7 +300,6 @@ class ContactBuilder {
           clip_within(reference, rim, incident, incident_rim, deepest, 0);
           // They meet in their rims, but for the rounding of the normal.
           if (count_ == 0) clip_within(reference, rim, incident, incident_rim, deepest, 4);
-          return true;
         },
         reference, incident);
     if (count_ > 0) return;
@@ -398,7 +392,8 @@ class ContactBuilder {
     const auto slope = dot(m, normal_);
     if (slope == 0) return;
     const auto w = reference.corners[i] - deepest;
-    const auto fall = quotient(dot(w, normal_) * slope - dot(m, w) * squared_length(normal_), slope);
+    const auto fall =
+        quotient(dot(w, normal_) * slope - dot(m, w) * squared_length(normal_), slope);
     add(reference.corners[i], !a_is_reference_,
         depth_less(a_is_reference_ ? fall : narrow_negative(fall)),
         both_by_role(corner(reference, i), face));
@@ -438,7 +433,8 @@ class ContactBuilder {
         const auto near = incident_rim.side(k, rim.corners[i]);
         const auto far = incident_rim.side(k, rim.corners[j]);
         if (!are_opposite(near, far)) continue;
-        cross_edges(reference, i, j, part_of(near, far), incident, k, l, part_of(from, to), deepest);
+        cross_edges(reference, i, j, part_of(near, far), incident, k, l, part_of(from, to),
+                    deepest);
       }
     }
   }
@@ -466,9 +462,8 @@ class ContactBuilder {
     const auto from = drop(q[k], deepest), to = drop(q[l], deepest);
     const Far depth = depth_less(nearest_between<Far>(from, to - from, incident_part));
     const auto feature = both_by_role(edge(reference, i, j), edge(incident, k, l));
-    const auto place = make_vec<3>([&](int axis) {
-      return nearest_between<Far>(r[i][axis], r[j][axis] - r[i][axis], part);
-    });
+    const auto place = make_vec<3>(
+        [&](int axis) { return nearest_between<Far>(r[i][axis], r[j][axis] - r[i][axis], part); });
     push(a_is_reference_ ? on_surface(r[i], r[j], part, false, depth)
                          : on_surface(q[k], q[l], incident_part, false, depth),
          depth, feature, place);

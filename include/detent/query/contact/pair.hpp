@@ -66,7 +66,8 @@ template <std::size_t Most, Scalar S, int N, Number Depth, class Meet>
   contact.normal = normal;
   contact.depth = floor_to<S>(depth);
   const auto radii = radius_a + radius_b;
-  ContactBuilder<S, N, Most> manifold(normal, narrow<bits_of<Length<S>>>(depth - radii), radius_a, radii);
+  ContactBuilder<S, N, Most> manifold(normal, narrow<bits_of<Length<S>>>(depth - radii), radius_a,
+                                      radii);
   meet(manifold);
   manifold.write(contact);
   return contact;
@@ -84,12 +85,12 @@ template <Scalar S, int N, class Core>
   const auto& away = push->normal;
   const S none(0);
   constexpr auto most = most_corners<std::remove_cvref_t<decltype(body)>>;
-  return make_contact<most>(plane_is_a ? away : -away, push->depth, plane_is_a ? none : radius,
-                      plane_is_a ? radius : none, [&](auto& manifold) {
-                        const auto deepest = extreme_feature<S, most>(body, body, away.vec(), false);
-                        manifold.meet_plane(plane_is_a, opposed_feature(core, body, deepest, away),
-                                            deepest);
-                      });
+  return make_contact<most>(
+      plane_is_a ? away : -away, push->depth, plane_is_a ? none : radius,
+      plane_is_a ? radius : none, [&](auto& manifold) {
+        const auto deepest = extreme_feature<S, most>(body, body, away.vec(), false);
+        manifold.meet_plane(plane_is_a, opposed_feature(core, body, deepest, away), deepest);
+      });
 }
 
 /// A box, measured in its frame, and a segment, which may be a point.
@@ -165,7 +166,8 @@ template <Scalar S, int N, class A, class B>
                                           std::remove_cvref_t<decltype(body_b)>>;
     using Faced = FacedPush<S, N, most>;
     const auto push = least_push_between<S>(
-        body_a, body_b, radius_a + radius_b, filter, [&](const auto& normal, const Depth<S>& depth) {
+        body_a, body_b, radius_a + radius_b, filter,
+        [&](const auto& normal, const Depth<S>& depth) {
           return std::optional<Faced>({unit_of<S>(normal), depth,
                                        extreme_feature<S, most>(body_a, body_a, normal, true),
                                        extreme_feature<S, most>(body_b, body_b, normal, false)});

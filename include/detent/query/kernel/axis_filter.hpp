@@ -61,12 +61,11 @@ class AxisFilter {
       : apart_(doubled_center(b) - doubled_center(a)) {
     lows_.fill(lowest<Depth>);
     const auto extents_a = doubled_extents(a), extents_b = doubled_extents(b);
-    int length = 0;
-    for (int i = 0; i < 3; ++i) {
-      length = (std::max)({length, bit_length(extents_a[i].raw()), bit_length(extents_b[i].raw()),
-                           bit_length(apart_[i].raw())});
-    }
-    const int dropped = (std::max)(length - length_bits, 0);
+    const auto dropped_of = [](const auto&... v) {
+      const auto magnitudes = (... | (abs(v.x).raw() | abs(v.y).raw() | abs(v.z).raw()));
+      return (std::max)(bit_length(magnitudes) - length_bits, 0);
+    };
+    const int dropped = dropped_of(extents_a, extents_b, apart_);
     bound(frame_of(a), cut(extents_a, dropped), frame_of(b), cut(extents_b, dropped),
           cut(apart_, dropped));
   }
@@ -83,19 +82,20 @@ class AxisFilter {
   }
 
  private:
+  static_assert(bits_of<direction_component<S>> > 30, "detent: the lemma is for axes of 32 bits");
   static constexpr int length_bits = 28;
   using Length = Fixed<length_bits + 1, 0>;
   using Place = Fixed<length_bits + 3, 0>;
   using Slack = Fixed<62, ShortCosine::frac>;
   using Depth = Fixed<42, 0>;
   /// Shorter cross products of two axes may be too inexact.
-  static constexpr auto least_square = Fixed<58, 2 * ShortCosine::frac>::from_raw(
-      std::int64_t{1} << (2 * ShortCosine::frac - 14));
+  static constexpr auto least_square = square(ShortCosine::from_raw(1 << (ShortCosine::frac - 7)));
 
   template <Number T>
   [[nodiscard]] static constexpr Vec<Length, 3> cut(const Vec<T, 3>& v, int dropped) noexcept {
     return make_vec<3>([&](int i) {
-      return Length::assume_raw(static_cast<std::int32_t>(shift_right_floor(v[i].raw(), dropped)));
+      return Length::assume_raw(
+          static_cast<typename Length::raw_type>(shift_right_floor(v[i].raw(), dropped)));
     });
   }
   [[nodiscard]] static constexpr Depth floor_of(const Slack& slack) noexcept {
@@ -129,48 +129,57 @@ class AxisFilter {
     };
     std::array<Vec<ShortCosine, 3>, 3> cosines, lengths;  // [i][j]: axis i of a, axis j of b
     Vec<Place, 3> along_a;
-    for (int i = 0; i < 3; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      cosines[k] = make_vec<3>([&](int j) { return narrow_floor<ShortCosine>(cosine(a, i, b, j)); });
-      lengths[k] = make_vec<3>([&](int j) { return abs(cosines[k][j]); });
+    for_each_axis([&](auto i) {
+      cosines[i] =
+          make_vec<3>([&](int j) { return narrow_floor<ShortCosine>(cosine(a, i, b, j)); });
+      lengths[i] = make_vec<3>([&](int j) { return abs(cosines[i][j]); });
       along_a[i] = narrow_floor<Place>(a.along(i, apart));
-      bound_face(2 - k, slack(narrow_sum<61>(extents_a[i], narrow_dot<61>(extents_b, lengths[k])),
+      bound_face(2 - i, slack(narrow_sum<61>(extents_a[i], narrow_dot<61>(extents_b, lengths[i])),
                               along_a[i]));
-    }
+    });
     if (are_apart_) return;
-    for (int j = 0; j < 3; ++j) {
-      const auto column =
-          make_vec<3>([&](int i) { return lengths[static_cast<std::size_t>(i)][j]; });
-      bound_face(static_cast<std::size_t>(5 - j),
-                 slack(narrow_sum<61>(extents_b[j], narrow_dot<61>(extents_a, column)),
-                       narrow_floor<Place>(b.along(j, apart))));
-    }
+    for_each_axis([&](auto j) {
+      const Vec column{lengths[0][j], lengths[1][j], lengths[2][j]};
+      bound_face(5 - j, slack(narrow_sum<61>(extents_b[j], narrow_dot<61>(extents_a, column)),
+                              narrow_floor<Place>(b.along(j, apart))));
+    });
     if (are_apart_) return;
-    for (int i = 0; i < 3; ++i) {
-      const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-      const auto& row = lengths[static_cast<std::size_t>(i)];
-      const auto &row_1 = lengths[static_cast<std::size_t>(i1)],
-                 &row_2 = lengths[static_cast<std::size_t>(i2)];
-      for (int j = 0; j < 3; ++j) {
-        const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-        const auto k = static_cast<std::size_t>(6 + 3 * i + j);
-        const auto reach_a = narrow_dot<61>(Vec{extents_a[i1], extents_a[i2]}, Vec{row_2[j], row_1[j]});
-        const auto reach_b = narrow_dot<61>(Vec{extents_b[j1], extents_b[j2]}, Vec{row[j2], row[j1]});
-        const auto place = narrow_cross<61>(Vec{cosines[static_cast<std::size_t>(i1)][j],
-                                                cosines[static_cast<std::size_t>(i2)][j]},
-                                            Vec{along_a[i1], along_a[i2]});
-        const Slack x = slack(narrow_sum<61>(reach_a, reach_b), place);
-        const Depth least = floor_of(x);
-        if (least < -error) are_apart_ = true;
-        const auto squared = narrow<58>(square(row_1[j]) + square(row_2[j]));
-        if (squared < least_square) continue;
-        // The depth is x over the length of the cross product, which is at most 1.
-        lows_[k] = narrow<Depth::bits>(least - error);
-        if (lows_[k] > least_high_) continue;
-        bound_axis(k, over_length(x, squared),
-                   narrow<Depth::bits>(over_length(Slack(error), squared) + Depth(4)));
-      }
-    }
+    for_each_axis([&](auto i) {
+      constexpr int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+      for_each_axis([&](auto j) {
+        constexpr int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+        const auto reach_a =
+            narrow_dot<61>(Vec{extents_a[i1], extents_a[i2]}, Vec{lengths[i2][j], lengths[i1][j]});
+        const auto reach_b =
+            narrow_dot<61>(Vec{extents_b[j1], extents_b[j2]}, Vec{lengths[i][j2], lengths[i][j1]});
+        const auto place =
+            narrow_cross<61>(Vec{cosines[i1][j], cosines[i2][j]}, Vec{along_a[i1], along_a[i2]});
+        const auto squared = narrow<58>(square(lengths[i1][j]) + square(lengths[i2][j]));
+        bound_edges(6 + 3 * i + j, slack(narrow_sum<61>(reach_a, reach_b), place), squared, error);
+      });
+    });
+  }
+
+  /// Axis k across two edges. The push is x over the length of their cross product, which is at most
+  /// 1; x is off by less than `error`.
+  template <Number Square, Number Error>
+  constexpr void bound_edges(std::size_t k, const Slack& x, const Square& squared,
+                             const Error& error) noexcept {
+    const Depth least = floor_of(x);
+    are_apart_ = are_apart_ || least < -error;
+    if (squared < least_square) return;
+    lows_[k] = narrow<Depth::bits>(least - error);
+    if (lows_[k] > least_high_) return;
+    bound_axis(k, over_length(x, squared),
+               narrow<Depth::bits>(over_length(Slack(error), squared) + Depth(4)));
+  }
+
+  /// Calls f with 0, 1 and 2 as constants, so that compilers make no loop of it.
+  template <class F>
+  static constexpr void for_each_axis(const F& f) noexcept {
+    f(std::integral_constant<std::size_t, 0>());
+    f(std::integral_constant<std::size_t, 1>());
+    f(std::integral_constant<std::size_t, 2>());
   }
   template <class FrameA, class FrameB>
   [[nodiscard]] static constexpr auto cosine(const FrameA& a, int i, const FrameB& b,
@@ -183,8 +192,8 @@ class AxisFilter {
   }
   template <Number Square>
   [[nodiscard]] static constexpr Depth over_length(const Slack& x, const Square& squared) noexcept {
-    return narrow<Depth::bits>(over_root(Fixed<62, 0>::assume_raw(x.raw()),
-                                         Fixed<58, 0>::assume_raw(squared.raw())));
+    return narrow<Depth::bits>(
+        over_root(Fixed<62, 0>::assume_raw(x.raw()), Fixed<58, 0>::assume_raw(squared.raw())));
   }
 
   Vec<decltype((S() + S()) - (S() + S())), 3> apart_;

@@ -10,6 +10,7 @@
 #include "detent/math/components.hpp"
 #include "detent/number/filter/filtered.hpp"
 #include "detent/query/kernel/axis_filter.hpp"
+#include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/expansion.hpp"
 
 namespace detent::detail {
@@ -48,8 +49,7 @@ inline constexpr bool is_unit_component<Fixed<Bits, Frac>> = Bits == Frac + 1;
 template <Number T, class A, class B, int N = A::dimension>
 class AxisPush {
  public:
-  constexpr AxisPush(const A& a, const B& b) noexcept
-      : a_(a), b_(b), some_a_(a.some()), some_b_(b.some()) {}
+  constexpr AxisPush(const A& a, const B& b) noexcept : a_(a), b_(b) {}
 
   /// Ends with the first push that is not positive. `filter` may rule out axes and sides.
   template <class Filter = AnyAxis>
@@ -128,14 +128,21 @@ class AxisPush {
   template <Number V>
   [[nodiscard]] constexpr Vec<T, N> farthest(const Vec<V, N>& v) const noexcept {
     constexpr int bits = bits_of<T>;
-    return narrow<bits>(a_.template extreme<bits>(v, some_b_, true) -
-                        b_.template extreme<bits>(v, some_a_, false));
+    return narrow<bits>(a_.template extreme<bits>(v, origin_of(b_), true) -
+                        b_.template extreme<bits>(v, origin_of(a_), false));
+  }
+  /// Some corner of the other body, for a body that measures its corners from there.
+  template <class Body>
+  [[nodiscard]] static constexpr decltype(auto) origin_of(const Body& body) noexcept {
+    if constexpr (IsBoxBody<A> && IsBoxBody<B>) {
+      return Vec<T, N>();
+    } else {
+      return body.some();
+    }
   }
 
   const A& a_;
   const B& b_;
-  std::remove_cvref_t<decltype(std::declval<const A&>().some())> some_a_;
-  std::remove_cvref_t<decltype(std::declval<const B&>().some())> some_b_;
 };
 
 }  // namespace detent::detail

@@ -5,6 +5,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "detent/number/filter/leading.hpp"
 #include "detent/query/kernel/axis_push.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/core.hpp"
@@ -62,11 +63,26 @@ template <Scalar S, Number Radii, Number Over, Number Under>
   return Depth<S>(radii - gap);
 }
 
+/// Filter: |height| / |normal|, rounded up, from leading bits, with an error of 2^-41 of it at most
+/// (docs/filters.md, lemma 1).
+template <Scalar S, Number Height, Number Square>
+[[nodiscard]] constexpr Decided<Length<S>> decide_depth(const Height& height,
+                                                        const Square& squared_normal) noexcept {
+  const auto below = decide_floor<Length<S>>(
+      Approximate{Leading(abs(height)) / sqrt(Leading(squared_normal)), Relative{41}});
+  return {next_up(below.value), below.is_sure};
+}
+
 /// The depth of shapes with these radii whose cores must move by height / |normal|.
 template <Scalar S, Number Radii, Number Height, Number Square>
 [[nodiscard]] constexpr Depth<S> depth_of_height(const Radii& radii, const Height& height,
                                                  const Square& squared_normal) noexcept {
-  return radii + sqrt_ceil<Length<S>>(Fraction{square(height), squared_normal});
+  const auto exact = [&] { return sqrt_ceil<Length<S>>(Fraction{square(height), squared_normal}); };
+  if constexpr (is_fixed<S>) {
+    return radii + or_exact(decide_depth<S>(height, squared_normal), exact);
+  } else {
+    return radii + exact();
+  }
 }
 
 /// A plane, which is its surface, and a body with this radius. Of equal depths the one on the side
@@ -152,13 +168,13 @@ template <Scalar S, class A, class B, Number Radii, class Filter, class F>
   const auto depth_of = [&](const auto& push) {
     return depth_of_height<S>(radii, push.height, squared_length(push.normal));
   };
-  return with_gjk(a, b, [&](auto search) {
-    using T = typename decltype(search)::Difference;
+  return with_differences(a.low() - b.high(), a.high() - b.low(), [&]<Number T>(const T&) {
     Result result;
     if (const auto push = AxisPush<T, A, B>(a, b).least(filter)) {
       if (push->height > 0) return f(push->normal, depth_of(*push));
       if (push->height < 0 && radii == 0) return result;
     }
+    Gjk<T, A, B> search(a, b);
     const auto squared = search.squared_distance(squared_distance_of_none<T, N>());
     if (squared.numerator > 0) {
       const auto depth = depth_of_gap<S>(radii, squared);
