@@ -54,16 +54,16 @@ template <class Magnitude, std::size_t N>
   return result;
 }
 
-/// x / sqrt(square) for |x| < 2^62 and 2^56 <= square < 2^62, off by less than 2^-44 of it and 2.
+/// x / sqrt(square) for |x| < 2^62 and 0 < square < 2^62, off by less than 2^-44 of it and 2.
 template <int BX, int BS>
-[[nodiscard]] constexpr Fixed<36, 0> over_root(const Fixed<BX, 0>& x,
+[[nodiscard]] constexpr Fixed<62, 0> over_root(const Fixed<BX, 0>& x,
                                                const Fixed<BS, 0>& square) noexcept {
   const auto squared = static_cast<std::uint64_t>(square.raw());
   const int shift = std::countl_zero(squared) & ~1;
   const auto magnitude = static_cast<std::uint64_t>(x.raw() < 0 ? -x.raw() : x.raw());
   const auto high = multiply_words(magnitude, reciprocal_root(squared << shift)).high;
   const auto quotient = static_cast<std::int64_t>(high >> (30 - shift / 2));
-  return Fixed<36, 0>::assume_raw(x.raw() < 0 ? -quotient : quotient);
+  return Fixed<62, 0>::assume_raw(x.raw() < 0 ? -quotient : quotient);
 }
 
 /// floor(x / 2^exponent), which must fit.

@@ -173,6 +173,22 @@ template <int B, int F, Number Over, Number Under>
                      Steps<256>()};
 }
 
+/// from + step * ratio rounded to nearest; unsure, too, if it is out of the range of S
+/// (docs/filters.md, lemma 16).
+template <class S, int BF, int FF, int BS, int FS, Number Over, Number Under>
+[[nodiscard]] constexpr Decided<S> decide_between(
+    const Fixed<BF, FF>& from, const Fixed<BS, FS>& step,
+    const BoundedRatio<Over, Under, 63, Steps<128>>& ratio) noexcept {
+  using Value = Fixed<62, S::frac + 25>;
+  static_assert(BS + Value::frac - FS <= 61 && BF + Value::frac - FF <= 61);
+  const auto ahead =
+      wrapping_multiply<Int128>(floor_to<Value>(step).raw(), ratio.quotient.value.raw());
+  const auto value = Value::assume_raw(floor_to<Value>(from).raw() +
+                                       integer_cast<std::int64_t>(shift_right_floor(ahead, 63)));
+  if (value < lowest<S> || largest<S> < value) return {S(), false};
+  return decide_nearest<S>(Approximate{value, Steps<64>()});
+}
+
 /// sqrt(square - over^2 / under) >= 0 rounded down to the grid of `T` and clamped: a side of a
 /// right triangle, given the ratio over / under.
 ///

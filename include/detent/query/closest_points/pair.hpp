@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <type_traits>
 #include <utility>
 
+#include "detent/query/closest_point/aabb.hpp"
 #include "detent/query/closest_points/bodies.hpp"
+#include "detent/query/closest_points/boxes.hpp"
 #include "detent/query/closest_points/plane.hpp"
 #include "detent/query/kernel/argument.hpp"
 #include "detent/query/kernel/closest_in_frame.hpp"
@@ -26,18 +27,14 @@ concept HasClosestPoints = (IsShape<T> || IsSegment<T>)&&is_convex<T>;
 template <class A, class B>
 concept HaveClosestPoints = HasClosestPoints<A> && HasClosestPoints<B> && !MixedArguments<A, B>;
 
-/// The closest points of two boxes that are apart: on each axis their ends if they are apart there,
-/// or else their first common coordinate.
+/// The closest points of a sphere and a box.
 template <Scalar S, int N>
-[[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_of_boxes(
-    const Aabb<S, N>& a, const Aabb<S, N>& b) noexcept {
-  const auto nearest = [](const Aabb<S, N>& box, const Aabb<S, N>& other) {
-    return make_vec<N>([&](int i) {
-      const S common = (std::max)(box.min[i], other.min[i]);
-      return box.max[i] < common ? box.max[i] : common;
-    });
-  };
-  return {nearest(a, b), nearest(b, a)};
+[[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_of_sphere_and_box(
+    const Vec<S, N>& center, const S& radius, const Aabb<S, N>& box) noexcept {
+  const auto on_box = closest_point(box, center);
+  const auto to_box = on_box - center;
+  if (is_zero(to_box) || squared_length(to_box) <= square(radius)) return {on_box, on_box};
+  return {rounded_beyond(center, radius, to_box), on_box};
 }
 
 /// The closest points of two shapes with the cores a and b, which have points.
@@ -46,7 +43,8 @@ template <bool AreRound, Scalar S, class A, class B>
                                                      const S& radius_b) noexcept {
   constexpr bool is_frame_first = is_kind<A, Obb> && (is_kind<B, Vec> || is_kind<B, Segment>);
   constexpr bool is_frame_last = is_kind<B, Obb> && (is_kind<A, Vec> || is_kind<A, Segment>);
-  if constexpr ((is_kind<B, Plane> && !is_kind<A, Plane>) || is_frame_last) {
+  constexpr bool is_box_first = is_kind<A, Aabb> && is_kind<B, Vec>;
+  if constexpr ((is_kind<B, Plane> && !is_kind<A, Plane>) || is_frame_last || is_box_first) {
     const auto points = closest_points_of_cores<AreRound>(b, a, radius_b, radius_a);
     return std::pair{points.second, points.first};
   } else if constexpr (is_kind<B, Plane>) {
@@ -55,11 +53,11 @@ template <bool AreRound, Scalar S, class A, class B>
     return closest_points_to_plane(a, body_of(b), radius_b);
   } else if constexpr (is_frame_first) {
     return closest_points_in_frame(a, b, radius_b);
+  } else if constexpr (is_kind<A, Vec> && is_kind<B, Aabb>) {
+    return closest_points_of_sphere_and_box(a, radius_a, b);
+  } else if constexpr (is_kind<A, Aabb> && is_kind<B, Aabb>) {
+    return closest_points_of_boxes(a, b);
   } else {
-    if constexpr (is_kind<A, Aabb> && is_kind<B, Aabb>) {
-      const auto points = closest_points_of_boxes(a, b);
-      if (points.first != points.second) return points;
-    }
     const auto body_a = body_of(a);
     const auto body_b = body_of(b);
     using Search = ClosestPoints<S, AreRound, std::remove_cvref_t<decltype(body_a)>,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,7 @@
 
 #include "detent/math/components.hpp"
 #include "detent/math/direction.hpp"
+#include "detent/math/width.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/core.hpp"
 #include "detent/query/kernel/least_common_point.hpp"
@@ -19,11 +21,11 @@ namespace detent::detail {
 template <Scalar S, int N>
 using Corner = Vec<Length<S>, N>;
 
-/// A face, an edge or a corner of a shape: its distinct corners, rounded to the grid, with their
-/// numbers in the shape; at most the first `most` of them.
-template <Scalar S, int N>
+/// A face, an edge or a corner of a shape: its corners, rounded to the grid, with their numbers in
+/// the shape. Corners count once. Of more than `Most` corners the first ones count.
+template <Scalar S, int N, std::size_t Most>
 struct Feature {
-  static constexpr std::size_t most = 32;
+  static constexpr std::size_t most = Most;
   std::array<Corner<S, N>, most> corners{};
   std::array<std::uint8_t, most> numbers{};
   std::size_t count = 0;
@@ -38,65 +40,97 @@ struct Feature {
   }
 };
 
-/// Twice the area of the triangle of p, q and r, seen against the direction d: positive if it turns
-/// counter-clockwise.
-template <Scalar S>
-[[nodiscard]] constexpr auto turn_of(const Direction<S, 3>& d, const Corner<S, 3>& p,
-                                     const Corner<S, 3>& q, const Corner<S, 3>& r) noexcept {
-  return dot(d, cross(q - p, r - p));
+/// How many corners a feature of a body may have.
+template <class Body>
+inline constexpr std::size_t most_corners = 32;
+template <IsBoxBody Body>
+inline constexpr std::size_t most_corners<Body> = std::size_t{1} << (Body::dimension - 1);
+template <Number T, int N, std::size_t Count>
+inline constexpr std::size_t most_corners<HullBody<T, N, std::array<Vec<T, N>, Count>>> = Count;
+
+/// The same of either body.
+template <class A, class B>
+inline constexpr std::size_t most_corners_of = (std::max)(most_corners<A>, most_corners<B>);
+
+/// Returns f(corners...) with the corners of features relative to `origin`, in numbers of 29 bits if
+/// they fit.
+template <Scalar S, int N, class F, std::size_t... Most>
+constexpr auto with_corners_from(const Corner<S, N>& origin, const F& f,
+                                 const Feature<S, N, Most>&... features) noexcept {
+  bool are_short = true;
+  const auto check = [&](const auto& feature) {
+    for (std::size_t i = 0; i < feature.count; ++i) {
+      are_short = fits<29>(feature.corners[i] - origin) && are_short;
+    }
+  };
+  (check(features), ...);
+  const auto relative = [&]<class T>(const T&, const auto& feature) {
+    std::array<Vec<T, N>, std::remove_cvref_t<decltype(feature)>::most> corners;
+    for (std::size_t i = 0; i < feature.count; ++i) {
+      corners[i] = at_most < is_fixed<T> ? bits_of<T> : 0 > (feature.corners[i] - origin);
+    }
+    return corners;
+  };
+  using Wide = std::remove_cvref_t<decltype((origin - origin).x)>;
+  using Short = decltype(at_most<29>(Wide()));
+  return are_short ? f(relative(Short(), features)...) : f(relative(Wide(), features)...);
 }
 
 /// Keeps only the outermost corners of a flat feature, counter-clockwise seen against d, starting
 /// with the least one; of a straight feature, both ends.
 ///
 /// source: Jarvis, On the Identification of the Convex Hull of a Finite Set of Points (1973)
-template <Scalar S>
-[[nodiscard]] constexpr Feature<S, 3> outline(const Feature<S, 3>& feature,
-                                              const Direction<S, 3>& d) noexcept {
+template <Scalar S, std::size_t Most>
+[[nodiscard]] constexpr Feature<S, 3, Most> outline(const Feature<S, 3, Most>& feature,
+                                                    const Direction<S, 3>& d) noexcept {
   if (feature.count < 2) return feature;
   std::size_t first = 0;
   for (std::size_t i = 1; i < feature.count; ++i) {
     if (is_before(feature.corners[i], feature.corners[first])) first = i;
   }
-  Feature<S, 3> result;
-  for (std::size_t at = first; result.count < feature.count;) {
-    result.corners[result.count] = feature.corners[at];
-    result.numbers[result.count++] = feature.numbers[at];
-    const auto& p = feature.corners[at];
-    std::size_t next = at == 0 ? 1 : 0;
-    for (std::size_t i = 0; i < feature.count; ++i) {
-      if (i == at || i == next) continue;
-      const auto& q = feature.corners[next];
-      const auto& r = feature.corners[i];
-      const auto area = turn_of(d, p, q, r);
-      if (area < 0 || (area == 0 && squared_distance(p, r) > squared_distance(p, q))) next = i;
+  const auto wrap = [&](const auto& corners) {
+    Feature<S, 3, Most> result;
+    for (std::size_t at = first; result.count < feature.count;) {
+      result.corners[result.count] = feature.corners[at];
+      result.numbers[result.count++] = feature.numbers[at];
+      const auto& p = corners[at];
+      std::size_t next = at == 0 ? 1 : 0;
+      for (std::size_t i = 0; i < feature.count; ++i) {
+        if (i == at || i == next) continue;
+        const auto to_next = corners[next] - p, to_corner = corners[i] - p;
+        const auto turn = dot(d, cross(to_next, to_corner));
+        if (turn < 0 || (turn == 0 && squared_length(to_corner) > squared_length(to_next)))
+          next = i;
+      }
+      if (next == first) break;
+      at = next;
     }
-    if (next == first) break;
-    at = next;
-  }
-  return result;
+    return result;
+  };
+  return with_corners_from(feature.corners[first], wrap, feature);
 }
-template <Scalar S>
-[[nodiscard]] constexpr Feature<S, 2> outline(const Feature<S, 2>& feature,
-                                              const Direction<S, 2>&) noexcept {
+template <Scalar S, std::size_t Most>
+[[nodiscard]] constexpr Feature<S, 2, Most> outline(const Feature<S, 2, Most>& feature,
+                                                    const Direction<S, 2>&) noexcept {
   if (feature.count < 3) return feature;
   std::size_t low = 0, high = 0;
   for (std::size_t i = 1; i < feature.count; ++i) {
     if (is_before(feature.corners[i], feature.corners[low])) low = i;
     if (is_before(feature.corners[high], feature.corners[i])) high = i;
   }
-  Feature<S, 2> result;
+  Feature<S, 2, Most> result;
   result.add(feature.corners[low], feature.numbers[low]);
   result.add(feature.corners[high], feature.numbers[high]);
   return result;
 }
 
-/// The feature of `body` that is farthest along v, or least far, exactly; `world` gives its corners
-/// in the world.
-template <Scalar S, class Body, class World, Number V, int N>
-[[nodiscard]] constexpr Feature<S, N> extreme_feature(const Body& body, const World& world,
-                                                      const Vec<V, N>& v, bool farthest) noexcept {
-  Feature<S, N> feature;
+/// The feature of `body` that is farthest along v, or least far, exactly; its corners in the world
+/// are those of `world`.
+template <Scalar S, std::size_t Most, class Body, class World, Number V, int N>
+[[nodiscard]] constexpr Feature<S, N, Most> extreme_feature(const Body& body, const World& world,
+                                                            const Vec<V, N>& v,
+                                                            bool farthest) noexcept {
+  Feature<S, N, Most> feature;
   if constexpr (IsBoxBody<Body>) {
     std::size_t upper = 0, either = 0;
     for (int i = 0; i < N; ++i) {
@@ -131,9 +165,9 @@ template <Number T>
   return cross(p[1] - p[0], p[2] - p[0]);
 }
 
-/// Finds the face of a hull that contains `corner` and is most opposed to d; for a hull without
-/// faces, all its corners.
-template <class Body, Scalar S, int N>
+/// Finds the face of a hull that holds `corner` and is most opposed to d; all corners of a hull
+/// without faces.
+template <class Body, Scalar S, int N, std::size_t Most>
 class OpposedFace {
  public:
   constexpr OpposedFace(const Body& body, const Corner<S, N>& at, const Direction<S, N>& d) noexcept
@@ -157,7 +191,7 @@ class OpposedFace {
     }
   }
 
-  [[nodiscard]] constexpr const Feature<S, N>& feature() const noexcept { return feature_; }
+  [[nodiscard]] constexpr const Feature<S, N, Most>& feature() const noexcept { return feature_; }
 
  private:
   using Corners = std::array<Vec<S, N>, std::size_t{N}>;
@@ -192,34 +226,35 @@ class OpposedFace {
   decltype(std::declval<const Body&>().corners()) corners_;
   const Direction<S, N>& d_;
   Normal best_{};
-  Feature<S, N> feature_;
+  Feature<S, N, Most> feature_;
 };
 
 /// The face of a box that is most opposed to d; `along` are the products of d and its axes.
-template <Scalar S, class Body, Number T, int N>
-[[nodiscard]] constexpr Feature<S, N> opposed_side(const Body& body,
-                                                   const Vec<T, N>& along) noexcept {
+template <Scalar S, std::size_t Most, class Body, Number T, int N>
+[[nodiscard]] constexpr Feature<S, N, Most> opposed_side(const Body& body,
+                                                         const Vec<T, N>& along) noexcept {
   const int axis = longest_axis(along);
   const std::size_t end = along[axis] < 0 ? 1 : 0;
-  Feature<S, N> feature;
+  Feature<S, N, Most> feature;
   for (std::size_t sides = 0; sides < std::size_t{1} << N; ++sides) {
     if ((sides >> axis & 1) == end) feature.add(nearest_to<Length<S>>(body.corner(sides)), sides);
   }
   return feature;
 }
 
-/// The feature of a core that meets a face with the outward normal d, given the core's deepest
-/// corner or edge: the face most opposed to d; a whole segment or a point.
-template <class Core, class Body, Scalar S, int N>
-[[nodiscard]] constexpr Feature<S, N> opposed_feature(const Core& core, const Body& body,
-                                                      const Feature<S, N>& deepest,
-                                                      const Direction<S, N>& d) noexcept {
+/// The feature of a core that meets a face with the outward normal d, given its corner or edge that
+/// reaches deepest: the face most opposed to d; a whole segment or a point.
+template <class Core, class Body, Scalar S, int N, std::size_t Most>
+[[nodiscard]] constexpr Feature<S, N, Most> opposed_feature(const Core& core, const Body& body,
+                                                            const Feature<S, N, Most>& deepest,
+                                                            const Direction<S, N>& d) noexcept {
   if constexpr (is_kind<Core, Aabb>) {
-    return opposed_side<S>(body, d.vec());
+    return opposed_side<S, Most>(body, d.vec());
   } else if constexpr (is_kind<Core, Obb>) {
-    return opposed_side<S>(body, make_vec<N>([&](int i) { return dot(core.rotation.axis(i), d); }));
+    return opposed_side<S, Most>(body,
+                                 make_vec<N>([&](int i) { return dot(core.rotation.axis(i), d); }));
   } else {
-    return OpposedFace<Body, S, N>(body, deepest.corners[0], d).feature();
+    return OpposedFace<Body, S, N, Most>(body, deepest.corners[0], d).feature();
   }
 }
 

@@ -4,7 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
+#include "detent/math/width.hpp"
+#include "detent/number/filter/ratio.hpp"
 #include "detent/query/contact/contact.hpp"
 #include "detent/query/contact/feature.hpp"
 #include "detent/query/kernel/expansion.hpp"
@@ -20,11 +24,13 @@ namespace detent::detail {
 /// The reference is the feature whose plane is perpendicular to the normal; the incident one is
 /// clipped against its sides. Points are corners of the incident feature over the reference,
 /// crossings of their edges, and corners of the reference under the incident one.
-template <Scalar S, int N>
+template <Scalar S, int N, std::size_t Most>
 class ContactBuilder {
  public:
-  /// `depth` is that of the cores (negative if they are apart), `radius_a` the radius of the first
-  /// shape, `radii` the sum of both.
+  using Face = Feature<S, N, Most>;
+
+  /// `depth` is that of the cores (negative if they are apart), `radius_a` that of the first shape,
+  /// `radii` the sum.
   template <Number Depth, Number Radii>
   constexpr ContactBuilder(const Direction<S, N>& normal, const Depth& depth, const S& radius_a,
                            const Radii& radii) noexcept
@@ -37,8 +43,7 @@ class ContactBuilder {
   /// Intersects the features a and b of the shapes, in their order. `wide_a` and `wide_b` return
   /// the faces that meet a reference face of the other shape.
   template <class WideA, class WideB>
-  constexpr void meet(Feature<S, N> a, Feature<S, N> b, const WideA& wide_a,
-                      const WideB& wide_b) noexcept {
+  constexpr void meet(Face a, Face b, const WideA& wide_a, const WideB& wide_b) noexcept {
     a = outline(a, seen_);
     b = outline(b, seen_);
     const bool a_is_face = a.count >= std::size_t{N}, b_is_face = b.count >= std::size_t{N};
@@ -74,8 +79,7 @@ class ContactBuilder {
 
   /// Intersects a plane, one of the shapes, and a feature of the other, whose deepest feature is
   /// `deepest`.
-  constexpr void meet_plane(bool plane_is_a, const Feature<S, N>& feature,
-                            const Feature<S, N>& deepest) noexcept {
+  constexpr void meet_plane(bool plane_is_a, const Face& feature, const Face& deepest) noexcept {
     a_is_reference_ = plane_is_a;
     const auto incident = incident_of(feature, deepest);
     const auto& lowest = deepest.corners[0];
@@ -91,46 +95,52 @@ class ContactBuilder {
   constexpr void write(Contact<S, N>& contact) const noexcept {
     const auto best = [&](const auto& value) {
       std::size_t found = 0;
+      auto greatest = value(0);
       for (std::size_t i = 1; i < count_; ++i) {
-        if (value(i) > value(found)) found = i;
+        const auto here = value(i);
+        if (!(here > greatest)) continue;
+        greatest = here;
+        found = i;
       }
-      return found;
+      return std::pair{found, greatest};
     };
     const auto keep = [&](std::size_t i) { contact.points[contact.count++] = points_[i]; };
     contact.count = 0;
     if (count_ == 0) return;
-    const auto first = best([&](std::size_t i) { return points_[i].depth; });
+    const auto first = best([&](std::size_t i) { return points_[i].depth; }).first;
     keep(first);
     const auto& p = places_[first];
-    const auto second = best([&](std::size_t i) { return squared_distance(p, places_[i]); });
+    const auto second = best([&](std::size_t i) { return squared_distance(p, places_[i]); }).first;
     if (second == first) return;
     keep(second);
     if constexpr (N == 3) {
-      const auto& q = places_[second];
-      const auto area = [&](std::size_t i) { return turn_of(seen_, p, q, places_[i]); };
-      const auto left = best(area);
-      if (area(left) > 0) keep(left);
-      const auto right = best([&](std::size_t i) { return -area(i); });
-      if (area(right) < 0) keep(right);
+      by_width<30>(
+          [&](const auto& edge) {
+            const auto across = cross(seen_, edge);
+            const auto area = [&](std::size_t i) { return dot(across, places_[i] - p); };
+            const auto left = best(area);
+            if (left.second > 0) keep(left.first);
+            const auto right = best([&](std::size_t i) { return -area(i); });
+            if (right.second > 0) keep(right.first);
+          },
+          places_[second] - p);
     }
   }
 
  private:
   using Far = Length<S>;
   static constexpr std::uint32_t face = 0xffff;
-  static constexpr std::size_t most = 4 * Feature<S, N>::most;
+  static constexpr std::size_t most = 4 * Most;
 
-  [[nodiscard]] static constexpr std::uint32_t edge(const Feature<S, N>& feature, std::size_t i,
+  [[nodiscard]] static constexpr std::uint32_t edge(const Face& feature, std::size_t i,
                                                     std::size_t j) noexcept {
     const std::uint32_t p = feature.numbers[i], q = feature.numbers[j];
     return p < q ? p | q << 8 : q | p << 8;
   }
-  [[nodiscard]] static constexpr std::uint32_t corner(const Feature<S, N>& feature,
-                                                      std::size_t i) noexcept {
+  [[nodiscard]] static constexpr std::uint32_t corner(const Face& feature, std::size_t i) noexcept {
     return edge(feature, i, i);
   }
-  [[nodiscard]] static constexpr std::uint32_t corner_or_edge(
-      const Feature<S, N>& feature) noexcept {
+  [[nodiscard]] static constexpr std::uint32_t corner_or_edge(const Face& feature) noexcept {
     return edge(feature, 0, feature.count - 1);
   }
   [[nodiscard]] static constexpr std::uint32_t both(std::uint32_t a, std::uint32_t b) noexcept {
@@ -142,10 +152,9 @@ class ContactBuilder {
     return a_is_reference_ ? both(reference, incident) : both(incident, reference);
   }
 
-  /// The outline of a face. A face seen edge-on is its two ends; if the deepest feature is in
-  /// between, only that counts.
-  [[nodiscard]] constexpr Feature<S, N> incident_of(const Feature<S, N>& wide,
-                                                    const Feature<S, N>& deepest) const noexcept {
+  /// The outline of a face. Of a face seen edge-on, which is its two ends, the deepest feature may be
+  /// in between: then it counts alone.
+  [[nodiscard]] constexpr Face incident_of(const Face& wide, const Face& deepest) const noexcept {
     const auto seen = outline(wide, seen_);
     if (seen.count >= std::size_t{N}) return seen;
     for (std::size_t i = 0; i < seen.count; ++i) {
@@ -171,10 +180,7 @@ class ContactBuilder {
   template <Number Depth>
   constexpr void add(const Corner<S, N>& point, bool is_on_b, const Depth& depth,
                      std::uint32_t feature) noexcept {
-    push(make_vec<N>([&](int i) {
-           return nearest_to<S>(point[i] + normal_[i] * to_surface(is_on_b, depth));
-         }),
-         depth, feature, point);
+    push(on_surface(point, is_on_b, depth), depth, feature, point);
   }
   /// Adds the point at part / all of the way from one point to another, at most all of it.
   template <Number Part, Number All, Number Depth>
@@ -183,12 +189,31 @@ class ContactBuilder {
                              std::uint32_t feature, const Corner<S, N>& place) noexcept {
     const All whole = all < 0 ? narrow_negative(all) : all;
     const All ahead(all < 0 ? narrow_negative(part) : part);
-    const All along = ahead < 0 ? All(0) : ahead > whole ? whole : ahead;
-    push(make_vec<N>([&](int i) {
-           const auto start = from[i] + normal_[i] * to_surface(is_on_b, depth);
-           return rounded<S>(start * whole + (to[i] - from[i]) * along, whole);
-         }),
-         depth, feature, place);
+    if (!(ahead > 0)) {
+      push(on_surface(from, is_on_b, depth), depth, feature, place);
+    } else if (!(ahead < whole)) {
+      push(on_surface(to, is_on_b, depth), depth, feature, place);
+    } else {
+      push(on_surface(from, to, make_ratio_below_one(ahead, whole), is_on_b, depth), depth, feature,
+           place);
+    }
+  }
+  /// The point of the surface at a point of a core.
+  template <Number Depth>
+  [[nodiscard]] constexpr Vec<S, N> on_surface(const Corner<S, N>& point, bool is_on_b,
+                                               const Depth& depth) const noexcept {
+    return make_vec<N>(
+        [&](int i) { return nearest_to<S>(point[i] + normal_[i] * to_surface(is_on_b, depth)); });
+  }
+  /// The same at a part of the way from one point to another.
+  template <class Ratio, Number Depth>
+  [[nodiscard]] constexpr Vec<S, N> on_surface(const Corner<S, N>& from, const Corner<S, N>& to,
+                                               const Ratio& ratio, bool is_on_b,
+                                               const Depth& depth) const noexcept {
+    return make_vec<N>([&](int i) {
+      return nearest_between<S>(from[i] + normal_[i] * to_surface(is_on_b, depth), to[i] - from[i],
+                                ratio);
+    });
   }
   template <Number Depth>
   [[nodiscard]] constexpr auto to_surface(bool is_on_b, const Depth& depth) const noexcept {
@@ -207,8 +232,8 @@ class ContactBuilder {
   /// Two segments, or a segment and a point, whose projections along the normal are in one line:
   /// `place` is the position along that line.
   template <class Place>
-  constexpr void overlap(const Feature<S, N>& reference, const Feature<S, N>& incident,
-                         const Corner<S, N>& deepest, const Place& place) noexcept {
+  constexpr void overlap(const Face& reference, const Face& incident, const Corner<S, N>& deepest,
+                         const Place& place) noexcept {
     const auto start = place(reference.corners[0]), end = place(reference.corners[1]);
     const auto& low = start < end ? start : end;
     const auto& high = start < end ? end : start;
@@ -239,9 +264,8 @@ class ContactBuilder {
 
   /// Adds corner i of the reference, part / all of the way along an incident segment.
   template <Number Part, Number All>
-  constexpr void add_under(const Feature<S, N>& reference, std::size_t i,
-                           const Feature<S, N>& incident, const Far& depth, const Part& part,
-                           const All& all) noexcept {
+  constexpr void add_under(const Face& reference, std::size_t i, const Face& incident,
+                           const Far& depth, const Part& part, const All& all) noexcept {
     const auto feature = both_by_role(corner(reference, i), edge(incident, 0, 1));
     if (a_is_reference_) {
       add(reference.corners[i], false, depth, feature);
@@ -262,38 +286,85 @@ class ContactBuilder {
     return depth_less(quotient(from * all + (to - from) * part, all));
   }
 
-  constexpr void clip(const Feature<S, 2>& reference, const Feature<S, 2>& incident,
-                      const Corner<S, 2>& deepest) noexcept {
+  constexpr void clip(const Face& reference, const Face& incident,
+                      const Corner<S, N>& deepest) noexcept requires(N == 2) {
     overlap(reference, incident, deepest,
             [&](const Corner<S, 2>& p) { return cross(seen_, p - reference.corners[0]); });
   }
 
-  constexpr void clip(const Feature<S, 3>& reference, const Feature<S, 3>& incident,
-                      const Corner<S, 3>& deepest) noexcept {
-    clip_within(reference, incident, deepest, 0);
-    // Without the rounding of the normal, they would meet in their rims.
-    if (count_ == 0) clip_within(reference, incident, deepest, 4);
+  constexpr void clip(const Face& reference, const Face& incident,
+                      const Corner<S, N>& deepest) noexcept requires(N == 3) {
+    with_corners_from(
+        reference.corners[0],
+        [&](const auto& corners, const auto& incident_corners) {
+          const Rim rim(seen_, corners, reference.count);
+          const Rim incident_rim(seen_, incident_corners, incident.count);
+          clip_within(reference, rim, incident, incident_rim, deepest, 0);
+          // They meet in their rims, but for the rounding of the normal.
+          if (count_ == 0) clip_within(reference, rim, incident, incident_rim, deepest, 4);
+        },
+        reference, incident);
     if (count_ > 0) return;
     add(deepest, a_is_reference_, depth_, both_by_role(face, corner(incident, 0)));
   }
 
-  /// `slack` is how many steps of S a corner may be outside.
-  constexpr void clip_within(const Feature<S, 3>& reference, const Feature<S, 3>& incident,
-                             const Corner<S, 3>& deepest, int slack) noexcept {
+  /// The edges of an outline, seen along a direction.
+  template <Number T>
+  struct Rim {
+    constexpr Rim(const Direction<S, 3>& seen, const std::array<Vec<T, 3>, Most>& at,
+                  std::size_t size) noexcept
+        : corners(at), count(size) {
+      for (std::size_t i = 0; i < count; ++i) {
+        across[i] = cross(seen, corners[next(i)] - corners[i]);
+      }
+    }
+
+    [[nodiscard]] constexpr std::size_t next(std::size_t i) const noexcept {
+      return i + 1 < count ? i + 1 : 0;
+    }
+    /// Twice the area of the triangle of an edge and a point: positive inside.
+    [[nodiscard]] constexpr auto side(std::size_t i, const Vec<T, 3>& point) const noexcept {
+      return dot(across[i], point - corners[i]);
+    }
+    /// Whether a point is over the outline, or at most `slack` steps outside.
+    [[nodiscard]] constexpr bool is_under(const Vec<T, 3>& point, int slack) const noexcept {
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto turn = side(i, point);
+        if (turn >= 0) continue;
+        if (slack == 0) return false;
+        if (square(turn) > squared_distance(corners[i], corners[next(i)]) * square(steps(slack)))
+          return false;
+      }
+      return true;
+    }
+
+    std::array<Vec<T, 3>, Most> corners;
+    std::array<decltype(cross(Direction<S, 3>(), Vec<T, 3>() - Vec<T, 3>())), Most> across;
+    std::size_t count;
+  };
+  template <Number T>
+  Rim(const Direction<S, 3>&, const std::array<Vec<T, 3>, Most>&, std::size_t) -> Rim<T>;
+
+  /// `slack` is how many of the least steps of S a corner may be outside.
+  template <Number T>
+  constexpr void clip_within(const Face& reference, const Rim<T>& rim, const Face& incident,
+                             const Rim<T>& incident_rim, const Corner<S, 3>& deepest,
+                             int slack) noexcept {
     for (std::size_t i = 0; i < incident.count; ++i) {
+      if (!rim.is_under(incident_rim.corners[i], slack)) continue;
       const auto& q = incident.corners[i];
-      if (!is_over(reference, q, slack)) continue;
       add(q, a_is_reference_, depth_less(drop(q, deepest)),
           both_by_role(face, corner(incident, i)));
     }
-    cross_all_edges(reference, incident, deepest);
+    cross_all_edges(reference, rim, incident, incident_rim, deepest);
     for (std::size_t i = 0; i < reference.count && incident.count > 1; ++i) {
-      const auto& r = reference.corners[i];
+      const auto& r = rim.corners[i];
+      if (!incident_rim.is_under(r, slack)) continue;
       bool is_corner = false;
       for (std::size_t k = 0; k < incident.count; ++k) {
-        is_corner = is_corner || is_zero(cross(seen_, r - incident.corners[k]));
+        is_corner = is_corner || is_zero(cross(seen_, r - incident_rim.corners[k]));
       }
-      if (is_corner || !is_over(incident, r, slack)) continue;
+      if (is_corner) continue;
       if (incident.count == 2) {
         add_under_segment(reference, i, incident, deepest);
       } else {
@@ -303,8 +374,7 @@ class ContactBuilder {
   }
 
   /// Adds corner i of the reference, if it is over the incident segment between its ends.
-  constexpr void add_under_segment(const Feature<S, 3>& reference, std::size_t i,
-                                   const Feature<S, 3>& incident,
+  constexpr void add_under_segment(const Face& reference, std::size_t i, const Face& incident,
                                    const Corner<S, 3>& deepest) noexcept {
     const auto& from = incident.corners[0];
     const auto& to = incident.corners[1];
@@ -317,8 +387,7 @@ class ContactBuilder {
   }
 
   /// Adds corner i of the reference, which is over the incident face.
-  constexpr void add_under_face(const Feature<S, 3>& reference, std::size_t i,
-                                const Feature<S, 3>& incident,
+  constexpr void add_under_face(const Face& reference, std::size_t i, const Face& incident,
                                 const Corner<S, 3>& deepest) noexcept {
     const auto& q = incident.corners;
     const auto m = cross(q[1] - q[0], q[2] - q[0]);
@@ -326,25 +395,12 @@ class ContactBuilder {
     if (slope == 0) return;
     const auto w = reference.corners[i] - deepest;
     const auto fall =
-        quotient_nearest<Far>(dot(w, normal_) * slope - dot(m, w) * squared_length(normal_), slope);
+        quotient(dot(w, normal_) * slope - dot(m, w) * squared_length(normal_), slope);
     add(reference.corners[i], !a_is_reference_,
         depth_less(a_is_reference_ ? fall : narrow_negative(fall)),
         both_by_role(corner(reference, i), face));
   }
 
-  /// Whether a point is over an outline, or at most `slack` steps outside.
-  [[nodiscard]] constexpr bool is_over(const Feature<S, 3>& outline, const Corner<S, 3>& point,
-                                       int slack) const noexcept {
-    for (std::size_t i = 0; i < outline.count; ++i) {
-      const auto& p = outline.corners[i];
-      const auto& q = outline.corners[i + 1 < outline.count ? i + 1 : 0];
-      const auto turn = turn_of(seen_, p, q, point);
-      if (turn >= 0) continue;
-      if (slack == 0) return false;
-      if (square(turn) > squared_distance(p, q) * square(steps(slack))) return false;
-    }
-    return true;
-  }
   [[nodiscard]] static constexpr S steps(int count) noexcept {
     if constexpr (is_fixed<S>) {
       return S::from_raw(static_cast<typename S::raw_type>(count));
@@ -353,21 +409,18 @@ class ContactBuilder {
     }
   }
 
-  using Turn = decltype(turn_of(Direction<S, 3>(), Corner<S, 3>(), Corner<S, 3>(), Corner<S, 3>()));
-
   /// Adds the crossings of all edges of the reference and the incident feature.
-  constexpr void cross_all_edges(const Feature<S, 3>& reference, const Feature<S, 3>& incident,
-                                 const Corner<S, 3>& deepest) noexcept {
-    const auto& r = reference.corners;
-    const auto next = [&](std::size_t i) { return i + 1 < reference.count ? i + 1 : 0; };
+  template <Number T>
+  constexpr void cross_all_edges(const Face& reference, const Rim<T>& rim, const Face& incident,
+                                 const Rim<T>& incident_rim, const Corner<S, 3>& deepest) noexcept {
     const std::size_t edges = incident.count < 3 ? incident.count - 1 : incident.count;
     if (edges == 0) return;
-    // The side of the incident corners relative to the edges of the reference: the first corner,
-    // and in turn the two ends of an edge.
-    std::array<std::array<Turn, Feature<S, 3>::most>, 3> sides{};
+    // On which side of the edges of the reference the incident corners are: the first, and in turn
+    // the two ends of an edge.
+    std::array<std::array<decltype(rim.side(0, Vec<T, 3>())), Most>, 3> sides{};
     const auto find = [&](std::size_t at, std::size_t k) {
       for (std::size_t i = 0; i < reference.count; ++i) {
-        sides[at][i] = turn_of(seen_, r[i], r[next(i)], incident.corners[k]);
+        sides[at][i] = rim.side(i, incident_rim.corners[k]);
       }
       return at;
     };
@@ -378,36 +431,44 @@ class ContactBuilder {
         const auto& from = sides[start][i];
         const auto& to = sides[end][i];
         if (!are_opposite(from, to)) continue;
-        cross_edges(reference, i, next(i), incident, k, l, from, to, deepest);
+        const std::size_t j = rim.next(i);
+        const auto near = incident_rim.side(k, rim.corners[i]);
+        const auto far = incident_rim.side(k, rim.corners[j]);
+        if (!are_opposite(near, far)) continue;
+        cross_edges(reference, i, j, part_of(near, far), incident, k, l, part_of(from, to),
+                    deepest);
       }
     }
   }
-  [[nodiscard]] static constexpr bool are_opposite(const Turn& x, const Turn& y) noexcept {
+  template <Number Side>
+  [[nodiscard]] static constexpr bool are_opposite(const Side& x, const Side& y) noexcept {
     return (x < 0 && y > 0) || (x > 0 && y < 0);
+  }
+  /// x / (x - y) for numbers of opposite signs.
+  template <Number Side>
+  [[nodiscard]] static constexpr auto part_of(const Side& x, const Side& y) noexcept {
+    const auto all = x - y;
+    using All = std::remove_cvref_t<decltype(all)>;
+    return x < 0 ? make_ratio_below_one(All(narrow_negative(x)), narrow_negative(all))
+                 : make_ratio_below_one(All(x), all);
   }
 
   /// Adds the crossing of the edge from i to j of the reference and the edge from k to l of the
-  /// incident feature, between the ends of both; `from` and `to` are the sides of the first edge on
-  /// which the second starts and ends.
-  constexpr void cross_edges(const Feature<S, 3>& reference, std::size_t i, std::size_t j,
-                             const Feature<S, 3>& incident, std::size_t k, std::size_t l,
-                             const Turn& from, const Turn& to,
-                             const Corner<S, 3>& deepest) noexcept {
+  /// incident feature, at the given parts of them.
+  template <class Part>
+  constexpr void cross_edges(const Face& reference, std::size_t i, std::size_t j, const Part& part,
+                             const Face& incident, std::size_t k, std::size_t l,
+                             const Part& incident_part, const Corner<S, 3>& deepest) noexcept {
     const auto& r = reference.corners;
     const auto& q = incident.corners;
-    const auto start = turn_of(seen_, q[k], q[l], r[i]), end = turn_of(seen_, q[k], q[l], r[j]);
-    if (!are_opposite(start, end)) return;
-    const auto depth = depth_between(drop(q[k], deepest), drop(q[l], deepest), from, from - to);
+    const auto from = drop(q[k], deepest), to = drop(q[l], deepest);
+    const Far depth = depth_less(nearest_between<Far>(from, to - from, incident_part));
     const auto feature = both_by_role(edge(reference, i, j), edge(incident, k, l));
-    const auto all = start - end;
-    const auto place = make_vec<3>([&](int axis) {
-      return quotient(r[i][axis] * all + (r[j][axis] - r[i][axis]) * start, all);
-    });
-    if (a_is_reference_) {
-      add_between(r[i], r[j], start, all, false, depth, feature, place);
-    } else {
-      add_between(q[k], q[l], from, from - to, false, depth, feature, place);
-    }
+    const auto place = make_vec<3>(
+        [&](int axis) { return nearest_between<Far>(r[i][axis], r[j][axis] - r[i][axis], part); });
+    push(a_is_reference_ ? on_surface(r[i], r[j], part, false, depth)
+                         : on_surface(q[k], q[l], incident_part, false, depth),
+         depth, feature, place);
   }
 
   Direction<S, N> normal_;

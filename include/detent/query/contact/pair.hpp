@@ -6,6 +6,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "detent/query/contact/boxes.hpp"
 #include "detent/query/contact/contact.hpp"
 #include "detent/query/contact/manifold.hpp"
 #include "detent/query/kernel/argument.hpp"
@@ -53,8 +54,9 @@ template <class Core>
   return body_of(core);
 }
 
-/// The contact of a push; meet(manifold) finds its points.
-template <Scalar S, int N, Number Depth, class Meet>
+/// Makes the contact of a push; meet(manifold) finds its points, from features of at most `Most`
+/// corners.
+template <std::size_t Most, Scalar S, int N, Number Depth, class Meet>
 [[nodiscard]] constexpr std::optional<Contact<S, N>> make_contact(const Direction<S, N>& normal,
                                                                   const Depth& depth,
                                                                   const S& radius_a,
@@ -64,7 +66,8 @@ template <Scalar S, int N, Number Depth, class Meet>
   contact.normal = normal;
   contact.depth = floor_to<S>(depth);
   const auto radii = radius_a + radius_b;
-  ContactBuilder<S, N> manifold(normal, narrow<bits_of<Length<S>>>(depth - radii), radius_a, radii);
+  ContactBuilder<S, N, Most> manifold(normal, narrow<bits_of<Length<S>>>(depth - radii), radius_a,
+                                      radii);
   meet(manifold);
   manifold.write(contact);
   return contact;
@@ -81,12 +84,13 @@ template <Scalar S, int N, class Core>
   if (!push) return std::nullopt;
   const auto& away = push->normal;
   const S none(0);
-  return make_contact(plane_is_a ? away : -away, push->depth, plane_is_a ? none : radius,
-                      plane_is_a ? radius : none, [&](auto& manifold) {
-                        const auto deepest = extreme_feature<S>(body, body, away.vec(), false);
-                        manifold.meet_plane(plane_is_a, opposed_feature(core, body, deepest, away),
-                                            deepest);
-                      });
+  constexpr auto most = most_corners<std::remove_cvref_t<decltype(body)>>;
+  return make_contact<most>(
+      plane_is_a ? away : -away, push->depth, plane_is_a ? none : radius,
+      plane_is_a ? radius : none, [&](auto& manifold) {
+        const auto deepest = extreme_feature<S, most>(body, body, away.vec(), false);
+        manifold.meet_plane(plane_is_a, opposed_feature(core, body, deepest, away), deepest);
+      });
 }
 
 /// A box, measured in its frame, and a segment, which may be a point.
@@ -99,7 +103,8 @@ template <Scalar S, int N>
   if (!push) return std::nullopt;
   const auto away = unit_of<S>(push->normal);
   const S none(0);
-  return make_contact(
+  constexpr std::size_t most = std::size_t{1} << (N - 1);
+  return make_contact<most>(
       box_is_a ? away : -away, push->depth, box_is_a ? none : radius, box_is_a ? radius : none,
       [&](auto& manifold) {
         const AabbBody local_box(-box.half_extents, Vec(narrow_negative(-box.half_extents)));
@@ -108,8 +113,8 @@ template <Scalar S, int N>
         const auto world = edge_body(box);
         const std::array ends{segment.start, segment.end};
         const auto thin = body_of_corners(ends);
-        const auto side = extreme_feature<S>(local_box, world, push->local, true);
-        const auto end = extreme_feature<S>(local_span, thin, push->local, false);
+        const auto side = extreme_feature<S, most>(local_box, world, push->local, true);
+        const auto end = extreme_feature<S, most>(local_span, thin, push->local, false);
         const auto wide = [](const auto& feature) { return feature; };
         const auto whole = [&](const auto& feature) {
           return opposed_feature(segment, thin, feature, away);
@@ -123,11 +128,11 @@ template <Scalar S, int N>
 }
 
 /// A push with its rounded normal, and the features that meet.
-template <Scalar S, int N>
+template <Scalar S, int N, std::size_t Most>
 struct FacedPush {
   Direction<S, N> normal;
   Depth<S> depth;
-  Feature<S, N> a, b;
+  Feature<S, N, Most> a, b;
 };
 
 template <Scalar S, int N, class A, class B>
@@ -147,20 +152,29 @@ template <Scalar S, int N, class A, class B>
   } else if constexpr (is_kind<B, Obb> && is_kind<A, Segment>) {
     return contact_in_frame(b, a, radius_a, false);
   } else {
+    if constexpr (is_kind<A, Aabb> && is_kind<B, Aabb> && N == 3) {
+      if (boxes_are_apart(a, b)) return std::nullopt;
+      if (const auto found = BoxesContact<S>(a, b).find()) return found;
+    }
+    const auto filter = axis_filter<S>(a, b);
+    if (filter.are_apart()) return std::nullopt;
     const auto corners_a = corners_of(a);
     const auto corners_b = corners_of(b);
     const auto body_a = body_of_corners(corners_a);
     const auto body_b = body_of_corners(corners_b);
-    using Faced = FacedPush<S, N>;
+    constexpr auto most = most_corners_of<std::remove_cvref_t<decltype(body_a)>,
+                                          std::remove_cvref_t<decltype(body_b)>>;
+    using Faced = FacedPush<S, N, most>;
     const auto push = least_push_between<S>(
-        body_a, body_b, radius_a + radius_b, [&](const auto& normal, const Depth<S>& depth) {
+        body_a, body_b, radius_a + radius_b, filter,
+        [&](const auto& normal, const Depth<S>& depth) {
           return std::optional<Faced>({unit_of<S>(normal), depth,
-                                       extreme_feature<S>(body_a, body_a, normal, true),
-                                       extreme_feature<S>(body_b, body_b, normal, false)});
+                                       extreme_feature<S, most>(body_a, body_a, normal, true),
+                                       extreme_feature<S, most>(body_b, body_b, normal, false)});
         });
     if (!push) return std::nullopt;
     const auto& normal = push->normal;
-    return make_contact(normal, push->depth, radius_a, radius_b, [&](auto& manifold) {
+    return make_contact<most>(normal, push->depth, radius_a, radius_b, [&](auto& manifold) {
       manifold.meet(
           push->a, push->b,
           [&](const auto& deepest) { return opposed_feature(a, body_a, deepest, -normal); },

@@ -4,116 +4,220 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 
-#include "detent/math/components.hpp"
 #include "detent/number/filter/components.hpp"
-#include "detent/query/kernel/convex_body.hpp"
+#include "detent/query/kernel/box_filter.hpp"
+#include "detent/query/kernel/core.hpp"
+#include "detent/shape/aabb.hpp"
+#include "detent/shape/obb.hpp"
 
 namespace detent::detail {
 
-/// A type that holds every number of A and of B.
-template <Number A, Number B>
-struct holder_of {
-  using type = A;
-};
-template <int BitsA, int FracA, int BitsB, int FracB>
-struct holder_of<Fixed<BitsA, FracA>, Fixed<BitsB, FracB>> {
-  static constexpr int frac = (std::max)(FracA, FracB);
-  using type = Fixed<(std::max)(BitsA - FracA, BitsB - FracB) + frac, frac>;
-};
-template <Number A, Number B>
-using HolderOf = typename holder_of<A, B>::type;
+// A box by its center and extents, doubled so that both are on the grid, and its axes.
 
-/// Filter: which axes can give the least push of two boxes, and to which side (docs/filters.md,
-/// lemma 15). The differences of two boxes are a middle plus up to half of each of six spans. So
-/// along v they reach sum |v . span| / 2 - |v . middle| beyond 0 on the nearer side.
-template <class A, class B>
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto doubled_center(const Aabb<S, N>& box) noexcept {
+  return box.min + box.max;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto doubled_center(const Obb<S, N>& box) noexcept {
+  return box.center + box.center;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto doubled_extents(const Aabb<S, N>& box) noexcept {
+  return box.max - box.min;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto doubled_extents(const Obb<S, N>& box) noexcept {
+  return box.half_extents + box.half_extents;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr WorldFrame frame_of(const Aabb<S, N>&) noexcept {
+  return {};
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto frame_of(const Obb<S, N>& box) noexcept {
+  return AxisFrame(box.rotation);
+}
+
+/// Rules out no axis.
+struct AnyAxis {
+  static constexpr bool are_apart() noexcept { return false; }
+  static constexpr bool can_be_least(std::size_t) noexcept { return true; }
+  template <class V>
+  static constexpr int side_of(const V&) noexcept {
+    return 0;
+  }
+};
+
+/// Filter: which axes can be the least push of two boxes out of each other (docs/filters.md, lemma
+/// 15). Axes count as in `AxisPush`: those across two edges of a, two of b, one of each.
+template <Scalar S>
 class AxisFilter {
  public:
-  constexpr AxisFilter(const A& a, const B& b) noexcept {
-    const auto middle = a.doubled_middle() - b.doubled_middle();
-    using Middle = std::remove_cvref_t<decltype(middle.x)>;
-    using SpanA = std::remove_cvref_t<decltype(a.span(0).x)>;
-    using SpanB = std::remove_cvref_t<decltype(b.span(0).x)>;
-    using Span = Vec<HolderOf<Middle, HolderOf<SpanA, SpanB>>, 3>;
-    std::array<Span, 7> spans;
-    const auto set = [&](std::size_t k, const auto& v) {
-      spans[k] = make_vec<3>([&](int i) { return decltype(Span::x)(v[i]); });
+  template <class A, class B>
+  constexpr AxisFilter(const A& a, const B& b) noexcept
+      : apart_(doubled_center(b) - doubled_center(a)) {
+    lows_.fill(lowest<Depth>);
+    const auto extents_a = doubled_extents(a), extents_b = doubled_extents(b);
+    const auto dropped_of = [](const auto&... v) {
+      const auto magnitudes = (... | (abs(v.x).raw() | abs(v.y).raw() | abs(v.z).raw()));
+      return (std::max)(bit_length(magnitudes) - length_bits, 0);
     };
-    for (int i = 0; i < 3; ++i) {
-      set(static_cast<std::size_t>(i), a.span(i));
-      set(static_cast<std::size_t>(i + 3), b.span(i));
-    }
-    set(6, middle);
-    int length = 0;
-    for (const auto& span : spans) length = (std::max)(length, length_of(span));
-    const int dropped = (std::max)(length - span_bits, 0);
-    for (std::size_t k = 0; k < spans.size(); ++k) spans_[k] = cut<span_bits>(spans[k], dropped);
+    const int dropped = dropped_of(extents_a, extents_b, apart_);
+    bound(frame_of(a), cut(extents_a, dropped), frame_of(b), cut(extents_b, dropped),
+          cut(apart_, dropped));
   }
 
-  /// Takes the next axis into account.
+  [[nodiscard]] constexpr bool are_apart() const noexcept { return are_apart_; }
+  [[nodiscard]] constexpr bool can_be_least(std::size_t i) const noexcept {
+    return lows_[i] <= least_high_;
+  }
+  /// On which side of a, along `axis`, b is: 1 or -1, exactly; 0 on neither.
   template <Number V>
-  constexpr void add(const Vec<V, 3>& v) noexcept {
-    auto& axis = axes_[count_++];
-    axis.length = largest<Length>;
-    const int bits = length_of(v);
-    if (bits == 0 || least_ < -error) return;
-    const auto across = cut<axis_bits>(v, bits - axis_bits);
-    const auto along = dot(across, spans_[6]);
-    axis.side = along > product_error ? -1 : along < -product_error ? 1 : 0;
-    Sum reach = narrow_negative(abs(along));
-    for (std::size_t k = 0; k < 6; ++k) {
-      reach = narrow<Sum::bits>(reach + abs(dot(across, spans_[k])));
-    }
-    axis.length = over_root(reach, squared_length(across));
-    least_ = (std::min)(least_, axis.length);
-  }
-
-  /// Calls f(sign) for the sides of axis i, in the order of `add`, on which it may give the least
-  /// push or prove that the boxes are apart.
-  template <class F>
-  constexpr void for_each_side(std::size_t i, const F& f) const noexcept {
-    const auto& axis = axes_[i];
-    if (axis.length == largest<Length> || axis.length > least_ + error + error) return;
-    if (axis.side >= 0) f(1);
-    if (axis.side <= 0) f(-1);
+  [[nodiscard]] constexpr int side_of(const Vec<V, 3>& axis) const noexcept {
+    const auto along = dot(axis, apart_);
+    return (along > 0) - (along < 0);
   }
 
  private:
-  static constexpr int span_bits = 28, axis_bits = 29;
-  using Sum = Fixed<62, 0>;
-  using Length = Fixed<36, 0>;
-  static constexpr Length error{128};
-  static constexpr auto product_error = square(Fixed<17, 0>(1 << 16));
+  static_assert(bits_of<direction_component<S>> > 30, "detent: the lemma is for axes of 32 bits");
+  static constexpr int length_bits = 28;
+  using Length = Fixed<length_bits + 1, 0>;
+  using Place = Fixed<length_bits + 3, 0>;
+  using Slack = Fixed<62, ShortCosine::frac>;
+  using Depth = Fixed<42, 0>;
+  /// Shorter cross products of two axes may be too inexact.
+  static constexpr auto least_square = square(ShortCosine::from_raw(1 << (ShortCosine::frac - 7)));
 
-  struct Axis {
-    Length length;
-    int side;
-  };
-
-  template <Number V>
-  [[nodiscard]] static constexpr int length_of(const Vec<V, 3>& v) noexcept {
-    return (std::max)({bit_length(v.x.raw()), bit_length(v.y.raw()), bit_length(v.z.raw())});
-  }
-  /// v / 2^dropped, rounded down.
-  template <int Bits, Number V>
-  [[nodiscard]] static constexpr auto cut(const Vec<V, 3>& v, int dropped) noexcept {
-    using Cut = Fixed<Bits, 0>;
+  template <Number T>
+  [[nodiscard]] static constexpr Vec<Length, 3> cut(const Vec<T, 3>& v, int dropped) noexcept {
     return make_vec<3>([&](int i) {
-      const auto& raw = v[i].raw();
-      if (dropped >= 0) {
-        return Cut::assume_raw(integer_cast<std::int32_t>(shift_right_floor(raw, dropped)));
-      }
-      return Cut::assume_raw(shift_left(integer_cast<std::int32_t>(raw), -dropped));
+      return Length::assume_raw(
+          static_cast<typename Length::raw_type>(shift_right_floor(v[i].raw(), dropped)));
+    });
+  }
+  [[nodiscard]] static constexpr Depth floor_of(const Slack& slack) noexcept {
+    return narrow_floor<Depth>(slack);
+  }
+
+  /// The push along axis k is off from `depth` by less than `error`.
+  constexpr void bound_axis(std::size_t k, const Depth& depth, const Depth& error) noexcept {
+    lows_[k] = narrow<Depth::bits>(depth - error);
+    least_high_ = (std::min)(least_high_, narrow<Depth::bits>(depth + error));
+  }
+
+  /// source: separating axes by cosines, Ericson, Real-Time Collision Detection, 4.4.1
+  template <class FrameA, class FrameB>
+  constexpr void bound(const FrameA& a, const Vec<Length, 3>& extents_a, const FrameB& b,
+                       const Vec<Length, 3>& extents_b, const Vec<Length, 3>& apart) noexcept {
+    if (!is_square(a) || !is_square(b)) return;
+    using Error = Fixed<32, 0>;
+    auto sum = Error(extents_a.x);
+    for (const auto& extent : {extents_a.y, extents_a.z, extents_b.x, extents_b.y, extents_b.z}) {
+      sum = narrow<32>(sum + extent);
+    }
+    const auto error = narrow<32>(scale_down<32>(sum, 18) + Error(32));
+    const auto slack = [](const auto& reach, const auto& place) {
+      return narrow_difference<62>(reach, abs(place));
+    };
+    const auto bound_face = [&](std::size_t k, const Slack& x) {
+      const Depth depth = floor_of(x);
+      bound_axis(k, depth, error);
+      are_apart_ = are_apart_ || depth < -error;
+    };
+    std::array<Vec<ShortCosine, 3>, 3> cosines, lengths;  // [i][j]: axis i of a, axis j of b
+    Vec<Place, 3> along_a;
+    for_each_axis([&](auto i) {
+      cosines[i] =
+          make_vec<3>([&](int j) { return narrow_floor<ShortCosine>(cosine(a, i, b, j)); });
+      lengths[i] = make_vec<3>([&](int j) { return abs(cosines[i][j]); });
+      along_a[i] = narrow_floor<Place>(a.along(i, apart));
+      bound_face(2 - i, slack(narrow_sum<61>(extents_a[i], narrow_dot<61>(extents_b, lengths[i])),
+                              along_a[i]));
+    });
+    if (are_apart_) return;
+    for_each_axis([&](auto j) {
+      const Vec column{lengths[0][j], lengths[1][j], lengths[2][j]};
+      bound_face(5 - j, slack(narrow_sum<61>(extents_b[j], narrow_dot<61>(extents_a, column)),
+                              narrow_floor<Place>(b.along(j, apart))));
+    });
+    if (are_apart_) return;
+    for_each_axis([&](auto i) {
+      constexpr int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+      for_each_axis([&](auto j) {
+        constexpr int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+        const auto reach_a =
+            narrow_dot<61>(Vec{extents_a[i1], extents_a[i2]}, Vec{lengths[i2][j], lengths[i1][j]});
+        const auto reach_b =
+            narrow_dot<61>(Vec{extents_b[j1], extents_b[j2]}, Vec{lengths[i][j2], lengths[i][j1]});
+        const auto place =
+            narrow_cross<61>(Vec{cosines[i1][j], cosines[i2][j]}, Vec{along_a[i1], along_a[i2]});
+        const auto squared = narrow<58>(square(lengths[i1][j]) + square(lengths[i2][j]));
+        bound_edges(6 + 3 * i + j, slack(narrow_sum<61>(reach_a, reach_b), place), squared, error);
+      });
     });
   }
 
-  std::array<Vec<Fixed<span_bits, 0>, 3>, 7> spans_;  // those of a and b, and the middle
-  std::array<Axis, 15> axes_{};
-  std::size_t count_ = 0;
-  Length least_ = largest<Length>;
+  /// Axis k across two edges. The push is x over the length of their cross product, which is at most
+  /// 1; x is off by less than `error`.
+  template <Number Square, Number Error>
+  constexpr void bound_edges(std::size_t k, const Slack& x, const Square& squared,
+                             const Error& error) noexcept {
+    const Depth least = floor_of(x);
+    are_apart_ = are_apart_ || least < -error;
+    if (squared < least_square) return;
+    lows_[k] = narrow<Depth::bits>(least - error);
+    if (lows_[k] > least_high_) return;
+    bound_axis(k, over_length(x, squared),
+               narrow<Depth::bits>(over_length(Slack(error), squared) + Depth(4)));
+  }
+
+  /// Calls f with 0, 1 and 2 as constants, so that compilers make no loop of it.
+  template <class F>
+  static constexpr void for_each_axis(const F& f) noexcept {
+    f(std::integral_constant<std::size_t, 0>());
+    f(std::integral_constant<std::size_t, 1>());
+    f(std::integral_constant<std::size_t, 2>());
+  }
+  template <class FrameA, class FrameB>
+  [[nodiscard]] static constexpr auto cosine(const FrameA& a, int i, const FrameB& b,
+                                             int j) noexcept {
+    if constexpr (std::is_same_v<FrameA, WorldFrame>) {
+      return b.edge(j)[i];
+    } else {
+      return b.along(j, a.edge(i).vec());
+    }
+  }
+  template <Number Square>
+  [[nodiscard]] static constexpr Depth over_length(const Slack& x, const Square& squared) noexcept {
+    return narrow<Depth::bits>(
+        over_root(Fixed<62, 0>::assume_raw(x.raw()), Fixed<58, 0>::assume_raw(squared.raw())));
+  }
+
+  Vec<decltype((S() + S()) - (S() + S())), 3> apart_;
+  std::array<Depth, 15> lows_;
+  Depth least_high_ = largest<Depth>;
+  bool are_apart_ = false;
 };
+
+template <class Shape>
+inline constexpr bool is_box_in_space = false;
+template <Scalar S>
+inline constexpr bool is_box_in_space<Aabb<S, 3>> = true;
+template <Scalar S>
+inline constexpr bool is_box_in_space<Obb<S, 3>> = true;
+
+/// The filter of two shapes: of boxes in 3D that may be turned, if it pays.
+template <Scalar S, class A, class B>
+[[nodiscard]] constexpr auto axis_filter(const A& a, const B& b) noexcept {
+  if constexpr (is_fixed<S> && filter_pays<S> && is_box_in_space<A> && is_box_in_space<B> &&
+                !(is_kind<A, Aabb> && is_kind<B, Aabb>)) {
+    return AxisFilter<S>(a, b);
+  } else {
+    return AnyAxis();
+  }
+}
 
 }  // namespace detent::detail

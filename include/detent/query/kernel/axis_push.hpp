@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -9,9 +10,23 @@
 #include "detent/math/components.hpp"
 #include "detent/number/filter/filtered.hpp"
 #include "detent/query/kernel/axis_filter.hpp"
+#include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/expansion.hpp"
 
 namespace detent::detail {
+
+/// A type that holds every number of A and of B.
+template <Number A, Number B>
+struct holder_of {
+  using type = A;
+};
+template <int BitsA, int FracA, int BitsB, int FracB>
+struct holder_of<Fixed<BitsA, FracA>, Fixed<BitsB, FracB>> {
+  static constexpr int frac = (std::max)(FracA, FracB);
+  using type = Fixed<(std::max)(BitsA - FracA, BitsB - FracB) + frac, frac>;
+};
+template <Number A, Number B>
+using HolderOf = typename holder_of<A, B>::type;
 
 /// Whether T is the type of a direction's components.
 template <Number T>
@@ -34,11 +49,11 @@ inline constexpr bool is_unit_component<Fixed<Bits, Frac>> = Bits == Frac + 1;
 template <Number T, class A, class B, int N = A::dimension>
 class AxisPush {
  public:
-  constexpr AxisPush(const A& a, const B& b) noexcept
-      : a_(a), b_(b), some_a_(a.some()), some_b_(b.some()) {}
+  constexpr AxisPush(const A& a, const B& b) noexcept : a_(a), b_(b) {}
 
-  /// Ends with the first push that is not positive.
-  [[nodiscard]] constexpr auto least() const noexcept {
+  /// Ends with the first push that is not positive. `filter` may rule out axes and sides.
+  template <class Filter = AnyAxis>
+  [[nodiscard]] constexpr auto least(const Filter& filter = {}) const noexcept {
     using Result = Push<Vec<Axis, N>, decltype(dot(Vec<Axis, N>(), Vec<T, N>()))>;
     std::optional<Result> best;
     if (!a_.has_few_edges() || !b_.has_few_edges()) return best;
@@ -49,19 +64,12 @@ class AxisPush {
       const Result push{normal, dot(normal, farthest(normal))};
       if (!best || !(push.height > 0) || is_less(push, *best)) best = push;
     };
-    if constexpr (N == 3 && is_fixed<T> && has_filters && IsBoxBody<A> && IsBoxBody<B>) {
-      AxisFilter<A, B> filter(a_, b_);
-      for_each_axis([&](const auto& axis) { filter.add(axis); });
-      std::size_t i = 0;
-      for_each_axis([&](const auto& axis) {
-        filter.for_each_side(i++, [&](int sign) { offer(axis, sign); });
-      });
-    } else {
-      for_each_axis([&](const auto& axis) {
-        offer(axis, 1);
-        offer(axis, -1);
-      });
-    }
+    for_each_axis([&](std::size_t i) { return filter.can_be_least(i); },
+                  [&](const auto& axis) {
+                    const int side = filter.side_of(axis);
+                    if (side >= 0) offer(axis, 1);
+                    if (side <= 0) offer(axis, -1);
+                  });
     return best;
   }
 
@@ -85,18 +93,24 @@ class AxisPush {
       N == 2, HolderOf<EdgeA, EdgeB>,
       HolderOf<Across<EdgeA, EdgeB>, HolderOf<Across<EdgeA, EdgeA>, Across<EdgeB, EdgeB>>>>;
 
-  /// Calls f with a vector along each axis; some may be 0 or repeat.
-  template <class F>
-  constexpr void for_each_axis(const F& f) const noexcept {
+  /// Calls f with a vector along each axis whose number `wants`, some maybe 0 or twice.
+  template <class Wants, class F>
+  constexpr void for_each_axis(const Wants& wants, const F& f) const noexcept {
+    std::size_t i = 0;
     if constexpr (N == 2) {
-      const auto across = [&](const auto& e) { f(Vec{e.y, narrow_negative(e.x)}); };
+      const auto across = [&](const auto& e) {
+        if (wants(i++)) f(Vec{e.y, narrow_negative(e.x)});
+      };
       a_.for_each_edge(across);
       b_.for_each_edge(across);
     } else {
-      for_each_pair(a_, f);
-      for_each_pair(b_, f);
+      const auto across = [&](const auto& e, const auto& g) {
+        if (wants(i++)) f(axis_of(e, g));
+      };
+      for_each_pair(a_, across);
+      for_each_pair(b_, across);
       a_.for_each_edge(
-          [&](const auto& e) { b_.for_each_edge([&](const auto& g) { f(axis_of(e, g)); }); });
+          [&](const auto& e) { b_.for_each_edge([&](const auto& g) { across(e, g); }); });
     }
   }
   template <class Body, class F>
@@ -105,7 +119,7 @@ class AxisPush {
     body.for_each_edge([&](const auto& e) {
       int j = 0;
       body.for_each_edge([&](const auto& g) {
-        if (j++ < i) f(axis_of(e, g));
+        if (j++ < i) f(e, g);
       });
       ++i;
     });
@@ -114,14 +128,21 @@ class AxisPush {
   template <Number V>
   [[nodiscard]] constexpr Vec<T, N> farthest(const Vec<V, N>& v) const noexcept {
     constexpr int bits = bits_of<T>;
-    return narrow<bits>(a_.template extreme<bits>(v, some_b_, true) -
-                        b_.template extreme<bits>(v, some_a_, false));
+    return narrow<bits>(a_.template extreme<bits>(v, origin_of(b_), true) -
+                        b_.template extreme<bits>(v, origin_of(a_), false));
+  }
+  /// Some corner of the other body, for a body that measures its corners from there.
+  template <class Body>
+  [[nodiscard]] static constexpr decltype(auto) origin_of(const Body& body) noexcept {
+    if constexpr (IsBoxBody<A> && IsBoxBody<B>) {
+      return Vec<T, N>();
+    } else {
+      return body.some();
+    }
   }
 
   const A& a_;
   const B& b_;
-  std::remove_cvref_t<decltype(std::declval<const A&>().some())> some_a_;
-  std::remove_cvref_t<decltype(std::declval<const B&>().some())> some_b_;
 };
 
 }  // namespace detent::detail

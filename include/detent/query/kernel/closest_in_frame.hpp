@@ -18,17 +18,15 @@ namespace detent::detail {
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_in_frame(
     const Obb<S, N>& box, const Vec<S, N>& center, const S& radius) noexcept {
-  if (holds(box, center)) return {center, center};
-  const auto from_center = in_frame(box, center - box.center);
-  const auto on_box =
-      nearest_to<S>(box.center + from_frame(box, make_vec<N>([&](int i) {
-                                              return clamp_to(from_center[i], box.half_extents[i]);
-                                            })));
-  const auto beyond = excess(box, center);
-  if (squared_length(beyond) <= square(radius)) return {on_box, on_box};
-  using One = std::remove_cvref_t<decltype(radius + radius)>;
-  const RationalPoint p{center * One(1), One(1)};
-  return {on_box, rounded_beyond(p, radius, narrow_negative(from_frame(box, beyond)))};
+  const auto place = in_frame(box, center - box.center);
+  const auto clamped = make_vec<N>([&](int i) { return clamp_to(place[i], box.half_extents[i]); });
+  if (clamped == place) return {center, center};
+  const auto on_box = nearest_to<S>(box.center + from_frame(box, clamped));
+  // No longer than the components of `place`.
+  using Place = std::remove_cvref_t<decltype(place.x)>;
+  const auto to_box = narrow<bits_of<Place>>(clamped - place);
+  if (is_within(to_box, radius)) return {on_box, on_box};
+  return {on_box, rounded_beyond(center, radius, from_frame(box, to_box))};
 }
 
 /// The t in [0, 1] for which t d is closest to the box from `low` to `high`: the first such t, or

@@ -148,10 +148,10 @@ class SpannedBody {
     return corner([](int, int) { return true; });
   }
   [[nodiscard]] constexpr auto low() const noexcept {
-    return corner([this](int i, int j) { return edge(i)[j] < 0; });
+    return make_vec<N>([&](int j) { return narrow_difference<bits>(center_[j], reach(j)); });
   }
   [[nodiscard]] constexpr auto high() const noexcept {
-    return corner([this](int i, int j) { return edge(i)[j] > 0; });
+    return make_vec<N>([&](int j) { return narrow_sum<bits>(center_[j], reach(j)); });
   }
 
   [[nodiscard]] constexpr auto doubled_middle() const noexcept { return center_ + center_; }
@@ -193,8 +193,13 @@ class SpannedBody {
   [[nodiscard]] constexpr const Vec<E, N>& edge(int i) const noexcept {
     return edges_[static_cast<std::size_t>(i)];
   }
-  /// Component j is that of the center, plus those of each edge i with is_added(i, j), minus those
-  /// of the others.
+  /// How far component j of a corner is from that of the center at most.
+  [[nodiscard]] constexpr auto reach(int j) const noexcept {
+    auto sum = narrow<bits>(abs(edge(0)[j]) + abs(edge(1)[j]));
+    if constexpr (N == 3) sum = narrow<bits>(sum + abs(edge(2)[j]));
+    return sum;
+  }
+  /// In component j: the center, plus each edge i with is_added(i, j), minus the others.
   template <class IsAdded>
   requires std::is_invocable_v<const IsAdded&, int, int>
   [[nodiscard]] constexpr auto corner(const IsAdded& is_added) const noexcept {

@@ -103,19 +103,26 @@ template <Number T, int N>
   return true;
 }
 
-/// Returns f(search), with the search in the narrowest numbers that hold the differences from `low`
-/// to `high`: 128 bits instead of 256 for those below 2^29, and on the finer grid 256 bits instead
-/// of 320 for those below 2^61.
-template <class A, class B, Number T, int N, class F>
-[[nodiscard]] constexpr auto with_gjk(const A& a, const B& b, const Vec<T, N>& low,
-                                      const Vec<T, N>& high, const F& f) noexcept {
+/// Returns f(T()) for the narrowest type T that holds the differences from `low` to `high`: of 128
+/// bits instead of 256 in a search for those below 2^29, and on the finer grid of 256 bits instead of
+/// 320 for those below 2^61.
+template <Number T, int N, class F>
+[[nodiscard]] constexpr auto with_differences(const Vec<T, N>& low, const Vec<T, N>& high,
+                                              const F& f) noexcept {
   constexpr int bits = is_fine<T> ? 61 : 29;
   return by_width<bits>(
       [&](const auto& narrow_low, const auto&) {
-        using Narrow = std::remove_cvref_t<decltype(narrow_low.x)>;
-        return f(Gjk<Narrow, A, B>(a, b));
+        return f(std::remove_cvref_t<decltype(narrow_low.x)>());
       },
       low, high);
+}
+
+/// Returns f(search), with the search in such numbers.
+template <class A, class B, Number T, int N, class F>
+[[nodiscard]] constexpr auto with_gjk(const A& a, const B& b, const Vec<T, N>& low,
+                                      const Vec<T, N>& high, const F& f) noexcept {
+  return with_differences(low, high,
+                          [&]<Number Narrow>(const Narrow&) { return f(Gjk<Narrow, A, B>(a, b)); });
 }
 template <class A, class B, class F>
 [[nodiscard]] constexpr auto with_gjk(const A& a, const B& b, const F& f) noexcept {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "detent/number/filter/leading.hpp"
 #include "detent/query/kernel/axis_push.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/core.hpp"
@@ -63,11 +64,26 @@ template <Scalar S, Number Radii, Number Over, Number Under>
   return Depth<S>(radii - gap);
 }
 
-/// The depth of shapes with these radii if their cores must move by height / |normal|.
+/// Filter: |height| / |normal|, rounded up, from leading bits, with an error of 2^-41 of it at most
+/// (docs/filters.md, lemma 1).
+template <Scalar S, Number Height, Number Square>
+[[nodiscard]] constexpr Decided<Length<S>> decide_depth(const Height& height,
+                                                        const Square& squared_normal) noexcept {
+  const auto below = decide_floor<Length<S>>(
+      Approximate{Leading(abs(height)) / sqrt(Leading(squared_normal)), Relative{41}});
+  return {next_up(below.value), below.is_sure};
+}
+
+/// The depth of shapes with these radii whose cores must move by height / |normal|.
 template <Scalar S, Number Radii, Number Height, Number Square>
 [[nodiscard]] constexpr Depth<S> depth_of_height(const Radii& radii, const Height& height,
                                                  const Square& squared_normal) noexcept {
-  return radii + sqrt_ceil<Length<S>>(Fraction{square(height), squared_normal});
+  const auto exact = [&] { return sqrt_ceil<Length<S>>(Fraction{square(height), squared_normal}); };
+  if constexpr (is_fixed<S>) {
+    return radii + or_exact(decide_depth<S>(height, squared_normal), exact);
+  } else {
+    return radii + exact();
+  }
 }
 
 /// A plane, which is only its surface, and a body with this radius. Ties go to the side of the
@@ -140,12 +156,12 @@ template <Scalar S, int N, Number Radius>
   return pushed_by(Expansion<Difference, Slabs, Span>(slabs, span).least_push());
 }
 
-/// Two convex bodies, with the sum of their radii: returns f(normal, depth) for the least push,
-/// where f returns an optional; nothing if they do not touch. The normal is exact, of any length,
-/// and has one of two types: the shorter one for an axis of two edges.
-template <Scalar S, class A, class B, Number Radii, class F>
+/// Two convex bodies, with the sum of their radii: f(normal, depth) of the least push, which returns
+/// an optional; nothing if they do not touch. The normal is exact, at any length, and its type one of
+/// two: that of an axis of two edges is short. `filter` is that of the shapes: see axis_filter.hpp.
+template <Scalar S, class A, class B, Number Radii, class Filter, class F>
 [[nodiscard]] constexpr auto least_push_between(const A& a, const B& b, const Radii& radii,
-                                                const F& f) noexcept {
+                                                const Filter& filter, const F& f) noexcept {
   constexpr int N = A::dimension;
   using Longest = std::remove_cvref_t<decltype((a.some() - b.some()).x)>;
   using Normal = LongestNormal<Longest, N>;
@@ -153,13 +169,13 @@ template <Scalar S, class A, class B, Number Radii, class F>
   const auto depth_of = [&](const auto& push) {
     return depth_of_height<S>(radii, push.height, squared_length(push.normal));
   };
-  return with_gjk(a, b, [&](auto search) {
-    using T = typename decltype(search)::Difference;
+  return with_differences(a.low() - b.high(), a.high() - b.low(), [&]<Number T>(const T&) {
     Result result;
-    if (const auto push = AxisPush<T, A, B>(a, b).least()) {
+    if (const auto push = AxisPush<T, A, B>(a, b).least(filter)) {
       if (push->height > 0) return f(push->normal, depth_of(*push));
       if (push->height < 0 && radii == 0) return result;
     }
+    Gjk<T, A, B> search(a, b);
     const auto squared = search.squared_distance(squared_distance_of_none<T, N>());
     if (squared.numerator > 0) {
       const auto depth = depth_of_gap<S>(radii, squared);

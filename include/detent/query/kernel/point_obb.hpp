@@ -55,18 +55,22 @@ template <Scalar S, int N>
   });
 }
 
+/// Whether `v`, in the frame of a box, is no longer than `reach` >= 0.
+template <Number T, Scalar S, int N>
+[[nodiscard]] constexpr bool is_within(const Vec<T, N>& v, const S& reach) noexcept {
+  for (int i = 0; i < N; ++i) {
+    if (v[i] > reach || v[i] < -reach) return false;
+  }
+  // No component exceeds `reach`, on the grid of products with a direction, whose 1 is 2^(b - 1).
+  constexpr int bits = bits_of<S> - 1 + bits_of<direction_component<S>>;
+  return squared_length(narrow<bits>(v)) <= square(reach);
+}
+
 /// Whether `point` is within `reach` >= 0 of `box`, measured in the frame of the box.
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool within_reach(const Obb<S, N>& box, const Vec<S, N>& point,
                                           const S& reach) noexcept {
-  if (is_empty(box)) return false;
-  const auto beyond = excess(box, point);
-  for (int i = 0; i < N; ++i) {
-    if (beyond[i] > reach || beyond[i] < -reach) return false;
-  }
-  // No component exceeds `reach`, on the grid of products with a direction, whose 1 is 2^(b - 1).
-  constexpr int bits = bits_of<S> - 1 + bits_of<direction_component<S>>;
-  return squared_length(narrow<bits>(beyond)) <= square(reach);
+  return !is_empty(box) && is_within(excess(box, point), reach);
 }
 
 }  // namespace detent::detail

@@ -63,15 +63,59 @@ template <Scalar S, Number Over, Number Under, int N>
   return make_vec<N>([&](int i) { return rounded<S>(p.over[i], p.under); });
 }
 
-/// Coordinate i of p + radius v / |v| before rounding: a sum and its error, in range.
-template <Scalar S, Number Over, Number Under, class Moves, int N>
-[[nodiscard]] constexpr auto approximate_beyond(const RationalPoint<Over, Under, N>& p,
-                                                const Moves& moves, int i) noexcept {
+/// from + step * ratio, rounded to nearest and clamped, for a ratio below 1.
+template <Number S, Number From, Number Step, Number Over, Number Under, int Frac, class Error>
+[[nodiscard]] constexpr S nearest_between(
+    const From& from, const Step& step,
+    const BoundedRatio<Over, Under, Frac, Error>& ratio) noexcept {
+  const auto exact = [&] {
+    return rounded<S>(from * ratio.under + step * ratio.over, ratio.under);
+  };
+  if constexpr (is_fixed<S>) {
+    return or_exact(decide_between<S>(from, step, ratio), exact);
+  } else {
+    return exact();
+  }
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr const Vec<S, N>& rounded(const Vec<S, N>& p) noexcept {
+  return p;
+}
+
+/// A coordinate of a point on a finer grid, off by less than 2^8 steps.
+template <Scalar S, Number Over, Number Under, int N>
+[[nodiscard]] constexpr auto approximate_coordinate(const RationalPoint<Over, Under, N>& p,
+                                                    int i) noexcept {
   using Finer = finer<S, 30>;
   const ShortQuotient<S> quotient(p.over[i], p.under);
-  const auto from = quotient.is_short ? floor_to<Finer>(quotient.value)
-                                      : quotient_floor<Finer>(p.over[i], p.under);
-  auto sum = narrow_sum<62>(from, moves.value[static_cast<std::size_t>(i)]);
+  return quotient.is_short ? floor_to<Finer>(quotient.value)
+                           : quotient_floor<Finer>(p.over[i], p.under);
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto approximate_coordinate(const Vec<S, N>& p, int i) noexcept {
+  return finer<S, 30>(p[i]);
+}
+
+/// The sign of x / sqrt(square) - (y - coordinate i of p), exactly.
+template <Number X, Number Square, Number Y, Number Over, Number Under, int N>
+[[nodiscard]] constexpr int compare_with_quotient(const X& x, const Square& square, const Y& y,
+                                                  const RationalPoint<Over, Under, N>& p,
+                                                  int i) noexcept {
+  return compare_with_quotient(x * p.under, square, y * p.under - p.over[i]);
+}
+template <Number X, Number Square, Number Y, Scalar S, int N>
+[[nodiscard]] constexpr int compare_with_quotient(const X& x, const Square& square, const Y& y,
+                                                  const Vec<S, N>& p, int i) noexcept {
+  return compare_with_quotient(x, square, y - p[i]);
+}
+
+/// Coordinate i of p + radius v / |v| before it is rounded: a sum and its error, in range.
+template <Scalar S, class Point, class Moves>
+[[nodiscard]] constexpr auto approximate_beyond(const Point& p, const Moves& moves,
+                                                int i) noexcept {
+  auto sum =
+      narrow_sum<62>(approximate_coordinate<S>(p, i), moves.value[static_cast<std::size_t>(i)]);
   // Beyond the range by more than the error, the result is the end of the range.
   using Sum = std::remove_cvref_t<decltype(sum)>;
   constexpr Sum most(largest<S>), least(lowest<S>);
@@ -81,23 +125,23 @@ template <Scalar S, Number Over, Number Under, class Moves, int N>
   return Approximate<Sum, Steps<1 << 18>>{sum, {}};
 }
 
-/// p + radius v / |v| for radius >= 0 and v not 0.
-template <Scalar S, Number Over, Number Under, Number V, int N>
-[[nodiscard]] constexpr Vec<S, N> rounded_beyond(const RationalPoint<Over, Under, N>& p,
-                                                 const S& radius, const Vec<V, N>& v) noexcept {
+/// The point p, which is rational or on the grid, + radius v / |v| for radius >= 0 and v not 0.
+template <Scalar S, class Point, Number V, int N>
+[[nodiscard]] constexpr Vec<S, N> rounded_beyond(const Point& p, const S& radius,
+                                                 const Vec<V, N>& v) noexcept {
   if (radius == 0) return rounded<S>(p);
-  const auto squared = squared_length(v);
   if constexpr (!is_fixed<S>) {
-    const auto length = sqrt_floor<S>(squared);
-    return make_vec<N>([&](int i) { return p.over[i] / p.under + radius * (v[i] / length); });
+    const auto length = sqrt_floor<S>(squared_length(v));
+    const auto from = rounded<S>(p);
+    return make_vec<N>([&](int i) { return from[i] + radius * (v[i] / length); });
   } else {
     const auto moves = step_along(radius, to_array(v));
     return make_vec<N>([&](int i) {
       const auto nearest = decide_nearest<S>(approximate_beyond<S>(p, moves, i));
       return or_exact(nearest, [&](const S& upper) {
         const auto middle = midpoint_below(upper);
-        return nearest_at_midpoint(upper, compare_with_quotient(radius * v[i] * p.under, squared,
-                                                                middle * p.under - p.over[i]));
+        return nearest_at_midpoint(
+            upper, compare_with_quotient(radius * v[i], squared_length(v), middle, p, i));
       });
     });
   }

@@ -181,10 +181,12 @@ class SurfaceContacts {
     const auto face = corners_of(triangle);
     const auto face_body = body_of_corners(face);
     const auto normal = unit_of<S>(push.normal);
-    return make_contact(normal, push.depth, S(0), radius_of(shape_), [&](auto& manifold) {
-      const auto deepest = extreme_feature<S>(body, body, push.normal, false);
+    constexpr auto most = most_corners_of<std::remove_cvref_t<decltype(body)>,
+                                          std::remove_cvref_t<decltype(face_body)>>;
+    return make_contact<most>(normal, push.depth, S(0), radius_of(shape_), [&](auto& manifold) {
+      const auto deepest = extreme_feature<S, most>(body, body, push.normal, false);
       manifold.meet(
-          extreme_feature<S>(face_body, face_body, push.normal, true), deepest,
+          extreme_feature<S, most>(face_body, face_body, push.normal, true), deepest,
           [](const auto& feature) { return feature; },
           [&](const auto& feature) { return opposed_feature(core, body, feature, normal); });
     });
