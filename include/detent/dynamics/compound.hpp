@@ -159,8 +159,9 @@ template <Scalar S, int N>
     });
     for (const auto& axis : part.axes()) digest.add(axis);
     digest.add(options.density, options.friction, options.restitution, options.is_sensor);
-    const auto at = make_vec<N>(
-        [&](int i) { return typename detail::Formats<S>::Place(solid.offset(part)[i]); });
+    const auto at = make_vec<N>([&](int i) {
+      return saturate_to<typename detail::Formats<S>::Place>(solid.offset(part)[i]);
+    });
     const auto bounds = detail::bounds_of<S, N>(at, part.axes(), part.reach(), S(0));
     solid.reach_.half_extents = make_vec<N>([&](int k) {
       const auto most = (max)(abs(bounds.least[k]), abs(bounds.most[k]));
