@@ -2,6 +2,9 @@
 #include "json_fields.hpp"
 
 #include <charconv>
+#include <filesystem>
+
+#include "obj_reader.hpp"
 
 namespace detent::cli {
 
@@ -142,6 +145,21 @@ Turn JsonFields::rotation(const JsonNode* node) const {
     return EulerAngles{point(*euler, "euler")};
   }
   return AxisAngle{direction(*node, "axis", owner), number(*node, "angle", owner)};
+}
+
+MeshModel JsonFields::model_file(const JsonNode& node, const std::string& owner) const {
+  const JsonNode& file = need(node, "file", Kind::string, owner);
+  if (file.text.empty()) fail(file, "file is empty; name a model in OBJ");
+  if (file.text.find('\0') != std::string::npos) {
+    fail(file, "file contains a zero byte, which file names cannot; remove it");
+  }
+  std::optional<double> scale;
+  if (const JsonNode* const text = find(node, "scale")) {
+    scale = number(*text, "scale").value.to<double>();
+    if (!scale || *scale <= 0) fail(*text, "scale must be more than 0; 1 keeps the model's size");
+  }
+  const auto path = std::filesystem::path(file_).parent_path() / file.text;
+  return read_obj(path.string(), scale);
 }
 
 Colour JsonFields::colour(const JsonNode& node) const {

@@ -50,6 +50,8 @@ class JsonFields {
   /// No rotation without a node; in two dimensions an angle.
   [[nodiscard]] Turn rotation(const JsonNode* node) const;
   [[nodiscard]] Colour colour(const JsonNode& node) const;
+  /// The OBJ model that `file` names, from the folder of this file, with its `scale` if there is one.
+  [[nodiscard]] MeshModel model_file(const JsonNode& node, const std::string& owner) const;
   /// Fails if another one has this id.
   void keep_unique(std::map<std::string, Place>& names, const std::optional<std::string>& id,
                    Place place, const char* what) const;

@@ -12,11 +12,26 @@
 #include "detent/draw/round.hpp"
 #include "detent/dynamics/dynamics.hpp"
 #include "detent/dynamics/snapshot.hpp"
+#include "detent/scene/mesh/owned.hpp"
 #include "simulation.hpp"
 
 // The implementation of `Simulation`, compiled in a file for each scalar in simulations/.
 
 namespace detent::cli {
+
+/// A world of all shapes and joints; surfaces are for three dimensions.
+template <Scalar S, int N>
+struct JoinedWorld {
+  using Type = detent::World<S, 3, Sphere, Capsule, Aabb, Obb, BodyHull, BodyCompound, BodyMesh,
+                             BodyHeightField, DistanceJoint, BallJoint, HingeJoint, WeldJoint,
+                             SliderJoint, WheelJoint>;
+};
+template <Scalar S>
+struct JoinedWorld<S, 2> {
+  using Type =
+      detent::World<S, 2, Sphere, Capsule, Aabb, Obb, BodyHull, BodyCompound, DistanceJoint,
+                    BallJoint, HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
+};
 
 template <Scalar S, int N>
 class ScalarSimulation : public Simulation, private ScalarReader<S> {
@@ -27,9 +42,18 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
   ScalarSimulation(const WorldModel& model, const Move& move)
       : Base(model.file), model_(model), move_(move), world_(settings()) {
     for (std::size_t i = 0; i < 3; ++i) back_[i] = move.by[i].template to<double>().value();
-    hulls_.reserve(model_.bodies.size());
+    // Bodies refer to elements of these, so they never grow beyond what is reserved.
+    std::size_t hulls = 0;
     for (const BodyModel& body : model_.bodies) {
-      std::visit([&](const auto& form) { add(shape(form, body), body); }, body.form);
+      const auto* const compound = std::get_if<CompoundModel>(&body.form);
+      hulls += compound == nullptr ? 1 : compound->parts.size();
+    }
+    hulls_.reserve(hulls);
+    compounds_.reserve(model_.bodies.size());
+    meshes_.reserve(model_.bodies.size());
+    fields_.reserve(model_.bodies.size());
+    for (const BodyModel& body : model_.bodies) {
+      std::visit([&](const auto& form) { add_form(form, body); }, body.form);
     }
     for (const JointModel& joint : model_.joints) add(joint);
   }
@@ -75,7 +99,7 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
   }
 
   void restore(const std::string& file, std::string_view bytes) override {
-    switch (detent::restore(world_, std::as_bytes(std::span(bytes)), hulls_)) {
+    switch (restored(std::as_bytes(std::span(bytes)))) {
       case Restored::yes:
         return;
       case Restored::no_snapshot:
@@ -91,8 +115,8 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
                          "resume it with those it was written with");
       default:
         throw InputError(file, {},
-                         "a snapshot of a world with different fixed bodies or hulls; resume it "
-                         "with the file it was written with");
+                         "a snapshot of a world with different fixed bodies, hulls, compounds or "
+                         "surfaces; resume it with the file it was written with");
     }
   }
 
@@ -120,8 +144,13 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
   }
 
  private:
-  using Joined = detent::World<S, N, Sphere, Capsule, Aabb, Obb, BodyHull, DistanceJoint, BallJoint,
-                               HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
+  Restored restored(std::span<const std::byte> bytes) {
+    if constexpr (N == 2) {
+      return detent::restore(world_, bytes, hulls_, compounds_);
+    } else {
+      return detent::restore(world_, bytes, hulls_, compounds_, meshes_, fields_);
+    }
+  }
 
   struct Body {
     BodyId id{};
@@ -175,12 +204,14 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
     return place(point, name, {});
   }
   Vec<S, N> place(const Point& point, const std::string& name) const {
-    return place(point, move_.is_zero() ? name : name + " after the move", move_);
+    return place(point, name, move_);
   }
   Vec<S, N> place(const Point& point, const std::string& name, const Move& move) const {
+    const std::string moved = move.is_zero() ? name : name + " after the move";
     Vec<S, N> result{};  // by a loop: make_vec is noexcept
     for (std::size_t i = 0; i < std::size_t{N}; ++i) {
-      result[static_cast<int>(i)] = this->scalar(point[i].value + move.by[i], point[i].place, name);
+      result[static_cast<int>(i)] =
+          this->scalar(point[i].value + move.by[i], point[i].place, moved);
     }
     return result;
   }
@@ -209,35 +240,169 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
     return settings;
   }
 
-  Sphere<S, N> shape(const SphereModel& model, const BodyModel&) const {
-    return {place(model.center, "center"), this->length(model.radius, "radius")};
+  /// Shapes of bodies are moved, those of parts are in the frame of a body that is.
+  Sphere<S, N> shape(const SphereModel& model, const Move& move, Place) const {
+    return {place(model.center, "center", move), this->length(model.radius, "radius")};
   }
-  Capsule<S, N> shape(const CapsuleModel& model, const BodyModel&) const {
-    return {place(model.a, "a"), place(model.b, "b"), this->length(model.radius, "radius")};
+  Capsule<S, N> shape(const CapsuleModel& model, const Move& move, Place) const {
+    return {place(model.a, "a", move), place(model.b, "b", move),
+            this->length(model.radius, "radius")};
   }
-  Aabb<S, N> shape(const AabbModel& model, const BodyModel&) const {
-    return {place(model.min, "min"), place(model.max, "max")};
+  Aabb<S, N> shape(const AabbModel& model, const Move& move, Place) const {
+    return {place(model.min, "min", move), place(model.max, "max", move)};
   }
-  Obb<S, N> shape(const ObbModel& model, const BodyModel&) const {
-    return {place(model.center, "center"), lengths(model.half_extents, "half_extents"),
+  Obb<S, N> shape(const ObbModel& model, const Move& move, Place) const {
+    return {place(model.center, "center", move), lengths(model.half_extents, "half_extents"),
             turn(model.rotation)};
   }
-  BodyHull<S, N> shape(const HullModel& model, const BodyModel& body) {
+  BodyHull<S, N> shape(const HullModel& model, const Move& move, Place at) {
     auto& points = points_.emplace_back();
     for (const Point& point : model.points) points.push_back(lengths(point, "a point of the hull"));
     const auto id = static_cast<std::uint32_t>(hulls_.size() + 1);
     const auto solid = solid_hull(id, ConvexHull<S, N>{points});
     if (!solid) {
-      this->fail(body.place, "the hull is flat or has more than " +
-                                 std::to_string(SolidHull<S, N>::capacity) +
-                                 " points; give it a volume and fewer points");
+      this->fail(at, "the hull is flat or has more than " +
+                         std::to_string(SolidHull<S, N>::capacity) +
+                         " points; give it a volume and fewer points");
     }
     hulls_.push_back(*solid);
-    return {&hulls_.back(), place(model.position, "position"), turn(model.rotation)};
+    return {&hulls_.back(), place(model.position, "position", move), turn(model.rotation)};
+  }
+
+  template <class Form>
+  void add_form(const Form& form, const BodyModel& model) {
+    const auto solid = shape(form, move_, model.place);
+    add(solid, model, facets_of(solid, model));
+  }
+  void add_form(const CompoundModel& form, const BodyModel& model) {
+    auto& parts = parts_.emplace_back();
+    std::vector<std::vector<Facet>> drawn;
+    for (const PartModel& part : form.parts) {
+      PartOptions<S> options;
+      set(options.density, part.density, "density");
+      set(options.friction, part.friction, "friction");
+      set(options.restitution, part.restitution, "restitution");
+      options.is_sensor = part.is_sensor;
+      std::visit(
+          [&](const auto& plain) {
+            const auto solid = shape(plain, Move(), part.place);
+            parts.emplace_back(solid, options);
+            drawn.push_back(part.is_sensor ? std::vector<Facet>() : facets_of(solid, model));
+          },
+          part.form);
+    }
+    const auto id = static_cast<std::uint32_t>(compounds_.size() + 1);
+    const auto compound = solid_compound(id, parts);
+    if (!compound) this->fail(model.place, "the compound has too many parts; use more bodies");
+    compounds_.push_back(*compound);
+    std::vector<Facet> facets;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const auto& part = parts[i];
+      for (Facet facet : drawn[i]) {
+        for (auto& corner : facet.corners) {
+          const auto inner = corner;
+          for (int k = 0; k < N; ++k) {
+            auto& x = corner[static_cast<std::size_t>(k)];
+            x = static_cast<double>(part.place()[k]) - static_cast<double>(compound->center()[k]);
+            for (std::size_t j = 0; j < std::size_t{N}; ++j) {
+              x += static_cast<double>(part.axes()[j][k]) * inner[j];
+            }
+          }
+        }
+        facets.push_back(facet);
+      }
+    }
+    add(BodyCompound<S, N>{&compounds_.back(), place(form.position, "position"),
+                           turn(form.rotation)},
+        model, facets);
+  }
+  void add_form(const MeshBodyModel& form, const BodyModel& model) {
+    if constexpr (N == 3) {
+      std::vector<Vec<S, 3>> vertices;
+      for (const Point& vertex : form.vertices) {
+        vertices.push_back(lengths(vertex, "a vertex of the mesh"));
+      }
+      if (form.model) {
+        const auto limit = static_cast<double>(largest<S>);
+        for (const auto& v : form.model->vertices) {
+          auto& vertex = vertices.emplace_back();
+          for (int k = 0; k < 3; ++k) {
+            const double x = v[static_cast<std::size_t>(k)];
+            if (!(x <= limit && x >= -limit)) fail_reach(model, "mesh");
+            if constexpr (is_fixed<S>) {
+              vertex[k] = S::from_double(x);
+            } else {
+              vertex[k] = static_cast<S>(x);
+            }
+          }
+        }
+      }
+      std::vector<Triangle<S, 3>> triangles;
+      for (const auto& corners : form.triangles) {
+        triangles.push_back({vertices[corners[0]], vertices[corners[1]], vertices[corners[2]]});
+      }
+      for (const auto& vertex : vertices) check_reach(vertex, model, "mesh");
+      if (triangles.size() > most_triangles) {
+        this->fail(model.place,
+                   "the mesh has more than 1,048,576 triangles; split it into several");
+      }
+      owned_.emplace_back(triangles);
+      const auto id = static_cast<std::uint32_t>(meshes_.size() + 1);
+      meshes_.emplace_back(id, owned_.back().view());
+      add(BodyMesh<S, 3>{&meshes_.back(), place(form.position, "position"), turn(form.rotation)},
+          model, facets_of(triangles, model));
+    } else {
+      static_cast<void>(form);
+      this->fail(model.place, "a mesh is for worlds of three dimensions");
+    }
+  }
+  void add_form(const HeightFieldModel& form, const BodyModel& model) {
+    if constexpr (N == 3) {
+      auto& heights = heights_.emplace_back();
+      for (const Literal& height : form.heights)
+        heights.push_back(this->length(height, "a height"));
+      const auto field = height_field<S>(
+          {this->length(form.corner[0], "corner"), this->length(form.corner[1], "corner")},
+          this->length(form.cell, "cell"), form.columns, form.rows, heights);
+      if (!field) {
+        this->fail(form.cell.place, "the cell is too small or too large for " +
+                                        std::string(scalar_name<S>) + "; write 1, for example");
+      }
+      check_reach(field->bounds.min, model, "height field");
+      check_reach(field->bounds.max, model, "height field");
+      std::vector<Triangle<S, 3>> triangles;
+      visit_within(*field, field->bounds, [&](std::span<const MeshTriangle<S>> some) {
+        for (const auto& each : some) triangles.push_back(each.triangle);
+        return Walk::go_on;
+      });
+      if (triangles.size() > most_triangles) {
+        this->fail(model.place,
+                   "the height field has more than 524,288 cells; split it into several");
+      }
+      const auto id = static_cast<std::uint32_t>(fields_.size() + 1);
+      fields_.emplace_back(id, *field);
+      add(BodyHeightField<S, 3>{&fields_.back(), place(form.position, "position")}, model,
+          facets_of(triangles, model));
+    } else {
+      static_cast<void>(form);
+      this->fail(model.place, "a height field is for worlds of three dimensions");
+    }
+  }
+
+  /// Contacts of surfaces know no more (docs/dynamics.md).
+  static constexpr std::size_t most_triangles = std::size_t{1} << 20;
+  [[noreturn]] void fail_reach(const BodyModel& model, const std::string& what) const {
+    this->fail(model.place, "the " + what + " reaches farther than 512 units from its position; " +
+                                "make it smaller or split it into several");
+  }
+  void check_reach(const Vec<S, N>& point, const BodyModel& model, const std::string& what) const {
+    for (int k = 0; k < N && is_fixed<S>; ++k) {
+      if (abs(point[k]) > S(512)) fail_reach(model, what);
+    }
   }
 
   template <class Shape>
-  void add(const Shape& shape, const BodyModel& model) {
+  void add(const Shape& shape, const BodyModel& model, std::vector<Facet> facets) {
     BodyOptions<S, N> options;
     options.motion = model.motion;
     options.locked = model.locked;
@@ -260,7 +425,7 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
     }
     const auto id = world_.add(shape, options);
     if (!id) this->fail(model.place, "the world is full; remove bodies");
-    bodies_.push_back({*id, facets_of(shape, model)});
+    bodies_.push_back({*id, std::move(facets)});
   }
 
   template <class Shape>
@@ -274,7 +439,10 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
         draw_solid(sink, form, model.colour);
       }
     };
-    if constexpr (std::same_as<Shape, BodyHull<S, N>>) {
+    if constexpr (requires { shape.front().a; }) {
+      for (const auto& triangle : shape)
+        sink.triangle(triangle.a, triangle.b, triangle.c, model.colour);
+    } else if constexpr (std::same_as<Shape, BodyHull<S, N>>) {
       for (int i = 0; i < N; ++i) {
         sink.middle[static_cast<std::size_t>(i)] = static_cast<double>(shape.asset->center()[i]);
       }
@@ -361,8 +529,14 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
   Move move_;
   Point3 back_{};
   std::deque<std::vector<Vec<S, N>>> points_;
-  std::vector<SolidHull<S, N>> hulls_;  // capacity is reserved: bodies refer to them
-  Joined world_;
+  std::vector<SolidHull<S, N>> hulls_;
+  std::deque<std::vector<BodyPart<S, N>>> parts_;
+  std::vector<SolidCompound<S, N>> compounds_;
+  std::deque<OwnedMesh<S>> owned_;
+  std::vector<MeshAsset<S>> meshes_;
+  std::deque<std::vector<S>> heights_;
+  std::vector<FieldAsset<S>> fields_;
+  typename JoinedWorld<S, N>::Type world_;
   std::vector<Body> bodies_;
 };
 

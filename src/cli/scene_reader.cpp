@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scene_reader.hpp"
 
-#include <filesystem>
 #include <map>
 #include <string_view>
 #include <utility>
 
 #include "file.hpp"
 #include "json_fields.hpp"
-#include "obj_reader.hpp"
 
 namespace detent::cli {
 namespace {
@@ -84,18 +82,7 @@ class SceneReader : private JsonFields {
   }
 
   MeshModel mesh(const JsonNode& node, const std::string& owner) const {
-    const JsonNode& file = need(node, "file", Kind::string, owner);
-    if (file.text.empty()) fail(file, "file is empty; name a model in OBJ");
-    if (file.text.find('\0') != std::string::npos) {
-      fail(file, "file contains a zero byte, which file names cannot; remove it");
-    }
-    std::optional<double> scale;
-    if (const JsonNode* const text = find(node, "scale")) {
-      scale = number(*text, "scale").value.to<double>();
-      if (!scale || *scale <= 0) fail(*text, "scale must be more than 0; 1 keeps the model's size");
-    }
-    const auto path = std::filesystem::path(scene_.file).parent_path() / file.text;
-    MeshModel mesh = read_obj(path.string(), scale);
+    MeshModel mesh = model_file(node, owner);
     const JsonNode* const position = find(node, "position");
     mesh.position = position ? point(*position, "position") : point_of("0", "0", "0");
     return mesh;

@@ -23,12 +23,45 @@ struct HullModel {
   Turn rotation;
 };
 
+/// One of the shapes of a compound; missing fields are as in `PartOptions`.
+struct PartModel {
+  Place place;
+  std::variant<SphereModel, CapsuleModel, AabbModel, ObbModel, HullModel> form;
+  std::optional<Literal> density, friction, restitution;
+  bool is_sensor = false;
+};
+struct CompoundModel {
+  std::vector<PartModel> parts;
+  Point position;
+  Turn rotation;
+};
+
+/// Triangles that are written in the file, or those of `model`, whose own position is ignored.
+struct MeshBodyModel {
+  std::optional<MeshModel> model;
+  std::vector<Point> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  Point position;
+  Turn rotation;
+};
+
+/// Heights over a grid of the plane of x and z: rows along z, and in a row along x.
+struct HeightFieldModel {
+  std::array<Literal, 2> corner;
+  Literal cell;
+  std::uint32_t columns = 0, rows = 0;
+  std::vector<Literal> heights;
+  Point position;
+};
+
 /// A body in a file; missing fields are as in `BodyOptions`.
 struct BodyModel {
   std::optional<std::string> id;
   Colour colour;
   Place place;
-  std::variant<SphereModel, CapsuleModel, AabbModel, ObbModel, HullModel> form;
+  std::variant<SphereModel, CapsuleModel, AabbModel, ObbModel, HullModel, CompoundModel,
+               MeshBodyModel, HeightFieldModel>
+      form;
   BodyMotion motion = BodyMotion::dynamic;
   std::optional<Literal> density, friction, restitution, linear_damping, angular_damping,
       gravity_scale;

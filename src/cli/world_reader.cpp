@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
@@ -111,12 +112,20 @@ class WorldReader : private JsonFields {
     body.colour = default_colour(world_.bodies.size());
     body.place = node.place;
     body.form = form(node, type);
+    const bool is_surface = std::holds_alternative<MeshBodyModel>(body.form) ||
+                            std::holds_alternative<HeightFieldModel>(body.form);
+    if (is_surface) body.motion = BodyMotion::fixed;
     if (const JsonNode* const id = find(node, "id")) {
       expect(*id, Kind::string, "id");
       body.id = id->text;
     }
     if (const JsonNode* const text = find(node, "color")) body.colour = colour(*text);
     if (const JsonNode* const motion = find(node, "motion")) body.motion = motion_of(*motion);
+    if (is_surface && body.motion == BodyMotion::dynamic) {
+      fail(*find(node, "motion"), "the " + type.text +
+                                      " has no mass and does not fall; write \"fixed\" or "
+                                      "\"kinematic\"");
+    }
     body.density = maybe_positive(node, "density");
     body.friction = maybe_positive(node, "friction");
     body.restitution = maybe_positive(node, "restitution");
@@ -140,14 +149,52 @@ class WorldReader : private JsonFields {
 
   decltype(BodyModel::form) form(const JsonNode& node, const JsonNode& type) const {
     const std::string owner = "the " + type.text;
-    const auto allow = [&](const Keys& keys) {
+    const auto allow = [&](const Keys& keys, const Keys& not_of_it) {
       Keys all{"type", "id", "color"};
       all.insert(all.end(), keys.begin(), keys.end());
-      all.insert(all.end(), {"motion", "density", "friction", "restitution", "linear_damping",
-                             "angular_damping", "gravity_scale", "velocity", "angular_velocity",
-                             "locked", "layers", "collides_with", "sensor", "fast"});
+      for (const std::string_view key :
+           {"motion", "density", "friction", "restitution", "linear_damping", "angular_damping",
+            "gravity_scale", "velocity", "angular_velocity", "locked", "layers", "collides_with",
+            "sensor", "fast"}) {
+        const bool is_left_out =
+            std::find(not_of_it.begin(), not_of_it.end(), key) != not_of_it.end();
+        if (!is_left_out) all.push_back(key);
+      }
       allow_keys(node, owner, all);
     };
+    const Keys of_parts{"density", "friction", "restitution"};
+    const Keys of_masses{"density",       "linear_damping", "angular_damping",
+                         "gravity_scale", "locked",         "fast"};
+    if (type.text == "compound") {
+      for (const std::string_view key : of_parts) {
+        if (const JsonNode* const own = find(node, key)) {
+          fail(*own, std::string(key) + " is that of each part of a compound; move it there");
+        }
+      }
+      allow({"parts", "position", "rotation"}, of_parts);
+      return compound(node, owner);
+    }
+    if (type.text == "mesh") {
+      surface_in_3d(type, owner);
+      allow({"file", "scale", "vertices", "triangles", "position", "rotation"}, of_masses);
+      return mesh(node, owner);
+    }
+    if (type.text == "height_field") {
+      surface_in_3d(type, owner);
+      allow({"corner", "cell", "heights", "position"}, of_masses);
+      return height_field(node, owner);
+    }
+    return solid_form<decltype(BodyModel::form)>(
+        node, type, "sphere, capsule, aabb, obb, hull, compound, mesh, height_field",
+        [&](const Keys& keys) { allow(keys, {}); });
+  }
+
+  /// A shape that can be a part of a compound; `allow(keys)` refuses other keys than those of the
+  /// shape and of what has it.
+  template <class Model, class Allow>
+  Model solid_form(const JsonNode& node, const JsonNode& type, const std::string& known,
+                   const Allow& allow) const {
+    const std::string owner = "the " + type.text;
     if (type.text == "sphere") {
       allow({"center", "radius"});
       return SphereModel{point(node, "center", owner),
@@ -168,8 +215,7 @@ class WorldReader : private JsonFields {
                       rotation(find(node, "rotation"))};
     }
     if (type.text != "hull") {
-      fail(type, "unknown shape " + in_quotes(type.text) +
-                     "; choose from sphere, capsule, aabb, obb, hull");
+      fail(type, "unknown shape " + in_quotes(type.text) + "; choose from " + known);
     }
     allow({"points", "position", "rotation"});
     HullModel hull{{}, point_of("0", "0", "0"), rotation(find(node, "rotation"))};
@@ -180,6 +226,107 @@ class WorldReader : private JsonFields {
       hull.position = point(*position, "position");
     }
     return hull;
+  }
+
+  Point position_of(const JsonNode& node) const {
+    const JsonNode* const position = find(node, "position");
+    return position ? point(*position, "position") : point_of("0", "0", "0");
+  }
+
+  CompoundModel compound(const JsonNode& node, const std::string& owner) const {
+    CompoundModel compound{{}, position_of(node), rotation(find(node, "rotation"))};
+    const JsonNode& parts = need(node, "parts", Kind::array, owner);
+    if (parts.items.empty()) fail(parts, "the compound has no parts; give it a shape");
+    for (const JsonNode& item : parts.items) {
+      const std::string name = "part " + std::to_string(compound.parts.size());
+      expect(item, Kind::object, name);
+      const JsonNode& type = need(item, "type", Kind::string, name);
+      PartModel part;
+      part.place = item.place;
+      part.form = solid_form<decltype(part.form)>(
+          item, type, "sphere, capsule, aabb, obb, hull as parts", [&](const Keys& keys) {
+            Keys all{"type"};
+            all.insert(all.end(), keys.begin(), keys.end());
+            all.insert(all.end(), {"density", "friction", "restitution", "sensor"});
+            allow_keys(item, "the " + type.text, all);
+          });
+      part.density = maybe_positive(item, "density");
+      part.friction = maybe_positive(item, "friction");
+      part.restitution = maybe_positive(item, "restitution");
+      part.is_sensor = truth(item, "sensor");
+      compound.parts.push_back(std::move(part));
+    }
+    return compound;
+  }
+
+  void surface_in_3d(const JsonNode& type, const std::string& owner) const {
+    if (dimension_ == 2) {
+      fail(type, owner + " is for worlds of three dimensions; build flat ground of other shapes");
+    }
+  }
+
+  MeshBodyModel mesh(const JsonNode& node, const std::string& owner) const {
+    MeshBodyModel mesh;
+    mesh.position = position_of(node);
+    mesh.rotation = rotation(find(node, "rotation"));
+    const JsonNode* const own = find(node, "vertices");
+    if (find(node, "file") != nullptr) {
+      if (own != nullptr) fail(*own, owner + " mixes file and vertices; keep one of them");
+      mesh.model = model_file(node, owner);
+      mesh.triangles = mesh.model->triangles;
+      return mesh;
+    }
+    if (own == nullptr) fail(node, owner + " has no file and no vertices; add one of them");
+    for (const JsonNode& vertex : need(node, "vertices", Kind::array, owner).items) {
+      mesh.vertices.push_back(point(vertex, "a vertex"));
+    }
+    const JsonNode& triangles = need(node, "triangles", Kind::array, owner);
+    if (triangles.items.empty()) fail(triangles, owner + " has no triangles; write some");
+    for (const JsonNode& triangle : triangles.items) {
+      expect(triangle, Kind::array, "a triangle");
+      if (triangle.items.size() != 3) {
+        fail(triangle, "a triangle is not three vertices; write [0, 1, 2]");
+      }
+      auto& corners = mesh.triangles.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const int last = static_cast<int>(mesh.vertices.size()) - 1;
+        if (last < 0) fail(triangle, owner + " has no vertices; write some");
+        corners[i] = static_cast<std::uint32_t>(
+            whole(triangle.items[i], "a vertex of the triangle", 0, last));
+      }
+    }
+    return mesh;
+  }
+
+  HeightFieldModel height_field(const JsonNode& node, const std::string& owner) const {
+    HeightFieldModel field;
+    const auto zero = point_of("0", "0", "0");
+    field.corner = {zero[0], zero[2]};
+    if (const JsonNode* const corner = find(node, "corner")) {
+      expect(*corner, Kind::array, "corner");
+      if (corner->items.size() != 2) fail(*corner, "corner is not two numbers; write [x, z]");
+      field.corner = {number(corner->items[0], "corner"), number(corner->items[1], "corner")};
+    }
+    field.cell = number(need(node, "cell", owner), "cell");
+    if (field.cell.value.is_zero() || field.cell.value.is_negative()) {
+      throw InputError(file_, field.cell.place, "cell must be more than 0; 1 is usual");
+    }
+    const JsonNode& rows = need(node, "heights", Kind::array, owner);
+    for (const JsonNode& row : rows.items) {
+      expect(row, Kind::array, "a row of heights");
+      if (field.rows == 0) field.columns = static_cast<std::uint32_t>(row.items.size());
+      if (row.items.size() != field.columns) {
+        fail(row, "a row has " + std::to_string(row.items.size()) + " heights and the first one " +
+                      std::to_string(field.columns) + "; make them equal");
+      }
+      for (const JsonNode& height : row.items) field.heights.push_back(number(height, "a height"));
+      ++field.rows;
+    }
+    if (field.rows < 2 || field.columns < 2) {
+      fail(rows, owner + " has less than two rows or columns of heights; add some");
+    }
+    field.position = position_of(node);
+    return field;
   }
 
   BodyMotion motion_of(const JsonNode& node) const {

@@ -270,6 +270,21 @@ struct ScenePairs {
   static constexpr std::string_view name = "ScenePairs";
   using Groups = List<SceneEvents>;
 };
+struct FallingBodies {
+  static constexpr std::string_view name = "FallingBodies";
+  static constexpr bool large = true;
+  using Groups = List<Piles>;
+};
+struct JoinedBodies {
+  static constexpr std::string_view name = "JoinedBodies";
+  static constexpr bool large = true;
+  using Groups = List<Linkages>;
+};
+struct SolidBodies {
+  static constexpr std::string_view name = "SolidBodies";
+  static constexpr bool large = true;
+  using Groups = List<Solids>;
+};
 
 namespace detail {
 
@@ -292,7 +307,7 @@ constexpr auto parts_of(List<Items...>) {
 
 }  // namespace detail
 
-/// The corpus in four programs, for compilers that cannot take it in one.
+/// The corpus in five programs, for compilers that cannot take it in one.
 struct Basics {
   static constexpr std::string_view name = "Basics";
   using Parts = List<SolidRays, FlatRays, RoundRays, RoundPoints, BoxPoints, FlatPoints, LinePoints,
@@ -318,7 +333,12 @@ struct Bodies {
   using Parts = List<BoxImpacts, Characters, ScenePairs>;
   using Groups = decltype(detail::groups_of(Parts{}));
 };
-using Volumes = List<Basics, Pairs, Movements, Bodies>;
+struct Worlds {
+  static constexpr std::string_view name = "Worlds";
+  using Parts = List<FallingBodies, JoinedBodies, SolidBodies>;
+  using Groups = decltype(detail::groups_of(Parts{}));
+};
+using Volumes = List<Basics, Pairs, Movements, Bodies, Worlds>;
 
 using Parts = decltype(detail::parts_of(Volumes{}));
 

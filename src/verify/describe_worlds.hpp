@@ -5,7 +5,7 @@
 
 #include "verify/describe.hpp"
 
-// Surfaces, scenes and their results, as text.
+// Surfaces, scenes, worlds and their results, as text.
 
 namespace detent::verify {
 
@@ -168,6 +168,102 @@ template <Scalar S, int N>
 Fields fields_of(const EventsCase<S, N>& c) {
   Fields fields;
   add_fields(fields, c.history);
+  return fields;
+}
+
+template <Scalar S, int N>
+std::string words(const Moved<S, N>& moved) {
+  return words(moved.frame) + ", velocity " + words(moved.velocity) + ", spin " + words(moved.spin);
+}
+template <Scalar S, int N, std::size_t Count>
+std::string words(const Played<S, N, Count>& played) {
+  std::string text;
+  for (std::size_t i = 0; i < Count; ++i) {
+    text += "body " + std::to_string(i) + ": " + words(played.bodies[i]) + "; ";
+  }
+  return text + std::to_string(played.began) + " began to touch, " + std::to_string(played.ended) +
+         " ended, digest of all ticks " + digits(played.states);
+}
+inline std::string words(const Replayed& replayed) {
+  return std::to_string(replayed.byte_count) + " bytes with digest " + digits(replayed.bytes) +
+         "; " + std::string(describe(static_cast<Restored>(replayed.restored))) +
+         ", digests: saved " + digits(replayed.saved) + ", later " + digits(replayed.later) +
+         ", loaded " + digits(replayed.loaded) + ", again " + digits(replayed.again);
+}
+
+/// Where a body is and what it is, in the words of the scenes of tests/dynamics/twin.
+template <Scalar S, int N>
+std::string words(const DrawnBody<S, N>& body) {
+  constexpr std::array names{"ball", "capsule", "box", "aligned", "hull", "compound"};
+  std::string text = names[static_cast<std::size_t>(body.form)];
+  text += " at " + words(body.center);
+  if (body.form == Form::hull) text += " of hull " + std::to_string(body.asset);
+  if (body.form == Form::ball || body.form == Form::capsule)
+    text += ", radius " + words(body.radius);
+  if (body.form != Form::ball && body.form < Form::hull) text += ", half " + words(body.half);
+  for (int i = 0; i < N; ++i) text += ", axis " + words(body.rotation.axis(i));
+  return text;
+}
+template <Scalar S, int N>
+std::string words(const BodyOptions<S, N>& options) {
+  std::string text = "density " + words(options.density) + ", friction " + words(options.friction);
+  if (options.motion == BodyMotion::fixed) return "fixed, " + text;
+  text += ", restitution " + words(options.restitution) + ", damping " +
+          words(options.linear_damping) + " and " + words(options.angular_damping) + ", velocity " +
+          words(options.velocity) + ", spin " + words(options.angular_velocity) +
+          ", gravity scale " + words(options.gravity_scale);
+  if (options.locked != 0) text += ", locked " + std::to_string(options.locked);
+  return text + (options.is_fast ? ", fast" : "");
+}
+template <Scalar S, int N, std::size_t Count>
+Fields fields_of(const WorldCase<S, N, Count>& c) {
+  Fields fields{{"gravity", words(c.settings.gravity)}};
+  for (std::size_t i = 0; i < Count; ++i) {
+    fields.emplace_back("body " + std::to_string(i), words(c.bodies[i]));
+    fields.emplace_back("options of body " + std::to_string(i), words(c.bodies[i].options));
+  }
+  return fields;
+}
+template <Scalar S, int N>
+Fields fields_of(const SolidsCase<S, N>& c) {
+  auto fields = fields_of<S, N, 6>(c);
+  for (const auto& hull : c.hulls) add_fields(fields, hull);
+  for (std::size_t i = 0; i < c.parts.size(); ++i) {
+    fields.emplace_back("part " + std::to_string(i) + " of the compound", words(c.parts[i]));
+    fields.emplace_back("options of part " + std::to_string(i), words(c.parts[i].options));
+  }
+  return fields;
+}
+template <Scalar S, int N>
+Fields fields_of(const JointsCase<S, N>& c) {
+  auto fields = fields_of<S, N, 7>(c);
+  c.for_each_joint([&]<class Joint>(const Joint& joint) {
+    const auto name = "joint " + std::to_string(joint.a.index);
+    const auto say = [&](const char* what, const auto& value) {
+      fields.emplace_back(name + ", " + what, words(value));
+    };
+    say("kind", std::uint32_t{::detent::detail::joint_tag<Joint>});
+    say("collide", joint.collide);
+    say("break force", joint.break_force);
+    if constexpr (requires { joint.frame_a; }) {
+      for (int i = 0; i < N; ++i) say("axis of the frame", joint.frame_a.axis(i));
+    }
+    if constexpr (requires { joint.least; }) {
+      say("least", joint.least);
+      say("most", joint.most);
+    }
+    if constexpr (requires { joint.frequency; }) {
+      say("frequency", joint.frequency);
+      say("damping ratio", joint.damping_ratio);
+    }
+    if constexpr (requires { joint.max_force; }) say("max force", joint.max_force);
+    if constexpr (requires { joint.lower; }) {
+      say("has limits", joint.has_limits);
+      say("lower", joint.lower);
+      say("upper", joint.upper);
+      say("motor speed", joint.motor_speed);
+    }
+  });
   return fields;
 }
 

@@ -12,7 +12,7 @@ namespace detent::verify::golden {
 
 inline constexpr int results_version = 3;
 
-inline constexpr std::array<std::uint64_t, 1368> full{
+inline constexpr std::array<std::uint64_t, 1408> full{
     0x97ae3c39ec4fd127u, 0x117e9eac14b96f24u, 0x0268b959be17a001u, 0x3b2f10e93b59eb5bu,
     0x16beca3a93e07cecu, 0xbff2d97703cca403u, 0xa422a1749b6337dau, 0x858521be50ba99bbu,
     0xfbbf9b048e41645cu, 0x2e89f89bc2559801u, 0xd4626146231a0f9fu, 0xfe5012d8667d6780u,
@@ -354,9 +354,19 @@ inline constexpr std::array<std::uint64_t, 1368> full{
     0xa03c92dd6f7a1bbcu, 0x6e16586c0666b081u, 0x668fc465a97ada3bu, 0x0bbf311c1e545592u,
     0x1ee537a7ff106530u, 0x158aebb9a200ba37u, 0xfd10f1aaa898fc6fu, 0x91580ed4dd8bd990u,
     0x3dcde50fdf9c0942u, 0x7eae1599e050cfaau, 0x7d81e1c540329397u, 0x1e8fda5e9cdb2c0au,
-    0x0dc17326742666c1u, 0x64e5f7fe50edb304u, 0x9878be51874248a7u, 0x80269e00e5fa3c92u,};
+    0x0dc17326742666c1u, 0x64e5f7fe50edb304u, 0x9878be51874248a7u, 0x80269e00e5fa3c92u,
+    0x20676d016fdd90c1u, 0x19251cccd31ad834u, 0x03151d56e40e0e27u, 0x877c33fb1b02654eu,
+    0x658301ffefd3c8e7u, 0x94f9783b9b96a45cu, 0x59cc4e0df46073ebu, 0x9a193d236236a9b2u,
+    0x78ab9e1e47ac80eau, 0xf05ec5a8848e3353u, 0x032e660a0d4685ffu, 0xe0c6a1d8cdc360bbu,
+    0xf144a50308f74c04u, 0x5dfdd87ee1aef58bu, 0xfbe870be79d6f6f6u, 0xc218a7c174eddf79u,
+    0x909b1ae8d224d16cu, 0xf581efd4c0b7f795u, 0x4cae5faef9a8bcceu, 0x8d7755f575aef2a9u,
+    0x6704f97a1424df93u, 0x8575401b8802038fu, 0xbf43fc2f4b0736e2u, 0x33d96d7385d5a3afu,
+    0x88b37b23e5c71520u, 0x0f2b72ec2447b86du, 0xa877b7e37febf902u, 0xfd475c1bf5252c95u,
+    0x07a4782d48c2ae40u, 0x0930c03948c57666u, 0x0351b61f2a53d643u, 0xffb3fe1fe81d450au,
+    0xcdf7bcdb29910df4u, 0x42f6d4985e89ac11u, 0xff65a445117f924eu, 0xf04a032c2d682a4bu,
+    0xdb6eba497bf83300u, 0x8ae6cc6e673e0333u, 0x30d38e8871beab44u, 0xcac66a32d59219e1u,};
 
-inline constexpr std::array<std::uint64_t, 1368> small{
+inline constexpr std::array<std::uint64_t, 1408> small{
     0x6a508b1352a203c5u, 0xab982a9cccbec08du, 0x92592ef254b60b60u, 0x7d5325eee9de80b9u,
     0x077060a270c20f04u, 0xe0dcfbcb76a2ebc9u, 0x5fbe626dafbb6d5cu, 0xfd70028b42642aceu,
     0xd2aa0f0f4747260du, 0x34d5682aab0ad0b3u, 0xd088fbe32274c866u, 0xaca42b96d686f2c3u,
@@ -698,9 +708,19 @@ inline constexpr std::array<std::uint64_t, 1368> small{
     0xf7c93952a40d5fbau, 0x8f11c3a5defdd923u, 0xb1a11241efa5cb2du, 0xaabbab25fd89c084u,
     0x5ec465bd5130406du, 0x8206207751870742u, 0x4ad783329a1c4e55u, 0xe471ea24b8e9d458u,
     0xb4a6444827b0fc6au, 0x0c5b768c002565d0u, 0xdc94610279923cbau, 0x4a85f14c942b11e0u,
-    0xd547583e8f6515beu, 0x5f75cbdf3b0192c3u, 0x5c0e74a265e270a9u, 0x38147400c67754b5u,};
+    0xd547583e8f6515beu, 0x5f75cbdf3b0192c3u, 0x5c0e74a265e270a9u, 0x38147400c67754b5u,
+    0x91a1a1abd853ba43u, 0x82fdfd02ee56180du, 0x8d797ef5f858fc88u, 0xe92ded5b1720df17u,
+    0x8adef29cc0843834u, 0x35e2738eba54187cu, 0x43cf5e00ebe81a86u, 0x74199ec18254e286u,
+    0xbb9982a26cda26adu, 0xcf7ed69177e140feu, 0x244e74b6e0a3c00fu, 0xb3a4b4c6fe9e4f26u,
+    0xcc3c00aef4eb3ceau, 0xf185bfef4cb130abu, 0x102d156e61fd04f3u, 0x489d488a12f3107bu,
+    0xeca7dda1b8e74eb3u, 0xbc227b710f9dc83cu, 0xe69bab6d9bf6fb40u, 0x8b3e98e53616ca3fu,
+    0x1f3cd65da682f5abu, 0x379ffd3934d8987bu, 0x191fa116e42c2382u, 0x321912c418b7828au,
+    0x92d04dcb3af61de1u, 0x6f8977aa692ba25fu, 0x82a2a5e11601832eu, 0x3df4fc996bde80a8u,
+    0xef9f432726c6c6a8u, 0x4837f9086f7d0aafu, 0x9a583f387db1d654u, 0x1c03659ef4b68b5fu,
+    0x29ff9adba2234cd0u, 0x2baeb668a2eb7266u, 0xa7f5b6d6a8f85930u, 0x461fc46bbc96b872u,
+    0x485a819eef098d8cu, 0x4eaf099cdefbe154u, 0x596dca3ddd44b89fu, 0x5b357552e96b9d85u,};
 
-inline constexpr std::array<std::uint64_t, 1368> constant{
+inline constexpr std::array<std::uint64_t, 1408> constant{
     0x37b03ed6ca8838feu, 0x31886f2e7daf8ca4u, 0x31886f2e7daf8ca4u, 0xa98d17e89491ad47u,
     0x1c7d9551a5a5e6d9u, 0x6a326aea128c70adu, 0x2f3bcf22fa9dde67u, 0x3c7036a01f2b1cd2u,
     0xfa83f2e44ac50c40u, 0x31886f2e7daf8ca4u, 0x31886f2e7daf8ca4u, 0x9a46568bf739527eu,
@@ -1042,10 +1062,20 @@ inline constexpr std::array<std::uint64_t, 1368> constant{
     0xe934a84adb052768u, 0x17f0e2df31cec3a3u, 0xd1764b837e0897c3u, 0xcd85f9979df265eeu,
     0x5ec465bd5130406du, 0x8206207751870742u, 0x4ad783329a1c4e55u, 0xe471ea24b8e9d458u,
     0xb422956ba79a9a26u, 0xd4a946b324883b04u, 0xff8baafc530a7d0au, 0xcef5534dcd33ddbdu,
-    0xa43cd0748c9f2848u, 0x27bfe507e2902b94u, 0x87721b9c9fc97d69u, 0xd9aa02a7dc1f0dc7u,};
+    0xa43cd0748c9f2848u, 0x27bfe507e2902b94u, 0x87721b9c9fc97d69u, 0xd9aa02a7dc1f0dc7u,
+    0x91a1a1abd853ba43u, 0x82fdfd02ee56180du, 0x8d797ef5f858fc88u, 0xe92ded5b1720df17u,
+    0x8adef29cc0843834u, 0x35e2738eba54187cu, 0x43cf5e00ebe81a86u, 0x74199ec18254e286u,
+    0xbb9982a26cda26adu, 0xcf7ed69177e140feu, 0x244e74b6e0a3c00fu, 0xb3a4b4c6fe9e4f26u,
+    0xcc3c00aef4eb3ceau, 0xf185bfef4cb130abu, 0x102d156e61fd04f3u, 0x489d488a12f3107bu,
+    0xeca7dda1b8e74eb3u, 0xbc227b710f9dc83cu, 0xe69bab6d9bf6fb40u, 0x8b3e98e53616ca3fu,
+    0x1f3cd65da682f5abu, 0x379ffd3934d8987bu, 0x191fa116e42c2382u, 0x321912c418b7828au,
+    0x92d04dcb3af61de1u, 0x6f8977aa692ba25fu, 0x82a2a5e11601832eu, 0x3df4fc996bde80a8u,
+    0xef9f432726c6c6a8u, 0x4837f9086f7d0aafu, 0x9a583f387db1d654u, 0x1c03659ef4b68b5fu,
+    0x29ff9adba2234cd0u, 0x2baeb668a2eb7266u, 0xa7f5b6d6a8f85930u, 0x461fc46bbc96b872u,
+    0x485a819eef098d8cu, 0x4eaf099cdefbe154u, 0x596dca3ddd44b89fu, 0x5b357552e96b9d85u,};
 
 // Of the questions themselves.
-inline constexpr std::array<std::uint64_t, 712> questions{
+inline constexpr std::array<std::uint64_t, 736> questions{
     0xd6e495fc0ca9f931u, 0xabf233a9b0f071eau, 0x1d2ee6ed9e68766eu, 0xb632ac25ead4788bu,
     0x454afac212e2924eu, 0x717aaf5a060d4d20u, 0x03ba1ae0610ec5f6u, 0xbd7c0c78fd1b76efu,
     0xd0ba0259ce286d04u, 0x387096d6c14e587eu, 0x2722f861fc29ceafu, 0x4c073e8a3dcc8a5bu,
@@ -1223,6 +1253,12 @@ inline constexpr std::array<std::uint64_t, 712> questions{
     0x9ca48644f3efd25eu, 0x2b81f41be63ecd00u, 0x94fc13105dcd1a6au, 0x09ec786997c7d8acu,
     0x2b06d6acbcf51356u, 0xe2c118b71337bcb3u, 0x35a298dbbcdbdc59u, 0x6a3be780a3a7922du,
     0x4156450a85a9cc10u, 0xd5c99600ff8e3d39u, 0x7c3842457b0abbefu, 0xc2ea2ac3a5524388u,
-    0x8958b3eaa4b4c7cbu, 0x063f019fe02c57f7u, 0x8e0f095e5354263fu, 0xd656b713df560e51u,};
+    0x8958b3eaa4b4c7cbu, 0x063f019fe02c57f7u, 0x8e0f095e5354263fu, 0xd656b713df560e51u,
+    0x1dceb4851e2c9cbeu, 0x11d07ca28a263196u, 0xe2b038f17f88dcddu, 0x0054815ba4186e00u,
+    0x1e6f960d879948f3u, 0xb51643bd19fc7679u, 0x18d0dc6b6ed978b3u, 0x62e435ebf8e17b34u,
+    0x6174e6ccce1561d5u, 0x03153934dc037b44u, 0xcfb4035c835a2242u, 0xf5c9477fc4e8a5b4u,
+    0x59fbb2af550dc239u, 0x084497ae243b3e56u, 0xb20800c69767f632u, 0x9f7a13416bc61ccdu,
+    0x438d45f31dc5a3e2u, 0x7ced09f444b63e59u, 0x8d031f3d2a814a4du, 0x9d7cef1a4a68cab2u,
+    0xcf9e67ba44f06fddu, 0x6d68c910827beca5u, 0xac683650c948d60cu, 0xc374e00c123ed54eu,};
 
 }  // namespace detent::verify::golden

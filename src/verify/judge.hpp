@@ -16,3 +16,4 @@
 #include "verify/judge/sizes.hpp"
 #include "verify/judge/views.hpp"
 #include "verify/judge/walks.hpp"
+#include "verify/judge/worlds.hpp"

@@ -69,7 +69,7 @@ void judge_row(const Case& c, std::uint32_t index, std::optional<Finding>& findi
 }
 
 /// The cells of a group in one space. Groups that take long to compile have a source for each: see
-/// parts/one_scalar.cpp.in.
+/// parts/one_space.cpp.in.
 template <class Group, Scalar S, int N>
 struct GroupSheet {
   static std::vector<Answers> answers(std::uint32_t size, bool keep_bytes);

@@ -22,3 +22,4 @@
 #include "verify/questions/sizes.hpp"
 #include "verify/questions/views.hpp"
 #include "verify/questions/walks.hpp"
+#include "verify/questions/worlds.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -293,8 +294,122 @@ TEST_CASE("detent simulate: errors in a world are named by line, and nothing is 
               "], \"joints\": [\n{\"type\": \"ball\", \"a\": \"b\", "
               "\"b\": \"b\", \"limits\": [0, 0]}]}",
           "2:38: unknown key \"limits\" in the ball joint; it may have type, a, b, at,");
+  refused("{\"bodies\": [\n{\"type\": \"compound\", \"parts\": []}]}",
+          "2:31: the compound has no parts; give it a shape");
+  refused("{\"bodies\": [\n{\"type\": \"compound\", \"density\": 2, \"parts\": [" + ball + "]}]}",
+          "2:33: density is that of each part of a compound; move it there");
+  refused("{\"bodies\": [{\"type\": \"compound\", \"parts\": [\n" + ball + "]}]}",
+          "2:2: unknown key \"id\" in the sphere; it may have type, center, radius, density,");
+  refused("{\"bodies\": [{\"type\": \"compound\", \"parts\": [\n{\"type\": \"mesh\"}]}]}",
+          "2:10: unknown shape \"mesh\"; there are sphere, capsule, aabb, obb, hull as parts");
+  const std::string corners = "\"vertices\": [[0, 0, 0], [0, 0, 1], [1, 0, 0]],\n";
+  const auto mesh = [&](const std::string& rest) {
+    return "{\"bodies\": [{\"type\": \"mesh\", " + rest + "}]}";
+  };
+  refused(mesh("\"position\": [0, 0, 0]"), "1:13: the mesh has no file and no vertices; add one");
+  refused(mesh(corners + "\"file\": \"a.obj\""),
+          "1:42: the mesh mixes file and vertices; keep one");
+  refused(mesh(corners + "\"triangles\": []"), "2:14: the mesh has no triangles; write some");
+  refused(mesh(corners + "\"triangles\": [[0, 1]]"),
+          "2:15: a triangle is not three vertices; write [0, 1, 2]");
+  refused(mesh(corners + "\"triangles\": [[0, 1, 3]]"),
+          "2:22: a vertex of the triangle is not a whole number from 0 to 2;");
+  refused(mesh(corners + "\"triangles\": [[0, 1, 2]], \"motion\": \"dynamic\""),
+          "2:37: the mesh has no mass and does not fall; write \"fixed\" or \"kinematic\"");
+  refused(mesh(corners + "\"triangles\": [[0, 1, 2]], \"density\": 1"),
+          "2:27: unknown key \"density\" in the mesh; it may have type, id, color, file,");
+  refused(mesh("\"vertices\": [[0, 0, 0], [0, 0, 513], [1, 0, 0]], \"triangles\": [[0, 1, 2]]"),
+          "1:13: the mesh reaches farther than 512 units from its position; make it smaller");
+  const auto field = [&](const std::string& rest) {
+    return "{\"bodies\": [{\"type\": \"height_field\",\n" + rest + "}]}";
+  };
+  refused(field("\"heights\": [[0, 1], [1, 0]]"), "1:13: the height_field has no \"cell\"; add it");
+  refused(field("\"cell\": 0, \"heights\": [[0, 1], [1, 0]]"),
+          "2:9: cell must be more than 0; 1 is usual");
+  refused(field("\"cell\": 1, \"heights\": [[0, 1], [1]]"),
+          "2:32: a row has 1 heights and the first one 2; make them equal");
+  refused(field("\"cell\": 1, \"heights\": [[0, 1]]"),
+          "2:23: the height_field has less than two rows or columns of heights; add some");
+  refused(field("\"cell\": 1, \"corner\": [0], \"heights\": [[0, 1], [1, 0]]"),
+          "2:22: corner is not two numbers; write [x, z]");
+  refused("{\"dimension\": 2, \"bodies\": [\n{\"type\": \"mesh\"}]}",
+          "2:10: the mesh is for worlds of three dimensions; build flat ground");
   refused("{\"dimension\": 2, \"bodies\": [],\n\"camera\": {\"center\": [0, 0], \"height\": 0}}",
           "2:40: height must be more than 0; 20 is usual");
+}
+
+TEST_CASE("detent simulate: terrain from a file carries what falls on it, and is drawn") {
+  const Workshop shop;
+  // Both triangles face up. A scale of 1 keeps the size; the box around a model is centred.
+  shop.write("ground.obj", "v 0 0 0\nv 0 0 8\nv 8 0 0\nv 8 0 8\nf 1 2 3\nf 3 2 4\n");
+  shop.write("terrain.json", R"({
+  "camera": {"position": [0, 12, 12], "target": [0, 0, 0]},
+  "bodies": [
+    {"id": "plain", "type": "mesh", "file": "ground.obj", "scale": 1, "position": [0, -1, 0]},
+    {"id": "shelf", "type": "mesh", "vertices": [[0, 0, 0], [0, 0, 2], [2, 0, 0], [2, 0, 2]],
+     "triangles": [[0, 1, 2], [2, 1, 3]], "position": [4, 2, -1], "motion": "kinematic"},
+    {"id": "hills", "type": "height_field", "corner": [-2, -2], "cell": 2, "friction": 0.9,
+     "heights": [[0, 0, 0], [0, 0, 0], [1, 1, 1]], "position": [-8, 0.5, 0]},
+    {"id": "a", "type": "sphere", "center": [0.3, 1, 0.2], "radius": 0.5},
+    {"id": "b", "type": "sphere", "center": [5, 4, 0], "radius": 0.5},
+    {"id": "c", "type": "obb", "center": [-8, 2, -1], "half_extents": [0.4, 0.3, 0.4]},
+    {"id": "hammer", "type": "compound", "position": [-2, 2, 0], "parts": [
+      {"type": "obb", "center": [0, 0, 0], "half_extents": [1, 0.1, 0.1]},
+      {"type": "obb", "center": [1, 0, 0], "half_extents": [0.2, 0.2, 0.4], "density": 8}]}]
+})");
+  const auto result = shop.run("simulate terrain.json --ticks 150 --every 150 --bodies");
+  INFO(result.err);
+  REQUIRE(result.code == 0);
+  const auto lines = lines_of(result.out);
+  REQUIRE(lines.size() == 1 + 7 + 1);
+  const auto height = [&](std::size_t body) { return position_in(lines[1 + body])[1]; };
+  CHECK(std::abs(height(3) - (-0.5)) < 0.02);
+  CHECK(std::abs(height(4) - 2.5) < 0.02);
+  CHECK(std::abs(height(5) - 0.8) < 0.02);
+  // The hammer lies on its head; its centre of mass is between the heights of head and handle.
+  CHECK(-0.9 < height(6));
+  CHECK(height(6) < -0.7);
+  CHECK(lines.back().find("\"bodies\": 7") != std::string::npos);
+
+  // A snapshot has the assets' ids and digests, and goes on with the same bits.
+  CHECK(shop.run("simulate terrain.json --ticks 40 --every 40 --out half").code == 0);
+  const auto rest = shop.run("simulate terrain.json --ticks 110 --every 110 --resume half");
+  CHECK(digest_of(lines_of(rest.out).back()) == digest_of(lines.back()));
+
+  // What lies in the middle of the picture is the ground.
+  CHECK(shop.run("simulate terrain.json --ticks 2 --frames film --size 90x60").code == 0);
+  const auto picture = decoded(content_of(shop.path("film/frame-00000.png")));
+  const auto pixel = [&](int x, int y) {
+    const auto* const p = &picture.bytes[static_cast<std::size_t>(3 * (y * picture.width + x))];
+    return std::array{p[0], p[1], p[2]};
+  };
+  CHECK(pixel(45, 30) != pixel(45, 1));
+  CHECK(pixel(40, 38) != pixel(45, 1));
+}
+
+TEST_CASE("detent simulate: a compound of one part moves like that part") {
+  const Workshop shop;
+  const auto world = [](const std::string& body) {
+    return "{\"dimension\": 2, \"bodies\": [{\"type\": \"aabb\", \"min\": [-9, -1], \"max\": [9, "
+           "0], "
+           "\"motion\": \"fixed\"}, {" +
+           body + "}]}";
+  };
+  const std::string box = "\"type\": \"obb\", \"half_extents\": [0.5, 0.25], \"friction\": 0.4, ";
+  shop.write("plain.json", world(box + "\"center\": [1, 3], \"rotation\": 30"));
+  shop.write("compound.json",
+             world("\"type\": \"compound\", \"position\": [1, 3], \"rotation\": 30, \"parts\": [{" +
+                   box + "\"center\": [0, 0]}]"));
+  const auto plain = lines_of(shop.run("simulate plain.json --ticks 80 --every 80 --bodies").out);
+  const auto compound =
+      lines_of(shop.run("simulate compound.json --ticks 80 --every 80 --bodies").out);
+  REQUIRE(plain.size() == 4);
+  REQUIRE(compound.size() == 4);
+  CHECK(plain[2] == compound[2]);
+
+  CHECK(shop.run("simulate plain.json --ticks 20 --frames a --size 60x40").code == 0);
+  CHECK(shop.run("simulate compound.json --ticks 20 --frames b --size 60x40").code == 0);
+  CHECK(content_of(shop.path("a/frame-00010.png")) == content_of(shop.path("b/frame-00010.png")));
 }
 
 TEST_CASE("detent simulate: layers select collisions, and fast bodies pass no plate") {

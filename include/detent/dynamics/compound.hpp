@@ -168,8 +168,9 @@ template <Scalar S, int N>
     digest.add(options.density, options.friction, options.restitution,
                static_cast<std::uint8_t>((options.is_sensor ? 1 : 0) | (resists ? 2 : 0)));
     if (resists) digest.add(options.rolling_resistance);
-    const auto at = make_vec<N>(
-        [&](int i) { return typename detail::Formats<S>::Place(solid.offset(part)[i]); });
+    const auto at = make_vec<N>([&](int i) {
+      return saturate_to<typename detail::Formats<S>::Place>(solid.offset(part)[i]);
+    });
     const auto bounds = detail::bounds_of<S, N>(at, part.axes(), part.reach(), S(0));
     solid.reach_.half_extents = make_vec<N>([&](int k) {
       const auto most = (max)(abs(bounds.least[k]), abs(bounds.most[k]));

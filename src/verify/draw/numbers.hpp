@@ -119,11 +119,15 @@ class Numbers {
   /// unrelated directions.
   template <int N>
   constexpr Frame<N> axes() noexcept {
+    if (!random.one_in(4)) return turned_axes<N>();
     Frame<N> result{{}, 0};
-    if (random.one_in(4)) {
-      for (int k = 0; k < N; ++k) result.axes[k] = any_direction<N>();
-      return result;
-    }
+    for (int k = 0; k < N; ++k) result.axes[k] = any_direction<N>();
+    return result;
+  }
+  /// The axes of a rotation.
+  template <int N>
+  constexpr Frame<N> turned_axes() noexcept {
+    Frame<N> result{{}, 0};
     const auto w = random.between(-1000, 1000), x = random.between(-1000, 1000);
     if constexpr (N == 2) {
       result.axes[0] = unit(Raw<2>{{w * w - x * x, 2 * w * x}}, one);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "verify/part_sheets.hpp"
 
-// Each scalar has a source of its own: one_scalar.cpp.in.
+// Each scalar has a source of its own: one_space.cpp.in.
 namespace detent::verify::detail {
 
 using Group = Walks;

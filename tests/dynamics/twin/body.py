@@ -238,12 +238,12 @@ def kept(d, n, F):
     return ONE if d <= 0 else max(ONE - ratio.quotient(d, n, F), 0)
 
 
-def from_rotation(A):
-    """The quaternion of a rotation matrix."""
+def from_rotation(A, frac=30):
+    """The quaternion of a rotation matrix, in steps of 2^-frac."""
     (a, b, c), (d, e, f), (g, h, i) = A
     one = ONE
     m = [[one + a - e - i, b + d, g + c, f - h], [b + d, one - a + e - i, f + h, g - c],
          [g + c, f + h, one - a - e + i, b - d], [f - h, g - c, b - d, one + a + e + i]]
-    q = unit(m[max((3, 0, 1, 2), key=lambda k: m[k][k])])
+    q = unit(m[max((3, 0, 1, 2), key=lambda k: m[k][k])], frac)
     first = next((x for x in (q[3], q[0], q[1], q[2]) if x), 1)
     return [-x for x in q] if first < 0 else q

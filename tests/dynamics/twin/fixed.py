@@ -109,14 +109,14 @@ def squared(v):
     return sum(x * x for x in v)
 
 
-def unit(v):
-    """v / |v|, each component rounded to nearest in Ratio; ties do not occur."""
+def unit(v, frac=30):
+    """v / |v|, each component rounded to nearest in steps of 2^-frac, by default Ratio; ties do not occur."""
     n = squared(v)
     if n == 0:
-        return [ONE] + [0] * (len(v) - 1)
+        return [1 << frac] + [0] * (len(v) - 1)
     out = []
     for x in v:
-        y = (isqrt((x * x << 62) // n) + 1) >> 1
+        y = (isqrt((x * x << 2 * frac + 2) // n) + 1) >> 1
         out.append(-y if x < 0 else y)
     return out
 

@@ -7,12 +7,15 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <list>
 #include <map>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "detent/dynamics/particle/cloth.hpp"
+#include "detent/dynamics/particle/world.hpp"
+#include "detent/scene/mesh/owned.hpp"
 #include "scene_text.hpp"
 
 namespace detent::test {
@@ -71,6 +74,7 @@ class Stage {
           detail::visit_parts_in(box, solid.box, f);
         }
       }
+      if constexpr (N == 3) obstacles_of(world_)(box, f);
     };
     for (int tick = 1; tick <= ticks; ++tick) {
       for (const auto& event : events_[tick]) act(event);
@@ -98,6 +102,8 @@ class Stage {
       std::int32_t c = 0, s = 0;
       in >> turn >> c >> s;
       solids_.push_back({false, {}, {center, half, turned<N>(c, s)}});
+    } else if (word == "mesh" || word == "field") {
+      if constexpr (N == 3) add_surface(word == "mesh", in);
     } else if (word == "tie") {
       DistanceConstraint<S> constraint;
       in >> constraint.a >> constraint.b;
@@ -120,6 +126,40 @@ class Stage {
       if (!add_cloth(system_, corner, right, down, columns, rows, options(in))) fail("no cloth");
     } else {
       fail("unknown: " + word);
+    }
+  }
+
+  /// A fixed body of the world: a height field, or a mesh of its triangles that is turned.
+  void add_surface(bool is_mesh, std::istream& in) {
+    const auto translation = vector<3>(in);
+    Rotation<S, 3> turn;
+    if (is_mesh) {
+      std::string word;
+      std::int32_t c = 0, s = 0;
+      in >> word >> c >> s;
+      turn = turned<3>(c, s);
+    }
+    const auto corner = vector<2>(in);
+    const auto cell = number(in);
+    std::uint32_t columns = 0, rows = 0;
+    in >> columns >> rows;
+    auto& heights = heights_.emplace_back();
+    for (std::uint32_t i = 0; i < columns * rows; ++i) heights.push_back(number(in));
+    const auto field = height_field<S>(corner, cell, columns, rows, heights);
+    if (!field) fail("no height field");
+    const auto id = static_cast<std::uint32_t>(heights_.size());
+    if (is_mesh) {
+      std::vector<Triangle<S, 3>> triangles(2 * std::size_t{columns - 1} * (rows - 1));
+      visit_within(*field, field->bounds, [&](std::span<const MeshTriangle<S>> parts) {
+        for (const auto& part : parts) triangles.at(part.index) = part.triangle;
+        return Walk::go_on;
+      });
+      meshes_.emplace_back(triangles);
+      assets_.emplace_back(id, meshes_.back().view());
+      (void)world_.add(BodyMesh<S, 3>{&assets_.back(), translation, turn});
+    } else {
+      fields_.emplace_back(id, *field);
+      (void)world_.add(BodyHeightField<S, 3>{&fields_.back(), translation});
     }
   }
 
@@ -206,6 +246,11 @@ class Stage {
   ParticleSettings<S, N> settings_;
   ParticleSystem<S, N> system_;
   std::vector<Solid<N>> solids_;
+  std::list<std::vector<S>> heights_;
+  std::list<OwnedMesh<S>> meshes_;
+  std::list<MeshAsset<S>> assets_;
+  std::list<FieldAsset<S>> fields_;
+  World<S, 3, BodyMesh, BodyHeightField> world_;
   std::map<int, std::vector<std::string>> events_;  // by tick
   int pin_ = -1;
 };

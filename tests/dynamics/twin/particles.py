@@ -11,9 +11,10 @@ import subprocess
 import sys
 import time
 from fractions import Fraction
-from math import isqrt
+from math import gcd, isqrt
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from body import axes, from_rotation
 from fixed import ONE, PI, PI_BITS, Formats, dot, parse, ratio, squared, unit
 
 BITS, FRAC = 31, 16
@@ -108,6 +109,124 @@ class Shape:
             return None
         normal = unit([sum(a[k] * x for a, x in zip(self.axes, w)) for k in range(len(w))])
         return normal, self.radius + r - (isqrt(away) >> 30)
+
+
+def scaled(v, k):
+    return [x * k for x in v]
+
+
+class Face:
+    """A triangle. Whether the nearest point is on a corner, an edge or inside changes at planes, so
+    along a line the squared distance is one square function between its passages through them."""
+
+    def __init__(self, corners):
+        self.corners = corners
+        self.low, self.high = (list(map(f, *corners)) for f in (min, max))
+
+    def is_beside(self, g, h, r):
+        return any(max(p, q) + r < a or min(p, q) - r > b
+                   for p, q, a, b in zip(g, h, self.low, self.high))
+
+    def signs(self, p):
+        """Numbers that are linear in p, and whose signs say where the nearest point is."""
+        a, b, c = self.corners
+        ab, ac = minus(b, a), minus(c, a)
+        d = [dot(e, minus(p, q)) for q in (a, b, c) for e in (ab, ac)]
+        aa, am, mm = squared(ab), dot(ab, ac), squared(ac)
+        # Weights of b and c of the foot on the plane, times a positive number.
+        of_b, of_c = mm * d[0] - am * d[1], aa * d[1] - am * d[0]
+        of_a = aa * mm - am * am - of_b - of_c
+        return d, d[3] - d[2], of_a, of_b, of_c
+
+    def nearest(self, p):
+        """The point of the triangle that is nearest to p (Ericson, 5.1.5)."""
+        a, b, c = self.corners
+        (d1, d2, d3, d4, d5, d6), _, of_a, of_b, of_c = self.signs(p)
+        if d1 <= 0 and d2 <= 0:
+            return a
+        if d3 >= 0 and d4 <= d3:
+            return b
+        if d6 >= 0 and d5 <= d6:
+            return c
+
+        def between(q, s, n, m):
+            return [x + Fraction(n * (y - x), m) for x, y in zip(q, s)]
+        if of_c <= 0 and d1 >= 0 and d3 <= 0:
+            return between(a, b, d1, d1 - d3)
+        if of_b <= 0 and d2 >= 0 and d6 <= 0:
+            return between(a, c, d2, d2 - d6)
+        if of_a <= 0 and d4 >= d3 and d5 >= d6:
+            return between(b, c, d4 - d3, d4 - d3 + d5 - d6)
+        whole = of_a + of_b + of_c
+        return [(of_a * x + of_b * y + of_c * z) * Fraction(1, whole) for x, y, z in zip(a, b, c)]
+
+    def away(self, p):
+        return squared(minus(p, self.nearest(p)))
+
+    def least(self, p, d, end):
+        """The least squared distance of p + t d over t in [0, end], and t."""
+        def flat(q):
+            d, _, of_a, of_b, of_c = self.signs(q)
+            d1, d2, d3, d4, d5, d6 = d
+            return [*d, d4 - d3, d5 - d6, of_a, of_b, of_c]
+        cuts = {Fraction(0), Fraction(end)}
+        for at, then in zip(flat(p), flat([x + y for x, y in zip(p, d)])):
+            if then != at:
+                t = Fraction(at) / (at - then)
+                if 0 < t < end:
+                    cuts.add(t)
+        cuts = sorted(cuts)
+
+        def value(t):
+            return Fraction(self.away([x + t * y for x, y in zip(p, d)]))
+        best = None
+        for low, high in zip(cuts, cuts[1:]):
+            u, v, w = value(low), value((low + high) / 2), value(high)
+            bend, rise = 2 * (u + w - 2 * v), 4 * v - 3 * u - w  # of s in [0, 1]
+            s = min(max(-rise / (2 * bend), 0), 1) if bend else Fraction(rise < 0)
+            found = (bend * s + rise) * s + u, low + s * (high - low)
+            if best is None or found[0] < best[0]:
+                best = found
+        return best
+
+    def touches(self, g, h, r):
+        if r < 0 or self.is_beside(g, h, r):
+            return False
+        if g == h:
+            return self.away(g) <= r * r
+        return self.least(g, minus(h, g), 1)[0] <= r * r
+
+    def cast(self, g, r, d, limit):
+        """The distance at which a ball first touches, rounded down, or None."""
+        fine = Face([scaled(c, ONE) for c in self.corners])
+        p, reach = scaled(g, ONE), (r << 30) ** 2
+
+        def away(t):
+            return fine.away([x + t * y for x, y in zip(p, d)])
+        if away(0) <= reach:
+            return 0
+        least, at = fine.least(p, d, limit)
+        if least > reach:
+            return None
+        low, high = 0, int(at)
+        while low < high:
+            middle = low + high + 1 >> 1
+            low, high = (middle, high) if away(middle) >= reach else (low, middle - 1)
+        return low
+
+    def contact(self, c, r):
+        """The normal, in Ratio, and the depth with a ball, or None."""
+        if self.is_beside(c, c, r):
+            return None
+        w = [Fraction(x) for x in minus(c, self.nearest(c))]
+        away = squared(w)
+        if away > r * r:
+            return None
+        assert away, "a particle in a triangle: not in these scenes"
+        common = 1
+        for x in w:
+            common *= x.denominator // gcd(common, x.denominator)
+        return unit([int(x * common) for x in w]), r - isqrt(int(away))
 
 
 def length(v, f):
@@ -321,6 +440,8 @@ class Reader:
             c, d = int(words[1]), int(words[2])
             axes = [[c, d], [-d, c]] if self.n == 2 else [[c, d, 0], [-d, c, 0], [0, 0, ONE]]
             s.shapes.append(Shape(center, half, 0, axes))
+        elif key in ("mesh", "field"):
+            self.surface(key == "mesh", words)
         elif key == "tie":
             s.tie(int(words[0]), int(words[1]), parse(words[2], FRAC), 0)
         elif key == "particle":
@@ -331,6 +452,28 @@ class Reader:
             self.rope(words)
         else:
             self.cloth(words)
+
+    def surface(self, is_mesh, words):
+        """The triangles of a body that is a mesh or a height field, in the world."""
+        place = self.vector(words)
+        A = [[ONE, 0, 0], [0, ONE, 0], [0, 0, ONE]]
+        if is_mesh:
+            words.pop(0)
+            c, d = int(words.pop(0)), int(words.pop(0))
+            A = axes(unit(from_rotation([[c, d, 0], [-d, c, 0], [0, 0, ONE]])))
+        x, z, cell = (parse(words.pop(0), FRAC) for _ in range(3))
+        columns, rows = int(words.pop(0)), int(words.pop(0))
+        heights = [parse(w, FRAC) for w in words]
+
+        def corner(i, j):
+            p = [x + i * cell, heights[j * columns + i], z + j * cell]
+            return [S.near((place[k] << 30) + sum(a[k] * q for a, q in zip(A, p)), 30 + FRAC)
+                    for k in range(3)]
+        for j in range(rows - 1):
+            for i in range(columns - 1):
+                for face in (((i, j), (i, j + 1), (i + 1, j)),
+                             ((i + 1, j), (i, j + 1), (i + 1, j + 1))):
+                    self.system.shapes.append(Face([corner(*at) for at in face]))
 
     def rope(self, words):
         s, first = self.system, len(self.system.x)

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""usage: run.py TWIN_STATES [--ticks N] [SCENE...]
+"""usage: run.py TWIN_STATES [--ticks N] [--scenes FILE] [SCENE...]
 
-Steps the scenes of scenes.txt and compares every tick with what the program TWIN_STATES prints.
+Steps the scenes of scenes.txt, or of another file, and compares every tick with what the program
+TWIN_STATES prints. FILE may be -: then TWIN_STATES prints the scenes too, without an argument.
 Exits with 1 at the first difference, and says where it is.
 """
 import os
@@ -66,13 +67,22 @@ def main(arguments):
         i = arguments.index("--ticks")
         given = int(arguments[i + 1])
         del arguments[i:i + 2]
+    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "scenes.txt")
+    if "--scenes" in arguments:
+        i = arguments.index("--scenes")
+        path = arguments[i + 1]
+        del arguments[i:i + 2]
     if not arguments:
         print(__doc__, file=sys.stderr)
         return 2
     program, chosen = arguments[0], arguments[1:]
-    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "scenes.txt")
     failed = False
-    for name, n, lines in scenes.read(path):
+    if path == "-":
+        text = subprocess.run([program], stdout=subprocess.PIPE, text=True, check=True).stdout
+    else:
+        with open(path, encoding="ascii") as file:
+            text = file.read()
+    for name, n, lines in scenes.read(text):
         if chosen and name not in chosen:
             continue
         everyday = [int(words[1]) for words in lines if words[0] == "everyday"]

@@ -11,22 +11,26 @@ DEFAULTS = {"density": "1", "friction": "0.6", "restitution": "0", "rolling": "0
             "gravity_scale": "1", "locked": "0", "layers": "1", "meets": str(0xffffffff)}
 
 
-def read(path):
+def read(text):
     """Reads the scenes: (name, dimension, lines)."""
     scenes = []
-    with open(path, encoding="ascii") as file:
-        for line in file:
-            words = line.split("#")[0].split()
-            if not words:
-                continue
-            if words[0] == "scene":
-                scenes.append((words[1], int(words[2]), []))
-            else:
-                scenes[-1][2].append(words)
+    for line in text.splitlines():
+        words = line.split("#")[0].split()
+        if not words:
+            continue
+        if words[0] == "scene":
+            scenes.append((words[1], int(words[2]), []))
+        else:
+            scenes[-1][2].append(words)
     return scenes
 
 
-def build(n, lines, bits=31, frac=16):
+def build(n, lines):
+    bits, frac = 31, 16
+    for words in lines:
+        if words[:2] == ["set", "scalar"]:
+            bits, frac = int(words[2]), int(words[3])
+
     def num(text):
         return parse(text, frac)
     settings = {"ticks": 60, "substeps": 4, "gravity": [0, num("-10"), 0][:n], "push": num("3"),
@@ -34,6 +38,8 @@ def build(n, lines, bits=31, frac=16):
     for words in lines:
         if words[0] == "set":
             key = words[1]
+            if key == "scalar":
+                continue
             if key in ("ticks", "substeps"):
                 settings[key] = int(words[2])
             else:
@@ -83,6 +89,8 @@ def joint_keys(words, num, size):
         key = words.pop(0)
         if key in ("frame_a", "frame_b"):
             keys[key] = axes([int(words.pop(0)) for _ in range(size)])
+        elif key in ("axes_a", "axes_b"):
+            keys["frame" + key[4:]] = read_axes(2 if size == 2 else 3, words)
         elif key in ("limits", "motor"):
             keys[key] = [num(words.pop(0)), num(words.pop(0))]
         elif key == "collide":
@@ -142,11 +150,19 @@ def read_shape(n, kind, rest, num, points):
     return Shape(kind, n, radius=vector(1)[0], ends=[low, high]), place
 
 
-def read_turn(n, rest):
-    """Reads the frame of a `turned`, and its orientation."""
+def read_axes(n, rest):
+    return [[int(rest.pop(0)) for _ in range(n)] for _ in range(n)]
+
+
+def read_turn(n, rest, key, f):
+    """Reads the frame of a `turned` or of `axes`, and its orientation; f are the world's formats."""
+    fine = 14 if f.bits <= 15 else 30  # of directions
+    if key == "axes":
+        frame = read_axes(n, rest)
+        return frame, unit(frame[0] if n == 2 else from_rotation(frame, fine))
     q = unit([int(rest.pop(0)) for _ in range(2 if n == 2 else 4)])
     frame = axes(q)
-    return frame, q if n == 2 else unit(from_rotation(frame))
+    return frame, q if n == 2 else unit(from_rotation(frame, fine))
 
 
 def part(f, n, words, num, points):
@@ -159,8 +175,8 @@ def part(f, n, words, num, points):
         key = rest.pop(0)
         if key == "sensor":
             is_sensor = True
-        elif key == "turned":
-            frame, q = read_turn(n, rest)
+        elif key in ("turned", "axes"):
+            frame, q = read_turn(n, rest, key, f)
         else:
             options[key] = num(rest.pop(0))
     return Part(f, n, shape, place, q, frame, options["density"], options["friction"],
@@ -192,8 +208,8 @@ def add(world, n, words, num, points):
             options[key] = int(rest.pop(0))
         elif key in ("sensor", "fast"):
             options[key] = True
-        elif key == "turned":
-            frame, q = read_turn(n, rest)
+        elif key in ("turned", "axes"):
+            frame, q = read_turn(n, rest, key, world.f)
         else:
             options[key] = vector(1)[0]
     world.add(motion, shape, place, q, options, frame)

@@ -16,6 +16,7 @@
 #include "detent/dynamics/dynamics.hpp"
 #include "detent/scene/mesh/owned.hpp"
 #include "scene_text.hpp"
+#include "state_text.hpp"
 
 namespace detent::test {
 namespace {
@@ -399,43 +400,7 @@ class Stage {
     }
   }
 
-  void print() const {
-    const auto& bodies = detail::WorldAccess::bodies(world_);
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      const auto& body = bodies[i];
-      if (body.generation == 0) continue;
-      std::cout << "body " << i;
-      for (int k = 0; k < N; ++k) std::cout << ' ' << body.state.place[k].raw();
-      for (int k = 0; k < (N == 2 ? 2 : 4); ++k)
-        std::cout << ' ' << body.state.orientation[k].raw();
-      for (int k = 0; k < N; ++k) std::cout << ' ' << body.state.velocity[k].raw();
-      for (const auto& w : body.state.spin) std::cout << ' ' << w.raw();
-      std::cout << ' ' << int{body.quiet} << ' ' << body.sleeps << '\n';
-    }
-    for (const auto& contact : detail::WorldAccess::contacts(world_)) {
-      std::cout << "contact " << contact.a << ' ' << contact.b << ' ' << contact.member << ' '
-                << contact.part << ' ' << contact.touches << ' ' << int{contact.count};
-      for (std::size_t i = 0; i < contact.count; ++i) {
-        std::cout << ' ' << contact.feature[i] << ' ' << contact.pressure[i].raw();
-      }
-      for (const auto& impulse : contact.friction) std::cout << ' ' << impulse.raw();
-      for (const auto& impulse : contact.rolling) std::cout << ' ' << impulse.raw();
-      std::cout << '\n';
-    }
-    const auto& joints = detail::WorldAccess::joints(world_).list;
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-      const auto& record = joints[i];
-      if (record.generation == 0) continue;
-      std::cout << "joint " << i << ' ' << record.bodies().a << ' ' << record.bodies().b;
-      record.joint.visit([&]<class Joint>(const Joint&) {
-        using Rows = detail::RowsOf<Joint>;
-        for (std::size_t k = 0; k < Rows::push; ++k) std::cout << ' ' << record.push[k].raw();
-        for (std::size_t k = 0; k < Rows::turn; ++k) std::cout << ' ' << record.turn[k].raw();
-      });
-      std::cout << '\n';
-    }
-    std::cout << '\n';
-  }
+  void print() const { print_state<S, N>(world_); }
 
   WorldSettings<S, N> settings_;
   std::vector<BodyId> ids_;

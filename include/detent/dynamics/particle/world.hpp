@@ -6,6 +6,7 @@
 
 #include "detent/dynamics/compound.hpp"
 #include "detent/dynamics/particle/obstacles.hpp"
+#include "detent/dynamics/particle/terrain.hpp"
 #include "detent/dynamics/world.hpp"
 #include "detent/scene/scene.hpp"
 
@@ -48,7 +49,8 @@ template <Scalar S, int N>
           Rotation<S, N>::from_axes(directions), S(1)};
 }
 
-/// Calls f(shape) with the shape of a body at this pose, or with each part that is not a sensor.
+/// Calls f(shape) with the shape of a body at this pose, with each part that is not a sensor, or with
+/// the triangles of a surface.
 template <Scalar S, int N, class Shape, class F>
 constexpr void visit_placed(const Standing<S, N>& at, const Aabb<S, N>& box, const Shape& shape,
                             const F& f) {
@@ -62,15 +64,17 @@ constexpr void visit_placed(const Standing<S, N>& at, const Aabb<S, N>& box, con
       const auto there = part_at(at, pose_in(*shape.asset, part));
       part.shape().visit([&](const auto& solid) { visit_placed(there, box, solid, f); });
     }
-  } else if constexpr (!is_surface_body<Shape>) {
+  } else if constexpr (is_surface_body<Shape>) {
+    visit_placed_surface(at, box, shape, f);
+  } else {
     visit_parts_in(box, placed(transform_of(at), shape), f);
   }
 }
 
 }  // namespace detail
 
-/// The bodies of a world at their current poses, in the order of their indices, compounds part by
-/// part. Sensors, meshes and height fields are left out: particles pass through them.
+/// The bodies of a world at their current poses, in the order of their indices: compounds part by
+/// part, meshes and height fields triangle by triangle, from both sides. Sensors are left out.
 template <class World>
 class WorldObstacles;
 
@@ -88,6 +92,14 @@ class WorldObstacles<BasicWorld<Storage, S, N, Parts...>> {
       if (bodies[i].generation == 0 || bodies[i].is_sensor || (bodies[i].layers & layers) == 0) {
         continue;
       }
+      const bool is_surface = bodies[i].shape.visit([&]<class Shape>(const Shape& shape) {
+        if constexpr (detail::is_surface_body<Shape>) {
+          if (shape.asset == nullptr) return true;
+          boxes_[i] = detail::placed_box(standing(i), bounding_box(detail::surface_of(shape)));
+        }
+        return detail::is_surface_body<Shape>;
+      });
+      if (is_surface) continue;
       visit(
           i,
           {make_vec<N>([](int) { return lowest<S>; }), make_vec<N>([](int) { return largest<S>; })},
@@ -103,11 +115,14 @@ class WorldObstacles<BasicWorld<Storage, S, N, Parts...>> {
   }
 
  private:
+  [[nodiscard]] constexpr detail::Standing<S, N> standing(std::size_t i) const {
+    const auto& state = detail::WorldAccess::bodies(world_)[i].state;
+    return {state.place, detail::axes_of<S, N>(state.orientation)};
+  }
   template <class F>
   constexpr void visit(std::size_t i, const Aabb<S, N>& box, const F& f) const {
+    const auto at = standing(i);
     const auto& body = detail::WorldAccess::bodies(world_)[i];
-    const detail::Standing<S, N> at{body.state.place,
-                                    detail::axes_of<S, N>(body.state.orientation)};
     body.shape.visit([&](const auto& shape) { detail::visit_placed(at, box, shape, f); });
   }
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "verify/part_sheets.hpp"
+
+// Each scalar and dimension has a source of its own: one_space.cpp.in.
+namespace detent::verify::detail {
+
+using Group = Linkages;
+extern template struct GroupSheet<Group, q16_16, 2>;
+extern template struct GroupSheet<Group, q16_16, 3>;
+extern template struct GroupSheet<Group, q14_16, 2>;
+extern template struct GroupSheet<Group, q14_16, 3>;
+extern template struct GroupSheet<Group, q24_8, 2>;
+extern template struct GroupSheet<Group, q24_8, 3>;
+extern template struct GroupSheet<Group, q8_8, 2>;
+extern template struct GroupSheet<Group, q8_8, 3>;
+
+}  // namespace detent::verify::detail
+
+template struct detent::verify::PartSheets<detent::verify::JoinedBodies>;
