@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "detent/dynamics/contact_group.hpp"
 #include "detent/dynamics/fast.hpp"
 #include "detent/dynamics/flight.hpp"
 #include "detent/dynamics/islands.hpp"
@@ -72,8 +73,10 @@ class Tick {
     const auto ends = order(bodies);
     for (std::size_t i = 0; i < moving_.size(); ++i) moving_[i] = moving_of(bodies[i]);
     prepare_all(bodies, threads);
+    gather_all(ends, threads);
     group_.prepare(joints, bodies, supports_, pace.rate);
     for (int i = 0; i < substeps; ++i) substep(bodies, joints, pace, ends, threads);
+    scatter_all(threads);
     for_each_ready(ends, threads, [&](ReadyContact<S, N>& ready) {
       bounce(ready, found_.contacts[ready.contact], moving_[ready.a], moving_[ready.b],
              pace.bounce);
@@ -125,6 +128,9 @@ class Tick {
   };
 
   static constexpr int colours = 64;
+  static constexpr bool has_groups = has_long_lanes && is_fixed<S> && N == 3 && requires {
+    Storage::is_growing;
+  };
   using ColourEnds = std::array<std::uint32_t, colours + 1>;
 
   /// The contacts of some pairs, in order, and their manifolds.
@@ -599,6 +605,73 @@ class Tick {
     OneThread().each(first, ready_.size(), 1, visit);
   }
 
+  /// Puts the contacts of each colour but the last side by side, if that is faster here.
+  template <class Threads>
+  constexpr void gather_all(const ColourEnds& ends, const Threads& threads) {
+    if constexpr (has_groups) {
+      are_grouped_ = !std::is_constant_evaluated();
+      if (!are_grouped_) return;
+      std::uint32_t count = 0;
+      for (std::size_t c = 0; c + 1 < colours; ++c) {
+        const auto size = ends[c] - (c == 0 ? 0 : ends[c - 1]);
+        count += (size + 3) / 4;
+        group_ends_[c] = count;
+      }
+      groups_.resize(count);
+      std::size_t g = 0;
+      for (std::size_t c = 0; c + 1 < colours; ++c) {
+        for (auto i = c == 0 ? 0 : ends[c - 1]; i < ends[c]; i += 4) {
+          groups_[g].first = i;
+          groups_[g++].size = static_cast<std::uint8_t>((std::min)(ends[c] - i, 4u));
+        }
+      }
+      threads.each(0, groups_.size(), groups_a_call, [&](std::size_t k) {
+        gather(groups_[k], &ready_[groups_[k].first], found_.contacts.data());
+      });
+    }
+  }
+  template <class Threads>
+  constexpr void scatter_all(const Threads& threads) {
+    if constexpr (has_groups) {
+      if (!are_grouped_) return;
+      threads.each(0, groups_.size(), groups_a_call, [&](std::size_t k) {
+        scatter(groups_[k], &ready_[groups_[k].first], found_.contacts.data());
+      });
+    }
+  }
+
+  /// Solves each contact that is awake in order of colours: `together` a group of them, or `alone`
+  /// one, which is also for groups that `together` refuses.
+  template <class Threads, class Together, class Alone>
+  constexpr void solve_each(const ColourEnds& ends, const Threads& threads,
+                            const Together& together, const Alone& alone) {
+    if constexpr (has_groups) {
+      if (are_grouped_) {
+        const auto visit = [&](std::size_t g) {
+          auto& group = groups_[g];
+          GroupSolver<LongLanes, S> solver(group, moving_.data());
+          if (together(solver)) return;
+          auto* ready = &ready_[group.first];
+          scatter(group, ready, found_.contacts.data());
+          for (std::size_t k = 0; k < group.size; ++k) alone(ready[k]);
+          gather_impulses(group, ready, found_.contacts.data());
+        };
+        std::size_t first = 0;
+        if constexpr (Threads::are_many) {
+          for (const auto end : group_ends_) {
+            threads.each(first, end, groups_a_call, visit);
+            first = end;
+          }
+        }
+        OneThread().each(first, groups_.size(), 1, visit);
+        OneThread().each(ends[colours - 2], ready_.size(), 1,
+                         [&](std::size_t i) { alone(ready_[i]); });
+        return;
+      }
+    }
+    for_each_ready(ends, threads, alone);
+  }
+
   template <class Threads>
   constexpr void prepare_all(const Bodies& bodies, const Threads& threads) {
     using Ratio = typename F::Ratio;
@@ -638,25 +711,33 @@ class Tick {
       }
     });
     group_.warm_start(joints, moving_);
-    for_each_ready(ends, threads, [&](const ReadyContact<S, N>& ready) {
-      warm_start(ready, found_.contacts[ready.contact], moving_[ready.a], moving_[ready.b]);
-    });
+    solve_each(
+        ends, threads, [](auto& solver) { return solver.warm_start(); },
+        [&](const ReadyContact<S, N>& ready) {
+          warm_start(ready, found_.contacts[ready.contact], moving_[ready.a], moving_[ready.b]);
+        });
     group_.template solve_all<Pass::biased>(joints, moving_);
-    for_each_ready(ends, threads, [&](ReadyContact<S, N>& ready) {
-      solve_pressure<Pass::biased>(ready, found_.contacts[ready.contact], moving_[ready.a],
-                                   moving_[ready.b], pace.push);
-    });
+    solve_each(
+        ends, threads, [&](auto& solver) { return solver.template solve<Pass::biased>(pace.push); },
+        [&](ReadyContact<S, N>& ready) {
+          solve_pressure<Pass::biased>(ready, found_.contacts[ready.contact], moving_[ready.a],
+                                       moving_[ready.b], pace.push);
+        });
     threads.each(0, bodies.size(), bodies_a_call, [&](std::size_t i) {
       const bool moves = is_awake(bodies[i]) || is_driven(bodies[i]);
       if (moves) move(bodies[i], moving_[i], half_way_[i], supports_[i].axes);
     });
     group_.follow(joints, bodies, supports_);
     group_.template solve_all<Pass::relaxed>(joints, moving_);
-    for_each_ready(ends, threads, [&](ReadyContact<S, N>& ready) {
-      auto& contact = found_.contacts[ready.contact];
-      solve_pressure<Pass::relaxed>(ready, contact, moving_[ready.a], moving_[ready.b], pace.push);
-      solve_friction(ready, contact, moving_[ready.a], moving_[ready.b]);
-    });
+    solve_each(
+        ends, threads,
+        [&](auto& solver) { return solver.template solve<Pass::relaxed>(pace.push); },
+        [&](ReadyContact<S, N>& ready) {
+          auto& contact = found_.contacts[ready.contact];
+          solve_pressure<Pass::relaxed>(ready, contact, moving_[ready.a], moving_[ready.b],
+                                        pace.push);
+          solve_friction(ready, contact, moving_[ready.a], moving_[ready.b]);
+        });
   }
 
   /// Writes velocities back, and lets quiet islands sleep.
@@ -743,6 +824,7 @@ class Tick {
   static constexpr std::size_t bodies_a_call = 64;
   static constexpr std::size_t pairs_a_call = 32;
   static constexpr std::size_t contacts_a_call = 32;
+  static constexpr std::size_t groups_a_call = 8;
 
   List<Support<S, N>, bodies_room> supports_;
   List<Standing<S, N>, bodies_room> starts_;  // empty without a fast body
@@ -754,6 +836,9 @@ class Tick {
   Search found_;
   List<Search, 0> searches_;  // of worlds that grow, on several threads
   List<ReadyContact<S, N>, contacts_room> ready_;
+  List<ContactGroup<S>, 0> groups_;  // of worlds that grow, on machines with long lanes
+  std::array<std::uint32_t, colours - 1> group_ends_{};
+  bool are_grouped_ = false;
   List<std::uint8_t, contacts_room> colour_;
   List<std::uint64_t, bodies_room> used_;
   List<std::uint8_t, bodies_room> awake_;

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "detent/cull/long_lanes.hpp"
+#include "detent/dynamics/row.hpp"
+
+namespace detent::detail {
+
+/// Four numbers of T in memory: one of each of four contacts or joints.
+template <class T>
+using Quad = std::array<T, long_lane_count>;
+
+/// Four numbers of T in lanes. Arithmetic on them is that of `Fixed`; sums and products have 62 bits,
+/// and the caller must prove that they fit.
+template <class T, class L>
+struct Four {
+  L raw{};
+
+  DETENT_INLINE_TINY constexpr Four() noexcept = default;
+  DETENT_INLINE_TINY explicit constexpr Four(const L& lanes) noexcept : raw(lanes) {}
+  DETENT_INLINE_TINY explicit constexpr Four(const Quad<T>& numbers) noexcept
+      requires(T::bits <= 31)
+      : raw(std::bit_cast<std::array<std::int32_t, long_lane_count>>(numbers)) {}
+  DETENT_INLINE_TINY explicit constexpr Four(const Quad<T>& numbers) noexcept requires(T::bits > 31)
+      : raw(std::bit_cast<LongWords>(numbers)) {}
+  /// The same number in all lanes.
+  DETENT_INLINE_TINY explicit constexpr Four(const T& number) noexcept
+      : raw(std::int64_t{number.raw()}) {}
+
+  DETENT_INLINE_TINY constexpr void store(Quad<T>& numbers) const noexcept {
+    if constexpr (T::bits <= 31) {
+      numbers = std::bit_cast<Quad<T>>(raw.halves());
+    } else {
+      numbers = std::bit_cast<Quad<T>>(raw.words());
+    }
+  }
+};
+
+template <int A, int B, int F, class L>
+[[nodiscard]] DETENT_INLINE_TINY constexpr auto operator+(const Four<Fixed<A, F>, L>& a,
+                                                          const Four<Fixed<B, F>, L>& b) noexcept {
+  return Four<Fixed<62, F>, L>(a.raw + b.raw);
+}
+template <int A, int B, int F, class L>
+[[nodiscard]] DETENT_INLINE_TINY constexpr auto operator-(const Four<Fixed<A, F>, L>& a,
+                                                          const Four<Fixed<B, F>, L>& b) noexcept {
+  return Four<Fixed<62, F>, L>(a.raw - b.raw);
+}
+template <int A, int FA, int B, int FB, class L>
+[[nodiscard]] DETENT_INLINE_TINY constexpr auto operator*(const Four<Fixed<A, FA>, L>& a,
+                                                          const Four<Fixed<B, FB>, L>& b) noexcept {
+  static_assert(A <= 31 && B <= 31);
+  return Four<Fixed<62, FA + FB>, L>(L::product(a.raw, b.raw));
+}
+/// The same numbers in fewer bits. The caller must prove that they fit.
+template <int Bits, int B, int F, class L>
+[[nodiscard]] DETENT_INLINE_TINY constexpr auto narrow(const Four<Fixed<B, F>, L>& x) noexcept {
+  return Four<Fixed<Bits, F>, L>(x.raw);
+}
+/// The bits of both.
+template <class T, class L>
+[[nodiscard]] DETENT_INLINE_TINY constexpr Four<T, L> operator|(const Four<T, L>& a,
+                                                                const Four<T, L>& b) noexcept {
+  return Four<T, L>(a.raw | b.raw);
+}
+/// All bits of the lanes in which a > b.
+template <int A, int B, int F, class L>
+[[nodiscard]] DETENT_INLINE_TINY constexpr L above(const Four<Fixed<A, F>, L>& a,
+                                                   const Four<Fixed<B, F>, L>& b) noexcept {
+  return L::above(a.raw, b.raw);
+}
+template <class T, class L>
+[[nodiscard]] DETENT_INLINE_TINY constexpr Four<T, L> select(const L& marks, const Four<T, L>& a,
+                                                             const Four<T, L>& b) noexcept {
+  return Four<T, L>(L::select(marks, a.raw, b.raw));
+}
+template <class T, class L>
+[[nodiscard]] DETENT_INLINE_TINY constexpr Four<T, L> larger(const Four<T, L>& a,
+                                                             const Four<T, L>& b) noexcept {
+  return select(above(a, b), a, b);
+}
+template <class T, class L>
+[[nodiscard]] DETENT_INLINE_TINY constexpr Four<T, L> smaller(const Four<T, L>& a,
+                                                              const Four<T, L>& b) noexcept {
+  return select(above(a, b), b, a);
+}
+
+/// Rounds and counts whether a number is outside its type's range: then nothing that was computed
+/// counts, and a slower function that clamps takes its place.
+template <class L>
+class FourRounder {
+ public:
+  /// x rounded to nearest, ties to even.
+  template <class T, int B, int F>
+  [[nodiscard]] DETENT_INLINE_TINY constexpr Four<T, L> nearest(
+      const Four<Fixed<B, F>, L>& x) noexcept {
+    return Four<T, L>(raised<T>(x) - lift<T>());
+  }
+  /// The same of a T with 54 bits or more, which is not checked: |x| <= 2^62, in steps.
+  template <class T, int B, int F>
+  [[nodiscard]] static DETENT_INLINE_TINY constexpr Four<T, L> nearest_long(
+      const Four<Fixed<B, F>, L>& x) noexcept {
+    constexpr int shift = F - T::frac;
+    static_assert(T::bits >= 54 && shift > 0 && shift < 62);
+    return Four<T, L>(shifted<shift>(x.raw, std::int64_t{1} << 62) -
+                      L(std::int64_t{1} << (62 - shift)));
+  }
+  /// a + nearest(x) and a - nearest(x), in T.
+  template <class T, int B, int F>
+  [[nodiscard]] DETENT_INLINE_TINY constexpr Four<T, L> plus_nearest(
+      const Four<T, L>& a, const Four<Fixed<B, F>, L>& x) noexcept {
+    const L sum = a.raw + raised<T>(x);
+    note<T>(sum);
+    return Four<T, L>(sum - lift<T>());
+  }
+  template <class T, int B, int F>
+  [[nodiscard]] DETENT_INLINE_TINY constexpr Four<T, L> minus_nearest(
+      const Four<T, L>& a, const Four<Fixed<B, F>, L>& x) noexcept {
+    const L rest = (a.raw + L(std::int64_t{2} << T::bits)) - raised<T>(x);
+    note<T>(rest);
+    return Four<T, L>(rest - lift<T>());
+  }
+  /// x in T, which has the same grid.
+  template <class T, int B>
+  [[nodiscard]] DETENT_INLINE_TINY constexpr Four<T, L> checked(
+      const Four<Fixed<B, T::frac>, L>& x) noexcept {
+    note<T>(x.raw + lift<T>());
+    return Four<T, L>(x.raw);
+  }
+
+  [[nodiscard]] DETENT_INLINE_TINY constexpr bool is_beyond() const noexcept {
+    return ((beyond_30_ >> 31) | (beyond_31_ >> 32)).any();
+  }
+
+ private:
+  /// 2^Bits: x is in the range of T if x + lift has no bits above the first Bits + 1.
+  template <class T>
+  static DETENT_INLINE_TINY constexpr L lift() noexcept {
+    return L(std::int64_t{1} << T::bits);
+  }
+  template <class T>
+  DETENT_INLINE_TINY constexpr void note(const L& lifted) noexcept {
+    static_assert(T::bits == 30 || T::bits == 31);
+    if constexpr (T::bits == 30) {
+      beyond_30_ = beyond_30_ | lifted;
+    } else {
+      beyond_31_ = beyond_31_ | lifted;
+    }
+  }
+  /// (x + raise) / 2^Shift rounded to nearest, for a multiple of 2^(Shift + 1) that makes it positive.
+  template <int Shift>
+  static DETENT_INLINE_TINY constexpr L shifted(const L& x, std::int64_t raise) noexcept {
+    const L odd = (x >> Shift) & L(std::int64_t{1});
+    return (x + L(raise + (std::int64_t{1} << (Shift - 1)) - 1) + odd) >> Shift;
+  }
+  /// nearest(x) + 2^Bits, noted. If x + 2^Bits is negative its upper bits are set.
+  template <class T, int B, int F>
+  DETENT_INLINE_TINY constexpr L raised(const Four<Fixed<B, F>, L>& x) noexcept {
+    constexpr int shift = F - T::frac;
+    static_assert(shift > 0 && shift + T::bits < 62 && shift < 32);
+    const L lifted = shifted<shift>(x.raw, std::int64_t{1} << (shift + T::bits));
+    note<T>(lifted);
+    return lifted;
+  }
+
+  L beyond_30_{}, beyond_31_{};
+};
+
+/// The velocities of four bodies, or their shifts and turns in this tick.
+template <Scalar S, class L>
+struct FourMotions {
+  using F = Formats<S>;
+
+  std::array<Four<typename F::Speed, L>, 3> velocity{};
+  std::array<Four<typename F::Spin, L>, 3> spin{};
+};
+
+/// The bodies on one side of four contacts, in place. What is not stored stays as it is.
+template <Scalar S, class L>
+class FourBodies {
+  using Body = Moving<S, 3>;
+  using Speed = Four<typename Formats<S>::Speed, L>;
+  using Spin = Four<typename Formats<S>::Spin, L>;
+  static_assert(!is_fixed<S> || sizeof(Body) == 48, "detent: twelve numbers of 32 bits");
+
+ public:
+  DETENT_INLINE_TINY FourBodies(Body* bodies, const Quad<std::uint32_t>& indices) noexcept {
+    for (std::size_t k = 0; k < long_lane_count; ++k) bodies_[k] = &bodies[indices[k]];
+  }
+
+  [[nodiscard]] DETENT_INLINE_TINY FourMotions<S, L> motions() noexcept {
+    const auto words = L::load({bodies_[0], bodies_[1], bodies_[2], bodies_[3]});
+    after_ = words[3];
+    return {{Speed(lower(words[0])), Speed(upper(words[0])), Speed(lower(words[1]))},
+            {Spin(upper(words[1])), Spin(lower(words[2])), Spin(upper(words[2]))}};
+  }
+  /// Shifts and turns.
+  [[nodiscard]] DETENT_INLINE_TINY FourMotions<S, L> paths() const noexcept {
+    const auto from = [&](std::size_t k) {
+      return reinterpret_cast<const unsigned char*>(bodies_[k]) + 16;
+    };
+    const auto words = L::load({from(0), from(1), from(2), from(3)});
+    return {{Speed(lower(words[1])), Speed(upper(words[1])), Speed(lower(words[2]))},
+            {Spin(upper(words[2])), Spin(lower(words[3])), Spin(upper(words[3]))}};
+  }
+  /// Writes the velocities of the bodies that have a mark, of whom `motions` has read before.
+  DETENT_INLINE_TINY void store(const FourMotions<S, L>& m, const Quad<bool>& marks) noexcept {
+    std::array<std::byte, 32> unused;
+    const auto to = [&](std::size_t k) -> void* {
+      return marks[k] ? static_cast<void*>(bodies_[k]) : &unused;
+    };
+    L::store(
+        {joined(m.velocity[0].raw, m.velocity[1].raw), joined(m.velocity[2].raw, m.spin[0].raw),
+         joined(m.spin[1].raw, m.spin[2].raw), after_},
+        {to(0), to(1), to(2), to(3)});
+  }
+
+ private:
+  static DETENT_INLINE_TINY L lower(const L& x) noexcept {
+    return L::product(x, L(std::int64_t{1}));
+  }
+  static DETENT_INLINE_TINY L upper(const L& x) noexcept { return lower(x >> 32); }
+  static DETENT_INLINE_TINY L joined(const L& low, const L& high) noexcept {
+    return (low & L(std::int64_t{0xffffffff})) | (high << 32);
+  }
+
+  std::array<Body*, long_lane_count> bodies_;
+  L after_{};  // the word that follows the velocities
+};
+
+}  // namespace detent::detail
