@@ -13,7 +13,7 @@
 // vector (an extension of GCC and Clang). Elsewhere, and for constants, they are an array with the
 // same operations, and so the same numbers.                    (tests/cull/lanes.test.cpp)
 //
-// Nothing else knows what vectors a machine has.
+// Nothing but this and long_lanes.hpp knows what vectors a machine has.
 
 namespace detent::detail {
 

@@ -8,7 +8,6 @@
 #include <cstring>
 
 #include "detent/number/require_cxx20.hpp"
-#include "detent/number/short_words.hpp"
 
 // Four integers of 64 bits side by side, and the product of 32 by 32 bits: one vector with AVX2, an
 // array with the same operations elsewhere.                 (tests/cull/long_lanes.test.cpp)
@@ -16,7 +15,8 @@
 namespace detent::detail {
 
 inline constexpr std::size_t long_lane_count = 4;
-using LongWords = std::array<std::int64_t, long_lane_count>;
+using LongWord = std::int64_t;
+using LongWords = std::array<LongWord, long_lane_count>;
 
 /// All operations are modulo 2^64.
 class ArrayLongLanes {
@@ -137,51 +137,44 @@ class VectorLongLanes {
   typedef std::int32_t Short __attribute__((vector_size(16)));
 
  public:
-  DETENT_INLINE_TINY VectorLongLanes() noexcept : words_{} {}
-  DETENT_INLINE_TINY explicit VectorLongLanes(std::int64_t x) noexcept
+  VectorLongLanes() noexcept : words_{} {}
+  explicit VectorLongLanes(std::int64_t x) noexcept
       : words_(static_cast<std::uint64_t>(x) - Words{}) {}
-  DETENT_INLINE_TINY explicit VectorLongLanes(const LongWords& words) noexcept
-      : words_(std::bit_cast<Words>(words)) {}
-  DETENT_INLINE_TINY explicit VectorLongLanes(
-      const std::array<std::int32_t, long_lane_count>& x) noexcept
+  explicit VectorLongLanes(const LongWords& words) noexcept : words_(std::bit_cast<Words>(words)) {}
+  explicit VectorLongLanes(const std::array<std::int32_t, long_lane_count>& x) noexcept
       : words_(std::bit_cast<Words>(__builtin_convertvector(std::bit_cast<Short>(x), Signed))) {}
 
-  [[nodiscard]] DETENT_INLINE_TINY LongWords words() const noexcept {
-    return std::bit_cast<LongWords>(words_);
-  }
-  [[nodiscard]] DETENT_INLINE_TINY std::array<std::int32_t, long_lane_count> halves()
-      const noexcept {
+  [[nodiscard]] LongWords words() const noexcept { return std::bit_cast<LongWords>(words_); }
+  [[nodiscard]] std::array<std::int32_t, long_lane_count> halves() const noexcept {
     const auto halves = std::bit_cast<Halves>(words_);
     return std::bit_cast<std::array<std::int32_t, long_lane_count>>(
         __builtin_shufflevector(halves, halves, 0, 2, 4, 6));
   }
 
-  [[nodiscard]] friend DETENT_INLINE_TINY VectorLongLanes
-  operator+(const VectorLongLanes& a, const VectorLongLanes& b) noexcept {
+  [[nodiscard]] friend VectorLongLanes operator+(const VectorLongLanes& a,
+                                                 const VectorLongLanes& b) noexcept {
     return VectorLongLanes(a.words_ + b.words_);
   }
-  [[nodiscard]] friend DETENT_INLINE_TINY VectorLongLanes
-  operator-(const VectorLongLanes& a, const VectorLongLanes& b) noexcept {
+  [[nodiscard]] friend VectorLongLanes operator-(const VectorLongLanes& a,
+                                                 const VectorLongLanes& b) noexcept {
     return VectorLongLanes(a.words_ - b.words_);
   }
-  [[nodiscard]] friend DETENT_INLINE_TINY VectorLongLanes
-  operator&(const VectorLongLanes& a, const VectorLongLanes& b) noexcept {
+  [[nodiscard]] friend VectorLongLanes operator&(const VectorLongLanes& a,
+                                                 const VectorLongLanes& b) noexcept {
     return VectorLongLanes(a.words_ & b.words_);
   }
-  [[nodiscard]] friend DETENT_INLINE_TINY VectorLongLanes
-  operator|(const VectorLongLanes& a, const VectorLongLanes& b) noexcept {
+  [[nodiscard]] friend VectorLongLanes operator|(const VectorLongLanes& a,
+                                                 const VectorLongLanes& b) noexcept {
     return VectorLongLanes(a.words_ | b.words_);
   }
-  [[nodiscard]] friend DETENT_INLINE_TINY VectorLongLanes operator>>(const VectorLongLanes& a,
-                                                                     int shift) noexcept {
+  [[nodiscard]] friend VectorLongLanes operator>>(const VectorLongLanes& a, int shift) noexcept {
     return VectorLongLanes(a.words_ >> shift);
   }
-  [[nodiscard]] friend DETENT_INLINE_TINY VectorLongLanes operator<<(const VectorLongLanes& a,
-                                                                     int shift) noexcept {
+  [[nodiscard]] friend VectorLongLanes operator<<(const VectorLongLanes& a, int shift) noexcept {
     return VectorLongLanes(a.words_ << shift);
   }
-  [[nodiscard]] static DETENT_INLINE_TINY VectorLongLanes
-  product(const VectorLongLanes& a, const VectorLongLanes& b) noexcept {
+  [[nodiscard]] static VectorLongLanes product(const VectorLongLanes& a,
+                                               const VectorLongLanes& b) noexcept {
 #if defined(__clang__)
     const auto extended = [](const Words& x) { return std::bit_cast<Signed>(x << 32) >> 32; };
     return VectorLongLanes(std::bit_cast<Words>(extended(a.words_) * extended(b.words_)));
@@ -190,22 +183,23 @@ class VectorLongLanes {
         std::bit_cast<Halves>(a.words_), std::bit_cast<Halves>(b.words_))));
 #endif
   }
-  [[nodiscard]] static DETENT_INLINE_TINY VectorLongLanes above(const VectorLongLanes& a,
-                                                                const VectorLongLanes& b) noexcept {
+  [[nodiscard]] static VectorLongLanes above(const VectorLongLanes& a,
+                                             const VectorLongLanes& b) noexcept {
     return VectorLongLanes(
         std::bit_cast<Words>(std::bit_cast<Signed>(a.words_) > std::bit_cast<Signed>(b.words_)));
   }
-  [[nodiscard]] static DETENT_INLINE_TINY VectorLongLanes select(
-      const VectorLongLanes& marks, const VectorLongLanes& a, const VectorLongLanes& b) noexcept {
+  [[nodiscard]] static VectorLongLanes select(const VectorLongLanes& marks,
+                                              const VectorLongLanes& a,
+                                              const VectorLongLanes& b) noexcept {
     return VectorLongLanes(std::bit_cast<Signed>(marks.words_) < 0 ? a.words_ : b.words_);
   }
-  [[nodiscard]] DETENT_INLINE_TINY bool any() const noexcept {
+  [[nodiscard]] bool any() const noexcept {
     typedef long long Longs __attribute__((vector_size(32)));
     const auto words = std::bit_cast<Longs>(words_);
     return __builtin_ia32_ptestz256(words, words) == 0;
   }
 
-  [[nodiscard]] static DETENT_INLINE_TINY std::array<VectorLongLanes, 4> load(
+  [[nodiscard]] static std::array<VectorLongLanes, 4> load(
       const std::array<const void*, long_lane_count>& records) noexcept {
     std::array<VectorLongLanes, 4> result;
     for (std::size_t k = 0; k < long_lane_count; ++k) {
@@ -213,8 +207,8 @@ class VectorLongLanes {
     }
     return transposed(result);
   }
-  static DETENT_INLINE_TINY void store(const std::array<VectorLongLanes, 4>& lanes,
-                                       const std::array<void*, long_lane_count>& records) noexcept {
+  static void store(const std::array<VectorLongLanes, 4>& lanes,
+                    const std::array<void*, long_lane_count>& records) noexcept {
     const auto rows = transposed(lanes);
     for (std::size_t k = 0; k < long_lane_count; ++k) {
       std::memcpy(records[k], &rows[k].words_, sizeof(Words));
@@ -222,9 +216,9 @@ class VectorLongLanes {
   }
 
  private:
-  DETENT_INLINE_TINY explicit VectorLongLanes(const Words& words) noexcept : words_(words) {}
+  explicit VectorLongLanes(const Words& words) noexcept : words_(words) {}
 
-  static DETENT_INLINE_TINY std::array<VectorLongLanes, 4> transposed(
+  static std::array<VectorLongLanes, 4> transposed(
       const std::array<VectorLongLanes, 4>& m) noexcept {
     const auto even = [&](std::size_t i) {
       return __builtin_shufflevector(m[i].words_, m[i + 1].words_, 0, 4, 2, 6);

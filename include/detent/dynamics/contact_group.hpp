@@ -146,7 +146,7 @@ class GroupSolver {
   using Side = Four<T, L>;
 
  public:
-  DETENT_INLINE_TINY GroupSolver(Group& group, Moving<S, 3>* bodies) noexcept
+  GroupSolver(Group& group, Moving<S, 3>* bodies) noexcept
       : group_(group), bodies_a_(bodies, group.a), bodies_b_(bodies, group.b) {
     a_ = bodies_a_.motions();
     b_ = bodies_b_.motions();
@@ -201,8 +201,8 @@ class GroupSolver {
 
  private:
   /// c_b . w_b - c_a . w_a.
-  [[nodiscard]] DETENT_INLINE_TINY Side<Sum> turning(const Lever& lever, const Motions& a,
-                                                     const Motions& b) const noexcept {
+  [[nodiscard]] Side<Sum> turning(const Lever& lever, const Motions& a,
+                                  const Motions& b) const noexcept {
     using Moment = Side<typename F::Moment>;
     Side<Sum> sum;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -211,8 +211,8 @@ class GroupSolver {
     return sum;
   }
   /// `rate_along` without its start.
-  [[nodiscard]] DETENT_INLINE_TINY Side<Speed> rate(const Push& push, const Lever& lever,
-                                                    const Motions& a, const Motions& b) noexcept {
+  [[nodiscard]] Side<Speed> rate(const Push& push, const Lever& lever, const Motions& a,
+                                 const Motions& b) noexcept {
     Side<Fixed<62, Ratio::frac + Speed::frac>> along;
     for (std::size_t i = 0; i < 3; ++i) {
       along = along + Side<Ratio>(push.along[i]) * narrow<31>(b.velocity[i] - a.velocity[i]);
@@ -220,15 +220,14 @@ class GroupSolver {
     return round_.template nearest<Speed>(round_.template nearest_long<Sum>(along) +
                                           turning(lever, a, b));
   }
-  DETENT_INLINE_TINY void turn(const Lever& lever, const Side<Impulse>& impulse) noexcept {
+  void turn(const Lever& lever, const Side<Impulse>& impulse) noexcept {
     using Response = Side<typename F::Response>;
     for (std::size_t i = 0; i < 3; ++i) {
       a_.spin[i] = round_.minus_nearest(a_.spin[i], Response(lever.response_a[i]) * impulse);
       b_.spin[i] = round_.plus_nearest(b_.spin[i], Response(lever.response_b[i]) * impulse);
     }
   }
-  DETENT_INLINE_TINY void apply(const Push& push, const Lever& lever,
-                                const Side<Impulse>& impulse) noexcept {
+  void apply(const Push& push, const Lever& lever, const Side<Impulse>& impulse) noexcept {
     for (std::size_t i = 0; i < 3; ++i) {
       a_.velocity[i] = round_.minus_nearest(a_.velocity[i], Side<Ratio>(push.on_a[i]) * impulse);
       b_.velocity[i] = round_.plus_nearest(b_.velocity[i], Side<Ratio>(push.on_b[i]) * impulse);
@@ -238,11 +237,9 @@ class GroupSolver {
 
   /// The pressure of a point after one more solve, as in `solve_pressure`.
   template <Pass pass>
-  [[nodiscard]] DETENT_INLINE_TINY Side<Impulse> pushed(const Side<Ratio>& mass,
-                                                        const Side<Speed>& v,
-                                                        const Side<Speed>& gap,
-                                                        const Side<Impulse>& before,
-                                                        const Speed& fastest) noexcept {
+  [[nodiscard]] Side<Impulse> pushed(const Side<Ratio>& mass, const Side<Speed>& v,
+                                     const Side<Speed>& gap, const Side<Impulse>& before,
+                                     const Speed& fastest) noexcept {
     const Side<Speed> zero;
     const auto is_apart = above(gap, zero);
     const auto to_gap = narrow<31>(v + select(is_apart, gap, zero));
@@ -250,7 +247,7 @@ class GroupSolver {
     if constexpr (pass == Pass::biased) {
       const Side<Ratio> rigid(group_.rigid), pull(group_.pull), loss(group_.loss);
       const Side<Fixed<62, Ratio::frac + Speed::frac>> limit(
-          L(-(std::int64_t{fastest.raw()} << Ratio::frac)));
+          L(-(LongWord{fastest.raw()} << Ratio::frac)));
       const auto wanted = round_.template nearest<Speed>(rigid * v + larger(pull * gap, limit));
       sum = round_.minus_nearest(before,
                                  select(is_apart, mass * to_gap, mass * wanted + loss * before));
@@ -261,8 +258,8 @@ class GroupSolver {
   }
 
   /// `solve_friction`.
-  DETENT_INLINE_TINY void rub(const std::array<Side<Impulse>, Group::capacity>& pressures,
-                              std::array<Side<Impulse>, 3>& frictions) noexcept {
+  void rub(const std::array<Side<Impulse>, Group::capacity>& pressures,
+           std::array<Side<Impulse>, 3>& frictions) noexcept {
     const Side<Ratio> grip(group_.grip);
     Side<Fixed<62, Impulse::frac>> pressure, at_lever;
     for (std::size_t i = 0; i < group_.count; ++i) {
@@ -295,10 +292,9 @@ class GroupSolver {
     }
   }
   /// `clamp_to_disc`. The sum of squares is at most 2^63, so one less is compared.
-  DETENT_INLINE_TINY void clamp(std::array<Side<Impulse>, 3>& frictions,
-                                const Side<Impulse>& limit) noexcept {
+  void clamp(std::array<Side<Impulse>, 3>& frictions, const Side<Impulse>& limit) noexcept {
     const auto squared = frictions[0] * frictions[0] + frictions[1] * frictions[1];
-    const L one(std::int64_t{1});
+    const L one(LongWord{1});
     const auto outside = L::above(squared.raw - one, (limit * limit).raw - one);
     if (!outside.any()) return;
     std::array<Quad<Impulse>, 2> each;
@@ -314,7 +310,7 @@ class GroupSolver {
     for (std::size_t t = 0; t < 2; ++t) frictions[t] = Side<Impulse>(each[t]);
   }
 
-  [[nodiscard]] DETENT_INLINE_TINY bool store() noexcept {
+  [[nodiscard]] bool store() noexcept {
     if (round_.is_beyond()) return false;
     bodies_a_.store(a_, group_.pushes_a);
     bodies_b_.store(b_, group_.pushes_b);
