@@ -78,6 +78,24 @@ TEST_CASE("quotients by numbers near 1 are rounded once") {
   }
 }
 
+TEST_CASE("quotients of long numbers are rounded once") {
+  using T = F::TurnShare;
+  using Whole = Fixed<53, F::Gyration::frac>;
+  test::Random random(5);
+  for (int k = 0; k < 100000; ++k) {
+    auto d = draw<Whole>(random, static_cast<int>(random.between(2, 53)));
+    auto n = draw<F::Gyration>(random);
+    if (random.coin()) {  // a tie, or next to one
+      const auto m = random.between(1, (1 << 20) - 1),
+                 odd = 2 * random.between(-(1 << 30), 1 << 30) + 1;
+      d = Whole::assume_raw(m << (T::frac + 1));
+      n = F::Gyration::assume_raw(m * odd + random.between(-1, 1));
+    }
+    if (d <= 0) continue;
+    REQUIRE(detail::quotient_of_long<T>(n, d) == quotient_nearest<T>(n, d));
+  }
+}
+
 TEST_CASE("impulses are rounded and clamped per component") {
   test::Random random(3);
   for (int k = 0; k < 50000; ++k) {

@@ -13,7 +13,7 @@
 // the compiler (an extension of GCC and Clang). Otherwise, and in constant expressions, they are an
 // array with the same operations and results.                           (tests/cull/lanes.test.cpp)
 //
-// Only this header depends on the machine's vectors.
+// Only this header and long_lanes.hpp depend on the machine's vectors.
 
 namespace detent::detail {
 

@@ -42,12 +42,9 @@ template <Scalar S, class Body>
   return share;
 }
 
-/// The first half of a substep: gravity, forces, damping, locked axes, and the spin that keeps the
-/// angular momentum at the orientation in the middle of the substep, whose axes go to `half_way`.
-/// `axes` are those of the body.
+/// The first half of a substep: gravity, forces, damping and locked axes.
 template <Scalar S, int N, class Shape>
 constexpr void accelerate(const BodyRecord<S, N, Shape>& body, Moving<S, N>& moving,
-                          const Axes<S, N>& axes, Axes<S, N>& half_way,
                           const Pace<S, N>& pace) noexcept {
   using F = Formats<S>;
   using Ratio = typename F::Ratio;
@@ -69,20 +66,28 @@ constexpr void accelerate(const BodyRecord<S, N, Shape>& body, Moving<S, N>& mov
     for (auto& w : moving.spin) w = nearest_to<typename F::Spin>(w * body.kept_spin);
   }
   lock<S, N>(body.locked, moving.velocity, moving.spin);
-  if constexpr (N == 3) {
-    if (body.inertia.is_round) return;
-    half_way = axes_of<S, 3>(turned<S, 3, 1>(body.state.orientation, moving.spin));
-    moving.spin = carried<S>(moving.spin, axes, half_way, body.inertia);
-    lock<S, N>(body.locked, moving.velocity, moving.spin);
-  }
 }
 
-/// The second half: moves by the velocity, turns by the spin, and carries the spin to the new
-/// orientation, whose axes go to `axes` if the body is not round. Positions are exact, clamped at
-/// the ends of the world.
+/// Whether a body's spin changes by itself, to keep its angular momentum.
 template <Scalar S, int N, class Shape>
-constexpr void move(BodyRecord<S, N, Shape>& body, Moving<S, N>& moving, const Axes<S, N>& half_way,
-                    Axes<S, N>& axes) noexcept {
+[[nodiscard]] constexpr bool tumbles(const BodyRecord<S, N, Shape>& body) noexcept {
+  return N == 3 && !body.inertia.is_round && body.can_move();
+}
+/// The spin that keeps the angular momentum of a body that tumbles from the axes `from` to those of the
+/// orientation q, which go to `to`.
+template <Scalar S, class Shape>
+constexpr void carry(const BodyRecord<S, 3, Shape>& body, Moving<S, 3>& moving,
+                     const Vec<typename Formats<S>::Ratio, 4>& q, const Axes<S, 3>& from,
+                     Axes<S, 3>& to) noexcept {
+  to = axes_of<S, 3>(q);
+  moving.spin = carried<S>(moving.spin, from, to, body.inertia);
+  lock<S, 3>(body.locked, moving.velocity, moving.spin);
+}
+
+/// The second half but for the turn: moves by the velocity. Places are exact, clamped at the ends of
+/// the world.
+template <Scalar S, int N, class Shape>
+constexpr void move(BodyRecord<S, N, Shape>& body, Moving<S, N>& moving) noexcept {
   using F = Formats<S>;
   if (body.can_move()) lock<S, N>(body.locked, moving.velocity, moving.spin);
   for (int i = 0; i < N; ++i) {
@@ -92,13 +97,6 @@ constexpr void move(BodyRecord<S, N, Shape>& body, Moving<S, N>& moving, const A
   }
   for (std::size_t i = 0; i < moving.spin.size(); ++i) {
     moving.turn[i] = saturate_to<typename F::Spin>(moving.turn[i] + moving.spin[i]);
-  }
-  body.state.orientation = turned<S, N>(body.state.orientation, moving.spin);
-  if constexpr (N == 3) {
-    if (body.inertia.is_round || !body.can_move()) return;
-    axes = axes_of<S, 3>(body.state.orientation);
-    moving.spin = carried<S>(moving.spin, half_way, axes, body.inertia);
-    lock<S, N>(body.locked, moving.velocity, moving.spin);
   }
 }
 

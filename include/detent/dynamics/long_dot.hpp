@@ -33,4 +33,25 @@ template <class T, class Short, class Long>
   }
 }
 
+/// n / d rounded to nearest, for d > 0, of numbers of at most 53 bits on one grid: most quotients are
+/// below 2^32 steps, and take one division of 64 bits.
+template <class T, class N, class D>
+[[nodiscard]] constexpr T quotient_of_long(const N& n, const D& d) noexcept {
+  if constexpr (is_fixed<T>) {
+    static_assert(N::frac == D::frac && N::bits <= 53 && D::bits <= 53 && T::bits <= 31);
+    using Raw = typename D::raw_type;
+    const Raw magnitude = is_negative(n.raw()) ? -n.raw() : n.raw();
+    if (magnitude >> (32 - T::frac) < d.raw()) {
+      auto quotient = short_quotient(shift_left(integer_cast<Int128>(magnitude), T::frac), d.raw());
+      // Modulo 2^64: the remainder is less than d.
+      const Raw rest = wrapping_subtract<Raw>(shift_left(magnitude, T::frac),
+                                              wrapping_multiply<Raw>(quotient, d.raw()));
+      const Raw to_next = d.raw() - rest;
+      if (rest > to_next || (rest == to_next && (quotient & 1) != 0)) ++quotient;
+      return clamp_raw<T>(is_negative(n.raw()) ? -quotient : quotient);
+    }
+  }
+  return quotient_nearest<T>(n, d);
+}
+
 }  // namespace detent::detail

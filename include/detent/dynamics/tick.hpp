@@ -10,8 +10,10 @@
 #include <type_traits>
 #include <utility>
 
+#include "detent/dynamics/contact_group.hpp"
 #include "detent/dynamics/fast.hpp"
 #include "detent/dynamics/flight.hpp"
+#include "detent/dynamics/four_flight.hpp"
 #include "detent/dynamics/islands.hpp"
 #include "detent/dynamics/joint/group.hpp"
 #include "detent/dynamics/manifold/pair.hpp"
@@ -75,8 +77,11 @@ class Tick {
     const auto ends = order(bodies);
     for (std::size_t i = 0; i < moving_.size(); ++i) moving_[i] = moving_of(bodies[i]);
     prepare_all(bodies, threads);
+    gather_all(ends, threads);
     group_.prepare(joints, bodies, supports_, pace.rate);
     for (int i = 0; i < substeps; ++i) substep(bodies, joints, pace, ends, threads);
+    scatter_all(threads);
+    group_.finish(joints);
     for_each_ready(ends, threads, [&](ReadyContact<S, N>& ready) {
       bounce(ready, found_.contacts[ready.contact], moving_[ready.a], moving_[ready.b],
              pace.bounce);
@@ -128,6 +133,9 @@ class Tick {
   };
 
   static constexpr int colours = 64;
+  static constexpr bool has_groups = has_long_lanes && is_fixed<S> && N == 3 && requires {
+    Storage::is_growing;
+  };
   using ColourEnds = std::array<std::uint32_t, colours + 1>;
 
   /// The contacts of some pairs, in order, and their manifolds.
@@ -142,9 +150,25 @@ class Tick {
     supports_.resize(bodies.size());
     moving_.resize(bodies.size());
     half_way_.resize(bodies.size());
-    threads.each(0, bodies.size(), bodies_a_call, [&](std::size_t i) {
-      if (bodies[i].generation != 0) supports_[i] = support_of<S, N>(bodies[i]);
+    each_block(bodies, threads, [&](std::size_t begin, std::size_t end) {
+      SupportQueue<has_groups, S, N, Bodies, decltype(supports_)> queue(bodies, supports_);
+      for (std::size_t i = begin; i < end; ++i) {
+        if (bodies[i].generation != 0) queue.add(i, false);
+      }
+      queue.flush();
     });
+  }
+
+  /// Calls f(begin, end) for ranges of bodies: one at a time, or as many as make some fours.
+  template <class Threads, class Visit>
+  static constexpr void each_block(const Bodies& bodies, const Threads& threads, const Visit& f) {
+    constexpr std::size_t size = 32;
+    if constexpr (has_groups) {
+      threads.each(0, (bodies.size() + size - 1) / size, bodies_a_call / size,
+                   [&](std::size_t k) { f(k * size, (std::min)((k + 1) * size, bodies.size())); });
+    } else {
+      threads.each(0, bodies.size(), bodies_a_call, [&](std::size_t i) { f(i, i + 1); });
+    }
   }
 
   /// Records where bodies are, if one of them is fast.
@@ -616,6 +640,74 @@ class Tick {
     OneThread().each(first, ready_.size(), 1, visit);
   }
 
+  /// Puts the contacts of each colour but the last side by side, if that is faster here.
+  template <class Threads>
+  constexpr void gather_all(const ColourEnds& ends, const Threads& threads) {
+    if constexpr (has_groups) {
+      // Groups have no rows for rolling.
+      are_grouped_ = !std::is_constant_evaluated() && rolling_.size() == 0;
+      if (!are_grouped_) return;
+      std::uint32_t count = 0;
+      for (std::size_t c = 0; c + 1 < colours; ++c) {
+        const auto size = ends[c] - (c == 0 ? 0 : ends[c - 1]);
+        count += (size + 3) / 4;
+        group_ends_[c] = count;
+      }
+      groups_.resize(count);
+      std::size_t g = 0;
+      for (std::size_t c = 0; c + 1 < colours; ++c) {
+        for (auto i = c == 0 ? 0 : ends[c - 1]; i < ends[c]; i += 4) {
+          groups_[g].first = i;
+          groups_[g++].size = static_cast<std::uint8_t>((std::min)(ends[c] - i, std::uint32_t{4}));
+        }
+      }
+      threads.each(0, groups_.size(), groups_a_call, [&](std::size_t k) {
+        gather(groups_[k], &ready_[groups_[k].first], found_.contacts.data());
+      });
+    }
+  }
+  template <class Threads>
+  constexpr void scatter_all(const Threads& threads) {
+    if constexpr (has_groups) {
+      if (!are_grouped_) return;
+      threads.each(0, groups_.size(), groups_a_call, [&](std::size_t k) {
+        scatter(groups_[k], &ready_[groups_[k].first], found_.contacts.data());
+      });
+    }
+  }
+
+  /// Solves each contact that is awake in order of colours: `together` a group of them, or `alone`
+  /// one, which is also for groups that `together` refuses.
+  template <class Threads, class Together, class Alone>
+  constexpr void solve_each(const ColourEnds& ends, const Threads& threads,
+                            const Together& together, const Alone& alone) {
+    if constexpr (has_groups) {
+      if (are_grouped_) {
+        const auto visit = [&](std::size_t g) {
+          auto& group = groups_[g];
+          GroupSolver<LongLanes, S> solver(group, moving_.data());
+          if (together(solver)) return;
+          auto* ready = &ready_[group.first];
+          scatter(group, ready, found_.contacts.data());
+          for (std::size_t k = 0; k < group.size; ++k) alone(ready[k]);
+          gather_impulses(group, ready, found_.contacts.data());
+        };
+        std::size_t first = 0;
+        if constexpr (Threads::are_many) {
+          for (const auto end : group_ends_) {
+            threads.each(first, end, groups_a_call, visit);
+            first = end;
+          }
+        }
+        OneThread().each(first, groups_.size(), 1, visit);
+        OneThread().each(ends[colours - 2], ready_.size(), 1,
+                         [&](std::size_t i) { alone(ready_[i]); });
+        return;
+      }
+    }
+    for_each_ready(ends, threads, alone);
+  }
+
   template <class Threads>
   constexpr void prepare_all(const Bodies& bodies, const Threads& threads) {
     using Ratio = typename F::Ratio;
@@ -661,41 +753,141 @@ class Tick {
     });
   }
 
+  /// Turns bodies by their spins, half-way or to their new orientation, and carries the spins of those
+  /// that tumble; four at once where that is faster.
+  template <int Halvings>
+  struct Turner {
+    struct Nothing {};
+    struct Fours {
+      std::size_t size = 0;
+      Quad<std::uint32_t> waiting{};
+      FourTurns<S> turns{};
+    };
+    Tick& tick;
+    Bodies& bodies;
+    std::conditional_t<has_groups, Fours, Nothing> fours{};
+
+    constexpr void add(std::size_t i) {
+      if constexpr (has_groups) {
+        if (!std::is_constant_evaluated()) {
+          fours.waiting[fours.size++] = static_cast<std::uint32_t>(i);
+          if (fours.size == long_lane_count) turn();
+          return;
+        }
+      }
+      turned_to(i, turned<S, N, Halvings>(bodies[i].state.orientation, tick.moving_[i].spin));
+    }
+    constexpr void flush() {
+      if constexpr (has_groups) {
+        if (fours.size != 0) turn();
+        if (fours.turns.size != 0) carry_on();
+      }
+    }
+
+   private:
+    /// Goes on with a body's orientation.
+    constexpr void turned_to(std::size_t i, const auto& orientation) {
+      Body& body = bodies[i];
+      if constexpr (Halvings == 0) body.state.orientation = orientation;
+      if constexpr (N == 3) {
+        if (!tumbles(body)) return;
+        auto &axes = tick.supports_[i].axes, &half_way = tick.half_way_[i];
+        const auto& from = Halvings == 0 ? half_way : axes;
+        auto& to = Halvings == 0 ? axes : half_way;
+        if constexpr (has_groups) {
+          if (!std::is_constant_evaluated()) {
+            fours.turns.add(static_cast<std::uint32_t>(i), orientation, body.inertia, from, to);
+            if (fours.turns.size == long_lane_count) carry_on();
+            return;
+          }
+        }
+        carry(body, tick.moving_[i], orientation, from, to);
+      }
+    }
+    constexpr void turn() {
+      Quad<const BodyState<S, N>*> states{};
+      Quad<Vec<typename F::Ratio, 4>> result{};
+      for (std::size_t k = fours.size; k < long_lane_count; ++k)
+        fours.waiting[k] = fours.waiting[0];
+      for (std::size_t k = 0; k < long_lane_count; ++k) states[k] = &bodies[fours.waiting[k]].state;
+      const bool is_done =
+          turn_four<LongLanes, Halvings, S>(states, tick.moving_.data(), fours.waiting, result);
+      for (std::size_t k = 0; k < fours.size; ++k) {
+        const auto i = fours.waiting[k];
+        turned_to(
+            i, is_done ? result[k]
+                       : turned<S, N, Halvings>(bodies[i].state.orientation, tick.moving_[i].spin));
+      }
+      fours.size = 0;
+    }
+    constexpr void carry_on() {
+      const bool is_done = carry_four<LongLanes>(fours.turns, tick.moving_.data());
+      for (std::size_t k = 0; k < fours.turns.size; ++k) {
+        const auto i = fours.turns.body[k];
+        auto& moving = tick.moving_[i];
+        if (is_done) {
+          lock<S, N>(bodies[i].locked, moving.velocity, moving.spin);
+        } else {
+          carry(bodies[i], moving, fours.turns.orientation[k], *fours.turns.from[k],
+                *fours.turns.to[k]);
+        }
+      }
+      fours.turns.size = 0;
+    }
+  };
+
   template <class Threads>
   constexpr void substep(Bodies& bodies, Joints& joints, const Pace<S, N>& pace,
                          const ColourEnds& ends, const Threads& threads) {
-    threads.each(0, bodies.size(), bodies_a_call, [&](std::size_t i) {
-      if (is_awake(bodies[i])) {
-        accelerate(bodies[i], moving_[i], supports_[i].axes, half_way_[i], pace);
+    each_block(bodies, threads, [&](std::size_t begin, std::size_t end) {
+      Turner<1> turner{*this, bodies};
+      for (std::size_t i = begin; i < end; ++i) {
+        if (!is_awake(bodies[i])) continue;
+        accelerate(bodies[i], moving_[i], pace);
+        if (tumbles(bodies[i])) turner.add(i);
       }
+      turner.flush();
     });
-    group_.warm_start(joints, moving_);
-    for_each_ready(ends, threads, [&](const ReadyContact<S, N>& ready) {
-      const auto& contact = found_.contacts[ready.contact];
-      warm_start(ready, contact, moving_[ready.a], moving_[ready.b]);
-      if constexpr (has_round) {
-        warm_start_rolling(ready, contact, moving_[ready.a], moving_[ready.b]);
+    group_.warm_start(joints, moving_, supports_);
+    solve_each(
+        ends, threads, [](auto& solver) { return solver.warm_start(); },
+        [&](const ReadyContact<S, N>& ready) {
+          const auto& contact = found_.contacts[ready.contact];
+          warm_start(ready, contact, moving_[ready.a], moving_[ready.b]);
+          if constexpr (has_round) {
+            warm_start_rolling(ready, contact, moving_[ready.a], moving_[ready.b]);
+          }
+        });
+    group_.template solve_all<Pass::biased>(joints, moving_, supports_);
+    solve_each(
+        ends, threads, [&](auto& solver) { return solver.template solve<Pass::biased>(pace.push); },
+        [&](ReadyContact<S, N>& ready) {
+          solve_pressure<Pass::biased>(ready, found_.contacts[ready.contact], moving_[ready.a],
+                                       moving_[ready.b], pace.push);
+        });
+    each_block(bodies, threads, [&](std::size_t begin, std::size_t end) {
+      Turner<0> turner{*this, bodies};
+      for (std::size_t i = begin; i < end; ++i) {
+        if (!is_awake(bodies[i]) && !is_driven(bodies[i])) continue;
+        move(bodies[i], moving_[i]);
+        turner.add(i);
       }
-    });
-    group_.template solve_all<Pass::biased>(joints, moving_);
-    for_each_ready(ends, threads, [&](ReadyContact<S, N>& ready) {
-      solve_pressure<Pass::biased>(ready, found_.contacts[ready.contact], moving_[ready.a],
-                                   moving_[ready.b], pace.push);
-    });
-    threads.each(0, bodies.size(), bodies_a_call, [&](std::size_t i) {
-      const bool moves = is_awake(bodies[i]) || is_driven(bodies[i]);
-      if (moves) move(bodies[i], moving_[i], half_way_[i], supports_[i].axes);
+      turner.flush();
     });
     group_.follow(joints, bodies, supports_);
-    group_.template solve_all<Pass::relaxed>(joints, moving_);
-    for_each_ready(ends, threads, [&](ReadyContact<S, N>& ready) {
-      auto& contact = found_.contacts[ready.contact];
-      solve_pressure<Pass::relaxed>(ready, contact, moving_[ready.a], moving_[ready.b], pace.push);
-      if constexpr (has_round) {
-        solve_rolling(ready, contact, moving_[ready.a], moving_[ready.b]);
-      }
-      solve_friction(ready, contact, moving_[ready.a], moving_[ready.b]);
-    });
+    group_.template solve_all<Pass::relaxed>(joints, moving_, supports_);
+    solve_each(
+        ends, threads,
+        [&](auto& solver) { return solver.template solve<Pass::relaxed>(pace.push); },
+        [&](ReadyContact<S, N>& ready) {
+          auto& contact = found_.contacts[ready.contact];
+          solve_pressure<Pass::relaxed>(ready, contact, moving_[ready.a], moving_[ready.b],
+                                        pace.push);
+          if constexpr (has_round) {
+            solve_rolling(ready, contact, moving_[ready.a], moving_[ready.b]);
+          }
+          solve_friction(ready, contact, moving_[ready.a], moving_[ready.b]);
+        });
   }
 
   /// Writes velocities back, and lets quiet islands sleep.
@@ -782,6 +974,7 @@ class Tick {
   static constexpr std::size_t bodies_a_call = 64;
   static constexpr std::size_t pairs_a_call = 32;
   static constexpr std::size_t contacts_a_call = 32;
+  static constexpr std::size_t groups_a_call = 8;
 
   List<Support<S, N>, bodies_room> supports_;
   List<Standing<S, N>, bodies_room> starts_;  // empty without a fast body
@@ -794,6 +987,10 @@ class Tick {
   List<Search, 0> searches_;  // of worlds that grow, on several threads
   List<ReadyContact<S, N>, contacts_room> ready_;
   List<Rolling<S, N>, has_round ? contacts_room : 0> rolling_;  // empty if no body resists it
+  List<std::conditional_t<is_fixed<S> && N == 3, ContactGroup<S>, char>, 0>
+      groups_;  // of worlds that grow, on machines with long lanes
+  std::array<std::uint32_t, colours - 1> group_ends_{};
+  bool are_grouped_ = false;
   List<std::uint8_t, contacts_room> colour_;
   List<std::uint64_t, bodies_room> used_;
   List<std::uint8_t, bodies_room> awake_;

@@ -40,6 +40,7 @@ class Aim {
   using Reach = typename F::Reach;
   using Speed = typename F::Speed;
   using Spin = typename F::Spin;
+  using TurnShare = typename F::TurnShare;
 
   constexpr Aim(Ready& ready, const Support<S, N>& a, const Support<S, N>& b) noexcept
       : ready_(ready), a_(a), b_(b), spread_a_(a.spread), spread_b_(b.spread) {
@@ -59,17 +60,11 @@ class Aim {
   constexpr void operator()(const BallJoint<S, N>& joint) noexcept { point(joint); }
   constexpr void operator()(const HingeJoint<S, N>& joint) noexcept {
     point(joint);
-    find_axes(joint);
-    turning();
-    if (ready_.turn[1].terms.law == Law::none) return;
-    const auto angle = angle_of_vector<S>(cosine(0, 0), cosine(1, 0));
-    turn(1, hinge_axis(), saturate_to<Spin>(angle - joint.lower));
-    turn(2, reversed(hinge_axis()), saturate_to<Spin>(joint.upper - angle));
+    aim_turns(joint);
   }
   constexpr void operator()(const WeldJoint<S, N>& joint) noexcept {
     point(joint);
-    find_axes(joint);
-    stiff();
+    aim_turns(joint);
   }
   constexpr void operator()(const SliderJoint<S, N>& joint) noexcept {
     find_axes(joint);
@@ -80,6 +75,22 @@ class Aim {
     find_axes(joint);
     line(joint);
     turning();
+  }
+
+  /// The rows of turns alone, of joints that keep two points together.
+  template <class Joint>
+  constexpr void aim_turns(const Joint&) noexcept {}
+  constexpr void aim_turns(const HingeJoint<S, N>& joint) noexcept {
+    find_axes(joint);
+    turning();
+    if (ready_.turn[1].terms.law == Law::none) return;
+    const auto angle = angle_of_vector<S>(cosine(0, 0), cosine(1, 0));
+    turn(1, hinge_axis(), saturate_to<Spin>(angle - joint.lower));
+    turn_back(2, 1, saturate_to<Spin>(joint.upper - angle));
+  }
+  constexpr void aim_turns(const WeldJoint<S, N>& joint) noexcept {
+    find_axes(joint);
+    stiff();
   }
 
  private:
@@ -144,6 +155,26 @@ class Aim {
       row.terms.most = nearest_to<typename F::Turn>(ready_.torque * whole);
       if (row.terms.most < 0) row.terms.most = {};
     }
+    row.gap = gap;
+  }
+
+  /// Row i turns about the axis opposite to that of row j: the shares are the negative ones, unless
+  /// one is at the end of its range.
+  constexpr void turn_back(std::size_t i, std::size_t j, const Spin& gap) noexcept {
+    auto& row = ready_.turn[i];
+    const auto& other = ready_.turn[j];
+    if (row.terms.law == Law::none) return;
+    const auto copy = [](auto& to, const auto& from) {
+      bool is_within = true;
+      for (std::size_t k = 0; k < from.size(); ++k) {
+        to[k] = narrow_negative(from[k]);
+        is_within = is_within && abs(from[k]) < TurnShare(64);
+      }
+      return is_within;
+    };
+    const bool are_within = copy(row.on_a, other.on_a) && copy(row.on_b, other.on_b);
+    if (!are_within) return turn(i, reversed(other.axis), gap);
+    row.axis = reversed(other.axis);
     row.gap = gap;
   }
 

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "detent/dynamics/flight.hpp"
 #include "detent/dynamics/joint/aim.hpp"
+#include "detent/dynamics/joint/four_joints.hpp"
 
 namespace detent::detail {
 
@@ -77,6 +79,7 @@ class JointGroup {
       joined_[pair.a] = joined_[pair.b] = 1;
       ready_.push_back(ready);
     }
+    if constexpr (has_fours) line_up(joints, bodies);
     aim(joints, supports);
   }
 
@@ -85,49 +88,58 @@ class JointGroup {
   template <class Bodies, class Supports>
   constexpr void follow(const List& joints, const Bodies& bodies, Supports& supports) {
     if (ready_.size() == 0) return;
+    SupportQueue<has_fours, S, N, Bodies, Supports> queue(bodies, supports);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (joined_[i] != 0 && bodies[i].motion != BodyMotion::fixed) {
-        supports[i] = N == 3 && bodies[i].can_move() && !bodies[i].inertia.is_round
-                          ? support_of<S, N>(bodies[i], supports[i].axes)
-                          : support_of<S, N>(bodies[i]);
+        queue.add(i, tumbles(bodies[i]));
       }
     }
+    queue.flush();
     aim(joints, supports);
   }
 
-  template <class Movings>
-  constexpr void warm_start(const List& joints, Movings& moving) noexcept {
-    for (std::size_t i = 0; i < ready_.size(); ++i) {
-      const Ready& ready = ready_[i];
-      const Record& record = joints[ready.joint];
-      auto &a = moving[ready.a], &b = moving[ready.b];
-      for (std::size_t k = 0; k < record.turn.size(); ++k) {
-        if (ready.turn[k].terms.law != Law::none) apply(ready.turn[k], record.turn[k], a, b);
-      }
-      for (std::size_t k = 0; k < record.push.size(); ++k) {
-        const auto& row = ready.push[k];
-        if (row.terms.law != Law::none) apply(row.thrust, row.row, record.push[k], a, b);
-      }
-    }
+  template <class Movings, class Supports>
+  constexpr void warm_start(List& joints, Movings& moving, const Supports& supports) {
+    visit(
+        joints, moving, supports, [](auto& solver) { return solver.warm_start(); },
+        [&](Ready& ready) {
+          const Record& record = joints[ready.joint];
+          auto &a = moving[ready.a], &b = moving[ready.b];
+          for (std::size_t k = 0; k < record.turn.size(); ++k) {
+            if (ready.turn[k].terms.law != Law::none) apply(ready.turn[k], record.turn[k], a, b);
+          }
+          for (std::size_t k = 0; k < record.push.size(); ++k) {
+            const auto& row = ready.push[k];
+            if (row.terms.law != Law::none) apply(row.thrust, row.row, record.push[k], a, b);
+          }
+        });
   }
 
-  template <Pass pass, class Movings>
-  constexpr void solve_all(List& joints, Movings& moving) noexcept {
-    for (std::size_t i = 0; i < ready_.size(); ++i) {
-      Ready& ready = ready_[i];
-      Record& record = joints[ready.joint];
-      auto &a = moving[ready.a], &b = moving[ready.b];
-      for (std::size_t k = 0; k < record.turn.size(); ++k) {
-        if (ready.turn[k].terms.law == Law::none) continue;
-        solve<pass>(ready.turn[k], record.turn[k], a, b);
-      }
-      for (std::size_t k = 0; k < record.push.size(); ++k) {
-        if (ready.push[k].terms.law == Law::none) continue;
-        solve<pass>(ready.push[k], record.push[k], a, b);
-      }
-      if (pass == Pass::relaxed && ready.breaks && is_overloaded(ready, record)) {
-        ready.is_broken = true;
-      }
+  template <Pass pass, class Movings, class Supports>
+  constexpr void solve_all(List& joints, Movings& moving, const Supports& supports) {
+    visit(
+        joints, moving, supports, [](auto& solver) { return solver.template solve<pass>(); },
+        [&](Ready& ready) {
+          Record& record = joints[ready.joint];
+          auto &a = moving[ready.a], &b = moving[ready.b];
+          for (std::size_t k = 0; k < record.turn.size(); ++k) {
+            if (ready.turn[k].terms.law == Law::none) continue;
+            solve<pass>(ready.turn[k], record.turn[k], a, b);
+          }
+          for (std::size_t k = 0; k < record.push.size(); ++k) {
+            if (ready.push[k].terms.law == Law::none) continue;
+            solve<pass>(ready.push[k], record.push[k], a, b);
+          }
+          if (pass == Pass::relaxed && ready.breaks && is_overloaded(ready, record)) {
+            ready.is_broken = true;
+          }
+        });
+  }
+
+  /// Writes the impulses back, after the last pass of a tick.
+  constexpr void finish(List& joints) noexcept {
+    if constexpr (has_fours) {
+      for (auto& four : fours_) scatter(four, joints);
     }
   }
 
@@ -142,12 +154,166 @@ class JointGroup {
  private:
   using Ready = ReadyJoint<S, N, Record::push_room, Record::turn_room>;
 
+  /// Joints in the order in which they are solved: one, or four.
+  struct Place {
+    bool is_four = false;
+    std::uint32_t index = 0;
+  };
+
+  static constexpr bool has_fours = uses_long_lanes<Storage, S, N>;
+  using FourOf = std::conditional_t<is_fixed<S> && N == 3, FourJoints<S, Record::turn_room>, Place>;
+  /// A joint, how many others come before it at least, and its kind.
+  struct Line {
+    std::uint32_t depth = 0, kind = 0, ready = 0;
+    [[nodiscard]] friend constexpr auto operator<=>(const Line&, const Line&) noexcept = default;
+  };
+
+  /// Calls together(solver) for four joints or alone(ready) for one, in the order of their bodies'
+  /// joints, and `alone` for the four that `together` refuses.
+  template <class Movings, class Supports, class Together, class Alone>
+  constexpr void visit(List& joints, Movings& moving, const Supports& supports,
+                       const Together& together, const Alone& alone) {
+    if constexpr (has_fours) {
+      for (const auto& turn : turns_) {
+        if (!turn.is_four) {
+          alone(ready_[turn.index]);
+          continue;
+        }
+        auto& four = fours_[turn.index];
+        if (!four.is_alone) {
+          FourJointsSolver<LongLanes, S, Record::turn_room> solver(four, moving.data());
+          if (together(solver)) continue;
+        }
+        scatter(four, joints);
+        for (std::size_t k = 0; k < four.size; ++k) {
+          Ready& ready = ready_[four.ready[k]];
+          aim(ready, joints, supports);
+          alone(ready);
+        }
+        gather(four, joints);
+      }
+    } else {
+      for (std::size_t i = 0; i < ready_.size(); ++i) alone(ready_[i]);
+    }
+  }
+
+  /// Puts joints of a kind side by side. A joint comes after all earlier ones of its bodies that can
+  /// move, so those with as many before them share none and may be solved in any order.
+  template <class Bodies>
+  constexpr void line_up(const List& joints, const Bodies& bodies) requires(has_fours) {
+    turns_.clear();
+    fours_.clear();
+    lines_.clear();
+    depth_.clear();
+    depth_.resize(bodies.size());
+    for (std::uint32_t i = 0; i < ready_.size(); ++i) {
+      const Ready& ready = ready_[i];
+      const auto &a = bodies[ready.a], &b = bodies[ready.b];
+      const auto depth = (std::max)(a.can_move() ? depth_[ready.a] : std::uint32_t{0},
+                                    b.can_move() ? depth_[ready.b] : std::uint32_t{0});
+      if (a.can_move()) depth_[ready.a] = depth + 1;
+      if (b.can_move()) depth_[ready.b] = depth + 1;
+      const bool is_locked = (a.can_move() && a.locked != 0) || (b.can_move() && b.locked != 0);
+      const auto kind = is_locked || std::is_constant_evaluated()
+                            ? std::uint32_t{0}
+                            : joints[ready.joint].joint.visit(
+                                  [&](const auto& joint) { return kind_of<S>(joint, ready); });
+      lines_.push_back({depth, kind, i});
+    }
+    std::sort(lines_.begin(), lines_.end());
+    for (std::size_t i = 0; i < lines_.size();) {
+      if (lines_[i].kind == 0) {
+        turns_.push_back({false, lines_[i++].ready});
+        continue;
+      }
+      FourOf four;
+      const auto first = lines_[i];
+      for (; i < lines_.size() && four.size < 4 && lines_[i].depth == first.depth &&
+             lines_[i].kind == first.kind;
+           ++i) {
+        four.ready[four.size++] = lines_[i].ready;
+      }
+      place(four, joints, bodies);
+      turns_.push_back({true, static_cast<std::uint32_t>(fours_.size())});
+      fours_.push_back(four);
+    }
+  }
+  template <class Bodies>
+  constexpr void place(FourOf& four, const List& joints, const Bodies& bodies) const {
+    for (std::size_t k = 0; k < long_lane_count; ++k) {
+      const Ready& ready = ready_[four.ready[k < four.size ? k : 0]];
+      four.a[k] = ready.a;
+      four.b[k] = ready.b;
+      if (k >= four.size) continue;
+      four.moves_a[k] = bodies[ready.a].can_move();
+      four.moves_b[k] = bodies[ready.b].can_move();
+      four.share_a[k] = ready.share_a;
+      four.share_b[k] = ready.share_b;
+      joints[ready.joint].joint.visit([&](const auto& joint) {
+        for (std::size_t i = 0; i < 3; ++i) {
+          four.anchor_a[i][k] = joint.anchor_a[static_cast<int>(i)];
+          four.anchor_b[i][k] = joint.anchor_b[static_cast<int>(i)];
+        }
+      });
+      for (std::size_t i = 0; i < ready.turn.size(); ++i) {
+        four.turn[i].law = ready.turn[i].terms.law;
+      }
+    }
+    gather(four, joints);
+  }
+  constexpr void gather(FourOf& four, const List& joints) const noexcept {
+    for (std::size_t k = 0; k < four.size; ++k) {
+      const Record& record = joints[ready_[four.ready[k]].joint];
+      for (std::size_t i = 0; i < 3; ++i) four.total[i][k] = record.push[i];
+      for (std::size_t i = 0; i < record.turn.size(); ++i) four.turn[i].total[k] = record.turn[i];
+    }
+  }
+  constexpr void scatter(const FourOf& four, List& joints) const noexcept {
+    for (std::size_t k = 0; k < four.size; ++k) {
+      Record& record = joints[ready_[four.ready[k]].joint];
+      for (std::size_t i = 0; i < 3; ++i) record.push[i] = four.total[i][k];
+      for (std::size_t i = 0; i < record.turn.size(); ++i) record.turn[i] = four.turn[i].total[k];
+    }
+  }
+
   template <class Supports>
   constexpr void aim(const List& joints, const Supports& supports) {
-    for (std::size_t i = 0; i < ready_.size(); ++i) {
-      Ready& ready = ready_[i];
+    if constexpr (has_fours) {
+      for (const auto& turn : turns_) {
+        if (turn.is_four) {
+          aim(fours_[turn.index], joints, supports);
+        } else {
+          aim(ready_[turn.index], joints, supports);
+        }
+      }
+    } else {
+      for (std::size_t i = 0; i < ready_.size(); ++i) aim(ready_[i], joints, supports);
+    }
+  }
+  template <class Supports>
+  static constexpr void aim(Ready& ready, const List& joints, const Supports& supports) {
+    Aim<S, N, Ready> rows(ready, supports[ready.a], supports[ready.b]);
+    joints[ready.joint].joint.visit(rows);
+  }
+  template <class Supports>
+  constexpr void aim(FourOf& four, const List& joints, const Supports& supports) {
+    four.is_alone = !aim_points<LongLanes>(four, supports.data());
+    bool turns = false;
+    for (const auto& row : four.turn) turns = turns || row.law != Law::none;
+    for (std::size_t k = 0; turns && !four.is_alone && k < four.size; ++k) {
+      Ready& ready = ready_[four.ready[k]];
       Aim<S, N, Ready> rows(ready, supports[ready.a], supports[ready.b]);
-      joints[ready.joint].joint.visit(rows);
+      joints[ready.joint].joint.visit([&](const auto& joint) { rows.aim_turns(joint); });
+      for (std::size_t i = 0; i < ready.turn.size(); ++i) {
+        const auto& from = ready.turn[i];
+        auto& to = four.turn[i];
+        for (std::size_t c = 0; c < 3; ++c) {
+          to.axis[c][k] = from.axis[c];
+          to.on_a[c][k] = from.on_a[c];
+          to.on_b[c][k] = from.on_b[c];
+        }
+        to.gap[k] = from.gap;
+      }
     }
   }
 
@@ -169,6 +335,12 @@ class JointGroup {
   typename Storage::template List<Ready, room> ready_;
   typename Storage::template List<BodyPair, room> apart_;
   typename Storage::template List<std::uint8_t, Storage::capacity> joined_;
+
+  // Of worlds that grow, on machines with long lanes.
+  typename Storage::template List<FourOf, 0> fours_;
+  typename Storage::template List<Place, 0> turns_;
+  typename Storage::template List<Line, 0> lines_;
+  typename Storage::template List<std::uint32_t, 0> depth_;
 };
 
 /// A world without joint types.
@@ -190,10 +362,11 @@ class JointGroup<Storage, S, N> {
   static constexpr void prepare(const List&, const Bodies&, const Supports&, int) noexcept {}
   template <class Bodies, class Supports>
   static constexpr void follow(const List&, const Bodies&, const Supports&) noexcept {}
-  template <class Movings>
-  static constexpr void warm_start(const List&, const Movings&) noexcept {}
-  template <Pass, class Movings>
-  static constexpr void solve_all(const List&, const Movings&) noexcept {}
+  template <class Movings, class Supports>
+  static constexpr void warm_start(const List&, const Movings&, const Supports&) noexcept {}
+  template <Pass, class Movings, class Supports>
+  static constexpr void solve_all(const List&, const Movings&, const Supports&) noexcept {}
+  static constexpr void finish(const List&) noexcept {}
   template <class F>
   static constexpr void for_each_broken(const F&) noexcept {}
 };

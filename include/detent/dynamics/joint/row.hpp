@@ -69,7 +69,7 @@ constexpr auto share_out(TurnRow<S, N>& row, const Spread<typename F::Gyration, 
       } else {
         const auto line =
             make_vec<3>([&](int j) { return spread[entry<3>(static_cast<int>(i), j)]; });
-        y[i] = nearest_to<Gyration>(dot(line, from_array(row.axis)));
+        y[i] = nearest_dot<Gyration>(from_array(row.axis), line);
       }
     }
     return y;
@@ -78,14 +78,14 @@ constexpr auto share_out(TurnRow<S, N>& row, const Spread<typename F::Gyration, 
     if constexpr (N == 2) {
       return nearest_to<Gyration>(row.axis[0] * y[0]);
     } else {
-      return nearest_to<Gyration>(dot(from_array(row.axis), from_array(y)));
+      return nearest_dot<Gyration>(from_array(row.axis), from_array(y));
     }
   };
   const auto y_a = times_axis(spread_a), y_b = times_axis(spread_b);
   const auto whole = along_axis(y_a) + along_axis(y_b);
   for (std::size_t i = 0; i < y_a.size(); ++i) {
-    row.on_a[i] = whole > 0 ? quotient_nearest<TurnShare>(y_a[i], whole) : TurnShare{};
-    row.on_b[i] = whole > 0 ? quotient_nearest<TurnShare>(y_b[i], whole) : TurnShare{};
+    row.on_a[i] = whole > 0 ? quotient_of_long<TurnShare>(y_a[i], whole) : TurnShare{};
+    row.on_b[i] = whole > 0 ? quotient_of_long<TurnShare>(y_b[i], whole) : TurnShare{};
   }
   return whole;
 }

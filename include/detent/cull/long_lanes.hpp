@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "detent/number/require_cxx20.hpp"
+
+// Four integers of 64 bits side by side, and the product of 32 by 32 bits: one vector with AVX2, an
+// array with the same operations elsewhere.                 (tests/cull/long_lanes.test.cpp)
+
+namespace detent::detail {
+
+inline constexpr std::size_t long_lane_count = 4;
+using LongWord = std::int64_t;
+using LongWords = std::array<LongWord, long_lane_count>;
+
+/// All operations are modulo 2^64.
+class ArrayLongLanes {
+ public:
+  constexpr ArrayLongLanes() noexcept = default;
+  explicit constexpr ArrayLongLanes(std::int64_t x) noexcept { words_.fill(x); }
+  explicit constexpr ArrayLongLanes(const LongWords& words) noexcept : words_(words) {}
+  explicit constexpr ArrayLongLanes(const std::array<std::int32_t, long_lane_count>& x) noexcept {
+    for (std::size_t k = 0; k < long_lane_count; ++k) words_[k] = x[k];
+  }
+
+  [[nodiscard]] constexpr LongWords words() const noexcept { return words_; }
+  /// The lower halves.
+  [[nodiscard]] constexpr std::array<std::int32_t, long_lane_count> halves() const noexcept {
+    std::array<std::int32_t, long_lane_count> result{};
+    for (std::size_t k = 0; k < long_lane_count; ++k) {
+      result[k] = static_cast<std::int32_t>(words_[k]);
+    }
+    return result;
+  }
+
+  [[nodiscard]] friend constexpr ArrayLongLanes operator+(const ArrayLongLanes& a,
+                                                          const ArrayLongLanes& b) noexcept {
+    return each(a, b, [](std::uint64_t x, std::uint64_t y) { return x + y; });
+  }
+  [[nodiscard]] friend constexpr ArrayLongLanes operator-(const ArrayLongLanes& a,
+                                                          const ArrayLongLanes& b) noexcept {
+    return each(a, b, [](std::uint64_t x, std::uint64_t y) { return x - y; });
+  }
+  [[nodiscard]] friend constexpr ArrayLongLanes operator&(const ArrayLongLanes& a,
+                                                          const ArrayLongLanes& b) noexcept {
+    return each(a, b, [](std::uint64_t x, std::uint64_t y) { return x & y; });
+  }
+  [[nodiscard]] friend constexpr ArrayLongLanes operator|(const ArrayLongLanes& a,
+                                                          const ArrayLongLanes& b) noexcept {
+    return each(a, b, [](std::uint64_t x, std::uint64_t y) { return x | y; });
+  }
+  /// Shifts zeros in.
+  [[nodiscard]] friend constexpr ArrayLongLanes operator>>(const ArrayLongLanes& a,
+                                                           int shift) noexcept {
+    return each(a, a, [&](std::uint64_t x, std::uint64_t) { return x >> shift; });
+  }
+  [[nodiscard]] friend constexpr ArrayLongLanes operator<<(const ArrayLongLanes& a,
+                                                           int shift) noexcept {
+    return each(a, a, [&](std::uint64_t x, std::uint64_t) { return x << shift; });
+  }
+  /// The product of the lower halves, with their signs.
+  [[nodiscard]] static constexpr ArrayLongLanes product(const ArrayLongLanes& a,
+                                                        const ArrayLongLanes& b) noexcept {
+    return each(a, b, [](std::uint64_t x, std::uint64_t y) {
+      return static_cast<std::uint64_t>(std::int64_t{static_cast<std::int32_t>(x)} *
+                                        static_cast<std::int32_t>(y));
+    });
+  }
+  /// All bits of the lanes of a that are above those of b.
+  [[nodiscard]] static constexpr ArrayLongLanes above(const ArrayLongLanes& a,
+                                                      const ArrayLongLanes& b) noexcept {
+    return each(a, b, [](std::uint64_t x, std::uint64_t y) {
+      return static_cast<std::int64_t>(x) > static_cast<std::int64_t>(y) ? ~std::uint64_t{0} : 0;
+    });
+  }
+  /// The lanes of a where `marks` has all bits, and those of b where it has none.
+  [[nodiscard]] static constexpr ArrayLongLanes select(const ArrayLongLanes& marks,
+                                                       const ArrayLongLanes& a,
+                                                       const ArrayLongLanes& b) noexcept {
+    ArrayLongLanes result;
+    for (std::size_t k = 0; k < long_lane_count; ++k) {
+      result.words_[k] = marks.words_[k] != 0 ? a.words_[k] : b.words_[k];
+    }
+    return result;
+  }
+  /// Whether a bit is set.
+  [[nodiscard]] constexpr bool any() const noexcept {
+    return (words_[0] | words_[1] | words_[2] | words_[3]) != 0;
+  }
+
+  /// Word w of record k in lane k of element w, for the first four words of four records.
+  [[nodiscard]] static std::array<ArrayLongLanes, 4> load(
+      const std::array<const void*, long_lane_count>& records) noexcept {
+    std::array<ArrayLongLanes, 4> result{};
+    for (std::size_t k = 0; k < long_lane_count; ++k) {
+      LongWords words;
+      std::memcpy(&words, records[k], sizeof words);
+      for (std::size_t w = 0; w < 4; ++w) result[w].words_[k] = words[w];
+    }
+    return result;
+  }
+  /// The reverse of `load`. The records are stored in order of lanes.
+  static void store(const std::array<ArrayLongLanes, 4>& lanes,
+                    const std::array<void*, long_lane_count>& records) noexcept {
+    for (std::size_t k = 0; k < long_lane_count; ++k) {
+      LongWords words{};
+      for (std::size_t w = 0; w < 4; ++w) words[w] = lanes[w].words_[k];
+      std::memcpy(records[k], &words, sizeof words);
+    }
+  }
+
+ private:
+  template <class F>
+  static constexpr ArrayLongLanes each(const ArrayLongLanes& a, const ArrayLongLanes& b,
+                                       const F& f) noexcept {
+    ArrayLongLanes result;
+    for (std::size_t k = 0; k < long_lane_count; ++k) {
+      result.words_[k] = static_cast<std::int64_t>(
+          f(static_cast<std::uint64_t>(a.words_[k]), static_cast<std::uint64_t>(b.words_[k])));
+    }
+    return result;
+  }
+
+  LongWords words_{};
+};
+
+#if defined(__GNUC__) && defined(__AVX2__)
+class VectorLongLanes {
+  typedef std::uint64_t Words __attribute__((vector_size(32)));
+  typedef std::int64_t Signed __attribute__((vector_size(32)));
+  typedef std::int32_t Halves __attribute__((vector_size(32)));
+  typedef std::int32_t Short __attribute__((vector_size(16)));
+
+ public:
+  VectorLongLanes() noexcept : words_{} {}
+  explicit VectorLongLanes(std::int64_t x) noexcept
+      : words_(static_cast<std::uint64_t>(x) - Words{}) {}
+  explicit VectorLongLanes(const LongWords& words) noexcept : words_(std::bit_cast<Words>(words)) {}
+  explicit VectorLongLanes(const std::array<std::int32_t, long_lane_count>& x) noexcept
+      : words_(std::bit_cast<Words>(__builtin_convertvector(std::bit_cast<Short>(x), Signed))) {}
+
+  [[nodiscard]] LongWords words() const noexcept { return std::bit_cast<LongWords>(words_); }
+  [[nodiscard]] std::array<std::int32_t, long_lane_count> halves() const noexcept {
+    const auto halves = std::bit_cast<Halves>(words_);
+    return std::bit_cast<std::array<std::int32_t, long_lane_count>>(
+        __builtin_shufflevector(halves, halves, 0, 2, 4, 6));
+  }
+
+  [[nodiscard]] friend VectorLongLanes operator+(const VectorLongLanes& a,
+                                                 const VectorLongLanes& b) noexcept {
+    return VectorLongLanes(a.words_ + b.words_);
+  }
+  [[nodiscard]] friend VectorLongLanes operator-(const VectorLongLanes& a,
+                                                 const VectorLongLanes& b) noexcept {
+    return VectorLongLanes(a.words_ - b.words_);
+  }
+  [[nodiscard]] friend VectorLongLanes operator&(const VectorLongLanes& a,
+                                                 const VectorLongLanes& b) noexcept {
+    return VectorLongLanes(a.words_ & b.words_);
+  }
+  [[nodiscard]] friend VectorLongLanes operator|(const VectorLongLanes& a,
+                                                 const VectorLongLanes& b) noexcept {
+    return VectorLongLanes(a.words_ | b.words_);
+  }
+  [[nodiscard]] friend VectorLongLanes operator>>(const VectorLongLanes& a, int shift) noexcept {
+    return VectorLongLanes(a.words_ >> shift);
+  }
+  [[nodiscard]] friend VectorLongLanes operator<<(const VectorLongLanes& a, int shift) noexcept {
+    return VectorLongLanes(a.words_ << shift);
+  }
+  [[nodiscard]] static VectorLongLanes product(const VectorLongLanes& a,
+                                               const VectorLongLanes& b) noexcept {
+#if defined(__clang__)
+    const auto extended = [](const Words& x) { return std::bit_cast<Signed>(x << 32) >> 32; };
+    return VectorLongLanes(std::bit_cast<Words>(extended(a.words_) * extended(b.words_)));
+#else  // GCC multiplies all 64 bits
+    return VectorLongLanes(std::bit_cast<Words>(__builtin_ia32_pmuldq256(
+        std::bit_cast<Halves>(a.words_), std::bit_cast<Halves>(b.words_))));
+#endif
+  }
+  [[nodiscard]] static VectorLongLanes above(const VectorLongLanes& a,
+                                             const VectorLongLanes& b) noexcept {
+    return VectorLongLanes(
+        std::bit_cast<Words>(std::bit_cast<Signed>(a.words_) > std::bit_cast<Signed>(b.words_)));
+  }
+  [[nodiscard]] static VectorLongLanes select(const VectorLongLanes& marks,
+                                              const VectorLongLanes& a,
+                                              const VectorLongLanes& b) noexcept {
+    return VectorLongLanes(std::bit_cast<Signed>(marks.words_) < 0 ? a.words_ : b.words_);
+  }
+  [[nodiscard]] bool any() const noexcept {
+    typedef long long Longs __attribute__((vector_size(32)));
+    const auto words = std::bit_cast<Longs>(words_);
+    return __builtin_ia32_ptestz256(words, words) == 0;
+  }
+
+  [[nodiscard]] static std::array<VectorLongLanes, 4> load(
+      const std::array<const void*, long_lane_count>& records) noexcept {
+    std::array<VectorLongLanes, 4> result;
+    for (std::size_t k = 0; k < long_lane_count; ++k) {
+      std::memcpy(&result[k].words_, records[k], sizeof(Words));
+    }
+    return transposed(result);
+  }
+  static void store(const std::array<VectorLongLanes, 4>& lanes,
+                    const std::array<void*, long_lane_count>& records) noexcept {
+    const auto rows = transposed(lanes);
+    for (std::size_t k = 0; k < long_lane_count; ++k) {
+      std::memcpy(records[k], &rows[k].words_, sizeof(Words));
+    }
+  }
+
+ private:
+  explicit VectorLongLanes(const Words& words) noexcept : words_(words) {}
+
+  static std::array<VectorLongLanes, 4> transposed(
+      const std::array<VectorLongLanes, 4>& m) noexcept {
+    const auto even = [&](std::size_t i) {
+      return __builtin_shufflevector(m[i].words_, m[i + 1].words_, 0, 4, 2, 6);
+    };
+    const auto odd = [&](std::size_t i) {
+      return __builtin_shufflevector(m[i].words_, m[i + 1].words_, 1, 5, 3, 7);
+    };
+    const auto lower = [](const Words& a, const Words& b) {
+      return VectorLongLanes(__builtin_shufflevector(a, b, 0, 1, 4, 5));
+    };
+    const auto upper = [](const Words& a, const Words& b) {
+      return VectorLongLanes(__builtin_shufflevector(a, b, 2, 3, 6, 7));
+    };
+    const Words a = even(0), b = odd(0), c = even(2), d = odd(2);
+    return {lower(a, c), lower(b, d), upper(a, c), upper(b, d)};
+  }
+
+  Words words_;
+};
+
+using LongLanes = VectorLongLanes;
+inline constexpr bool has_long_lanes = true;
+#else
+using LongLanes = ArrayLongLanes;
+/// Whether a machine has vectors of long lanes, with signed products of 32 bits.
+inline constexpr bool has_long_lanes = false;
+#endif
+
+}  // namespace detent::detail

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "detent/dynamics/four.hpp"
+#include "detent/dynamics/solve.hpp"
+
+namespace detent::detail {
+
+/// Up to four contacts of one colour side by side. Where a contact has fewer points, and where there
+/// are fewer contacts, rows are 0.
+template <Scalar S>
+struct ContactGroup {
+  using F = Formats<S>;
+  static constexpr std::size_t capacity = ReadyContact<S, 3>::capacity;
+  template <class T>
+  using Vector = std::array<Quad<T>, 3>;
+
+  struct Push {
+    Vector<typename F::Ratio> along{}, on_a{}, on_b{};
+  };
+  struct Lever {
+    Vector<typename F::Moment> moment_a{}, moment_b{};
+    Vector<typename F::Response> response_a{}, response_b{};
+    Quad<typename F::Ratio> mass{};
+  };
+
+  std::uint32_t first = 0;           // of the list of ready contacts
+  std::uint8_t size = 0, count = 0;  // contacts, and the most points that one has
+  Quad<std::uint32_t> a{}, b{};
+  Quad<bool> pushes_a{}, pushes_b{};
+  Push normal{};
+  std::array<Push, 2> tangent{};
+  std::array<Lever, capacity> pressure{};
+  std::array<Lever, 2> friction{};
+  Lever twist{};
+  std::array<Quad<typename F::Speed>, capacity> gap{}, gap_now{};
+  std::array<Quad<typename F::Ratio>, capacity> reach{};
+  Quad<typename F::Ratio> rigid{}, pull{}, loss{}, grip{};
+
+  // The impulses so far, and the bits of all pressures that there were after a pass.
+  std::array<Quad<typename F::Impulse>, capacity> pressures{}, pressed{};
+  std::array<Quad<typename F::Impulse>, 3> frictions{};
+};
+
+/// Puts contacts side by side: `ready` and `contacts` have those of the group from its first.
+template <Scalar S, class Contact>
+constexpr void gather_impulses(ContactGroup<S>& group, const ReadyContact<S, 3>* ready,
+                               const Contact* contacts) noexcept {
+  for (std::size_t k = 0; k < group.size; ++k) {
+    const auto& contact = contacts[ready[k].contact];
+    for (std::size_t i = 0; i < ready[k].count; ++i) {
+      group.pressures[i][k] = contact.pressure[i];
+      group.gap_now[i][k] = ready[k].gap_now[i];
+    }
+    for (std::size_t t = 0; t < 3; ++t) group.frictions[t][k] = contact.friction[t];
+  }
+}
+
+template <Scalar S, class Contact>
+constexpr void gather(ContactGroup<S>& group, const ReadyContact<S, 3>* ready,
+                      const Contact* contacts) noexcept {
+  const auto place = [](auto& side, const auto& vector, std::size_t k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if constexpr (requires { vector.x; }) {
+        side[i][k] = vector[static_cast<int>(i)];
+      } else {
+        side[i][k] = vector[i];
+      }
+    }
+  };
+  const auto place_push = [&](auto& side, const Thrust<S, 3>& thrust, std::size_t k) {
+    place(side.along, thrust.along, k);
+    place(side.on_a, thrust.on_a, k);
+    place(side.on_b, thrust.on_b, k);
+  };
+  const auto place_row = [&](auto& side, const Row<S, 3>& row, std::size_t k) {
+    place(side.moment_a, row.moment_a, k);
+    place(side.moment_b, row.moment_b, k);
+    place(side.response_a, row.response_a, k);
+    place(side.response_b, row.response_b, k);
+    side.mass[k] = row.mass;
+  };
+  const auto first = group.first;
+  const auto size = group.size;
+  group = {};
+  group.first = first;
+  group.size = size;
+  for (std::size_t k = 0; k < long_lane_count; ++k) {
+    const auto& contact = ready[k < size ? k : 0];
+    group.a[k] = contact.a;
+    group.b[k] = contact.b;
+    if (k >= size) continue;
+    group.count = (std::max)(group.count, contact.count);
+    group.pushes_a[k] = contact.pushed.a;
+    group.pushes_b[k] = contact.pushed.b;
+    place_push(group.normal, contact.normal, k);
+    for (std::size_t t = 0; t < 2; ++t) {
+      place_push(group.tangent[t], contact.tangent[t], k);
+      place_row(group.friction[t], contact.friction[t], k);
+    }
+    place_row(group.twist, contact.twist, k);
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      place_row(group.pressure[i], contact.pressure[i], k);
+      group.gap[i][k] = contact.gap[i];
+      group.reach[i][k] = contact.reach[i];
+    }
+    const auto& soft = contact.is_wall ? wall_softness<S> : contact_softness<S>;
+    group.rigid[k] = soft.rigid;
+    group.pull[k] = soft.pull;
+    group.loss[k] = soft.loss;
+    group.grip[k] = contact.grip;
+  }
+  gather_impulses(group, ready, contacts);
+}
+
+/// Writes impulses back.
+template <Scalar S, class Contact>
+constexpr void scatter(const ContactGroup<S>& group, ReadyContact<S, 3>* ready,
+                       Contact* contacts) noexcept {
+  for (std::size_t k = 0; k < group.size; ++k) {
+    auto& contact = contacts[ready[k].contact];
+    for (std::size_t i = 0; i < ready[k].count; ++i) {
+      contact.pressure[i] = group.pressures[i][k];
+      ready[k].gap_now[i] = group.gap_now[i][k];
+      ready[k].was_pushed[i] = ready[k].was_pushed[i] || group.pressed[i][k] != 0;
+    }
+    for (std::size_t t = 0; t < 3; ++t) contact.friction[t] = group.frictions[t][k];
+  }
+}
+
+/// The passes of solve.hpp over the contacts of a group at once, with the same bits. Each function
+/// returns false, and has changed nothing, if some number left its range and must be clamped.
+template <class L, Scalar S>
+class GroupSolver {
+  using F = Formats<S>;
+  using Speed = typename F::Speed;
+  using Spin = typename F::Spin;
+  using Sum = typename F::Sum;
+  using Ratio = typename F::Ratio;
+  using Impulse = typename F::Impulse;
+  using Group = ContactGroup<S>;
+  using Push = typename Group::Push;
+  using Lever = typename Group::Lever;
+  using Motions = FourMotions<S, L>;
+  template <class T>
+  using Side = Four<T, L>;
+
+ public:
+  GroupSolver(Group& group, Moving<S, 3>* bodies) noexcept
+      : group_(group), bodies_a_(bodies, group.a), bodies_b_(bodies, group.b) {
+    a_ = bodies_a_.motions();
+    b_ = bodies_b_.motions();
+  }
+
+  [[nodiscard]] bool warm_start() noexcept {
+    for (std::size_t i = 0; i < group_.count; ++i) {
+      apply(group_.normal, group_.pressure[i], Side<Impulse>(group_.pressures[i]));
+    }
+    for (std::size_t t = 0; t < 2; ++t) {
+      apply(group_.tangent[t], group_.friction[t], Side<Impulse>(group_.frictions[t]));
+    }
+    turn(group_.twist, Side<Impulse>(group_.frictions[2]));
+    return store();
+  }
+
+  template <Pass pass>
+  [[nodiscard]] bool solve(const Speed& fastest) noexcept {
+    std::array<Side<Impulse>, Group::capacity> pressures;
+    Motions path_a, path_b;
+    if constexpr (pass == Pass::relaxed) {
+      path_a = bodies_a_.paths();
+      path_b = bodies_b_.paths();
+    }
+    for (std::size_t i = 0; i < group_.count; ++i) {
+      const Lever& lever = group_.pressure[i];
+      Side<Speed> gap;
+      if constexpr (pass == Pass::relaxed) {
+        gap = round_.template checked<Speed>(Side<Speed>(group_.gap[i]) +
+                                             rate(group_.normal, lever, path_a, path_b));
+        gap.store(group_.gap_now[i]);
+      } else {
+        gap = Side<Speed>(group_.gap_now[i]);
+      }
+      const Side<Impulse> before(group_.pressures[i]);
+      const auto v = rate(group_.normal, lever, a_, b_);
+      pressures[i] = pushed<pass>(Side<Ratio>(lever.mass), v, gap, before, fastest);
+      apply(group_.normal, lever, narrow<31>(pressures[i] - before));
+    }
+    std::array<Side<Impulse>, 3> frictions;
+    if constexpr (pass == Pass::relaxed) rub(pressures, frictions);
+    if (!store()) return false;
+    for (std::size_t i = 0; i < group_.count; ++i) {
+      pressures[i].store(group_.pressures[i]);
+      (Side<Impulse>(group_.pressed[i]) | pressures[i]).store(group_.pressed[i]);
+    }
+    if constexpr (pass == Pass::relaxed) {
+      for (std::size_t t = 0; t < 3; ++t) frictions[t].store(group_.frictions[t]);
+    }
+    return true;
+  }
+
+ private:
+  /// c_b . w_b - c_a . w_a.
+  [[nodiscard]] Side<Sum> turning(const Lever& lever, const Motions& a,
+                                  const Motions& b) const noexcept {
+    using Moment = Side<typename F::Moment>;
+    Side<Sum> sum;
+    for (std::size_t i = 0; i < 3; ++i) {
+      sum = sum + (Moment(lever.moment_b[i]) * b.spin[i] - Moment(lever.moment_a[i]) * a.spin[i]);
+    }
+    return sum;
+  }
+  /// `rate_along` without its start.
+  [[nodiscard]] Side<Speed> rate(const Push& push, const Lever& lever, const Motions& a,
+                                 const Motions& b) noexcept {
+    Side<Fixed<62, Ratio::frac + Speed::frac>> along;
+    for (std::size_t i = 0; i < 3; ++i) {
+      along = along + Side<Ratio>(push.along[i]) * narrow<31>(b.velocity[i] - a.velocity[i]);
+    }
+    return round_.template nearest<Speed>(round_.template nearest_long<Sum>(along) +
+                                          turning(lever, a, b));
+  }
+  void turn(const Lever& lever, const Side<Impulse>& impulse) noexcept {
+    using Response = Side<typename F::Response>;
+    for (std::size_t i = 0; i < 3; ++i) {
+      a_.spin[i] = round_.minus_nearest(a_.spin[i], Response(lever.response_a[i]) * impulse);
+      b_.spin[i] = round_.plus_nearest(b_.spin[i], Response(lever.response_b[i]) * impulse);
+    }
+  }
+  void apply(const Push& push, const Lever& lever, const Side<Impulse>& impulse) noexcept {
+    for (std::size_t i = 0; i < 3; ++i) {
+      a_.velocity[i] = round_.minus_nearest(a_.velocity[i], Side<Ratio>(push.on_a[i]) * impulse);
+      b_.velocity[i] = round_.plus_nearest(b_.velocity[i], Side<Ratio>(push.on_b[i]) * impulse);
+    }
+    turn(lever, impulse);
+  }
+
+  /// The pressure of a point after one more solve, as in `solve_pressure`.
+  template <Pass pass>
+  [[nodiscard]] Side<Impulse> pushed(const Side<Ratio>& mass, const Side<Speed>& v,
+                                     const Side<Speed>& gap, const Side<Impulse>& before,
+                                     const Speed& fastest) noexcept {
+    const Side<Speed> zero;
+    const auto is_apart = above(gap, zero);
+    const auto to_gap = narrow<31>(v + select(is_apart, gap, zero));
+    Side<Impulse> sum;
+    if constexpr (pass == Pass::biased) {
+      const Side<Ratio> rigid(group_.rigid), pull(group_.pull), loss(group_.loss);
+      const Side<Fixed<62, Ratio::frac + Speed::frac>> limit(
+          L(-(LongWord{fastest.raw()} << Ratio::frac)));
+      const auto wanted = round_.template nearest<Speed>(rigid * v + larger(pull * gap, limit));
+      sum = round_.minus_nearest(before,
+                                 select(is_apart, mass * to_gap, mass * wanted + loss * before));
+    } else {
+      sum = round_.minus_nearest(before, mass * to_gap);
+    }
+    return larger(sum, Side<Impulse>());
+  }
+
+  /// `solve_friction`.
+  void rub(const std::array<Side<Impulse>, Group::capacity>& pressures,
+           std::array<Side<Impulse>, 3>& frictions) noexcept {
+    const Side<Ratio> grip(group_.grip);
+    Side<Fixed<62, Impulse::frac>> pressure, at_lever;
+    for (std::size_t i = 0; i < group_.count; ++i) {
+      pressure = pressure + pressures[i];
+      at_lever =
+          at_lever + round_.template nearest<Impulse>(Side<Ratio>(group_.reach[i]) * pressures[i]);
+    }
+    const auto limit_of = [&](const auto& sum) {
+      return round_.template nearest<Impulse>(grip * round_.template checked<Impulse>(sum));
+    };
+    const auto wanted = [&](std::size_t t, const Lever& lever, const Side<Speed>& v) {
+      return round_.minus_nearest(Side<Impulse>(group_.frictions[t]), Side<Ratio>(lever.mass) * v);
+    };
+    const auto change = [&](std::size_t t) {
+      return round_.template checked<Impulse>(frictions[t] - Side<Impulse>(group_.frictions[t]));
+    };
+    const auto twist_limit = limit_of(at_lever);
+    const auto spinning = round_.template nearest<Speed>(turning(group_.twist, a_, b_));
+    const auto least = narrow<31>(Side<Impulse>() - twist_limit);
+    frictions[2] = smaller(larger(wanted(2, group_.twist, spinning), least), twist_limit);
+    turn(group_.twist, change(2));
+
+    for (std::size_t t = 0; t < 2; ++t) {
+      const Lever& lever = group_.friction[t];
+      frictions[t] = wanted(t, lever, rate(group_.tangent[t], lever, a_, b_));
+    }
+    clamp(frictions, limit_of(pressure));
+    for (std::size_t t = 0; t < 2; ++t) {
+      apply(group_.tangent[t], group_.friction[t], change(t));
+    }
+  }
+  /// `clamp_to_disc`. The sum of squares is at most 2^63, so one less is compared.
+  void clamp(std::array<Side<Impulse>, 3>& frictions, const Side<Impulse>& limit) noexcept {
+    const auto squared = frictions[0] * frictions[0] + frictions[1] * frictions[1];
+    const L one(LongWord{1});
+    const auto outside = L::above(squared.raw - one, (limit * limit).raw - one);
+    if (!outside.any()) return;
+    std::array<Quad<Impulse>, 2> each;
+    Quad<Impulse> limits;
+    limit.store(limits);
+    for (std::size_t t = 0; t < 2; ++t) frictions[t].store(each[t]);
+    for (std::size_t k = 0; k < group_.size; ++k) {
+      std::array<Impulse, 2> impulse{each[0][k], each[1][k]};
+      clamp_to_disc<S, 3>(impulse, limits[k]);
+      each[0][k] = impulse[0];
+      each[1][k] = impulse[1];
+    }
+    for (std::size_t t = 0; t < 2; ++t) frictions[t] = Side<Impulse>(each[t]);
+  }
+
+  [[nodiscard]] bool store() noexcept {
+    if (round_.is_beyond()) return false;
+    bodies_a_.store(a_, group_.pushes_a);
+    bodies_b_.store(b_, group_.pushes_b);
+    return true;
+  }
+
+  Group& group_;
+  FourBodies<S, L> bodies_a_, bodies_b_;
+  Motions a_{}, b_{};
+  FourRounder<L> round_{};
+};
+
+}  // namespace detent::detail
