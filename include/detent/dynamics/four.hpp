@@ -11,6 +11,8 @@
 
 namespace detent::detail {
 
+using detent::narrow;  // which the one below would hide
+
 /// Whether a world takes four contacts, joints or bodies at once: worlds in space that grow, on
 /// machines with the vectors. The bits of its steps are the same in either case.
 template <class Storage, Scalar S, int N>
