@@ -193,16 +193,9 @@ template <Scalar S>
   using Ratio = typename Formats<S>::Ratio;
   return quotient_nearest<Ratio>(as_operand<Ratio>(raw), as_operand<Ratio>(1 << 30));
 }
-/// 1 / whole, rounded to nearest, or 0 if `whole` is less than 1 / 64: then nothing can push along the
-/// row.
-template <Scalar S, class Whole>
-[[nodiscard]] constexpr typename Formats<S>::Ratio effective_mass(const Whole& whole) noexcept {
-  using Ratio = typename Formats<S>::Ratio;
-  constexpr auto least = dyadic<S>(1 << 24);
-  return whole < least ? Ratio{} : quotient_nearest<Ratio>(Ratio(1), whole);
-}
-/// Completes a row with its responses and its mass, 1 / (1 - lost + c_a j_a + c_b j_b); `lost` is the
-/// part of the motion along the row that locked axes remove.
+/// 1 / (1 - lost + c_a j_a + c_b j_b), rounded to nearest; `lost` is the part of the motion along
+/// the row that locked axes remove. 0 if the denominator is less than 1 / 64: then nothing can push
+/// along the row.
 template <Scalar S, int N, class F = Formats<S>>
 constexpr void complete(Row<S, N>& row, const Spread<typename F::Gyration, N>& spread_a,
                         const Spread<typename F::Gyration, N>& spread_b,
@@ -213,7 +206,8 @@ constexpr void complete(Row<S, N>& row, const Spread<typename F::Gyration, N>& s
   const auto whole =
       Ratio(1) - lost +
       (give<S, N>(row.moment_a, row.response_a) + give<S, N>(row.moment_b, row.response_b));
-  row.mass = effective_mass<S>(whole);
+  constexpr auto least = dyadic<S>(1 << 24);
+  row.mass = whole < least ? Ratio{} : quotient_nearest<Ratio>(Ratio(1), whole);
 }
 
 }  // namespace detent::detail

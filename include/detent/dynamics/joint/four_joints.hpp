@@ -278,7 +278,8 @@ template <class L, Scalar S, std::size_t Turns>
     Quad<Fixed<62, Give::frac>> whole;
     (Four<Give, L>(Give(1)) + (give_a[i] + give_b[i])).store(whole);
     for (std::size_t k = 0; k < long_lane_count; ++k) {
-      joints.mass[i][k] = effective_mass<S>(whole[k]);
+      constexpr auto least = dyadic<S>(1 << 24);  // as in `complete`
+      joints.mass[i][k] = whole[k] < least ? Ratio{} : quotient_nearest<Ratio>(Ratio(1), whole[k]);
     }
   }
   return !round.is_beyond();
