@@ -129,7 +129,8 @@ class ArrayLongLanes {
   LongWords words_{};
 };
 
-#if defined(__GNUC__) && defined(__AVX2__)
+// GCC has __builtin_shufflevector from version 12 on.
+#if defined(__AVX2__) && (defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 12))
 class VectorLongLanes {
   typedef std::uint64_t Words __attribute__((vector_size(32)));
   typedef std::int64_t Signed __attribute__((vector_size(32)));
