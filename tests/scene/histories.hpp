@@ -116,7 +116,7 @@ class Historian {
   Shape shape() {
     using Shapes = support::SceneShapes<S, N>;
     const auto kind = random().below(random().one_in(4) ? Shapes::size : 3);
-    return Shapes::at(kind, [this]<class T>(const T&) { return Shape(draw<T>()); });
+    return Shapes::at(kind, [&]<class T>(const T&) { return Shape(draw<T>()); });
   }
   Frustum<S> frustum() requires(N == 3) {
     oracle::Artist<S, 3> artist(draw_, setting_);
