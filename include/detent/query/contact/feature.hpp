@@ -40,11 +40,11 @@ struct Feature {
   }
 };
 
-/// How many corners a feature of a body may have.
+/// How many corners a feature of a body may have: all corners of a box whose edges are parallel.
 template <class Body>
 inline constexpr std::size_t most_corners = 32;
 template <IsBoxBody Body>
-inline constexpr std::size_t most_corners<Body> = std::size_t{1} << (Body::dimension - 1);
+inline constexpr std::size_t most_corners<Body> = std::size_t{1} << Body::dimension;
 template <Number T, int N, std::size_t Count>
 inline constexpr std::size_t most_corners<HullBody<T, N, std::array<Vec<T, N>, Count>>> = Count;
 

@@ -103,7 +103,7 @@ template <Scalar S, int N>
   if (!push) return std::nullopt;
   const auto away = unit_of<S>(push->normal);
   const S none(0);
-  constexpr std::size_t most = std::size_t{1} << (N - 1);
+  constexpr std::size_t most = std::size_t{1} << N;
   return make_contact<most>(
       box_is_a ? away : -away, push->depth, box_is_a ? none : radius, box_is_a ? radius : none,
       [&](auto& manifold) {
