@@ -40,10 +40,19 @@ BoxBody<S, N> box_body(const Vec<S, N>& half_extents) {
 template <Scalar S, int N>
 void fly(BoxBody<S, N>& body, detail::Moving<S, N>& moving, const detail::Pace<S, N>& pace,
          int substeps) {
+  auto axes = detail::axes_of<S, N>(body.state.orientation), half_way = axes;
+  const auto carry = [&](const auto& orientation, const auto& from, auto& to) {
+    if constexpr (N == 3) {
+      if (detail::tumbles(body)) detail::carry(body, moving, orientation, from, to);
+    }
+  };
   for (int i = 0; i < substeps; ++i) {
-    detail::Axes<S, N> half_way{}, axes = detail::axes_of<S, N>(body.state.orientation);
-    detail::accelerate(body, moving, axes, half_way, pace);
-    detail::move(body, moving, half_way, axes);
+    auto& q = body.state.orientation;
+    detail::accelerate(body, moving, pace);
+    carry(detail::turned<S, N, 1>(q, moving.spin), axes, half_way);
+    detail::move(body, moving);
+    q = detail::turned<S, N, 0>(q, moving.spin);
+    carry(q, half_way, axes);
   }
 }
 
