@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "detent/number/require_cxx20.hpp"
+
 namespace detent {
 
 namespace detail {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "detent/dynamics/compound.hpp"
@@ -87,12 +88,12 @@ constexpr void visit_placed_surface(const Standing<S, 3>& at, const Aabb<S, 3>& 
   const auto within = box_in(at, box, reach_of(bounding_box(surface)));
   // The tree is walked in another order, so each walk finds the next few.
   std::array<MeshTriangle<S>, 16> next{};
-  for (std::int64_t last = -1;;) {
+  for (std::optional<std::uint32_t> last;;) {
     std::size_t count = 0;
     bool are_more = false;
     visit_within(surface, within, [&](std::span<const MeshTriangle<S>> parts) {
       for (const auto& part : parts) {
-        if (part.index <= last) continue;
+        if (last && part.index <= *last) continue;
         const MeshTriangle<S> placed{
             {placed_corner(at, part.triangle.a), placed_corner(at, part.triangle.b),
              placed_corner(at, part.triangle.c)},

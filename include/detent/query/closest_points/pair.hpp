@@ -4,7 +4,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "detent/query/closest_point/aabb.hpp"
 #include "detent/query/closest_points/bodies.hpp"
 #include "detent/query/closest_points/boxes.hpp"
 #include "detent/query/closest_points/plane.hpp"
@@ -12,6 +11,7 @@
 #include "detent/query/kernel/closest_in_frame.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/core.hpp"
+#include "detent/query/kernel/point_aabb.hpp"
 
 namespace detent {
 
@@ -27,11 +27,11 @@ concept HasClosestPoints = (IsShape<T> || IsSegment<T>)&&is_convex<T>;
 template <class A, class B>
 concept HaveClosestPoints = HasClosestPoints<A> && HasClosestPoints<B> && !MixedArguments<A, B>;
 
-/// The closest points of a sphere and a box.
+/// The closest points of a sphere and a box that is not empty.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_of_sphere_and_box(
     const Vec<S, N>& center, const S& radius, const Aabb<S, N>& box) noexcept {
-  const auto on_box = closest_point(box, center);
+  const auto on_box = clamp_to(box, center);
   const auto to_box = on_box - center;
   if (is_zero(to_box) || squared_length(to_box) <= square(radius)) return {on_box, on_box};
   return {rounded_beyond(center, radius, to_box), on_box};
