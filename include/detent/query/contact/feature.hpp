@@ -58,12 +58,12 @@ template <Scalar S, int N, class F, std::size_t... Most>
 constexpr auto with_corners_from(const Corner<S, N>& origin, const F& f,
                                  const Feature<S, N, Most>&... features) noexcept {
   bool are_short = true;
-  const auto check = [&](const auto& feature) {
+  const auto measure = [&](const auto& feature) {
     for (std::size_t i = 0; i < feature.count; ++i) {
       are_short = fits<29>(feature.corners[i] - origin) && are_short;
     }
   };
-  (check(features), ...);
+  (measure(features), ...);
   const auto relative = [&]<class T>(const T&, const auto& feature) {
     std::array<Vec<T, N>, std::remove_cvref_t<decltype(feature)>::most> corners;
     for (std::size_t i = 0; i < feature.count; ++i) {

@@ -432,11 +432,11 @@ class ContactBuilder {
         const auto& to = sides[end][i];
         if (!are_opposite(from, to)) continue;
         const std::size_t j = rim.next(i);
-        const auto near = incident_rim.side(k, rim.corners[i]);
-        const auto far = incident_rim.side(k, rim.corners[j]);
-        if (!are_opposite(near, far)) continue;
-        cross_edges(reference, i, j, part_of(near, far), incident, k, l, part_of(from, to),
-                    deepest);
+        const auto first_side = incident_rim.side(k, rim.corners[i]);
+        const auto second_side = incident_rim.side(k, rim.corners[j]);
+        if (!are_opposite(first_side, second_side)) continue;
+        cross_edges(reference, i, j, part_of(first_side, second_side), incident, k, l,
+                    part_of(from, to), deepest);
       }
     }
   }
