@@ -92,9 +92,9 @@ class Heap {
                                                         Angle<S>::from_radians(num<S>(near(0, 3))));
       const double size = near(0.3, 0.08);
       if (i % 4 == 0) {
-        (void)world.add(
-            Obb<S, 3>{point<S>(x, y, z), point<S>(size, near(0.3, 0.1), near(0.3, 0.1)), turn},
-            options);
+        // Not as arguments: compilers evaluate those in different orders.
+        const double depth = near(0.3, 0.1), height = near(0.3, 0.1);
+        (void)world.add(Obb<S, 3>{point<S>(x, y, z), point<S>(size, height, depth), turn}, options);
       } else if (i % 4 == 1) {
         (void)world.add(Capsule<S, 3>{point<S>(x - 0.2, y, z), point<S>(near(x + 0.2, 0.1), y, z),
                                       num<S>(size * 0.8)},
