@@ -5,7 +5,6 @@
 
 using namespace detent;
 using cli::Answer;
-using cli::World;
 
 namespace {
 
@@ -17,7 +16,7 @@ Vec<S, 3> point(test::Random& random) {
 }
 
 template <class S>
-typename World<S>::Shape shape(test::Random& random, std::vector<Triangle<S, 3>>& triangles) {
+typename cli::World<S>::Shape shape(test::Random& random, std::vector<Triangle<S, 3>>& triangles) {
   const auto a = point<S>(random), b = point<S>(random);
   const auto low = make_vec<3>([&](int i) { return std::min(a[i], b[i]); });
   const auto side = [&] { return S(static_cast<int>(random.between(0, 3))); };
@@ -58,7 +57,7 @@ Ray<S, 3> some_ray(test::Random& random) {
 
 /// The result of a loop over all shapes, and over all triangles of a mesh in file order.
 template <class S>
-std::optional<Answer<S>> nearest_of_all(const std::vector<typename World<S>::Shape>& shapes,
+std::optional<Answer<S>> nearest_of_all(const std::vector<typename cli::World<S>::Shape>& shapes,
                                         const std::vector<std::vector<Triangle<S, 3>>>& meshes,
                                         const Ray<S, 3>& ray) {
   std::optional<Answer<S>> best;
@@ -91,7 +90,7 @@ TEMPLATE_TEST_CASE("world: trees give the results of a loop over all shapes and 
   test::HitRate rate;
   int wrong = 0;
   for (int round = 0; round < 60; ++round) {
-    std::vector<typename World<S>::Shape> shapes;
+    std::vector<typename cli::World<S>::Shape> shapes;
     std::vector<std::vector<Triangle<S, 3>>> meshes;
     const auto count = random.between(0, 60);
     for (int i = 0; i < count; ++i) {
@@ -99,7 +98,7 @@ TEMPLATE_TEST_CASE("world: trees give the results of a loop over all shapes and 
       shapes.push_back(shape<S>(random, triangles));
       meshes.push_back(triangles);
     }
-    const World<S> world(shapes);
+    const cli::World<S> world(shapes);
     for (int i = 0; i < 200; ++i) {
       const auto ray = some_ray<S>(random);
       const auto expected = nearest_of_all<S>(shapes, meshes, ray);
