@@ -301,7 +301,7 @@ TEST_CASE("detent simulate: errors in a world are named by line, and nothing is 
   refused("{\"bodies\": [{\"type\": \"compound\", \"parts\": [\n" + ball + "]}]}",
           "2:2: unknown key \"id\" in the sphere; it may have type, center, radius, density,");
   refused("{\"bodies\": [{\"type\": \"compound\", \"parts\": [\n{\"type\": \"mesh\"}]}]}",
-          "2:10: unknown shape \"mesh\"; there are sphere, capsule, aabb, obb, hull as parts");
+          "2:10: unknown shape \"mesh\"; choose from sphere, capsule, aabb, obb, hull as parts");
   const std::string corners = "\"vertices\": [[0, 0, 0], [0, 0, 1], [1, 0, 0]],\n";
   const auto mesh = [&](const std::string& rest) {
     return "{\"bodies\": [{\"type\": \"mesh\", " + rest + "}]}";
