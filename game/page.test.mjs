@@ -213,7 +213,7 @@ async function playAll() {
     await page.waitForFunction(() => document.getElementById('desync').textContent !== '');
     const said = await page.textContent('#desync');
     assert.match(said, /in frame \d+, .*bodies body \d+:\d+ \(obb\) velocity\.x, a wooden block of (red|blue)/);
-    const frames = Number(/known (\d+) frames later/.exec(said)[1]);
+    const frames = Number(/detected (\d+) frames later/.exec(said)[1]);
     assert.ok(frames > 0 && frames <= 60, said);
     assert.equal(await page.textContent('#verdict'), 'DIFFERENT');
     // Screen readers announce both: the digests from a live region, and the field at once.
