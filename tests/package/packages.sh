@@ -31,7 +31,7 @@ case $kind in
     database=$work/root/var/lib/dpkg
     mkdir -p "$database/info" "$database/updates" "$work/bin"
     touch "$database/status"
-    ln -s "$(command -v true)" "$work/bin/ldconfig"
+    ln -s "$(type -P true)" "$work/bin/ldconfig"
     PATH=$work/bin:$PATH dpkg --root="$work/root" --log=/dev/null --force-depends --force-not-root \
       --force-bad-path --force-script-chrootless --install "$file" >"$work/log" 2>&1 ||
       { cat "$work/log"; exit 1; }
