@@ -79,6 +79,11 @@ def number(length):
     return length / ONE
 
 
+def version():
+    """The version of the library: major * 10000 + minor * 100 + patch."""
+    return _library.detent_version()
+
+
 def results_version():
     """Changes whenever any result changes by a bit."""
     return _library.detent_results_version()
@@ -196,10 +201,19 @@ class _Space:
         shape.as_.point = self._vec(*at)
         return shape
 
+    # Queries of one shape. Those of a point also take a ray or, in 3D, a frustum as the shape.
+
+    def _query(self, name, shape):
+        if isinstance(shape, self._ray):
+            return self._call('ray{N}_' + name)
+        if isinstance(shape, c.detent_frustum3):
+            return self._call('frustum3_' + name)
+        return self._call(name + '{N}')
+
     def raycast(self, ray, shape):
-        """Where the ray first touches the shape, or None: distance, point and normal."""
+        """Where the ray first touches a shape or frustum, or None: distance, point and normal."""
         hit = self._hit()
-        return hit if _check(self._call('raycast{N}')(ray, shape, hit)) else None
+        return hit if _check(self._query('raycast', shape)(ray, shape, hit)) else None
 
     def raycast_many(self, rays, shape, threads=1):
         """Distances of many rays, -1 for a miss. The rays are a numpy array or a buffer of int32,
@@ -227,29 +241,37 @@ class _Space:
         return room
 
     def contains(self, shape, point):
-        return _check(self._call('contains{N}')(shape, self._vec(*point)))
+        return _check(self._query('contains', shape)(shape, self._vec(*point)))
 
     def overlaps(self, one, other):
+        """Whether two shapes share a point. In 3D each may be a frustum."""
+        if isinstance(one, c.detent_frustum3) and isinstance(other, c.detent_frustum3):
+            return _check(self._call('frustum3_overlaps_frustum')(one, other))
+        if isinstance(one, c.detent_frustum3):
+            return self.overlaps_union(one, [other])
+        if isinstance(other, c.detent_frustum3):
+            return self.overlaps_union(other, [one])
         return _check(self._call('overlaps{N}')(one, other))
 
     def closest_point(self, shape, point):
         closest = self._vec()
-        _check(self._call('closest_point{N}')(shape, self._vec(*point), closest))
+        _check(self._query('closest_point', shape)(shape, self._vec(*point), closest))
         return self._tuple(closest)
 
     def distance(self, shape, other):
         """The distance between two shapes, or between a shape and a point (a tuple)."""
         distance = ctypes.c_int32()
         if isinstance(other, tuple):
-            _check(self._call('distance_to_point{N}')(shape, self._vec(*other), byref(distance)))
+            _check(self._query('distance_to_point', shape)(shape, self._vec(*other), byref(distance)))
         else:
             _check(self._call('distance{N}')(shape, other, byref(distance)))
         return distance.value
 
-    def contact(self, one, other):
-        """The `Contact` of two overlapping shapes, or None."""
+    def contact(self, one, other, context=None):
+        """The `Contact` of two overlapping shapes, or None. Hulls belong to `context`."""
         found = self._manifold()
-        if not _check(self._call('contact{N}')(one, other, found)):
+        if not (self._of_list('contact', context, one, other, found) if context
+                else _check(self._call('contact{N}')(one, other, found))):
             return None
         return Contact(self._tuple(found.normal), found.depth,
                        [ContactPoint(self._tuple(point.point), point.depth, point.feature)
@@ -279,7 +301,17 @@ class _Space:
         return self._of_list('contains', context, *self._list_of(shapes), self._vec(*point))
 
     def overlaps_union(self, one, other, context=None):
+        """Whether shapes of two lists share a point. In 3D the first may be a frustum."""
+        if isinstance(one, c.detent_frustum3):
+            return _check(self._call('frustum3_overlaps')(context and context._open, one,
+                                                          *self._list_of(other)))
         return self._of_list('overlaps', context, *self._list_of(one), *self._list_of(other))
+
+    def closest_point_union(self, shapes, point, context=None):
+        """The closest point of the nearest shape; the point itself if there are no shapes."""
+        closest = self._vec()
+        self._of_list('closest_point', context, *self._list_of(shapes), self._vec(*point), closest)
+        return self._tuple(closest)
 
     def distance_union(self, shapes, other, context=None):
         """The least distance between shapes of two lists, or from a list to a point (a tuple)."""
@@ -316,10 +348,13 @@ class _Space:
         return self._sweep(self._vec(*start), self._vec(*end), self._rotated(start_axes),
                            self._rotated(end_axes))
 
-    def time_of_impact(self, one, sweep, other, other_sweep=None, target=8):
-        """When two moving shapes first come closer than `target`, as an `Impact`, or None."""
+    def time_of_impact(self, one, sweep, other, other_sweep=None, target=8, context=None):
+        """When two moving shapes first come closer than `target`, as an `Impact`, or None. Hulls
+        belong to `context`."""
         impact = c.detent_impact()
-        if not _check(self._call('time_of_impact{N}')(one, sweep, other, other_sweep, target, impact)):
+        given = one, sweep, other, other_sweep, target, impact
+        if not (self._of_list('time_of_impact', context, *given) if context
+                else _check(self._call('time_of_impact{N}')(*given))):
             return None
         return Impact(impact.time, impact.distance, bool(impact.is_hit))
 
@@ -327,9 +362,13 @@ class _Space:
     def _tuple(v):
         return tuple(getattr(v, field) for field, _ in v._fields_)
 
+    def _pose(self, transform):
+        return (self._tuple(transform.translation),
+                tuple(self._tuple(axis) for axis in transform.rotation.axis))
+
 
 class _Space3(_Space):
-    """The 3D-only functions: cameras."""
+    """The 3D-only functions: cameras. Their `size` is that of an image, (width, height) in pixels."""
 
     def camera(self, eye, target, near_distance, far_distance, up=(0, ONE, 0), **lens):
         """A camera at `eye` that looks at `target`, with `fov` (in 2^-32 of a turn) and `aspect`,
@@ -340,16 +379,28 @@ class _Space3(_Space):
         return camera if _check(_library.detent_camera3_look_at(*vectors, camera.pose)) else None
 
     def frustum(self, camera):
-        """The view volume of a camera, for `Scene.visible`."""
+        """The view volume of a camera, for queries and `Scene.visible`."""
         frustum = c.detent_frustum3()
         _check(_library.detent_camera3_frustum(camera, frustum))
         return frustum
 
     def pick_ray(self, camera, size, pixel):
-        """The ray through the middle of pixel (column, row) of an image of size (width, height)."""
+        """The ray through the middle of pixel (column, row)."""
         ray = self._ray()
         _check(_library.detent_camera3_pick_ray(camera, *size, *pixel, ray))
         return ray
+
+    def project(self, camera, size, point):
+        """Where the point is seen, or None: x, y in steps of 2^-16 of a pixel, and depth, a length."""
+        seen = c.detent_screen_point3()
+        done = _check(_library.detent_camera3_project(camera, *size, self._vec(*point), seen))
+        return self._tuple(seen) if done else None
+
+    def unproject(self, camera, size, pixel, depth):
+        """The point seen in the middle of pixel (column, row) at a depth."""
+        point = self._vec()
+        _check(_library.detent_camera3_unproject(camera, *size, *pixel, depth, point))
+        return self._tuple(point)
 
 
 d2 = _Space(2)
@@ -416,6 +467,12 @@ class _Held(_Owned):
         self._call('diff', other.handle, most, room, size.value, byref(size))
         return room.raw.decode().splitlines()
 
+    def _add(self, which, shape, traits):
+        if which is not None:
+            return which if self._call('add_as', which._in_c(), shape, traits) else None
+        made = c.detent_id()
+        return _id(made) if self._call('add', shape, traits, byref(made)) else None
+
     def _list(self, name, kind, *arguments):
         room = 64
         while True:
@@ -432,11 +489,14 @@ class Scene(_Held):
     def __init__(self, context, space):
         super().__init__(context, space, 'scene')
 
-    def add(self, shape, layers=1, user=0, fixed=False, frame=Id(0, 0)):
-        """The id of a new object, or None if its frame does not exist."""
-        made = c.detent_id()
+    def add(self, shape, layers=1, user=0, fixed=False, frame=Id(0, 0), which=None):
+        """The id of a new object, or None if its frame does not exist. `which` is an id chosen by
+        the caller; None if its index is taken."""
         traits = c.detent_traits(user, layers, int(fixed), frame._in_c())
-        return _id(made) if self._call('add', shape, traits, byref(made)) else None
+        return self._add(which, shape, traits)
+
+    def set_traits(self, which, layers=1, user=0):
+        return self._call('set_traits', which._in_c(), c.detent_traits(user, layers))
 
     def replace(self, which, shape):
         return self._call('replace', which._in_c(), shape)
@@ -468,6 +528,14 @@ class Scene(_Held):
     def remove_frame(self, frame):
         """False if the frame is not empty."""
         return self._call('remove_frame', frame._in_c())
+
+    def frame(self, frame):
+        """The poses of a frame in its parent and in the world, or None: each is a translation, axes
+        and a scale."""
+        poses = self._space._transform(), self._space._transform()
+        if not self._call('frame', frame._in_c(), *poses):
+            return None
+        return tuple((*self._space._pose(pose), pose.scale) for pose in poses)
 
     def raycast(self, ray, layers=ALL_LAYERS):
         """The first object that the ray touches, as a `Hit`, or None."""
@@ -519,26 +587,29 @@ class Scene(_Held):
         return Mover(self, self._space.aabb(least, greatest), settings)
 
     def nearest(self, question, layers=ALL_LAYERS):
-        """(distance, id) of the object nearest to a point, or of the nearest that a shape overlaps;
-        or None."""
+        """(distance, id) of the object nearest to a point, or of the nearest that a shape or frustum
+        overlaps; or None."""
         found = c.detent_found()
-        if not self._call('nearest', question, layers, found):
+        if not self._call(self._ask('nearest', question), question, layers, found):
             return None
         return found.distance, _id(found.id)
 
     def any(self, question, layers=ALL_LAYERS):
-        return self._call('any', question, layers)
+        return self._call(self._ask('any', question), question, layers)
 
     def all(self, question, layers=ALL_LAYERS):
         """(distance, id) of all objects that the shape overlaps, sorted by distance, then id."""
         return [(found.distance, _id(found.id))
-                for found in self._list('all', c.detent_found, question, layers)]
+                for found in self._list(self._ask('all', question), c.detent_found, question, layers)]
 
     def visible(self, frustum, layers=ALL_LAYERS):
-        """(distance, id) of all objects that a frustum overlaps, sorted by distance from the center
-        of its near corners, then id. 3D only."""
-        return [(found.distance, _id(found.id))
-                for found in self._list('frustum_all', c.detent_found, frustum, layers)]
+        """`all` for a frustum, sorted by distance from the center of its near corners, then id. 3D
+        only."""
+        return self.all(frustum, layers)
+
+    @staticmethod
+    def _ask(name, question):
+        return f'frustum_{name}' if isinstance(question, c.detent_frustum3) else name
 
     def overlaps(self):
         """All pairs of overlapping objects."""
@@ -608,15 +679,14 @@ class World(_Held):
         _set(given, settings, space)
         super().__init__(context, space, 'world', given)
 
-    def add(self, shape, **options):
+    def add(self, shape, which=None, **options):
         """Adds a sphere, AABB, OBB, capsule, or something `placed`: a solid hull, a compound or, in
-        3D, a mesh or height field. Keywords are the fields of a body's options."""
+        3D, a mesh or height field. Keywords are the fields of a body's options. `which` is an id
+        chosen by the caller, such as that of a removed body; None if its index is taken."""
         given = getattr(c, f'detent_body{self._space.dimension}_options')()
         _check(self._space._call('body{N}_default_options')(given))
         _set(given, options, self._space)
-        made = c.detent_id()
-        self._call('add', shape, given, byref(made))
-        return _id(made)
+        return self._add(which, shape, given)
 
     def step(self):
         """Simulates one tick."""
@@ -626,6 +696,19 @@ class World(_Held):
         """The state of a body, or None."""
         body = self._space._body()
         return body if self._call('body', which._in_c(), body) else None
+
+    def bodies(self, which):
+        """The states of many bodies in one call, as an array that numpy can view; zeros for ids that
+        do not exist."""
+        ids = [one._in_c() for one in which]
+        bodies = (self._space._body * len(ids))()
+        self._call('bodies', (c.detent_id * len(ids))(*ids), len(ids), bodies)
+        return bodies
+
+    def digest_of(self, which):
+        """A 64-bit digest of one body, or None."""
+        digest = ctypes.c_uint64()
+        return digest.value if self._call('digest_of', which._in_c(), byref(digest)) else None
 
     def position(self, which):
         body = self.body(which)
@@ -684,6 +767,11 @@ class World(_Held):
         joint = self._space._joint()
         return joint if self._call('joint', which._in_c(), joint) else None
 
+    def joint_count(self):
+        count = ctypes.c_uint32()
+        self._call('joint_count', byref(count))
+        return count.value
+
     def broken(self):
         """The joints that broke in the last step."""
         return [_id(which) for which in self._list('broken', c.detent_id)]
@@ -718,8 +806,7 @@ class World(_Held):
         frame = self._space._transform()
         if not self._call('frame', which._in_c(), frame):
             return None
-        return (_Space._tuple(frame.translation),
-                tuple(_Space._tuple(axis) for axis in frame.rotation.axis))
+        return self._space._pose(frame)
 
 
 Frame = namedtuple('Frame', 'number inputs')
@@ -886,6 +973,12 @@ class Context:
 
     def close(self):
         self._finish()
+
+    def count(self):
+        """The number of scenes, worlds and assets in it."""
+        count = ctypes.c_uint32()
+        _check(_library.detent_count(self._open, byref(count)))
+        return count.value
 
     def __enter__(self):
         return self

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 import array
 import os
+import re
 import sys
 import unittest
 
@@ -50,6 +51,12 @@ class Test(unittest.TestCase):
         self.assertTrue(scene.move(ids[3], (5 * ONE, 0)))
         self.assertEqual(len(scene.overlaps()), 3)
         saved, digest = scene.snapshot(), scene.digest()
+        self.assertTrue(scene.any(d2.point((0, 0))))
+        other = self.context.scene2()
+        other.restore(saved)
+        self.assertEqual(other.diff(scene), [])
+        other.move(ids[1], (0, ONE))
+        self.assertEqual(other.diff(scene), ['object {}:{} (sphere) center.y'.format(*ids[1])])
         self.assertTrue(scene.remove(ids[0]))
         self.assertFalse(scene.remove(ids[0]))
         scene.restore(saved)
@@ -137,6 +144,8 @@ class Test(unittest.TestCase):
         world.step()
         self.assertEqual(world.broken(), [hinge])
         self.assertIsNone(world.joint(hinge))
+        weld = world.add_joint(detent.WELD, wall, arm)
+        self.assertEqual([world.remove_joint(weld), world.remove_joint(weld)], [True, False])
         self.assertIsNone(world.add_joint(detent.WELD, wall, wall))
         solid = self.context.solid2(3, [(0, 0), (ONE, 0), (0, ONE)])
         body = world.add(detent.placed(solid, (9 * ONE, 9 * ONE)))
@@ -181,6 +190,22 @@ class Test(unittest.TestCase):
         self.assertEqual(scene.raycast(d3.pick_ray(camera, (641, 481), (320, 240))).id, ball)
         self.assertIsNone(scene.raycast(d3.pick_ray(camera, (641, 481), (0, 0))))
         self.assertIsNone(d3.camera((0, 0, 0), (0, 0, 0), ONE, 2 * ONE, fov=1 << 29, aspect=ONE))
+        self.assertEqual(d3.project(camera, (640, 480), (0, 0, 0)), (320 * ONE, 240 * ONE, 10 * ONE))
+        self.assertIsNone(d3.project(camera, (640, 480), (0, 0, 11 * ONE)))
+        self.assertEqual(d3.unproject(camera, (641, 481), (320, 240), 10 * ONE), (0, 0, 0))
+        frustum = d3.frustum(camera)
+        self.assertEqual(scene.nearest(frustum), (8 * ONE, ball))
+        self.assertTrue(scene.any(frustum))
+        self.assertFalse(scene.any(frustum, layers=2))
+        self.assertTrue(d3.contains(frustum, (0, 0, 0)))
+        self.assertFalse(d3.contains(frustum, (0, 0, 10 * ONE)))
+        self.assertEqual(d3.closest_point(frustum, (0, 0, 10 * ONE)), (0, 0, 9 * ONE))
+        self.assertEqual(d3.distance(frustum, (0, 0, 12 * ONE)), 3 * ONE)
+        self.assertEqual(d3.raycast(d3.ray((0, 0, 12 * ONE), (0, 0, -UNIT)), frustum).distance, 3 * ONE)
+        near, far = d3.sphere((0, 0, 0), ONE), d3.sphere((0, 0, 20 * ONE), ONE)
+        self.assertEqual([d3.overlaps(frustum, near), d3.overlaps(far, frustum)], [True, False])
+        self.assertTrue(d3.overlaps_union(frustum, [far, near]))
+        self.assertTrue(d3.overlaps(frustum, frustum))
         camera.aspect = 0
         with self.assertRaises(detent.Error):
             d3.frustum(camera)
@@ -197,7 +222,81 @@ class Test(unittest.TestCase):
         self.assertEqual(d3.distance_union(pair, (0, 0, 0)), 2 * ONE)
         self.assertEqual(d3.distance_union(pair, [ball]), ONE)
         self.assertEqual(d3.closest_points_union(pair, [ball]), ((2 * ONE, 0, 0), (ONE, 0, 0)))
+        self.assertEqual(d3.closest_point_union(pair, (0, 0, 0)), (2 * ONE, 0, 0))
         self.assertEqual(d3.cast_union(ball, (detent.UNIT, 0, 0), 9 * ONE, pair).distance, ONE)
+
+    def test_hulls(self):
+        """Two shapes, one of them a hull of the context."""
+        solid = self.context.hull3(1, [(0, 0, 0), (ONE, 0, 0), (0, ONE, 0), (0, 0, ONE)])
+        hull = detent.placed(solid, (0, 0, 0))
+        ball = d3.sphere((-ONE, ONE // 4, ONE // 4), 2 * ONE)
+        contact = d3.contact(hull, ball, self.context)
+        self.assertEqual((contact.normal, contact.depth), ((-UNIT, 0, 0), ONE))
+        far = d3.sphere((-3 * ONE, ONE // 4, ONE // 4), ONE)
+        self.assertIsNone(d3.contact(hull, far, self.context))
+        impact = d3.time_of_impact(far, d3.sweep((0, 0, 0), (4 * ONE, 0, 0)), hull, context=self.context)
+        self.assertAlmostEqual(impact.time / UNIT, 0.5, delta=0.001)
+        self.assertEqual(self.context.count(), 1)
+
+    def test_rays_as_shapes(self):
+        ray = d2.ray((0, 0), (UNIT, 0), 5 * ONE)
+        self.assertEqual([d2.contains(ray, (x * ONE, 0)) for x in (-1, 0, 5, 6)], [False, True, True, False])
+        self.assertEqual(d2.closest_point(ray, (2 * ONE, 3 * ONE)), (2 * ONE, 0))
+        self.assertEqual(d2.distance(ray, (2 * ONE, 3 * ONE)), 3 * ONE)
+
+    def test_chosen_ids(self):
+        which = detent.Id(5, 7)
+        scene, world = self.context.scene2(), self.context.world2()
+        for owner in (scene, world):
+            self.assertEqual(owner.add(d2.sphere((0, 0), ONE), which=which), which)
+            self.assertIsNone(owner.add(d2.sphere((0, 0), ONE), which=which))
+        self.assertTrue(scene.set_traits(which, layers=4, user=9))
+        traits = scene.object(which)[1]
+        self.assertEqual((traits.layers, traits.user), (4, 9))
+        other = world.add(d2.sphere((9 * ONE, 0), ONE))
+        states = world.bodies([other, which, detent.Id(3, 3)])
+        self.assertEqual([state.position.x for state in states], [9 * ONE, 0, 0])
+        self.assertNotEqual(world.digest_of(which), world.digest_of(other))
+        self.assertIsNone(world.digest_of(detent.Id(3, 3)))
+        world.add_joint(detent.DISTANCE, which, other, upper=20 * ONE)
+        self.assertEqual((world.joint_count(), len(world)), (1, 2))
+        self.assertTrue(world.set_angular_velocity(which, (ONE,)))
+        self.assertEqual(world.local_frame(which, d2._identity), d2._identity)
+        changed = self.context.world2()
+        changed.restore(world.snapshot())
+        changed.set_velocity(which, (ONE, 0))
+        self.assertEqual(world.diff(changed), ['body 5:7 (sphere) velocity.x'])
+        self.assertTrue(world.remove(other))
+        self.assertEqual((world.joint_count(), len(world)), (0, 1))
+
+    def test_sessions(self):
+        start = self.context.world2()
+        start.add(d2.sphere((0, 0), ONE))
+        sessions = [self.context.session2(start, match=1, self=i) for i in range(2)]
+        now = 0
+
+        def play(ticks):
+            nonlocal now
+            for _ in range(ticks):
+                now += 16667
+                for i, session in enumerate(sessions):
+                    for _ in session.frames(b'\0'):
+                        session.world.step()
+                    for to, packet in session.packets(now):
+                        sessions[to].receive(i, packet, now)
+            return [[event.kind for event in session.events()] for session in sessions]
+
+        names = detent.events
+        self.assertEqual(play(60), [[names['connected']]] * 2)
+        self.assertGreater(sessions[0].matched(1), 30)
+        self.assertFalse(sessions[0].is_awaited(1))
+        sessions[0].pause()
+        self.assertEqual(play(30), [[], [names['peer_paused']]])
+        self.assertEqual(sessions[0].state, detent.states['paused'])
+        sessions[0].pause(False)
+        self.assertEqual(play(30), [[], [names['peer_resumed']]])
+        sessions[0].drop(1)
+        self.assertIn(names['dropped'], play(60)[0])
 
     def test_mover(self):
         scene = self.context.scene3()
@@ -255,6 +354,19 @@ class Test(unittest.TestCase):
         self.assertTrue(scene.move_frame(frame, (7 * ONE, 0)))
         self.assertEqual(scene.nearest(d2.point((7 * ONE, 0))), (0, ball))
         self.assertFalse(scene.remove_frame(frame))
+        inner = scene.add_frame((ONE, 0), scale=2 * ONE, parent=frame)
+        self.assertEqual(scene.frame(inner), (((ONE, 0), d2._identity, 2 * ONE),
+                                              ((8 * ONE, 0), d2._identity, 2 * ONE)))
+        self.assertIsNone(scene.frame(detent.Id(9, 9)))
+        self.assertTrue(scene.replace(ball, d2.aabb((0, 0), (ONE, ONE))))
+        self.assertTrue(scene.raycast_any(d2.ray((0, ONE // 2), (UNIT, 0))))
+        scene.optimize()
+
+    def test_versions(self):
+        with open(os.path.join(here, '../../../include/detent/version.hpp'), encoding='utf-8') as file:
+            major, minor, patch = map(int, re.findall(r'#define DETENT_VERSION_\w+ (\d+)', file.read()))
+        self.assertEqual(detent.version(), major * 10000 + minor * 100 + patch)
+        self.assertGreater(detent.results_version(), 0)
 
     def test_errors(self):
         with self.assertRaises(detent.Error) as caught:
@@ -293,5 +405,30 @@ class Test(unittest.TestCase):
         self.check_many(numpy.array(self.rows, dtype=numpy.int32))
 
 
+class Recorder:
+    """The library, and the names of the functions taken from it."""
+
+    def __init__(self, library):
+        self.library, self.names = library, set()
+
+    def __getattr__(self, name):
+        self.names.add(name)
+        return getattr(self.library, name)
+
+
+def main():
+    recorder = detent._library = Recorder(detent._library)
+    passed = unittest.main(exit=False).result.wasSuccessful()
+
+    def in_3d(names):
+        return {name.replace('2', '3') for name in names}
+
+    missing = in_3d(detent.c.FUNCTIONS) - in_3d(recorder.names)
+    if passed and len(sys.argv) == 1 and missing:
+        print('no test calls', ', '.join(sorted(missing)), file=sys.stderr)
+        passed = False
+    sys.exit(not passed)
+
+
 if __name__ == '__main__':
-    unittest.main()
+    main()
