@@ -3,8 +3,7 @@
 
 The file is C99 except for lines that begin with @. Text between @each and @end is repeated for each
 dimension: {N} is the dimension, {x} the coordinates, {A} the number of components of an angular
-velocity, {C} the number of points of a contact and {M} the dimension minus one. `generate` replaces
-@generated and @layouts.
+velocity and {C} the number of points of a contact. `generate` replaces @generated and @layouts.
 """
 import re
 from dataclasses import dataclass, field
@@ -60,7 +59,7 @@ def expand(text):
         parts = []
         for n, x, a, c in ((2, 'x, y', 1, 2), (3, 'x, y, z', 3, 4)):
             parts.append(match[1].replace('{N}', str(n)).replace('{x}', x).replace('{A}', str(a))
-                         .replace('{C}', str(c)).replace('{M}', str(n - 1)))
+                         .replace('{C}', str(c)))
         return ''.join(parts)
     return re.sub(r'@each\n(.*?)@end\n', both, text, flags=re.S)
 

@@ -396,7 +396,10 @@ class Caller {
         options.is_fast = static_cast<std::uint32_t>(source_.below(16)) / 7;
         if (source_.below(16) == 15) options.density = number();
         if (source_.below(16) == 15) options.friction = number();
-        if (source_.below(16) == 15) options.restitution = number();
+        if (source_.below(16) == 15) {
+          options.restitution = number();
+          options.rolling_resistance = number();
+        }
         if (source_.below(16) == 15) options.velocity = vec3();
         if (source_.below(16) == 15) options.angular_velocity[1] = number();
         return add([&](auto* out) {
@@ -670,7 +673,10 @@ class Caller {
           part.shape = shape3();
           if (source_.below(4) != 3) part.shape.kind = DETENT_SPHERE;
           if (source_.below(8) == 7) part.density = number();
-          if (source_.below(8) == 7) part.friction = number();
+          if (source_.below(8) == 7) {
+            part.friction = number();
+            part.rolling_resistance = number();
+          }
           if (source_.below(8) == 7) part.is_sensor = static_cast<std::uint32_t>(source_.below(3));
         }
         const auto name = static_cast<std::uint32_t>(source_.below(4));

@@ -469,6 +469,7 @@ typedef struct detent_body2_options {
   int32_t density;
   int32_t friction;
   int32_t restitution;
+  int32_t rolling_resistance; /**< stops balls and capsules from rolling; 0: they roll on */
   int32_t linear_damping;
   int32_t angular_damping;
   detent_vec2 velocity;
@@ -477,7 +478,7 @@ typedef struct detent_body2_options {
   uint32_t locked;       /**< DETENT_LOCK_X | ... */
   uint32_t is_sensor;    /**< 1: touches are reported but exert no force */
   uint32_t is_fast;      /**< 1: never tunnels through other bodies */
-  uint32_t reserved[1]; /**< ignored; makes the layout free of padding */
+  uint32_t reserved[2]; /**< ignored; keeps the layout free of padding */
 } detent_body2_options;
 
 /** A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and
@@ -487,6 +488,7 @@ typedef struct detent_part2 {
   int32_t density;     /**< 0: the part has no mass */
   int32_t friction;
   int32_t restitution;
+  int32_t rolling_resistance; /**< of balls and capsules */
   uint32_t is_sensor;  /**< 1: touches are reported but exert no force */
 } detent_part2;
 
@@ -719,6 +721,7 @@ typedef struct detent_body3_options {
   int32_t density;
   int32_t friction;
   int32_t restitution;
+  int32_t rolling_resistance; /**< stops balls and capsules from rolling; 0: they roll on */
   int32_t linear_damping;
   int32_t angular_damping;
   detent_vec3 velocity;
@@ -727,7 +730,7 @@ typedef struct detent_body3_options {
   uint32_t locked;       /**< DETENT_LOCK_X | ... */
   uint32_t is_sensor;    /**< 1: touches are reported but exert no force */
   uint32_t is_fast;      /**< 1: never tunnels through other bodies */
-  uint32_t reserved[2]; /**< ignored; makes the layout free of padding */
+  uint32_t reserved[3]; /**< ignored; keeps the layout free of padding */
 } detent_body3_options;
 
 /** A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and
@@ -737,6 +740,7 @@ typedef struct detent_part3 {
   int32_t density;     /**< 0: the part has no mass */
   int32_t friction;
   int32_t restitution;
+  int32_t rolling_resistance; /**< of balls and capsules */
   uint32_t is_sensor;  /**< 1: touches are reported but exert no force */
 } detent_part3;
 
@@ -1009,8 +1013,8 @@ DETENT_API detent_status detent_solid2_create(detent_context* context, uint32_t 
                                                 const detent_vec2* points, uint32_t count,
                                                 detent_handle* solid);
 
-/** A part with defaults: density 1, friction 3/5, no restitution, not a sensor. Its shape is a
- *  point without mass; set it. */
+/** A part with defaults: density 1, friction 3/5, no restitution, no rolling resistance, not a
+ *  sensor. Its shape is a point without mass; set it. */
 DETENT_API detent_status detent_part2_defaults(detent_part2* part);
 
 /** A compound of 1 to 65536 parts that are fixed to each other, for bodies. A body's position is
@@ -1215,7 +1219,8 @@ DETENT_API detent_status detent_world2_destroy(detent_context* context, detent_h
 
 /** Adds a body: a sphere, AABB, OBB, capsule, solid hull or compound; in 3D also a mesh or height
  *  field, which can only be fixed or kinematic. The scale of `placed` must be 65536. `options` may
- *  be null for the defaults. A compound takes density, friction and restitution from its parts. */
+ *  be null for the defaults. A compound takes density, friction, restitution and rolling resistance
+ *  from its parts. */
 DETENT_API detent_status detent_world2_add(detent_context* context, detent_handle world,
                                              const detent_shape2* shape,
                                              const detent_body2_options* options, detent_id* id);
@@ -1640,8 +1645,8 @@ DETENT_API detent_status detent_solid3_create(detent_context* context, uint32_t 
                                                 const detent_vec3* points, uint32_t count,
                                                 detent_handle* solid);
 
-/** A part with defaults: density 1, friction 3/5, no restitution, not a sensor. Its shape is a
- *  point without mass; set it. */
+/** A part with defaults: density 1, friction 3/5, no restitution, no rolling resistance, not a
+ *  sensor. Its shape is a point without mass; set it. */
 DETENT_API detent_status detent_part3_defaults(detent_part3* part);
 
 /** A compound of 1 to 65536 parts that are fixed to each other, for bodies. A body's position is
@@ -1846,7 +1851,8 @@ DETENT_API detent_status detent_world3_destroy(detent_context* context, detent_h
 
 /** Adds a body: a sphere, AABB, OBB, capsule, solid hull or compound; in 3D also a mesh or height
  *  field, which can only be fixed or kinematic. The scale of `placed` must be 65536. `options` may
- *  be null for the defaults. A compound takes density, friction and restitution from its parts. */
+ *  be null for the defaults. A compound takes density, friction, restitution and rolling resistance
+ *  from its parts. */
 DETENT_API detent_status detent_world3_add(detent_context* context, detent_handle world,
                                              const detent_shape3* shape,
                                              const detent_body3_options* options, detent_id* id);
@@ -2225,8 +2231,8 @@ typedef char detent_mover2_settings_has_its_size[sizeof(detent_mover2_settings) 
 typedef char detent_mover2_touch_has_its_size[sizeof(detent_mover2_touch) == 24 ? 1 : -1];
 typedef char detent_move2_has_its_size[sizeof(detent_move2) == 224 ? 1 : -1];
 typedef char detent_world2_settings_has_its_size[sizeof(detent_world2_settings) == 32 ? 1 : -1];
-typedef char detent_body2_options_has_its_size[sizeof(detent_body2_options) == 72 ? 1 : -1];
-typedef char detent_part2_has_its_size[sizeof(detent_part2) == 56 ? 1 : -1];
+typedef char detent_body2_options_has_its_size[sizeof(detent_body2_options) == 80 ? 1 : -1];
+typedef char detent_part2_has_its_size[sizeof(detent_part2) == 60 ? 1 : -1];
 typedef char detent_joint2_has_its_size[sizeof(detent_joint2) == 108 ? 1 : -1];
 typedef char detent_body2_has_its_size[sizeof(detent_body2) == 40 ? 1 : -1];
 typedef char detent_vec3_has_its_size[sizeof(detent_vec3) == 12 ? 1 : -1];
@@ -2252,8 +2258,8 @@ typedef char detent_mover3_settings_has_its_size[sizeof(detent_mover3_settings) 
 typedef char detent_mover3_touch_has_its_size[sizeof(detent_mover3_touch) == 32 ? 1 : -1];
 typedef char detent_move3_has_its_size[sizeof(detent_move3) == 300 ? 1 : -1];
 typedef char detent_world3_settings_has_its_size[sizeof(detent_world3_settings) == 36 ? 1 : -1];
-typedef char detent_body3_options_has_its_size[sizeof(detent_body3_options) == 88 ? 1 : -1];
-typedef char detent_part3_has_its_size[sizeof(detent_part3) == 84 ? 1 : -1];
+typedef char detent_body3_options_has_its_size[sizeof(detent_body3_options) == 96 ? 1 : -1];
+typedef char detent_part3_has_its_size[sizeof(detent_part3) == 88 ? 1 : -1];
 typedef char detent_joint3_has_its_size[sizeof(detent_joint3) == 156 ? 1 : -1];
 typedef char detent_body3_has_its_size[sizeof(detent_body3) == 76 ? 1 : -1];
 typedef char detent_camera3_has_its_size[sizeof(detent_camera3) == 80 ? 1 : -1];

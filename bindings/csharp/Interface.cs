@@ -352,6 +352,7 @@ public struct Body2Options {
   public int density;
   public int friction;
   public int restitution;
+  public int rolling_resistance;
   public int linear_damping;
   public int angular_damping;
   public Vec2 velocity;
@@ -361,6 +362,7 @@ public struct Body2Options {
   public uint is_sensor;
   public uint is_fast;
   public uint reserved0;
+  public uint reserved1;
 }
 
 /// <summary>A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and its material, in steps of 2^-16. Start from `detent_part2_defaults`.</summary>
@@ -370,6 +372,7 @@ public struct Part2 {
   public int density;
   public int friction;
   public int restitution;
+  public int rolling_resistance;
   public uint is_sensor;
 }
 
@@ -636,6 +639,7 @@ public struct Body3Options {
   public int density;
   public int friction;
   public int restitution;
+  public int rolling_resistance;
   public int linear_damping;
   public int angular_damping;
   public Vec3 velocity;
@@ -648,6 +652,7 @@ public struct Body3Options {
   public uint is_fast;
   public uint reserved0;
   public uint reserved1;
+  public uint reserved2;
 }
 
 /// <summary>A part of a compound: a sphere, AABB, OBB, capsule or solid hull in the compound's frame, and its material, in steps of 2^-16. Start from `detent_part3_defaults`.</summary>
@@ -657,6 +662,7 @@ public struct Part3 {
   public int density;
   public int friction;
   public int restitution;
+  public int rolling_resistance;
   public uint is_sensor;
 }
 
@@ -1612,8 +1618,8 @@ public static unsafe class C {
     if (sizeof(Mover2Touch) != 24) throw new TypeLoadException("detent_mover2_touch");
     if (sizeof(Move2) != 224) throw new TypeLoadException("detent_move2");
     if (sizeof(World2Settings) != 32) throw new TypeLoadException("detent_world2_settings");
-    if (sizeof(Body2Options) != 72) throw new TypeLoadException("detent_body2_options");
-    if (sizeof(Part2) != 56) throw new TypeLoadException("detent_part2");
+    if (sizeof(Body2Options) != 80) throw new TypeLoadException("detent_body2_options");
+    if (sizeof(Part2) != 60) throw new TypeLoadException("detent_part2");
     if (sizeof(Joint2) != 108) throw new TypeLoadException("detent_joint2");
     if (sizeof(Body2) != 40) throw new TypeLoadException("detent_body2");
     if (sizeof(Vec3) != 12) throw new TypeLoadException("detent_vec3");
@@ -1639,8 +1645,8 @@ public static unsafe class C {
     if (sizeof(Mover3Touch) != 32) throw new TypeLoadException("detent_mover3_touch");
     if (sizeof(Move3) != 300) throw new TypeLoadException("detent_move3");
     if (sizeof(World3Settings) != 36) throw new TypeLoadException("detent_world3_settings");
-    if (sizeof(Body3Options) != 88) throw new TypeLoadException("detent_body3_options");
-    if (sizeof(Part3) != 84) throw new TypeLoadException("detent_part3");
+    if (sizeof(Body3Options) != 96) throw new TypeLoadException("detent_body3_options");
+    if (sizeof(Part3) != 88) throw new TypeLoadException("detent_part3");
     if (sizeof(Joint3) != 156) throw new TypeLoadException("detent_joint3");
     if (sizeof(Body3) != 76) throw new TypeLoadException("detent_body3");
     if (sizeof(Camera3) != 80) throw new TypeLoadException("detent_camera3");

@@ -372,6 +372,7 @@ export interface Body2Options {
   density: number;
   friction: number;
   restitution: number;
+  rolling_resistance: number;
   linear_damping: number;
   angular_damping: number;
   velocity: Vec2;
@@ -389,6 +390,7 @@ export interface Part2 {
   density: number;
   friction: number;
   restitution: number;
+  rolling_resistance: number;
   is_sensor: number;
 }
 
@@ -604,6 +606,7 @@ export interface Body3Options {
   density: number;
   friction: number;
   restitution: number;
+  rolling_resistance: number;
   linear_damping: number;
   angular_damping: number;
   velocity: Vec3;
@@ -621,6 +624,7 @@ export interface Part3 {
   density: number;
   friction: number;
   restitution: number;
+  rolling_resistance: number;
   is_sensor: number;
 }
 

@@ -180,9 +180,13 @@ detent_status make_compound(detent_context* context, std::uint32_t id,
     for (std::uint32_t i = 0; i < count; ++i) {
       const auto& given = parts[i];
       why = DETENT_BAD_ARGUMENT;
-      if (given.friction < 0 || given.restitution < 0 || given.is_sensor > 1) return std::nullopt;
+      if (given.friction < 0 || given.restitution < 0 || given.rolling_resistance < 0 ||
+          given.is_sensor > 1) {
+        return std::nullopt;
+      }
       const PartOptions<S> own{Input<N>::number(given.density), Input<N>::number(given.friction),
-                               Input<N>::number(given.restitution), given.is_sensor != 0};
+                               Input<N>::number(given.restitution), given.is_sensor != 0,
+                               Input<N>::number(given.rolling_resistance)};
       why = with_part_shape<N>(*table, given.shape, [&](const auto& shape) -> detent_status {
         auto* const part =
             new (static_cast<std::byte*>(memory) + i * sizeof(Part)) Part(shape, own);

@@ -51,6 +51,7 @@ struct Compounds {
     part->density = own.density.raw();
     part->friction = own.friction.raw();
     part->restitution = own.restitution.raw();
+    part->rolling_resistance = own.rolling_resistance.raw();
     part->is_sensor = own.is_sensor ? 1 : 0;
     return DETENT_OK;
   }

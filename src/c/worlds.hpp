@@ -84,6 +84,7 @@ struct Worlds {
     out->density = own.density.raw();
     out->friction = own.friction.raw();
     out->restitution = own.restitution.raw();
+    out->rolling_resistance = own.rolling_resistance.raw();
     out->linear_damping = own.linear_damping.raw();
     out->angular_damping = own.angular_damping.raw();
     out->gravity_scale = own.gravity_scale.raw();
@@ -526,14 +527,16 @@ struct Worlds {
   static bool read_options(const typename T::BodyOptions* options, Options& own) noexcept {
     if (options == nullptr) return true;
     if (options->motion > DETENT_FIXED_BODY || options->friction < 0 || options->restitution < 0 ||
-        options->linear_damping < 0 || options->angular_damping < 0 || options->locked > 63 ||
-        options->is_sensor > 1 || options->is_fast > 1) {
+        options->rolling_resistance < 0 || options->linear_damping < 0 ||
+        options->angular_damping < 0 || options->locked > 63 || options->is_sensor > 1 ||
+        options->is_fast > 1) {
       return false;
     }
     own.motion = static_cast<BodyMotion>(options->motion);
     own.density = Input<N>::number(options->density);
     own.friction = Input<N>::number(options->friction);
     own.restitution = Input<N>::number(options->restitution);
+    own.rolling_resistance = Input<N>::number(options->rolling_resistance);
     own.linear_damping = Input<N>::number(options->linear_damping);
     own.angular_damping = Input<N>::number(options->angular_damping);
     own.velocity = Input<N>::vec(options->velocity);

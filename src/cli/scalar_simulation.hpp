@@ -282,6 +282,7 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
       set(options.density, part.density, "density");
       set(options.friction, part.friction, "friction");
       set(options.restitution, part.restitution, "restitution");
+      set(options.rolling_resistance, part.rolling_resistance, "rolling_resistance");
       options.is_sensor = part.is_sensor;
       std::visit(
           [&](const auto& plain) {
@@ -413,6 +414,7 @@ class ScalarSimulation : public Simulation, private ScalarReader<S> {
     set(options.density, model.density, "density");
     set(options.friction, model.friction, "friction");
     set(options.restitution, model.restitution, "restitution");
+    set(options.rolling_resistance, model.rolling_resistance, "rolling_resistance");
     set(options.linear_damping, model.linear_damping, "linear_damping");
     set(options.angular_damping, model.angular_damping, "angular_damping");
     set(options.gravity_scale, model.gravity_scale, "gravity_scale");

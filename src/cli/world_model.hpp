@@ -27,7 +27,7 @@ struct HullModel {
 struct PartModel {
   Place place;
   std::variant<SphereModel, CapsuleModel, AabbModel, ObbModel, HullModel> form;
-  std::optional<Literal> density, friction, restitution;
+  std::optional<Literal> density, friction, restitution, rolling_resistance;
   bool is_sensor = false;
 };
 struct CompoundModel {
@@ -63,8 +63,8 @@ struct BodyModel {
                MeshBodyModel, HeightFieldModel>
       form;
   BodyMotion motion = BodyMotion::dynamic;
-  std::optional<Literal> density, friction, restitution, linear_damping, angular_damping,
-      gravity_scale;
+  std::optional<Literal> density, friction, restitution, rolling_resistance, linear_damping,
+      angular_damping, gravity_scale;
   std::optional<Point> velocity, angular_velocity;
   std::uint8_t locked = 0;
   std::optional<std::uint32_t> layers, collides_with;

@@ -129,6 +129,7 @@ class WorldReader : private JsonFields {
     body.density = maybe_positive(node, "density");
     body.friction = maybe_positive(node, "friction");
     body.restitution = maybe_positive(node, "restitution");
+    body.rolling_resistance = maybe_positive(node, "rolling_resistance");
     body.linear_damping = maybe_positive(node, "linear_damping");
     body.angular_damping = maybe_positive(node, "angular_damping");
     body.gravity_scale = maybe(node, "gravity_scale");
@@ -153,16 +154,16 @@ class WorldReader : private JsonFields {
       Keys all{"type", "id", "color"};
       all.insert(all.end(), keys.begin(), keys.end());
       for (const std::string_view key :
-           {"motion", "density", "friction", "restitution", "linear_damping", "angular_damping",
-            "gravity_scale", "velocity", "angular_velocity", "locked", "layers", "collides_with",
-            "sensor", "fast"}) {
+           {"motion", "density", "friction", "restitution", "rolling_resistance", "linear_damping",
+            "angular_damping", "gravity_scale", "velocity", "angular_velocity", "locked", "layers",
+            "collides_with", "sensor", "fast"}) {
         const bool is_left_out =
             std::find(not_of_it.begin(), not_of_it.end(), key) != not_of_it.end();
         if (!is_left_out) all.push_back(key);
       }
       allow_keys(node, owner, all);
     };
-    const Keys of_parts{"density", "friction", "restitution"};
+    const Keys of_parts{"density", "friction", "restitution", "rolling_resistance"};
     const Keys of_masses{"density",       "linear_damping", "angular_damping",
                          "gravity_scale", "locked",         "fast"};
     if (type.text == "compound") {
@@ -247,12 +248,14 @@ class WorldReader : private JsonFields {
           item, type, "sphere, capsule, aabb, obb, hull as parts", [&](const Keys& keys) {
             Keys all{"type"};
             all.insert(all.end(), keys.begin(), keys.end());
-            all.insert(all.end(), {"density", "friction", "restitution", "sensor"});
+            all.insert(all.end(),
+                       {"density", "friction", "restitution", "rolling_resistance", "sensor"});
             allow_keys(item, "the " + type.text, all);
           });
       part.density = maybe_positive(item, "density");
       part.friction = maybe_positive(item, "friction");
       part.restitution = maybe_positive(item, "restitution");
+      part.rolling_resistance = maybe_positive(item, "rolling_resistance");
       part.is_sensor = truth(item, "sensor");
       compound.parts.push_back(std::move(part));
     }

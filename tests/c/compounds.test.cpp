@@ -72,6 +72,7 @@ struct Pair {
     heavy.density = raw(3 * one);
     heavy.friction = raw(one / 4);
     heavy.restitution = raw(one / 3);
+    heavy.rolling_resistance = raw(one / 10);
     sensor.is_sensor = true;
     parts = {BodyPart(Sphere{vec<N>(-one, 0), raw(one / 2)}, heavy),
              BodyPart(Obb{vec<N>(one / 4, 0), make_vec<N>([](int) { return raw(one / 4); }),
@@ -85,6 +86,7 @@ struct Pair {
     given[0].density = 3 * one;
     given[0].friction = one / 4;
     given[0].restitution = one / 3;
+    given[0].rolling_resistance = one / 10;
     Out::shape(
         given[1].shape,
         Obb{vec<N>(one / 4, 0), make_vec<N>([](int) { return raw(one / 4); }), Rotation<S, N>()});
@@ -306,6 +308,9 @@ TEST_CASE(
   CHECK(create(&part, 1, 9) == DETENT_IN_USE);
   auto wrong = part;
   wrong.friction = -1;
+  CHECK(create(&wrong, 1) == DETENT_BAD_ARGUMENT);
+  wrong = part;
+  wrong.rolling_resistance = -1;
   CHECK(create(&wrong, 1) == DETENT_BAD_ARGUMENT);
   wrong = part;
   wrong.is_sensor = 2;

@@ -311,6 +311,9 @@ TEST_CASE("C worlds: settings and options out of range are errors") {
   wrong = options;
   wrong.friction = -1;
   CHECK(detent_world3_add(&context, world, &shape, &wrong, &id) == DETENT_BAD_ARGUMENT);
+  wrong = options;
+  wrong.rolling_resistance = -1;
+  CHECK(detent_world3_add(&context, world, &shape, &wrong, &id) == DETENT_BAD_ARGUMENT);
   auto triangle = shape;
   triangle.kind = DETENT_TRIANGLE;
   CHECK(detent_world3_add(&context, world, &triangle, &options, &id) == DETENT_NO_QUERY);

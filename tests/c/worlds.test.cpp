@@ -71,6 +71,7 @@ void check_history() {
     REQUIRE(C::default_options(&options) == DETENT_OK);
     options.motion = static_cast<std::uint32_t>(own.motion);
     options.restitution = own.restitution.raw();
+    options.rolling_resistance = own.rolling_resistance.raw();
     options.gravity_scale = own.gravity_scale.raw();
     options.velocity = Out::vec(own.velocity);
     options.angular_velocity[0] = own.angular_velocity[0].raw();
@@ -104,6 +105,9 @@ void check_history() {
     if (tick % 8 == 0) {
       typename W::Options own;
       own.restitution = S::from_raw(static_cast<std::int32_t>(random.below(one)));
+      if (random.coin()) {
+        own.rolling_resistance = S::from_raw(static_cast<std::int32_t>(random.below(one / 2)));
+      }
       own.gravity_scale = S::from_raw(static_cast<std::int32_t>(random.below(2 * one)));
       own.velocity = vec(3 * one);
       own.angular_velocity[0] = S::from_raw(static_cast<std::int32_t>(random.below(one)));

@@ -296,6 +296,10 @@ TEST_CASE("detent simulate: errors in a world are named by line, and nothing is 
           "2:38: unknown key \"limits\" in the ball joint; it may have type, a, b, at,");
   refused("{\"bodies\": [\n{\"type\": \"compound\", \"parts\": []}]}",
           "2:31: the compound has no parts; give it a shape");
+  refused(
+      "{\"bodies\": [\n{\"type\": \"sphere\", \"center\": [0, 1, 2], \"radius\": 1,\n"
+      "\"rolling_resistance\": -1}]}",
+      "3:23: rolling_resistance is negative; ");
   refused("{\"bodies\": [\n{\"type\": \"compound\", \"density\": 2, \"parts\": [" + ball + "]}]}",
           "2:33: density is that of each part of a compound; move it there");
   refused("{\"bodies\": [{\"type\": \"compound\", \"parts\": [\n" + ball + "]}]}",
@@ -410,6 +414,30 @@ TEST_CASE("detent simulate: a compound of one part moves like that part") {
   CHECK(shop.run("simulate plain.json --ticks 20 --frames a --size 60x40").code == 0);
   CHECK(shop.run("simulate compound.json --ticks 20 --frames b --size 60x40").code == 0);
   CHECK(content_of(shop.path("a/frame-00010.png")) == content_of(shop.path("b/frame-00010.png")));
+}
+
+TEST_CASE("detent simulate: rolling resistance stops a ball, and a part that is one") {
+  const Workshop shop;
+  const auto way = [&](const std::string& body, const std::string& part) {
+    shop.write("roll.json",
+               "{\"dimension\": 2, \"bodies\": [{\"type\": \"aabb\", \"min\": [-9, -1], "
+               "\"max\": [90, 0], \"motion\": \"fixed\"}, {" +
+                   body + ", \"velocity\": [2, 0], \"angular_velocity\": -4" + part + "}]}");
+    const auto result = shop.run("simulate roll.json --ticks 300 --every 300 --bodies");
+    INFO(result.err);
+    REQUIRE(result.code == 0);
+    return position_in(lines_of(result.out).at(2))[0];
+  };
+  const std::string ball = "\"type\": \"sphere\", \"center\": [0, 0.5], \"radius\": 0.5";
+  const std::string of_part =
+      ", \"parts\": [{\"type\": \"sphere\", \"center\": [0, 0], \"radius\": 0.5";
+  const std::string compound = "\"type\": \"compound\", \"position\": [0, 0.5]";
+  const std::string resistance = ", \"rolling_resistance\": 0.1";
+  CHECK(way(ball, "") > 9.9);
+  const double stopped = way(ball + resistance, "");
+  CHECK(std::abs(stopped - 3.06) < 0.1);  // v^2 (1 + 1/2) / (2 * 0.1 g)
+  CHECK(way(compound, of_part + "}]") > 9.9);
+  CHECK(way(compound, of_part + resistance + "}]") == stopped);
 }
 
 TEST_CASE("detent simulate: layers select collisions, and fast bodies pass no plate") {

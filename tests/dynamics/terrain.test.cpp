@@ -150,6 +150,49 @@ TEST_CASE("terrain: a body on a plane of triangles is as deep as on one face") {
   }
 }
 
+TEST_CASE("terrain: bodies locked in a plane slide over the vertices of a strip at full speed") {
+  using S = q16_16;
+  const auto run = [](int segments, const auto& shape, bool has_friction) {
+    std::vector<Triangle<S, 3>> strip;
+    for (int i = 0; i < segments; ++i) {
+      const double from = 28.0 * i / segments - 14, to = 28.0 * (i + 1) / segments - 14;
+      strip.push_back({point<S>(from, 0, -2), point<S>(from, 0, 2), point<S>(to, 0, -2)});
+      strip.push_back({point<S>(to, 0, -2), point<S>(from, 0, 2), point<S>(to, 0, 2)});
+    }
+    const Owned<S> ground(strip);
+    Ground<S> world;
+    REQUIRE(world.add(BodyMesh<S, 3>{&ground.asset, {}, {}}, fixed<S>()));
+    BodyOptions<S, 3> options;
+    options.locked = AxisLock::z | AxisLock::turn_x | AxisLock::turn_y;
+    options.velocity = point<S>(5, 0, 0);
+    if (has_friction) {
+      options.angular_velocity[2] = S(-10);
+    } else {
+      options.friction = {};
+    }
+    const auto id = *world.add(shape, options);
+    double least = 5, fastest_rise = 0;
+    for (int t = 0; t < 200; ++t) {
+      world.step();
+      const auto v = world.velocity(id);
+      least = (std::min)(least, static_cast<double>(v.x));
+      fastest_rise = (std::max)(fastest_rise, static_cast<double>(abs(v.y)));
+      REQUIRE(world.position(id).z == S(0));
+      REQUIRE(world.rotation(id).axis(2) == Rotation<S, 3>().axis(2));
+    }
+    CAPTURE(segments, has_friction, least, fastest_rise);
+    CHECK(static_cast<double>(world.position(id).x) > 6.6);
+    CHECK(least > 4.999);
+    CHECK(fastest_rise < 0.001);
+  };
+  for (const int segments : {1, 40, 67}) {
+    run(segments, Obb<S, 3>{point<S>(-10, 0.5, 0), point<S>(0.5, 0.5, 0.5), {}}, false);
+    run(segments, Capsule<S, 3>{point<S>(-10.5, 0.3, 0), point<S>(-9.5, 0.3, 0), num<S>(0.3)},
+        false);
+    run(segments, Sphere<S, 3>{point<S>(-10, 0.5, 0), num<S>(0.5)}, true);
+  }
+}
+
 TEST_CASE("terrain: edges and corners push only where no neighbour rises from them") {
   using S = q16_16;
   Random random(73);

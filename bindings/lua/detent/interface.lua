@@ -328,6 +328,7 @@ typedef struct detent_body2_options {
   int32_t density;
   int32_t friction;
   int32_t restitution;
+  int32_t rolling_resistance;
   int32_t linear_damping;
   int32_t angular_damping;
   detent_vec2 velocity;
@@ -336,13 +337,14 @@ typedef struct detent_body2_options {
   uint32_t locked;
   uint32_t is_sensor;
   uint32_t is_fast;
-  uint32_t reserved[1];
+  uint32_t reserved[2];
 } detent_body2_options;
 typedef struct detent_part2 {
   detent_shape2 shape;
   int32_t density;
   int32_t friction;
   int32_t restitution;
+  int32_t rolling_resistance;
   uint32_t is_sensor;
 } detent_part2;
 typedef struct detent_joint2 {
@@ -512,6 +514,7 @@ typedef struct detent_body3_options {
   int32_t density;
   int32_t friction;
   int32_t restitution;
+  int32_t rolling_resistance;
   int32_t linear_damping;
   int32_t angular_damping;
   detent_vec3 velocity;
@@ -520,13 +523,14 @@ typedef struct detent_body3_options {
   uint32_t locked;
   uint32_t is_sensor;
   uint32_t is_fast;
-  uint32_t reserved[2];
+  uint32_t reserved[3];
 } detent_body3_options;
 typedef struct detent_part3 {
   detent_shape3 shape;
   int32_t density;
   int32_t friction;
   int32_t restitution;
+  int32_t rolling_resistance;
   uint32_t is_sensor;
 } detent_part3;
 typedef struct detent_joint3 {
@@ -1282,8 +1286,8 @@ local sizes = {
   detent_mover2_touch = 24,
   detent_move2 = 224,
   detent_world2_settings = 32,
-  detent_body2_options = 72,
-  detent_part2 = 56,
+  detent_body2_options = 80,
+  detent_part2 = 60,
   detent_joint2 = 108,
   detent_body2 = 40,
   detent_vec3 = 12,
@@ -1309,8 +1313,8 @@ local sizes = {
   detent_mover3_touch = 32,
   detent_move3 = 300,
   detent_world3_settings = 36,
-  detent_body3_options = 88,
-  detent_part3 = 84,
+  detent_body3_options = 96,
+  detent_part3 = 88,
   detent_joint3 = 156,
   detent_body3 = 76,
   detent_camera3 = 80,

@@ -1051,7 +1051,8 @@ class Context:
 
     def compound3(self, name, parts):
         """Shapes that move as one body. Each is a sphere, AABB, OBB, capsule or placed solid hull,
-        or a tuple of one and a dict with its density, friction, restitution and is_sensor."""
+        or a tuple of one and a dict with its density, friction, restitution, rolling_resistance and
+        is_sensor."""
         return self._compound(d3, name, parts)
 
     def compound2(self, name, parts):

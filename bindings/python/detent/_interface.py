@@ -468,6 +468,7 @@ class detent_body2_options(Structure):
         ('density', c_int32),
         ('friction', c_int32),
         ('restitution', c_int32),
+        ('rolling_resistance', c_int32),
         ('linear_damping', c_int32),
         ('angular_damping', c_int32),
         ('velocity', detent_vec2),
@@ -476,7 +477,7 @@ class detent_body2_options(Structure):
         ('locked', c_uint32),
         ('is_sensor', c_uint32),
         ('is_fast', c_uint32),
-        ('reserved', c_uint32 * 1),
+        ('reserved', c_uint32 * 2),
     ]
 
 
@@ -487,6 +488,7 @@ class detent_part2(Structure):
         ('density', c_int32),
         ('friction', c_int32),
         ('restitution', c_int32),
+        ('rolling_resistance', c_int32),
         ('is_sensor', c_uint32),
     ]
 
@@ -768,6 +770,7 @@ class detent_body3_options(Structure):
         ('density', c_int32),
         ('friction', c_int32),
         ('restitution', c_int32),
+        ('rolling_resistance', c_int32),
         ('linear_damping', c_int32),
         ('angular_damping', c_int32),
         ('velocity', detent_vec3),
@@ -776,7 +779,7 @@ class detent_body3_options(Structure):
         ('locked', c_uint32),
         ('is_sensor', c_uint32),
         ('is_fast', c_uint32),
-        ('reserved', c_uint32 * 2),
+        ('reserved', c_uint32 * 3),
     ]
 
 
@@ -787,6 +790,7 @@ class detent_part3(Structure):
         ('density', c_int32),
         ('friction', c_int32),
         ('restitution', c_int32),
+        ('rolling_resistance', c_int32),
         ('is_sensor', c_uint32),
     ]
 
@@ -890,8 +894,8 @@ assert sizeof(detent_mover2_settings) == 24
 assert sizeof(detent_mover2_touch) == 24
 assert sizeof(detent_move2) == 224
 assert sizeof(detent_world2_settings) == 32
-assert sizeof(detent_body2_options) == 72
-assert sizeof(detent_part2) == 56
+assert sizeof(detent_body2_options) == 80
+assert sizeof(detent_part2) == 60
 assert sizeof(detent_joint2) == 108
 assert sizeof(detent_body2) == 40
 assert sizeof(detent_vec3) == 12
@@ -917,8 +921,8 @@ assert sizeof(detent_mover3_settings) == 28
 assert sizeof(detent_mover3_touch) == 32
 assert sizeof(detent_move3) == 300
 assert sizeof(detent_world3_settings) == 36
-assert sizeof(detent_body3_options) == 88
-assert sizeof(detent_part3) == 84
+assert sizeof(detent_body3_options) == 96
+assert sizeof(detent_part3) == 88
 assert sizeof(detent_joint3) == 156
 assert sizeof(detent_body3) == 76
 assert sizeof(detent_camera3) == 80

@@ -496,6 +496,7 @@ pub struct Body2Options {
     pub density: i32,
     pub friction: i32,
     pub restitution: i32,
+    pub rolling_resistance: i32,
     pub linear_damping: i32,
     pub angular_damping: i32,
     pub velocity: Vec2,
@@ -504,9 +505,9 @@ pub struct Body2Options {
     pub locked: u32,
     pub is_sensor: u32,
     pub is_fast: u32,
-    pub reserved: [u32; 1],
+    pub reserved: [u32; 2],
 }
-const _: () = assert!(std::mem::size_of::<Body2Options>() == 72);
+const _: () = assert!(std::mem::size_of::<Body2Options>() == 80);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -516,9 +517,10 @@ pub struct Part2 {
     pub density: i32,
     pub friction: i32,
     pub restitution: i32,
+    pub rolling_resistance: i32,
     pub is_sensor: u32,
 }
-const _: () = assert!(std::mem::size_of::<Part2>() == 56);
+const _: () = assert!(std::mem::size_of::<Part2>() == 60);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -823,6 +825,7 @@ pub struct Body3Options {
     pub density: i32,
     pub friction: i32,
     pub restitution: i32,
+    pub rolling_resistance: i32,
     pub linear_damping: i32,
     pub angular_damping: i32,
     pub velocity: Vec3,
@@ -831,9 +834,9 @@ pub struct Body3Options {
     pub locked: u32,
     pub is_sensor: u32,
     pub is_fast: u32,
-    pub reserved: [u32; 2],
+    pub reserved: [u32; 3],
 }
-const _: () = assert!(std::mem::size_of::<Body3Options>() == 88);
+const _: () = assert!(std::mem::size_of::<Body3Options>() == 96);
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -843,9 +846,10 @@ pub struct Part3 {
     pub density: i32,
     pub friction: i32,
     pub restitution: i32,
+    pub rolling_resistance: i32,
     pub is_sensor: u32,
 }
-const _: () = assert!(std::mem::size_of::<Part3>() == 84);
+const _: () = assert!(std::mem::size_of::<Part3>() == 88);
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -442,7 +442,8 @@ macro_rules! space {
             /// A part of a compound with the default material.
             pub fn part(shape: Shape) -> Part {
                 let mut own = Part {
-                    shape, density: 0, friction: 0, restitution: 0, is_sensor: 0,
+                    shape, density: 0, friction: 0, restitution: 0, rolling_resistance: 0,
+                    is_sensor: 0,
                 };
                 unsafe { part_defaults(&mut own) };
                 own.shape = shape;
