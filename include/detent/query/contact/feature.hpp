@@ -171,38 +171,54 @@ template <class Body, Scalar S, int N, std::size_t Most>
 class OpposedFace {
  public:
   constexpr OpposedFace(const Body& body, const Corner<S, N>& at, const Direction<S, N>& d) noexcept
-      : corners_(body.corners()), d_(d) {
-    const auto corner = nearest_to<S>(at);
-    std::array<Vec<S, N>, std::size_t{N}> p{corner};
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      p[1] = corners_[i];
-      if constexpr (N == 2) {
-        offer(p);
-      } else {
-        for (std::size_t j = 0; j < i; ++j) {
-          p[2] = corners_[j];
-          offer(p);
-        }
-      }
-    }
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      if (dot(best_, corners_[i] - corner) == 0)
-        feature_.add(nearest_to<Length<S>>(corners_[i]), i);
-    }
+      : corners_(body.corners()), from_(nearest_to<S>(at)), d_(d) {
+    bool are_short = true;
+    for (const auto& corner : corners_) are_short = fits<29>(corner - from_) && are_short;
+    using Wide = std::remove_cvref_t<decltype(from_.x - from_.x)>;
+    are_short ? find<decltype(at_most<29>(Wide()))>() : find<Wide>();
   }
 
   [[nodiscard]] constexpr const Feature<S, N, Most>& feature() const noexcept { return feature_; }
 
  private:
-  using Corners = std::array<Vec<S, N>, std::size_t{N}>;
-  using Normal = decltype(across_corners(Corners()));
+  template <Number T>
+  using Offsets = std::array<Vec<T, N>, std::size_t{N}>;
+  template <Number T>
+  using Normal = decltype(across_corners(Offsets<T>()));
 
-  constexpr void offer(const Corners& p) noexcept {
+  /// Corner i, seen from the given one, in numbers of type T.
+  template <Number T>
+  [[nodiscard]] constexpr Vec<T, N> offset(std::size_t i) const noexcept {
+    return at_most<(is_fixed<T> ? bits_of<T> : 0)>(corners_[i] - from_);
+  }
+
+  template <Number T>
+  constexpr void find() noexcept {
+    Normal<T> best{};
+    Offsets<T> p{};
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      p[1] = offset<T>(i);
+      if constexpr (N == 2) {
+        offer(p, best);
+      } else {
+        for (std::size_t j = 0; j < i; ++j) {
+          p[2] = offset<T>(j);
+          offer(p, best);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      if (dot(best, offset<T>(i)) == 0) feature_.add(nearest_to<Length<S>>(corners_[i]), i);
+    }
+  }
+
+  template <Number T>
+  constexpr void offer(const Offsets<T>& p, Normal<T>& best) const noexcept {
     auto normal = across_corners(p);
     if (is_zero(normal)) return;
     bool is_below = true, is_above = true;
     for (std::size_t i = 0; i < corners_.size() && (is_below || is_above); ++i) {
-      const auto height = dot(normal, corners_[i] - p[0]);
+      const auto height = dot(normal, offset<T>(i));
       is_below = is_below && height <= 0;
       is_above = is_above && height >= 0;
     }
@@ -212,20 +228,20 @@ class OpposedFace {
       normal = narrow_negative(normal);
       along = narrow_negative(along);
     }
-    const auto squared = squared_length(normal);
-    if (!is_zero(best_)) {
-      const auto best_along = dot(best_, d_);
-      const auto left = square(along) * squared_length(best_), right = square(best_along) * squared;
+    if (!is_zero(best)) {
+      const auto squared = squared_length(normal);
+      const auto best_along = dot(best, d_);
+      const auto left = square(along) * squared_length(best), right = square(best_along) * squared;
       const bool is_better =
           along < 0 ? best_along >= 0 || left > right : best_along > 0 && left < right;
       if (!is_better) return;
     }
-    best_ = normal;
+    best = normal;
   }
 
   decltype(std::declval<const Body&>().corners()) corners_;
+  Vec<S, N> from_;
   const Direction<S, N>& d_;
-  Normal best_{};
   Feature<S, N, Most> feature_;
 };
 
