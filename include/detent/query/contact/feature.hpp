@@ -10,6 +10,7 @@
 #include "detent/math/components.hpp"
 #include "detent/math/direction.hpp"
 #include "detent/math/width.hpp"
+#include "detent/number/filter/filtered.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/core.hpp"
 #include "detent/query/kernel/least_common_point.hpp"
@@ -171,38 +172,114 @@ template <class Body, Scalar S, int N, std::size_t Most>
 class OpposedFace {
  public:
   constexpr OpposedFace(const Body& body, const Corner<S, N>& at, const Direction<S, N>& d) noexcept
-      : corners_(body.corners()), d_(d) {
-    const auto corner = nearest_to<S>(at);
-    std::array<Vec<S, N>, std::size_t{N}> p{corner};
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      p[1] = corners_[i];
-      if constexpr (N == 2) {
-        offer(p);
-      } else {
-        for (std::size_t j = 0; j < i; ++j) {
-          p[2] = corners_[j];
-          offer(p);
-        }
-      }
-    }
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      if (dot(best_, corners_[i] - corner) == 0)
-        feature_.add(nearest_to<Length<S>>(corners_[i]), i);
-    }
+      : corners_(body.corners()), from_(nearest_to<S>(at)), d_(d) {
+    bool are_short = true;
+    for (const auto& corner : corners_) are_short = fits<29>(corner - from_) && are_short;
+    using Wide = std::remove_cvref_t<decltype(from_.x - from_.x)>;
+    are_short ? find<decltype(at_most<29>(Wide()))>() : find<Wide>();
   }
 
   [[nodiscard]] constexpr const Feature<S, N, Most>& feature() const noexcept { return feature_; }
 
  private:
-  using Corners = std::array<Vec<S, N>, std::size_t{N}>;
-  using Normal = decltype(across_corners(Corners()));
+  template <Number T>
+  using Offsets = std::array<Vec<T, N>, std::size_t{N}>;
+  template <Number T>
+  using Normal = decltype(across_corners(Offsets<T>()));
 
-  constexpr void offer(const Corners& p) noexcept {
+  /// Corner i, seen from the given one, in numbers of type T.
+  template <Number T>
+  [[nodiscard]] constexpr Vec<T, N> offset(std::size_t i) const noexcept {
+    return at_most<(is_fixed<T> ? bits_of<T> : 0)>(corners_[i] - from_);
+  }
+
+  template <Number T>
+  constexpr void find() noexcept {
+    Normal<T> best{};
+    if (!wrap<T>(best)) {
+      best = {};
+      try_all<T>(best);
+    }
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      if (dot(best, offset<T>(i)) == 0) feature_.add(nearest_to<Length<S>>(corners_[i]), i);
+    }
+  }
+
+  /// Finds the normal of the face by walking about the corner, from each edge to the next; false if
+  /// the hull is flat, or if two faces are equally opposed, and in 2D.
+  ///
+  /// The face on the left of an edge is the one on which a corner is leftmost, seen along the edge.
+  /// If no corner is beyond any of the faces, the walk comes back to its first edge, and has
+  /// then crossed every face about the corner.
+  ///
+  /// source: Jarvis, On the Identification of the Convex Hull of a Finite Set of Points (1973)
+  template <Number T>
+  [[nodiscard]] constexpr bool wrap(Normal<T>& best) const noexcept {
+    if constexpr (N == 2 || !is_fixed<S> || !has_filters) {
+      return false;
+    } else {
+      std::size_t first = 0;
+      auto step = face_left_of<T>(first);
+      while (!step.is_face && ++first < corners_.size()) step = face_left_of<T>(first);
+      for (std::size_t steps = 0; step.is_face && steps < corners_.size(); ++steps) {
+        if (!keep_better<T>(step.normal, dot(step.normal, d_), best)) return false;
+        if (step.next == first) return true;
+        step = face_left_of<T>(step.next);
+      }
+      return false;
+    }
+  }
+  template <Number T>
+  struct Step {
+    Normal<T> normal{};
+    std::size_t next = 0;
+    bool is_face = false;
+  };
+  /// The face on the left of the edge to corner i: its normal, and the corner at its other side.
+  template <Number T>
+  [[nodiscard]] constexpr Step<T> face_left_of(std::size_t i) const noexcept {
+    Step<T> step;
+    Offsets<T> p{};
+    p[1] = offset<T>(i);
+    for (std::size_t k = 0; k < corners_.size(); ++k) {
+      p[2] = offset<T>(k);
+      if (!is_zero(step.normal) && !(dot(step.normal, p[2]) > 0)) continue;
+      step.normal = across_corners(p);
+      step.next = k;
+    }
+    bool is_flat = true;
+    for (std::size_t k = 0; k < corners_.size(); ++k) {
+      const auto height = dot(step.normal, offset<T>(k));
+      if (height > 0) return step;
+      is_flat = is_flat && height == 0;
+    }
+    step.is_face = !is_flat;
+    return step;
+  }
+
+  template <Number T>
+  constexpr void try_all(Normal<T>& best) const noexcept {
+    Offsets<T> p{};
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      p[1] = offset<T>(i);
+      if constexpr (N == 2) {
+        offer(p, best);
+      } else {
+        for (std::size_t j = 0; j < i; ++j) {
+          p[2] = offset<T>(j);
+          offer(p, best);
+        }
+      }
+    }
+  }
+
+  template <Number T>
+  constexpr void offer(const Offsets<T>& p, Normal<T>& best) const noexcept {
     auto normal = across_corners(p);
     if (is_zero(normal)) return;
     bool is_below = true, is_above = true;
     for (std::size_t i = 0; i < corners_.size() && (is_below || is_above); ++i) {
-      const auto height = dot(normal, corners_[i] - p[0]);
+      const auto height = dot(normal, offset<T>(i));
       is_below = is_below && height <= 0;
       is_above = is_above && height >= 0;
     }
@@ -212,20 +289,29 @@ class OpposedFace {
       normal = narrow_negative(normal);
       along = narrow_negative(along);
     }
-    const auto squared = squared_length(normal);
-    if (!is_zero(best_)) {
-      const auto best_along = dot(best_, d_);
-      const auto left = square(along) * squared_length(best_), right = square(best_along) * squared;
-      const bool is_better =
-          along < 0 ? best_along >= 0 || left > right : best_along > 0 && left < right;
-      if (!is_better) return;
+    keep_better<T>(normal, along, best);
+  }
+
+  /// Keeps the first of the most opposed normals; false if another one is equally opposed.
+  template <Number T, Number Along>
+  constexpr bool keep_better(const Normal<T>& normal, const Along& along,
+                             Normal<T>& best) const noexcept {
+    if (is_zero(best)) {
+      best = normal;
+      return true;
     }
-    best_ = normal;
+    const auto squared = squared_length(normal);
+    const auto best_along = dot(best, d_);
+    const auto left = square(along) * squared_length(best), right = square(best_along) * squared;
+    const bool is_better =
+        along < 0 ? best_along >= 0 || left > right : best_along > 0 && left < right;
+    if (is_better) best = normal;
+    return is_better || left != right || are_parallel(normal, best);
   }
 
   decltype(std::declval<const Body&>().corners()) corners_;
+  Vec<S, N> from_;
   const Direction<S, N>& d_;
-  Normal best_{};
   Feature<S, N, Most> feature_;
 };
 

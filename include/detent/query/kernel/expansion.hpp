@@ -10,6 +10,7 @@
 
 #include "detent/math/components.hpp"
 #include "detent/number/filter/leading.hpp"
+#include "detent/number/filter/quotient_key.hpp"
 #include "detent/number/patience.hpp"
 #include "detent/query/kernel/gjk.hpp"
 
@@ -81,16 +82,6 @@ template <class Normal, class Height>
   return is_preferred(a.normal, b.normal);
 }
 
-/// A grid for the squares of depths in numbers of type T.
-template <Number T>
-struct squared_depth_of {
-  using type = T;
-};
-template <int Bits, int Frac>
-struct squared_depth_of<Fixed<Bits, Frac>> {
-  using type = Fixed<2 * (Bits - Frac) + 40, 40>;
-};
-
 /// The least push that separates two convex bodies a and b that share a point, found by expanding a
 /// polytope of at most `MostCorners` corners. `T` holds the components of differences of their
 /// points.
@@ -99,17 +90,19 @@ struct squared_depth_of<Fixed<Bits, Frac>> {
 /// v, the difference moves by -v. So the bodies touch at most in their surfaces if v is outside P
 /// or on its surface, and the least such v is the perpendicular to the nearest facet of P.
 ///
-/// The search keeps a polytope Q whose corners are corners of P. Each facet of Q has a signed
+/// The search keeps a polytope Q whose corners are points of P. Each facet of Q has a signed
 /// distance from the origin. Take the nearest facet. If P reaches no farther along its normal, it
-/// is a facet of P, and no other is nearer: the least signed distance of Q is at most that of P,
-/// which contains Q. Otherwise add the corner of P farthest along the normal, which replaces the
-/// facets that it sees. Each step adds a corner of P, so the search ends.
+/// is final: a part of a facet of P. Otherwise add the corner of P farthest along the normal, which
+/// replaces the facets that it sees. Each step adds a corner of P, so the search ends: when all other
+/// facets are farther away than a final one, or final. Then no facet of P is nearer, because the
+/// least signed distance of Q is at most that of P, which contains Q.
 ///
-/// `is_preferred` orders facets at equal distances. If the least distance d is positive, all facets
+/// Keys, which are approximate, order the facets during the search; it ends if they prove that the
+/// other facets are farther away. Then `is_less` compares the final ones exactly, and
+/// `is_preferred` orders those at equal distances. If the least distance d is positive, all facets
 /// of P at that distance are facets of Q in the end: otherwise the point where one of them touches
-/// the ball of radius d would be outside Q. If d = 0, the search goes on until all facets of Q
-/// through the origin are facets of P. Then both have the same cone at the origin, so the same
-/// facets there.
+/// the ball of radius d would be outside Q. If d = 0, all facets of Q through the origin are final.
+/// Then P and Q have the same cone at the origin, so the same facets there.
 ///
 /// A flat P pushes along a perpendicular to it, by 0. If Q has too many corners, all facets of P
 /// are compared instead.
@@ -123,19 +116,24 @@ class Expansion {
   using Normal = decltype(facet_normal(Simplex<T, N>()));
   using Height = decltype(dot(Normal(), Corner()));
 
-  constexpr Expansion(const A& a, const B& b) noexcept : a_(a), b_(b) {}
+  /// `first` holds points of P, none in the span of the others; it may be empty.
+  constexpr Expansion(const A& a, const B& b, const Simplex<T, N>& first = {}) noexcept
+      : a_(a), b_(b), simplex_(first) {}
 
   /// The least push of b out of a.
   [[nodiscard]] constexpr Push<Normal, Height> least_push() noexcept {
     if (!start()) return {flat_normal(), Height()};
     for (Patience<T> patience; patience.step();) {
-      auto& facet = facets_[next()];
-      if (facet.is_final) break;
-      const auto corner = farthest(facet.push.normal);
-      facet.is_final = !is_beyond(corner, facet);
-      if (!facet.is_final && !add(corner)) return least_facet();
+      const auto i = next();
+      if (i == facet_count_) break;
+      const auto corner = farthest(facets_[i].push.normal);
+      if (!is_beyond(corner, facets_[i])) {
+        make_final(i);
+      } else if (!add(corner)) {
+        return least_facet();
+      }
     }
-    return facets_[nearest()].push;
+    return nearest();
   }
 
   /// The same push, for a P that is not flat, without storing a polytope: from all facets, each
@@ -185,7 +183,7 @@ class Expansion {
   // Euler: a polytope of n corners has at most 2 n - 4 triangles.
   static constexpr std::size_t most_facets = N == 2 ? most_corners : 2 * most_corners - 4;
   using Index = std::uint8_t;
-  using SquaredDepth = typename squared_depth_of<T>::type;
+  using Key = QuotientKey<Height>;
   /// A side of a facet: in 3D the corners of an edge, in 2D one corner and which end it is.
   struct Ridge {
     Index from, to;
@@ -193,9 +191,8 @@ class Expansion {
   };
   struct Facet {
     Push<Normal, Height> push;
-    SquaredDepth squared;  // rounded down: decides most comparisons
+    Key key;  // of the distance
     std::array<Index, std::size_t{N}> corners;
-    bool is_final = false;  // whether P reaches no farther
   };
 
   template <class Corners, class F>
@@ -237,10 +234,10 @@ class Expansion {
     return false;
   }
 
-  /// Finds N + 1 corners that span the space; false if P is flat.
+  /// Completes N + 1 points that span the space; false if P is flat.
   constexpr bool start() noexcept {
     const auto unit = [](int i) { return make_vec<N>([&](int j) { return T(i == j ? 1 : 0); }); };
-    simplex_.add(farthest(unit(0)));
+    if (simplex_.count == 0) simplex_.add(farthest(unit(0)));
     for (int i = 0; i < N && simplex_.count == 1; ++i) leave(unit(i));
     if (simplex_.count == 1) return false;
     if constexpr (N == 3) {
@@ -251,7 +248,7 @@ class Expansion {
       }
       if (simplex_.count == 2) return false;
     }
-    if (!leave(facet_normal(simplex_))) return false;
+    if (simplex_.count == N && !leave(facet_normal(simplex_))) return false;
 
     for (int i = 0; i <= N; ++i) corners_[static_cast<std::size_t>(i)] = simplex_[i];
     corner_count_ = std::size_t{N} + 1;
@@ -279,37 +276,56 @@ class Expansion {
     (simplex.add(corners_[static_cast<std::size_t>(indices)]), ...);
     const auto normal = facet_normal(simplex);
     const auto height = dot(normal, simplex.newest());
-    facets_[facet_count_++] = {{normal, height},
-                               quotient_floor<SquaredDepth>(square(height), squared_length(normal)),
-                               {static_cast<Index>(indices)...}};
+    facets_[facet_count_++] = {
+        {normal, height}, Key(height, squared_length(normal)), {static_cast<Index>(indices)...}};
   }
 
   [[nodiscard]] static constexpr bool is_beyond(const Corner& corner, const Facet& facet) noexcept {
     return dot(facet.push.normal, corner) > facet.push.height;
   }
-  [[nodiscard]] static constexpr bool is_nearer(const Facet& a, const Facet& b) noexcept {
-    const bool a_negative = a.push.height < 0;
-    if (a_negative == (b.push.height < 0) && a.squared != b.squared) {
-      return (a.squared < b.squared) != a_negative;
-    }
-    return is_less(a.push, b.push);
+  /// Whether two facets have the same outward normal, so that they are in one plane.
+  [[nodiscard]] static constexpr bool are_coplanar(const Facet& a, const Facet& b) noexcept {
+    const auto& v = a.push.normal;
+    const auto& w = b.push.normal;
+    return is_fixed<T> && are_parallel(v, w) && is_positive(v) == is_positive(w);
   }
-  [[nodiscard]] constexpr std::size_t nearest() const noexcept {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < facet_count_; ++i) {
-      if (is_nearer(facets_[i], facets_[best])) best = i;
+  /// The first facets are final: those along which P reaches no farther, and those in their planes.
+  constexpr void make_final(std::size_t i) noexcept {
+    const auto key = facets_[i].key;
+    if (final_count_ == 0 || key < least_final_) least_final_ = key;
+    const auto first = final_count_++;
+    std::swap(facets_[i], facets_[first]);
+    for (std::size_t j = final_count_; j < facet_count_; ++j) {
+      const auto& other = facets_[j];
+      if (key.is_surely_less(other.key) || other.key.is_surely_less(key)) continue;
+      if (are_coplanar(facets_[first], other)) std::swap(facets_[j], facets_[final_count_++]);
     }
-    return best;
   }
-
-  /// The facet to examine: the nearest, or one through the origin that is not final.
+  /// The facet to examine: the nearest that is not final; none if a final one is nearer for sure.
   [[nodiscard]] constexpr std::size_t next() const noexcept {
-    const auto best = nearest();
-    if (facets_[best].push.height != 0) return best;
-    for (std::size_t i = 0; i < facet_count_; ++i) {
-      if (facets_[i].push.height == 0 && !facets_[i].is_final) return i;
+    std::size_t best = final_count_;
+    for (std::size_t i = best + 1; i < facet_count_; ++i) {
+      if (facets_[i].key < facets_[best].key) best = i;
     }
-    return best;
+    if (best == facet_count_) return best;
+    const bool is_done = final_count_ > 0 && least_final_.is_surely_less(facets_[best].key);
+    return is_done ? facet_count_ : best;
+  }
+  /// The exact choice among the final facets; with numbers that round, among all.
+  [[nodiscard]] constexpr const Push<Normal, Height>& nearest() const noexcept {
+    const auto count = is_fixed<T> ? final_count_ : facet_count_;
+    std::size_t least = 0;
+    for (std::size_t i = 1; i < count; ++i) {
+      if (facets_[i].key < facets_[least].key) least = i;
+    }
+    std::size_t best = least;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& facet = facets_[i];
+      if (i == best || facets_[least].key.is_surely_less(facet.key)) continue;
+      if (are_coplanar(facet, facets_[best])) continue;
+      if (is_less(facet.push, facets_[best].push)) best = i;
+    }
+    return facets_[best].push;
   }
 
   /// Adds a corner beyond some facet; false if there is no room.
@@ -330,7 +346,7 @@ class Expansion {
       rim[ridges++] = {static_cast<Index>(from), static_cast<Index>(to)};
     };
     constexpr int none = 255;
-    for (std::size_t i = 0; i < facet_count_;) {
+    for (std::size_t i = final_count_; i < facet_count_;) {
       const auto& facet = facets_[i];
       if (!is_beyond(corner, facet)) {
         ++i;
@@ -382,7 +398,8 @@ class Expansion {
   Simplex<T, N> simplex_;
   std::array<Corner, most_corners> corners_{};
   std::array<Facet, most_facets> facets_{};
-  std::size_t corner_count_ = 0, facet_count_ = 0;
+  std::size_t corner_count_ = 0, facet_count_ = 0, final_count_ = 0;
+  Key least_final_;
 };
 
 }  // namespace detent::detail

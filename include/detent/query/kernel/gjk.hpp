@@ -48,6 +48,9 @@ class Gjk {
     return touches_ ? none : detail::squared_distance<Result>(feature_);
   }
 
+  /// The feature of corner differences that holds the closest one; if the bodies touch, one that
+  /// holds the origin, after the first question.
+  [[nodiscard]] constexpr const Simplex<T, N>& feature() const noexcept { return feature_; }
   /// The feature of corner differences that holds the closest one. Meaningless if the bodies touch.
   [[nodiscard]] constexpr const Simplex<T, N>& closest_feature() noexcept {
     search(false);

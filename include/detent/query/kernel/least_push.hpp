@@ -5,6 +5,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "detent/math/width.hpp"
 #include "detent/number/filter/leading.hpp"
 #include "detent/query/kernel/axis_push.hpp"
 #include "detent/query/kernel/convex_body.hpp"
@@ -39,6 +40,21 @@ struct LeastPushInFrame {
 template <class Wide, Number T, int N>
 [[nodiscard]] constexpr Wide widened(const Vec<T, N>& v) noexcept {
   return make_vec<N>([&](int i) { return decltype(Wide::x)(v[i]); });
+}
+
+/// f(normal), where `Normal` holds the components of v: in numbers of 61 bits, at another length, if
+/// they fit.
+template <class Normal, Number T, int N, class F>
+[[nodiscard]] constexpr auto with_normal(const Vec<T, N>& v, const F& f) noexcept {
+  if constexpr (is_fixed<T>) {
+    using Short = Fixed<61, 0>;
+    if (fits<Short::bits>(v)) {
+      return f(make_vec<N>([&](int i) {
+        return Short::assume_raw(integer_cast<typename Short::raw_type>(v[i].raw()));
+      }));
+    }
+  }
+  return f(widened<Normal>(v));
 }
 
 /// Holds every normal of a feature or a facet of differences with components of type T.
@@ -158,7 +174,8 @@ template <Scalar S, int N, Number Radius>
 
 /// Two convex bodies, with the sum of their radii: f(normal, depth) of the least push, which returns
 /// an optional; nothing if they do not touch. The normal is exact, at any length, and its type one of
-/// two: that of an axis of two edges is short. `filter` is that of the shapes: see axis_filter.hpp.
+/// three: that of an axis of two edges of a box, a short one and a long one. `filter` is that of the
+/// shapes: see axis_filter.hpp.
 template <Scalar S, class A, class B, Number Radii, class Filter, class F>
 [[nodiscard]] constexpr auto least_push_between(const A& a, const B& b, const Radii& radii,
                                                 const Filter& filter, const F& f) noexcept {
@@ -169,25 +186,39 @@ template <Scalar S, class A, class B, Number Radii, class Filter, class F>
   const auto depth_of = [&](const auto& push) {
     return depth_of_height<S>(radii, push.height, squared_length(push.normal));
   };
-  return with_differences(a.low() - b.high(), a.high() - b.low(), [&]<Number T>(const T&) {
+  const auto found = [&](const auto& v, const Depth<S>& depth) {
+    return with_normal<Normal>(v, [&](const auto& normal) { return f(normal, depth); });
+  };
+  const auto low = a.low() - b.high(), high = a.high() - b.low();
+  if (is_fixed<S> && radii == 0 && !holds_origin(low, high)) return Result();
+  return with_differences(low, high, [&]<Number T>(const T&) {
     Result result;
     if (const auto push = AxisPush<T, A, B>(a, b).least(filter)) {
-      if (push->height > 0) return f(push->normal, depth_of(*push));
+      if (push->height > 0) {
+        if constexpr (IsBoxBody<A> || IsBoxBody<B>) return f(push->normal, depth_of(*push));
+        return found(push->normal, depth_of(*push));
+      }
       if (push->height < 0 && radii == 0) return result;
     }
     Gjk<T, A, B> search(a, b);
-    const auto squared = search.squared_distance(squared_distance_of_none<T, N>());
-    if (squared.numerator > 0) {
-      const auto depth = depth_of_gap<S>(radii, squared);
-      if (!depth) return result;
-      with_direction(search.closest_feature(), [&](const auto& v) {
-        result = f(widened<Normal>(-v), *depth);
-        return true;
-      });
-      return result;
+    if (is_fixed<S> && radii == 0) {
+      if (!search.touches()) return result;
+    } else {
+      const auto squared = search.squared_distance(squared_distance_of_none<T, N>());
+      if (squared.numerator > 0) {
+        const auto depth = depth_of_gap<S>(radii, squared);
+        if (!depth) return result;
+        with_direction(search.closest_feature(), [&](const auto& v) {
+          result = found(-v, *depth);
+          return true;
+        });
+        return result;
+      }
     }
-    const auto push = Expansion<T, A, B>(a, b).least_push();
-    return f(widened<Normal>(push.normal), depth_of(push));
+    // With numbers that round, that feature may be nearly flat.
+    const auto start = is_fixed<S> ? search.feature() : Simplex<T, N>();
+    const auto push = Expansion<T, A, B>(a, b, start).least_push();
+    return found(push.normal, depth_of(push));
   });
 }
 
