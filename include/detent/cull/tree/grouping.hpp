@@ -240,9 +240,10 @@ constexpr void arrange(Part<S, N>* first, std::size_t count) {
 template <Scalar S, int N, std::size_t Count>
 [[nodiscard]] constexpr std::array<std::uint8_t, Count> order_along(
     std::size_t axis, const std::array<TreeEntry<S, N>, Count>& entries) noexcept {
+  static_assert(Count <= 16);
   std::array<std::uint8_t, Count> order{};
-  if constexpr (is_fixed<S>) {
-    // Sorts numbers without branches that depend on them, which are hard to predict.
+  if constexpr (is_fixed<S> && has_lanes) {
+    // On large processors branches that depend on the numbers cost most.
     std::array<std::int64_t, Count> keys{};
     for (std::size_t i = 0; i < Count; ++i) {
       keys[i] = std::int64_t{center(entries[i])[axis]} * 16 + static_cast<std::int64_t>(i);
@@ -256,11 +257,14 @@ template <Scalar S, int N, std::size_t Count>
     }
     for (std::size_t i = 0; i < Count; ++i) order[i] = static_cast<std::uint8_t>(keys[i] & 15);
   } else {
-    for (std::size_t i = 0; i < Count; ++i) order[i] = static_cast<std::uint8_t>(i);
-    std::sort(order.begin(), order.end(), [&](std::uint8_t i, std::uint8_t j) {
-      const auto a = center(entries[i])[axis], b = center(entries[j])[axis];
-      return a < b || (a == b && i < j);
-    });
+    for (std::size_t i = 0; i < Count; ++i) {
+      const auto at = center(entries[i])[axis];
+      auto place = i;
+      for (; place > 0 && at < center(entries[order[place - 1]])[axis]; --place) {
+        order[place] = order[place - 1];
+      }
+      order[place] = static_cast<std::uint8_t>(i);
+    }
   }
   return order;
 }
