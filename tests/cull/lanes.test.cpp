@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "detent/cull/lanes.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
@@ -76,6 +80,28 @@ TEMPLATE_TEST_CASE("lanes: masks are those of every single comparison", "", std:
     }
   }
 }
+
+#if defined(__GNUC__)
+TEST_CASE("lanes: the box around three points, and its middle") {
+  Random random(0x3b0c5);
+  for (int i = 0; i < 5'000; ++i) {
+    std::array<std::int32_t, 10> record{};
+    const int bits = i % 2 == 0 ? 32 : 3;
+    for (auto& x : record) x = static_cast<std::int32_t>(random.wide(bits));
+    std::array<std::int32_t, lane_count> box{}, middle{};
+    const auto lanes = VectorLanes<std::int32_t>::around_three(record.data());
+    lanes.store(box);
+    lanes.middle().store(middle);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [least, greatest] = std::minmax({record[k], record[k + 3], record[k + 6]});
+      REQUIRE(box[k] == least);
+      REQUIRE(box[k + 4] == ~greatest);
+      REQUIRE(middle[k] == (least >> 1) + (greatest >> 1));
+      REQUIRE(middle[k + 4] == ~middle[k]);
+    }
+  }
+}
+#endif
 
 TEST_CASE("lanes: bytes times a step are exact for every step of a grid") {
   using Numbers = std::array<std::int32_t, lane_count>;

@@ -74,6 +74,56 @@ TEMPLATE_TEST_CASE("static tree: every item is in one leaf, inside the boxes abo
   });
 }
 
+/// A triangle that is not measured with vectors.
+template <Scalar S>
+struct PlainTriangle {
+  MeshTriangle<S> part;
+};
+template <Scalar S>
+Aabb<S, 3> bounding_box(const PlainTriangle<S>& plain) {
+  return detent::bounding_box(plain.part);
+}
+
+TEMPLATE_TEST_CASE("static tree: vectors make the same tree as numbers one by one", "[mesh]",
+                   DETENT_FIXED_SCALARS) {
+  using S = TestType;
+  const auto compare = [](std::span<const Triangle<S, 3>> triangles) {
+    const OwnedMesh<S> owned{triangles};
+    std::vector<PlainTriangle<S>> plain;
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) plain.push_back({{triangles[i], i}});
+    std::vector<MeshNode<S>> nodes(tree_capacity(plain.size()));
+    const auto tree = build_tree<S, 3, PlainTriangle<S>>(std::span(plain), nodes);
+    REQUIRE(tree);
+    const auto mesh = owned.view();
+    CHECK(std::equal(tree->nodes.begin(), tree->nodes.end(), mesh.tree.nodes.begin(),
+                     mesh.tree.nodes.end()));
+    CHECK(std::equal(plain.begin(), plain.end(), mesh.triangles.begin(), mesh.triangles.end(),
+                     [](const auto& a, const auto& b) { return a.part == b; }));
+  };
+  for_meshes<S>(0x51a7e, 20,
+                [&](MeshKind, const auto& triangles, auto, auto&) { compare(triangles); });
+  // Long lists, in order, in reverse and shuffled.
+  Random random(0x10f6);
+  std::vector<Triangle<S, 3>> triangles;
+  for (int i = 0; i < 3'000; ++i) {
+    const auto number = [&] {
+      return S::from_raw(static_cast<typename S::raw_type>(random.wide(S::bits)));
+    };
+    const auto point = [&] {
+      const auto x = number(), y = number();
+      return Vec<S, 3>{x, y, number()};
+    };
+    const auto a = point(), b = point();
+    triangles.push_back({a, b, point()});
+  }
+  compare(triangles);
+  std::sort(triangles.begin(), triangles.end(),
+            [](const auto& a, const auto& b) { return a.a.x < b.a.x; });
+  compare(triangles);
+  std::reverse(triangles.begin(), triangles.end());
+  compare(triangles);
+}
+
 TEST_CASE("static tree: uneven splits stop before the tree is too deep", "[mesh]") {
   // Sizes and positions double, so that the cheapest plane always splits off the largest few.
   std::vector<Triangle<q16_16, 3>> triangles;

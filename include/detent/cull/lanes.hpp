@@ -154,6 +154,54 @@ class VectorLanes {
     }
   }
 
+  /// For the three points with which a record of at least 40 bytes begins, each three 32-bit
+  /// integers: their least coordinates in lanes 0 to 2, and the complements of their greatest ones in
+  /// lanes 4 to 6.
+  [[nodiscard]] static VectorLanes around_three(const void* record) noexcept {
+    using Quarters = typename VectorOf<T, 16>::type;
+    const auto row = [&](std::size_t i) {
+      Quarters x;
+      __builtin_memcpy(&x, static_cast<const char*>(record) + 12 * i, sizeof x);
+      return x;
+    };
+    const Quarters a = row(0), b = row(1), c = row(2);
+    Quarters least = b < a ? b : a, greatest = b > a ? b : a;
+    least = c < least ? c : least;
+    greatest = c > greatest ? c : greatest;
+    VectorLanes result(0);
+    if constexpr (part_count == 1) {
+#if DETENT_HAS_SHUFFLES
+      result.parts_[0] = __builtin_shufflevector(least, ~greatest, 0, 1, 2, 3, 4, 5, 6, 7);
+#else
+      const Quarters both[2] = {least, ~greatest};
+      __builtin_memcpy(&result.parts_[0], both, sizeof both);
+#endif
+    } else {
+      result.parts_[0] = least;
+      result.parts_[1] = ~greatest;
+    }
+    return result;
+  }
+  /// For lanes of `around_three`: the same of the middle of that box, within one step.
+  [[nodiscard]] VectorLanes middle() const noexcept {
+    VectorLanes result(0);
+    if constexpr (part_count == 1) {
+      // With halves rounded down, and ~x = -x - 1: the middle is least / 2 - complement / 2 - 1, and
+      // its own complement is complement / 2 - least / 2.
+      const Part half = parts_[0] >> 1;
+#if DETENT_HAS_SHUFFLES
+      const Part other = __builtin_shufflevector(half, half, 4, 5, 6, 7, 0, 1, 2, 3);
+#else
+      const Part other = {half[4], half[5], half[6], half[7], half[0], half[1], half[2], half[3]};
+#endif
+      result.parts_[0] = half - other + Part{-1, -1, -1, -1, 0, 0, 0, 0};
+    } else {
+      result.parts_[0] = (parts_[0] >> 1) + (~parts_[1] >> 1);
+      result.parts_[1] = ~result.parts_[0];
+    }
+    return result;
+  }
+
   void flip(const VectorLanes& x) noexcept {
     for (std::size_t i = 0; i < part_count; ++i) parts_[i] ^= x.parts_[i];
   }
@@ -325,6 +373,9 @@ using Lanes = VectorLanes<T>;
 template <class T>
 using Lanes = ArrayLanes<T>;
 #endif
+
+/// Whether lanes are vectors.
+inline constexpr bool has_lanes = !std::is_same_v<Lanes<std::int32_t>, ArrayLanes<std::int32_t>>;
 
 /// Lanes that are only compared; every machine with vectors has instructions for that.
 #if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__))

@@ -48,7 +48,16 @@ class Tree {
     }
     nodes_.resize(0);
     free_ = nowhere;
-    arrange(&entries[0], entries.size());
+    if constexpr (requires { Storage::is_growing; }) {
+      typename Storage::template List<CenteredPlace<S, N>, 0> parts;
+      parts.reserve(entries.size());
+      for (std::uint32_t i = 0; i < entries.size(); ++i) parts.push_back({center(entries[i]), i});
+      arrange(&parts[0], parts.size());
+      const auto unordered = entries;
+      for (std::size_t i = 0; i < parts.size(); ++i) entries[i] = unordered[parts[i].place];
+    } else {
+      arrange(&entries[0], entries.size());
+    }
     for (int level = 0; level == 0 || entries.size() > 1; ++level) pack(entries, level);
     root_ = entries[0].child;
   }
@@ -184,27 +193,34 @@ class Tree {
     if (old != bounds) change(parent, place, old, bounds);
   }
 
+  /// Adds a box to a node of this level. On the way there, the boxes above grow to hold it.
   constexpr void insert(std::uint32_t child, const Box& box, int level) {
     if (root_ == nowhere) root_ = make_node(0);
     auto at = root_;
-    while (nodes_[at].level > level) at = nodes_[at].child[best_place(nodes_[at], box)];
+    while (nodes_[at].level > level) {
+      Node& node = nodes_[at];
+      const auto place = best_place(node, box);
+      node.set(place, hull_of(node.box(place), box));
+      at = node.child[place];
+    }
     add(at, {box, child});
   }
 
+  /// Adds an entry to a node. The boxes above hold it already.
   constexpr void add(std::uint32_t at, Entry entry) {
     while (nodes_[at].count == width) {
       const auto sibling = split(at, entry);
-      entry = {nodes_[sibling].bounds(), sibling};
+      const auto parent = at == root_ ? make_node(nodes_[at].level + 1) : nodes_[at].parent;
       if (at == root_) {
-        root_ = make_node(nodes_[at].level + 1);
+        root_ = parent;
         put(root_, {nodes_[at].bounds(), at});
       } else {
-        refit(at);
+        nodes_[parent].set(nodes_[parent].place_of(at), nodes_[at].bounds());
       }
-      at = nodes_[at].parent;
+      entry = {nodes_[sibling].bounds(), sibling};
+      at = parent;
     }
     put(at, entry);
-    refit(at);
   }
 
   constexpr void put(std::uint32_t at, const Entry& entry) noexcept {

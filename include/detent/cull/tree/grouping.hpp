@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 
+#include "detent/cull/lanes.hpp"
+#include "detent/cull/long_lanes.hpp"
 #include "detent/cull/tree/node.hpp"
 
 // Groups the boxes of a tree so that the box around each group has a small surface.
@@ -45,11 +49,73 @@ template <Scalar S, int N>
   }
 }
 
+/// The half areas of the boxes of a node, and of the same boxes extended by `box`, four at a time.
+template <Scalar S, int N>
+class HalfAreas {
+  using Node = TreeNode<S, N>;
+
+ public:
+  using Areas = std::array<std::int64_t, Node::width>;
+
+  HalfAreas(const Node& node, const QuantizedBox<S, N>& box) noexcept {
+    std::array<typename Node::Lane, static_cast<std::size_t>(N)> lows, highs;
+    for (std::size_t axis = 0; axis < lows.size(); ++axis) {
+      Lanes<std::int32_t> low(node.low[axis]), high(node.high[axis]);
+      low.lower(Lanes<std::int32_t>(box.low[axis]));
+      high.raise(Lanes<std::int32_t>(box.high[axis]));
+      low.store(lows[axis]);
+      high.store(highs[axis]);
+    }
+    own = of_all(node.low, node.high);
+    extended = of_all(lows, highs);
+  }
+
+  Areas own, extended;
+
+ private:
+  using Fours = std::array<std::array<std::int32_t, long_lane_count>, 2>;
+
+  template <class Sides>
+  static Areas of_all(const Sides& lows, const Sides& highs) noexcept {
+    std::array<LongWords, 2> areas;
+    for (std::size_t four = 0; four < areas.size(); ++four) {
+      const auto extent = [&](std::size_t axis) {
+        const auto low = std::bit_cast<Fours>(lows[axis]), high = std::bit_cast<Fours>(highs[axis]);
+        return (LongLanes(high[four]) - LongLanes(low[four])) >> 1;  // area_extent
+      };
+      auto sum = extent(0) + extent(1);
+      if constexpr (N == 3) {
+        const auto x = extent(0), y = extent(1), z = extent(2);
+        const auto products =
+            LongLanes::product(x, y) + LongLanes::product(y, z) + LongLanes::product(z, x);
+        sum = sum + z + products;
+      }
+      areas[four] = sum.words();
+    }
+    return std::bit_cast<Areas>(areas);
+  }
+};
+
 /// The box of a node that grows least in area when extended by `box`; ties go to the smallest.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::size_t best_place(const TreeNode<S, N>& node,
                                                const QuantizedBox<S, N>& box) noexcept {
   std::size_t best = 0;
+  if constexpr (is_fixed<S> && has_long_lanes) {
+    if (!__builtin_is_constant_evaluated()) {
+      const HalfAreas<S, N> areas(node, box);
+      auto best_area = areas.own[0], best_growth = areas.extended[0] - best_area;
+      for (std::size_t i = 1; i < TreeNode<S, N>::width; ++i) {
+        const auto area = areas.own[i], growth = areas.extended[i] - area;
+        const bool is_less = growth < best_growth, is_equal = growth == best_growth;
+        const bool is_better = (i < node.count) & (is_less | (is_equal & (area < best_area)));
+        best = is_better ? i : best;
+        best_growth = is_better ? growth : best_growth;
+        best_area = is_better ? area : best_area;
+      }
+      return best;
+    }
+  }
   typename Grid<S>::Area best_growth{}, best_area{};
   for (std::size_t i = 0; i < node.count; ++i) {
     const auto area = half_area(node.box(i));
@@ -76,19 +142,81 @@ template <Scalar S, int N>
   return [axis](const auto& a, const auto& b) { return center(a.box)[axis] < center(b.box)[axis]; };
 }
 
+/// The center of an entry, and its place in a list. Moving these is faster than moving entries.
+template <Scalar S, int N>
+struct CenteredPlace {
+  decltype(center(QuantizedBox<S, N>())) at;
+  std::uint32_t place;
+
+  [[nodiscard]] friend constexpr const auto& center(const CenteredPlace& part) noexcept {
+    return part.at;
+  }
+};
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr auto center(const TreeEntry<S, N>& entry) noexcept {
+  return center(entry.box);
+}
+
+template <Scalar S, int N>
+constexpr void part_at(TreeEntry<S, N>* first, std::size_t count, std::size_t place,
+                       std::size_t axis) {
+  std::nth_element(first, first + place, first + count, by_center(axis));
+}
+
+/// Reorders as std::nth_element does. Its loop has no branch that depends on the centers, because
+/// such branches are hard to predict.
+template <Scalar S, int N>
+constexpr void part_at(CenteredPlace<S, N>* first, std::size_t count, std::size_t place,
+                       std::size_t axis) {
+  // Moves the parts that pass to the front, and returns their number.
+  const auto gather = [&](const auto& passes) {
+    std::size_t passed = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto part = first[i];
+      first[i] = first[passed];
+      first[passed] = part;
+      passed += passes(part.at[axis]) ? 1u : 0u;
+    }
+    return passed;
+  };
+  for (auto rounds = 4 * std::bit_width(count); count > 1; --rounds) {
+    if (rounds == 0) {
+      return std::nth_element(
+          first, first + place, first + count,
+          [axis](const auto& a, const auto& b) { return a.at[axis] < b.at[axis]; });
+    }
+    const auto a = first[count / 4].at[axis], b = first[count / 2].at[axis],
+               c = first[count - 1 - count / 4].at[axis];
+    const auto pivot = (std::max)((std::min)(a, b), (std::min)((std::max)(a, b), c));
+    auto passed = gather([&](const auto& x) { return x < pivot; });
+    if (place < passed) {
+      count = passed;
+      continue;
+    }
+    if (passed == 0) {  // the pivot is the least
+      passed = gather([&](const auto& x) { return !(pivot < x); });
+      if (place < passed) return;
+    }
+    first += passed;
+    count -= passed;
+    place -= passed;
+  }
+}
+
 /// Orders entries so that neighbours are near each other: repeatedly cuts them in two along the
 /// axis with the greatest spread of centers, between whole subtrees.
-template <Scalar S, int N>
-constexpr void arrange(TreeEntry<S, N>* first, std::size_t count) {
+template <template <Scalar, int> class Part, Scalar S, int N>
+constexpr void arrange(Part<S, N>* first, std::size_t count) {
   constexpr std::size_t width = TreeNode<S, N>::width;
   while (count > width) {
     std::size_t part = width;
     while (part * width < count) part *= width;
     const auto parts = (count + part - 1) / part;
     const auto cut = (parts + 1) / 2 * part;
-    auto lowest = center(first[0].box), highest = lowest;
+    auto lowest = center(first[0]), highest = lowest;
     for (std::size_t i = 1; i < count; ++i) {
-      const auto c = center(first[i].box);
+      const auto c = center(first[i]);
       for (std::size_t axis = 0; axis < c.size(); ++axis) {
         lowest[axis] = (std::min)(lowest[axis], c[axis]);
         highest[axis] = (std::max)(highest[axis], c[axis]);
@@ -101,10 +229,44 @@ constexpr void arrange(TreeEntry<S, N>* first, std::size_t count) {
         axis = i;
       }
     }
-    std::nth_element(first, first + cut, first + count, by_center(axis));
+    part_at(first, count, cut, axis);
     arrange(first + cut, count - cut);
     count = cut;
   }
+}
+
+/// The places of entries in the order of their centers on an axis; of equal centers, the first
+/// comes first.
+template <Scalar S, int N, std::size_t Count>
+[[nodiscard]] constexpr std::array<std::uint8_t, Count> order_along(
+    std::size_t axis, const std::array<TreeEntry<S, N>, Count>& entries) noexcept {
+  static_assert(Count <= 16);
+  std::array<std::uint8_t, Count> order{};
+  if constexpr (is_fixed<S> && has_lanes) {
+    // On large processors branches that depend on the numbers cost most.
+    std::array<std::int64_t, Count> keys{};
+    for (std::size_t i = 0; i < Count; ++i) {
+      keys[i] = std::int64_t{center(entries[i])[axis]} * 16 + static_cast<std::int64_t>(i);
+    }
+    for (std::size_t round = 0; round < Count; ++round) {
+      for (std::size_t i = round % 2; i + 1 < Count; i += 2) {
+        const auto a = keys[i], b = keys[i + 1];
+        keys[i] = b < a ? b : a;
+        keys[i + 1] = b < a ? a : b;
+      }
+    }
+    for (std::size_t i = 0; i < Count; ++i) order[i] = static_cast<std::uint8_t>(keys[i] & 15);
+  } else {
+    for (std::size_t i = 0; i < Count; ++i) {
+      const auto at = center(entries[i])[axis];
+      auto place = i;
+      for (; place > 0 && at < center(entries[order[place - 1]])[axis]; --place) {
+        order[place] = order[place - 1];
+      }
+      order[place] = static_cast<std::uint8_t>(i);
+    }
+  }
+  return order;
 }
 
 /// Orders entries along an axis and returns where to cut, with at least `least` entries on either
@@ -112,28 +274,31 @@ constexpr void arrange(TreeEntry<S, N>* first, std::size_t count) {
 template <Scalar S, int N, std::size_t Count>
 [[nodiscard]] constexpr std::size_t cut_in_two(std::array<TreeEntry<S, N>, Count>& entries,
                                                std::size_t least) noexcept {
-  auto best = entries;
+  std::array<std::uint8_t, Count> best{};
   std::size_t best_cut = 0;
   typename Grid<S>::Area best_cost{};
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(N); ++axis) {
-    std::sort(entries.begin(), entries.end(), by_center(axis));
+    const auto order = order_along(axis, entries);
     std::array<QuantizedBox<S, N>, Count> rest;  // rest[i] is around the entries from i on
-    rest[Count - 1] = entries[Count - 1].box;
-    for (std::size_t i = Count - 1; i-- > 0;) rest[i] = hull_of(entries[i].box, rest[i + 1]);
-    auto first = entries[0].box;
+    rest[Count - 1] = entries[order[Count - 1]].box;
+    for (std::size_t i = Count - 1; i-- > least;) {
+      rest[i] = hull_of(entries[order[i]].box, rest[i + 1]);
+    }
+    auto first = entries[order[0]].box;
     for (std::size_t cut = 1; cut <= Count - least; ++cut) {
       if (cut >= least) {
         const auto cost = half_area(first) + half_area(rest[cut]);
         if (best_cut == 0 || cost < best_cost) {
-          best = entries;
+          best = order;
           best_cut = cut;
           best_cost = cost;
         }
       }
-      first = hull_of(first, entries[cut].box);
+      first = hull_of(first, entries[order[cut]].box);
     }
   }
-  entries = best;
+  const auto unordered = entries;
+  for (std::size_t i = 0; i < Count; ++i) entries[i] = unordered[best[i]];
   return best_cut;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "detent/cull/lanes.hpp"
 #include "detent/cull/walk.hpp"
 #include "detent/query/wrong_call.hpp"
 #include "detent/shape/bounding_box.hpp"
@@ -31,6 +32,15 @@ constexpr void append(D& digest, const MeshTriangle<S>& part) noexcept {
 template <Scalar S>
 [[nodiscard]] constexpr Aabb<S, 3> bounding_box(const MeshTriangle<S>& part) noexcept {
   return bounding_box(part.triangle);
+}
+
+/// The same box as lanes, for triangles of 32-bit fixed-point numbers on machines with vectors: see
+/// `around_three`.
+template <Scalar S, class Numbers = detail::Lanes<std::int32_t>>
+requires(detail::has_lanes&& is_fixed<S> && sizeof(S) == 4) [[nodiscard]] inline Numbers
+    lanes_around(const MeshTriangle<S>& part) noexcept {
+  static_assert(sizeof part == 40);
+  return Numbers::around_three(&part);
 }
 
 /// Whether a template is a surface of triangles, which the queries of this folder take: a `Mesh` or
