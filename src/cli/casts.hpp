@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -38,6 +39,30 @@ struct CastReport {
 template <Scalar S>
 [[nodiscard]] CastReport cast_throws(const Scene& scene, const Move& move,
                                      const std::vector<Throw>& throws, bool are_drawn);
+
+/// A shape of the scene that a body overlaps, and how to separate them: the body moves by `push`,
+/// which is `depth` long.
+struct Overlap {
+  std::size_t body;
+  std::size_t shape;
+  double depth;
+  std::array<double, 3> push;
+};
+
+/// What bodies overlap at their starts, by the library's `contact` in one scalar.
+struct ContactReport {
+  /// In the order of bodies, then of shapes.
+  std::vector<Overlap> overlaps;
+  /// Of all contacts.
+  std::uint64_t digest = 0;
+  /// If they are drawn: the bodies; and each point with its depth and an arrow along the normal.
+  std::vector<Outline> lines;
+  std::vector<Outline> marks;
+};
+
+template <Scalar S>
+[[nodiscard]] ContactReport contacts_of(const Scene& scene, const Move& move,
+                                        const std::vector<Throw>& bodies, bool are_drawn);
 
 /// A ball that rolls over the ground to other balls, 1/1024 above it, and a capsule that walks to a
 /// house.

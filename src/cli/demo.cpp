@@ -144,6 +144,7 @@ void demo(const DemoOptions& options) {
   }
   const CastPage casts = cast_page(scene, options);
   text += '\n' + casts.title + casts.rows;
+  text += '\n' + casts.contact_title + casts.contact_rows;
   cast_file.write(casts.page.png());
   cast_file.commit();
   const BodyPage bodies = body_page(options);

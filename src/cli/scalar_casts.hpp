@@ -7,11 +7,14 @@
 #include <variant>
 
 #include "casts.hpp"
+#include "detent/draw/circle.hpp"
 #include "detent/draw/hit.hpp"
 #include "detent/draw/round.hpp"
 #include "detent/query/cast.hpp"
+#include "detent/query/contact.hpp"
 
-// The implementation of `cast_throws`, compiled in a file for each scalar in casts/.
+// The implementation of `cast_throws` and `contacts_of`, compiled in a file for each scalar in
+// casts/.
 
 namespace detent::cli {
 
@@ -37,6 +40,30 @@ class Caster {
       if (!are_drawn) continue;
       const auto by = nearest_to<S>(direction * (hit ? hit->distance : reach));
       draw_throw(result, capsule, by, hit, thrown.colour);
+    }
+    result.digest = digest.value();
+    return result;
+  }
+
+  [[nodiscard]] ContactReport contacts(const std::vector<Throw>& bodies, bool are_drawn) const {
+    ContactReport result;
+    Digest digest;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const Throw& body = bodies[i];
+      const Capsule<S, 3> capsule{position(body.a), position(body.b), scalar(body.radius)};
+      if (are_drawn) {
+        MeshModel unused{};
+        Sink sink{result.lines, unused, move_};
+        draw(sink, capsule, body.colour);
+      }
+      for (std::size_t k = 0; k < shapes_.size(); ++k) {
+        const auto found = contact_with(shapes_[k], capsule);
+        if (!found) continue;
+        digest.add(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k), *found);
+        result.overlaps.push_back(
+            {i, k, static_cast<double>(found->depth), in_double(separation(*found))});
+        if (are_drawn) draw_contact(result, *found);
+      }
     }
     result.digest = digest.value();
     return result;
@@ -98,6 +125,20 @@ class Caster {
     return best;
   }
 
+  static std::optional<Contact<S, 3>> contact_with(const typename World<S>::Shape& target,
+                                                   const Capsule<S, 3>& capsule) {
+    return std::visit(
+        [&]<class Form>(const Form& form) -> std::optional<Contact<S, 3>> {
+          if constexpr (!std::same_as<Form, OwnedMesh<S>>) {
+            if (may_touch(capsule, Direction<S, 3>::along(0), S(0), form)) {
+              return contact(as_target(form), capsule);
+            }
+          }
+          return std::nullopt;
+        },
+        target);
+  }
+
   /// A sphere as a capsule, the same set of points, so balls need no code of their own.
   static Capsule<S, 3> as_target(const Sphere<S, 3>& sphere) {
     return {sphere.center, sphere.center, sphere.radius};
@@ -141,6 +182,34 @@ class Caster {
     report.bodies.push_back(std::move(body));
   }
 
+  /// At each point: a cross, how deep the body is there, and an arrow along the normal.
+  static void draw_contact(ContactReport& report, const Contact<S, 3>& contact) {
+    constexpr Colour surface{255, 224, 32}, inside{255, 64, 192};
+    const auto u = detail::perpendicular(contact.normal);
+    const auto v = detail::perpendicular(contact.normal, u);
+    const auto line = [&](const Vec<S, 3>& a, const Vec<S, 3>& b, const Colour& colour) {
+      report.marks.push_back({in_double(a), in_double(b), colour});
+    };
+    const auto moved = [](const Vec<S, 3>& point, const Direction<S, 3>& way, double length) {
+      return nearest_to<S>(point + way * scalar(length));
+    };
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      const auto& point = contact.points[i].point;
+      const auto deepest = nearest_to<S>(point - contact.normal * contact.points[i].depth);
+      const auto neck = moved(point, contact.normal, 1.5), tip = moved(neck, contact.normal, 0.75);
+      for (const auto& side : {u, -u, v, -v}) {
+        // Four lines make a thick one.
+        const auto beside = [&](const Vec<S, 3>& p) { return moved(p, side, 0.046875); };
+        line(beside(deepest), beside(point), inside);
+        line(beside(point), beside(neck), surface);
+        line(point, moved(point, side, 0.375), surface);
+        for (const double width : {0.0625, 0.125, 0.1875, 0.25}) {
+          line(moved(neck, side, width), tip, surface);
+        }
+      }
+    }
+  }
+
   std::vector<typename World<S>::Shape> shapes_;
   std::array<double, 3> move_{};
 };
@@ -149,6 +218,12 @@ template <Scalar S>
 CastReport cast_throws(const Scene& scene, const Move& move, const std::vector<Throw>& throws,
                        bool are_drawn) {
   return Caster<S>(scene, move).report(throws, are_drawn);
+}
+
+template <Scalar S>
+ContactReport contacts_of(const Scene& scene, const Move& move, const std::vector<Throw>& bodies,
+                          bool are_drawn) {
+  return Caster<S>(scene, move).contacts(bodies, are_drawn);
 }
 
 }  // namespace detent::cli

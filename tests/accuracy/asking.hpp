@@ -72,6 +72,24 @@ class Tally {
       measure(right, answer);
     }
   }
+  /// A depth, or nothing for shapes that are apart.
+  void count(const Depth& right, const std::optional<Contact<S, 3>>& answer) {
+    bool is_finite = true;
+    if constexpr (!is_fixed<S>) is_finite = !answer || std::isfinite(answer->depth);
+    count(right.steps.has_value(), is_finite ? answer.has_value() : !right.steps.has_value());
+    if (!right.steps || !answer || !is_finite) return;
+    if constexpr (is_fixed<S>) {
+      const Steps most = Steps(static_cast<std::int64_t>(S::max().raw()));
+      constexpr auto finer = static_cast<unsigned>(distance_frac - S::frac);
+      const Steps rounded = floor_steps(*right.steps + ((Steps(1) << finer) - 1));
+      if (rounded > most) {  // clamped to the range
+        if (answer->depth != S::max()) ++cell_.off;
+        return;
+      }
+      if (cell_.inputs == Inputs::own && rounded != raw_of(answer->depth)) ++cell_.off;
+    }
+    errors_.push_back(error_of(*right.steps, answer->depth));
+  }
   void count(bool right, bool answer) {
     ++cell_.questions;
     if (right) ++cell_.hits;
@@ -91,14 +109,19 @@ class Tally {
   static Steps floor_steps(const Steps& right) {
     return right >> static_cast<unsigned>(distance_frac - S::frac);
   }
-  void measure(const Steps& right, const S& answer) {
+  static std::int64_t raw_of(const S& x) { return x.raw(); }
+  /// In units of 2^-16.
+  static double error_of(const Steps& right, const S& answer) {
     const auto given = static_cast<double>(answer);
     constexpr int finer = 80;  // in steps of 2^-80, below the error of a double
     const Steps error = Exact::of(given).steps(finer) - (right << (finer - distance_frac));
-    errors_.push_back(std::ldexp(std::abs(error.convert_to<double>()), 16 - finer));
+    return std::ldexp(std::abs(error.convert_to<double>()), 16 - finer);
+  }
+  void measure(const Steps& right, const S& answer) {
+    errors_.push_back(error_of(right, answer));
     if constexpr (is_fixed<S>) {
       if (cell_.inputs == Inputs::asked) return;
-      if (floor_steps(right) != static_cast<std::int64_t>(answer.raw())) ++cell_.off;
+      if (floor_steps(right) != raw_of(answer)) ++cell_.off;
     }
   }
 
@@ -353,6 +376,20 @@ struct Apart : Overlap<A, B> {
   template <class S>
   static S answer(const PairQuestion<A, B, S>& q) {
     return distance(as_shape(q.a), as_shape(q.b));
+  }
+};
+
+/// The contact of two shapes, judged by its depth.
+template <class A, class B>
+struct Touching : Overlap<A, B> {
+  using Question = typename Overlap<A, B>::Question;
+  using Truth = Depth;
+
+  static Truth truth(const Question& q, int frac) { return depth_of(q.a, q.b, frac); }
+  static bool is_hit(const Truth& truth) { return truth.steps.has_value(); }
+  template <class S>
+  static std::optional<Contact<S, 3>> answer(const PairQuestion<A, B, S>& q) {
+    return contact(as_shape(q.a), as_shape(q.b));
   }
 };
 

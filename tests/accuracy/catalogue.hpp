@@ -16,6 +16,7 @@ void add_capsule_overlaps(std::vector<Query>& queries);
 void add_hull_overlaps(std::vector<Query>& queries);
 void add_segments(std::vector<Query>& queries);
 void add_pair_distances(std::vector<Query>& queries);
+void add_pair_contacts(std::vector<Query>& queries);
 
 // The same in 2D.
 void add_planar_raycasts(std::vector<Query>& queries);

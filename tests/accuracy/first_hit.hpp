@@ -8,6 +8,7 @@
 #include "exact.hpp"
 #include "oracle/apart.hpp"
 #include "oracle/exact.hpp"
+#include "oracle/push.hpp"
 
 // The exact results, computed by the oracle.
 
@@ -83,6 +84,16 @@ oracle::Solid<3> in_steps(const Shape& shape, int frac) {
 template <class A, class B>
 Steps distance_of(const A& a, const B& b, int frac) {
   return *oracle::distance_floor(in_steps(a, frac), in_steps(b, frac));
+}
+
+/// The depth of two shapes in steps of 2^-48, rounded up; nothing if they share no point.
+struct Depth {
+  std::optional<Steps> steps;
+};
+template <class A, class B>
+Depth depth_of(const A& a, const B& b, int frac) {
+  const auto push = oracle::least_push(in_steps(a, frac), in_steps(b, frac));
+  return {push ? std::optional(push->depth) : std::nullopt};
 }
 
 }  // namespace detent::accuracy

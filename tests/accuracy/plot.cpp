@@ -219,7 +219,7 @@ double strips(Svg& svg, double y, const Report& report) {
   double x = left + 92;
   std::vector<const Query*> pairs;
   for (const Query& query : queries()) {
-    if (query.kind != "raycast" && query.kind != "distance" &&
+    if ((query.kind == "overlaps" || query.kind == "intersects") &&
         !column(report, query, Ladder::size).empty()) {
       pairs.push_back(&query);
     }

@@ -69,7 +69,7 @@ std::string ruler(std::size_t columns) {
 
 std::string totals(const Report& report) {
   std::string text = row_of({"scalar", "inputs", "questions", "wrong decisions", "wrong in %",
-                             "distances not the exact one rounded down"}) +
+                             "distances not the exact one rounded down, depths up"}) +
                      ruler(6);
   for (const Who& who : all) {
     Cell sum;
@@ -96,7 +96,8 @@ std::string float_table(const Report& report) {
   for (const Ladder ladder : ladders) heads.emplace_back(name_of(ladder));
   std::string text = row_of(heads) + ruler(heads.size());
   for (const bool is_planar : {false, true}) {
-    for (const std::string_view kind : {"raycast", "overlaps", "intersects", "distance"}) {
+    for (const std::string_view kind :
+         {"raycast", "overlaps", "intersects", "distance", "contact"}) {
       std::vector<std::string> cells{std::string(kind) + (is_planar ? " in 2D" : " in 3D")};
       bool has_any = false;
       for (const Ladder ladder : ladders) {

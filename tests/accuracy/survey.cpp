@@ -20,6 +20,7 @@ const std::vector<Query>& queries() {
     add_hull_overlaps(list);
     add_segments(list);
     add_pair_distances(list);
+    add_pair_contacts(list);
     add_planar_raycasts(list);
     add_planar_round_overlaps(list);
     add_planar_flat_overlaps(list);

@@ -34,7 +34,7 @@ struct Cell {
 
 /// A query of the library, as run by the ladder.
 struct Query {
-  std::string kind;  // "raycast", "overlaps", "intersects" or "distance"
+  std::string kind;  // "raycast", "overlaps", "intersects", "distance" or "contact"
   std::string name;  // "raycast/sphere", "overlaps/sphere_aabb", "raycast/sphere_2d"
   int cost;          // divides the number of test cases
   std::function<bool(const Rung&)> applies;

@@ -229,7 +229,7 @@ struct DemoRow {
 
   std::string place, scalar, digest;
   int rays = 0, hits = 0, wrong = 0, off = 0;
-  double time = 0;  // the largest error of casts
+  double time = 0;  // the largest error of casts and contacts
 };
 
 void check_exact_row(const DemoRow& row, const std::string& place, int rays,
@@ -283,6 +283,29 @@ TEST_CASE("detent demo: casts have the same length near and far from the origin,
     CHECK(exact.hits > 600);
     CHECK(exact.hits < 1600);
     CHECK(exact.time < 0.001);
+    const DemoRow rough(table);
+    CHECK(rough.scalar == "float");
+    CHECK(rough.wrong + rough.off > (place == "near" ? 0 : 300));
+  }
+}
+
+TEST_CASE("detent demo: contacts are the same near and far from the origin, except in float") {
+  const Workshop shop;
+  const auto result = shop.run("demo --size 32x20 --out pictures");
+  REQUIRE(result.code == 0);
+  const std::string title = "place that is off by more than 1/1024):\n";
+  const auto start = result.out.find(title);
+  REQUIRE(start != std::string::npos);
+  std::istringstream table(result.out.substr(start + title.size()));
+  std::string line;
+  std::getline(table, line);
+  CHECK(line.starts_with("place scalar     bodies contacts"));
+  for (const std::string place : {"near", "far"}) {
+    const DemoRow exact(table);
+    check_exact_row(exact, place, 1428,
+                    place == "near" ? "0xf026afbae0d60c5d" : "0xb852e3d5600c4405");
+    CHECK(exact.hits == 1633);
+    CHECK(exact.time == 0);
     const DemoRow rough(table);
     CHECK(rough.scalar == "float");
     CHECK(rough.wrong + rough.off > (place == "near" ? 0 : 300));

@@ -14,6 +14,7 @@ int main() {
   detent::size::visit_boxes(print);
   detent::size::visit_others(print);
   detent::size::visit_distances(print);
+  detent::size::visit_closest_points(print);
   detent::size::visit_contacts(print);
   detent::size::visit_casts(print);
 }

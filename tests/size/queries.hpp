@@ -20,6 +20,9 @@ inline constexpr auto ask_raycast = [](const auto& ray, const auto& shape) {
 };
 inline constexpr auto ask_overlaps = [](const auto& a, const auto& b) { return overlaps(a, b); };
 inline constexpr auto ask_distance = [](const auto& a, const auto& b) { return distance(a, b); };
+inline constexpr auto ask_closest_points = [](const auto& a, const auto& b) {
+  return closest_points(a, b);
+};
 inline constexpr auto ask_contact = [](const auto& a, const auto& b) { return contact(a, b); };
 inline constexpr auto ask_cast = [](const auto& moving, const auto& target) {
   return cast(moving.shape, moving.direction, moving.max_distance, target);
@@ -51,6 +54,12 @@ template <class Visit>
 void visit_distances(const Visit& visit) {
   visit(query<Sphere, Obb>("distance/sphere_obb", ask_distance));
   visit(query<Obb, Obb>("distance/obb_obb", ask_distance));
+}
+
+template <class Visit>
+void visit_closest_points(const Visit& visit) {
+  visit(query<Sphere, Obb>("closest_points/sphere_obb", ask_closest_points));
+  visit(query<Obb, Obb>("closest_points/obb_obb", ask_closest_points));
 }
 
 template <class Visit>

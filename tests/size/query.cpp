@@ -6,6 +6,7 @@
 #include HEADER
 
 #include <optional>
+#include <utility>
 
 using namespace detent;
 
@@ -13,6 +14,11 @@ static bool report(bool answer, SCALAR&) { return answer; }
 static bool report(const SCALAR& answer, SCALAR& distance) {
   distance = answer;
   return distance > 0;
+}
+template <class T>
+static bool report(const std::pair<T, T>& answer, std::pair<T, T>& points) {
+  points = answer;
+  return points.first != points.second;
 }
 template <class T>
 static bool report(const std::optional<T>& answer, T& found) {
@@ -30,6 +36,10 @@ using SecondShape = SECOND<SCALAR, 3>;
 template <class>
 struct OutputOf {
   using type = SCALAR;
+};
+template <class T>
+struct OutputOf<std::pair<T, T>> {
+  using type = std::pair<T, T>;
 };
 template <class T>
 struct OutputOf<std::optional<T>> {

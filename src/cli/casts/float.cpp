@@ -3,3 +3,6 @@
 
 template detent::cli::CastReport detent::cli::cast_throws<float>(const Scene&, const Move&,
                                                                  const std::vector<Throw>&, bool);
+template detent::cli::ContactReport detent::cli::contacts_of<float>(const Scene&, const Move&,
+                                                                    const std::vector<Throw>&,
+                                                                    bool);

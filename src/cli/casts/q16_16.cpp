@@ -4,3 +4,5 @@
 template detent::cli::CastReport detent::cli::cast_throws<detent::q16_16>(const Scene&, const Move&,
                                                                           const std::vector<Throw>&,
                                                                           bool);
+template detent::cli::ContactReport detent::cli::contacts_of<detent::q16_16>(
+    const Scene&, const Move&, const std::vector<Throw>&, bool);

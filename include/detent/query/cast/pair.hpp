@@ -55,7 +55,8 @@ template <bool WithNormal, class A, class B, Scalar S, int N>
                                                 radius);
             }
           }
-          return touch_of_polytopes<WithNormal>(body_a, body_b, way, to_world, direction, limit);
+          return touch_of_polytopes<WithNormal, !is_round>(body_a, body_b, way, to_world, direction,
+                                                           limit);
         });
   }
 }

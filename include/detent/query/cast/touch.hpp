@@ -11,6 +11,7 @@
 #include "detent/query/kernel/clip.hpp"
 #include "detent/query/kernel/differences.hpp"
 #include "detent/query/kernel/stab.hpp"
+#include "detent/query/kernel/stab_witness.hpp"
 #include "detent/query/kernel/touch_witness.hpp"
 
 // The first touch of a moving body and a target, for each kind of body.
@@ -65,8 +66,9 @@ template <Scalar S, int N>
 }
 
 /// The first touch of two polytopes: where the ray from 0 along `way` enters the differences of
-/// their points.
-template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S, int N>
+/// their points. Shapes that are round but for a radius of 0 are too rare for the filter's code.
+template <bool WithNormal, bool HasFilter, class A, class B, class Way, class ToWorld, Scalar S,
+          int N>
 [[nodiscard]] constexpr std::optional<Touch<S, N>> touch_of_polytopes(
     const A& a, const B& b, const Way& way, const ToWorld& to_world,
     const Direction<S, N>& direction, const S& limit) noexcept {
@@ -74,6 +76,20 @@ template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S,
   if (is_zero(make_vec<N>([&](int i) { return way[i]; }))) {  // in a frame whose axes are parallel
     if (!bodies_overlap(a, b)) return std::nullopt;
     return Touch<S, N>{S(0), std::nullopt};
+  }
+  const auto outward = [&](const auto& normal) {
+    return -direction_of<S>(to_world(normal)).value_or(direction);
+  };
+  if constexpr (HasFilter && filter_pays<S> && N == 3 && HasFewCorners<A> && HasFewCorners<B>) {
+    const auto steps = make_vec<N>([&](int i) { return way[i]; });
+    using Component = std::remove_cvref_t<decltype(steps.x)>;
+    const auto decided = StabWitness<A, B, Component, S>(a, b, steps).entry(limit);
+    if (decided.is_sure) {
+      if (!decided.value) return std::nullopt;
+      Touch<S, N> touch{decided.value->distance, std::nullopt};
+      if constexpr (WithNormal) touch.normal = outward(decided.value->normal);
+      return touch;
+    }
   }
   const auto points = differences(a, b);
   using Point = std::remove_cvref_t<decltype(points[0])>;
@@ -84,11 +100,7 @@ template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S,
   Touch<S, N> touch{entered->distance, std::nullopt};
   if constexpr (WithNormal) {
     if (!entered->starts_inside) {
-      touch.normal = -direction;
-      if (stab.is_face()) {
-        const auto along = direction_of<S>(to_world(stab.normal()));
-        touch.normal = -along.value_or(direction);
-      }
+      touch.normal = stab.is_face() ? outward(stab.normal()) : -direction;
     }
   }
   return touch;

@@ -208,12 +208,14 @@ class Approach {
     using Result = decltype(f(std::declval<Way>()));
     for (Patience<S> patience; patience.step();) {
       Time next = time;
-      const Result result = vector_at(time, [&](const auto& v, const auto& excess) {
-        const auto along = dot(v, way_);
-        if (along > 0) next = (std::min)(sum(time, steps(excess(), v, along)), limit);
-        return f(v);
-      });
-      if (!(next > time)) return result;
+      const auto result =
+          vector_at(time, [&](const auto& v, const auto& excess) -> std::optional<Result> {
+            const auto along = dot(v, way_);
+            if (along > 0) next = (std::min)(sum(time, steps(excess(), v, along)), limit);
+            if (next > time) return std::nullopt;
+            return f(v);
+          });
+      if (result) return *result;
       time = next;
     }
     return f(Way());

@@ -91,6 +91,9 @@ class Stab {
     return true;
   }
 
+  /// The index of the point in column i of the basis.
+  [[nodiscard]] constexpr PointIndex index_of(int i) const noexcept { return at(i).index; }
+
   /// A vector perpendicular to the basis, pointing along the ray.
   [[nodiscard]] constexpr auto normal() const noexcept {
     const int i = point();
@@ -101,6 +104,18 @@ class Stab {
     } else {
       return cross(edge((i + 1) % 3), edge((i + 2) % 3));
     }
+  }
+
+  /// The negated vector along which points reduce the slack of the basis. If the line does not meet
+  /// the hull, all points are farther along it than the line.
+  [[nodiscard]] constexpr auto lack() const noexcept {
+    using Sum = decltype(this->gradient(0) + this->gradient(0));
+    constexpr int bits = bits_of<decltype(Sum::x)>;
+    Sum sum;
+    for (int i = 0; i < N; ++i) {
+      if (!is_point(i)) sum = narrow<bits>(sum - gradient(i));  // at most two of them
+    }
+    return sum;
   }
 
  private:
@@ -174,17 +189,6 @@ class Stab {
       const auto across = cross(direction_, edge(other));
       return other == (first + 1) % 3 ? across : narrow_negative(across);
     }
-  }
-
-  /// The negated vector along which points reduce the slack of the basis.
-  [[nodiscard]] constexpr auto lack() const noexcept {
-    using Sum = decltype(gradient(0) + gradient(0));
-    constexpr int bits = bits_of<decltype(Sum::x)>;
-    Sum sum;
-    for (int i = 0; i < N; ++i) {
-      if (!is_point(i)) sum = narrow<bits>(sum - gradient(i));  // at most two of them
-    }
-    return sum;
   }
 
   /// Lets points against the vector `gradient_of()` of the basis enter until there is none.

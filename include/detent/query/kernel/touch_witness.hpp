@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "detent/number/filter/filtered.hpp"
+#include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/rounded_point.hpp"
 #include "detent/query/kernel/simplex.hpp"
 #include "detent/query/kernel/support.hpp"
@@ -29,6 +30,16 @@ template <int Bits, Number V, int N>
     return make_vec<N>([&](int i) { return scale_down<Bits>(v[i], (std::max)(length - Bits, 0)); });
   }
 }
+
+/// Whether a body is a point, or a box along the axes.
+template <class Body>
+inline constexpr bool is_point = false;
+template <Number S, int N>
+inline constexpr bool is_point<HullBody<S, N, std::array<Vec<S, N>, 1>>> = true;
+template <class Body>
+inline constexpr bool is_aligned_box = false;
+template <Number S, int N>
+inline constexpr bool is_aligned_box<AabbBody<S, N>> = true;
 
 /// Finds the first touch, within a radius, of the body `a`, moving along `way`, and the body `b`.
 template <class A, class B, Number W, Scalar S, Number R>
@@ -198,7 +209,55 @@ class TouchWitness {
            f(outward, RationalPoint{normal * height, squared_length(normal)});
   }
   [[nodiscard]] constexpr bool holds_closest(const Feature& feature, const S& time) const noexcept {
+    if constexpr (dimension == 3 && is_point<A> && is_aligned_box<B>) {
+      if (const auto holds = is_closest_on_box(feature, time)) return *holds;
+    }
     return with_closest(feature, time, [](const auto&, const auto&) { return true; });
+  }
+
+  /// The same for a point and a corner, an edge or half a face of a box: the inequalities are those
+  /// of single coordinates. Nothing for other features.
+  [[nodiscard]] constexpr std::optional<bool> is_closest_on_box(const Feature& feature,
+                                                                const S& time) const noexcept {
+    const auto offset = way_ * time;
+    const auto& corner = feature.corners[0];
+    std::array<bool, 3> varies{};
+    int along = 0, across = 0;  // the number of axes along which the feature extends, and another
+    for (int i = 0; i < 3; ++i) {
+      bool& does_vary = varies[static_cast<std::size_t>(i)];
+      for (int k = 1; k < feature.count; ++k) {
+        does_vary = does_vary || feature.corners[static_cast<std::size_t>(k)][i] != corner[i];
+      }
+      along += does_vary ? 1 : 0;
+      if (!does_vary) across = i;
+    }
+    if (along != feature.count - 1) return std::nullopt;
+    if (along == 2) return is_closest_on_face(feature.simplex(), across, offset);
+    for (int i = 0; i < 3; ++i) {
+      if (varies[static_cast<std::size_t>(i)]) {
+        if (low_[i] > offset[i] || high_[i] < offset[i]) return false;
+      } else {
+        const bool is_before = corner[i] == low_[i] && !(corner[i] < offset[i]);
+        const bool is_behind = corner[i] == high_[i] && !(corner[i] > offset[i]);
+        if (!is_before && !is_behind) return false;
+      }
+    }
+    return true;
+  }
+  template <class Triangle, Number O>
+  [[nodiscard]] constexpr std::optional<bool> is_closest_on_face(
+      const Triangle& triangle, int axis, const Vec<O, 3>& offset) const noexcept {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const auto normal = facet_normal(triangle)[axis];
+    if (normal == 0) return std::nullopt;
+    for (int k = 0; k < 3; ++k) {
+      const auto p = triangle[(k + 1) % 3] - offset, q = triangle[(k + 2) % 3] - offset;
+      const auto side = p[u] * q[v] - p[v] * q[u];
+      if (normal > 0 ? side < 0 : side > 0) return false;
+    }
+    const auto height = triangle.newest()[axis] - offset[axis];
+    const bool faces_up = height > 0 || (height == 0 && normal > 0);
+    return triangle.newest()[axis] == (faces_up ? low_ : high_)[axis];
   }
 
   /// Finds, approximately, the feature that contains the closest difference at `time`, and a

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "detent/number/filter/filtered.hpp"
+#include "detent/number/fraction.hpp"
+#include "detent/query/kernel/convex_body.hpp"
+#include "detent/query/kernel/differences.hpp"
+#include "detent/query/kernel/stab.hpp"
+#include "detent/query/kernel/support.hpp"
+#include "detent/query/kernel/touch_witness.hpp"
+
+// The first touch of two polytopes by witnesses: a direction along which they stay apart, or the
+// face of their Minkowski difference that the motion enters. Both are checked exactly, so a linear
+// program over short rounded corners may propose them (docs/filters.md, lemma 18).
+
+namespace detent::detail {
+
+/// Whether the corners of a body are an array: of a box, a triangle, a segment or a point.
+template <class Body>
+concept HasFewCorners = requires(const Body& body) {
+  std::tuple_size<std::remove_cvref_t<decltype(body.corners())>>::value;
+};
+
+/// Where a ray from 0 along `way` enters the differences of the bodies `a`, moving along `way`, and
+/// `b`, in 3D.
+template <class A, class B, Number W, Scalar S>
+class StabWitness {
+ public:
+  using Way = Vec<W, 3>;
+  using Corner = decltype(std::declval<const B&>().some() - std::declval<const A&>().some());
+  using Component = std::remove_cvref_t<decltype(Corner().x)>;
+  using Edge = decltype(Corner() - Corner());
+  using Normal = std::remove_cvref_t<decltype(cross(Edge(), Edge()))>;
+
+  constexpr StabWitness(const A& a, const B& b, const Way& way) noexcept
+      : a_(a), b_(b), way_(way) {}
+
+  struct Entry {
+    S distance;
+    Normal normal;  // of the face, along the motion
+  };
+
+  /// The entry, or nothing if there is none within `limit`. Unsure if the bodies share a point at
+  /// the start, or if the ray meets no interior point of the face's triangle.
+  [[nodiscard]] constexpr Decided<std::optional<Entry>> entry(const S& limit) const noexcept {
+    constexpr Decided<std::optional<Entry>> unsure{std::nullopt, false};
+    const Corner low = b_.low() - a_.high(), high = b_.high() - a_.low();
+    const int dropped = (std::max)((std::max)(length_of(low), length_of(high)) - end_bits, 0);
+    const auto from = a_.some();
+    const auto rough_a = rough_corners(a_.corners(), dropped, from);
+    const auto rough_b = rough_corners(b_.corners(), dropped, from);
+    const Differences<decltype(rough_a), decltype(rough_b)> points(rough_a, rough_b);
+    const auto way = shortened<Rough::bits>(way_);
+    using RoughWay = std::remove_cvref_t<decltype(way)>;
+    using Point = std::remove_cvref_t<decltype(points[0])>;
+    using RoughComponent = std::remove_cvref_t<decltype(Point().x)>;
+    Stab<RoughComponent, 3, std::remove_cvref_t<decltype(points)>, RoughWay> stab(Point(), way,
+                                                                                  points);
+    if (!stab.meets()) {
+      return are_apart_along(stab.lack(), limit) ? Decided<std::optional<Entry>>{{}, true} : unsure;
+    }
+    if (!stab.is_face()) return unsure;
+    stab.go_to_first();
+    std::array<Index, 3> indices;
+    for (int k = 0; k < 3; ++k) {
+      const auto index = static_cast<std::size_t>(stab.index_of(k));
+      indices[static_cast<std::size_t>(k)] = {index % rough_a.size(), index / rough_a.size()};
+    }
+    const auto found = face(indices, limit);
+    if (!found.is_sure && are_apart_along(stab.normal(), limit)) return {std::nullopt, true};
+    return found;
+  }
+
+ private:
+  /// The ends of rounded differences have one bit more than the bodies' corners.
+  static constexpr int end_bits = 17;
+  using Rough = Fixed<end_bits + 2, 0>;
+  using RoughCorner = Vec<Fixed<end_bits + 1, 0>, 3>;
+
+  /// The corners of `a` and `b` whose difference is a point.
+  struct Index {
+    std::size_t a, b;
+  };
+
+  template <Number V>
+  [[nodiscard]] static constexpr int length_of(const Vec<V, 3>& v) noexcept {
+    int length = 0;
+    for (int i = 0; i < 3; ++i) length = (std::max)(length, bit_length(v[i].raw()));
+    return length;
+  }
+
+  /// The corners relative to `from`, in steps of 2^dropped of `Component`.
+  template <class Corners, class From>
+  [[nodiscard]] static constexpr auto rough_corners(const Corners& corners, int dropped,
+                                                    const From& from) noexcept {
+    std::array<RoughCorner, std::tuple_size_v<Corners>> result{};
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      const auto offset = corners[k] - from;
+      result[k] = make_vec<3>([&](int i) {
+        using T = std::remove_cvref_t<decltype(RoughCorner().x)>;
+        return T::assume_raw(integer_cast<typename T::raw_type>(
+            shift_right_floor(Component(offset[i]).raw(), dropped)));
+      });
+    }
+    return result;
+  }
+
+  /// Whether all differences lie beyond the ray, or all of it up to `limit`, along `v`, shortened.
+  template <Number V>
+  [[nodiscard]] constexpr bool are_apart_along(const Vec<V, 3>& v, const S& limit) const noexcept {
+    constexpr int bits_a = bits_of<std::remove_cvref_t<decltype(a_.some().x)>> + 1;
+    constexpr int bits_b = bits_of<std::remove_cvref_t<decltype(b_.some().x)>> + 1;
+    const auto across = shortened<24>(v);
+    const Corner least = b_.template extreme<bits_b>(across, b_.some(), false) -
+                         a_.template extreme<bits_a>(across, a_.some(), true);
+    const auto reached = dot(across, least);
+    if (!(reached > 0)) return false;
+    const auto speed = dot(across, way_);
+    return !(speed > 0) || reached > speed * limit;
+  }
+
+  /// The entry through the triangle of three differences, if it is a face.
+  [[nodiscard]] constexpr Decided<std::optional<Entry>> face(const std::array<Index, 3>& indices,
+                                                             const S& limit) const noexcept {
+    constexpr Decided<std::optional<Entry>> unsure{std::nullopt, false};
+    const auto corners_a = a_.corners();
+    const auto corners_b = b_.corners();
+    std::array<Corner, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = corners_b[indices[k].b] - corners_a[indices[k].a];
+    }
+    const Normal normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const auto speed = dot(normal, way_);
+    if (!(speed > 0)) return unsure;
+    const auto height = dot(normal, corners[0]);
+    if (!(height > 0)) return unsure;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!(dot(way_, cross(corners[(k + 1) % 3], corners[(k + 2) % 3])) > 0)) return unsure;
+    }
+    if (!is_extreme(b_, corners_b, indices[0].b, normal, false)) return unsure;
+    if (!is_extreme(a_, corners_a, indices[0].a, normal, true)) return unsure;
+    const auto distance = floor_within(Fraction{height, speed}, limit);
+    if (!distance) return {std::nullopt, true};
+    return {Entry{*distance, normal}, true};
+  }
+
+  /// Whether no corner is farther along `v`, or less far if not `farthest`.
+  template <class Body, class Corners>
+  [[nodiscard]] static constexpr bool is_extreme(const Body& body, const Corners& corners,
+                                                 std::size_t at, const Normal& v,
+                                                 bool farthest) noexcept {
+    const auto is_behind = [&](const auto& edge) {
+      const auto along = dot(v, edge);
+      return farthest ? !(along > 0) : !(along < 0);
+    };
+    if constexpr (IsBoxBody<Body>) {  // convex: its neighbours suffice
+      (void)body;
+      for (std::size_t side = 1; side < corners.size(); side *= 2) {
+        if (!is_behind(corners[at ^ side] - corners[at])) return false;
+      }
+    } else {
+      for (const auto& corner : corners) {
+        if (!is_behind(corner - corners[at])) return false;
+      }
+    }
+    return true;
+  }
+
+  const A& a_;
+  const B& b_;
+  Way way_;
+};
+
+}  // namespace detent::detail

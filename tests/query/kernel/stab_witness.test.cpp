@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "detent/query/kernel/stab_witness.hpp"
+
+#include <algorithm>
+
+#include "detent/math/direction.hpp"
+#include "detent/math/rotation.hpp"
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+namespace detent::test {
+namespace {
+
+struct Count {
+  HitRate hits, sure;
+};
+
+/// Compares the filter with the exact linear program.
+template <class A, class B, Scalar S>
+void compare(const A& a, const B& b, const Direction<S, 3>& direction, const S& limit,
+             Count& count) {
+  const auto& way = direction.vec();
+  using Component = std::remove_cvref_t<decltype(way.x)>;
+  const auto points = detail::differences(a, b);
+  using Point = std::remove_cvref_t<decltype(points[0])>;
+  using T = std::remove_cvref_t<decltype(Point().x)>;
+  detail::Stab<T, 3, std::remove_cvref_t<decltype(points)>, Direction<S, 3>> stab(
+      Point(), direction, points);
+  const auto exact = detail::entry(stab, limit);
+  const auto decided = detail::StabWitness<A, B, Component, S>(a, b, way).entry(limit);
+  count.hits.count(exact.has_value());
+  count.sure.count(decided.is_sure);
+  if (!decided.is_sure) return;
+  REQUIRE(decided.value.has_value() == exact.has_value());
+  if (!exact) return;
+  REQUIRE_FALSE(exact->starts_inside);
+  REQUIRE(decided.value->distance == exact->distance);
+  REQUIRE(stab.is_face());
+  REQUIRE(direction_of<S>(decided.value->normal) == direction_of<S>(stab.normal()));
+}
+
+/// How the axes of boxes lie: faces and edges are often parallel, or nearly so.
+enum class Axes { any, parallel, nearly_parallel };
+
+/// Bodies within `reach` steps, on a grid of `grid` steps.
+template <Scalar S>
+void compare_many(std::int64_t reach, std::int64_t grid, Axes axes, int asked, Count& count) {
+  Random random(static_cast<std::uint64_t>(reach + grid + asked));
+  const auto number = [&](std::int64_t low, std::int64_t high) {
+    return S::from_raw(
+        static_cast<typename S::raw_type>(random.between(low / grid, high / grid) * grid));
+  };
+  const auto point = [&] { return make_vec<3>([&](int) { return number(-reach, reach); }); };
+  const auto box = [&] {
+    const auto half = make_vec<3>([&](int) { return number(0, reach / 2); });
+    const auto toward = [&] {
+      if (axes == Axes::any) return point();
+      return make_vec<3>([&](int) {
+        const auto component = random.between(-1, 1) * (1 << 18);
+        const auto off = axes == Axes::parallel ? 0 : random.between(-2, 2);
+        return S::from_raw(static_cast<typename S::raw_type>(component + off));
+      });
+    };
+    Rotation<S, 3> rotation;
+    if (const auto first = direction_of<S>(toward())) {
+      if (const auto third = direction_of<S>(cross(first->vec(), toward()))) {
+        const auto second = direction_of<S>(cross(third->vec(), first->vec()));
+        rotation = Rotation<S, 3>::from_axes({*first, *second, *third});
+      }
+    }
+    return Obb<S, 3>{point(), half, rotation};
+  };
+  for (int i = 0; i < asked; ++i) {
+    CAPTURE(reach, grid, axes, i);
+    const auto first = box(), second = box();
+    const auto to = nearest_to<S>(second.center - first.center);
+    const auto direction = axes == Axes::parallel && random.one_in(4)
+                               ? Direction<S, 3>::along(i % 3)
+                               : direction_of<S>(random.one_in(4) ? point() : to);
+    if (!direction) continue;
+    const S limit = number(0, 8 * reach);
+    const auto a = detail::edge_body(first), b = detail::edge_body(second);
+    compare(a, b, *direction, limit, count);
+    const detail::HullBody triangle(std::array{point(), point(), point()});
+    compare(triangle, b, *direction, limit, count);
+    compare(a, triangle, *direction, limit, count);
+    const auto p = point(), q = point();
+    Vec<S, 3> low = p, high = p;
+    for (int k = 0; k < 3; ++k) {
+      low[k] = (std::min)(p[k], q[k]);
+      high[k] = (std::max)(p[k], q[k]);
+    }
+    compare(detail::AabbBody(low, high), b, *direction, limit, count);
+    compare(detail::HullBody(std::array{p, q}), triangle, *direction, limit, count);
+  }
+}
+
+TEST_CASE("witnesses: an entry into a face that they are sure of is exact", "[query]") {
+  Count local, lattice, tilted, extreme, tiny;
+  compare_many<q16_16>(1 << 20, 1, Axes::any, 300, local);
+  compare_many<q14_16>(1 << 20, 1, Axes::any, 100, local);
+  compare_many<q24_8>(1 << 20, 1, Axes::any, 100, local);
+  compare_many<q16_16>(1 << 20, 1 << 17, Axes::parallel, 300, lattice);
+  compare_many<q24_8>(1 << 12, 1 << 9, Axes::parallel, 100, lattice);
+  compare_many<q16_16>(1 << 20, 1, Axes::nearly_parallel, 300, tilted);
+  compare_many<q16_16>(std::int64_t{1} << 30, 1, Axes::any, 200, extreme);
+  compare_many<q24_8>(std::int64_t{1} << 30, 1 << 28, Axes::parallel, 100, extreme);
+  compare_many<q16_16>(32, 1, Axes::any, 200, tiny);
+  INFO(local.hits << ", " << local.sure << "; " << lattice.hits << ", " << lattice.sure << "; "
+                  << tilted.hits << ", " << tilted.sure << "; " << extreme.hits << ", "
+                  << extreme.sure << "; " << tiny.hits << ", " << tiny.sure);
+  CHECK(local.hits.is_balanced());
+  CHECK(local.sure.percent() >= 70);
+  CHECK(lattice.sure.percent() >= 70);
+  CHECK(tilted.sure.percent() >= 50);
+  CHECK(extreme.sure.percent() >= 70);
+  CHECK(tiny.sure.percent() >= 70);
+}
+
+}  // namespace
+}  // namespace detent::test
