@@ -2,8 +2,11 @@
 // The solver's fast arithmetic equals its specification: the exact sum or quotient, rounded once.
 // Many inputs are near ties or at the ends of ranges.
 
+#include <array>
+
 #include "support/catch.hpp"
 
+#include "detent/dynamics/joint/row.hpp"
 #include "dynamics/stage.hpp"
 #include "support/random.hpp"
 
@@ -32,6 +35,51 @@ void check_dots(test::Random& random) {
     auto b = make_vec<3>([&](int) { return draw<Long>(random); });
     if (random.coin()) b.y = b.z = Long();
     REQUIRE(detail::nearest_dot<T>(a, b) == nearest_to<T>(dot(a, b)));
+  }
+}
+
+/// A push along axis I of the world, against the one along its unit vector.
+template <int I>
+void check_axis(test::Random& random) {
+  using S = q16_16;
+  const auto three = [&](auto number) {
+    using T = decltype(number);
+    return std::array<T, 3>{draw<T>(random), draw<T>(random), draw<T>(random)};
+  };
+  Vec<F::Ratio, 3> axis{};
+  axis[I] = F::Ratio(1);
+  for (int k = 0; k < 20000; ++k) {
+    detail::Spread<F::Gyration, 3> spread{};
+    for (auto& x : spread) x = draw<F::Gyration>(random, random.coin() ? 52 : 36);
+    detail::Row<S, 3> row, wanted;
+    const auto arm = from_array(three(F::Arm()));
+    wanted.moment_a = detail::moment<S, 3>(arm, axis);
+    wanted.response_a = detail::response<S, 3>(spread, wanted.moment_a);
+    const auto gives = detail::turn_about_axis<I, S>(arm, spread, row.moment_a, row.response_a);
+    REQUIRE(gives == detail::give<S, 3>(wanted.moment_a, wanted.response_a));
+    REQUIRE(row.moment_a == wanted.moment_a);
+    REQUIRE(row.response_a == wanted.response_a);
+    row.moment_b = detail::moment<S, 3>(from_array(three(F::Arm())), axis);
+    row.response_b = three(F::Response());
+
+    detail::Moving<S, 3> a, b;
+    for (auto* body : {&a, &b}) {
+      body->velocity = from_array(three(F::Speed()));
+      body->spin = three(F::Spin());
+    }
+    REQUIRE(detail::rate_along_axis<I, S>(row, a, b) ==
+            detail::rate_along<S, 3>(axis, row, a.velocity, a.spin, b.velocity, b.spin));
+    detail::Thrust<S, 3> thrust{axis, {}, {}};
+    thrust.on_a[I] = draw<F::Ratio>(random, 30);
+    thrust.on_b[I] = draw<F::Ratio>(random, 30);
+    const auto impulse = draw<F::Impulse>(random);
+    auto other_a = a, other_b = b;
+    detail::apply(thrust, row, impulse, a, b);
+    detail::apply_along_axis<I, S>(thrust, row, impulse, other_a, other_b);
+    REQUIRE(a.velocity == other_a.velocity);
+    REQUIRE(b.velocity == other_b.velocity);
+    REQUIRE(a.spin == other_a.spin);
+    REQUIRE(b.spin == other_b.spin);
   }
 }
 
@@ -109,6 +157,36 @@ TEST_CASE("impulses are rounded and clamped per component") {
       const auto part = nearest_to<F::Spin>(share[i] * impulse);
       REQUIRE(up[i] == saturate_to<F::Spin>(before[i] + part));
       REQUIRE(down[i] == saturate_to<F::Spin>(before[i] - part));
+    }
+  }
+}
+
+TEST_CASE("pushes of joints along an axis of the world equal those along its unit vector") {
+  test::Random random(6);
+  check_axis<0>(random);
+  check_axis<1>(random);
+  check_axis<2>(random);
+}
+
+TEST_CASE("turns of joints are rounded and clamped per component") {
+  test::Random random(7);
+  for (int k = 0; k < 50000; ++k) {
+    detail::TurnRow<q16_16, 3> row;
+    detail::Moving<q16_16, 3> a, b;
+    for (std::size_t i = 0; i < 3; ++i) {
+      row.on_a[i] = draw<F::TurnShare>(random);
+      row.on_b[i] = draw<F::TurnShare>(random);
+      a.spin[i] = draw<F::Spin>(random);
+      b.spin[i] = draw<F::Spin>(random);
+    }
+    const auto turn = random.one_in(8) ? F::Turn() : draw<F::Turn>(random);
+    const auto from_a = a.spin, from_b = b.spin;
+    detail::apply(row, turn, a, b);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto part_a = nearest_to<F::Spin>(row.on_a[i] * turn),
+                 part_b = nearest_to<F::Spin>(row.on_b[i] * turn);
+      REQUIRE(a.spin[i] == saturate_to<F::Spin>(from_a[i] - part_a));
+      REQUIRE(b.spin[i] == saturate_to<F::Spin>(from_b[i] + part_b));
     }
   }
 }

@@ -5,23 +5,23 @@
 
 namespace detent::detail {
 
-/// The sum of three products of short numbers, of magnitudes of at most 2^30 (1 + 2^-28) steps, and
-/// long ones, of at most 52 bits, rounded to nearest once, in 64-bit words.
+/// The sum of up to three products of short numbers, of magnitudes of at most 2^30 (1 + 2^-28)
+/// steps, and long ones, of at most 52 bits, rounded to nearest once, in 64-bit words.
 ///
 /// A long number is 2^22 u + l with 0 <= l < 2^22. The sum over the u is at most 3 2^60 (1 +
 /// 2^-28), that over the l less than 2^54. Their sum in units of 2^22, rounded down with a sticky
 /// last bit for the remainder, rounds like the exact sum, because at least two more bits are
 /// rounded off.
-template <class T, class Short, class Long>
-[[nodiscard]] constexpr T nearest_dot(const Vec<Short, 3>& a, const Vec<Long, 3>& b) noexcept {
+template <class T, class Short, class Long, int N>
+[[nodiscard]] constexpr T nearest_dot(const Vec<Short, N>& a, const Vec<Long, N>& b) noexcept {
   if constexpr (is_fixed<T>) {
     constexpr int cut = 22;
     using Whole = Fixed<62, Short::frac + Long::frac - cut>;
-    static_assert(Short::bits <= 31 && Long::bits <= 52 && Whole::frac >= T::frac + 2);
+    static_assert(N <= 3 && Short::bits <= 31 && Long::bits <= 52 && Whole::frac >= T::frac + 2);
     using Raw = typename Whole::raw_type;
     constexpr Raw mask = (Raw(1) << cut) - 1;
     Raw upper = 0, lower = 0;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < N; ++i) {
       const Raw x = a[i].raw(), y = b[i].raw();
       upper += x * (y >> cut);
       lower += x * (y & mask);

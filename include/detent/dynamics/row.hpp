@@ -193,21 +193,79 @@ template <Scalar S>
   using Ratio = typename Formats<S>::Ratio;
   return quotient_nearest<Ratio>(as_operand<Ratio>(raw), as_operand<Ratio>(1 << 30));
 }
-/// 1 / (1 - lost + c_a j_a + c_b j_b), rounded to nearest; `lost` is the part of the motion along
-/// the row that locked axes remove. 0 if the denominator is less than 1 / 64: then nothing can push
-/// along the row.
+/// 1 / (1 - lost + given), rounded to nearest; `lost` is the part of the motion along the row that
+/// locked axes remove, and `given` the sum of what both bodies give. 0 if the denominator is less
+/// than 1 / 64: then nothing can push along the row.
+template <Scalar S, class Given, class F = Formats<S>>
+[[nodiscard]] constexpr typename F::Ratio effective_mass(const typename F::Give& lost,
+                                                         const Given& given) noexcept {
+  using Ratio = typename F::Ratio;
+  const auto whole = Ratio(1) - lost + given;
+  constexpr auto least = dyadic<S>(1 << 24);
+  return whole < least ? Ratio{} : quotient_nearest<Ratio>(Ratio(1), whole);
+}
+
+/// Computes the responses and the mass of a row from its moments.
 template <Scalar S, int N, class F = Formats<S>>
 constexpr void complete(Row<S, N>& row, const Spread<typename F::Gyration, N>& spread_a,
                         const Spread<typename F::Gyration, N>& spread_b,
                         const typename F::Give& lost = {}) noexcept {
-  using Ratio = typename F::Ratio;
   row.response_a = response<S, N>(spread_a, row.moment_a);
   row.response_b = response<S, N>(spread_b, row.moment_b);
-  const auto whole =
-      Ratio(1) - lost +
-      (give<S, N>(row.moment_a, row.response_a) + give<S, N>(row.moment_b, row.response_b));
-  constexpr auto least = dyadic<S>(1 << 24);
-  row.mass = whole < least ? Ratio{} : quotient_nearest<Ratio>(Ratio(1), whole);
+  row.mass = effective_mass<S>(
+      lost, give<S, N>(row.moment_a, row.response_a) + give<S, N>(row.moment_b, row.response_b));
+}
+
+// A push along axis I of the world, in fixed point: the same bits as above, without the products by
+// the zeros of the unit vector and of the moment. The others, by 1, are exact.
+
+/// Sets the moment of a push along axis I at `arm` and the response to it; returns what it gives.
+template <int I, Scalar S, class F = Formats<S>>
+[[nodiscard]] constexpr typename F::Give turn_about_axis(
+    const Vec<typename F::Arm, 3>& arm, const Spread<typename F::Gyration, 3>& spread,
+    Axial<typename F::Moment, 3>& moment, Axial<typename F::Response, 3>& response) noexcept {
+  using Moment = typename F::Moment;
+  using Response = typename F::Response;
+  using Give = typename F::Give;
+  constexpr int j = (I + 1) % 3, k = (I + 2) % 3;
+  const Vec<Moment, 2> turns{nearest_to<Moment>(arm[k]),
+                             narrow_negative(nearest_to<Moment>(arm[j]))};
+  moment[std::size_t{j}] = turns.x;
+  moment[std::size_t{k}] = turns.y;
+  for (int i = 0; i < 3; ++i) {
+    response[static_cast<std::size_t>(i)] = nearest_dot<Response>(
+        turns, Vec<typename F::Gyration, 2>{spread[entry<3>(i, j)], spread[entry<3>(i, k)]});
+  }
+  const auto sum = nearest_to<Give>(
+      dot(turns, Vec<Response, 2>{response[std::size_t{j}], response[std::size_t{k}]}));
+  return sum < 0 ? Give{} : sum;
+}
+
+/// As `rate_along`.
+template <int I, Scalar S, class F = Formats<S>>
+[[nodiscard]] constexpr typename F::Speed rate_along_axis(const Row<S, 3>& row,
+                                                          const Moving<S, 3>& a,
+                                                          const Moving<S, 3>& b) noexcept {
+  const auto turning = [&](std::size_t i) {
+    return narrow_difference<62>(narrow_product<62>(row.moment_b[i], b.spin[i]),
+                                 narrow_product<62>(row.moment_a[i], a.spin[i]));
+  };
+  const auto moving = nearest_to<typename F::Sum>(b.velocity[I] - a.velocity[I]);
+  return saturate_to<typename F::Speed>(
+      narrow_sum<62>(narrow_sum<62>(moving, turning((I + 1) % 3)), turning((I + 2) % 3)));
+}
+
+/// As `apply`.
+template <int I, Scalar S, class F = Formats<S>>
+constexpr void apply_along_axis(const Thrust<S, 3>& push, const Row<S, 3>& row,
+                                const typename F::Impulse& impulse, Moving<S, 3>& a,
+                                Moving<S, 3>& b) noexcept {
+  using Speed = typename F::Speed;
+  if (impulse == 0) return;
+  auto &va = a.velocity[I], &vb = b.velocity[I];
+  va = saturate_to<Speed>(va - nearest_to<Speed>(push.on_a[I] * impulse));
+  vb = saturate_to<Speed>(vb + nearest_to<Speed>(push.on_b[I] * impulse));
+  turn_both<S, 3>(row, impulse, a, b);
 }
 
 }  // namespace detent::detail

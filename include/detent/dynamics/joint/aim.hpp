@@ -124,6 +124,11 @@ class Aim {
     return nearest_to<Ratio>(narrow_dot<62>(axes_a_[i], axes_b_[j]));
   }
 
+  /// Removes the locked axes from a push. Returns the part of the motion along it that is lost.
+  constexpr typename F::Give lose_locked(PushRow<S, N>& row) const noexcept {
+    return lock<S, N>(row.thrust, a_.locked, b_.locked);
+  }
+
   /// A push along `along`, at both anchors or, for a line, at that of b only.
   template <class Gap>
   constexpr void push(std::size_t i, const Vec<Ratio, N>& along, const Gap& gap,
@@ -131,7 +136,7 @@ class Aim {
     auto& row = ready_.push[i];
     if (row.terms.law == Law::none) return;
     row.thrust = push_along<S, N>(along, ready_.share_a, ready_.share_b);
-    const auto lost = lock<S, N>(row.thrust, a_.locked, b_.locked);
+    const auto lost = lose_locked(row);
     row.row = {};
     if (!a_.is_fixed) {
       const auto arm = make_vec<N>([&](int k) {
@@ -180,9 +185,35 @@ class Aim {
 
   constexpr void point(const JointEnds<S, N>& joint) noexcept {
     find_points(joint);
-    for (int i = 0; i < N; ++i) {
-      push(static_cast<std::size_t>(i), unit_axis(i), between_[i]);
+    if constexpr (is_fixed<S> && N == 3) {
+      push_along_axis<0>();
+      push_along_axis<1>();
+      push_along_axis<2>();
+    } else {
+      for (int i = 0; i < N; ++i) {
+        push(static_cast<std::size_t>(i), unit_axis(i), between_[i]);
+      }
     }
+  }
+  /// A push along axis I of the world: what `push` computes, in fixed point.
+  template <int I>
+  constexpr void push_along_axis() noexcept {
+    auto& row = ready_.push[std::size_t{I}];
+    row.thrust = {unit_axis(I), {}, {}};
+    row.thrust.on_a[I] = ready_.share_a;
+    row.thrust.on_b[I] = ready_.share_b;
+    const auto lost = lose_locked(row);
+    row.row = {};
+    const auto gives = [](const auto& body, const auto& from, const auto& spread, auto& moment,
+                          auto& response) {
+      if (body.is_fixed) return typename F::Give{};
+      const auto arm = make_vec<3>([&](int k) { return saturate_to<Arm>(from[k]); });
+      return turn_about_axis<I, S>(arm, spread, moment, response);
+    };
+    const auto of_a = gives(a_, from_a_, spread_a_, row.row.moment_a, row.row.response_a);
+    const auto of_b = gives(b_, from_b_, spread_b_, row.row.moment_b, row.row.response_b);
+    row.row.mass = effective_mass<S>(lost, of_a + of_b);
+    row.gap = saturate_to<Speed>(between_[I]);
   }
   template <class Joint>
   constexpr void line(const Joint& joint) noexcept {

@@ -108,6 +108,15 @@ class JointGroup {
           for (std::size_t k = 0; k < record.turn.size(); ++k) {
             if (ready.turn[k].terms.law != Law::none) apply(ready.turn[k], record.turn[k], a, b);
           }
+          if constexpr (has_points) {
+            if (ready.is_point) {
+              const auto push = [&]<int I>(std::integral_constant<int, I>) {
+                const auto& row = ready.push[std::size_t{I}];
+                apply_along_axis<I, S>(row.thrust, row.row, record.push[std::size_t{I}], a, b);
+              };
+              return for_each_axis(push);
+            }
+          }
           for (std::size_t k = 0; k < record.push.size(); ++k) {
             const auto& row = ready.push[k];
             if (row.terms.law != Law::none) apply(row.thrust, row.row, record.push[k], a, b);
@@ -126,9 +135,24 @@ class JointGroup {
             if (ready.turn[k].terms.law == Law::none) continue;
             solve<pass>(ready.turn[k], record.turn[k], a, b);
           }
-          for (std::size_t k = 0; k < record.push.size(); ++k) {
-            if (ready.push[k].terms.law == Law::none) continue;
-            solve<pass>(ready.push[k], record.push[k], a, b);
+          const auto solve_any = [&] {
+            for (std::size_t k = 0; k < record.push.size(); ++k) {
+              if (ready.push[k].terms.law == Law::none) continue;
+              solve<pass>(ready.push[k], record.push[k], a, b);
+            }
+          };
+          if constexpr (has_points) {
+            const auto push = [&]<int I>(std::integral_constant<int, I>) {
+              constexpr auto k = std::size_t{I};
+              solve_along_axis<pass, I, S>(ready.push[k], record.push[k], a, b);
+            };
+            if (ready.is_point) {
+              for_each_axis(push);
+            } else {
+              solve_any();
+            }
+          } else {
+            solve_any();
           }
           if (pass == Pass::relaxed && ready.breaks && is_overloaded(ready, record)) {
             ready.is_broken = true;
@@ -161,6 +185,13 @@ class JointGroup {
   };
 
   static constexpr bool has_fours = uses_long_lanes<Storage, S, N>;
+  static constexpr bool has_points = is_fixed<S> && N == 3 && Record::push_room >= 3;
+  template <class F>
+  static constexpr void for_each_axis(const F& f) {
+    f(std::integral_constant<int, 0>());
+    f(std::integral_constant<int, 1>());
+    f(std::integral_constant<int, 2>());
+  }
   using FourOf = std::conditional_t<is_fixed<S> && N == 3, FourJoints<S, Record::turn_room>, Place>;
   /// A joint, how many others come before it at least, and its kind.
   struct Line {

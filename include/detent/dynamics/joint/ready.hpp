@@ -67,6 +67,7 @@ struct ReadyJoint {
   std::uint32_t joint = 0;  // index in the list of joints
   std::uint32_t a = 0, b = 0;
   bool breaks = false, is_broken = false;
+  bool is_point = false;           // pushes 0 to 2 are along the axes of the world, in fixed point
   typename F::Impulse strength{};  // the greatest load, if it breaks
   typename F::Torque torque{};     // of the motor
   typename F::Ratio share_a{}, share_b{};
@@ -102,6 +103,7 @@ class LayOut {
     strength(joint);
   }
   constexpr void operator()(const BallJoint<S, N>& joint) const noexcept {
+    ready_.is_point = is_fixed<S> && N == 3;
     const auto most = over_masses<typename F::Impulse>(joint.max_force, a_, b_, rate_);
     for (std::size_t i = 0; i < std::size_t{N}; ++i) {
       if (joint.frequency > 0) {
@@ -159,6 +161,7 @@ class LayOut {
     ready_.push[i].terms.soft = spring_softness(joint.frequency, joint.damping_ratio, rate_);
   }
   constexpr void point() const noexcept {
+    ready_.is_point = is_fixed<S> && N == 3;
     for (std::size_t i = 0; i < std::size_t{N}; ++i) push(i, Law::equal);
   }
   constexpr void stiff() const noexcept {

@@ -48,10 +48,12 @@ template <Scalar S, int N, class F = Formats<S>>
 constexpr void apply(const TurnRow<S, N>& row, const typename F::Turn& turn, Moving<S, N>& a,
                      Moving<S, N>& b) noexcept {
   using Spin = typename F::Spin;
-  for (std::size_t i = 0; i < a.spin.size(); ++i) {
-    a.spin[i] = saturate_to<Spin>(a.spin[i] - nearest_to<Spin>(row.on_a[i] * turn));
-    b.spin[i] = saturate_to<Spin>(b.spin[i] + nearest_to<Spin>(row.on_b[i] * turn));
+  constexpr int turns = N == 2 ? 1 : 3;
+  if constexpr (is_fixed<S>) {
+    if (turn == 0) return;
   }
+  push_each<-1, turns, Spin>(row.on_a, turn, a.spin);
+  push_each<1, turns, Spin>(row.on_b, turn, b.spin);
 }
 
 /// Computes a row's shares: with y = G axis of either body and s the sum of both axis . y, they are
@@ -100,6 +102,16 @@ constexpr void solve(const PushRow<S, N>& push, typename Formats<S>::Impulse& to
   const auto before = total;
   total = next_total<pass>(push.terms, push.row.mass, rate, push.gap, total);
   apply(push.thrust, push.row, saturate_to<Impulse>(total - before), a, b);
+}
+/// The same for a push along axis I of the world.
+template <Pass pass, int I, Scalar S>
+constexpr void solve_along_axis(const PushRow<S, 3>& push, typename Formats<S>::Impulse& total,
+                                Moving<S, 3>& a, Moving<S, 3>& b) noexcept {
+  using Impulse = typename Formats<S>::Impulse;
+  const auto rate = rate_along_axis<I, S>(push.row, a, b);
+  const auto before = total;
+  total = next_total<pass>(push.terms, push.row.mass, rate, push.gap, total);
+  apply_along_axis<I, S>(push.thrust, push.row, saturate_to<Impulse>(total - before), a, b);
 }
 template <Pass pass, Scalar S, int N>
 constexpr void solve(const TurnRow<S, N>& turn, typename Formats<S>::Turn& total, Moving<S, N>& a,
