@@ -52,11 +52,11 @@ class Tree {
       typename Storage::template List<CenteredPlace<S, N>, 0> parts;
       parts.reserve(entries.size());
       for (std::uint32_t i = 0; i < entries.size(); ++i) parts.push_back({center(entries[i]), i});
-      arrange(&parts[0], parts.size());
+      arrange<S, N>(&parts[0], parts.size());
       const auto unordered = entries;
       for (std::size_t i = 0; i < parts.size(); ++i) entries[i] = unordered[parts[i].place];
     } else {
-      arrange(&entries[0], entries.size());
+      arrange<S, N>(&entries[0], entries.size());
     }
     for (int level = 0; level == 0 || entries.size() > 1; ++level) pack(entries, level);
     root_ = entries[0].child;

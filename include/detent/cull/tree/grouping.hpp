@@ -206,8 +206,8 @@ constexpr void part_at(CenteredPlace<S, N>* first, std::size_t count, std::size_
 
 /// Orders entries so that neighbours are near each other: repeatedly cuts them in two along the
 /// axis with the greatest spread of centers, between whole subtrees.
-template <template <Scalar, int> class Part, Scalar S, int N>
-constexpr void arrange(Part<S, N>* first, std::size_t count) {
+template <Scalar S, int N, class Part>
+constexpr void arrange(Part* first, std::size_t count) {
   constexpr std::size_t width = TreeNode<S, N>::width;
   while (count > width) {
     std::size_t part = width;
@@ -230,7 +230,7 @@ constexpr void arrange(Part<S, N>* first, std::size_t count) {
       }
     }
     part_at(first, count, cut, axis);
-    arrange(first + cut, count - cut);
+    arrange<S, N>(first + cut, count - cut);
     count = cut;
   }
 }
