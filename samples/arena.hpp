@@ -79,29 +79,29 @@ inline Pad pad_of(const Input& input) {
   return {static_cast<std::int8_t>(input.across()), static_cast<std::int8_t>(input.along())};
 }
 
-/// Draws a 2D convex shape as a slab one unit thick around `centre`.
+/// Draws a 2D convex shape as a slab one unit thick around `center`.
 struct Slab {
   Picture& picture;
-  Point2 centre;
+  Point2 center;
   S shift{};  // along x, to show two worlds side by side
 
   void line(const Point2& from, const Point2& to, const Colour& colour) {
     // Counter-clockwise, so that the outside is lit.
-    const Point2 u = nearest_to<S>(from - centre), v = nearest_to<S>(to - centre);
+    const Point2 u = nearest_to<S>(from - center), v = nearest_to<S>(to - center);
     const bool is_clockwise = u.x * v.y < u.y * v.x;
     const Point2 &a = is_clockwise ? to : from, &b = is_clockwise ? from : to;
     const S front = 0.5_q16_16, back = -0.5_q16_16;
     const auto at = [&](const Point2& p, S z) {
       return Point{saturate_to<S>(p.x + shift), p.y, z};
     };
-    picture.triangle(at(centre, front), at(a, front), at(b, front), colour);
+    picture.triangle(at(center, front), at(a, front), at(b, front), colour);
     picture.triangle(at(a, front), at(a, back), at(b, back), colour);
     picture.triangle(at(a, front), at(b, back), at(b, front), colour);
     picture.line(at(a, front), at(b, front), ink);
   }
 };
 
-/// The shape of a 2D body, in its own frame around its centre.
+/// The shape of a 2D body, in its own frame around its center.
 template <class World, class Shape>
 void draw_slab(Picture& picture, const World& world, const BodyId& id, const Shape& shape, S shift,
                const Colour& colour) {

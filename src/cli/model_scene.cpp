@@ -18,7 +18,7 @@ Decimal decimal_of(double value) { return Decimal::parse(rounded(value, 6)).valu
 }  // namespace
 
 Scene scene_around(MeshModel mesh, const std::string& file) {
-  std::array<double, 3> reach{};  // the box is centred, so these are half its sides
+  std::array<double, 3> reach{};  // the box is centered, so these are half its sides
   for (const auto& vertex : mesh.vertices) {
     for (std::size_t i = 0; i < 3; ++i) reach[i] = std::max(reach[i], std::abs(vertex[i]));
   }

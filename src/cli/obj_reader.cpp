@@ -202,7 +202,7 @@ class ObjReader {
 };
 
 /// Halves before adding and subtracting: the sums could overflow a double.
-void centre_and_scale(const std::string& file, MeshModel& mesh, std::optional<double> scale) {
+void center_and_scale(const std::string& file, MeshModel& mesh, std::optional<double> scale) {
   std::array<double, 3> low = mesh.vertices.front();
   std::array<double, 3> high = low;
   for (const auto& vertex : mesh.vertices) {
@@ -232,7 +232,7 @@ void centre_and_scale(const std::string& file, MeshModel& mesh, std::optional<do
 MeshModel parse_obj(const std::string& file, const std::string& content,
                     std::optional<double> scale) {
   MeshModel mesh = ObjReader(file, content).read();
-  centre_and_scale(file, mesh, scale);
+  center_and_scale(file, mesh, scale);
   return mesh;
 }
 

@@ -11,7 +11,7 @@ namespace detent::cli {
 /// The length of a model's longest side when no scale is given.
 inline constexpr double default_model_size = 20;
 
-/// The triangles of a Wavefront OBJ file, its bounding box centred at the origin and scaled by
+/// The triangles of a Wavefront OBJ file, its bounding box centered at the origin and scaled by
 /// `scale`, or to its default size without one; throws InputError.
 [[nodiscard]] MeshModel read_obj(const std::string& file, std::optional<double> scale);
 

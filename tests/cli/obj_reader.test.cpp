@@ -25,7 +25,7 @@ constexpr auto face = "f 1 2 3\n";
 
 }  // namespace
 
-TEST_CASE("obj: a model is centred, and its longest side is 20 units") {
+TEST_CASE("obj: a model is centered, and its longest side is 20 units") {
   const auto mesh = parse_obj("f", std::string("v 1 1 1\nv 5 1 1\nv 1 2 1\n") + face, {});
   REQUIRE(mesh.vertices.size() == 3);
   CHECK(mesh.vertices[0] == std::array{-10.0, -2.5, 0.0});

@@ -344,7 +344,7 @@ TEST_CASE("detent simulate: errors in a world are named by line, and nothing is 
 
 TEST_CASE("detent simulate: terrain from a file carries what falls on it, and is drawn") {
   const Workshop shop;
-  // Both triangles face up. A scale of 1 keeps the size; the box around a model is centred.
+  // Both triangles face up. A scale of 1 keeps the size; the box around a model is centered.
   shop.write("ground.obj", "v 0 0 0\nv 0 0 8\nv 8 0 0\nv 8 0 8\nf 1 2 3\nf 3 2 4\n");
   shop.write("terrain.json", R"({
   "camera": {"position": [0, 12, 12], "target": [0, 0, 0]},
@@ -370,7 +370,7 @@ TEST_CASE("detent simulate: terrain from a file carries what falls on it, and is
   CHECK(std::abs(height(3) - (-0.5)) < 0.02);
   CHECK(std::abs(height(4) - 2.5) < 0.02);
   CHECK(std::abs(height(5) - 0.8) < 0.02);
-  // The hammer lies on its head; its centre of mass is between the heights of head and handle.
+  // The hammer lies on its head; its center of mass is between the heights of head and handle.
   CHECK(-0.9 < height(6));
   CHECK(height(6) < -0.7);
   CHECK(lines.back().find("\"bodies\": 7") != std::string::npos);

@@ -298,7 +298,7 @@ TEST_CASE("compound: worlds accept what they can, and worlds without compounds p
   CHECK(bounded.is_asleep(*hammer));
 }
 
-TEST_CASE("compound: a fast one stops where the ball about its centre in a part would touch") {
+TEST_CASE("compound: a fast one stops where the ball about its center in a part would touch") {
   const auto greatest_x = [](const std::vector<BodyPart<S, 2>>& list) {
     const auto solid = solid_compound(1, list).value();
     WorldSettings<S, 2> settings;

@@ -153,7 +153,7 @@ struct Shots {
   }
 };
 
-/// Shoots at thin plates and counts the bodies whose centre passes one within 8 ticks. The path
+/// Shoots at thin plates and counts the bodies whose center passes one within 8 ticks. The path
 /// relative to the plate is tested exactly.
 template <int N>
 int passing(std::uint64_t seed, bool is_fast, BodyMotion motion) {

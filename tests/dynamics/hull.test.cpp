@@ -145,7 +145,7 @@ struct Pile {
   }
 };
 
-TEST_CASE("hull body: its position is its centre of mass") {
+TEST_CASE("hull body: its position is its center of mass") {
   using S = q16_16;
   const Pile<S> pile;
   Hulls<S> world;
@@ -237,7 +237,7 @@ TEST_CASE("hull body: a snapshot is restored with its hulls, and refused without
     fresh.step();
     REQUIRE(digest(world) == digest(fresh));
   }
-  // A hull that is not centred on its centre of mass cannot belong to a body.
+  // A hull that is not centered on its center of mass cannot belong to a body.
   for (std::size_t i = 0; i + 8 < bytes.size(); ++i) {
     auto changed = bytes;
     changed[i] = static_cast<std::byte>(static_cast<unsigned char>(changed[i]) ^ 1u);

@@ -408,7 +408,7 @@ Real real(const S& x) {
   return Real(integer(x.raw())) * power_of_two<Real>(-S::frac);
 }
 
-/// Capsules and balls as a cylinder and two half balls, each around its own centre and shifted to
+/// Capsules and balls as a cylinder and two half balls, each around its own center and shifted to
 /// the capsule's (Steiner).
 template <Scalar S>
 void check_round_solids() {
@@ -546,7 +546,7 @@ void check_sums() {
       CHECK(integer(given.center[int(k)].raw()) ==
             nearest<typename Formats::Center>(center[k] / mass));
     }
-    // Steiner: every part about the rounded centre.
+    // Steiner: every part about the rounded center.
     const auto entry = [&](int r, int c) {
       cpp_rational sum = 0;
       for (const auto& part : parts) {

@@ -36,7 +36,7 @@ BodyOptions<S, N> locking(std::uint8_t locked) {
 
 }  // namespace
 
-TEST_CASE("push: an impulse at the centre changes the velocity by impulse over mass") {
+TEST_CASE("push: an impulse at the center changes the velocity by impulse over mass") {
   Flat world(weightless<2>());
   const auto box = *world.add(box_at<S, 2>(3, 2, 1, 0.5));  // of mass 2
   world.apply_impulse(box, {S(4), S(-1)});
@@ -47,7 +47,7 @@ TEST_CASE("push: an impulse at the centre changes the velocity by impulse over m
   CHECK(world.velocity(box) == Vec<S, 2>{});
 }
 
-TEST_CASE("push: an off-centre impulse also turns the body") {
+TEST_CASE("push: an off-center impulse also turns the body") {
   Flat world(weightless<2>());
   const auto box = *world.add(box_at<S, 2>(3, 2, 1, 0.5));  // inertia 2 (2^2 + 1^2) / 12
   world.apply_impulse(box, {{}, S(1)}, {S(4), S(2)});
@@ -85,7 +85,7 @@ TEST_CASE("push: a force acts for one step and adds to other forces") {
   CHECK(is_close(world.angular_velocity(box)[0], 1.2, 3e-3));
 }
 
-TEST_CASE("push: a force at a point equals a force at the centre and a torque") {
+TEST_CASE("push: a force at a point equals a force at the center and a torque") {
   for (const int y : {-3, 0, 2}) {
     Flat at_point(weightless<2>()), apart(weightless<2>());
     const auto a = *at_point.add(box_at<S, 2>(1, 1, 1, 0.5));

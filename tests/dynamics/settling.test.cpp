@@ -129,7 +129,7 @@ class Heap {
 /// How a heap ended.
 struct Ended {
   int asleep = -1;                                         // the tick from which all bodies slept
-  double height = 0, spread = 0, highest = 0, lowest = 9;  // of the centres; from the axis
+  double height = 0, spread = 0, highest = 0, lowest = 9;  // of the centers; from the axis
   double gain = 0;  // the most that it rose in a tick, as a share of the energy at the start
   std::uint64_t digest = 0;
 };

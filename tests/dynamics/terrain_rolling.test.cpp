@@ -40,7 +40,7 @@ TEMPLATE_TEST_CASE("terrain: a ball rolls over many triangles with the bits of a
     };
     for (std::size_t i = 1; i < 4; ++i) REQUIRE(state(i).velocity == state(1).velocity);
     for (std::size_t i = 1; i < 4; ++i) REQUIRE(state(i) == state(1));
-    // The box has another centre, for which levers are equal in every scalar except q24_8.
+    // The box has another center, for which levers are equal in every scalar except q24_8.
     REQUIRE(state(0).place.y == state(1).place.y);
     if (std::is_same_v<S, q16_16>) REQUIRE(state(0) == state(1));
   }

@@ -34,7 +34,7 @@ struct Outside {
 template <int N>
 struct SphereNormal final : Normal<N> {
   Line<N> line;
-  Vector<N> apart;  // from the centre to the ray's origin
+  Vector<N> apart;  // from the center to the ray's origin
   Integer radius;
   Outside<N> outside;
 

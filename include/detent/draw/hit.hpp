@@ -80,7 +80,7 @@ constexpr void draw(Sink& sink, const Contact<S, N>& contact, const Colour& colo
 }
 
 /// Draws a moving shape at its start and where it touches, after `distance`, and its path, the line
-/// between the centres of its boxes there. An empty shape draws nothing.
+/// between the centers of its boxes there. An empty shape draws nothing.
 ///
 /// exact: the shape at the end is that at the start, each point moved by direction * distance,
 ///        rounded to nearest                                      (tests/draw/hit.test.cpp)

@@ -29,7 +29,7 @@ template <Scalar S, int N, class F = Formats<S>>
   }
 }
 
-/// A symmetric matrix about the centre of a body, such as an inertia: in 2D a number, in 3D the
+/// A symmetric matrix about the center of a body, such as an inertia: in 2D a number, in 3D the
 /// entries 00, 11, 22, 12, 20, 01.
 template <Number T, int N>
 using Spread = std::array<T, std::size_t{N == 2 ? 1 : 6}>;

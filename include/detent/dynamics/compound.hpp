@@ -48,7 +48,7 @@ class BodyPart {
     mass_.center = mass_.mass > 0 ? center_of(shape) : Vec<Center, N>();
   }
 
-  /// The shape in its own frame: a hull's origin is its centre of mass, other shapes' their middle.
+  /// The shape in its own frame: a hull's origin is its center of mass, other shapes' their middle.
   [[nodiscard]] constexpr const Shape& shape() const noexcept { return shape_; }
   [[nodiscard]] constexpr const PartOptions<S>& options() const noexcept { return options_; }
   /// The position of that frame in the compound's.
@@ -117,11 +117,11 @@ class SolidCompound {
   /// add.
   [[nodiscard]] constexpr const MassProperties<S, N>& mass() const noexcept { return mass_; }
   [[nodiscard]] constexpr const auto& center() const noexcept { return mass_.center; }
-  /// A box about the centre that contains all parts.
+  /// A box about the center that contains all parts.
   [[nodiscard]] constexpr const detail::BodyExtent<S, N>& reach() const noexcept { return reach_; }
   /// Whether a part has a rolling resistance.
   [[nodiscard]] constexpr bool resists_rolling() const noexcept { return resists_rolling_; }
-  /// The position of a part's frame relative to the centre.
+  /// The position of a part's frame relative to the center.
   [[nodiscard]] constexpr auto offset(const BodyPart<S, N>& part) const noexcept {
     using Lever = typename detail::Formats<S>::Lever;
     return make_vec<N>([&](int i) { return nearest_to<Lever>(part.place()[i] - mass_.center[i]); });
@@ -143,7 +143,7 @@ class SolidCompound {
 /// The compound of these parts, or nothing if there are none or more than `SolidCompound<S,
 /// N>::capacity`. Parts are identified by their index in the list.
 ///
-/// exact: mass, centre and gyration are those of the sum of the parts, each rounded once; see
+/// exact: mass, center and gyration are those of the sum of the parts, each rounded once; see
 ///        docs/dynamics.md                              (tests/dynamics/compound.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<SolidCompound<S, N>> solid_compound(
@@ -192,7 +192,7 @@ requires requires(const List& list) { std::span(list).front().mass(); }
 /// A body of several shapes: the parts of `asset`, rotated, then moved by `translation`. Worlds that
 /// hold such bodies list it and the shapes of the parts: `World<q16_16, 2, Obb, BodyCompound>`.
 ///
-/// The body's place is the parts' common centre of mass. Density, friction and restitution are those
+/// The body's place is the parts' common center of mass. Density, friction and restitution are those
 /// of the parts. The caller owns the asset, which must outlive the world; a body without one has no
 /// mass and touches nothing.
 template <Scalar S, int N>
@@ -226,7 +226,7 @@ inline constexpr bool is_compound_body<BodyCompound<S, N>> = true;
 template <Scalar S, int N>
 inline constexpr std::uint8_t shape_tag<BodyCompound<S, N>> = 13;
 
-/// A compound in the frame of its body, about its centre of mass.
+/// A compound in the frame of its body, about its center of mass.
 template <Scalar S, int N>
 struct LocalCompound {
   BodyCompound<S, N> shape{};

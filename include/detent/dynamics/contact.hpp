@@ -193,7 +193,7 @@ constexpr void prepare(ReadyContact<S, N>& ready, const Manifold<S, N>& manifold
     return row;
   };
   const auto count = static_cast<std::size_t>(manifold.count);
-  std::array<Vec<Lever, N>, ReadyContact<S, N>::capacity> at{};  // from the centre of a
+  std::array<Vec<Lever, N>, ReadyContact<S, N>::capacity> at{};  // from the center of a
   for (std::size_t i = 0; i < count; ++i) {
     const auto& point = manifold.points[i];
     at[i] = out_of_a(point.point);

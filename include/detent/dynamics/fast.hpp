@@ -8,12 +8,12 @@
 #include "detent/dynamics/manifold/facet.hpp"
 #include "detent/dynamics/manifold/pair.hpp"
 
-// Continuous collision: within a tick, a body marked as fast stops before its centre comes too
+// Continuous collision: within a tick, a body marked as fast stops before its center comes too
 // close to another body or passes through it.
 
 namespace detent::detail {
 
-/// The radius of a ball about the centre of a body that is within its shape; not positive if there
+/// The radius of a ball about the center of a body that is within its shape; not positive if there
 /// is none.
 template <Scalar S, int N>
 [[nodiscard]] constexpr S inner_radius(const Sphere<S, N>& ball) noexcept {
@@ -59,8 +59,8 @@ template <Scalar S, int N>
   });
 }
 
-/// The radius of a ball about the centre of a compound that is within a part of this shape, at
-/// `pose` in the compound's frame; 0 if the centre is not in it.
+/// The radius of a ball about the center of a compound that is within a part of this shape, at
+/// `pose` in the compound's frame; 0 if the center is not in it.
 template <class Shape, Scalar S, int N>
 [[nodiscard]] constexpr S inner_radius(const Shape& shape,
                                        const RelativePose<S, N>& pose) noexcept {

@@ -38,7 +38,7 @@ struct Formats {
 
 template <int Bits, int Frac>
 struct Formats<Fixed<Bits, Frac>> {
-  /// A coordinate of a body's centre: the scalar's range on a grid 2^12 times finer.
+  /// A coordinate of a body's center: the scalar's range on a grid 2^12 times finer.
   using Place = Fixed<Bits + 12, Frac + 12>;
   /// A bound of a box around a body.
   using Bound = Fixed<Bits + 15, Frac + 12>;
@@ -52,7 +52,7 @@ struct Formats<Fixed<Bits, Frac>> {
   using Ratio = Fixed<31, 30>;
   /// A length between two bodies. [-512, 512)
   using Lever = Fixed<31, Frac + 6>;
-  /// A lever about the centre of a body that can move. [-128, 128)
+  /// A lever about the center of a body that can move. [-128, 128)
   using Arm = Fixed<29, Frac + 6>;
   /// Such a lever times a unit vector.
   using Moment = Fixed<30, Frac + 6>;

@@ -31,9 +31,9 @@ class SolidHull {
   [[nodiscard]] constexpr const ConvexHull<S, N>& hull() const noexcept { return hull_; }
   [[nodiscard]] constexpr std::uint32_t id() const noexcept { return id_; }
   [[nodiscard]] constexpr std::uint64_t digest() const noexcept { return digest_; }
-  /// The centre of mass, in the frame of the points.
+  /// The center of mass, in the frame of the points.
   [[nodiscard]] constexpr const auto& center() const noexcept { return center_; }
-  /// The faces, relative to the centre of mass.
+  /// The faces, relative to the center of mass.
   [[nodiscard]] constexpr detail::Polytope<S, N> faces() const noexcept { return parts_.view(); }
 
  private:
@@ -74,7 +74,7 @@ template <Scalar S, int N>
 /// A convex body: the points of `asset`, rotated, then moved by `translation`. Worlds that hold such
 /// bodies list it: `World<q16_16, 3, Sphere, BodyHull>`.
 ///
-/// The body's place is its centre of mass. The caller owns the asset, which must outlive the world;
+/// The body's place is its center of mass. The caller owns the asset, which must outlive the world;
 /// a body without one has no mass and touches nothing.
 template <Scalar S, int N>
 struct BodyHull {
@@ -90,7 +90,7 @@ template <Scalar S, int N>
 inline constexpr detail::AssetNames detail::asset_names<BodyHull<S, N>>{"hull",
                                                                         "digest of its points"};
 
-/// The mass of the hull about its centre of mass.
+/// The mass of the hull about its center of mass.
 ///
 /// domain: every density; mass 0 without an asset
 /// exact:  as of a `ConvexHull`                              (tests/dynamics/mass.test.cpp)

@@ -11,7 +11,7 @@
 
 namespace detent::detail {
 
-/// A shape in the frame of its body, and that frame in the world: its origin is the centre, rounded
+/// A shape in the frame of its body, and that frame in the world: its origin is the center, rounded
 /// down to the scalar's grid.
 template <Scalar S, int N, class Shape>
 struct Local {
@@ -84,7 +84,7 @@ template <Scalar S, int N, Number C>
   });
 }
 
-/// A hull in the frame of its body, relative to its centre of mass.
+/// A hull in the frame of its body, relative to its center of mass.
 template <Scalar S, int N>
 struct LocalHull {
   BodyHull<S, N> shape{};

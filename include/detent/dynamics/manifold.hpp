@@ -17,7 +17,7 @@ struct RelativePose {
   using Lever = typename Formats<S>::Lever;
 
   std::array<Vec<Ratio, N>, std::size_t{N}> axes{};  // axis i of b; each component rounded once
-  Vec<Lever, N> translation{};                       // the centre of b; clamped to Lever's range
+  Vec<Lever, N> translation{};                       // the center of b; clamped to Lever's range
 };
 
 /// One point at which two bodies touch or nearly touch.

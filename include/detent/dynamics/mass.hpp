@@ -10,7 +10,7 @@
 
 namespace detent {
 
-/// Mass, centre of mass and resistance to turning of a solid `shape` of this `density`.
+/// Mass, center of mass and resistance to turning of a solid `shape` of this `density`.
 ///
 /// units:  density in mass per area (2D) or volume (3D)
 /// domain: every shape and density; a shape without volume and a density that is not positive give

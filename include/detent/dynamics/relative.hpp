@@ -5,7 +5,7 @@
 
 namespace detent::detail {
 
-/// The centre of b relative to that of a, along the world's axes: rounded to nearest and clamped.
+/// The center of b relative to that of a, along the world's axes: rounded to nearest and clamped.
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<typename Formats<S>::Lever, N> offset_between(
     const Support<S, N>& a, const Support<S, N>& b) noexcept {

@@ -15,7 +15,7 @@ namespace detent {
 /// `translation`. Worlds that hold such bodies list it: `World<q16_16, 3, Sphere, BodyMesh>`.
 ///
 /// It has no mass: it is fixed or kinematic, whatever its options are. Triangles are one-sided:
-/// they touch bodies whose centre is not behind them, where their corners are clockwise. Their
+/// they touch bodies whose center is not behind them, where their corners are clockwise. Their
 /// indices must be different and below `part_limit`; others touch nothing. The caller owns the
 /// asset, which must outlive the world.
 template <Scalar S, int N>
@@ -53,7 +53,7 @@ inline constexpr bool is_surface_body<BodyMesh<S, N>> = true;
 template <Scalar S, int N>
 inline constexpr bool is_surface_body<BodyHeightField<S, N>> = true;
 
-/// Whether a body may be pushed out of a surface when its centre is behind it.
+/// Whether a body may be pushed out of a surface when its center is behind it.
 template <class T>
 inline constexpr bool is_solid_below = false;
 template <Scalar S, int N>

@@ -209,7 +209,7 @@ class Tick {
     if (body.motion == BodyMotion::fixed) return 3;
     return body.motion == BodyMotion::kinematic ? 2 : is_fast(body) ? 0 : 1;
   }
-  /// The radius of a ball about the body's centre that is within one of its shapes, or 0.
+  /// The radius of a ball about the body's center that is within one of its shapes, or 0.
   static constexpr S inner_radius_of(const Body& body) noexcept {
     return body.shape.visit([]<class Mine>(const Mine& mine) {
       S radius{};

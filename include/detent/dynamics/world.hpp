@@ -84,7 +84,7 @@ class BasicWorld {
   [[nodiscard]] constexpr const Settings& settings() const noexcept { return settings_; }
   [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
 
-  /// Adds a body at the position of the shape. Its position is the shape's centre; a box's frame is
+  /// Adds a body at the position of the shape. Its position is the shape's center; a box's frame is
   /// its own, other shapes start along the world's axes. Nothing if the world is full, or for a
   /// compound with a part of a type that the world does not name.
   template <detail::Among<Parts...> Shape>
@@ -249,7 +249,7 @@ class BasicWorld {
   [[nodiscard]] constexpr bool contains(const BodyId& id) const noexcept {
     return find(id) != nullptr;
   }
-  /// The centre of the body, rounded to nearest and clamped; the origin without such a body.
+  /// The center of the body, rounded to nearest and clamped; the origin without such a body.
   [[nodiscard]] constexpr Vec<S, N> position(const BodyId& id) const noexcept {
     const Body* body = find(id);
     if (body == nullptr) return {};
@@ -326,7 +326,7 @@ class BasicWorld {
   /// Changes velocity and spin at once, by an impulse at the point `at` of the world, and wakes the
   /// body. Ignored for bodies that are not dynamic or have no mass.
   ///
-  /// units:  impulse in units of mass times units per second; `at` within 512 units of the centre
+  /// units:  impulse in units of mass times units per second; `at` within 512 units of the center
   ///         along each axis, farther ones count as there
   /// exact:  each component of the changes rounded once   (docs/dynamics.md, tests/dynamics/push.test.cpp)
   constexpr void apply_impulse(const BodyId& id, const Vec<S, N>& impulse,
@@ -336,7 +336,7 @@ class BasicWorld {
     detail::add<S, N>(kick(*body, impulse, at, pace_.rate), body->state.velocity, body->state.spin);
     rouse(*body);
   }
-  /// An impulse at the centre: the spin does not change.
+  /// An impulse at the center: the spin does not change.
   constexpr void apply_impulse(const BodyId& id, const Vec<S, N>& impulse) noexcept {
     Body* body = find_movable(id);
     if (body == nullptr) return;
@@ -357,7 +357,7 @@ class BasicWorld {
     detail::add<S, N>(kick(*body, force, at, pace_.rate * pace_.rate), body->push, body->twist);
     rouse(*body);
   }
-  /// A force at the centre: the spin does not change.
+  /// A force at the center: the spin does not change.
   constexpr void apply_force(const BodyId& id, const Vec<S, N>& force) noexcept {
     Body* body = find_movable(id);
     if (body == nullptr) return;

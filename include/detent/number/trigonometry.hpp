@@ -27,7 +27,7 @@ constexpr std::uint64_t alternating_series(const std::array<std::uint64_t, Terms
 
 /// sin(pi z / 2) / z as a series in z^2 on [0, 1], E = 63: the equioscillating fit, off by 2^-71.8.
 /// Coefficients are rounded from the last to the first, refitting the rest each time. c[1] is 2
-/// larger than the fit: this centres the truncation error of the steps and makes a quarter turn
+/// larger than the fit: this centers the truncation error of the steps and makes a quarter turn
 /// give exactly 1. If c[0] were 1 smaller, a sine would fall on a tie of Q2.30
 /// (tests/number/angle_exhaustive.cpp).
 inline constexpr std::array<std::uint64_t, 10> sine_series = {

@@ -25,7 +25,7 @@ Vec<T, N> halved(const Vec<T, N>& v) {
   return make_vec<N>([&](int i) { return halved(v[i]); });
 }
 
-/// A body or a part of one, half as large about its centre, in `frame`.
+/// A body or a part of one, half as large about its center, in `frame`.
 template <Scalar S, int N>
 oracle::Solid<N> core_of(const DrawnBody<S, N>& body, const HullPoints<S, N>& hull,
                          const Transform<S, N>& frame, bool is_part) {

@@ -342,12 +342,12 @@ TEST_CASE("manifold: balls and capsules touch a hull of a box's corners as they 
   CHECK(same.others < same.cases / 50);
 }
 
-/// The separation of an outside ball is the distance of its centre minus the radius.
+/// The separation of an outside ball is the distance of its center minus the radius.
 template <int N>
 void check_distance(Random& random, int& outside) {
   const auto solid = draw_hull<N>(random);
   const auto q = make_vec<N>([&](int) { return num<S>(1.5 * unit(random)); });
-  // The hull as its body stores it: around its centre of mass, here on the query's grid.
+  // The hull as its body stores it: around its center of mass, here on the query's grid.
   std::vector<Vec<S, N>> corners;
   for (const auto& p : solid.solid.faces().points) corners.push_back(nearest_to<S>(p));
   const double exact = static_cast<double>(distance(ConvexHull<S, N>{corners}, q)) * (1 << 22);

@@ -134,7 +134,7 @@ TEST_CASE("obstacles: bodies of a world, at their current poses, except sensors"
   CHECK(count == 3);
   obstacles_of(world, 2)(everything, [&](const auto&) { ++count; });
   CHECK(count == 3);
-  // The corners are relative to the body's position, its centre of mass.
+  // The corners are relative to the body's position, its center of mass.
   Aabb<S, 3> box = detail::no_box<Aabb<S, 3>>;
   obstacles_of(world)(everything, [&]<class Shape>(const Shape& shape) {
     if constexpr (std::is_same_v<Shape, ConvexHull<S, 3>>) box = bounding_box(shape);

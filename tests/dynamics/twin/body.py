@@ -16,25 +16,25 @@ class Shape:
             self.is_box = self.is_empty = False
             self.moments = hull_moments(points)
             content, first, _, _ = self.moments
-            self.mass_centre = [64 * p + round_div(64 * x, (n + 1) * content)
+            self.mass_center = [64 * p + round_div(64 * x, (n + 1) * content)
                                 for p, x in zip(points[0], first)]
-            self.hull = hull_of(points, self.mass_centre)
+            self.hull = hull_of(points, self.mass_center)
             self.reach = [-(-max(abs(p[i]) for p in self.hull.points) // 64) for i in range(n)]
             return
         self.is_box = kind in ("box", "aligned")
         self.low, self.high = low, high
         if kind == "box":
-            self.reach, centre2, double = half, [0] * n, [2 * x for x in half]
+            self.reach, center2, double = half, [0] * n, [2 * x for x in half]
         elif kind == "aligned":
             self.reach = [max(abs(x), abs(y)) for x, y in zip(low, high)]
-            centre2 = [x + y for x, y in zip(low, high)]
+            center2 = [x + y for x, y in zip(low, high)]
             double = [y - x for x, y in zip(low, high)]
         else:
             self.reach = [max(abs(p[i]) for p in ends) for i in range(n)]
         if self.is_box:
             self.sides = double
             self.half = [min(max(32 * x, -1 << 31), (1 << 31) - 1) for x in double]
-            self.centre = [32 * x for x in centre2]
+            self.center = [32 * x for x in center2]
             self.is_empty = min(double) < 0
         else:
             self.raw_ends = ends
@@ -74,7 +74,7 @@ def hull_moments(points):
             for i in range(n):
                 for j in range(n):
                     second[i][j] += m * (sum(u[i] * u[j] for u in part) + s[i] * s[j])
-    # The second moments about the centre over the content.
+    # The second moments about the center over the content.
     c = content
     k, low = (12, 3) if n == 2 else (20, 4)
     den = 36 * c * c if n == 2 else 80 * c * c
@@ -183,7 +183,7 @@ def placed(f, shape, place, frame):
     """The position of a body whose shape is added there."""
     if shape.kind not in ("hull", "compound"):
         return [f.place.near(x, f.F) for x in place]
-    return [f.place.near((x << 36) + sum(a[k] * y for a, y in zip(frame, shape.mass_centre)),
+    return [f.place.near((x << 36) + sum(a[k] * y for a, y in zip(frame, shape.mass_center)),
                          f.F + 36) for k, x in enumerate(place)]
 
 

@@ -18,7 +18,7 @@ class Part:
         if shape.kind == "hull":
             self.c = [fine.near(x, f.F + 12) for x in self.x]
         elif shape.is_box:
-            self.c = [64 * x + y for x, y in zip(place, shape.centre)]
+            self.c = [64 * x + y for x, y in zip(place, shape.center)]
         else:
             first, last = shape.raw_ends[0], shape.raw_ends[-1]
             self.c = [64 * x + 32 * (a + b) for x, a, b in zip(place, first, last)]
@@ -41,9 +41,9 @@ class Compound:
         solid = [p for p in parts if p.m]
         total = sum(p.m for p in solid)
         fine, F = Format(f.bits + 6, f.F + 6), f.F + 6
-        self.mass, self.K, self.mass_centre = f.mass.clamp(total), None, [0] * n
+        self.mass, self.K, self.mass_center = f.mass.clamp(total), None, [0] * n
         if total:
-            c = self.mass_centre = [fine.quotient(sum(p.m * p.c[k] for p in solid), total, F)
+            c = self.mass_center = [fine.quotient(sum(p.m * p.c[k] for p in solid), total, F)
                                     for k in range(n)]
             away = [(p, [x - y for x, y in zip(p.c, c)]) for p in solid]
 
@@ -58,7 +58,7 @@ class Compound:
                 self.K += [entry(3 + k, lambda d, i=i, j=j: -d[i] * d[j])
                            for k, (i, j) in enumerate(bodies.ENTRIES[3:])]
         for p in parts:
-            p.p = [f.lever.near(x - 64 * y, f.F + 12) for x, y in zip(p.x, self.mass_centre)]
+            p.p = [f.lever.near(x - 64 * y, f.F + 12) for x, y in zip(p.x, self.mass_center)]
         boxes = [bodies.bounds(f, n, [64 * x for x in p.p], p.P, p.shape, 0) for p in parts]
         self.reach = [max(-(-max(map(abs, box[k])) >> 12) for box in boxes) for k in range(n)]
 

@@ -77,8 +77,8 @@ def around(points, members, normal):
     return loop[:-1]
 
 
-def hull_of(raw, centre):
-    """The hull of points on the scalar's grid around a centre of mass, in levers."""
+def hull_of(raw, center):
+    """The hull of points on the scalar's grid around a center of mass, in levers."""
     raw = [p for i, p in enumerate(raw) if p not in raw[:i]]
     n = len(raw[0])
     loops = []
@@ -94,7 +94,7 @@ def hull_of(raw, centre):
         loops.append((loop, normal))
     loops.sort(key=lambda face: face[0][:2])
     number = {i: c for c, i in enumerate(sorted({i for loop, _ in loops for i in loop}))}
-    points = [rounded(minus([64 * x for x in raw[i]], centre), 0) for i in number]
+    points = [rounded(minus([64 * x for x in raw[i]], center), 0) for i in number]
     faces, left = [], {}
     for loop, normal in loops:
         corners = [number[i] for i in loop]
@@ -399,7 +399,7 @@ def manifold(a, b, r, t, margin):
     n = len(t)
 
     def faces(s):
-        return s.hull if s.kind == "hull" else box_hull(s.centre, s.half)
+        return s.hull if s.kind == "hull" else box_hull(s.center, s.half)
     if not a.is_box and a.kind != "hull":
         ends = [[LEVER.near(dot(r[j], minus(q, t)), 30) for j in range(n)] for q in a.ends]
         normal, points = hull_round(faces(b), ends, a.radius, margin)

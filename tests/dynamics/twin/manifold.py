@@ -51,16 +51,16 @@ def manifold(a, b, r, t, margin):
         return hull.manifold(a, b, r, t, margin)
     if a.is_box and b.is_box:
         t = [LEVER.near((x << 30) + y - (c << 30), 30)
-             for x, y, c in zip(t, combine(b.centre, r), a.centre)]
+             for x, y, c in zip(t, combine(b.center, r), a.center)]
         normal, points = boxes(a.half, b.half, r, t, margin)
-        return normal, moved(points, a.centre)
+        return normal, moved(points, a.center)
     if a.is_box:
-        t = rounded(minus(t, a.centre), 0)
+        t = rounded(minus(t, a.center), 0)
         ends = [placed(t, p, r) for p in b.ends]
         normal, points = box_round(a.half, ends, b.radius, margin)
-        return normal, moved(points, a.centre)
+        return normal, moved(points, a.center)
     if b.is_box:
-        t = placed(t, b.centre, r)
+        t = placed(t, b.center, r)
         ends = [[LEVER.near(dot(r[j], minus(q, t)), 30) for j in range(n)] for q in a.ends]
         normal, points = box_round(b.half, ends, a.radius, margin)
         if not points:

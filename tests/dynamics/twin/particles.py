@@ -28,7 +28,7 @@ def minus(a, b):
     return [x - y for x, y in zip(a, b)]
 
 
-# Shapes. A box has a centre, half extents and axes. A ball is a box without extents that is touched
+# Shapes. A box has a center, half extents and axes. A ball is a box without extents that is touched
 # from farther away. Lengths in a frame are in steps of S over 2^30.
 
 class Shape:

@@ -54,7 +54,7 @@ class Facet:
         """The triangle's manifold with a shape."""
         own, face = self.hull, self.hull.faces[0]
         if shape.kind == "hull" or shape.is_box:
-            other = shape.hull if shape.kind == "hull" else hull.box_hull(shape.centre, shape.half)
+            other = shape.hull if shape.kind == "hull" else hull.box_hull(shape.center, shape.half)
             if not on_top:
                 return hulls(own, other, r, t, margin)
             points = [placed(t, p, r) for p in other.points]

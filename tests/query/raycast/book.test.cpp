@@ -31,7 +31,7 @@ F3 cross(const F3& a, const F3& b) {
           stored(stored(a[0] * b[1]) - stored(a[1] * b[0]))};
 }
 
-/// Pythagoras: the centre's distance from the ray, from its distance from the origin and along the
+/// Pythagoras: the center's distance from the ray, from its distance from the origin and along the
 /// ray.
 std::optional<float> float_sphere(const F3& direction, const F3& center, float radius) {
   const float ahead = dot(center, direction);

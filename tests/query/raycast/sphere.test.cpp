@@ -95,7 +95,7 @@ TEMPLATE_TEST_CASE("ray against sphere: one raw unit decides", "[raycast]", DETE
     CHECK(misses(cut, Sphere<S, N>{at<S, N>(10), num<S>(3)}));
   }
   SECTION("touch at an angle") {
-    // From 0 by 2 (3, 4) to the contact point, then by (-4, 3) to the centre.
+    // From 0 by 2 (3, 4) to the contact point, then by (-4, 3) to the center.
     const Ray<S, N> slanted{{}, three_four_fifths<S, N>(), num<S>(100)};
     const Sphere<S, N> sphere{at<S, N>(2, 11), num<S>(5)};
     // The direction is 2^-30 too long, so the contact is reached just before 10.

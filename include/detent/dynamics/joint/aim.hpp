@@ -104,7 +104,7 @@ class Aim {
     return axis;
   }
 
-  /// The anchors relative to the centres, and the anchor of b relative to that of a.
+  /// The anchors relative to the centers, and the anchor of b relative to that of a.
   constexpr void find_points(const JointEnds<S, N>& joint) noexcept {
     from_a_ = out_of<Reach, S, N>(a_.axes, joint.anchor_a);
     from_b_ = out_of<Reach, S, N>(b_.axes, joint.anchor_b);

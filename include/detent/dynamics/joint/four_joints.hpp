@@ -227,7 +227,7 @@ template <class L, Scalar S, std::size_t Turns>
   using Anchor = typename FourJoints<S, Turns>::Anchor;
   FourRounder<L> round;
 
-  // The anchors from the centre, and what responds to a push there.
+  // The anchors from the center, and what responds to a push there.
   const auto prepare = [&](const FourSupports<S, L>& support, const auto& anchor,
                            const Quad<Ratio>& share, std::array<Four<Reach, L>, 3>& from, auto& arm,
                            auto& response, std::array<Four<Give, L>, 3>& gives) {

@@ -144,7 +144,7 @@ template <Scalar S, int N>
     p[m] = negative ? narrow_negative(half[m]) : half[m];
   }
   const auto& pose = axes.pose;
-  if (view.of_b) {  // a's corner from b's centre, along b's axes: below 2 sqrt(3) 2^61
+  if (view.of_b) {  // a's corner from b's center, along b's axes: below 2 sqrt(3) 2^61
     const auto offset = p - pose.translation;
     return axis_first(make_vec<N>([&](int j) {
                         return nearest_to<Corner>(
@@ -331,7 +331,7 @@ template <Scalar S>
   normal[edge.i1()] = l.x;
   normal[edge.i2()] = l.y;
   // The edges that face each other; if the normal leaves this open, those towards the other box's
-  // centre.
+  // center.
   int code = edge.i * 3 + edge.j;
   Vec<Lever, 3> on_a{}, on_b{};
   for (int c = 0; c < 3; ++c) {

@@ -7,7 +7,7 @@
 namespace detent::detail {
 
 /// A ball about `q` against a box in its own frame. If the distance rounds to 0, the normal is that
-/// of the nearest face; the lower axis on ties, the positive face at the centre.
+/// of the nearest face; the lower axis on ties, the positive face at the center.
 template <Scalar S, Number Q, int N>
 [[nodiscard]] constexpr Manifold<S, N> ball_in_box(
     const Vec<typename Formats<S>::Lever, N>& half_extents, const Vec<Q, N>& q, const S& radius,

@@ -198,7 +198,7 @@ template <Scalar S>
   if (content <= 0) return {};
   const auto four_times = content * as_operand<S>(4);
   const auto offset = make_vec<3>([&](int i) { return apex[i] * four_times + first[i]; });
-  // 80 content^2 times the second moments about the centre, divided by the volume.
+  // 80 content^2 times the second moments about the center, divided by the volume.
   const auto spread = second * four_times - squares(first) * as_operand<S>(5);
   const auto tilt = mixed * four_times - products(first) * as_operand<S>(5);
   const auto unit = square(content) * as_operand<S>(80);

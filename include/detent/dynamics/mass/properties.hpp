@@ -56,18 +56,18 @@ struct tensor_of<T, 3> {
   using type = Symmetric<T>;
 };
 
-/// An inertia about the centre: a number in 2D, a symmetric matrix in 3D.
+/// An inertia about the center: a number in 2D, a symmetric matrix in 3D.
 template <Number T, int N>
 using Tensor = typename tensor_of<T, N>::type;
 
 }  // namespace detail
 
-/// The mass, centre and inertia of a solid body.
+/// The mass, center and inertia of a solid body.
 ///
 /// units: mass in units of density times length^N; for `Fixed<Bits, Frac>` a multiple of
 ///        2^-(2 Frac). A mass of 0 cannot be dynamic; then all fields are 0
 ///        center of mass, in the frame of the shape; a multiple of 2^-(Frac + 6)
-///        gyration: the inertia about the centre divided by the mass, in square lengths; a multiple
+///        gyration: the inertia about the center divided by the mass, in square lengths; a multiple
 ///        of 2^-(2 Frac + 30)
 ///        inverse_gyration: the inverse of `gyration`; a multiple of 2^-(66 - 2 Frac)
 /// exact: each field is rounded once to nearest, ties to even, and saturates at the ends of its

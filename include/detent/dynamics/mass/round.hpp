@@ -36,7 +36,7 @@ template <Scalar S>
       Symmetric<Gyration>{{about, about, about}, {}});
 }
 
-/// The centre of a capsule and the length of its axis, which is rounded down to 2^-(Frac + 24).
+/// The center of a capsule and the length of its axis, which is rounded down to 2^-(Frac + 24).
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto axis_of(const Capsule<S, N>& capsule) noexcept {
   using Formats = MassFormats<S>;
@@ -69,7 +69,7 @@ template <Scalar S>
 
 /// The capsule with an axis d of length l: 6 times the volume is 2 pi r^2 (3 l + 4 r). With
 /// p = r^2 (15 l + 16 r) / (20 (3 l + 4 r)) and q = (l + r) (l + 3 r) / (4 l (3 l + 4 r)) the second
-/// moments about its centre, divided by its volume, are p I + q d d^T.
+/// moments about its center, divided by its volume, are p I + q d d^T.
 template <Scalar S>
 [[nodiscard]] constexpr MassProperties<S, 3> round_properties(const Capsule<S, 3>& capsule,
                                                               const S& density) noexcept {
