@@ -109,12 +109,13 @@ class StaticBuilder {
     lanes_around(item);
   };
 
+  [[nodiscard]] static Measured measured_by_lanes(const Item& item) noexcept {
+    const auto lanes = lanes_around(item);
+    return {Box(lanes), Box(lanes.middle())};
+  }
   [[nodiscard]] static constexpr Measured measured(const Item& item) noexcept {
     if constexpr (uses_lanes) {
-      if (!std::is_constant_evaluated()) {
-        const auto lanes = lanes_around(item);
-        return {Box(lanes), Box(lanes.middle())};
-      }
+      if (!std::is_constant_evaluated()) return measured_by_lanes(item);
     }
     const auto box = bounding_box(item);
     const auto at = make_vec<N>([&](int i) { return mean(box.min[i], box.max[i]); });
