@@ -221,6 +221,13 @@ TEST_CASE("detent render: a model can be drawn on its own and in a scene") {
 
 namespace {
 
+/// The output after a title, which it must contain.
+std::istringstream text_after(const std::string& title, const std::string& out) {
+  const auto start = out.find(title);
+  REQUIRE(start != std::string::npos);
+  return std::istringstream(out.substr(start + title.size()));
+}
+
 /// The next row of the table printed by `detent demo`.
 struct DemoRow {
   explicit DemoRow(std::istream& table) {
@@ -269,10 +276,7 @@ TEST_CASE("detent demo: casts have the same length near and far from the origin,
   const auto result = shop.run("demo --size 32x20 --out pictures");
   REQUIRE(result.code == 0);
   CHECK(content_of(shop.path("pictures/casts.png")).starts_with("\x89PNG"));
-  const std::string title = "off: by more than 1/1024):\n";
-  const auto start = result.out.find(title);
-  REQUIRE(start != std::string::npos);
-  std::istringstream table(result.out.substr(start + title.size()));
+  auto table = text_after("off: by more than 1/1024):\n", result.out);
   std::string line;
   std::getline(table, line);
   CHECK(line.starts_with("place scalar"));
@@ -293,10 +297,7 @@ TEST_CASE("detent demo: contacts are the same near and far from the origin, exce
   const Workshop shop;
   const auto result = shop.run("demo --size 32x20 --out pictures");
   REQUIRE(result.code == 0);
-  const std::string title = "place that is off by more than 1/1024):\n";
-  const auto start = result.out.find(title);
-  REQUIRE(start != std::string::npos);
-  std::istringstream table(result.out.substr(start + title.size()));
+  auto table = text_after("place that is off by more than 1/1024):\n", result.out);
   std::string line;
   std::getline(table, line);
   CHECK(line.starts_with("place scalar     bodies contacts"));
@@ -343,10 +344,7 @@ TEST_CASE("detent demo: a model is shown near and far as well, and q16_16 is rig
       result.out.ends_with("\npicture: pictures/demo.png\npicture: pictures/casts.png\n"
                            "picture: pictures/bodies.png\npicture: pictures/mesh.png\n"));
 
-  const std::string title = "\nhills.obj, 800 triangles, 0.5 units long:\n";
-  const auto start = result.out.find(title);
-  REQUIRE(start != std::string::npos);
-  std::istringstream table(result.out.substr(start + title.size()));
+  auto table = text_after("\nhills.obj, 800 triangles, 0.5 units long:\n", result.out);
   for (const std::string place : {"near", "far"}) {
     check_exact_row(DemoRow(table), place, 64 * 40,
                     place == "near" ? "0xfc36f9c5451dd822" : "0xa967014c0cf96ab9");

@@ -51,7 +51,7 @@ TEST_CASE("quotient key: the order is that of the exact quotients where it is su
     const bool less = p.key.is_surely_less(q.key), greater = q.key.is_surely_less(p.key);
     wrong += less && !(p.signed_square < q.signed_square) ? 1 : 0;
     wrong += greater && !(q.signed_square < p.signed_square) ? 1 : 0;
-    // Quotients that differ by more than 2^-40 of them are told apart.
+    // Keys must order quotients whose relative difference exceeds 2^-40.
     const BigRational apart = p.signed_square - q.signed_square;
     const BigRational magnitude =
         p.signed_square < 0 ? BigRational(-p.signed_square) : p.signed_square;

@@ -83,9 +83,10 @@ class HalfAreas {
         const auto low = std::bit_cast<Fours>(lows[axis]), high = std::bit_cast<Fours>(highs[axis]);
         return (LongLanes(high[four]) - LongLanes(low[four])) >> 1;  // area_extent
       };
-      auto sum = extent(0) + extent(1);
+      const auto x = extent(0), y = extent(1);
+      auto sum = x + y;
       if constexpr (N == 3) {
-        const auto x = extent(0), y = extent(1), z = extent(2);
+        const auto z = extent(2);
         const auto products =
             LongLanes::product(x, y) + LongLanes::product(y, z) + LongLanes::product(z, x);
         sum = sum + z + products;
@@ -139,7 +140,7 @@ template <Scalar S, int N>
 
 /// Orders by center along an axis.
 [[nodiscard]] constexpr auto by_center(std::size_t axis) noexcept {
-  return [axis](const auto& a, const auto& b) { return center(a.box)[axis] < center(b.box)[axis]; };
+  return [axis](const auto& a, const auto& b) { return center(a)[axis] < center(b)[axis]; };
 }
 
 /// The center of an entry, and its place in a list. Moving these is faster than moving entries.
@@ -182,9 +183,7 @@ constexpr void part_at(CenteredPlace<S, N>* first, std::size_t count, std::size_
   };
   for (auto rounds = 4 * std::bit_width(count); count > 1; --rounds) {
     if (rounds == 0) {
-      return std::nth_element(
-          first, first + place, first + count,
-          [axis](const auto& a, const auto& b) { return a.at[axis] < b.at[axis]; });
+      return std::nth_element(first, first + place, first + count, by_center(axis));
     }
     const auto a = first[count / 4].at[axis], b = first[count / 2].at[axis],
                c = first[count - 1 - count / 4].at[axis];

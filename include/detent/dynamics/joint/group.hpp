@@ -110,11 +110,10 @@ class JointGroup {
           }
           if constexpr (has_points) {
             if (ready.is_point) {
-              const auto push = [&]<int I>(std::integral_constant<int, I>) {
+              return for_each_axis([&]<int I>(std::integral_constant<int, I>) {
                 const auto& row = ready.push[std::size_t{I}];
                 apply_along_axis<I, S>(row.thrust, row.row, record.push[std::size_t{I}], a, b);
-              };
-              return for_each_axis(push);
+              });
             }
           }
           for (std::size_t k = 0; k < record.push.size(); ++k) {
@@ -135,24 +134,19 @@ class JointGroup {
             if (ready.turn[k].terms.law == Law::none) continue;
             solve<pass>(ready.turn[k], record.turn[k], a, b);
           }
-          const auto solve_any = [&] {
+          if constexpr (has_points) {
+            if (ready.is_point) {
+              for_each_axis([&]<int I>(std::integral_constant<int, I>) {
+                constexpr auto k = std::size_t{I};
+                solve_along_axis<pass, I, S>(ready.push[k], record.push[k], a, b);
+              });
+            }
+          }
+          if (!has_points || !ready.is_point) {
             for (std::size_t k = 0; k < record.push.size(); ++k) {
               if (ready.push[k].terms.law == Law::none) continue;
               solve<pass>(ready.push[k], record.push[k], a, b);
             }
-          };
-          if constexpr (has_points) {
-            const auto push = [&]<int I>(std::integral_constant<int, I>) {
-              constexpr auto k = std::size_t{I};
-              solve_along_axis<pass, I, S>(ready.push[k], record.push[k], a, b);
-            };
-            if (ready.is_point) {
-              for_each_axis(push);
-            } else {
-              solve_any();
-            }
-          } else {
-            solve_any();
           }
           if (pass == Pass::relaxed && ready.breaks && is_overloaded(ready, record)) {
             ready.is_broken = true;
