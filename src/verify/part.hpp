@@ -7,8 +7,8 @@
 
 namespace detent::verify {
 
-/// The operations on the sheets of a part, counted from 0. Each part is compiled in its own file in
-/// parts/.
+/// The operations on the sheets of a part, counted from 0. Each part has a source of its own, which
+/// CMake writes from part.cpp.in.
 template <class Part>
 struct PartSheets {
   static std::vector<Answers> answer(std::size_t sheet, std::uint32_t size, bool keep_bytes);

@@ -10,7 +10,7 @@
 #include "verify/part.hpp"
 #include "verify/sink.hpp"
 
-// For the files in parts/, which instantiate these definitions.
+// For the sources of the parts, which instantiate these definitions: part.cpp.in.
 
 namespace detent::verify {
 namespace detail {
@@ -68,8 +68,8 @@ void judge_row(const Case& c, std::uint32_t index, std::optional<Finding>& findi
   }
 }
 
-/// The cells of a group in one space. Groups that take long to compile have a source for each: see
-/// parts/one_space.cpp.in.
+/// The cells of a group in one space. Groups that take long to compile have a source for each:
+/// one_space.cpp.in.
 template <class Group, Scalar S, int N>
 struct GroupSheet {
   static std::vector<Answers> answers(std::uint32_t size, bool keep_bytes);

@@ -58,9 +58,12 @@ awk '
     if (last) { print "};"; inside = 0 }
   }' src/verify/golden.hpp >"$work/src/verify/golden.hpp"
 
+for part in SolidRays RoundPoints; do
+  sed "s/@part@/$part/; s/@declarations@//" src/verify/part.cpp.in >"$work/$part.cpp"
+done
 "$@" -std=c++20 -O1 -I"$work/include" -I"$work/src" -Isrc/cli -Itests -Itests/verify \
   tests/verify/planted_fault.cpp src/cli/verify.cpp "$work/src/verify/sheets.cpp" \
-  "$work/src/verify/parts/solid_rays.cpp" "$work/src/verify/parts/round_points.cpp" "$library" "$oracle" -pthread -o "$work/faulty"
+  "$work"/{SolidRays,RoundPoints}.cpp "$library" "$oracle" -pthread -o "$work/faulty"
 
 status=0
 "$work/faulty" >"$work/printed" || status=$?
