@@ -4,7 +4,7 @@ from functools import cmp_to_key
 from itertools import combinations
 
 from fixed import ONE, cross, dot, ratio, round_div, squared, unit
-from manifold import LEVER, TOLERANCE, NOTHING, balls, combine, distance, foot, foot_at, kept, minus, \
+from manifold import LEVER, TOLERANCE, NOTHING, balls, combine, distance, feet, foot, kept, minus, \
     placed, rounded, to_foot
 
 
@@ -289,24 +289,6 @@ def over(p, n, z, r):
 
 
 # A hull and a ball or capsule
-
-def feet(a_ends, b_ends):
-    """Steps 1 and 2 for two capsules."""
-    (a, a2), (b, b2) = a_ends, b_ends
-    d, e, r = minus(a2, a), minus(b2, b), minus(a, b)
-    A, B, C = dot(d, d), dot(d, e), dot(e, e)
-    W, V = A * C - B * B, B * dot(e, r) - C * dot(d, r)
-    if W <= 0 or V <= 0:
-        p = to_foot(a)
-    elif V >= W:
-        p = to_foot(a2)
-    else:
-        p = foot_at(a, d, V, W)
-    q = foot(p, b, b2)
-    if q == to_foot(b) or q == to_foot(b2):
-        p = foot(q, a, a2)
-    return p, q
-
 
 def closest(hull, F, ends, r, margin):
     """The least distance and its manifold."""

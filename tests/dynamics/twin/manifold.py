@@ -140,7 +140,8 @@ def round_round(a_ends, ra, b_ends, rb, margin):
     return capsules(a_ends, ra, b_ends, rb, margin)
 
 
-def capsules(a_ends, ra, b_ends, rb, margin):
+def feet(a_ends, b_ends):
+    """Steps 1 and 2 for two capsules."""
     (a, a2), (b, b2) = a_ends, b_ends
     d, e, r = minus(a2, a), minus(b2, b), minus(a, b)
     A, B, C = dot(d, d), dot(d, e), dot(e, e)
@@ -154,6 +155,15 @@ def capsules(a_ends, ra, b_ends, rb, margin):
     q = foot(p, b, b2)
     if q == to_foot(b) or q == to_foot(b2):
         p = foot(q, a, a2)
+    return p, q
+
+
+def capsules(a_ends, ra, b_ends, rb, margin):
+    (a, a2), (b, b2) = a_ends, b_ends
+    d, e = minus(a2, a), minus(b2, b)
+    A, C = dot(d, d), dot(e, e)
+    W = A * C - dot(d, e) ** 2
+    p, q = feet(a_ends, b_ends)
     single = balls(p, ra, q, rb, margin)
     if distance(p, q) == 0:
         n = across(d, e, minus([x + y for x, y in zip(b, b2)], [x + y for x, y in zip(a, a2)]))

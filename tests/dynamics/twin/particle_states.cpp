@@ -4,11 +4,8 @@
 // Prints the integers of every particle of a scene in particles.txt, at the start and after each
 // tick. particles.py compares them with its own.
 
-#include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <list>
-#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -16,6 +13,7 @@
 #include "detent/dynamics/particle/cloth.hpp"
 #include "detent/dynamics/particle/world.hpp"
 #include "detent/scene/mesh/owned.hpp"
+#include "field_triangles.hpp"
 #include "scene_text.hpp"
 
 namespace detent::test {
@@ -45,26 +43,12 @@ struct Solid {
   Obb<S, N> box;
 };
 
-/// The particles of one scene; lines of other scenes are skipped.
+/// The particles of one scene.
 template <int N>
 class Stage {
  public:
-  void run(std::istream& file, const std::string& name) {
-    bool mine = false;
-    int ticks = 0;
-    for (std::string line; std::getline(file, line);) {
-      std::istringstream in(line.substr(0, line.find('#')));
-      std::string word;
-      if (!(in >> word)) continue;
-      if (word == "scene") {
-        int dimension = 0;
-        in >> word >> dimension;
-        mine = word == name;
-        if (mine) in >> ticks;
-      } else if (mine) {
-        read(word, in);
-      }
-    }
+  void run(const SceneText& scene) {
+    scene.for_each_line([&](const std::string& word, std::istream& in) { read(word, in); });
     print();
     const auto around = [&](const Aabb<S, N>& box, const auto& f) {
       for (const auto& solid : solids_) {
@@ -76,8 +60,8 @@ class Stage {
       }
       if constexpr (N == 3) obstacles_of(world_)(box, f);
     };
-    for (int tick = 1; tick <= ticks; ++tick) {
-      for (const auto& event : events_[tick]) act(event);
+    for (int tick = 1; tick <= scene.ticks; ++tick) {
+      scene.for_each_event(tick, [&](const std::string& event) { act(event); });
       system_.step(around);
       print();
     }
@@ -87,12 +71,6 @@ class Stage {
   void read(const std::string& word, std::istream& in) {
     if (word == "set") {
       set(in);
-    } else if (word == "at") {
-      int tick = 0;
-      std::string rest;
-      in >> tick;
-      std::getline(in, rest);
-      events_[tick].push_back(rest);
     } else if (word == "ball") {
       const auto center = vector<N>(in);
       solids_.push_back({true, {center, number(in)}, {}});
@@ -149,12 +127,7 @@ class Stage {
     if (!field) fail("no height field");
     const auto id = static_cast<std::uint32_t>(heights_.size());
     if (is_mesh) {
-      std::vector<Triangle<S, 3>> triangles(2 * std::size_t{columns - 1} * (rows - 1));
-      visit_within(*field, field->bounds, [&](std::span<const MeshTriangle<S>> parts) {
-        for (const auto& part : parts) triangles.at(part.index) = part.triangle;
-        return Walk::go_on;
-      });
-      meshes_.emplace_back(triangles);
+      meshes_.emplace_back(triangles_of(*field));
       assets_.emplace_back(id, meshes_.back().view());
       (void)world_.add(BodyMesh<S, 3>{&assets_.back(), translation, turn});
     } else {
@@ -251,20 +224,8 @@ class Stage {
   std::list<MeshAsset<S>> assets_;
   std::list<FieldAsset<S>> fields_;
   World<S, 3, BodyMesh, BodyHeightField> world_;
-  std::map<int, std::vector<std::string>> events_;  // by tick
   int pin_ = -1;
 };
-
-/// The dimension of a scene, or 0.
-int dimension_of(std::istream& file, const std::string& name) {
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream in(line);
-    std::string word, scene;
-    int dimension = 0;
-    if (in >> word >> scene >> dimension && word == "scene" && scene == name) return dimension;
-  }
-  return 0;
-}
 
 }  // namespace
 }  // namespace detent::test
@@ -272,17 +233,11 @@ int dimension_of(std::istream& file, const std::string& name) {
 int main(int count, char** arguments) {
   using namespace detent::test;
   if (count != 3) fail("usage: particle_states SCENES NAME");
-  const std::string name = arguments[2];
-  std::ifstream file(arguments[1]);
-  const int dimension = dimension_of(file, name);
-  file.clear();
-  file.seekg(0);
+  const auto scene = read_scene(arguments[1], arguments[2]);
   std::ios::sync_with_stdio(false);
-  if (dimension == 2)
-    Stage<2>().run(file, name);
-  else if (dimension == 3)
-    Stage<3>().run(file, name);
+  if (scene.dimension == 2)
+    Stage<2>().run(scene);
   else
-    fail("no scene " + name);
+    Stage<3>().run(scene);
   return 0;
 }

@@ -28,6 +28,21 @@ def minus(a, b):
     return [x - y for x, y in zip(a, b)]
 
 
+def reached(away, reach, least):
+    """The distance along a ray at which `away` first is at most `reach`, rounded down, or None, given a
+    function that returns the least value of `away` and where it is."""
+    if away(0) <= reach:
+        return 0
+    nearest, at = least()
+    if nearest > reach:
+        return None
+    low, high = 0, int(at)
+    while low < high:
+        middle = low + high + 1 >> 1
+        low, high = (middle, high) if away(middle) >= reach else (low, middle - 1)
+    return low
+
+
 # Shapes. A box has a center, half extents and axes. A ball is a box without extents that is touched
 # from farther away. Lengths in a frame are in steps of S over 2^30.
 
@@ -86,16 +101,7 @@ class Shape:
 
         def away(t):
             return sum(max(abs(x + t * y) - e, 0) ** 2 for x, y, e in zip(p, along, half))
-        if away(0) <= reach:
-            return 0
-        least, at = self.least(p, along, half, limit)
-        if least > reach:
-            return None
-        low, high = 0, int(at)
-        while low < high:
-            middle = low + high + 1 >> 1
-            low, high = (middle, high) if away(middle) >= reach else (low, middle - 1)
-        return low
+        return reached(away, reach, lambda: self.least(p, along, half, limit))
 
     def contact(self, c, r):
         """The normal, in Ratio, and the depth of a contact with a ball, or None."""
@@ -203,16 +209,7 @@ class Face:
 
         def away(t):
             return fine.away([x + t * y for x, y in zip(p, d)])
-        if away(0) <= reach:
-            return 0
-        least, at = fine.least(p, d, limit)
-        if least > reach:
-            return None
-        low, high = 0, int(at)
-        while low < high:
-            middle = low + high + 1 >> 1
-            low, high = (middle, high) if away(middle) >= reach else (low, middle - 1)
-        return low
+        return reached(away, reach, lambda: fine.least(p, d, limit))
 
     def contact(self, c, r):
         """The normal, in Ratio, and the depth with a ball, or None."""

@@ -5,7 +5,6 @@
 // each tick. run.py compares them with its own.
 
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <list>
 #include <map>
@@ -15,6 +14,7 @@
 
 #include "detent/dynamics/dynamics.hpp"
 #include "detent/scene/mesh/owned.hpp"
+#include "field_triangles.hpp"
 #include "scene_text.hpp"
 #include "state_text.hpp"
 
@@ -48,57 +48,42 @@ struct WorldOf<2> {
                      BallJoint, HingeJoint, WeldJoint, SliderJoint, WheelJoint>;
 };
 
-/// The world of one scene; lines of other scenes are skipped.
+/// The world of one scene.
 template <int N>
 class Stage {
  public:
-  void run(std::istream& file, const std::string& name, int ticks) {
-    bool mine = false, found = false;
-    for (std::string line; std::getline(file, line);) {
-      std::istringstream in(line.substr(0, line.find('#')));
-      std::string word;
-      if (!(in >> word)) continue;
-      if (word == "scene") {
-        in >> word;
-        mine = word == name;
-        found |= mine;
-      } else if (mine && word == "set") {
-        set(in);
-      } else if (mine && word == "at") {
-        int tick = 0;
-        std::string rest;
-        in >> tick;
-        std::getline(in, rest);
-        events_[tick].push_back(rest);
-      } else if (mine && word == "points") {
-        add_points(in);
-      } else if (mine && word == "part") {
-        in >> word;
-        auto& parts = parts_[word];
-        std::string kind;
-        in >> kind;
-        with_shape(in, kind, [&](const auto& shape) { add_part(in, parts, shape); });
-      } else if (mine && word == "grid") {
-        if constexpr (N == 3) add_grid(in);
-      } else if (mine && word != "everyday") {
-        if (word == "joint") {
-          join(in);
-        } else {
-          if (word != "body") fail("unknown: " + word);
-          add(in);
-        }
-      }
-    }
-    if (!found) fail("no scene " + name);
+  void run(const SceneText& scene, int ticks) {
+    scene.for_each_line([&](const std::string& word, std::istream& in) { read(word, in); });
     print();
     for (int i = 1; i <= ticks; ++i) {
-      for (const auto& event : events_[i]) act(event);
+      scene.for_each_event(i, [&](const std::string& event) { act(event); });
       world_.step();
       print();
     }
   }
 
  private:
+  void read(const std::string& word, std::istream& in) {
+    if (word == "set") {
+      set(in);
+    } else if (word == "points") {
+      add_points(in);
+    } else if (word == "part") {
+      std::string name, kind;
+      in >> name >> kind;
+      auto& parts = parts_[name];
+      with_shape(in, kind, [&](const auto& shape) { add_part(in, parts, shape); });
+    } else if (word == "grid") {
+      if constexpr (N == 3) add_grid(in);
+    } else if (word == "joint") {
+      join(in);
+    } else if (word == "body") {
+      add(in);
+    } else if (word != "everyday") {
+      fail("unknown: " + word);
+    }
+  }
+
   void act(const std::string& event) {
     std::istringstream in(event);
     std::string what;
@@ -186,12 +171,7 @@ class Stage {
     if (!field) fail("no grid: " + name);
     const auto id = static_cast<std::uint32_t>(heights_.size());
     fields_.emplace(name, FieldAsset<S>(id, *field));
-    std::vector<Triangle<S, 3>> triangles(2 * std::size_t{columns - 1} * (rows - 1));
-    visit_within(*field, field->bounds, [&](std::span<const MeshTriangle<S>> parts) {
-      for (const auto& part : parts) triangles.at(part.index) = part.triangle;
-      return Walk::go_on;
-    });
-    meshes_.emplace_back(triangles);
+    meshes_.emplace_back(triangles_of(*field));
     assets_.emplace(name, MeshAsset<S>(id, meshes_.back().view()));
   }
 
@@ -247,24 +227,32 @@ class Stage {
     }
   }
 
+  /// Reads an option that bodies and parts have; returns false if `key` is none.
+  template <class Shape, class Options>
+  static bool read_option(const std::string& key, std::istream& in, Shape& shape,
+                          Options& options) {
+    if (key == "density")
+      options.density = number(in);
+    else if (key == "friction")
+      options.friction = number(in);
+    else if (key == "restitution")
+      options.restitution = number(in);
+    else if (key == "rolling")
+      options.rolling_resistance = number(in);
+    else if (key == "sensor")
+      options.is_sensor = true;
+    else if (key != "turned")
+      return false;
+    else if constexpr (requires { shape.rotation; })
+      shape.rotation = turned<N>(in);
+    return true;
+  }
+
   template <class Shape>
   void add_part(std::istream& in, std::vector<BodyPart<S, N>>& parts, Shape shape) {
     PartOptions<S> options;
     for (std::string key; in >> key;) {
-      if (key == "density")
-        options.density = number(in);
-      else if (key == "friction")
-        options.friction = number(in);
-      else if (key == "restitution")
-        options.restitution = number(in);
-      else if (key == "rolling")
-        options.rolling_resistance = number(in);
-      else if (key == "sensor")
-        options.is_sensor = true;
-      else if (key == "turned") {
-        if constexpr (requires { shape.rotation; }) shape.rotation = turned<N>(in);
-      } else
-        fail("unknown option: " + key);
+      if (!read_option(key, in, shape, options)) fail("unknown option: " + key);
     }
     parts.emplace_back(shape, options);
   }
@@ -275,15 +263,8 @@ class Stage {
     if (motion == "fixed") options.motion = BodyMotion::fixed;
     if (motion == "kinematic") options.motion = BodyMotion::kinematic;
     for (std::string key; in >> key;) {
-      if (key == "density")
-        options.density = number(in);
-      else if (key == "friction")
-        options.friction = number(in);
-      else if (key == "restitution")
-        options.restitution = number(in);
-      else if (key == "rolling")
-        options.rolling_resistance = number(in);
-      else if (key == "damping")
+      if (read_option(key, in, shape, options)) continue;
+      if (key == "damping")
         options.linear_damping = number(in);
       else if (key == "spin_damping")
         options.angular_damping = number(in);
@@ -297,17 +278,13 @@ class Stage {
         unsigned bits = 0;
         in >> bits;
         options.locked = static_cast<std::uint8_t>(bits);
-      } else if (key == "sensor")
-        options.is_sensor = true;
-      else if (key == "fast")
+      } else if (key == "fast")
         options.is_fast = true;
       else if (key == "layers")
         in >> options.layers;
       else if (key == "meets")
         in >> options.collides_with;
-      else if (key == "turned") {
-        if constexpr (requires { shape.rotation; }) shape.rotation = turned<N>(in);
-      } else
+      else
         fail("unknown option: " + key);
     }
     const auto id = world_.add(shape, options);
@@ -405,7 +382,6 @@ class Stage {
   WorldSettings<S, N> settings_;
   std::vector<BodyId> ids_;
   std::vector<JointId> joints_;
-  std::map<int, std::vector<std::string>> events_;  // by tick
   std::list<std::vector<Vec<S, N>>> points_;
   std::map<std::string, SolidHull<S, N>> hulls_;
   std::map<std::string, std::vector<BodyPart<S, N>>> parts_;
@@ -417,34 +393,18 @@ class Stage {
   typename WorldOf<N>::Type world_;
 };
 
-/// The dimension of a scene, or 0.
-int dimension_of(std::istream& file, const std::string& name) {
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream in(line);
-    std::string word, scene;
-    int dimension = 0;
-    if (in >> word >> scene >> dimension && word == "scene" && scene == name) return dimension;
-  }
-  return 0;
-}
-
 }  // namespace
 }  // namespace detent::test
 
 int main(int count, char** arguments) {
   using namespace detent::test;
   if (count != 4) fail("usage: twin_states SCENES NAME TICKS");
-  const std::string name = arguments[2];
-  std::ifstream file(arguments[1]);
-  const int dimension = dimension_of(file, name), ticks = std::atoi(arguments[3]);
-  file.clear();
-  file.seekg(0);
+  const auto scene = read_scene(arguments[1], arguments[2]);
+  const int ticks = std::atoi(arguments[3]);
   std::ios::sync_with_stdio(false);
-  if (dimension == 2)
-    Stage<2>().run(file, name, ticks);
-  else if (dimension == 3)
-    Stage<3>().run(file, name, ticks);
+  if (scene.dimension == 2)
+    Stage<2>().run(scene, ticks);
   else
-    fail("no scene " + name);
+    Stage<3>().run(scene, ticks);
   return 0;
 }
