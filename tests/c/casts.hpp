@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "calls.hpp"
 #include "detent/query/cast.hpp"
 #include "detent/query/closest_points.hpp"
 #include "shapes.hpp"
@@ -16,18 +17,6 @@ namespace detent::test_c {
 
 using S = q16_16;
 using c::Output;
-
-/// The functions of one dimension.
-template <int N>
-struct Calls;
-#define DETENT_TEST_CALLS(N)                                         \
-  template <>                                                        \
-  struct Calls<N> {                                                  \
-    static constexpr auto closest_points = detent_closest_points##N; \
-    static constexpr auto cast = detent_cast##N;                     \
-  };
-DETENT_TEST_CALLS(2)
-DETENT_TEST_CALLS(3)
 
 template <int N, class A, class B>
 void check_closest_points(const A& a, const B& b) {

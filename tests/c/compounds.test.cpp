@@ -6,42 +6,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "c/worlds.hpp"
-#include "support/catch.hpp"
-#include "support/random.hpp"
+#include "world_twins.hpp"
 
-namespace detent {
+namespace detent::test_c {
 namespace {
-
-using S = q16_16;
-using c::id_of;
-constexpr int one = 65536;
-
-S raw(std::int64_t n) { return S::from_raw(static_cast<std::int32_t>(n)); }
-
-/// The functions of one dimension.
-template <int N>
-struct Calls;
-#define DETENT_TEST_CALLS(N)                                                  \
-  template <>                                                                 \
-  struct Calls<N> {                                                           \
-    static constexpr auto create = detent_world##N##_create;                  \
-    static constexpr auto default_options = detent_body##N##_default_options; \
-    static constexpr auto add = detent_world##N##_add;                        \
-    static constexpr auto add_as = detent_world##N##_add_as;                  \
-    static constexpr auto step = detent_world##N##_step;                      \
-    static constexpr auto frame = detent_world##N##_frame;                    \
-    static constexpr auto events = detent_world##N##_events;                  \
-    static constexpr auto digest = detent_world##N##_digest;                  \
-    static constexpr auto snapshot = detent_world##N##_snapshot;              \
-    static constexpr auto restore = detent_world##N##_restore;                \
-    static constexpr auto destroy = detent_world##N##_destroy;                \
-    static constexpr auto solid = detent_solid##N##_create;                   \
-    static constexpr auto defaults = detent_part##N##_defaults;               \
-    static constexpr auto compound = detent_compound##N##_create;             \
-  };
-DETENT_TEST_CALLS(2)
-DETENT_TEST_CALLS(3)
 
 template <int N>
 Vec<S, N> vec(std::int64_t x, std::int64_t y) {
@@ -51,22 +19,21 @@ Vec<S, N> vec(std::int64_t x, std::int64_t y) {
 /// One world in C and in C++: a floor, or terrain, on which compounds of a ball, a box and a hull
 /// fall.
 template <int N>
-struct Pair {
+struct Pair : WorldTwins<N> {
   using C = Calls<N>;
   using T = c::Types<N>;
   using Out = c::Output<N>;
-  using W = typename c::WorldOf<N>::type;
+  using typename WorldTwins<N>::W;
+  using WorldTwins<N>::context, WorldTwins<N>::world, WorldTwins<N>::twin;
 
   Pair() {
-    REQUIRE(detent_open(&context, nullptr) == DETENT_OK);
-    REQUIRE(C::create(&context, nullptr, &world) == DETENT_OK);
     std::vector<typename T::Vec> theirs;
     for (int k = 0; k < 1 << N; ++k) {
       points.push_back(make_vec<N>([&](int i) { return raw((k >> i & 1) != 0 ? one / 2 : 0); }));
       theirs.push_back(Out::vec(points.back()));
     }
     solid = *solid_hull(3, ConvexHull<S, N>{{points.data(), points.size()}});
-    REQUIRE(C::solid(&context, 3, theirs.data(), 1 << N, &solid_handle) == DETENT_OK);
+    REQUIRE(C::solid_create(&context, 3, theirs.data(), 1 << N, &solid_handle) == DETENT_OK);
 
     PartOptions<S> heavy, sensor;
     heavy.density = raw(3 * one);
@@ -81,7 +48,7 @@ struct Pair {
              BodyPart(Capsule{vec<N>(0, one), vec<N>(one, one), raw(one / 4)}, sensor)};
     asset = *solid_compound(9, parts);
     std::array<typename T::Part, 4> given{};
-    for (auto& part : given) REQUIRE(C::defaults(&part) == DETENT_OK);
+    for (auto& part : given) REQUIRE(C::part_defaults(&part) == DETENT_OK);
     Out::shape(given[0].shape, Sphere{vec<N>(-one, 0), raw(one / 2)});
     given[0].density = 3 * one;
     given[0].friction = one / 4;
@@ -95,79 +62,25 @@ struct Pair {
     given[2].shape.as.placed = Out::transform({vec<N>(one, one / 8), {}, S(1)});
     Out::shape(given[3].shape, Capsule{vec<N>(0, one), vec<N>(one, one), raw(one / 4)});
     given[3].is_sensor = 1;
-    REQUIRE(C::compound(&context, 9, given.data(), 4, &handle) == DETENT_OK);
+    REQUIRE(C::compound_create(&context, 9, given.data(), 4, &handle) == DETENT_OK);
     CHECK(detent_asset_destroy(&context, solid_handle) == DETENT_IN_USE);
-  }
-  ~Pair() { CHECK(detent_close(&context) == DETENT_OK); }
-
-  typename T::Shape placed(std::uint32_t kind, detent_handle of, const Vec<S, N>& at,
-                           const Rotation<S, N>& rotation) const {
-    typename T::Shape shape{};
-    shape.kind = kind;
-    shape.asset = of;
-    shape.as.placed = Out::transform({at, rotation, S(1)});
-    return shape;
-  }
-  template <class Shape>
-  detent_id add(const typename T::Shape& theirs, const Shape& shape,
-                const typename W::Options& own) {
-    typename T::BodyOptions options{};
-    REQUIRE(C::default_options(&options) == DETENT_OK);
-    options.motion = static_cast<std::uint32_t>(own.motion);
-    options.velocity = Out::vec(own.velocity);
-    options.is_fast = own.is_fast ? 1 : 0;
-    detent_id id{};
-    REQUIRE(C::add(&context, world, &theirs, &options, &id) == DETENT_OK);
-    REQUIRE(twin.add(shape, own) == id_of(id));
-    return id;
   }
   detent_id add_compound(const Vec<S, N>& at, const Rotation<S, N>& rotation,
                          const typename W::Options& own = {}) {
-    return add(placed(DETENT_COMPOUND, handle, at, rotation),
-               BodyCompound<S, N>{&asset, at, rotation}, own);
-  }
-  std::vector<std::byte> save() {
-    std::uint32_t size = 0;
-    REQUIRE(C::snapshot(&context, world, nullptr, 0, &size) == DETENT_NO);
-    std::vector<std::byte> bytes(size);
-    REQUIRE(C::snapshot(&context, world, bytes.data(), size, &size) == DETENT_OK);
-    return bytes;
-  }
-  /// Steps both and compares everything.
-  void step() {
-    REQUIRE(C::step(&context, world) == DETENT_OK);
-    twin.step();
-    std::uint64_t sum = 0;
-    REQUIRE(C::digest(&context, world, &sum) == DETENT_OK);
-    REQUIRE(sum == digest(twin));
-    std::array<detent_touch, 64> touches{};
-    std::uint32_t count = 0;
-    REQUIRE(C::events(&context, world, touches.data(), 64, &count) == DETENT_OK);
-    REQUIRE(count == twin.event_count());
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto& own = twin.event(i);
-      REQUIRE(id_of(touches[i].a) == own.a);
-      REQUIRE(id_of(touches[i].b) == own.b);
-      REQUIRE(touches[i].part_a == own.part_a);
-      REQUIRE(touches[i].part_b == own.part_b);
-      REQUIRE((touches[i].begins == 1) == own.begins);
-      of_parts += own.part_a + own.part_b != 0 ? 1 : 0;
-    }
+    return this->add(this->placed(DETENT_COMPOUND, handle, at, rotation),
+                     BodyCompound<S, N>{&asset, at, rotation}, own);
   }
   void check_frame(detent_id id) {
     typename T::Transform frame{};
-    REQUIRE(C::frame(&context, world, id, &frame) == DETENT_OK);
+    REQUIRE(C::world_frame(&context, world, id, &frame) == DETENT_OK);
     CHECK(c::Input<N>().transform(frame) == twin.frame(id_of(id)));
   }
 
-  detent_context context{};
-  detent_handle world = 0, solid_handle = 0, handle = 0;
-  W twin;
+  detent_handle solid_handle = 0, handle = 0;
   std::vector<Vec<S, N>> points;
   SolidHull<S, N> solid;
   std::vector<BodyPart<S, N>> parts;
   SolidCompound<S, N> asset;
-  int of_parts = 0;
 };
 
 template <int N>
@@ -179,9 +92,7 @@ void check_fall() {
   fixed.motion = BodyMotion::fixed;
   const auto floor = make_vec<N>([](int i) { return raw(i == 1 ? one : 8 * one); });
   const Obb<S, N> ground{vec<N>(0, -one), floor, {}};
-  typename c::Types<N>::Shape theirs{};
-  c::Output<N>::shape(theirs, ground);
-  pair.add(theirs, ground, fixed);
+  pair.add(ground, fixed);
   const auto wall = pair.add_compound(vec<N>(0, one / 2), {}, fixed);
   pair.check_frame(wall);
   std::vector<detent_id> ids;
@@ -192,8 +103,7 @@ void check_fall() {
   fast.is_fast = true;
   fast.velocity = vec<N>(-one, -300 * one);
   const Sphere<S, N> bullet{vec<N>(one, 20 * one), raw(one / 16)};
-  c::Output<N>::shape(theirs, bullet);
-  const auto shot = pair.add(theirs, bullet, fast);
+  const auto shot = pair.add(bullet, fast);
   std::vector<std::byte> saved;
   for (int tick = 0; tick < 90; ++tick) {
     CAPTURE(N, tick);
@@ -201,12 +111,11 @@ void check_fall() {
     for (const auto& id : ids) pair.check_frame(id);
     const auto at = pair.twin.position(id_of(shot));  // off the floor's edge, but not through it
     CHECK((at.y > raw(-one) || abs(at.x) > raw(8 * one)));
-    if (tick == 40) saved = pair.save();
+    if (tick == 40) saved = pair.saved();
   }
   CHECK(pair.of_parts > 4);
-  CHECK((pair.save() == snapshot(pair.twin)));
-  REQUIRE(C::restore(&pair.context, pair.world, saved.data(),
-                     static_cast<std::uint32_t>(saved.size())) == DETENT_OK);
+  CHECK((pair.saved() == snapshot(pair.twin)));
+  REQUIRE(pair.restore(saved) == DETENT_OK);
   const auto saved_by_cpp = std::span<const std::byte>(saved);
   REQUIRE(restore(pair.twin, saved_by_cpp, std::span<const SolidHull<S, N>>(&pair.solid, 1),
                   std::span<const SolidCompound<S, N>>(&pair.asset, 1)) == Restored::yes);
@@ -214,11 +123,13 @@ void check_fall() {
 
   CHECK(detent_asset_destroy(&pair.context, pair.handle) == DETENT_IN_USE);
   const detent_id own{40, 7};
-  CHECK(C::add_as(&pair.context, pair.world, own, &theirs, nullptr) == DETENT_OK);
-  CHECK(C::add_as(&pair.context, pair.world, own, &theirs, nullptr) == DETENT_NO);
+  typename c::Types<N>::Shape theirs{};
+  c::Output<N>::shape(theirs, bullet);
+  CHECK(C::world_add_as(&pair.context, pair.world, own, &theirs, nullptr) == DETENT_OK);
+  CHECK(C::world_add_as(&pair.context, pair.world, own, &theirs, nullptr) == DETENT_NO);
   CHECK(pair.twin.put(id_of(own), bullet));
   pair.step();
-  CHECK(C::destroy(&pair.context, pair.world) == DETENT_OK);
+  CHECK(C::world_destroy(&pair.context, pair.world) == DETENT_OK);
   CHECK(detent_asset_destroy(&pair.context, pair.solid_handle) == DETENT_IN_USE);
   CHECK(detent_asset_destroy(&pair.context, pair.handle) == DETENT_OK);
   CHECK(detent_asset_destroy(&pair.context, pair.handle) == DETENT_BAD_HANDLE);
@@ -259,7 +170,7 @@ TEST_CASE("C worlds: mesh and height field bodies give the bits of C++") {
   rising.motion = BodyMotion::kinematic;
   rising.velocity = vec<3>(0, one / 8);
   const auto left = vec<3>(-10 * one, 0), right = vec<3>(10 * one, 0);
-  pair.add(pair.placed(DETENT_MESH, mesh, left, {}), BodyMesh<S, 3>{&own_mesh, left, {}}, rising);
+  pair.add(pair.placed(DETENT_MESH, mesh, left), BodyMesh<S, 3>{&own_mesh, left, {}}, rising);
   detent_shape3 shape{};
   shape.kind = DETENT_HEIGHT_FIELD;
   shape.asset = field;
@@ -268,23 +179,21 @@ TEST_CASE("C worlds: mesh and height field bodies give the bits of C++") {
   for (int i = 0; i < 4; ++i) {
     pair.add_compound(vec<3>((i % 2 == 0 ? -10 : 10) * one, (2 + i) * one), {});
     const Sphere<S, 3> ball{vec<3>((i % 2 == 0 ? -12 : 12) * one, 3 * one + i), raw(one / 2)};
-    c::Output<3>::shape(shape = {}, ball);
-    pair.add(shape, ball, {});
+    pair.add(ball);
   }
   for (int tick = 0; tick < 90; ++tick) {
     CAPTURE(tick);
     pair.step();
   }
   CHECK(pair.of_parts > 3);
-  const auto saved = pair.save();
+  const auto saved = pair.saved();
   CHECK((saved == snapshot(pair.twin)));
   pair.step();
-  REQUIRE(detent_world3_restore(&pair.context, pair.world, saved.data(),
-                                static_cast<std::uint32_t>(saved.size())) == DETENT_OK);
-  CHECK((pair.save() == saved));
+  REQUIRE(pair.restore(saved) == DETENT_OK);
+  CHECK((pair.saved() == saved));
   CHECK(detent_asset_destroy(&pair.context, mesh) == DETENT_IN_USE);
   CHECK(detent_asset_destroy(&pair.context, field) == DETENT_IN_USE);
-  shape = pair.placed(DETENT_MESH, mesh, left, {});
+  shape = pair.placed(DETENT_MESH, mesh, left);
   shape.as.placed.scale = 2 * one;
   detent_id id{};
   CHECK(detent_world3_add(&pair.context, pair.world, &shape, nullptr, &id) == DETENT_BAD_ARGUMENT);
@@ -352,4 +261,4 @@ TEST_CASE(
 }
 
 }  // namespace
-}  // namespace detent
+}  // namespace detent::test_c

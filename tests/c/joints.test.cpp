@@ -6,103 +6,53 @@
 #include <cstdint>
 #include <vector>
 
-#include "c/worlds.hpp"
-#include "support/catch.hpp"
-#include "support/random.hpp"
+#include "world_twins.hpp"
 
-namespace detent {
+namespace detent::test_c {
 namespace {
-
-using S = q16_16;
-using c::id_of;
-constexpr int one = 65536;
-
-S raw(std::int64_t n) { return S::from_raw(static_cast<std::int32_t>(n)); }
-
-/// The functions of one dimension.
-template <int N>
-struct Calls;
-#define DETENT_TEST_CALLS(N)                                           \
-  template <>                                                          \
-  struct Calls<N> {                                                    \
-    static constexpr auto create = detent_world##N##_create;           \
-    static constexpr auto solid = detent_solid##N##_create;            \
-    static constexpr auto add = detent_world##N##_add;                 \
-    static constexpr auto step = detent_world##N##_step;               \
-    static constexpr auto defaults = detent_joint##N##_defaults;       \
-    static constexpr auto add_joint = detent_world##N##_add_joint;     \
-    static constexpr auto change = detent_world##N##_change_joint;     \
-    static constexpr auto remove = detent_world##N##_remove_joint;     \
-    static constexpr auto joint = detent_world##N##_joint;             \
-    static constexpr auto count = detent_world##N##_joint_count;       \
-    static constexpr auto broken = detent_world##N##_broken;           \
-    static constexpr auto local_point = detent_world##N##_local_point; \
-    static constexpr auto local_frame = detent_world##N##_local_frame; \
-    static constexpr auto digest = detent_world##N##_digest;           \
-    static constexpr auto snapshot = detent_world##N##_snapshot;       \
-    static constexpr auto restore = detent_world##N##_restore;         \
-  };
-DETENT_TEST_CALLS(2)
-DETENT_TEST_CALLS(3)
 
 /// A world in C and in C++ in which bodies hang on a beam and on each other.
 template <int N>
-struct Twins {
+struct Twins : WorldTwins<N> {
   using C = Calls<N>;
   using T = c::Types<N>;
   using Out = c::Output<N>;
-  using W = typename c::Worlds<N>::World;
+  using WorldTwins<N>::context, WorldTwins<N>::world, WorldTwins<N>::twin;
 
-  detent_context context{};
-  detent_handle world = 0, solid = 0;
-  W twin;
+  detent_handle solid = 0;
   std::vector<Vec<S, N>> points;
   std::array<SolidHull<S, N>, 1> hulls{};
   std::vector<detent_id> bodies, joints;
 
   Twins() {
-    REQUIRE(detent_open(&context, nullptr) == DETENT_OK);
-    REQUIRE(C::create(&context, nullptr, &world) == DETENT_OK);
     std::vector<typename T::Vec> raw_points;
     for (int k = 0; k <= N; ++k) {
       points.push_back(make_vec<N>([&](int i) { return i + 1 == k ? S(1) : S(0); }));
       raw_points.push_back(Out::vec(points.back()));
     }
     const auto size = static_cast<std::uint32_t>(points.size());
-    REQUIRE(C::solid(&context, 5, raw_points.data(), 2, &solid) == DETENT_BAD_ARGUMENT);
-    REQUIRE(C::solid(&context, 5, raw_points.data(), size, &solid) == DETENT_OK);
+    REQUIRE(C::solid_create(&context, 5, raw_points.data(), 2, &solid) == DETENT_BAD_ARGUMENT);
+    REQUIRE(C::solid_create(&context, 5, raw_points.data(), size, &solid) == DETENT_OK);
     hulls[0] = *solid_hull(5, ConvexHull<S, N>{points});
-    add(place(-1), BodyMotion::fixed);
-    for (int i = 0; i < 6; ++i) add(place(i), BodyMotion::dynamic);
+    add_hull(place(-1), BodyMotion::fixed);
+    for (int i = 0; i < 6; ++i) add_hull(place(i), BodyMotion::dynamic);
   }
-  Twins(const Twins&) = delete;
-  Twins& operator=(const Twins&) = delete;
-  ~Twins() { detent_close(&context); }
 
   static Vec<S, N> place(int i) {
     return make_vec<N>([&](int axis) { return axis == 0 ? S(2 * i) : axis == 1 ? S(6) : S(0); });
   }
-  void add(const Vec<S, N>& at, BodyMotion motion) {
-    typename T::Shape shape{};
-    shape.kind = DETENT_HULL;
-    shape.asset = solid;
-    shape.as.placed = Out::transform({at, Rotation<S, N>(), S(1)});
-    typename W::Options own;
+  void add_hull(const Vec<S, N>& at, BodyMotion motion) {
+    BodyOptions<S, N> own;
     own.motion = motion;
-    typename T::BodyOptions options{};
-    REQUIRE(c::Worlds<N>::default_options(&options) == DETENT_OK);
-    options.motion = static_cast<std::uint32_t>(motion);
-    detent_id id{};
-    REQUIRE(C::add(&context, world, &shape, &options, &id) == DETENT_OK);
-    REQUIRE(twin.add(BodyHull<S, N>{&hulls[0], at, {}}, own) == id_of(id));
-    bodies.push_back(id);
+    bodies.push_back(
+        this->add(this->placed(DETENT_HULL, solid, at), BodyHull<S, N>{&hulls[0], at, {}}, own));
   }
 
   /// Adds a joint of kind `kind` between bodies i and i + 1 to both, with its own numbers.
   template <class F>
   void with_joint(std::uint32_t kind, std::size_t i, test::Random& random, const F& f) {
     typename T::Joint given{};
-    REQUIRE(C::defaults(kind, &given) == DETENT_OK);
+    REQUIRE(C::joint_defaults(kind, &given) == DETENT_OK);
     const auto some = [&](int most) {
       return static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(most)));
     };
@@ -183,29 +133,18 @@ struct Twins {
 
   /// Steps both and compares the broken joints.
   std::uint32_t step() {
-    REQUIRE(C::step(&context, world) == DETENT_OK);
-    twin.step();
-    std::uint64_t sum = 0;
-    REQUIRE(C::digest(&context, world, &sum) == DETENT_OK);
-    REQUIRE(sum == digest(twin));
+    WorldTwins<N>::step();
     std::array<detent_id, 8> broken{};
     std::uint32_t count = 0;
-    REQUIRE(C::broken(&context, world, broken.data(), 8, &count) == DETENT_OK);
+    REQUIRE(C::world_broken(&context, world, broken.data(), 8, &count) == DETENT_OK);
     REQUIRE(count == twin.broken_count());
     for (std::size_t i = 0; i < count; ++i) {
       REQUIRE(broken[i].index == twin.broken(i).index);
       REQUIRE(broken[i].generation == twin.broken(i).generation);
     }
-    REQUIRE(C::count(&context, world, &count) == DETENT_OK);
+    REQUIRE(C::world_joint_count(&context, world, &count) == DETENT_OK);
     REQUIRE(count == twin.joint_count());
     return static_cast<std::uint32_t>(twin.broken_count());
-  }
-  std::vector<std::byte> saved() const {
-    std::uint32_t size = 0;
-    REQUIRE(C::snapshot(&context, world, nullptr, 0, &size) == DETENT_NO);
-    std::vector<std::byte> bytes(size);
-    REQUIRE(C::snapshot(&context, world, bytes.data(), size, &size) == DETENT_OK);
-    return bytes;
   }
 };
 
@@ -222,12 +161,12 @@ void check_joints() {
     for (std::uint32_t kind = 1; kind <= 6; ++kind) {
       twins.with_joint(kind, kind - 1, random, [&](const auto& given, const auto& joint) {
         detent_id id{};
-        REQUIRE(C::add_joint(&context, world, &given, &id) == DETENT_OK);
+        REQUIRE(C::world_add_joint(&context, world, &given, &id) == DETENT_OK);
         const auto same = twins.twin.add(joint);
         REQUIRE(same);
         REQUIRE((same->index == id.index && same->generation == id.generation));
         typename c::Types<N>::Joint read{};
-        REQUIRE(C::joint(&context, world, id, &read) == DETENT_OK);
+        REQUIRE(C::world_joint(&context, world, id, &read) == DETENT_OK);
         CHECK(read.kind == kind);
         CHECK(read.b.index == given.b.index);
         CHECK(read.break_force == given.break_force);
@@ -240,31 +179,31 @@ void check_joints() {
       twins.with_joint(kind, kind - 1, random, [&](const auto& given, const auto& joint) {
         const auto id = twins.joints[kind - 1];
         const JointId same{id.index, id.generation};
-        REQUIRE(C::change(&context, world, id, &given) ==
+        REQUIRE(C::world_change_joint(&context, world, id, &given) ==
                 c::yes_or_no(twins.twin.change(same, joint)));
         if (kind != 3) return;
-        REQUIRE(C::remove(&context, world, id) == c::yes_or_no(twins.twin.remove(same)));
-        REQUIRE(C::remove(&context, world, id) == DETENT_NO);
-        REQUIRE(C::joint(&context, world, id, nullptr) == DETENT_BAD_ARGUMENT);
+        REQUIRE(C::world_remove_joint(&context, world, id) ==
+                c::yes_or_no(twins.twin.remove(same)));
+        REQUIRE(C::world_remove_joint(&context, world, id) == DETENT_NO);
+        REQUIRE(C::world_joint(&context, world, id, nullptr) == DETENT_BAD_ARGUMENT);
       });
     }
     for (int tick = 0; tick < 10; ++tick) broken += twins.step();
     const auto saved = twins.saved();
     CHECK((saved == snapshot(twins.twin)));
     twins.step();
-    REQUIRE(C::restore(&context, world, saved.data(), static_cast<std::uint32_t>(saved.size())) ==
-            DETENT_OK);
+    REQUIRE(twins.restore(saved) == DETENT_OK);
     REQUIRE(restore(twins.twin, saved, twins.hulls) == Restored::yes);
     twins.step();
     typename c::Types<N>::Vec point{}, local{};
     point.x = one;
     point.y = 2 * one;
-    REQUIRE(C::local_point(&context, world, twins.bodies[2], &point, &local) == DETENT_OK);
+    REQUIRE(C::world_local_point(&context, world, twins.bodies[2], &point, &local) == DETENT_OK);
     CHECK(c::Input<N>::vec(local) ==
           twins.twin.local_point(id_of(twins.bodies[2]), c::Input<N>::vec(point)));
     const auto axes = c::Output<N>::rotation(Rotation<S, N>());
     typename c::Types<N>::Rotation turned{};
-    REQUIRE(C::local_frame(&context, world, twins.bodies[2], &axes, &turned) == DETENT_OK);
+    REQUIRE(C::world_local_frame(&context, world, twins.bodies[2], &axes, &turned) == DETENT_OK);
     CHECK(c::Input<N>().rotation(turned) ==
           twins.twin.local_frame(id_of(twins.bodies[2]), Rotation<S, N>()));
     CHECK(detent_asset_destroy(&context, twins.solid) == DETENT_IN_USE);
@@ -308,4 +247,4 @@ TEST_CASE("C joints: wrong numbers, kinds and bodies are errors") {
 }
 
 }  // namespace
-}  // namespace detent
+}  // namespace detent::test_c

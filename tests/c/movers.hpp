@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "c/movers.hpp"
+#include "calls.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
@@ -19,26 +20,6 @@ using c::id_of;
 inline constexpr int one = 65536;
 
 inline S raw(std::int64_t n) { return S::from_raw(static_cast<std::int32_t>(n)); }
-
-/// The functions of one dimension.
-template <int N>
-struct Calls;
-#define DETENT_TEST_CALLS(N)                                             \
-  template <>                                                            \
-  struct Calls<N> {                                                      \
-    static constexpr auto create = detent_scene##N##_create;             \
-    static constexpr auto add = detent_scene##N##_add;                   \
-    static constexpr auto add_frame = detent_scene##N##_add_frame;       \
-    static constexpr auto move_frame = detent_scene##N##_move_frame;     \
-    static constexpr auto cast = detent_scene##N##_cast;                 \
-    static constexpr auto cast_any = detent_scene##N##_cast_any;         \
-    static constexpr auto cast_all = detent_scene##N##_cast_all;         \
-    static constexpr auto move = detent_mover##N##_move;                 \
-    static constexpr auto settings = detent_mover##N##_default_settings; \
-    static constexpr auto clip = detent_mover##N##_clip_velocity;        \
-  };
-DETENT_TEST_CALLS(2)
-DETENT_TEST_CALLS(3)
 
 /// Casts a shape through the scene: the first object, any, and all.
 template <int N, class Shape>
@@ -57,16 +38,16 @@ bool check_cast(const detent_context& context, detent_handle scene,
   };
   Hit hit{};
   const auto first = twin.nearest_hit(moving, InLayers{2});
-  REQUIRE(C::cast(&context, scene, &shape, &way, 5 * one, 2, &hit) ==
+  REQUIRE(C::scene_cast(&context, scene, &shape, &way, 5 * one, 2, &hit) ==
           c::yes_or_no(first.has_value()));
   if (first) same(hit, *first);
-  REQUIRE(C::cast_any(&context, scene, &shape, &way, 5 * one, 2) ==
+  REQUIRE(C::scene_cast_any(&context, scene, &shape, &way, 5 * one, 2) ==
           c::yes_or_no(first.has_value()));
   std::array<Hit, 3> hits{};
   std::array<ObjectHit<S, N>, 3> expected{};
   std::uint32_t count = 0;
   const auto all = twin.all_hits(moving, std::span(expected), InLayers{3});
-  REQUIRE(C::cast_all(&context, scene, &shape, &way, 5 * one, 3, hits.data(), 3, &count) ==
+  REQUIRE(C::scene_cast_all(&context, scene, &shape, &way, 5 * one, 3, hits.data(), 3, &count) ==
           DETENT_OK);
   REQUIRE(count == all);
   for (std::size_t i = 0; i < all && i < 3; ++i) same(hits[i], expected[i]);
@@ -84,21 +65,21 @@ void check_walk(const Shape<S, N>& walker) {
   detent_context context{};
   detent_handle scene = 0;
   REQUIRE(detent_open(&context, nullptr) == DETENT_OK);
-  REQUIRE(C::create(&context, &scene) == DETENT_OK);
+  REQUIRE(C::scene_create(&context, &scene) == DETENT_OK);
   typename c::SceneOf<N>::type twin;
   const auto vec = [](const auto& f) { return make_vec<N>([&](int i) { return raw(f(i)); }); };
 
   const Transform<S, N> still{vec([](int i) { return i == 0 ? one : 0; }), {}, S(1)};
   const auto placed = Out::transform(still);
   detent_id frame{};
-  REQUIRE(C::add_frame(&context, scene, &placed, {}, &frame) == DETENT_OK);
+  REQUIRE(C::scene_add_frame(&context, scene, &placed, {}, &frame) == DETENT_OK);
   const auto own_frame = *twin.add_frame(still);
   const auto add = [&](const auto& shape, std::uint32_t layers, bool on_frame) {
     typename T::Shape given{};
     Out::shape(given, shape);
     const detent_traits traits{0, layers, DETENT_MOVING, on_frame ? frame : detent_id{}};
     detent_id id{};
-    REQUIRE(C::add(&context, scene, &given, &traits, &id) == DETENT_OK);
+    REQUIRE(C::scene_add(&context, scene, &given, &traits, &id) == DETENT_OK);
     REQUIRE(twin.add(shape, {layers, 0, Motion::moving, on_frame ? own_frame : FrameId{}}) ==
             id_of(id));
     return id;
@@ -121,7 +102,7 @@ void check_walk(const Shape<S, N>& walker) {
   typename T::Mover mover{};
   Out::shape(mover.shape, own.shape);
   typename T::MoverSettings settings{};
-  REQUIRE(C::settings(&settings) == DETENT_OK);
+  REQUIRE(C::mover_default_settings(&settings) == DETENT_OK);
   MoverSettings<S, N> own_settings;
   const auto not_itself = [&](const ObjectInfo& info) {
     return (info.layers & 1) != 0 && !(info.id == id_of(self));
@@ -136,7 +117,7 @@ void check_walk(const Shape<S, N>& walker) {
     const Transform<S, N> moved{
         vec([&](int i) { return i == 0 ? one + step % 20 * (one / 32) : 0; }), {}, S(1)};
     const auto to = Out::transform(moved);
-    REQUIRE(C::move_frame(&context, scene, frame, &to) == DETENT_OK);
+    REQUIRE(C::scene_move_frame(&context, scene, frame, &to) == DETENT_OK);
     REQUIRE(twin.move_frame(own_frame, moved));
     const auto by = vec([&](int i) {
       return i == 1 ? -one / 8
@@ -145,8 +126,8 @@ void check_walk(const Shape<S, N>& walker) {
     const auto theirs = Out::vec(by);
     typename T::Move result{};
     const auto expected = own.move(twin, by, own_settings, not_itself);
-    REQUIRE(C::move(&context, scene, &mover, &theirs, step < 50 ? nullptr : &settings, 1, self,
-                    &result) == DETENT_OK);
+    REQUIRE(C::mover_move(&context, scene, &mover, &theirs, step < 50 ? nullptr : &settings, 1,
+                          self, &result) == DETENT_OK);
     if constexpr (std::is_same_v<Shape<S, N>, Capsule<S, N>>) {
       REQUIRE(In().capsule(mover.shape) == own.shape);
     } else {
@@ -168,7 +149,7 @@ void check_walk(const Shape<S, N>& walker) {
       REQUIRE(In().direction(result.touched[i].normal) == expected.touched[i].normal);
     }
     typename T::Vec clipped{};
-    REQUIRE(C::clip(&theirs, &result, &clipped) == DETENT_OK);
+    REQUIRE(C::mover_clip_velocity(&theirs, &result, &clipped) == DETENT_OK);
     REQUIRE(In::vec(clipped) == clip_velocity(by, expected));
     touches += expected.count != 0 ? 1 : 0;
     grounded += own.ground.is_grounded ? 1 : 0;

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "calls.hpp"
 #include "detent/query/contact.hpp"
 #include "detent/query/time_of_impact.hpp"
 #include "shapes.hpp"
@@ -15,18 +16,7 @@ namespace {
 
 using S = q16_16;
 using c::Output;
-
-/// The functions of one dimension.
-template <int N>
-struct Calls;
-#define DETENT_TEST_CALLS(N)                                         \
-  template <>                                                        \
-  struct Calls<N> {                                                  \
-    static constexpr auto contact = detent_contact##N;               \
-    static constexpr auto time_of_impact = detent_time_of_impact##N; \
-  };
-DETENT_TEST_CALLS(2)
-DETENT_TEST_CALLS(3)
+using test_c::Calls;
 
 template <int N>
 Direction<S, N> direction(const typename c::Types<N>::Direction& given) {

@@ -5,7 +5,7 @@
 #include <array>
 #include <tuple>
 
-#include "c/single.hpp"
+#include "calls.hpp"
 #include "detent/scene/scene.hpp"
 #include "shapes.hpp"
 
@@ -14,17 +14,7 @@ namespace {
 
 using S = q16_16;
 using c::Output;
-
-/// The functions of one dimension.
-template <int N>
-struct Calls;
-#define DETENT_TEST_CALLS(N)                                       \
-  template <>                                                      \
-  struct Calls<N> : c::Single<N> {                                 \
-    static constexpr auto raycast_many = detent_raycast##N##_many; \
-  };
-DETENT_TEST_CALLS(2)
-DETENT_TEST_CALLS(3)
+using test_c::Calls;
 
 template <class A, class B>
 bool meet(const A& a, const B& b) {

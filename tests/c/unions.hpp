@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "calls.hpp"
 #include "detent/query/cast.hpp"
 #include "detent/query/closest_points.hpp"
 #include "detent/query/contact.hpp"
@@ -24,30 +25,6 @@ namespace detent::test_c {
 
 using S = q16_16;
 using c::Output;
-
-/// The functions of one dimension.
-template <int N>
-struct Calls;
-#define DETENT_TEST_CALLS(N)                                                        \
-  template <>                                                                       \
-  struct Calls<N> {                                                                 \
-    static constexpr auto make_hull = detent_hull##N##_create;                      \
-    static constexpr auto on_ray = detent_ray##N##_contains;                        \
-    static constexpr auto closest_on_ray = detent_ray##N##_closest_point;           \
-    static constexpr auto distance_from_ray = detent_ray##N##_distance_to_point;    \
-    static constexpr auto raycast = detent_shapes##N##_raycast;                     \
-    static constexpr auto contains = detent_shapes##N##_contains;                   \
-    static constexpr auto overlaps = detent_shapes##N##_overlaps;                   \
-    static constexpr auto closest_point = detent_shapes##N##_closest_point;         \
-    static constexpr auto distance_to_point = detent_shapes##N##_distance_to_point; \
-    static constexpr auto distance = detent_shapes##N##_distance;                   \
-    static constexpr auto closest_points = detent_shapes##N##_closest_points;       \
-    static constexpr auto cast = detent_shapes##N##_cast;                           \
-    static constexpr auto contact = detent_shapes##N##_contact;                     \
-    static constexpr auto time_of_impact = detent_shapes##N##_time_of_impact;       \
-  };
-DETENT_TEST_CALLS(2)
-DETENT_TEST_CALLS(3)
 
 /// A hull as an asset of a context, placed, and its points as transformed by C++.
 template <int N>
@@ -69,8 +46,8 @@ struct TwinHull {
     for (std::size_t i = 0; i < own.size(); ++i) raw[i] = Output<N>::vec(own[i]);
     shape.kind = DETENT_HULL;
     shape.as.placed = Output<N>::transform(transform);
-    REQUIRE(Calls<N>::make_hull(&context, id, raw.data(), static_cast<std::uint32_t>(own.size()),
-                                &shape.asset) == DETENT_OK);
+    REQUIRE(Calls<N>::hull_create(&context, id, raw.data(), static_cast<std::uint32_t>(own.size()),
+                                  &shape.asset) == DETENT_OK);
   }
   TwinHull(const TwinHull&) = delete;
   TwinHull& operator=(const TwinHull&) = delete;
@@ -95,10 +72,10 @@ struct Case {
     const auto at = Output<N>::vec(point);
     typename T::Vec closest{};
     std::int32_t distance = 0;
-    REQUIRE(C::on_ray(&along, &at) == c::yes_or_no(detent::contains(ray, point)));
-    REQUIRE(C::closest_on_ray(&along, &at, &closest) == DETENT_OK);
+    REQUIRE(C::ray_contains(&along, &at) == c::yes_or_no(detent::contains(ray, point)));
+    REQUIRE(C::ray_closest_point(&along, &at, &closest) == DETENT_OK);
     REQUIRE(c::Input<N>::vec(closest) == detent::closest_point(ray, point));
-    REQUIRE(C::distance_from_ray(&along, &at, &distance) == DETENT_OK);
+    REQUIRE(C::ray_distance_to_point(&along, &at, &distance) == DETENT_OK);
     REQUIRE(distance == detent::distance(ray, point).raw());
   }
 
@@ -111,20 +88,20 @@ struct Case {
     const auto at = Output<N>::vec(point);
     const auto expected = raycast_hit(ray, all);
     typename T::Hit hit{};
-    REQUIRE(C::raycast(context, &along, list.data(), count, &hit) ==
+    REQUIRE(C::shapes_raycast(context, &along, list.data(), count, &hit) ==
             c::yes_or_no(expected.has_value()));
-    REQUIRE(C::raycast(context, &along, list.data(), count, nullptr) ==
+    REQUIRE(C::shapes_raycast(context, &along, list.data(), count, nullptr) ==
             c::yes_or_no(expected.has_value()));
     if (expected) check_hit(hit, *expected);
     hits.add(expected.has_value());
     const bool holds = detent::contains(all, point);
-    REQUIRE(C::contains(context, list.data(), count, &at) == c::yes_or_no(holds));
+    REQUIRE(C::shapes_contains(context, list.data(), count, &at) == c::yes_or_no(holds));
     held.add(holds);
     typename T::Vec closest{};
     std::int32_t distance = 0;
-    REQUIRE(C::closest_point(context, list.data(), count, &at, &closest) == DETENT_OK);
+    REQUIRE(C::shapes_closest_point(context, list.data(), count, &at, &closest) == DETENT_OK);
     REQUIRE(c::Input<N>::vec(closest) == detent::closest_point(all, point));
-    REQUIRE(C::distance_to_point(context, list.data(), count, &at, &distance) == DETENT_OK);
+    REQUIRE(C::shapes_distance_to_point(context, list.data(), count, &at, &distance) == DETENT_OK);
     REQUIRE(distance == detent::distance(all, point).raw());
   }
 
@@ -135,11 +112,11 @@ struct Case {
     const auto a_count = static_cast<std::uint32_t>(a_list.size());
     const auto b_count = static_cast<std::uint32_t>(b_list.size());
     const bool do_meet = detent::overlaps(a, b);
-    REQUIRE(C::overlaps(context, a_list.data(), a_count, b_list.data(), b_count) ==
+    REQUIRE(C::shapes_overlaps(context, a_list.data(), a_count, b_list.data(), b_count) ==
             c::yes_or_no(do_meet));
     meetings.add(do_meet);
     std::int32_t between = 0;
-    REQUIRE(C::distance(context, a_list.data(), a_count, b_list.data(), b_count, &between) ==
+    REQUIRE(C::shapes_distance(context, a_list.data(), a_count, b_list.data(), b_count, &between) ==
             DETENT_OK);
     REQUIRE(between == detent::distance(a, b).raw());
   }
@@ -148,9 +125,9 @@ struct Case {
                      std::span<const typename T::Shape> b_list) const {
     const auto expected = detent::closest_points(a, b);
     typename T::Vec point_a{}, point_b{};
-    REQUIRE(C::closest_points(context, a_list.data(), static_cast<std::uint32_t>(a_list.size()),
-                              b_list.data(), static_cast<std::uint32_t>(b_list.size()), &point_a,
-                              &point_b) == DETENT_OK);
+    REQUIRE(C::shapes_closest_points(
+                context, a_list.data(), static_cast<std::uint32_t>(a_list.size()), b_list.data(),
+                static_cast<std::uint32_t>(b_list.size()), &point_a, &point_b) == DETENT_OK);
     REQUIRE(c::Input<N>::vec(point_a) == expected.first);
     REQUIRE(c::Input<N>::vec(point_b) == expected.second);
   }
@@ -162,9 +139,9 @@ struct Case {
     const auto along = Output<N>::direction(way.direction);
     const auto expected = detent::cast(a, way.direction, way.max_distance, b);
     typename T::Hit hit{};
-    REQUIRE(C::cast(context, &moving, &along, way.max_distance.raw(), list.data(),
-                    static_cast<std::uint32_t>(list.size()),
-                    &hit) == c::yes_or_no(expected.has_value()));
+    REQUIRE(C::shapes_cast(context, &moving, &along, way.max_distance.raw(), list.data(),
+                           static_cast<std::uint32_t>(list.size()),
+                           &hit) == c::yes_or_no(expected.has_value()));
     if (expected) check_hit(hit, *expected);
     hits.add(expected.has_value());
   }
@@ -175,7 +152,7 @@ struct Case {
                   const typename T::Shape& other, const Sweep<S, N>& sweep, Share& share) const {
     const auto expected = detent::contact(a, b);
     typename T::Manifold found{};
-    REQUIRE(C::contact(context, &one, &other, &found) == c::yes_or_no(expected.has_value()));
+    REQUIRE(C::shapes_contact(context, &one, &other, &found) == c::yes_or_no(expected.has_value()));
     if (expected) {
       REQUIRE(c::Input<N>().direction(found.normal) == expected->normal);
       REQUIRE(found.depth == expected->depth.raw());
@@ -191,7 +168,7 @@ struct Case {
                                    Output<N>::rotation(sweep.end_rotation)};
     const auto meeting = detent::time_of_impact(a, sweep, b, S::from_raw(8));
     detent_impact impact{};
-    REQUIRE(C::time_of_impact(context, &one, &motion, &other, nullptr, 8, &impact) ==
+    REQUIRE(C::shapes_time_of_impact(context, &one, &motion, &other, nullptr, 8, &impact) ==
             c::yes_or_no(meeting.has_value()));
     if (!meeting) return;
     REQUIRE(impact.time == meeting->time.raw());
