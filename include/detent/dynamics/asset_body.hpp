@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "detent/scene/asset_key.hpp"
 #include "detent/scene/assets.hpp"
 #include "detent/scene/bytes.hpp"
 
@@ -39,16 +40,17 @@ template <AssetBody Body, class Assets>
 /// Appends to a digest: id and digest of the asset (zeros for none), translation and rotation.
 template <class D, detail::AssetBody Body>
 constexpr void append(D& digest, const Body& body) noexcept {
-  digest.add(body.asset ? body.asset->id() : std::uint32_t{0},
-             body.asset ? body.asset->digest() : std::uint64_t{0}, body.translation);
+  const detail::AssetKey key(body.asset);
+  digest.add(key.id, key.digest, body.translation);
   if constexpr (requires { body.rotation; }) digest.add(body.rotation);
 }
 
 /// Its fields, for the names of differences: see scene/fields.hpp.
 template <detail::AssetBody Body, class F>
 constexpr void for_each_field(const Body& body, const F& f) {
-  f(detail::asset_names<Body>.id, body.asset ? body.asset->id() : std::uint32_t{0});
-  f(detail::asset_names<Body>.digest, body.asset ? body.asset->digest() : std::uint64_t{0});
+  const detail::AssetKey key(body.asset);
+  f(detail::asset_names<Body>.id, key.id);
+  f(detail::asset_names<Body>.digest, key.digest);
   f("translation", body.translation);
   if constexpr (requires { body.rotation; }) for_each_field(body.rotation, f);
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "detent/scene/asset_key.hpp"
 #include "detent/scene/height_field/asset.hpp"
 #include "detent/scene/height_field/walk.hpp"
 #include "detent/scene/mesh/placed_surface.hpp"
@@ -38,15 +39,16 @@ inline constexpr bool is_placed_surface<PlacedField> = true;
 /// translation.
 template <class D, Scalar S>
 constexpr void append(D& digest, const PlacedField<S>& field) noexcept {
-  digest.add(field.asset ? field.asset->id() : std::uint32_t{0},
-             field.asset ? field.asset->digest() : std::uint64_t{0}, field.translation);
+  const detail::AssetKey key(field.asset);
+  digest.add(key.id, key.digest, field.translation);
 }
 
 /// Its fields in a `Desync`: see fields.hpp.
 template <Scalar S, class F>
 constexpr void for_each_field(const PlacedField<S>& field, const F& f) {
-  f("height field", field.asset ? field.asset->id() : std::uint32_t{0});
-  f("digest of its heights", field.asset ? field.asset->digest() : std::uint64_t{0});
+  const detail::AssetKey key(field.asset);
+  f("height field", key.id);
+  f("digest of its heights", key.digest);
   f("translation", field.translation);
 }
 

@@ -22,6 +22,7 @@
 #include "detent/query/overlaps/sphere_hull.hpp"
 #include "detent/query/overlaps/triangle_hull.hpp"
 #include "detent/query/raycast/hull.hpp"
+#include "detent/scene/asset_key.hpp"
 #include "detent/scene/hull/asset.hpp"
 #include "detent/scene/mesh/surface.hpp"
 #include "detent/scene/put.hpp"
@@ -56,15 +57,16 @@ PlacedHull(const HullAsset<S, N>*, Transform<S, N>) -> PlacedHull<S, N>;
 /// Appends to a digest: id and digest of the hull (zeros for none), and the transform.
 template <class D, Scalar S, int N>
 constexpr void append(D& digest, const PlacedHull<S, N>& hull) noexcept {
-  digest.add(hull.asset ? hull.asset->id() : std::uint32_t{0},
-             hull.asset ? hull.asset->digest() : std::uint64_t{0}, hull.transform);
+  const detail::AssetKey key(hull.asset);
+  digest.add(key.id, key.digest, hull.transform);
 }
 
 /// Its fields in a `Desync`: see fields.hpp.
 template <Scalar S, int N, class F>
 constexpr void for_each_field(const PlacedHull<S, N>& hull, const F& f) {
-  f("hull", hull.asset ? hull.asset->id() : std::uint32_t{0});
-  f("digest of its points", hull.asset ? hull.asset->digest() : std::uint64_t{0});
+  const detail::AssetKey key(hull.asset);
+  f("hull", key.id);
+  f("digest of its points", key.digest);
   for_each_field(hull.transform, f);
 }
 

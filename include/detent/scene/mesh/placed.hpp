@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "detent/scene/asset_key.hpp"
 #include "detent/scene/mesh/asset.hpp"
 #include "detent/scene/mesh/placed_surface.hpp"
 #include "detent/scene/shape_tag.hpp"
@@ -36,15 +37,16 @@ inline constexpr bool is_placed_surface<PlacedMesh> = true;
 /// Appends to a digest: id and digest of the mesh (zeros for none), and the transform.
 template <class D, Scalar S>
 constexpr void append(D& digest, const PlacedMesh<S>& mesh) noexcept {
-  digest.add(mesh.asset ? mesh.asset->id() : std::uint32_t{0},
-             mesh.asset ? mesh.asset->digest() : std::uint64_t{0}, mesh.transform);
+  const detail::AssetKey key(mesh.asset);
+  digest.add(key.id, key.digest, mesh.transform);
 }
 
 /// Its fields in a `Desync`: see fields.hpp.
 template <Scalar S, class F>
 constexpr void for_each_field(const PlacedMesh<S>& mesh, const F& f) {
-  f("mesh", mesh.asset ? mesh.asset->id() : std::uint32_t{0});
-  f("digest of its triangles", mesh.asset ? mesh.asset->digest() : std::uint64_t{0});
+  const detail::AssetKey key(mesh.asset);
+  f("mesh", key.id);
+  f("digest of its triangles", key.digest);
   for_each_field(mesh.transform, f);
 }
 
