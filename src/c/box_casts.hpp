@@ -51,17 +51,12 @@ using c::S;
     const auto hit = c::cast_box(moving.shape, moving.direction, moving.max_distance, shape); \
     return hit ? std::optional(hit->distance) : std::nullopt;                                 \
   }
-#define DETENT_C_BOX_CASTS(N, Box)    \
-  DETENT_C_BOX_CAST(N, Box, Sphere)   \
-  DETENT_C_BOX_CAST(N, Box, Aabb)     \
-  DETENT_C_BOX_CAST(N, Box, Obb)      \
-  DETENT_C_BOX_CAST(N, Box, Plane)    \
-  DETENT_C_BOX_CAST(N, Box, Triangle) \
-  DETENT_C_BOX_CAST(N, Box, Capsule)  \
-  DETENT_C_BOX_CAST(N, Box, PlacedHull)
-DETENT_C_BOX_CASTS(2, Aabb)
-DETENT_C_BOX_CASTS(2, Obb)
-DETENT_C_BOX_CASTS(3, Aabb)
-DETENT_C_BOX_CASTS(3, Obb)
+#define DETENT_C_BOX_CASTS(N, KIND, Shape, name) \
+  DETENT_C_BOX_CAST(N, Aabb, Shape)              \
+  DETENT_C_BOX_CAST(N, Obb, Shape)
+DETENT_C_SCENE_SHAPES(DETENT_C_BOX_CASTS, 2)
+DETENT_C_SCENE_SHAPES(DETENT_C_BOX_CASTS, 3)
+DETENT_C_BOX_CASTS(2, HULL, PlacedHull, placed)
+DETENT_C_BOX_CASTS(3, HULL, PlacedHull, placed)
 
 }  // namespace detent::detail

@@ -161,6 +161,23 @@ struct Output {
   }
 };
 
+/// F(N, KIND, Shape, name) for each kind of shape that scenes hold by value: its constant in C, its
+/// type, and its name in C and in `Input`.
+#define DETENT_C_SCENE_SHAPES(F, N)  \
+  F(N, SPHERE, Sphere, sphere)       \
+  F(N, AABB, Aabb, aabb)             \
+  F(N, OBB, Obb, obb)                \
+  F(N, PLANE, Plane, plane)          \
+  F(N, TRIANGLE, Triangle, triangle) \
+  F(N, CAPSULE, Capsule, capsule)
+/// The same for each kind that a single query takes.
+#define DETENT_C_SHAPES(F, N) DETENT_C_SCENE_SHAPES(F, N) F(N, SEGMENT, Segment, segment)
+
+/// The answer to a query that shapes of this kind do not have.
+[[nodiscard]] constexpr detent_status no_query(std::uint32_t kind) noexcept {
+  return kind >= DETENT_SPHERE && kind <= DETENT_COMPOUND ? DETENT_NO_QUERY : DETENT_BAD_ARGUMENT;
+}
+
 /// Calls f(shape) for one of the kinds that a single query takes, and returns its result.
 template <int N, class F>
 detent_status with_shape(const typename Types<N>::Shape& shape, const F& f) {
@@ -168,25 +185,15 @@ detent_status with_shape(const typename Types<N>::Shape& shape, const F& f) {
   const auto call = [&](const auto& read) -> detent_status {
     return in.is_valid() ? f(read) : DETENT_NOT_UNIT;
   };
+#define DETENT_C_CASE(N, KIND, Shape, name) \
+  case DETENT_##KIND:                       \
+    return call(in.name(shape));
   switch (shape.kind) {
-    case DETENT_SPHERE:
-      return call(in.sphere(shape));
-    case DETENT_AABB:
-      return call(in.aabb(shape));
-    case DETENT_OBB:
-      return call(in.obb(shape));
-    case DETENT_PLANE:
-      return call(in.plane(shape));
-    case DETENT_TRIANGLE:
-      return call(in.triangle(shape));
-    case DETENT_CAPSULE:
-      return call(in.capsule(shape));
-    case DETENT_SEGMENT:
-      return call(in.segment(shape));
+    DETENT_C_SHAPES(DETENT_C_CASE, N)
     default:
-      return shape.kind >= DETENT_POINT && shape.kind <= DETENT_COMPOUND ? DETENT_NO_QUERY
-                                                                         : DETENT_BAD_ARGUMENT;
+      return no_query(shape.kind);
   }
+#undef DETENT_C_CASE
 }
 
 [[nodiscard]] constexpr detent_status yes_or_no(bool yes) noexcept {

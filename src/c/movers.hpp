@@ -163,10 +163,6 @@ struct Movers {
   }
 
  private:
-  static detent_status no_query(std::uint32_t shape) noexcept {
-    return shape >= DETENT_SPHERE && shape <= DETENT_COMPOUND ? DETENT_NO_QUERY
-                                                              : DETENT_BAD_ARGUMENT;
-  }
   /// f(scene, cast, query) for the caller's moving shape.
   template <class F>
   static detent_status along(const detent_context* context, detent_handle scene,

@@ -9,69 +9,40 @@
 // Queries of one shape or two. The exports call the functions of the same names.
 namespace detent::c {
 
-/// The canonical order of the shapes of a distance, which is symmetric, so that each pair is
-/// compiled once.
-template <class T>
-inline constexpr int rank = 0;
-template <int N>
-inline constexpr int rank<Aabb<S, N>> = 1;
-template <int N>
-inline constexpr int rank<Obb<S, N>> = 2;
-template <int N>
-inline constexpr int rank<Plane<S, N>> = 3;
-template <int N>
-inline constexpr int rank<Triangle<S, N>> = 4;
-template <int N>
-inline constexpr int rank<Capsule<S, N>> = 5;
-template <int N>
-inline constexpr int rank<Segment<S, N>> = 6;
+/// The number of a kind of shape. Distances are symmetric: each pair is compiled once, in this order.
+template <class Shape>
+inline constexpr int kind_of = 0;
+#define DETENT_C_KIND(N, KIND, Shape, name) \
+  template <int N>                          \
+  inline constexpr int kind_of<Shape<S, N>> = DETENT_##KIND;
+DETENT_C_SHAPES(DETENT_C_KIND, N)
+#undef DETENT_C_KIND
 
 template <class Shape>
-inline constexpr bool is_segment = rank<Shape> == 6;
+inline constexpr bool is_segment = kind_of<Shape> == DETENT_SEGMENT;
 
 /// Reads a shape whose kind is known.
 template <template <class, int> class Shape, int N>
 [[nodiscard]] Shape<S, N> read(Input<N>& in, const typename Types<N>::Shape& shape) noexcept {
-  if constexpr (std::is_same_v<Shape<S, N>, Sphere<S, N>>) {
-    return in.sphere(shape);
-  } else if constexpr (std::is_same_v<Shape<S, N>, Aabb<S, N>>) {
-    return in.aabb(shape);
-  } else if constexpr (std::is_same_v<Shape<S, N>, Obb<S, N>>) {
-    return in.obb(shape);
-  } else if constexpr (std::is_same_v<Shape<S, N>, Plane<S, N>>) {
-    return in.plane(shape);
-  } else if constexpr (std::is_same_v<Shape<S, N>, Triangle<S, N>>) {
-    return in.triangle(shape);
-  } else if constexpr (std::is_same_v<Shape<S, N>, Capsule<S, N>>) {
-    return in.capsule(shape);
-  } else {
-    return in.segment(shape);
-  }
+#define DETENT_C_READ(N, KIND, Kind, name) \
+  if constexpr (kind_of<Shape<S, N>> == DETENT_##KIND) return in.name(shape);
+  DETENT_C_SHAPES(DETENT_C_READ, N)
+#undef DETENT_C_READ
 }
 
 /// `Ask::of<Shape>(arguments...)` for a kind of shape: separate functions, to which this jumps, so
 /// that a sphere does not pay for the registers and the stack of an OBB.
 template <class Ask, class... Arguments>
 [[gnu::always_inline]] inline detent_status jump(std::uint32_t kind, Arguments... arguments) {
+#define DETENT_C_JUMP(N, KIND, Shape, name) \
+  case DETENT_##KIND:                       \
+    return Ask::template of<Shape>(arguments...);
   switch (kind) {
-    case DETENT_SPHERE:
-      return Ask::template of<Sphere>(arguments...);
-    case DETENT_AABB:
-      return Ask::template of<Aabb>(arguments...);
-    case DETENT_OBB:
-      return Ask::template of<Obb>(arguments...);
-    case DETENT_PLANE:
-      return Ask::template of<Plane>(arguments...);
-    case DETENT_TRIANGLE:
-      return Ask::template of<Triangle>(arguments...);
-    case DETENT_CAPSULE:
-      return Ask::template of<Capsule>(arguments...);
-    case DETENT_SEGMENT:
-      return Ask::template of<Segment>(arguments...);
+    DETENT_C_SHAPES(DETENT_C_JUMP, N)
     default:
-      return kind >= DETENT_POINT && kind <= DETENT_COMPOUND ? DETENT_NO_QUERY
-                                                             : DETENT_BAD_ARGUMENT;
+      return no_query(kind);
   }
+#undef DETENT_C_JUMP
 }
 
 // One function without calls, if space allows: passing a ray on in memory waits for its words to be
@@ -84,7 +55,7 @@ template <class Ask, class... Arguments>
 
 /// Shapes whose overlaps are a few instructions: one more call would cost as much.
 template <class Shape>
-inline constexpr bool is_plain = rank<Shape> <= 1;
+inline constexpr bool is_plain = kind_of<Shape> <= DETENT_AABB;
 
 template <int N>
 struct Queries {
@@ -143,7 +114,7 @@ struct Queries {
       return with_shape<N>(*b, [&](const auto& other) -> detent_status {
         using A = std::remove_cvref_t<decltype(one)>;
         using B = std::remove_cvref_t<decltype(other)>;
-        if constexpr (rank<A> <= rank<B>) {
+        if constexpr (kind_of<A> <= kind_of<B>) {
           *distance = detent::distance(one, other).raw();
         } else {
           *distance = detent::distance(other, one).raw();

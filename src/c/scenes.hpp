@@ -10,19 +10,21 @@
 
 namespace detent::c {
 
+#define DETENT_C_SHAPE(N, KIND, Shape, name) Shape,
 template <int N>
 struct SceneOf;
 template <>
 struct SceneOf<2> {
-  using type = Scene<S, 2, Sphere, Aabb, Obb, Plane, Triangle, Capsule, HullInstance>;
+  using type = Scene<S, 2, DETENT_C_SCENE_SHAPES(DETENT_C_SHAPE, 2) HullInstance>;
   static constexpr Kind kind = Kind::scene2;
 };
 template <>
 struct SceneOf<3> {
-  using type = Scene<S, 3, Sphere, Aabb, Obb, Plane, Triangle, Capsule, HullInstance, MeshInstance,
+  using type = Scene<S, 3, DETENT_C_SCENE_SHAPES(DETENT_C_SHAPE, 3) HullInstance, MeshInstance,
                      FieldInstance>;
   static constexpr Kind kind = Kind::scene3;
 };
+#undef DETENT_C_SHAPE
 
 [[nodiscard]] constexpr detent_status status_of(Restored restored) noexcept {
   switch (restored) {
