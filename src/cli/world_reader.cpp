@@ -126,10 +126,7 @@ class WorldReader : private JsonFields {
                                       " has no mass and does not fall; write \"fixed\" or "
                                       "\"kinematic\"");
     }
-    body.density = maybe_positive(node, "density");
-    body.friction = maybe_positive(node, "friction");
-    body.restitution = maybe_positive(node, "restitution");
-    body.rolling_resistance = maybe_positive(node, "rolling_resistance");
+    read_material(node, body);
     body.linear_damping = maybe_positive(node, "linear_damping");
     body.angular_damping = maybe_positive(node, "angular_damping");
     body.gravity_scale = maybe(node, "gravity_scale");
@@ -146,6 +143,15 @@ class WorldReader : private JsonFields {
     body.is_sensor = truth(node, "sensor");
     body.is_fast = truth(node, "fast");
     return body;
+  }
+
+  /// What a body that is no compound has, or each part of a compound.
+  template <class Model>
+  void read_material(const JsonNode& node, Model& model) const {
+    model.density = maybe_positive(node, "density");
+    model.friction = maybe_positive(node, "friction");
+    model.restitution = maybe_positive(node, "restitution");
+    model.rolling_resistance = maybe_positive(node, "rolling_resistance");
   }
 
   decltype(BodyModel::form) form(const JsonNode& node, const JsonNode& type) const {
@@ -219,13 +225,11 @@ class WorldReader : private JsonFields {
       fail(type, "unknown shape " + in_quotes(type.text) + "; choose from " + known);
     }
     allow({"points", "position", "rotation"});
-    HullModel hull{{}, point_of("0", "0", "0"), rotation(find(node, "rotation"))};
+    HullModel hull{{}, {}, rotation(find(node, "rotation"))};
     for (const JsonNode& corner : need(node, "points", Kind::array, owner).items) {
       hull.points.push_back(point(corner, "a point of the hull"));
     }
-    if (const JsonNode* const position = find(node, "position")) {
-      hull.position = point(*position, "position");
-    }
+    hull.position = position_of(node);
     return hull;
   }
 
@@ -252,10 +256,7 @@ class WorldReader : private JsonFields {
                        {"density", "friction", "restitution", "rolling_resistance", "sensor"});
             allow_keys(item, "the " + type.text, all);
           });
-      part.density = maybe_positive(item, "density");
-      part.friction = maybe_positive(item, "friction");
-      part.restitution = maybe_positive(item, "restitution");
-      part.rolling_resistance = maybe_positive(item, "rolling_resistance");
+      read_material(item, part);
       part.is_sensor = truth(item, "sensor");
       compound.parts.push_back(std::move(part));
     }
