@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "detent/number/require_cxx20.hpp"
+
 namespace detent::detail {
 
 /// What stands for an asset in digests and differences: its id and digest, zeros for none.
