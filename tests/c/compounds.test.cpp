@@ -57,9 +57,7 @@ struct Pair : WorldTwins<N> {
     Out::shape(
         given[1].shape,
         Obb{vec<N>(one / 4, 0), make_vec<N>([](int) { return raw(one / 4); }), Rotation<S, N>()});
-    given[2].shape.kind = DETENT_HULL;
-    given[2].shape.asset = solid_handle;
-    given[2].shape.as.placed = Out::transform({vec<N>(one, one / 8), {}, S(1)});
+    given[2].shape = this->placed(DETENT_HULL, solid_handle, vec<N>(one, one / 8));
     Out::shape(given[3].shape, Capsule{vec<N>(0, one), vec<N>(one, one), raw(one / 4)});
     given[3].is_sensor = 1;
     REQUIRE(C::compound_create(&context, 9, given.data(), 4, &handle) == DETENT_OK);
