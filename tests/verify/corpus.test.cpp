@@ -152,7 +152,7 @@ TEST_CASE("corpus: its parts make up the whole, in order") {
   CHECK(sheet_count == sheets().size());
 }
 
-// Answering the full corpus takes half a minute: one case has two purposes.
+// Answering the full corpus takes long: one case has two purposes.
 TEST_CASE(
     "corpus: between 30 and 70 percent of the answers are yes, for every query and size, and the "
     "full size gives its golden digests") {
