@@ -380,8 +380,19 @@ std::string golden_array(const std::string& name, const std::vector<std::uint64_
   return text + "};\n";
 }
 
-/// src/verify/golden.hpp for this program's results.
-std::string golden_header(int threads) {
+/// The digest of the questions of each sheet.
+std::vector<std::uint64_t> question_digests(int threads) {
+  std::vector<std::uint64_t> digests(sheets().size());
+  for_each_index({threads, ""}, static_cast<int>(digests.size()), [&](int index) {
+    const auto sheet = static_cast<std::size_t>(index);
+    digests[sheet] = verify::digest_of_questions(sheet, verify::full_size);
+  });
+  return digests;
+}
+
+/// src/verify/golden.hpp for these answers to the full corpus, and this program's to the others.
+std::string golden_header(const std::vector<Row>& full, const std::vector<std::uint64_t>& questions,
+                          int threads) {
   std::string text =
       "// SPDX-License-Identifier: MIT\n"
       "#pragma once\n"
@@ -397,36 +408,33 @@ std::string golden_header(int threads) {
       "\n"
       "inline constexpr int results_version = " +
       std::to_string(results_version) + ";\n";
-  const auto add = [&](const char* name, std::uint32_t size) {
-    auto rows = chosen_rows("");
-    answer(rows, size, false, threads);
+  const auto add = [&](const char* name, const std::vector<Row>& rows) {
     std::vector<std::uint64_t> digests;
     for (const Row& row : rows) {
       for (const Cell& cell : row.cells) digests.push_back(cell.answers.digest);
     }
     text += "\n" + golden_array(name, digests);
   };
-  add("full", verify::full_size);
-  add("small", verify::small_size);
-  add("constant", verify::constant_size);
-  std::vector<std::uint64_t> questions;
-  for (std::size_t i = 0; i < sheets().size(); ++i) {
-    questions.push_back(verify::digest_of_questions(i, verify::full_size));
-  }
+  const auto add_answers = [&](const char* name, std::uint32_t size) {
+    auto rows = chosen_rows("");
+    answer(rows, size, false, threads);
+    add(name, rows);
+  };
+  add("full", full);
+  add_answers("small", verify::small_size);
+  add_answers("constant", verify::constant_size);
   text += "\n// Of the questions themselves.\n" + golden_array("questions", questions);
   return text + "\n}  // namespace detent::verify::golden\n";
 }
 
 /// A line per row: this version's results, and the digest of the questions.
-std::string results(const std::vector<Row>& rows) {
+std::string results(const std::vector<Row>& rows, const std::vector<std::uint64_t>& questions) {
   std::string text;
   for (const Row& row : rows) {
-    Digest questions;
-    for (const Cell& cell : row.cells) {
-      questions.add(verify::digest_of_questions(cell.sheet, verify::full_size));
-    }
-    text += std::to_string(results_version) + " " + row.name + " " + digits(questions.value()) +
-            " " + digits(row.digest()) + "\n";
+    Digest asked;
+    for (const Cell& cell : row.cells) asked.add(questions[cell.sheet]);
+    text += std::to_string(results_version) + " " + row.name + " " + digits(asked.value()) + " " +
+            digits(row.digest()) + "\n";
   }
   return text;
 }
@@ -434,17 +442,16 @@ std::string results(const std::vector<Row>& rows) {
 }  // namespace
 
 bool verify(const VerifyOptions& options) {
-  if (options.golden) {
-    print(golden_header(options.threads));
+  if (options.golden || options.results) {
+    auto rows = chosen_rows(options.golden ? "" : options.only);
+    answer(rows, verify::full_size, false, options.threads);
+    const auto questions = question_digests(options.threads);
+    if (options.golden) print(golden_header(rows, questions, options.threads));
+    if (options.results) print(results(rows, questions));
     return true;
   }
   const auto size = options.small ? verify::small_size : verify::full_size;
   auto rows = chosen_rows(options.only);
-  if (options.results) {
-    answer(rows, verify::full_size, false, options.threads);
-    print(results(rows));
-    return true;
-  }
   if (verify::golden::results_version != results_version) {
     throw InputError("src/verify/golden.hpp", {},
                      "holds version " + std::to_string(verify::golden::results_version) +

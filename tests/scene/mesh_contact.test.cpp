@@ -83,7 +83,7 @@ void visit_places(const Visit& visit) {
 }
 
 TEMPLATE_TEST_CASE("mesh contacts: a tessellated plane gives only the plane's normal", "[mesh]",
-                   q16_16, q8_8) {
+                   DETENT_SLOW_SCALARS) {
   using S = TestType;
   for (const auto facing : {Facing::both, Facing::front}) {
     for (const auto& sides : {std::pair{std::array{0, 0, 2}, std::array{2, 0, 0}},
@@ -119,7 +119,7 @@ TEMPLATE_TEST_CASE("mesh contacts: a tessellated plane gives only the plane's no
 }
 
 TEMPLATE_TEST_CASE("mesh contacts: over a ridge the normal turns from one side to the other",
-                   "[mesh]", q16_16, q8_8) {
+                   "[mesh]", DETENT_SLOW_SCALARS) {
   using S = TestType;
   Triangles<S> triangles;
   add_sheet<S>(triangles, {-8, -8, -4}, {0, 0, 2}, {2, 2, 0}, 4);
@@ -148,7 +148,7 @@ TEMPLATE_TEST_CASE("mesh contacts: over a ridge the normal turns from one side t
 }
 
 TEMPLATE_TEST_CASE("mesh contacts: a valley gives the normals of both sides and no other", "[mesh]",
-                   q16_16, q8_8) {
+                   DETENT_SLOW_SCALARS) {
   using S = TestType;
   Triangles<S> triangles;
   add_sheet<S>(triangles, {-8, 8, -4}, {0, 0, 2}, {2, -2, 0}, 4);
@@ -177,7 +177,7 @@ TEMPLATE_TEST_CASE("mesh contacts: a valley gives the normals of both sides and 
 }
 
 TEMPLATE_TEST_CASE("mesh contacts: the walls of a box do not push what lies on its top", "[mesh]",
-                   q16_16, q8_8) {
+                   DETENT_SLOW_SCALARS) {
   using S = TestType;
   Triangles<S> triangles;
   add_sheet<S>(triangles, {-2, 0, -2}, {0, 0, 2}, {2, 0, 0}, 2);  // top
@@ -198,8 +198,8 @@ TEMPLATE_TEST_CASE("mesh contacts: the walls of a box do not push what lies on i
   CHECK(beyond.front().contact.normal[0] > 0);
 }
 
-TEMPLATE_TEST_CASE("mesh contacts: a height field pushes up what is below it", "[mesh]", q16_16,
-                   q8_8) {
+TEMPLATE_TEST_CASE("mesh contacts: a height field pushes up what is below it", "[mesh]",
+                   DETENT_SLOW_SCALARS) {
   using S = TestType;
   Random random(0xf1e1d);
   std::vector<S> heights(81);
@@ -222,7 +222,7 @@ TEMPLATE_TEST_CASE("mesh contacts: a height field pushes up what is below it", "
 }
 
 TEMPLATE_TEST_CASE("mesh contacts: sorted, counted, and complete where the shape touches", "[mesh]",
-                   q16_16, q8_8) {
+                   DETENT_SLOW_SCALARS) {
   using S = TestType;
   HitRate rate;
   for_meshes<S>(0xc0de, 8, [&](MeshKind kind, const auto& triangles, auto, auto& draw) {

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# usage: planted_fault.sh LIBRARY ORACLE COMPILER [FLAG...]
+# usage: planted_fault.sh LIBRARY ORACLE CROSSING COMPILER [FLAG...]
 # A copy of the library sometimes returns one wrong bit in a ray query and in a point query. `detent
 # verify` must name the queries, scalars, dimensions and questions. LIBRARY has the rest of the
-# command, ORACLE its judge.
+# command, ORACLE and CROSSING its judge.
 set -euo pipefail
 
-library=$1 oracle=$2
-shift 2
+libraries=("${@:1:3}")
+shift 3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/src"
@@ -63,7 +63,7 @@ for part in SolidRays RoundPoints; do
 done
 "$@" -std=c++20 -O1 -I"$work/include" -I"$work/src" -Isrc/cli -Itests -Itests/verify \
   tests/verify/planted_fault.cpp src/cli/verify.cpp "$work/src/verify/sheets.cpp" \
-  "$work"/{SolidRays,RoundPoints}.cpp "$library" "$oracle" -pthread -o "$work/faulty"
+  "$work"/{SolidRays,RoundPoints}.cpp "${libraries[@]}" -pthread -o "$work/faulty"
 
 status=0
 "$work/faulty" >"$work/printed" || status=$?
