@@ -78,8 +78,7 @@ template <Scalar S, class A, class B, class Reached, Number C, Number U>
     const A& a, const B& b, const Reached& reached, const std::array<Vec<C, 3>, 3>& corners,
     const Vec<U, 3>& normal) noexcept {
   return with_differences(
-      b.low() - a.high(), b.high() - a.low(),
-      [&]<Number T>(const T&) -> std::optional<Vec<S, 3>> {
+      b.low() - a.high(), b.high() - a.low(), [&]<Number T>(const T&) -> std::optional<Vec<S, 3>> {
         // Corners of the differences of `a`, where it is now, and `b`; so their edges fit too.
         const auto at = [&](std::size_t k) { return narrow<bits_of<T>>(corners[k] - reached); };
         const std::array now{at(0), at(1), at(2)};

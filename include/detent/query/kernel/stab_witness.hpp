@@ -57,7 +57,7 @@ class StabWitness {
 
   struct Entry {
     S distance;
-    Normal normal;                // of the face, along the motion
+    Normal normal;                  // of the face, along the motion
     std::array<Corner, 3> corners;  // three of the differences, on the face
   };
 
