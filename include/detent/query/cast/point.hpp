@@ -102,8 +102,8 @@ template <class Body, Scalar S, int N>
   return SweptBody<Body, Offset, 0>(body, 0, offset, offset);
 }
 
-/// The point of a plane closest to the body `a`, which is on one side of it: the foot of the
-/// closest corner; ties go to the least one.
+/// The point of a plane closest to the body `a`, which is on one side of it or touches it: the foot
+/// of the closest corner; ties go to the least one.
 template <class A, Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point_of_plane(const A& a,
                                                          const Plane<S, N>& plane) noexcept {
@@ -111,8 +111,10 @@ template <class A, Scalar S, int N>
   const auto from = a.some();
   constexpr int bits = bits_of<std::remove_cvref_t<decltype(from.x)>> + 1;
   const auto height = [&](const auto& corner) { return dot(n, corner) - plane.offset; };
-  const bool is_above = height(from) > 0;
-  auto nearest = a.template extreme<bits>(n, from, !is_above);
+  const auto lowest = a.template extreme<bits>(n, from, false);
+  const auto highest = a.template extreme<bits>(n, from, true);
+  const bool is_above = height(lowest) + height(highest) > 0;
+  auto nearest = is_above ? lowest : highest;
   a.template for_each_extreme<bits>(n, from, !is_above, [&](const auto& corner) {
     if (is_before(corner, nearest)) nearest = corner;
   });
