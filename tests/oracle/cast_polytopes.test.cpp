@@ -12,6 +12,8 @@ void examine_polytopes(std::uint64_t seed, long count) {
   exam.template examine<Obb<S, N>, Obb<S, N>>(count);
   exam.template examine<Obb<S, N>, Segment<S, N>>(count);
   exam.template examine<Triangle<S, N>, ConvexHull<S, N>>(count);
+  exam.template examine<Obb<S, N>, ConvexHull<S, N>>(count);
+  exam.template examine<ConvexHull<S, N>, ConvexHull<S, N>>(count);
   exam.template examine<Segment<S, N>, Segment<S, N>>(count);
   exam.template examine<ConvexHull<S, N>, Plane<S, N>>(count);
   exam.finish();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "detent/math/vec.hpp"
+#include "detent/number/filter/filtered.hpp"
 
 namespace detent {
 
@@ -41,10 +42,13 @@ template <int Bits, Number T, int N>
 /// f(x...), computed in narrower integers if all operands, numbers or vectors, fit `Bits`.
 ///
 /// A formula that needs 256 bits for the whole domain needs 128 for operands of ordinary size. `f`
-/// is exact in both, so the width only changes the time.
+/// is exact in both, so the width only changes the time; where code must be small, it is compiled
+/// for the whole domain alone.
 template <int Bits, class F, class... Operands>
 [[nodiscard]] constexpr auto by_width(const F& f, const Operands&... x) noexcept {
-  if ((fits<Bits>(x) && ...)) return f(detail::at_most<Bits>(x)...);
+  if constexpr (has_filters) {
+    if ((fits<Bits>(x) && ...)) return f(detail::at_most<Bits>(x)...);
+  }
   return f(x...);
 }
 

@@ -16,6 +16,16 @@ TEST_CASE("cast: the distance of a box to a triangle is rounded down", "[cast]")
   CHECK(hit->normal == toward<S, 3>(-1, -1, -1));
 }
 
+TEST_CASE("cast: a corner that lands exactly on a plane is the closest one", "[cast]") {
+  using S = q16_16;
+  const auto down = toward<S, 3>(0, 0, -1);
+  const Triangle<S, 3> roof{at<S, 3>(1, 2, 3), at<S, 3>(5, 4, 6), at<S, 3>(-4, 7, 8)};
+  CHECK(cast(roof, down, num<S>(9), Plane<S, 3>{-down, S(0)}) ==
+        CastHit<S, 3>{num<S>(3), at<S, 3>(1, 2, 0), -down});
+  CHECK(cast(roof, -down, num<S>(9), Plane<S, 3>{-down, num<S>(9)}) ==
+        CastHit<S, 3>{num<S>(1), at<S, 3>(-4, 7, 9), down});
+}
+
 TEST_CASE("cast: among several closest points of the target, the least is returned", "[cast]") {
   using S = q16_16;
   const Aabb<S, 3> floor{at<S, 3>(-9, -9, -1), at<S, 3>(9, 9, 0)};

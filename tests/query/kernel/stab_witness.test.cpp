@@ -92,6 +92,17 @@ void compare_many(std::int64_t reach, std::int64_t grid, Axes axes, int asked, C
     }
     compare(detail::AabbBody(low, high), b, *direction, limit, count);
     compare(detail::HullBody(std::array{p, q}), triangle, *direction, limit, count);
+    std::array<Vec<S, 3>, 33> points;
+    for (auto& corner : points) corner = nearest_to<S>(point() + first.center);
+    const auto hull = [&](std::size_t corners) {
+      return detail::HullBody(ConvexHull<S, 3>{std::span(points).first(corners)});
+    };
+    compare(hull(1 + static_cast<std::size_t>(i) % 32), b, *direction, limit, count);
+    compare(hull(8), triangle, *direction, limit, count);
+    compare(detail::HullBody(std::array{q}), hull(12), *direction, limit, count);
+    Count many;
+    compare(hull(33), b, *direction, limit, many);
+    CHECK(many.sure.percent() == 0);
   }
 }
 

@@ -105,9 +105,10 @@ requires detail::HaveCast<A, B>
   const auto touch = detail::first_touch<true>(shape, direction, max_distance, target);
   if (!touch) return std::nullopt;
   if (!touch->normal) return CastHit<S, N>{S(0), detail::first_point(shape), -direction};
-  return CastHit<S, N>{touch->distance,
-                       detail::closest_point_of_target(shape, target, direction, touch->distance),
-                       *touch->normal};
+  const auto point =
+      touch->point ? *touch->point
+                   : detail::closest_point_of_target(shape, target, direction, touch->distance);
+  return CastHit<S, N>{touch->distance, point, *touch->normal};
 }
 
 /// `cast(question.shape, question.direction, question.max_distance, target)`.

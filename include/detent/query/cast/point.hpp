@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -18,6 +22,27 @@
 // The point of a target closest to a moved shape. The moved pose is exact on a finer grid.
 
 namespace detent::detail {
+
+/// The corners of `b` and `a` that are closest if v leads straight from `a` to `b`, relative to a
+/// corner of `a`: its grid is the finer one. `u` is v in a narrower type, times a power of two.
+template <Number Corner, class A, class B, Number U, Number V, int N>
+[[nodiscard]] constexpr auto closest_features(const A& a, const B& b, const Vec<U, N>& u,
+                                              const Vec<V, N>& v) noexcept {
+  const auto origin = a.some();
+  return std::pair{extreme_corners<Corner>(b, u, v, false, origin),
+                   extreme_corners<Corner>(a, u, v, true, origin)};
+}
+
+/// The point of `b`, grown by `radius`, that `closest_features` have in common along v.
+template <Scalar S, class A, class Features, Number V, int N>
+[[nodiscard]] constexpr Vec<S, N> point_of_features(const A& a, const Features& features,
+                                                    const Vec<V, N>& v, const S& radius) noexcept {
+  const auto origin = a.some();
+  return least_common_point(features.first, features.second, [&](const auto& p, const auto&) {
+    return nearly_rounded_beyond(RationalPoint{origin * p.under + p.over, p.under}, radius,
+                                 narrow_negative(v));
+  });
+}
 
 /// The point of the body `b`, grown by `radius`, closest to `a`, neither moving. If they share a
 /// point, the one that `common_point` chooses.
@@ -37,21 +62,48 @@ template <Scalar S, class A, class B, int N = A::dimension>
     } else {
       // Differences between the bodies fit T, and those within a body twice as much.
       using Corner = std::remove_cvref_t<decltype(T() + T())>;
-      const auto origin = a.some();  // the grid of the moved body is the finer one
-      const auto features = with_direction(feature, [&](const auto& u) {
-        return std::pair{extreme_corners<Corner>(b, u, v, false, origin),
-                         extreme_corners<Corner>(a, u, v, true, origin)};
-      });
-      return least_common_point(features.first, features.second, [&](const auto& p, const auto&) {
-        return nearly_rounded_beyond(RationalPoint{origin * p.under + p.over, p.under}, radius,
-                                     narrow_negative(v));
-      });
+      const auto features = with_direction(
+          feature, [&](const auto& u) { return closest_features<Corner>(a, b, u, v); });
+      return point_of_features(a, features, v, radius);
     }
   });
 }
 
-/// The point of a plane closest to the body `a`, which is on one side of it: the foot of the
-/// closest corner; ties go to the least one.
+/// The point of the body `b` closest to `a`, given three `corners` of a face of their differences
+/// before `a` moved by `reached`, and the normal of that face. Nothing unless the face is in front
+/// of `a`, and `reached` is straight over the corners' triangle; then the bodies are closest along
+/// the normal.
+template <Scalar S, class A, class B, class Reached, Number C, Number U>
+[[nodiscard]] constexpr std::optional<Vec<S, 3>> point_under_face(
+    const A& a, const B& b, const Reached& reached, const std::array<Vec<C, 3>, 3>& corners,
+    const Vec<U, 3>& normal) noexcept {
+  return with_differences(
+      b.low() - a.high(), b.high() - a.low(), [&]<Number T>(const T&) -> std::optional<Vec<S, 3>> {
+        // Corners of the differences of `a`, where it is now, and `b`; so their edges fit too.
+        const auto at = [&](std::size_t k) { return narrow<bits_of<T>>(corners[k] - reached); };
+        const std::array now{at(0), at(1), at(2)};
+        using Cross = std::remove_cvref_t<decltype(cross(now[0] - now[1], now[0] - now[1]).x)>;
+        const auto v = narrow<(std::min)(bits_of<U>, bits_of<Cross>)>(normal);
+        if (!(dot(v, now[0]) > 0)) return std::nullopt;
+        for (std::size_t k = 0; k < 3; ++k) {
+          if (dot(v, cross(now[k], now[(k + 1) % 3])) < 0) return std::nullopt;
+        }
+        using Corner = std::remove_cvref_t<decltype(T() + T())>;
+        return point_of_features(a, closest_features<Corner>(a, b, v, v), v, S(0));
+      });
+}
+
+/// `body`, moved along `direction`.
+template <class Body, Scalar S, int N>
+[[nodiscard]] constexpr auto moved_body(const Body& body, const Direction<S, N>& direction,
+                                        const S& distance) noexcept {
+  const auto offset = direction.vec() * distance;
+  using Offset = std::remove_cvref_t<decltype(offset.x)>;
+  return SweptBody<Body, Offset, 0>(body, 0, offset, offset);
+}
+
+/// The point of a plane closest to the body `a`, which is on one side of it or touches it: the foot
+/// of the closest corner; ties go to the least one.
 template <class A, Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point_of_plane(const A& a,
                                                          const Plane<S, N>& plane) noexcept {
@@ -59,8 +111,10 @@ template <class A, Scalar S, int N>
   const auto from = a.some();
   constexpr int bits = bits_of<std::remove_cvref_t<decltype(from.x)>> + 1;
   const auto height = [&](const auto& corner) { return dot(n, corner) - plane.offset; };
-  const bool is_above = height(from) > 0;
-  auto nearest = a.template extreme<bits>(n, from, !is_above);
+  const auto lowest = a.template extreme<bits>(n, from, false);
+  const auto highest = a.template extreme<bits>(n, from, true);
+  const bool is_above = height(lowest) + height(highest) > 0;
+  auto nearest = is_above ? lowest : highest;
   a.template for_each_extreme<bits>(n, from, !is_above, [&](const auto& corner) {
     if (is_before(corner, nearest)) nearest = corner;
   });
@@ -160,9 +214,7 @@ template <class A, class B, Scalar S, int N>
         if (const auto point = witness.closest_point(distance)) return *point;
       }
     }
-    const auto offset = direction.vec() * distance;
-    using Offset = std::remove_cvref_t<decltype(offset.x)>;
-    const SweptBody<std::remove_cvref_t<decltype(body)>, Offset, 0> moved(body, 0, offset, offset);
+    const auto moved = moved_body(body, direction, distance);
     if constexpr (is_kind<CoreB, Plane>) {
       return closest_point_of_plane(moved, b);
     } else {

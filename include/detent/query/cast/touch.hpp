@@ -7,6 +7,7 @@
 
 #include "detent/number/quadratic.hpp"
 #include "detent/query/cast/motion.hpp"
+#include "detent/query/cast/point.hpp"
 #include "detent/query/kernel/approach.hpp"
 #include "detent/query/kernel/clip.hpp"
 #include "detent/query/kernel/differences.hpp"
@@ -18,12 +19,13 @@
 
 namespace detent::detail {
 
-/// How far a shape moves before it touches a target, and the normal there, unless they share a
-/// point at the start.
+/// How far a shape moves before it touches a target, the normal there, unless they share a point at
+/// the start, and the target's point if it is known.
 template <Scalar S, int N>
 struct Touch {
   S distance;
   std::optional<Direction<S, N>> normal;
+  std::optional<Vec<S, N>> point{};
 };
 
 /// The path of a body, clipped to the times at which its box, grown by `radius`, meets the box
@@ -80,16 +82,22 @@ template <bool WithNormal, bool HasFilter, class A, class B, class Way, class To
   const auto outward = [&](const auto& normal) {
     return -direction_of<S>(to_world(normal)).value_or(direction);
   };
-  if constexpr (HasFilter && filter_pays<S> && N == 3 && HasFewCorners<A> && HasFewCorners<B>) {
+  if constexpr (HasFilter && filter_pays<S> && N == 3) {
     const auto steps = make_vec<N>([&](int i) { return way[i]; });
     using Component = std::remove_cvref_t<decltype(steps.x)>;
     const auto decided = StabWitness<A, B, Component, S>(a, b, steps).entry(limit);
     if (decided.is_sure) {
       if (!decided.value) return std::nullopt;
-      Touch<S, N> touch{decided.value->distance, std::nullopt};
-      if constexpr (WithNormal) touch.normal = outward(decided.value->normal);
+      const auto& entry = *decided.value;
+      Touch<S, N> touch{entry.distance, std::nullopt};
+      if constexpr (WithNormal) touch.normal = outward(entry.normal);
+      if constexpr (WithNormal && std::is_same_v<ToWorld, SameFrame>) {
+        touch.point = point_under_face<S>(moved_body(a, direction, entry.distance), b,
+                                          steps * entry.distance, entry.corners, entry.normal);
+      }
       return touch;
     }
+    if (bodies_overlap(a, b)) return Touch<S, N>{S(0), std::nullopt};
   }
   const auto points = differences(a, b);
   using Point = std::remove_cvref_t<decltype(points[0])>;

@@ -46,7 +46,7 @@ template <class Wide, Number T, int N>
 /// they fit.
 template <class Normal, Number T, int N, class F>
 [[nodiscard]] constexpr auto with_normal(const Vec<T, N>& v, const F& f) noexcept {
-  if constexpr (is_fixed<T>) {
+  if constexpr (is_fixed<T> && has_filters) {
     using Short = Fixed<61, 0>;
     if (fits<Short::bits>(v)) {
       return f(make_vec<N>([&](int i) {

@@ -22,10 +22,23 @@
 
 namespace detent::detail {
 
-/// Whether the corners of a body are an array: of a box, a triangle, a segment or a point.
-template <class Body>
-concept HasFewCorners = requires(const Body& body) {
-  std::tuple_size<std::remove_cvref_t<decltype(body.corners())>>::value;
+/// The rounded corners of a hull.
+template <class Corner>
+class ShortCorners {
+ public:
+  static constexpr std::size_t capacity = 32;
+
+  explicit constexpr ShortCorners(std::size_t count) noexcept : count_(count) {}
+
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return count_; }
+  [[nodiscard]] constexpr Corner& operator[](std::size_t i) noexcept { return corners_[i]; }
+  [[nodiscard]] constexpr const Corner& operator[](std::size_t i) const noexcept {
+    return corners_[i];
+  }
+
+ private:
+  std::array<Corner, capacity> corners_{};
+  std::size_t count_;
 };
 
 /// Where a ray from 0 along `way` enters the differences of the bodies `a`, moving along `way`, and
@@ -44,18 +57,21 @@ class StabWitness {
 
   struct Entry {
     S distance;
-    Normal normal;  // of the face, along the motion
+    Normal normal;                  // of the face, along the motion
+    std::array<Corner, 3> corners;  // three of the differences, on the face
   };
 
   /// The entry, or nothing if there is none within `limit`. Unsure if the bodies share a point at
-  /// the start, or if the ray meets no interior point of the face's triangle.
+  /// the start, if the ray meets no interior point of the face's triangle, or if a hull has too many
+  /// corners.
   [[nodiscard]] constexpr Decided<std::optional<Entry>> entry(const S& limit) const noexcept {
     constexpr Decided<std::optional<Entry>> unsure{std::nullopt, false};
+    if (!has_few_corners(a_) || !has_few_corners(b_)) return unsure;
     const Corner low = b_.low() - a_.high(), high = b_.high() - a_.low();
     const int dropped = (std::max)((std::max)(length_of(low), length_of(high)) - end_bits, 0);
     const auto from = a_.some();
-    const auto rough_a = rough_corners(a_.corners(), dropped, from);
-    const auto rough_b = rough_corners(b_.corners(), dropped, from);
+    const auto rough_a = rough_corners(a_, dropped, from);
+    const auto rough_b = rough_corners(b_, dropped, from);
     const Differences<decltype(rough_a), decltype(rough_b)> points(rough_a, rough_b);
     const auto way = shortened<Rough::bits>(way_);
     using RoughWay = std::remove_cvref_t<decltype(way)>;
@@ -96,11 +112,31 @@ class StabWitness {
     return length;
   }
 
+  template <class Body>
+  static constexpr bool is_array = requires(const Body& body) {
+    std::tuple_size<std::remove_cvref_t<decltype(body.corners())>>::value;
+  };
+  template <class Body>
+  [[nodiscard]] static constexpr bool has_few_corners(const Body& body) noexcept {
+    if constexpr (is_array<Body>) {
+      return true;
+    } else {
+      return body.corners().size() <= ShortCorners<RoughCorner>::capacity;
+    }
+  }
+
   /// The corners relative to `from`, in steps of 2^dropped of `Component`.
-  template <class Corners, class From>
-  [[nodiscard]] static constexpr auto rough_corners(const Corners& corners, int dropped,
+  template <class Body, class From>
+  [[nodiscard]] static constexpr auto rough_corners(const Body& body, int dropped,
                                                     const From& from) noexcept {
-    std::array<RoughCorner, std::tuple_size_v<Corners>> result{};
+    const auto& corners = body.corners();
+    auto result = [&] {
+      if constexpr (is_array<Body>) {
+        return std::array<RoughCorner, std::tuple_size_v<std::remove_cvref_t<decltype(corners)>>>{};
+      } else {
+        return ShortCorners<RoughCorner>(corners.size());
+      }
+    }();
     for (std::size_t k = 0; k < result.size(); ++k) {
       const auto offset = corners[k] - from;
       result[k] = make_vec<3>([&](int i) {
@@ -130,8 +166,8 @@ class StabWitness {
   [[nodiscard]] constexpr Decided<std::optional<Entry>> face(const std::array<Index, 3>& indices,
                                                              const S& limit) const noexcept {
     constexpr Decided<std::optional<Entry>> unsure{std::nullopt, false};
-    const auto corners_a = a_.corners();
-    const auto corners_b = b_.corners();
+    const auto& corners_a = a_.corners();
+    const auto& corners_b = b_.corners();
     std::array<Corner, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
       corners[k] = corners_b[indices[k].b] - corners_a[indices[k].a];
@@ -148,7 +184,7 @@ class StabWitness {
     if (!is_extreme(a_, corners_a, indices[0].a, normal, true)) return unsure;
     const auto distance = floor_within(Fraction{height, speed}, limit);
     if (!distance) return {std::nullopt, true};
-    return {Entry{*distance, normal}, true};
+    return {Entry{*distance, normal, corners}, true};
   }
 
   /// Whether no corner is farther along `v`, or less far if not `farthest`.
