@@ -81,6 +81,22 @@ TEMPLATE_TEST_CASE("lanes: masks are those of every single comparison", "", std:
   }
 }
 
+TEMPLATE_TEST_CASE("lanes: packing keeps the marked lanes in order", "", ArrayLanes<std::uint32_t>,
+                   VectorLanes<std::uint32_t>) {
+  Random random(0x9ac4);
+  for (std::uint32_t mask = 0; mask < 256; ++mask) {
+    std::array<std::uint32_t, lane_count> numbers{}, packed{};
+    for (auto& x : numbers) x = static_cast<std::uint32_t>(random.next());
+    std::size_t count = 0;
+    std::array<std::uint32_t, lane_count> expected{};
+    for (std::size_t k = 0; k < lane_count; ++k) {
+      if ((mask >> k & 1) != 0) expected[count++] = numbers[k];
+    }
+    REQUIRE(TestType(numbers).pack(mask, packed.data()) == count);
+    for (std::size_t k = 0; k < count; ++k) REQUIRE(packed[k] == expected[k]);
+  }
+}
+
 #if defined(__GNUC__)
 TEST_CASE("lanes: the box around three points, and its middle") {
   Random random(0x3b0c5);

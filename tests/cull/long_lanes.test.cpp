@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "detent/cull/long_lanes.hpp"
 
+#include <algorithm>
+
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
@@ -59,6 +61,20 @@ TEST_CASE("long lanes: products and shifts are those of integers") {
       REQUIRE(product[k] == std::int64_t{half(x[k])} * half(y[k]));
       REQUIRE(above[k] == (x[k] > y[k] ? -1 : 0));
     }
+  }
+}
+
+TEMPLATE_TEST_CASE("long lanes: the least lane, and the signs", "", ArrayLongLanes, LongLanes) {
+  Random random(0x10aa);
+  for (int i = 0; i < 5'000; ++i) {
+    auto x = draw(random);
+    for (auto& word : x) word = random.one_in(4) ? x[1] : random.coin() ? -word : word;
+    const auto least = *std::min_element(x.begin(), x.end());
+    for (const auto word : TestType(x).least().words()) REQUIRE(word == least);
+    for (std::size_t k = 0; k < count; ++k) {
+      REQUIRE((TestType(x).signs() >> k & 1) == (x[k] < 0 ? 1 : 0));
+    }
+    REQUIRE(TestType(x).signs() < 16);
   }
 }
 

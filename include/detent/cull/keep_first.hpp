@@ -32,6 +32,15 @@ constexpr void keep_first(std::span<Item> kept, std::size_t seen, const Item& it
 template <class Item>
 constexpr void sort_kept(std::span<Item> kept, std::size_t seen) noexcept {
   const auto items = kept.first((std::min)(seen, kept.size()));
+  if (items.size() <= 12) {  // a heap takes longer
+    for (std::size_t i = 1; i < items.size(); ++i) {
+      const Item item = items[i];
+      std::size_t place = i;
+      for (; place > 0 && item < items[place - 1]; --place) items[place] = items[place - 1];
+      items[place] = item;
+    }
+    return;
+  }
   if (seen < kept.size()) std::make_heap(items.begin(), items.end());
   std::sort_heap(items.begin(), items.end());
 }

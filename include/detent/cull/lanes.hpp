@@ -71,6 +71,15 @@ class ArrayLanes {
     return bits;
   }
   constexpr void store(std::array<T, lane_count>& to) const noexcept { to = numbers_; }
+  /// Writes the lanes whose bits are set in `mask`, in order, and returns how many there are. `to` has
+  /// room for all lanes; what follows those written is unspecified.
+  constexpr std::size_t pack(std::uint32_t mask, T* to) const noexcept {
+    std::size_t count = 0;
+    for (; mask != 0; mask &= mask - 1) {
+      to[count++] = numbers_[static_cast<std::size_t>(std::countr_zero(mask))];
+    }
+    return count;
+  }
 
   /// A mark for each lane.
   class Marks {
@@ -112,6 +121,20 @@ template <class T, std::size_t Bytes>
 struct VectorOf {
   typedef T type __attribute__((vector_size(Bytes)));
 };
+
+#if defined(__AVX2__)
+/// For each mask the places of its bits, lowest first, one per byte.
+inline constexpr auto places_of_bits = [] {
+  std::array<std::uint64_t, 256> table{};
+  for (std::size_t mask = 0; mask < table.size(); ++mask) {
+    int count = 0;
+    for (std::uint64_t i = 0; i < lane_count; ++i) {
+      if ((mask >> i & 1) != 0) table[mask] |= i << (8 * count++);
+    }
+  }
+  return table;
+}();
+#endif
 
 /// Lanes in as many vectors as they need: compilers are poor at splitting larger ones. The vector
 /// size is part of the type, for programs whose sources are compiled for several machines.
@@ -235,15 +258,18 @@ class VectorLanes {
   }
   void raise(const VectorLanes& x) noexcept {
     for (std::size_t i = 0; i < part_count; ++i) {
-      parts_[i] = x.parts_[i] > parts_[i] ? x.parts_[i] : parts_[i];
+      parts_[i] = greater(x.parts_[i], parts_[i]);
     }
   }
   void lower(const VectorLanes& x) noexcept {
     for (std::size_t i = 0; i < part_count; ++i) {
-      parts_[i] = x.parts_[i] < parts_[i] ? x.parts_[i] : parts_[i];
+      parts_[i] = lesser(x.parts_[i], parts_[i]);
     }
   }
   [[nodiscard]] std::uint32_t up_to(const VectorLanes& x) const noexcept {
+#if defined(__AVX512VL__)
+    if constexpr (has_masks) return mask_of<less_or_equal>(parts_[0], x.parts_[0]);
+#endif
     std::uint32_t bits = 0;
     for (std::size_t i = 0; i < part_count; ++i) {
       bits |= bits_of(parts_[i] <= x.parts_[i]) << (i * part_lanes);
@@ -253,13 +279,43 @@ class VectorLanes {
   void store(std::array<T, lane_count>& to) const noexcept {
     to = std::bit_cast<std::array<T, lane_count>>(parts_);
   }
+  std::size_t pack(std::uint32_t mask, T* to) const noexcept {
+#if defined(__AVX2__)
+    if constexpr (part_count == 1) {  // without branches, which masks make unpredictable
+      const auto lanes = std::bit_cast<Numbers>(parts_);
+#if defined(__AVX512VL__)
+      const Numbers packed =
+          __builtin_ia32_compresssi256_mask(lanes, lanes, static_cast<std::uint8_t>(mask));
+#else
+      typedef std::uint8_t Places __attribute__((vector_size(8)));
+      const auto places =
+          __builtin_convertvector(std::bit_cast<Places>(places_of_bits[mask]), Numbers);
+      const Numbers packed = __builtin_ia32_permvarsi256(lanes, places);
+#endif
+      __builtin_memcpy(to, &packed, sizeof packed);
+      return static_cast<std::size_t>(std::popcount(mask));
+    }
+#endif
+    std::array<T, lane_count> numbers;
+    store(numbers);
+    return ArrayLanes<T>(numbers).pack(mask, to);
+  }
 
   class Marks {
    public:
     void add_above(const VectorLanes& a, const VectorLanes& b) noexcept {
+#if defined(__AVX512VL__)
+      if constexpr (has_masks) {
+        marks_[0] |= greater(a.parts_[0], b.parts_[0]) ^ b.parts_[0];
+        return;
+      }
+#endif
       for (std::size_t i = 0; i < part_count; ++i) marks_[i] |= a.parts_[i] > b.parts_[i];
     }
     [[nodiscard]] std::uint32_t unmarked() const noexcept {
+#if defined(__AVX512VL__)
+      if constexpr (has_masks) return mask_of<equal>(marks_[0], PartMarks{});
+#endif
       std::uint32_t bits = 0;
       for (std::size_t i = 0; i < part_count; ++i) bits |= bits_of(marks_[i]) << (i * part_lanes);
       return bits ^ 0xff;
@@ -270,6 +326,37 @@ class VectorLanes {
   };
 
  private:
+  using Numbers = typename VectorOf<int, Bytes>::type;
+#if defined(__AVX512VL__)
+  // Here comparisons write masks, which compilers turn into vectors and back; GCC also makes maxima
+  // and minima of comparisons.
+  static constexpr bool has_masks = std::is_same_v<T, std::int32_t> && Bytes == 32;
+  static constexpr int equal = 0, less_or_equal = 2;  // as the instruction encodes them
+  template <int Relation>
+  [[nodiscard]] static std::uint32_t mask_of(const Part& a, const Part& b) noexcept {
+    return __builtin_ia32_cmpd256_mask(std::bit_cast<Numbers>(a), std::bit_cast<Numbers>(b),
+                                       Relation, 0xff);
+  }
+#endif
+  [[nodiscard]] static Part greater(const Part& a, const Part& b) noexcept {
+#if defined(__AVX512VL__) && !defined(__clang__)
+    if constexpr (has_masks) {
+      return std::bit_cast<Part>(
+          __builtin_ia32_pmaxsd256(std::bit_cast<Numbers>(a), std::bit_cast<Numbers>(b)));
+    }
+#endif
+    return a > b ? a : b;
+  }
+  [[nodiscard]] static Part lesser(const Part& a, const Part& b) noexcept {
+#if defined(__AVX512VL__) && !defined(__clang__)
+    if constexpr (has_masks) {
+      return std::bit_cast<Part>(
+          __builtin_ia32_pminsd256(std::bit_cast<Numbers>(a), std::bit_cast<Numbers>(b)));
+    }
+#endif
+    return a < b ? a : b;
+  }
+
   using Words = typename VectorOf<std::uint64_t, Bytes>::type;
 
 #if DETENT_HAS_SHUFFLES

@@ -88,6 +88,18 @@ class ArrayLongLanes {
     }
     return result;
   }
+  /// The least lane, in every lane.
+  [[nodiscard]] constexpr ArrayLongLanes least() const noexcept {
+    auto least = words_[0];
+    for (const auto word : words_) least = word < least ? word : least;
+    return ArrayLongLanes(least);
+  }
+  /// A bit for each negative lane.
+  [[nodiscard]] constexpr std::uint32_t signs() const noexcept {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < long_lane_count; ++k) bits |= words_[k] < 0 ? 1u << k : 0u;
+    return bits;
+  }
   /// Whether a bit is set.
   [[nodiscard]] constexpr bool any() const noexcept {
     return (words_[0] | words_[1] | words_[2] | words_[3]) != 0;
@@ -193,6 +205,19 @@ class VectorLongLanes {
                                               const VectorLongLanes& a,
                                               const VectorLongLanes& b) noexcept {
     return VectorLongLanes(std::bit_cast<Signed>(marks.words_) < 0 ? a.words_ : b.words_);
+  }
+  [[nodiscard]] VectorLongLanes least() const noexcept {
+    const auto lesser = [](const VectorLongLanes& a, const VectorLongLanes& b) {
+      return select(above(a, b), b, a);
+    };
+    const VectorLongLanes two =
+        lesser(*this, VectorLongLanes(__builtin_shufflevector(words_, words_, 2, 3, 0, 1)));
+    return lesser(two,
+                  VectorLongLanes(__builtin_shufflevector(two.words_, two.words_, 1, 0, 3, 2)));
+  }
+  [[nodiscard]] std::uint32_t signs() const noexcept {
+    typedef double Doubles __attribute__((vector_size(32)));
+    return static_cast<std::uint32_t>(__builtin_ia32_movmskpd256(std::bit_cast<Doubles>(words_)));
   }
   [[nodiscard]] bool any() const noexcept {
     typedef long long Longs __attribute__((vector_size(32)));

@@ -88,7 +88,10 @@ template <Scalar S, int N>
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr QuantizedBox<S, N> quantized_box(const Sphere<S, N>& sphere) noexcept {
-  return quantized_box(Capsule<S, N>{sphere.center, sphere.center, sphere.radius});
+  if (sphere.radius < 0) return QuantizedBox<S, N>::none();
+  std::array<Reach<S>, static_cast<std::size_t>(N)> reach;
+  reach.fill(Reach<S>(sphere.radius, sphere.radius));
+  return {sphere.center, reach};
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr QuantizedBox<S, N> quantized_box(const Plane<S, N>&) noexcept {

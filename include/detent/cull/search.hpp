@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "detent/cull/prefetch.hpp"
 #include "detent/cull/slabs.hpp"
@@ -252,22 +253,33 @@ constexpr Walk visit_nearest(const Tree& tree, const RayProbe<S, N>& probe, cons
   return visit_nearest_by(tree, RayKeys<S, N>(probe), visit);
 }
 
-/// Visits the objects whose boxes overlap `box`: calls visit(object).
+/// The most objects that `visit_meeting` lets wait.
+inline constexpr std::size_t most_waiting = 24;
+
+/// Visits the objects whose boxes overlap `box`: calls visit(objects) with a list of them whenever
+/// more than `most` <= most_waiting of them wait, and at the end. Testing many at once is faster: how
+/// many children of a node overlap is unpredictable, and their records are fetched meanwhile.
 template <class Tree, class Visit>
-constexpr Walk visit_meeting(const Tree& tree, const typename Tree::Box& box, const Visit& visit) {
+constexpr Walk visit_meeting(const Tree& tree, const typename Tree::Box& box, std::size_t most,
+                             const Visit& visit) {
   if (tree.is_empty() || box.is_empty()) return Walk::go_on;
-  std::array<std::uint32_t, TreePart::room + 1> stack;
-  std::size_t size = 0;
-  stack[size++] = tree.root();
+  // With room for eight more, because `pack_children` may write that many.
+  std::array<std::uint32_t, TreePart::room + Tree::width> nodes;
+  std::array<std::uint32_t, most_waiting + Tree::width> objects;
+  std::size_t size = 0, found = 0;
+  nodes[size++] = tree.root();
   while (size > 0) {
-    const auto& node = tree.node(stack[--size]);
-    for (auto mask = node.meeting(box); mask != 0; mask &= mask - 1) {
-      const auto child = node.child[static_cast<std::size_t>(std::countr_zero(mask))];
-      if (node.level > 0) {
-        stack[size++] = child;
-      } else if (visit(child) == Walk::stop) {
+    const auto& node = tree.node(nodes[--size]);
+    const bool is_leaf = node.level == 0;
+    const auto count =
+        node.pack_children(node.meeting(box), is_leaf ? &objects[found] : &nodes[size]);
+    size += is_leaf ? 0 : count;
+    found += is_leaf ? count : 0;
+    if (found > most || size == 0) {
+      if (visit(std::span<const std::uint32_t>(objects.data(), found)) == Walk::stop) {
         return Walk::stop;
       }
+      found = 0;
     }
   }
   return Walk::go_on;
@@ -288,18 +300,47 @@ struct BoxedNode {
   }
 };
 
-/// Calls add(a, b) for the pairs of objects with overlapping boxes, one below node `a` of one
-/// tree and one below node `b` of another.
-template <class Tree, class Add>
-constexpr void visit_pairs_below(const Tree& first, const BoxedNode<Tree>& a, const Tree& second,
-                                 const BoxedNode<Tree>& b, const Add& add) {
+/// Pairs of objects whose boxes overlap.
+struct CandidatePairs {
+  std::span<const std::uint32_t> first, second;
+};
+
+/// Collects pairs, and calls visit(pairs) with many of them at once.
+template <class Visit>
+class PairQueue {
+ public:
+  explicit constexpr PairQueue(const Visit& visit) noexcept : visit_(visit) {}
+
+  /// Adds the pairs of an object and the children of a leaf whose bits are set.
+  template <class Node>
+  constexpr void add(std::uint32_t object, const Node& leaf, typename Node::Mask others) {
+    for (std::size_t i = 0; i < Node::width; ++i) first_[size_ + i] = object;
+    size_ += leaf.pack_children(others, &second_[size_]);
+    if (size_ > first_.size() - Node::width) flush();
+  }
+  constexpr void flush() {
+    visit_(CandidatePairs{{first_.data(), size_}, {second_.data(), size_}});
+    size_ = 0;
+  }
+
+ private:
+  const Visit& visit_;
+  std::array<std::uint32_t, 64> first_, second_;
+  std::size_t size_ = 0;
+};
+
+/// Adds the pairs of objects with overlapping boxes, one below node `a` of one tree and one below
+/// node `b` of another.
+template <class Tree, class Queue>
+constexpr void add_pairs_below(const Tree& first, const BoxedNode<Tree>& a, const Tree& second,
+                               const BoxedNode<Tree>& b, Queue& queue) {
   using Boxed = BoxedNode<Tree>;
   const auto& node_a = first.node(a.at);
   const auto& node_b = second.node(b.at);
   if (node_a.level < node_b.level) {
     for (auto mask = node_b.meeting(a.box); mask != 0; mask &= mask - 1) {
       const auto j = static_cast<std::size_t>(std::countr_zero(mask));
-      visit_pairs_below(first, a, second, Boxed::child(node_b, j), add);
+      add_pairs_below(first, a, second, Boxed::child(node_b, j), queue);
     }
     return;
   }
@@ -307,7 +348,14 @@ constexpr void visit_pairs_below(const Tree& first, const BoxedNode<Tree>& a, co
   if (node_a.level > node_b.level) {
     for (; rows != 0; rows &= rows - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(rows));
-      visit_pairs_below(first, Boxed::child(node_a, i), second, b, add);
+      add_pairs_below(first, Boxed::child(node_a, i), second, b, queue);
+    }
+    return;
+  }
+  if (node_a.level == 0) {
+    for (; rows != 0; rows &= rows - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(rows));
+      queue.add(node_a.child[i], node_b, node_b.meeting(node_a.box(i)));
     }
     return;
   }
@@ -316,34 +364,28 @@ constexpr void visit_pairs_below(const Tree& first, const BoxedNode<Tree>& a, co
     const auto row = Boxed::child(node_a, i);
     for (auto mask = node_b.meeting(row.box); mask != 0; mask &= mask - 1) {
       const auto j = static_cast<std::size_t>(std::countr_zero(mask));
-      if (node_a.level == 0) {
-        add(row.at, node_b.child[j]);
-      } else {
-        visit_pairs_below(first, row, second, Boxed::child(node_b, j), add);
-      }
+      add_pairs_below(first, row, second, Boxed::child(node_b, j), queue);
     }
   }
 }
 
-/// Calls add(a, b) once for each pair of objects below node `at` whose boxes overlap.
-template <class Tree, class Add>
-constexpr void visit_pairs(const Tree& tree, std::uint32_t at, const Add& add) {
+/// Adds each pair of objects below node `at` whose boxes overlap, once.
+template <class Tree, class Queue>
+constexpr void add_pairs(const Tree& tree, std::uint32_t at, Queue& queue) {
   using Boxed = BoxedNode<Tree>;
   const auto& node = tree.node(at);
-  if (node.level > 0) {
-    for (std::size_t i = 0; i < node.count; ++i) prefetch(&tree.node(node.child[i]), sizeof(node));
+  const auto later = [&](std::size_t i) { return node.meeting(node.box(i)) & ~((2u << i) - 1); };
+  if (node.level == 0) {
+    for (std::size_t i = 0; i < node.count; ++i) queue.add(node.child[i], node, later(i));
+    return;
   }
+  for (std::size_t i = 0; i < node.count; ++i) prefetch(&tree.node(node.child[i]), sizeof(node));
   for (std::size_t i = 0; i < node.count; ++i) {
-    if (node.level > 0) visit_pairs(tree, node.child[i], add);
+    add_pairs(tree, node.child[i], queue);
     const auto row = Boxed::child(node, i);
-    const auto later = node.meeting(row.box) & ~((2u << i) - 1);
-    for (auto mask = later; mask != 0; mask &= mask - 1) {
+    for (auto mask = later(i); mask != 0; mask &= mask - 1) {
       const auto j = static_cast<std::size_t>(std::countr_zero(mask));
-      if (node.level == 0) {
-        add(row.at, node.child[j]);
-      } else {
-        visit_pairs_below(tree, row, tree, Boxed::child(node, j), add);
-      }
+      add_pairs_below(tree, row, tree, Boxed::child(node, j), queue);
     }
   }
 }

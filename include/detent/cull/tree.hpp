@@ -74,6 +74,14 @@ class Tree {
     }
   }
 
+  /// Moves the object between `begin_bulk` and `end_bulk`. Returns false, and leaves it to `set`, if
+  /// the object is not in the tree or `box` is empty.
+  constexpr bool set_in_bulk(std::uint32_t object, const Box& box) noexcept {
+    if (object >= homes_.size() || homes_[object] == nowhere || box.is_empty()) return false;
+    nodes_[leaf_of(object)].set(place_of(object), box);
+    return true;
+  }
+
   /// Adds or moves the object, or removes it when `box` is empty.
   constexpr void set(std::uint32_t object, const Box& box) {
     if (object >= homes_.size()) {
@@ -123,8 +131,8 @@ class Tree {
     const auto home = leaf_of(object);
     Node& leaf = nodes_[home];
     const auto place = place_of(object);
-    const auto old = leaf.box(place);
     if (is_in_bulk_) return leaf.set(place, box);
+    const auto old = leaf.box(place);
     if (old == box) return;
     if (home != root_ && !is_within(box, bounds_of(home))) {
       leaf.clear(place);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -30,18 +31,21 @@ class Finder {
   explicit constexpr Finder(const Store<Storage, S, N, Shapes...>& store) noexcept
       : store_(store) {}
 
-  /// Visits the objects that overlap the query shape: calls visit(index).
+  /// Visits the objects that overlap the query shape: calls visit(index). Tests candidates once more
+  /// than `most` wait: `most_waiting` for a visit that never stops, 0 for one that does.
   template <class Question, class Filter, class Visit>
-  constexpr void visit_meeting(const Question& question, const Filter& filter,
-                               const Visit& visit) const {
+  constexpr void visit_meeting(const Question& question, const Filter& filter, const Visit& visit,
+                               std::size_t most = 0) const {
     if constexpr (is_question<SceneRegion<Question, S, N>>()) {
-      const auto box = quantized_box(question);
-      visit_trees<job::VisitMeeting>(box, [&](Index i) {
-        const bool is_met = filter(store_.info(i)) && store_[i].shape.visit([&](const auto& shape) {
-          return meets(question, shape);
-        });
-        if (!is_met) return Walk::go_on;
-        return visit(i);
+      visit_boxes(quantized_box(question), most, [&](std::span<const Index> objects) {
+        for (const Index i : objects) prefetch(&store_[i], sizeof(store_[i]));
+        for (const Index i : objects) {
+          const bool is_met =
+              filter(store_.info(i)) &&
+              store_[i].shape.visit([&](const auto& shape) { return meets(question, shape); });
+          if (is_met && visit(i) == Walk::stop) return Walk::stop;
+        }
+        return Walk::go_on;
       });
     }
   }
@@ -63,8 +67,10 @@ class Finder {
                              const Visit& visit) const {
     if constexpr (is_question<SceneQuestion<Question, S, N>>()) {
       S limit = largest<S>;
-      visit_meeting(question, filter,
-                    [&](std::size_t i) { return visit(found_at(i, reference(question)), limit); });
+      visit_meeting(
+          question, filter,
+          [&](std::size_t i) { return visit(found_at(i, reference(question)), limit); },
+          most_waiting);
     }
   }
   template <class Filter, class Visit>
@@ -105,8 +111,9 @@ class Finder {
   }
   template <class Filter, class Add>
   constexpr void collect(const Vec<S, N>& point, const Filter& filter, const Add& add) const {
-    visit_meeting(point, filter,
-                  [&](std::size_t i) { return add(found_at(i, point)), Walk::go_on; });
+    visit_meeting(
+        point, filter, [&](std::size_t i) { return add(found_at(i, point)), Walk::go_on; },
+        most_waiting);
   }
 
   /// The distance at which a ray hits an object of a single shape. Surfaces are left to the tree
@@ -163,15 +170,17 @@ class Finder {
       });
       if (meet) add(Overlap{store_.info(i).id, store_.info(j).id});
     };
-    // The objects of a large scene are not in cache: prefetch them while earlier pairs are tested.
-    std::array<std::pair<Index, Index>, 16> waiting;
-    std::size_t count = 0;
-    const auto visit = [&](Index i, Index j) {
-      auto& place = waiting[count++ % waiting.size()];
-      if (count > waiting.size()) ask(place.first, place.second);
-      place = std::minmax(i, j);
-      prefetch(&store_[i], sizeof(store_[i]));
-      prefetch(&store_[j], sizeof(store_[j]));
+    const auto visit = [&](const CandidatePairs& pairs) {
+      const auto size = pairs.first.size();
+      // The objects of a large scene are not in cache.
+      for (std::size_t k = 0; k < size; ++k) {
+        prefetch(&store_[pairs.first[k]], sizeof(store_[0]));
+        prefetch(&store_[pairs.second[k]], sizeof(store_[0]));
+      }
+      for (std::size_t k = 0; k < size; ++k) {
+        const auto [i, j] = std::minmax(pairs.first[k], pairs.second[k]);
+        ask(i, j);
+      }
     };
     const auto& moving = store_.tree(Motion::moving);
     const auto& fixed = store_.tree(Motion::fixed);
@@ -180,9 +189,6 @@ class Finder {
     } else {
       const PairVisitor visitor(visit);
       separately<job::VisitPairs>(moving, fixed, visitor);
-    }
-    for (std::size_t i = 0; i < (std::min)(count, waiting.size()); ++i) {
-      ask(waiting[i].first, waiting[i].second);
     }
   }
 
@@ -204,6 +210,23 @@ class Finder {
       shorter.max_distance = (std::min)(question.max_distance, next_up(limit));
       return walk;
     });
+  }
+
+  /// Visits the objects of both trees whose boxes overlap `box`: calls visit(objects).
+  template <class Visit>
+  constexpr void visit_boxes(const QuantizedBox<S, N>& box, const std::size_t& most,
+                             const Visit& visit) const {
+    const auto& moving = store_.tree(Motion::moving);
+    const auto& fixed = store_.tree(Motion::fixed);
+    using Job = job::VisitMeeting;
+    if (__builtin_is_constant_evaluated()) {
+      if (Job()(moving, box, most, visit) == Walk::go_on) Job()(fixed, box, most, visit);
+    } else {
+      const ObjectsVisitor visitor(visit);
+      if (separately<Job>(moving, box, most, visitor) == Walk::go_on) {
+        separately<Job>(fixed, box, most, visitor);
+      }
+    }
   }
 
   /// Visits the objects of both trees that `Job` finds.

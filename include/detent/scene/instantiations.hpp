@@ -52,7 +52,8 @@
   DETENT_INSTANTIATION Walk call_separate<job::VisitNearest, Walk>(                        \
       const Tree<Growing, S, N>&, PointProbe<S, N>&, const ObjectVisitor&);                \
   DETENT_INSTANTIATION Walk call_separate<job::VisitMeeting, Walk>(                        \
-      const Tree<Growing, S, N>&, const QuantizedBox<S, N>&, const ObjectVisitor&);        \
+      const Tree<Growing, S, N>&, const QuantizedBox<S, N>&, const std::size_t&,           \
+      const ObjectsVisitor&);                                                              \
   DETENT_INSTANTIATION void call_separate<job::VisitPairs, void>(                          \
       const Tree<Growing, S, N>&, const Tree<Growing, S, N>&, const PairVisitor&);
 #define DETENT_INSTANTIATE_DIMENSION(S, N) \

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "detent/cull/keep_first.hpp"
 #include "detent/query/cast.hpp"
@@ -132,7 +133,7 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
   [[nodiscard]] List<Overlap> overlaps(const Filter& filter = {}) const requires(is_growing) {
     List<Overlap> list;
     finder().visit_overlaps(filter, [&](const Overlap& overlap) { list.push_back(overlap); });
-    std::sort(list.begin(), list.end());
+    sort_overlaps(list, this->store_.end());
     return list;
   }
 
@@ -187,6 +188,24 @@ class BasicScene : public detail::SceneContents<Storage, S, N, Shapes...> {
   }
 
  private:
+  /// Sorts pairs of objects with indices below `end`, of which each has one id. Counting how many
+  /// pairs come before each index takes less time than comparing, unless pairs are few.
+  static void sort_overlaps(List<Overlap>& pairs, std::size_t end) requires(is_growing) {
+    if (pairs.size() < end / 8) {
+      std::sort(pairs.begin(), pairs.end());
+      return;
+    }
+    List<Overlap> sorted(pairs.size());
+    for (const auto member : {&Overlap::second, &Overlap::first}) {
+      List<std::size_t> place(end);
+      for (const auto& pair : pairs) ++place[(pair.*member).index];
+      std::size_t before = 0;
+      for (auto& count : place) before += std::exchange(count, before);
+      for (const auto& pair : pairs) sorted[place[(pair.*member).index]++] = pair;
+      std::swap(pairs, sorted);
+    }
+  }
+
   template <class Question, class Filter>
   constexpr std::optional<ObjectHit<S, N>> first_hit(const Question& question,
                                                      const Filter& filter) const {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <type_traits>
 
 #include "detent/cull/prefetch.hpp"
@@ -66,7 +67,8 @@ class ObjectVisitor : public FunctionRef<Walk, std::uint32_t> {
   const void* records_;
   std::size_t size_;
 };
-using PairVisitor = FunctionRef<void, std::uint32_t, std::uint32_t>;
+using ObjectsVisitor = FunctionRef<Walk, std::span<const std::uint32_t>>;
+using PairVisitor = FunctionRef<void, CandidatePairs>;
 
 /// The distance that a moving shape travels before it touches a target. Specialised for targets
 /// that are not a single convex shape.
@@ -186,8 +188,8 @@ struct VisitNearest {
 struct VisitMeeting {
   template <class Tree, class Visit>
   constexpr Walk operator()(const Tree& tree, const typename Tree::Box& box,
-                            const Visit& visit) const {
-    return visit_meeting(tree, box, visit);
+                            const std::size_t& most, const Visit& visit) const {
+    return visit_meeting(tree, box, most, visit);
   }
 };
 /// Pairs of objects of a tree, and pairs of its objects and another tree's.
@@ -195,10 +197,13 @@ struct VisitPairs {
   template <class Tree, class Visit>
   constexpr void operator()(const Tree& tree, const Tree& other, const Visit& visit) const {
     if (tree.is_empty()) return;
-    visit_pairs(tree, tree.root(), visit);
-    if (other.is_empty()) return;
-    using Boxed = BoxedNode<Tree>;
-    visit_pairs_below(tree, Boxed::root(tree), other, Boxed::root(other), visit);
+    PairQueue queue(visit);
+    add_pairs(tree, tree.root(), queue);
+    if (!other.is_empty()) {
+      using Boxed = BoxedNode<Tree>;
+      add_pairs_below(tree, Boxed::root(tree), other, Boxed::root(other), queue);
+    }
+    queue.flush();
   }
 };
 

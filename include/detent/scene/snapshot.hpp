@@ -198,7 +198,8 @@ constexpr void apply(BasicScene<Storage, S, N, Shapes...>& scene, std::span<cons
     if (object.frame != nowhere) {
       traits.frame = {object.frame, store.frames()[object.frame].generation};
     }
-    store.put({object.index, object.generation}, *shape, traits);
+    const ObjectId id{object.index, object.generation};
+    if (!store.put_shape(id, *shape, traits)) store.put(id, *shape, traits);
     first = std::size_t{object.index} + 1;
   }
   remove_until(store.end());

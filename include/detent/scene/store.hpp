@@ -120,12 +120,6 @@ class Store {
       records_.resize(id.index + std::size_t{1});
     }
     Record& record = records_[id.index];
-    if (record.generation == id.generation && record.layers == traits.layers &&
-        record.user == traits.user && record.motion == Motion::moving &&
-        record.attachment == nowhere && traits.frame == FrameId{}) {
-      if (!(record.shape == shape)) assign(id.index, shape);
-      return;  // everything else is unchanged
-    }
     if (record.generation == 0) ++size_;
     is_used_[id.index / 64] |= bit_of(id.index);
     next_ = (std::max)(next_, id.generation + 1);
@@ -141,6 +135,23 @@ class Store {
     }
     assign(id.index, shape);
     count_in(id.index);
+  }
+
+  /// Between `begin_bulk` and `end_bulk`: does what `put` does, if that changes nothing but the shape
+  /// of a moving object outside frames; otherwise returns false.
+  constexpr bool put_shape(const ObjectId& id, const Shape& shape, const Traits& traits) {
+    if (id.index >= records_.size() || traits.frame != FrameId{}) return false;
+    Record& record = records_[id.index];
+    if (record.generation != id.generation || record.layers != traits.layers ||
+        record.user != traits.user || record.motion != Motion::moving ||
+        record.attachment != nowhere) {
+      return false;
+    }
+    if (record.shape == shape) return true;
+    const Box box = box_of(shape);
+    if (!moving_.set_in_bulk(id.index, box)) set_box(id.index, box);
+    record.shape = shape;  // last, as in `assign`
+    return true;
   }
 
   constexpr void remove(std::uint32_t i) {
@@ -272,12 +283,17 @@ class Store {
   constexpr void assign(std::uint32_t i, const Shape& shape) {
     Record& record = records_[i];
     if (record.attachment == nowhere) {
+      // The copy comes last: it loads whole vectors, which wait for numbers that were just stored.
+      set_box(i, box_of(shape));
       record.shape = shape;
     } else {
       attachments_[record.attachment].local = shape;
       place(attachments_[record.attachment]);
+      set_box(i, box_of(record.shape));
     }
-    set_box(i, record.shape.visit([](const auto& s) -> Box { return quantized_box(s); }));
+  }
+  static constexpr Box box_of(const Shape& shape) noexcept {
+    return shape.visit([](const auto& s) -> Box { return quantized_box(s); });
   }
 
   constexpr void place(const Attachment& attachment) noexcept {

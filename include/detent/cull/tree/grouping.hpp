@@ -6,6 +6,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 
 #include "detent/cull/lanes.hpp"
 #include "detent/cull/long_lanes.hpp"
@@ -49,14 +51,29 @@ template <Scalar S, int N>
   }
 }
 
-/// The half areas of the boxes of a node, and of the same boxes extended by `box`, four at a time.
+/// All bits of the lanes from `first` on.
+[[nodiscard]] inline LongLanes lanes_from(std::size_t first) noexcept {
+  static constexpr std::array<std::int64_t, 2 * long_lane_count> marks{0, 0, 0, 0, -1, -1, -1, -1};
+  LongWords words;
+  std::memcpy(&words, &marks[long_lane_count - first], sizeof words);
+  return LongLanes(words);
+}
+
+/// Bit 2 i for bit i, for four bits.
+[[nodiscard]] constexpr std::uint32_t spread_bits(std::uint32_t bits) noexcept {
+  bits = (bits | bits << 2) & 0x33;
+  return (bits | bits << 1) & 0x55;
+}
+
+/// The half areas of the boxes of a node, and of the same boxes extended by `box`, four at a time:
+/// first those of even boxes, then those of odd ones.
 template <Scalar S, int N>
 class HalfAreas {
   using Node = TreeNode<S, N>;
 
- public:
-  using Areas = std::array<std::int64_t, Node::width>;
+  using Areas = std::array<LongLanes, 2>;
 
+ public:
   HalfAreas(const Node& node, const QuantizedBox<S, N>& box) noexcept {
     std::array<typename Node::Lane, static_cast<std::size_t>(N)> lows, highs;
     for (std::size_t axis = 0; axis < lows.size(); ++axis) {
@@ -66,57 +83,73 @@ class HalfAreas {
       low.store(lows[axis]);
       high.store(highs[axis]);
     }
-    own = of_all(node.low, node.high);
-    extended = of_all(lows, highs);
+    own_ = of_all(node.low, node.high);
+    extended_ = of_all(lows, highs);
   }
 
-  Areas own, extended;
+  /// Which of the first `count` boxes grows least; ties go to the smallest. Only ties branch, because
+  /// the best box is unpredictable.
+  [[nodiscard]] std::size_t best_place(std::size_t count) const noexcept {
+    const LongLanes even = growth(0, count), odd = growth(1, count);
+    const auto least = LongLanes::select(LongLanes::above(even, odd), odd, even).least();
+    const auto above = [&](const LongLanes& lanes) {
+      return spread_bits(LongLanes::above(lanes, least).signs());
+    };
+    auto ties = 0xff ^ (above(even) | above(odd) << 1);
+    auto best = static_cast<std::size_t>(std::countr_zero(ties));
+    for (ties &= ties - 1; ties != 0; ties &= ties - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(ties));
+      if (own(i) < own(best)) best = i;
+    }
+    return best;
+  }
 
  private:
-  using Fours = std::array<std::array<std::int32_t, long_lane_count>, 2>;
+  [[nodiscard]] LongLanes growth(std::size_t odd, std::size_t count) const noexcept {
+    const LongLanes most((std::numeric_limits<std::int64_t>::max)());
+    return LongLanes::select(lanes_from((count + 1 - odd) / 2), most, extended_[odd] - own_[odd]);
+  }
+  [[nodiscard]] std::int64_t own(std::size_t i) const noexcept {
+    return own_[i % 2].words()[i / 2];
+  }
 
   template <class Sides>
   static Areas of_all(const Sides& lows, const Sides& highs) noexcept {
-    std::array<LongWords, 2> areas;
-    for (std::size_t four = 0; four < areas.size(); ++four) {
-      const auto extent = [&](std::size_t axis) {
-        const auto low = std::bit_cast<Fours>(lows[axis]), high = std::bit_cast<Fours>(highs[axis]);
-        return (LongLanes(high[four]) - LongLanes(low[four])) >> 1;  // area_extent
-      };
-      const auto x = extent(0), y = extent(1);
-      auto sum = x + y;
-      if constexpr (N == 3) {
-        const auto z = extent(2);
-        const auto products =
-            LongLanes::product(x, y) + LongLanes::product(y, z) + LongLanes::product(z, x);
-        sum = sum + z + products;
-      }
-      areas[four] = sum.words();
+    using Extents = std::array<std::uint32_t, Node::width>;
+    std::array<Areas, static_cast<std::size_t>(N)> extents;
+    for (std::size_t axis = 0; axis < extents.size(); ++axis) {
+      Lanes<std::uint32_t> lanes(std::bit_cast<Extents>(highs[axis]));
+      lanes.subtract(Lanes<std::uint32_t>(std::bit_cast<Extents>(lows[axis])));
+      Extents doubled;
+      lanes.store(doubled);
+      const LongLanes both(std::bit_cast<LongWords>(doubled));  // even ones in lower halves
+      extents[axis] = {(both << 32) >> 33, both >> 33};         // area_extent
     }
-    return std::bit_cast<Areas>(areas);
+    Areas areas;
+    for (std::size_t odd = 0; odd < areas.size(); ++odd) {
+      const auto &x = extents[0][odd], &y = extents[1][odd];
+      areas[odd] = x + y;
+      if constexpr (N == 3) {
+        const auto& z = extents[2][odd];
+        areas[odd] = areas[odd] + z + LongLanes::product(x, y) + LongLanes::product(y, z) +
+                     LongLanes::product(z, x);
+      }
+    }
+    return areas;
   }
+
+  Areas own_, extended_;
 };
 
 /// The box of a node that grows least in area when extended by `box`; ties go to the smallest.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::size_t best_place(const TreeNode<S, N>& node,
                                                const QuantizedBox<S, N>& box) noexcept {
-  std::size_t best = 0;
   if constexpr (is_fixed<S> && has_long_lanes) {
-    if (!__builtin_is_constant_evaluated()) {
-      const HalfAreas<S, N> areas(node, box);
-      auto best_area = areas.own[0], best_growth = areas.extended[0] - best_area;
-      for (std::size_t i = 1; i < TreeNode<S, N>::width; ++i) {
-        const auto area = areas.own[i], growth = areas.extended[i] - area;
-        const bool is_less = growth < best_growth, is_equal = growth == best_growth;
-        const bool is_better = (i < node.count) & (is_less | (is_equal & (area < best_area)));
-        best = is_better ? i : best;
-        best_growth = is_better ? growth : best_growth;
-        best_area = is_better ? area : best_area;
-      }
-      return best;
-    }
+    if (!__builtin_is_constant_evaluated())
+      return HalfAreas<S, N>(node, box).best_place(node.count);
   }
+  std::size_t best = 0;
   typename Grid<S>::Area best_growth{}, best_area{};
   for (std::size_t i = 0; i < node.count; ++i) {
     const auto area = half_area(node.box(i));

@@ -84,7 +84,13 @@ struct alignas(64) TreeNode {
     if (__builtin_is_constant_evaluated()) return meeting<ArrayLanes<Coordinate>>(box) & used;
     return meeting<ComparedLanes<Coordinate>>(box) & used;
   }
-  /// The same with one type of lanes, for all eight entries.
+  /// Writes the children whose bits are set, in order, and returns how many there are. `to` has room
+  /// for eight, of which the others are unspecified.
+  constexpr std::size_t pack_children(Mask mask, std::uint32_t* to) const noexcept {
+    if (__builtin_is_constant_evaluated()) return ArrayLanes<std::uint32_t>(child).pack(mask, to);
+    return ComparedLanes<std::uint32_t>(child).pack(mask, to);
+  }
+  /// Which boxes overlap `box`, with one type of lanes, for all eight entries.
   template <class Lanes>
   [[nodiscard]] constexpr Mask meeting(const Box& box) const noexcept {
     typename Lanes::Marks apart;
