@@ -58,8 +58,8 @@ void compare_many(int bits, std::int64_t steepness, int asked, Count& count) {
   };
   for (int i = 0; i < asked; ++i) {
     CAPTURE(bits, steepness, i);
-    const auto rotation =
-        Rotation<S, 3>::from_euler(Angle<S>::from_degrees(S::from_raw(i << 8)), Angle<S>(), Angle<S>());
+    const auto rotation = Rotation<S, 3>::from_euler(Angle<S>::from_degrees(S::from_raw(i << 8)),
+                                                     Angle<S>(), Angle<S>());
     const auto direction = unit();
     const auto radius = Radius::from_raw(
         random.between(std::int64_t{1} << (bits - 1), (std::int64_t{1} << bits) - 1));
@@ -92,6 +92,19 @@ TEST_CASE("touch direction: where the filter is sure, it is that of Newton's met
   CHECK(steep.sure.percent() >= 10);
   CHECK(steep.sure.percent() < 90);
   CHECK(small.sure.percent() < 90);
+}
+
+TEST_CASE("touch direction: frames whose axes are not perpendicular are left out", "[query]") {
+  using Way = Fixed<61, 60>;
+  const auto radius = Radius::from_raw(1 << 20);
+  const Vec<Fixed<63, 46>, 3> place{radius, Radius(0), Radius(0)};
+  const auto toward = [&](const Way& across) {
+    return detail::direction_at_touch<S>(
+        place + Vec<Fixed<31, 46>, 3>{Fixed<31, 46>::from_raw((1 << 28) + (1 << 16))},
+        Vec<Way, 3>{Way(1), across, Way(0)}, radius, detail::SameFrame());
+  };
+  CHECK(toward(Way(0)));
+  CHECK_FALSE(toward(Way(1)));
 }
 
 }  // namespace

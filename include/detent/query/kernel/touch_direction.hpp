@@ -55,6 +55,7 @@ template <Scalar S, Number P, Number W, int N, Number R, class ToWorld>
     const ToWorld& to_world) noexcept {
   using Word = Fixed<62, 0>;
   using Part = Fixed<61, 60>;
+  // `finer_by` must not be clamped to 0.
   static_assert(W::frac <= Part::frac && bits_of<R> <= bits_of<direction_component<S>> + 3);
   const int empty = headroom(radius);
   if (empty > 24) return std::nullopt;
@@ -69,6 +70,9 @@ template <Scalar S, Number P, Number W, int N, Number R, class ToWorld>
       narrow_floor<Fixed<63, -60>>(narrow_difference<126>(squared_length(p), square(r)));
   const auto b = static_cast<std::uint64_t>(along.raw()),
              c = static_cast<std::uint64_t>(beyond.raw());
+  const auto squared = narrow_floor<Fixed<63, 60>>(squared_length(w));
+  const auto a = static_cast<std::uint64_t>(squared.raw());
+  if (a > (std::uint64_t{1} << 60) + (std::uint64_t{1} << 40)) return std::nullopt;  // a skew frame
   if (along.raw() < std::int64_t{1} << 50 || b >> 62 != 0) return std::nullopt;
   if (beyond < 0 || c >= b >> 6) return std::nullopt;
   // Times in half steps.
@@ -76,7 +80,6 @@ template <Scalar S, Number P, Number W, int N, Number R, class ToWorld>
   const std::uint64_t inverse = reciprocal(b << zeros);
   const std::uint64_t first = multiply_words(c << (zeros - 2), inverse).high;
   if (first >= b >> 9) return std::nullopt;
-  const auto a = static_cast<std::uint64_t>(narrow_floor<Part>(squared_length(w)).raw());
   const std::uint64_t x =
       multiply_words(a << 3, multiply_words(first << (zeros + 1), inverse).high).high;
   const std::uint64_t xx = multiply_words(x, x).high, xxx = multiply_words(xx, x).high;
