@@ -2,9 +2,11 @@
 #include "detent/query/kernel/touch_witness.hpp"
 
 #include "detent/math/direction.hpp"
+#include "detent/query/cast/motion.hpp"
 #include "detent/query/kernel/approach.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/length.hpp"
+#include "detent/query/kernel/touch_direction.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
@@ -14,7 +16,7 @@ namespace {
 using detail::Clearance;
 
 struct Count {
-  HitRate hits, sure, same_feature, sure_distances;
+  HitRate hits, sure, same_feature, sure_distances, sure_directions;
 };
 
 /// Compares the filter with the exact search, starting where the bodies are apart.
@@ -48,11 +50,14 @@ void compare(const A& a, const B& b, const Direction<S, N>& direction, const S& 
   const auto feature = witness.feature_from(*exact);
   count.same_feature.count(feature.has_value());
   if (!feature) return;
-  const detail::Approach<A, B, Component, S, 33> fine(a, b, way, sum, 20);
+  const detail::Approach<A, B, Component, S, 33> fine(a, b, way, sum, detail::finer_by<33>(sum));
   const auto normal = [](const auto& v) { return direction_of<S>(detail::shortened<240>(v)); };
   const auto from = fine.scaled(*exact), to = fine.scaled(limit);
   const auto found = fine.with_touch(from, to, normal);
   REQUIRE(fine.with_touch_on(*feature, from, to, normal) == found);
+  const auto quick = detail::direction_on<S>(*feature, way, *exact, sum, detail::SameFrame());
+  count.sure_directions.count(quick.has_value());
+  if (quick) REQUIRE(quick == found);
   if (!feature->is_facet()) return;
   const auto facet = normal(detail::facet_normal(feature->simplex()));
   REQUIRE((facet == found || -*facet == *found));
@@ -96,11 +101,13 @@ TEST_CASE("witnesses: a touch or distance that they are sure of is exact", "[que
   compare_many<q16_16, 2>(1 << 18, 1, 500, local);
   compare_many<q16_16, 3>(1 << 18, 1 << 16, 1500, coarse);
   compare_many<q16_16, 3>(16, 1, 500, coarse);
-  INFO(local.hits << ", " << local.sure << ", " << local.same_feature << "; " << coarse.hits << ", "
-                  << coarse.sure << ", " << coarse.same_feature);
+  INFO(local.hits << ", " << local.sure << ", " << local.same_feature << ", "
+                  << local.sure_directions << "; " << coarse.hits << ", " << coarse.sure << ", "
+                  << coarse.same_feature);
   CHECK(local.hits.is_balanced());
   CHECK(local.sure.percent() >= 95);
   CHECK(local.same_feature.percent() >= 90);
+  CHECK(local.sure_directions.percent() >= 20);
   CHECK(coarse.sure.percent() >= 50);
   CHECK(local.sure_distances.percent() >= 90);
 }

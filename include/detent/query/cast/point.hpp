@@ -8,11 +8,13 @@
 #include <type_traits>
 #include <utility>
 
+#include "detent/math/width.hpp"
 #include "detent/query/cast/motion.hpp"
 #include "detent/query/kernel/closest_in_frame.hpp"
 #include "detent/query/kernel/common_point.hpp"
 #include "detent/query/kernel/directions.hpp"
 #include "detent/query/kernel/least_common_point.hpp"
+#include "detent/query/kernel/point_aabb.hpp"
 #include "detent/query/kernel/point_plane.hpp"
 #include "detent/query/kernel/rounded_point.hpp"
 #include "detent/query/kernel/swept_body.hpp"
@@ -122,19 +124,9 @@ template <class A, Scalar S, int N>
   return rounded<S>(RationalPoint{nearest * whole - n * height(nearest), whole});
 }
 
-/// Returns f(on_box, on_thin, v) for an oriented box and a point at `place` in the frame of the
-/// box: rational points on both, in the frame of the box and in the world, and a vector from the
-/// latter to the former in the world.
-template <Scalar S, int N, Number T, class F>
-[[nodiscard]] constexpr auto with_closest_in_frame(const Obb<S, N>& box, const Vec<S, N>& center,
-                                                   const Vec<T, N>& place, const F& f) noexcept {
-  const auto clamped = make_vec<N>([&](int i) { return clamp_to(place[i], box.half_extents[i]); });
-  using One = std::remove_cvref_t<decltype(S() + S())>;
-  return f(RationalPoint{clamped * One(1), One(1)}, RationalPoint{center * One(1), One(1)},
-           from_frame(box, clamped - place));
-}
-/// The same for a segment that starts at `place` in the frame of the box. Ties go to the least
-/// point of the segment.
+/// Returns f(on_box, on_thin, v) for an oriented box and a segment that starts at `place` in the
+/// frame of the box: rational points on both, in the frame of the box and in the world, and a
+/// vector from the latter to the former in the world. Ties go to the least point of the segment.
 template <Scalar S, int N, Number T, class F>
 [[nodiscard]] constexpr auto with_closest_in_frame(const Obb<S, N>& box,
                                                    const Segment<S, N>& segment,
@@ -153,6 +145,13 @@ template <Scalar S, int N, Number T, class F>
   return f(RationalPoint{clamped, whole},
            RationalPoint{segment.start * whole + along * t.numerator, whole},
            from_frame(box, clamped - offset));
+}
+
+/// The point of an oriented box closest to the one at `place`, both in the frame of the box.
+template <Scalar S, int N, Number T>
+[[nodiscard]] constexpr Vec<T, N> clamped_to(const Obb<S, N>& box,
+                                             const Vec<T, N>& place) noexcept {
+  return make_vec<N>([&](int i) { return clamp_to(place[i], box.half_extents[i]); });
 }
 
 template <Scalar S, int N>
@@ -183,23 +182,33 @@ template <class A, class B, Scalar S, int N>
   using CoreA = std::remove_cvref_t<decltype(a)>;
   using CoreB = std::remove_cvref_t<decltype(b)>;
   const S radius = radius_of(target);
-  if constexpr (is_thin<CoreA> && is_kind<CoreB, Obb>) {
+  if constexpr (is_kind<CoreA, Vec> && is_kind<CoreB, Obb>) {
+    const auto place = place_in_frame(b, a, direction, distance);
+    const auto from_center = from_frame(b, clamped_to(b, place));
+    return make_vec<N>([&](int i) { return nearest_to<S>(b.center[i] + from_center[i]); });
+  } else if constexpr (is_kind<CoreA, Obb> && is_kind<CoreB, Vec>) {
+    const auto place = place_in_frame(a, b, direction, -distance);
+    return nearly_rounded_beyond(b, radius, from_frame(a, clamped_to(a, place) - place));
+  } else if constexpr (is_kind<CoreA, Segment> && is_kind<CoreB, Obb>) {
     return with_closest_in_frame(
         b, a, place_in_frame(b, a, direction, distance),
         [&](const auto& on_box, const auto&, const auto&) {
           return rounded<S>(
               RationalPoint{b.center * on_box.under + from_frame(b, on_box.over), on_box.under});
         });
-  } else if constexpr (is_kind<CoreA, Obb> && is_thin<CoreB>) {
+  } else if constexpr (is_kind<CoreA, Obb> && is_kind<CoreB, Segment>) {
     return with_closest_in_frame(a, b, place_in_frame(a, b, direction, -distance),
                                  [&](const auto&, const auto& on_thin, const auto& v) {
                                    return nearly_rounded_beyond(on_thin, radius, v);
                                  });
+  } else if constexpr (is_kind<CoreA, Vec> && is_kind<CoreB, Aabb>) {
+    // The ends of the box are on the grid, so the order of rounding and clamping does not matter.
+    return clamp_to(
+        b, make_vec<N>([&](int i) { return nearest_to<S>(a[i] + direction[i] * distance); }));
   } else if constexpr (is_kind<CoreA, Vec> && is_kind<CoreB, Vec>) {
     const auto v = a - b + direction.vec() * distance;
-    if (radius == 0 || is_zero(v)) return b;
-    using One = std::remove_cvref_t<decltype(S() + S())>;
-    return nearly_rounded_beyond(RationalPoint{b * One(1), One(1)}, radius, v);
+    if (is_zero(v)) return b;
+    return by_width<62>([&](const auto& u) { return nearly_rounded_beyond(b, radius, u); }, v);
   } else {
     const auto body = body_of(a);
     if constexpr (filter_pays<S> && is_thin<CoreA> && !is_kind<CoreB, Plane>) {

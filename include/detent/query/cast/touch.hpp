@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <type_traits>
 
@@ -13,6 +12,7 @@
 #include "detent/query/kernel/differences.hpp"
 #include "detent/query/kernel/stab.hpp"
 #include "detent/query/kernel/stab_witness.hpp"
+#include "detent/query/kernel/touch_direction.hpp"
 #include "detent/query/kernel/touch_witness.hpp"
 
 // The first touch of a moving body and a target, for each kind of body.
@@ -114,13 +114,6 @@ template <bool WithNormal, bool HasFilter, class A, class B, class Way, class To
   return touch;
 }
 
-/// How many bits finer the time grid must be for a normal to turn by less than an eighth of its own
-/// step; at most `Most`, which is enough for any radius.
-template <int Most, Number R>
-[[nodiscard]] constexpr int finer_by(const R& radius) noexcept {
-  return (std::max)(Most + 1 - bits_of<R> + headroom(radius), 0);
-}
-
 /// How far a point moves before it is within `radius` > 0 of another one: a ray against a ball.
 template <Scalar S, int N, Number R>
 [[nodiscard]] constexpr std::optional<S> distance_to_ball(const Vec<S, N>& point,
@@ -159,6 +152,14 @@ template <bool WithNormal, Scalar S, int N>
   Touch<S, N> touch{*distance, std::nullopt};
   if constexpr (WithNormal) {
     if (squared_length(between) > square(radius)) {
+      if constexpr (filter_pays<S>) {
+        const auto found = direction_at_touch<S>(between - direction.vec() * *distance,
+                                                 direction.vec(), radius, SameFrame());
+        if (found) {
+          touch.normal = -*found;
+          return touch;
+        }
+      }
       using Component = direction_component<S>;
       constexpr int most = is_fixed<S> ? bits_of<Component> + 2 : 0;
       using Body = std::remove_cvref_t<decltype(body_a)>;
@@ -202,6 +203,11 @@ template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S,
     if (feature.is_facet()) {
       const auto normal = facet_normal(feature.simplex());
       return dot(normal, steps) > 0 ? -outward(normal) : outward(normal);
+    }
+    if constexpr (filter_pays<S>) {
+      if (const auto found = direction_on<S>(feature, steps, distance, radius, to_world)) {
+        return -*found;
+      }
     }
     const FineSearch fine(a, b, steps, radius, finer_by<most>(radius));
     return -fine.with_touch_on(feature, fine.scaled(distance), fine.scaled(limit), outward);

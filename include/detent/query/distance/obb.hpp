@@ -20,6 +20,18 @@ template <Scalar S, int N>
   return is_empty(box) ? largest<Squared> : squared_length(detail::excess(box, point));
 }
 
+namespace detail {
+
+/// The distance from `point` to a nonempty `box` in its frame, rounded down to the grid of T.
+template <Number T, Scalar S, int N>
+[[nodiscard]] constexpr T gap_in_frame(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {
+  // Squares of 62-bit numbers sum to 126 bits.
+  return by_width<62>([](const auto& excess) { return sqrt_floor<T>(squared_length(excess)); },
+                      excess(box, point));
+}
+
+}  // namespace detail
+
 /// The distance from `point` to `box`, 0 inside, measured in the frame of the box.
 ///
 /// units:  world units
@@ -27,10 +39,7 @@ template <Scalar S, int N>
 /// exact:  rounded down, error in [0, 1) ULP                     (tests/oracle/point_obb.test.cpp)
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Obb<S, N>& box, const Vec<S, N>& point) noexcept {
-  if (is_empty(box)) return largest<S>;
-  // Squares of 62-bit numbers sum to 126 bits.
-  return by_width<62>([](const auto& excess) { return sqrt_floor<S>(squared_length(excess)); },
-                      detail::excess(box, point));
+  return is_empty(box) ? largest<S> : detail::gap_in_frame<S>(box, point);
 }
 
 }  // namespace detent

@@ -9,6 +9,7 @@
 #include "detent/query/distance/plane.hpp"
 #include "detent/query/distance/triangle.hpp"
 #include "detent/query/kernel/argument.hpp"
+#include "detent/query/kernel/box_filter.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/core.hpp"
 #include "detent/query/kernel/gjk.hpp"
@@ -99,7 +100,17 @@ inline constexpr bool has_gap_of_bodies = [] {
 /// The distance of two cores that have points, rounded down.
 template <Scalar S, class A, class B>
 [[nodiscard]] constexpr Length<S> gap_floor(const A& a, const B& b) noexcept {
-  if constexpr (filter_pays<S> && has_gap_of_bodies<A, B>) {
+  if constexpr (is_kind<A, Vec> && is_kind<B, Obb>) {
+    return gap_in_frame<Length<S>>(b, a);
+  } else if constexpr (is_kind<A, Obb> && is_kind<B, Vec>) {
+    return gap_in_frame<Length<S>>(a, b);
+  } else if constexpr (filter_pays<S> && has_gap_of_bodies<A, B>) {
+    if constexpr (is_kind<A, Obb> && is_kind<B, Obb>) {
+      const auto overlap =
+          decide_boxes_overlap(AxisFrame(a.rotation), a.half_extents, AxisFrame(b.rotation),
+                               b.half_extents, b.center - a.center);
+      if (overlap == Filtered::yes) return Length<S>(0);
+    }
     const auto body_a = body_of(a);
     const auto body_b = body_of(b);
     using BodyA = std::remove_cvref_t<decltype(body_a)>;

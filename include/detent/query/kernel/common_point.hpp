@@ -2,10 +2,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <type_traits>
+#include <utility>
 
+#include "detent/number/filter/filtered.hpp"
 #include "detent/number/fraction.hpp"
 #include "detent/number/min_max.hpp"
+#include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/gjk.hpp"
 
 // A point that two convex polytopes share.
@@ -36,6 +40,48 @@ constexpr bool any_two_corners(const Body& body, const F& f) noexcept {
   });
 }
 
+/// Whether points lie beyond one side of a body, seen along the edges of a box, exactly. Other
+/// bodies have no such sides.
+template <class Body>
+class Sides {
+ public:
+  explicit constexpr Sides(const Body&) noexcept {}
+  template <class... Corner>
+  [[nodiscard]] constexpr bool are_outside(const Corner&...) const noexcept {
+    return false;
+  }
+};
+template <class Body>
+requires(has_filters&& IsBoxBody<Body>&& is_fixed<decltype(Body::Edge::x)>) class Sides<Body> {
+ public:
+  explicit constexpr Sides(const Body& body) noexcept {
+    constexpr int bits = bits_of<decltype(body.some().x)> + 1;
+    std::size_t i = 0;
+    body.for_each_edge([&](const auto& edge) {
+      const auto end = [&](bool upper) {
+        return dot(edge, body.template extreme<bits>(edge, body.some(), upper));
+      };
+      slabs_[i++] = {edge, end(false), end(true)};
+    });
+  }
+  template <class... Corner>
+  [[nodiscard]] constexpr bool are_outside(const Corner&... corner) const noexcept {
+    for (const auto& slab : slabs_) {
+      if ((... && (dot(slab.edge, corner) < slab.low))) return true;
+      if ((... && (dot(slab.edge, corner) > slab.high))) return true;
+    }
+    return false;
+  }
+
+ private:
+  using Place = decltype(dot(typename Body::Edge(), std::declval<const Body&>().some()));
+  struct Slab {
+    typename Body::Edge edge;
+    Place low, high;
+  };
+  std::array<Slab, static_cast<std::size_t>(Body::dimension)> slabs_{};
+};
+
 /// The type of the corners of two bodies on the finer of their grids.
 template <Number A, Number B>
 struct CommonCorner {
@@ -60,6 +106,10 @@ class Entry {
       : p_(p), e_(q - p), body_(body) {}
 
   [[nodiscard]] constexpr Vec<S, N> find() noexcept {
+    if constexpr (N == 3 && IsBoxBody<Body>) {
+      enter_box();
+      return at_first();
+    }
     any_two_corners(body_, [&](const auto& k, const auto& l) {
       cross_segment(from_p(k), from_p(l));
       return false;
@@ -72,9 +122,8 @@ class Entry {
         });
         return false;
       });
-      if (pierced_ < crossed_) return at(pierced_);
     }
-    return at(crossed_);
+    return at_first();
   }
 
  private:
@@ -83,6 +132,35 @@ class Entry {
   using Area = std::remove_cvref_t<decltype(cross(Vec<Component, 2>(), Vec<Component, 2>()))>;
   using Part = std::remove_cvref_t<decltype(dot(Vec<Component, 3>(), Vec<Area, 3>()))>;
   using Volume = std::remove_cvref_t<decltype(Part() + Part() + Part())>;
+
+  [[nodiscard]] constexpr Vec<S, N> at_first() const noexcept {
+    if constexpr (N == 3) {
+      if (pierced_ < crossed_) return at(pierced_);
+    }
+    return at(crossed_);
+  }
+
+  /// Each product of two corners serves all their triangles.
+  constexpr void enter_box() noexcept {
+    const auto corners = body_.corners();
+    std::array<Edge, corners.size()> places;
+    for (std::size_t k = 0; k < places.size(); ++k) places[k] = from_p(corners[k]);
+    std::array<std::array<Part, places.size()>, places.size()> turns{};
+    for (std::size_t l = 1; l < places.size(); ++l) {
+      for (std::size_t k = 0; k < l; ++k) {
+        turns[k][l] = dot(e_, cross(places[k], places[l]));
+        if (turns[k][l] == 0) cross_segment(places[k], places[l]);
+      }
+    }
+    for (std::size_t m = 2; m < places.size(); ++m) {
+      for (std::size_t l = 1; l < m; ++l) {
+        for (std::size_t k = 0; k < l; ++k) {
+          pierce(turns[k][l], turns[l][m], narrow_negative(turns[k][m]),
+                 [&] { return dot(places[m], cross(places[k], places[l])); });
+        }
+      }
+    }
+  }
 
   template <class Corner>
   [[nodiscard]] constexpr Edge from_p(const Corner& corner) const noexcept {
@@ -126,10 +204,15 @@ class Entry {
   /// The segment pierces the triangle of k, l, m if it passes all edges on the same side.
   constexpr void pierce_triangle(const Edge& k, const Edge& l, const Edge& m) noexcept {
     const auto kl = cross(k, l);
-    const auto a = dot(e_, kl), b = dot(e_, cross(l, m)), c = dot(e_, cross(m, k));
+    pierce(dot(e_, kl), dot(e_, cross(l, m)), dot(e_, cross(m, k)), [&] { return dot(m, kl); });
+  }
+  /// The same for the sides on which it passes the edges; `volume` is that of k, l, m and p.
+  template <class GetVolume>
+  constexpr void pierce(const Part& a, const Part& b, const Part& c,
+                        const GetVolume& volume) noexcept {
     if ((a < 0 || b < 0 || c < 0) && (a > 0 || b > 0 || c > 0)) return;
     const Volume all = a + b + c;
-    if (all != 0) count(Volume(dot(m, kl)), all, pierced_);
+    if (all != 0) count(Volume(volume()), all, pierced_);
   }
 
   Vec<P, N> p_;
@@ -153,8 +236,11 @@ template <Scalar S, class A, class B, int N = A::dimension>
   using P = typename CommonCorner<std::remove_cvref_t<decltype(a.some().x)>,
                                   std::remove_cvref_t<decltype(b.some().x)>>::type;
   auto result = nearest_to<S>(a.some());
-  const auto take_corner = [&](const auto& from, const auto& other) {
+  const Sides sides_of_a(a);
+  const Sides sides_of_b(b);
+  const auto take_corner = [&](const auto& from, const auto& other, const auto& sides) {
     return any_corner(from, [&](const auto& corner) {
+      if (sides.are_outside(corner)) return false;
       if (!bodies_overlap(HullBody(std::array{corner}), other)) return false;
       result = nearest_to<S>(corner);
       return true;
@@ -163,8 +249,9 @@ template <Scalar S, class A, class B, int N = A::dimension>
   const auto on_grid = [](const auto& corner) {
     return make_vec<N>([&](int i) { return P(corner[i]); });
   };
-  const auto take_edge = [&](const auto& from, const auto& other) {
+  const auto take_edge = [&](const auto& from, const auto& other, const auto& sides) {
     return any_two_corners(from, [&](const auto& p, const auto& q) {
+      if (sides.are_outside(p, q)) return false;
       if (!bodies_overlap(HullBody(std::array{p, q}), other)) return false;
       result =
           Entry<S, P, std::remove_cvref_t<decltype(other)>>(on_grid(p), on_grid(q), other).find();
@@ -172,7 +259,8 @@ template <Scalar S, class A, class B, int N = A::dimension>
     });
   };
   // All fail only with scalars that round.
-  static_cast<void>(take_corner(a, b) || take_corner(b, a) || take_edge(a, b) || take_edge(b, a));
+  static_cast<void>(take_corner(a, b, sides_of_b) || take_corner(b, a, sides_of_a) ||
+                    take_edge(a, b, sides_of_b) || take_edge(b, a, sides_of_a));
   return result;
 }
 

@@ -162,4 +162,23 @@ template <Scalar S, Number Over, Number Under, Number V, int N>
   }
 }
 
+/// The same for a p on the grid. A coordinate above 0 counts as 2^-25 steps less, which is how a
+/// quotient by 1 is rounded: the result is that for the equal rational point.
+template <Scalar S, Number V, int N>
+[[nodiscard]] constexpr Vec<S, N> nearly_rounded_beyond(const Vec<S, N>& p, const S& radius,
+                                                        const Vec<V, N>& v) noexcept {
+  if constexpr (!is_fixed<S>) {
+    return rounded_beyond(p, radius, v);
+  } else {
+    if (radius == 0) return p;
+    using Finer = finer<S, 30>;
+    constexpr auto less = Finer::from_raw(1 << 5);
+    const auto moves = step_along(radius, to_array(v));
+    return make_vec<N>([&](int i) {
+      const auto from = Finer(p[i]) - (p[i] > 0 ? less : Finer(0));
+      return nearest_to<S>(from + moves.value[static_cast<std::size_t>(i)]);
+    });
+  }
+}
+
 }  // namespace detent::detail
