@@ -73,26 +73,27 @@ template <Scalar S, class A, class B, int N = A::dimension>
 
 /// The point of the body `b` closest to `a`, given three `corners` of a face of their differences
 /// before `a` moved by `reached`, and the normal of that face. Nothing unless the face is in front
-/// of `a`, and `reached` is straight over the corners' triangle; then the bodies are closest along
-/// the normal.
+/// of `a`, `reached` is straight over the corners' triangle, and differences have at most 61 bits;
+/// then the bodies are closest along the normal.
 template <Scalar S, class A, class B, class Reached, Number C, Number U>
 [[nodiscard]] constexpr std::optional<Vec<S, 3>> point_under_face(
     const A& a, const B& b, const Reached& reached, const std::array<Vec<C, 3>, 3>& corners,
     const Vec<U, 3>& normal) noexcept {
-  return with_differences(
-      b.low() - a.high(), b.high() - a.low(), [&]<Number T>(const T&) -> std::optional<Vec<S, 3>> {
-        // Corners of the differences of `a`, where it is now, and `b`; so their edges fit too.
-        const auto at = [&](std::size_t k) { return narrow<bits_of<T>>(corners[k] - reached); };
-        const std::array now{at(0), at(1), at(2)};
-        using Cross = std::remove_cvref_t<decltype(cross(now[0] - now[1], now[0] - now[1]).x)>;
-        const auto v = narrow<(std::min)(bits_of<U>, bits_of<Cross>)>(normal);
-        if (!(dot(v, now[0]) > 0)) return std::nullopt;
-        for (std::size_t k = 0; k < 3; ++k) {
-          if (dot(v, cross(now[k], now[(k + 1) % 3])) < 0) return std::nullopt;
-        }
-        using Corner = std::remove_cvref_t<decltype(T() + T())>;
-        return point_of_features(a, closest_features<Corner>(a, b, v, v), v, S(0));
-      });
+  const auto low = b.low() - a.high(), high = b.high() - a.low();
+  constexpr int bits = (std::min)(bits_of<std::remove_cvref_t<decltype(low.x)>>, 61);
+  if (!fits<bits>(low) || !fits<bits>(high)) return std::nullopt;
+  // Corners of the differences of `a`, where it is now, and `b`; so their edges fit too.
+  const auto at = [&](std::size_t k) { return narrow<bits>(corners[k] - reached); };
+  const std::array now{at(0), at(1), at(2)};
+  using T = std::remove_cvref_t<decltype(now[0].x)>;
+  using Cross = std::remove_cvref_t<decltype(cross(now[0] - now[1], now[0] - now[1]).x)>;
+  const auto v = narrow<(std::min)(bits_of<U>, bits_of<Cross>)>(normal);
+  if (!(dot(v, now[0]) > 0)) return std::nullopt;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (dot(v, cross(now[k], now[(k + 1) % 3])) < 0) return std::nullopt;
+  }
+  using Corner = std::remove_cvref_t<decltype(T() + T())>;
+  return point_of_features(a, closest_features<Corner>(a, b, v, v), v, S(0));
 }
 
 /// `body`, moved along `direction`.
