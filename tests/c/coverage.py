@@ -153,12 +153,19 @@ for region in sorted(regions):
 if not {'Vec', 'Sphere', 'Frustum'} <= regions or not {'contact', 'cast', 'raycast'} <= checked:
     wrong.append('the tables or regions were not read')
 
-# Every function is called by a test in C or C++: where macros paste names, N is a dimension.
-sources = ['src/c/single.hpp'] + ['tests/c/' + name for name in os.listdir('tests/c')
-                                  if name.endswith(('.c', '.cpp', '.hpp')) and name != 'overhead.cpp']
+# Every function is called by a test in C or C++: by its name, by macros that paste names, where N is a dimension, or
+# by its name in the table of calls.hpp.
+sources = {name: read('tests/c/' + name) for name in os.listdir('tests/c')
+           if name.endswith(('.c', '.cpp', '.hpp')) and name != 'overhead.cpp'}
+table = re.findall(r'DETENT_TEST_CALL\((\w+), N, (\w*)\)', sources.pop('calls.hpp'))
+text = '\n'.join([read('src/c/single.hpp'), *sources.values()])
 called = set()
-for token in re.findall(r'\bdetent_\w+(?:##N(?:##\w+)?)?', '\n'.join(map(read, sources))):
+for token in re.findall(r'\bdetent_\w+(?:##N(?:##\w+)?)?', text):
     called |= {token.replace('##N##', n).replace('##N', n) for n in '23'}
+used = set(re.findall(r'\w::(\w+)', text))
+for prefix, suffix in table:
+    if prefix + suffix in used:
+        called |= {f'detent_{prefix}{n}{suffix}' for n in '23'}
 wrong += [f'no test in tests/c calls {name}' for name in functions if name not in called]
 
 print('\n'.join(wrong) or f'C has {len(checked)} queries of README, and {len(regions)} regions of scenes')

@@ -27,9 +27,9 @@ template <Scalar S, Number V, int N>
 [[nodiscard]] constexpr std::optional<Direction<S, N>> direction_of_words(
     const Vec<V, N>& v) noexcept {
   using Component = direction_component<S>;
-  if (!(abs(v[longest_axis(v)]) >= Fixed<59, 0>::assume_raw(std::int64_t{1} << 58))) {
-    return std::nullopt;
-  }
+  using Length = Fixed<59, 0>;
+  constexpr auto least = Length::assume_raw(Length::raw_type{1} << 58);
+  if (!(abs(v[longest_axis(v)]) >= least)) return std::nullopt;
   using Magnitude = IntegerFor<(std::max)(bits_of<V>, 63)>;
   const auto shares = detail::shares(magnitudes<Magnitude>(to_array(v)));
   std::array<Component, static_cast<std::size_t>(N)> unit;
@@ -64,7 +64,7 @@ template <Scalar S, Number P, Number W, int N, Number R, class ToWorld>
     return Word::assume_raw(scaled_word(place[i].raw(), P::frac - R::frac - scale));
   });
   const auto w = make_vec<N>([&](int i) { return Part(narrow<W::frac + 1>(way[i])); });
-  const auto r = Word::assume_raw(shift_left(integer_cast<std::int64_t>(radius.raw()), scale));
+  const auto r = Word::assume_raw(shift_left(integer_cast<Word::raw_type>(radius.raw()), scale));
   const auto along = narrow_floor<Fixed<63, 0>>(dot(p, w));
   const auto beyond =
       narrow_floor<Fixed<63, -60>>(narrow_difference<126>(squared_length(p), square(r)));
@@ -73,7 +73,7 @@ template <Scalar S, Number P, Number W, int N, Number R, class ToWorld>
   const auto squared = narrow_floor<Fixed<63, 60>>(squared_length(w));
   const auto a = static_cast<std::uint64_t>(squared.raw());
   if (a > (std::uint64_t{1} << 60) + (std::uint64_t{1} << 40)) return std::nullopt;  // a skew frame
-  if (along.raw() < std::int64_t{1} << 50 || b >> 62 != 0) return std::nullopt;
+  if (along.raw() < Word::raw_type{1} << 50 || b >> 62 != 0) return std::nullopt;
   if (beyond < 0 || c >= b >> 6) return std::nullopt;
   // Times in half steps.
   const int zeros = std::countl_zero(b);
@@ -88,7 +88,8 @@ template <Scalar S, Number P, Number W, int N, Number R, class ToWorld>
   constexpr std::uint64_t margin = std::uint64_t{1} << (fine - 12);
   const std::uint64_t rest = time & ((std::uint64_t{1} << fine) - 1);
   if (rest < margin || rest >= (std::uint64_t{1} << fine) - margin) return std::nullopt;
-  const auto until = Fixed<54, 0>::assume_raw(static_cast<std::int64_t>((time - rest) >> 1));
+  using Time = Fixed<54, 0>;
+  const auto until = Time::assume_raw(static_cast<Time::raw_type>((time - rest) >> 1));
   const auto outward = to_world(make_vec<N>(
       [&](int i) { return narrow_difference<62>(p[i], narrow_floor<Word>(until * w[i])); }));
   return direction_of_words<S>(outward);
