@@ -8,18 +8,13 @@
 
 #include "c/movers.hpp"
 #include "calls.hpp"
+#include "numbers.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
 // Characters and casts in scenes: the C interface gives the bits of C++.
 
 namespace detent::test_c {
-
-using S = q16_16;
-using c::id_of;
-inline constexpr int one = 65536;
-
-inline S raw(std::int64_t n) { return S::from_raw(static_cast<std::int32_t>(n)); }
 
 /// Casts a shape through the scene: the first object, any, and all.
 template <int N, class Shape>

@@ -10,18 +10,13 @@
 #include "c/scenes.hpp"
 #include "calls.hpp"
 #include "detent/scene/mesh/owned.hpp"
+#include "numbers.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
 // Scenes of the C interface against scenes of C++: equal calls give equal bits.
 
 namespace detent::test_c {
-
-using S = q16_16;
-using c::id_of;
-inline constexpr int one = 65536;
-
-inline S raw(std::int64_t n) { return S::from_raw(static_cast<std::int32_t>(n)); }
 
 /// A point; 2D ignores z.
 template <int N>

@@ -8,16 +8,11 @@
 
 #include "c/worlds.hpp"
 #include "calls.hpp"
+#include "numbers.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
 namespace detent::test_c {
-
-using S = q16_16;
-using c::id_of;
-inline constexpr int one = 65536;
-
-inline S raw(std::int64_t n) { return S::from_raw(static_cast<std::int32_t>(n)); }
 
 /// A world of C and one of C++ that get the same calls.
 template <int N>
