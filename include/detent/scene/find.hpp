@@ -95,7 +95,7 @@ class Finder {
                              const Visit& visit) const {
     PointProbe<S, N> probe(point);
     S limit = largest<S>;
-    visit_trees<job::VisitNearest>(probe, [&](Index i) {
+    visit_each<job::VisitNearest>(probe, [&](Index i) {
       if (!filter(store_.info(i))) return Walk::go_on;
       const Walk walk = visit(found_at(i, point), limit);
       probe.shorten(limit);
@@ -199,7 +199,7 @@ class Finder {
                            const Visit& visit) const {
     S limit = question.max_distance;
     auto shorter = question;
-    visit_trees<job::VisitNearest>(probe, [&](Index i) {
+    visit_each<job::VisitNearest>(probe, [&](Index i) {
       if (!filter(store_.info(i))) return Walk::go_on;
       const auto distance = store_[i].shape.visit(
           [&](const auto& shape) { return separately<Job>(std::as_const(shorter), shape); });
@@ -216,31 +216,26 @@ class Finder {
   template <class Visit>
   constexpr void visit_boxes(const QuantizedBox<S, N>& box, const std::size_t& most,
                              const Visit& visit) const {
-    const auto& moving = store_.tree(Motion::moving);
-    const auto& fixed = store_.tree(Motion::fixed);
-    using Job = job::VisitMeeting;
-    if (__builtin_is_constant_evaluated()) {
-      if (Job()(moving, box, most, visit) == Walk::go_on) Job()(fixed, box, most, visit);
-    } else {
-      const ObjectsVisitor visitor(visit);
-      if (separately<Job>(moving, box, most, visitor) == Walk::go_on) {
-        separately<Job>(fixed, box, most, visitor);
-      }
-    }
+    visit_trees<job::VisitMeeting>(visit, ObjectsVisitor(visit), box, most);
   }
 
-  /// Visits the objects of both trees that `Job` finds.
+  /// Visits the objects of both trees that `Job` finds near `target`, one by one.
   template <class Job, class Target, class Visit>
-  constexpr void visit_trees(Target& target, const Visit& visit) const {
+  constexpr void visit_each(Target& target, const Visit& visit) const {
+    const ObjectVisitor visitor(visit, store_.end() > 0 ? &store_[0] : nullptr);
+    visit_trees<Job>(visit, visitor, target);
+  }
+
+  /// Lets `Job` walk both trees, the second only if the first walk is not stopped. `visitor` refers
+  /// to `visit`, for calls that are compiled separately.
+  template <class Job, class Visit, class Visitor, class... Target>
+  constexpr void visit_trees(const Visit& visit, const Visitor& visitor, Target&... target) const {
     const auto& moving = store_.tree(Motion::moving);
     const auto& fixed = store_.tree(Motion::fixed);
     if (__builtin_is_constant_evaluated()) {
-      if (Job()(moving, target, visit) == Walk::go_on) Job()(fixed, target, visit);
-    } else {
-      const ObjectVisitor visitor(visit, store_.end() > 0 ? &store_[0] : nullptr);
-      if (separately<Job>(moving, target, visitor) == Walk::go_on) {
-        separately<Job>(fixed, target, visitor);
-      }
+      if (Job()(moving, target..., visit) == Walk::go_on) Job()(fixed, target..., visit);
+    } else if (separately<Job>(moving, target..., visitor) == Walk::go_on) {
+      separately<Job>(fixed, target..., visitor);
     }
   }
 
