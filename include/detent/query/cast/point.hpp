@@ -96,13 +96,10 @@ template <Scalar S, class A, class B, class Reached, Number C, Number U>
   return point_of_features(a, closest_features<Corner>(a, b, v, v), v, S(0));
 }
 
-/// `body`, moved along `direction`.
-template <class Body, Scalar S, int N>
-[[nodiscard]] constexpr auto moved_body(const Body& body, const Direction<S, N>& direction,
-                                        const S& distance) noexcept {
-  const auto offset = direction.vec() * distance;
-  using Offset = std::remove_cvref_t<decltype(offset.x)>;
-  return SweptBody<Body, Offset, 0>(body, 0, offset, offset);
+/// `body`, moved by `offset`.
+template <class Body, Number T, int N>
+[[nodiscard]] constexpr auto moved_body(const Body& body, const Vec<T, N>& offset) noexcept {
+  return SweptBody<Body, T, 0>(body, 0, offset, offset);
 }
 
 /// The point of a plane closest to the body `a`, which is on one side of it or touches it: the foot
@@ -224,7 +221,7 @@ template <class A, class B, Scalar S, int N>
         if (const auto point = witness.closest_point(distance)) return *point;
       }
     }
-    const auto moved = moved_body(body, direction, distance);
+    const auto moved = moved_body(body, direction.vec() * distance);
     if constexpr (is_kind<CoreB, Plane>) {
       return closest_point_of_plane(moved, b);
     } else {

@@ -92,8 +92,9 @@ template <bool WithNormal, bool HasFilter, class A, class B, class Way, class To
       Touch<S, N> touch{entry.distance, std::nullopt};
       if constexpr (WithNormal) touch.normal = outward(entry.normal);
       if constexpr (WithNormal && std::is_same_v<ToWorld, SameFrame>) {
-        touch.point = point_under_face<S>(moved_body(a, direction, entry.distance), b,
-                                          steps * entry.distance, entry.corners, entry.normal);
+        const auto reached = steps * entry.distance;
+        touch.point =
+            point_under_face<S>(moved_body(a, reached), b, reached, entry.corners, entry.normal);
       }
       return touch;
     }
