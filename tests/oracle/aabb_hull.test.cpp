@@ -14,17 +14,7 @@ void examine(std::uint64_t seed, long count) {
   examine_pair<Aabb<S, N>, Hull>(seed, count, Aim{N == 2 ? 90 : 70, 30, 70});
 }
 
-TEMPLATE_TEST_CASE("AABB and hull: overlapping is decided exactly", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x4112, pair_cases / 10);
-}
-
-TEMPLATE_TEST_CASE("AABB and hull: many more decisions are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, pair_cases / 10);
-  }
-}
+DETENT_ORACLE_TEST("AABB and hull", 0x4112, pair_cases / 10, pair_cases / 10)
 
 }  // namespace
 }  // namespace detent::oracle

@@ -12,17 +12,7 @@ void examine(std::uint64_t seed, long count) {
   examine_pair<Obb<S, N>, Capsule<S, N>>(seed, count);
 }
 
-TEMPLATE_TEST_CASE("capsules and boxes: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0xca9b0, pair_cases / 4);
-}
-
-TEMPLATE_TEST_CASE("capsules and boxes: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, pair_cases / 2);
-  }
-}
+DETENT_ORACLE_TEST("capsules and boxes", 0xca9b0, pair_cases / 4, pair_cases / 2)
 
 }  // namespace
 }  // namespace detent::oracle

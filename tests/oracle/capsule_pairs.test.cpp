@@ -16,17 +16,7 @@ void examine(std::uint64_t seed, long count) {
   examine_pair<Segment<S, N>, Capsule<S, N>>(seed, count, Aim{10});
 }
 
-TEMPLATE_TEST_CASE("capsules and edges: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0xca950, pair_cases / 2);
-}
-
-TEMPLATE_TEST_CASE("capsules and edges: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, pair_cases);
-  }
-}
+DETENT_ORACLE_TEST("capsules and edges", 0xca950, pair_cases / 2, pair_cases)
 
 }  // namespace
 }  // namespace detent::oracle

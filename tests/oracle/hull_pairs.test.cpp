@@ -26,17 +26,7 @@ void examine(std::uint64_t seed, long count) {
   examine_pair<Segment<S, N>, Hull>(seed + 2, count, Aim{N == 2 ? 35 : 1, N == 2 ? 30 : 15, 70});
 }
 
-TEMPLATE_TEST_CASE("hull and hull, triangle, segment: overlapping is decided exactly", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x4111, pair_cases / 10);
-}
-
-TEMPLATE_TEST_CASE("hull and hull, triangle, segment: many more decisions are exact",
-                   "[oracle][.demand]", DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, pair_cases / 10);
-  }
-}
+DETENT_ORACLE_TEST("hull and hull, triangle, segment", 0x4111, pair_cases / 10, pair_cases / 10)
 
 }  // namespace
 }  // namespace detent::oracle

@@ -18,17 +18,7 @@ void examine(std::uint64_t seed, long count) {
   examine_pair<Capsule<S, N>, Hull>(seed + 2, count / 2, Aim{N == 2 ? 75 : 55, 30, 70});
 }
 
-TEMPLATE_TEST_CASE("hull and sphere, plane, capsule: overlapping is decided exactly", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x4115, pair_cases / 10);
-}
-
-TEMPLATE_TEST_CASE("hull and sphere, plane, capsule: many more decisions are exact",
-                   "[oracle][.demand]", DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, pair_cases / 10);
-  }
-}
+DETENT_ORACLE_TEST("hull and sphere, plane, capsule", 0x4115, pair_cases / 10, pair_cases / 10)
 
 }  // namespace
 }  // namespace detent::oracle

@@ -3,8 +3,7 @@
 
 #include "oracle/describe.hpp"
 #include "oracle/draw.hpp"
-#include "oracle/seeds.hpp"
-#include "oracle/space.hpp"
+#include "oracle/oracle_test.hpp"
 #include "support/catch.hpp"
 
 namespace detent::oracle {
@@ -117,16 +116,7 @@ void examine(std::uint64_t seed, long count) {
   CHECK(within * 100 >= count * 30);
 }
 
-TEMPLATE_TEST_CASE("intersection: every answer is the exact one", "[oracle]", DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x1a7e5, 20'000);
-}
-
-TEMPLATE_TEST_CASE("intersection: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, 20'000);
-  }
-}
+DETENT_ORACLE_TEST("intersection", 0x1a7e5, 20'000, 20'000)
 
 }  // namespace
 }  // namespace detent::oracle

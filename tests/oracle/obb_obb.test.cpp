@@ -41,16 +41,7 @@ void examine(std::uint64_t seed, long count) {
   examine_pair<Obb<S, N>, Obb<S, N>>(seed, count, Aim{}, more);
 }
 
-TEMPLATE_TEST_CASE("OBB and OBB: every answer is the exact one", "[oracle]", DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x0bb0bb, pair_cases / 8);
-}
-
-TEMPLATE_TEST_CASE("OBB and OBB: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, pair_cases / 8);
-  }
-}
+DETENT_ORACLE_TEST("OBB and OBB", 0x0bb0bb, pair_cases / 8, pair_cases / 8)
 
 }  // namespace
 }  // namespace detent::oracle

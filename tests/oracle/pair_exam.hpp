@@ -8,9 +8,7 @@
 
 #include "oracle/describe.hpp"
 #include "oracle/draw_shape.hpp"
-#include "oracle/seeds.hpp"
-#include "oracle/space.hpp"
-#include "support/catch.hpp"
+#include "oracle/oracle_test.hpp"
 
 namespace detent::oracle {
 

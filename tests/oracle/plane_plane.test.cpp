@@ -49,17 +49,7 @@ void examine(std::uint64_t seed, long count) {
   exam.finish();
 }
 
-TEMPLATE_TEST_CASE("plane and plane: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x91a91a, pair_cases);
-}
-
-TEMPLATE_TEST_CASE("plane and plane: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, pair_cases);
-  }
-}
+DETENT_ORACLE_TEST("plane and plane", 0x91a91a, pair_cases, pair_cases)
 
 }  // namespace
 }  // namespace detent::oracle

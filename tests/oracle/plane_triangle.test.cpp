@@ -11,17 +11,7 @@ void examine(std::uint64_t seed, long count) {
   examine_pair<Plane<S, N>, Triangle<S, N>>(seed, count, Aim{});
 }
 
-TEMPLATE_TEST_CASE("plane and triangle: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x91a321, pair_cases);
-}
-
-TEMPLATE_TEST_CASE("plane and triangle: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, pair_cases);
-  }
-}
+DETENT_ORACLE_TEST("plane and triangle", 0x91a321, pair_cases, pair_cases)
 
 }  // namespace
 }  // namespace detent::oracle

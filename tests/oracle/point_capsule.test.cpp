@@ -48,17 +48,7 @@ void examine(std::uint64_t seed, long count) {
   exam.finish();
 }
 
-TEMPLATE_TEST_CASE("point and capsule: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0xa8148, point_cases);
-}
-
-TEMPLATE_TEST_CASE("point and capsule: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, 2 * point_cases);
-  }
-}
+DETENT_ORACLE_TEST("point and capsule", 0xa8148, point_cases, 2 * point_cases)
 
 }  // namespace
 }  // namespace detent::oracle

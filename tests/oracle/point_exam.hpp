@@ -8,10 +8,8 @@
 #include <string>
 
 #include "oracle/draw.hpp"
+#include "oracle/oracle_test.hpp"
 #include "oracle/point_answer.hpp"
-#include "oracle/seeds.hpp"
-#include "oracle/space.hpp"
-#include "support/catch.hpp"
 
 namespace detent::oracle {
 

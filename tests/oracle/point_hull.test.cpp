@@ -41,17 +41,7 @@ void examine(std::uint64_t seed, long count) {
   exam.finish();
 }
 
-TEMPLATE_TEST_CASE("point and hull: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x4114, point_cases / 10);
-}
-
-TEMPLATE_TEST_CASE("point and hull: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, point_cases / 10);
-  }
-}
+DETENT_ORACLE_TEST("point and hull", 0x4114, point_cases / 10, point_cases / 10)
 
 }  // namespace
 }  // namespace detent::oracle

@@ -55,17 +55,7 @@ void examine(std::uint64_t seed, long count) {
   exam.finish();
 }
 
-TEMPLATE_TEST_CASE("point and triangle: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x73150, point_cases);
-}
-
-TEMPLATE_TEST_CASE("point and triangle: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, 2 * point_cases);
-  }
-}
+DETENT_ORACLE_TEST("point and triangle", 0x73150, point_cases, 2 * point_cases)
 
 }  // namespace
 }  // namespace detent::oracle

@@ -129,17 +129,7 @@ void examine(std::uint64_t seed, long count) {
   exam.finish(count);
 }
 
-TEMPLATE_TEST_CASE("ray against AABB: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0xaabb, cases<TestType>);
-}
-
-TEMPLATE_TEST_CASE("ray against AABB: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, 1'000'000);
-  }
-}
+DETENT_ORACLE_TEST("ray against AABB", 0xaabb, cases<TestType>, 1'000'000)
 
 }  // namespace
 }  // namespace detent::oracle

@@ -105,17 +105,7 @@ void examine(std::uint64_t seed, long count) {
   exam.finish(count);
 }
 
-TEMPLATE_TEST_CASE("ray against capsule: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0xca94e, 10'000);
-}
-
-TEMPLATE_TEST_CASE("ray against capsule: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, 20'000);
-  }
-}
+DETENT_ORACLE_TEST("ray against capsule", 0xca94e, 10'000, 20'000)
 
 // The bound on normals, 0.501 units, is tight: some are off by more than 0.499.
 TEMPLATE_TEST_CASE("ray against capsule: a normal may be off by nearly half a unit", "[oracle]",

@@ -86,17 +86,7 @@ void examine(std::uint64_t seed, long count) {
   exam.finish(count);
 }
 
-TEMPLATE_TEST_CASE("ray against hull: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x4116, 6'000);
-}
-
-TEMPLATE_TEST_CASE("ray against hull: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, 6'000);
-  }
-}
+DETENT_ORACLE_TEST("ray against hull", 0x4116, 6'000, 6'000)
 
 }  // namespace
 }  // namespace detent::oracle

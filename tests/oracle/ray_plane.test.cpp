@@ -104,17 +104,7 @@ void examine(std::uint64_t seed, long count) {
   exam.finish(count);
 }
 
-TEMPLATE_TEST_CASE("ray against plane: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x91a7e, cases<TestType>);
-}
-
-TEMPLATE_TEST_CASE("ray against plane: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, 1'000'000);
-  }
-}
+DETENT_ORACLE_TEST("ray against plane", 0x91a7e, cases<TestType>, 1'000'000)
 
 }  // namespace
 }  // namespace detent::oracle

@@ -68,17 +68,7 @@ void examine(std::uint64_t seed, long count) {
   exam.finish(count);
 }
 
-TEMPLATE_TEST_CASE("ray against segment: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x5e61e, 40'000);
-}
-
-TEMPLATE_TEST_CASE("ray against segment: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, 80'000);
-  }
-}
+DETENT_ORACLE_TEST("ray against segment", 0x5e61e, 40'000, 80'000)
 
 }  // namespace
 }  // namespace detent::oracle

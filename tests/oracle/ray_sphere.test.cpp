@@ -148,17 +148,7 @@ void examine(std::uint64_t seed, long count) {
   exam.finish(count);
 }
 
-TEMPLATE_TEST_CASE("ray against sphere: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x5be7e, cases<TestType>);
-}
-
-TEMPLATE_TEST_CASE("ray against sphere: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, 1'000'000);
-  }
-}
+DETENT_ORACLE_TEST("ray against sphere", 0x5be7e, cases<TestType>, 1'000'000)
 
 // The bound on normals, one unit, could not be half a unit: some are off by more than half, unlike
 // correctly rounded ones. With 16-bit scalars a few in a hundred thousand; with 32-bit ones, whose

@@ -212,17 +212,7 @@ TEMPLATE_TEST_CASE("ray against triangle: normals halfway between two are rounde
   exam_3d.finish(5'000);
 }
 
-TEMPLATE_TEST_CASE("ray against triangle: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x7419, cases<TestType>);
-}
-
-TEMPLATE_TEST_CASE("ray against triangle: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, 1'000'000);
-  }
-}
+DETENT_ORACLE_TEST("ray against triangle", 0x7419, cases<TestType>, 1'000'000)
 
 }  // namespace
 }  // namespace detent::oracle

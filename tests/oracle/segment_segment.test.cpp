@@ -28,17 +28,7 @@ void examine(std::uint64_t seed, long count) {
   examine_pair<Segment<S, N>, Segment<S, N>>(seed, count, Aim{30, 0, 70}, more);
 }
 
-TEMPLATE_TEST_CASE("segment and segment: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x5e65e6, pair_cases);
-}
-
-TEMPLATE_TEST_CASE("segment and segment: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, pair_cases);
-  }
-}
+DETENT_ORACLE_TEST("segment and segment", 0x5e65e6, pair_cases, pair_cases)
 
 }  // namespace
 }  // namespace detent::oracle

@@ -14,17 +14,7 @@ void examine(std::uint64_t seed, long count) {
   examine_pair<Segment<S, N>, Sphere<S, N>>(seed, count, Aim{15});
 }
 
-TEMPLATE_TEST_CASE("spheres and edges: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x5ed9e, pair_cases);
-}
-
-TEMPLATE_TEST_CASE("spheres and edges: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, 2 * pair_cases);
-  }
-}
+DETENT_ORACLE_TEST("spheres and edges", 0x5ed9e, pair_cases, 2 * pair_cases)
 
 }  // namespace
 }  // namespace detent::oracle

@@ -17,17 +17,7 @@ void examine(std::uint64_t seed, long count) {
   examine_pair<Round, Plane<S, N>>(seed, count);
 }
 
-TEMPLATE_TEST_CASE("spheres and boxes: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x59e8e, pair_cases);
-}
-
-TEMPLATE_TEST_CASE("spheres and boxes: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, 2 * pair_cases);
-  }
-}
+DETENT_ORACLE_TEST("spheres and boxes", 0x59e8e, pair_cases, 2 * pair_cases)
 
 }  // namespace
 }  // namespace detent::oracle

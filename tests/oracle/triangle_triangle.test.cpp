@@ -11,17 +11,7 @@ void examine(std::uint64_t seed, long count) {
   examine_pair<Triangle<S, N>, Triangle<S, N>>(seed, count, Aim{N == 2 ? 60 : 20, N == 2 ? 30 : 5});
 }
 
-TEMPLATE_TEST_CASE("triangle and triangle: every answer is the exact one", "[oracle]",
-                   DETENT_FIXED_SPACES) {
-  examine<typename TestType::scalar, TestType::dimension>(0x321321, pair_cases / 2);
-}
-
-TEMPLATE_TEST_CASE("triangle and triangle: many more answers are exact", "[oracle][.demand]",
-                   DETENT_FIXED_SPACES) {
-  for (const auto seed : demanded_seeds()) {
-    examine<typename TestType::scalar, TestType::dimension>(seed, pair_cases / 2);
-  }
-}
+DETENT_ORACLE_TEST("triangle and triangle", 0x321321, pair_cases / 2, pair_cases / 2)
 
 }  // namespace
 }  // namespace detent::oracle
