@@ -26,14 +26,7 @@ void check(Decoder<S, N>& decoder) {
 }  // namespace
 
 void property(Bytes input) {
-  Source source(input);
-  in_a_space(source, [&]<Scalar S, int N>(Space<S, N>) {
-    with_two_shapes<S, N, Segment<S, N>, ConvexHull<S, N>>(
-        source, [&]<class A, class B>(std::type_identity<A>, std::type_identity<B>) {
-          Decoder<S, N> decoder(source);
-          check<A, B>(decoder);
-        });
-  });
+  check_two_shapes(input, []<class A, class B>(auto& decoder) { check<A, B>(decoder); });
 }
 
 }  // namespace detent::fuzz

@@ -3,6 +3,7 @@
 
 #include <type_traits>
 
+#include "decode.hpp"
 #include "detent/query/intersects.hpp"
 #include "detent/query/overlaps.hpp"
 #include "spaces.hpp"
@@ -15,6 +16,20 @@ template <Scalar S, int N, class... More, class Check>
 void with_two_shapes(Source& source, const Check& check) {
   with_one_shape<S, N, More...>(source, [&]<class A>(std::type_identity<A> a) {
     with_one_shape<S, N, More...>(source, [&]<class B>(std::type_identity<B> b) { check(a, b); });
+  });
+}
+
+/// Draws a space and two shapes of every kind, segments and hulls among them, and calls
+/// check.template operator()<A, B>(decoder).
+template <class Check>
+void check_two_shapes(Bytes input, const Check& check) {
+  Source source(input);
+  in_a_space(source, [&]<Scalar S, int N>(Space<S, N>) {
+    with_two_shapes<S, N, Segment<S, N>, ConvexHull<S, N>>(
+        source, [&]<class A, class B>(std::type_identity<A>, std::type_identity<B>) {
+          Decoder<S, N> decoder(source);
+          check.template operator()<A, B>(decoder);
+        });
   });
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/as_scalar.hpp"
+#include "detent/scene/scene.hpp"
 #include "support/random.hpp"
 
 // Random scenes, and timing them.
@@ -99,5 +100,17 @@ struct Drawn {
 
   test::Random random_;
 };
+
+template <Scalar S>
+void add(Scene<S, 3, Sphere, Obb>& scene, const Drawn& drawn) {
+  for (const auto& [box, is_ball] : drawn.items) {
+    const Obb<S, 3> shape{as<S>(box.center), as<S>(box.half_extents), as<S>(box.rotation)};
+    if (is_ball) {
+      scene.add(Sphere<S, 3>{shape.center, shape.half_extents.x});
+    } else {
+      scene.add(shape);
+    }
+  }
+}
 
 }  // namespace detent::bench

@@ -76,18 +76,6 @@ std::vector<std::uint32_t> draw_changes(std::size_t size) {
 }
 
 template <Scalar S>
-void add(Scene<S, 3, Sphere, Obb>& scene, const Drawn& drawn) {
-  for (const auto& [box, is_ball] : drawn.items) {
-    const Obb<S, 3> shape{as<S>(box.center), as<S>(box.half_extents), as<S>(box.rotation)};
-    if (is_ball) {
-      scene.add(Sphere<S, 3>{shape.center, shape.half_extents.x});
-    } else {
-      scene.add(shape);
-    }
-  }
-}
-
-template <Scalar S>
 Counts measure(const Drawn& drawn, const char* who) {
   const std::size_t size = drawn.items.size();
   const int count = rounds_of(size);

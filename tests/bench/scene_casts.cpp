@@ -12,7 +12,6 @@
 
 #include "bench/drawn_scene.hpp"
 #include "detent/query/contact.hpp"
-#include "detent/scene/scene.hpp"
 #if DETENT_BENCH_BULLET
 #include "bench/bullet_scene.hpp"
 #endif
@@ -45,14 +44,11 @@ template <Scalar S>
 Measured measure(const Drawn& drawn) {
   Scene<S, 3, Sphere, Obb> scene;
   std::vector<Obb<S, 3>> boxes;
-  for (const auto& [box, is_ball] : drawn.items) {
+  for (const auto& item : drawn.items) {
+    const auto& box = item.box;
     boxes.push_back({as<S>(box.center), as<S>(box.half_extents), as<S>(box.rotation)});
-    if (is_ball) {
-      scene.add(Sphere<S, 3>{boxes.back().center, boxes.back().half_extents.x});
-    } else {
-      scene.add(boxes.back());
-    }
   }
+  add(scene, drawn);
   scene.optimize();
   std::vector<Ray<S, 3>> rays;
   for (const auto& ray : drawn.rays) rays.push_back(as<S>(ray));

@@ -29,14 +29,7 @@ Measured measure(const Drawn& drawn) {
   Scene<S, 3, Sphere, Obb> scene;
   Timer build, cast, move, pairs;
   build.time([&] {
-    for (const auto& [box, is_ball] : drawn.items) {
-      const Obb<S, 3> shape{as<S>(box.center), as<S>(box.half_extents), as<S>(box.rotation)};
-      if (is_ball) {
-        scene.add(Sphere<S, 3>{shape.center, shape.half_extents.x});
-      } else {
-        scene.add(shape);
-      }
-    }
+    add(scene, drawn);
     scene.optimize();
   });
   std::vector<Ray<S, 3>> rays;

@@ -68,16 +68,15 @@ void check_pairs(std::uint64_t seed, int count, const Check& check) {
   for (int i = 0; i < count; ++i) {
     CAPTURE(N, seed, i);
     Draw<N> draw{verify::ShapeScene<S, N>(random)};
-    const auto first = draw.all();
-    draw.scene.turn();
-    const auto second = draw.all();
+    const auto two = draw.two_of_all();
     const auto way = draw.scene.aimed_ray();
-    for_each_pair(first, second, [&]<std::size_t I, std::size_t J>(const auto& a, const auto& b) {
-      if constexpr (is_compared(I, J)) {
-        CAPTURE(I, J);
-        check(a, b, way);
-      }
-    });
+    for_each_pair(two.first, two.second,
+                  [&]<std::size_t I, std::size_t J>(const auto& a, const auto& b) {
+                    if constexpr (is_compared(I, J)) {
+                      CAPTURE(I, J);
+                      check(a, b, way);
+                    }
+                  });
   }
 }
 

@@ -80,20 +80,19 @@ void check_dimension(std::uint64_t seed, int count) {
   for (int i = 0; i < count; ++i) {
     CAPTURE(N, seed, i);
     Draw<N> draw{verify::ShapeScene<S, N>(random)};
-    const auto first = draw.all();
-    draw.scene.turn();
-    const auto second = draw.all();
+    const auto two = draw.two_of_all();
     const auto ray = draw.scene.aimed_ray();
     const auto point = draw.scene.spot();
     std::apply(
         [&](const auto&... a) {
           (check_shape<N>(a, point, ray, hits, held), ...);
           const auto with_all = [&](const auto& one) {
-            std::apply([&](const auto&... b) { (check_pair<N>(one, b, meetings), ...); }, second);
+            std::apply([&](const auto&... b) { (check_pair<N>(one, b, meetings), ...); },
+                       two.second);
           };
           (with_all(a), ...);
         },
-        first);
+        two.first);
   }
   for (const auto& share : {hits, held, meetings}) share.check();
 }

@@ -48,6 +48,12 @@ struct Draw {
     const auto segment = scene.segment();
     return std::tuple{sphere, aabb, obb, plane, triangle, capsule, segment};
   }
+  /// Two of each kind, the second ones turned.
+  auto two_of_all() {
+    const auto first = all();
+    scene.turn();
+    return std::pair{first, all()};
+  }
 };
 
 /// Calls f.operator()<I, J>(a, b) for every shape I of one tuple and every shape J of another.

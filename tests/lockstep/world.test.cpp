@@ -4,13 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "detent/dynamics/dynamics.hpp"
-#include "detent/lockstep/session.hpp"
+#include "lockstep/two_peers.hpp"
 #include "support/catch.hpp"
 
 using namespace detent;
@@ -40,44 +37,18 @@ void simulate(Bodies& world, const Match::Inputs& inputs) {
   world.step();
 }
 
-struct Found {
-  std::array<std::optional<SessionEvent>, 2> desync, field;
-};
-
 /// Plays 120 ticks; meddle(peer, world, frame) is called after each frame.
 template <class Meddle>
-Found play(const Meddle& meddle) {
-  std::array<std::unique_ptr<Match>, 2> peers;
-  for (std::size_t i = 0; i < 2; ++i) {
-    SessionConfig config;
-    config.self = i;
-    config.delay = 0;
-    peers[i] = std::make_unique<Match>(config, start());
-  }
-  Found found;
-  std::array<std::vector<std::byte>, 2> wire;  // to each
-  for (std::uint64_t tick = 0; tick < 120; ++tick) {
-    const auto now = tick * 16'667;
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (!wire[i].empty()) peers[i]->receive(1 - i, wire[i], now);
-    }
-    for (std::size_t i = 0; i < 2; ++i) {
-      const auto input = static_cast<std::int8_t>(static_cast<int>(tick / (4 + i) % 3) - 1);
-      peers[i]->advance(input, [&](Bodies& world, const Match::Inputs& inputs) {
-        simulate(world, inputs);
-        meddle(i, world, inputs.frame());
-      });
-      peers[i]->poll(now, [&](std::size_t to, std::span<const std::byte> bytes) {
-        wire[to].assign(bytes.begin(), bytes.end());
-      });
-      while (const auto event = peers[i]->next_event()) {
-        if (event->kind == SessionEvent::Kind::desync) found.desync[i] = event;
-        if (event->kind == SessionEvent::Kind::desync_field) found.field[i] = event;
-      }
-    }
-  }
-  CHECK(peers[0]->final_frame() > 100);
-  CHECK(peers[0]->resimulated() > 0);
+test::TwoPeers<Match> play(const Meddle& meddle) {
+  SessionConfig config;
+  config.delay = 0;
+  auto found = test::play<Match>(config, start(),
+                                 [&](std::size_t peer, Bodies& world, const Match::Inputs& inputs) {
+                                   simulate(world, inputs);
+                                   meddle(peer, world, inputs.frame());
+                                 });
+  CHECK(found.peers[0]->final_frame() > 100);
+  CHECK(found.peers[0]->resimulated() > 0);
   return found;
 }
 

@@ -44,12 +44,7 @@ TEMPLATE_TEST_CASE("closest point, hull: coordinates round to nearest, ties to e
                    "[closest_point]", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  const auto raw = [](int x, int y) {
-    Vec<S, N> v;
-    v.x = moved(S(0), x);
-    v.y = moved(S(0), y);
-    return v;
-  };
+  const auto raw = in_steps<S, N>;
   CHECK(closest(Points<S, N, 2>{raw(0, 0), raw(4, 4)}, raw(2, 1)) == raw(2, 2));
   CHECK(closest(Points<S, N, 2>{raw(0, 0), raw(4, 4)}, raw(3, 2)) == raw(2, 2));
   const auto low = filled<S, N>(S::lowest()), high = filled<S, N>(S::max());

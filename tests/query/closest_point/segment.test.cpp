@@ -23,12 +23,7 @@ TEMPLATE_TEST_CASE("closest point, segment: rounded once, ties to even", "[close
                    DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  const auto raw = [](int x, int y) {
-    Vec<S, N> v;
-    v.x = moved(S(0), x);
-    v.y = moved(S(0), y);
-    return v;
-  };
+  const auto raw = in_steps<S, N>;
   // Onto y = x: (1, 0) gives (0.5, 0.5) and (3, 0) gives (1.5, 1.5).
   const Segment<S, N> diagonal{raw(-8, -8), raw(8, 8)};
   CHECK(closest_point(diagonal, raw(1, 0)) == raw(0, 0));

@@ -35,12 +35,7 @@ TEMPLATE_TEST_CASE(
 TEMPLATE_TEST_CASE("closest point, sphere: rounded once", "[closest_point]", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  const auto raw = [](int x, int y) {
-    Vec<S, N> v;
-    v.x = moved(S(0), x);
-    v.y = moved(S(0), y);
-    return v;
-  };
+  const auto raw = in_steps<S, N>;
   const Sphere<S, N> sphere{Vec<S, N>(), moved(S(0), 25)};
   CHECK(closest_point(sphere, raw(300, 400)) == raw(15, 20));
   CHECK(closest_point(sphere, raw(-300, 400)) == raw(-15, 20));

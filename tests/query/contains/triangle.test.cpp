@@ -49,9 +49,7 @@ TEMPLATE_TEST_CASE("contains, triangle: one raw unit decides, at the ends of the
                    "[contains]", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  const auto low = filled<S, N>(S::lowest()), high = filled<S, N>(S::max());
-  auto side = low;
-  side.x = S::max();
+  const auto [low, side, high] = half_domain<S, N>();
   const Triangle<S, N> half{low, side, high};
   CHECK(contains(half, low));
   CHECK(contains(half, Vec<S, N>()));

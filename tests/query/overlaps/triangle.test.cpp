@@ -104,9 +104,7 @@ TEMPLATE_TEST_CASE("overlaps, triangle: one raw unit decides, at the ends of the
                    "[overlaps]", DETENT_FIXED_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  const auto low = filled<S, N>(S::lowest()), high = filled<S, N>(S::max());
-  auto side = low;
-  side.x = S::max();
+  const auto [low, side, high] = half_domain<S, N>();
   const Triangle<S, N> half{low, side, high};
   auto point = Vec<S, N>();
   point.x = moved(S(0), -1);

@@ -56,6 +56,25 @@ constexpr S moved(S value, int steps) {
   return S::from_raw(static_cast<typename S::raw_type>(value.raw() + steps));
 }
 
+/// The point (x, y) in a fixed scalar's smallest steps.
+template <Scalar S, int N>
+requires is_fixed<S>
+constexpr Vec<S, N> in_steps(int x, int y) {
+  Vec<S, N> result;
+  result.x = moved(S(0), x);
+  result.y = moved(S(0), y);
+  return result;
+}
+
+/// The first corner of the domain, the last one, and between them the corner with the last x: the
+/// corners of half the domain in 2D.
+template <Scalar S, int N>
+constexpr std::array<Vec<S, N>, 3> half_domain() {
+  auto side = filled<S, N>(S::lowest());
+  side.x = S::max();
+  return {filled<S, N>(S::lowest()), side, filled<S, N>(S::max())};
+}
+
 /// (3, 4) / 5 with the exact angle: exactly parallel, 2^-30 too long.
 template <Scalar S, int N>
 constexpr Direction<S, N> three_four_fifths() {

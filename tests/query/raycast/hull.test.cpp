@@ -130,9 +130,7 @@ TEMPLATE_TEST_CASE("ray against hull: one raw unit decides, at the ends of the d
   far.x = moved(far.x, 1);
   CHECK_FALSE(met(slanted, Points<S, N, 2>{beside, far}));
 
-  const auto low = filled<S, N>(S::lowest()), high = filled<S, N>(S::max());
-  auto side = low;
-  side.x = S::max();
+  const auto [low, side, high] = half_domain<S, N>();
   const Ray<S, N> long_ray{low, toward<S, N>(1), S::max()};
   CHECK_FALSE(met(long_ray, Points<S, N, 1>{side}));
   CHECK(met(long_ray, Points<S, N, 3>{low, side, high}) == Interval<S>{S(0), S::max()});
