@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # usage: claims.sh [--write]
 # Generates the text of README.md and docs/platforms.md between their "platforms" comments from
-# tests/platforms/results, which a full run writes. Without --write, fails if a page differs.
+# tests/platforms/results, which `run --record` writes. Without --write, fails if a page differs.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -11,12 +11,9 @@ verify_results=tests/verify/results.txt
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-value() { sed -n "s/^$1|//p" "$results"; }
-
 # Prints the results as a block for the page: a summary for the README, more figures elsewhere.
 block() {
-  awk -F'|' -v page="$1" -v date="$(value date)" -v version="$(value results_version)" \
-    -v seconds="$(value seconds)" -v floats="$(value float)" \
+  awk -F'|' -v page="$1" -v floats="$(sed -n 's/^float|//p' "$results")" \
     -v golden="$(awk '!/^#/ { print $2 }' "$verify_results" | sort -u | wc -l)" '
     function list(text, item) { return text == "" ? item : text ", " item }
     $1 != "row" { next }
@@ -25,8 +22,10 @@ block() {
       if (result == "equal") {
         ++equal
         big += $6 == "big"; short += $5 == 32; ours += $7 == "ours"; soft += $8 == "none"
-        if ($13 > most) most = $13
-        if (fewest == "" || $13 < fewest) fewest = $13
+        run = $14 "|" $13 "|" $15
+        if (!(run in rows)) runs[++times] = run
+        ++rows[run]
+        seconds += $11
       } else if (result == "compiles") {
         ++compiled
       } else if (result ~ /^DIFFERENT/) {
@@ -43,17 +42,27 @@ block() {
       }
     }
     END {
-      printf "On %s **%d platforms gave the golden digests and %s differed**. ", date, equal,
+      printf "**%d platforms gave the golden digests and %s differed**: ", equal,
              different ? different : "none"
-      if (fewest == golden) ran = "all " golden
-      else ran = (most == fewest ? most : fewest " to " most) " of the present " golden
-      print "Each ran " ran " queries (results_version " version ")."
+      # Latest first.
+      for (i = 2; i <= times; ++i) {
+        for (k = i; k > 1 && runs[k] > runs[k - 1]; --k) {
+          run = runs[k]; runs[k] = runs[k - 1]; runs[k - 1] = run
+        }
+      }
+      for (i = 1; i <= times; ++i) {
+        split(runs[i], run_of, "|")
+        asked = run_of[2] == golden ? "all " golden : run_of[2] " of the present " golden
+        printf "%s%d on %s, each with %s queries (results_version %s)", (i > 1 ? "; " : ""),
+               rows[runs[i]], run_of[1], asked, run_of[3]
+      }
+      print "."
       if (failed != "") print "Not equal: " failed "."
       if (compiled) print compiled " more were not run: the compiler evaluated the check and gave the golden answers."
       print floats
       if (page != "README.md") {
         printf "\nOf the %d platforms, %d are big-endian, %d have 32-bit words, %d use our own 128-bit integer and %d have no\n", equal, big, short, ours, soft
-        printf "floating-point unit. The run took %d seconds on one processor, compiling included.\n", seconds
+        printf "floating-point unit. Compiling and running them took %d seconds of one processor.\n", seconds
       }
       print "\n| platforms | |\n|---|---|"
       for (i = 1; i <= known; ++i) print "| " groups[i] " | " count[groups[i]] ": " names[groups[i]] " |"

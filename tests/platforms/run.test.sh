@@ -151,6 +151,17 @@ says '^second 0000000000000009 ok$'
 run 77 --test absent
 says '^skipped, not installed: no-such-compiler$'
 
+# Of the recorded results only those of the named platforms change.
+mkdir -p include/detent
+echo 'constexpr int results_version = 7;' >include/detent/version.hpp
+printf '#!/bin/sh\n' >tests/platforms/claims.sh
+chmod +x tests/platforms/claims.sh
+printf '%s\n' 'float|as before' 'row||right|as before' 'row||small|as before' >tests/platforms/results
+run 0 --no-install --record right
+recorded=$(grep -v '^#' tests/platforms/results)
+[[ $recorded =~ ^'float|as before'$'\n''row||right|'[^$'\n']*'|equal|'[^$'\n']*'|7'$'\n''row||small|as before'$ ]] ||
+  complain "run --record right writes: $recorded"
+
 run 0 --list good
 [[ $(cat printed) == $'right\nsmall\nparts\nconstant' ]] || complain "run --list lists something else"
 run 0 --packages
