@@ -441,7 +441,7 @@ template <class Storage, Scalar S, int N, class... Shapes, AssetList... Lists>
   const auto& old = WorldAccess::bodies(world);
   std::remove_cvref_t<decltype(old)> bodies;
   // No more than the bytes can be, whatever the header claims.
-  bodies.reserve((std::min)(std::size_t{header.bodies} + header.fixed,
+  bodies.reserve((std::min)(std::size_t{header.bodies} + std::size_t{header.fixed},
                             old.size() + bytes.size() / sizeof(std::uint64_t)));
   for (std::size_t i = 0; i < old.size(); ++i) {
     if (old[i].generation == 0 || old[i].motion != BodyMotion::fixed) continue;
