@@ -90,7 +90,9 @@ struct ClosestTruth {
     };
     const auto p = in_steps_of_48(answer.first), q = in_steps_of_48(answer.second);
     const auto from = [&](const oracle::Vector<N>& point, const auto& shape) {
-      return *oracle::distance_floor(oracle::Solid<N>(oracle::Ball<N>{point, 0}),
+      // As a hull: the oracle then takes an OBB by its corners, as `closest_points` of two OBBs does,
+      // not by the slabs of its axes, which are not exactly perpendicular.
+      return *oracle::distance_floor(oracle::Solid<N>(oracle::Cloud<N>{{point}}),
                                      in_steps(in_dimension<N>(shape), frac));
     };
     const auto between = oracle::difference(q, p);
