@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -44,7 +45,9 @@ TEST_CASE("accuracy: fixed-point answers are exact on every rung of every query"
         CHECK(cell.wrong == 0);
         CHECK(cell.off == 0);
         questions[cell.scalar] += cell.questions;
-        largest[cell.scalar] = std::max(largest[cell.scalar], cell.largest);
+        // Two points that are rounded on every axis are together off by up to a step on each.
+        const double diagonal = query.kind == "closest_points" ? std::sqrt(3) : 1;
+        largest[cell.scalar] = std::max(largest[cell.scalar], cell.largest / diagonal);
       }
     }
   }

@@ -41,6 +41,14 @@ bool resolves(const Rung& rung) {
   return rung.size >= spacing;
 }
 
+/// How an answer compares with the exact one.
+struct Judgement {
+  bool is_hit = false;  // by the exact result
+  bool is_wrong = false;
+  bool is_off = false;            // for a `Fixed`: not the exact one, rounded
+  std::optional<double> error{};  // in units of 2^-16; nothing if either is a miss
+};
+
 /// Counts right and wrong results.
 template <Scalar S>
 class Tally {
@@ -89,6 +97,17 @@ class Tally {
       if (cell_.inputs == Inputs::own && rounded != raw_of(answer->depth)) ++cell_.off;
     }
     errors_.push_back(error_of(*right.steps, answer->depth));
+  }
+  /// A result that is compared by its exact one.
+  template <class Truth, class Answer>
+  requires requires(const Truth& right, const Answer& answer) { right.judge(answer, Inputs()); }
+  void count(const Truth& right, const Answer& answer) {
+    const Judgement judgement = right.judge(answer, cell_.inputs);
+    ++cell_.questions;
+    if (judgement.is_hit) ++cell_.hits;
+    if (judgement.is_wrong) ++cell_.wrong;
+    if (judgement.is_off) ++cell_.off;
+    if (judgement.error) errors_.push_back(*judgement.error);
   }
   void count(bool right, bool answer) {
     ++cell_.questions;

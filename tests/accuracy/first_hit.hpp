@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <variant>
 
@@ -9,6 +11,7 @@
 #include "oracle/apart.hpp"
 #include "oracle/exact.hpp"
 #include "oracle/push.hpp"
+#include "oracle/travel.hpp"
 
 // The exact results, computed by the oracle.
 
@@ -46,8 +49,8 @@ bool meet(const A& a, const B& b) {
 
 /// Converts a shape in the carrier, whose lengths are in steps of 2^-frac, to steps of 2^-48.
 template <class Shape>
-oracle::Solid<3> in_steps(const Shape& shape, int frac) {
-  oracle::Solid<3> solid = oracle::exact(as_shape(shape));
+auto in_steps(const Shape& shape, int frac) {
+  auto solid = oracle::exact(as_shape(shape));
   const Steps times = Steps(1) << static_cast<unsigned>(distance_frac - frac);
   const auto scale = [&](auto&... points) {
     const auto scale_one = [&](auto& point) {
@@ -84,6 +87,47 @@ oracle::Solid<3> in_steps(const Shape& shape, int frac) {
 template <class A, class B>
 Steps distance_of(const A& a, const B& b, int frac) {
   return *oracle::distance_floor(in_steps(a, frac), in_steps(b, frac));
+}
+
+/// The first distance at which a moving shape touches a target, both in the carrier, in steps of
+/// 2^-48, rounded down; nothing for none up to `max_distance`. `guess` only saves time.
+template <class A, class B, int N>
+Distance first_touch(const A& shape, const Direction<Carrier, N>& direction, Carrier max_distance,
+                     const B& target, int frac, double guess) {
+  const oracle::Travel<N> travel{oracle::exact(as_shape(shape)), oracle::exact(as_shape(target)),
+                                 oracle::widen(oracle::raw(direction)), oracle::one_of<Carrier>()};
+  const auto finer = static_cast<unsigned>(distance_frac - frac);
+  const auto touches_by = [&](const Steps& time, const Steps& under) {
+    return *oracle::clearance(travel, 0, time, under) <= 0;
+  };
+  const Steps one = Steps(1) << finer, last = oracle::raw(max_distance) * one;
+  if (!touches_by(last, one)) return std::nullopt;
+  if (touches_by(0, 1)) return Steps(0);
+  // Whether it touches just before `time`: by a 2^20th of a step.
+  constexpr unsigned parts = 20;
+  const auto is_early = [&](const Steps& time) {
+    return touches_by((time << parts) - 1, one << parts);
+  };
+  // The result is the last step before which it does not touch: at least `low`, below `high`.
+  Steps low = 0, high = last + 1;
+  if (std::isfinite(guess)) {
+    Steps width = 1;
+    const Steps start = std::clamp<Steps>(Exact::of(guess).steps(distance_frac), 1, last);
+    const bool is_after = is_early(start);
+    (is_after ? high : low) = start;
+    while (high - low > width) {
+      const Steps next = is_after ? Steps(high - width) : Steps(low + width);
+      const bool is_next_early = is_early(next);
+      (is_next_early ? high : low) = next;
+      if (is_next_early != is_after) break;
+      width *= 4;
+    }
+  }
+  while (high - low > 1) {
+    const Steps middle = (low + high) >> 1;
+    (is_early(middle) ? high : low) = middle;
+  }
+  return low;
 }
 
 /// The depth of two shapes in steps of 2^-48, rounded up; nothing if they share no point.

@@ -58,8 +58,8 @@ std::string_view description_of(Ladder ladder) {
   static constexpr std::array<std::string_view, 4> texts{
       "the size of the shapes, near the world's origin; rays come from 60 units away, or twice the "
       "size",
-      "how far rays that start at the world's origin are from shapes of size 1",
-      "the coordinates on every axis of shapes of size 1; rays come from 10 units away",
+      "how far rays and casts that start at the world's origin are from shapes of size 1",
+      "the coordinates on every axis of shapes of size 1; rays and casts come from 10 units away",
       "the angle in radians between an axis of one shape and of the other, or the ray; size 1000, "
       "rays from 4000 units away (q8_8: 14 and 60)"};
   return texts[static_cast<std::size_t>(ladder)];

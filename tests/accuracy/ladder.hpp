@@ -30,7 +30,7 @@ struct Rung {
   [[nodiscard]] double reach() const;
 };
 
-/// The rungs in ascending order. The distance ladder applies to rays only.
+/// The rungs in ascending order. The distance ladder applies to rays and casts only.
 [[nodiscard]] const std::vector<Rung>& rungs();
 
 }  // namespace detent::accuracy

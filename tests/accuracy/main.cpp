@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs every raycast and overlap in every scalar over a range of scales, checks each result with
+// Runs every raycast and overlap, and other queries, in every scalar over a range of scales, checks each result with
 // exact arithmetic, and reports (docs/accuracy.md).
 #include <unistd.h>
 
@@ -85,8 +85,9 @@ bool measure(const Options& options) {
     if (query.name.starts_with(options.only)) chosen.push_back(&query);
   }
   if (chosen.empty()) {
-    throw InputError("--only: no query begins with \"" + options.only +
-                     "\"; try raycast/, overlaps/, intersects/ or distance/");
+    throw InputError(
+        "--only: no query begins with \"" + options.only +
+        "\"; try raycast/, overlaps/, intersects/, distance/, closest_points/, contact/ or cast/");
   }
   Report report{{}, options.count, options.seed};
   {

@@ -10,6 +10,10 @@ Query ray_query(std::string name, int cost, bool has_angles = true) {
   return {"raycast", std::move(name), cost,
           [has_angles](const Rung& rung) { return rung.angle <= 0 || has_angles; }, ask_all<Kind>};
 }
+template <class Kind>
+Query cast_query(std::string name, int cost) {
+  return {"cast", std::move(name), cost, [](const Rung&) { return true; }, ask_all<Kind>};
+}
 
 template <class Kind>
 Query pair_query(std::string kind, std::string name, int cost) {
@@ -24,6 +28,10 @@ Query pair_query(std::string kind, std::string name, int cost) {
 template <class Kind>
 Query overlap_query(std::string name, int cost) {
   return pair_query<Kind>("overlaps", std::move(name), cost);
+}
+template <class Kind>
+Query closest_points_query(std::string name, int cost) {
+  return pair_query<Kind>("closest_points", std::move(name), cost);
 }
 template <class Kind>
 Query segment_query(std::string name, int cost) {

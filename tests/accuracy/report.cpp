@@ -69,7 +69,7 @@ std::string ruler(std::size_t columns) {
 
 std::string totals(const Report& report) {
   std::string text = row_of({"scalar", "inputs", "questions", "wrong decisions", "wrong in %",
-                             "distances not the exact one rounded down, depths up"}) +
+                             "lengths and points not the exact ones, rounded"}) +
                      ruler(6);
   for (const Who& who : all) {
     Cell sum;
@@ -97,7 +97,7 @@ std::string float_table(const Report& report) {
   std::string text = row_of(heads) + ruler(heads.size());
   for (const bool is_planar : {false, true}) {
     for (const std::string_view kind :
-         {"raycast", "overlaps", "intersects", "distance", "contact"}) {
+         {"raycast", "overlaps", "intersects", "distance", "contact", "closest_points", "cast"}) {
       std::vector<std::string> cells{std::string(kind) + (is_planar ? " in 2D" : " in 3D")};
       bool has_any = false;
       for (const Ladder ladder : ladders) {

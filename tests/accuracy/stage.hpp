@@ -281,8 +281,9 @@ inline constexpr Form form<Plane<S, 3>> = Form::endless;
 /// A ray that may or may not hit the stage's shapes.
 ///
 /// With an angle, it runs within that angle of the first axis of the stage. If the ray must start
-/// at the world's origin, the stage moves instead.
-inline Ray<Carrier, 3> draw_ray(Stage& stage, const Rung& rung, Form form) {
+/// at the world's origin, the stage moves instead. For a shape that moves along the ray, `spread`
+/// is above 1, because it touches more of what it passes.
+inline Ray<Carrier, 3> draw_ray(Stage& stage, const Rung& rung, Form form, double spread = 1) {
   Stage way = stage;
   rung.angle < 0 ? way.turn() : way.tilt(rung.angle);
   const auto direction = way.axis(0);
@@ -292,8 +293,8 @@ inline Ray<Carrier, 3> draw_ray(Stage& stage, const Rung& rung, Form form) {
     return Stage::number(std::ldexp(std::min(reach, longest), rung.frac));
   };
   if (stage.on_lattice()) {
-    auto start = stage.local({2, 1.34, 1.34});
-    start[0] -= 4;
+    auto start = stage.local({2, 1.34 * spread, 1.34 * spread});
+    start[0] -= 4 * spread;
     return {stage.corner(start), direction, limit(enough)};
   }
   const Place d = components(direction);
@@ -302,7 +303,8 @@ inline Ray<Carrier, 3> draw_ray(Stage& stage, const Rung& rung, Form form) {
   if (rung.angle < 0 || form == Form::solid) {
     // Rays cannot pass beside a plane, so they end near it instead.
     const double reach = form == Form::endless ? std::max(rung.length, rung.size) : enough;
-    const auto target = stage.at(stage.local({1.4, 1.4, 1.4}));
+    const double aside = 1.4 * spread;
+    const auto target = stage.at(stage.local({aside, aside, aside}));
     return {Stage::rounded(plus(target, d, -length)), direction, limit(reach)};
   }
   // From either side of the surface, towards a point close enough for the angle.

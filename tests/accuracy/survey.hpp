@@ -27,14 +27,14 @@ struct Cell {
   long questions = 0;
   long hits = 0;   // by the exact results
   long wrong = 0;  // hit for miss, miss for hit, or NaN or infinity
-  long off = 0;    // for a `Fixed`: distances other than the exact one rounded down
+  long off = 0;    // for a `Fixed`: lengths and points other than the exact ones, rounded
   double median = 0;
   double largest = 0;
 };
 
 /// A query of the library, as run by the ladder.
 struct Query {
-  std::string kind;  // "raycast", "overlaps", "intersects", "distance" or "contact"
+  std::string kind;  // "raycast", "overlaps", "cast", ...
   std::string name;  // "raycast/sphere", "overlaps/sphere_aabb", "raycast/sphere_2d"
   int cost;          // divides the number of test cases
   std::function<bool(const Rung&)> applies;

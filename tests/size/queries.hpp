@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include "bench/queries.hpp"
 
@@ -47,8 +48,7 @@ void visit_others(const Visit& visit) {
   bench::visit_other_overlaps(visit, ask_overlaps);
 }
 
-// Only flash and stack of these are measured: a contact needs more stack than the Cortex-M0 boards
-// that count instructions have memory.
+// Queries of two shapes.
 
 template <class Visit>
 void visit_distances(const Visit& visit) {
@@ -100,15 +100,48 @@ struct Tally {
   std::uint32_t hits = 0;
   std::uint32_t digest = 2166136261;
 
-  constexpr void add(std::uint32_t pattern) { digest = (digest ^ pattern) * 16777619; }
   constexpr void operator()(bool answer) {
     hits += answer ? 1 : 0;
-    add(answer ? 1 : 0);
+    add(answer);
+  }
+  template <Scalar S>
+  constexpr void operator()(const S& distance) {
+    (*this)(distance > 0);
+    add(distance);
+  }
+  template <Scalar S>
+  constexpr void operator()(const std::pair<Vec<S, 3>, Vec<S, 3>>& points) {
+    (*this)(points.first != points.second);
+    add(points.first);
+    add(points.second);
   }
   template <class T>
   constexpr void operator()(const std::optional<T>& answer) {
     (*this)(answer.has_value());
-    if (answer) add(pattern_of(*answer));
+    if (answer) add(*answer);
+  }
+
+ private:
+  template <class T>
+  constexpr void add(const T& x) {
+    digest = (digest ^ pattern_of(x)) * 16777619;
+  }
+  template <Number T>
+  constexpr void add(const Vec<T, 3>& v) {
+    for (int i = 0; i < 3; ++i) add(v[i]);
+  }
+  template <Scalar S>
+  constexpr void add(const Contact<S, 3>& contact) {
+    add(contact.normal.vec());
+    add(contact.depth);
+    add(static_cast<std::uint32_t>(contact.count));
+    for (std::size_t i = 0; i < contact.count; ++i) add(contact.points[i].point);
+  }
+  template <Scalar S>
+  constexpr void add(const CastHit<S, 3>& hit) {
+    add(hit.distance);
+    add(hit.point);
+    add(hit.normal.vec());
   }
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// usage: questions SCALAR GROUP FILE [SEED]
+// usage: questions SCALAR FILE [SEED]
 // Writes the inputs of a group of queries to FILE in the memory layout of a little-endian machine,
-// and prints the name of each query with its results on this machine.
+// and prints the name of each query with its results on this machine. Needs the macro GROUP
+// (visit_raycasts, ...).
 
 #include <cstdio>
 #include <cstdlib>
@@ -42,21 +43,12 @@ class Writer {
   std::uint64_t seed_;
 };
 
-template <class S>
-bool write(const std::string& group, std::FILE* file, std::uint64_t seed) {
-  const Writer<S> writer(file, seed);
-  if (group == "raycasts") return visit_raycasts(writer), true;
-  if (group == "spheres") return visit_spheres(writer), true;
-  if (group == "boxes") return visit_boxes(writer), true;
-  if (group == "others") return visit_others(writer), true;
-  return false;
-}
-
-bool write(const std::string& scalar, const std::string& group, std::FILE* file,
-           std::uint64_t seed) {
+bool write(const std::string& scalar, std::FILE* file, std::uint64_t seed) {
   bool is_known = false;
   support::for_each_scalar(support::AllScalars(), [&]<Scalar S>(S) {
-    if (scalar == support::scalar_name<S>) is_known = write<S>(group, file, seed);
+    if (scalar != support::scalar_name<S>) return;
+    GROUP(Writer<S>(file, seed));
+    is_known = true;
   });
   return is_known;
 }
@@ -65,10 +57,10 @@ bool write(const std::string& scalar, const std::string& group, std::FILE* file,
 }  // namespace detent::size
 
 int main(int argc, char** argv) {
-  if (argc < 4 || argc > 5) return 2;
-  const auto seed = argc == 5 ? std::strtoull(argv[4], nullptr, 10) : detent::bench::default_seed;
-  std::FILE* file = std::fopen(argv[3], "wb");
+  if (argc < 3 || argc > 4) return 2;
+  const auto seed = argc == 4 ? std::strtoull(argv[3], nullptr, 10) : detent::bench::default_seed;
+  std::FILE* file = std::fopen(argv[2], "wb");
   if (file == nullptr) return 1;
-  const bool is_known = detent::size::write(argv[1], argv[2], file, seed);
+  const bool is_known = detent::size::write(argv[1], file, seed);
   return std::fclose(file) == 0 && is_known ? 0 : 1;
 }

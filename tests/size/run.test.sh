@@ -25,6 +25,7 @@ run 2 "^size: --loud needs a value, or is unknown" instructions --loud
 run 2 "^size: unknown option '--loud'" instructions --loud 7
 run 2 "^size: --seed needs a number, not 'x'" instructions --seed x
 run 2 "^size: no core 'm1'; there are: m0 m3 m4f" instructions --core m1
+run 2 "^size: no group 'rays'; there are: raycasts spheres" instructions --group rays
 run 2 "^size: --optimise needs 0 to 3 or s" instructions --optimise fast
 
 # An empty folder contains no compilers.
