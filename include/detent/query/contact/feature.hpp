@@ -89,7 +89,39 @@ template <Scalar S, std::size_t Most>
   for (std::size_t i = 1; i < feature.count; ++i) {
     if (is_before(feature.corners[i], feature.corners[first])) first = i;
   }
+  const auto from_first = [&](const auto&... order) {
+    Feature<S, 3, Most> result;
+    const std::array numbers{static_cast<std::size_t>(order)...};
+    std::size_t at = 0;
+    while (numbers[at] != first) ++at;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const auto k = numbers[at + i < numbers.size() ? at + i : at + i - numbers.size()];
+      result.corners[i] = feature.corners[k];
+      result.numbers[i] = feature.numbers[k];
+    }
+    result.count = numbers.size();
+    return result;
+  };
+  if constexpr (has_filters) {
+    if (feature.count == 2) return from_first(0, 1);
+  }
   const auto wrap = [&](const auto& corners) {
+    const auto turn_of = [&](std::size_t i, std::size_t j, std::size_t k) {
+      const auto turn = dot(d, cross(corners[j] - corners[i], corners[k] - corners[i]));
+      return (turn > 0) - (turn < 0);
+    };
+    if constexpr (has_filters) {
+      // Four corners that turn the same way at each of them are their outline: four turns of less than
+      // half a circle are less than two circles. The corners of a face of a box come in this order.
+      const int turn = feature.count > 4    ? 0
+                       : feature.count == 3 ? turn_of(0, 1, 2)
+                                            : turn_of(0, 1, 3);
+      if (turn != 0) {
+        if (feature.count == 3) return turn > 0 ? from_first(0, 1, 2) : from_first(0, 2, 1);
+        if (turn_of(1, 3, 2) == turn && turn_of(3, 2, 0) == turn && turn_of(2, 0, 1) == turn)
+          return turn > 0 ? from_first(0, 1, 3, 2) : from_first(0, 2, 3, 1);
+      }
+    }
     Feature<S, 3, Most> result;
     for (std::size_t at = first; result.count < feature.count;) {
       result.corners[result.count] = feature.corners[at];

@@ -276,8 +276,18 @@ class Expansion {
     (simplex.add(corners_[static_cast<std::size_t>(indices)]), ...);
     const auto normal = facet_normal(simplex);
     const auto height = dot(normal, simplex.newest());
-    facets_[facet_count_++] = {
-        {normal, height}, Key(height, squared_length(normal)), {static_cast<Index>(indices)...}};
+    if constexpr (has_filters) {
+      // One by one: a temporary would be copied in words that overlap numbers just written, which
+      // stalls.
+      auto& facet = facets_[facet_count_++];
+      facet.push.normal = normal;
+      facet.push.height = height;
+      facet.key = Key(height, squared_length(normal));
+      facet.corners = {static_cast<Index>(indices)...};
+    } else {
+      facets_[facet_count_++] = {
+          {normal, height}, Key(height, squared_length(normal)), {static_cast<Index>(indices)...}};
+    }
   }
 
   [[nodiscard]] static constexpr bool is_beyond(const Corner& corner, const Facet& facet) noexcept {
@@ -333,7 +343,7 @@ class Expansion {
     if (corner_count_ == most_corners) return false;
     const auto added = corner_count_++;
     corners_[added] = corner;
-    std::array<Ridge, 3 * most_facets> rim{};
+    std::array<Ridge, 3 * most_facets> rim;  // not set to 0: few are used
     std::size_t ridges = 0;
     // A ridge between two facets that the corner sees occurs twice, once in each direction.
     const auto see = [&](int from, int to) {
