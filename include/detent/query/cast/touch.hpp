@@ -82,7 +82,7 @@ template <bool WithNormal, bool HasFilter, class A, class B, class Way, class To
   const auto outward = [&](const auto& normal) {
     return -direction_of<S>(to_world(normal)).value_or(direction);
   };
-  if constexpr (HasFilter && filter_pays<S> && N == 3) {
+  if constexpr (HasFilter && filter_pays<S>) {
     const auto steps = make_vec<N>([&](int i) { return way[i]; });
     using Component = std::remove_cvref_t<decltype(steps.x)>;
     const auto decided = StabWitness<A, B, Component, S>(a, b, steps).entry(limit);

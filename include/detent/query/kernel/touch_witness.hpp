@@ -128,7 +128,7 @@ class TouchWitness {
   }
 
  private:
-  static constexpr int across_bits = 24;
+  static constexpr int across_bits = 28;
   using Rough = Fixed<28, 0>;
   using Norm = Fixed<across_bits + 18, 16>;
   using Moved = decltype(Corner() - Way() * S());
