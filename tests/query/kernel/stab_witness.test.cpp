@@ -69,9 +69,9 @@ void compare_many(std::int64_t reach, std::int64_t grid, Axes axes, int asked, C
       if constexpr (N == 2) {
         const Vec<S, 2> second{toward().x, S(0)};
         const Vec across{narrow_negative(first->vec().y), first->vec().x};
-        rotation = Rotation<S, 2>::from_axes(
-            {*first, random.one_in(4) ? direction_of<S>(second).value_or(*first)
-                                      : *direction_of<S>(across)});
+        rotation = Rotation<S, 2>::from_axes({*first, random.one_in(4)
+                                                          ? direction_of<S>(second).value_or(*first)
+                                                          : *direction_of<S>(across)});
       } else if (const auto third = direction_of<S>(cross(first->vec(), toward()))) {
         const auto second = direction_of<S>(cross(third->vec(), first->vec()));
         rotation = Rotation<S, 3>::from_axes({*first, *second, *third});

@@ -13,6 +13,7 @@
 #include "detent/query/kernel/stab.hpp"
 #include "detent/query/kernel/stab_witness.hpp"
 #include "detent/query/kernel/touch_direction.hpp"
+#include "detent/query/kernel/touch_feature.hpp"
 #include "detent/query/kernel/touch_witness.hpp"
 
 // The first touch of a moving body and a target, for each kind of body.
@@ -174,11 +175,12 @@ template <bool WithNormal, Scalar S, int N>
   return touch;
 }
 
-/// The first touch of bodies within `radius` > 0.
+/// The first touch of bodies within `radius` > 0. `IsFlat` says that the target has no radius.
 ///
 /// The normal is that of the closest points less than two steps of a time grid earlier. In that
 /// time it turns by less than 2 steps / radius: less than a quarter of its own step.
-template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S, int N, Number R>
+template <bool WithNormal, bool IsFlat, class A, class B, class Way, class ToWorld, Scalar S, int N,
+          Number R>
 [[nodiscard]] constexpr std::optional<Touch<S, N>> touch_of_round(
     const A& a, const B& b, const Way& way, const ToWorld& to_world,
     const Direction<S, N>& direction, const S& limit, const R& radius) noexcept {
@@ -209,6 +211,14 @@ template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S,
       if (const auto found = direction_on<S>(feature, steps, distance, radius, to_world)) {
         return -*found;
       }
+      if constexpr (N == 3 && std::is_same_v<ToWorld, SameFrame>) {
+        if (feature.count == 2) {
+          const auto& from = feature.corners[0];
+          const auto found = direction_across<S>(from - steps * distance, feature.corners[1] - from,
+                                                 steps, radius);
+          if (found) return -*found;
+        }
+      }
     }
     const FineSearch fine(a, b, steps, radius, finer_by<most>(radius));
     return -fine.with_touch_on(feature, fine.scaled(distance), fine.scaled(limit), outward);
@@ -222,6 +232,15 @@ template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S,
       if (!decided.value) return std::nullopt;
       const S& distance = *decided.value;
       if constexpr (WithNormal) {
+        if constexpr (lists_corners<A, S> && lists_corners<B, S>) {
+          const auto feature = witness.found();
+          const TouchFeature<A, B, Component, S> closest(a, b, steps, distance, feature);
+          if (closest.is_unique()) {
+            Touch<S, N> touch{distance, normal_on(feature, distance)};
+            if constexpr (IsFlat) touch.point = closest.point();
+            return touch;
+          }
+        }
         if (const auto feature = witness.feature_from(distance)) {
           return Touch<S, N>{distance, normal_on(*feature, distance)};
         }

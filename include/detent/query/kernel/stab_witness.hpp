@@ -73,8 +73,8 @@ class StabWitness {
 
   struct Entry {
     S distance;
-    Normal normal;                  // of the face, along the motion
-    Each<Corner> corners;           // as many of the differences as axes, on the face
+    Normal normal;         // of the face, along the motion
+    Each<Corner> corners;  // as many of the differences as axes, on the face
   };
 
   /// The entry, or nothing if there is none within `limit`. Unsure if the bodies share a point at
@@ -207,9 +207,9 @@ class StabWitness {
     if (!is_extreme<Bits + 1>(a_, corners_a, indices[0].a, normal, true)) return unsure;
     const auto distance = floor_within(Fraction{height, speed}, limit);
     if (!distance) return {std::nullopt, true};
-    return {Entry{*distance, make_vec<dimension>([&](int i) { return NormalPart(normal[i]); }),
-                  points},
-            true};
+    return {
+        Entry{*distance, make_vec<dimension>([&](int i) { return NormalPart(normal[i]); }), points},
+        true};
   }
 
   /// Whether the line along the motion passes strictly between the corners.
