@@ -10,7 +10,7 @@ namespace detent::test {
 namespace {
 
 struct Count {
-  HitRate hits, sure;
+  HitRate hits, sure, sure_beyond;
 };
 
 /// Compares the filter with the exact inequalities and the exact search for the closest point.
@@ -37,6 +37,9 @@ void compare(const std::array<Vec<S, 3>, CountA>& corners_a,
   REQUIRE(witness.feature_from(*touch.value).has_value());
   const auto moved = detail::moved_body(a, way * *touch.value);
   REQUIRE(words.point() == detail::closest_point_of_body<S>(moved, b, S(0)));
+  const auto beyond = words.point_beyond(radius);
+  count.sure_beyond.count(beyond.has_value());
+  if (beyond) REQUIRE(*beyond == detail::closest_point_of_body<S>(moved, b, radius));
 }
 
 /// Shapes within `reach` steps, on a grid of `grid` steps; `flat` ones in one plane.
@@ -90,11 +93,12 @@ TEST_CASE("features: closest features that are sure of being unique are", "[quer
   compare_many<q24_8>(std::int64_t{1} << 29, 1 << 27, false, 100, extreme);
   compare_many<q16_16>(64, 1, false, 300, tiny);
   compare_many<q16_16>(1 << 12, 1, false, 300, tiny);
-  INFO(local.hits << ", " << local.sure << "; " << lattice.hits << ", " << lattice.sure << "; "
-                  << flat.hits << ", " << flat.sure << "; " << extreme.hits << ", " << extreme.sure
-                  << "; " << tiny.hits << ", " << tiny.sure);
+  INFO(local.hits << ", " << local.sure << ", " << local.sure_beyond << "; " << lattice.hits << ", "
+                  << lattice.sure << "; " << flat.hits << ", " << flat.sure << "; " << extreme.hits
+                  << ", " << extreme.sure << "; " << tiny.hits << ", " << tiny.sure);
   CHECK(local.hits.is_balanced());
   CHECK(local.sure.percent() >= 70);
+  CHECK(local.sure_beyond.percent() >= 60);
   CHECK(lattice.sure.percent() >= 60);
   CHECK(flat.sure.percent() >= 60);
   CHECK(extreme.sure.percent() >= 60);

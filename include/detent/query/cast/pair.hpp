@@ -51,9 +51,8 @@ template <bool WithNormal, class A, class B, Scalar S, int N>
           if constexpr (is_round) {
             const auto radius = radius_of(a) + radius_of(b);
             if (radius > 0) {
-              constexpr bool is_flat = !requires { b.radius; };
-              return touch_of_round<WithNormal, is_flat>(body_a, body_b, way, to_world, direction,
-                                                         limit, radius);
+              return touch_of_round<WithNormal>(body_a, body_b, way, to_world, direction, limit,
+                                                radius, S(radius_of(b)));
             }
           }
           return touch_of_polytopes<WithNormal, !is_round>(body_a, body_b, way, to_world, direction,

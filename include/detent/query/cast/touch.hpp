@@ -175,15 +175,15 @@ template <bool WithNormal, Scalar S, int N>
   return touch;
 }
 
-/// The first touch of bodies within `radius` > 0. `IsFlat` says that the target has no radius.
+/// The first touch of bodies within `radius` > 0, of which the target has `beyond`.
 ///
 /// The normal is that of the closest points less than two steps of a time grid earlier. In that
 /// time it turns by less than 2 steps / radius: less than a quarter of its own step.
-template <bool WithNormal, bool IsFlat, class A, class B, class Way, class ToWorld, Scalar S, int N,
-          Number R>
+template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S, int N, Number R>
 [[nodiscard]] constexpr std::optional<Touch<S, N>> touch_of_round(
     const A& a, const B& b, const Way& way, const ToWorld& to_world,
-    const Direction<S, N>& direction, const S& limit, const R& radius) noexcept {
+    const Direction<S, N>& direction, const S& limit, const R& radius,
+    [[maybe_unused]] const S& beyond) noexcept {
   const auto steps = make_vec<N>([&](int i) { return way[i]; });
   using Component = std::remove_cvref_t<decltype(steps.x)>;
   using Search = Approach<A, B, Component, S, 0>;
@@ -236,9 +236,8 @@ template <bool WithNormal, bool IsFlat, class A, class B, class Way, class ToWor
           const auto feature = witness.found();
           const TouchFeature<A, B, Component, S> closest(a, b, steps, distance, feature);
           if (closest.is_unique()) {
-            Touch<S, N> touch{distance, normal_on(feature, distance)};
-            if constexpr (IsFlat) touch.point = closest.point();
-            return touch;
+            return Touch<S, N>{distance, normal_on(feature, distance),
+                               closest.point_beyond(beyond)};
           }
         }
         if (const auto feature = witness.feature_from(distance)) {

@@ -67,6 +67,49 @@ class TouchFeature {
         RationalPoint{(way_ * time_ + corner_a(0)) * whole + normal * dot(normal, place), whole});
   }
 
+  /// The same for `b` grown by `radius`, as `nearly_rounded_beyond` rounds it, if both are within its
+  /// error of the exact point and no midpoint is.
+  [[nodiscard]] constexpr std::optional<Vec<S, 3>> point_beyond(const S& radius) const noexcept {
+    if (radius == 0) return point();
+    const auto& from = corner_b(0);
+    const auto place = from - corner_a(0) - way_ * time_;
+    const auto beyond = [&](const auto& p, const auto& v) {
+      const auto moves = step_along(radius, to_array(narrow_negative(v)));
+      Vec<S, 3> nearest;
+      bool is_sure = true;
+      for (int i = 0; i < 3; ++i) {
+        const auto sum = approximate_beyond<S>(p, moves, i).value;
+        const auto decided = decide_nearest<S>(Approximate{sum, Steps<1 << 19>()});
+        is_sure = is_sure && decided.is_sure;
+        nearest[i] = decided.value;
+      }
+      return is_sure ? std::optional(nearest) : std::nullopt;
+    };
+    if (count_b_ == 3) return std::nullopt;
+    if (count_b_ == 1 && count_a_ == 1) return beyond(from, place);
+    const auto edge = corner_b(count_b_ - 1) - from;
+    if (count_b_ == 2 && count_a_ == 2) {
+      const auto other = corner_a(1) - corner_a(0);
+      const auto normal = cross(other, edge);
+      const auto over = dot(normal, cross(place, other));
+      const auto whole = squared_length(normal);
+      return beyond(RationalPoint{from * whole + edge * over, whole},
+                    dot(normal, place) < 0 ? narrow_negative(normal) : normal);
+    }
+    if (count_b_ == 2) {
+      const auto whole = squared_length(edge);
+      const auto along = dot(edge, place);
+      return beyond(RationalPoint{from * whole - edge * along, whole},
+                    place * whole - edge * along);
+    }
+    if (count_a_ == 2) {
+      const auto other = corner_a(1) - corner_a(0);
+      return beyond(from, place * squared_length(other) - other * dot(other, place));
+    }
+    const auto normal = cross(corner_a(1) - corner_a(0), corner_a(2) - corner_a(0));
+    return beyond(from, dot(normal, place) < 0 ? narrow_negative(normal) : normal);
+  }
+
  private:
   using Corner = decltype(std::declval<const B&>().some() - std::declval<const A&>().some());
   using Place = decltype(Corner() - Way() * S());
