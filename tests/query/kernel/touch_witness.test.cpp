@@ -16,8 +16,13 @@ namespace {
 using detail::Clearance;
 
 struct Count {
-  HitRate hits, sure, same_feature, sure_distances, sure_directions;
+  HitRate hits, sure, same_feature, sure_distances, sure_directions, sure_across;
 };
+
+/// Whether a body's corners are on the grid of S.
+template <class Body, class S>
+constexpr bool is_scalar_body =
+    std::is_same_v<std::remove_cvref_t<decltype(std::declval<Body>().some().x)>, S>;
 
 /// Compares the filter with the exact search, starting where the bodies are apart.
 template <class A, class B, Scalar S, int N>
@@ -58,6 +63,15 @@ void compare(const A& a, const B& b, const Direction<S, N>& direction, const S& 
   const auto quick = detail::direction_on<S>(*feature, way, *exact, sum, detail::SameFrame());
   count.sure_directions.count(quick.has_value());
   if (quick) REQUIRE(quick == found);
+  if constexpr (N == 3 && is_scalar_body<A, S> && is_scalar_body<B, S>) {
+    if (feature->count == 2) {
+      const auto& from = feature->corners[0];
+      const auto across =
+          detail::direction_across<S>(from - way * *exact, feature->corners[1] - from, way, sum);
+      count.sure_across.count(across.has_value());
+      if (across) REQUIRE(across == found);
+    }
+  }
   if (!feature->is_facet()) return;
   const auto facet = normal(detail::facet_normal(feature->simplex()));
   REQUIRE((facet == found || -*facet == *found));
@@ -99,15 +113,19 @@ TEST_CASE("witnesses: a touch or distance that they are sure of is exact", "[que
   compare_many<q16_16, 3>(1 << 18, 1, 1500, local);
   compare_many<q16_16, 3>(1 << 29, 1, 300, local);
   compare_many<q16_16, 2>(1 << 18, 1, 500, local);
+  compare_many<q24_8, 3>(1 << 22, 1, 200, local);
+  compare_many<q14_16, 3>(1 << 24, 1, 200, local);
+  compare_many<q16_16, 3>(1 << 24, 1, 400, local);
   compare_many<q16_16, 3>(1 << 18, 1 << 16, 1500, coarse);
   compare_many<q16_16, 3>(16, 1, 500, coarse);
   INFO(local.hits << ", " << local.sure << ", " << local.same_feature << ", "
-                  << local.sure_directions << "; " << coarse.hits << ", " << coarse.sure << ", "
-                  << coarse.same_feature);
+                  << local.sure_directions << ", " << local.sure_across << "; " << coarse.hits
+                  << ", " << coarse.sure << ", " << coarse.same_feature);
   CHECK(local.hits.is_balanced());
   CHECK(local.sure.percent() >= 95);
   CHECK(local.same_feature.percent() >= 90);
   CHECK(local.sure_directions.percent() >= 20);
+  CHECK(local.sure_across.percent() >= 90);
   CHECK(coarse.sure.percent() >= 50);
   CHECK(local.sure_distances.percent() >= 90);
 }

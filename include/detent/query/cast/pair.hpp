@@ -52,7 +52,7 @@ template <bool WithNormal, class A, class B, Scalar S, int N>
             const auto radius = radius_of(a) + radius_of(b);
             if (radius > 0) {
               return touch_of_round<WithNormal>(body_a, body_b, way, to_world, direction, limit,
-                                                radius);
+                                                radius, S(radius_of(b)));
             }
           }
           return touch_of_polytopes<WithNormal, !is_round>(body_a, body_b, way, to_world, direction,

@@ -17,6 +17,7 @@
 #include "detent/query/kernel/point_aabb.hpp"
 #include "detent/query/kernel/point_plane.hpp"
 #include "detent/query/kernel/rounded_point.hpp"
+#include "detent/query/kernel/stab_witness.hpp"
 #include "detent/query/kernel/swept_body.hpp"
 #include "detent/query/kernel/touch_witness.hpp"
 #include "detent/query/kernel/weights.hpp"
@@ -71,26 +72,37 @@ template <Scalar S, class A, class B, int N = A::dimension>
   });
 }
 
-/// The point of the body `b` closest to `a`, given three `corners` of a face of their differences
-/// before `a` moved by `reached`, and the normal of that face. Nothing unless the face is in front
-/// of `a`, `reached` is straight over the corners' triangle, and differences have at most 61 bits;
-/// then the bodies are closest along the normal.
-template <Scalar S, class A, class B, class Reached, Number C, Number U>
-[[nodiscard]] constexpr std::optional<Vec<S, 3>> point_under_face(
-    const A& a, const B& b, const Reached& reached, const std::array<Vec<C, 3>, 3>& corners,
-    const Vec<U, 3>& normal) noexcept {
+/// The point of the body `b` closest to `a`, given as many `corners` of a face of their differences
+/// as axes before `a` moved by `reached`, and the normal of that face. Nothing unless the face is in
+/// front of `a`, `reached` is straight over the corners' simplex, and differences have at most 61
+/// bits; then the bodies are closest along the normal.
+template <Scalar S, class A, class B, class Reached, Number C, Number U, int N = A::dimension>
+[[nodiscard]] constexpr std::optional<Vec<S, N>> point_under_face(
+    const A& a, const B& b, const Reached& reached,
+    const std::array<Vec<C, N>, static_cast<std::size_t>(N)>& corners,
+    const Vec<U, N>& normal) noexcept {
   const auto low = b.low() - a.high(), high = b.high() - a.low();
   constexpr int bits = (std::min)(bits_of<std::remove_cvref_t<decltype(low.x)>>, 61);
   if (!fits<bits>(low) || !fits<bits>(high)) return std::nullopt;
   // Corners of the differences of `a`, where it is now, and `b`; so their edges fit too.
   const auto at = [&](std::size_t k) { return narrow<bits>(corners[k] - reached); };
-  const std::array now{at(0), at(1), at(2)};
+  const auto now = [&] {
+    if constexpr (N == 2) {
+      return std::array{at(0), at(1)};
+    } else {
+      return std::array{at(0), at(1), at(2)};
+    }
+  }();
   using T = std::remove_cvref_t<decltype(now[0].x)>;
-  using Cross = std::remove_cvref_t<decltype(cross(now[0] - now[1], now[0] - now[1]).x)>;
-  const auto v = narrow<(std::min)(bits_of<U>, bits_of<Cross>)>(normal);
+  using Exact = std::remove_cvref_t<decltype(normal_of_face(now).x)>;
+  const auto v = narrow<(std::min)(bits_of<U>, bits_of<Exact>)>(normal);
   if (!(dot(v, now[0]) > 0)) return std::nullopt;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (dot(v, cross(now[k], now[(k + 1) % 3])) < 0) return std::nullopt;
+  if constexpr (N == 2) {
+    if (cross(v, now[0]) < 0 || cross(v, now[1]) > 0) return std::nullopt;
+  } else {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (dot(v, cross(now[k], now[(k + 1) % 3])) < 0) return std::nullopt;
+    }
   }
   using Corner = std::remove_cvref_t<decltype(T() + T())>;
   return point_of_features(a, closest_features<Corner>(a, b, v, v), v, S(0));

@@ -13,6 +13,7 @@
 #include "detent/query/kernel/stab.hpp"
 #include "detent/query/kernel/stab_witness.hpp"
 #include "detent/query/kernel/touch_direction.hpp"
+#include "detent/query/kernel/touch_feature.hpp"
 #include "detent/query/kernel/touch_witness.hpp"
 
 // The first touch of a moving body and a target, for each kind of body.
@@ -82,7 +83,7 @@ template <bool WithNormal, bool HasFilter, class A, class B, class Way, class To
   const auto outward = [&](const auto& normal) {
     return -direction_of<S>(to_world(normal)).value_or(direction);
   };
-  if constexpr (HasFilter && filter_pays<S> && N == 3) {
+  if constexpr (HasFilter && filter_pays<S>) {
     const auto steps = make_vec<N>([&](int i) { return way[i]; });
     using Component = std::remove_cvref_t<decltype(steps.x)>;
     const auto decided = StabWitness<A, B, Component, S>(a, b, steps).entry(limit);
@@ -174,14 +175,15 @@ template <bool WithNormal, Scalar S, int N>
   return touch;
 }
 
-/// The first touch of bodies within `radius` > 0.
+/// The first touch of bodies within `radius` > 0, of which the target has `beyond`.
 ///
 /// The normal is that of the closest points less than two steps of a time grid earlier. In that
 /// time it turns by less than 2 steps / radius: less than a quarter of its own step.
 template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S, int N, Number R>
 [[nodiscard]] constexpr std::optional<Touch<S, N>> touch_of_round(
     const A& a, const B& b, const Way& way, const ToWorld& to_world,
-    const Direction<S, N>& direction, const S& limit, const R& radius) noexcept {
+    const Direction<S, N>& direction, const S& limit, const R& radius,
+    [[maybe_unused]] const S& beyond) noexcept {
   const auto steps = make_vec<N>([&](int i) { return way[i]; });
   using Component = std::remove_cvref_t<decltype(steps.x)>;
   using Search = Approach<A, B, Component, S, 0>;
@@ -209,6 +211,14 @@ template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S,
       if (const auto found = direction_on<S>(feature, steps, distance, radius, to_world)) {
         return -*found;
       }
+      if constexpr (N == 3 && std::is_same_v<ToWorld, SameFrame>) {
+        if (feature.count == 2) {
+          const auto& from = feature.corners[0];
+          const auto found = direction_across<S>(from - steps * distance, feature.corners[1] - from,
+                                                 steps, radius);
+          if (found) return -*found;
+        }
+      }
     }
     const FineSearch fine(a, b, steps, radius, finer_by<most>(radius));
     return -fine.with_touch_on(feature, fine.scaled(distance), fine.scaled(limit), outward);
@@ -222,6 +232,14 @@ template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S,
       if (!decided.value) return std::nullopt;
       const S& distance = *decided.value;
       if constexpr (WithNormal) {
+        if constexpr (lists_corners<A, S> && lists_corners<B, S>) {
+          const auto feature = witness.found();
+          const TouchFeature<A, B, Component, S> closest(a, b, steps, distance, feature);
+          if (closest.is_unique()) {
+            return Touch<S, N>{distance, normal_on(feature, distance),
+                               closest.point_beyond(beyond)};
+          }
+        }
         if (const auto feature = witness.feature_from(distance)) {
           return Touch<S, N>{distance, normal_on(*feature, distance)};
         }

@@ -71,7 +71,8 @@ class TouchWitness {
       // Until then they are apart along `across_`.
       const S next = quotient_floor<S>(gap, speed);
       if (next < limit && meet_at(after(next), radius_)) return {next, true};
-      if (!(next > time) || !(next < limit)) return unsure;
+      if (!(next < limit)) return unsure;
+      if (!(next > time)) return sharper(time, limit);
       time = next;
     }
     return unsure;
@@ -108,6 +109,15 @@ class TouchWitness {
     return {distance, distance < largest<T> && meet_at(S(0), after(distance))};
   }
 
+  /// The feature that probably contains the closest differences at the time that `first` found.
+  [[nodiscard]] constexpr Feature found() const noexcept {
+    Feature feature{{}, count_};
+    for (int k = 0; k < count_; ++k) {
+      feature.corners[static_cast<std::size_t>(k)] = corners_[static_cast<std::size_t>(k)];
+    }
+    return feature;
+  }
+
   /// The point of `b` closest to `a` at `time`, rounded to nearest; nothing unless it is simply the
   /// foot of the only closest corner of `a`.
   [[nodiscard]] constexpr std::optional<Vec<S, dimension>> closest_point(const S& time) noexcept {
@@ -128,7 +138,7 @@ class TouchWitness {
   }
 
  private:
-  static constexpr int across_bits = 24;
+  static constexpr int across_bits = 28;
   using Rough = Fixed<28, 0>;
   using Norm = Fixed<across_bits + 18, 16>;
   using Moved = decltype(Corner() - Way() * S());
@@ -152,14 +162,6 @@ class TouchWitness {
   template <Number V>
   [[nodiscard]] static constexpr Across across(const Vec<V, dimension>& v) noexcept {
     return shortened<across_bits>(v);
-  }
-
-  [[nodiscard]] constexpr Feature found() const noexcept {
-    Feature feature{{}, count_};
-    for (int k = 0; k < count_; ++k) {
-      feature.corners[static_cast<std::size_t>(k)] = corners_[static_cast<std::size_t>(k)];
-    }
-    return feature;
   }
 
   /// The corner difference that is least along `v`.
@@ -298,6 +300,33 @@ class TouchWitness {
       }
     }
     return false;
+  }
+
+  /// `first` by the exact direction across the feature that was found at `time`, in more bits: the
+  /// ends of a long edge or face need them.
+  [[nodiscard]] constexpr Decided<std::optional<S>> sharper(const S& time,
+                                                            const S& limit) const noexcept {
+    using Result = Decided<std::optional<S>>;
+    constexpr int bits = across_bits + 16;
+    using Sharp = Fixed<bits, 0>;
+    Simplex<std::remove_cvref_t<decltype(Moved().x)>, dimension> simplex;
+    for (int k = 0; k < count_; ++k) {
+      simplex.add(moved(corners_[static_cast<std::size_t>(k)], time));
+    }
+    return with_direction(simplex, [&](const auto& exact) -> Result {
+      const auto leading = shortened<bits>(exact);
+      const auto across = make_vec<dimension>([&](int i) {
+        return Sharp::assume_raw(integer_cast<typename Sharp::raw_type>(leading[i].raw()));
+      });
+      const auto speed = dot(across, way_);
+      const auto gap = dot(across, least_along(across)) -
+                       radius_ * sqrt_ceil<Fixed<bits + 18, 16>>(squared_length(across));
+      if (!(speed > 0) || !(gap > speed * time)) return {std::nullopt, false};
+      if (gap > speed * limit) return {std::nullopt, true};
+      const S next = quotient_floor<S>(gap, speed);
+      if (next < limit && this->meet_at(after(next), radius_)) return {next, true};
+      return {std::nullopt, false};
+    });
   }
 
   /// The next number on the grid.
