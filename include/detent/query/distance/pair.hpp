@@ -10,6 +10,7 @@
 #include "detent/query/distance/triangle.hpp"
 #include "detent/query/kernel/argument.hpp"
 #include "detent/query/kernel/box_filter.hpp"
+#include "detent/query/kernel/box_witness.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/core.hpp"
 #include "detent/query/kernel/gjk.hpp"
@@ -110,6 +111,10 @@ template <Scalar S, class A, class B>
           decide_boxes_overlap(AxisFrame(a.rotation), a.half_extents, AxisFrame(b.rotation),
                                b.half_extents, b.center - a.center);
       if (overlap == Filtered::yes) return Length<S>(0);
+      if constexpr (has_box_witness<A, B>) {
+        const auto distance = BoxWitness<S>(a, b).distance_floor();
+        if (distance.is_sure) return distance.value;
+      }
     }
     const auto body_a = body_of(a);
     const auto body_b = body_of(b);

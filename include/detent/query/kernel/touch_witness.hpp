@@ -289,12 +289,11 @@ class TouchWitness {
       }
       const auto all = simplex;
       const auto from = corners_;
-      simplex = nearest_feature(all);
-      if (simplex.count > dimension) return false;
-      for (int k = 0; k < simplex.count; ++k) {
-        int j = 0;
-        while (all[j] != simplex[k]) ++j;
-        corners_[static_cast<std::size_t>(k)] = from[static_cast<std::size_t>(j)];
+      const auto choice = nearest_corners(all);
+      if (choice.count > dimension) return false;
+      simplex = {};
+      for (int k = 0; k < choice.count; ++k) {
+        add(from[static_cast<std::size_t>(choice[k])], all[choice[k]]);
       }
     }
     return false;
