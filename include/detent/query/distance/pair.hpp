@@ -118,11 +118,7 @@ template <Scalar S, class A, class B>
     }
     const auto body_a = body_of(a);
     const auto body_b = body_of(b);
-    using BodyA = std::remove_cvref_t<decltype(body_a)>;
-    using BodyB = std::remove_cvref_t<decltype(body_b)>;
-    using Way = Vec<direction_component<S>, BodyA::dimension>;
-    TouchWitness<BodyA, BodyB, direction_component<S>, S, S> witness(body_a, body_b, Way(), S(0));
-    const auto distance = witness.template distance_floor<Length<S>>();
+    const auto distance = still_witness(body_a, body_b).template distance_floor<Length<S>>();
     if (distance.is_sure) return distance.value;
   }
   return sqrt_floor<Length<S>>(squared_gap(a, b));

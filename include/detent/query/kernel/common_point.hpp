@@ -11,10 +11,21 @@
 #include "detent/number/min_max.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/gjk.hpp"
+#include "detent/query/kernel/touch_witness.hpp"
 
 // A point that two convex polytopes share.
 
 namespace detent::detail {
+
+/// `bodies_overlap`, by a witness if the exact numbers are long.
+template <class A, class B>
+[[nodiscard]] constexpr bool share_point(const A& a, const B& b) noexcept {
+  if constexpr (has_filters && is_fine<std::remove_cvref_t<decltype((a.some() - b.some()).x)>>) {
+    return or_exact(still_witness(a, b).overlap(), [&] { return bodies_overlap(a, b); });
+  } else {
+    return bodies_overlap(a, b);
+  }
+}
 
 /// Calls f with the corners of a body in order, until it returns true. Returns whether it did.
 template <class Body, class F>
@@ -241,7 +252,7 @@ template <Scalar S, class A, class B, int N = A::dimension>
   const auto take_corner = [&](const auto& from, const auto& other, const auto& sides) {
     return any_corner(from, [&](const auto& corner) {
       if (sides.are_outside(corner)) return false;
-      if (!bodies_overlap(HullBody(std::array{corner}), other)) return false;
+      if (!share_point(HullBody(std::array{corner}), other)) return false;
       result = nearest_to<S>(corner);
       return true;
     });
@@ -252,7 +263,7 @@ template <Scalar S, class A, class B, int N = A::dimension>
   const auto take_edge = [&](const auto& from, const auto& other, const auto& sides) {
     return any_two_corners(from, [&](const auto& p, const auto& q) {
       if (sides.are_outside(p, q)) return false;
-      if (!bodies_overlap(HullBody(std::array{p, q}), other)) return false;
+      if (!share_point(HullBody(std::array{p, q}), other)) return false;
       result =
           Entry<S, P, std::remove_cvref_t<decltype(other)>>(on_grid(p), on_grid(q), other).find();
       return true;

@@ -157,6 +157,26 @@ template <Number T>
   return cross(simplex[1] - simplex[0], simplex[2] - simplex[0]);
 }
 
+/// Whether the point of a feature's span that is closest to the origin is in the feature's relative
+/// interior.
+template <Number T, int N>
+[[nodiscard]] constexpr bool holds_foot(const Simplex<T, N>& feature) noexcept {
+  if (feature.count == 2) {
+    const auto edge = feature[0] - feature[1];
+    return dot(edge, feature[1]) < 0 && dot(edge, feature[0]) > 0;
+  }
+  if constexpr (N == 3) {
+    if (feature.count == 3) {
+      const auto normal = facet_normal(feature);
+      for (int i = 0; i < 3; ++i) {
+        if (!(dot(normal, cross(feature[(i + 1) % 3], feature[(i + 2) % 3])) > 0)) return false;
+      }
+      return true;
+    }
+  }
+  return feature.count == 1;
+}
+
 /// Returns f(v) for a vector v that points from the origin to the closest point of a feature of at
 /// most N corners; v = 0 if the feature contains the origin.
 template <Number T, int N, class F>

@@ -36,19 +36,15 @@ class HullBody {
   [[nodiscard]] constexpr const Vec<S, N>& some() const noexcept { return points_.front(); }
   [[nodiscard]] constexpr Vec<S, N> low() const noexcept {
     auto bound = some();
-    for (const auto& point : points_) {
-      for (int i = 0; i < N; ++i) {
-        if (point[i] < bound[i]) bound[i] = point[i];
-      }
+    for (const auto& point : points_) {  // no branch per coordinate
+      bound = make_vec<N>([&](int i) { return point[i] < bound[i] ? point[i] : bound[i]; });
     }
     return bound;
   }
   [[nodiscard]] constexpr Vec<S, N> high() const noexcept {
     auto bound = some();
-    for (const auto& point : points_) {
-      for (int i = 0; i < N; ++i) {
-        if (point[i] > bound[i]) bound[i] = point[i];
-      }
+    for (const auto& point : points_) {  // no branch per coordinate
+      bound = make_vec<N>([&](int i) { return point[i] > bound[i] ? point[i] : bound[i]; });
     }
     return bound;
   }
