@@ -32,17 +32,15 @@ class CornersInFrame {
                            const Vec<T, 3>& apart) noexcept
       : box_(box) {
     for (int i = 0; i < 3; ++i) {
-      edges_[at(i)] = make_vec<3>([&](int j) {
-        return narrow_product<61>(box.half_extents[i], box.rotation.axis(i)[j]);
-      });
+      edges_[at(i)] = make_vec<3>(
+          [&](int j) { return narrow_product<61>(box.half_extents[i], box.rotation.axis(i)[j]); });
     }
     for (int k = 0; k < 3; ++k) {
       const auto normal = narrow_cross<61>(frame.rotation.axis((k + 1) % 3).vec(),
                                            frame.rotation.axis((k + 2) % 3).vec());
       auto& row = places_[at(k)];
-      row[3] = narrow_dot<123>(normal, make_vec<3>([&](int i) {
-                                 return Fixed<61, frac>(narrow<31>(apart[i]));
-                               }));
+      row[3] = narrow_dot<123>(
+          normal, make_vec<3>([&](int i) { return Fixed<61, frac>(narrow<31>(apart[i])); }));
       for (std::size_t i = 0; i < 3; ++i) row[i] = narrow_dot<123>(normal, edges_[i]);
       if (k == 0) volume_ = abs(narrow_dot<92>(normal, frame.rotation.axis(0).vec()));
       reaches_[at(k)] = narrow_product<122>(frame.half_extents[k], volume_);
@@ -94,7 +92,8 @@ class CornersInFrame {
     return is_sure && entry_ >= 0 ? Filtered::yes : Filtered::unsure;
   }
   /// Where that segment, for which `meets` returned `yes`, enters the box, rounded to nearest.
-  [[nodiscard]] constexpr Decided<Vec<S, 3>> entry(std::size_t from, std::size_t to) const noexcept {
+  [[nodiscard]] constexpr Decided<Vec<S, 3>> entry(std::size_t from,
+                                                   std::size_t to) const noexcept {
     const auto start = place(from, entry_), end = place(to, entry_);
     const auto over = narrow<124>(abs(start) - reaches_[at(entry_)]);
     const auto under = narrow<124>(abs(end - start));

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -78,7 +77,7 @@ class BoxWitness {
   using Axis = Vec<direction_component<S>, 3>;
   using Place = Fixed<61, frac>;
   using Spot = Fixed<63, frac>;  // in the world
-  using Sides = std::size_t;  // bit m is set if s[m] = 1
+  using Sides = std::size_t;     // bit m is set if s[m] = 1
   using Rough = Fixed<28, 0>;
   using RoughVec = Vec<Rough, 3>;
 
@@ -215,7 +214,7 @@ class BoxWitness {
   }
 
   /// A coordinate of a point, off by less than `Error` steps, rounded.
-  template <std::int64_t Error>
+  template <int Error>
   static constexpr S rounded(const Spot& x, bool& is_sure) noexcept {
     const auto nearest = decide_nearest<S>(Approximate{x, Steps<Error>()});
     is_sure = is_sure && nearest.is_sure && lowest<S> <= x && x <= largest<S>;
@@ -245,7 +244,7 @@ class BoxWitness {
     const auto x = corner();
     const auto excess = narrow_dot<61>(e, e) - Fixed<61, 2 * axis_frac>(1);
     if (!fits<33>(excess)) return {};
-    // 1 / (1 + excess) = 1 - excess + less than 2^-53.
+    // 1 / (1 + excess) is nearly 1 - excess.
     const auto along = narrow_floor<Fixed<62, frac>>(narrow_dot<92>(x, e));
     const auto t = along - narrow_floor<Fixed<36, frac>>(along * narrow<33>(excess));
     constexpr auto error = Place::from_raw(1 << 10);
@@ -259,11 +258,11 @@ class BoxWitness {
     result.v = make_vec<3>([&](int i) {
       return narrow_difference<61>(x[i], narrow_floor<Fixed<62, frac>>(result.t * e[i]));
     });
-    result.is_sure = is_least_along(result.v, Fixed<43, frac + axis_frac>(Fixed<43, frac + axis_frac>::from_raw(typename Fixed<43, frac + axis_frac>::raw_type{1} << 42)));
-    const auto least = Place::from_raw(1 << 12);
+    constexpr auto sign_error = Fixed<12, frac>::from_raw(1 << 11);
+    constexpr auto least = Place::from_raw(1 << 12);
     bool is_long = false;
     for (int i = 0; i < 3; ++i) is_long = is_long || abs(result.v[i]) > least;
-    result.is_sure = result.is_sure && is_long;
+    result.is_sure = is_long && is_least_along(result.v, sign_error);
     return result;
   }
   [[nodiscard]] constexpr Decided<Length<S>> distance_of_edge() const noexcept {
@@ -287,7 +286,8 @@ class BoxWitness {
                       nearest_to<S>(q)};
     } else {
       result.value = {nearest_to<S>(p), make_vec<3>([&](int i) {
-                        return rounded<1 << 11>(narrow_sum<Spot::bits>(q[i], step(i)), result.is_sure);
+                        return rounded<1 << 11>(narrow_sum<Spot::bits>(q[i], step(i)),
+                                                result.is_sure);
                       })};
     }
     return result;
@@ -313,21 +313,19 @@ class BoxWitness {
     result.height = narrow_dot<123>(n, x);
     result.whole = narrow_dot<123>(n, n);
     if (result.height == 0) return result;
-    constexpr Fixed<123, 4 * axis_frac> least = scale_up<123>(Fixed<2, 4 * axis_frac>::from_raw(1), 112);
-    if (result.whole < least) return result;
+    if (result.whole < Fixed<1, 8>::from_raw(1)) return result;
     const auto v = result.height < 0 ? narrow_negative(n) : n;
     if (!is_least_along(v, Place(0))) return result;
     result.part = Leading(Fixed<2, 0>(1)) / Leading(result.whole);
     const auto across = [&](const auto& v, const auto& w) {
       const auto product = cross(v, w);
-      return make_vec<3>(
-          [&](int i) { return narrow_floor<Fixed<61, 2 * axis_frac>>(product[i]); });
+      return make_vec<3>([&](int i) { return narrow_floor<Fixed<61, 2 * axis_frac>>(product[i]); });
     };
     bool is_inside = true;
     const auto along = [&](std::size_t k, const auto& w) {
       const auto over = narrow_dot<124>(x, w);
-      const auto length = Fixed<63, frac>::assume_raw(
-          (Leading(abs(over)) * result.part).template scaled<frac>());
+      const auto length =
+          Fixed<63, frac>::assume_raw((Leading(abs(over)) * result.part).template scaled<frac>());
       constexpr auto error = Place::from_raw(1 << 12);
       const auto& extent = extents_[free_[k]];
       is_inside = is_inside && (over > 0) == is_upper(sides_[0], free_[k]) && length > error &&
@@ -358,8 +356,9 @@ class BoxWitness {
     constexpr int error = 1 << 13;
     if (free_[0] < 3 && free_[1] >= 3) {
       result.value = {make_vec<3>([&](int i) {
-                        return rounded<error>(narrow_difference<Spot::bits>(p[i], step(closest.s, 0, i)),
-                                              result.is_sure);
+                        return rounded<error>(
+                            narrow_difference<Spot::bits>(p[i], step(closest.s, 0, i)),
+                            result.is_sure);
                       }),
                       make_vec<3>([&](int i) {
                         return rounded<error>(narrow_sum<Spot::bits>(q[i], step(closest.t, 1, i)),
@@ -370,8 +369,7 @@ class BoxWitness {
     const auto height = Leading(abs(closest.height)) * closest.part;
     const auto v = make_vec<3>([&](int i) {
       const auto& n = closest.n[i];
-      const auto length =
-          Place::assume_raw((height * Leading(abs(n))).template scaled<frac>());
+      const auto length = Place::assume_raw((height * Leading(abs(n))).template scaled<frac>());
       return (n < 0) == (closest.height < 0) ? length : narrow_negative(length);
     });
     if (free_[0] < 3) {
@@ -381,7 +379,8 @@ class BoxWitness {
                       nearest_to<S>(q)};
     } else {
       result.value = {nearest_to<S>(p), make_vec<3>([&](int i) {
-                        return rounded<error>(narrow_difference<Spot::bits>(p[i], v[i]), result.is_sure);
+                        return rounded<error>(narrow_difference<Spot::bits>(p[i], v[i]),
+                                              result.is_sure);
                       })};
     }
     return result;

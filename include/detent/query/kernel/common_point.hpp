@@ -118,8 +118,14 @@ class Entry {
 
   [[nodiscard]] constexpr Vec<S, N> find() noexcept {
     if constexpr (N == 3 && IsBoxBody<Body>) {
-      enter_box();
+      enter_few<std::size_t{8}>(body_.corners());
       return at_first();
+    } else if constexpr (N == 3 && has_filters && is_fixed<P>) {
+      constexpr std::size_t few = 16;
+      if (body_.corners().size() <= few) {
+        enter_few<few>(body_.corners());
+        return at_first();
+      }
     }
     any_two_corners(body_, [&](const auto& k, const auto& l) {
       cross_segment(from_p(k), from_p(l));
@@ -152,18 +158,19 @@ class Entry {
   }
 
   /// Each product of two corners serves all their triangles.
-  constexpr void enter_box() noexcept {
-    const auto corners = body_.corners();
-    std::array<Edge, corners.size()> places;
-    for (std::size_t k = 0; k < places.size(); ++k) places[k] = from_p(corners[k]);
-    std::array<std::array<Part, places.size()>, places.size()> turns{};
-    for (std::size_t l = 1; l < places.size(); ++l) {
+  template <std::size_t Most, class Corners>
+  constexpr void enter_few(const Corners& corners) noexcept {
+    const std::size_t count = corners.size();
+    std::array<Edge, Most> places;
+    std::array<std::array<Part, Most>, Most> turns;
+    for (std::size_t l = 0; l < count; ++l) {
+      places[l] = from_p(corners[l]);
       for (std::size_t k = 0; k < l; ++k) {
         turns[k][l] = dot(e_, cross(places[k], places[l]));
         if (turns[k][l] == 0) cross_segment(places[k], places[l]);
       }
     }
-    for (std::size_t m = 2; m < places.size(); ++m) {
+    for (std::size_t m = 2; m < count; ++m) {
       for (std::size_t l = 1; l < m; ++l) {
         for (std::size_t k = 0; k < l; ++k) {
           pierce(turns[k][l], turns[l][m], narrow_negative(turns[k][m]),

@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cstddef>
-#include <initializer_list>
 
 #include "detent/math/components.hpp"
+#include "detent/number/filter/filtered.hpp"
 #include "detent/number/fraction.hpp"
 
 namespace detent::detail {
@@ -34,31 +34,19 @@ template <Number T, int N, class... Corners>
   return simplex;
 }
 
-/// Some corners of a simplex, by index, in order.
-struct CornerChoice {
-  std::array<int, 4> indices{};
-  int count = 0;
-
-  constexpr CornerChoice(std::initializer_list<int> chosen) noexcept {
-    for (const int index : chosen) indices[static_cast<std::size_t>(count++)] = index;
-  }
-  [[nodiscard]] constexpr int operator[](int i) const noexcept {
-    return indices[static_cast<std::size_t>(i)];
-  }
-};
-
-/// The edges from the newest corner of a simplex to the others, and their products.
+/// The edges from the newest corner of a simplex to the others.
 template <Number T, int N>
 struct Fan {
   explicit constexpr Fan(const Simplex<T, N>& simplex) noexcept : from(simplex.newest()) {
-    for (int i = 0; i + 1 < simplex.count; ++i) {
-      at(i) = simplex[i] - from;
-      behind[static_cast<std::size_t>(i)] = dot(at(i), from);
-    }
-    if constexpr (N == 3) {
-      if (simplex.count < 3) return;
+    for (int i = 0; i + 1 < simplex.count; ++i) at(i) = simplex[i] - from;
+    if constexpr (keeps_products) {
       for (int i = 0; i + 1 < simplex.count; ++i) {
-        for (int j = 0; j <= i; ++j) product(i, j) = product(j, i) = dot(at(i), at(j));
+        const auto k = static_cast<std::size_t>(i);
+        behind[k] = dot(at(i), from);
+        for (int j = 0; j <= i && simplex.count > 2; ++j) {
+          const auto l = static_cast<std::size_t>(j);
+          products[k][l] = products[l][k] = dot(at(i), at(j));
+        }
       }
     }
   }
@@ -67,41 +55,51 @@ struct Fan {
   using Behind = decltype(dot(Edge(), Vec<T, N>()));
   using Product = decltype(dot(Edge(), Edge()));
   static constexpr auto size = static_cast<std::size_t>(N);
+  static constexpr bool keeps_products = N == 3 && has_filters;
   [[nodiscard]] constexpr Edge& at(int i) noexcept { return edges[static_cast<std::size_t>(i)]; }
   [[nodiscard]] constexpr const Edge& operator[](int i) const noexcept {
     return edges[static_cast<std::size_t>(i)];
   }
-  [[nodiscard]] constexpr Product& product(int i, int j) noexcept {
-    return products[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-  }
 
   /// Whether edge i leads closer to the origin.
   [[nodiscard]] constexpr bool leads_closer(int i) const noexcept {
-    return behind[static_cast<std::size_t>(i)] < 0;
-  }
-  /// Whether v . edge j < 0, where v is the perpendicular from the origin to the line along edge i:
-  /// v |edge i|^2 = from |edge i|^2 - edge i (from . edge i).
-  [[nodiscard]] constexpr bool is_behind(int i, int j) const noexcept {
-    if constexpr (N == 2) {
-      const auto& e = (*this)[i];
-      const auto height = cross(e, from);
-      const auto turn = cross(e, (*this)[j]);
-      return (height > 0 && turn < 0) || (height < 0 && turn > 0);
+    if constexpr (keeps_products) {
+      return behind[static_cast<std::size_t>(i)] < 0;
     } else {
+      return dot((*this)[i], from) < 0;
+    }
+  }
+  /// The sign of v . edge j, where v is the perpendicular from the origin to the line along edge i:
+  /// v |edge i|^2 = from |edge i|^2 - edge i (from . edge i).
+  [[nodiscard]] constexpr int sign_beside(int i, int j) const noexcept {
+    const auto& e = (*this)[i];
+    const auto& other = (*this)[j];
+    if constexpr (N == 2) {
+      const auto height = cross(e, from);
+      const auto turn = cross(e, other);
+      return ((height > 0) - (height < 0)) * ((turn > 0) - (turn < 0));
+    } else if constexpr (keeps_products) {
       const auto k = static_cast<std::size_t>(i), l = static_cast<std::size_t>(j);
-      return behind[l] * products[k][k] < behind[k] * products[k][l];
+      const auto ahead = behind[l] * products[k][k];
+      const auto aside = behind[k] * products[k][l];
+      return (ahead > aside) - (ahead < aside);
+    } else {
+      const auto ahead = dot(other, from) * squared_length(e);
+      const auto aside = dot(e, from) * dot(e, other);
+      return (ahead > aside) - (ahead < aside);
     }
   }
 
   Vec<T, N> from;
   std::array<Edge, size> edges{};
-  std::array<Behind, size> behind{};
-  std::array<std::array<Product, size>, size> products{};
+  // The products edge . from and edge . edge, unless computing each of them once takes more code.
+  std::array<Behind, keeps_products ? size : 0> behind{};
+  std::array<std::array<Product, size>, keeps_products ? size : 0> products{};
 };
 
-/// The corners of the feature of `simplex` whose relative interior contains the point closest to the
-/// origin. The newest corner must be one of them, and is last. Returns all of them if the simplex
-/// is full and contains the origin.
+/// Returns choose(i...) for the indices of the corners of the feature of `simplex` whose relative
+/// interior contains the point closest to the origin, or `all()` for all corners. The newest corner
+/// must be one of them, and is last. A full simplex that contains the origin is that feature itself.
 ///
 /// The closest point is then also the closest in the cone of all `newest + t_i edge_i`, t_i >= 0.
 /// It is the projection of the origin onto the span of the edges with t_i > 0 (by the signs of
@@ -109,41 +107,71 @@ struct Fan {
 /// satisfies this.
 ///
 /// source: Ericson, Real-Time Collision Detection, 9.5.2; the conditions of Karush, Kuhn and Tucker
-template <Number T, int N>
-[[nodiscard]] constexpr CornerChoice nearest_corners(const Simplex<T, N>& simplex) noexcept {
+template <Number T, int N, class Choose, class All>
+[[nodiscard]] constexpr auto with_nearest(const Simplex<T, N>& simplex, const Choose& choose,
+                                          const All& all) noexcept {
   const int edges = simplex.count - 1;
   const Fan<T, N> fan(simplex);
+
+  std::array<bool, static_cast<std::size_t>(N)> ahead{};
   bool is_corner = true;
-  for (int i = 0; i < edges; ++i) is_corner = is_corner && !fan.leads_closer(i);
-  if (is_corner) return {edges};
-  if (edges == 1) return {0, 1};
+  for (int i = 0; i < edges; ++i) {
+    const bool leads_closer = fan.leads_closer(i);
+    ahead[static_cast<std::size_t>(i)] = leads_closer;
+    is_corner = is_corner && !leads_closer;
+  }
+  if (is_corner) return choose(edges);
+  if (edges == 1) return all();
 
   for (int i = 0; i < edges; ++i) {
-    bool is_edge = fan.leads_closer(i);
-    for (int j = 0; j < edges && is_edge; ++j) is_edge = i == j || !fan.is_behind(i, j);
-    if (is_edge) return {i, edges};
+    bool is_edge = ahead[static_cast<std::size_t>(i)];
+    for (int j = 0; j < edges && is_edge; ++j) is_edge = i == j || fan.sign_beside(i, j) >= 0;
+    if (is_edge) return choose(i, edges);
   }
-  if (edges == 2) return {0, 1, 2};
+  if (edges == 2) return all();
 
   if constexpr (N == 3) {
-    const auto depth = dot(cross(fan[0], fan[1]), fan[2]);
     for (int k = 0; k < 3; ++k) {
       const int i = (k + 1) % 3, j = (k + 2) % 3;
-      const auto height = dot(cross(fan[i], fan[j]), fan.from);
+      const auto normal = cross(fan[i], fan[j]);
+      const auto height = dot(normal, fan.from);
+      const auto depth = dot(normal, fan[k]);
       if ((height > 0 && depth < 0) || (height < 0 && depth > 0)) continue;
-      if (fan.is_behind(i, j) && fan.is_behind(j, i)) return {i, j, 3};
+      if (fan.sign_beside(i, j) < 0 && fan.sign_beside(j, i) < 0) return choose(i, j, 3);
     }
   }
-  return {0, 1, 2, 3};
+  return all();
 }
 
-/// That feature itself.
+/// That feature.
 template <Number T, int N>
 [[nodiscard]] constexpr Simplex<T, N> nearest_feature(const Simplex<T, N>& simplex) noexcept {
-  const auto choice = nearest_corners(simplex);
-  Simplex<T, N> feature;
-  for (int k = 0; k < choice.count; ++k) feature.add(simplex[choice[k]]);
-  return feature;
+  return with_nearest(
+      simplex, [&](auto... indices) { return simplex_of(simplex[indices]...); },
+      [&] { return simplex; });
+}
+
+/// Some corners of a simplex, by index, in order.
+struct CornerChoice {
+  std::array<int, 4> indices;
+  int count;
+
+  [[nodiscard]] constexpr int operator[](int i) const noexcept {
+    return indices[static_cast<std::size_t>(i)];
+  }
+};
+
+/// Its corners.
+template <Number T, int N>
+[[nodiscard]] constexpr CornerChoice nearest_corners(const Simplex<T, N>& simplex) noexcept {
+  return with_nearest(
+      simplex,
+      [](auto... indices) {
+        return CornerChoice{{indices...}, static_cast<int>(sizeof...(indices))};
+      },
+      [&] {
+        return CornerChoice{{0, 1, 2, 3}, simplex.count};
+      });
 }
 
 /// A vector perpendicular to a facet of N corners.

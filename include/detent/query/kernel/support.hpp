@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "detent/number/filter/filtered.hpp"
 #include "detent/shape/hull.hpp"
 
 namespace detent::detail {
@@ -36,15 +37,27 @@ class HullBody {
   [[nodiscard]] constexpr const Vec<S, N>& some() const noexcept { return points_.front(); }
   [[nodiscard]] constexpr Vec<S, N> low() const noexcept {
     auto bound = some();
-    for (const auto& point : points_) {  // no branch per coordinate
-      bound = make_vec<N>([&](int i) { return point[i] < bound[i] ? point[i] : bound[i]; });
+    for (const auto& point : points_) {
+      for (int i = 0; i < N; ++i) {
+        if (has_filters) {  // no branch
+          bound[i] = point[i] < bound[i] ? point[i] : bound[i];
+        } else if (point[i] < bound[i]) {
+          bound[i] = point[i];
+        }
+      }
     }
     return bound;
   }
   [[nodiscard]] constexpr Vec<S, N> high() const noexcept {
     auto bound = some();
-    for (const auto& point : points_) {  // no branch per coordinate
-      bound = make_vec<N>([&](int i) { return point[i] > bound[i] ? point[i] : bound[i]; });
+    for (const auto& point : points_) {
+      for (int i = 0; i < N; ++i) {
+        if (has_filters) {  // no branch
+          bound[i] = point[i] > bound[i] ? point[i] : bound[i];
+        } else if (point[i] > bound[i]) {
+          bound[i] = point[i];
+        }
+      }
     }
     return bound;
   }
