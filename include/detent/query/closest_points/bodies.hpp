@@ -26,7 +26,7 @@ class ClosestPoints {
       : a_(a), b_(b), radius_a_(radius_a), radius_b_(radius_b) {}
 
   [[nodiscard]] constexpr PointPair<S, N> find() const noexcept {
-    if constexpr (is_fixed<S> && filter_pays<S>) {
+    if constexpr (witness_pays<A, B>) {
       auto witness = still_witness(b_, a_);
       const auto overlap = witness.overlap_or_closest();
       if (overlap == Filtered::yes) return common();

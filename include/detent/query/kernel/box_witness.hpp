@@ -213,12 +213,17 @@ class BoxWitness {
     return is_least;
   }
 
-  /// A coordinate of a point, off by less than `Error` steps, rounded.
-  template <int Error>
-  static constexpr S rounded(const Spot& x, bool& is_sure) noexcept {
-    const auto nearest = decide_nearest<S>(Approximate{x, Steps<Error>()});
-    is_sure = is_sure && nearest.is_sure && lowest<S> <= x && x <= largest<S>;
-    return nearest.value;
+  /// from + step(i) or from - step(i) for coordinate i, off by less than `Error` steps, rounded.
+  template <int Error, class Step>
+  static constexpr Vec<S, 3> rounded(const Vec<Spot, 3>& from, const Step& step, bool is_added,
+                                     bool& is_sure) noexcept {
+    return make_vec<3>([&](int i) {
+      const auto x = is_added ? narrow_sum<Spot::bits>(from[i], step(i))
+                              : narrow_difference<Spot::bits>(from[i], step(i));
+      const auto nearest = decide_nearest<S>(Approximate{x, Steps<Error>()});
+      is_sure = is_sure && nearest.is_sure && lowest<S> <= x && x <= largest<S>;
+      return nearest.value;
+    });
   }
 
   // A corner.
@@ -278,18 +283,10 @@ class BoxWitness {
     const auto p = corner_of_a(), q = corner_of_b();
     const auto& e = axes_[free_[0]];
     const auto step = [&](int i) { return narrow_floor<Fixed<62, frac>>(closest.t * e[i]); };
-    if (free_[0] < 3) {
-      result.value = {make_vec<3>([&](int i) {
-                        return rounded<1 << 11>(narrow_difference<Spot::bits>(p[i], step(i)),
-                                                result.is_sure);
-                      }),
-                      nearest_to<S>(q)};
-    } else {
-      result.value = {nearest_to<S>(p), make_vec<3>([&](int i) {
-                        return rounded<1 << 11>(narrow_sum<Spot::bits>(q[i], step(i)),
-                                                result.is_sure);
-                      })};
-    }
+    auto& [on_a, on_b] = result.value;
+    const bool is_of_a = free_[0] < 3;
+    on_a = is_of_a ? rounded<1 << 11>(p, step, false, result.is_sure) : nearest_to<S>(p);
+    on_b = is_of_a ? nearest_to<S>(q) : rounded<1 << 11>(q, step, true, result.is_sure);
     return result;
   }
 
@@ -317,8 +314,8 @@ class BoxWitness {
     const auto v = result.height < 0 ? narrow_negative(n) : n;
     if (!is_least_along(v, Place(0))) return result;
     result.part = Leading(Fixed<2, 0>(1)) / Leading(result.whole);
-    const auto across = [&](const auto& v, const auto& w) {
-      const auto product = cross(v, w);
+    const auto across = [](const auto& u, const auto& w) {
+      const auto product = cross(u, w);
       return make_vec<3>([&](int i) { return narrow_floor<Fixed<61, 2 * axis_frac>>(product[i]); });
     };
     bool is_inside = true;
@@ -350,39 +347,27 @@ class BoxWitness {
     if (!closest.is_sure) return {Points(), false};
     Decided<Points> result{Points(), true};
     const auto p = corner_of_a(), q = corner_of_b();
-    const auto step = [&](const auto& t, std::size_t k, int i) {
-      return narrow_floor<Fixed<62, frac>>(t * axes_[free_[k]][i]);
-    };
+    auto& [on_a, on_b] = result.value;
     constexpr int error = 1 << 13;
     if (free_[0] < 3 && free_[1] >= 3) {
-      result.value = {make_vec<3>([&](int i) {
-                        return rounded<error>(
-                            narrow_difference<Spot::bits>(p[i], step(closest.s, 0, i)),
-                            result.is_sure);
-                      }),
-                      make_vec<3>([&](int i) {
-                        return rounded<error>(narrow_sum<Spot::bits>(q[i], step(closest.t, 1, i)),
-                                              result.is_sure);
-                      })};
+      const auto along = [&](const auto& t, std::size_t k) {
+        return [&t, &axis = axes_[free_[k]]](int i) {
+          return narrow_floor<Fixed<62, frac>>(t * axis[i]);
+        };
+      };
+      on_a = rounded<error>(p, along(closest.s, 0), false, result.is_sure);
+      on_b = rounded<error>(q, along(closest.t, 1), true, result.is_sure);
       return result;
     }
     const auto height = Leading(abs(closest.height)) * closest.part;
-    const auto v = make_vec<3>([&](int i) {
+    const auto v = [&](int i) {
       const auto& n = closest.n[i];
-      const auto length = Place::assume_raw((height * Leading(abs(n))).template scaled<frac>());
+      const auto length = Spot::assume_raw((height * Leading(abs(n))).template scaled<frac>());
       return (n < 0) == (closest.height < 0) ? length : narrow_negative(length);
-    });
-    if (free_[0] < 3) {
-      result.value = {make_vec<3>([&](int i) {
-                        return rounded<error>(narrow_sum<Spot::bits>(q[i], v[i]), result.is_sure);
-                      }),
-                      nearest_to<S>(q)};
-    } else {
-      result.value = {nearest_to<S>(p), make_vec<3>([&](int i) {
-                        return rounded<error>(narrow_difference<Spot::bits>(p[i], v[i]),
-                                              result.is_sure);
-                      })};
-    }
+    };
+    const bool is_of_a = free_[0] < 3;
+    on_a = is_of_a ? rounded<error>(q, v, true, result.is_sure) : nearest_to<S>(p);
+    on_b = is_of_a ? nearest_to<S>(q) : rounded<error>(p, v, false, result.is_sure);
     return result;
   }
 

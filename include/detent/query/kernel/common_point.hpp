@@ -17,10 +17,10 @@
 
 namespace detent::detail {
 
-/// `bodies_overlap`, by a witness if the exact numbers are long.
+/// `bodies_overlap`, by a witness if that pays.
 template <class A, class B>
 [[nodiscard]] constexpr bool share_point(const A& a, const B& b) noexcept {
-  if constexpr (has_filters && is_fine<std::remove_cvref_t<decltype((a.some() - b.some()).x)>>) {
+  if constexpr (witness_pays<A, B>) {
     return or_exact(still_witness(a, b).overlap(), [&] { return bodies_overlap(a, b); });
   } else {
     return bodies_overlap(a, b);

@@ -40,12 +40,17 @@ struct Fan {
   explicit constexpr Fan(const Simplex<T, N>& simplex) noexcept : from(simplex.newest()) {
     for (int i = 0; i + 1 < simplex.count; ++i) at(i) = simplex[i] - from;
     if constexpr (keeps_products) {
-      for (int i = 0; i + 1 < simplex.count; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        behind[k] = dot(at(i), from);
-        for (int j = 0; j <= i && simplex.count > 2; ++j) {
-          const auto l = static_cast<std::size_t>(j);
-          products[k][l] = products[l][k] = dot(at(i), at(j));
+      for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(simplex.count); ++i) {
+        behind[i] = dot(edges[i], from);
+      }
+    }
+  }
+  /// To be called before `sign_beside`.
+  constexpr void multiply(int count) noexcept {
+    if constexpr (keeps_products) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        for (std::size_t j = 0; j <= i; ++j) {
+          products[i][j] = products[j][i] = dot(edges[i], edges[j]);
         }
       }
     }
@@ -111,7 +116,7 @@ template <Number T, int N, class Choose, class All>
 [[nodiscard]] constexpr auto with_nearest(const Simplex<T, N>& simplex, const Choose& choose,
                                           const All& all) noexcept {
   const int edges = simplex.count - 1;
-  const Fan<T, N> fan(simplex);
+  Fan<T, N> fan(simplex);
 
   std::array<bool, static_cast<std::size_t>(N)> ahead{};
   bool is_corner = true;
@@ -123,6 +128,7 @@ template <Number T, int N, class Choose, class All>
   if (is_corner) return choose(edges);
   if (edges == 1) return all();
 
+  fan.multiply(edges);
   for (int i = 0; i < edges; ++i) {
     bool is_edge = ahead[static_cast<std::size_t>(i)];
     for (int j = 0; j < edges && is_edge; ++j) is_edge = i == j || fan.sign_beside(i, j) >= 0;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include "detent/number/filter/filtered.hpp"
 #include "detent/query/kernel/convex_body.hpp"
@@ -130,7 +131,7 @@ class TouchWitness {
       const auto u = shortened<44>(v);
       const auto reached = dot(u, least_along(u));
       if (!(reached > 0)) return Decided<T>{T(), false};
-      const auto floor = quotient_floor<T>(reached, sqrt_ceil<Fixed<46, 0>>(squared_length(u)));
+      const auto floor = quotient_floor<T>(reached, sqrt_ceil<Fixed<62, 16>>(squared_length(u)));
       return Decided<T>{floor, floor < largest<T>};
     });
     return {distance.value, distance.is_sure && meet_at(S(0), after(distance.value))};
@@ -431,5 +432,12 @@ template <class A, class B>
 [[nodiscard]] constexpr auto still_witness(const A& a, const B& b) noexcept {
   return StillWitness<A, B>(a, b, typename StillWitness<A, B>::Way(), Fixed<1, 0>(0));
 }
+
+/// Whether such a witness pays before an exact search: one in 3D whose numbers are long.
+template <class A, class B>
+inline constexpr bool witness_pays =
+    has_filters&& A::dimension == 3 &&
+    is_fine<std::remove_cvref_t<
+        decltype((std::declval<const A&>().some() - std::declval<const B&>().some()).x)>>;
 
 }  // namespace detent::detail
