@@ -9,6 +9,7 @@
 #include "detent/query/kernel/gjk.hpp"
 #include "detent/query/kernel/least_common_point.hpp"
 #include "detent/query/kernel/rounded_point.hpp"
+#include "detent/query/kernel/touch_witness.hpp"
 #include "detent/query/kernel/weights.hpp"
 
 namespace detent::detail {
@@ -25,16 +26,34 @@ class ClosestPoints {
       : a_(a), b_(b), radius_a_(radius_a), radius_b_(radius_b) {}
 
   [[nodiscard]] constexpr PointPair<S, N> find() const noexcept {
-    return with_gjk(a_, b_, [&](auto search) {
-      if (search.touches()) {
-        const auto point = common_point<S>(a_, b_);
-        return PointPair<S, N>{point, point};
+    if constexpr (witness_pays<A, B>) {
+      auto witness = still_witness(b_, a_);
+      const auto overlap = witness.overlap_or_closest();
+      if (overlap == Filtered::yes) return common();
+      if (overlap == Filtered::no) {
+        const auto feature = witness.found().simplex();
+        return with_gjk(a_, b_, [&](auto search) {
+          search.start_at(feature);
+          return apart(search.closest_feature());
+        });
       }
-      return apart(search.closest_feature());
+    }
+    return find_exactly();
+  }
+
+  /// The same without a filter.
+  [[nodiscard]] constexpr PointPair<S, N> find_exactly() const noexcept {
+    return with_gjk(a_, b_, [&](auto search) {
+      return search.touches() ? common() : apart(search.closest_feature());
     });
   }
 
  private:
+  [[nodiscard]] constexpr PointPair<S, N> common() const noexcept {
+    const auto point = common_point<S>(a_, b_);
+    return {point, point};
+  }
+
   /// The bodies are apart; `feature` has the closest difference of their points.
   template <Number T>
   [[nodiscard]] constexpr PointPair<S, N> apart(const Simplex<T, N>& feature) const noexcept {

@@ -8,6 +8,9 @@
 #include "detent/query/closest_points/boxes.hpp"
 #include "detent/query/closest_points/plane.hpp"
 #include "detent/query/kernel/argument.hpp"
+#include "detent/query/kernel/box_common_point.hpp"
+#include "detent/query/kernel/box_filter.hpp"
+#include "detent/query/kernel/box_witness.hpp"
 #include "detent/query/kernel/closest_in_frame.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/core.hpp"
@@ -58,6 +61,17 @@ template <bool AreRound, Scalar S, class A, class B>
   } else if constexpr (is_kind<A, Aabb> && is_kind<B, Aabb>) {
     return closest_points_of_boxes(a, b);
   } else {
+    if constexpr (has_box_witness<A, B>) {
+      const auto overlap =
+          decide_boxes_overlap(AxisFrame(a.rotation), a.half_extents, AxisFrame(b.rotation),
+                               b.half_extents, b.center - a.center);
+      if (overlap == Filtered::yes) {
+        const auto point = common_point_by_words(a, b);
+        if (point.is_sure) return std::pair{point.value, point.value};
+      }
+      const auto points = BoxWitness<S>(a, b).closest_points();
+      if (points.is_sure) return points.value;
+    }
     const auto body_a = body_of(a);
     const auto body_b = body_of(b);
     using Search = ClosestPoints<S, AreRound, std::remove_cvref_t<decltype(body_a)>,

@@ -10,6 +10,7 @@
 #include "detent/query/distance/triangle.hpp"
 #include "detent/query/kernel/argument.hpp"
 #include "detent/query/kernel/box_filter.hpp"
+#include "detent/query/kernel/box_witness.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/core.hpp"
 #include "detent/query/kernel/gjk.hpp"
@@ -110,14 +111,14 @@ template <Scalar S, class A, class B>
           decide_boxes_overlap(AxisFrame(a.rotation), a.half_extents, AxisFrame(b.rotation),
                                b.half_extents, b.center - a.center);
       if (overlap == Filtered::yes) return Length<S>(0);
+      if constexpr (has_box_witness<A, B>) {
+        const auto distance = BoxWitness<S>(a, b).distance_floor();
+        if (distance.is_sure) return distance.value;
+      }
     }
     const auto body_a = body_of(a);
     const auto body_b = body_of(b);
-    using BodyA = std::remove_cvref_t<decltype(body_a)>;
-    using BodyB = std::remove_cvref_t<decltype(body_b)>;
-    using Way = Vec<direction_component<S>, BodyA::dimension>;
-    TouchWitness<BodyA, BodyB, direction_component<S>, S, S> witness(body_a, body_b, Way(), S(0));
-    const auto distance = witness.template distance_floor<Length<S>>();
+    const auto distance = still_witness(body_a, body_b).template distance_floor<Length<S>>();
     if (distance.is_sure) return distance.value;
   }
   return sqrt_floor<Length<S>>(squared_gap(a, b));

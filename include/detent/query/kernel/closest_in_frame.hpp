@@ -18,15 +18,19 @@ namespace detent::detail {
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_in_frame(
     const Obb<S, N>& box, const Vec<S, N>& center, const S& radius) noexcept {
-  const auto place = in_frame(box, center - box.center);
-  const auto clamped = make_vec<N>([&](int i) { return clamp_to(place[i], box.half_extents[i]); });
-  if (clamped == place) return {center, center};
-  const auto on_box = nearest_to<S>(box.center + from_frame(box, clamped));
-  // No longer than the components of `place`.
-  using Place = std::remove_cvref_t<decltype(place.x)>;
-  const auto to_box = narrow<bits_of<Place>>(clamped - place);
-  if (is_within(to_box, radius)) return {on_box, on_box};
-  return {on_box, rounded_beyond(center, radius, from_frame(box, to_box))};
+  const auto find = [&](const auto& place) -> std::pair<Vec<S, N>, Vec<S, N>> {
+    const auto clamped =
+        make_vec<N>([&](int i) { return clamp_to(place[i], box.half_extents[i]); });
+    if (clamped == place) return {center, center};
+    const auto on_box = nearest_to<S>(box.center + from_frame(box, clamped));
+    // No longer than the components of `place`.
+    using Place = std::remove_cvref_t<decltype(place.x)>;
+    const auto to_box = narrow<bits_of<Place>>(clamped - place);
+    if (is_within(to_box, radius)) return {on_box, on_box};
+    return {on_box, rounded_beyond(center, radius, from_frame(box, to_box))};
+  };
+  constexpr int bits = bits_of<S> + bits_of<direction_component<S>>;  // in range: 62 of 31 and 31
+  return by_width<(bits > 62 ? 62 : bits)>(find, in_frame(box, center - box.center));
 }
 
 /// The t in [0, 1] for which t d is closest to the box from `low` to `high`: the first such t, or

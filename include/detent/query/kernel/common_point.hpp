@@ -11,10 +11,21 @@
 #include "detent/number/min_max.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/gjk.hpp"
+#include "detent/query/kernel/touch_witness.hpp"
 
 // A point that two convex polytopes share.
 
 namespace detent::detail {
+
+/// `bodies_overlap`, by a witness if that pays.
+template <class A, class B>
+[[nodiscard]] constexpr bool share_point(const A& a, const B& b) noexcept {
+  if constexpr (witness_pays<A, B>) {
+    return or_exact(still_witness(a, b).overlap(), [&] { return bodies_overlap(a, b); });
+  } else {
+    return bodies_overlap(a, b);
+  }
+}
 
 /// Calls f with the corners of a body in order, until it returns true. Returns whether it did.
 template <class Body, class F>
@@ -107,8 +118,14 @@ class Entry {
 
   [[nodiscard]] constexpr Vec<S, N> find() noexcept {
     if constexpr (N == 3 && IsBoxBody<Body>) {
-      enter_box();
+      enter_few<std::size_t{8}>(body_.corners());
       return at_first();
+    } else if constexpr (N == 3 && has_filters && is_fixed<P>) {
+      constexpr std::size_t few = 16;
+      if (body_.corners().size() <= few) {
+        enter_few<few>(body_.corners());
+        return at_first();
+      }
     }
     any_two_corners(body_, [&](const auto& k, const auto& l) {
       cross_segment(from_p(k), from_p(l));
@@ -141,18 +158,19 @@ class Entry {
   }
 
   /// Each product of two corners serves all their triangles.
-  constexpr void enter_box() noexcept {
-    const auto corners = body_.corners();
-    std::array<Edge, corners.size()> places;
-    for (std::size_t k = 0; k < places.size(); ++k) places[k] = from_p(corners[k]);
-    std::array<std::array<Part, places.size()>, places.size()> turns{};
-    for (std::size_t l = 1; l < places.size(); ++l) {
+  template <std::size_t Most, class Corners>
+  constexpr void enter_few(const Corners& corners) noexcept {
+    const std::size_t count = corners.size();
+    std::array<Edge, Most> places;
+    std::array<std::array<Part, Most>, Most> turns;
+    for (std::size_t l = 0; l < count; ++l) {
+      places[l] = from_p(corners[l]);
       for (std::size_t k = 0; k < l; ++k) {
         turns[k][l] = dot(e_, cross(places[k], places[l]));
         if (turns[k][l] == 0) cross_segment(places[k], places[l]);
       }
     }
-    for (std::size_t m = 2; m < places.size(); ++m) {
+    for (std::size_t m = 2; m < count; ++m) {
       for (std::size_t l = 1; l < m; ++l) {
         for (std::size_t k = 0; k < l; ++k) {
           pierce(turns[k][l], turns[l][m], narrow_negative(turns[k][m]),
@@ -241,7 +259,7 @@ template <Scalar S, class A, class B, int N = A::dimension>
   const auto take_corner = [&](const auto& from, const auto& other, const auto& sides) {
     return any_corner(from, [&](const auto& corner) {
       if (sides.are_outside(corner)) return false;
-      if (!bodies_overlap(HullBody(std::array{corner}), other)) return false;
+      if (!share_point(HullBody(std::array{corner}), other)) return false;
       result = nearest_to<S>(corner);
       return true;
     });
@@ -252,7 +270,7 @@ template <Scalar S, class A, class B, int N = A::dimension>
   const auto take_edge = [&](const auto& from, const auto& other, const auto& sides) {
     return any_two_corners(from, [&](const auto& p, const auto& q) {
       if (sides.are_outside(p, q)) return false;
-      if (!bodies_overlap(HullBody(std::array{p, q}), other)) return false;
+      if (!share_point(HullBody(std::array{p, q}), other)) return false;
       result =
           Entry<S, P, std::remove_cvref_t<decltype(other)>>(on_grid(p), on_grid(q), other).find();
       return true;

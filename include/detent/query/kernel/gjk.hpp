@@ -35,6 +35,14 @@ class Gjk {
     feature_.add(narrow<bits_of<T>>(a.some() - b.some()));
   }
 
+  /// Starts the search at a feature of corner differences, if it can.
+  template <Number Corner>
+  constexpr void start_at(const Simplex<Corner, N>& feature) noexcept {
+    Simplex<T, N> start;
+    for (int k = 0; k < feature.count; ++k) start.add(narrow<bits_of<T>>(feature[k]));
+    if (holds_foot(start)) feature_ = start;
+  }
+
   /// Whether the bodies share a point.
   [[nodiscard]] constexpr bool touches() noexcept {
     search(true);

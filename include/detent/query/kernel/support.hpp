@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "detent/number/filter/filtered.hpp"
 #include "detent/shape/hull.hpp"
 
 namespace detent::detail {
@@ -24,6 +25,8 @@ template <Number S, int N, class Points = std::span<const Vec<S, N>>>
 class HullBody {
  public:
   static constexpr int dimension = N;
+  /// Whether there may be many points.
+  static constexpr bool has_many = has_filters && std::same_as<Points, std::span<const Vec<S, N>>>;
 
   template <class Hull>
   requires std::same_as<decltype(Hull::points), Points>
@@ -37,8 +40,12 @@ class HullBody {
   [[nodiscard]] constexpr Vec<S, N> low() const noexcept {
     auto bound = some();
     for (const auto& point : points_) {
-      for (int i = 0; i < N; ++i) {
-        if (point[i] < bound[i]) bound[i] = point[i];
+      if constexpr (has_many) {  // no branch per coordinate
+        bound = make_vec<N>([&](int i) { return point[i] < bound[i] ? point[i] : bound[i]; });
+      } else {
+        for (int i = 0; i < N; ++i) {
+          if (point[i] < bound[i]) bound[i] = point[i];
+        }
       }
     }
     return bound;
@@ -46,8 +53,12 @@ class HullBody {
   [[nodiscard]] constexpr Vec<S, N> high() const noexcept {
     auto bound = some();
     for (const auto& point : points_) {
-      for (int i = 0; i < N; ++i) {
-        if (point[i] > bound[i]) bound[i] = point[i];
+      if constexpr (has_many) {  // no branch per coordinate
+        bound = make_vec<N>([&](int i) { return point[i] > bound[i] ? point[i] : bound[i]; });
+      } else {
+        for (int i = 0; i < N; ++i) {
+          if (point[i] > bound[i]) bound[i] = point[i];
+        }
       }
     }
     return bound;

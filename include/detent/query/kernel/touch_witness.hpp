@@ -6,9 +6,11 @@
 #include <cstddef>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include "detent/number/filter/filtered.hpp"
 #include "detent/query/kernel/convex_body.hpp"
+#include "detent/query/kernel/gjk.hpp"
 #include "detent/query/kernel/rounded_point.hpp"
 #include "detent/query/kernel/simplex.hpp"
 #include "detent/query/kernel/support.hpp"
@@ -78,6 +80,17 @@ class TouchWitness {
     return unsure;
   }
 
+  /// Whether the bodies share a point at the start.
+  [[nodiscard]] constexpr Filtered overlap() noexcept {
+    return holds_origin(low_, high_) ? overlap_or_closest(true) : Filtered::no;
+  }
+  /// The same. If the answer is `no`, `found` is probably the closest feature, unless the search
+  /// was only `until_apart`.
+  [[nodiscard]] constexpr Filtered overlap_or_closest(bool until_apart = false) noexcept {
+    if (find(S(0), until_apart)) return reached_ > 0 ? Filtered::no : Filtered::unsure;
+    return count_ > dimension && encloses_origin() ? Filtered::yes : Filtered::unsure;
+  }
+
   /// The corner differences of a feature at the start.
   struct Feature {
     std::array<Corner, static_cast<std::size_t>(dimension)> corners;
@@ -90,6 +103,15 @@ class TouchWitness {
       return result;
     }
   };
+  /// The feature that the last search found.
+  [[nodiscard]] constexpr Feature found() const noexcept {
+    Feature feature{{}, count_};
+    for (int k = 0; k < count_; ++k) {
+      feature.corners[static_cast<std::size_t>(k)] = corners_[static_cast<std::size_t>(k)];
+    }
+    return feature;
+  }
+
   /// The feature that contains the closest differences from `time`, for which `first` was sure, to
   /// the next time on the grid; nothing if it is not the same feature throughout.
   ///
@@ -101,21 +123,19 @@ class TouchWitness {
     return feature;
   }
 
-  /// The distance of the bodies at the start, rounded down to the grid of `T`. Unsure if it is 0.
+  /// The distance of the bodies at the start, rounded down to the grid of `T`.
   template <Number T>
   [[nodiscard]] constexpr Decided<T> distance_floor() noexcept {
-    if (!find(S(0)) || !(reached_ > 0)) return {T(), false};
-    const T distance = quotient_floor<T>(reached_, sqrt_ceil<Norm>(squared_length(across_)));
-    return {distance, distance < largest<T> && meet_at(S(0), after(distance))};
-  }
-
-  /// The feature that probably contains the closest differences at the time that `first` found.
-  [[nodiscard]] constexpr Feature found() const noexcept {
-    Feature feature{{}, count_};
-    for (int k = 0; k < count_; ++k) {
-      feature.corners[static_cast<std::size_t>(k)] = corners_[static_cast<std::size_t>(k)];
-    }
-    return feature;
+    if (!find(S(0))) return {T(0), count_ > dimension && encloses_origin()};
+    // A direction that tilts by e lets the ends of the feature reach nearer by e times its size.
+    const auto distance = with_direction(simplex_at<Fixed<40, 0>>(S(0)), [&](const auto& v) {
+      const auto u = shortened<44>(v);
+      const auto reached = dot(u, least_along(u));
+      if (!(reached > 0)) return Decided<T>{T(), false};
+      const auto floor = quotient_floor<T>(reached, sqrt_ceil<Fixed<62, 16>>(squared_length(u)));
+      return Decided<T>{floor, floor < largest<T>};
+    });
+    return {distance.value, distance.is_sure && meet_at(S(0), after(distance.value))};
   }
 
   /// The point of `b` closest to `a` at `time`, rounded to nearest; nothing unless it is simply the
@@ -153,11 +173,29 @@ class TouchWitness {
     return length;
   }
   /// In steps of 2^dropped.
-  [[nodiscard]] static constexpr Vec<Rough, dimension> rough(const Moved& v, int dropped) noexcept {
+  template <class T = Rough>
+  [[nodiscard]] static constexpr Vec<T, dimension> rough(const Moved& v, int dropped) noexcept {
     return make_vec<dimension>([&](int i) {
-      return Rough::assume_raw(
-          integer_cast<typename Rough::raw_type>(shift_right_floor(v[i].raw(), dropped)));
+      return T::assume_raw(
+          integer_cast<typename T::raw_type>(shift_right_floor(v[i].raw(), dropped)));
     });
+  }
+  /// The feature in the bits of T.
+  template <class T>
+  [[nodiscard]] constexpr Simplex<T, dimension> simplex_at(const S& time) const noexcept {
+    std::array<Moved, static_cast<std::size_t>(dimension)> corners;
+    int length = 0;
+    for (int k = 0; k < count_; ++k) {
+      auto& corner = corners[static_cast<std::size_t>(k)];
+      corner = moved(corners_[static_cast<std::size_t>(k)], time);
+      length = (std::max)(length, length_of(corner));
+    }
+    const int dropped = (std::max)(length - (T::bits - 1), 0);
+    Simplex<T, dimension> simplex;
+    for (int k = 0; k < count_; ++k) {
+      simplex.add(rough<T>(corners[static_cast<std::size_t>(k)], dropped));
+    }
+    return simplex;
   }
   template <Number V>
   [[nodiscard]] static constexpr Across across(const Vec<V, dimension>& v) noexcept {
@@ -263,8 +301,10 @@ class TouchWitness {
   }
 
   /// Finds, approximately, the feature that contains the closest difference at `time`, and a
-  /// direction across it: GJK (see gjk.hpp) on rounded corners.
-  [[nodiscard]] constexpr bool find(const S& time) noexcept {
+  /// direction across it: GJK (see gjk.hpp) on rounded corners. False if there seems to be none: if
+  /// there are more than N corners, they seem to enclose the origin.
+  [[nodiscard]] constexpr bool find(const S& time, bool until_apart = false) noexcept {
+    count_ = 0;
     const int dropped = (std::max)(
         (std::max)(length_of(moved(low_, time)), length_of(moved(high_, time))) - (Rough::bits - 1),
         0);
@@ -273,13 +313,16 @@ class TouchWitness {
       corners_[static_cast<std::size_t>(simplex.count)] = corner;
       simplex.add(place);
     };
-    const Corner some = b_.some() - a_.some();
-    add(some, rough(moved(some, time), dropped));
+    // A corner on the near side.
+    const auto low = rough(moved(low_, time), dropped), high = rough(moved(high_, time), dropped);
+    const Corner first = least_along(across(low + high));
+    add(first, rough(moved(first, time), dropped));
     for (int i = 0; i < 24; ++i) {
       const bool is_found = with_direction(simplex, [&](const auto& v) {
         across_ = across(v);
         const Corner corner = least_along(across_);
         reached_ = dot(across_, corner);
+        if (until_apart && reached_ > 0) return true;
         const auto place = rough(moved(corner, time), dropped);
         if (!(dot(v, place) < dot(v, simplex.newest()))) return true;
         add(corner, place);
@@ -291,12 +334,12 @@ class TouchWitness {
       }
       const auto all = simplex;
       const auto from = corners_;
-      simplex = nearest_feature(all);
-      if (simplex.count > dimension) return false;
-      for (int k = 0; k < simplex.count; ++k) {
-        int j = 0;
-        while (all[j] != simplex[k]) ++j;
-        corners_[static_cast<std::size_t>(k)] = from[static_cast<std::size_t>(j)];
+      const auto choice = nearest_corners(all);
+      count_ = choice.count;
+      if (count_ > dimension) return false;
+      simplex = {};
+      for (int k = 0; k < choice.count; ++k) {
+        add(from[static_cast<std::size_t>(choice[k])], all[choice[k]]);
       }
     }
     return false;
@@ -329,6 +372,23 @@ class TouchWitness {
     });
   }
 
+  /// Whether the simplex of all corners contains the origin at the start, exactly: the volumes that
+  /// the origin spans with its faces are the origin's weights, times a common factor.
+  [[nodiscard]] constexpr bool encloses_origin() const noexcept {
+    const auto &c0 = corners_[0], &c1 = corners_[1], &c2 = corners_[2];
+    const auto same_sign = [](const auto&... weight) {
+      return ((weight >= 0) && ...) != ((weight <= 0) && ...);
+    };
+    if constexpr (dimension == 2) {
+      return same_sign(cross(c1, c2), cross(c2, c0), cross(c0, c1));
+    } else {
+      const auto& c3 = corners_[3];
+      const auto first = cross(c0, c1), last = cross(c2, c3);
+      return same_sign(dot(last, c1), narrow_negative(dot(last, c0)), dot(first, c3),
+                       narrow_negative(dot(first, c2)));
+    }
+  }
+
   /// The next number on the grid.
   template <Number T>
   [[nodiscard]] static constexpr T after(const T& x) noexcept {
@@ -338,18 +398,7 @@ class TouchWitness {
   /// Whether a difference in the feature is nearer than `radius` at `time`.
   template <Number Radius>
   [[nodiscard]] constexpr bool meet_at(const S& time, const Radius& radius) const noexcept {
-    std::array<Moved, static_cast<std::size_t>(dimension)> corners;
-    int length = 0;
-    for (int k = 0; k < count_; ++k) {
-      auto& corner = corners[static_cast<std::size_t>(k)];
-      corner = moved(corners_[static_cast<std::size_t>(k)], time);
-      length = (std::max)(length, length_of(corner));
-    }
-    Simplex<Rough, dimension> simplex;
-    for (int k = 0; k < count_; ++k) {
-      simplex.add(
-          rough(corners[static_cast<std::size_t>(k)], (std::max)(length - (Rough::bits - 1), 0)));
-    }
+    const auto simplex = simplex_at<Rough>(time);
     return with_weights(simplex, [&](const auto& exact) {
       const auto weights = shortened<across_bits>(exact);
       Weighted sum{};
@@ -358,7 +407,8 @@ class TouchWitness {
         const Fixed<across_bits, 0> weight =
             Fixed<across_bits, 0>::assume_raw(integer_cast<std::int32_t>(weights[k].raw()));
         if (weight < 0) return false;
-        sum = narrow<weighted_bits>(sum + corners[static_cast<std::size_t>(k)] * weight);
+        const auto corner = moved(corners_[static_cast<std::size_t>(k)], time);
+        sum = narrow<weighted_bits>(sum + corner * weight);
         whole = narrow<across_bits + 2>(whole + weight);
       }
       return squared_length(sum) < square(radius * whole);
@@ -402,5 +452,20 @@ class TouchWitness {
   std::array<Corner, static_cast<std::size_t>(dimension + 1)> corners_{};
   int count_ = 0;
 };
+
+/// The same for bodies that do not move.
+template <class A, class B>
+using StillWitness = TouchWitness<A, B, Fixed<1, 0>, Fixed<1, 0>, Fixed<1, 0>>;
+template <class A, class B>
+[[nodiscard]] constexpr auto still_witness(const A& a, const B& b) noexcept {
+  return StillWitness<A, B>(a, b, typename StillWitness<A, B>::Way(), Fixed<1, 0>(0));
+}
+
+/// Whether such a witness pays before an exact search: one in 3D whose numbers are long.
+template <class A, class B>
+inline constexpr bool witness_pays =
+    has_filters&& A::dimension == 3 &&
+    is_fine<std::remove_cvref_t<
+        decltype((std::declval<const A&>().some() - std::declval<const B&>().some()).x)>>;
 
 }  // namespace detent::detail
