@@ -128,6 +128,8 @@ constexpr void scatter(const ContactGroup<S>& group, ReadyContact<S, 3>* ready,
   }
 }
 
+DETENT_BEGIN_LONG_LANES
+
 /// The passes of solve.hpp over the contacts of a group at once, with the same bits. Each function
 /// returns false, and has changed nothing, if some number left its range and must be clamped.
 template <class L, Scalar S>
@@ -147,10 +149,11 @@ class GroupSolver {
 
  public:
   GroupSolver(Group& group, Moving<S, 3>* bodies) noexcept
-      : group_(group), bodies_a_(bodies, group.a), bodies_b_(bodies, group.b) {
-    a_ = bodies_a_.motions();
-    b_ = bodies_b_.motions();
-  }
+      : group_(group),
+        bodies_a_(bodies, group.a),
+        bodies_b_(bodies, group.b),
+        a_(bodies_a_.motions()),
+        b_(bodies_b_.motions()) {}
 
   [[nodiscard]] bool warm_start() noexcept {
     for (std::size_t i = 0; i < group_.count; ++i) {
@@ -166,11 +169,8 @@ class GroupSolver {
   template <Pass pass>
   [[nodiscard]] bool solve(const Speed& fastest) noexcept {
     std::array<Side<Impulse>, Group::capacity> pressures;
-    Motions path_a, path_b;
-    if constexpr (pass == Pass::relaxed) {
-      path_a = bodies_a_.paths();
-      path_b = bodies_b_.paths();
-    }
+    const Motions path_a = pass == Pass::relaxed ? bodies_a_.paths() : Motions();
+    const Motions path_b = pass == Pass::relaxed ? bodies_b_.paths() : Motions();
     for (std::size_t i = 0; i < group_.count; ++i) {
       const Lever& lever = group_.pressure[i];
       Side<Speed> gap;
@@ -319,8 +319,10 @@ class GroupSolver {
 
   Group& group_;
   FourBodies<S, L> bodies_a_, bodies_b_;
-  Motions a_{}, b_{};
-  FourRounder<L> round_{};
+  Motions a_, b_;
+  FourRounder<L> round_;
 };
+
+DETENT_END_LONG_LANES
 
 }  // namespace detent::detail

@@ -133,9 +133,7 @@ class Tick {
   };
 
   static constexpr int colours = 64;
-  static constexpr bool has_groups = has_long_lanes && is_fixed<S> && N == 3 && requires {
-    Storage::is_growing;
-  };
+  static constexpr bool has_groups = uses_long_lanes<Storage, S, N>;
   using ColourEnds = std::array<std::uint32_t, colours + 1>;
 
   /// The contacts of some pairs, in order, and their manifolds.
@@ -645,7 +643,7 @@ class Tick {
   constexpr void gather_all(const ColourEnds& ends, const Threads& threads) {
     if constexpr (has_groups) {
       // Groups have no rows for rolling.
-      are_grouped_ = !std::is_constant_evaluated() && rolling_.size() == 0;
+      are_grouped_ = runs_vectors() && rolling_.size() == 0;
       if (!are_grouped_) return;
       std::uint32_t count = 0;
       for (std::size_t c = 0; c + 1 < colours; ++c) {
@@ -685,7 +683,7 @@ class Tick {
       if (are_grouped_) {
         const auto visit = [&](std::size_t g) {
           auto& group = groups_[g];
-          GroupSolver<LongLanes, S> solver(group, moving_.data());
+          GroupSolver<FastLongLanes, S> solver(group, moving_.data());
           if (together(solver)) return;
           auto* ready = &ready_[group.first];
           scatter(group, ready, found_.contacts.data());
@@ -769,7 +767,7 @@ class Tick {
 
     constexpr void add(std::size_t i) {
       if constexpr (has_groups) {
-        if (!std::is_constant_evaluated()) {
+        if (runs_vectors()) {
           fours.waiting[fours.size++] = static_cast<std::uint32_t>(i);
           if (fours.size == long_lane_count) turn();
           return;
@@ -795,7 +793,7 @@ class Tick {
         const auto& from = Halvings == 0 ? half_way : axes;
         auto& to = Halvings == 0 ? axes : half_way;
         if constexpr (has_groups) {
-          if (!std::is_constant_evaluated()) {
+          if (runs_vectors()) {
             fours.turns.add(static_cast<std::uint32_t>(i), orientation, body.inertia, from, to);
             if (fours.turns.size == long_lane_count) carry_on();
             return;
@@ -811,7 +809,7 @@ class Tick {
         fours.waiting[k] = fours.waiting[0];
       for (std::size_t k = 0; k < long_lane_count; ++k) states[k] = &bodies[fours.waiting[k]].state;
       const bool is_done =
-          turn_four<LongLanes, Halvings, S>(states, tick.moving_.data(), fours.waiting, result);
+          turn_four<FastLongLanes, Halvings, S>(states, tick.moving_.data(), fours.waiting, result);
       for (std::size_t k = 0; k < fours.size; ++k) {
         const auto i = fours.waiting[k];
         turned_to(
@@ -821,7 +819,7 @@ class Tick {
       fours.size = 0;
     }
     constexpr void carry_on() {
-      const bool is_done = carry_four<LongLanes>(fours.turns, tick.moving_.data());
+      const bool is_done = carry_four<FastLongLanes>(fours.turns, tick.moving_.data());
       for (std::size_t k = 0; k < fours.turns.size; ++k) {
         const auto i = fours.turns.body[k];
         auto& moving = tick.moving_[i];

@@ -22,7 +22,7 @@ template <Scalar S, std::size_t Points, class Lever = typename Formats<S>::Lever
   }
   Lever reach{};
   for (std::size_t i = 0; i < parts.point_count; ++i) {
-    for (int c = 0; c < 3; ++c) reach = (max)(reach, narrow_abs(parts.points[i][c]));
+    for (int c = 0; c < 3; ++c) reach = (max)(reach, nearest_to<Lever>(abs(parts.points[i][c])));
   }
   if constexpr (is_fixed<S>) {
     if (reach.raw() >> 29 != 0) return {};

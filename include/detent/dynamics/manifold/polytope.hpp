@@ -96,7 +96,7 @@ struct PolytopeParts {
   [[nodiscard]] constexpr Polytope<S, N> view() const noexcept {
     return {std::span(points).first(point_count), std::span(faces).first(face_count),
             std::span(corners).first(side_count), std::span(sides).first(side_count),
-            std::span(edges).first(edge_count), reach};
+            std::span(edges).first(edge_count),   reach};
   }
 
   constexpr void add_face(const Vec<Ratio, N>& normal) noexcept {

@@ -88,10 +88,9 @@ class BestPlane {
 };
 
 template <Scalar S, int N, class Lever = typename Formats<S>::Lever>
-[[nodiscard]] constexpr BestPlane<S, N> best_plane(const Polytope<S, N>& shape,
-                                                   std::span<const Vec<Lever, N>> points,
-                                                   const Vec<Lever, N>& center,
-                                                   const typename Formats<S>::Gap& margin) noexcept {
+[[nodiscard]] constexpr BestPlane<S, N> best_plane(
+    const Polytope<S, N>& shape, std::span<const Vec<Lever, N>> points, const Vec<Lever, N>& center,
+    const typename Formats<S>::Gap& margin) noexcept {
   if constexpr (has_filters) {
     return {shape, points, center, margin};
   } else {
@@ -111,23 +110,23 @@ struct EdgeList {
   constexpr void add(std::size_t edge) noexcept { at[count++] = static_cast<std::uint8_t>(edge); }
 };
 
-/// A height such that no pair of edges can be further apart than the faces, at `face`, if one of the
-/// edges has two faces over which some point of the other polytope is at most this high; nothing if
-/// that is not proved.
+/// A height such that no two edges are further apart than the faces, at `face`, if one of them has two
+/// faces over which some corner of the other polytope is at most this high. Nothing if there is no
+/// proof.                                            (tests/dynamics/manifold/hull.test.cpp)
 ///
-/// Let u, v be the normals of an edge's faces, q a point of the other polytope and n the unit vector
-/// across the edges, from this one to the other. Where the arcs of the Gauss map cross, n = (x u + y
-/// v) / |x u + y v| with x, y >= 0, and the other's edge is its lowest along n. With x + y >= |x u +
-/// y v| the separation along n is at most n . (q - p), p on the edge, and that is at most the
+/// Let u, v be the normals of an edge's faces, q a corner of the other polytope and n the unit vector
+/// across both edges, towards the other polytope. Where the arcs of the Gauss map cross, n =
+/// (x u + y v) / |x u + y v| with x, y >= 0, and the other edge is lowest along n. With p on the edge
+/// the separation along n is at most n . (q - p), and as x + y >= |x u + y v| that is at most the
 /// greater height of q if both are negative.
 ///
-/// In numbers, with all coordinates at most M steps of a lever and e = 2^-30: the sharpest edges
-/// (`regular_reach`) have (x + y) / |x u + y v| <= 2^4. The stored u, v and edges are perpendicular
-/// within 2 e, those of b turned by the pose within 2^5 e, and edges that count are 2^-6 from
-/// parallel: so n differs from the combination of u, v by at most 2^4 2^5 e 2^6 = 2^-15, and as
-/// 2^-6 and, for the flattest edges, 2^-10 exceed this, its sign is that of both. n . (q - p) changes
-/// by at most 2^-15 3.5 M < 2^-13 M. Corners rounded by a step change heights by 2 and n . (q - p)
-/// by 2^5 steps for each polytope. In all less than 2^-12 M + 2^7 steps.
+/// In numbers, with coordinates of at most M steps of a lever and e = 2^-30: `regular_reach` bounds
+/// (x + y) / |x u + y v| by 2^4. Stored edges are perpendicular to u and v within 2^2 e, to those of
+/// b, turned by the pose, within 2^5 e; edges that count are at least 2^-6 from parallel. So n differs
+/// from (x u + y v) / |x u + y v| by at most 2^4 2^5 e 2^6 = 2^-15, and n . (q - p) by 2^-15 3.5 M <
+/// 2^-13 M. (The sign of n cannot differ: |x u + y v| >= 2^-4, and the direction of an edge is that of
+/// u x v, at least 2^-10 long.) Corners rounded by a step change heights by 2 steps and n . (q - p) by
+/// 2^5 steps for each polytope. All of this is less than 2^-12 M + 2^7 steps.
 template <Scalar S>
 [[nodiscard]] constexpr std::optional<typename ContactFormats<S>::Span> facing_height(
     const Polytope<S, 3>& a, const Polytope<S, 3>& b, const RelativePose<S, 3>& pose,
@@ -142,11 +141,10 @@ template <Scalar S>
     if (half_way.raw() >> 30 != 0) return std::nullopt;
   }
   constexpr int bits = bits_of<typename ContactFormats<S>::Span>;
-  const auto slack = narrow_sum<bits>(
-      narrow_product<bits>(nearest_to<Gap>(half_way), one_over<Ratio>(2048)),
-      narrow_product<bits>(ContactFormats<S>::tolerance, one_over<Ratio>(16)));
-  return narrow_difference<bits>(
-      narrow_product<bits>((min)(face, Gap{}), Ratio(1)), slack);
+  const auto slack =
+      narrow_sum<bits>(narrow_product<bits>(nearest_to<Gap>(half_way), one_over<Ratio>(2048)),
+                       narrow_product<bits>(ContactFormats<S>::tolerance, one_over<Ratio>(16)));
+  return narrow_difference<bits>(narrow_product<bits>((min)(face, Gap{}), Ratio(1)), slack);
 }
 
 /// The edges with a face over which `q` is higher than `limit`; all without one.
