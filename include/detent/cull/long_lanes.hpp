@@ -321,3 +321,5 @@ using FastLongLanes = ArrayLongLanes;
 }
 
 }  // namespace detent::detail
+
+#undef DETENT_LONG_LANES

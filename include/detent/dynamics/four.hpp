@@ -30,6 +30,7 @@ DETENT_BEGIN_LONG_LANES
 /// and the caller must prove that they fit.
 template <class T, class L>
 struct Four {
+  using Number = T;
   L raw;
 
   constexpr Four() noexcept : raw() {}  // not defaulted: GCC would not compile it for AVX2

@@ -192,31 +192,6 @@ class FourJointsSolver {
   FourRounder<L> round_;
 };
 
-/// Where four bodies are, for rows.
-template <Scalar S, class L>
-struct FourSupports {
-  using F = Formats<S>;
-  using Support = detail::Support<S, 3>;
-
-  FourAxes<S, L> axes;
-  std::array<Four<typename F::Place, L>, 3> place;
-  std::array<Four<typename F::Gyration, L>, 6> spread;
-
-  FourSupports(const Support* supports, const Quad<std::uint32_t>& indices) noexcept
-      : FourSupports({&supports[indices[0]], &supports[indices[1]], &supports[indices[2]],
-                      &supports[indices[3]]}) {}
-
- private:
-  explicit FourSupports(const Quad<const Support*>& at) noexcept
-      : axes(load_axes<L, S>({&at[0]->axes, &at[1]->axes, &at[2]->axes, &at[3]->axes})) {
-    const auto places = words_at<L>(at, offsetof(Support, place));
-    const auto first = words_at<L>(at, offsetof(Support, spread));
-    const auto rest = words_at<L>(at, offsetof(Support, spread) + 16);
-    for (std::size_t i = 0; i < 3; ++i) place[i].raw = places[i];
-    for (std::size_t i = 0; i < 6; ++i) spread[i].raw = i < 4 ? first[i] : rest[i - 2];
-  }
-};
-
 /// Computes the rows of pushes of four joints for where their bodies are now, as `Aim`. Returns false
 /// if some number must be clamped.
 template <class L, Scalar S, std::size_t Turns>
