@@ -293,7 +293,11 @@ class Tick {
         pairs_.push_back(pair);
       }
     });
-    if (pairs_.size() != 0) std::sort(&pairs_[0], &pairs_[0] + pairs_.size());
+    const auto number = [](const BodyPair& pair) { return std::uint64_t{pair.a} << 32 | pair.b; };
+    const auto is_before = [&](const BodyPair& p, const BodyPair& q) {
+      return number(p) < number(q);
+    };
+    if (pairs_.size() != 0) std::sort(&pairs_[0], &pairs_[0] + pairs_.size(), is_before);
   }
 
   /// The contacts of this tick, in order of their bodies, with the impulses of the last. On several
@@ -612,14 +616,16 @@ class Tick {
       ++start[static_cast<std::size_t>(colour) + 1];
     }
     for (std::size_t c = 0; c < colours; ++c) start[c + 1] += start[c];
-    ready_.clear();
-    ready_.resize(start[colours]);
+    ready_.resize(start[colours]);  // most of its numbers are set when a contact is prepared
     for (std::size_t i = 0; i < found_.contacts.size(); ++i) {
       if (colour_[i] == asleep) continue;
       auto& ready = ready_[start[colour_[i]]++];
       ready.contact = static_cast<std::uint32_t>(i);
       ready.a = found_.contacts[i].a;
       ready.b = found_.contacts[i].b;
+      ready.twist = {};
+      ready.was_pushed = {};
+      ready.rolling = nullptr;
     }
     return start;
   }
