@@ -133,7 +133,7 @@ template <Scalar S>
     const typename Formats<S>::Gap& face) noexcept {
   using Gap = typename Formats<S>::Gap;
   using Ratio = typename Formats<S>::Ratio;
-  if (a.reach == 0 || b.reach == 0) return std::nullopt;
+  if (!has_filters || a.reach == 0 || b.reach == 0) return std::nullopt;
   const auto& t = pose.translation;
   // Corners in either frame are at most twice this far.
   const auto half_way = a.reach + b.reach + (max)((max)(abs(t.x), abs(t.y)), abs(t.z));
@@ -153,7 +153,7 @@ template <Scalar S>
     const Polytope<S, 3>& shape, const Vec<typename Formats<S>::Lever, 3>& q,
     const std::optional<typename ContactFormats<S>::Span>& limit) noexcept {
   EdgeList list;
-  if (!limit) {
+  if (!has_filters || !limit) {
     for (std::size_t i = 0; i < shape.edges.size(); ++i) list.add(i);
     return list;
   }
