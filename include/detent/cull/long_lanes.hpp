@@ -6,11 +6,37 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 #include "detent/number/require_cxx20.hpp"
 
 // Four integers of 64 bits side by side, and the product of 32 by 32 bits: one vector with AVX2, an
 // array with the same operations elsewhere.                 (tests/cull/long_lanes.test.cpp)
+//
+// On x86-64 the vectors exist without -mavx2, too: functions between DETENT_BEGIN_LONG_LANES and
+// DETENT_END_LONG_LANES are compiled for AVX2, and callers must test `runs_vectors()` first. Other
+// functions must not take or return lanes by value. (Not on Windows, where GCC does not align
+// vectors on the stack.)
+// GCC has __builtin_shufflevector from version 12 on.
+#if defined(__AVX2__) && (defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 12))
+#define DETENT_LONG_LANES 2
+#elif defined(__x86_64__) && __STDC_HOSTED__ && !defined(_WIN32) && \
+    (defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 12))
+#define DETENT_LONG_LANES 1
+#else
+#define DETENT_LONG_LANES 0
+#endif
+#if DETENT_LONG_LANES != 1
+#define DETENT_BEGIN_LONG_LANES
+#define DETENT_END_LONG_LANES
+#elif defined(__clang__)
+#define DETENT_BEGIN_LONG_LANES \
+  _Pragma("clang attribute push(__attribute__((target(\"avx2\"))), apply_to = function)")
+#define DETENT_END_LONG_LANES _Pragma("clang attribute pop")
+#else
+#define DETENT_BEGIN_LONG_LANES _Pragma("GCC push_options") _Pragma("GCC target(\"avx2\")")
+#define DETENT_END_LONG_LANES _Pragma("GCC pop_options")
+#endif
 
 namespace detent::detail {
 
@@ -141,25 +167,29 @@ class ArrayLongLanes {
   LongWords words_{};
 };
 
-// GCC has __builtin_shufflevector from version 12 on.
-#if defined(__AVX2__) && (defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 12))
+#if DETENT_LONG_LANES
+DETENT_BEGIN_LONG_LANES
 class VectorLongLanes {
   typedef std::uint64_t Words __attribute__((vector_size(32)));
   typedef std::int64_t Signed __attribute__((vector_size(32)));
   typedef std::int32_t Halves __attribute__((vector_size(32)));
   typedef std::int32_t Short __attribute__((vector_size(16)));
+  // In memory of any type. GCC copies bytes by halves of a vector, which delays the load of all.
+  typedef std::uint64_t AnyWords __attribute__((vector_size(32), aligned(1), may_alias));
 
  public:
   VectorLongLanes() noexcept : words_{} {}
   explicit VectorLongLanes(std::int64_t x) noexcept
       : words_(static_cast<std::uint64_t>(x) - Words{}) {}
-  explicit VectorLongLanes(const LongWords& words) noexcept : words_(std::bit_cast<Words>(words)) {}
+  explicit VectorLongLanes(const LongWords& words) noexcept
+      : words_(__builtin_bit_cast(Words, words)) {}
   explicit VectorLongLanes(const std::array<std::int32_t, long_lane_count>& x) noexcept
-      : words_(std::bit_cast<Words>(__builtin_convertvector(std::bit_cast<Short>(x), Signed))) {}
+      : words_(__builtin_bit_cast(Words,
+                                  __builtin_convertvector(__builtin_bit_cast(Short, x), Signed))) {}
 
   [[nodiscard]] LongWords words() const noexcept { return std::bit_cast<LongWords>(words_); }
   [[nodiscard]] std::array<std::int32_t, long_lane_count> halves() const noexcept {
-    const auto halves = std::bit_cast<Halves>(words_);
+    const auto halves = __builtin_bit_cast(Halves, words_);
     return std::bit_cast<std::array<std::int32_t, long_lane_count>>(
         __builtin_shufflevector(halves, halves, 0, 2, 4, 6));
   }
@@ -189,22 +219,23 @@ class VectorLongLanes {
   [[nodiscard]] static VectorLongLanes product(const VectorLongLanes& a,
                                                const VectorLongLanes& b) noexcept {
 #if defined(__clang__)
-    const auto extended = [](const Words& x) { return std::bit_cast<Signed>(x << 32) >> 32; };
-    return VectorLongLanes(std::bit_cast<Words>(extended(a.words_) * extended(b.words_)));
+    const auto extended = [](const Words& x) { return __builtin_bit_cast(Signed, x << 32) >> 32; };
+    return VectorLongLanes(__builtin_bit_cast(Words, extended(a.words_) * extended(b.words_)));
 #else  // GCC multiplies all 64 bits
-    return VectorLongLanes(std::bit_cast<Words>(__builtin_ia32_pmuldq256(
-        std::bit_cast<Halves>(a.words_), std::bit_cast<Halves>(b.words_))));
+    return VectorLongLanes(
+        __builtin_bit_cast(Words, __builtin_ia32_pmuldq256(__builtin_bit_cast(Halves, a.words_),
+                                                           __builtin_bit_cast(Halves, b.words_))));
 #endif
   }
   [[nodiscard]] static VectorLongLanes above(const VectorLongLanes& a,
                                              const VectorLongLanes& b) noexcept {
-    return VectorLongLanes(
-        std::bit_cast<Words>(std::bit_cast<Signed>(a.words_) > std::bit_cast<Signed>(b.words_)));
+    return VectorLongLanes(__builtin_bit_cast(
+        Words, __builtin_bit_cast(Signed, a.words_) > __builtin_bit_cast(Signed, b.words_)));
   }
   [[nodiscard]] static VectorLongLanes select(const VectorLongLanes& marks,
                                               const VectorLongLanes& a,
                                               const VectorLongLanes& b) noexcept {
-    return VectorLongLanes(std::bit_cast<Signed>(marks.words_) < 0 ? a.words_ : b.words_);
+    return VectorLongLanes(__builtin_bit_cast(Signed, marks.words_) < 0 ? a.words_ : b.words_);
   }
   [[nodiscard]] VectorLongLanes least() const noexcept {
     const auto lesser = [](const VectorLongLanes& a, const VectorLongLanes& b) {
@@ -217,27 +248,27 @@ class VectorLongLanes {
   }
   [[nodiscard]] std::uint32_t signs() const noexcept {
     typedef double Doubles __attribute__((vector_size(32)));
-    return static_cast<std::uint32_t>(__builtin_ia32_movmskpd256(std::bit_cast<Doubles>(words_)));
+    return static_cast<std::uint32_t>(
+        __builtin_ia32_movmskpd256(__builtin_bit_cast(Doubles, words_)));
   }
   [[nodiscard]] bool any() const noexcept {
     typedef long long Longs __attribute__((vector_size(32)));
-    const auto words = std::bit_cast<Longs>(words_);
+    const auto words = __builtin_bit_cast(Longs, words_);
     return __builtin_ia32_ptestz256(words, words) == 0;
   }
 
   [[nodiscard]] static std::array<VectorLongLanes, 4> load(
       const std::array<const void*, long_lane_count>& records) noexcept {
-    std::array<VectorLongLanes, 4> result;
-    for (std::size_t k = 0; k < long_lane_count; ++k) {
-      std::memcpy(&result[k].words_, records[k], sizeof(Words));
-    }
-    return transposed(result);
+    const auto at = [&](std::size_t k) {
+      return VectorLongLanes(Words(*static_cast<const AnyWords*>(records[k])));
+    };
+    return transposed({at(0), at(1), at(2), at(3)});
   }
   static void store(const std::array<VectorLongLanes, 4>& lanes,
                     const std::array<void*, long_lane_count>& records) noexcept {
     const auto rows = transposed(lanes);
     for (std::size_t k = 0; k < long_lane_count; ++k) {
-      std::memcpy(records[k], &rows[k].words_, sizeof(Words));
+      *static_cast<AnyWords*>(records[k]) = rows[k].words_;
     }
   }
 
@@ -265,12 +296,31 @@ class VectorLongLanes {
   Words words_;
 };
 
-using LongLanes = VectorLongLanes;
-inline constexpr bool has_long_lanes = true;
-#else
-using LongLanes = ArrayLongLanes;
-/// Whether a machine has vectors of long lanes, with signed products of 32 bits.
-inline constexpr bool has_long_lanes = false;
+DETENT_END_LONG_LANES
 #endif
 
+/// Whether to use vectors without a test of the machine, and the lanes that do.
+inline constexpr bool has_long_lanes = DETENT_LONG_LANES == 2;
+/// Whether `runs_vectors()` may be true, and the lanes that are used then.
+inline constexpr bool may_run_vectors = DETENT_LONG_LANES != 0;
+#if DETENT_LONG_LANES
+using LongLanes = std::conditional_t<has_long_lanes, VectorLongLanes, ArrayLongLanes>;
+using FastLongLanes = VectorLongLanes;
+#else
+using LongLanes = ArrayLongLanes;
+using FastLongLanes = ArrayLongLanes;
+#endif
+
+/// Whether this machine has the vectors of `FastLongLanes`; false in constant expressions.
+[[nodiscard]] constexpr bool runs_vectors() noexcept {
+  if (std::is_constant_evaluated()) return false;
+#if DETENT_LONG_LANES == 1
+  return __builtin_cpu_supports("avx2") != 0;
+#else
+  return has_long_lanes;
+#endif
+}
+
 }  // namespace detent::detail
+
+#undef DETENT_LONG_LANES

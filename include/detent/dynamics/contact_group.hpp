@@ -26,6 +26,7 @@ struct ContactGroup {
 
   std::uint32_t first = 0;           // of the list of ready contacts
   std::uint8_t size = 0, count = 0;  // contacts, and the most points that one has
+  bool has_rows = false;             // so do the ready contacts, with the same numbers
   Quad<std::uint32_t> a{}, b{};
   Quad<bool> pushes_a{}, pushes_b{};
   Push normal{};
@@ -54,6 +55,17 @@ constexpr void gather_impulses(ContactGroup<S>& group, const ReadyContact<S, 3>*
     }
     for (std::size_t t = 0; t < 3; ++t) group.frictions[t][k] = contact.friction[t];
   }
+}
+
+/// The softness and grip of contact k of a group.
+template <Scalar S>
+constexpr void place_surface(ContactGroup<S>& group, const ReadyContact<S, 3>& contact,
+                             std::size_t k) noexcept {
+  const auto& soft = contact.is_wall ? wall_softness<S> : contact_softness<S>;
+  group.rigid[k] = soft.rigid;
+  group.pull[k] = soft.pull;
+  group.loss[k] = soft.loss;
+  group.grip[k] = contact.grip;
 }
 
 template <Scalar S, class Contact>
@@ -85,6 +97,7 @@ constexpr void gather(ContactGroup<S>& group, const ReadyContact<S, 3>* ready,
   group = {};
   group.first = first;
   group.size = size;
+  group.has_rows = true;
   for (std::size_t k = 0; k < long_lane_count; ++k) {
     const auto& contact = ready[k < size ? k : 0];
     group.a[k] = contact.a;
@@ -104,13 +117,50 @@ constexpr void gather(ContactGroup<S>& group, const ReadyContact<S, 3>* ready,
       group.gap[i][k] = contact.gap[i];
       group.reach[i][k] = contact.reach[i];
     }
-    const auto& soft = contact.is_wall ? wall_softness<S> : contact_softness<S>;
-    group.rigid[k] = soft.rigid;
-    group.pull[k] = soft.pull;
-    group.loss[k] = soft.loss;
-    group.grip[k] = contact.grip;
+    place_surface(group, contact, k);
   }
   gather_impulses(group, ready, contacts);
+}
+
+/// Writes the rows of a group to its ready contacts, if they have none.
+template <Scalar S>
+constexpr void spread_rows(ContactGroup<S>& group, ReadyContact<S, 3>* ready) noexcept {
+  if (group.has_rows) return;
+  group.has_rows = true;
+  const auto take = [](auto& vector, const auto& side, std::size_t k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if constexpr (requires { vector.x; }) {
+        vector[static_cast<int>(i)] = side[i][k];
+      } else {
+        vector[i] = side[i][k];
+      }
+    }
+  };
+  const auto take_push = [&](Thrust<S, 3>& thrust, const auto& side, std::size_t k) {
+    take(thrust.along, side.along, k);
+    take(thrust.on_a, side.on_a, k);
+    take(thrust.on_b, side.on_b, k);
+  };
+  const auto take_row = [&](Row<S, 3>& row, const auto& side, std::size_t k) {
+    take(row.moment_a, side.moment_a, k);
+    take(row.moment_b, side.moment_b, k);
+    take(row.response_a, side.response_a, k);
+    take(row.response_b, side.response_b, k);
+    row.mass = side.mass[k];
+  };
+  for (std::size_t k = 0; k < group.size; ++k) {
+    auto& contact = ready[k];
+    take_push(contact.normal, group.normal, k);
+    for (std::size_t t = 0; t < 2; ++t) {
+      take_push(contact.tangent[t], group.tangent[t], k);
+      take_row(contact.friction[t], group.friction[t], k);
+    }
+    take_row(contact.twist, group.twist, k);
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      take_row(contact.pressure[i], group.pressure[i], k);
+      contact.reach[i] = group.reach[i][k];
+    }
+  }
 }
 
 /// Writes impulses back.
@@ -127,6 +177,8 @@ constexpr void scatter(const ContactGroup<S>& group, ReadyContact<S, 3>* ready,
     for (std::size_t t = 0; t < 3; ++t) contact.friction[t] = group.frictions[t][k];
   }
 }
+
+DETENT_BEGIN_LONG_LANES
 
 /// The passes of solve.hpp over the contacts of a group at once, with the same bits. Each function
 /// returns false, and has changed nothing, if some number left its range and must be clamped.
@@ -147,10 +199,11 @@ class GroupSolver {
 
  public:
   GroupSolver(Group& group, Moving<S, 3>* bodies) noexcept
-      : group_(group), bodies_a_(bodies, group.a), bodies_b_(bodies, group.b) {
-    a_ = bodies_a_.motions();
-    b_ = bodies_b_.motions();
-  }
+      : group_(group),
+        bodies_a_(bodies, group.a),
+        bodies_b_(bodies, group.b),
+        a_(bodies_a_.motions()),
+        b_(bodies_b_.motions()) {}
 
   [[nodiscard]] bool warm_start() noexcept {
     for (std::size_t i = 0; i < group_.count; ++i) {
@@ -166,11 +219,8 @@ class GroupSolver {
   template <Pass pass>
   [[nodiscard]] bool solve(const Speed& fastest) noexcept {
     std::array<Side<Impulse>, Group::capacity> pressures;
-    Motions path_a, path_b;
-    if constexpr (pass == Pass::relaxed) {
-      path_a = bodies_a_.paths();
-      path_b = bodies_b_.paths();
-    }
+    const Motions path_a = pass == Pass::relaxed ? bodies_a_.paths() : Motions();
+    const Motions path_b = pass == Pass::relaxed ? bodies_b_.paths() : Motions();
     for (std::size_t i = 0; i < group_.count; ++i) {
       const Lever& lever = group_.pressure[i];
       Side<Speed> gap;
@@ -319,8 +369,10 @@ class GroupSolver {
 
   Group& group_;
   FourBodies<S, L> bodies_a_, bodies_b_;
-  Motions a_{}, b_{};
-  FourRounder<L> round_{};
+  Motions a_, b_;
+  FourRounder<L> round_;
 };
+
+DETENT_END_LONG_LANES
 
 }  // namespace detent::detail

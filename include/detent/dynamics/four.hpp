@@ -13,10 +13,10 @@ namespace detent::detail {
 
 using detent::narrow;  // which the one below would hide
 
-/// Whether a world takes four contacts, joints or bodies at once: worlds in space that grow, on
-/// machines with the vectors. The bits of its steps are the same in either case.
+/// Whether a world takes four contacts, joints or bodies at once: worlds in space that grow, if
+/// `runs_vectors()`. The bits of its steps are the same in either case.
 template <class Storage, Scalar S, int N>
-inline constexpr bool uses_long_lanes = has_long_lanes&& is_fixed<S>&& N == 3 && requires {
+inline constexpr bool uses_long_lanes = may_run_vectors&& is_fixed<S>&& N == 3 && requires {
   Storage::is_growing;
 };
 
@@ -24,13 +24,16 @@ inline constexpr bool uses_long_lanes = has_long_lanes&& is_fixed<S>&& N == 3 &&
 template <class T>
 using Quad = std::array<T, long_lane_count>;
 
+DETENT_BEGIN_LONG_LANES
+
 /// Four numbers of T in lanes. Arithmetic on them is that of `Fixed`; sums and products have 62 bits,
 /// and the caller must prove that they fit.
 template <class T, class L>
 struct Four {
-  L raw{};
+  using Number = T;
+  L raw;
 
-  constexpr Four() noexcept = default;
+  constexpr Four() noexcept : raw() {}  // not defaulted: GCC would not compile it for AVX2
   explicit constexpr Four(const L& lanes) noexcept : raw(lanes) {}
   explicit constexpr Four(const Quad<T>& numbers) noexcept requires(T::bits <= 31)
       : raw(std::bit_cast<std::array<std::int32_t, long_lane_count>>(numbers)) {}
@@ -98,9 +101,9 @@ template <class T, class L>
 inline constexpr int long_cut = 22;
 template <class T, class L>
 struct FourLong {
-  L upper{}, lower{};
+  L upper, lower;
 
-  constexpr FourLong() noexcept = default;
+  constexpr FourLong() noexcept : upper(), lower() {}
   explicit constexpr FourLong(const Four<T, L>& x) noexcept
       : upper(x.raw >> long_cut), lower(x.raw & L((LongWord{1} << long_cut) - 1)) {
     static_assert(T::bits <= 52);
@@ -110,7 +113,9 @@ struct FourLong {
 /// `nearest_dot`: the product takes the lower halves of `upper`, which have its sign.
 template <int F, class L>
 struct FourLongSum {
-  L upper{}, lower{};
+  L upper, lower;
+
+  constexpr FourLongSum() noexcept : upper(), lower() {}
 
   template <class A, class B>
   constexpr void add(const Four<A, L>& a, const FourLong<B, L>& b) noexcept {
@@ -137,6 +142,8 @@ struct FourLongSum {
 template <class L>
 class FourRounder {
  public:
+  constexpr FourRounder() noexcept : beyond_(), beyond_30_(), beyond_31_() {}
+
   /// x rounded to nearest, ties to even.
   template <class T, int B, int F>
   [[nodiscard]] constexpr Four<T, L> nearest(const Four<Fixed<B, F>, L>& x) noexcept {
@@ -239,7 +246,7 @@ class FourRounder {
     return lifted;
   }
 
-  L beyond_{}, beyond_30_{}, beyond_31_{};
+  L beyond_, beyond_30_, beyond_31_;
 };
 
 /// The velocities of four bodies, or their shifts and turns in this tick.
@@ -260,7 +267,7 @@ class FourBodies {
   static_assert(!is_fixed<S> || sizeof(Body) == 48, "detent: twelve numbers of 32 bits");
 
  public:
-  FourBodies(Body* bodies, const Quad<std::uint32_t>& indices) noexcept {
+  FourBodies(Body* bodies, const Quad<std::uint32_t>& indices) noexcept : after_() {
     for (std::size_t k = 0; k < long_lane_count; ++k) bodies_[k] = &bodies[indices[k]];
   }
 
@@ -299,7 +306,9 @@ class FourBodies {
   }
 
   std::array<Body*, long_lane_count> bodies_;
-  L after_{};  // the word that follows the velocities
+  L after_;  // the word that follows the velocities
 };
+
+DETENT_END_LONG_LANES
 
 }  // namespace detent::detail

@@ -13,6 +13,8 @@ namespace detent::detail {
 template <Scalar S, class L>
 using FourAxes = std::array<std::array<Four<typename Formats<S>::Ratio, L>, 3>, 3>;
 
+DETENT_BEGIN_LONG_LANES
+
 /// Four words of each of four objects that start `offset` bytes behind their first.
 template <class L, class T>
 [[nodiscard]] std::array<L, 4> words_at(const Quad<const T*>& objects,
@@ -33,11 +35,10 @@ template <class L, Scalar S>
 [[nodiscard]] FourAxes<S, L> load_axes(const Quad<const Axes<S, 3>*>& axes) noexcept {
   static_assert(!is_fixed<S> || sizeof(Axes<S, 3>) == 36);
   const auto some = words_at<L>(axes, 0), last = words_at<L>(axes, 4);
-  FourAxes<S, L> result;
-  for (std::size_t i = 0; i < 9; ++i) {
-    result[i / 3][i % 3].raw = i == 8 ? half_of(last, 7) : half_of(some, i);
-  }
-  return result;
+  const auto at = [&](std::size_t i) {
+    return Four<typename Formats<S>::Ratio, L>(i == 8 ? half_of(last, 7) : half_of(some, i));
+  };
+  return {{{at(0), at(1), at(2)}, {at(3), at(4), at(5)}, {at(6), at(7), at(8)}}};
 }
 template <class L, Scalar S>
 void store_axes(const FourAxes<S, L>& axes, const Quad<Axes<S, 3>*>& to) noexcept {
@@ -211,19 +212,18 @@ template <class L, Scalar S, class Body>
   using F = Formats<S>;
   using Gyration = typename F::Gyration;
   FourRounder<L> round;
-  FourAxes<S, L> axes;
-  if (has_axes) {
-    axes = load_axes<L, S>(
-        {&supports[0]->axes, &supports[1]->axes, &supports[2]->axes, &supports[3]->axes});
-  } else {
+  const auto turned_axes = [&] {
     Quad<const BodyState<S, 3>*> states;
     for (std::size_t k = 0; k < long_lane_count; ++k) states[k] = &bodies[k]->state;
     using State = BodyState<S, 3>;
     const auto words = words_at<L>(states, offsetof(State, orientation));
     std::array<Four<typename F::Ratio, L>, 4> q;
     for (std::size_t i = 0; i < 4; ++i) q[i].raw = half_of(words, i);
-    axes = axes_of_four<S, L>(q, round);
-  }
+    return axes_of_four<S, L>(q, round);
+  };
+  const FourAxes<S, L> axes = has_axes ? load_axes<L, S>({&supports[0]->axes, &supports[1]->axes,
+                                                          &supports[2]->axes, &supports[3]->axes})
+                                       : turned_axes();
   Quad<const Spread<Gyration, 3>*> inverses;
   for (std::size_t k = 0; k < long_lane_count; ++k) inverses[k] = &bodies[k]->inertia.inverse;
   const auto first = words_at<L>(inverses, 0), rest = words_at<L>(inverses, 16);
@@ -244,6 +244,8 @@ template <class L, Scalar S, class Body>
   L::store({spread[2].raw, spread[3].raw, spread[4].raw, spread[5].raw}, to_rest);
   return true;
 }
+
+DETENT_END_LONG_LANES
 
 /// Up to four bodies that turn: from the axes `from` to those of the orientations, which go to `to`.
 template <Scalar S>
@@ -273,6 +275,33 @@ struct FourTurns {
     }
     are_diagonal = (size == 0 || are_diagonal) && resistance.is_diagonal();
     ++size;
+  }
+};
+
+DETENT_BEGIN_LONG_LANES
+
+/// Where four bodies are, for rows.
+template <Scalar S, class L>
+struct FourSupports {
+  using F = Formats<S>;
+  using Support = detail::Support<S, 3>;
+
+  FourAxes<S, L> axes;
+  std::array<Four<typename F::Place, L>, 3> place;
+  std::array<Four<typename F::Gyration, L>, 6> spread;
+
+  FourSupports(const Support* supports, const Quad<std::uint32_t>& indices) noexcept
+      : FourSupports({&supports[indices[0]], &supports[indices[1]], &supports[indices[2]],
+                      &supports[indices[3]]}) {}
+
+ private:
+  explicit FourSupports(const Quad<const Support*>& at) noexcept
+      : axes(load_axes<L, S>({&at[0]->axes, &at[1]->axes, &at[2]->axes, &at[3]->axes})) {
+    const auto places = words_at<L>(at, offsetof(Support, place));
+    const auto first = words_at<L>(at, offsetof(Support, spread));
+    const auto rest = words_at<L>(at, offsetof(Support, spread) + 16);
+    for (std::size_t i = 0; i < 3; ++i) place[i].raw = places[i];
+    for (std::size_t i = 0; i < 6; ++i) spread[i].raw = i < 4 ? first[i] : rest[i - 2];
   }
 };
 
@@ -332,6 +361,8 @@ template <class L, Scalar S>
   return true;
 }
 
+DETENT_END_LONG_LANES
+
 /// Finds the supports of bodies, four at once if `HasFours`.
 template <bool HasFours, Scalar S, int N, class Bodies, class Supports>
 class SupportQueue {
@@ -342,7 +373,7 @@ class SupportQueue {
   /// Of a body whose support has its axes already, or not.
   constexpr void add(std::size_t i, bool has_axes) noexcept {
     if constexpr (HasFours) {
-      if (bodies_[i].locked == 0 && !std::is_constant_evaluated()) {
+      if (bodies_[i].locked == 0 && runs_vectors()) {
         auto& waiting = waiting_[has_axes ? 1 : 0];
         waiting.body[waiting.size++] = i;
         if (waiting.size == long_lane_count) find(waiting, has_axes);
@@ -377,7 +408,7 @@ class SupportQueue {
       bodies[k] = &bodies_[i];
       supports[k] = &supports_[i];
     }
-    const bool is_done = support_four<LongLanes, S>(bodies, supports, has_axes);
+    const bool is_done = support_four<FastLongLanes, S>(bodies, supports, has_axes);
     for (std::size_t k = 0; k < waiting.size; ++k) {
       if (is_done) {
         supports[k]->place = bodies[k]->state.place;

@@ -120,10 +120,11 @@ constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Lane& lane, co
       for (std::size_t j = i + 1; j < size; ++j) {
         const auto& second = bodies[lane[j]];
         if (second.bounds.least.x > first.bounds.most.x) break;
+        // One branch: a processor cannot guess along which axis two bodies are apart.
         bool overlap = true;
         for (int k = 1; k < N; ++k) {
-          overlap = overlap && second.bounds.least[k] <= first.bounds.most[k] &&
-                    first.bounds.least[k] <= second.bounds.most[k];
+          overlap &= static_cast<int>(second.bounds.least[k] <= first.bounds.most[k]) &
+                     static_cast<int>(first.bounds.least[k] <= second.bounds.most[k]);
         }
         if (!overlap || (std::max)(first.first_strip, second.first_strip) != strip) continue;
         found(first.body < second.body ? BodyPair{first.body, second.body}

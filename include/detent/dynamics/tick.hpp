@@ -13,6 +13,7 @@
 #include "detent/dynamics/contact_group.hpp"
 #include "detent/dynamics/fast.hpp"
 #include "detent/dynamics/flight.hpp"
+#include "detent/dynamics/four_contacts.hpp"
 #include "detent/dynamics/four_flight.hpp"
 #include "detent/dynamics/islands.hpp"
 #include "detent/dynamics/joint/group.hpp"
@@ -76,8 +77,7 @@ class Tick {
     const bool is_still = !has_fast && stands_still(bodies) && have_stayed(contacts);
     const auto ends = order(bodies);
     for (std::size_t i = 0; i < moving_.size(); ++i) moving_[i] = moving_of(bodies[i]);
-    prepare_all(bodies, threads);
-    gather_all(ends, threads);
+    prepare_all(bodies, ends, threads);
     group_.prepare(joints, bodies, supports_, pace.rate);
     for (int i = 0; i < substeps; ++i) substep(bodies, joints, pace, ends, threads);
     scatter_all(threads);
@@ -133,9 +133,7 @@ class Tick {
   };
 
   static constexpr int colours = 64;
-  static constexpr bool has_groups = has_long_lanes && is_fixed<S> && N == 3 && requires {
-    Storage::is_growing;
-  };
+  static constexpr bool has_groups = uses_long_lanes<Storage, S, N>;
   using ColourEnds = std::array<std::uint32_t, colours + 1>;
 
   /// The contacts of some pairs, in order, and their manifolds.
@@ -295,7 +293,11 @@ class Tick {
         pairs_.push_back(pair);
       }
     });
-    if (pairs_.size() != 0) std::sort(&pairs_[0], &pairs_[0] + pairs_.size());
+    const auto number = [](const BodyPair& pair) { return std::uint64_t{pair.a} << 32 | pair.b; };
+    const auto is_before = [&](const BodyPair& p, const BodyPair& q) {
+      return number(p) < number(q);
+    };
+    if (pairs_.size() != 0) std::sort(&pairs_[0], &pairs_[0] + pairs_.size(), is_before);
   }
 
   /// The contacts of this tick, in order of their bodies, with the impulses of the last. On several
@@ -614,14 +616,16 @@ class Tick {
       ++start[static_cast<std::size_t>(colour) + 1];
     }
     for (std::size_t c = 0; c < colours; ++c) start[c + 1] += start[c];
-    ready_.clear();
-    ready_.resize(start[colours]);
+    ready_.resize(start[colours]);  // most of its numbers are set when a contact is prepared
     for (std::size_t i = 0; i < found_.contacts.size(); ++i) {
       if (colour_[i] == asleep) continue;
       auto& ready = ready_[start[colour_[i]]++];
       ready.contact = static_cast<std::uint32_t>(i);
       ready.a = found_.contacts[i].a;
       ready.b = found_.contacts[i].b;
+      ready.twist = {};
+      ready.was_pushed = {};
+      ready.rolling = nullptr;
     }
     return start;
   }
@@ -640,31 +644,56 @@ class Tick {
     OneThread().each(first, ready_.size(), 1, visit);
   }
 
-  /// Puts the contacts of each colour but the last side by side, if that is faster here.
-  template <class Threads>
-  constexpr void gather_all(const ColourEnds& ends, const Threads& threads) {
-    if constexpr (has_groups) {
-      // Groups have no rows for rolling.
-      are_grouped_ = !std::is_constant_evaluated() && rolling_.size() == 0;
-      if (!are_grouped_) return;
-      std::uint32_t count = 0;
-      for (std::size_t c = 0; c + 1 < colours; ++c) {
-        const auto size = ends[c] - (c == 0 ? 0 : ends[c - 1]);
-        count += (size + 3) / 4;
-        group_ends_[c] = count;
-      }
-      groups_.resize(count);
-      std::size_t g = 0;
-      for (std::size_t c = 0; c + 1 < colours; ++c) {
-        for (auto i = c == 0 ? 0 : ends[c - 1]; i < ends[c]; i += 4) {
-          groups_[g].first = i;
-          groups_[g++].size = static_cast<std::uint8_t>((std::min)(ends[c] - i, std::uint32_t{4}));
-        }
-      }
-      threads.each(0, groups_.size(), groups_a_call, [&](std::size_t k) {
-        gather(groups_[k], &ready_[groups_[k].first], found_.contacts.data());
-      });
+  /// Makes groups of the contacts of each colour but the last, without their rows, if that is faster
+  /// here.
+  constexpr void group_all(const ColourEnds& ends) requires(has_groups) {
+    // Groups have no rows for rolling.
+    are_grouped_ = runs_vectors() && rolling_.size() == 0;
+    if (!are_grouped_) return;
+    std::uint32_t count = 0;
+    for (std::size_t c = 0; c + 1 < colours; ++c) {
+      const auto size = ends[c] - (c == 0 ? 0 : ends[c - 1]);
+      count += (size + 3) / 4;
+      group_ends_[c] = count;
     }
+    groups_.resize(count);
+    std::size_t g = 0;
+    for (std::size_t c = 0; c + 1 < colours; ++c) {
+      for (auto i = c == 0 ? 0 : ends[c - 1]; i < ends[c]; i += 4) {
+        groups_[g].first = i;
+        groups_[g++].size = static_cast<std::uint8_t>((std::min)(ends[c] - i, std::uint32_t{4}));
+      }
+    }
+  }
+  /// Prepares the contacts of a group, at once if no number is clamped.
+  constexpr void prepare_group(const Bodies& bodies, ContactGroup<S>& group) requires(has_groups) {
+    FourContacts<S> from;
+    auto* ready = &ready_[group.first];
+    bool is_free = true, bounces = false;
+    for (std::size_t k = 0; k < long_lane_count; ++k) {
+      auto& contact = ready[k < group.size ? k : 0];
+      const auto& found = found_.manifolds[contact.contact];
+      from.manifold[k] = &found.manifold;
+      from.offset[k] = &found.offset;
+      if (k >= group.size) continue;
+      const auto [share_a, share_b] = mass_shares<S>(bodies[contact.a], bodies[contact.b]);
+      from.share_a[k] = share_a;
+      from.share_b[k] = share_b;
+      contact.count = static_cast<std::uint8_t>(found.manifold.count);
+      contact.is_wall = share_a == 0 || share_b == 0;
+      contact.pushed = {share_a != 0, share_b != 0};
+      set_surface(bodies, contact);
+      bounces = bounces || contact.bounce != 0;
+      is_free = is_free && supports_[contact.a].locked == 0 && supports_[contact.b].locked == 0;
+    }
+    if (is_free && prepare_four<FastLongLanes, S>(group, from, supports_.data(), ready)) {
+      gather_impulses(group, ready, found_.contacts.data());
+      if (bounces) spread_rows(group, ready);
+    } else {
+      for (std::size_t k = 0; k < group.size; ++k) prepare_one(bodies, group.first + k);
+      gather(group, ready, found_.contacts.data());
+    }
+    for (std::size_t k = 0; bounces && k < group.size; ++k) note_closing(ready[k]);
   }
   template <class Threads>
   constexpr void scatter_all(const Threads& threads) {
@@ -685,9 +714,10 @@ class Tick {
       if (are_grouped_) {
         const auto visit = [&](std::size_t g) {
           auto& group = groups_[g];
-          GroupSolver<LongLanes, S> solver(group, moving_.data());
+          GroupSolver<FastLongLanes, S> solver(group, moving_.data());
           if (together(solver)) return;
           auto* ready = &ready_[group.first];
+          spread_rows(group, ready);
           scatter(group, ready, found_.contacts.data());
           for (std::size_t k = 0; k < group.size; ++k) alone(ready[k]);
           gather_impulses(group, ready, found_.contacts.data());
@@ -709,48 +739,71 @@ class Tick {
   }
 
   template <class Threads>
-  constexpr void prepare_all(const Bodies& bodies, const Threads& threads) {
-    using Ratio = typename F::Ratio;
+  constexpr void prepare_all(const Bodies& bodies, const ColourEnds& ends, const Threads& threads) {
     if constexpr (has_round) {
       rolling_.clear();
       for (std::size_t i = 0; i < bodies.size() && rolling_.size() == 0; ++i) {
         if (resists_rolling(bodies[i])) rolling_.resize(ready_.size());
       }
     }
-    threads.each(0, ready_.size(), contacts_a_call, [&](std::size_t i) {
-      auto& ready = ready_[i];
-      const Body &a = bodies[ready.a], &b = bodies[ready.b];
-      const auto& found = found_.manifolds[ready.contact];
-      const auto [share_a, share_b] = mass_shares<S>(a, b);
-      prepare(ready, found.manifold, supports_[ready.a], supports_[ready.b], found.offset, share_a,
-              share_b);
-      if (has_round && rolling_.size() != 0) {
-        const auto limit = rolling_limit<S, N>(a, b, found_.contacts[ready.contact]);
-        if (limit.is_any()) {
-          rolling_[i] =
-              prepare_rolling<S, N>(limit, share_of<S, N>(supports_[ready.a].spread, share_a),
-                                    share_of<S, N>(supports_[ready.b].spread, share_b));
-          ready.rolling = &rolling_[i];
-        }
+    std::size_t first = 0;
+    if constexpr (has_groups) {
+      group_all(ends);
+      if (are_grouped_) {
+        threads.each(0, groups_.size(), groups_a_call,
+                     [&](std::size_t k) { prepare_group(bodies, groups_[k]); });
+        first = ends[colours - 2];
       }
-      auto friction = std::array{a.friction, b.friction};
-      auto restitution = std::array{a.restitution, b.restitution};
-      if constexpr (has_compounds) {
-        const auto parts = parts_of(bodies, found_.contacts[ready.contact]);
-        for (std::size_t k = 0; k < 2; ++k) {
-          if (parts[k] == nullptr) continue;
-          friction[k] = parts[k]->options().friction;
-          restitution[k] = parts[k]->options().restitution;
-        }
-      }
-      ready.grip = sqrt_floor<Ratio>(friction[0] * friction[1]);
-      ready.bounce = saturate_to<Ratio>((max)(restitution[0], restitution[1]));
-      for (std::size_t k = 0; k < ready.count; ++k) {
-        ready.closing[k] = rate_along<S, N>(ready.normal.along, ready.pressure[k],
-                                            moving_[ready.a].velocity, moving_[ready.a].spin,
-                                            moving_[ready.b].velocity, moving_[ready.b].spin);
-      }
+    }
+    threads.each(first, ready_.size(), contacts_a_call, [&](std::size_t i) {
+      set_surface(bodies, ready_[i]);
+      prepare_one(bodies, i);
+      note_closing(ready_[i]);
     });
+  }
+  /// The rows of a contact.
+  constexpr void prepare_one(const Bodies& bodies, std::size_t i) {
+    auto& ready = ready_[i];
+    const Body &a = bodies[ready.a], &b = bodies[ready.b];
+    const auto& found = found_.manifolds[ready.contact];
+    const auto [share_a, share_b] = mass_shares<S>(a, b);
+    prepare(ready, found.manifold, supports_[ready.a], supports_[ready.b], found.offset, share_a,
+            share_b);
+    if (has_round && rolling_.size() != 0) {
+      const auto limit = rolling_limit<S, N>(a, b, found_.contacts[ready.contact]);
+      if (limit.is_any()) {
+        rolling_[i] =
+            prepare_rolling<S, N>(limit, share_of<S, N>(supports_[ready.a].spread, share_a),
+                                  share_of<S, N>(supports_[ready.b].spread, share_b));
+        ready.rolling = &rolling_[i];
+      }
+    }
+  }
+  /// Friction and restitution of a contact.
+  constexpr void set_surface(const Bodies& bodies, ReadyContact<S, N>& ready) const noexcept {
+    using Ratio = typename F::Ratio;
+    const Body &a = bodies[ready.a], &b = bodies[ready.b];
+    auto friction = std::array{a.friction, b.friction};
+    auto restitution = std::array{a.restitution, b.restitution};
+    if constexpr (has_compounds) {
+      const auto parts = parts_of(bodies, found_.contacts[ready.contact]);
+      for (std::size_t k = 0; k < 2; ++k) {
+        if (parts[k] == nullptr) continue;
+        friction[k] = parts[k]->options().friction;
+        restitution[k] = parts[k]->options().restitution;
+      }
+    }
+    ready.grip = sqrt_floor<Ratio>(friction[0] * friction[1]);
+    ready.bounce = saturate_to<Ratio>((max)(restitution[0], restitution[1]));
+  }
+  /// The rates of a contact that bounces, at the start of the tick.
+  constexpr void note_closing(ReadyContact<S, N>& ready) const noexcept {
+    if (ready.bounce == 0) return;
+    for (std::size_t k = 0; k < ready.count; ++k) {
+      ready.closing[k] =
+          rate_along<S, N>(ready.normal.along, ready.pressure[k], moving_[ready.a].velocity,
+                           moving_[ready.a].spin, moving_[ready.b].velocity, moving_[ready.b].spin);
+    }
   }
 
   /// Turns bodies by their spins, half-way or to their new orientation, and carries the spins of those
@@ -769,7 +822,7 @@ class Tick {
 
     constexpr void add(std::size_t i) {
       if constexpr (has_groups) {
-        if (!std::is_constant_evaluated()) {
+        if (runs_vectors()) {
           fours.waiting[fours.size++] = static_cast<std::uint32_t>(i);
           if (fours.size == long_lane_count) turn();
           return;
@@ -795,7 +848,7 @@ class Tick {
         const auto& from = Halvings == 0 ? half_way : axes;
         auto& to = Halvings == 0 ? axes : half_way;
         if constexpr (has_groups) {
-          if (!std::is_constant_evaluated()) {
+          if (runs_vectors()) {
             fours.turns.add(static_cast<std::uint32_t>(i), orientation, body.inertia, from, to);
             if (fours.turns.size == long_lane_count) carry_on();
             return;
@@ -811,7 +864,7 @@ class Tick {
         fours.waiting[k] = fours.waiting[0];
       for (std::size_t k = 0; k < long_lane_count; ++k) states[k] = &bodies[fours.waiting[k]].state;
       const bool is_done =
-          turn_four<LongLanes, Halvings, S>(states, tick.moving_.data(), fours.waiting, result);
+          turn_four<FastLongLanes, Halvings, S>(states, tick.moving_.data(), fours.waiting, result);
       for (std::size_t k = 0; k < fours.size; ++k) {
         const auto i = fours.waiting[k];
         turned_to(
@@ -821,7 +874,7 @@ class Tick {
       fours.size = 0;
     }
     constexpr void carry_on() {
-      const bool is_done = carry_four<LongLanes>(fours.turns, tick.moving_.data());
+      const bool is_done = carry_four<FastLongLanes>(fours.turns, tick.moving_.data());
       for (std::size_t k = 0; k < fours.turns.size; ++k) {
         const auto i = fours.turns.body[k];
         auto& moving = tick.moving_[i];
@@ -999,3 +1052,7 @@ class Tick {
 };
 
 }  // namespace detent::detail
+
+// All headers that use them are included above.
+#undef DETENT_BEGIN_LONG_LANES
+#undef DETENT_END_LONG_LANES

@@ -373,6 +373,125 @@ TEST_CASE("manifold: a ball's separation from a hull is the exact distance") {
   CHECK((outside > 360 && outside < 1100));
 }
 
+/// Two hulls from short cuts, against plain loops over all faces and pairs of edges.
+template <Scalar T>
+struct ShortCuts {
+  using Lever = lever<T>;
+  using Polytope = detail::Polytope<T, 3>;
+  using Points = std::span<const Vec<Lever, 3>>;
+  int hits = 0, edges = 0, fewer = 0, regular = 0;
+
+  static auto least_height(const Polytope& shape, std::size_t f, const Points& points) {
+    auto least = shape.height(shape.faces[f], points[0]);
+    for (const auto& p : points) least = (min)(least, shape.height(shape.faces[f], p));
+    return least;
+  }
+  void check_faces(const Polytope& shape, const Points& points, const Vec<Lever, 3>& center,
+                   const typename detail::Formats<T>::Gap& margin) {
+    std::size_t face = 0;
+    for (std::size_t f = 1; f < shape.faces.size(); ++f) {
+      if (least_height(shape, f, points) > least_height(shape, face, points)) face = f;
+    }
+    const auto separation = least_height(shape, face, points);
+    const detail::BestPlane<T, 3> plain(shape, points);
+    REQUIRE((plain.face == face && plain.separation == separation));
+    const detail::BestPlane<T, 3> best(shape, points, center, margin);
+    REQUIRE((best.separation > margin) == (separation > margin));
+    if (separation <= margin) REQUIRE((best.face == face && best.separation == separation));
+  }
+
+  void check(const SolidHull<T, 3>& first, const SolidHull<T, 3>& second,
+             const detail::RelativePose<T, 3>& pose,
+             const typename detail::Formats<T>::Gap& margin) {
+    const auto a = first.faces(), b = second.faces();
+    auto all_of_a = a, all_of_b = b;
+    all_of_a.reach = all_of_b.reach = {};
+    const auto m = detail::polytope_manifold(a, b, pose, margin);
+    const auto wanted = detail::polytope_manifold(all_of_a, all_of_b, pose, margin);
+    REQUIRE(m.count == wanted.count);
+    REQUIRE(m.normal == wanted.normal);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(m.count); ++i) {
+      REQUIRE(m.points[i].point == wanted.points[i].point);
+      REQUIRE(m.points[i].separation == wanted.points[i].separation);
+      REQUIRE(m.points[i].feature == wanted.points[i].feature);
+    }
+    const detail::MovedPoints<T, 3> points(
+        b, [&](const auto& p) { return detail::placed_point<Lever>(pose, p); });
+    check_faces(a, points.view(), pose.translation, margin);
+    regular += a.reach > 0 && b.reach > 0 ? 1 : 0;
+    if (m.count == 0) return;
+    ++hits;
+    edges += m.points[0].feature >= (1u << 30) ? 1 : 0;
+    const auto limit = detail::facing_height(a, b, pose, m.points[0].separation);
+    const auto facing = detail::edges_facing(a, points.at[0], limit);
+    fewer += facing.count < a.edges.size() ? 1 : 0;
+  }
+};
+
+/// Boxes, thin plates, needles and points on a sphere, whose coordinates have up to `bits` bits.
+template <Scalar T>
+std::optional<SolidHull<T, 3>> draw_any_hull(Random& random, int bits, std::vector<Vec<T, 3>>& to) {
+  to.clear();
+  const auto kind = random.below(5);
+  const auto size = static_cast<double>(std::int64_t{1} << bits);
+  const auto count = static_cast<std::size_t>(random.between(4, 16));
+  const auto flatness = random.between(0, bits);
+  while (to.size() < count) {
+    double v[3] = {unit(random), unit(random), unit(random)};
+    if (kind >= 2) {  // on a sphere
+      const double norm = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) + 1e-9;
+      for (double& x : v) x /= norm;
+    }
+    if (kind == 0) {
+      for (double& x : v) x = x < 0 ? -1 : 1;
+    }
+    to.push_back(make_vec<3>([&](int i) {
+      const bool is_thin = (kind == 1 && i == 1) || (kind == 4 && i > 0);
+      const auto raw = static_cast<std::int64_t>(v[i] * size) >> (is_thin ? flatness : 0);
+      return T::assume_raw(static_cast<typename T::raw_type>(raw));
+    }));
+    if (kind == 0 && to.size() == 8) break;
+  }
+  return solid_hull(1, ConvexHull<T, 3>{to});
+}
+
+TEMPLATE_TEST_CASE("manifold: edges and faces left out change nothing", "", q16_16, q14_16, q24_8,
+                   q8_8) {
+  using T = TestType;
+  Random random(24);
+  ShortCuts<T> checked;
+  std::vector<Vec<T, 3>> first, second;
+  const int rounds = DETENT_TEST_ALL ? 200'000 : 4000;
+  for (int i = 0; i < rounds; ++i) {
+    const int most = (std::min)(bits_of<T> - 1, 25);
+    const int bits = static_cast<int>(random.between(4, most));
+    const auto a = draw_any_hull<T>(random, bits, first),
+               b = draw_any_hull<T>(random, bits, second);
+    if (!a || !b) continue;
+    auto turn = draw_pose<3>(random, 1);
+    detail::RelativePose<T, 3> pose;
+    pose.axes = turn.axes;
+    // Levers have 6 bits of fraction more: closer than both radii, or about as far.
+    const auto step = std::int64_t{1} << (bits + 6);
+    const double far = random.coin() ? 0.9 : 0.02 * static_cast<double>(random.between(40, 100));
+    for (int c = 0; c < 3; ++c) {
+      const auto raw = static_cast<std::int64_t>(far * unit(random) * static_cast<double>(step));
+      pose.translation[c] = saturate_to<lever<T>>(Fixed<62, lever<T>::frac>::assume_raw(raw));
+    }
+    if (random.one_in(4)) {  // faces next to each other
+      pose.axes = shifted<T, 3>(0, 0).axes;
+    }
+    using Gap = typename detail::Formats<T>::Gap;
+    checked.check(*a, *b, pose, Gap::assume_raw(random.coin() ? 0 : 80'000));
+  }
+  CAPTURE(checked.hits, checked.edges, checked.fewer, checked.regular);
+  CHECK(checked.hits > rounds / 5);
+  CHECK(checked.edges > rounds / 100);
+  CHECK(checked.fewer > checked.hits / 5);
+  CHECK(checked.regular > rounds / 5);
+  CHECK(checked.regular < rounds);
+}
+
 TEST_CASE("manifold: a hull without an asset touches nothing") {
   const BodyHull<S, 3> none;
   const Sphere<S, 3> ball{{}, S(1)};

@@ -59,6 +59,8 @@ template <Scalar S, class Joint, class Ready>
   }
 }
 
+DETENT_BEGIN_LONG_LANES
+
 /// The passes over four joints at once, with the bits of one after another. Each returns false, and
 /// has changed nothing, if some number left its range and must be clamped.
 template <class L, Scalar S, std::size_t Turns>
@@ -77,10 +79,11 @@ class FourJointsSolver {
 
  public:
   FourJointsSolver(Joints& joints, Moving<S, 3>* bodies) noexcept
-      : joints_(joints), bodies_a_(bodies, joints.a), bodies_b_(bodies, joints.b) {
-    a_ = bodies_a_.motions();
-    b_ = bodies_b_.motions();
-  }
+      : joints_(joints),
+        bodies_a_(bodies, joints.a),
+        bodies_b_(bodies, joints.b),
+        a_(bodies_a_.motions()),
+        b_(bodies_b_.motions()) {}
 
   [[nodiscard]] bool warm_start() noexcept {
     for (const auto& row : joints_.turn) {
@@ -185,30 +188,8 @@ class FourJointsSolver {
 
   Joints& joints_;
   FourBodies<S, L> bodies_a_, bodies_b_;
-  FourMotions<S, L> a_{}, b_{};
-  FourRounder<L> round_{};
-};
-
-/// Where four bodies are, for rows.
-template <Scalar S, class L>
-struct FourSupports {
-  using F = Formats<S>;
-  using Support = detail::Support<S, 3>;
-
-  FourAxes<S, L> axes;
-  std::array<Four<typename F::Place, L>, 3> place;
-  std::array<Four<typename F::Gyration, L>, 6> spread;
-
-  FourSupports(const Support* supports, const Quad<std::uint32_t>& indices) noexcept {
-    Quad<const Support*> at;
-    for (std::size_t k = 0; k < long_lane_count; ++k) at[k] = &supports[indices[k]];
-    axes = load_axes<L, S>({&at[0]->axes, &at[1]->axes, &at[2]->axes, &at[3]->axes});
-    const auto places = words_at<L>(at, offsetof(Support, place));
-    const auto first = words_at<L>(at, offsetof(Support, spread));
-    const auto rest = words_at<L>(at, offsetof(Support, spread) + 16);
-    for (std::size_t i = 0; i < 3; ++i) place[i].raw = places[i];
-    for (std::size_t i = 0; i < 6; ++i) spread[i].raw = i < 4 ? first[i] : rest[i - 2];
-  }
+  FourMotions<S, L> a_, b_;
+  FourRounder<L> round_;
 };
 
 /// Computes the rows of pushes of four joints for where their bodies are now, as `Aim`. Returns false
@@ -284,5 +265,7 @@ template <class L, Scalar S, std::size_t Turns>
   }
   return !round.is_beyond();
 }
+
+DETENT_END_LONG_LANES
 
 }  // namespace detent::detail

@@ -206,7 +206,7 @@ class JointGroup {
         }
         auto& four = fours_[turn.index];
         if (!four.is_alone) {
-          FourJointsSolver<LongLanes, S, Record::turn_room> solver(four, moving.data());
+          FourJointsSolver<FastLongLanes, S, Record::turn_room> solver(four, moving.data());
           if (together(solver)) continue;
         }
         scatter(four, joints);
@@ -239,7 +239,7 @@ class JointGroup {
       if (a.can_move()) depth_[ready.a] = depth + 1;
       if (b.can_move()) depth_[ready.b] = depth + 1;
       const bool is_locked = (a.can_move() && a.locked != 0) || (b.can_move() && b.locked != 0);
-      const auto kind = is_locked || std::is_constant_evaluated()
+      const auto kind = is_locked || !runs_vectors()
                             ? std::uint32_t{0}
                             : joints[ready.joint].joint.visit(
                                   [&](const auto& joint) { return kind_of<S>(joint, ready); });
@@ -322,7 +322,7 @@ class JointGroup {
   }
   template <class Supports>
   constexpr void aim(FourOf& four, const List& joints, const Supports& supports) {
-    four.is_alone = !aim_points<LongLanes>(four, supports.data());
+    four.is_alone = !aim_points<FastLongLanes>(four, supports.data());
     bool turns = false;
     for (const auto& row : four.turn) turns = turns || row.law != Law::none;
     for (std::size_t k = 0; turns && !four.is_alone && k < four.size; ++k) {

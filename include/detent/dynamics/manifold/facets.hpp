@@ -6,6 +6,30 @@
 
 namespace detent::detail {
 
+/// The `reach` of a polyhedron whose corners are rounded to the grid of `Lever`: not 0 only if none
+/// of them was clamped and the normals u, v of the faces of each edge have -1 + 2^-6 <= u . v <=
+/// 1 - 2^-20.
+template <Scalar S, std::size_t Points, class Lever = typename Formats<S>::Lever>
+[[nodiscard]] constexpr Lever regular_reach(const PolytopeParts<S, 3, Points>& parts) noexcept {
+  using Ratio = typename Formats<S>::Ratio;
+  constexpr auto flattest = Ratio(1) - one_over<Ratio>(1 << 20);
+  constexpr auto sharpest = one_over<Ratio>(64) - Ratio(1);
+  for (std::size_t i = 0; i < parts.edge_count; ++i) {
+    const auto& edge = parts.edges[i];
+    const auto cosine =
+        narrow_dot<62>(parts.faces[edge.left].normal, parts.faces[edge.right].normal);
+    if (cosine < sharpest || cosine > flattest) return {};
+  }
+  Lever reach{};
+  for (std::size_t i = 0; i < parts.point_count; ++i) {
+    for (int c = 0; c < 3; ++c) reach = (max)(reach, nearest_to<Lever>(abs(parts.points[i][c])));
+  }
+  if constexpr (is_fixed<S>) {
+    if (reach.raw() >> 29 != 0) return {};
+  }
+  return reach;
+}
+
 /// The faces of a hull: its corners in the order of its points, its faces in that of their first
 /// directed edge, by corners. Points that are not corners have no effect. No faces for a hull
 /// without volume.
@@ -83,6 +107,7 @@ template <std::size_t Points, Scalar S, int N>
                        face[j][k] - std::size_t{1}, face[k][j] - std::size_t{1});
       }
     }
+    if constexpr (has_filters) parts.reach = regular_reach(parts);
   }
   return parts;
 }

@@ -63,6 +63,12 @@ template <Number T>
   }
 }
 
+/// 1 / n for a power of 2.
+template <Number Ratio>
+[[nodiscard]] constexpr Ratio one_over(int n) noexcept {
+  return quotient_nearest<Ratio>(Ratio(1), as_operand<Ratio>(n));
+}
+
 /// sqrt(x) rounded to nearest on the grid of T: the root of 4 x, which is never halfway.
 template <class T, Number X>
 [[nodiscard]] constexpr T sqrt_nearest(const X& x) noexcept {

@@ -40,6 +40,8 @@ struct Polytope {
   std::span<const std::uint8_t> corners;  // of the faces
   std::span<const Vec<Ratio, N>> sides;   // of the faces: normals in their planes, outward
   std::span<const PolytopeEdge<S>> edges;
+  /// The greatest magnitude of a corner's coordinate, if `edges_facing` may leave out edges; else 0.
+  Lever reach{};
 
   /// Corner `k` of a face, from 0 on.
   [[nodiscard]] constexpr const Point& corner(const PolytopeFace<S, N>& face,
@@ -89,11 +91,12 @@ struct PolytopeParts {
   std::array<Vec<Ratio, N>, side_room> sides{};
   std::array<PolytopeEdge<S>, edge_room> edges{};
   std::size_t point_count = 0, face_count = 0, side_count = 0, edge_count = 0;
+  typename Formats<S>::Lever reach{};
 
   [[nodiscard]] constexpr Polytope<S, N> view() const noexcept {
     return {std::span(points).first(point_count), std::span(faces).first(face_count),
             std::span(corners).first(side_count), std::span(sides).first(side_count),
-            std::span(edges).first(edge_count)};
+            std::span(edges).first(edge_count),   reach};
   }
 
   constexpr void add_face(const Vec<Ratio, N>& normal) noexcept {

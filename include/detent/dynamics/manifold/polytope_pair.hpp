@@ -30,23 +30,144 @@ struct MovedPoints {
 
 /// The face of a polytope with the greatest separation from these points; the first of equals.
 template <Scalar S, int N>
-struct BestPlane {
+class BestPlane {
+ public:
   using Span = typename ContactFormats<S>::Span;
+  using Lever = typename Formats<S>::Lever;
+  using Points = std::span<const Vec<Lever, N>>;
 
   std::size_t face = 0;
+  std::size_t lowest = 0;  // a point; that of the least height over the face that came first
   Span separation{};
 
-  constexpr BestPlane(const Polytope<S, N>& shape,
-                      std::span<const Vec<typename Formats<S>::Lever, N>> points) noexcept {
-    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
-      auto least = shape.height(shape.faces[f], points[0]);
-      for (const auto& p : points.subspan(1)) {
-        least = (min)(least, shape.height(shape.faces[f], p));
-      }
-      if (f == 0 || least > separation) face = f, separation = least;
+  constexpr BestPlane(const Polytope<S, N>& shape, const Points& points) noexcept {
+    start(shape, points);
+    for (std::size_t f = 1; f < shape.faces.size(); ++f) consider(shape, points, f);
+  }
+  /// If a separation exceeds the margin, any face with such a one. The face over which `center`, a
+  /// point in the middle of the others, is highest comes first: then most faces are left out after
+  /// one or two points.
+  constexpr BestPlane(const Polytope<S, N>& shape, const Points& points,
+                      const Vec<Lever, N>& center,
+                      const typename Formats<S>::Gap& margin) noexcept {
+    auto most = shape.height(shape.faces[0], center);
+    for (std::size_t f = 1; f < shape.faces.size(); ++f) {
+      const auto height = shape.height(shape.faces[f], center);
+      if (height > most) most = height, face = f;
+    }
+    const auto first = face;
+    start(shape, points);
+    for (std::size_t f = 0; f < shape.faces.size() && separation <= margin; ++f) {
+      if (f != first) consider(shape, points, f);
     }
   }
+
+ private:
+  constexpr void start(const Polytope<S, N>& shape, const Points& points) noexcept {
+    separation = shape.height(shape.faces[face], points[0]);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const auto height = shape.height(shape.faces[face], points[i]);
+      if (height < separation) separation = height, lowest = i;
+    }
+  }
+  /// A face is left out as soon as one point is too low over it.
+  constexpr void consider(const Polytope<S, N>& shape, const Points& points,
+                          std::size_t f) noexcept {
+    const auto is_behind = [&](const Span& height) {
+      return height < separation || (height == separation && f > face);
+    };
+    auto least = shape.height(shape.faces[f], points[lowest]);
+    if (is_behind(least)) return;
+    for (const auto& p : points) {
+      least = (min)(least, shape.height(shape.faces[f], p));
+      if (is_behind(least)) return;
+    }
+    face = f;
+    separation = least;
+  }
 };
+
+template <Scalar S, int N, class Lever = typename Formats<S>::Lever>
+[[nodiscard]] constexpr BestPlane<S, N> best_plane(
+    const Polytope<S, N>& shape, std::span<const Vec<Lever, N>> points, const Vec<Lever, N>& center,
+    const typename Formats<S>::Gap& margin) noexcept {
+  if constexpr (has_filters) {
+    return {shape, points, center, margin};
+  } else {
+    return {shape, points};
+  }
+}
+
+/// The most faces and edges of a polyhedron.
+inline constexpr std::size_t polytope_faces = 2 * polytope_room - 4;
+inline constexpr std::size_t polytope_edges = 3 * polytope_room - 6;
+
+/// Edges of a polytope, in order.
+struct EdgeList {
+  std::array<std::uint8_t, polytope_edges> at;
+  std::size_t count = 0;
+
+  constexpr void add(std::size_t edge) noexcept { at[count++] = static_cast<std::uint8_t>(edge); }
+};
+
+/// A height such that no two edges are further apart than the faces, at `face`, if one of them has two
+/// faces over which some corner of the other polytope is at most this high. Nothing if there is no
+/// proof.                                            (tests/dynamics/manifold/hull.test.cpp)
+///
+/// Let u, v be the normals of an edge's faces, q a corner of the other polytope and n the unit vector
+/// across both edges, towards the other polytope. Where the arcs of the Gauss map cross, n =
+/// (x u + y v) / |x u + y v| with x, y >= 0, and the other edge is lowest along n. With p on the edge
+/// the separation along n is at most n . (q - p), and as x + y >= |x u + y v| that is at most the
+/// greater height of q if both are negative.
+///
+/// In numbers, with coordinates of at most M steps of a lever and e = 2^-30: `regular_reach` bounds
+/// (x + y) / |x u + y v| by 2^4. Stored edges are perpendicular to u and v within 2^2 e, to those of
+/// b, turned by the pose, within 2^5 e; edges that count are at least 2^-6 from parallel. So n differs
+/// from (x u + y v) / |x u + y v| by at most 2^4 2^5 e 2^6 = 2^-15, and n . (q - p) by 2^-15 3.5 M <
+/// 2^-13 M. (The sign of n cannot differ: |x u + y v| >= 2^-4, and the direction of an edge is that of
+/// u x v, at least 2^-10 long.) Corners rounded by a step change heights by 2 steps and n . (q - p) by
+/// 2^5 steps for each polytope. All of this is less than 2^-12 M + 2^7 steps.
+template <Scalar S>
+[[nodiscard]] constexpr std::optional<typename ContactFormats<S>::Span> facing_height(
+    const Polytope<S, 3>& a, const Polytope<S, 3>& b, const RelativePose<S, 3>& pose,
+    const typename Formats<S>::Gap& face) noexcept {
+  using Gap = typename Formats<S>::Gap;
+  using Ratio = typename Formats<S>::Ratio;
+  if (!has_filters || a.reach == 0 || b.reach == 0) return std::nullopt;
+  const auto& t = pose.translation;
+  // Corners in either frame are at most twice this far.
+  const auto half_way = a.reach + b.reach + (max)((max)(abs(t.x), abs(t.y)), abs(t.z));
+  if constexpr (is_fixed<S>) {
+    if (half_way.raw() >> 30 != 0) return std::nullopt;
+  }
+  constexpr int bits = bits_of<typename ContactFormats<S>::Span>;
+  const auto slack =
+      narrow_sum<bits>(narrow_product<bits>(nearest_to<Gap>(half_way), one_over<Ratio>(2048)),
+                       narrow_product<bits>(ContactFormats<S>::tolerance, one_over<Ratio>(16)));
+  return narrow_difference<bits>(narrow_product<bits>((min)(face, Gap{}), Ratio(1)), slack);
+}
+
+/// The edges with a face over which `q` is higher than `limit`; all without one.
+template <Scalar S>
+[[nodiscard]] constexpr EdgeList edges_facing(
+    const Polytope<S, 3>& shape, const Vec<typename Formats<S>::Lever, 3>& q,
+    const std::optional<typename ContactFormats<S>::Span>& limit) noexcept {
+  EdgeList list;
+  if (!has_filters || !limit) {
+    for (std::size_t i = 0; i < shape.edges.size(); ++i) list.add(i);
+    return list;
+  }
+  std::array<bool, polytope_faces> is_above;
+  for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+    is_above[f] = shape.height(shape.faces[f], q) > *limit;
+  }
+  for (std::size_t i = 0; i < shape.edges.size(); ++i) {
+    const auto& edge = shape.edges[i];
+    list.at[list.count] = static_cast<std::uint8_t>(i);
+    list.count += is_above[edge.left] || is_above[edge.right] ? 1u : 0u;
+  }
+  return list;
+}
 
 /// An edge of each polytope, where they may be closest: `n` is a unit vector across both, from a to b.
 template <Scalar S>
@@ -70,44 +191,55 @@ template <Scalar S, Number T, class Ratio = typename Formats<S>::Ratio>
   return dot(n, outward) < 0 ? narrow_negative(n) : n;
 }
 
-/// The pair of edges with the greatest separation among those whose faces' normals cross, so that
-/// they bound the difference of the polytopes; the first of equals.
+/// The pair of these edges with the greatest separation among those whose faces' normals cross, so
+/// that they bound the difference of the polytopes; the first of equals.
 ///
 /// source: arcs on the Gauss map, Gregorius, The Separating Axis Test between Convex Polyhedra, GDC
 ///         2013
 template <Scalar S>
 [[nodiscard]] constexpr BestEdges<S> best_edges(
     const Polytope<S, 3>& a, const Polytope<S, 3>& b, const RelativePose<S, 3>& pose,
-    std::span<const Vec<typename Formats<S>::Lever, 3>> b_points) noexcept {
+    std::span<const Vec<typename Formats<S>::Lever, 3>> b_points, const EdgeList& a_edges,
+    const EdgeList& b_edges) noexcept {
   using Ratio = typename Formats<S>::Ratio;
   using Gap = typename Formats<S>::Gap;
   using Turned = Vec<Ratio, 3>;
-  constexpr std::size_t face_room = 2 * polytope_room - 4, edge_room = 3 * polytope_room - 6;
-  std::array<Turned, face_room> normals;
-  std::array<Turned, edge_room> directions;
-  for (std::size_t i = 0; i < b.faces.size(); ++i) {
-    normals[i] = nearest_to<Ratio>(turned(pose, b.faces[i].normal));
-  }
-  for (std::size_t j = 0; j < b.edges.size(); ++j) {
-    directions[j] = nearest_to<Ratio>(turned(pose, b.edges[j].along));
+  std::array<Turned, polytope_faces> normals;
+  std::array<Turned, polytope_edges> directions;
+  std::array<std::uint8_t, polytope_faces> faces;  // of b's edges
+  std::array<bool, polytope_faces> is_listed{};
+  std::size_t face_count = 0;
+  for (std::size_t l = 0; l < b_edges.count; ++l) {
+    const auto& edge = b.edges[b_edges.at[l]];
+    directions[l] = nearest_to<Ratio>(turned(pose, edge.along));
+    for (const std::uint8_t f : {edge.left, edge.right}) {
+      if (is_listed[f]) continue;
+      is_listed[f] = true;
+      faces[face_count++] = f;
+      normals[f] = nearest_to<Ratio>(turned(pose, b.faces[f].normal));
+    }
   }
   const auto sign = [](const Turned& u, const Turned& v) {
     const auto x = narrow_dot<62>(u, v);
     return x > 0 ? 1 : x < 0 ? -1 : 0;
   };
   BestEdges<S> best;
-  std::array<int, face_room> side{};
-  for (std::size_t i = 0; i < a.edges.size(); ++i) {
+  std::array<int, polytope_faces> side{};
+  for (std::size_t k = 0; k < a_edges.count; ++k) {
+    const std::size_t i = a_edges.at[k];
     const auto& edge = a.edges[i];
     const auto& left = a.faces[edge.left].normal;
     const auto& right = a.faces[edge.right].normal;
-    for (std::size_t f = 0; f < b.faces.size(); ++f) side[f] = sign(normals[f], edge.along);
-    for (std::size_t j = 0; j < b.edges.size(); ++j) {
+    for (std::size_t l = 0; l < face_count; ++l) {
+      side[faces[l]] = sign(normals[faces[l]], edge.along);
+    }
+    for (std::size_t l = 0; l < b_edges.count; ++l) {
+      const std::size_t j = b_edges.at[l];
       const auto& other = b.edges[j];
       const int x = side[other.left];
       if (x == 0 || side[other.right] != -x) continue;
-      if (sign(left, directions[j]) != x || sign(right, directions[j]) != -x) continue;
-      const auto n = across_edges<S>(edge.along, directions[j], left + right);
+      if (sign(left, directions[l]) != x || sign(right, directions[l]) != -x) continue;
+      const auto n = across_edges<S>(edge.along, directions[l], left + right);
       if (!n) continue;
       const auto s =
           nearest_to<Gap>(Polytope<S, 3>::along(*n, b_points[other.from], a.points[edge.from]));
@@ -167,15 +299,19 @@ template <Scalar S, int N>
   const auto back = [&](const auto& v) { return turned_back(pose, v); };
   const auto out = [&](const auto& v) { return turned(pose, v); };
   const MovedPoints<S, N> b_points(b, [&](const auto& p) { return placed_point<Lever>(pose, p); });
-  const BestPlane<S, N> of_a(a, b_points.view());
+  const auto of_a = best_plane(a, b_points.view(), pose.translation, margin);
   if (of_a.separation > margin) return {};
   const MovedPoints<S, N> a_points(a, [&](const auto& p) { return back(p - pose.translation); });
-  const BestPlane<S, N> of_b(b, a_points.view());
+  const auto of_b =
+      best_plane(b, a_points.view(), nearest_to<Lever>(back(-pose.translation)), margin);
   if (of_b.separation > margin) return {};
   const bool is_of_b = of_b.separation > of_a.separation + ContactFormats<S>::tolerance;
   if constexpr (N == 3) {
     const auto face = nearest_to<Gap>(is_of_b ? of_b.separation : of_a.separation);
-    const auto best = best_edges(rim, b, pose, b_points.view());
+    const auto limit = facing_height(rim, b, pose, face);
+    const auto best = best_edges(rim, b, pose, b_points.view(),
+                                 edges_facing(rim, b_points.at[of_a.lowest], limit),
+                                 edges_facing(b, a_points.at[of_b.lowest], limit));
     if (best.found && best.separation > margin) return {};
     if (best.found && best.separation > nearest_to<Gap>(face + ContactFormats<S>::tolerance)) {
       const auto& edge = rim.edges[best.a];
