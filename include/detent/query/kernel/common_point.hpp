@@ -120,7 +120,8 @@ class Entry {
     if constexpr (N == 3 && IsBoxBody<Body>) {
       enter_few<std::size_t{8}>(body_.corners());
       return at_first();
-    } else if constexpr (N == 3 && has_filters && is_fixed<P>) {
+    } else if constexpr (N == 3 && has_filters && is_fixed<P> &&
+                         requires(const Body& body) { body.corners(); }) {
       constexpr std::size_t few = 16;
       if (body_.corners().size() <= few) {
         enter_few<few>(body_.corners());
