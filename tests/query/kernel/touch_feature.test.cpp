@@ -83,7 +83,7 @@ void compare_many(std::int64_t reach, std::int64_t grid, bool flat, int asked, C
 }
 
 TEST_CASE("features: closest features that are sure of being unique are", "[query]") {
-  Count local, lattice, flat, extreme, tiny;
+  Count local, lattice, flat, extreme, tiny, narrow;
   compare_many<q16_16>(1 << 22, 1, false, 300, local);
   compare_many<q14_16>(1 << 20, 1, false, 100, local);
   compare_many<q24_8>(1 << 20, 1, false, 100, local);
@@ -92,6 +92,8 @@ TEST_CASE("features: closest features that are sure of being unique are", "[quer
   compare_many<q16_16>(std::int64_t{1} << 29, 1, false, 200, extreme);
   compare_many<q24_8>(std::int64_t{1} << 29, 1 << 27, false, 100, extreme);
   compare_many<q16_16>(64, 1, false, 300, tiny);
+  compare_many<q8_8>(1 << 11, 1, false, 200, narrow);
+  compare_many<q8_8>(1 << 13, 1 << 10, false, 100, narrow);
   compare_many<q16_16>(1 << 12, 1, false, 300, tiny);
   INFO(local.hits << ", " << local.sure << ", " << local.sure_beyond << "; " << lattice.hits << ", "
                   << lattice.sure << "; " << flat.hits << ", " << flat.sure << "; " << extreme.hits
@@ -102,6 +104,7 @@ TEST_CASE("features: closest features that are sure of being unique are", "[quer
   CHECK(lattice.sure.percent() >= 60);
   CHECK(flat.sure.percent() >= 60);
   CHECK(extreme.sure.percent() >= 60);
+  CHECK(narrow.sure.percent() >= 5);
 }
 
 }  // namespace

@@ -82,15 +82,19 @@ void compare(const A& a, const B& b, const Direction<S, N>& direction, const S& 
   const auto feature = witness.feature_from(*exact);
   count.same_feature.count(feature.has_value());
   if (!feature) return;
-  const detail::Approach<A, B, Component, S, 33> fine(a, b, way, sum, detail::finer_by<33>(sum));
+  constexpr int most = bits_of<Component> + 2;
+  const detail::Approach<A, B, Component, S, most> fine(a, b, way, sum,
+                                                        detail::finer_by<most>(sum));
   const auto normal = [](const auto& v) { return direction_of<S>(detail::shortened<240>(v)); };
   const auto from = fine.scaled(*exact), to = fine.scaled(limit);
   const auto found = fine.with_touch(from, to, normal);
   REQUIRE(fine.with_touch_on(*feature, from, to, normal) == found);
-  const auto quick = detail::direction_on<S>(*feature, way, *exact, sum, detail::SameFrame());
-  count.sure_directions.count(quick.has_value());
-  if (quick) REQUIRE(quick == found);
-  if constexpr (N == 3 && is_scalar_body<A, S> && is_scalar_body<B, S>) {
+  if constexpr (filter_pays<S>) {
+    const auto quick = detail::direction_on<S>(*feature, way, *exact, sum, detail::SameFrame());
+    count.sure_directions.count(quick.has_value());
+    if (quick) REQUIRE(quick == found);
+  }
+  if constexpr (N == 3 && filter_pays<S> && is_scalar_body<A, S> && is_scalar_body<B, S>) {
     if (feature->count == 2) {
       const auto& from = feature->corners[0];
       const auto across =
@@ -136,7 +140,7 @@ void compare_many(std::int64_t reach, std::int64_t grid, int asked, Count& count
 }
 
 TEST_CASE("witnesses: a touch or distance that they are sure of is exact", "[query]") {
-  Count local, coarse;
+  Count local, coarse, narrow;
   compare_many<q16_16, 3>(1 << 18, 1, 1500, local);
   compare_many<q16_16, 3>(1 << 29, 1, 300, local);
   compare_many<q16_16, 2>(1 << 18, 1, 500, local);
@@ -145,15 +149,20 @@ TEST_CASE("witnesses: a touch or distance that they are sure of is exact", "[que
   compare_many<q16_16, 3>(1 << 24, 1, 400, local);
   compare_many<q16_16, 3>(1 << 18, 1 << 16, 1500, coarse);
   compare_many<q16_16, 3>(16, 1, 500, coarse);
+  compare_many<q8_8, 3>(1 << 11, 1, 500, narrow);
+  compare_many<q8_8, 2>(1 << 11, 1, 200, narrow);
+  compare_many<q8_8, 3>(1 << 13, 1 << 10, 200, narrow);
   INFO(local.hits << ", " << local.sure << ", " << local.same_feature << ", "
                   << local.sure_directions << ", " << local.sure_across << "; " << coarse.hits
-                  << ", " << coarse.sure << ", " << coarse.same_feature);
+                  << ", " << coarse.sure << ", " << coarse.same_feature << "; " << narrow.hits
+                  << ", " << narrow.sure);
   CHECK(local.hits.is_balanced());
   CHECK(local.sure.percent() >= 95);
   CHECK(local.same_feature.percent() >= 90);
   CHECK(local.sure_directions.percent() >= 20);
   CHECK(local.sure_across.percent() >= 90);
   CHECK(coarse.sure.percent() >= 50);
+  CHECK(narrow.sure.percent() >= 80);
   CHECK(local.sure_distances.percent() >= 97);
   CHECK(local.sure_overlaps.percent() >= 50);
 }

@@ -202,6 +202,7 @@ template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S,
       return std::nullopt;
     }
   };
+  // The filters of normals are for the time grid of scalars of 32 bits.
   const auto normal_on = [&](const auto& feature, const S& distance) {
     if (feature.is_facet()) {
       const auto normal = facet_normal(feature.simplex());
@@ -225,7 +226,7 @@ template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S,
   };
   const auto start = boxes_within(a, b, steps, radius, limit);
   if (!start) return std::nullopt;
-  if constexpr (filter_pays<S>) {
+  if constexpr (has_filters) {
     TouchWitness<A, B, Component, S, R> witness(a, b, steps, radius);
     const auto decided = witness.first(*start, limit);
     if (decided.is_sure) {
