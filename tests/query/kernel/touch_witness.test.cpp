@@ -96,9 +96,9 @@ void compare(const A& a, const B& b, const Direction<S, N>& direction, const S& 
   }
   if constexpr (N == 3 && filter_pays<S> && is_scalar_body<A, S> && is_scalar_body<B, S>) {
     if (feature->count == 2) {
-      const auto& from = feature->corners[0];
+      const auto& end = feature->corners[0];
       const auto across =
-          detail::direction_across<S>(from - way * *exact, feature->corners[1] - from, way, sum);
+          detail::direction_across<S>(end - way * *exact, feature->corners[1] - end, way, sum);
       count.sure_across.count(across.has_value());
       if (across) REQUIRE(across == found);
     }
