@@ -221,7 +221,7 @@ template <class A, class B, Scalar S, int N>
     return by_width<62>([&](const auto& u) { return nearly_rounded_beyond(b, radius, u); }, v);
   } else {
     const auto body = body_of(a);
-    if constexpr (has_filters && is_thin<CoreA> && !is_kind<CoreB, Plane>) {
+    if constexpr (is_fixed<S> && has_filters && is_thin<CoreA> && !is_kind<CoreB, Plane>) {
       const auto reach = radius_of(shape) + radius;
       if (radius == 0 && reach > 0) {
         const auto other = body_of(b);

@@ -226,7 +226,7 @@ template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S,
   };
   const auto start = boxes_within(a, b, steps, radius, limit);
   if (!start) return std::nullopt;
-  if constexpr (has_filters) {
+  if constexpr (is_fixed<S> && has_filters) {
     TouchWitness<A, B, Component, S, R> witness(a, b, steps, radius);
     const auto decided = witness.first(*start, limit);
     if (decided.is_sure) {
