@@ -260,7 +260,8 @@ class VectorLongLanes {
   [[nodiscard]] static std::array<VectorLongLanes, 4> load(
       const std::array<const void*, long_lane_count>& records) noexcept {
     const auto at = [&](std::size_t k) {
-      return VectorLongLanes(Words(*static_cast<const AnyWords*>(records[k])));
+      const Words words = *static_cast<const AnyWords*>(records[k]);  // a reference must be aligned
+      return VectorLongLanes(words);
     };
     return transposed({at(0), at(1), at(2), at(3)});
   }
