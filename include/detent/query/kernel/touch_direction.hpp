@@ -149,8 +149,8 @@ template <Scalar S, Number P, Number E, Number W, Number R>
   if (share.factor != 0 && share.shift < 31) return std::nullopt;
   const auto before = Before::assume_raw(
       integer_cast<typename Before::raw_type>(share.factor >> (std::min)(share.shift, 63)));
-  const auto near = place - edge * before;
-  const auto rest = make_ratio(dot(edge, near), whole);
+  const auto after = place - edge * before;
+  const auto rest = make_ratio(dot(edge, after), whole);
   const auto speed = make_ratio(dot(edge, way), whole);
   const auto part_of = [](const E& component, const auto& ratio, int down) {
     return integer_cast<typename Word::raw_type>(
@@ -161,7 +161,7 @@ template <Scalar S, Number P, Number E, Number W, Number R>
   if (rest.factor != 0 && rest.shift + down < 34) return std::nullopt;
   if (speed.factor != 0 && speed.shift < 30) return std::nullopt;
   const auto moved = make_vec<3>([&](int i) {
-    const auto word = scaled_word(near[i].raw(), P::frac - R::frac - *scale);
+    const auto word = scaled_word(after[i].raw(), P::frac - R::frac - *scale);
     return Word::assume_raw(word - (rest.factor == 0 ? 0 : part_of(edge[i], rest, down)));
   });
   const auto across = make_vec<3>([&](int i) {
