@@ -68,30 +68,47 @@ constexpr void place_surface(ContactGroup<S>& group, const ReadyContact<S, 3>& c
   group.grip[k] = contact.grip;
 }
 
-template <Scalar S, class Contact>
-constexpr void gather(ContactGroup<S>& group, const ReadyContact<S, 3>* ready,
-                      const Contact* contacts) noexcept {
-  const auto place = [](auto& side, const auto& vector, std::size_t k) {
+/// Calls exchange(x, y) for every number x of the rows of contact k of a group and its twin y in the
+/// ready contact.
+template <class Group, class Ready, class Exchange>
+constexpr void exchange_rows(Group& group, Ready& contact, std::size_t k,
+                             const Exchange& exchange) noexcept {
+  const auto each = [&](auto& side, auto& vector) {
     for (std::size_t i = 0; i < 3; ++i) {
       if constexpr (requires { vector.x; }) {
-        side[i][k] = vector[static_cast<int>(i)];
+        exchange(side[i][k], vector[static_cast<int>(i)]);
       } else {
-        side[i][k] = vector[i];
+        exchange(side[i][k], vector[i]);
       }
     }
   };
-  const auto place_push = [&](auto& side, const Thrust<S, 3>& thrust, std::size_t k) {
-    place(side.along, thrust.along, k);
-    place(side.on_a, thrust.on_a, k);
-    place(side.on_b, thrust.on_b, k);
+  const auto push = [&](auto& side, auto& thrust) {
+    each(side.along, thrust.along);
+    each(side.on_a, thrust.on_a);
+    each(side.on_b, thrust.on_b);
   };
-  const auto place_row = [&](auto& side, const Row<S, 3>& row, std::size_t k) {
-    place(side.moment_a, row.moment_a, k);
-    place(side.moment_b, row.moment_b, k);
-    place(side.response_a, row.response_a, k);
-    place(side.response_b, row.response_b, k);
-    side.mass[k] = row.mass;
+  const auto lever = [&](auto& side, auto& row) {
+    each(side.moment_a, row.moment_a);
+    each(side.moment_b, row.moment_b);
+    each(side.response_a, row.response_a);
+    each(side.response_b, row.response_b);
+    exchange(side.mass[k], row.mass);
   };
+  push(group.normal, contact.normal);
+  for (std::size_t t = 0; t < 2; ++t) {
+    push(group.tangent[t], contact.tangent[t]);
+    lever(group.friction[t], contact.friction[t]);
+  }
+  lever(group.twist, contact.twist);
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    lever(group.pressure[i], contact.pressure[i]);
+    exchange(group.reach[i][k], contact.reach[i]);
+  }
+}
+
+template <Scalar S, class Contact>
+constexpr void gather(ContactGroup<S>& group, const ReadyContact<S, 3>* ready,
+                      const Contact* contacts) noexcept {
   const auto first = group.first;
   const auto size = group.size;
   group = {};
@@ -106,17 +123,8 @@ constexpr void gather(ContactGroup<S>& group, const ReadyContact<S, 3>* ready,
     group.count = (std::max)(group.count, contact.count);
     group.pushes_a[k] = contact.pushed.a;
     group.pushes_b[k] = contact.pushed.b;
-    place_push(group.normal, contact.normal, k);
-    for (std::size_t t = 0; t < 2; ++t) {
-      place_push(group.tangent[t], contact.tangent[t], k);
-      place_row(group.friction[t], contact.friction[t], k);
-    }
-    place_row(group.twist, contact.twist, k);
-    for (std::size_t i = 0; i < contact.count; ++i) {
-      place_row(group.pressure[i], contact.pressure[i], k);
-      group.gap[i][k] = contact.gap[i];
-      group.reach[i][k] = contact.reach[i];
-    }
+    exchange_rows(group, contact, k, [](auto& to, const auto& from) { to = from; });
+    for (std::size_t i = 0; i < contact.count; ++i) group.gap[i][k] = contact.gap[i];
     place_surface(group, contact, k);
   }
   gather_impulses(group, ready, contacts);
@@ -127,39 +135,8 @@ template <Scalar S>
 constexpr void spread_rows(ContactGroup<S>& group, ReadyContact<S, 3>* ready) noexcept {
   if (group.has_rows) return;
   group.has_rows = true;
-  const auto take = [](auto& vector, const auto& side, std::size_t k) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if constexpr (requires { vector.x; }) {
-        vector[static_cast<int>(i)] = side[i][k];
-      } else {
-        vector[i] = side[i][k];
-      }
-    }
-  };
-  const auto take_push = [&](Thrust<S, 3>& thrust, const auto& side, std::size_t k) {
-    take(thrust.along, side.along, k);
-    take(thrust.on_a, side.on_a, k);
-    take(thrust.on_b, side.on_b, k);
-  };
-  const auto take_row = [&](Row<S, 3>& row, const auto& side, std::size_t k) {
-    take(row.moment_a, side.moment_a, k);
-    take(row.moment_b, side.moment_b, k);
-    take(row.response_a, side.response_a, k);
-    take(row.response_b, side.response_b, k);
-    row.mass = side.mass[k];
-  };
   for (std::size_t k = 0; k < group.size; ++k) {
-    auto& contact = ready[k];
-    take_push(contact.normal, group.normal, k);
-    for (std::size_t t = 0; t < 2; ++t) {
-      take_push(contact.tangent[t], group.tangent[t], k);
-      take_row(contact.friction[t], group.friction[t], k);
-    }
-    take_row(contact.twist, group.twist, k);
-    for (std::size_t i = 0; i < contact.count; ++i) {
-      take_row(contact.pressure[i], group.pressure[i], k);
-      contact.reach[i] = group.reach[i][k];
-    }
+    exchange_rows(group, ready[k], k, [](const auto& from, auto& to) { to = from; });
   }
 }
 

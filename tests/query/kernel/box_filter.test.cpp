@@ -4,20 +4,11 @@
 #include "detent/query/kernel/box_triangle_filter.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/triangle.hpp"
+#include "query/kernel/turns.hpp"
 #include "query/overlaps/helpers.hpp"
 
 namespace detent::test {
 namespace {
-
-/// A rotation of less than 2^(bits - 32) about each world axis.
-template <Scalar S>
-Rotation<S, 3> random_turn(Random& random, int bits) {
-  const auto angle = [&] {
-    return Angle<S>::from_raw(static_cast<std::uint32_t>(random.wide(bits)));
-  };
-  const auto x = angle(), y = angle();
-  return Rotation<S, 3>::from_euler(x, y, angle());
-}
 
 template <Scalar S>
 Obb<S, 3> random_box(Random& random, int bits, const Rotation<S, 3>& rotation) {

@@ -7,21 +7,12 @@
 #include "detent/query/closest_points/bodies.hpp"
 #include "detent/query/kernel/box_common_point.hpp"
 #include "detent/query/kernel/convex_body.hpp"
+#include "query/kernel/turns.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
 
 namespace detent::test {
 namespace {
 
-/// A rotation of less than 2^(bits - 32) turns about each world axis.
-template <Scalar S>
-Rotation<S, 3> random_turn(Random& random, int bits) {
-  const auto angle = [&] {
-    return Angle<S>::from_raw(static_cast<std::uint32_t>(random.wide(bits)));
-  };
-  const auto x = angle(), y = angle();
-  return Rotation<S, 3>::from_euler(x, y, angle());
-}
 /// One of the rotations by multiples of a quarter turn.
 template <Scalar S>
 Rotation<S, 3> quarter_turn(Random& random) {

@@ -115,48 +115,45 @@ void compare_many(std::int64_t reach, std::int64_t grid, Axes axes, int asked, C
   }
 }
 
-TEST_CASE("witnesses: an entry into a face that they are sure of is exact", "[query]") {
+struct Counts {
   Count local, lattice, tilted, extreme, tiny;
-  compare_many<q16_16>(1 << 20, 1, Axes::any, 300, local);
-  compare_many<q14_16>(1 << 20, 1, Axes::any, 100, local);
-  compare_many<q24_8>(1 << 20, 1, Axes::any, 100, local);
-  compare_many<q16_16>(1 << 20, 1 << 17, Axes::parallel, 300, lattice);
-  compare_many<q24_8>(1 << 12, 1 << 9, Axes::parallel, 100, lattice);
-  compare_many<q16_16>(1 << 20, 1, Axes::nearly_parallel, 300, tilted);
-  compare_many<q16_16>(std::int64_t{1} << 30, 1, Axes::any, 200, extreme);
-  compare_many<q24_8>(std::int64_t{1} << 30, 1 << 28, Axes::parallel, 100, extreme);
-  compare_many<q16_16>(32, 1, Axes::any, 200, tiny);
-  INFO(local.hits << ", " << local.sure << "; " << lattice.hits << ", " << lattice.sure << "; "
-                  << tilted.hits << ", " << tilted.sure << "; " << extreme.hits << ", "
-                  << extreme.sure << "; " << tiny.hits << ", " << tiny.sure);
-  CHECK(local.hits.is_balanced());
-  CHECK(local.sure.percent() >= 70);
-  CHECK(lattice.sure.percent() >= 70);
-  CHECK(tilted.sure.percent() >= 50);
-  CHECK(extreme.sure.percent() >= 70);
-  CHECK(tiny.sure.percent() >= 70);
+};
+
+/// Asks `many`, `some` or `few` questions of each kind.
+template <int N>
+void compare_all(int many, int some, int few, Counts& counts) {
+  compare_many<q16_16, N>(1 << 20, 1, Axes::any, many, counts.local);
+  compare_many<q14_16, N>(1 << 20, 1, Axes::any, few, counts.local);
+  compare_many<q24_8, N>(1 << 20, 1, Axes::any, few, counts.local);
+  compare_many<q16_16, N>(1 << 20, 1 << 17, Axes::parallel, many, counts.lattice);
+  compare_many<q24_8, N>(1 << 12, 1 << 9, Axes::parallel, few, counts.lattice);
+  compare_many<q16_16, N>(1 << 20, 1, Axes::nearly_parallel, many, counts.tilted);
+  compare_many<q16_16, N>(std::int64_t{1} << 30, 1, Axes::any, some, counts.extreme);
+  compare_many<q24_8, N>(std::int64_t{1} << 30, 1 << 28, Axes::parallel, few, counts.extreme);
+  compare_many<q16_16, N>(32, 1, Axes::any, some, counts.tiny);
+  INFO(counts.local.hits << ", " << counts.local.sure << "; " << counts.lattice.hits << ", "
+                         << counts.lattice.sure << "; " << counts.tilted.hits << ", "
+                         << counts.tilted.sure << "; " << counts.extreme.hits << ", "
+                         << counts.extreme.sure << "; " << counts.tiny.hits << ", "
+                         << counts.tiny.sure);
+  CHECK(counts.local.hits.is_balanced());
+  CHECK(counts.local.sure.percent() >= 70);
+  CHECK(counts.lattice.sure.percent() >= 70);
+  CHECK(counts.tiny.sure.percent() >= 70);
+}
+
+TEST_CASE("witnesses: an entry into a face that they are sure of is exact", "[query]") {
+  Counts counts;
+  compare_all<3>(300, 200, 100, counts);
+  CHECK(counts.tilted.sure.percent() >= 50);
+  CHECK(counts.extreme.sure.percent() >= 70);
 }
 
 TEST_CASE("witnesses: an entry into an edge that they are sure of is exact", "[query]") {
-  Count local, lattice, tilted, extreme, tiny;
-  compare_many<q16_16, 2>(1 << 20, 1, Axes::any, 1000, local);
-  compare_many<q14_16, 2>(1 << 20, 1, Axes::any, 300, local);
-  compare_many<q24_8, 2>(1 << 20, 1, Axes::any, 300, local);
-  compare_many<q16_16, 2>(1 << 20, 1 << 17, Axes::parallel, 1000, lattice);
-  compare_many<q24_8, 2>(1 << 12, 1 << 9, Axes::parallel, 300, lattice);
-  compare_many<q16_16, 2>(1 << 20, 1, Axes::nearly_parallel, 1000, tilted);
-  compare_many<q16_16, 2>(std::int64_t{1} << 30, 1, Axes::any, 500, extreme);
-  compare_many<q24_8, 2>(std::int64_t{1} << 30, 1 << 28, Axes::parallel, 300, extreme);
-  compare_many<q16_16, 2>(32, 1, Axes::any, 500, tiny);
-  INFO(local.hits << ", " << local.sure << "; " << lattice.hits << ", " << lattice.sure << "; "
-                  << tilted.hits << ", " << tilted.sure << "; " << extreme.hits << ", "
-                  << extreme.sure << "; " << tiny.hits << ", " << tiny.sure);
-  CHECK(local.hits.is_balanced());
-  CHECK(local.sure.percent() >= 70);
-  CHECK(lattice.sure.percent() >= 70);
-  CHECK(tilted.sure.percent() >= 70);
-  CHECK(extreme.sure.percent() >= 50);
-  CHECK(tiny.sure.percent() >= 70);
+  Counts counts;
+  compare_all<2>(1000, 500, 300, counts);
+  CHECK(counts.tilted.sure.percent() >= 70);
+  CHECK(counts.extreme.sure.percent() >= 50);
 }
 
 }  // namespace

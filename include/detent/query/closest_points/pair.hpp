@@ -62,15 +62,13 @@ template <bool AreRound, Scalar S, class A, class B>
     return closest_points_of_boxes(a, b);
   } else {
     if constexpr (has_box_witness<A, B>) {
-      const auto overlap =
-          decide_boxes_overlap(AxisFrame(a.rotation), a.half_extents, AxisFrame(b.rotation),
-                               b.half_extents, b.center - a.center);
-      if (overlap == Filtered::yes) {
+      if (decide_boxes_overlap(a, b) == Filtered::yes) {
         const auto point = common_point_by_words(a, b);
         if (point.is_sure) return std::pair{point.value, point.value};
+      } else {
+        const auto points = BoxWitness<S>(a, b).closest_points();
+        if (points.is_sure) return points.value;
       }
-      const auto points = BoxWitness<S>(a, b).closest_points();
-      if (points.is_sure) return points.value;
     }
     const auto body_a = body_of(a);
     const auto body_b = body_of(b);

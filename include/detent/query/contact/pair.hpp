@@ -140,21 +140,21 @@ template <Scalar S, int N, class A, class B>
 [[nodiscard]] constexpr std::optional<Contact<S, N>> contact_of_cores(const A& a, const B& b,
                                                                       const S& radius_a,
                                                                       const S& radius_b) noexcept {
+  if constexpr (is_kind<A, Vec> && has_sphere_contact<S, B>) {
+    if (has_solid_faces(b)) return SphereBoxContact<S, N, B>(b, a, radius_a, false).find();
+  }
+  if constexpr (is_kind<B, Vec> && has_sphere_contact<S, A>) {
+    if (has_solid_faces(a)) return SphereBoxContact<S, N, A>(a, b, radius_b, true).find();
+  }
   if constexpr (is_kind<A, Plane>) {
     return contact_with_plane(a, b, radius_b, true);
   } else if constexpr (is_kind<B, Plane>) {
     return contact_with_plane(b, a, radius_a, false);
   } else if constexpr (is_kind<A, Obb> && is_kind<B, Vec>) {
-    if constexpr (has_sphere_contact<S, A>) {
-      if (has_solid_faces(a)) return SphereBoxContact<S, N, A>(a, b, radius_b, true).find();
-    }
     return contact_in_frame(a, Segment{b, b}, radius_b, true);
   } else if constexpr (is_kind<A, Obb> && is_kind<B, Segment>) {
     return contact_in_frame(a, b, radius_b, true);
   } else if constexpr (is_kind<B, Obb> && is_kind<A, Vec>) {
-    if constexpr (has_sphere_contact<S, B>) {
-      if (has_solid_faces(b)) return SphereBoxContact<S, N, B>(b, a, radius_a, false).find();
-    }
     return contact_in_frame(b, Segment{a, a}, radius_a, false);
   } else if constexpr (is_kind<B, Obb> && is_kind<A, Segment>) {
     return contact_in_frame(b, a, radius_a, false);
@@ -162,12 +162,6 @@ template <Scalar S, int N, class A, class B>
     if constexpr (is_kind<A, Aabb> && is_kind<B, Aabb> && N == 3) {
       if (boxes_are_apart(a, b)) return std::nullopt;
       if (const auto found = BoxesContact<S>(a, b).find()) return found;
-    }
-    if constexpr (is_kind<A, Vec> && has_sphere_contact<S, B>) {
-      if (has_solid_faces(b)) return SphereBoxContact<S, N, B>(b, a, radius_a, false).find();
-    }
-    if constexpr (is_kind<B, Vec> && has_sphere_contact<S, A>) {
-      if (has_solid_faces(a)) return SphereBoxContact<S, N, A>(a, b, radius_b, true).find();
     }
     const auto filter = axis_filter<S>(a, b);
     if (filter.are_apart()) return std::nullopt;

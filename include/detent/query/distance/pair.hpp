@@ -107,10 +107,7 @@ template <Scalar S, class A, class B>
     return gap_in_frame<Length<S>>(a, b);
   } else if constexpr (filter_pays<S> && has_gap_of_bodies<A, B>) {
     if constexpr (is_kind<A, Obb> && is_kind<B, Obb>) {
-      const auto overlap =
-          decide_boxes_overlap(AxisFrame(a.rotation), a.half_extents, AxisFrame(b.rotation),
-                               b.half_extents, b.center - a.center);
-      if (overlap == Filtered::yes) return Length<S>(0);
+      if (decide_boxes_overlap(a, b) == Filtered::yes) return Length<S>(0);
       if constexpr (has_box_witness<A, B>) {
         const auto distance = BoxWitness<S>(a, b).distance_floor();
         if (distance.is_sure) return distance.value;

@@ -9,6 +9,7 @@
 #include "detent/math/orthonormal.hpp"
 #include "detent/number/filter/filtered.hpp"
 #include "detent/query/kernel/box.hpp"
+#include "detent/shape/obb.hpp"
 
 namespace detent::detail {
 
@@ -119,6 +120,13 @@ template <class Frame, Scalar S, Number H, Number T, int N>
     least = (std::min)(least, edges);
   }
   return decide(Approximate{least, error});
+}
+
+template <Scalar S, int N>
+[[nodiscard]] constexpr Filtered decide_boxes_overlap(const Obb<S, N>& a,
+                                                      const Obb<S, N>& b) noexcept {
+  return decide_boxes_overlap(AxisFrame(a.rotation), a.half_extents, AxisFrame(b.rotation),
+                              b.half_extents, b.center - a.center);
 }
 
 }  // namespace detent::detail

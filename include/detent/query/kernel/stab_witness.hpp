@@ -13,6 +13,7 @@
 #include "detent/number/fraction.hpp"
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/differences.hpp"
+#include "detent/query/kernel/simplex.hpp"
 #include "detent/query/kernel/stab.hpp"
 #include "detent/query/kernel/support.hpp"
 #include "detent/query/kernel/touch_witness.hpp"
@@ -46,12 +47,11 @@ class ShortCorners {
 /// corners in the order of `Stab`.
 template <Number T>
 [[nodiscard]] constexpr auto normal_of_face(const std::array<Vec<T, 3>, 3>& corners) noexcept {
-  return cross(corners[1] - corners[0], corners[2] - corners[0]);
+  return facet_normal(simplex_of(corners[0], corners[1], corners[2]));
 }
 template <Number T>
 [[nodiscard]] constexpr auto normal_of_face(const std::array<Vec<T, 2>, 2>& corners) noexcept {
-  const auto edge = corners[1] - corners[0];
-  return Vec{narrow_negative(edge.y), edge.x};
+  return facet_normal(simplex_of(corners[1], corners[0]));
 }
 
 /// Where a ray from 0 along `way` enters the differences of the bodies `a`, moving along `way`, and

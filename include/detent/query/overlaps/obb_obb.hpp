@@ -33,10 +33,7 @@ template <Scalar S, int N>
                               detail::edges_along(b.rotation, b.half_extents));
   };
   if constexpr (filter_pays<S>) {
-    using detail::AxisFrame;
-    return or_exact(detail::decide_boxes_overlap(AxisFrame(a.rotation), a.half_extents,
-                                                 AxisFrame(b.rotation), b.half_extents, apart),
-                    exact);
+    return or_exact(detail::decide_boxes_overlap(a, b), exact);
   } else {
     return exact();
   }

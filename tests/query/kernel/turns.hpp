@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "detent/math/rotation.hpp"
+#include "support/random.hpp"
+
+namespace detent::test {
+
+/// A rotation of less than 2^(bits - 32) turns about each world axis.
+template <Scalar S>
+Rotation<S, 3> random_turn(Random& random, int bits) {
+  const auto angle = [&] {
+    return Angle<S>::from_raw(static_cast<std::uint32_t>(random.wide(bits)));
+  };
+  const auto x = angle(), y = angle();
+  return Rotation<S, 3>::from_euler(x, y, angle());
+}
+
+}  // namespace detent::test
