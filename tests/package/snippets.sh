@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: MIT
 # usage: snippets.sh COMPILER [PAGE...]
 # Compiles and runs every ```cpp block of the pages, by default README.md and docs/. A block without
-# `main` is a fragment: its #include lines stay on top, and the rest becomes the body of a `main`
-# that includes all of detent. A comment on the line before a block gives further compiler
-# arguments, such as another source file: <!-- compile with: ARGUMENT... -->. tests/c/ covers blocks
-# in other languages.
+# `main` is a fragment: its #include lines go to the top of a program that includes all of detent,
+# and the rest becomes the body of a function there. A comment on the line before a program gives
+# further compiler arguments, such as another source file: <!-- compile with: ARGUMENT... -->.
+# tests/c/ covers blocks in other languages.
 set -euo pipefail
 
 compiler=$1
@@ -40,14 +40,27 @@ for page in "${pages[@]}"; do
   ' "$page"
 done
 
-wrap_fragment() {
+# Fragments become functions of one program, which calls each in turn.
+is_fragment() { [[ ! -f $1.arguments ]] && ! grep -q '\bmain *(' "$1"; }
+fragments_program() { # FILE...
+  local file
   echo '#include <detent/detent.hpp>'
-  grep '^#include' "$1" || true
+  grep -h '^#include' "$@" | sort -u
   echo 'using namespace detent; using namespace detent::literals;'
+  for file in "$@"; do
+    echo "int $(function_of "$file")() {"
+    sed 's|^#include|// &|' "$file"
+    echo 'return 0; }'
+  done
+  echo '#include <cstdio>'
   echo 'int main() {'
-  sed 's|^#include|// &|' "$1"
+  for file in "$@"; do
+    echo "if (const int status = $(function_of "$file")()) {"
+    echo "  std::fprintf(stderr, \"$(basename "$file" .cpp): returns %d\\n\", status); return 1; }"
+  done
   echo '}'
 }
+function_of() { basename "$1" .cpp | tr -c '[:alnum:]\n' _ | sed 's/^/block_/'; }
 
 # Precompile the umbrella where the compiler looks first: most blocks begin with it.
 compile=("$compiler" -std=c++20 -Wall -Wextra -Wno-unused)
@@ -56,22 +69,29 @@ umbrella=$work/precompiled/detent/detent.hpp
 echo "#include \"$PWD/include/detent/detent.hpp\"" >"$umbrella"
 "${compile[@]}" -Iinclude -x c++-header "$umbrella" -o "$umbrella.gch"
 
-shopt -s nullglob
-snippets=("$work"/*.cpp)
-for snippet in "${snippets[@]}"; do
-  if ! grep -q '\bmain *(' "$snippet"; then
-    wrap_fragment "$snippet" >"$snippet.wrapped"
-    mv "$snippet.wrapped" "$snippet"
-  fi
-  name=$(basename "$snippet" .cpp)
-  arguments=()
-  if [[ -f $snippet.arguments ]]; then read -ra arguments <"$snippet.arguments"; fi
-  "${compile[@]}" -I"$work/precompiled" -Iinclude "$snippet" "${arguments[@]}" -o "$work/$name"
-  (cd "$work" && "./$name" >"$name.out") || { echo "$name: exit status $?"; exit 1; }
-  echo "$name: compiles and runs"
-done
+run_program() { # NAME SOURCE [COMPILER ARGUMENT...]
+  "${compile[@]}" -I"$work/precompiled" -Iinclude "${@:2}" -o "$work/$1"
+  (cd "$work" && "./$1" >"$1.out") || { echo "$1: exit status $?"; exit 1; }
+  echo "$1: compiles and runs"
+}
 
+shopt -s nullglob
+snippets=("$work"/*.cpp) fragments=()
 if [[ ${#snippets[@]} -eq 0 ]]; then
   echo "no cpp blocks in ${pages[*]}"
   exit 1
+fi
+for snippet in "${snippets[@]}"; do
+  if is_fragment "$snippet"; then
+    fragments+=("$snippet")
+    continue
+  fi
+  arguments=()
+  if [[ -f $snippet.arguments ]]; then read -ra arguments <"$snippet.arguments"; fi
+  run_program "$(basename "$snippet" .cpp)" "$snippet" "${arguments[@]}"
+done
+if [[ ${#fragments[@]} -gt 0 ]]; then
+  mkdir "$work/fragments"
+  fragments_program "${fragments[@]}" >"$work/fragments/all.cpp"
+  run_program "${#fragments[@]}-fragments" "$work/fragments/all.cpp"
 fi
