@@ -25,7 +25,7 @@ using AnyShape = typename support::SceneShapes<S, N>::template in<std::variant, 
 
 /// The shapes with which scenes are queried.
 template <Scalar S, int N>
-using QueryShapes =
-    support::ShapeList<Segment<S, N>, Sphere<S, N>, Aabb<S, N>, Obb<S, N>, Capsule<S, N>>;
+using QueryShapes = typename support::AllShapes<S, N>::template without<Plane<S, N>, Triangle<S, N>,
+                                                                        ConvexHull<S, N>>;
 
 }  // namespace detent::test
