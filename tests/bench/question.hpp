@@ -39,8 +39,11 @@ struct Query {
 };
 
 template <template <class, int> class A, template <class, int> class B, int N = 3, class Ask>
-constexpr Query<A, B, N, Ask> query(std::string_view name, const Ask& ask,
-                                    const std::optional<Golden>& golden = {}) {
+constexpr Query<A, B, N, Ask> query(std::string_view name, const Ask& ask) {
+  return {name, ask, {}};
+}
+template <template <class, int> class A, template <class, int> class B, int N = 3, class Ask>
+constexpr Query<A, B, N, Ask> query(std::string_view name, const Ask& ask, const Golden& golden) {
   return {name, ask, golden};
 }
 
