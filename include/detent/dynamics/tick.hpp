@@ -48,7 +48,7 @@ class Tick {
   using Body = typename Select<false, Parts...>::template In<BodyOf>;
   using Group = typename Select<true, Parts...>::template In<GroupOf>;
   using Joints = typename Group::List;
-  static constexpr bool has_round = (Round<Parts> || ...);
+  static constexpr bool has_round = (is_round_body<Parts> || ...);
   using ContactState = std::conditional_t<has_round, RollingContact<S, N>, BodyContact<S, N>>;
   static constexpr std::size_t bodies_room = Storage::capacity;
   static constexpr std::size_t contacts_room = contact_room(Storage::capacity);

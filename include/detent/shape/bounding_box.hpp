@@ -98,6 +98,7 @@ template <Scalar S, int N>
 
 }  // namespace detail
 
+/// The box around the core of a round shape, grown by its radius and rounded outward.
 template <detail::Round Shape>
 [[nodiscard]] constexpr auto bounding_box(const Shape& shape) noexcept {
   return detail::grown_box(detail::core_box(detail::ShapeFields<Shape>::core(shape)), shape.radius);

@@ -4,8 +4,8 @@
 #include "detent/query/kernel/argument.hpp"
 #include "detent/shape/frustum.hpp"
 
-// A shape is the set of points within its radius of its core: that of a round shape, or the
-// shape itself.
+// A shape is the set of points within its radius of its core: the core of a round shape, otherwise
+// the shape itself.
 
 namespace detent::detail {
 
