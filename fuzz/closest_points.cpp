@@ -31,16 +31,6 @@ void check(Decoder<S, N>& decoder) {
   require(!share_a_point(a, b) || found.first == found.second, because);
 }
 
-/// An order of the kinds of shapes.
-template <class T>
-inline constexpr int rank = detail::is_kind<T, Sphere>     ? 0
-                            : detail::is_kind<T, Capsule>  ? 1
-                            : detail::is_kind<T, Triangle> ? 2
-                            : detail::is_kind<T, Aabb>     ? 3
-                            : detail::is_kind<T, Obb>      ? 4
-                            : detail::is_kind<T, Plane>    ? 5
-                                                           : 6;
-
 }  // namespace
 
 void property(Bytes input) {
@@ -50,7 +40,8 @@ void property(Bytes input) {
         source, [&]<class A, class B>(std::type_identity<A>, std::type_identity<B>) {
           // Only one order of each pair: compiling both takes half as much memory again.
           Decoder<S, N> decoder(source);
-          if constexpr (rank<A> <= rank<B>) {
+          using Shapes = support::AllShapes<S, N>;
+          if constexpr (Shapes::template index<A> <= Shapes::template index<B>) {
             check<A, B>(decoder);
           } else {
             check<B, A>(decoder);

@@ -23,6 +23,7 @@
 #include "detent/query/on.hpp"
 #include "detent/query/overlaps.hpp"
 #include "detent/query/raycast.hpp"
+#include "detent/scene/question.hpp"
 #include "oracle/describe.hpp"
 #include "spaces.hpp"
 
@@ -42,25 +43,15 @@ inline constexpr bool is_obb = false;
 template <Scalar S, int N>
 inline constexpr bool is_obb<Obb<S, N>> = true;
 
-/// Whether a query of this shape treats a box as slabs.
-template <class Shape>
-inline constexpr bool is_round = requires(Shape shape) {
-  shape.radius;
-};
-
 template <Scalar S>
 S raw_units(int count) {
   return S::from_raw(static_cast<typename S::raw_type>(count));
 }
 
 /// A ball inside a solid.
-template <Scalar S, int N>
-Sphere<S, N> ball_in(const Sphere<S, N>& sphere) {
-  return sphere;
-}
-template <Scalar S, int N>
-Sphere<S, N> ball_in(const Capsule<S, N>& capsule) {
-  return {capsule.a, capsule.radius};
+template <detail::Round Shape>
+auto ball_in(const Shape& shape) {
+  return Sphere{detail::reference(shape), shape.radius};
 }
 template <Scalar S, int N>
 Sphere<S, N> ball_in(const Obb<S, N>& box) {
@@ -144,8 +135,8 @@ void check(Source& source) {
     require(overlaps(Triangle<S, N>{point, point, point}, shape) == inside,
             because("a triangle of a point"));
     require(overlaps(Aabb<S, N>{point, point}, shape) == inside, because("a box of a point"));
-    // As slabs, a box of size 0 is a point only if its axes are independent.
-    const auto turn = is_round<Shape> ? Rotation<S, N>() : decoder.rotation();
+    // Round shapes see a box as slabs; one of size 0 is a point only if its axes are independent.
+    const auto turn = detail::Round<Shape> ? Rotation<S, N>() : decoder.rotation();
     require(overlaps(Obb<S, N>{point, {}, turn}, shape) == inside,
             because("an oriented box of a point"));
   }

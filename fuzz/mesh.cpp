@@ -80,31 +80,22 @@ void check_point(const Subject<S>& subject, Decoder<S, 3>& decoder) {
 
 template <Scalar S>
 void check(Source& source) {
-  const auto question = source.below(11);
+  using Shapes = typename support::SceneShapes<S, 3>::template and_also<ConvexHull<S, 3>>;
+  const auto question = source.below(Shapes::size + 4);
   Decoder<S, 3> decoder(source);
   const Subject<S> subject(source, decoder);
-  switch (question) {
-    case 0:
-      return check_shape<Sphere<S, 3>>(subject, decoder);
-    case 1:
-      return check_shape<Aabb<S, 3>>(subject, decoder);
-    case 2:
-      return check_shape<Obb<S, 3>>(subject, decoder);
-    case 3:
-      return check_shape<Plane<S, 3>>(subject, decoder);
-    case 4:
-      return check_shape<Triangle<S, 3>>(subject, decoder);
-    case 5:
-      return check_shape<Capsule<S, 3>>(subject, decoder);
-    case 6:
-      return check_shape<ConvexHull<S, 3>>(subject, decoder);
-    case 7: {
+  if (question < Shapes::size) {
+    return Shapes::at(question,
+                      [&]<class Shape>(const Shape&) { check_shape<Shape>(subject, decoder); });
+  }
+  switch (question - Shapes::size) {
+    case 0: {
       const Subject<S> other(source, decoder);
       const bool expected = overlaps(subject.loop, other.loop);
       require_same(overlaps(subject.mesh, other.mesh) == expected, "overlaps of meshes");
       return require_same(overlaps(other.mesh, subject.mesh) == expected, "overlaps of meshes");
     }
-    case 8:
+    case 1:
       return check_point(subject, decoder);
     default:
       return check_ray(subject, decoder);

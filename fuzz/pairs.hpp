@@ -6,6 +6,7 @@
 #include "decode.hpp"
 #include "detent/query/intersects.hpp"
 #include "detent/query/overlaps.hpp"
+#include "oracle/describe.hpp"
 #include "spaces.hpp"
 
 namespace detent::fuzz {
@@ -41,6 +42,18 @@ bool share_a_point(const A& a, const B& b) {
   } else {
     return intersects(a, b);
   }
+}
+
+/// Decodes two shapes: whether they share a point is what the oracle says, in both orders. A segment
+/// comes first.
+template <class A, class B, Scalar S, int N>
+void check_overlap(Decoder<S, N>& decoder) {
+  const auto a = decoder.template shape<A>();
+  const auto b = decoder.template shape<B>();
+  const bool truth = oracle::meet(a, b);
+  bool is_right = share_a_point(a, b) == truth;
+  if constexpr (requires { overlaps(b, a); }) is_right = is_right && overlaps(b, a) == truth;
+  require(is_right, [&] { return oracle::describe(a) + "; " + oracle::describe(b); });
 }
 
 }  // namespace detent::fuzz

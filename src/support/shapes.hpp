@@ -26,6 +26,15 @@ struct Without<ShapeList<Kept...>, ShapeList<Dropped...>, First, Rest...>
                                  ShapeList<Kept..., First>>,
               ShapeList<Dropped...>, Rest...> {};
 
+template <class Kept, template <class> class Keeps, class... Shape>
+struct Only {
+  using type = Kept;
+};
+template <class... Kept, template <class> class Keeps, class First, class... Rest>
+struct Only<ShapeList<Kept...>, Keeps, First, Rest...>
+    : Only<std::conditional_t<Keeps<First>::value, ShapeList<Kept..., First>, ShapeList<Kept...>>,
+           Keeps, Rest...> {};
+
 /// Types of shapes, in an order on which drawn cases depend: new ones come last.
 template <class... Shape>
 struct ShapeList {
@@ -38,8 +47,20 @@ struct ShapeList {
   template <class... More>
   using and_also = ShapeList<Shape..., More...>;
 
+  /// The place of a shape in the list; `size` if it is not in it.
+  template <class Wanted>
+  static constexpr std::size_t index = [] {
+    std::size_t i = 0;
+    (void)((std::is_same_v<Shape, Wanted> || (++i, false)) || ...);
+    return i;
+  }();
+
   template <class... Dropped>
   using without = typename Without<ShapeList<>, ShapeList<Dropped...>, Shape...>::type;
+
+  /// The shapes for which `Keeps<Shape>::value`.
+  template <template <class> class Keeps>
+  using only = typename Only<ShapeList<>, Keeps, Shape...>::type;
 
   /// Calls `f(Shape())` for every shape.
   template <class F>
@@ -84,6 +105,12 @@ using AllShapes = typename SceneShapes<S, N>::template and_also<Segment<S, N>, C
 template <Scalar S, int N>
 using MovingShapes =
     typename SceneShapes<S, N>::template without<Plane<S, N>>::template and_also<ConvexHull<S, N>>;
+
+template <class Shape>
+struct IsRound : std::bool_constant<detail::Round<Shape>> {};
+/// The points within a radius of a core.
+template <Scalar S, int N>
+using RoundShapes = typename SceneShapes<S, N>::template only<IsRound>;
 
 /// A shape with fields, a segment or a ray.
 template <class Shape>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bench/golden.hpp"
 #include "bench/question.hpp"
 #include "support/catch.hpp"
 
@@ -9,11 +8,10 @@ namespace detent::bench {
 
 /// Checks the hit count that the benchmark of a query compares with, without the benchmark.
 inline constexpr auto check_golden = [](const auto& query) {
-  const Golden* const golden = golden_for(query.name);
   INFO(query.name);
-  REQUIRE(golden != nullptr);
+  REQUIRE(query.golden);
   const auto drawn = draw_questions(query, default_seed, ordinary);
-  CHECK(count_hits<q16_16>(query, as_questions<q16_16>(query, drawn)) == golden->ordinary);
+  CHECK(count_hits<q16_16>(query, as_questions<q16_16>(query, drawn)) == query.golden->ordinary);
 };
 
 }  // namespace detent::bench

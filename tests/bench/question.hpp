@@ -9,18 +9,21 @@
 #include <vector>
 
 #include "bench/draw.hpp"
+#include "bench/golden.hpp"
 
 namespace detent::bench {
 
 inline constexpr std::uint64_t default_seed = 20260101;
 inline constexpr std::size_t question_count = 4096;
 
-/// A query with its name and the types of its two shapes, as templates on the scalar.
+/// A query with its name, the types of its two shapes, as templates on the scalar, and its golden
+/// counts of hits, if it has some.
 template <template <class, int> class A, template <class, int> class B, int N, class Ask>
 struct Query {
   static constexpr int dimension = N;
   std::string_view name;
   Ask ask;
+  std::optional<Golden> golden;
 
   template <class S>
   using First = A<S, N>;
@@ -37,7 +40,11 @@ struct Query {
 
 template <template <class, int> class A, template <class, int> class B, int N = 3, class Ask>
 constexpr Query<A, B, N, Ask> query(std::string_view name, const Ask& ask) {
-  return {name, ask};
+  return {name, ask, {}};
+}
+template <template <class, int> class A, template <class, int> class B, int N = 3, class Ask>
+constexpr Query<A, B, N, Ask> query(std::string_view name, const Ask& ask, const Golden& golden) {
+  return {name, ask, golden};
 }
 
 inline bool is_hit(bool answer) { return answer; }

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "bench/accuracy.hpp"
-#include "bench/golden.hpp"
 #include "bench/queries.hpp"
 #include "support/scalars.hpp"
 
@@ -144,16 +143,16 @@ class Suite {
   void add_scalars(const Q& query, Scalars scalars) {
     const auto ordinary_questions = draw_questions(query, seed_, ordinary);
     const auto small_questions = draw_questions(query, seed_, small);
-    const Golden* golden = seed_ == default_seed ? golden_for(query.name) : nullptr;
+    const auto golden = seed_ == default_seed ? query.golden : std::nullopt;
     const auto add_scalar = [&]<class S>(S) {
       constexpr bool is_small = scale_for<S>.reach == small.reach;
       const auto& drawn = is_small ? small_questions : ordinary_questions;
       auto questions = as_questions<S>(query, drawn);
       const auto hit_count = count_hits<S>(query, questions);
       const auto exact = as_questions<q16_16>(query, drawn);
-      const auto expected = golden == nullptr ? count_hits<q16_16>(query, exact)
-                            : is_small        ? golden->small
-                                              : golden->ordinary;
+      const auto expected = !golden    ? count_hits<q16_16>(query, exact)
+                            : is_small ? golden->small
+                                       : golden->ordinary;
       records_.push_back({std::string(query.name), scalar_name<S>, hit_count, expected, is_fixed<S>,
                           accuracy_of<S>(query, drawn)});
       add(

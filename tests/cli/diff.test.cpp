@@ -6,7 +6,9 @@
 #include "detent/scene/mesh/instance.hpp"
 #include "detent/scene/snapshot.hpp"
 #include "error.hpp"
+#include "scene/any_scene.hpp"
 #include "support/catch.hpp"
+#include "support/shapes.hpp"
 
 using namespace detent;
 using S = q16_16;
@@ -77,17 +79,15 @@ TEST_CASE("diff: names fields in decimal and raw, and objects that only one side
 }
 
 TEST_CASE("diff: reads every scalar of the tool in both dimensions") {
-  Scene<double, 2, Sphere, Aabb, Obb, Plane, Triangle, Capsule> flat;
-  flat.add(Sphere<double, 2>{});
-  flat.add(Aabb<double, 2>{});
-  flat.add(Obb<double, 2>{});
-  flat.add(Plane<double, 2>{});
-  flat.add(Triangle<double, 2>{});
-  flat.add(Capsule<double, 2>{});
+  using Shapes = support::SceneShapes<double, 2>;
+  test::AnyScene<double, 2> flat;
+  Shapes::for_each([&](const auto& shape) { flat.add(shape); });
   const auto before = bytes_of(flat);
-  for (std::uint32_t i = 0; i < 6; ++i) flat.move({i, i + 1}, {0.5, 0});
+  for (std::uint32_t i = 0; i < Shapes::size; ++i) flat.move({i, i + 1}, {0.5, 0});
   const auto text = compare(before, bytes_of(flat)).text;
-  CHECK(std::count(text.begin(), text.end(), '\n') == 10);
+  Shapes::for_each([&](const auto& shape) {
+    CHECK(text.find(" (" + std::string(support::name_of(shape)) + ") ") != std::string::npos);
+  });
   CHECK(text.find("object 0:1 (sphere) center.x: 0 (raw 0x0000000000000000) | 0.5 (raw "
                   "0x3fe0000000000000)\n") != std::string::npos);
   Scene<q8_8, 2, Sphere> small;
@@ -212,11 +212,8 @@ TEST_CASE("diff: refuses exactly the bytes that restore refuses") {
   scene.remove({1, 4});
   check_same_verdicts(scene);
 
-  Scene<q8_8, 2, Capsule, Triangle, Aabb, Plane> flat;
-  flat.add(Capsule<q8_8, 2>{});
-  flat.add(Plane<q8_8, 2>{});
-  flat.add(Triangle<q8_8, 2>{});
-  flat.add(Aabb<q8_8, 2>{});
+  test::AnyScene<q8_8, 2> flat;
+  support::SceneShapes<q8_8, 2>::for_each([&](const auto& shape) { flat.add(shape); });
   check_same_verdicts(flat);
 
   Scene<float, 3, Sphere, Plane> rounded;

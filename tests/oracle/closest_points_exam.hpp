@@ -10,6 +10,7 @@
 //
 #include "oracle/closest_pair.hpp"
 #include "oracle/pair_exam.hpp"
+#include "support/shapes.hpp"
 
 namespace detent::oracle {
 
@@ -63,6 +64,11 @@ class ClosestPointsExam {
     (examine_swapped<A, Others>(count / 2), ...);
   }
 
+  template <class A, class... Others>
+  void examine_with_all(support::ShapeList<Others...>, long count) {
+    examine_with<A, Others...>(count);
+  }
+
  private:
   template <class A, class B>
   void examine_swapped(long count) {
@@ -78,11 +84,14 @@ class ClosestPointsExam {
 template <Scalar S, int N>
 void examine_round_points(std::uint64_t seed, long count) {
   ClosestPointsExam<S, N> exam(seed);
-  exam.template examine_with<Sphere<S, N>, Capsule<S, N>, Aabb<S, N>, Obb<S, N>, Triangle<S, N>>(
-      count);
-  exam.template examine_with<Plane<S, N>, Sphere<S, N>, Capsule<S, N>, Aabb<S, N>, Obb<S, N>,
-                             Triangle<S, N>, Segment<S, N>, ConvexHull<S, N>>(count);
-  exam.template examine_with<Capsule<S, N>, Obb<S, N>, ConvexHull<S, N>>(count);
+  using Others = typename support::SceneShapes<S, N>::template without<Sphere<S, N>, Plane<S, N>>;
+  exam.template examine_with_all<Sphere<S, N>>(Others(), count);
+  exam.template examine_with_all<Plane<S, N>>(
+      typename support::AllShapes<S, N>::template without<Plane<S, N>>(), count);
+  support::RoundShapes<S, N>::template without<Sphere<S, N>>::for_each(
+      [&]<class Round>(const Round&) {
+        exam.template examine_with<Round, Obb<S, N>, ConvexHull<S, N>>(count);
+      });
 }
 /// `count` pairs of every two polytopes.
 template <Scalar S, int N>

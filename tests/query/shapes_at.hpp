@@ -40,4 +40,17 @@ void visit_shapes(double x, const Visit& visit) {
   visit_hulls<S, N>(x, visit);
 }
 
+/// Solid shapes that extend farther on the other axes, except for the sphere. They end at x - 1 and
+/// x + 1 in a point, an edge or a face perpendicular to the axis.
+template <Scalar S, int N, class Visit>
+void visit_wide_shapes(double x, const Visit& visit) {
+  visit(Sphere<S, N>{at<S, N>(x), num<S>(1)});
+  visit(Aabb<S, N>{at<S, N>(x - 1, -4, -4), at<S, N>(x + 1, 4, 4)});
+  visit(Obb<S, N>{at<S, N>(x), at<S, N>(1, 4, 4), {}});
+  visit(Capsule<S, N>{at<S, N>(x, -8), at<S, N>(x, 8), num<S>(1)});
+  const std::array corners{at<S, N>(x - 1, -4, -4), at<S, N>(x - 1, 4, -4), at<S, N>(x - 1, 0, 4),
+                           at<S, N>(x + 1, -4, -4), at<S, N>(x + 1, 4, -4), at<S, N>(x + 1, 0, 4)};
+  visit(ConvexHull<S, N>{corners});
+}
+
 }  // namespace detent::test

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <type_traits>
 #include <variant>
 
 #include "detent/scene/scene.hpp"
@@ -25,7 +27,23 @@ using AnyShape = typename support::SceneShapes<S, N>::template in<std::variant, 
 
 /// The shapes with which scenes are queried.
 template <Scalar S, int N>
-using QueryShapes =
-    support::ShapeList<Segment<S, N>, Sphere<S, N>, Aabb<S, N>, Obb<S, N>, Capsule<S, N>>;
+using QueryShapes = typename support::AllShapes<S, N>::template without<Plane<S, N>, Triangle<S, N>,
+                                                                        ConvexHull<S, N>>;
+
+/// Adds one of each shape that scenes hold, drawn by `draw(Shape())`, each in the next layer: the
+/// oriented box in a frame, the triangle at rest. Returns the layer after them.
+template <class Scene, class Draw, Scalar S, int N>
+std::uint32_t add_one_of_each(Scene& scene, const Draw& draw, const FrameId& frame,
+                              const Vec<S, N>& /* names the space */) {
+  std::uint32_t layer = 1;
+  support::SceneShapes<S, N>::for_each([&]<class Shape>(const Shape& any) {
+    Traits traits{.layers = layer};
+    if (std::is_same_v<Shape, Obb<S, N>>) traits.frame = frame;
+    if (std::is_same_v<Shape, Triangle<S, N>>) traits.motion = Motion::fixed;
+    scene.add(draw(any), traits);
+    layer *= 2;
+  });
+  return layer;
+}
 
 }  // namespace detent::test

@@ -99,14 +99,7 @@ TEST_CASE("scene: hits of casts equal those of single casts at the objects, for 
     const auto arm =
         scene.add_frame({.translation = point(), .rotation = shape(Obb<S, 3>()).rotation}).value();
     for (int i = 0; i < 2; ++i) {
-      std::uint32_t layer = 1;
-      support::SceneShapes<S, 3>::for_each([&]<class Shape>(const Shape& any) {
-        Traits traits{.layers = layer};
-        if (std::is_same_v<Shape, Obb<S, 3>>) traits.frame = arm;
-        if (std::is_same_v<Shape, Triangle<S, 3>>) traits.motion = Motion::fixed;
-        scene.add(shape(any), traits);
-        layer *= 2;
-      });
+      const auto layer = test::add_one_of_each(scene, shape, arm, Vec3());
       Transform<S, 3> place;
       if (i == 0) place.rotation = shape(Obb<S, 3>()).rotation;
       scene.add(PlacedMesh{&*stock.mesh, place},

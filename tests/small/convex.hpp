@@ -289,13 +289,9 @@ struct Rounded {
   Body<N> core;
   Integer radius;
 };
-template <Scalar S, int N>
-Rounded<N> rounded(const Sphere<S, N>& sphere) {
-  return {body(sphere.center, 1), raw(sphere.radius)};
-}
-template <Scalar S, int N>
-Rounded<N> rounded(const Capsule<S, N>& capsule) {
-  return {hull_of(1, capsule.a, capsule.b), raw(capsule.radius)};
+template <template <Scalar, int> class Shape, Scalar S, int N>
+requires detail::Round<Shape<S, N>> Rounded<N> rounded(const Shape<S, N>& shape) {
+  return {body(detail::ShapeFields<Shape<S, N>>::core(shape), 1), raw(shape.radius)};
 }
 template <Scalar S, int N>
 Rounded<N> rounded(const Segment<S, N>& segment) {

@@ -4,9 +4,16 @@
 // registers, standard library, exceptions or type information: queries of shapes (DETENT_PART=1),
 // and the layers above (2).
 
+#include <tuple>
+
 #include "detent/detent.hpp"
+#include "support/shapes.hpp"
 
 namespace detent {
+
+/// One of each shape that scenes hold.
+template <Scalar S, int N>
+using Shapes = typename support::SceneShapes<S, N>::template in<std::tuple>;
 
 template <Scalar S, int N>
 struct Answers {
@@ -21,14 +28,10 @@ void cast(const Ray<S, N>& ray, const Shape& shape, Answers<S, N>& answers) noex
 }
 
 template <Scalar S, int N>
-void cast_at_all(const Ray<S, N>& ray, const Sphere<S, N>& sphere, const Aabb<S, N>& aabb,
-                 const Obb<S, N>& obb, const Plane<S, N>& plane, const Triangle<S, N>& triangle,
+void cast_at_all(const Ray<S, N>& ray, const Shapes<S, N>& shapes, const Segment<S, N>& segment,
                  Answers<S, N>* answers) noexcept {
-  cast(ray, sphere, answers[0]);
-  cast(ray, aabb, answers[1]);
-  cast(ray, obb, answers[2]);
-  cast(ray, plane, answers[3]);
-  cast(ray, triangle, answers[4]);
+  cast(ray, segment, *answers);
+  std::apply([&](const auto&... shape) { (cast(ray, shape, *++answers), ...); }, shapes);
 }
 
 template <Scalar S, int N>
@@ -46,43 +49,35 @@ Measures<S, N> measure(const Shape& shape, const Vec<S, N>& point) noexcept {
 }
 
 template <Scalar S, int N>
-void measure_all(const Vec<S, N>& point, const Sphere<S, N>& sphere, const Aabb<S, N>& aabb,
-                 const Obb<S, N>& obb, const Plane<S, N>& plane, const Triangle<S, N>& triangle,
-                 const Capsule<S, N>& capsule, const Segment<S, N>& segment, const Ray<S, N>& ray,
-                 Measures<S, N>* measures, Vec<direction_component<S>, 3>& weights) noexcept {
-  measures[0] = measure(sphere, point);
-  measures[1] = measure(aabb, point);
-  measures[2] = measure(obb, point);
-  measures[3] = measure(plane, point);
-  measures[4] = measure(triangle, point);
-  measures[5] = measure(capsule, point);
-  measures[6] = measure(segment, point);
-  measures[7] = measure(ray, point);
-  measures[8].distance = distance(point, segment.start);
-  if (const auto exact = barycentric(triangle, point)) {
+void measure_all(const Vec<S, N>& point, const Shapes<S, N>& shapes, const Segment<S, N>& segment,
+                 const Ray<S, N>& ray, Measures<S, N>* measures,
+                 Vec<direction_component<S>, 3>& weights) noexcept {
+  measures[0] = measure(segment, point);
+  measures[1] = measure(ray, point);
+  measures[2].distance = distance(point, segment.start);
+  measures += 2;
+  std::apply([&](const auto&... shape) { ((*++measures = measure(shape, point)), ...); }, shapes);
+  if (const auto exact = barycentric(std::get<Triangle<S, N>>(shapes), point)) {
     weights = nearest_to<direction_component<S>>(*exact);
   }
 }
 
+/// Overlaps of the first shape with itself and the others, and so on.
 template <class Shape, class... Shapes>
 int count_overlaps(const Shape& shape, const Shapes&... shapes) noexcept {
-  return (overlaps(shape, shapes) + ...);
+  int count = (overlaps(shape, shape) + ... + overlaps(shape, shapes));
+  if constexpr (sizeof...(Shapes) > 0) count += count_overlaps(shapes...);
+  return count;
 }
 
 template <Scalar S, int N>
-int meet_all(const Sphere<S, N>& sphere, const Aabb<S, N>& aabb, const Obb<S, N>& obb,
-             const Plane<S, N>& plane, const Triangle<S, N>& triangle, const Capsule<S, N>& capsule,
-             const Segment<S, N>& segment, const Ray<S, N>& ray, Answers<S, N>* answers) noexcept {
-  cast(ray, capsule, answers[0]);
-  cast(ray, segment, answers[1]);
-  return count_overlaps(sphere, sphere, aabb, obb, plane, triangle, capsule) +
-         count_overlaps(aabb, aabb, obb, plane, triangle, capsule) +
-         count_overlaps(obb, obb, plane, triangle, capsule) +
-         count_overlaps(plane, plane, triangle, capsule) +
-         count_overlaps(triangle, triangle, capsule) + count_overlaps(capsule, capsule) +
-         intersects(segment, sphere) + intersects(segment, aabb) + intersects(segment, obb) +
-         intersects(segment, plane) + intersects(segment, triangle) + intersects(segment, capsule) +
-         intersects(segment, segment);
+int meet_all(const Shapes<S, N>& shapes, const Segment<S, N>& segment) noexcept {
+  return std::apply(
+      [&](const auto&... shape) {
+        return count_overlaps(shape...) +
+               (intersects(segment, segment) + ... + intersects(segment, shape));
+      },
+      shapes);
 }
 
 template <Scalar S>
@@ -161,28 +156,23 @@ int look(const OrbitCamera<S>& orbit, Angle<S> fov, S aspect, const Vec<S, 3>& p
 #define DETENT_LOOK(S)                                                                      \
   template int look(const OrbitCamera<S>&, Angle<S>, S, const Vec<S, 3>&, const Obb<S, 3>&, \
                     Measures<S, 3>&, Ray<S, 3>*) noexcept
-#define DETENT_MEASURE(S, N)                                                              \
-  template void measure_all(const Vec<S, N>&, const Sphere<S, N>&, const Aabb<S, N>&,     \
-                            const Obb<S, N>&, const Plane<S, N>&, const Triangle<S, N>&,  \
-                            const Capsule<S, N>&, const Segment<S, N>&, const Ray<S, N>&, \
-                            Measures<S, N>*, Vec<direction_component<S>, 3>&) noexcept
-#define DETENT_MEET(S, N)                                                                \
-  template int meet_all(const Sphere<S, N>&, const Aabb<S, N>&, const Obb<S, N>&,        \
-                        const Plane<S, N>&, const Triangle<S, N>&, const Capsule<S, N>&, \
-                        const Segment<S, N>&, const Ray<S, N>&, Answers<S, N>*) noexcept
+#define DETENT_MEASURE(S, N)                                                             \
+  template void measure_all(const Vec<S, N>&, const Shapes<S, N>&, const Segment<S, N>&, \
+                            const Ray<S, N>&, Measures<S, N>*,                           \
+                            Vec<direction_component<S>, 3>&) noexcept
+#define DETENT_MEET(S, N) template int meet_all(const Shapes<S, N>&, const Segment<S, N>&) noexcept
 #define DETENT_MOVE(S)                                                                \
   template void move(const Vec<S, 3>&, const Vec<S, 3>&, Angle<S>, S, const Quat<S>&, \
                      const Transform<S, 3>&, Motions<S>&) noexcept
-#define DETENT_USE(S)                                                                    \
-  template void cast_at_all(const Ray<S, 2>&, const Sphere<S, 2>&, const Aabb<S, 2>&,    \
-                            const Obb<S, 2>&, const Plane<S, 2>&, const Triangle<S, 2>&, \
-                            Answers<S, 2>*) noexcept;                                    \
-  template void cast_at_all(const Ray<S, 3>&, const Sphere<S, 3>&, const Aabb<S, 3>&,    \
-                            const Obb<S, 3>&, const Plane<S, 3>&, const Triangle<S, 3>&, \
-                            Answers<S, 3>*) noexcept;                                    \
-  template void turn(Angle<S>, const Direction<S, 3>&, S, S, S, S, Rotation<S, 2>&,      \
-                     Rotation<S, 3>*, S*) noexcept;                                      \
-  template std::optional<Direction<S, 2>> normalize(const Vec<S, 2>&) noexcept;          \
+#define DETENT_CAST(S, N)                                                                \
+  template void cast_at_all(const Ray<S, N>&, const Shapes<S, N>&, const Segment<S, N>&, \
+                            Answers<S, N>*) noexcept
+#define DETENT_USE(S)                                                               \
+  DETENT_CAST(S, 2);                                                                \
+  DETENT_CAST(S, 3);                                                                \
+  template void turn(Angle<S>, const Direction<S, 3>&, S, S, S, S, Rotation<S, 2>&, \
+                     Rotation<S, 3>*, S*) noexcept;                                 \
+  template std::optional<Direction<S, 2>> normalize(const Vec<S, 2>&) noexcept;     \
   template std::optional<Direction<S, 3>> normalize(const Vec<S, 3>&) noexcept
 
 #if DETENT_PART == 1

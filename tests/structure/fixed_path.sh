@@ -15,7 +15,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 for part in 1 2; do
   "$@" -std=c++20 -Wall -Wextra -Wconversion -Wshadow -Werror -O0 -ffreestanding -fno-exceptions \
-    -fno-rtti -Iinclude -DDETENT_PART=$part -c tests/structure/fixed_path.cpp -o "$work/$part.o"
+    -fno-rtti -Iinclude -Isrc -DDETENT_PART=$part -c tests/structure/fixed_path.cpp -o "$work/$part.o"
 done
 
 symbols=$(nm --undefined-only --format=just-symbols "$work"/[12].o | sort -u)

@@ -23,10 +23,11 @@ done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-shapes=(Sphere Aabb Obb Plane Triangle Capsule ConvexHull)
-declare -A stem=([Sphere]=sphere [Aabb]=aabb [Obb]=obb [Plane]=plane [Triangle]=triangle
-                 [Capsule]=capsule [ConvexHull]=hull [Segment]=segment [Ray]=ray
-                 [Frustum]=frustum)
+shapes=($(awk '/^using SceneShapes/, /;/' src/support/shapes.hpp | grep -oE '[A-Za-z]+<S, N>' |
+  cut -d '<' -f 1) ConvexHull)
+declare -A stem=()
+for shape in "${shapes[@]}" Segment Ray Frustum; do stem[$shape]=${shape,,}; done
+stem[ConvexHull]=hull
 
 # A cell is a function with one or a few calls, in its group's source, so that shared code is
 # compiled once. It is named after the header's path; if one header has several cells, also after

@@ -81,17 +81,12 @@ template <class Shape>
 [[nodiscard]] constexpr auto quantized_box(const Shape& shape) noexcept {
   return QuantizedBox(bounding_box(shape));
 }
-template <Scalar S, int N>
-[[nodiscard]] constexpr QuantizedBox<S, N> quantized_box(const Capsule<S, N>& capsule) noexcept {
-  if (capsule.radius < 0) return QuantizedBox<S, N>::none();
-  return {bounding_box(Segment{capsule.a, capsule.b}), Reach<S>(capsule.radius, capsule.radius)};
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr QuantizedBox<S, N> quantized_box(const Sphere<S, N>& sphere) noexcept {
-  if (sphere.radius < 0) return QuantizedBox<S, N>::none();
-  std::array<Reach<S>, static_cast<std::size_t>(N)> reach;
-  reach.fill(Reach<S>(sphere.radius, sphere.radius));
-  return {sphere.center, reach};
+template <Round Shape>
+[[nodiscard]] constexpr auto quantized_box(const Shape& shape) noexcept {
+  const auto core = core_box(ShapeFields<Shape>::core(shape));
+  using Box = decltype(QuantizedBox(core));
+  return shape.radius < 0 ? Box::none()
+                          : Box(core, Reach<decltype(shape.radius)>(shape.radius, shape.radius));
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr QuantizedBox<S, N> quantized_box(const Plane<S, N>&) noexcept {

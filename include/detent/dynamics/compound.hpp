@@ -282,12 +282,8 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr Manifold<S, N> in_body(const RelativePose<S, N>& part,
                                                Manifold<S, N> manifold) noexcept {
   using Ratio = typename Formats<S>::Ratio;
-  using Lever = typename Formats<S>::Lever;
   manifold.normal = nearest_to<Ratio>(turned(part, manifold.normal));
-  for (int i = 0; i < manifold.count; ++i) {
-    auto& p = manifold.points[static_cast<std::size_t>(i)].point;
-    p = placed_point<Lever>(part, p);
-  }
+  move_points(part, manifold);
   return manifold;
 }
 

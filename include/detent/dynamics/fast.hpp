@@ -15,13 +15,9 @@ namespace detent::detail {
 
 /// The radius of a ball about the center of a body that is within its shape; not positive if there
 /// is none.
-template <Scalar S, int N>
-[[nodiscard]] constexpr S inner_radius(const Sphere<S, N>& ball) noexcept {
-  return ball.radius;
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr S inner_radius(const Capsule<S, N>& capsule) noexcept {
-  return capsule.radius;
+template <Round Shape>
+[[nodiscard]] constexpr auto inner_radius(const Shape& shape) noexcept {
+  return shape.radius;
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr S inner_radius(const Obb<S, N>& box) noexcept {

@@ -16,12 +16,8 @@
 namespace detent::detail {
 
 /// Whether a body of this shape rolls.
-template <class T>
-inline constexpr bool is_round_body = false;
-template <Scalar S, int N>
-inline constexpr bool is_round_body<Sphere<S, N>> = true;
-template <Scalar S, int N>
-inline constexpr bool is_round_body<Capsule<S, N>> = true;
+template <class Shape>
+inline constexpr bool is_round_body = Round<Shape>;
 
 /// The radius of a ball or capsule, on which it rolls.
 template <Scalar S, int N, class Shape>

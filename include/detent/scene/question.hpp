@@ -5,11 +5,10 @@
 
 #include "detent/scene/separate.hpp"
 #include "detent/shape/aabb.hpp"
-#include "detent/shape/capsule.hpp"
+#include "detent/shape/fields.hpp"
 #include "detent/shape/frustum.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/segment.hpp"
-#include "detent/shape/sphere.hpp"
 
 // Query shapes of a scene other than rays and casts: a point, segment, sphere, box, capsule or
 // frustum finds the objects that it overlaps. Distances are measured from one reference point of
@@ -40,9 +39,9 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> reference(const Segment<S, N>& segment) noexcept {
   return segment.start;
 }
-template <Scalar S, int N>
-[[nodiscard]] constexpr Vec<S, N> reference(const Sphere<S, N>& sphere) noexcept {
-  return sphere.center;
+template <Round Shape>
+[[nodiscard]] constexpr auto reference(const Shape& shape) noexcept {
+  return reference(ShapeFields<Shape>::core(shape));
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> reference(const Aabb<S, N>& box) noexcept {
@@ -51,10 +50,6 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> reference(const Obb<S, N>& box) noexcept {
   return box.center;
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr Vec<S, N> reference(const Capsule<S, N>& capsule) noexcept {
-  return capsule.a;
 }
 /// The middle of the near corners, rounded to nearest.
 template <Scalar S>

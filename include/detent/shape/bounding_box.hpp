@@ -77,17 +77,31 @@ template <Scalar S, int N>
   return bounding_box<S, N>(std::array{triangle.a, triangle.b, triangle.c});
 }
 
+namespace detail {
+
+/// The box around the core of a round shape.
 template <Scalar S, int N>
-[[nodiscard]] constexpr Aabb<S, N> bounding_box(const Capsule<S, N>& capsule) noexcept {
-  if (capsule.radius < 0) return detail::no_box<Aabb<S, N>>;
-  const auto axis = bounding_box(Segment{capsule.a, capsule.b});
-  return {make_vec<N>([&](int i) { return floor_to<S>(axis.min[i] - capsule.radius); }),
-          make_vec<N>([&](int i) { return ceil_to<S>(axis.max[i] + capsule.radius); })};
+[[nodiscard]] constexpr Aabb<S, N> core_box(const Vec<S, N>& point) noexcept {
+  return {point, point};
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Aabb<S, N> core_box(const Segment<S, N>& segment) noexcept {
+  return bounding_box(segment);
 }
 
 template <Scalar S, int N>
-[[nodiscard]] constexpr Aabb<S, N> bounding_box(const Sphere<S, N>& sphere) noexcept {
-  return bounding_box(Capsule{sphere.center, sphere.center, sphere.radius});
+[[nodiscard]] constexpr Aabb<S, N> grown_box(const Aabb<S, N>& box, const S& radius) noexcept {
+  if (radius < 0) return no_box<Aabb<S, N>>;
+  return {make_vec<N>([&](int i) { return floor_to<S>(box.min[i] - radius); }),
+          make_vec<N>([&](int i) { return ceil_to<S>(box.max[i] + radius); })};
+}
+
+}  // namespace detail
+
+/// The box around the core of a round shape, grown by its radius and rounded outward.
+template <detail::Round Shape>
+[[nodiscard]] constexpr auto bounding_box(const Shape& shape) noexcept {
+  return detail::grown_box(detail::core_box(detail::ShapeFields<Shape>::core(shape)), shape.radius);
 }
 
 /// The smallest box of the grid around the edges of an `Obb`: the points

@@ -67,11 +67,13 @@ template <Scalar S, int N>
   return sphere;
 }
 
-template <Scalar S, int N>
-[[nodiscard]] constexpr Sphere<S, N> bounding_sphere(const Capsule<S, N>& capsule) noexcept {
-  if (capsule.radius < 0) return detail::no_sphere<Sphere<S, N>>;
-  const auto axis = bounding_sphere(Segment{capsule.a, capsule.b});
-  return {axis.center, floor_to<S>(axis.radius + capsule.radius)};
+/// The sphere around the core of a round shape, grown by the shape's radius.
+template <detail::Round Shape>
+[[nodiscard]] constexpr auto bounding_sphere(const Shape& shape) noexcept {
+  auto sphere = bounding_sphere(detail::ShapeFields<Shape>::core(shape));
+  if (shape.radius < 0) return detail::no_sphere<decltype(sphere)>;
+  sphere.radius = floor_to<decltype(sphere.radius)>(sphere.radius + shape.radius);
+  return sphere;
 }
 
 template <Scalar S, int N>

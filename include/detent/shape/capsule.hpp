@@ -5,6 +5,7 @@
 
 #include "detent/math/vec.hpp"
 #include "detent/shape/fields.hpp"
+#include "detent/shape/segment.hpp"
 
 namespace detent {
 
@@ -27,6 +28,9 @@ struct detail::ShapeFields<Capsule<S, N>> {
   template <class Self, class F>
   static constexpr auto of(Self& capsule, const F& f) {
     return f(capsule.a, capsule.b, capsule.radius);
+  }
+  static constexpr Segment<S, N> core(const Capsule<S, N>& capsule) noexcept {
+    return {capsule.a, capsule.b};
   }
 };
 

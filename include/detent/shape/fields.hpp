@@ -11,7 +11,7 @@ namespace detail {
 
 /// The fields of a shape, for digests, snapshots and differences: its `name`, the `names` of the
 /// fields, and `of(shape, f)`, which returns f(field, ...) in their order. Each shape's header
-/// specializes it.
+/// specializes it; that of a round shape adds its core.
 template <class Shape>
 struct ShapeFields {};
 
@@ -19,6 +19,19 @@ template <class Shape>
 concept ListsFields = requires {
   ShapeFields<Shape>::names;
 };
+
+/// A round shape: all points within `radius` of its `core(shape)`, a point or a segment; none if the
+/// radius is negative.
+template <class Shape>
+concept Round = requires(const Shape& shape) {
+  ShapeFields<Shape>::core(shape);
+};
+
+/// A shape with `f(field)` for each field.
+template <ListsFields Shape, class F>
+[[nodiscard]] constexpr Shape with_fields(const Shape& shape, const F& f) noexcept {
+  return ShapeFields<Shape>::of(shape, [&](const auto&... fields) { return Shape{f(fields)...}; });
+}
 
 }  // namespace detail
 

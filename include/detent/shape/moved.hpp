@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
+#include <type_traits>
 
 #include "detent/math/transform.hpp"
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/capsule.hpp"
+#include "detent/shape/fields.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/plane.hpp"
 #include "detent/shape/sphere.hpp"
@@ -22,15 +21,31 @@
 
 namespace detent {
 
+namespace detail {
+
+/// Shapes of points and lengths, such as spheres, triangles and capsules.
+template <class Shape, class S, int N>
+inline constexpr bool is_of_points = false;
+template <ListsFields Shape, Scalar S, int N>
+inline constexpr bool is_of_points<Shape, S, N> = [](const Shape& shape) {
+  return ShapeFields<Shape>::of(shape, []<class... Field>(const Field&...) {
+    return ((std::is_same_v<Field, Vec<S, N>> || std::is_same_v<Field, S>)&&...);
+  });
+}(Shape());
+
+}  // namespace detail
+
 /// `shape` moved by a vector.
-template <Scalar S, int N>
-[[nodiscard]] constexpr Sphere<S, N> translated(const Sphere<S, N>& sphere,
-                                                const Vec<S, N>& by) noexcept {
-  return {nearest_to<S>(sphere.center + by), sphere.radius};
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr Aabb<S, N> translated(const Aabb<S, N>& box, const Vec<S, N>& by) noexcept {
-  return {nearest_to<S>(box.min + by), nearest_to<S>(box.max + by)};
+template <class Shape, Scalar S, int N>
+requires detail::is_of_points<Shape, S, N>
+[[nodiscard]] constexpr Shape translated(const Shape& shape, const Vec<S, N>& by) noexcept {
+  return detail::with_fields(shape, [&]<class Field>(const Field& field) -> Field {
+    if constexpr (std::is_same_v<Field, S>) {
+      return field;
+    } else {
+      return nearest_to<S>(field + by);
+    }
+  });
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr Obb<S, N> translated(const Obb<S, N>& box, const Vec<S, N>& by) noexcept {
@@ -40,17 +55,6 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr Plane<S, N> translated(const Plane<S, N>& plane,
                                                const Vec<S, N>& by) noexcept {
   return {plane.normal, nearest_to<S>(plane.offset + dot(plane.normal, by))};
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr Triangle<S, N> translated(const Triangle<S, N>& triangle,
-                                                  const Vec<S, N>& by) noexcept {
-  return {nearest_to<S>(triangle.a + by), nearest_to<S>(triangle.b + by),
-          nearest_to<S>(triangle.c + by)};
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr Capsule<S, N> translated(const Capsule<S, N>& capsule,
-                                                 const Vec<S, N>& by) noexcept {
-  return {nearest_to<S>(capsule.a + by), nearest_to<S>(capsule.b + by), capsule.radius};
 }
 
 namespace detail {
@@ -66,11 +70,17 @@ template <Scalar S, int N>
 }  // namespace detail
 
 /// `shape`, from a local frame, in the world.
-template <Scalar S, int N>
-[[nodiscard]] constexpr Sphere<S, N> placed(const Transform<S, N>& transform,
-                                            const Sphere<S, N>& sphere) noexcept {
-  return {transform_point(transform, sphere.center),
-          detail::placed_length(transform, sphere.radius)};
+template <class Shape, Scalar S, int N>
+requires detail::is_of_points<Shape, S, N>
+[[nodiscard]] constexpr Shape placed(const Transform<S, N>& transform,
+                                     const Shape& shape) noexcept {
+  return detail::with_fields(shape, [&]<class Field>(const Field& field) -> Field {
+    if constexpr (std::is_same_v<Field, S>) {
+      return detail::placed_length(transform, field);
+    } else {
+      return transform_point(transform, field);
+    }
+  });
 }
 
 /// An axis-aligned box cannot be rotated: this is the smallest box of the grid around the rotated
@@ -110,20 +120,6 @@ template <Scalar S, int N>
   const auto normal = transform_direction(transform, plane.normal);
   return {normal,
           nearest_to<S>(dot(normal, transform.translation) + abs(transform.scale) * plane.offset)};
-}
-
-template <Scalar S, int N>
-[[nodiscard]] constexpr Triangle<S, N> placed(const Transform<S, N>& transform,
-                                              const Triangle<S, N>& triangle) noexcept {
-  return {transform_point(transform, triangle.a), transform_point(transform, triangle.b),
-          transform_point(transform, triangle.c)};
-}
-
-template <Scalar S, int N>
-[[nodiscard]] constexpr Capsule<S, N> placed(const Transform<S, N>& transform,
-                                             const Capsule<S, N>& capsule) noexcept {
-  return {transform_point(transform, capsule.a), transform_point(transform, capsule.b),
-          detail::placed_length(transform, capsule.radius)};
 }
 
 }  // namespace detent

@@ -27,6 +27,9 @@ struct detail::ShapeFields<Sphere<S, N>> {
   static constexpr auto of(Self& sphere, const F& f) {
     return f(sphere.center, sphere.radius);
   }
+  static constexpr const Vec<S, N>& core(const Sphere<S, N>& sphere) noexcept {
+    return sphere.center;
+  }
 };
 
 template <Scalar S, int N>

@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "detent/dynamics/manifold/box_box.hpp"
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <optional>
 #include <vector>
 
-#include "dynamics/manifold/helpers.hpp"
+#include "dynamics/manifold/rational.hpp"
 #include "support/random.hpp"
 
 namespace detent::test {
 namespace {
-
-using Rational = boost::multiprecision::cpp_rational;
-using Point = std::vector<Rational>;
-
-Rational dot(const Point& a, const Point& b) {
-  Rational sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 /// Converts to steps of a lever or gap; ratios stay as they are.
 template <Number T, int N>
@@ -47,7 +37,7 @@ Boxes<S, N> draw_boxes(Random& random, double size) {
         static_cast<std::int32_t>(std::clamp(std::llround(x), -(1LL << 31), (1LL << 31) - 1)));
   };
   Boxes<S, N> boxes;
-  double q[4] = {unit(), unit(), unit(), unit()};
+  std::array<double, 4> q{unit(), unit(), unit(), unit()};
   const int kind = static_cast<int>(random.below(4));  // 0: aligned, 1: nearly
   if (kind <= 1) {
     q[0] = 1;
@@ -55,18 +45,9 @@ Boxes<S, N> draw_boxes(Random& random, double size) {
     if (random.one_in(4)) q[1] = q[0];  // a quarter turn
   }
   if (N == 2) q[1] = q[2] = 0;
-  double norm = 0;
-  for (const double x : q) norm += x * x;
-  for (double& x : q) x /= std::sqrt(norm);
-  const double w = q[0], x = q[1], y = q[2], z = q[3];
-  const double m[3][3] = {{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
-                          {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
-                          {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
+  turn(boxes.pose, q);
   const auto side = static_cast<int>(random.below(N));
   for (int i = 0; i < N; ++i) {
-    for (int j = 0; j < N; ++j) {
-      boxes.pose.axes[static_cast<std::size_t>(i)][j] = ratio<S>::from_double(m[i][j]);
-    }
     boxes.a[i] = steps(size * (0.55 + 0.45 * unit()));
     boxes.b[i] = random.one_in(4) ? boxes.a[i] : steps(size * (0.55 + 0.45 * unit()));
   }

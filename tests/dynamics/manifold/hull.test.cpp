@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <vector>
 
 #include "detent/dynamics/hull.hpp"
 #include "detent/query/distance.hpp"
-#include "dynamics/manifold/helpers.hpp"
+#include "dynamics/manifold/rational.hpp"
 #include "support/random.hpp"
 
 namespace detent::test {
 namespace {
 
 using S = q16_16;
-using Rational = boost::multiprecision::cpp_rational;
-using Point = std::vector<Rational>;
 using Vector = std::array<double, 3>;
-
-Rational dot(const Point& a, const Point& b) {
-  Rational sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 /// A hull that owns its points, which do not move.
 template <int N>
@@ -67,21 +58,12 @@ Solid<N> cube(const Vec<S, N>& half) {
 
 template <int N>
 detail::RelativePose<S, N> draw_pose(Random& random, double reach) {
-  double q[4] = {unit(random), unit(random), unit(random), unit(random)};
+  std::array<double, 4> q{unit(random), unit(random), unit(random), unit(random)};
   if (N == 2) q[1] = q[2] = 0;
   if (random.one_in(4)) q[0] = 1, q[1] = q[2] = 0, q[3] = random.coin() ? 0 : 1e-4;
-  double norm = 0;
-  for (const double x : q) norm += x * x;
-  for (double& x : q) x /= std::sqrt(norm);
-  const double w = q[0], x = q[1], y = q[2], z = q[3];
-  const double m[3][3] = {{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
-                          {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
-                          {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
   detail::RelativePose<S, N> pose;
+  turn(pose, q);
   for (int i = 0; i < N; ++i) {
-    for (int j = 0; j < N; ++j) {
-      pose.axes[static_cast<std::size_t>(i)][j] = ratio<S>::from_double(m[i][j]);
-    }
     pose.translation[i] = lever<S>::from_double(reach * unit(random));
   }
   return pose;

@@ -1,24 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <array>
-
 #include "detent/query/contact.hpp"
-#include "query/raycast/helpers.hpp"
+#include "query/shapes_at.hpp"
 
 namespace detent::test {
 namespace {
-
-/// Shapes that extend from x - 1 to x + 1 on the x axis, and farther on the others. They end there
-/// in a point, an edge or a face perpendicular to the axis.
-template <Scalar S, int N, class Visit>
-void visit_shapes(double x, const Visit& visit) {
-  visit(Sphere<S, N>{at<S, N>(x), num<S>(1)});
-  visit(Aabb<S, N>{at<S, N>(x - 1, -4, -4), at<S, N>(x + 1, 4, 4)});
-  visit(Obb<S, N>{at<S, N>(x), at<S, N>(1, 4, 4), {}});
-  visit(Capsule<S, N>{at<S, N>(x, -8), at<S, N>(x, 8), num<S>(1)});
-  const std::array corners{at<S, N>(x - 1, -4, -4), at<S, N>(x - 1, 4, -4), at<S, N>(x - 1, 0, 4),
-                           at<S, N>(x + 1, -4, -4), at<S, N>(x + 1, 4, -4), at<S, N>(x + 1, 0, 4)};
-  visit(ConvexHull<S, N>{corners});
-}
 
 TEMPLATE_TEST_CASE("contact: the least translation for every two kinds of shapes", "[contact]",
                    DETENT_EVERYDAY_SPACES) {
@@ -31,9 +16,9 @@ TEMPLATE_TEST_CASE("contact: the least translation for every two kinds of shapes
     CHECK(found->normal == normal);
     CHECK(found->depth == num<S>(depth));
   };
-  visit_shapes<S, N>(-3, [&](const auto& a) {
+  visit_wide_shapes<S, N>(-3, [&](const auto& a) {
     for (const double overlap : {0.5, 0.0, -1.0}) {
-      visit_shapes<S, N>(-1 - overlap, [&](const auto& b) {
+      visit_wide_shapes<S, N>(-1 - overlap, [&](const auto& b) {
         check(contact(a, b), overlap, right);
         check(contact(b, a), overlap, -right);
       });
@@ -46,7 +31,7 @@ TEMPLATE_TEST_CASE("contact: a plane is left towards the nearer side", "[contact
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
   const auto right = toward<S, N>(1);
-  visit_shapes<S, N>(4, [&](const auto& shape) {
+  visit_wide_shapes<S, N>(4, [&](const auto& shape) {
     const auto check = [&](double offset, double depth, bool to_the_right) {
       const Plane<S, N> plane{right, num<S>(offset)};
       const auto found = contact(plane, shape), back = contact(shape, plane);
@@ -69,7 +54,7 @@ TEMPLATE_TEST_CASE("contact: a plane is left towards the nearer side", "[contact
 TEMPLATE_TEST_CASE("contact: an empty shape touches nothing", "[contact]", DETENT_EVERYDAY_SPACES) {
   using S = typename TestType::scalar;
   constexpr int N = TestType::dimension;
-  visit_shapes<S, N>(0, [&](const auto& shape) {
+  visit_wide_shapes<S, N>(0, [&](const auto& shape) {
     CHECK(!contact(shape, Sphere<S, N>{at<S, N>(0), num<S>(-1)}));
     CHECK(!contact(Aabb<S, N>{at<S, N>(1), at<S, N>(-1)}, shape));
     CHECK(!contact(shape, ConvexHull<S, N>()));

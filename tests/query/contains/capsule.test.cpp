@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/contains/capsule.hpp"
 
+#include "detent/query/on.hpp"
 #include "query/raycast/helpers.hpp"
 
 namespace detent::test {
@@ -24,6 +25,15 @@ TEMPLATE_TEST_CASE("contains, capsule: the points within the radius of its axis"
   CHECK(contains(Capsule<S, N>{capsule.a, capsule.b, num<S>(0)}, at<S, N>(4, 1)));
   CHECK_FALSE(contains(Capsule<S, N>{capsule.a, capsule.b, num<S>(0)}, at<S, N>(4, 1.5)));
   CHECK_FALSE(contains(Capsule<S, N>{capsule.a, capsule.b, num<S>(-1)}, capsule.a));
+}
+
+TEMPLATE_TEST_CASE("on, capsule: the tolerance includes its limit", "[on]", DETENT_EVERY_SPACE) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  const Capsule<S, N> capsule{at<S, N>(1, 1), at<S, N>(9, 1), num<S>(2)};
+  CHECK(on(capsule, at<S, N>(4, 6), num<S>(3)));
+  CHECK_FALSE(on(capsule, at<S, N>(4, 6), num<S>(2.5)));
+  CHECK_FALSE(on(Capsule<S, N>{capsule.a, capsule.b, num<S>(-1)}, capsule.a, largest<S>));
 }
 
 TEMPLATE_TEST_CASE("contains, capsule: one raw unit decides, at the ends of the domain too",

@@ -10,13 +10,6 @@
 namespace detent::detail {
 
 template <class T>
-inline constexpr bool is_round_solid = false;
-template <Scalar S, int N>
-inline constexpr bool is_round_solid<Sphere<S, N>> = true;
-template <Scalar S, int N>
-inline constexpr bool is_round_solid<Capsule<S, N>> = true;
-
-template <class T>
 inline constexpr bool is_box_solid = false;
 template <Scalar S, int N>
 inline constexpr bool is_box_solid<Aabb<S, N>> = true;
@@ -50,14 +43,14 @@ requires(is_box_solid<A>&& is_box_solid<B>) [[nodiscard]] constexpr Manifold<S, 
 ///         tests/dynamics/manifold/round.test.cpp)
 /// source: separating axes and clipping, Gregorius, Robust Contact Creation, GDC 2015
 template <class A, class B, Scalar S, int N>
-requires(is_round_solid<A>&& is_round_solid<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
+requires(Round<A>&& Round<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
     const A& a, const B& b, const RelativePose<S, N>& pose,
     const typename Formats<S>::Gap& margin) noexcept {
   return round_manifold(round_core(a), placed_core(pose, round_core(b)), margin);
 }
 
 template <class A, class B, Scalar S, int N>
-requires(is_box_solid<A>&& is_round_solid<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
+requires(is_box_solid<A>&& Round<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
     const A& a, const B& b, const RelativePose<S, N>& pose,
     const typename Formats<S>::Gap& margin) noexcept {
   const auto box = box_core(a);
@@ -68,7 +61,7 @@ requires(is_box_solid<A>&& is_round_solid<B>) [[nodiscard]] constexpr Manifold<S
 }
 
 template <class A, class B, Scalar S, int N>
-requires(is_round_solid<A>&& is_box_solid<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
+requires(Round<A>&& is_box_solid<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
     const A& a, const B& b, const RelativePose<S, N>& pose,
     const typename Formats<S>::Gap& margin) noexcept {
   const auto core = round_core(a);
@@ -105,14 +98,14 @@ requires((is_hull_solid<A> && (is_hull_solid<B> || is_box_solid<B>)) ||
 }
 
 template <class A, class B, Scalar S, int N>
-requires(is_hull_solid<A>&& is_round_solid<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
+requires(is_hull_solid<A>&& Round<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
     const A& a, const B& b, const RelativePose<S, N>& pose,
     const typename Formats<S>::Gap& margin) noexcept {
   return polytope_round_manifold(faces_of(a), placed_core(pose, round_core(b)), margin);
 }
 
 template <class A, class B, Scalar S, int N>
-requires(is_round_solid<A>&& is_hull_solid<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
+requires(Round<A>&& is_hull_solid<B>) [[nodiscard]] constexpr Manifold<S, N> manifold(
     const A& a, const B& b, const RelativePose<S, N>& pose,
     const typename Formats<S>::Gap& margin) noexcept {
   return swapped(pose,

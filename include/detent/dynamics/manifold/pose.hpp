@@ -111,6 +111,16 @@ template <Scalar S, int N>
   return result;
 }
 
+/// Moves the points of a manifold from the frame that `pose` is the pose of; each coordinate is
+/// rounded once.
+template <Scalar S, int N>
+constexpr void move_points(const RelativePose<S, N>& pose, Manifold<S, N>& manifold) noexcept {
+  for (int i = 0; i < manifold.count; ++i) {
+    auto& p = manifold.points[static_cast<std::size_t>(i)].point;
+    p = placed_point<typename Formats<S>::Lever>(pose, p);
+  }
+}
+
 /// A manifold in the frame of box a, transformed to the frame of its body; rounded once more, which
 /// changes nothing if the frames are the same.
 template <Scalar S, int N>
@@ -123,10 +133,7 @@ template <Scalar S, int N>
   pose.axes = core.axes;
   pose.translation = core.center;
   manifold.normal = nearest_to<Ratio>(turned(pose, manifold.normal));
-  for (int i = 0; i < manifold.count; ++i) {
-    auto& p = manifold.points[static_cast<std::size_t>(i)].point;
-    p = placed_point<Lever>(pose, p);
-  }
+  move_points(pose, manifold);
   return manifold;
 }
 
@@ -136,12 +143,8 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr Manifold<S, N> swapped(const RelativePose<S, N>& pose,
                                                Manifold<S, N> manifold) noexcept {
   using Ratio = typename Formats<S>::Ratio;
-  using Lever = typename Formats<S>::Lever;
   manifold.normal = nearest_to<Ratio>(-turned(pose, manifold.normal));
-  for (int i = 0; i < manifold.count; ++i) {
-    auto& p = manifold.points[static_cast<std::size_t>(i)].point;
-    p = placed_point<Lever>(pose, p);
-  }
+  move_points(pose, manifold);
   return manifold;
 }
 

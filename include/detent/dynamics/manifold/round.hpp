@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "detent/dynamics/manifold/pose.hpp"
-#include "detent/shape/capsule.hpp"
-#include "detent/shape/sphere.hpp"
+#include "detent/shape/fields.hpp"
+#include "detent/shape/segment.hpp"
 
 namespace detent::detail {
 
@@ -20,14 +20,18 @@ struct RoundCore {
 };
 
 template <Scalar S, int N>
-[[nodiscard]] constexpr RoundCore<S, N> round_core(const Sphere<S, N>& ball) noexcept {
-  const auto center = nearest_to<typename Formats<S>::Lever>(ball.center);
-  return {center, center, ball.radius};
+[[nodiscard]] constexpr RoundCore<S, N> round_core(const Vec<S, N>& center, S radius) noexcept {
+  const auto end = nearest_to<typename Formats<S>::Lever>(center);
+  return {end, end, radius};
 }
 template <Scalar S, int N>
-[[nodiscard]] constexpr RoundCore<S, N> round_core(const Capsule<S, N>& capsule) noexcept {
+[[nodiscard]] constexpr RoundCore<S, N> round_core(const Segment<S, N>& axis, S radius) noexcept {
   using Lever = typename Formats<S>::Lever;
-  return {nearest_to<Lever>(capsule.a), nearest_to<Lever>(capsule.b), capsule.radius};
+  return {nearest_to<Lever>(axis.start), nearest_to<Lever>(axis.end), radius};
+}
+template <Round Shape>
+[[nodiscard]] constexpr auto round_core(const Shape& shape) noexcept {
+  return round_core(ShapeFields<Shape>::core(shape), shape.radius);
 }
 
 /// The core of b's shape in the frame of a, each coordinate rounded once.

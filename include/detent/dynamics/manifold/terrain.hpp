@@ -56,7 +56,7 @@ class FacetContacts {
                       const BodyExtent<S, 3>& reach, const S& margin, const Gap& gap) {
     list_.clear();
     if (body.asset == nullptr) return;
-    if constexpr (is_round_solid<Solid>) {
+    if constexpr (Round<Solid>) {
       const auto core = placed_core(pose, round_core(solid));
       if (core.is_empty()) return;
       find_by(body, pose, reach, margin, [&](const Facet<S>& facet, bool on_top) {

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 
+#include "detent/query/kernel/argument.hpp"
 #include "detent/shape/aabb.hpp"
-#include "detent/shape/capsule.hpp"
 #include "detent/shape/frustum.hpp"
 #include "detent/shape/obb.hpp"
 #include "detent/shape/ray.hpp"
 #include "detent/shape/segment.hpp"
-#include "detent/shape/sphere.hpp"
 #include "detent/shape/triangle.hpp"
 
 // The first test of a frustum's queries: a shape that lies beyond one of the six planes is outside.
@@ -53,16 +53,11 @@ inline constexpr auto longest_direction = [] {
 }();
 
 /// A lower bound, using `longest_direction`.
-template <Scalar S>
+template <Scalar S, Round Shape>
+requires std::is_same_v<typename PointOf<Shape>::type, Vec<S, 3>>
 [[nodiscard]] constexpr auto least_along(const Direction<S, 3>& normal,
-                                         const Capsule<S, 3>& capsule) noexcept {
-  return least_along(normal, Segment<S, 3>{capsule.a, capsule.b}) -
-         capsule.radius * longest_direction<S>;
-}
-template <Scalar S>
-[[nodiscard]] constexpr auto least_along(const Direction<S, 3>& normal,
-                                         const Sphere<S, 3>& sphere) noexcept {
-  return dot(normal, sphere.center) - sphere.radius * longest_direction<S>;
+                                         const Shape& shape) noexcept {
+  return least_along(normal, ShapeFields<Shape>::core(shape)) - shape.radius * longest_direction<S>;
 }
 
 /// A lower bound: cosines are rounded up. The box is the one that its edges span.

@@ -2,13 +2,10 @@
 #pragma once
 
 #include "detent/query/kernel/argument.hpp"
-#include "detent/shape/capsule.hpp"
 #include "detent/shape/frustum.hpp"
-#include "detent/shape/segment.hpp"
-#include "detent/shape/sphere.hpp"
 
-// A shape is the set of points within its radius of its core: a sphere's center, a capsule's axis,
-// or the shape itself.
+// A shape is the set of points within its radius of its core: the core of a round shape, otherwise
+// the shape itself.
 
 namespace detent::detail {
 
@@ -21,13 +18,9 @@ template <class Shape>
 [[nodiscard]] constexpr const Shape& core_of(const Shape& shape) noexcept {
   return shape;
 }
-template <Scalar S, int N>
-[[nodiscard]] constexpr const Vec<S, N>& core_of(const Sphere<S, N>& sphere) noexcept {
-  return sphere.center;
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr Segment<S, N> core_of(const Capsule<S, N>& capsule) noexcept {
-  return {capsule.a, capsule.b};
+template <Round Shape>
+[[nodiscard]] constexpr decltype(auto) core_of(const Shape& shape) noexcept {
+  return ShapeFields<Shape>::core(shape);
 }
 template <Scalar S>
 [[nodiscard]] constexpr ConvexHull<S, 3> core_of(const Frustum<S>& frustum) noexcept {

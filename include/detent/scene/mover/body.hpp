@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "detent/shape/bounding_box.hpp"
 #include "detent/shape/moved.hpp"
 
 // The shapes that characters have: capsules, spheres and axis-aligned boxes.
@@ -11,13 +12,10 @@ namespace detent::detail {
 
 /// The shape grown by `by` on all sides, or shrunk by a negative number: a superset of all points
 /// within `by` of it.
-template <Scalar S, int N>
-[[nodiscard]] constexpr Sphere<S, N> grown(const Sphere<S, N>& sphere, const S& by) noexcept {
-  return {sphere.center, nearest_to<S>(sphere.radius + by)};
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr Capsule<S, N> grown(const Capsule<S, N>& capsule, const S& by) noexcept {
-  return {capsule.a, capsule.b, nearest_to<S>(capsule.radius + by)};
+template <Round Shape, Scalar S>
+[[nodiscard]] constexpr Shape grown(Shape shape, const S& by) noexcept {
+  shape.radius = nearest_to<S>(shape.radius + by);
+  return shape;
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr Aabb<S, N> grown(const Aabb<S, N>& box, const S& by) noexcept {
@@ -26,13 +24,9 @@ template <Scalar S, int N>
 }
 
 /// How far the shape can shrink until nothing is left, rounded down; negative for an empty shape.
-template <Scalar S, int N>
-[[nodiscard]] constexpr S thickness(const Sphere<S, N>& sphere) noexcept {
-  return sphere.radius;
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr S thickness(const Capsule<S, N>& capsule) noexcept {
-  return capsule.radius;
+template <Round Shape>
+[[nodiscard]] constexpr auto thickness(const Shape& shape) noexcept {
+  return shape.radius;
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr S thickness(const Aabb<S, N>& box) noexcept {
@@ -42,21 +36,13 @@ template <Scalar S, int N>
 }
 
 /// The least and the greatest coordinate on axis `i`, exactly.
-template <Scalar S, int N>
-[[nodiscard]] constexpr auto least_on(const Sphere<S, N>& sphere, int i) noexcept {
-  return sphere.center[i] - sphere.radius;
+template <Round Shape>
+[[nodiscard]] constexpr auto least_on(const Shape& shape, int i) noexcept {
+  return core_box(ShapeFields<Shape>::core(shape)).min[i] - shape.radius;
 }
-template <Scalar S, int N>
-[[nodiscard]] constexpr auto greatest_on(const Sphere<S, N>& sphere, int i) noexcept {
-  return sphere.center[i] + sphere.radius;
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr auto least_on(const Capsule<S, N>& capsule, int i) noexcept {
-  return (std::min)(capsule.a[i], capsule.b[i]) - capsule.radius;
-}
-template <Scalar S, int N>
-[[nodiscard]] constexpr auto greatest_on(const Capsule<S, N>& capsule, int i) noexcept {
-  return (std::max)(capsule.a[i], capsule.b[i]) + capsule.radius;
+template <Round Shape>
+[[nodiscard]] constexpr auto greatest_on(const Shape& shape, int i) noexcept {
+  return core_box(ShapeFields<Shape>::core(shape)).max[i] + shape.radius;
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr S least_on(const Aabb<S, N>& box, int i) noexcept {
@@ -69,14 +55,18 @@ template <Scalar S, int N>
 
 /// The coordinate of the lowest point along `up`.
 template <Scalar S, int N>
-[[nodiscard]] constexpr auto lowest_along(const Sphere<S, N>& sphere,
+[[nodiscard]] constexpr auto lowest_along(const Vec<S, N>& point,
                                           const Direction<S, N>& up) noexcept {
-  return dot(sphere.center, up) - sphere.radius;
+  return dot(point, up);
 }
 template <Scalar S, int N>
-[[nodiscard]] constexpr auto lowest_along(const Capsule<S, N>& capsule,
+[[nodiscard]] constexpr auto lowest_along(const Segment<S, N>& axis,
                                           const Direction<S, N>& up) noexcept {
-  return (std::min)(dot(capsule.a, up), dot(capsule.b, up)) - capsule.radius;
+  return (std::min)(dot(axis.start, up), dot(axis.end, up));
+}
+template <Round Shape, Scalar S, int N>
+[[nodiscard]] constexpr auto lowest_along(const Shape& shape, const Direction<S, N>& up) noexcept {
+  return lowest_along(ShapeFields<Shape>::core(shape), up) - shape.radius;
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr auto lowest_along(const Aabb<S, N>& box,

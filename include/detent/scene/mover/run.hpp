@@ -10,6 +10,7 @@
 #include "detent/scene/mover/push.hpp"
 #include "detent/scene/mover/result.hpp"
 #include "detent/scene/mover/step.hpp"
+#include "detent/scene/question.hpp"
 
 namespace detent::detail {
 
@@ -75,8 +76,10 @@ class MoverRun {
   }
 
   /// The point of a shape whose motion is recorded: the whole shape moves by the same vector.
-  static constexpr Motion mark(const Sphere<S, N>& sphere) noexcept { return sphere.center; }
-  static constexpr Motion mark(const Capsule<S, N>& capsule) noexcept { return capsule.a; }
+  template <Round Body>
+  static constexpr Motion mark(const Body& body) noexcept {
+    return reference(body);
+  }
   static constexpr Motion mark(const Aabb<S, N>& box) noexcept { return box.min; }
   static constexpr Motion since(const Shape& before, const Shape& now) noexcept {
     return nearest_to<S>(mark(now) - mark(before));
