@@ -37,7 +37,8 @@ template <Scalar S, int N>
 [[nodiscard]] constexpr RoundCore<S, N> placed_core(const RelativePose<S, N>& pose,
                                                     const RoundCore<S, N>& core) noexcept {
   using Lever = typename Formats<S>::Lever;
-  return {placed_point<Lever>(pose, core.a), placed_point<Lever>(pose, core.b), core.radius};
+  const auto a = placed_point<Lever>(pose, core.a);
+  return {a, core.a == core.b ? a : placed_point<Lever>(pose, core.b), core.radius};
 }
 
 /// The core of a's shape in the frame of b, each coordinate rounded once.
@@ -47,7 +48,8 @@ template <Scalar S, int N>
   const auto lifted = [&](const auto& p) {
     return nearest_to<typename Formats<S>::Lever>(turned_back(pose, p - pose.translation));
   };
-  return {lifted(core.a), lifted(core.b), core.radius};
+  const auto a = lifted(core.a);
+  return {a, core.a == core.b ? a : lifted(core.b), core.radius};
 }
 
 /// step * ratio rounded to nearest on the grid of T and clamped, for a ratio in (0, 1).
