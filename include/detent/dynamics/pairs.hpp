@@ -145,7 +145,8 @@ constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Lane& lane, co
       for (std::size_t j = i + 1; j < size; ++j) {
         const auto& second = bodies[lane[j]];
         if (second.bounds.least.x > first.bounds.most.x) break;
-        auto meets = static_cast<unsigned>((std::max)(first.first_strip, second.first_strip) == strip);
+        auto meets =
+            static_cast<unsigned>((std::max)(first.first_strip, second.first_strip) == strip);
         for (int k = 1; k < N; ++k) {
           meets &= static_cast<unsigned>(second.bounds.least[k] <= first.bounds.most[k]) &
                    static_cast<unsigned>(first.bounds.least[k] <= second.bounds.most[k]);

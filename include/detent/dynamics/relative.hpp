@@ -39,8 +39,7 @@ template <Scalar S, int N>
   for (int i = 0; i < N; ++i) {
     const auto& axis = a.axes[static_cast<std::size_t>(i)];
     for (std::size_t j = 0; j < std::size_t{N}; ++j) {
-      pose.axes[j][i] =
-          nearest_to<typename Formats<S>::Ratio>(narrow_dot<62>(axis, b.axes[j]));
+      pose.axes[j][i] = nearest_to<typename Formats<S>::Ratio>(narrow_dot<62>(axis, b.axes[j]));
     }
   }
   return pose;

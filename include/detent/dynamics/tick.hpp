@@ -804,7 +804,11 @@ class Tick {
         restitution[k] = parts[k]->options().restitution;
       }
     }
-    ready.grip = sqrt_floor<Ratio>(friction[0] * friction[1]);
+    if (is_fixed<S> && friction[0] == friction[1] && friction[0] >= 0) {
+      ready.grip = saturate_to<Ratio>(friction[0]);  // of a finer grid
+    } else {
+      ready.grip = sqrt_floor<Ratio>(friction[0] * friction[1]);
+    }
     ready.bounce = saturate_to<Ratio>((max)(restitution[0], restitution[1]));
   }
   /// The rates of a contact that bounces, at the start of the tick.

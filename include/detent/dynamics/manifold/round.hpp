@@ -21,15 +21,25 @@ struct RoundCore {
   [[nodiscard]] constexpr bool is_empty() const noexcept { return radius < 0; }
 };
 
+/// `v` in levers, clamped: without a comparison for each coordinate if all of them fit.
+template <class Lever, Scalar S, int N>
+[[nodiscard]] constexpr Vec<Lever, N> in_levers(const Vec<S, N>& v) noexcept {
+  if constexpr (is_fixed<S>) {
+    constexpr int bits = bits_of<Lever> - 1 - (Lever::frac - S::frac);
+    if (fits<bits>(v)) return make_vec<N>([&](int i) { return Lever(narrow<bits>(v[i])); });
+  }
+  return nearest_to<Lever>(v);
+}
+
 template <Scalar S, int N>
 [[nodiscard]] constexpr RoundCore<S, N> round_core(const Sphere<S, N>& ball) noexcept {
-  const auto center = nearest_to<typename Formats<S>::Lever>(ball.center);
+  const auto center = in_levers<typename Formats<S>::Lever>(ball.center);
   return {center, center, ball.radius};
 }
 template <Scalar S, int N>
 [[nodiscard]] constexpr RoundCore<S, N> round_core(const Capsule<S, N>& capsule) noexcept {
   using Lever = typename Formats<S>::Lever;
-  return {nearest_to<Lever>(capsule.a), nearest_to<Lever>(capsule.b), capsule.radius};
+  return {in_levers<Lever>(capsule.a), in_levers<Lever>(capsule.b), capsule.radius};
 }
 
 /// The core of b's shape in the frame of a, each coordinate rounded once.
@@ -65,8 +75,9 @@ template <class T, Number Step, class Ratio>
     const auto product = wrapping_multiply<Int128>(step.raw(), ratio.quotient.value.raw());
     const auto share = Share::assume_raw(integer_cast<typename Share::raw_type>(
         shift_right_floor(product, 63 - (Share::frac - Step::frac))));
-    return nearest_to<T>(or_exact(decide_nearest<Fixed<43, T::frac>>(Approximate{share, Steps<32>()}),
-                                  [&] { return Fixed<43, T::frac>(exact()); }));
+    return nearest_to<T>(
+        or_exact(decide_nearest<Fixed<43, T::frac>>(Approximate{share, Steps<32>()}),
+                 [&] { return Fixed<43, T::frac>(exact()); }));
   } else {
     return exact();
   }
@@ -77,9 +88,8 @@ template <class Foot, Number P, Number Step, Number Over, Number Under, int N>
 [[nodiscard]] constexpr Vec<Foot, N> point_at_share(const Vec<P, N>& from, const Vec<Step, N>& step,
                                                     const Over& over, const Under& under) noexcept {
   const auto at = [&](const auto& ratio) {
-    return make_vec<N>([&](int i) {
-      return nearest_to<Foot>(from[i] + share_of_step<Foot>(step[i], ratio));
-    });
+    return make_vec<N>(
+        [&](int i) { return nearest_to<Foot>(from[i] + share_of_step<Foot>(step[i], ratio)); });
   };
   if constexpr (is_fixed<Foot> && has_filters) {
     constexpr int shift = Over::frac - Under::frac;
@@ -137,8 +147,14 @@ template <Scalar S, Number P, Number D, int N>
   const auto separation = nearest_to<Gap>(length - (radius_a + radius_b));
   if (separation > margin) return {};
   const auto normal = unit_or_x<typename Formats<S>::Ratio>(d);
-  const auto p = nearest_to<Lever>(a + normal * (radius_a + half(separation)));
-  return one_point<S, N>(normal, p, separation, 0, margin);
+  const auto between = [&](const auto& from, const auto& arm) {
+    return one_point<S, N>(normal, nearest_to<Lever>(from + normal * arm), separation, 0, margin);
+  };
+  const auto arm = radius_a + half(separation);
+  if constexpr (has_filters) {  // 64 units of q16_16, so that the sums fit 64 bits
+    if (fits<29>(arm) && fits<36>(a)) return between(at_most<36>(a), at_most<29>(arm));
+  }
+  return between(a, arm);
 }
 
 /// Two balls about these points.
@@ -238,7 +254,11 @@ template <Scalar S, int N>
   const auto are_askew = [](const auto& e1, const auto& e2) {
     const auto ab = dot(e1, e2);
     const auto whole = squared_length(e1) * squared_length(e2);
-    return (whole - ab * ab) * as_operand<S>(1024) >= whole;
+    if constexpr (is_fixed<S>) {
+      return (whole - ab * ab) * Fixed<11, 0>(1024) >= whole;
+    } else {
+      return (whole - ab * ab) * as_operand<S>(1024) >= whole;
+    }
   };
   if (by_width<24>(are_askew, d1, b.b - b.a)) return single;
   const auto aa = squared_length(d1);
