@@ -226,4 +226,123 @@ TEST_CASE("a strip sweep finds exactly the pairs whose bounds overlap") {
   }
 }
 
+TEST_CASE("counted pairs are in order of their bodies") {
+  test::Random random(11);
+  for (const std::uint32_t count : {1u, 2u, 40u, 700u}) {
+    std::vector<detail::BodyPair> pairs, room;
+    for (int i = 0; i < 2000; ++i) {
+      const auto a = static_cast<std::uint32_t>(random.below(count));
+      pairs.push_back({a, static_cast<std::uint32_t>(random.below(count))});
+    }
+    auto wanted = pairs;
+    std::sort(wanted.begin(), wanted.end());
+    std::vector<std::uint32_t> ends;
+    detail::order_pairs(pairs, room, ends, count);
+    REQUIRE(pairs == wanted);
+  }
+}
+
+template <Scalar S>
+void check_shares_of_steps() {
+  using Foot = typename detail::ContactFormats<S>::Foot;
+  using Step = Fixed<32, detail::Formats<S>::Lever::frac>;
+  using Whole = Fixed<62, 40>;
+  test::Random random(21);
+  int unsure = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const auto word = [&](int bits) {
+      return static_cast<std::int64_t>(random.between(1, std::int64_t{1} << (bits - 1)));
+    };
+    std::int64_t under = 1 + word(2 + static_cast<int>(random.below(60)));
+    std::int64_t step = word(1 + static_cast<int>(random.below(32)));
+    std::int64_t over = 1 + static_cast<std::int64_t>(random.between(0, under - 2));
+    if (i % 2 == 0) {  // 2^8 step over / under is at, or next to, half a step
+      under = std::int64_t{1} << (10 + random.below(30));
+      step |= 1;
+      over = (under >> 9) * (2 * static_cast<std::int64_t>(random.between(0, 255)) + 1);
+      over += static_cast<std::int64_t>(random.between(-1, 1));
+      if (over <= 0 || over >= under) continue;
+      ++unsure;
+    }
+    if (random.coin()) step = -step;
+    const auto ratio = make_ratio_below_one(Whole::assume_raw(over), Whole::assume_raw(under));
+    const auto x = Step::assume_raw(step);
+    REQUIRE(detail::share_of_step<Foot>(x, ratio) ==
+            quotient_nearest<Foot>(x * ratio.over, ratio.under));
+  }
+  CHECK(unsure > 50000);
+}
+
+TEST_CASE("shares of steps are their quotients, rounded once, at midpoints too") {
+  check_shares_of_steps<q16_16>();
+  check_shares_of_steps<q24_8>();
+  check_shares_of_steps<q8_8>();
+}
+
+TEST_CASE("a base plus a rounded number is the rounded sum, at ties and ends of the range too") {
+  using Lever = F::Lever;
+  using Long = Fixed<62, Lever::frac + 30>;
+  test::Random random(31);
+  constexpr std::int64_t half = std::int64_t{1} << 29;
+  for (int i = 0; i < 200000; ++i) {
+    const auto base = Lever::assume_raw(static_cast<std::int32_t>(
+        random.between(-(std::int64_t{1} << 31), (std::int64_t{1} << 31) - 1)));
+    auto raw =
+        static_cast<std::int64_t>(random.between(-(std::int64_t{1} << 62), std::int64_t{1} << 62));
+    if (i % 2 == 0) {
+      raw = static_cast<std::int64_t>(random.between(-5, 5)) * 2 * half + half +
+            static_cast<std::int64_t>(random.between(-1, 1));
+    }
+    const auto x = Long::assume_raw(raw);
+    REQUIRE(detail::plus_nearest(base, x) == nearest_to<Lever>(base + x));
+  }
+}
+
+TEST_CASE("balls and capsules whose centers are apart have no manifold") {
+  using Lever = F::Lever;
+  test::Random random(41);
+  const auto margin = nearest_to<F::Gap>(q16_16::from_raw(1311));
+  int apart = 0, together = 0, close = 0;
+  for (int i = 0; i < 40000; ++i) {
+    const auto number = [&](int most) {
+      return q16_16::from_raw(static_cast<std::int32_t>(random.between(-most, most)));
+    };
+    const auto capsule = [&] {
+      Capsule<q16_16, 3> result;
+      for (int k = 0; k < 3; ++k) {
+        result.a[k] = random.coin() ? number(40000) : q16_16(0);
+        result.b[k] = saturate_to<q16_16>(-result.a[k]);
+      }
+      result.radius = nearest_to<q16_16>(abs(number(30000)));
+      return result;
+    };
+    const auto a = capsule(), b = capsule();
+    const auto reach_a = detail::extent_of(a), reach_b = detail::extent_of(b);
+    // Along the axis of the coordinate in which the reach is the capsule's own.
+    Vec<Lever, 3> offset;
+    auto reach = a.radius + b.radius + margin;
+    Fixed<40, 22> sum(reach);
+    for (int k = 0; k < 3; ++k) {
+      sum = narrow<40>(sum + (reach_a.half_extents[k] + reach_b.half_extents[k]));
+    }
+    const int axis = static_cast<int>(random.below(3));
+    const auto beyond =
+        random.coin() ? random.between(-(1 << 22), 1 << 22) : random.between(900, 1100);
+    offset[axis] = Lever::assume_raw(static_cast<std::int32_t>(sum.raw() + beyond));
+    detail::RelativePose<q16_16, 3> pose;
+    for (int k = 0; k < 3; ++k) {
+      pose.axes[static_cast<std::size_t>(k)] = detail::unit_axis<F::Ratio, 3>(k);
+    }
+    pose.translation = offset;
+    const bool are_apart = detail::centers_are_apart(reach_a, reach_b, offset, margin);
+    const bool touch = detail::manifold(a, b, pose, margin).count != 0;
+    REQUIRE_FALSE((are_apart && touch));
+    ++(are_apart ? apart : together);
+    close += touch ? 1 : 0;
+  }
+  CHECK(apart > 8000);
+  CHECK(together > 8000);
+  CHECK(close > 100);
+}
+
 }  // namespace detent

@@ -140,10 +140,11 @@ template <Scalar S, int N, class Ratio = typename Formats<S>::Ratio>
       if (narrow_abs(n[i]) < narrow_abs(n[least])) least = i;
     }
     const int j = (least + 1) % 3, k = (least + 2) % 3;
-    Vec<Ratio, 3> across;  // n x e
-    across[j] = n[k];
-    across[k] = narrow_negative(n[j]);
-    const auto first = from_array(unit_vector<Ratio>(to_array(across)).value_or(to_array(across)));
+    const std::array<Ratio, 2> across{n[k], narrow_negative(n[j])};  // n x e, without its zero
+    const auto unit = unit_vector<Ratio>(across).value_or(across);
+    Vec<Ratio, 3> first;
+    first[j] = unit[0];
+    first[k] = unit[1];
     return std::array<Vec<Ratio, 3>, 2>{first, nearest_to<Ratio>(narrow_cross<62>(n, first))};
   }
 }

@@ -34,8 +34,12 @@ template <Scalar S, class Body>
   using Ratio = typename Formats<S>::Ratio;
   std::pair<Ratio, Ratio> share{};
   if (a.can_move() && b.can_move()) {
-    const auto sum = a.mass + b.mass;
-    share = {quotient_nearest<Ratio>(b.mass, sum), quotient_nearest<Ratio>(a.mass, sum)};
+    share.first = quotient_nearest<Ratio>(b.mass, a.mass + b.mass);
+    if constexpr (is_fixed<S>) {
+      share.second = narrow<Ratio::bits>(Ratio(1) - share.first);  // 1 is even, so ties agree
+    } else {
+      share.second = quotient_nearest<Ratio>(a.mass, a.mass + b.mass);
+    }
   } else {
     (a.can_move() ? share.first : share.second) = Ratio(1);
   }

@@ -93,6 +93,23 @@ class Strips {
   std::array<Bound, most_strips> ends_{};  // where the next strip begins
 };
 
+/// Orders pairs by counting: by b, then by a, keeping the order by b. Bodies have indices below
+/// `bodies`. `room` and `ends` are overwritten.
+template <class Pairs, class Ends>
+constexpr void order_pairs(Pairs& pairs, Pairs& room, Ends& ends, std::size_t bodies) {
+  room.resize(pairs.size());
+  const auto by = [&](const Pairs& from, Pairs& to, std::uint32_t BodyPair::*key) {
+    ends.clear();
+    ends.resize(bodies);
+    for (std::size_t i = 0; i < from.size(); ++i) ++ends[from[i].*key];
+    std::uint32_t end = 0;
+    for (std::size_t i = 0; i < bodies; ++i) ends[i] = end += ends[i];
+    for (std::size_t i = from.size(); i-- > 0;) to[--ends[from[i].*key]] = from[i];
+  };
+  by(pairs, room, &BodyPair::b);
+  by(room, pairs, &BodyPair::a);
+}
+
 /// Calls found(pair) for all pairs of bodies whose bounds overlap, in no particular order: a sweep
 /// along the x axis in each strip. Overlapping bodies are both in the later of their first strips,
 /// and are reported there. Sorts `bodies`; `lane` has room for as many indices.
@@ -115,22 +132,31 @@ constexpr void sweep(SweepEntry<S, N>* bodies, std::size_t count, Lane& lane, co
       const bool is_in = bodies[i].first_strip <= strip && strip <= bodies[i].last_strip;
       size += is_in ? 1u : 0u;
     }
+    // Most bodies that overlap along x are apart along another axis, and no processor can guess which:
+    // every pair is noted, and the next one overwrites it unless they meet.
+    std::array<BodyPair, 64> met{};
+    std::size_t met_size = 0;
+    const auto report = [&] {
+      for (std::size_t k = 0; k < met_size; ++k) found(met[k]);
+      met_size = 0;
+    };
     for (std::size_t i = 0; i < size; ++i) {
       const auto& first = bodies[lane[i]];
       for (std::size_t j = i + 1; j < size; ++j) {
         const auto& second = bodies[lane[j]];
         if (second.bounds.least.x > first.bounds.most.x) break;
-        // One branch: a processor cannot guess along which axis two bodies are apart.
-        bool overlap = true;
+        auto meets =
+            static_cast<unsigned>((std::max)(first.first_strip, second.first_strip) == strip);
         for (int k = 1; k < N; ++k) {
-          overlap &= static_cast<int>(second.bounds.least[k] <= first.bounds.most[k]) &
-                     static_cast<int>(first.bounds.least[k] <= second.bounds.most[k]);
+          meets &= static_cast<unsigned>(second.bounds.least[k] <= first.bounds.most[k]) &
+                   static_cast<unsigned>(first.bounds.least[k] <= second.bounds.most[k]);
         }
-        if (!overlap || (std::max)(first.first_strip, second.first_strip) != strip) continue;
-        found(first.body < second.body ? BodyPair{first.body, second.body}
-                                       : BodyPair{second.body, first.body});
+        met[met_size] = {(std::min)(first.body, second.body), (std::max)(first.body, second.body)};
+        met_size += meets;
+        if (met_size == met.size()) report();
       }
     }
+    report();
   }
 }
 

@@ -293,11 +293,13 @@ class Tick {
         pairs_.push_back(pair);
       }
     });
-    const auto number = [](const BodyPair& pair) { return std::uint64_t{pair.a} << 32 | pair.b; };
-    const auto is_before = [&](const BodyPair& p, const BodyPair& q) {
-      return number(p) < number(q);
-    };
-    if (pairs_.size() != 0) std::sort(&pairs_[0], &pairs_[0] + pairs_.size(), is_before);
+    if constexpr (requires { Storage::is_growing; }) {
+      if (pairs_.size() > 32) {
+        order_pairs(pairs_, unordered_pairs_, lane_, bodies.size());
+        return;
+      }
+    }
+    if (pairs_.size() != 0) std::sort(&pairs_[0], &pairs_[0] + pairs_.size());
   }
 
   /// The contacts of this tick, in order of their bodies, with the impulses of the last. On several
@@ -364,7 +366,16 @@ class Tick {
             const auto& a = supports_[pair.a];
             const auto& b = supports_[pair.b];
             const auto offset = offset_between(a, b);
-            const auto pose = relative_pose(a, b, offset);
+            if constexpr (is_round_body<A> && is_round_body<B>) {
+              const auto &reach_a = bodies[pair.a].reach, &reach_b = bodies[pair.b].reach;
+              if (centers_are_apart(reach_a, reach_b, offset, margin)) return;
+            }
+            RelativePose<S, N> pose;
+            if constexpr (std::is_same_v<B, Sphere<S, N>>) {
+              pose.translation = relative_place(a, offset);  // a ball has no axes
+            } else {
+              pose = relative_pose(a, b, offset);
+            }
             const bool known = old < before.size() && pair_of(before[old]) == pair;
             add_contact(bodies, {pair}, {manifold(first, second, pose, margin), offset},
                         known ? &before[old] : nullptr, out);
@@ -793,7 +804,11 @@ class Tick {
         restitution[k] = parts[k]->options().restitution;
       }
     }
-    ready.grip = sqrt_floor<Ratio>(friction[0] * friction[1]);
+    if (is_fixed<S> && friction[0] == friction[1] && friction[0] >= 0) {
+      ready.grip = saturate_to<Ratio>(friction[0]);  // of a finer grid
+    } else {
+      ready.grip = sqrt_floor<Ratio>(friction[0] * friction[1]);
+    }
     ready.bounce = saturate_to<Ratio>((max)(restitution[0], restitution[1]));
   }
   /// The rates of a contact that bounces, at the start of the tick.
@@ -1036,6 +1051,7 @@ class Tick {
   List<SweepEntry<S, N>, bodies_room> swept_;
   List<std::uint32_t, bodies_room> lane_;
   List<BodyPair, pair_room> pairs_;
+  List<BodyPair, 0> unordered_pairs_;  // of worlds that grow
   Search found_;
   List<Search, 0> searches_;  // of worlds that grow, on several threads
   List<ReadyContact<S, N>, contacts_room> ready_;

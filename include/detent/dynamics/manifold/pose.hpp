@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <type_traits>
+
 #include "detent/dynamics/manifold/formats.hpp"
 #include "detent/shape/aabb.hpp"
 #include "detent/shape/obb.hpp"
@@ -29,11 +31,33 @@ template <Scalar S, Number T, int N>
       [&](int j) { return narrow_dot<turned_bits<T>>(pose.axes[static_cast<std::size_t>(j)], v); });
 }
 
+/// base + x rounded to nearest, for a base on the grid of T: in 64 bits if x fits 62, because only
+/// ties depend on the base, by whether it is odd.
+template <class T, Number X>
+[[nodiscard]] constexpr T plus_nearest(const T& base, const X& x) noexcept {
+  if constexpr (!is_fixed<T>) {
+    return nearest_to<T>(base + x);
+  } else if constexpr (bits_of<X> > 62 || bits_of<T> > 61 || X::frac <= T::frac) {
+    return nearest_to<T>(base + x);
+  } else {
+    using Raw = typename X::raw_type;
+    constexpr int shift = X::frac - T::frac;
+    const Raw start = base.raw();
+    const Raw odd = (start + (x.raw() >> shift)) & 1;
+    return clamp_raw<T>(start + ((x.raw() + ((Raw(1) << (shift - 1)) - 1) + odd) >> shift));
+  }
+}
+
 /// A point of b in the frame of a, each coordinate rounded once to T.
 template <class T, Scalar S, Number P, int N>
 [[nodiscard]] constexpr Vec<T, N> placed_point(const RelativePose<S, N>& pose,
                                                const Vec<P, N>& p) noexcept {
-  return nearest_to<T>(pose.translation + turned(pose, p));
+  const auto there = turned(pose, p);
+  if constexpr (std::is_same_v<T, typename Formats<S>::Lever>) {
+    return make_vec<N>([&](int i) { return plus_nearest<T>(pose.translation[i], there[i]); });
+  } else {
+    return nearest_to<T>(pose.translation + there);
+  }
 }
 
 /// A box in the frame of its body.
