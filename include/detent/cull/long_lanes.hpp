@@ -8,10 +8,12 @@
 #include <cstring>
 #include <type_traits>
 
+#include "detent/cull/simd128_long_lanes.hpp"
 #include "detent/number/require_cxx20.hpp"
 
-// Four integers of 64 bits side by side, and the product of 32 by 32 bits: one vector with AVX2, an
-// array with the same operations elsewhere.                 (tests/cull/long_lanes.test.cpp)
+// Four integers of 64 bits side by side, and the product of 32 by 32 bits: one vector with AVX2, two
+// with WebAssembly's simd128, an array with the same operations elsewhere.
+//                                                           (tests/cull/long_lanes.test.cpp)
 //
 // On x86-64 the vectors exist without -mavx2, too: functions between DETENT_BEGIN_LONG_LANES and
 // DETENT_END_LONG_LANES are compiled for AVX2, and callers must test `runs_vectors()` first. Other
@@ -19,6 +21,8 @@
 // vectors on the stack.)
 // GCC has __builtin_shufflevector from version 12 on.
 #if defined(__AVX2__) && (defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 12))
+#define DETENT_LONG_LANES 2
+#elif defined(__wasm_simd128__) && defined(__clang__)
 #define DETENT_LONG_LANES 2
 #elif defined(__x86_64__) && __STDC_HOSTED__ && !defined(_WIN32) && \
     (defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 12))
@@ -97,6 +101,9 @@ class ArrayLongLanes {
                                         static_cast<std::int32_t>(y));
     });
   }
+  /// The lower or the upper halves, with their signs.
+  [[nodiscard]] constexpr ArrayLongLanes lower() const noexcept { return ArrayLongLanes(halves()); }
+  [[nodiscard]] constexpr ArrayLongLanes upper() const noexcept { return (*this >> 32).lower(); }
   /// All bits of the lanes of a that are above those of b.
   [[nodiscard]] static constexpr ArrayLongLanes above(const ArrayLongLanes& a,
                                                       const ArrayLongLanes& b) noexcept {
@@ -167,7 +174,9 @@ class ArrayLongLanes {
   LongWords words_{};
 };
 
-#if DETENT_LONG_LANES
+#if DETENT_LONG_LANES && defined(__wasm_simd128__)
+using VectorLongLanes = Simd128LongLanes;
+#elif DETENT_LONG_LANES
 DETENT_BEGIN_LONG_LANES
 class VectorLongLanes {
   typedef std::uint64_t Words __attribute__((vector_size(32)));
@@ -227,6 +236,10 @@ class VectorLongLanes {
                                                            __builtin_bit_cast(Halves, b.words_))));
 #endif
   }
+  [[nodiscard]] VectorLongLanes lower() const noexcept {
+    return product(*this, VectorLongLanes(std::int64_t{1}));
+  }
+  [[nodiscard]] VectorLongLanes upper() const noexcept { return (*this >> 32).lower(); }
   [[nodiscard]] static VectorLongLanes above(const VectorLongLanes& a,
                                              const VectorLongLanes& b) noexcept {
     return VectorLongLanes(__builtin_bit_cast(

@@ -299,8 +299,8 @@ class FourBodies {
   }
 
  private:
-  static L lower(const L& x) noexcept { return L::product(x, L(LongWord{1})); }
-  static L upper(const L& x) noexcept { return lower(x >> 32); }
+  static L lower(const L& x) noexcept { return x.lower(); }
+  static L upper(const L& x) noexcept { return x.upper(); }
   static L joined(const L& low, const L& high) noexcept {
     return (low & L(LongWord{0xffffffff})) | (high << 32);
   }

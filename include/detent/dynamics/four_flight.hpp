@@ -28,7 +28,7 @@ template <class L, class T>
 template <class L>
 [[nodiscard]] L half_of(const std::array<L, 4>& words, std::size_t i) noexcept {
   const L& word = words[i / 2];
-  return L::product(i % 2 == 0 ? word : word >> 32, L(LongWord{1}));
+  return i % 2 == 0 ? word.lower() : word.upper();
 }
 
 template <class L, Scalar S>

@@ -95,6 +95,60 @@ constexpr Division<Wide<Words>> divide_long(const Wide<Words>& numerator,
   return {join(q), join(u)};
 }
 
+/// high 2^64 + low divided by d > high: the quotient, then the remainder, from two divisions of words.
+///
+/// source: Warren, Hacker's Delight, 2nd ed., 9-4, divlu
+[[nodiscard]] constexpr Division<std::uint64_t> divide_word(std::uint64_t high, std::uint64_t low,
+                                                            std::uint64_t d) noexcept {
+  const int scale = std::countl_zero(d);
+  d <<= scale;
+  const std::uint64_t d1 = d >> 32, d0 = static_cast<std::uint32_t>(d);
+  std::uint64_t left = scale == 0 ? high : (high << scale) | (low >> (64 - scale));
+  const std::uint64_t last = low << scale;
+  const auto next_half = [&](std::uint64_t next) {
+    std::uint64_t digit = left / d1, rest = left % d1;
+    while (digit >> 32 != 0 || digit * d0 > ((rest << 32) | next)) {
+      --digit;
+      rest += d1;
+      if (rest >> 32 != 0) break;
+    }
+    left = ((left << 32) | next) - digit * d;
+    return digit;
+  };
+  const std::uint64_t first = next_half(last >> 32);
+  const std::uint64_t second = next_half(static_cast<std::uint32_t>(last));
+  return {(first << 32) | second, left >> scale};
+}
+
+/// `divide_long` of two words, without arrays of digits; denominator > 0.
+///
+/// source: Hacker's Delight, 9-5, udivdi3: a quotient estimated from the leading word of the
+/// denominator is the right one or one more, so one less needs at most one correction.
+[[nodiscard]] constexpr Division<Wide<2>> divide_two_words(const Wide<2>& numerator,
+                                                           const Wide<2>& denominator) noexcept {
+  const std::uint64_t high = numerator.word(1), low = numerator.word(0);
+  const std::uint64_t d1 = denominator.word(1), d0 = denominator.word(0);
+  if (d1 == 0) {
+    const auto division = divide_word(high % d0, low, d0);
+    return {Wide<2>::from_words({division.quotient, high / d0}),
+            Wide<2>::from_words({division.remainder, 0})};
+  }
+  const int scale = std::countl_zero(d1);  // at least 1
+  const std::uint64_t leading = (d1 << scale) | (d0 >> (64 - scale));
+  std::uint64_t quotient =
+      divide_word(high >> 1, (high << 63) | (low >> 1), leading).quotient >> (63 - scale);
+  if (quotient != 0) --quotient;
+  auto [product, carry] = multiply_words(quotient, d0);
+  carry += quotient * d1;
+  std::uint64_t rest1 = high - carry - (low < product ? 1u : 0u), rest0 = low - product;
+  if (rest1 > d1 || (rest1 == d1 && rest0 >= d0)) {
+    ++quotient;
+    rest1 = rest1 - d1 - (rest0 < d0 ? 1u : 0u);
+    rest0 -= d0;
+  }
+  return {Wide<2>::from_words({quotient, 0}), Wide<2>::from_words({rest0, rest1})};
+}
+
 }  // namespace detail
 
 /// floor(numerator / denominator) and the remainder; `denominator` > 0.
@@ -114,6 +168,10 @@ template <class Int>
           divide_floor(integer_cast<Int128>(magnitude), integer_cast<Int128>(denominator));
       quotient = integer_cast<Int>(division.quotient);
       remainder = integer_cast<Int>(division.remainder);
+    } else if constexpr (detail::words_of<Int> == 2 && !DETENT_SHORT_WORDS) {
+      const auto division = detail::divide_two_words(magnitude, denominator);
+      quotient = division.quotient;
+      remainder = division.remainder;
     } else {
       const auto division = detail::divide_long(magnitude, denominator);
       quotient = division.quotient;
