@@ -14,6 +14,7 @@
 #include "detent/query/kernel/gjk.hpp"
 #include "detent/query/kernel/length.hpp"
 #include "detent/query/kernel/point_obb.hpp"
+#include "detent/query/kernel/push_witness.hpp"
 #include "detent/query/kernel/within_slabs.hpp"
 #include "detent/shape/plane.hpp"
 
@@ -193,6 +194,14 @@ template <Scalar S, class A, class B, Number Radii, class Filter, class F>
   if (is_fixed<S> && radii == 0 && !holds_origin(low, high)) return Result();
   return with_differences(low, high, [&]<Number T>(const T&) {
     Result result;
+    if constexpr (has_push_witness<S, A, B>) {
+      using Witness = PushWitness<T, A, B>;
+      Witness witness(a, b);
+      const auto outcome = witness.find(low, high);
+      if (outcome == Witness::Outcome::apart && radii == 0) return result;
+      if (outcome == Witness::Outcome::found)
+        return found(witness.push().normal, depth_of(witness.push()));
+    }
     if (const auto push = AxisPush<T, A, B>(a, b).least(filter)) {
       if (push->height > 0) {
         if constexpr (IsBoxBody<A> || IsBoxBody<B>) return f(push->normal, depth_of(*push));
