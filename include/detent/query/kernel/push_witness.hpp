@@ -275,25 +275,17 @@ class PushWitness {
     facet.key = key_of(n, facet.height);
     facet.corners = {static_cast<Index>(i), static_cast<Index>(j), static_cast<Index>(k)};
   }
-  /// The distance of a plane from the origin, in steps of 2^-key_bits, off by less than 3 whole ones.
+  /// The distance of a plane from the origin, in steps of 2^-key_bits. It may be too small, but not too
+  /// large by more than 2^-44 of it.
   [[nodiscard]] static constexpr Raw key_of(const Vec<Way, 3>& n, Raw height) noexcept {
-    const auto magnitude = [](const Way& x) { return static_cast<std::uint64_t>(abs(x).raw()); };
-    const std::uint64_t x = magnitude(n.x), y = magnitude(n.y), z = magnitude(n.z);
-    const int length = std::bit_width(x | y | z);
-    const int up = (std::max)(31 - length, 0), down = (std::max)(length - 31, 0);
-    const auto squared = [&](std::uint64_t c) {
-      const std::uint64_t scaled = c << up >> down;
-      return scaled * scaled;
-    };
-    const std::uint64_t sum = squared(x) + squared(y) + squared(z);
-    const int even = sum >> 62 == 0 ? 1 : 0;
-    const auto root = reciprocal_root(sum << (2 * even));
+    auto square = leading_word(squared_length(n).raw());
+    square.word >>= square.exponent & 1;
+    const int half = (square.exponent + 1) >> 1;
     const bool is_negative = height < 0;
     const auto whole = static_cast<std::uint64_t>(is_negative ? -height : height);
-    const std::uint64_t high = multiply_words(whole, root).high;
-    const int scale = 1 - length + even + key_bits;
-    const auto key =
-        static_cast<Raw>(scale < 0 ? high >> -scale : high << scale);
+    const std::uint64_t high = multiply_words(whole, reciprocal_root(square.word)).high;
+    const int scale = key_bits - 30 - half;
+    const auto key = static_cast<Raw>(scale < 0 ? high >> -scale : high << scale);
     return is_negative ? -key : key;
   }
 
