@@ -16,6 +16,7 @@
 #include "detent/query/kernel/convex_body.hpp"
 #include "detent/query/kernel/expansion.hpp"
 #include "detent/query/kernel/simplex.hpp"
+#include "detent/query/kernel/vec_list.hpp"
 
 // The least push of two polytopes by a witness: a polytope that encloses the origin, expanded from
 // rounded corners, and the one facet near the origin, which is checked exactly. So a search in words
@@ -28,8 +29,6 @@ class RoundedCorners {
  public:
   static constexpr std::size_t capacity = 32;
   using Component = Fixed<22, 0>;
-  using Corner = Vec<Component, 3>;
-  using Raw = Component::raw_type;
 
   /// The corners, times 2^-dropped, rounded down.
   template <Number T, class Corners, Number From>
@@ -37,23 +36,29 @@ class RoundedCorners {
                      int dropped) noexcept {
     count_ = corners.size();
     for (std::size_t k = 0; k < count_; ++k) {
-      for (int i = 0; i < 3; ++i) {
-        const auto raw = T(corners[k][i] - from[i]).raw();
-        raw_[k][static_cast<std::size_t>(i)] = integer_cast<Raw>(
-            dropped < 0 ? shift_left(raw, -dropped) : shift_right_floor(raw, dropped));
-      }
+      rounded_.set(k, make_vec<3>([&](int i) {
+                     const auto raw = T(corners[k][i] - from[i]).raw();
+                     return Component::assume_raw(integer_cast<Component::raw_type>(
+                         dropped < 0 ? shift_left(raw, -dropped)
+                                     : shift_right_floor(raw, dropped)));
+                   }));
     }
   }
 
   [[nodiscard]] constexpr std::size_t size() const noexcept { return count_; }
-  [[nodiscard]] constexpr Corner operator[](std::size_t k) const noexcept {
-    return make_vec<3>(
-        [&](int i) { return Component::assume_raw(raw_[k][static_cast<std::size_t>(i)]); });
+  [[nodiscard]] constexpr Vec<Component, 3> operator[](std::size_t k) const noexcept {
+    return rounded_[k];
   }
 
  private:
-  std::array<std::array<Raw, 3>, capacity> raw_;  // not set to 0: few are used
+  VecList<Component, 3, capacity> rounded_;
   std::size_t count_ = 0;
+};
+
+/// The corners of `a` that are farthest along a normal, and those of `b` that are least far: bit k is
+/// set for corner k.
+struct LevelCorners {
+  std::uint32_t a = 0, b = 0;
 };
 
 /// The least push of `b` out of `a`, or a proof that they are apart. `T` holds the components of
@@ -109,6 +114,7 @@ class PushWitness {
   }
 
   [[nodiscard]] constexpr const Push<Normal, Height>& push() const noexcept { return push_; }
+  [[nodiscard]] constexpr const LevelCorners& level() const noexcept { return level_; }
 
  private:
   static constexpr int length_bits = 19;
@@ -121,6 +127,9 @@ class PushWitness {
   /// Of steps of the rounded corners.
   static constexpr int key_bits = 32;
   static constexpr Raw margin = Raw{4} << key_bits;
+  /// Of a key, in which the search keeps the number of a facet.
+  static constexpr Raw last_bits = 63;
+  static_assert(most_facets <= last_bits);
 
   struct Pair {
     Index a = 0, b = 0;
@@ -256,19 +265,12 @@ class PushWitness {
   constexpr void push_corner(const Pair& pair, const Vec<Place, 3>& place) noexcept {
     pairs_[corner_count_] = pair;
     outgoing_[corner_count_] = 0;
-    for (int i = 0; i < 3; ++i) {
-      places_[corner_count_][static_cast<std::size_t>(i)] = place[i].raw();
-    }
-    ++corner_count_;
-  }
-  [[nodiscard]] constexpr Vec<Place, 3> place(std::size_t k) const noexcept {
-    return make_vec<3>(
-        [&](int i) { return Place::assume_raw(places_[k][static_cast<std::size_t>(i)]); });
+    places_.set(corner_count_++, place);
   }
 
   constexpr void add_facet(std::size_t i, std::size_t j, std::size_t k) noexcept {
-    const auto x = place(i);
-    const auto n = narrow_cross<43>(narrow<21>(place(j) - x), narrow<21>(place(k) - x));
+    const auto x = places_[i];
+    const auto n = narrow_cross<43>(narrow<21>(places_[j] - x), narrow<21>(places_[k] - x));
     auto& facet = facets_[facet_count_++];
     facet.normal = {n.x.raw(), n.y.raw(), n.z.raw()};
     facet.height = narrow_dot<63>(n, x).raw();
@@ -294,13 +296,11 @@ class PushWitness {
   [[nodiscard]] constexpr std::size_t next() const noexcept {
     if (!final_) {
       // As in `extreme`.
-      constexpr Raw last = 63;
-      static_assert(most_facets <= last);
-      Raw best = facets_[0].key & ~last;
+      Raw best = facets_[0].key & ~last_bits;
       for (std::size_t i = 1; i < facet_count_; ++i) {
-        best = (std::min)(best, (facets_[i].key & ~last) | static_cast<Raw>(i));
+        best = (std::min)(best, (facets_[i].key & ~last_bits) | static_cast<Raw>(i));
       }
-      return static_cast<std::size_t>(best & last);
+      return static_cast<std::size_t>(best & last_bits);
     }
     for (std::size_t i = 0; i < facet_count_; ++i) {
       if (facets_[i].key < limit_ && !is_in_plane(facets_[i])) return i;
@@ -311,14 +311,14 @@ class PushWitness {
     bool all = true;
     for (const auto k : facet.corners) {
       const auto& pair = pairs_[k];
-      all = all && (level_a_ >> pair.a & level_b_ >> pair.b & 1) != 0;
+      all = all && (level_.a >> pair.a & level_.b >> pair.b & 1) != 0;
     }
     return all;
   }
 
   /// Whether no difference is beyond the exact plane of facet i; its height is positive.
   [[nodiscard]] constexpr bool certify(std::size_t i) noexcept {
-    if (!(facets_[i].key > 0)) return false;
+    if (!(facets_[i].key > last_bits)) return false;  // so that of no facet is negative
     constexpr int bits = bits_of<T>;
     const auto& corners_a = corners_a_;
     const auto& corners_b = corners_b_;
@@ -331,25 +331,25 @@ class PushWitness {
     push_.height = dot(push_.normal, x);
     if (!(push_.height > 0)) return false;
     const auto& pair = pairs_[facets_[i].corners[0]];
-    const auto level = [&](const auto& corners, std::size_t at, bool farthest,
-                           std::uint32_t& mask) {
+    const auto level = [&](const auto& corners, std::size_t at, bool is_a, std::uint32_t& mask) {
       for (std::size_t k = 0; k < corners.size(); ++k) {
         const auto along = dot(push_.normal, narrow<bits + 1>(corners[k] - corners[at]));
-        if (farthest ? along > 0 : along < 0) return false;
+        if (is_a ? along > 0 : along < 0) return false;
         mask |= std::uint32_t{along == 0} << k;
       }
       return true;
     };
-    if (!level(corners_a, pair.a, true, level_a_) || !level(corners_b, pair.b, false, level_b_))
-      return false;
+    if (!level(corners_a, pair.a, true, level_.a)) return false;
+    if (!level(corners_b, pair.b, false, level_.b)) return false;
     // The exact distance, rounded up.
     const auto distance =
         Leading(Fixed<bits_of<Height>, 0>::assume_raw(push_.height.raw())) /
         sqrt(Leading(as_integer(squared_length(push_.normal))));
     const int scale = distance.exponent + key_bits - dropped_;
     if (scale > -10 || scale < -63) return false;
-    limit_ = static_cast<Raw>(distance.word >> -scale) + margin;
-    return limit_ > 2 * margin;
+    const auto steps = static_cast<Raw>(distance.word >> -scale);
+    limit_ = steps + margin;
+    return steps > margin;
   }
   template <Number X>
   [[nodiscard]] static constexpr auto as_integer(const X& x) noexcept {
@@ -396,12 +396,12 @@ class PushWitness {
   int dropped_ = 0;
   RoundedCorners rough_a_, rough_b_;
   std::array<Pair, most_corners> pairs_;
-  std::array<std::array<Place::raw_type, 3>, most_corners> places_;
+  VecList<Place, 3, most_corners> places_;
   std::array<std::uint32_t, most_corners> outgoing_;  // per corner: the ends of edges of the rim
   std::array<Facet, most_facets> facets_;
   std::size_t corner_count_ = 0, facet_count_ = 0;
   bool final_ = false;
-  std::uint32_t level_a_ = 0, level_b_ = 0;  // the corners in the final plane
+  LevelCorners level_;
   Raw limit_ = 0;
   Push<Normal, Height> push_;
 };
