@@ -139,7 +139,9 @@ void compare_near_ties(std::int64_t reach, std::int64_t unit, int asked, Count& 
   for (int i = 0; i < asked; ++i) {
     CAPTURE(reach, unit, i);
     const auto depth = i % 3 == 0 ? 0 : random.between(0, reach);
-    const auto raw = [](std::int64_t x) { return S::from_raw(static_cast<typename S::raw_type>(x)); };
+    const auto raw = [](std::int64_t x) {
+      return S::from_raw(static_cast<typename S::raw_type>(x));
+    };
     Vec<S, 3> half, low, high;
     for (int k = 0; k < 3; ++k) {
       const auto a = random.between(reach / 2, reach), b = random.between(reach / 2, reach);
@@ -184,8 +186,7 @@ void compare_near_touches(std::int64_t reach, int asked, Count& count) {
       return S::from_raw(static_cast<typename S::raw_type>(raw));
     });
     for (auto& corner : b) {
-      corner =
-          make_vec<3>([&](int k) { return saturate_to<S>(corner[k] + apart[k] - back[k]); });
+      corner = make_vec<3>([&](int k) { return saturate_to<S>(corner[k] + apart[k] - back[k]); });
     }
     compare(detail::HullBody(ConvexHull<S, 3>{a}), detail::HullBody(ConvexHull<S, 3>{b}), count);
   }

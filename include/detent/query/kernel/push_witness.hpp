@@ -32,16 +32,16 @@ class RoundedCorners {
 
   /// The corners, times 2^-dropped, rounded down.
   template <Number T, class Corners, Number From>
-  constexpr void set(const T& /*holds their coordinates*/, const Corners& corners, const Vec<From, 3>& from,
-                     int dropped) noexcept {
+  constexpr void set(const T& /*holds their coordinates*/, const Corners& corners,
+                     const Vec<From, 3>& from, int dropped) noexcept {
     count_ = corners.size();
     for (std::size_t k = 0; k < count_; ++k) {
-      rounded_.set(k, make_vec<3>([&](int i) {
-                     const auto raw = T(corners[k][i] - from[i]).raw();
-                     return Component::assume_raw(integer_cast<Component::raw_type>(
-                         dropped < 0 ? shift_left(raw, -dropped)
-                                     : shift_right_floor(raw, dropped)));
-                   }));
+      rounded_.set(
+          k, make_vec<3>([&](int i) {
+            const auto raw = T(corners[k][i] - from[i]).raw();
+            return Component::assume_raw(integer_cast<Component::raw_type>(
+                dropped < 0 ? shift_left(raw, -dropped) : shift_right_floor(raw, dropped)));
+          }));
     }
   }
 
@@ -176,9 +176,8 @@ class PushWitness {
   }
 
   [[nodiscard]] constexpr Vec<Way, 3> normal_of(std::size_t i) const noexcept {
-    return make_vec<3>([&](int k) {
-      return Way::assume_raw(facets_[i].normal[static_cast<std::size_t>(k)]);
-    });
+    return make_vec<3>(
+        [&](int k) { return Way::assume_raw(facets_[i].normal[static_cast<std::size_t>(k)]); });
   }
 
   /// Four corners that span the space, if possible about the origin.
@@ -342,9 +341,8 @@ class PushWitness {
     if (!level(corners_a, pair.a, true, level_.a)) return false;
     if (!level(corners_b, pair.b, false, level_.b)) return false;
     // The exact distance, rounded up.
-    const auto distance =
-        Leading(Fixed<bits_of<Height>, 0>::assume_raw(push_.height.raw())) /
-        sqrt(Leading(as_integer(squared_length(push_.normal))));
+    const auto distance = Leading(Fixed<bits_of<Height>, 0>::assume_raw(push_.height.raw())) /
+                          sqrt(Leading(as_integer(squared_length(push_.normal))));
     const int scale = distance.exponent + key_bits - dropped_;
     if (scale > -10 || scale < -63) return false;
     const auto steps = static_cast<Raw>(distance.word >> -scale);
@@ -408,7 +406,7 @@ class PushWitness {
 
 /// Whether to search the least push of two bodies by such a witness.
 template <class S, class A, class B>
-inline constexpr bool has_push_witness = is_fixed<S> && filter_pays<S> && A::dimension == 3 &&
-                                         !(IsBoxBody<A> && IsBoxBody<B>);
+inline constexpr bool has_push_witness =
+    is_fixed<S>&& filter_pays<S>&& A::dimension == 3 && !(IsBoxBody<A> && IsBoxBody<B>);
 
 }  // namespace detent::detail
