@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "detent/query/kernel/core.hpp"
 #include "detent/query/kernel/least_common_point.hpp"
 #include "detent/query/kernel/length.hpp"
+#include "detent/query/kernel/vec_list.hpp"
 
 namespace detent::detail {
 
@@ -27,17 +29,31 @@ using Corner = Vec<Length<S>, N>;
 template <Scalar S, int N, std::size_t Most>
 struct Feature {
   static constexpr std::size_t most = Most;
-  std::array<Corner<S, N>, most> corners{};
+  VecList<Length<S>, N, most> corners;
   std::array<std::uint8_t, most> numbers{};
   std::size_t count = 0;
+
+  constexpr Feature() noexcept = default;
+  constexpr Feature(const Feature& other) noexcept { *this = other; }
+  /// Copies only the corners that are set.
+  constexpr Feature& operator=(const Feature& other) noexcept {
+    count = other.count;
+    for (std::size_t i = 0; i < count; ++i) copy(i, other, i);
+    return *this;
+  }
 
   constexpr void add(const Corner<S, N>& corner, std::size_t number) noexcept {
     for (std::size_t i = 0; i < count; ++i) {
       if (corners[i] == corner) return;
     }
     if (count == most) return;
-    corners[count] = corner;
+    corners.set(count, corner);
     numbers[count++] = static_cast<std::uint8_t>(number % 255);
+  }
+  /// Sets corner i to corner k of another feature.
+  constexpr void copy(std::size_t i, const Feature& other, std::size_t k) noexcept {
+    corners.set(i, other.corners[k]);
+    numbers[i] = other.numbers[k];
   }
 };
 
@@ -66,9 +82,9 @@ constexpr auto with_corners_from(const Corner<S, N>& origin, const F& f,
   };
   (measure(features), ...);
   const auto relative = [&]<class T>(const T&, const auto& feature) {
-    std::array<Vec<T, N>, std::remove_cvref_t<decltype(feature)>::most> corners;
+    VecList<T, N, std::remove_cvref_t<decltype(feature)>::most> corners;
     for (std::size_t i = 0; i < feature.count; ++i) {
-      corners[i] = at_most < is_fixed<T> ? bits_of<T> : 0 > (feature.corners[i] - origin);
+      corners.set(i, at_most < is_fixed<T> ? bits_of<T> : 0 > (feature.corners[i] - origin));
     }
     return corners;
   };
@@ -96,8 +112,7 @@ template <Scalar S, std::size_t Most>
     while (numbers[at] != first) ++at;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const auto k = numbers[at + i < numbers.size() ? at + i : at + i - numbers.size()];
-      result.corners[i] = feature.corners[k];
-      result.numbers[i] = feature.numbers[k];
+      result.copy(i, feature, k);
     }
     result.count = numbers.size();
     return result;
@@ -124,8 +139,7 @@ template <Scalar S, std::size_t Most>
     }
     Feature<S, 3, Most> result;
     for (std::size_t at = first; result.count < feature.count;) {
-      result.corners[result.count] = feature.corners[at];
-      result.numbers[result.count++] = feature.numbers[at];
+      result.copy(result.count++, feature, at);
       const auto& p = corners[at];
       std::size_t next = at == 0 ? 1 : 0;
       for (std::size_t i = 0; i < feature.count; ++i) {
@@ -183,6 +197,24 @@ template <Scalar S, std::size_t Most, class Body, class World, Number V, int N>
     for (std::size_t i = 0; i < corners.size(); ++i) {
       if (dot(v, corners[i] - best) == 0) feature.add(nearest_to<Length<S>>(in_world[i]), i);
     }
+  }
+  return feature;
+}
+
+/// The same of one body; with `level` if it is known which corners belong to the feature: a bit each.
+template <Scalar S, std::size_t Most, class Body, Number V, int N>
+[[nodiscard]] constexpr Feature<S, N, Most> face_along(const Body& body, const Vec<V, N>& v,
+                                                       bool farthest) noexcept {
+  return extreme_feature<S, Most>(body, body, v, farthest);
+}
+template <Scalar S, std::size_t Most, class Body, Number V, int N>
+[[nodiscard]] constexpr Feature<S, N, Most> face_along(const Body& body, const Vec<V, N>&, bool,
+                                                       std::uint32_t level) noexcept {
+  const auto& corners = body.corners();
+  Feature<S, N, Most> feature;
+  for (; level != 0; level &= level - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(level));
+    feature.add(nearest_to<Length<S>>(corners[k]), k);
   }
   return feature;
 }

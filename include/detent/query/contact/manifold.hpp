@@ -104,10 +104,12 @@ class ContactBuilder {
       }
       return std::pair{found, greatest};
     };
-    const auto keep = [&](std::size_t i) { contact.points[contact.count++] = points_[i]; };
+    const auto keep = [&](std::size_t i) {
+      contact.points[contact.count++] = {points_[i], depths_[i], features_[i]};
+    };
     contact.count = 0;
     if (count_ == 0) return;
-    const auto first = best([&](std::size_t i) { return points_[i].depth; }).first;
+    const auto first = best([&](std::size_t i) { return depths_[i]; }).first;
     keep(first);
     const auto& p = places_[first];
     const auto second = best([&](std::size_t i) { return squared_distance(p, places_[i]); }).first;
@@ -224,9 +226,10 @@ class ContactBuilder {
                       const Corner<S, N>& place) noexcept {
     const auto whole_depth = radii_ + depth;
     if (whole_depth < 0 || count_ == most) return;
-    places_[count_] = place;
-    points_[count_++] = {point, floor_to<S>(depth < depth_ ? whole_depth : radii_ + depth_),
-                         feature};
+    places_.set(count_, place);
+    points_.set(count_, point);
+    depths_.set(count_, floor_to<S>(depth < depth_ ? whole_depth : radii_ + depth_));
+    features_[count_++] = feature;
   }
 
   /// Two segments, or a segment and a point, whose projections along the normal are in one line:
@@ -311,11 +314,11 @@ class ContactBuilder {
   /// The edges of an outline, seen along a direction.
   template <Number T>
   struct Rim {
-    constexpr Rim(const Direction<S, 3>& seen, const std::array<Vec<T, 3>, Most>& at,
+    constexpr Rim(const Direction<S, 3>& seen, const VecList<T, 3, Most>& at,
                   std::size_t size) noexcept
         : corners(at), count(size) {
       for (std::size_t i = 0; i < count; ++i) {
-        across[i] = cross(seen, corners[next(i)] - corners[i]);
+        across.set(i, cross(seen, corners[next(i)] - corners[i]));
       }
     }
 
@@ -338,12 +341,12 @@ class ContactBuilder {
       return true;
     }
 
-    std::array<Vec<T, 3>, Most> corners;
-    std::array<decltype(cross(Direction<S, 3>(), Vec<T, 3>() - Vec<T, 3>())), Most> across;
+    const VecList<T, 3, Most>& corners;
+    VecList<decltype(cross(Direction<S, 3>(), Vec<T, 3>() - Vec<T, 3>()).x), 3, Most> across;
     std::size_t count;
   };
   template <Number T>
-  Rim(const Direction<S, 3>&, const std::array<Vec<T, 3>, Most>&, std::size_t) -> Rim<T>;
+  Rim(const Direction<S, 3>&, const VecList<T, 3, Most>&, std::size_t) -> Rim<T>;
 
   /// `slack` is how many of the least steps of S a corner may be outside.
   template <Number T>
@@ -417,10 +420,10 @@ class ContactBuilder {
     if (edges == 0) return;
     // On which side of the edges of the reference the incident corners are: the first, and in turn
     // the two ends of an edge.
-    std::array<std::array<decltype(rim.side(0, Vec<T, 3>())), Most>, 3> sides{};
+    std::array<NumberList<decltype(rim.side(0, Vec<T, 3>())), Most>, 3> sides;
     const auto find = [&](std::size_t at, std::size_t k) {
       for (std::size_t i = 0; i < reference.count; ++i) {
-        sides[at][i] = rim.side(i, incident_rim.corners[k]);
+        sides[at].set(i, rim.side(i, incident_rim.corners[k]));
       }
       return at;
     };
@@ -477,10 +480,12 @@ class ContactBuilder {
   S radius_a_;
   decltype(S() + S()) radii_;
   bool a_is_reference_ = true;
-  std::array<ContactPoint<S, N>, most> points_{};
+  VecList<S, N, most> points_;
+  NumberList<S, most> depths_;
+  std::array<std::uint32_t, most> features_;  // not set to 0: few are used
   // The positions by which to choose the points to keep: on the grid, invariant under swapping the
   // shapes.
-  std::array<Corner<S, N>, most> places_{};
+  VecList<Length<S>, N, most> places_;
   std::size_t count_ = 0;
 };
 

@@ -174,10 +174,10 @@ template <Scalar S, int N, class A, class B>
     using Faced = FacedPush<S, N, most>;
     const auto push = least_push_between<S>(
         body_a, body_b, radius_a + radius_b, filter,
-        [&](const auto& normal, const Depth<S>& depth) {
+        [&](const auto& normal, const Depth<S>& depth, const auto&... level) {
           return std::optional<Faced>({unit_of<S>(normal), depth,
-                                       extreme_feature<S, most>(body_a, body_a, normal, true),
-                                       extreme_feature<S, most>(body_b, body_b, normal, false)});
+                                       face_along<S, most>(body_a, normal, true, level.a...),
+                                       face_along<S, most>(body_b, normal, false, level.b...)});
         });
     if (!push) return std::nullopt;
     const auto& normal = push->normal;

@@ -14,6 +14,7 @@
 #include "detent/query/kernel/gjk.hpp"
 #include "detent/query/kernel/length.hpp"
 #include "detent/query/kernel/point_obb.hpp"
+#include "detent/query/kernel/push_witness.hpp"
 #include "detent/query/kernel/within_slabs.hpp"
 #include "detent/shape/plane.hpp"
 
@@ -174,8 +175,9 @@ template <Scalar S, int N, Number Radius>
 
 /// Two convex bodies, with the sum of their radii: f(normal, depth) of the least push, which returns
 /// an optional; nothing if they do not touch. The normal is exact, at any length, and its type one of
-/// three: that of an axis of two edges of a box, a short one and a long one. `filter` is that of the
-/// shapes: see axis_filter.hpp.
+/// three: that of an axis of two edges of a box, a short one and a long one. If it is known which
+/// corners of each body are extreme along the normal, a `LevelCorners` follows. `filter` is that of
+/// the shapes: see axis_filter.hpp.
 template <Scalar S, class A, class B, Number Radii, class Filter, class F>
 [[nodiscard]] constexpr auto least_push_between(const A& a, const B& b, const Radii& radii,
                                                 const Filter& filter, const F& f) noexcept {
@@ -186,13 +188,21 @@ template <Scalar S, class A, class B, Number Radii, class Filter, class F>
   const auto depth_of = [&](const auto& push) {
     return depth_of_height<S>(radii, push.height, squared_length(push.normal));
   };
-  const auto found = [&](const auto& v, const Depth<S>& depth) {
-    return with_normal<Normal>(v, [&](const auto& normal) { return f(normal, depth); });
+  const auto found = [&](const auto& v, const Depth<S>& depth, auto... level) {
+    return with_normal<Normal>(v, [&](const auto& normal) { return f(normal, depth, level...); });
   };
   const auto low = a.low() - b.high(), high = a.high() - b.low();
   if (is_fixed<S> && radii == 0 && !holds_origin(low, high)) return Result();
   return with_differences(low, high, [&]<Number T>(const T&) {
     Result result;
+    if constexpr (has_push_witness<S, A, B>) {
+      using Witness = PushWitness<T, A, B>;
+      Witness witness(a, b);
+      const auto outcome = witness.find(low, high);
+      if (outcome == Witness::Outcome::apart && radii == 0) return result;
+      if (outcome == Witness::Outcome::found)
+        return found(witness.push().normal, depth_of(witness.push()), witness.level());
+    }
     if (const auto push = AxisPush<T, A, B>(a, b).least(filter)) {
       if (push->height > 0) {
         if constexpr (IsBoxBody<A> || IsBoxBody<B>) return f(push->normal, depth_of(*push));
