@@ -9,6 +9,7 @@
 #include "detent/query/contact/boxes.hpp"
 #include "detent/query/contact/contact.hpp"
 #include "detent/query/contact/manifold.hpp"
+#include "detent/query/contact/segment_box.hpp"
 #include "detent/query/contact/sphere_box.hpp"
 #include "detent/query/kernel/argument.hpp"
 #include "detent/query/kernel/least_push.hpp"
@@ -100,25 +101,20 @@ template <Scalar S, int N>
                                                                       const Segment<S, N>& segment,
                                                                       const S& radius,
                                                                       bool box_is_a) noexcept {
-  const auto push = least_push_in_frame(box, segment, radius);
+  const auto push = segment_box_push(box, segment, radius);
   if (!push) return std::nullopt;
-  const auto away = unit_of<S>(push->normal);
+  const auto& away = push->away;
   const S none(0);
   constexpr std::size_t most = std::size_t{1} << N;
   return make_contact<most>(
       box_is_a ? away : -away, push->depth, box_is_a ? none : radius, box_is_a ? radius : none,
       [&](auto& manifold) {
-        const AabbBody local_box(-box.half_extents, Vec(narrow_negative(-box.half_extents)));
-        const auto d = in_frame(box, segment.end - segment.start);
-        const HullBody local_span(std::array{Vec<std::remove_cvref_t<decltype(d.x)>, N>(), d});
-        const auto world = edge_body(box);
-        const std::array ends{segment.start, segment.end};
-        const auto thin = body_of_corners(ends);
-        const auto side = extreme_feature<S, most>(local_box, world, push->local, true);
-        const auto end = extreme_feature<S, most>(local_span, thin, push->local, false);
+        const auto side = push->template side<most>(box);
+        const auto end = push->template end<most>(segment);
         const auto wide = [](const auto& feature) { return feature; };
         const auto whole = [&](const auto& feature) {
-          return opposed_feature(segment, thin, feature, away);
+          const std::array ends{segment.start, segment.end};
+          return opposed_feature(segment, body_of_corners(ends), feature, away);
         };
         if (box_is_a) {
           manifold.meet(side, end, wide, whole);

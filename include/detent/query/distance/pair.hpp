@@ -16,6 +16,7 @@
 #include "detent/query/kernel/gjk.hpp"
 #include "detent/query/kernel/length.hpp"
 #include "detent/query/kernel/point_obb.hpp"
+#include "detent/query/kernel/segment_in_frame.hpp"
 #include "detent/query/kernel/touch_witness.hpp"
 #include "detent/query/kernel/within_slabs.hpp"
 
@@ -105,6 +106,13 @@ template <Scalar S, class A, class B>
     return gap_in_frame<Length<S>>(b, a);
   } else if constexpr (is_kind<A, Obb> && is_kind<B, Vec>) {
     return gap_in_frame<Length<S>>(a, b);
+  } else if constexpr (is_kind<A, Segment> && is_kind<B, Obb>) {
+    return gap_floor<S>(b, a);
+  } else if constexpr (is_kind<A, Obb> && is_kind<B, Segment>) {
+    if constexpr (has_segment_in_frame<A>) {
+      const auto distance = SegmentInFrame<S>(a, b).distance_floor();
+      if (distance.is_sure) return distance.value;
+    }
   } else if constexpr (filter_pays<S> && has_gap_of_bodies<A, B>) {
     if constexpr (is_kind<A, Obb> && is_kind<B, Obb>) {
       if (decide_boxes_overlap(a, b) == Filtered::yes) return Length<S>(0);
