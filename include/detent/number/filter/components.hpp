@@ -30,17 +30,41 @@ template <class Magnitude, int B, int F, std::size_t N>
 /// A magnitude of at most 1.
 using Share = Fixed<63, 62>;
 
+/// x, or -x if `is_reversed`; branchless where words are long, because signs are unpredictable.
+template <class T>
+[[nodiscard]] constexpr T with_sign(const T& x, bool is_reversed) noexcept {
+  using Raw = typename T::raw_type;
+  if constexpr (has_long_registers) {
+    const auto sign = -static_cast<Raw>(is_reversed);
+    return T::assume_raw(static_cast<Raw>((x.raw() ^ sign) - sign));
+  } else {
+    return T::assume_raw(static_cast<Raw>(is_reversed ? -x.raw() : x.raw()));
+  }
+}
+
 /// m[i] / |m| within 2^-44 + 2^-53 (docs/filters.md, lemma 2); 0 where m is 0.
 template <class Magnitude, std::size_t N>
 [[nodiscard]] constexpr auto shares(const std::array<Magnitude, N>& m) noexcept {
-  Magnitude longest(0);
-  for (const auto& c : m) longest = (std::max)(longest, c);
-  const int scale = 62 - positive_bit_length(longest);
   Approximate<std::array<Share, N>, Steps<(1 << 18) + (1 << 9)>> result;
   std::uint64_t squared = 1;  // at least 2^58 unless m is 0
+  int length = 0;             // of the longest
+  if constexpr (words_of<Magnitude> == 1) {
+    std::uint64_t all = 0;
+    for (const auto& c : m) all |= static_cast<std::uint64_t>(c);
+    length = static_cast<int>(std::bit_width(all));
+  } else {
+    for (const auto& c : m) length = (std::max)(length, positive_bit_length(c));
+  }
   for (std::size_t i = 0; i < N; ++i) {
-    const auto part = integer_cast<std::uint64_t>(scale >= 0 ? shift_left(m[i], scale)
-                                                             : shift_right_floor(m[i], -scale));
+    const auto part = [&] {
+      if constexpr (words_of<Magnitude> == 1) {
+        return static_cast<std::uint64_t>(m[i]) << (63 - length) >> 1;  // branchless
+      } else {
+        const int scale = 62 - length;
+        return integer_cast<std::uint64_t>(scale >= 0 ? shift_left(m[i], scale)
+                                                      : shift_right_floor(m[i], -scale));
+      }
+    }();
     squared += multiply_words(part, part).high;
     result.value[i] = Share::assume_raw(static_cast<std::int64_t>(part));
   }
@@ -90,7 +114,7 @@ template <class S, int B, int F, std::size_t N>
         static_cast<Raw>(multiply_words(static_cast<std::uint64_t>(shares.value[i].raw()),
                                         static_cast<std::uint64_t>(length.raw()) << 32)
                              .high);
-    result.value[i] = Step::assume_raw(v[i].raw() < 0 ? -part : part);
+    result.value[i] = detail::with_sign(Step::assume_raw(part), is_negative(v[i].raw()));
   }
   return result;
 }

@@ -146,7 +146,7 @@ class SegmentBoxFilter {
     for (std::size_t i = 0; i < 3; ++i) {
       const auto nearest = decide_nearest<Component>(Approximate{shares.value[i], share_error});
       if (!nearest.is_sure) return unsure_direction;
-      unit[i] = in_world[static_cast<int>(i)] < 0 ? narrow_negative(nearest.value) : nearest.value;
+      unit[i] = with_sign(nearest.value, v[static_cast<int>(i)] < 0);
     }
     return {Direction<S, 3>::assume_unit(from_array(unit)), true};
   }
