@@ -99,14 +99,19 @@ template <class Int>
 
 }  // namespace detail
 
+/// The shares of a vector's components, to step along it or back more than once.
+template <int B, int F, std::size_t N>
+[[nodiscard]] constexpr auto shares_of(const std::array<Fixed<B, F>, N>& v) noexcept {
+  using Magnitude = IntegerFor<(std::max)(B, 63)>;
+  return detail::shares(detail::magnitudes<Magnitude>(v));
+}
+
 /// length * v / |v| for length >= 0, or 0 if v is 0. A length has at most 31 bits, so the error of
 /// a share becomes 2^-13 + 2^-22 steps of S, and the floor adds 2^-30.
-template <class S, int B, int F, std::size_t N>
-[[nodiscard]] constexpr auto step_along(const S& length,
-                                        const std::array<Fixed<B, F>, N>& v) noexcept {
-  using Magnitude = IntegerFor<(std::max)(B, 63)>;
+template <class S, int B, int F, std::size_t N, class Shares>
+[[nodiscard]] constexpr auto step_along(const S& length, const std::array<Fixed<B, F>, N>& v,
+                                        const Shares& shares) noexcept {
   using Step = finer<S, 30>;
-  const auto shares = detail::shares(detail::magnitudes<Magnitude>(v));
   Approximate<std::array<Step, N>, Steps<(1 << 17) + (1 << 10)>> result;
   for (std::size_t i = 0; i < N; ++i) {
     using Raw = typename Step::raw_type;
@@ -117,6 +122,11 @@ template <class S, int B, int F, std::size_t N>
     result.value[i] = detail::with_sign(Step::assume_raw(part), is_negative(v[i].raw()));
   }
   return result;
+}
+template <class S, int B, int F, std::size_t N>
+[[nodiscard]] constexpr auto step_along(const S& length,
+                                        const std::array<Fixed<B, F>, N>& v) noexcept {
+  return step_along(length, v, shares_of(v));
 }
 
 /// (x - sqrt(d) y) / length for several x and y, approximately, with two divisions in all: the

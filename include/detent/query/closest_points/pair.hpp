@@ -47,9 +47,18 @@ template <Scalar S, int N>
   const auto to_a = a - b;
   const auto squared = squared_length(to_a);
   if (squared <= square(radius_a)) return {b, b};
-  const auto on_a = rounded_beyond(a, radius_a, narrow_negative(to_a));
-  if (squared <= square(radius_a + radius_b)) return {on_a, on_a};
-  return {on_a, rounded_beyond(b, radius_b, to_a)};
+  const auto to_b = narrow_negative(to_a);
+  if constexpr (!is_fixed<S>) {
+    const auto on_a = rounded_beyond(a, radius_a, to_b);
+    if (squared <= square(radius_a + radius_b)) return {on_a, on_a};
+    return {on_a, rounded_beyond(b, radius_b, to_a)};
+  } else {
+    // A radius of 0 moves nothing.
+    const auto shares = shares_of(to_array(to_b));
+    const auto on_a = rounded_beyond(a, radius_a, to_b, step_along(radius_a, to_array(to_b), shares));
+    if (squared <= square(radius_a + radius_b)) return {on_a, on_a};
+    return {on_a, rounded_beyond(b, radius_b, to_a, step_along(radius_b, to_array(to_a), shares))};
+  }
 }
 
 /// The closest points of two shapes with the cores a and b, which have points.
