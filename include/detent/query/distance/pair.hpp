@@ -153,7 +153,7 @@ template <Scalar S, class A, class B>
       if (distance.is_sure) return distance.value;
     }
   } else if constexpr (filter_pays<S> && has_gap_of_bodies<A, B>) {
-    if constexpr (is_kind<A, Obb> && is_kind<B, Obb>) {
+    if constexpr ((is_kind<A, Obb> || is_kind<A, Aabb>)&&(is_kind<B, Obb> || is_kind<B, Aabb>)) {
       if (decide_boxes_overlap(a, b) == Filtered::yes) return Length<S>(0);
       if constexpr (has_box_witness<A, B>) {
         const auto distance = BoxWitness<S>(a, b).distance_floor();
