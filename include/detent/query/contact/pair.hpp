@@ -95,13 +95,11 @@ template <Scalar S, int N, class Core>
       });
 }
 
-/// A box, measured in its frame, and a segment, which may be a point.
-template <Scalar S, int N>
-[[nodiscard]] constexpr std::optional<Contact<S, N>> contact_in_frame(const Obb<S, N>& box,
-                                                                      const Segment<S, N>& segment,
-                                                                      const S& radius,
-                                                                      bool box_is_a) noexcept {
-  const auto push = segment_box_push(box, segment, radius);
+/// The contact of a box and a segment, which may be a point, by their least push.
+template <class Box, Scalar S, int N>
+[[nodiscard]] constexpr std::optional<Contact<S, N>> contact_of_push(
+    const Box& box, const Segment<S, N>& segment, const S& radius, bool box_is_a,
+    const std::optional<SegmentBoxPush<S, N>>& push) noexcept {
   if (!push) return std::nullopt;
   const auto& away = push->away;
   const S none(0);
@@ -122,6 +120,14 @@ template <Scalar S, int N>
           manifold.meet(end, side, whole, wide);
         }
       });
+}
+/// The same for an oriented box, measured in its frame.
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::optional<Contact<S, N>> contact_in_frame(const Obb<S, N>& box,
+                                                                      const Segment<S, N>& segment,
+                                                                      const S& radius,
+                                                                      bool box_is_a) noexcept {
+  return contact_of_push(box, segment, radius, box_is_a, segment_box_push(box, segment, radius));
 }
 
 /// A push with its rounded normal, and the features that meet.
@@ -158,6 +164,14 @@ template <Scalar S, int N, class A, class B>
     if constexpr (is_kind<A, Aabb> && is_kind<B, Aabb> && N == 3) {
       if (boxes_are_apart(a, b)) return std::nullopt;
       if (const auto found = BoxesContact<S>(a, b).find()) return found;
+    }
+    if constexpr (is_kind<A, Aabb> && is_kind<B, Segment> && has_segment_in_frame<A>) {
+      const auto push = SegmentBoxFilter<S>(a, b, radius_b).find();
+      if (push.is_sure) return contact_of_push(a, b, radius_b, true, push.value);
+    }
+    if constexpr (is_kind<A, Segment> && is_kind<B, Aabb> && has_segment_in_frame<B>) {
+      const auto push = SegmentBoxFilter<S>(b, a, radius_a).find();
+      if (push.is_sure) return contact_of_push(b, a, radius_a, false, push.value);
     }
     const auto filter = axis_filter<S>(a, b);
     if (filter.are_apart()) return std::nullopt;

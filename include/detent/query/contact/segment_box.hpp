@@ -16,6 +16,15 @@
 
 namespace detent::detail {
 
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool is_flat(const Obb<S, N>& box, int axis) noexcept {
+  return box.half_extents[axis] == 0;
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr bool is_flat(const Aabb<S, N>& box, int axis) noexcept {
+  return box.min[axis] == box.max[axis];
+}
+
 /// The least push of a box, measured in its frame, and a segment, with the features that meet.
 template <Scalar S, int N>
 struct SegmentBoxPush {
@@ -37,11 +46,11 @@ struct SegmentBoxPush {
     has_end = slope <= 0;
   }
 
-  template <std::size_t Most>
-  [[nodiscard]] constexpr Feature<S, N, Most> side(const Obb<S, N>& box) const noexcept {
-    const auto body = edge_body(box);
+  template <std::size_t Most, class Box>
+  [[nodiscard]] constexpr Feature<S, N, Most> side(const Box& box) const noexcept {
+    const auto body = body_of(box);
     std::size_t either = free;
-    for (int i = 0; i < N; ++i) either |= std::size_t{box.half_extents[i] == 0} << i;
+    for (int i = 0; i < N; ++i) either |= std::size_t{is_flat(box, i)} << i;
     Feature<S, N, Most> feature;
     for (std::size_t sides = 0; sides < std::size_t{1} << N; ++sides) {
       if ((sides | either) == (upper | either))
@@ -78,9 +87,10 @@ class SegmentBoxFilter {
   using Result = SegmentBoxPush<S, 3>;
   using Found = Decided<std::optional<Result>>;
 
-  constexpr SegmentBoxFilter(const Obb<S, 3>& box, const Segment<S, 3>& segment,
+  template <class Box>
+  constexpr SegmentBoxFilter(const Box& box, const Segment<S, 3>& segment,
                              const S& radius) noexcept
-      : box_(box), radius_(radius), words_(box, segment) {}
+      : radius_(radius), words_(box, segment) {}
 
   [[nodiscard]] constexpr Found find() const noexcept {
     switch (words_.nearness()) {
@@ -105,7 +115,7 @@ class SegmentBoxFilter {
     const auto squared = words_.squared();
     const auto gap = sqrt_floor<Length<S>>(squared);
     if (gap > radius_ || (gap == radius_ && !(squared <= square(gap)))) return {std::nullopt, true};
-    return apart(direction_of<S>(from_frame(box_, words_.beyond())).value_or(none()), gap);
+    return apart(direction_of<S>(from_frame(rotation(), words_.beyond())).value_or(none()), gap);
   }
   [[nodiscard]] constexpr Found between() const noexcept {
     const auto gap = words_.distance_floor();
@@ -132,7 +142,7 @@ class SegmentBoxFilter {
     using Spot = Fixed<63, frac>;
     using Component = direction_component<S>;
     using Wrong = Fixed<40, Share::frac>;
-    const auto in_world = from_frame(box_, words_.beyond());
+    const auto in_world = from_frame(rotation(), words_.beyond());
     const auto v = make_vec<3>([&](int i) { return narrow_floor<Spot>(in_world[i]); });
     const int length = bit_length(v[longest_axis(v)].raw());
     if (length < 44) return unsure_direction;
@@ -231,7 +241,7 @@ class SegmentBoxFilter {
 
   [[nodiscard]] constexpr Result push_across(const FacePush& face) const noexcept {
     const auto& d = words_.along()[face.axis];
-    const auto outward = direction_of<S>(box_.rotation.axis(face.axis).vec()).value_or(none());
+    const auto outward = direction_of<S>(rotation().axis(face.axis).vec()).value_or(none());
     Result result{face.is_upper ? outward : -outward,
                   Depth<S>(radius_ + ceil_to<Length<S>>(face.height))};
     for (int i = 0; i < 3; ++i) result.add_side(i, i != face.axis ? 0 : face.is_upper ? 1 : -1);
@@ -239,7 +249,7 @@ class SegmentBoxFilter {
     return result;
   }
   [[nodiscard]] constexpr Result push_across(const EdgePush& edge) const noexcept {
-    const auto away = direction_of<S>(from_frame(box_, edge.normal)).value_or(none());
+    const auto away = direction_of<S>(from_frame(rotation(), edge.normal)).value_or(none());
     Result result{away, depth_of_height<S>(radius_, edge.height, edge.squared)};
     for (int i = 0; i < 3; ++i) result.add_side(i, edge.normal[i]);
     result.set_ends(0);
@@ -247,7 +257,10 @@ class SegmentBoxFilter {
   }
   [[nodiscard]] static constexpr Direction<S, 3> none() noexcept { return {}; }
 
-  const Obb<S, 3>& box_;
+  [[nodiscard]] constexpr const Rotation<S, 3>& rotation() const noexcept {
+    return words_.rotation();
+  }
+
   const S& radius_;
   Words words_;
 };

@@ -152,7 +152,13 @@ template <Scalar S, class A, class B>
       const auto distance = SegmentInFrame<S>(a, b).distance_floor();
       if (distance.is_sure) return distance.value;
     }
+  } else if constexpr (is_kind<A, Segment> && has_segment_in_frame<B>) {
+    return gap_floor<S>(b, a);
   } else if constexpr (filter_pays<S> && has_gap_of_bodies<A, B>) {
+    if constexpr (has_segment_in_frame<A> && is_kind<B, Segment>) {
+      const auto distance = SegmentInFrame<S>(a, b).distance_floor();
+      if (distance.is_sure) return distance.value;
+    }
     if constexpr ((is_kind<A, Obb> || is_kind<A, Aabb>)&&(is_kind<B, Obb> || is_kind<B, Aabb>)) {
       if (decide_boxes_overlap(a, b) == Filtered::yes) return Length<S>(0);
       if constexpr (has_box_witness<A, B>) {

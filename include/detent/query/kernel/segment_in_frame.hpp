@@ -13,9 +13,10 @@
 #include "detent/query/kernel/length.hpp"
 #include "detent/query/kernel/point_obb.hpp"
 #include "detent/query/kernel/rounded_point.hpp"
+#include "detent/query/kernel/spanned_box.hpp"
 #include "detent/shape/segment.hpp"
 
-// The closest points and the least push of an oriented box, which is its slabs, and a segment, by a
+// The closest points and the least push of a box, which is its slabs, and a segment, by a
 // filter in words: numbers of 20 bits propose where they are closest, and words prove it
 // (docs/filters.md, lemma 27).
 
@@ -36,17 +37,20 @@ class SegmentInFrame {
   using Place = Fixed<62, frac>;
   using Error = Fixed<8, frac>;
 
-  /// The box must not be empty.
-  constexpr SegmentInFrame(const Obb<S, 3>& box, const Segment<S, 3>& segment) noexcept
+  /// The box must not be empty. Places are exact, because half steps occur only along axes of the
+  /// world.
+  template <class Box>
+  constexpr SegmentInFrame(const Box& box, const Segment<S, 3>& segment) noexcept
       : box_(box), segment_(segment) {
-    const auto apart = box.center - segment.start, along = segment.end - segment.start;
-    if (!fits<30>(apart) || !fits<30>(along) || !fits<30>(box.half_extents)) return;
+    const auto apart = box_.center - segment.start;
+    const auto along = segment.end - segment.start;
+    if (!fits<31>(apart) || !fits<30>(along) || !fits<31>(box_.half_extents)) return;
     for (int i = 0; i < 3; ++i) {
-      const auto& axis = box.rotation.axis(i).vec();
-      center_[i] = narrow_dot<61>(axis, apart);
+      const auto& axis = box_.rotation.axis(i).vec();
+      center_[i] = narrow_floor<Place>(narrow_dot<62>(axis, apart));
       d_[i] = narrow_dot<61>(axis, along);
-      low_[i] = narrow_difference<62>(center_[i], Place(box.half_extents[i]));
-      high_[i] = narrow_sum<62>(center_[i], Place(box.half_extents[i]));
+      low_[i] = narrow_difference<62>(center_[i], Place(box_.half_extents[i]));
+      high_[i] = narrow_sum<62>(center_[i], Place(box_.half_extents[i]));
     }
     find();
   }
@@ -67,6 +71,8 @@ class SegmentInFrame {
   [[nodiscard]] constexpr const Vec<Place, 3>& low() const noexcept { return low_; }
   [[nodiscard]] constexpr const Vec<Place, 3>& high() const noexcept { return high_; }
   [[nodiscard]] constexpr const Vec<Place, 3>& along() const noexcept { return d_; }
+
+  [[nodiscard]] constexpr const Rotation<S, 3>& rotation() const noexcept { return box_.rotation; }
 
   /// The distance, rounded down.
   [[nodiscard]] constexpr Decided<Length<S>> distance_floor() const noexcept {
@@ -268,10 +274,10 @@ class SegmentInFrame {
   [[nodiscard]] constexpr Points points_at_end(const Vec<S, 3>& end,
                                                const S& radius) const noexcept {
     const auto place = nearness_ == Nearness::start ? Vec<Place, 3>() : d_;
-    const auto in_world = nearest_to<S>(box_.center + from_frame(box_, on_box(place)));
+    const auto in_world = nearest_to<S>(box_.center + from_frame(box_.rotation, on_box(place)));
     if (squared() <= square(radius)) return {in_world, in_world};
     return {in_world,
-            nearly_rounded_beyond(end, radius, from_frame(box_, narrow_negative(beyond_)))};
+            nearly_rounded_beyond(end, radius, from_frame(box_.rotation, narrow_negative(beyond_)))};
   }
 
   [[nodiscard]] constexpr Decided<Points> points_between(const S& radius) const noexcept {
@@ -285,7 +291,7 @@ class SegmentInFrame {
     };
     // No axis exceeds 1 by a step, so the errors of three places add up, and one for the floor.
     const auto world_error = error_ + error_ + error_ + Error::from_raw(1);
-    const auto from_center = from_frame(box_, on_box(place_));
+    const auto from_center = from_frame(box_.rotation, on_box(place_));
     for (int i = 0; i < 3; ++i) {
       decide_at(in_world, i,
                 Approximate{narrow_sum<63>(Spot(box_.center[i]), narrow_floor<Spot>(from_center[i])),
@@ -303,7 +309,7 @@ class SegmentInFrame {
       result.is_sure = result.is_sure && on_axis.is_sure;
       return result;
     }
-    const auto to_box = from_frame(box_, narrow_negative(beyond_));
+    const auto to_box = from_frame(box_.rotation, narrow_negative(beyond_));
     const auto across = make_vec<3>([&](int i) { return narrow_floor<Spot>(to_box[i]); });
     bool is_long = false;
     for (int i = 0; i < 3; ++i) {
@@ -320,7 +326,7 @@ class SegmentInFrame {
     return result;
   }
 
-  Obb<S, 3> box_;
+  SpannedBox<S> box_;
   Segment<S, 3> segment_;
   Nearness nearness_ = Nearness::unsure;
   bool is_tie_ = false;  // the distance does not change at the end
@@ -337,5 +343,7 @@ template <class Box>
 inline constexpr bool has_segment_in_frame = false;
 template <Scalar S>
 inline constexpr bool has_segment_in_frame<Obb<S, 3>> = is_fixed<S>&& filter_pays<S>;
+template <Scalar S>
+inline constexpr bool has_segment_in_frame<Aabb<S, 3>> = is_fixed<S>&& filter_pays<S>;
 
 }  // namespace detent::detail
