@@ -113,9 +113,9 @@ requires detail::HaveCast<A, B>
   }
   hit->distance = touch->distance;
   hit->normal = *touch->normal;
-  hit->point = touch->point ? *touch->point
-                            : detail::closest_point_of_target(shape, target, direction,
-                                                              touch->distance);
+  hit->point = touch->point
+                   ? *touch->point
+                   : detail::closest_point_of_target(shape, target, direction, touch->distance);
   return hit;
 }
 

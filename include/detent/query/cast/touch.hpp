@@ -120,9 +120,8 @@ template <bool WithNormal, bool HasFilter, class A, class B, class Way, class To
 /// `distance`; false if it is not by `limit`.
 template <Scalar S, int N, Number R>
 [[nodiscard]] constexpr bool find_distance_to_ball(const Vec<S, N>& point, const Vec<S, N>& center,
-                                                   const Direction<S, N>& direction,
-                                                   const S& limit, const R& radius,
-                                                   S& distance) noexcept {
+                                                   const Direction<S, N>& direction, const S& limit,
+                                                   const R& radius, S& distance) noexcept {
   const auto m = point - center;
   const auto squared = squared_length(m);
   const auto beyond = squared - square(radius);

@@ -55,7 +55,8 @@ template <Scalar S, int N>
   } else {
     // A radius of 0 moves nothing.
     const auto shares = shares_of(to_array(to_b));
-    const auto on_a = rounded_beyond(a, radius_a, to_b, step_along(radius_a, to_array(to_b), shares));
+    const auto on_a =
+        rounded_beyond(a, radius_a, to_b, step_along(radius_a, to_array(to_b), shares));
     if (squared <= square(radius_a + radius_b)) return {on_a, on_a};
     return {on_a, rounded_beyond(b, radius_b, to_a, step_along(radius_b, to_array(to_a), shares))};
   }

@@ -104,22 +104,22 @@ template <class Box, Scalar S, int N>
   const auto& away = push->away;
   const S none(0);
   constexpr std::size_t most = std::size_t{1} << N;
-  return make_contact<most>(
-      box_is_a ? away : -away, push->depth, box_is_a ? none : radius, box_is_a ? radius : none,
-      [&](auto& manifold) {
-        const auto side = push->template side<most>(box);
-        const auto end = push->template end<most>(segment);
-        const auto wide = [](const auto& feature) { return feature; };
-        const auto whole = [&](const auto& feature) {
-          const std::array ends{segment.start, segment.end};
-          return opposed_feature(segment, body_of_corners(ends), feature, away);
-        };
-        if (box_is_a) {
-          manifold.meet(side, end, wide, whole);
-        } else {
-          manifold.meet(end, side, whole, wide);
-        }
-      });
+  return make_contact<most>(box_is_a ? away : -away, push->depth, box_is_a ? none : radius,
+                            box_is_a ? radius : none, [&](auto& manifold) {
+                              const auto side = push->template side<most>(box);
+                              const auto end = push->template end<most>(segment);
+                              const auto wide = [](const auto& feature) { return feature; };
+                              const auto whole = [&](const auto& feature) {
+                                const std::array ends{segment.start, segment.end};
+                                return opposed_feature(segment, body_of_corners(ends), feature,
+                                                       away);
+                              };
+                              if (box_is_a) {
+                                manifold.meet(side, end, wide, whole);
+                              } else {
+                                manifold.meet(end, side, whole, wide);
+                              }
+                            });
 }
 /// The same for an oriented box, measured in its frame.
 template <Scalar S, int N>

@@ -88,8 +88,7 @@ class SegmentBoxFilter {
   using Found = Decided<std::optional<Result>>;
 
   template <class Box>
-  constexpr SegmentBoxFilter(const Box& box, const Segment<S, 3>& segment,
-                             const S& radius) noexcept
+  constexpr SegmentBoxFilter(const Box& box, const Segment<S, 3>& segment, const S& radius) noexcept
       : radius_(radius), words_(box, segment) {}
 
   [[nodiscard]] constexpr Found find() const noexcept {
@@ -130,9 +129,7 @@ class SegmentBoxFilter {
                                       const Length<S>& gap) const noexcept {
     Result result{away, Depth<S>(radius_ - gap)};
     for (int i = 0; i < 3; ++i) result.add_side(i, words_.side(i));
-    result.set_ends(words_.is_across()                     ? 0
-                    : words_.nearness() == Nearness::start ? 1
-                                                           : -1);
+    result.set_ends(words_.is_across() ? 0 : words_.nearness() == Nearness::start ? 1 : -1);
     return {result, true};
   }
 

@@ -41,8 +41,8 @@ class CornersInFrame {
       const auto normal = narrow_cross<61>(frame.rotation.axis((k + 1) % 3).vec(),
                                            frame.rotation.axis((k + 2) % 3).vec());
       auto& row = places_[at(k)];
-      row[3] = narrow_dot<123>(
-          normal, make_vec<3>([&](int i) { return Edge(narrow<32>(apart[i])); }));
+      row[3] =
+          narrow_dot<123>(normal, make_vec<3>([&](int i) { return Edge(narrow<32>(apart[i])); }));
       for (std::size_t i = 0; i < 3; ++i) row[i] = narrow_dot<123>(normal, edges_[i]);
       if (k == 0) volume_ = abs(narrow_dot<92>(normal, frame.rotation.axis(0).vec()));
       reaches_[at(k)] =
@@ -186,20 +186,21 @@ class CornersInFrame {
 template <class A, class B>
 [[nodiscard]] constexpr auto common_point_by_words(const A& box_a, const B& box_b) noexcept {
   using S = std::remove_cvref_t<decltype(PointOf<A>::type::x)>;
-  constexpr Decided<Vec<S, 3>> unsure{{}, false};
+  using Point = Decided<Vec<S, 3>>;
+  constexpr Point unsure{{}, false};
   const SpannedBox<S> a(box_a), b(box_b);
   const auto apart = a.center - b.center;
   if (!fit_words(a, b)) return unsure;
   CornersInFrame<S> of_a(a, b, apart);
   for (std::size_t c = 0; c < 8; ++c) {
     const auto is_inside = of_a.is_inside(c);
-    if (is_inside == Filtered::yes) return Decided{of_a.rounded_corner(c), true};
+    if (is_inside == Filtered::yes) return Point{of_a.rounded_corner(c), true};
     if (is_inside == Filtered::unsure) return unsure;
   }
   CornersInFrame<S> of_b(b, a, b.center - a.center);
   for (std::size_t c = 0; c < 8; ++c) {
     const auto is_inside = of_b.is_inside(c);
-    if (is_inside == Filtered::yes) return Decided{of_b.rounded_corner(c), true};
+    if (is_inside == Filtered::yes) return Point{of_b.rounded_corner(c), true};
     if (is_inside == Filtered::unsure) return unsure;
   }
   for (auto* corners : {&of_a, &of_b}) {

@@ -48,8 +48,7 @@ class BoxWitness {
   using Points = std::pair<Vec<S, 3>, Vec<S, 3>>;
 
   template <class A, class B>
-  constexpr BoxWitness(const A& a, const B& b) noexcept
-      : a_(a), b_(b), fits_(fit_words(a_, b_)) {
+  constexpr BoxWitness(const A& a, const B& b) noexcept : a_(a), b_(b), fits_(fit_words(a_, b_)) {
     if (!fits_) return;
     for (int i = 0; i < 3; ++i) {
       axes_[at(i)] = a_.rotation.axis(i).vec();

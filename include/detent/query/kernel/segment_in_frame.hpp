@@ -93,7 +93,8 @@ class SegmentInFrame {
     return narrow_dot<126>(beyond_, beyond_);
   }
   [[nodiscard]] constexpr auto approximate_distance() const noexcept {
-    return Approximate{sqrt_floor<Fixed<63, frac>>(squared()), error_ + error_ + Error::from_raw(1)};
+    return Approximate{sqrt_floor<Fixed<63, frac>>(squared()),
+                       error_ + error_ + Error::from_raw(1)};
   }
 
   /// The closest points of the box and of a capsule around the segment, as `closest_points_in_frame`
@@ -236,8 +237,9 @@ class SegmentInFrame {
     for (int i = 0; i < 3; ++i) {
       const auto x = place_[i] = narrow_floor<Place>(d_[i] * ratio_.quotient.value);
       const int side = sides_[at(i)];
-      const auto above = narrow_difference<63>(x, high_[i]), below = narrow_difference<63>(low_[i], x);
-      is_right = is_right && (side < 0 ? below > error_
+      const auto above = narrow_difference<63>(x, high_[i]),
+                 below = narrow_difference<63>(low_[i], x);
+      is_right = is_right && (side < 0   ? below > error_
                               : side > 0 ? above > error_
                                          : above < -error_ && below < -error_);
       beyond_[i] = side < 0   ? narrow_difference<62>(x, low_[i])
@@ -276,8 +278,8 @@ class SegmentInFrame {
     const auto place = nearness_ == Nearness::start ? Vec<Place, 3>() : d_;
     const auto in_world = nearest_to<S>(box_.center + from_frame(box_.rotation, on_box(place)));
     if (squared() <= square(radius)) return {in_world, in_world};
-    return {in_world,
-            nearly_rounded_beyond(end, radius, from_frame(box_.rotation, narrow_negative(beyond_)))};
+    return {in_world, nearly_rounded_beyond(end, radius,
+                                            from_frame(box_.rotation, narrow_negative(beyond_)))};
   }
 
   [[nodiscard]] constexpr Decided<Points> points_between(const S& radius) const noexcept {
@@ -286,16 +288,17 @@ class SegmentInFrame {
     const auto decide_at = [&](auto& point, int i, const auto& x) {
       const auto nearest = decide_nearest<S>(x);
       point[i] = nearest.value;
-      result.is_sure = result.is_sure && nearest.is_sure && lowest<S> <= x.value &&
-                       x.value <= largest<S>;
+      result.is_sure =
+          result.is_sure && nearest.is_sure && lowest<S> <= x.value && x.value <= largest<S>;
     };
     // No axis exceeds 1 by a step, so the errors of three places add up, and one for the floor.
     const auto world_error = error_ + error_ + error_ + Error::from_raw(1);
     const auto from_center = from_frame(box_.rotation, on_box(place_));
     for (int i = 0; i < 3; ++i) {
-      decide_at(in_world, i,
-                Approximate{narrow_sum<63>(Spot(box_.center[i]), narrow_floor<Spot>(from_center[i])),
-                            world_error});
+      decide_at(
+          in_world, i,
+          Approximate{narrow_sum<63>(Spot(box_.center[i]), narrow_floor<Spot>(from_center[i])),
+                      world_error});
     }
     const auto length = approximate_distance();
     if (length.value + length.error < radius) {

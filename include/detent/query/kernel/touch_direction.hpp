@@ -25,8 +25,7 @@ template <int Most, Number R>
 /// The direction of a vector whose components are off by less than 6; unsure where that could
 /// change it, or if the vector is shorter than 2^58.
 template <Scalar S, Number V, int N>
-[[nodiscard]] constexpr Decided<Direction<S, N>> direction_of_words(
-    const Vec<V, N>& v) noexcept {
+[[nodiscard]] constexpr Decided<Direction<S, N>> direction_of_words(const Vec<V, N>& v) noexcept {
   using Component = direction_component<S>;
   using Magnitude = IntegerFor<(std::max)(bits_of<V>, 63)>;
   const auto magnitude = magnitudes<Magnitude>(to_array(v));
@@ -135,9 +134,9 @@ template <Scalar S, Number P, Number W, int N, Number R, class ToWorld>
 /// The same for an edge in any direction, by the `place` of one of its ends, in the world.
 template <Scalar S, Number P, Number E, Number W, Number R>
 [[nodiscard]] constexpr Decided<Direction<S, 3>> direction_across(const Vec<P, 3>& place,
-                                                                        const Vec<E, 3>& edge,
-                                                                        const Vec<W, 3>& way,
-                                                                        const R& radius) noexcept {
+                                                                  const Vec<E, 3>& edge,
+                                                                  const Vec<W, 3>& way,
+                                                                  const R& radius) noexcept {
   using Word = Fixed<62, 0>;
   using Part = Fixed<61, 60>;
   static_assert(bits_of<E> <= 33 && P::frac == E::frac + W::frac && E::frac == R::frac);
@@ -176,9 +175,10 @@ template <Scalar S, Number P, Number E, Number W, Number R>
 /// The same for a corner or an edge of the differences of two bodies; in a frame, only for an edge
 /// along an axis.
 template <Scalar S, class Feature, Number W, int N, Number R, class ToWorld>
-[[nodiscard]] constexpr Decided<Direction<S, N>> direction_on(
-    const Feature& feature, const Vec<W, N>& way, const S& distance, const R& radius,
-    const ToWorld& to_world) noexcept {
+[[nodiscard]] constexpr Decided<Direction<S, N>> direction_on(const Feature& feature,
+                                                              const Vec<W, N>& way,
+                                                              const S& distance, const R& radius,
+                                                              const ToWorld& to_world) noexcept {
   const auto& corner = feature.corners[0];
   const auto& other = feature.corners[feature.count == 2 ? 1 : 0];
   auto place = corner - way * distance;
