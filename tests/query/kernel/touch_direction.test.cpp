@@ -103,8 +103,8 @@ TEST_CASE("touch direction: frames whose axes are not perpendicular are left out
         place + Vec<Fixed<31, 46>, 3>{Fixed<31, 46>::from_raw((1 << 28) + (1 << 16))},
         Vec<Way, 3>{Way(1), across, Way(0)}, radius, detail::SameFrame());
   };
-  CHECK(toward(Way(0)));
-  CHECK_FALSE(toward(Way(1)));
+  CHECK(toward(Way(0)).is_sure);
+  CHECK_FALSE(toward(Way(1)).is_sure);
 }
 
 }  // namespace
