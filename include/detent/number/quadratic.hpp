@@ -39,17 +39,28 @@ class Quadratic {
   [[nodiscard]] constexpr std::optional<T> first_root(const T& limit) const noexcept {
     if constexpr (is_fixed<T> && !has_filters) {
       return first_root_by_digits<T>(limit);
+    } else {
+      T t;
+      if (!find_first_root(limit, t)) return std::nullopt;
+      return t;
+    }
+  }
+  /// The same as `t`; false if there is none. Where the root is then stored, an optional number would
+  /// be read again as soon as it is written, which stalls.
+  template <Scalar T>
+  [[nodiscard]] constexpr bool find_first_root(const T& limit, T& t) const noexcept {
+    if constexpr (is_fixed<T> && !has_filters) {
+      const auto root = first_root_by_digits<T>(limit);
+      if (root) t = *root;
+      return root.has_value();
     } else if constexpr (is_fixed<T>) {
       const auto root = sqrt_leading<B>(discriminant());
       const Approximate numerator{first_numerator(root.value), root.error};
-      const T t =
-          or_exact(decide_quotient_floor<T>(numerator, a_), [&] { return exact_first_root<T>(); });
-      if (t >= limit && !(t == limit && sign_at(t) == 0)) return std::nullopt;
-      return t;
+      t = or_exact(decide_quotient_floor<T>(numerator, a_), [&] { return exact_first_root<T>(); });
+      return !(t >= limit && !(t == limit && sign_at(t) == 0));
     } else {
-      const T t = first_numerator(root()) / a_;
-      if (t > limit) return std::nullopt;
-      return t;
+      t = first_numerator(root()) / a_;
+      return !(t > limit);
     }
   }
 

@@ -78,7 +78,7 @@ template <class Component, int B, int F, std::size_t N>
       const bool is_above = detail::is_above_half<B, Component::frac>(magnitude, i, below);
       return nearest_at_midpoint(upper, is_above ? 1 : -1);
     });
-    unit[i] = is_negative(v[i].raw()) ? narrow_negative(share) : share;
+    unit[i] = detail::with_sign(share, is_negative(v[i].raw()));
   }
   return unit;
 }

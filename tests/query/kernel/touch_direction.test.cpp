@@ -33,14 +33,14 @@ void compare(const Vec<P, 3>& between, const Vec<W, 3>& way, const Radius& radiu
   count.hits.count(is_hit);
   if (!is_hit) return;
   const auto found = detail::direction_at_touch<S>(place, way, radius, to_world);
-  count.sure.count(found.has_value());
-  if (!found) return;
+  count.sure.count(found.is_sure);
+  if (!found.is_sure) return;
   const detail::Approach<Body, Body, W, S, most> fine(a, b, way, radius,
                                                       detail::finer_by<most>(radius));
   const auto exact = fine.with_touch_of_points(
       between, fine.scaled(distance), fine.scaled(largest<S>),
       [&](const auto& v) { return direction_of<S>(detail::shortened<240>(to_world(v))).value(); });
-  REQUIRE(*found == exact);
+  REQUIRE(found.value == exact);
 }
 
 /// Touches of balls whose radius has some bits; the motion and the normal have the cosine
@@ -103,8 +103,8 @@ TEST_CASE("touch direction: frames whose axes are not perpendicular are left out
         place + Vec<Fixed<31, 46>, 3>{Fixed<31, 46>::from_raw((1 << 28) + (1 << 16))},
         Vec<Way, 3>{Way(1), across, Way(0)}, radius, detail::SameFrame());
   };
-  CHECK(toward(Way(0)));
-  CHECK_FALSE(toward(Way(1)));
+  CHECK(toward(Way(0)).is_sure);
+  CHECK_FALSE(toward(Way(1)).is_sure);
 }
 
 }  // namespace

@@ -91,16 +91,16 @@ void compare(const A& a, const B& b, const Direction<S, N>& direction, const S& 
   REQUIRE(fine.with_touch_on(*feature, from, to, normal) == found);
   if constexpr (filter_pays<S>) {
     const auto quick = detail::direction_on<S>(*feature, way, *exact, sum, detail::SameFrame());
-    count.sure_directions.count(quick.has_value());
-    if (quick) REQUIRE(quick == found);
+    count.sure_directions.count(quick.is_sure);
+    if (quick.is_sure) REQUIRE(quick.value == found);
   }
   if constexpr (N == 3 && filter_pays<S> && is_scalar_body<A, S> && is_scalar_body<B, S>) {
     if (feature->count == 2) {
       const auto& end = feature->corners[0];
       const auto across =
           detail::direction_across<S>(end - way * *exact, feature->corners[1] - end, way, sum);
-      count.sure_across.count(across.has_value());
-      if (across) REQUIRE(across == found);
+      count.sure_across.count(across.is_sure);
+      if (across.is_sure) REQUIRE(across.value == found);
     }
   }
   if (!feature->is_facet()) return;

@@ -30,17 +30,41 @@ template <class Magnitude, int B, int F, std::size_t N>
 /// A magnitude of at most 1.
 using Share = Fixed<63, 62>;
 
+/// x, or -x if `is_reversed`; branchless where words are long, because signs are unpredictable.
+template <class T>
+[[nodiscard]] constexpr T with_sign(const T& x, bool is_reversed) noexcept {
+  using Raw = typename T::raw_type;
+  if constexpr (has_long_registers) {
+    const auto sign = -static_cast<Raw>(is_reversed);
+    return T::assume_raw(static_cast<Raw>((x.raw() ^ sign) - sign));
+  } else {
+    return T::assume_raw(static_cast<Raw>(is_reversed ? -x.raw() : x.raw()));
+  }
+}
+
 /// m[i] / |m| within 2^-44 + 2^-53 (docs/filters.md, lemma 2); 0 where m is 0.
 template <class Magnitude, std::size_t N>
 [[nodiscard]] constexpr auto shares(const std::array<Magnitude, N>& m) noexcept {
-  Magnitude longest(0);
-  for (const auto& c : m) longest = (std::max)(longest, c);
-  const int scale = 62 - positive_bit_length(longest);
   Approximate<std::array<Share, N>, Steps<(1 << 18) + (1 << 9)>> result;
   std::uint64_t squared = 1;  // at least 2^58 unless m is 0
+  int length = 0;             // of the longest
+  if constexpr (words_of<Magnitude> == 1) {
+    std::uint64_t all = 0;
+    for (const auto& c : m) all |= static_cast<std::uint64_t>(c);
+    length = static_cast<int>(std::bit_width(all));
+  } else {
+    for (const auto& c : m) length = (std::max)(length, positive_bit_length(c));
+  }
   for (std::size_t i = 0; i < N; ++i) {
-    const auto part = integer_cast<std::uint64_t>(scale >= 0 ? shift_left(m[i], scale)
-                                                             : shift_right_floor(m[i], -scale));
+    const auto part = [&] {
+      if constexpr (words_of<Magnitude> == 1) {
+        return static_cast<std::uint64_t>(m[i]) << (63 - length) >> 1;  // branchless
+      } else {
+        const int scale = 62 - length;
+        return integer_cast<std::uint64_t>(scale >= 0 ? shift_left(m[i], scale)
+                                                      : shift_right_floor(m[i], -scale));
+      }
+    }();
     squared += multiply_words(part, part).high;
     result.value[i] = Share::assume_raw(static_cast<std::int64_t>(part));
   }
@@ -75,14 +99,19 @@ template <class Int>
 
 }  // namespace detail
 
+/// The shares of a vector's components, to step along it or back more than once.
+template <int B, int F, std::size_t N>
+[[nodiscard]] constexpr auto shares_of(const std::array<Fixed<B, F>, N>& v) noexcept {
+  using Magnitude = IntegerFor<(std::max)(B, 63)>;
+  return detail::shares(detail::magnitudes<Magnitude>(v));
+}
+
 /// length * v / |v| for length >= 0, or 0 if v is 0. A length has at most 31 bits, so the error of
 /// a share becomes 2^-13 + 2^-22 steps of S, and the floor adds 2^-30.
-template <class S, int B, int F, std::size_t N>
-[[nodiscard]] constexpr auto step_along(const S& length,
-                                        const std::array<Fixed<B, F>, N>& v) noexcept {
-  using Magnitude = IntegerFor<(std::max)(B, 63)>;
+template <class S, int B, int F, std::size_t N, class Shares>
+[[nodiscard]] constexpr auto step_along(const S& length, const std::array<Fixed<B, F>, N>& v,
+                                        const Shares& shares) noexcept {
   using Step = finer<S, 30>;
-  const auto shares = detail::shares(detail::magnitudes<Magnitude>(v));
   Approximate<std::array<Step, N>, Steps<(1 << 17) + (1 << 10)>> result;
   for (std::size_t i = 0; i < N; ++i) {
     using Raw = typename Step::raw_type;
@@ -90,9 +119,14 @@ template <class S, int B, int F, std::size_t N>
         static_cast<Raw>(multiply_words(static_cast<std::uint64_t>(shares.value[i].raw()),
                                         static_cast<std::uint64_t>(length.raw()) << 32)
                              .high);
-    result.value[i] = Step::assume_raw(v[i].raw() < 0 ? -part : part);
+    result.value[i] = detail::with_sign(Step::assume_raw(part), is_negative(v[i].raw()));
   }
   return result;
+}
+template <class S, int B, int F, std::size_t N>
+[[nodiscard]] constexpr auto step_along(const S& length,
+                                        const std::array<Fixed<B, F>, N>& v) noexcept {
+  return step_along(length, v, shares_of(v));
 }
 
 /// (x - sqrt(d) y) / length for several x and y, approximately, with two divisions in all: the

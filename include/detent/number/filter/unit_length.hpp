@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "detent/number/filter/filtered.hpp"
+#include "detent/number/fraction.hpp"
 
 namespace detent {
 
@@ -54,8 +55,8 @@ template <class T, int BN, int FN, int BD, int FD>
 /// 1 / sqrt(1 + e) = 1 - e / 2 + ...: the rest of the series is below 3 e^2 / 8, which is less than
 /// 2^6 steps of n. The squares are compared only if that might cross a step of T.
 template <class T, int BN, int FN, int BD, int FD>
-[[nodiscard]] constexpr T divide_by_length(const Fixed<BN, FN>& n,
-                                           const Fixed<BD, FD>& d) noexcept {
+requires(BN <= 63) [[nodiscard]] constexpr T
+    divide_by_length(const Fixed<BN, FN>& n, const Fixed<BD, FD>& d) noexcept {
   constexpr int shift = FN - T::frac;
   static_assert(shift > 7 && BN <= FD + 3 && BN <= 63);
   using Product = IntegerFor<BN + FD / 2 + 2>;
@@ -75,6 +76,27 @@ template <class T, int BN, int FN, int BD, int FD>
     return Candidate::assume_raw(static_cast<Raw>(above.raw() - (is_reached ? 0 : 1)));
   };
   return detail::clamp_raw<T>(or_exact(floor, exact).raw());
+}
+
+/// The same for a long n: of its leading bits, if the step that they drop does not matter.
+template <class T, int BN, int FN, int BD, int FD>
+requires(BN > 63) [[nodiscard]] constexpr T
+    divide_by_length(const Fixed<BN, FN>& n, const Fixed<BD, FD>& d) noexcept {
+  constexpr int dropped = BN - 62;
+  using Quotient = Fixed<63, FN - dropped>;
+  static_assert(Quotient::frac - T::frac > 8 && FD == 60);
+  if (n == 0) return T();
+  if constexpr (has_filters) {
+    const auto raw = integer_cast<std::int64_t>(shift_right_floor(abs(n).raw(), dropped));
+    const auto excess = wrapping_subtract<std::int64_t>(d.raw(), std::int64_t{1} << FD);
+    const auto quotient =
+        Quotient::assume_raw(raw - integer_cast<std::int64_t>(shift_right_floor(
+                                       wrapping_multiply<Int128>(raw, excess), FD + 1)));
+    const auto floor = decide_floor<Fixed<62 - Quotient::frac + T::frac + 1, T::frac>>(
+        Approximate{quotient, Steps<66>()});
+    if (floor.is_sure) return floor_to<T>(floor.value);
+  }
+  return sqrt_floor<T>(Fraction{square(n), d});
 }
 
 }  // namespace detent

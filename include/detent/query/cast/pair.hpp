@@ -103,12 +103,20 @@ requires detail::HaveCast<A, B>
     const A& shape, const Direction<S, N>& direction, const std::type_identity_t<S>& max_distance,
     const B& target) noexcept {
   const auto touch = detail::first_touch<true>(shape, direction, max_distance, target);
-  if (!touch) return std::nullopt;
-  if (!touch->normal) return CastHit<S, N>{S(0), detail::first_point(shape), -direction};
-  const auto point =
-      touch->point ? *touch->point
+  std::optional<CastHit<S, N>> hit;
+  if (!touch) return hit;
+  hit.emplace();
+  if (!touch->normal) {
+    hit->point = detail::first_point(shape);
+    hit->normal = -direction;
+    return hit;
+  }
+  hit->distance = touch->distance;
+  hit->normal = *touch->normal;
+  hit->point = touch->point
+                   ? *touch->point
                    : detail::closest_point_of_target(shape, target, direction, touch->distance);
-  return CastHit<S, N>{touch->distance, point, *touch->normal};
+  return hit;
 }
 
 /// `cast(question.shape, question.direction, question.max_distance, target)`.

@@ -116,23 +116,22 @@ template <bool WithNormal, bool HasFilter, class A, class B, class Way, class To
   return touch;
 }
 
-/// How far a point moves before it is within `radius` > 0 of another one: a ray against a ball.
+/// How far a point moves before it is within `radius` > 0 of another one, a ray against a ball, as
+/// `distance`; false if it is not by `limit`.
 template <Scalar S, int N, Number R>
-[[nodiscard]] constexpr std::optional<S> distance_to_ball(const Vec<S, N>& point,
-                                                          const Vec<S, N>& center,
-                                                          const Direction<S, N>& direction,
-                                                          const S& limit,
-                                                          const R& radius) noexcept {
+[[nodiscard]] constexpr bool find_distance_to_ball(const Vec<S, N>& point, const Vec<S, N>& center,
+                                                   const Direction<S, N>& direction, const S& limit,
+                                                   const R& radius, S& distance) noexcept {
   const auto m = point - center;
   const auto squared = squared_length(m);
   const auto beyond = squared - square(radius);
-  if (beyond <= 0) return S(0);
+  distance = S(0);
+  if (beyond <= 0) return true;
   const auto b = dot(m, direction);
-  if (!(b < 0)) return std::nullopt;
+  if (!(b < 0)) return false;
   const Quadratic quadratic(squared_length(direction), b,
                             narrow<bits_of<std::remove_cvref_t<decltype(squared)>>>(beyond));
-  if (!quadratic.has_roots()) return std::nullopt;
-  return quadratic.first_root(limit);
+  return quadratic.has_roots() && quadratic.find_first_root(limit, distance);
 }
 
 /// The first touch of two spheres with points. The normal is found like that of other round bodies.
@@ -149,16 +148,19 @@ template <bool WithNormal, Scalar S, int N>
     if (is_zero(between)) return Touch<S, N>{S(0), std::nullopt};
     return Touch<S, N>{*distance, -direction};
   }
-  const auto distance = distance_to_ball(a.center, b.center, direction, limit, radius);
-  if (!distance) return std::nullopt;
-  Touch<S, N> touch{*distance, std::nullopt};
+  // The result is written where it is returned: copies of what was just written in parts stall.
+  std::optional<Touch<S, N>> touch;
+  S distance;
+  if (!find_distance_to_ball(a.center, b.center, direction, limit, radius, distance)) return touch;
+  touch.emplace();
+  touch->distance = distance;
   if constexpr (WithNormal) {
     if (squared_length(between) > square(radius)) {
       if constexpr (filter_pays<S>) {
-        const auto found = direction_at_touch<S>(between - direction.vec() * *distance,
+        const auto found = direction_at_touch<S>(between - direction.vec() * distance,
                                                  direction.vec(), radius, SameFrame());
-        if (found) {
-          touch.normal = -*found;
+        if (found.is_sure) {
+          touch->normal.emplace(-found.value);
           return touch;
         }
       }
@@ -167,8 +169,8 @@ template <bool WithNormal, Scalar S, int N>
       using Body = std::remove_cvref_t<decltype(body_a)>;
       const Approach<Body, Body, Component, S, most> fine(body_a, body_b, direction.vec(), radius,
                                                           finer_by<most>(radius));
-      touch.normal = -fine.with_touch_of_points(
-          between, fine.scaled(*distance), fine.scaled(limit),
+      touch->normal = -fine.with_touch_of_points(
+          between, fine.scaled(distance), fine.scaled(limit),
           [&](const auto& v) { return direction_of<S>(shortened<240>(v)).value_or(direction); });
     }
   }
@@ -209,15 +211,14 @@ template <bool WithNormal, class A, class B, class Way, class ToWorld, Scalar S,
       return dot(normal, steps) > 0 ? -outward(normal) : outward(normal);
     }
     if constexpr (filter_pays<S>) {
-      if (const auto found = direction_on<S>(feature, steps, distance, radius, to_world)) {
-        return -*found;
-      }
+      const auto on_feature = direction_on<S>(feature, steps, distance, radius, to_world);
+      if (on_feature.is_sure) return -on_feature.value;
       if constexpr (N == 3 && std::is_same_v<ToWorld, SameFrame>) {
         if (feature.count == 2) {
           const auto& from = feature.corners[0];
           const auto found = direction_across<S>(from - steps * distance, feature.corners[1] - from,
                                                  steps, radius);
-          if (found) return -*found;
+          if (found.is_sure) return -found.value;
         }
       }
     }

@@ -40,6 +40,28 @@ template <Scalar S, int N>
   return {rounded_beyond(center, radius, to_box), on_box};
 }
 
+/// The closest points of two spheres.
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_of_spheres(
+    const Vec<S, N>& a, const Vec<S, N>& b, const S& radius_a, const S& radius_b) noexcept {
+  const auto to_a = a - b;
+  const auto squared = squared_length(to_a);
+  if (squared <= square(radius_a)) return {b, b};
+  const auto to_b = narrow_negative(to_a);
+  if constexpr (!is_fixed<S>) {
+    const auto on_a = rounded_beyond(a, radius_a, to_b);
+    if (squared <= square(radius_a + radius_b)) return {on_a, on_a};
+    return {on_a, rounded_beyond(b, radius_b, to_a)};
+  } else {
+    // A radius of 0 moves nothing.
+    const auto shares = shares_of(to_array(to_b));
+    const auto on_a =
+        rounded_beyond(a, radius_a, to_b, step_along(radius_a, to_array(to_b), shares));
+    if (squared <= square(radius_a + radius_b)) return {on_a, on_a};
+    return {on_a, rounded_beyond(b, radius_b, to_a, step_along(radius_b, to_array(to_a), shares))};
+  }
+}
+
 /// The closest points of two shapes with the cores a and b, which have points.
 template <bool AreRound, Scalar S, class A, class B>
 [[nodiscard]] constexpr auto closest_points_of_cores(const A& a, const B& b, const S& radius_a,
@@ -56,6 +78,8 @@ template <bool AreRound, Scalar S, class A, class B>
     return closest_points_to_plane(a, body_of(b), radius_b);
   } else if constexpr (is_frame_first) {
     return closest_points_in_frame(a, b, radius_b);
+  } else if constexpr (is_kind<A, Vec> && is_kind<B, Vec>) {
+    return closest_points_of_spheres(a, b, radius_a, radius_b);
   } else if constexpr (is_kind<A, Vec> && is_kind<B, Aabb>) {
     return closest_points_of_sphere_and_box(a, radius_a, b);
   } else if constexpr (is_kind<A, Aabb> && is_kind<B, Aabb>) {

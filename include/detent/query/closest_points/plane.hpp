@@ -7,6 +7,7 @@
 
 #include "detent/query/kernel/common_point.hpp"
 #include "detent/query/kernel/least_common_point.hpp"
+#include "detent/query/kernel/line.hpp"
 #include "detent/query/kernel/point_plane.hpp"
 #include "detent/query/kernel/rounded_point.hpp"
 #include "detent/query/kernel/support.hpp"
@@ -18,9 +19,7 @@ namespace detent::detail {
 template <Scalar S, int N, class Body>
 [[nodiscard]] constexpr Vec<S, N> common_point_with_plane(const Plane<S, N>& plane,
                                                           const Body& body) noexcept {
-  const auto height = [&](const auto& corner) {
-    return dot(plane.normal.vec(), corner) - plane.offset;
-  };
+  const auto height = [&](const auto& corner) { return height_above(plane, corner); };
   auto result = nearest_to<S>(body.some());
   const bool has_corner = any_corner(body, [&](const auto& corner) {
     if (height(corner) != 0) return false;
@@ -31,8 +30,9 @@ template <Scalar S, int N, class Body>
   any_two_corners(body, [&](const auto& p, const auto& q) {
     const auto from = height(p), to = height(q);
     if ((from > 0) == (to > 0)) return false;
-    const auto s = make_fraction(from, from - to);
-    result = rounded<S>(RationalPoint{p * s.denominator + (q - p) * s.numerator, s.denominator});
+    const auto s = make_fraction(decltype(from - to)(from), from - to);
+    const auto ratio = make_ratio_below_one(s.numerator, s.denominator);
+    result = make_vec<N>([&](int i) { return nearest_between<S>(p[i], q[i] - p[i], ratio); });
     return true;
   });
   return result;
@@ -45,7 +45,7 @@ template <Scalar S, int N, class Body>
   const auto& n = plane.normal.vec();
   const auto from = body.some();
   using Corner = decltype(from.x + from.x);
-  const auto height = [&](const auto& corner) { return dot(n, corner) - plane.offset; };
+  const auto height = [&](const auto& corner) { return height_above(plane, corner); };
   const auto extreme = [&](bool farthest) {
     return body.template extreme<bits_of<Corner>>(n, from, farthest);
   };
@@ -60,10 +60,22 @@ template <Scalar S, int N, class Body>
   });
   const auto above = height(nearest);
   const auto whole = squared_length(plane.normal);
-  const auto on_plane = rounded<S>(RationalPoint{nearest * whole - n * above, whole});
-  if (Fraction{above * above, whole} <= square(radius)) return {on_plane, on_plane};
-  const RationalPoint p{nearest * decltype(whole)(1), decltype(whole)(1)};
-  return {on_plane, rounded_beyond(p, radius, is_above ? narrow_negative(n) : n)};
+  constexpr bool is_on_grid = std::is_same_v<decltype(from.x), S>;
+  const auto on_plane = [&] {
+    if constexpr (is_on_grid) {
+      return point_on_line(nearest, n, make_ratio_to_unit(narrow_negative(above), whole));
+    } else {
+      return rounded<S>(RationalPoint{nearest * whole - n * above, whole});
+    }
+  }();
+  if (Fraction{square(above), whole} <= square(radius)) return {on_plane, on_plane};
+  const auto to_plane = is_above ? narrow_negative(n) : n;
+  if constexpr (is_on_grid) {
+    return {on_plane, rounded_beyond(nearest, radius, to_plane)};
+  } else {
+    const RationalPoint p{nearest * decltype(whole)(1), decltype(whole)(1)};
+    return {on_plane, rounded_beyond(p, radius, to_plane)};
+  }
 }
 
 /// The closest points of two planes: those closest to the origin.

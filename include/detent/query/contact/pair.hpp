@@ -9,6 +9,7 @@
 #include "detent/query/contact/boxes.hpp"
 #include "detent/query/contact/contact.hpp"
 #include "detent/query/contact/manifold.hpp"
+#include "detent/query/contact/segment_box.hpp"
 #include "detent/query/contact/sphere_box.hpp"
 #include "detent/query/kernel/argument.hpp"
 #include "detent/query/kernel/least_push.hpp"
@@ -94,38 +95,39 @@ template <Scalar S, int N, class Core>
       });
 }
 
-/// A box, measured in its frame, and a segment, which may be a point.
+/// The contact of a box and a segment, which may be a point, by their least push.
+template <class Box, Scalar S, int N>
+[[nodiscard]] constexpr std::optional<Contact<S, N>> contact_of_push(
+    const Box& box, const Segment<S, N>& segment, const S& radius, bool box_is_a,
+    const std::optional<SegmentBoxPush<S, N>>& push) noexcept {
+  if (!push) return std::nullopt;
+  const auto& away = push->away;
+  const S none(0);
+  constexpr std::size_t most = std::size_t{1} << N;
+  return make_contact<most>(box_is_a ? away : -away, push->depth, box_is_a ? none : radius,
+                            box_is_a ? radius : none, [&](auto& manifold) {
+                              const auto side = push->template side<most>(box);
+                              const auto end = push->template end<most>(segment);
+                              const auto wide = [](const auto& feature) { return feature; };
+                              const auto whole = [&](const auto& feature) {
+                                const std::array ends{segment.start, segment.end};
+                                return opposed_feature(segment, body_of_corners(ends), feature,
+                                                       away);
+                              };
+                              if (box_is_a) {
+                                manifold.meet(side, end, wide, whole);
+                              } else {
+                                manifold.meet(end, side, whole, wide);
+                              }
+                            });
+}
+/// The same for an oriented box, measured in its frame.
 template <Scalar S, int N>
 [[nodiscard]] constexpr std::optional<Contact<S, N>> contact_in_frame(const Obb<S, N>& box,
                                                                       const Segment<S, N>& segment,
                                                                       const S& radius,
                                                                       bool box_is_a) noexcept {
-  const auto push = least_push_in_frame(box, segment, radius);
-  if (!push) return std::nullopt;
-  const auto away = unit_of<S>(push->normal);
-  const S none(0);
-  constexpr std::size_t most = std::size_t{1} << N;
-  return make_contact<most>(
-      box_is_a ? away : -away, push->depth, box_is_a ? none : radius, box_is_a ? radius : none,
-      [&](auto& manifold) {
-        const AabbBody local_box(-box.half_extents, Vec(narrow_negative(-box.half_extents)));
-        const auto d = in_frame(box, segment.end - segment.start);
-        const HullBody local_span(std::array{Vec<std::remove_cvref_t<decltype(d.x)>, N>(), d});
-        const auto world = edge_body(box);
-        const std::array ends{segment.start, segment.end};
-        const auto thin = body_of_corners(ends);
-        const auto side = extreme_feature<S, most>(local_box, world, push->local, true);
-        const auto end = extreme_feature<S, most>(local_span, thin, push->local, false);
-        const auto wide = [](const auto& feature) { return feature; };
-        const auto whole = [&](const auto& feature) {
-          return opposed_feature(segment, thin, feature, away);
-        };
-        if (box_is_a) {
-          manifold.meet(side, end, wide, whole);
-        } else {
-          manifold.meet(end, side, whole, wide);
-        }
-      });
+  return contact_of_push(box, segment, radius, box_is_a, segment_box_push(box, segment, radius));
 }
 
 /// A push with its rounded normal, and the features that meet.
@@ -162,6 +164,14 @@ template <Scalar S, int N, class A, class B>
     if constexpr (is_kind<A, Aabb> && is_kind<B, Aabb> && N == 3) {
       if (boxes_are_apart(a, b)) return std::nullopt;
       if (const auto found = BoxesContact<S>(a, b).find()) return found;
+    }
+    if constexpr (is_kind<A, Aabb> && is_kind<B, Segment> && has_segment_in_frame<A>) {
+      const auto push = SegmentBoxFilter<S>(a, b, radius_b).find();
+      if (push.is_sure) return contact_of_push(a, b, radius_b, true, push.value);
+    }
+    if constexpr (is_kind<A, Segment> && is_kind<B, Aabb> && has_segment_in_frame<B>) {
+      const auto push = SegmentBoxFilter<S>(b, a, radius_a).find();
+      if (push.is_sure) return contact_of_push(b, a, radius_a, false, push.value);
     }
     const auto filter = axis_filter<S>(a, b);
     if (filter.are_apart()) return std::nullopt;

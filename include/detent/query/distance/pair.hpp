@@ -16,6 +16,7 @@
 #include "detent/query/kernel/gjk.hpp"
 #include "detent/query/kernel/length.hpp"
 #include "detent/query/kernel/point_obb.hpp"
+#include "detent/query/kernel/segment_in_frame.hpp"
 #include "detent/query/kernel/touch_witness.hpp"
 #include "detent/query/kernel/within_slabs.hpp"
 
@@ -28,19 +29,46 @@ concept HasDistances = (IsShape<T> || IsSegment<T>)&&is_convex<T>;
 template <class A, class B>
 concept HaveDistance = HasDistances<A> && HasDistances<B> && !MixedArguments<A, B>;
 
-/// The squared distance from `plane` to a body: that of its nearer extreme corner, 0 between them.
+/// How far a body is above `plane`, or below: its nearer extreme corner, times the length of the
+/// normal; 0 between them.
 template <Scalar S, int N, class Body>
-[[nodiscard]] constexpr auto squared_gap_to_body(const Plane<S, N>& plane,
-                                                 const Body& body) noexcept {
+[[nodiscard]] constexpr auto height_of_body(const Plane<S, N>& plane, const Body& body) noexcept {
   const auto& n = plane.normal.vec();
   constexpr int bits = bits_of<decltype(body.some().x)> + 1;
   const auto height = [&](bool farthest) {
-    return dot(n, body.template extreme<bits>(n, body.some(), farthest)) - plane.offset;
+    return height_above(plane, body.template extreme<bits>(n, body.some(), farthest));
   };
   const auto lowest = height(false), highest = height(true);
   using Height = std::remove_cvref_t<decltype(lowest)>;
-  const auto gap = lowest > 0 ? lowest : highest < 0 ? highest : Height();
-  return Fraction{square(gap), squared_length(n)};
+  return lowest > 0 ? lowest : highest < 0 ? highest : Height();
+}
+
+/// The same for a core. A box reaches as far from its center along the normal as its edges together.
+template <Scalar S, int N, class Core>
+[[nodiscard]] constexpr auto height_of_core(const Plane<S, N>& plane, const Core& core) noexcept {
+  if constexpr (is_kind<Core, Vec>) {
+    return height_above(plane, core);
+  } else if constexpr (is_kind<Core, Obb>) {
+    const auto center = height_above(plane, core.center);
+    const auto along = [&](int i) {
+      return core.half_extents[i] * abs(dot(core.rotation.axis(i), plane.normal));
+    };
+    auto reach = along(0) + along(1);
+    if constexpr (N == 3) reach = narrow<bits_of<decltype(reach)>>(reach + along(2));
+    using Height = std::remove_cvref_t<decltype(center - reach)>;
+    return center > reach    ? Height(center - reach)
+           : center < -reach ? Height(center + reach)
+                             : Height();
+  } else {
+    return height_of_body(plane, body_of(core));
+  }
+}
+
+/// The squared distance from `plane` to a body.
+template <Scalar S, int N, class Body>
+[[nodiscard]] constexpr auto squared_gap_to_body(const Plane<S, N>& plane,
+                                                 const Body& body) noexcept {
+  return Fraction{square(height_of_body(plane, body)), squared_length(plane.normal)};
 }
 
 /// The squared distance of two planes, 0 unless they are parallel. Parallel normals may have
@@ -101,12 +129,37 @@ inline constexpr bool has_gap_of_bodies = [] {
 /// The distance of two cores that have points, rounded down.
 template <Scalar S, class A, class B>
 [[nodiscard]] constexpr Length<S> gap_floor(const A& a, const B& b) noexcept {
-  if constexpr (is_kind<A, Vec> && is_kind<B, Obb>) {
+  constexpr bool is_point = is_kind<A, Vec>, is_point_last = is_kind<B, Vec>;
+  constexpr bool is_plane = is_kind<A, Plane>, is_plane_last = is_kind<B, Plane>;
+  if constexpr ((is_point && (is_kind<B, Segment> || is_kind<B, Triangle>)) ||
+                (is_plane_last && !is_plane)) {
+    return gap_floor<S>(b, a);
+  } else if constexpr (is_point_last && (is_kind<A, Segment> || is_kind<A, Triangle>)) {
+    return distance_to<Length<S>>(a, b);
+  } else if constexpr (is_plane && is_plane_last) {
+    const auto squared = squared_gap_of_planes(a, b);
+    return squared.numerator == 0 ? Length<S>(0) : sqrt_floor<Length<S>>(squared);
+  } else if constexpr (is_plane && (filter_pays<S> || (is_fixed<S> && !is_kind<B, Obb>))) {
+    return divide_by_length<Length<S>>(height_of_core(a, b), squared_length(a.normal));
+  } else if constexpr (is_kind<A, Vec> && is_kind<B, Obb>) {
     return gap_in_frame<Length<S>>(b, a);
   } else if constexpr (is_kind<A, Obb> && is_kind<B, Vec>) {
     return gap_in_frame<Length<S>>(a, b);
+  } else if constexpr (is_kind<A, Segment> && is_kind<B, Obb>) {
+    return gap_floor<S>(b, a);
+  } else if constexpr (is_kind<A, Obb> && is_kind<B, Segment>) {
+    if constexpr (has_segment_in_frame<A>) {
+      const auto distance = SegmentInFrame<S>(a, b).distance_floor();
+      if (distance.is_sure) return distance.value;
+    }
+  } else if constexpr (is_kind<A, Segment> && has_segment_in_frame<B>) {
+    return gap_floor<S>(b, a);
   } else if constexpr (filter_pays<S> && has_gap_of_bodies<A, B>) {
-    if constexpr (is_kind<A, Obb> && is_kind<B, Obb>) {
+    if constexpr (has_segment_in_frame<A> && is_kind<B, Segment>) {
+      const auto distance = SegmentInFrame<S>(a, b).distance_floor();
+      if (distance.is_sure) return distance.value;
+    }
+    if constexpr ((is_kind<A, Obb> || is_kind<A, Aabb>)&&(is_kind<B, Obb> || is_kind<B, Aabb>)) {
       if (decide_boxes_overlap(a, b) == Filtered::yes) return Length<S>(0);
       if constexpr (has_box_witness<A, B>) {
         const auto distance = BoxWitness<S>(a, b).distance_floor();

@@ -44,6 +44,25 @@ template <Scalar S, int N>
   }
 }
 
+namespace detail {
+
+/// `distance` to a triangle, in a result type that may differ from its coordinates.
+template <Number Distance, Scalar S, int N>
+[[nodiscard]] constexpr Distance distance_to(const Triangle<S, N>& triangle,
+                                             const Vec<S, N>& point) noexcept {
+  const auto nearest = nearest_feature(triangle, point);
+  if (!nearest.is_face) return distance_to<Distance>(nearest.edge, point);
+  if constexpr (N == 2) {
+    return Distance(0);
+  } else {
+    return by_width<20>(
+        [](const auto&... x) { return sqrt_floor<Distance>(squared_distance_from_face(x...)); },
+        triangle.b - triangle.a, triangle.c - triangle.a, point - triangle.a);
+  }
+}
+
+}  // namespace detail
+
 /// The distance from `point` to `triangle`, 0 inside a 2D triangle.
 ///
 /// units:  world units
@@ -52,15 +71,7 @@ template <Scalar S, int N>
 template <Scalar S, int N>
 [[nodiscard]] constexpr S distance(const Triangle<S, N>& triangle,
                                    const Vec<S, N>& point) noexcept {
-  const auto nearest = detail::nearest_feature(triangle, point);
-  if (!nearest.is_face) return distance(nearest.edge, point);
-  if constexpr (N == 2) {
-    return S(0);
-  } else {
-    return by_width<20>(
-        [](const auto&... x) { return sqrt_floor<S>(detail::squared_distance_from_face(x...)); },
-        triangle.b - triangle.a, triangle.c - triangle.a, point - triangle.a);
-  }
+  return detail::distance_to<S>(triangle, point);
 }
 
 }  // namespace detent

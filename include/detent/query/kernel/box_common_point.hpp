@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 #include "detent/math/width.hpp"
 #include "detent/number/filter/ratio.hpp"
+#include "detent/query/kernel/argument.hpp"
 #include "detent/query/kernel/box_witness.hpp"
 #include "detent/shape/obb.hpp"
 
@@ -28,22 +30,23 @@ class CornersInFrame {
  public:
   /// `apart` leads from the center of the frame to that of the box. All must fit.
   template <Number T>
-  constexpr CornersInFrame(const Obb<S, 3>& box, const Obb<S, 3>& frame,
+  constexpr CornersInFrame(const SpannedBox<S>& box, const SpannedBox<S>& frame,
                            const Vec<T, 3>& apart) noexcept
       : box_(box) {
     for (int i = 0; i < 3; ++i) {
       edges_[at(i)] = make_vec<3>(
-          [&](int j) { return narrow_product<61>(box.half_extents[i], box.rotation.axis(i)[j]); });
+          [&](int j) { return edge_of<Edge>(box.half_extents[i], box.rotation.axis(i)[j]); });
     }
     for (int k = 0; k < 3; ++k) {
       const auto normal = narrow_cross<61>(frame.rotation.axis((k + 1) % 3).vec(),
                                            frame.rotation.axis((k + 2) % 3).vec());
       auto& row = places_[at(k)];
-      row[3] = narrow_dot<123>(
-          normal, make_vec<3>([&](int i) { return Fixed<61, frac>(narrow<31>(apart[i])); }));
+      row[3] =
+          narrow_dot<123>(normal, make_vec<3>([&](int i) { return Edge(narrow<32>(apart[i])); }));
       for (std::size_t i = 0; i < 3; ++i) row[i] = narrow_dot<123>(normal, edges_[i]);
       if (k == 0) volume_ = abs(narrow_dot<92>(normal, frame.rotation.axis(0).vec()));
-      reaches_[at(k)] = narrow_product<122>(frame.half_extents[k], volume_);
+      reaches_[at(k)] =
+          narrow_floor<Reach>(narrow_product<123>(frame.half_extents[k], volume_));  // exact
       auto& words = words_[at(k)];
       for (std::size_t i = 0; i < 4; ++i) words[i] = floor_to<Word>(row[i]);
       reach_words_[at(k)] = floor_to<Word>(reaches_[at(k)]);
@@ -111,6 +114,8 @@ class CornersInFrame {
  private:
   static constexpr int frac = S::frac + 30;
   using Place = Fixed<123, frac + 60>;
+  using Edge = Fixed<61, frac>;
+  using Reach = Fixed<122, frac + 60>;
   using Word = Fixed<62, frac - 1>;
   using Row = std::array<Place, 4>;
 
@@ -165,10 +170,10 @@ class CornersInFrame {
     return narrow<126>((a + b + Word::from_raw(64)) * steps + Error());
   }
 
-  Obb<S, 3> box_;
-  std::array<Vec<Fixed<61, frac>, 3>, 3> edges_;
+  SpannedBox<S> box_;
+  std::array<Vec<Edge, 3>, 3> edges_;
   Fixed<92, 90> volume_;
-  std::array<Fixed<122, frac + 60>, 3> reaches_;
+  std::array<Reach, 3> reaches_;
   std::array<Row, 3> places_;  // of the edges, then of the center
   std::array<std::array<Word, 4>, 3> words_;
   std::array<Word, 3> reach_words_;
@@ -178,22 +183,24 @@ class CornersInFrame {
 };
 
 /// The common point of two boxes that overlap, as `common_point` chooses it.
-template <Scalar S>
-[[nodiscard]] constexpr Decided<Vec<S, 3>> common_point_by_words(const Obb<S, 3>& a,
-                                                                 const Obb<S, 3>& b) noexcept {
-  constexpr Decided<Vec<S, 3>> unsure{{}, false};
+template <class A, class B>
+[[nodiscard]] constexpr auto common_point_by_words(const A& box_a, const B& box_b) noexcept {
+  using S = std::remove_cvref_t<decltype(PointOf<A>::type::x)>;
+  using Point = Decided<Vec<S, 3>>;
+  constexpr Point unsure{{}, false};
+  const SpannedBox<S> a(box_a), b(box_b);
   const auto apart = a.center - b.center;
   if (!fit_words(a, b)) return unsure;
   CornersInFrame<S> of_a(a, b, apart);
   for (std::size_t c = 0; c < 8; ++c) {
     const auto is_inside = of_a.is_inside(c);
-    if (is_inside == Filtered::yes) return {of_a.rounded_corner(c), true};
+    if (is_inside == Filtered::yes) return Point{of_a.rounded_corner(c), true};
     if (is_inside == Filtered::unsure) return unsure;
   }
   CornersInFrame<S> of_b(b, a, b.center - a.center);
   for (std::size_t c = 0; c < 8; ++c) {
     const auto is_inside = of_b.is_inside(c);
-    if (is_inside == Filtered::yes) return {of_b.rounded_corner(c), true};
+    if (is_inside == Filtered::yes) return Point{of_b.rounded_corner(c), true};
     if (is_inside == Filtered::unsure) return unsure;
   }
   for (auto* corners : {&of_a, &of_b}) {

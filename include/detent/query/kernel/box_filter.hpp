@@ -128,5 +128,21 @@ template <Scalar S, int N>
   return decide_boxes_overlap(AxisFrame(a.rotation), a.half_extents, AxisFrame(b.rotation),
                               b.half_extents, b.center - a.center);
 }
+template <Scalar S, int N>
+[[nodiscard]] constexpr Filtered decide_boxes_overlap(const Aabb<S, N>& a,
+                                                      const Obb<S, N>& b) noexcept {
+  // Doubled, so that both centers are on the grid, and halved.
+  const auto halved = [](const auto& v) {
+    return make_vec<N>([&](int i) { return scale_down<bits_of<S> + 1>(v[i], 1); });
+  };
+  return decide_boxes_overlap(WorldFrame(), halved(a.max - a.min), AxisFrame(b.rotation),
+                              halved(b.half_extents + b.half_extents),
+                              halved(b.center + b.center - (a.min + a.max)));
+}
+template <Scalar S, int N>
+[[nodiscard]] constexpr Filtered decide_boxes_overlap(const Obb<S, N>& a,
+                                                      const Aabb<S, N>& b) noexcept {
+  return decide_boxes_overlap(b, a);
+}
 
 }  // namespace detent::detail

@@ -11,10 +11,12 @@
 #include "detent/number/filter/leading.hpp"
 #include "detent/query/kernel/length.hpp"
 #include "detent/query/kernel/simplex.hpp"
+#include "detent/query/kernel/spanned_box.hpp"
 #include "detent/query/kernel/touch_witness.hpp"
+#include "detent/shape/aabb.hpp"
 #include "detent/shape/obb.hpp"
 
-// The closest points of two oriented boxes that are apart, by a witness: a feature of their
+// The closest points of two boxes that are apart, by a witness: a feature of their
 // difference, found in short numbers, which is then proved to hold the closest difference
 // (docs/filters.md, lemma 22).
 
@@ -23,11 +25,18 @@ namespace detent::detail {
 /// Whether the differences of two boxes fit words: all lengths together are at most 2^31 steps, so
 /// that on the grid of the corners they are at most 2^61.
 template <Scalar S>
-[[nodiscard]] constexpr bool fit_words(const Obb<S, 3>& a, const Obb<S, 3>& b) noexcept {
+[[nodiscard]] constexpr bool fit_words(const SpannedBox<S>& a, const SpannedBox<S>& b) noexcept {
   const auto apart = a.center - b.center;
-  auto sum = narrow<35>((std::max)((std::max)(abs(apart.x), abs(apart.y)), abs(apart.z)));
-  for (int i = 0; i < 3; ++i) sum = narrow<35>(sum + a.half_extents[i] + b.half_extents[i]);
-  return fits<31>(sum);
+  auto sum = narrow<36>((std::max)((std::max)(abs(apart.x), abs(apart.y)), abs(apart.z)));
+  for (int i = 0; i < 3; ++i) sum = narrow<36>(sum + a.half_extents[i] + b.half_extents[i]);
+  return fits<32>(sum);
+}
+
+/// An extent times a component of its axis: exact, because half steps occur only along axes of the
+/// world.
+template <Number Place, Number Half, Number Component>
+[[nodiscard]] constexpr Place edge_of(const Half& extent, const Component& component) noexcept {
+  return narrow_floor<Place>(narrow_product<62>(extent, component));
 }
 
 /// The differences p - q of points p of box a and q of box b: center + sum s[m] extent[m] axis[m],
@@ -38,18 +47,18 @@ class BoxWitness {
  public:
   using Points = std::pair<Vec<S, 3>, Vec<S, 3>>;
 
-  constexpr BoxWitness(const Obb<S, 3>& a, const Obb<S, 3>& b) noexcept
-      : a_(a), b_(b), fits_(fit_words(a, b)) {
+  template <class A, class B>
+  constexpr BoxWitness(const A& a, const B& b) noexcept : a_(a), b_(b), fits_(fit_words(a_, b_)) {
     if (!fits_) return;
     for (int i = 0; i < 3; ++i) {
-      axes_[at(i)] = a.rotation.axis(i).vec();
-      axes_[at(i + 3)] = narrow_negative(b.rotation.axis(i).vec());
-      extents_[at(i)] = a.half_extents[i];
-      extents_[at(i + 3)] = b.half_extents[i];
-      center_[i] = narrow<31>(a.center[i] - b.center[i]);
+      axes_[at(i)] = a_.rotation.axis(i).vec();
+      axes_[at(i + 3)] = narrow_negative(b_.rotation.axis(i).vec());
+      extents_[at(i)] = a_.half_extents[i];
+      extents_[at(i + 3)] = b_.half_extents[i];
+      center_[i] = narrow<32>(a_.center[i] - b_.center[i]);
     }
     for (std::size_t m = 0; m < size; ++m) {
-      edges_[m] = make_vec<3>([&](int i) { return narrow_product<61>(extents_[m], axes_[m][i]); });
+      edges_[m] = make_vec<3>([&](int i) { return edge_of<Place>(extents_[m], axes_[m][i]); });
     }
   }
 
@@ -371,12 +380,12 @@ class BoxWitness {
     return result;
   }
 
-  Obb<S, 3> a_, b_;
+  SpannedBox<S> a_, b_;
   bool fits_ = false;
   int count_ = 0;
   Vec<Place, 3> center_;
   std::array<Axis, size> axes_;
-  std::array<S, size> extents_;
+  std::array<typename SpannedBox<S>::Half, size> extents_;
   std::array<Vec<Place, 3>, size> edges_;
   int dropped_ = 0;
   RoughVec rough_center_;
@@ -390,5 +399,9 @@ template <class A, class B>
 inline constexpr bool has_box_witness = false;
 template <Scalar S>
 inline constexpr bool has_box_witness<Obb<S, 3>, Obb<S, 3>> = is_fixed<S>&& filter_pays<S>;
+template <Scalar S>
+inline constexpr bool has_box_witness<Aabb<S, 3>, Obb<S, 3>> = is_fixed<S>&& filter_pays<S>;
+template <Scalar S>
+inline constexpr bool has_box_witness<Obb<S, 3>, Aabb<S, 3>> = is_fixed<S>&& filter_pays<S>;
 
 }  // namespace detent::detail

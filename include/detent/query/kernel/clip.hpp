@@ -63,6 +63,11 @@ class RayClip {
   /// inside all.
   [[nodiscard]] constexpr int entered() const noexcept { return entered_; }
 
+  /// Where the ray enters, as a fraction.
+  [[nodiscard]] constexpr const Fraction<Numerator, Denominator>& enter() const noexcept {
+    return enter_;
+  }
+
   // If not empty, 0 <= enter <= exit <= limit.
   [[nodiscard]] constexpr std::optional<S> first_distance() const noexcept {
     if (is_empty()) return std::nullopt;

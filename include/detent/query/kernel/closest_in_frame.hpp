@@ -6,6 +6,7 @@
 
 #include "detent/query/kernel/point_obb.hpp"
 #include "detent/query/kernel/rounded_point.hpp"
+#include "detent/query/kernel/segment_in_frame.hpp"
 #include "detent/query/kernel/within_slabs.hpp"
 #include "detent/shape/segment.hpp"
 
@@ -68,7 +69,7 @@ template <Number T, Number D, int N>
 /// The closest points of a box and a capsule around `axis`; ties go to the least point of the axis,
 /// or to where it first enters the box.
 template <Scalar S, int N>
-[[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_in_frame(
+[[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> find_closest_points_in_frame(
     const Obb<S, N>& box, const Segment<S, N>& axis, const S& radius) noexcept {
   const auto center = in_frame(box, box.center - axis.start);
   const auto along = axis.end - axis.start;
@@ -93,6 +94,16 @@ template <Scalar S, int N>
       rounded<S>(RationalPoint{box.center * whole + from_frame(box, clamped), whole});
   if (gap <= square(radius)) return {on_box, on_box};
   return {on_box, nearly_rounded_beyond(on_axis, radius, from_frame(box, clamped - offset))};
+}
+/// The same, by a filter where it pays.
+template <Scalar S, int N>
+[[nodiscard]] constexpr std::pair<Vec<S, N>, Vec<S, N>> closest_points_in_frame(
+    const Obb<S, N>& box, const Segment<S, N>& axis, const S& radius) noexcept {
+  if constexpr (has_segment_in_frame<Obb<S, N>>) {
+    const auto points = SegmentInFrame<S>(box, axis).closest_points(radius);
+    if (points.is_sure) return points.value;
+  }
+  return find_closest_points_in_frame(box, axis, radius);
 }
 
 }  // namespace detent::detail

@@ -16,6 +16,13 @@ template <Scalar S, int N>
   return narrow_difference<bits>(dot(plane.normal, point), plane.offset);
 }
 
+/// The same for a point on a finer grid.
+template <Scalar S, Number T, int N>
+[[nodiscard]] constexpr auto height_above(const Plane<S, N>& plane,
+                                          const Vec<T, N>& point) noexcept {
+  return dot(plane.normal, point) - plane.offset;
+}
+
 /// Whether `point` lies in `plane`: dot(normal, point) = offset, with the normal exactly as stored.
 template <Scalar S, int N>
 [[nodiscard]] constexpr bool holds(const Plane<S, N>& plane, const Vec<S, N>& point) noexcept {

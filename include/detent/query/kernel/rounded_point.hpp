@@ -125,6 +125,21 @@ template <Scalar S, class Point, class Moves>
   return Approximate<Sum, Steps<1 << 18>>{sum, {}};
 }
 
+/// The point p, which is rational or on the grid, + moves, which are within their error of
+/// radius v / |v|.
+template <Scalar S, class Point, Number V, int N, class Moves>
+[[nodiscard]] constexpr Vec<S, N> rounded_beyond(const Point& p, const S& radius,
+                                                 const Vec<V, N>& v, const Moves& moves) noexcept {
+  return make_vec<N>([&](int i) {
+    const auto nearest = decide_nearest<S>(approximate_beyond<S>(p, moves, i));
+    return or_exact(nearest, [&](const S& upper) {
+      const auto middle = midpoint_below(upper);
+      return nearest_at_midpoint(
+          upper, compare_with_quotient(radius * v[i], squared_length(v), middle, p, i));
+    });
+  });
+}
+
 /// The point p, which is rational or on the grid, + radius v / |v| for radius >= 0 and v not 0.
 template <Scalar S, class Point, Number V, int N>
 [[nodiscard]] constexpr Vec<S, N> rounded_beyond(const Point& p, const S& radius,
@@ -135,15 +150,7 @@ template <Scalar S, class Point, Number V, int N>
     const auto from = rounded<S>(p);
     return make_vec<N>([&](int i) { return from[i] + radius * (v[i] / length); });
   } else {
-    const auto moves = step_along(radius, to_array(v));
-    return make_vec<N>([&](int i) {
-      const auto nearest = decide_nearest<S>(approximate_beyond<S>(p, moves, i));
-      return or_exact(nearest, [&](const S& upper) {
-        const auto middle = midpoint_below(upper);
-        return nearest_at_midpoint(
-            upper, compare_with_quotient(radius * v[i], squared_length(v), middle, p, i));
-      });
-    });
+    return rounded_beyond(p, radius, v, step_along(radius, to_array(v)));
   }
 }
 

@@ -22,25 +22,25 @@ template <int Most, Number R>
   return (std::max)(Most + 1 - bits_of<R> + headroom(radius), 0);
 }
 
-/// The direction of a vector whose components are off by less than 6; nothing where that could
+/// The direction of a vector whose components are off by less than 6; unsure where that could
 /// change it, or if the vector is shorter than 2^58.
 template <Scalar S, Number V, int N>
-[[nodiscard]] constexpr std::optional<Direction<S, N>> direction_of_words(
-    const Vec<V, N>& v) noexcept {
+[[nodiscard]] constexpr Decided<Direction<S, N>> direction_of_words(const Vec<V, N>& v) noexcept {
   using Component = direction_component<S>;
-  using Length = Fixed<59, 0>;
-  constexpr auto least = Length::assume_raw(Length::raw_type{1} << 58);
-  if (!(abs(v[longest_axis(v)]) >= least)) return std::nullopt;
   using Magnitude = IntegerFor<(std::max)(bits_of<V>, 63)>;
-  const auto shares = detail::shares(magnitudes<Magnitude>(to_array(v)));
+  const auto magnitude = magnitudes<Magnitude>(to_array(v));
+  bool is_long = false;
+  for (const auto& m : magnitude) is_long = is_long | (m >= shift_left(Magnitude(1), 58));
+  if (!is_long) return {{}, false};
+  const auto shares = detail::shares(magnitude);
   std::array<Component, static_cast<std::size_t>(N)> unit;
   for (std::size_t i = 0; i < unit.size(); ++i) {
     constexpr Steps<decltype(shares.error)::raw() + (1 << 9)> error;
     const auto nearest = decide_nearest<Component>(Approximate{shares.value[i], error});
-    if (!nearest.is_sure) return std::nullopt;
-    unit[i] = v[static_cast<int>(i)] < 0 ? narrow_negative(nearest.value) : nearest.value;
+    if (!nearest.is_sure) return {{}, false};
+    unit[i] = with_sign(nearest.value, v[static_cast<int>(i)] < 0);
   }
-  return Direction<S, N>::assume_unit(from_array(unit));
+  return {Direction<S, N>::assume_unit(from_array(unit)), true};
 }
 
 /// Words of a vector between two features and of its motion, both perpendicular to the features, in
@@ -52,7 +52,7 @@ struct TouchWords {
   Fixed<62, 0> radius;
 };
 
-/// The direction that `Approach::with_touch` gives for a point, an edge or a corner. Nothing where
+/// The direction that `Approach::with_touch` gives for a point, an edge or a corner. Unsure where
 /// the errors of words could change it, or where Newton's method might end before the last time of
 /// the finer grid. The touch must be at least 2^-Margin of such a time off (docs/filters.md, lemmas
 /// 19 and 25).
@@ -60,7 +60,7 @@ struct TouchWords {
 /// In steps of 2^-27 of the finer times, the radius has 61 bits. The touch is at the lesser root of
 /// a t^2 - 2 b t + c = 0: t = c / (2 b) (1 + x + 2 x^2 + 5 x^3 + ...) for x = a c / (2 b)^2.
 template <Scalar S, int Margin, int N, class ToWorld>
-[[nodiscard]] constexpr std::optional<Direction<S, N>> direction_by_words(
+[[nodiscard]] constexpr Decided<Direction<S, N>> direction_by_words(
     const TouchWords<N>& words, const ToWorld& to_world) noexcept {
   using Word = Fixed<62, 0>;
   const auto& p = words.place;
@@ -72,14 +72,14 @@ template <Scalar S, int Margin, int N, class ToWorld>
              c = static_cast<std::uint64_t>(beyond.raw());
   const auto squared = narrow_floor<Fixed<63, 60>>(squared_length(w));
   const auto a = static_cast<std::uint64_t>(squared.raw());
-  if (a > (std::uint64_t{1} << 60) + (std::uint64_t{1} << 40)) return std::nullopt;  // a skew frame
-  if (along.raw() < Word::raw_type{1} << 50 || b >> 62 != 0) return std::nullopt;
-  if (beyond < 0 || c >= b >> 6) return std::nullopt;
+  if (a > (std::uint64_t{1} << 60) + (std::uint64_t{1} << 40)) return {{}, false};  // a skew frame
+  if (along.raw() < Word::raw_type{1} << 50 || b >> 62 != 0) return {{}, false};
+  if (beyond < 0 || c >= b >> 6) return {{}, false};
   // Times in half steps.
   const int zeros = std::countl_zero(b);
   const std::uint64_t inverse = reciprocal(b << zeros);
   const std::uint64_t first = multiply_words(c << (zeros - 2), inverse).high;
-  if (first >= b >> 9) return std::nullopt;
+  if (first >= b >> 9) return {{}, false};
   const std::uint64_t x =
       multiply_words(a << 3, multiply_words(first << (zeros + 1), inverse).high).high;
   const std::uint64_t xx = multiply_words(x, x).high, xxx = multiply_words(xx, x).high;
@@ -87,7 +87,7 @@ template <Scalar S, int Margin, int N, class ToWorld>
   constexpr int fine = 28;
   constexpr std::uint64_t margin = std::uint64_t{1} << (fine - Margin);
   const std::uint64_t rest = time & ((std::uint64_t{1} << fine) - 1);
-  if (rest < margin || rest >= (std::uint64_t{1} << fine) - margin) return std::nullopt;
+  if (rest < margin || rest >= (std::uint64_t{1} << fine) - margin) return {{}, false};
   using Time = Fixed<54, 0>;
   const auto until = Time::assume_raw(static_cast<Time::raw_type>((time - rest) >> 1));
   const auto outward = to_world(make_vec<N>(
@@ -114,14 +114,14 @@ template <Number R>
 /// The same by `place`, the vector across at most one time of the grid of S before the touch, and by
 /// `way`, both perpendicular to the edge.
 template <Scalar S, Number P, Number W, int N, Number R, class ToWorld>
-[[nodiscard]] constexpr std::optional<Direction<S, N>> direction_at_touch(
+[[nodiscard]] constexpr Decided<Direction<S, N>> direction_at_touch(
     const Vec<P, N>& place, const Vec<W, N>& way, const R& radius,
     const ToWorld& to_world) noexcept {
   using Word = Fixed<62, 0>;
   using Part = Fixed<61, 60>;
   static_assert(W::frac <= Part::frac);
   const auto scale = word_scale<S>(radius);
-  if (!scale) return std::nullopt;
+  if (!scale) return {{}, false};
   const TouchWords<N> words{
       make_vec<N>([&](int i) {
         return Word::assume_raw(scaled_word(place[i].raw(), P::frac - R::frac - *scale));
@@ -133,20 +133,20 @@ template <Scalar S, Number P, Number W, int N, Number R, class ToWorld>
 
 /// The same for an edge in any direction, by the `place` of one of its ends, in the world.
 template <Scalar S, Number P, Number E, Number W, Number R>
-[[nodiscard]] constexpr std::optional<Direction<S, 3>> direction_across(const Vec<P, 3>& place,
-                                                                        const Vec<E, 3>& edge,
-                                                                        const Vec<W, 3>& way,
-                                                                        const R& radius) noexcept {
+[[nodiscard]] constexpr Decided<Direction<S, 3>> direction_across(const Vec<P, 3>& place,
+                                                                  const Vec<E, 3>& edge,
+                                                                  const Vec<W, 3>& way,
+                                                                  const R& radius) noexcept {
   using Word = Fixed<62, 0>;
   using Part = Fixed<61, 60>;
   static_assert(bits_of<E> <= 33 && P::frac == E::frac + W::frac && E::frac == R::frac);
   const auto scale = word_scale<S>(radius);
-  if (!scale) return std::nullopt;
+  if (!scale) return {{}, false};
   const auto whole = squared_length(edge);
   // The share of the edge before the foot, rounded down to 2^-30, then the rest of it.
   const auto share = make_ratio(dot(edge, place), whole);
   using Before = Fixed<32, W::frac>;
-  if (share.factor != 0 && share.shift < 31) return std::nullopt;
+  if (share.factor != 0 && share.shift < 31) return {{}, false};
   const auto before = Before::assume_raw(
       integer_cast<typename Before::raw_type>(share.factor >> (std::min)(share.shift, 63)));
   const auto after = place - edge * before;
@@ -158,8 +158,8 @@ template <Scalar S, Number P, Number E, Number W, Number R>
                           (std::min)(ratio.shift + down, 126)));
   };
   const int down = W::frac - *scale;
-  if (rest.factor != 0 && rest.shift + down < 34) return std::nullopt;
-  if (speed.factor != 0 && speed.shift < 30) return std::nullopt;
+  if (rest.factor != 0 && rest.shift + down < 34) return {{}, false};
+  if (speed.factor != 0 && speed.shift < 30) return {{}, false};
   const auto moved = make_vec<3>([&](int i) {
     const auto word = scaled_word(after[i].raw(), P::frac - R::frac - *scale);
     return Word::assume_raw(word - (rest.factor == 0 ? 0 : part_of(edge[i], rest, down)));
@@ -175,9 +175,10 @@ template <Scalar S, Number P, Number E, Number W, Number R>
 /// The same for a corner or an edge of the differences of two bodies; in a frame, only for an edge
 /// along an axis.
 template <Scalar S, class Feature, Number W, int N, Number R, class ToWorld>
-[[nodiscard]] constexpr std::optional<Direction<S, N>> direction_on(
-    const Feature& feature, const Vec<W, N>& way, const S& distance, const R& radius,
-    const ToWorld& to_world) noexcept {
+[[nodiscard]] constexpr Decided<Direction<S, N>> direction_on(const Feature& feature,
+                                                              const Vec<W, N>& way,
+                                                              const S& distance, const R& radius,
+                                                              const ToWorld& to_world) noexcept {
   const auto& corner = feature.corners[0];
   const auto& other = feature.corners[feature.count == 2 ? 1 : 0];
   auto place = corner - way * distance;
@@ -189,7 +190,7 @@ template <Scalar S, class Feature, Number W, int N, Number R, class ToWorld>
     across[i] = {};
     ++varying;
   }
-  if (varying != feature.count - 1) return std::nullopt;
+  if (varying != feature.count - 1) return {{}, false};
   return direction_at_touch<S>(place, across, radius, to_world);
 }
 

@@ -34,13 +34,7 @@ template <Scalar S, int N>
     }
   };
   if constexpr (filter_pays<S>) {
-    const auto halved = [](const auto& v) {
-      return make_vec<N>([&](int i) { return scale_down<bits_of<S> + 1>(v[i], 1); });
-    };
-    return or_exact(
-        detail::decide_boxes_overlap(detail::WorldFrame(), halved(half_a),
-                                     detail::AxisFrame(b.rotation), halved(half_b), halved(apart)),
-        exact);
+    return or_exact(detail::decide_boxes_overlap(a, b), exact);
   } else {
     return exact();
   }

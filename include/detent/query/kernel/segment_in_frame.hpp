@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "detent/math/width.hpp"
+#include "detent/number/filter/leading.hpp"
+#include "detent/number/filter/ratio.hpp"
+#include "detent/query/kernel/clip.hpp"
+#include "detent/query/kernel/length.hpp"
+#include "detent/query/kernel/point_obb.hpp"
+#include "detent/query/kernel/rounded_point.hpp"
+#include "detent/query/kernel/spanned_box.hpp"
+#include "detent/shape/segment.hpp"
+
+// The closest points and the least push of a box, which is its slabs, and a segment, by a
+// filter in words: numbers of 20 bits propose where they are closest, and words prove it
+// (docs/filters.md, lemma 27).
+
+namespace detent::detail {
+
+/// How a segment lies to a box: they share a point, or are closest at one end of the segment, or
+/// at one point between its ends.
+enum class Nearness { unsure, meets, start, end, between };
+
+/// A segment in the frame of a box. Its point at t in [0, 1] is t d there, and the box is from `low`
+/// to `high`.
+template <Scalar S>
+class SegmentInFrame {
+ public:
+  using Points = std::pair<Vec<S, 3>, Vec<S, 3>>;
+  static constexpr int frac = S::frac + 30;
+  static_assert(direction_component<S>::frac == 30);
+  using Place = Fixed<62, frac>;
+  using Error = Fixed<8, frac>;
+
+  /// The box must not be empty. Places are exact, because half steps occur only along axes of the
+  /// world.
+  template <class Box>
+  constexpr SegmentInFrame(const Box& box, const Segment<S, 3>& segment) noexcept
+      : box_(box), segment_(segment) {
+    const auto apart = box_.center - segment.start;
+    const auto along = segment.end - segment.start;
+    if (!fits<31>(apart) || !fits<30>(along) || !fits<31>(box_.half_extents)) return;
+    for (int i = 0; i < 3; ++i) {
+      const auto& axis = box_.rotation.axis(i).vec();
+      center_[i] = narrow_floor<Place>(narrow_dot<62>(axis, apart));
+      d_[i] = narrow_dot<61>(axis, along);
+      low_[i] = narrow_difference<62>(center_[i], Place(box_.half_extents[i]));
+      high_[i] = narrow_sum<62>(center_[i], Place(box_.half_extents[i]));
+    }
+    find();
+  }
+
+  [[nodiscard]] constexpr Nearness nearness() const noexcept { return nearness_; }
+  /// Below which coordinate of the box the closest point of the segment is: -1, or above which: 1;
+  /// 0 on axes on which it is between both.
+  [[nodiscard]] constexpr int side(int i) const noexcept { return sides_[at(i)]; }
+  /// Whether the vector between the closest points is perpendicular to the segment.
+  [[nodiscard]] constexpr bool is_across() const noexcept {
+    return nearness_ == Nearness::between || is_tie_;
+  }
+  /// The vector from the closest point of the box to that of the segment, off by at most `error` in
+  /// each component, which is 0 at the ends of the segment.
+  [[nodiscard]] constexpr const Vec<Place, 3>& beyond() const noexcept { return beyond_; }
+  [[nodiscard]] constexpr const Error& error() const noexcept { return error_; }
+
+  [[nodiscard]] constexpr const Vec<Place, 3>& low() const noexcept { return low_; }
+  [[nodiscard]] constexpr const Vec<Place, 3>& high() const noexcept { return high_; }
+  [[nodiscard]] constexpr const Vec<Place, 3>& along() const noexcept { return d_; }
+
+  [[nodiscard]] constexpr const Rotation<S, 3>& rotation() const noexcept { return box_.rotation; }
+
+  /// The distance, rounded down.
+  [[nodiscard]] constexpr Decided<Length<S>> distance_floor() const noexcept {
+    switch (nearness_) {
+      case Nearness::unsure:
+        return {Length<S>(), false};
+      case Nearness::meets:
+        return {Length<S>(0), true};
+      case Nearness::between:
+        return decide_floor<Length<S>>(approximate_distance());
+      default:
+        return {sqrt_floor<Length<S>>(squared()), true};
+    }
+  }
+
+  /// |beyond|^2.
+  [[nodiscard]] constexpr Fixed<126, 2 * frac> squared() const noexcept {
+    return narrow_dot<126>(beyond_, beyond_);
+  }
+  [[nodiscard]] constexpr auto approximate_distance() const noexcept {
+    return Approximate{sqrt_floor<Fixed<63, frac>>(squared()),
+                       error_ + error_ + Error::from_raw(1)};
+  }
+
+  /// The closest points of the box and of a capsule around the segment, as `closest_points_in_frame`
+  /// rounds them.
+  [[nodiscard]] constexpr Decided<Points> closest_points(const S& radius) const noexcept {
+    if (is_tie_ && segment_.start != segment_.end) return {Points(), false};
+    switch (nearness_) {
+      case Nearness::unsure:
+        return {Points(), false};
+      case Nearness::meets: {
+        const auto common = on_segment();
+        return {{common.value, common.value}, common.is_sure};
+      }
+      case Nearness::between:
+        return points_between(radius);
+      default:
+        return {points_at_end(nearness_ == Nearness::start ? segment_.start : segment_.end, radius),
+                true};
+    }
+  }
+
+ private:
+  using Clip = RayClip<S, Place, Place, 124>;
+  using Rough = Fixed<20, 0>;
+  using OverOrUnder = Fixed<125, 2 * frac>;
+  using RoughVec = Vec<Rough, 3>;
+  using Spot = Fixed<63, frac>;  // in the world
+
+  [[nodiscard]] static constexpr std::size_t at(int i) noexcept {
+    return static_cast<std::size_t>(i);
+  }
+
+  /// The excess of a place over the box, with its sides.
+  [[nodiscard]] constexpr Vec<Place, 3> excess_of(const Vec<Place, 3>& place) noexcept {
+    return make_vec<3>([&](int i) {
+      const auto& x = place[i];
+      sides_[at(i)] = x < low_[i] ? -1 : x > high_[i] ? 1 : 0;
+      const auto nearest = x < low_[i] ? low_[i] : x > high_[i] ? high_[i] : x;
+      return narrow_difference<62>(x, nearest);
+    });
+  }
+
+  constexpr void find() noexcept {
+    beyond_ = excess_of({});
+    const auto rise = narrow_dot<125>(d_, beyond_);
+    if (rise >= 0) {
+      nearness_ = is_zero(beyond_) ? Nearness::meets : Nearness::start;
+      is_tie_ = rise == 0 && !is_zero(beyond_);
+      return;
+    }
+    beyond_ = excess_of(d_);
+    if (is_zero(beyond_)) return enter();
+    const auto fall = narrow_dot<125>(d_, beyond_);
+    if (fall <= 0) {
+      nearness_ = Nearness::end;
+      is_tie_ = fall == 0;
+      return;
+    }
+    propose_sides();
+    const int outside = abs_of(sides_[0]) + abs_of(sides_[1]) + abs_of(sides_[2]);
+    if (outside < 2) {
+      enter();
+    } else {
+      check_between();
+    }
+  }
+  [[nodiscard]] static constexpr int abs_of(int side) noexcept { return side * side; }
+
+  /// Finds the sides as in `nearest_of_slabs`, with rounded numbers.
+  constexpr void propose_sides() noexcept {
+    int length = Rough::bits;
+    for (int i = 0; i < 3; ++i) {
+      length = (std::max)(length, bit_length(low_[i].raw()));
+      length = (std::max)(length, bit_length(high_[i].raw()));
+      length = (std::max)(length, bit_length(d_[i].raw()));
+    }
+    const auto rough = [dropped = length - Rough::bits](const auto& v) {
+      return make_vec<3>([&](int i) {
+        return Rough::assume_raw(
+            integer_cast<typename Rough::raw_type>(shift_right_floor(v[i].raw(), dropped)));
+      });
+    };
+    const auto low = rough(low_), high = rough(high_), d = rough(d_);
+    // Whether the distance still falls at the time over / under.
+    const auto falls_at = [&](const Rough& over, const Rough& under) {
+      const auto rise = [&](int i) {
+        const auto x = narrow_product<40>(over, d[i]);
+        const auto least = narrow_product<40>(under, low[i]);
+        const auto most = narrow_product<40>(under, high[i]);
+        const auto nearest = x < least ? least : x > most ? most : x;
+        return narrow_product<61>(d[i], narrow_difference<41>(x, nearest));
+      };
+      return narrow<63>(rise(0) + rise(1) + rise(2)) < 0;
+    };
+    for (int i = 0; i < 3; ++i) {
+      const bool rises = d[i] >= 0;
+      const auto under = abs(d[i]);
+      const auto is_past = [&](const Rough& over) {
+        return over <= 0 || (over < under && falls_at(over, under));
+      };
+      int& side = sides_[at(i)];
+      side = 0;
+      if (!is_past(rises ? low[i] : narrow_negative(high[i]))) {
+        side = rises ? -1 : 1;
+      } else if (is_past(rises ? high[i] : narrow_negative(low[i]))) {
+        side = rises ? 1 : -1;
+      }
+    }
+  }
+
+  /// Checks exactly whether they share a point, and where the segment first enters the box.
+  constexpr void enter() noexcept {
+    Clip clip(S(1));
+    for (int i = 0; i < 3; ++i) clip.keep(i, low_[i], high_[i], d_[i]);
+    if (clip.is_empty()) return;
+    over_ = OverOrUnder::assume_raw(clip.enter().numerator.raw());
+    under_ = OverOrUnder::assume_raw(clip.enter().denominator.raw());
+    nearness_ = Nearness::meets;
+  }
+
+  /// Checks whether the proposed sides are right: at the time of the least distance from the lines of
+  /// the faces there, all places are surely on these sides.
+  constexpr void check_between() noexcept {
+    Vec<Place, 3> bound, speed;
+    auto longest = abs(d_.x);
+    for (int i = 0; i < 3; ++i) {
+      longest = (std::max)(longest, abs(d_[i]));
+      if (sides_[at(i)] == 0) continue;
+      bound[i] = sides_[at(i)] < 0 ? low_[i] : high_[i];
+      speed[i] = d_[i];
+    }
+    over_ = narrow_dot<125>(bound, speed);
+    under_ = narrow_dot<125>(speed, speed);
+    if (!(over_ > 0 && over_ < under_)) return;
+    ratio_ = make_ratio_below_one(over_, under_);
+    // The ratio is off by less than 2^-56, and the product drops less than one step.
+    error_ = narrow<8>(narrow_floor<Error>(Fixed<62, frac + 56>::assume_raw(longest.raw())) +
+                       Error::from_raw(2));
+    bool is_right = true;
+    for (int i = 0; i < 3; ++i) {
+      const auto x = place_[i] = narrow_floor<Place>(d_[i] * ratio_.quotient.value);
+      const int side = sides_[at(i)];
+      const auto above = narrow_difference<63>(x, high_[i]),
+                 below = narrow_difference<63>(low_[i], x);
+      is_right = is_right && (side < 0   ? below > error_
+                              : side > 0 ? above > error_
+                                         : above < -error_ && below < -error_);
+      beyond_[i] = side < 0   ? narrow_difference<62>(x, low_[i])
+                   : side > 0 ? narrow_difference<62>(x, high_[i])
+                              : Place(0);
+    }
+    if (is_right) nearness_ = Nearness::between;
+  }
+
+  /// The point of the segment at over_ / under_, rounded to nearest.
+  [[nodiscard]] constexpr Decided<Vec<S, 3>> on_segment() const noexcept {
+    if (over_ == 0) return {segment_.start, true};
+    if (over_ == under_) return {segment_.end, true};
+    Decided<Vec<S, 3>> result{{}, true};
+    const auto ratio = make_ratio_below_one(over_, under_);
+    for (int i = 0; i < 3; ++i) {
+      const auto& start = segment_.start[i];
+      const auto x = decide_between<S>(start, segment_.end[i] - start, ratio);
+      result.value[i] = x.value;
+      result.is_sure = result.is_sure && x.is_sure;
+    }
+    return result;
+  }
+  /// The closest point of the box in its frame; `place` is that of the segment.
+  [[nodiscard]] constexpr Vec<Place, 3> on_box(const Vec<Place, 3>& place) const noexcept {
+    return make_vec<3>([&](int i) {
+      const Place extent(box_.half_extents[i]);
+      return side(i) > 0   ? extent
+             : side(i) < 0 ? narrow_negative(extent)
+                           : narrow_difference<62>(place[i], center_[i]);
+    });
+  }
+
+  [[nodiscard]] constexpr Points points_at_end(const Vec<S, 3>& end,
+                                               const S& radius) const noexcept {
+    const auto place = nearness_ == Nearness::start ? Vec<Place, 3>() : d_;
+    const auto in_world = nearest_to<S>(box_.center + from_frame(box_.rotation, on_box(place)));
+    if (squared() <= square(radius)) return {in_world, in_world};
+    return {in_world, nearly_rounded_beyond(end, radius,
+                                            from_frame(box_.rotation, narrow_negative(beyond_)))};
+  }
+
+  [[nodiscard]] constexpr Decided<Points> points_between(const S& radius) const noexcept {
+    Decided<Points> result{Points(), true};
+    auto& [in_world, outward] = result.value;
+    const auto decide_at = [&](auto& point, int i, const auto& x) {
+      const auto nearest = decide_nearest<S>(x);
+      point[i] = nearest.value;
+      result.is_sure =
+          result.is_sure && nearest.is_sure && lowest<S> <= x.value && x.value <= largest<S>;
+    };
+    // No axis exceeds 1 by a step, so the errors of three places add up, and one for the floor.
+    const auto world_error = error_ + error_ + error_ + Error::from_raw(1);
+    const auto from_center = from_frame(box_.rotation, on_box(place_));
+    for (int i = 0; i < 3; ++i) {
+      decide_at(
+          in_world, i,
+          Approximate{narrow_sum<63>(Spot(box_.center[i]), narrow_floor<Spot>(from_center[i])),
+                      world_error});
+    }
+    const auto length = approximate_distance();
+    if (length.value + length.error < radius) {
+      outward = in_world;
+      return result;
+    }
+    if (!(length.value - length.error > radius)) return {Points(), false};
+    if (radius == 0) {
+      const auto on_axis = on_segment();
+      outward = on_axis.value;
+      result.is_sure = result.is_sure && on_axis.is_sure;
+      return result;
+    }
+    const auto to_box = from_frame(box_.rotation, narrow_negative(beyond_));
+    const auto across = make_vec<3>([&](int i) { return narrow_floor<Spot>(to_box[i]); });
+    bool is_long = false;
+    for (int i = 0; i < 3; ++i) {
+      is_long = is_long || abs(across[i]) * Fixed<7, 0>(64) > radius;
+    }
+    if (!is_long) return {Points(), false};
+    const auto moves = step_along(radius, to_array(across));
+    for (int i = 0; i < 3; ++i) {
+      const auto& start = segment_.start[i];
+      const auto ahead = approximate_product(segment_.end[i] - start, ratio_).value;
+      const auto x = narrow_sum<62>(finer<S, 30>(start) + ahead, moves.value[at(i)]);
+      decide_at(outward, i, Approximate{x, Steps<1 << 19>()});
+    }
+    return result;
+  }
+
+  SpannedBox<S> box_;
+  Segment<S, 3> segment_;
+  Nearness nearness_ = Nearness::unsure;
+  bool is_tie_ = false;  // the distance does not change at the end
+  Vec<Place, 3> center_, low_, high_, d_;
+  std::array<int, 3> sides_{};
+  Vec<Place, 3> beyond_, place_;
+  Error error_;
+  OverOrUnder over_, under_;  // of the time
+  BoundedRatio<OverOrUnder, OverOrUnder, 63, Steps<128>> ratio_{};
+};
+
+/// Whether to filter the queries of a box of this kind and a segment so.
+template <class Box>
+inline constexpr bool has_segment_in_frame = false;
+template <Scalar S>
+inline constexpr bool has_segment_in_frame<Obb<S, 3>> = is_fixed<S>&& filter_pays<S>;
+template <Scalar S>
+inline constexpr bool has_segment_in_frame<Aabb<S, 3>> = is_fixed<S>&& filter_pays<S>;
+
+}  // namespace detent::detail
