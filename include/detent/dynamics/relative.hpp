@@ -66,7 +66,7 @@ template <Scalar S, int N>
     if (limit < 0 || !fits<31>(limit) || margin == (Gap::max)()) return false;
     std::uint64_t squared = 0;
     for (int i = 0; i < N; ++i) {
-      const auto d = static_cast<std::uint64_t>(std::int64_t{offset[i].raw()});
+      const auto d = static_cast<std::uint64_t>(offset[i].raw());
       squared += d * d;
     }
     const auto reach = static_cast<std::uint64_t>(limit.raw());

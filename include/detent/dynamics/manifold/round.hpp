@@ -74,11 +74,11 @@ template <class T, Number Step, class Ratio>
 [[nodiscard]] constexpr T share_of_step(const Step& step, const Ratio& ratio) noexcept {
   const auto exact = [&] { return quotient_nearest<T>(step * ratio.over, ratio.under); };
   if constexpr (is_fixed<T> && has_filters) {
-    using Share = Fixed<62, T::frac + 20>;
+    using Moved = Fixed<62, T::frac + 20>;
     static_assert(Step::bits <= 33 && T::frac - Step::frac <= 8);
     const auto product = wrapping_multiply<Int128>(step.raw(), ratio.quotient.value.raw());
-    const auto share = Share::assume_raw(integer_cast<typename Share::raw_type>(
-        shift_right_floor(product, 63 - (Share::frac - Step::frac))));
+    const auto share = Moved::assume_raw(integer_cast<typename Moved::raw_type>(
+        shift_right_floor(product, 63 - (Moved::frac - Step::frac))));
     return nearest_to<T>(
         or_exact(decide_nearest<Fixed<43, T::frac>>(Approximate{share, Steps<32>()}),
                  [&] { return Fixed<43, T::frac>(exact()); }));
