@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "detent/query/cast/pair.hpp"
 #include "query/raycast/helpers.hpp"
+#include "support/random.hpp"
 
 namespace detent::test {
 namespace {
@@ -42,6 +43,45 @@ TEST_CASE("cast: among several closest points of the target, the least is return
   const Obb<S, 3> base{at<S, 3>(0, 0, -1), at<S, 3>(9, 9, 1), Rotation<S, 3>()};
   CHECK(cast(lying, down, num<S>(9), base) == CastHit<S, 3>{num<S>(4), at<S, 3>(-1, 1, 0), -down});
   CHECK(cast(base, -down, num<S>(9), lying) == CastHit<S, 3>{num<S>(4), at<S, 3>(-1, 1, 4), down});
+}
+
+template <Scalar S, int N>
+Aabb<S, N> draw_box(Random& random, int size) {
+  const auto corner = [&] {
+    return make_vec<N>([&](int) {
+      return S::assume_raw(static_cast<typename S::raw_type>(random.between(-size, size)));
+    });
+  };
+  const Vec<S, N> a = corner(), b = corner();
+  return {make_vec<N>([&](int i) { return (std::min)(a[i], b[i]); }),
+          make_vec<N>([&](int i) { return (std::max)(a[i], b[i]); })};
+}
+
+TEMPLATE_TEST_CASE("cast: the closest point of two boxes is the one that the search finds",
+                   "[cast]", (Space<q16_16, 2>), (Space<q16_16, 3>), (Space<q14_16, 3>),
+                   (Space<q24_8, 3>), (Space<q8_8, 2>), (Space<q8_8, 3>)) {
+  using S = typename TestType::scalar;
+  constexpr int N = TestType::dimension;
+  Random random(11);
+  const Direction<S, N> directions[] = {toward<S, N>(1, 0), toward<S, N>(0, -1),
+                                        toward<S, N>(3, -4), toward<S, N>(-5, 12)};
+  int apart = 0, searched = 0;
+  for (int round = 0; round < 1000; ++round) {
+    // Small boxes often share a face, an edge or a corner.
+    const int size = random.coin() ? 4 : (S::max)().raw() / 2;
+    const auto a = draw_box<S, N>(random, size), b = draw_box<S, N>(random, size);
+    const auto distance = S::assume_raw(static_cast<typename S::raw_type>(random.between(0, size)));
+    const auto offset = directions[random.between(0, 3)].vec() * distance;
+    const auto found = detail::closest_point_of_boxes(a, b, offset);
+    const auto moved = detail::moved_body(detail::body_of(a), offset);
+    const auto exact = detail::closest_point_of_body(moved, detail::body_of(b), S(0));
+    CAPTURE(a, b, offset);
+    if (found) CHECK(*found == exact);
+    apart += found && !detail::bodies_overlap(moved, detail::body_of(b)) ? 1 : 0;
+    searched += found ? 0 : 1;
+  }
+  CHECK(apart > 100);
+  CHECK(searched > 3);
 }
 
 }  // namespace

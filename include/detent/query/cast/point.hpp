@@ -182,6 +182,30 @@ template <class Thin, Scalar S, int N, Number D>
   return in_frame(box, start_of(thin) - box.center) + way_in_frame(box, direction) * distance;
 }
 
+/// The point of box `b` closest to box `a` moved by `offset`, if finding it takes no search: they
+/// are apart, or one has a corner of the other.
+template <Scalar S, int N, Number T>
+[[nodiscard]] constexpr std::optional<Vec<S, N>> closest_point_of_boxes(
+    const Aabb<S, N>& a, const Aabb<S, N>& b, const Vec<T, N>& offset) noexcept {
+  const auto low = a.min + offset, high = a.max + offset;
+  bool is_apart = false;
+  for (int i = 0; i < N; ++i) is_apart |= high[i] < b.min[i] || b.max[i] < low[i];
+  if (is_apart) return clamp_to(b, nearest_to<S>(low));
+  const auto are_ordered = [](const auto& x, const auto& y, const auto& z) {
+    bool are = true;
+    for (int i = 0; i < N; ++i) are &= x[i] <= y[i] && y[i] <= z[i];
+    return are;
+  };
+  for (const auto& corner : AabbBody(b).corners()) {
+    if (are_ordered(low, corner, high)) return corner;
+  }
+  for (const auto& corner : AabbBody(a).corners()) {
+    const auto moved = corner + offset;
+    if (are_ordered(b.min, moved, b.max)) return nearest_to<S>(moved);
+  }
+  return std::nullopt;
+}
+
 /// The point of `target` closest to `shape` moved by `distance`; both have points.
 template <class A, class B, Scalar S, int N>
 [[nodiscard]] constexpr Vec<S, N> closest_point_of_target(const A& shape, const B& target,
@@ -233,7 +257,11 @@ template <class A, class B, Scalar S, int N>
         if (const auto point = witness.closest_point(distance)) return *point;
       }
     }
-    const auto moved = moved_body(body, direction.vec() * distance);
+    const auto offset = direction.vec() * distance;
+    if constexpr (is_kind<CoreA, Aabb> && is_kind<CoreB, Aabb>) {
+      if (const auto point = closest_point_of_boxes(a, b, offset)) return *point;
+    }
+    const auto moved = moved_body(body, offset);
     if constexpr (is_kind<CoreB, Plane>) {
       return closest_point_of_plane(moved, b);
     } else {
