@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "detent/shape/moved.hpp"
 
+#include "detent/shape/segment.hpp"
 #include "support/catch.hpp"
 
 using namespace detent;
@@ -23,6 +24,7 @@ TEST_CASE("translated: every shape moves by the vector and clamps at the end of 
   CHECK(translated(Triangle{at(0, 0, 0), at(1, 0, 0), at(0, 1, 0)}, by) ==
         Triangle{by, at(2, 2, 3), at(1, 3, 3)});
   CHECK(translated(Capsule{at(0, 0, 0), at(1, 0, 0), S(1)}, by) == Capsule{by, at(2, 2, 3), S(1)});
+  CHECK(translated(Segment{at(0, 0, 0), at(1, 0, 0)}, by) == Segment{by, at(2, 2, 3)});
   CHECK(translated(Plane{Direction<S, 3>::along(1), S(5)}, by) ==
         Plane{Direction<S, 3>::along(1), S(7)});
   CHECK(translated(Sphere{at(32767, 0, 0), S(1)}, at(9, 0, 0)).center.x == S::max());
@@ -37,6 +39,7 @@ TEST_CASE("placed: rotated, mirrored, scaled and moved") {
         Triangle{at(10, 0, 0), at(10, -2, 0), at(12, 0, 0)});
   CHECK(placed(motion, Capsule{at(0, 0, 0), at(1, 0, 0), S(1)}) ==
         Capsule{at(10, 0, 0), at(10, -2, 0), S(2)});
+  CHECK(placed(motion, Segment{at(0, 0, 0), at(1, 0, 0)}) == Segment{at(10, 0, 0), at(10, -2, 0)});
   // x = 3 goes to y = -6, and its normal to -y.
   CHECK(placed(motion, Plane{Direction<S, 3>::along(0), S(3)}) ==
         Plane{-Direction<S, 3>::along(1), S(6)});
