@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "detent/query/cast/pair.hpp"
+#include "detent/query/cast.hpp"
 #include "query/raycast/helpers.hpp"
 #include "support/random.hpp"
 
@@ -82,6 +82,70 @@ TEMPLATE_TEST_CASE("cast: the closest point of two boxes is the one that the sea
   }
   CHECK(apart > 100);
   CHECK(searched > 3);
+}
+
+template <Scalar S>
+S draw_number(Random& random, int bits) {
+  const auto most = std::int64_t{1} << bits;
+  return S::assume_raw(static_cast<typename S::raw_type>(random.between(-most, most - 1)));
+}
+template <Scalar S>
+Vec<S, 3> draw_point(Random& random, int bits) {
+  return make_vec<3>([&](int) { return draw_number<S>(random, bits); });
+}
+
+TEMPLATE_TEST_CASE("cast: times to planes and feet on them, by words, are the exact ones", "[cast]",
+                   q16_16, q14_16, q24_8) {
+  using S = TestType;
+  Random random(12);
+  int sure = 0, past = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    const int bits = static_cast<int>(random.between(2, bits_of<S> - 1));
+    const auto normal = direction_of<S>(draw_point<S>(random, 4 + bits / 2));
+    const auto fall = direction_of<S>(draw_point<S>(random, 3));
+    if (!normal || !fall) continue;
+    const auto squared = squared_length(*normal);
+    const auto p = draw_point<S>(random, bits);
+    const auto height = dot(*normal, p) - draw_number<S>(random, bits);
+    const auto foot = detail::decide_foot(p, *normal, height);
+    CAPTURE(p, *normal, height);
+    if (foot.is_sure) {
+      const detail::RationalPoint exact{p * squared - normal->vec() * height, squared};
+      CHECK(foot.value == detail::rounded<S>(exact));
+    }
+
+    const auto speed = narrow_negative(dot(*normal, *fall));
+    const S radius = random.coin() ? S(0) : nearest_to<S>(abs(draw_number<S>(random, bits)));
+    const S limit = random.coin() ? (S::max)() : nearest_to<S>(abs(draw_number<S>(random, bits)));
+    const auto check = [&](const auto& from) {
+      const auto time = detail::decide_time_to_plane(from, radius, squared, speed, limit);
+      if (!time.is_sure) return;
+      ++sure;
+      CAPTURE(from, radius, speed, limit, time.value);
+      // Whether the ball is apart from the plane, falling, after t.
+      const auto is_apart = [&](const auto& t) {
+        const auto left = from - speed * t;
+        return left > 0 && square(left) > square(radius) * squared;
+      };
+      CHECK(is_apart(S(0)));
+      if (time.value) {
+        CHECK(*time.value < limit);
+        CHECK(is_apart(*time.value));
+        CHECK_FALSE(is_apart(*time.value + S::assume_raw(1)));
+      } else {
+        CHECK(is_apart(limit));
+        ++past;
+      }
+    };
+    check(height);
+    // Next to a time on the grid.
+    using Little = Fixed<20, S::frac + 30>;
+    const auto t = nearest_to<S>(abs(draw_number<S>(random, bits)));
+    check(speed * t + radius + radius * half(squared - decltype(squared)(1)) +
+          Little::assume_raw(static_cast<typename Little::raw_type>(random.between(-5000, 5000))));
+  }
+  CHECK(sure > 3000);
+  CHECK(past > 100);
 }
 
 }  // namespace

@@ -5,10 +5,41 @@
 #include <type_traits>
 
 #include "detent/number/filter/leading.hpp"
+#include "detent/number/filter/ratio.hpp"
 #include "detent/query/cast/touch.hpp"
+#include "detent/query/kernel/point_plane.hpp"
+#include "detent/query/kernel/rounded_point.hpp"
 #include "detent/shape/plane.hpp"
 
 namespace detent::detail {
+
+/// The time (h - r |n|) / s of the first touch below, rounded down, or nothing if it is past
+/// `limit`; in words.
+///
+/// |n|^2 = 1 + e with |e| <= 2^-28, so |n| is 1 + e / 2 less at most 2^-59. With that, h - r |n| is
+/// off by less than 8 steps of 2^-30 S; if s >= 2^-12, the quotient is off by less than 2^10 of its
+/// steps of 2^-25 S, and the division adds 8 of them.
+template <Scalar S, Number Height, Number Squared, Number Speed>
+[[nodiscard]] constexpr Decided<std::optional<S>> decide_time_to_plane(const Height& height,
+                                                                       const S& radius,
+                                                                       const Squared& squared,
+                                                                       const Speed& speed,
+                                                                       const S& limit) noexcept {
+  using Over = Fixed<63, S::frac + 30>;
+  const auto from = floor_to<Over>(height);
+  const auto reach = radius + floor_to<Over>(radius * half(squared - Squared(1)));
+  const auto over = from - reach;
+  using Least = Fixed<2, 12>;
+  if (!fits<62>(from) || over < Over::assume_raw(8) || speed < Least::assume_raw(1)) {
+    return {{}, false};
+  }
+  const ShortQuotient<S> quotient(narrow<63>(over), speed);
+  if (!quotient.is_short) return {{}, false};
+  const auto floor = decide_floor<S>(Approximate{quotient.value, Steps<1 << 11>()});
+  if (!floor.is_sure) return {{}, false};
+  if (floor.value < limit) return {floor.value, true};
+  return {{}, true};
+}
 
 /// The first touch of a shape that moves along `direction` with a plane: that of the corner of its
 /// core closest to the plane.
@@ -33,12 +64,20 @@ template <bool WithNormal, class A, Scalar S, int N>
   const Height height = is_above      ? lowest
                         : highest < 0 ? Height(narrow_negative(highest))
                                       : Height();
+  if (!(height > 0)) return Touch<S, N>{S(0), std::nullopt};
   const auto radius = radius_of(a);
   const auto nn = squared_length(plane.normal);
-  const auto beyond = square(height) - square(radius) * nn;
-  if (!(height > 0) || beyond <= 0) return Touch<S, N>{S(0), std::nullopt};
   const auto along = dot(plane.normal, direction);
   const auto speed = is_above ? along : narrow_negative(along);  // negative if it falls
+  if constexpr (is_fixed<S> && filter_pays<S>) {
+    const auto decided = decide_time_to_plane(height, S(radius), nn, narrow_negative(speed), limit);
+    if (decided.is_sure) {
+      if (!decided.value) return std::nullopt;
+      return Touch<S, N>{*decided.value, is_above ? plane.normal : -plane.normal};
+    }
+  }
+  const auto beyond = square(height) - square(radius) * nn;
+  if (beyond <= 0) return Touch<S, N>{S(0), std::nullopt};
   if (!(speed < 0)) return std::nullopt;
   // Whether the body reaches the plane by t, or not before t.
   const auto left = [&](const S& t) { return height + speed * t; };

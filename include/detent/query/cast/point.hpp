@@ -114,6 +114,33 @@ template <class Body, Number T, int N>
   return SweptBody<Body, T, 0>(body, 0, offset, offset);
 }
 
+/// The foot of a point on a plane, p - n h / |n|^2 with its height h, rounded to nearest and clamped;
+/// in words.
+///
+/// 1 / |n|^2 = 1 - e + ... with |e| <= 2^-28, and h < 2^62 steps of 2^-30 S: h (1 - e) is off by less
+/// than 2^6 of them, and with its products rounded down, the foot by less than 2^7.
+template <Scalar S, Number P, Number Height, int N>
+[[nodiscard]] constexpr Decided<Vec<S, N>> decide_foot(const Vec<P, N>& p,
+                                                       const Direction<S, N>& normal,
+                                                       const Height& height) noexcept {
+  using Grid = Fixed<63, S::frac + 30>;
+  using Near = Fixed<34, S::frac>;
+  const auto squared = squared_length(normal);
+  const auto above = floor_to<Grid>(height);
+  const auto from = make_vec<N>([&](int i) { return floor_to<Grid>(p[i]); });
+  Decided<Vec<S, N>> foot{{}, fits<61>(above) && fits<61>(from)};
+  if (!foot.is_sure) return foot;
+  const auto scaled =
+      narrow<62>(above - floor_to<Grid>(narrow<62>(above) * (squared - decltype(squared)(1))));
+  for (int i = 0; i < N; ++i) {
+    const auto value = narrow<63>(from[i] - floor_to<Grid>(scaled * normal[i]));
+    const auto nearest = decide_nearest<Near>(Approximate{value, Steps<1 << 7>()});
+    foot.is_sure = foot.is_sure && nearest.is_sure;
+    foot.value[i] = nearest_to<S>(nearest.value);
+  }
+  return foot;
+}
+
 /// The point of a plane closest to the body `a`, which is on one side of it or touches it: the foot
 /// of the closest corner; ties go to the least one.
 template <class A, Scalar S, int N>
@@ -130,8 +157,16 @@ template <class A, Scalar S, int N>
   a.template for_each_extreme<bits>(n, from, !is_above, [&](const auto& corner) {
     if (is_before(corner, nearest)) nearest = corner;
   });
-  const auto whole = squared_length(plane.normal);
-  return rounded<S>(RationalPoint{nearest * whole - n * height(nearest), whole});
+  const auto above = height(nearest);
+  const auto exact = [&] {
+    const auto whole = squared_length(plane.normal);
+    return rounded<S>(RationalPoint{nearest * whole - n * above, whole});
+  };
+  if constexpr (is_fixed<S> && filter_pays<S>) {
+    return or_exact(decide_foot(nearest, plane.normal, above), exact);
+  } else {
+    return exact();
+  }
 }
 
 /// Returns f(on_box, on_thin, v) for an oriented box and a segment that starts at `place` in the

@@ -9,6 +9,7 @@
 #include "detent/math/orthonormal.hpp"
 #include "detent/number/filter/filtered.hpp"
 #include "detent/query/kernel/box.hpp"
+#include "detent/shape/aabb.hpp"
 #include "detent/shape/obb.hpp"
 
 namespace detent::detail {
