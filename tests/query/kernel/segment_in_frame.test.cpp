@@ -28,7 +28,7 @@ void compare(const Box& box, const Obb<S, 3>* same, const Segment<S, 3>& segment
     }
   }());
   rates.meets.count(exact_distance == 0);
-  rates.between.count(filter.nearness() == detail::Nearness::between);
+  rates.between.count(filter.closest_at() == detail::ClosestAt::between);
   rates.sure_distances.count(distance.is_sure);
   if (distance.is_sure) REQUIRE(distance.value == exact_distance);
   if (same == nullptr) return;

@@ -92,12 +92,12 @@ class SegmentBoxFilter {
       : radius_(radius), words_(box, segment) {}
 
   [[nodiscard]] constexpr Found find() const noexcept {
-    switch (words_.nearness()) {
-      case Nearness::unsure:
+    switch (words_.closest_at()) {
+      case ClosestAt::unsure:
         return unsure;
-      case Nearness::meets:
+      case ClosestAt::meets:
         return inside();
-      case Nearness::between:
+      case ClosestAt::between:
         return between();
       default:
         return at_end();
@@ -129,7 +129,7 @@ class SegmentBoxFilter {
                                       const Length<S>& gap) const noexcept {
     Result result{away, Depth<S>(radius_ - gap)};
     for (int i = 0; i < 3; ++i) result.add_side(i, words_.side(i));
-    result.set_ends(words_.is_across() ? 0 : words_.nearness() == Nearness::start ? 1 : -1);
+    result.set_ends(words_.is_across() ? 0 : words_.closest_at() == ClosestAt::start ? 1 : -1);
     return {result, true};
   }
 

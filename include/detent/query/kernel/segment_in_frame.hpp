@@ -24,7 +24,7 @@ namespace detent::detail {
 
 /// How a segment lies to a box: they share a point, or are closest at one end of the segment, or
 /// at one point between its ends.
-enum class Nearness { unsure, meets, start, end, between };
+enum class ClosestAt { unsure, meets, start, end, between };
 
 /// A segment in the frame of a box. Its point at t in [0, 1] is t d there, and the box is from `low`
 /// to `high`.
@@ -55,13 +55,13 @@ class SegmentInFrame {
     find();
   }
 
-  [[nodiscard]] constexpr Nearness nearness() const noexcept { return nearness_; }
+  [[nodiscard]] constexpr ClosestAt closest_at() const noexcept { return closest_at_; }
   /// Below which coordinate of the box the closest point of the segment is: -1, or above which: 1;
   /// 0 on axes on which it is between both.
   [[nodiscard]] constexpr int side(int i) const noexcept { return sides_[at(i)]; }
   /// Whether the vector between the closest points is perpendicular to the segment.
   [[nodiscard]] constexpr bool is_across() const noexcept {
-    return nearness_ == Nearness::between || is_tie_;
+    return closest_at_ == ClosestAt::between || is_tie_;
   }
   /// The vector from the closest point of the box to that of the segment, off by at most `error` in
   /// each component, which is 0 at the ends of the segment.
@@ -76,12 +76,12 @@ class SegmentInFrame {
 
   /// The distance, rounded down.
   [[nodiscard]] constexpr Decided<Length<S>> distance_floor() const noexcept {
-    switch (nearness_) {
-      case Nearness::unsure:
+    switch (closest_at_) {
+      case ClosestAt::unsure:
         return {Length<S>(), false};
-      case Nearness::meets:
+      case ClosestAt::meets:
         return {Length<S>(0), true};
-      case Nearness::between:
+      case ClosestAt::between:
         return decide_floor<Length<S>>(approximate_distance());
       default:
         return {sqrt_floor<Length<S>>(squared()), true};
@@ -101,18 +101,19 @@ class SegmentInFrame {
   /// rounds them.
   [[nodiscard]] constexpr Decided<Points> closest_points(const S& radius) const noexcept {
     if (is_tie_ && segment_.start != segment_.end) return {Points(), false};
-    switch (nearness_) {
-      case Nearness::unsure:
+    switch (closest_at_) {
+      case ClosestAt::unsure:
         return {Points(), false};
-      case Nearness::meets: {
+      case ClosestAt::meets: {
         const auto common = on_segment();
         return {{common.value, common.value}, common.is_sure};
       }
-      case Nearness::between:
+      case ClosestAt::between:
         return points_between(radius);
       default:
-        return {points_at_end(nearness_ == Nearness::start ? segment_.start : segment_.end, radius),
-                true};
+        return {
+            points_at_end(closest_at_ == ClosestAt::start ? segment_.start : segment_.end, radius),
+            true};
     }
   }
 
@@ -141,7 +142,7 @@ class SegmentInFrame {
     beyond_ = excess_of({});
     const auto rise = narrow_dot<125>(d_, beyond_);
     if (rise >= 0) {
-      nearness_ = is_zero(beyond_) ? Nearness::meets : Nearness::start;
+      closest_at_ = is_zero(beyond_) ? ClosestAt::meets : ClosestAt::start;
       is_tie_ = rise == 0 && !is_zero(beyond_);
       return;
     }
@@ -149,7 +150,7 @@ class SegmentInFrame {
     if (is_zero(beyond_)) return enter();
     const auto fall = narrow_dot<125>(d_, beyond_);
     if (fall <= 0) {
-      nearness_ = Nearness::end;
+      closest_at_ = ClosestAt::end;
       is_tie_ = fall == 0;
       return;
     }
@@ -212,7 +213,7 @@ class SegmentInFrame {
     if (clip.is_empty()) return;
     over_ = OverOrUnder::assume_raw(clip.enter().numerator.raw());
     under_ = OverOrUnder::assume_raw(clip.enter().denominator.raw());
-    nearness_ = Nearness::meets;
+    closest_at_ = ClosestAt::meets;
   }
 
   /// Checks whether the proposed sides are right: at the time of the least distance from the lines of
@@ -246,7 +247,7 @@ class SegmentInFrame {
                    : side > 0 ? narrow_difference<62>(x, high_[i])
                               : Place(0);
     }
-    if (is_right) nearness_ = Nearness::between;
+    if (is_right) closest_at_ = ClosestAt::between;
   }
 
   /// The point of the segment at over_ / under_, rounded to nearest.
@@ -275,7 +276,7 @@ class SegmentInFrame {
 
   [[nodiscard]] constexpr Points points_at_end(const Vec<S, 3>& end,
                                                const S& radius) const noexcept {
-    const auto place = nearness_ == Nearness::start ? Vec<Place, 3>() : d_;
+    const auto place = closest_at_ == ClosestAt::start ? Vec<Place, 3>() : d_;
     const auto in_world = nearest_to<S>(box_.center + from_frame(box_.rotation, on_box(place)));
     if (squared() <= square(radius)) return {in_world, in_world};
     return {in_world, nearly_rounded_beyond(end, radius,
@@ -331,7 +332,7 @@ class SegmentInFrame {
 
   SpannedBox<S> box_;
   Segment<S, 3> segment_;
-  Nearness nearness_ = Nearness::unsure;
+  ClosestAt closest_at_ = ClosestAt::unsure;
   bool is_tie_ = false;  // the distance does not change at the end
   Vec<Place, 3> center_, low_, high_, d_;
   std::array<int, 3> sides_{};
