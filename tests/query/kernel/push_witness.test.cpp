@@ -131,6 +131,37 @@ void compare_many(std::int64_t reach, std::int64_t grid, Axes axes, int asked, C
   }
 }
 
+/// Points, segments and triangles that share corners: they touch and have no depth.
+template <Scalar S>
+void compare_flat(std::int64_t reach, int asked, Count& count) {
+  Random random(static_cast<std::uint64_t>(reach + asked));
+  for (int i = 0; i < asked; ++i) {
+    std::array<Vec<S, 3>, 5> p;
+    for (auto& corner : p) {
+      corner = make_vec<3>([&](int) {
+        return S::assume_raw(static_cast<typename S::raw_type>(random.between(-reach, reach)));
+      });
+    }
+    CAPTURE(reach, i, p);
+    const detail::HullBody triangle(std::array{p[0], p[1], p[2]});
+    for (std::size_t k = 0; k < 3; ++k) {
+      compare(triangle, detail::HullBody(std::array{p[k]}), count);
+      compare(triangle, detail::HullBody(std::array{p[3], p[k]}), count);
+      compare(triangle, detail::HullBody(std::array{p[k], p[3], p[4]}), count);
+      compare(detail::HullBody(std::array{p[k], p[3]}), triangle, count);
+      compare(detail::HullBody(std::array{p[k], p[3]}), detail::HullBody(std::array{p[k]}), count);
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("push witness: flat bodies that share a corner are not apart", "[kernel]",
+                   q16_16, q14_16, q24_8, q8_8) {
+  Count count;
+  for (const std::int64_t reach : {4, 3000, 30'000}) compare_flat<TestType>(reach, 300, count);
+  if constexpr (bits_of < TestType >> 16) compare_flat<TestType>(1 << 28, 300, count);
+  CHECK(count.hits.percent() >= 80);
+}
+
 /// Boxes whose pushes along the three axes are nearly equal, or that nearly touch, as hulls and as
 /// bodies. The differences are up to 3 `unit`s.
 template <Scalar S>

@@ -192,7 +192,10 @@ class PushWitness {
     auto second_way = toward(m, x);
     if (is_zero(second_way)) second_way = across(m);
     auto second = farthest(second_way);
-    if (place_of(second) == x) second = farthest(narrow_negative(second_way));
+    if (place_of(second) == x) {
+      second_way = narrow_negative(second_way);
+      second = farthest(second_way);
+    }
     const auto y = place_of(second);
     if (is_apart(second_way, narrow_dot<63>(second_way, y))) return Outcome::apart;
     const auto line = narrow<21>(y - x);
