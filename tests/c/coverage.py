@@ -135,10 +135,12 @@ for header in sorted(os.listdir('include/detent/query')):
     if (f'detent_{name}3' in functions) == (name in excepted):
         wrong.append(f'{header}: C has it, or docs/bindings.md names `{name}` as missing')
 
-# The regions of scene queries.
+# The regions of scene queries: `reference` takes them by name, and round shapes, which have a core.
 scene = context.scene3()
 questions = read('include/detent/scene/question.hpp')
 regions = set(re.findall(r'reference\(const (\w+)<S(?:, N)?>&', questions))
+for header in os.listdir('include/detent/shape'):
+    regions |= set(re.findall(r' core\(const (\w+)<S, N>&', read(f'include/detent/shape/{header}')))
 for region in sorted(regions):
     for name in ('nearest', 'any', 'all'):
         if region == 'Frustum':
