@@ -184,10 +184,10 @@ template <Scalar S, int N, class A, class B>
     using Faced = FacedPush<S, N, most>;
     const auto push = least_push_between<S>(
         body_a, body_b, radius_a + radius_b, filter,
-        [&](const auto& normal, const Depth<S>& depth, const auto&... level) {
+        [&](const auto& normal, const Depth<S>& depth, const auto&... known) {
           return std::optional<Faced>({unit_of<S>(normal), depth,
-                                       face_along<S, most>(body_a, normal, true, level.a...),
-                                       face_along<S, most>(body_b, normal, false, level.b...)});
+                                       face_along<S, most>(body_a, normal, true, known.a...),
+                                       face_along<S, most>(body_b, normal, false, known.b...)});
         });
     if (!push) return std::nullopt;
     const auto& normal = push->normal;

@@ -188,8 +188,8 @@ template <Scalar S, class A, class B, Number Radii, class Filter, class F>
   const auto depth_of = [&](const auto& push) {
     return depth_of_height<S>(radii, push.height, squared_length(push.normal));
   };
-  const auto found = [&](const auto& v, const Depth<S>& depth, auto... level) {
-    return with_normal<Normal>(v, [&](const auto& normal) { return f(normal, depth, level...); });
+  const auto found = [&](const auto& v, const Depth<S>& depth, auto... known) {
+    return with_normal<Normal>(v, [&](const auto& normal) { return f(normal, depth, known...); });
   };
   const auto low = a.low() - b.high(), high = a.high() - b.low();
   if (is_fixed<S> && radii == 0 && !holds_origin(low, high)) return Result();
